@@ -1,0 +1,46 @@
+/* random.h - words by chance, the same on every run for the same seed. */
+#ifndef TESTS_RANDOM_H
+#define TESTS_RANDOM_H
+
+#include "vm/word.h"
+
+#define RANDOM_SEED UINT64_C(0x205205205205205)
+
+/* Marsaglia's xorshift with the shifts 13, 7, 17; state is never 0. */
+static inline uint64_t xorshift(uint64_t *state)
+{
+    *state ^= *state << 13;
+    *state ^= *state >> 7;
+    *state ^= *state << 17;
+    return *state;
+}
+
+/* low .. high, both included */
+static inline int64_t xorshift_between(uint64_t *state, int64_t low,
+                                       int64_t high)
+{
+    return low + (int64_t)(xorshift(state) % (uint64_t)(high - low + 1));
+}
+
+/* A normalised word with an exponent of the given range. */
+static inline c205_word xorshift_normalised(uint64_t *state, int32_t low,
+                                            int32_t high)
+{
+    const int32_t exponent = (int32_t)xorshift_between(state, low, high);
+    const uint64_t random = xorshift(state);
+    const int64_t c = (int64_t)(random >> 18 | UINT64_C(1) << 46);
+
+    return word_make(exponent, random & 1 ? c : ~c);
+}
+
+/* An unnormalised number: up to 46 significant bits. */
+static inline c205_word xorshift_unnormalised(uint64_t *state, int32_t low,
+                                              int32_t high)
+{
+    const int32_t exponent = (int32_t)xorshift_between(state, low, high);
+    const int places = (int)xorshift_between(state, 17, 63);
+
+    return word_make(exponent, (int64_t)xorshift(state) >> places);
+}
+
+#endif

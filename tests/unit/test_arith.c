@@ -1,0 +1,506 @@
+/* test_arith.c - the edges of each rule of docs/arithmetic.md, with results
+ * worked out by hand. */
+#include "tests/random.h"
+#include "vm/arith.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#define MZ C205_MACHINE_ZERO
+#define IND C205_INDEFINITE
+#define MAX WORD_COEFFICIENT_MAX
+#define MIN WORD_COEFFICIENT_MIN
+#define HALF (INT64_C(1) << 46)
+
+enum { TOP = WORD_EXPONENT_MAX, BOTTOM = WORD_EXPONENT_MIN, ROUNDS = 20000 };
+
+#define ZERO_FLAG FLAG_MACHINE_ZERO
+#define INDEFINITE_FLAG FLAG_INDEFINITE
+#define OVERFLOW_FLAGS (FLAG_EXPONENT_OVERFLOW | FLAG_INDEFINITE)
+#define FAULT_FLAGS (FLAG_DIVIDE_FAULT | FLAG_INDEFINITE)
+#define ROOT_FLAGS (FLAG_IMAGINARY_ROOT | FLAG_INDEFINITE)
+
+/* word_make as a constant. */
+#define W(exponent, coefficient)                                           \
+    ((c205_word)(int64_t)(exponent) << 48                                  \
+     | ((c205_word)(coefficient) & WORD_COEFFICIENT_MASK))
+
+typedef c205_word binary(c205_word a, c205_word b, uint64_t *flags);
+typedef c205_word unary(c205_word a, uint64_t *flags);
+
+static void gives(const char *what, c205_word result, uint64_t flags,
+                  c205_word expected, uint64_t expected_flags)
+{
+    if (result != expected || flags != expected_flags)
+        fail_msg("%s gives %016llX, flags %llX, not %016llX, %llX", what,
+                 (unsigned long long)result, (unsigned long long)flags,
+                 (unsigned long long)expected,
+                 (unsigned long long)expected_flags);
+}
+
+#define BINARY(op, a, b, expected, expected_flags)                         \
+    do {                                                                   \
+        uint64_t flags_ = 0;                                               \
+        const c205_word result_ = arith_##op(a, b, &flags_);               \
+        gives(#op "(" #a ", " #b ")", result_, flags_, expected,           \
+              expected_flags);                                             \
+    } while (0)
+
+#define UNARY(op, a, expected, expected_flags)                             \
+    do {                                                                   \
+        uint64_t flags_ = 0;                                               \
+        const c205_word result_ = arith_##op(a, &flags_);                  \
+        gives(#op "(" #a ")", result_, flags_, expected, expected_flags);  \
+    } while (0)
+
+/* ---- Add, subtract ------------------------------------------------------ */
+
+static void test_add_special(void **state)
+{
+    static binary *const sums[] = {
+        arith_add_upper, arith_add_lower, arith_add_normalised,
+        arith_subtract_upper, arith_subtract_lower,
+        arith_subtract_normalised, arith_average, arith_average_difference,
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof sums / sizeof *sums; i++) {
+        uint64_t flags = 0;
+        assert_int_equal(sums[i](IND + 5, C205_ONE, &flags), IND);
+        assert_int_equal(sums[i](MZ, UINT64_C(0x7FFF000000000000), &flags),
+                         IND);
+        assert_int_equal(flags, INDEFINITE_FLAG);
+        flags = 0;
+        assert_int_equal(sums[i](MZ + 7, UINT64_C(0x8FFF000000000001),
+                                 &flags), MZ);
+        assert_int_equal(flags, ZERO_FLAG);
+    }
+}
+
+static void test_add_machine_zero(void **state)
+{
+    (void)state;
+    BINARY(add_upper, W(3, 5), MZ + 9, W(3, 5), 0);
+    BINARY(add_upper, MZ + 9, W(BOTTOM, 5), W(BOTTOM, 5), 0);
+    BINARY(add_lower, W(3, 5), MZ + 9, W(-44, 0), 0);
+    BINARY(add_lower, W(BOTTOM, 5), MZ, MZ, ZERO_FLAG);
+    BINARY(add_normalised, MZ, W(3, 1), W(-43, HALF), 0);
+    BINARY(add_normalised, MZ, W(3, 0), MZ, ZERO_FLAG);
+    BINARY(subtract_upper, MZ, W(3, 5), W(3, -5), 0);
+    BINARY(subtract_upper, MZ, W(3, MIN), W(4, HALF), 0);
+    BINARY(subtract_lower, MZ, W(3, MIN), W(4 - 47, 0), 0);
+    BINARY(subtract_normalised, MZ, W(3, HALF), W(2, MIN), 0);
+}
+
+static void test_add_aligns(void **state)
+{
+    (void)state;
+    BINARY(add_upper, W(4, 3), W(0, 0x25), W(4, 5), 0);
+    BINARY(add_lower, W(4, 3), W(0, 0x25), W(-43, INT64_C(5) << 43), 0);
+    BINARY(add_upper, W(4, 3), W(0, -1), W(4, 2), 0);
+    BINARY(add_lower, W(4, 3), W(0, -1), W(-43, INT64_C(15) << 43), 0);
+    BINARY(add_upper, W(0, 0x25), W(4, -3), W(4, -1), 0);
+    /* A zero coefficient counts with its exponent. */
+    BINARY(add_upper, W(40, 0), W(0, MAX), W(40, MAX >> 40), 0);
+    BINARY(add_normalised, W(94, 0), W(0, MAX), MZ, ZERO_FLAG);
+    BINARY(add_normalised, W(93, 0), W(0, MAX), W(0, HALF), 0);
+}
+
+/* What leaves the register of 95 bits is floored; a subtrahend before its
+ * sign changes. */
+static void test_add_beyond_the_register(void **state)
+{
+    (void)state;
+    BINARY(add_upper, W(0, HALF), W(-95, 1), W(0, HALF), 0);
+    BINARY(add_upper, W(0, HALF), W(-95, -1), W(0, HALF - 1), 0);
+    BINARY(add_lower, W(0, HALF), W(-95, -1), W(-47, MAX), 0);
+    BINARY(add_normalised, W(0, HALF), W(-9999, -1), W(-1, MAX), 0);
+    BINARY(subtract_upper, W(0, HALF), W(-95, 1), W(0, HALF), 0);
+    BINARY(subtract_lower, W(0, HALF), W(-95, -1), W(-47, 1), 0);
+    BINARY(subtract_normalised, W(0, HALF), W(-48, 1), W(0, HALF), 0);
+    BINARY(subtract_normalised, W(0, HALF), W(-47, 1), W(-1, MAX), 0);
+    BINARY(subtract_normalised, W(-48, 1), W(0, HALF), W(-1, MIN), 0);
+    BINARY(subtract_normalised, W(-48, -1), W(0, HALF), W(0, -HALF - 1), 0);
+}
+
+static void test_add_overflows_the_register(void **state)
+{
+    (void)state;
+    BINARY(add_upper, W(0, MAX), W(0, MAX), W(1, MAX), 0);
+    BINARY(add_upper, W(0, MAX), W(0, 2), W(1, HALF), 0);
+    BINARY(add_upper, W(0, MIN), W(0, -1), W(1, -HALF - 1), 0);
+    BINARY(add_lower, W(0, MIN), W(0, -1), W(-46, HALF), 0);
+    BINARY(add_lower, W(0, MIN), W(-46, -1), W(-46, MAX), 0);
+    BINARY(subtract_upper, W(0, 0), W(0, MIN), W(1, HALF), 0);
+    BINARY(add_upper, W(TOP, MAX), W(TOP, 1), IND, OVERFLOW_FLAGS);
+    BINARY(add_lower, W(TOP, MAX), W(TOP, 2), W(TOP - 46, HALF), 0);
+}
+
+static void test_add_normalises(void **state)
+{
+    (void)state;
+    BINARY(add_normalised, W(0, 1), W(0, 1), W(-45, HALF), 0);
+    BINARY(add_normalised, W(0, 0), W(0, -1), W(-47, MIN), 0);
+    BINARY(add_normalised, W(9, 5), W(9, -5), MZ, ZERO_FLAG);
+    BINARY(subtract_normalised, W(0, HALF), W(-1, MAX), W(-47, HALF), 0);
+    BINARY(subtract_normalised, W(47, 1), W(0, 1), W(0, MAX), 0);
+    BINARY(add_normalised, W(BOTTOM, HALF), W(BOTTOM, -HALF - 1), MZ,
+           ZERO_FLAG);
+    BINARY(add_normalised, W(TOP, MAX), W(TOP, 1), IND, OVERFLOW_FLAGS);
+    BINARY(add_normalised, W(TOP, 1), W(TOP, 1), W(TOP - 45, HALF), 0);
+}
+
+static void test_average(void **state)
+{
+    (void)state;
+    BINARY(average, W(0, HALF), W(0, HALF), W(0, HALF), 0);
+    BINARY(average, W(0, HALF), W(0, HALF + 1), W(0, HALF), 0);
+    BINARY(average, W(0, 1), W(0, -1), MZ, ZERO_FLAG);
+    BINARY(average, W(BOTTOM, HALF), MZ, MZ, ZERO_FLAG);
+    BINARY(average, W(BOTTOM + 1, HALF), MZ, W(BOTTOM, HALF), 0);
+    BINARY(average, W(TOP, MAX), W(TOP, MAX), IND, OVERFLOW_FLAGS);
+    BINARY(average_difference, W(0, HALF + 2), W(0, HALF), W(-46, HALF), 0);
+}
+
+/* ---- Multiply ----------------------------------------------------------- */
+
+static void test_multiply_special(void **state)
+{
+    (void)state;
+    BINARY(multiply_upper, IND + 1, MZ, IND, INDEFINITE_FLAG);
+    BINARY(multiply_lower, MZ, IND, IND, INDEFINITE_FLAG);
+    BINARY(multiply_significant, MZ + 3, C205_ONE, MZ, ZERO_FLAG);
+    BINARY(multiply_upper, W(0, 0), MZ, MZ, ZERO_FLAG);
+    BINARY(multiply_lower, C205_ONE, MZ, MZ, ZERO_FLAG);
+}
+
+static void test_multiply_halves(void **state)
+{
+    (void)state;
+    BINARY(multiply_lower, W(1, 6), W(2, 7), W(3, 42), 0);
+    BINARY(multiply_upper, W(1, 6), W(2, 7), W(50, 0), 0);
+    BINARY(multiply_upper, W(1, 6), W(2, -7), W(50, -1), 0);
+    BINARY(multiply_lower, W(1, 6), W(2, -7), W(3, MAX - 41), 0);
+    BINARY(multiply_upper, W(0, MAX), W(0, MAX), W(47, MAX - 1), 0);
+    BINARY(multiply_lower, W(0, MAX), W(0, MAX), W(0, 1), 0);
+    BINARY(multiply_upper, W(0, MIN), W(0, MIN), W(48, HALF), 0);
+    BINARY(multiply_lower, W(0, MIN), W(0, MIN), W(0, 0), 0);
+    BINARY(multiply_upper, W(0, MIN), W(0, MAX), W(47, -MAX), 0);
+    BINARY(multiply_upper, W(0, MIN), W(TOP - 47, MIN), IND, OVERFLOW_FLAGS);
+    BINARY(multiply_lower, W(BOTTOM, 1), W(-1, 1), MZ, ZERO_FLAG);
+    BINARY(multiply_lower, W(BOTTOM, 1), W(0, 1), W(BOTTOM, 1), 0);
+    BINARY(multiply_upper, W(TOP, 0), W(0, 0), IND, OVERFLOW_FLAGS);
+}
+
+static void test_multiply_significant(void **state)
+{
+    (void)state;
+    BINARY(multiply_significant, C205_ONE, W(5, MAX), W(5, MAX), 0);
+    BINARY(multiply_significant, W(0, MAX), W(0, MAX), W(47, MAX - 1), 0);
+    BINARY(multiply_significant, W(0, HALF), W(0, MIN), W(46, MIN), 0);
+    BINARY(multiply_significant, W(0, MIN), W(0, MIN), W(48, HALF), 0);
+    BINARY(multiply_significant, W(0, 6), W(0, 7), W(3, 5), 0);
+    BINARY(multiply_significant, W(0, -6), W(0, 7), W(3, -6), 0);
+    BINARY(multiply_significant, W(0, 1), W(0, MAX), W(46, 1), 0);
+    /* -1 has no significant bits: one is the least. */
+    BINARY(multiply_significant, W(0, -1), W(0, -1), W(0, 1), 0);
+    BINARY(multiply_significant, W(0, -1), W(0, 1), W(-1, -2), 0);
+    BINARY(multiply_significant, W(0, -1), W(0, MIN), W(47, 1), 0);
+    BINARY(multiply_significant, W(3, 0), C205_ONE, MZ, ZERO_FLAG);
+    BINARY(multiply_significant, W(TOP, HALF), W(-45, HALF), IND,
+           OVERFLOW_FLAGS);
+    BINARY(multiply_significant, W(TOP, HALF), W(-46, HALF), W(TOP, HALF),
+           0);
+    BINARY(multiply_significant, W(BOTTOM, HALF), W(-47, HALF), MZ,
+           ZERO_FLAG);
+}
+
+/* ---- Divide ------------------------------------------------------------- */
+
+static void test_divide_special(void **state)
+{
+    (void)state;
+    BINARY(divide_upper, IND, MZ, IND, INDEFINITE_FLAG);
+    BINARY(divide_significant, MZ, IND + 1, IND, INDEFINITE_FLAG);
+    BINARY(divide_significant, C205_ONE, MZ, IND, FAULT_FLAGS);
+    BINARY(divide_significant, C205_ONE, W(5, 0), IND, FAULT_FLAGS);
+    BINARY(divide_upper, MZ, MZ, IND, FAULT_FLAGS);
+    BINARY(divide_upper, MZ, C205_ONE, MZ, ZERO_FLAG);
+    BINARY(divide_significant, MZ, W(0, 3), MZ, ZERO_FLAG);
+}
+
+static void test_divide_upper(void **state)
+{
+    (void)state;
+    BINARY(divide_upper, W(0, 1), W(0, 3), W(-47, 0x2AAAAAAAAAAA), 0);
+    BINARY(divide_upper, W(0, -1), W(0, 3), W(-47, -0x2AAAAAAAAAAA), 0);
+    BINARY(divide_upper, W(0, 1), W(0, 1), W(-46, HALF), 0);
+    BINARY(divide_upper, W(0, -1), W(0, 1), W(-47, MIN), 0);
+    BINARY(divide_upper, W(0, 7), W(0, 3), W(-45, 0x4AAAAAAAAAAA), 0);
+    BINARY(divide_upper, W(0, -7), W(0, 3), W(-45, -0x4AAAAAAAAAAB), 0);
+    BINARY(divide_upper, W(5, 0), W(2, 3), W(-44, 0), 0);
+    BINARY(divide_upper, W(0, 1), W(0, MIN), W(-47, -1), 0);
+    BINARY(divide_upper, W(0, MIN), W(0, -1), W(1, HALF), 0);
+    BINARY(divide_upper, W(BOTTOM, 1), W(0, MAX), MZ, ZERO_FLAG);
+    BINARY(divide_upper, W(TOP, 1), W(-47, MAX), W(TOP, 1), 0);
+}
+
+static void test_divide_significant(void **state)
+{
+    (void)state;
+    BINARY(divide_significant, C205_ONE, C205_ONE, C205_ONE, 0);
+    BINARY(divide_significant, C205_ONE, W(-45, HALF / 2 * 3),
+           W(-48, 0x555555555555), 0);
+    /* The quotient is cut to zero, then shifted by floor. */
+    BINARY(divide_significant, W(0, -HALF - 1), W(0, MAX),
+           W(-47, -0x400000000001), 0);
+    BINARY(divide_significant, W(0, HALF), W(0, MIN), W(-48, MIN), 0);
+    BINARY(divide_significant, W(0, MIN), W(0, HALF), W(-46, MIN), 0);
+    BINARY(divide_significant, W(0, MIN), W(0, MIN), W(-46, HALF), 0);
+    BINARY(divide_significant, W(0, 7), W(0, 3), W(0, 2), 0);
+    BINARY(divide_significant, W(0, -7), W(0, 3), W(0, -3), 0);
+    BINARY(divide_significant, W(0, 1), W(0, MAX), W(-47, 1), 0);
+    BINARY(divide_significant, W(0, 0), W(0, MAX), MZ, ZERO_FLAG);
+    BINARY(divide_significant, W(TOP, MAX), W(-47, HALF), IND,
+           OVERFLOW_FLAGS);
+    BINARY(divide_significant, W(BOTTOM, HALF), W(-46, HALF + 1), MZ,
+           ZERO_FLAG);
+}
+
+/* ---- Square root -------------------------------------------------------- */
+
+static void test_square_root(void **state)
+{
+    (void)state;
+    UNARY(square_root, C205_ONE, C205_ONE, 0);
+    UNARY(square_root, W(-44, HALF), W(-45, HALF), 0);
+    UNARY(square_root, W(-45, HALF), W(-46, 0x5A827999FCEF), 0);
+    UNARY(square_root, W(0, MAX), W(-23, 0x5A827999FCEE), 0);
+    UNARY(square_root, W(1, MAX), W(-23, MAX), 0);
+    UNARY(square_root, W(0, 4), W(0, 4) - (UINT64_C(1) << 48), 0);
+    UNARY(square_root, W(0, 9), W(-2, 12), 0);
+    UNARY(square_root, W(0, 1), W(0, 1), 0);
+    UNARY(square_root, W(3, 0), MZ, ZERO_FLAG);
+    UNARY(square_root, MZ + 1, MZ, ZERO_FLAG);
+    UNARY(square_root, MZ | UINT64_C(0xFFFFFFFFFFFF), MZ, ZERO_FLAG);
+    UNARY(square_root, W(0, -1), IND, ROOT_FLAGS);
+    UNARY(square_root, IND | UINT64_C(0xFFFFFFFFFFFF), IND,
+          INDEFINITE_FLAG);
+    UNARY(square_root, W(BOTTOM, HALF), W(BOTTOM / 2 - 23, HALF), 0);
+}
+
+/* ---- Parts of a number, sign -------------------------------------------- */
+
+static void test_integer_parts(void **state)
+{
+    (void)state;
+    UNARY(truncate, W(-1, 5), W(0, 2), 0);
+    UNARY(floor, W(-1, 5), W(0, 2), 0);
+    UNARY(truncate, W(-1, -5), W(0, -2), 0);
+    UNARY(floor, W(-1, -5), W(0, -3), 0);
+    UNARY(truncate, W(-48, MIN), W(0, 0), 0);
+    UNARY(floor, W(-48, MIN), W(0, -1), 0);
+    UNARY(truncate, W(-47, MIN), W(0, -1), 0);
+    UNARY(truncate, W(-9999, MAX), W(0, 0), 0);
+    UNARY(truncate, W(-9999, MIN), W(0, 0), 0);
+    UNARY(floor, W(-9999, -1), W(0, -1), 0);
+    UNARY(floor, W(7, -5), W(7, -5), 0);
+    UNARY(truncate, W(-7, 0), W(0, 0), 0);
+    UNARY(truncate, MZ | 77, MZ | 77, ZERO_FLAG);
+    UNARY(floor, MZ | UINT64_C(0xFFFFFFFFFFFF), MZ | UINT64_C(0xFFFFFFFFFFFF),
+          ZERO_FLAG);
+    UNARY(floor, IND | 77, IND | 77, INDEFINITE_FLAG);
+}
+
+static void test_sign(void **state)
+{
+    (void)state;
+    UNARY(negate, W(3, 5), W(3, -5), 0);
+    UNARY(negate, W(3, 0), W(3, 0), 0);
+    UNARY(negate, W(3, MIN), W(4, HALF), 0);
+    UNARY(negate, W(3, HALF), W(2, MIN), 0);
+    UNARY(negate, W(3, -HALF), W(3, HALF), 0);
+    UNARY(negate, W(TOP, MIN), IND, OVERFLOW_FLAGS);
+    UNARY(negate, W(BOTTOM, HALF), MZ, ZERO_FLAG);
+    UNARY(negate, MZ | 5, MZ, ZERO_FLAG);
+    UNARY(negate, UINT64_C(0x8FFF800000000000), MZ, ZERO_FLAG);
+    UNARY(negate, IND | 5, IND, INDEFINITE_FLAG);
+    UNARY(absolute, W(3, -5), W(3, 5), 0);
+    UNARY(absolute, W(3, 5), W(3, 5), 0);
+    UNARY(absolute, W(3, MIN), W(4, HALF), 0);
+    UNARY(absolute, MZ | 5, MZ | 5, ZERO_FLAG);
+    UNARY(absolute, IND | 5, IND | 5, INDEFINITE_FLAG);
+    UNARY(absolute, IND | UINT64_C(0xFFFFFFFFFFFF), IND, INDEFINITE_FLAG);
+}
+
+static void test_exponent(void **state)
+{
+    (void)state;
+    UNARY(exponent, C205_ONE, W(0, -46), 0);
+    UNARY(exponent, IND, W(0, 0x7000), 0);
+    UNARY(exponent, MZ, W(0, -0x8000), 0);
+}
+
+/* ---- Compare ------------------------------------------------------------ */
+
+/* Rising values; those of one row are equal. */
+static const c205_word ladder[][4] = {
+    {W(TOP, MIN), W(TOP, MIN), W(TOP, MIN), W(TOP, MIN)},
+    {W(1, MIN), W(1, MIN), W(1, MIN), W(1, MIN)},
+    {W(0, MIN), W(1, -HALF), W(47, -1), W(46, -2)},
+    {W(0, -2), W(1, -1), W(-46, MIN), W(-45, -HALF)},
+    {W(BOTTOM, -1), W(BOTTOM, -1), W(BOTTOM, -1), W(BOTTOM, -1)},
+    {MZ, W(TOP, 0), W(BOTTOM, 0), MZ | UINT64_C(0xFFFFFFFFFFFF)},
+    {W(BOTTOM, 1), W(BOTTOM, 1), W(BOTTOM, 1), W(BOTTOM, 1)},
+    {W(BOTTOM, HALF), W(BOTTOM + 46, 1), W(BOTTOM + 45, 2),
+     W(BOTTOM, HALF)},
+    {C205_ONE, W(0, 1), W(-1, 2), W(-45, HALF / 2)},
+    {W(-46, HALF + 1), W(-46, HALF + 1), W(-46, HALF + 1),
+     W(-46, HALF + 1)},
+    {W(TOP, MAX), W(TOP, MAX), W(TOP, MAX), W(TOP, MAX)},
+};
+
+static void compare_steps(size_t i, size_t j)
+{
+    for (size_t k = 0; k < 16; k++) {
+        const c205_word a = ladder[i][k / 4], b = ladder[j][k % 4];
+        assert_int_equal(arith_equal(a, b), i == j);
+        assert_int_equal(arith_not_equal(a, b), i != j);
+        assert_int_equal(arith_not_less(a, b), i >= j);
+        assert_int_equal(arith_less(a, b), i < j);
+    }
+}
+
+static void test_compare(void **state)
+{
+    const size_t steps = sizeof ladder / sizeof *ladder;
+
+    (void)state;
+    for (size_t i = 0; i < steps; i++)
+        for (size_t j = 0; j < steps; j++)
+            compare_steps(i, j);
+}
+
+static void test_compare_indefinite(void **state)
+{
+    const c205_word others[] = {IND, C205_ONE, MZ, W(TOP, MIN)};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        assert_false(arith_equal(IND, others[i]));
+        assert_true(arith_not_equal(others[i], IND));
+        assert_false(arith_not_less(IND, others[i]));
+        assert_false(arith_less(others[i], IND));
+    }
+}
+
+/* ---- Shift -------------------------------------------------------------- */
+
+static void test_shift(void **state)
+{
+    const c205_word a = UINT64_C(0x8123456789ABCDEF);
+
+    (void)state;
+    assert_int_equal(arith_shift(a, 0), a);
+    assert_int_equal(arith_shift(a, 4), UINT64_C(0x123456789ABCDEF8));
+    assert_int_equal(arith_shift(a, 63), UINT64_C(0xC091A2B3C4D5E6F7));
+    assert_int_equal(arith_shift(a, 68), UINT64_C(0x123456789ABCDEF8));
+    assert_int_equal(arith_shift(a, -4), UINT64_C(0xF8123456789ABCDE));
+    assert_int_equal(arith_shift(a, -64), UINT64_MAX);
+    assert_int_equal(arith_shift(a, INT64_MIN), UINT64_MAX);
+    assert_int_equal(arith_shift(a >> 1, -64), 0);
+}
+
+/* ---- Laws --------------------------------------------------------------- */
+
+static c205_word any(uint64_t *seed)
+{
+    return xorshift(seed) & 1 ? xorshift_normalised(seed, -60, 60)
+                              : xorshift_unnormalised(seed, -60, 60);
+}
+
+static void test_add_and_multiply_commute(void **state)
+{
+    uint64_t seed = RANDOM_SEED, flags = 0;
+
+    (void)state;
+    for (int i = 0; i < ROUNDS; i++) {
+        const c205_word a = any(&seed), b = any(&seed);
+        assert_int_equal(arith_add_upper(a, b, &flags),
+                         arith_add_upper(b, a, &flags));
+        assert_int_equal(arith_add_lower(a, b, &flags),
+                         arith_add_lower(b, a, &flags));
+        assert_int_equal(arith_multiply_significant(a, b, &flags),
+                         arith_multiply_significant(b, a, &flags));
+    }
+}
+
+/* Upper and lower hold all of the register: their sum normalised is the
+ * normalised sum. */
+static void test_upper_and_lower_make_the_whole(void **state)
+{
+    uint64_t seed = RANDOM_SEED, flags = 0;
+
+    (void)state;
+    for (int i = 0; i < ROUNDS; i++) {
+        const c205_word a = any(&seed), b = any(&seed);
+        const c205_word upper = arith_subtract_upper(a, b, &flags);
+        const c205_word lower = arith_subtract_lower(a, b, &flags);
+        assert_int_equal(arith_add_normalised(upper, lower, &flags),
+                         arith_subtract_normalised(a, b, &flags));
+    }
+}
+
+/* r = root of c: r^2 <= c <= (r + 1)^2, by products of the machine. */
+static void test_roots_and_squares(void **state)
+{
+    uint64_t seed = RANDOM_SEED, flags = 0;
+
+    (void)state;
+    for (int i = 0; i < ROUNDS; i++) {
+        const c205_word a = arith_absolute(
+            xorshift_normalised(&seed, -99, 99), &flags);
+        const c205_word r = arith_square_root(a, &flags);
+        const c205_word square = arith_multiply_significant(r, r, &flags);
+        const c205_word next
+            = arith_multiply_significant(r + 1, r + 1, &flags);
+        assert_true(word_is_normalised(r));
+        assert_true(arith_not_less(a, square));
+        assert_true(arith_not_less(next, a));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_add_special),
+        cmocka_unit_test(test_add_machine_zero),
+        cmocka_unit_test(test_add_aligns),
+        cmocka_unit_test(test_add_beyond_the_register),
+        cmocka_unit_test(test_add_overflows_the_register),
+        cmocka_unit_test(test_add_normalises),
+        cmocka_unit_test(test_average),
+        cmocka_unit_test(test_multiply_special),
+        cmocka_unit_test(test_multiply_halves),
+        cmocka_unit_test(test_multiply_significant),
+        cmocka_unit_test(test_divide_special),
+        cmocka_unit_test(test_divide_upper),
+        cmocka_unit_test(test_divide_significant),
+        cmocka_unit_test(test_square_root),
+        cmocka_unit_test(test_integer_parts),
+        cmocka_unit_test(test_sign),
+        cmocka_unit_test(test_exponent),
+        cmocka_unit_test(test_compare),
+        cmocka_unit_test(test_compare_indefinite),
+        cmocka_unit_test(test_shift),
+        cmocka_unit_test(test_add_and_multiply_commute),
+        cmocka_unit_test(test_upper_and_lower_make_the_whole),
+        cmocka_unit_test(test_roots_and_squares),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

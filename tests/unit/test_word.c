@@ -1,0 +1,343 @@
+/* test_word.c - words from and to doubles, integers, text. */
+#include "tests/random.h"
+#include "vm/word.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+enum { ROUNDS = 20000 };
+
+typedef struct known {
+    const char *text;
+    c205_word word;
+} known;
+
+static c205_word read_all(const char *text)
+{
+    const char *end;
+    const c205_word word = c205_from_text(text, &end);
+
+    assert_true(end != text);
+    assert_int_equal(*end, '\0');
+    return word;
+}
+
+/* Machine notes, section 1. */
+static const known table[] = {
+    {"1", UINT64_C(0xFFD2400000000000)},
+    {"2", UINT64_C(0xFFD3400000000000)},
+    {"0.5", UINT64_C(0xFFD1400000000000)},
+    {"3", UINT64_C(0xFFD3600000000000)},
+    {"10", UINT64_C(0xFFD5500000000000)},
+    {"100", UINT64_C(0xFFD8640000000000)},
+    {"0.1", UINT64_C(0xFFCE666666666666)},
+    {"-1.5", UINT64_C(0xFFD2A00000000000)},
+    {"-1", UINT64_C(0xFFD1800000000000)},
+    {"0", C205_MACHINE_ZERO},
+};
+
+static void test_known_words(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        char text[C205_TEXT_SIZE];
+        assert_int_equal(read_all(table[i].text), table[i].word);
+        c205_to_text(table[i].word, text);
+        assert_string_equal(text, table[i].text);
+        assert_int_equal(c205_from_double(strtod(table[i].text, NULL)),
+                         table[i].word);
+    }
+}
+
+/* Floor: towards minus infinity on both sides of zero. */
+static void test_doubles_are_cut_down(void **state)
+{
+    (void)state;
+    assert_int_equal(c205_from_double(0.1), UINT64_C(0xFFCE666666666666));
+    assert_int_equal(c205_from_double(-0.1), UINT64_C(0xFFCE999999999999));
+    assert_int_equal(c205_from_double(1 + ldexp(1, -47)), C205_ONE);
+    assert_int_equal(c205_from_double(-1 - ldexp(1, -47)),
+                     UINT64_C(0xFFD2BFFFFFFFFFFF));
+    assert_int_equal(c205_from_double(ldexp(1, -1074)),
+                     word_make(-1074 - 46, INT64_C(1) << 46));
+    assert_int_equal(c205_from_double(-2 + ldexp(1, -52)),
+                     UINT64_C(0xFFD2800000000000));
+}
+
+static void test_doubles_without_a_word(void **state)
+{
+    (void)state;
+    assert_int_equal(c205_from_double(HUGE_VAL), C205_INDEFINITE);
+    assert_int_equal(c205_from_double(-HUGE_VAL), C205_INDEFINITE);
+    assert_int_equal(c205_from_double(NAN), C205_INDEFINITE);
+    assert_int_equal(c205_from_double(0.0), C205_MACHINE_ZERO);
+    assert_int_equal(c205_from_double(-0.0), C205_MACHINE_ZERO);
+}
+
+static void test_words_beyond_doubles(void **state)
+{
+    (void)state;
+    assert_true(isnan(c205_to_double(UINT64_C(0x7ABC000000000001))));
+    assert_true(c205_to_double(UINT64_C(0x8FFF7FFFFFFFFFFF)) == 0);
+    assert_true(c205_to_double(word_make(20000, 1)) == HUGE_VAL);
+    assert_true(c205_to_double(word_make(20000, -1)) == -HUGE_VAL);
+    assert_true(c205_to_double(word_make(-20000, 1)) == 0);
+    assert_true(signbit(c205_to_double(word_make(-20000, -1))));
+    assert_true(c205_to_double(word_make(3, -5)) == -40);
+}
+
+static void test_doubles_come_back(void **state)
+{
+    uint64_t seed = RANDOM_SEED;
+
+    (void)state;
+    for (int i = 0; i < ROUNDS; i++) {
+        const c205_word word = xorshift_normalised(&seed, -1000, 900);
+        assert_int_equal(c205_from_double(c205_to_double(word)), word);
+    }
+}
+
+static void test_integers(void **state)
+{
+    (void)state;
+    assert_int_equal(c205_from_integer(5), 5);
+    assert_int_equal(c205_from_integer(-1), UINT64_C(0x0000FFFFFFFFFFFF));
+    assert_int_equal(c205_to_integer(c205_from_integer(WORD_COEFFICIENT_MIN)),
+                     WORD_COEFFICIENT_MIN);
+    assert_int_equal(c205_to_integer(UINT64_C(0xFFD27FFFFFFFFFFF)),
+                     WORD_COEFFICIENT_MAX);
+}
+
+static void test_hexadecimal(void **state)
+{
+    char text[C205_TEXT_SIZE];
+
+    (void)state;
+    c205_to_hex(UINT64_C(0xFFD2400000ABCDEF), text);
+    assert_string_equal(text, "FFD2 4000 00AB CDEF");
+}
+
+static void test_where_text_ends(void **state)
+{
+    static const struct {
+        const char *text;
+        int used;
+        const char *same;
+    } cases[] = {
+        {"12.5e-1x", 7, "1.25"}, {"1e", 1, "1"},      {"1e+", 1, "1"},
+        {"1.5.5", 3, "1.5"},     {".5", 2, "0.5"},    {"5.", 2, "5"},
+        {"+7,", 2, "7"},         {"-7 8", 2, "-7"},   {"1E2", 3, "100"},
+        {"007", 3, "7"},         {"1e-0", 4, "1"},    {"0x10", 1, "0"},
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const char *end;
+        const c205_word word = c205_from_text(cases[i].text, &end);
+        assert_int_equal(end - cases[i].text, cases[i].used);
+        assert_int_equal(word, read_all(cases[i].same));
+    }
+}
+
+static void test_no_number(void **state)
+{
+    static const char *const texts[] = {"", "-", "+", ".", "-.", "e5", " 1",
+                                        "x"};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        const char *end;
+        c205_from_text(texts[i], &end);
+        assert_ptr_equal(end, texts[i]);
+    }
+}
+
+static void test_ends_of_the_range(void **state)
+{
+    char text[C205_TEXT_SIZE];
+    const c205_word ends[] = {
+        UINT64_C(0x6FFF7FFFFFFFFFFF), UINT64_C(0x6FFF800000000000),
+        UINT64_C(0x9000400000000000), UINT64_C(0x9000800000000000),
+        UINT64_C(0x9000BFFFFFFFFFFF), UINT64_C(0x6FFF400000000000),
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
+        c205_to_text(ends[i], text);
+        assert_int_equal(read_all(text), ends[i]);
+    }
+    /* The largest is 9.5370811543187567767e8644, and 2^28718 too large. */
+    assert_int_equal(read_all("9.53708115431875677e8644"), ends[0] - 1);
+    assert_int_equal(read_all("9.53708115431875678e8644"), ends[0]);
+    assert_int_equal(read_all("9.53708115431882454e8644"), ends[0]);
+    assert_int_equal(read_all("9.53708115431882455e8644"), C205_INDEFINITE);
+    assert_int_equal(read_all("1e8646"), C205_INDEFINITE);
+    assert_int_equal(read_all("-1e8646"), C205_INDEFINITE);
+    assert_int_equal(read_all("1e-8618"), C205_MACHINE_ZERO);
+    assert_int_equal(read_all("-1e-8618"), C205_MACHINE_ZERO);
+    assert_false(word_is_machine_zero(read_all("1e-8616")));
+}
+
+static void test_absurd_exponents(void **state)
+{
+    (void)state;
+    assert_int_equal(read_all("1e999999999999999999999"), C205_INDEFINITE);
+    assert_int_equal(read_all("1e-999999999999999999999"),
+                     C205_MACHINE_ZERO);
+    assert_int_equal(read_all("0e999999999999999999999"), C205_MACHINE_ZERO);
+}
+
+/* A digit far behind the point decides on which side of a word a number
+ * lies; as many digits as one likes. */
+static void test_distant_digits(void **state)
+{
+    enum { ZEROS = 30000 };
+    char *text = malloc(ZEROS + 8);
+
+    (void)state;
+    assert_non_null(text);
+    memset(text, '0', ZEROS + 8);
+    memcpy(text, "-1.", 3);
+    text[ZEROS] = '1';
+    text[ZEROS + 1] = '\0';
+    assert_int_equal(read_all(text), UINT64_C(0xFFD2BFFFFFFFFFFF));
+    assert_int_equal(read_all(text + 1), C205_ONE);
+    text[ZEROS] = '0';
+    assert_int_equal(read_all(text), UINT64_C(0xFFD1800000000000));
+    text[2] = '0';
+    memcpy(text + ZEROS - 7, "e-29991", 8);
+    text[ZEROS] = '\0';
+    assert_int_equal(read_all(text + 1), read_all("1e0"));
+    free(text);
+}
+
+static void round_trip(c205_word word)
+{
+    char text[C205_TEXT_SIZE];
+
+    c205_to_text(word, text);
+    assert_int_equal(read_all(text), word);
+}
+
+static void test_text_comes_back(void **state)
+{
+    uint64_t seed = RANDOM_SEED;
+
+    (void)state;
+    for (int i = 0; i < ROUNDS; i++)
+        round_trip(xorshift_normalised(&seed, -200, 110));
+    for (int i = 0; i < 40; i++)
+        round_trip(xorshift_normalised(&seed, WORD_EXPONENT_MIN,
+                                       WORD_EXPONENT_MAX));
+    for (int32_t e = -120; e < 60; e++) {
+        round_trip(word_make(e, INT64_C(1) << 46));
+        round_trip(word_make(e, WORD_COEFFICIENT_MIN));
+        round_trip(word_make(e, WORD_COEFFICIENT_MAX));
+        round_trip(word_make(e, WORD_COEFFICIENT_MIN / 2 - 1));
+    }
+}
+
+/* No text with a digit less, rounded to either side, reads back. */
+static void test_text_is_shortest(void **state)
+{
+    uint64_t seed = RANDOM_SEED;
+
+    (void)state;
+    for (int i = 0; i < ROUNDS; i++) {
+        char text[C205_TEXT_SIZE], shorter[C205_TEXT_SIZE];
+        const c205_word word = xorshift_normalised(&seed, 20, 40);
+        c205_to_text(word, text);
+        char *e = strchr(text, 'e');
+        assert_non_null(e);
+        const int digits = (int)(e - text) - (text[0] == '-') - 1;
+        assert_true(digits <= 16);
+        *e = '\0';
+        for (int up = -1; digits > 2 && up <= 1; up++) {
+            const double ulp = pow(10, 2 - digits) * up;
+            snprintf(shorter, sizeof shorter, "%.*f%s%s", digits - 2,
+                     strtod(text, NULL) + ulp, "e", e + 1);
+            assert_true(read_all(shorter) != word);
+        }
+    }
+}
+
+static void test_layout_of_text(void **state)
+{
+    static const known cases[] = {
+        {"0.00001", 0},  {"1e-6", 0},   {"123456", 0}, {"-0.25", 0},
+        {"1e16", 0},     {"1.5e16", 0}, {"1000000000000000", 0},
+        {"12.5", 0},     {"-1e-20", 0},
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[C205_TEXT_SIZE];
+        c205_to_text(read_all(cases[i].text), text);
+        assert_string_equal(text, cases[i].text);
+    }
+}
+
+static void test_text_of_odd_words(void **state)
+{
+    char text[C205_TEXT_SIZE];
+
+    (void)state;
+    c205_to_text(UINT64_C(0x7123000000000000), text);
+    assert_string_equal(text, "indefinite");
+    c205_to_text(UINT64_C(0x8FFF123400000000), text);
+    assert_string_equal(text, "0");
+    c205_to_text(word_make(17, 0), text);
+    assert_string_equal(text, "0");
+    c205_to_text(c205_from_integer(-1), text);
+    assert_string_equal(text, "-1");
+    c205_to_text(word_make(1, 3), text);
+    assert_string_equal(text, "6");
+    c205_to_text(word_make(WORD_EXPONENT_MIN, 1), text);
+    assert_string_equal(text, "7.3784361314571e-8632");
+}
+
+static void test_significant_bits(void **state)
+{
+    (void)state;
+    assert_int_equal(word_significant_bits(0), 0);
+    assert_int_equal(word_significant_bits(-1), 0);
+    assert_int_equal(word_significant_bits(-2), 1);
+    assert_int_equal(word_significant_bits(1), 1);
+    assert_int_equal(word_significant_bits(2), 2);
+    assert_int_equal(word_significant_bits(WORD_COEFFICIENT_MAX), 47);
+    assert_int_equal(word_significant_bits(WORD_COEFFICIENT_MIN), 47);
+    for (int n = 1; n <= 50; n++) {
+        assert_int_equal(word_bit_length(UINT64_C(1) << n), n + 1);
+        assert_int_equal(word_bit_length((UINT64_C(1) << n) - 1), n);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_known_words),
+        cmocka_unit_test(test_doubles_are_cut_down),
+        cmocka_unit_test(test_doubles_without_a_word),
+        cmocka_unit_test(test_words_beyond_doubles),
+        cmocka_unit_test(test_doubles_come_back),
+        cmocka_unit_test(test_integers),
+        cmocka_unit_test(test_hexadecimal),
+        cmocka_unit_test(test_where_text_ends),
+        cmocka_unit_test(test_no_number),
+        cmocka_unit_test(test_ends_of_the_range),
+        cmocka_unit_test(test_absurd_exponents),
+        cmocka_unit_test(test_distant_digits),
+        cmocka_unit_test(test_text_comes_back),
+        cmocka_unit_test(test_text_is_shortest),
+        cmocka_unit_test(test_layout_of_text),
+        cmocka_unit_test(test_text_of_odd_words),
+        cmocka_unit_test(test_significant_bits),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

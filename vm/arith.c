@@ -1,0 +1,494 @@
+/* arith.c - the exact rule, one word at a time; see docs/arithmetic.md. */
+#include "arith.h"
+
+#include <math.h>
+
+/* A double-length number, (hi x 2^47 + lo) x 2^exponent with lo in
+ * [0, 2^47): every exact result before it is cut to a word. */
+typedef struct wide {
+    int64_t hi, lo;
+    int32_t exponent;
+} wide;
+
+#define LOW_MASK WORD_COEFFICIENT_MAX
+enum { HALF_DIGITS = 24 };
+#define HALF_MASK ((INT64_C(1) << HALF_DIGITS) - 1)
+
+/* ---- Results ------------------------------------------------------------ */
+
+static c205_word machine_zero(uint64_t *flags)
+{
+    *flags |= FLAG_MACHINE_ZERO;
+    return C205_MACHINE_ZERO;
+}
+
+static c205_word indefinite(uint64_t cause, uint64_t *flags)
+{
+    *flags |= cause | FLAG_INDEFINITE;
+    return C205_INDEFINITE;
+}
+
+/* The range rule: it looks at the exponent only. */
+static c205_word ranged(int32_t exponent, int64_t coefficient,
+                        uint64_t *flags)
+{
+    if (exponent > WORD_EXPONENT_MAX)
+        return indefinite(FLAG_EXPONENT_OVERFLOW, flags);
+    if (exponent < WORD_EXPONENT_MIN)
+        return machine_zero(flags);
+    return word_make(exponent, coefficient);
+}
+
+static bool either_indefinite(c205_word a, c205_word b)
+{
+    return word_is_indefinite(a) || word_is_indefinite(b);
+}
+
+/* ---- Double-length numbers ---------------------------------------------- */
+
+static bool wide_is_zero(wide w)
+{
+    return w.hi == 0 && w.lo == 0;
+}
+
+static wide wide_negate(wide w)
+{
+    const int64_t borrow = w.lo != 0;
+    const wide negated = {-w.hi - borrow, -w.lo & LOW_MASK, w.exponent};
+
+    return negated;
+}
+
+static int32_t wide_significant_bits(wide w)
+{
+    if (w.hi != 0 && w.hi != -1)
+        return WORD_DIGITS + word_significant_bits(w.hi);
+    return word_significant_bits(word_shift_left(w.hi, WORD_DIGITS) + w.lo);
+}
+
+/* floor(w / 2^places), which must fit; places of either sign. */
+static int64_t wide_floor(wide w, int32_t places)
+{
+    const int32_t up = WORD_DIGITS - places;
+
+    if (up <= 0)
+        return w.hi >> (up < -63 ? 63 : -up);
+    if (places >= 0)
+        return word_shift_left(w.hi, up) + (w.lo >> places);
+    return word_shift_left(word_shift_left(w.hi, WORD_DIGITS) + w.lo,
+                           -places);
+}
+
+/* Cut to a word by a shift right, or brought to it by a shift left. */
+static c205_word wide_cut(wide w, int32_t places, uint64_t *flags)
+{
+    return ranged(w.exponent + places, wide_floor(w, places), flags);
+}
+
+/* The same, to a given number of significant bits; zero is machine zero. */
+static c205_word wide_significant(wide w, int32_t bits, uint64_t *flags)
+{
+    if (wide_is_zero(w))
+        return machine_zero(flags);
+    return wide_cut(w, wide_significant_bits(w) - bits, flags);
+}
+
+/* Its high part, or if that has no room in a word, half of it. */
+static c205_word wide_upper(wide w, uint64_t *flags)
+{
+    const bool fits = word_significant_bits(w.hi) <= WORD_DIGITS;
+
+    return wide_cut(w, fits ? WORD_DIGITS : WORD_DIGITS + 1, flags);
+}
+
+static c205_word wide_lower(wide w, uint64_t *flags)
+{
+    return ranged(w.exponent, w.lo, flags);
+}
+
+/* ---- Add, subtract ------------------------------------------------------ */
+
+/* c x 2^47 shifted right in the register of 95 bits; what leaves it is
+ * lost. */
+static wide aligned(int64_t c, int32_t places)
+{
+    wide w = {c >> 63, 0, 0};
+
+    if (places < WORD_DIGITS) {
+        w.hi = c >> places;
+        w.lo = word_shift_left(c, WORD_DIGITS - places) & LOW_MASK;
+    } else if (places < 2 * WORD_DIGITS) {
+        w.lo = c >> (places - WORD_DIGITS) & LOW_MASK;
+    } else {
+        w.lo = c >> 63 & LOW_MASK;
+    }
+    return w;
+}
+
+/* The sum in the register.  A machine zero counts as a coefficient of 0; its
+ * exponent is below all others, so that it is never the one aligned to. */
+static wide sum(c205_word a, c205_word b, bool subtract)
+{
+    const int32_t distance = word_exponent(a) - word_exponent(b);
+    const int64_t ca = word_value_coefficient(a);
+    const int64_t cb = word_value_coefficient(b);
+    wide w;
+
+    if (distance >= 0) {
+        w = aligned(cb, distance);
+        if (subtract)
+            w = wide_negate(w);
+        w.hi += ca;
+        w.exponent = word_exponent(a) - WORD_DIGITS;
+    } else {
+        w = aligned(ca, -distance);
+        w.hi += subtract ? -cb : cb;
+        w.exponent = word_exponent(b) - WORD_DIGITS;
+    }
+    return w;
+}
+
+/* A sum of more than 95 bits loses the last one. */
+static wide fitted(wide w)
+{
+    if (word_significant_bits(w.hi) > WORD_DIGITS) {
+        w.lo = w.lo >> 1 | (w.hi & 1) << (WORD_DIGITS - 1);
+        w.hi >>= 1;
+        w.exponent++;
+    }
+    return w;
+}
+
+static bool both_machine_zero(c205_word a, c205_word b)
+{
+    return word_is_machine_zero(a) && word_is_machine_zero(b);
+}
+
+static c205_word add_upper(c205_word a, c205_word b, bool subtract,
+                           uint64_t *flags)
+{
+    if (either_indefinite(a, b))
+        return indefinite(0, flags);
+    if (both_machine_zero(a, b))
+        return machine_zero(flags);
+    return wide_upper(sum(a, b, subtract), flags);
+}
+
+static c205_word add_lower(c205_word a, c205_word b, bool subtract,
+                           uint64_t *flags)
+{
+    if (either_indefinite(a, b))
+        return indefinite(0, flags);
+    if (both_machine_zero(a, b))
+        return machine_zero(flags);
+    return wide_lower(fitted(sum(a, b, subtract)), flags);
+}
+
+static c205_word add_normalised(c205_word a, c205_word b, bool subtract,
+                                uint64_t *flags)
+{
+    if (either_indefinite(a, b))
+        return indefinite(0, flags);
+    return wide_significant(sum(a, b, subtract), WORD_DIGITS, flags);
+}
+
+c205_word arith_add_upper(c205_word a, c205_word b, uint64_t *flags)
+{
+    return add_upper(a, b, false, flags);
+}
+
+c205_word arith_add_lower(c205_word a, c205_word b, uint64_t *flags)
+{
+    return add_lower(a, b, false, flags);
+}
+
+c205_word arith_add_normalised(c205_word a, c205_word b, uint64_t *flags)
+{
+    return add_normalised(a, b, false, flags);
+}
+
+c205_word arith_subtract_upper(c205_word a, c205_word b, uint64_t *flags)
+{
+    return add_upper(a, b, true, flags);
+}
+
+c205_word arith_subtract_lower(c205_word a, c205_word b, uint64_t *flags)
+{
+    return add_lower(a, b, true, flags);
+}
+
+c205_word arith_subtract_normalised(c205_word a, c205_word b,
+                                    uint64_t *flags)
+{
+    return add_normalised(a, b, true, flags);
+}
+
+static c205_word halve(c205_word a, uint64_t *flags)
+{
+    if (word_is_machine_zero(a) || word_is_indefinite(a))
+        return a;
+    return ranged(word_exponent(a) - 1, word_coefficient(a), flags);
+}
+
+c205_word arith_average(c205_word a, c205_word b, uint64_t *flags)
+{
+    return halve(arith_add_normalised(a, b, flags), flags);
+}
+
+c205_word arith_average_difference(c205_word a, c205_word b,
+                                   uint64_t *flags)
+{
+    return halve(arith_subtract_normalised(a, b, flags), flags);
+}
+
+/* ---- Multiply ----------------------------------------------------------- */
+
+/* By halves of 24 bits, the high ones signed: with ca = a1 x 2^24 + a0 and
+ * cb likewise the product is a1 b1 x 2^48 + (a1 b0 + a0 b1) x 2^24 + a0 b0. */
+static wide product(c205_word a, c205_word b)
+{
+    const int64_t ca = word_coefficient(a), cb = word_coefficient(b);
+    const int64_t a1 = ca >> HALF_DIGITS, a0 = ca & HALF_MASK;
+    const int64_t b1 = cb >> HALF_DIGITS, b0 = cb & HALF_MASK;
+    const int64_t low = a0 * b0;
+    const int64_t middle = a1 * b0 + a0 * b1 + (low >> HALF_DIGITS);
+    const wide w = {
+        a1 * b1 * 2 + (middle >> (HALF_DIGITS - 1)),
+        (middle & HALF_MASK >> 1) << HALF_DIGITS | (low & HALF_MASK),
+        word_exponent(a) + word_exponent(b)
+    };
+
+    return w;
+}
+
+/* True: a special operand decides, and the result is in *special. */
+static bool special_product(c205_word a, c205_word b, c205_word *special,
+                            uint64_t *flags)
+{
+    if (either_indefinite(a, b))
+        *special = indefinite(0, flags);
+    else if (word_is_machine_zero(a) || word_is_machine_zero(b))
+        *special = machine_zero(flags);
+    else
+        return false;
+    return true;
+}
+
+/* Significant bits of the less significant operand, but at least one. */
+static int32_t least_significance(c205_word a, c205_word b)
+{
+    const int32_t sa = word_significant_bits(word_coefficient(a));
+    const int32_t sb = word_significant_bits(word_coefficient(b));
+    const int32_t least = sa < sb ? sa : sb;
+
+    return least < 1 ? 1 : least;
+}
+
+c205_word arith_multiply_upper(c205_word a, c205_word b, uint64_t *flags)
+{
+    c205_word special;
+
+    if (special_product(a, b, &special, flags))
+        return special;
+    return wide_upper(product(a, b), flags);
+}
+
+c205_word arith_multiply_lower(c205_word a, c205_word b, uint64_t *flags)
+{
+    c205_word special;
+
+    if (special_product(a, b, &special, flags))
+        return special;
+    return wide_lower(product(a, b), flags);
+}
+
+c205_word arith_multiply_significant(c205_word a, c205_word b,
+                                     uint64_t *flags)
+{
+    c205_word special;
+
+    if (special_product(a, b, &special, flags))
+        return special;
+    return wide_significant(product(a, b), least_significance(a, b), flags);
+}
+
+/* ---- Divide ------------------------------------------------------------- */
+
+/* trunc(ca x 2^47 / cb) by long division: a digit of 48 bits, then the 47
+ * below it, as many at a time as the remainder leaves room for. */
+static wide quotient(c205_word a, c205_word b)
+{
+    const int64_t ca = word_coefficient(a), cb = word_coefficient(b);
+    const int64_t dividend = ca < 0 ? -ca : ca, divisor = cb < 0 ? -cb : cb;
+    int64_t remainder = dividend % divisor;
+    wide w = {dividend / divisor, 0, 0};
+
+    for (int32_t left = WORD_DIGITS; left > 0; ) {
+        const int32_t places = left < 16 ? left : 16;
+        remainder <<= places;
+        w.lo = w.lo << places | remainder / divisor;
+        remainder %= divisor;
+        left -= places;
+    }
+    w.exponent = word_exponent(a) - word_exponent(b) - WORD_DIGITS;
+    return (ca < 0) != (cb < 0) ? wide_negate(w) : w;
+}
+
+/* As for a product; a divisor of no value is a fault, whatever it divides. */
+static bool special_quotient(c205_word a, c205_word b, c205_word *special,
+                             uint64_t *flags)
+{
+    if (either_indefinite(a, b))
+        *special = indefinite(0, flags);
+    else if (word_value_coefficient(b) == 0)
+        *special = indefinite(FLAG_DIVIDE_FAULT, flags);
+    else if (word_is_machine_zero(a))
+        *special = machine_zero(flags);
+    else
+        return false;
+    return true;
+}
+
+c205_word arith_divide_upper(c205_word a, c205_word b, uint64_t *flags)
+{
+    c205_word special;
+
+    if (special_quotient(a, b, &special, flags))
+        return special;
+    const wide w = quotient(a, b);
+    const int32_t excess = wide_significant_bits(w) - WORD_DIGITS;
+    return wide_cut(w, excess > 0 ? excess : 0, flags);
+}
+
+c205_word arith_divide_significant(c205_word a, c205_word b,
+                                   uint64_t *flags)
+{
+    c205_word special;
+
+    if (special_quotient(a, b, &special, flags))
+        return special;
+    return wide_significant(quotient(a, b), least_significance(a, b), flags);
+}
+
+/* ---- Square root -------------------------------------------------------- */
+
+/* floor(sqrt(c x 2^k)) of a normalised c, the radicand below 2^94.  The
+ * root of the double is at most one too large; the remainder, known modulo
+ * 2^64, tells. */
+static int64_t root(int64_t c, int32_t k)
+{
+    const uint64_t estimate = (uint64_t)sqrt(ldexp((double)c, k));
+    const uint64_t remainder = ((uint64_t)c << k) - estimate * estimate;
+
+    return (int64_t)(estimate - (remainder >> 63));
+}
+
+c205_word arith_square_root(c205_word a, uint64_t *flags)
+{
+    const int64_t c = word_value_coefficient(a);
+
+    if (word_is_indefinite(a))
+        return indefinite(0, flags);
+    if (c == 0)
+        return machine_zero(flags);
+    if (c < 0)
+        return indefinite(FLAG_IMAGINARY_ROOT, flags);
+    const int32_t places = WORD_DIGITS - word_significant_bits(c);
+    const int32_t exponent = word_exponent(a) - places;
+    const int32_t k = exponent % 2 == 0 ? 46 : 47;
+    return ranged((exponent - k) / 2 + places,
+                  root(c << places, k) >> places, flags);
+}
+
+/* ---- Parts of a number, sign -------------------------------------------- */
+
+/* A word that is its own result. */
+static c205_word kept(c205_word a, uint64_t *flags)
+{
+    if (word_is_machine_zero(a))
+        *flags |= FLAG_MACHINE_ZERO;
+    if (word_is_indefinite(a))
+        *flags |= FLAG_INDEFINITE;
+    return a;
+}
+
+c205_word arith_floor(c205_word a, uint64_t *flags)
+{
+    const int32_t exponent = word_exponent(a);
+
+    if (exponent >= 0 || word_is_machine_zero(a))
+        return kept(a, flags);
+    return word_make(0, word_coefficient(a)
+                            >> (exponent < -63 ? 63 : -exponent));
+}
+
+c205_word arith_truncate(c205_word a, uint64_t *flags)
+{
+    const int32_t exponent = word_exponent(a);
+    const int64_t c = word_coefficient(a);
+
+    if (exponent >= 0 || c >= 0 || word_is_machine_zero(a))
+        return arith_floor(a, flags);
+    return word_make(0, -(-c >> (exponent < -63 ? 63 : -exponent)));
+}
+
+/* A normalised number stays normalised: 2^47 does not fit, and -2^46 is not
+ * normalised. */
+c205_word arith_negate(c205_word a, uint64_t *flags)
+{
+    const int32_t exponent = word_exponent(a);
+    const int64_t c = word_coefficient(a);
+
+    if (word_is_indefinite(a))
+        return indefinite(0, flags);
+    if (word_is_machine_zero(a))
+        return machine_zero(flags);
+    if (c == WORD_COEFFICIENT_MIN)
+        return ranged(exponent + 1, -(c / 2), flags);
+    if (c == -(WORD_COEFFICIENT_MIN / 2))
+        return ranged(exponent - 1, WORD_COEFFICIENT_MIN, flags);
+    return word_make(exponent, -c);
+}
+
+c205_word arith_absolute(c205_word a, uint64_t *flags)
+{
+    return word_coefficient(a) < 0 ? arith_negate(a, flags) : kept(a, flags);
+}
+
+c205_word arith_exponent(c205_word a, uint64_t *flags)
+{
+    (void)flags;
+    return word_make(0, word_exponent(a));
+}
+
+/* ---- Compare ------------------------------------------------------------ */
+
+bool arith_equal(c205_word a, c205_word b)
+{
+    return !either_indefinite(a, b) && word_rank(a) == word_rank(b);
+}
+
+bool arith_not_equal(c205_word a, c205_word b)
+{
+    return !arith_equal(a, b);
+}
+
+bool arith_not_less(c205_word a, c205_word b)
+{
+    return !either_indefinite(a, b) && word_rank(a) >= word_rank(b);
+}
+
+bool arith_less(c205_word a, c205_word b)
+{
+    return !either_indefinite(a, b) && word_rank(a) < word_rank(b);
+}
+
+/* ---- Shift -------------------------------------------------------------- */
+
+c205_word arith_shift(c205_word a, int64_t count)
+{
+    if (count < 0)
+        return (c205_word)((int64_t)a >> (count < -63 ? 63 : -count));
+    const unsigned left = (unsigned)(count & 63);
+    return a << left | a >> (-left & 63);
+}

@@ -1,0 +1,33 @@
+/* big.h - natural numbers of a bounded but great length, for exact decimal
+ * conversion: the small operations that it needs, in place.
+ */
+#ifndef C205_BIG_H
+#define C205_BIG_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { BIG_LIMBS = 2400 }; /* 76,800 bits */
+
+/* The sum of limb[i] x 2^(32 i) for i < count; the last limb is not 0. */
+typedef struct big {
+    size_t count;
+    uint32_t limb[BIG_LIMBS];
+} big;
+
+void big_set(big *number, uint64_t value);
+int32_t big_bit_length(const big *number);
+/* Its low 64 bits. */
+uint64_t big_low(const big *number);
+
+/* number := number x factor + addend */
+void big_multiply(big *number, uint32_t factor, uint32_t addend);
+void big_multiply_power_of_5(big *number, int32_t power);
+void big_shift_left(big *number, int32_t places);
+
+/* Floor; true if something was lost. */
+bool big_divide_power_of_5(big *number, int32_t power);
+bool big_shift_right(big *number, int32_t places);
+
+#endif

@@ -1,0 +1,356 @@
+/* c205.h - an emulator of a CYBER 205 style vector computer.
+ *
+ * The machine is "205-style, reconstructed": docs/machine.md says for each
+ * part what is known and what is not.  Its time is cycle-accounted: every
+ * clock of a run is charged to one cause, and the causes sum to the total.
+ *
+ * How it is used:
+ *
+ *   c205_model *model = c205_model_find("cyber205-2pipe", &error);
+ *   c205 *machine = c205_new(model, &error);
+ *   c205_load(machine, &program, &error);
+ *   c205_stop stop = c205_run(machine, C205_NO_LIMIT);
+ *
+ * Library functions never print and never exit.  Those that can fail take a
+ * c205_error, fill its message, and return false or NULL.  A machine is used
+ * by one thread at a time; different machines share nothing that changes.
+ */
+#ifndef C205_H
+#define C205_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct c205_error {
+    char message[256]; /* one sentence, no newline; empty: no error */
+} c205_error;
+
+/* ---- Numbers (vm/word.c) ------------------------------------------------
+ *
+ * A word is 64 bits; bit 0 is the leftmost.  As a number it is
+ *
+ *   | exponent 16, two's complement | coefficient 48, two's complement |
+ *
+ * with the value coefficient x 2^exponent.  An exponent of 8000-8FFF hex is
+ * machine zero, of 7000-7FFF indefinite.  Source: machine notes, section 1.
+ */
+typedef uint64_t c205_word;
+
+#define C205_MACHINE_ZERO UINT64_C(0x8000000000000000)
+#define C205_INDEFINITE UINT64_C(0x7000000000000000)
+#define C205_ONE UINT64_C(0xFFD2400000000000)
+
+/* The normalised word nearest below (floor) to a double; exact wherever 47
+ * bits hold it.  Too large, infinite or NaN: indefinite; zero or too small:
+ * machine zero. */
+c205_word c205_from_double(double value);
+
+/* Exact up to the range of a double; indefinite gives NaN, values beyond
+ * the range an infinity or zero with the right sign. */
+double c205_to_double(c205_word word);
+
+/* An integer, -2^47 .. 2^47-1, as a word with exponent 0. */
+c205_word c205_from_integer(int64_t value);
+/* The low 48 bits, sign extended. */
+int64_t c205_to_integer(c205_word word);
+
+/* Decimal text ("-12.5e-3"), cut (floor) to a normalised word from the exact
+ * decimal value, whatever its length.  *end is set to the first character
+ * not used; end == text: no number there. */
+c205_word c205_from_text(const char *text, const char **end);
+
+enum { C205_TEXT_SIZE = 40 };
+/* The shortest decimal text that c205_from_text reads back as the same
+ * value; "indefinite" for those, "0" for every zero. */
+void c205_to_text(c205_word word, char text[C205_TEXT_SIZE]);
+/* "FFD2 4000 0000 0000" */
+void c205_to_hex(c205_word word, char text[C205_TEXT_SIZE]);
+
+/* ---- Instructions (vm/insn.c, from vm/insn.def) ------------------------- */
+
+typedef enum c205_format {
+#define FORMAT(name, halves, syntax) C205_FORMAT_##name,
+#include "insn.def"
+    C205_FORMATS
+} c205_format;
+
+typedef enum c205_unit {
+    C205_UNIT_SINGLE,
+    C205_UNIT_ADD,
+    C205_UNIT_MULTIPLY,
+    C205_UNIT_DIVIDE,
+    C205_UNIT_LOGICAL,
+    C205_UNIT_MEMORY,
+    C205_UNIT_BRANCH,
+    C205_UNIT_VECTOR,
+    C205_UNITS
+} c205_unit;
+
+typedef enum c205_timing {
+#define TIMING(name, kind) C205_TIMING_##name,
+#include "insn.def"
+    C205_TIMINGS
+} c205_timing;
+
+/* insn.flags */
+#define C205_INSN_SIGN 1u
+#define C205_INSN_LINK 2u
+#define C205_INSN_PADZ 4u
+#define C205_INSN_PADO 8u
+#define C205_INSN_INDEX 16u
+
+/* Bits of the G byte, as values of that byte. */
+#define C205_G_HALF 0x80u        /* 32-bit operands */
+#define C205_G_ZEROS 0x40u       /* control vector acts on zeros */
+#define C205_G_OFFSET 0x20u      /* C+1 holds the offset of C and Z */
+#define C205_G_BROADCAST_A 0x10u
+#define C205_G_BROADCAST_B 0x08u
+#define C205_G_NEGATE_A 0x04u    /* after the magnitude, if both */
+#define C205_G_MAGNITUDE_A 0x02u
+#define C205_G_MAGNITUDE_B 0x01u
+#define C205_G_RELATIVE 0x40u    /* in B0-B5 */
+
+typedef struct c205_insn {
+    const char *mnemonic;
+    uint8_t opcode;
+    uint8_t subop;      /* fixed bits of G .. */
+    uint8_t subop_mask; /* .. and which they are */
+    uint8_t flags;
+    c205_format format;
+    c205_unit unit;
+    c205_timing timing;
+    const char *operands; /* one letter each, see insn.def */
+    const char *effect;
+    char provenance;
+} c205_insn;
+
+extern const c205_insn c205_insns[]; /* in table order */
+extern const size_t c205_insn_count;
+
+/* By name, any case; NULL: there is none. */
+const c205_insn *c205_insn_named(const char *mnemonic, size_t length);
+/* By code; g is the second byte.  NULL: undefined. */
+const c205_insn *c205_insn_coded(uint8_t opcode, uint8_t g);
+
+const char *c205_format_name(c205_format format);
+const char *c205_format_syntax(c205_format format);
+unsigned c205_format_halves(c205_format format);
+const char *c205_unit_name(c205_unit unit);
+const char *c205_timing_name(c205_timing timing);
+bool c205_timing_is_vector(c205_timing timing);
+
+/* The fields of an instruction, wherever they lie in its word.  F8 G8 X8 A8
+ * Y8 B8 Z8 C8 for the long formats, F8 R8 S8 T8 for the short ones. */
+typedef struct c205_fields {
+    uint8_t f, g, x, a, y, b, z, c; /* VECTOR and its kin, INDEX, FLOAT */
+    uint8_t r, s, t;                /* register formats */
+    int64_t immediate; /* I8, I16, I48, or the branch distance in halves */
+} c205_fields;
+
+/* Take an instruction apart and put it together.  A short instruction lies
+ * in the high half of word.  Both are pure bit moving: encode puts every
+ * field of the format, decode gives zero for the fields it lacks. */
+c205_fields c205_decode(const c205_insn *insn, c205_word word);
+c205_word c205_encode(const c205_insn *insn, const c205_fields *fields);
+
+/* ---- Machine models (vm/model.c) -----------------------------------------
+ *
+ * A model is a text file of lines "name value unit source # remark"; the
+ * sources are the letters P S D R of the instruction table.  Four models are
+ * built in: cyber205-1pipe, cyber205-2pipe, cyber205-4pipe.
+ */
+typedef struct c205_model c205_model;
+
+typedef struct c205_constant {
+    const char *name;   /* "startup.vadd" */
+    const char *text;   /* the value as written */
+    double value;       /* for display; the clock uses the exact decimal */
+    const char *unit;   /* "clk", "clk/element", "clk*pipe/element", "ns" .. */
+    char source;        /* P S D R */
+    const char *remark;
+} c205_constant;
+
+/* A built-in model, or a file if the name holds a '/' or ends in ".model".
+ * The model is read once and not changed afterwards. */
+c205_model *c205_model_find(const char *name, c205_error *error);
+c205_model *c205_model_parse(const char *name, const char *text,
+                             c205_error *error);
+void c205_model_free(c205_model *model);
+
+const char *c205_model_name(const c205_model *model);
+const char *c205_model_title(const c205_model *model);
+size_t c205_model_size(const c205_model *model);
+const c205_constant *c205_model_constant(const c205_model *model, size_t i);
+/* NULL: no such constant. */
+const c205_constant *c205_model_lookup(const c205_model *model,
+                                       const char *name);
+/* Names of the built-in models, NULL at the end. */
+const char *const *c205_model_names(void);
+
+/* ---- Programs ----------------------------------------------------------- */
+
+typedef struct c205_segment {
+    uint64_t address;       /* bit address, a multiple of 64 */
+    size_t length;          /* words */
+    const c205_word *words; /* NULL: zeros */
+} c205_segment;
+
+/* Code between two addresses belongs to a named region of the accounts.
+ * Several ranges may bear one name; they share one account. */
+typedef struct c205_region {
+    const char *name;
+    uint64_t begin, end;
+} c205_region;
+
+typedef struct c205_program {
+    uint64_t entry;
+    size_t segment_count;
+    const c205_segment *segments;
+    size_t region_count;
+    const c205_region *regions;
+} c205_program;
+
+/* ---- The machine (vm/machine.c) ----------------------------------------- */
+
+typedef struct c205 c205;
+
+enum { C205_REGISTERS = 256 };
+#define C205_NO_LIMIT UINT64_MAX
+#define C205_PAGE_WORDS 65536u /* large page (source P) */
+#define C205_MAX_LENGTH 65535u /* of a vector (source P) */
+
+/* Why a clock passed; each clock has one cause. */
+typedef enum c205_cause {
+    C205_ISSUE,
+    C205_OPERAND_WAIT,
+    C205_UNIT_BUSY,
+    C205_BRANCH,
+    C205_MEMORY_WAIT,
+    C205_VECTOR_STARTUP,
+    C205_VECTOR_STREAM,
+    C205_BANK_CONFLICT,
+    C205_TRANSLATION_MISS,
+    C205_PAGE_FAULT,
+    C205_CAUSES
+} c205_cause;
+const char *c205_cause_name(c205_cause cause);
+
+typedef enum c205_trap {
+    C205_TRAP_NONE,
+    C205_TRAP_UNDEFINED_INSTRUCTION, /* no such opcode or G bits */
+    C205_TRAP_UNMAPPED_ADDRESS,
+    C205_TRAP_PROTECTED_ADDRESS,     /* write to memory that is read-only */
+    C205_TRAP_BAD_DESCRIPTOR,        /* negative offset, missing vector .. */
+    C205_TRAP_MISALIGNED_OPERAND,    /* word vector not on a word, ... */
+    C205_TRAP_BAD_LINK,              /* the pair after LINKV cannot be linked */
+    C205_TRAP_BAD_REQUEST,           /* the monitor knows no such request */
+    C205_TRAP_CLOCK_LIMIT,
+    C205_TRAP_NO_MEMORY,             /* the host has none left */
+    C205_TRAPS
+} c205_trap;
+const char *c205_trap_name(c205_trap trap); /* "undefined-instruction" .. */
+
+/* How a run ended. */
+typedef struct c205_stop {
+    c205_trap trap;       /* NONE: the program ended itself with EXIT */
+    uint64_t pc;          /* bit address of the instruction that stopped */
+    uint64_t address;     /* the operand address at fault, or 0 */
+    const c205_insn *insn; /* NULL: undefined */
+    int64_t status;       /* operand R of EXIT */
+} c205_stop;
+
+typedef struct c205_account {
+    const char *name; /* region; "" is all code outside regions */
+    uint64_t clocks[C205_CAUSES];
+    uint64_t instructions;        /* all that were issued */
+    uint64_t vector_instructions;
+    uint64_t elements;            /* of vector results or scanned operands */
+    uint64_t entries;             /* times control came in from elsewhere */
+} c205_account;
+
+/* What a listener is told: one event after each instruction. */
+typedef enum c205_event_kind {
+    C205_EVENT_INSTRUCTION,
+    C205_EVENT_REQUEST, /* EXIT with a request other than 0 */
+    C205_EVENT_TRAP,
+    C205_EVENT_STOP
+} c205_event_kind;
+
+typedef struct c205_event {
+    c205_event_kind kind;
+    uint64_t pc;
+    const c205_insn *insn;
+    c205_fields fields;
+    size_t region;     /* index into the accounts */
+    uint64_t issued;   /* the clock at which it issued */
+    uint64_t clocks;   /* by how much it moved the clock */
+    size_t elements;   /* vector length, 0 for scalar instructions */
+    bool taken;        /* branches */
+    /* C205_EVENT_REQUEST */
+    unsigned request;
+    c205_word r, s;    /* its operands */
+    c205_trap trap;
+} c205_event;
+
+typedef void c205_listener(void *context, const c205 *machine,
+                           const c205_event *event);
+
+c205 *c205_new(const c205_model *model, c205_error *error);
+void c205_free(c205 *machine);
+
+/* Zero registers, clock, accounts; unmap all memory; map and fill the
+ * program's segments; set the program counter to its entry. */
+bool c205_load(c205 *machine, const c205_program *program, c205_error *error);
+
+typedef enum c205_access { C205_READ_ONLY, C205_READ_WRITE } c205_access;
+/* Map the pages that hold words words from a bit address on, zeroed where
+ * they were not mapped before. */
+bool c205_map(c205 *machine, uint64_t address, size_t words,
+              c205_access access, c205_error *error);
+
+/* Copy between the host and the machine's memory; costs no clocks.  Fails
+ * without effect where a page is not mapped. */
+bool c205_read(const c205 *machine, uint64_t address, c205_word *words,
+               size_t count);
+bool c205_write(c205 *machine, uint64_t address, const c205_word *words,
+                size_t count);
+
+/* Run until the program ends, a trap, or the clock has reached limit. */
+c205_stop c205_run(c205 *machine, uint64_t limit);
+/* One instruction (a linked pair with its prefix counts as one); true:
+ * go on, false: *stop tells why not. */
+bool c205_step(c205 *machine, c205_stop *stop);
+/* "trap bad-descriptor at 1000: ADDNV ...: address 2040" */
+void c205_describe_stop(const c205 *machine, const c205_stop *stop,
+                        c205_error *text);
+
+c205_word c205_register(const c205 *machine, unsigned number);
+void c205_set_register(c205 *machine, unsigned number, c205_word word);
+uint64_t c205_pc(const c205 *machine);
+void c205_set_pc(c205 *machine, uint64_t address);
+c205_word c205_data_flags(const c205 *machine);
+
+/* Clocks charged so far: the sum of all accounts.  When a run has ended, by
+ * itself or by a trap, everything in flight is included; at the clock limit
+ * it is not, and the run may go on as if it had not been stopped. */
+uint64_t c205_clock(const c205 *machine);
+const c205_model *c205_machine_model(const c205 *machine);
+size_t c205_account_count(const c205 *machine);
+const c205_account *c205_account_at(const c205 *machine, size_t i);
+/* Set clock and accounts to zero, the machine's pipes empty; memory,
+ * registers and which pages are resident stay. */
+void c205_reset_clock(c205 *machine);
+
+/* At most C205_LISTENERS; false when there are more. */
+enum { C205_LISTENERS = 8 };
+bool c205_listen(c205 *machine, c205_listener *listener, void *context);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
