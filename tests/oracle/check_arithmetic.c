@@ -1,0 +1,431 @@
+/* check_arithmetic - the machine's arithmetic against the oracle's.
+ *
+ *     check_arithmetic [--seed N] [--operation NAME] [cases]
+ *
+ * Each operation meets the same operands three times: as arith.h has it one
+ * pair at a time, as lanes.h has it over spans, and as the oracle has it.
+ * Words and flags must agree.  The first that do not are shown.
+ */
+#include "arithmetic_oracle.h"
+#include "check_conversions.h"
+#include "operands.h"
+#include "vm/lanes.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- The operations ----------------------------------------------------- */
+
+typedef void span_rule(c205_word *c, const c205_word *a, const c205_word *b,
+                       size_t n, uint64_t *flags);
+
+/* scalar: as arith.h; NULL where only lanes.h has the operation. */
+struct operation {
+    const char *name;
+    oracle_rule *expected, *scalar;
+    span_rule *span;
+};
+
+enum { SPAN = 512, BITMAP = SPAN / 64 };
+
+static void spread(c205_word *c, const uint64_t *bits, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        c[i] = bits[i / 64] >> (63 - i % 64) & 1;
+}
+
+static bool rest_is_zero(const uint64_t *bits, size_t n)
+{
+    return n % 64 == 0 || bits[n / 64] << n % 64 == 0;
+}
+
+/* How the functions of the machine are called, by kind: all are brought to
+ * the signatures of oracle_rule and span_rule. */
+#define ADAPT_BINARY(name)                                                  \
+    static c205_word scalar_##name(c205_word a, c205_word b,                \
+                                   uint64_t *flags)                         \
+    {                                                                       \
+        return arith_##name(a, b, flags);                                   \
+    }                                                                       \
+    ADAPT_SPAN(name)
+#define ADAPT_SPAN(name)                                                    \
+    static void span_##name(c205_word *c, const c205_word *a,               \
+                            const c205_word *b, size_t n, uint64_t *flags)  \
+    {                                                                       \
+        lanes_##name(c, a, b, n, flags);                                    \
+    }
+#define ADAPT_UNARY(name)                                                   \
+    static c205_word scalar_##name(c205_word a, c205_word b,                \
+                                   uint64_t *flags)                         \
+    {                                                                       \
+        (void)b;                                                            \
+        return arith_##name(a, flags);                                      \
+    }                                                                       \
+    ADAPT_UNARY_SPAN(name)
+#define ADAPT_UNARY_SPAN(name)                                              \
+    static void span_##name(c205_word *c, const c205_word *a,               \
+                            const c205_word *b, size_t n, uint64_t *flags)  \
+    {                                                                       \
+        (void)b;                                                            \
+        lanes_##name(c, a, n, flags);                                       \
+    }
+/* A bitmap with bits past its end spoils the flags, which comparisons do
+ * not touch. */
+#define ADAPT_COMPARE(name)                                                 \
+    static c205_word scalar_##name(c205_word a, c205_word b,                \
+                                   uint64_t *flags)                         \
+    {                                                                       \
+        (void)flags;                                                        \
+        return arith_##name(a, b);                                          \
+    }                                                                       \
+    static void span_##name(c205_word *c, const c205_word *a,               \
+                            const c205_word *b, size_t n, uint64_t *flags)  \
+    {                                                                       \
+        uint64_t bits[BITMAP];                                              \
+                                                                            \
+        memset(bits, 0xA5, sizeof bits);                                    \
+        lanes_##name(bits, a, b, n);                                        \
+        spread(c, bits, n);                                                 \
+        if (!rest_is_zero(bits, n))                                         \
+            *flags = 0;                                                     \
+    }
+#define ADAPT_SHIFT(name)                                                   \
+    static c205_word scalar_##name(c205_word a, c205_word b,                \
+                                   uint64_t *flags)                         \
+    {                                                                       \
+        (void)flags;                                                        \
+        return arith_##name(a, c205_to_integer(b));                         \
+    }                                                                       \
+    ADAPT_SPAN(name)
+
+/* SPAN and UNARY_SPAN have no counterpart in arith.h. */
+#define OPERATIONS(BINARY, UNARY, COMPARE, SHIFT, SPAN_ONLY, UNARY_SPAN)    \
+    BINARY(add_upper)                                                       \
+    BINARY(add_lower)                                                       \
+    BINARY(add_normalised)                                                  \
+    BINARY(subtract_upper)                                                  \
+    BINARY(subtract_lower)                                                  \
+    BINARY(subtract_normalised)                                             \
+    BINARY(multiply_upper)                                                  \
+    BINARY(multiply_lower)                                                  \
+    BINARY(multiply_significant)                                            \
+    BINARY(divide_upper)                                                    \
+    BINARY(divide_significant)                                              \
+    UNARY(square_root)                                                      \
+    UNARY(truncate)                                                         \
+    UNARY(floor)                                                            \
+    UNARY(absolute)                                                         \
+    UNARY(negate)                                                           \
+    UNARY(exponent)                                                         \
+    BINARY(average)                                                         \
+    BINARY(average_difference)                                              \
+    COMPARE(equal)                                                          \
+    COMPARE(not_equal)                                                      \
+    COMPARE(not_less)                                                       \
+    COMPARE(less)                                                           \
+    SHIFT(shift)                                                            \
+    SPAN_ONLY(xor)                                                          \
+    SPAN_ONLY(and)                                                          \
+    SPAN_ONLY(or)                                                           \
+    SPAN_ONLY(nand)                                                         \
+    SPAN_ONLY(nor)                                                          \
+    SPAN_ONLY(or_not)                                                       \
+    SPAN_ONLY(and_not)                                                      \
+    SPAN_ONLY(equivalence)                                                  \
+    UNARY_SPAN(copy)
+
+OPERATIONS(ADAPT_BINARY, ADAPT_UNARY, ADAPT_COMPARE, ADAPT_SHIFT, ADAPT_SPAN,
+           ADAPT_UNARY_SPAN)
+
+#define ROW(name) {#name, oracle_##name, scalar_##name, span_##name},
+#define SPAN_ROW(name) {#name, oracle_##name, NULL, span_##name},
+
+static const struct operation operations[] = {
+    OPERATIONS(ROW, ROW, ROW, ROW, SPAN_ROW, SPAN_ROW)};
+
+enum { OPERATION_COUNT = sizeof operations / sizeof operations[0] };
+
+/* ---- One operation ------------------------------------------------------ */
+
+/* Flags are only ever added to: this one, which no operation sets, stays. */
+#define EARLIER_FLAG UINT64_C(1)
+
+struct outcome {
+    c205_word word;
+    uint64_t flags;
+};
+
+static bool same(struct outcome a, struct outcome b)
+{
+    return a.word == b.word && a.flags == b.flags;
+}
+
+static struct outcome apply(oracle_rule *rule, c205_word a, c205_word b)
+{
+    struct outcome outcome = {.flags = EARLIER_FLAG};
+
+    outcome.word = rule(a, b, &outcome.flags);
+    return outcome;
+}
+
+static void show_mismatch(const char *room, const char *name, c205_word a,
+                          c205_word b, struct outcome expected,
+                          struct outcome got)
+{
+    printf("%s_%s %016" PRIX64 " %016" PRIX64 "\n", room, name, a, b);
+    printf("    expected %016" PRIX64 " flags %06" PRIX64 "\n",
+           expected.word, expected.flags);
+    printf("    got      %016" PRIX64 " flags %06" PRIX64 "\n", got.word,
+           got.flags);
+}
+
+/* Operands and results of one span; c has one word more, which stays. */
+struct span {
+    size_t n;
+    c205_word a[SPAN], b[SPAN], c[SPAN + 1];
+    struct outcome expected[SPAN];
+};
+
+static bool check_scalars(const struct operation *operation,
+                          struct span *span)
+{
+    for (size_t i = 0; i < span->n; i++) {
+        const c205_word a = span->a[i], b = span->b[i];
+        const struct outcome expected = apply(operation->expected, a, b);
+        span->expected[i] = expected;
+        if (operation->scalar == NULL)
+            continue;
+        const struct outcome got = apply(operation->scalar, a, b);
+        if (!same(expected, got)) {
+            show_mismatch("arith", operation->name, a, b, expected, got);
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The words as computed; of the flags, the union alone is known. */
+static bool check_span(const struct operation *operation, struct span *span)
+{
+    const c205_word guard = UINT64_C(0x0123456789ABCDEF);
+    uint64_t flags = EARLIER_FLAG, expected_flags = EARLIER_FLAG;
+
+    span->c[span->n] = guard;
+    operation->span(span->c, span->a, span->b, span->n, &flags);
+    for (size_t i = 0; i < span->n; i++) {
+        const struct outcome got = {span->c[i], span->expected[i].flags};
+        expected_flags |= span->expected[i].flags;
+        if (!same(span->expected[i], got)) {
+            show_mismatch("lanes", operation->name, span->a[i], span->b[i],
+                          span->expected[i], got);
+            return false;
+        }
+    }
+    if (flags == expected_flags && span->c[span->n] == guard)
+        return true;
+    printf("lanes_%s, %zu elements from %016" PRIX64 " %016" PRIX64
+           " on: %s\n    expected flags %06" PRIX64 ", got %06" PRIX64 "\n",
+           operation->name, span->n, span->a[0], span->b[0],
+           span->c[span->n] == guard ? "flags" : "a word past the end",
+           expected_flags, flags);
+    return false;
+}
+
+/* Short spans show a flag that is wrong, long ones the vectorised loops. */
+static size_t span_length(uint64_t *random)
+{
+    const int64_t longest = random_bits(random) % 2 == 0 ? 9 : SPAN;
+
+    return (size_t)random_between(random, 1, longest);
+}
+
+static bool check_operation(const struct operation *operation,
+                            uint64_t seed, size_t cases)
+{
+    static struct span span;
+    struct operands operands = operands_begin(seed);
+    uint64_t random = ~seed;
+
+    for (size_t done = 0; done < cases; done += span.n) {
+        span.n = span_length(&random);
+        if (span.n > cases - done)
+            span.n = cases - done;
+        operands_next(&operands, span.a, span.b, span.n);
+        if (!check_scalars(operation, &span)
+            || !check_span(operation, &span))
+            return false;
+    }
+    return true;
+}
+
+/* ---- Reductions, masked stores ------------------------------------------ */
+
+struct reduction {
+    const char *name;
+    oracle_rule *step;
+    void (*span)(c205_word *accumulator, const c205_word *a, size_t n,
+                 uint64_t *flags);
+};
+
+static const struct reduction reductions[] = {
+    {"sum", oracle_add_normalised, lanes_sum},
+    {"product", oracle_multiply_significant, lanes_product},
+};
+
+enum { REDUCTION_COUNT = sizeof reductions / sizeof reductions[0] };
+
+static bool check_reduction(const struct reduction *reduction, uint64_t seed,
+                            size_t cases)
+{
+    static struct span span;
+    struct operands operands = operands_begin(seed);
+    uint64_t random = ~seed;
+
+    for (size_t done = 0; done < cases; done += span.n) {
+        span.n = span_length(&random);
+        operands_next(&operands, span.a, span.b, span.n);
+        struct outcome expected = {span.b[0], EARLIER_FLAG};
+        struct outcome got = expected;
+        for (size_t i = 0; i < span.n; i++)
+            expected.word = reduction->step(expected.word, span.a[i],
+                                            &expected.flags);
+        reduction->span(&got.word, span.a, span.n, &got.flags);
+        if (!same(expected, got)) {
+            printf("%zu elements: ", span.n);
+            show_mismatch("lanes", reduction->name, span.b[0], span.a[0],
+                          expected, got);
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool check_masked_store(uint64_t seed, size_t cases)
+{
+    static struct span span;
+    struct operands operands = operands_begin(seed);
+    uint64_t random = ~seed;
+
+    for (size_t done = 0; done < cases; done += span.n) {
+        uint64_t bits[BITMAP];
+        c205_word choice[SPAN];
+        span.n = span_length(&random);
+        operands_next(&operands, span.a, span.b, span.n);
+        for (size_t i = 0; i < BITMAP; i++)
+            bits[i] = random_bits(&random);
+        spread(choice, bits, span.n);
+        memcpy(span.c, span.b, sizeof span.b);
+        lanes_store_masked(span.c, span.a, bits, span.n);
+        for (size_t i = 0; i < SPAN; i++) {
+            const bool taken = i < span.n && choice[i] == 1;
+            const c205_word expected = taken ? span.a[i] : span.b[i];
+            if (span.c[i] != expected) {
+                show_mismatch("lanes", "store_masked", span.a[i], span.b[i],
+                              (struct outcome){expected, 0},
+                              (struct outcome){span.c[i], 0});
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* ---- The run ------------------------------------------------------------ */
+
+struct run {
+    uint64_t seed;
+    size_t cases;
+    const char *only; /* NULL: all */
+    unsigned passed, failed;
+};
+
+static bool wanted(const struct run *run, const char *name)
+{
+    return run->only == NULL || strcmp(run->only, name) == 0;
+}
+
+static void count(struct run *run, const char *name, size_t cases, bool pass)
+{
+    run->passed += pass;
+    run->failed += !pass;
+    printf("%-24s %9zu %s\n", name, cases, pass ? "ok" : "FAILED");
+    fflush(stdout);
+}
+
+static void check_everything(struct run *run)
+{
+    const size_t conversion_cases = run->cases / 10;
+
+    for (size_t i = 0; i < OPERATION_COUNT; i++)
+        if (wanted(run, operations[i].name))
+            count(run, operations[i].name, run->cases,
+                  check_operation(operations + i, run->seed, run->cases));
+    for (size_t i = 0; i < REDUCTION_COUNT; i++)
+        if (wanted(run, reductions[i].name))
+            count(run, reductions[i].name, run->cases,
+                  check_reduction(reductions + i, run->seed, run->cases));
+    if (wanted(run, "store_masked"))
+        count(run, "store_masked", run->cases,
+              check_masked_store(run->seed, run->cases));
+    for (size_t i = 0; i < conversion_count; i++)
+        if (wanted(run, conversions[i].name))
+            count(run, conversions[i].name, conversion_cases,
+                  check_conversion(conversions + i, run->seed,
+                                   conversion_cases));
+}
+
+static bool read_number(const char *text, uint64_t *number)
+{
+    char *end;
+
+    errno = 0;
+    *number = strtoull(text, &end, 0);
+    return errno == 0 && end != text && *end == '\0' && *text != '-';
+}
+
+static bool read_arguments(struct run *run, int argc, char **argv)
+{
+    static const struct option options[] = {
+        {"seed", required_argument, NULL, 's'},
+        {"operation", required_argument, NULL, 'o'},
+        {NULL, 0, NULL, 0},
+    };
+    uint64_t number;
+
+    for (int c; (c = getopt_long(argc, argv, "", options, NULL)) != -1;) {
+        if (c == 'o')
+            run->only = optarg;
+        else if (c != 's' || !read_number(optarg, &run->seed))
+            return false;
+    }
+    if (optind < argc) {
+        if (!read_number(argv[optind++], &number) || number == 0)
+            return false;
+        run->cases = (size_t)number;
+    }
+    return optind == argc;
+}
+
+int main(int argc, char **argv)
+{
+    struct run run = {.seed = 205, .cases = 1000000};
+
+    if (!read_arguments(&run, argc, argv)) {
+        fprintf(stderr, "usage: check_arithmetic [--seed N] "
+                        "[--operation NAME] [cases]\n");
+        return 2;
+    }
+    oracle_begin();
+    check_everything(&run);
+    oracle_end();
+    if (run.passed + run.failed == 0) {
+        fprintf(stderr, "check_arithmetic: no operation %s\n", run.only);
+        return 2;
+    }
+    printf("%u passed, %u failed\n", run.passed, run.failed);
+    return run.failed == 0 ? 0 : 1;
+}

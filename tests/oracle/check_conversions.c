@@ -1,0 +1,345 @@
+#include "check_conversions.h"
+#include "arithmetic_oracle.h"
+#include "operands.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DIGITS = 400, TEXT = DIGITS + 64 };
+
+static bool same_word(const char *what, c205_word expected, c205_word got)
+{
+    if (expected != got)
+        printf("%s: expected %016" PRIX64 ", got %016" PRIX64 "\n", what,
+               expected, got);
+    return expected == got;
+}
+
+static bool same_text(c205_word word, const char *expected, const char *got)
+{
+    if (strcmp(expected, got) == 0)
+        return true;
+    printf("%016" PRIX64 ": expected \"%s\", got \"%s\"\n", word, expected,
+           got);
+    return false;
+}
+
+/* ---- Doubles ------------------------------------------------------------ */
+
+static double double_of_bits(uint64_t bits)
+{
+    double value;
+
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* Any double; every other one of usual size, every third with few bits. */
+static double random_double(uint64_t *random)
+{
+    const uint64_t choice = random_bits(random);
+    uint64_t bits = random_bits(random);
+
+    if (choice % 2 == 0) {
+        const int64_t exponent = random_between(random, 1023 - 60, 1023 + 60);
+        bits = bits >> 63 << 63 | bits << 12 >> 12 | (uint64_t)exponent << 52;
+    }
+    if (choice % 3 == 0)
+        bits &= ~UINT64_C(0) << random_between(random, 0, 63);
+    return double_of_bits(bits);
+}
+
+static bool from_double_agrees(uint64_t *random)
+{
+    const double value = random_double(random);
+    char what[64];
+    mpfr_t cut;
+
+    mpfr_init2(cut, 47);
+    mpfr_set_d(cut, value, MPFR_RNDD);
+    snprintf(what, sizeof what, "from %a", value);
+    const c205_word expected = oracle_word(cut);
+    mpfr_clear(cut);
+    return same_word(what, expected, c205_from_double(value));
+}
+
+/* Words around the range of a double and far from it. */
+static c205_word word_near_doubles(uint64_t *random)
+{
+    const c205_word digits = random_word(random) << 16 >> 16;
+    const int64_t exponent = random_between(random, -1200, 1100);
+
+    return random_bits(random) % 4 == 0
+               ? random_word(random)
+               : (c205_word)exponent << 48 | digits;
+}
+
+static bool to_double_agrees(uint64_t *random)
+{
+    const c205_word word = word_near_doubles(random);
+    mpfr_t value;
+
+    mpfr_init2(value, 48);
+    oracle_value(value, word);
+    const double expected = mpfr_get_d(value, MPFR_RNDN);
+    mpfr_clear(value);
+    const double got = c205_to_double(word);
+    if (expected != expected ? got != got
+                             : !memcmp(&expected, &got, sizeof got))
+        return true;
+    printf("%016" PRIX64 ": expected %a, got %a\n", word, expected, got);
+    return false;
+}
+
+/* ---- Integers ----------------------------------------------------------- */
+
+static bool from_integer_agrees(uint64_t *random)
+{
+    const int64_t end = INT64_C(1) << random_between(random, 0, 47);
+    const int64_t value = random_between(random, -end, end - 1);
+    char what[64];
+    mpfr_t exact;
+
+    mpfr_init2(exact, 48);
+    mpfr_set_si(exact, value, MPFR_RNDD);
+    const c205_word word = c205_from_integer(value);
+    oracle_value(exact, word);
+    const bool right = mpfr_cmp_si(exact, value) == 0 && word >> 48 == 0;
+    mpfr_clear(exact);
+    snprintf(what, sizeof what, "from %" PRId64, value);
+    return right || same_word(what, (c205_word)value << 16 >> 16, word);
+}
+
+static bool to_integer_agrees(uint64_t *random)
+{
+    const c205_word word = random_word(random);
+    const int64_t low = (int64_t)(word % (UINT64_C(1) << 48));
+    const int64_t expected = low >= INT64_C(1) << 47
+                                 ? low - (INT64_C(1) << 48)
+                                 : low;
+    const int64_t got = c205_to_integer(word);
+
+    if (got != expected)
+        printf("%016" PRIX64 ": expected %" PRId64 ", got %" PRId64 "\n",
+               word, expected, got);
+    return got == expected;
+}
+
+/* ---- Text to words ------------------------------------------------------ */
+
+static const char *chosen(uint64_t *random, const char *const *texts,
+                          size_t count)
+{
+    return texts[random_bits(random) % count];
+}
+
+#define CHOSEN(random, texts) \
+    chosen(random, texts, sizeof texts / sizeof texts[0])
+
+/* Decimal digits of 0.DDD x 10^*exponent: those of some word, cut or exact
+ * or one unit up, or any. */
+static void random_digits(uint64_t *random, char digits[DIGITS + 2],
+                          long *exponent)
+{
+    const size_t wanted = (size_t)random_between(
+        random, 1, random_bits(random) % 2 ? 20 : DIGITS);
+    const mpfr_rnd_t way = random_bits(random) % 2 ? MPFR_RNDU : MPFR_RNDD;
+    mpfr_t value;
+
+    mpfr_init2(value, 48);
+    oracle_value(value, word_near_doubles(random));
+    mpfr_abs(value, value, MPFR_RNDD);
+    mpfr_exp_t point = 0;
+    if (mpfr_regular_p(value))
+        mpfr_get_str(digits, &point, 10, wanted, value, way);
+    else
+        snprintf(digits, DIGITS, "%" PRIu64, random_bits(random));
+    mpfr_clear(value);
+    *exponent = point;
+}
+
+/* Sign, digits with a point somewhere, the exponent if there need be one,
+ * and what is no part of the number. */
+static void random_text(uint64_t *random, char text[TEXT])
+{
+    static const char *const signs[] = {"", "", "+", "-", "-"};
+    static const char *const heads[] = {"", "", "", "0", "000"};
+    static const char *const marks[] = {"e", "E"};
+    static const char *const tails[] = {"", "", ")", ",3", " 1", "e", "E+"};
+    char digits[DIGITS + 2], power[32] = "";
+    long exponent;
+
+    random_digits(random, digits, &exponent);
+    const long n = (long)strlen(digits);
+    long point = random_between(random, 0, n);
+    if (exponent >= 0 && exponent <= n && random_bits(random) % 2)
+        point = exponent;
+    if (point != exponent)
+        snprintf(power, sizeof power, "%s%s%ld", CHOSEN(random, marks),
+                 exponent > point && random_bits(random) % 2 ? "+" : "",
+                 exponent - point);
+    snprintf(text, TEXT, "%s%s%.*s%s%s%s%s", CHOSEN(random, signs),
+             CHOSEN(random, heads), (int)point, digits,
+             point < n || random_bits(random) % 2 ? "." : "", digits + point,
+             power, CHOSEN(random, tails));
+}
+
+static void odd_text(uint64_t *random, char text[TEXT])
+{
+    static const char *const texts[] = {
+        "", "-", "+", ".", "-.", "e5", ".e5", "+-1", "--1", "x", "0", "-0",
+        "0.0", "-.0e5", "1e999999999999999999999", "-1e99999999999999999999",
+        "1e-99999999999999999999", "-1e-99999999999999999999",
+        "0e999999999999999999999", "1.2.3", "5e+", "5e-x", "7.", ".7",
+        "1e9000", "-1e9000", "1e-9000", "1e8645", "1e8646", "1e-8617",
+        "1e-8618", "140737488355327", "140737488355328", "-140737488355328",
+        "-140737488355329", "140737488355328.99999999999999999999999999",
+        "-140737488355328.00000000000000000000000000000000000000000000001",
+    };
+
+    snprintf(text, TEXT, "%s", CHOSEN(random, texts));
+}
+
+static bool from_text_agrees(uint64_t *random)
+{
+    char text[TEXT];
+    char *expected_end;
+    const char *end;
+    mpfr_t cut;
+
+    (random_bits(random) % 16 == 0 ? odd_text : random_text)(random, text);
+    mpfr_init2(cut, 47);
+    mpfr_strtofr(cut, text, &expected_end, 10, MPFR_RNDD);
+    const c205_word expected = oracle_word(cut);
+    mpfr_clear(cut);
+    const c205_word got = c205_from_text(text, &end);
+    if (end != expected_end)
+        printf("\"%s\": ends at \"%s\", not at \"%s\"\n", text, expected_end,
+               end);
+    return end == expected_end
+           && (end == text || same_word(text, expected, got));
+}
+
+/* ---- Words to text ------------------------------------------------------ */
+
+/* The digits of a number without zeros at its ends. */
+static size_t significant_digits(const char *text)
+{
+    size_t digits = 0, zeros = 0;
+
+    for (; *text != '\0' && *text != 'e' && *text != 'E'; text++) {
+        if (*text == '0')
+            zeros += digits > 0;
+        else if (*text >= '1' && *text <= '9') {
+            digits += zeros + 1;
+            zeros = 0;
+        }
+    }
+    return digits;
+}
+
+/* The texts that read back as value are of [value, the next above), since
+ * reading is cutting; so the first of n digits that is not below it is the
+ * one to try. */
+static bool fewer_digits_do(const mpfr_t value, size_t digits)
+{
+    const bool negative = mpfr_sgn(value) < 0;
+    char shorter[64], text[128];
+    mpfr_exp_t point;
+    mpfr_t back;
+
+    if (digits < 2)
+        return false;
+    mpfr_get_str(shorter, &point, 10, digits - 1, value, MPFR_RNDU);
+    snprintf(text, sizeof text, "%s0.%se%ld", negative ? "-" : "",
+             shorter + negative, (long)point);
+    mpfr_init2(back, 47);
+    mpfr_strtofr(back, text, NULL, 10, MPFR_RNDD);
+    const bool same = mpfr_equal_p(back, value) != 0;
+    mpfr_clear(back);
+    return same;
+}
+
+/* Read by MPFR and by the machine, as far as its range goes. */
+static bool reads_back(const mpfr_t value, const char *text)
+{
+    char *expected_end;
+    const char *end;
+    mpfr_t back;
+
+    mpfr_init2(back, 47);
+    mpfr_strtofr(back, text, &expected_end, 10, MPFR_RNDD);
+    const bool same = *expected_end == '\0' && mpfr_equal_p(back, value);
+    mpfr_clear(back);
+    return same && c205_from_text(text, &end) == oracle_word(value)
+           && *end == '\0';
+}
+
+static bool text_is_right(c205_word word, const mpfr_t value,
+                          const char *text)
+{
+    if (mpfr_nan_p(value))
+        return same_text(word, "indefinite", text);
+    if (mpfr_zero_p(value))
+        return same_text(word, "0", text);
+    const bool back = reads_back(value, text);
+    const bool fewer = fewer_digits_do(value, significant_digits(text));
+    if (!back || fewer)
+        printf("%016" PRIX64 ": \"%s\" %s\n", word, text,
+               !back ? "does not read back" : "is not the shortest");
+    return back && !fewer;
+}
+
+static bool to_text_agrees(uint64_t *random)
+{
+    const c205_word word = word_near_doubles(random);
+    char text[C205_TEXT_SIZE];
+    mpfr_t value;
+
+    c205_to_text(word, text);
+    mpfr_init2(value, 48);
+    oracle_value(value, word);
+    const bool right = memchr(text, '\0', sizeof text) != NULL
+                       && text_is_right(word, value, text);
+    mpfr_clear(value);
+    return right;
+}
+
+static bool to_hex_agrees(uint64_t *random)
+{
+    const c205_word word = random_word(random);
+    char text[C205_TEXT_SIZE], expected[C205_TEXT_SIZE];
+
+    snprintf(expected, sizeof expected, "%04X %04X %04X %04X",
+             (unsigned)(word >> 48), (unsigned)(word >> 32 & 0xFFFF),
+             (unsigned)(word >> 16 & 0xFFFF), (unsigned)(word & 0xFFFF));
+    c205_to_hex(word, text);
+    return same_text(word, expected, text);
+}
+
+/* ---- All of them -------------------------------------------------------- */
+
+const struct conversion conversions[] = {
+    {"from_double", from_double_agrees},
+    {"to_double", to_double_agrees},
+    {"from_integer", from_integer_agrees},
+    {"to_integer", to_integer_agrees},
+    {"from_text", from_text_agrees},
+    {"to_text", to_text_agrees},
+    {"to_hex", to_hex_agrees},
+};
+
+const size_t conversion_count = sizeof conversions / sizeof conversions[0];
+
+bool check_conversion(const struct conversion *conversion, uint64_t seed,
+                      size_t cases)
+{
+    uint64_t random = seed;
+
+    for (size_t i = 0; i < cases; i++)
+        if (!conversion->agrees(&random))
+            return false;
+    return true;
+}
