@@ -1,0 +1,33 @@
+#!/bin/sh
+# embed.sh NAME FILE ... - text files as C, on stdout:
+#
+#   struct text { const char *name; const char *const *lines; };
+#   const struct text NAME[] = { ..., { NULL, NULL } };
+#   const char *const NAME_names[] = { ..., NULL }; without their suffixes
+#
+# A text is an array of its lines, each with its newline, and ends with NULL:
+# C99 promises no more than 4,095 characters in one string.
+set -eu
+table=$1
+shift
+printf '/* made by vm/embed.sh */\n#include "vm/text.h"\n'
+n=0
+for file in "$@"; do
+    printf 'static const char *const lines%d[] = {\n' "$n"
+    sed 's/\\/\\\\/g; s/"/\\"/g; s/?/\\?/g; s/.*/    "&\\n",/' "$file"
+    printf '    0\n};\n'
+    n=$((n + 1))
+done
+printf 'const struct text %s[] = {\n' "$table"
+n=0
+for file in "$@"; do
+    printf '    { "%s", lines%d },\n' "${file##*/}" "$n"
+    n=$((n + 1))
+done
+printf '    { 0, 0 }\n};\n'
+printf 'const char *const %s_names[] = {\n' "$table"
+for file in "$@"; do
+    stem=${file##*/}
+    printf '    "%s",\n' "${stem%.*}"
+done
+printf '    0\n};\n'

@@ -1,0 +1,15 @@
+/* text.h - text files that a program carries with it (made by embed.sh). */
+#ifndef C205_TEXT_H
+#define C205_TEXT_H
+
+struct text {
+    const char *name;         /* the file's name without its folder */
+    const char *const *lines; /* with their newlines; NULL at the end */
+};
+
+extern const struct text model_texts[];   /* vm/models */
+extern const char *const model_texts_names[]; /* without ".model" */
+extern const struct text library_texts[]; /* asm/lib */
+extern const struct text kernel_texts[];  /* rt/kernels */
+
+#endif
