@@ -1,0 +1,622 @@
+/* test_clock.c - what instructions cost, exactly, and to which causes.
+ *
+ * The clock is driven with decoded instructions and effects made by hand; no
+ * machine runs.  Expected clocks follow from the formulas of docs/timing.md.
+ */
+#include "vm/clock.h"
+#include "vm/memory.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* ---- A clock that is easy to drive --------------------------------------- */
+
+static struct clock *clock_of(const char *text)
+{
+    c205_error error;
+    c205_model *model = c205_model_parse("test", text, &error);
+    if (!model)
+        fail_msg("%s", error.message);
+    struct clock *clock = clock_new(model, &error);
+    assert_non_null(clock);
+    c205_model_free(model);
+    return clock;
+}
+
+static struct clock *two_pipes(void)
+{
+    return clock_of("title T\nlike cyber205-2pipe\n");
+}
+
+static uint64_t pc;
+
+/* The next instruction of the code: of region, with one or two sources and a
+ * result (0: none). */
+static struct decoded insn(const char *name, unsigned r, unsigned s,
+                           unsigned t)
+{
+    struct decoded decoded;
+    memset(&decoded, 0, sizeof decoded);
+    decoded.insn = c205_insn_named(name, strlen(name));
+    assert_non_null(decoded.insn);
+    decoded.pc = pc;
+    decoded.next = pc + 32 * c205_format_halves(decoded.insn->format);
+    if (r)
+        decoded.source[decoded.source_count++] = (uint16_t)r;
+    if (s)
+        decoded.source[decoded.source_count++] = (uint16_t)s;
+    if (t)
+        decoded.result[decoded.result_count++] = (uint16_t)t;
+    return decoded;
+}
+
+static const struct effect no_effect;
+
+static void charge(struct clock *clock, struct decoded decoded,
+                   const struct effect *effect)
+{
+    clock_charge(clock, &decoded, effect);
+    pc = effect->taken ? effect->target : decoded.next;
+}
+
+static void scalar(struct clock *clock, const char *name, unsigned r,
+                   unsigned s, unsigned t)
+{
+    charge(clock, insn(name, r, s, t), &no_effect);
+}
+
+static void vector(struct clock *clock, const char *name, size_t elements)
+{
+    struct effect effect = no_effect;
+    effect.elements = elements;
+    charge(clock, insn(name, 1, 2, 0), &effect);
+}
+
+static void branch(struct clock *clock, const char *name, uint64_t target)
+{
+    struct effect effect = no_effect;
+    effect.taken = true;
+    effect.target = target;
+    charge(clock, insn(name, 0, 0, 0), &effect);
+}
+
+static void at_address(struct clock *clock, const char *name,
+                       uint64_t address)
+{
+    struct effect effect = no_effect;
+    effect.touch_count = 1;
+    effect.touch[0].address = address;
+    effect.touch[0].bits = 64;
+    charge(clock, insn(name, 1, 0, 9), &effect);
+}
+
+static uint64_t clocks_for(const struct clock *clock, c205_cause cause)
+{
+    uint64_t sum = 0;
+    for (size_t i = 0; i < clock_account_count(clock); i++)
+        sum += clock_account(clock, i)->clocks[cause];
+    return sum;
+}
+
+/* Drain and look at the total, then start anew. */
+static void assert_total(struct clock *clock, uint64_t expected)
+{
+    clock_drain(clock);
+    assert_int_equal(clock_now(clock), expected);
+    clock_reset(clock);
+}
+
+/* ---- Vector instructions ------------------------------------------------- */
+
+static void test_isolated_add(void **state)
+{
+    (void)state;
+    static const size_t lengths[] = { 0, 1, 2, 3, 5, 100, 101, 65535 };
+    static const char *const models[] = {
+        "title T\nlike cyber205-1pipe", "title T\nlike cyber205-2pipe",
+        "title T\nlike cyber205-4pipe"
+    };
+    for (size_t m = 0; m < 3; m++) {
+        struct clock *clock = clock_of(models[m]);
+        size_t pipes = (size_t)1 << m;
+        for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
+            size_t stream = (lengths[i] + pipes - 1) / pipes;
+            vector(clock, "ADDNV", lengths[i]);
+            assert_int_equal(clock_now(clock), 1);
+            clock_drain(clock);
+            assert_int_equal(clocks_for(clock, C205_VECTOR_STARTUP), 51);
+            assert_int_equal(clocks_for(clock, C205_VECTOR_STREAM), stream);
+            assert_total(clock, 51 + stream);
+        }
+        clock_free(clock);
+    }
+}
+
+/* Start-up plus stream of 1,001 elements on two pipes. */
+static void test_formulas(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        uint64_t clocks;
+    } cases[] = {
+        { "MPYSV", 51 + 501 }, { "DIVSV", 80 + 1627 }, { "SQRTV", 80 + 1627 },
+        { "ORV", 51 + 501 }, { "CMPGEV", 51 + 501 }, { "VTOV", 51 + 501 },
+        { "SUMV", 96 + 501 }, { "PRODV", 96 + 501 }, { "DOTV", 116 + 501 },
+        { "MAXV", 95 + 501 }, { "SELGEV", 95 + 501 }, { "CPSV", 55 + 501 },
+        { "VXTOV", 69 + 1001 }, { "VTOVX", 71 + 1001 }, { "ANDB", 40 + 16 },
+        { "LINKV", 84 + 501 }
+    };
+    struct clock *clock = two_pipes();
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        vector(clock, cases[i].name, 1001);
+        assert_total(clock, cases[i].clocks);
+    }
+    clock_free(clock);
+}
+
+/* Half of the peak rate at 51 x 2 elements. */
+static void test_half_rate(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    vector(clock, "ADDNV", 102);
+    assert_total(clock, 102);
+    clock_free(clock);
+}
+
+static uint64_t pair_clocks(struct clock *clock, size_t first, size_t second)
+{
+    clock_reset(clock);
+    vector(clock, "ADDNV", first);
+    vector(clock, "MPYSV", second);
+    clock_drain(clock);
+    return clock_now(clock);
+}
+
+static void test_overlap(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    assert_int_equal(pair_clocks(clock, 100, 100), 101 + 101 - 10);
+    assert_int_equal(clocks_for(clock, C205_VECTOR_STREAM), 100);
+    assert_int_equal(pair_clocks(clock, 6, 100), 54 + 101 - 3);
+    assert_int_equal(pair_clocks(clock, 0, 0), 102);
+    for (size_t n = 0; n < 200; n++)
+        for (size_t m = 0; m < 40; m++) {
+            uint64_t clocks = pair_clocks(clock, n, m);
+            assert_true(pair_clocks(clock, n + 1, m) >= clocks);
+            assert_true(pair_clocks(clock, n, m + 1) >= clocks);
+        }
+    clock_free(clock);
+}
+
+/* Scalar code runs on under the stream. */
+static void test_concurrent_scalar(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    vector(clock, "ADDNV", 100);
+    for (unsigned i = 0; i < 20; i++)
+        scalar(clock, "ADDN", 3, 4, 10 + i);
+    assert_int_equal(clock_now(clock), 21);
+    clock_drain(clock);
+    assert_int_equal(clocks_for(clock, C205_ISSUE), 20);
+    assert_int_equal(clocks_for(clock, C205_VECTOR_STARTUP), 31);
+    assert_total(clock, 101);
+    clock_free(clock);
+}
+
+static void test_vector_result(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    struct effect effect = no_effect;
+    effect.elements = 100;
+    charge(clock, insn("SUMV", 1, 0, 20), &effect);
+    scalar(clock, "ADDN", 3, 4, 5);
+    assert_int_equal(clock_now(clock), 2);
+    scalar(clock, "ADDN", 20, 4, 6);
+    assert_int_equal(clock_now(clock), 96 + 50 + 1);
+    assert_int_equal(clocks_for(clock, C205_VECTOR_STREAM), 50);
+    assert_int_equal(clocks_for(clock, C205_OPERAND_WAIT), 0);
+    clock_free(clock);
+}
+
+/* The members of a linked pair name the registers that it needs. */
+static void test_linked_pair(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    struct effect effect = no_effect;
+    struct decoded first, second, prefix = insn("LINKV", 0, 0, 0);
+    effect.elements = 10;
+    scalar(clock, "ES", 0, 0, 7);
+    scalar(clock, "DIVS", 3, 4, 8);
+    first = insn("MPYSV", 7, 0, 0);
+    second = insn("ADDNV", 8, 0, 0);
+    prefix.linked[0] = &first;
+    prefix.linked[1] = &second;
+    charge(clock, prefix, &effect);
+    assert_int_equal(clocks_for(clock, C205_OPERAND_WAIT), 53);
+    assert_total(clock, 1 + 54 + 84 + 5);
+    clock_free(clock);
+}
+
+/* ---- Gather and scatter -------------------------------------------------- */
+
+static uint64_t gather_clocks(struct clock *clock, const c205_word *indices,
+                              size_t count)
+{
+    struct effect effect = no_effect;
+    clock_reset(clock);
+    effect.elements = effect.index_count = count;
+    effect.indices = indices;
+    charge(clock, insn("VXTOV", 1, 2, 0), &effect);
+    clock_drain(clock);
+    return clocks_for(clock, C205_BANK_CONFLICT) +
+           clocks_for(clock, C205_VECTOR_STREAM);
+}
+
+static uint64_t random_state = 1;
+static uint64_t random_bits(void)
+{
+    uint64_t z = random_state += UINT64_C(0x9E3779B97F4A7C15);
+    z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
+    return z ^ (z >> 31);
+}
+
+enum { LIST = 60000 };
+
+static void test_bank_conflicts(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    c205_word *indices = calloc(LIST, sizeof *indices);
+    static const c205_word near[] = { 5, 6, 5, 5, 7 };
+    /* issue at 0, 1, 4, 8, 9 */
+    assert_int_equal(gather_clocks(clock, near, 5), 10);
+    /* one bank: each access but the last keeps it four clocks */
+    assert_int_equal(gather_clocks(clock, indices, 100), 99 * 4 + 1);
+    for (size_t i = 0; i < LIST; i++)
+        indices[i] = i;
+    assert_int_equal(gather_clocks(clock, indices, LIST), LIST);
+    assert_int_equal(gather_clocks(clock, indices, 0), 0);
+    free(indices);
+    clock_free(clock);
+}
+
+/* The published mean: 40 million elements a second, 1.25 clocks each. */
+static void test_random_gather(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    c205_word *indices = calloc(LIST, sizeof *indices);
+    uint64_t total = 0;
+    for (int round = 0; round < 10; round++) {
+        for (size_t i = 0; i < LIST; i++)
+            indices[i] = random_bits() % 60000;
+        total += gather_clocks(clock, indices, LIST);
+    }
+    assert_in_range(total * 1000 / (10 * LIST), 1245, 1255);
+    free(indices);
+    clock_free(clock);
+}
+
+/* ---- Scalar instructions ------------------------------------------------- */
+
+static void test_latencies(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        uint64_t latency;
+    } cases[] = {
+        { "ADDX", 1 }, { "ADDN", 5 }, { "MPYS", 5 }, { "DIVS", 54 },
+        { "SQRT", 54 }, { "XOR", 3 }, { "MPYX", 5 }, { "ABS", 5 }
+    };
+    struct clock *clock = two_pipes();
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        for (unsigned reg = 10; reg < 20; reg++)
+            scalar(clock, cases[i].name, reg, 0, reg + 1);
+        assert_int_equal(clocks_for(clock, C205_OPERAND_WAIT),
+                         9 * (cases[i].latency - 1));
+        assert_total(clock, 10 * cases[i].latency);
+    }
+    clock_free(clock);
+}
+
+static void test_pipelined_and_busy(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    for (unsigned reg = 10; reg < 20; reg++)
+        scalar(clock, "ADDN", 3, 4, reg);
+    assert_total(clock, 9 + 5);
+    scalar(clock, "DIVS", 3, 4, 10);
+    scalar(clock, "ADDN", 3, 4, 11);
+    scalar(clock, "SQRT", 3, 4, 12);
+    clock_drain(clock);
+    assert_int_equal(clocks_for(clock, C205_UNIT_BUSY), 52);
+    assert_total(clock, 54 + 54);
+    scalar(clock, "DIVS", 3, 4, 10);
+    scalar(clock, "ES", 0, 0, 10); /* the quotient comes first */
+    assert_total(clock, 55);
+    clock_free(clock);
+}
+
+static void test_loads(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    scalar(clock, "LOD", 1, 0, 10);
+    scalar(clock, "ADDN", 10, 4, 11);
+    assert_int_equal(clocks_for(clock, C205_MEMORY_WAIT), 14);
+    assert_total(clock, 15 + 5);
+    for (unsigned reg = 10; reg < 17; reg++)
+        scalar(clock, "LOD", 1, 0, reg);
+    assert_int_equal(clock_now(clock), 16); /* the 7th waits for the 1st */
+    assert_total(clock, 15 + 15);
+    scalar(clock, "LOD", 1, 0, 10);
+    vector(clock, "ADDNV", 0);
+    assert_int_equal(clocks_for(clock, C205_MEMORY_WAIT), 14);
+    assert_total(clock, 15 + 51);
+    clock_free(clock);
+}
+
+/* Memory is the vector unit's while it works; the wait is charged to the
+ * phases of the vector instruction, in its region. */
+static void test_load_after_vector(void **state)
+{
+    (void)state;
+    static const char *const names[] = { "", "vector", "scalar" };
+    c205_error error;
+    struct clock *clock = two_pipes();
+    assert_true(clock_set_regions(clock, names, 3, &error));
+    struct effect effect = no_effect;
+    effect.elements = 100;
+    struct decoded add = insn("ADDNV", 1, 2, 0), load = insn("LOD", 1, 0, 9);
+    add.region = 1;
+    load.region = 2;
+    charge(clock, add, &effect);
+    charge(clock, load, &no_effect);
+    clock_drain(clock);
+    const c205_account *account = clock_account(clock, 1);
+    assert_int_equal(account->clocks[C205_VECTOR_STARTUP], 51);
+    assert_int_equal(account->clocks[C205_VECTOR_STREAM], 50);
+    assert_int_equal(account->elements, 100);
+    assert_int_equal(account->vector_instructions, 1);
+    account = clock_account(clock, 2);
+    assert_string_equal(account->name, "scalar");
+    assert_int_equal(account->clocks[C205_ISSUE], 1);
+    assert_int_equal(account->clocks[C205_MEMORY_WAIT], 14);
+    assert_int_equal(account->instructions, 1);
+    assert_int_equal(account->entries, 1);
+    assert_total(clock, 51 + 50 + 15);
+    clock_free(clock);
+}
+
+static void test_swap(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    struct effect effect = no_effect;
+    effect.swapped = 20;
+    scalar(clock, "DIVS", 3, 4, 10);
+    charge(clock, insn("SWAP", 0, 0, 0), &effect);
+    assert_int_equal(clocks_for(clock, C205_OPERAND_WAIT), 53);
+    assert_int_equal(clocks_for(clock, C205_MEMORY_WAIT), 14 + 20);
+    assert_total(clock, 54 + 15 + 20);
+    clock_free(clock);
+}
+
+/* ---- Branches ------------------------------------------------------------ */
+
+static void test_branches(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    pc = 0x10000;
+    scalar(clock, "BEQ", 0, 0, 0);
+    assert_total(clock, 1);
+    pc = 0x10000;
+    scalar(clock, "ES", 0, 0, 9);
+    branch(clock, "BEQ", 0x10000); /* back to where the code began */
+    assert_int_equal(clocks_for(clock, C205_BRANCH), 8);
+    scalar(clock, "ES", 0, 0, 9);
+    branch(clock, "BEQ", 0x10000 - 64); /* before it */
+    assert_int_equal(clocks_for(clock, C205_BRANCH), 8 + 16);
+    branch(clock, "BEQ", 0x10000); /* the stack was emptied */
+    assert_int_equal(clocks_for(clock, C205_BRANCH), 8 + 16 + 16);
+    assert_total(clock, 5 + 8 + 16 + 16);
+    clock_free(clock);
+}
+
+/* A loop of exactly 64 words stays in the stack; one word more does not. */
+static void test_stack_size(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    for (unsigned words = 63; words <= 65; words++) {
+        pc = 0x40000;
+        for (unsigned half = 0; half < 2 * words - 1; half++)
+            scalar(clock, "ES", 0, 0, 9);
+        branch(clock, "BEQ", 0x40000);
+        assert_int_equal(clocks_for(clock, C205_BRANCH),
+                         words <= 64 ? 8 : 16);
+        clock_reset(clock);
+    }
+    clock_free(clock);
+}
+
+/* After a loop has run once its whole body is in the stack. */
+static void test_forward_branch(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    pc = 0x10000;
+    for (int i = 0; i < 9; i++)
+        scalar(clock, "ES", 0, 0, 9);
+    branch(clock, "BEQ", 0x10000);
+    branch(clock, "BEQ", 0x10000 + 4 * 64);
+    assert_int_equal(clocks_for(clock, C205_BRANCH), 16);
+    branch(clock, "BEQ", 0x10000 + 5 * 64);
+    assert_int_equal(clocks_for(clock, C205_BRANCH), 16 + 16);
+    clock_free(clock);
+}
+
+/* ---- Pages --------------------------------------------------------------- */
+
+#define PAGE ((uint64_t)1 << PAGE_SHIFT)
+
+static const char four_pages[] =
+    "title T\nlike cyber205-2pipe\nmemory.real_pages 4 pages R\n"
+    "translation.registers 2 registers R\n";
+
+static void test_page_depths(void **state)
+{
+    (void)state;
+    static const struct {
+        uint64_t page;
+        unsigned misses, faults;
+    } cases[] = {
+        { 1, 1, 1 }, { 1, 0, 0 }, { 2, 1, 1 }, { 1, 0, 0 }, { 2, 0, 0 },
+        { 3, 1, 1 }, { 1, 1, 0 }, { 3, 0, 0 }, { 4, 1, 1 }, { 2, 1, 0 },
+        { 5, 1, 1 }, /* page 1, used least recently, leaves */
+        { 3, 1, 0 }, { 1, 1, 1 }, { 4, 1, 1 }
+    };
+    struct clock *clock = clock_of(four_pages);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        at_address(clock, "LOD", cases[i].page * PAGE + 640);
+        assert_int_equal(clocks_for(clock, C205_TRANSLATION_MISS),
+                         30 * cases[i].misses);
+        assert_int_equal(clocks_for(clock, C205_PAGE_FAULT),
+                         1000 * cases[i].faults);
+        clock_reset(clock);
+    }
+    clock_forget_pages(clock);
+    at_address(clock, "STO", 4 * PAGE);
+    assert_int_equal(clocks_for(clock, C205_PAGE_FAULT), 1000);
+    clock_free(clock);
+}
+
+/* A vector across a page boundary; a gather from three pages. */
+static void test_vector_pages(void **state)
+{
+    (void)state;
+    static const c205_word indices[] = { 0, 65536, 1, 131072 };
+    struct clock *clock = two_pipes();
+    struct effect effect = no_effect;
+    effect.elements = 100;
+    effect.touch_count = 2;
+    effect.touch[0].address = 3 * PAGE - 64;
+    effect.touch[0].bits = 6400;
+    effect.touch[1].address = 9 * PAGE; /* an empty range */
+    charge(clock, insn("ADDNV", 1, 2, 0), &effect);
+    assert_total(clock, 51 + 2 * 1030 + 50);
+    effect = no_effect;
+    effect.elements = effect.index_count = 4;
+    effect.indices = indices;
+    effect.base = 3 * PAGE;
+    charge(clock, insn("VXTOV", 1, 2, 0), &effect);
+    clock_drain(clock);
+    assert_int_equal(clocks_for(clock, C205_PAGE_FAULT), 2000);
+    assert_int_equal(clocks_for(clock, C205_TRANSLATION_MISS), 60);
+    clock_free(clock);
+}
+
+/* ---- Everything at once -------------------------------------------------- */
+
+static void random_instruction(struct clock *clock, c205_word *indices)
+{
+    const c205_insn *row = &c205_insns[random_bits() % c205_insn_count];
+    unsigned r = (unsigned)(random_bits() % 8);
+    unsigned s = (unsigned)(random_bits() % 8);
+    struct decoded decoded = insn(row->mnemonic, r, s,
+                                  (unsigned)(random_bits() % 8));
+    struct effect effect = no_effect;
+    decoded.region = random_bits() % 16 ? 0 : 1;
+    effect.taken = row->unit == C205_UNIT_BRANCH && random_bits() % 2;
+    effect.target = random_bits() % 32768 / 32 * 32;
+    effect.swapped = random_bits() % 16;
+    effect.touch_count = row->unit == C205_UNIT_VECTOR ? 3 : 1;
+    for (unsigned i = 0; i < effect.touch_count; i++) {
+        effect.touch[i].address = random_bits() % (24 * PAGE);
+        effect.touch[i].bits = 64 * (random_bits() % 100);
+    }
+    if (row->unit == C205_UNIT_VECTOR)
+        effect.elements = random_bits() % 100;
+    if (row->timing == C205_TIMING_vgather)
+        effect.indices = indices;
+    charge(clock, decoded, &effect);
+}
+
+/* The accounts sum to the time after each instruction, however they mix;
+ * the drain asserts it too. */
+static void test_sum(void **state)
+{
+    (void)state;
+    static const char *const names[] = { "", "other" };
+    c205_error error;
+    c205_word indices[100];
+    struct clock *clock = two_pipes();
+    assert_true(clock_set_regions(clock, names, 2, &error));
+    for (size_t i = 0; i < 100; i++)
+        indices[i] = random_bits();
+    for (int i = 0; i < 20000; i++) {
+        uint64_t sum = 0, before = clock_now(clock);
+        random_instruction(clock, indices);
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            sum += clocks_for(clock, (c205_cause)cause);
+        assert_int_equal(sum, clock_now(clock));
+        assert_true(clock_now(clock) > before);
+        if (i % 100 == 0)
+            clock_drain(clock);
+    }
+    clock_drain(clock);
+    assert_int_equal(clock_account(clock, 0)->instructions +
+                     clock_account(clock, 1)->instructions, 20000);
+    clock_free(clock);
+}
+
+static void test_cause_names(void **state)
+{
+    (void)state;
+    for (int cause = 0; cause < C205_CAUSES; cause++)
+        assert_non_null(c205_cause_name((c205_cause)cause));
+    assert_string_equal(c205_cause_name(C205_PAGE_FAULT), "page fault");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_isolated_add),
+        cmocka_unit_test(test_formulas),
+        cmocka_unit_test(test_half_rate),
+        cmocka_unit_test(test_overlap),
+        cmocka_unit_test(test_concurrent_scalar),
+        cmocka_unit_test(test_vector_result),
+        cmocka_unit_test(test_linked_pair),
+        cmocka_unit_test(test_bank_conflicts),
+        cmocka_unit_test(test_random_gather),
+        cmocka_unit_test(test_latencies),
+        cmocka_unit_test(test_pipelined_and_busy),
+        cmocka_unit_test(test_loads),
+        cmocka_unit_test(test_load_after_vector),
+        cmocka_unit_test(test_swap),
+        cmocka_unit_test(test_branches),
+        cmocka_unit_test(test_stack_size),
+        cmocka_unit_test(test_forward_branch),
+        cmocka_unit_test(test_page_depths),
+        cmocka_unit_test(test_vector_pages),
+        cmocka_unit_test(test_sum),
+        cmocka_unit_test(test_cause_names)
+    };
+    return cmocka_run_group_tests_name("clock", tests, NULL, NULL);
+}

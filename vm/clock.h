@@ -1,0 +1,47 @@
+/* clock.h - time: what each instruction costs, and to which cause.
+ *
+ * Time knows no semantics: it sees the decoded instruction (which unit,
+ * which registers) and its effect (how long, which addresses).  All constants
+ * come from the model.  Every clock is charged to one cause of one region:
+ * the time line is cut at each step and the piece between two cuts charged.
+ *
+ * Scalar unit: instructions issue in order, at most one a clock; an
+ * instruction waits for its operands (a scoreboard of when each register is
+ * ready), for its unit, for memory.  Vector unit: start-up, then the stream;
+ * the issue clock is the first of the start-up.  The scalar unit runs on under
+ * a vector instruction unless it needs memory, its result, or the vector
+ * unit; clocks it then waits are charged to the phase of the vector
+ * instruction in which they fall, and to that instruction's region.
+ */
+#ifndef C205_CLOCK_H
+#define C205_CLOCK_H
+
+#include "decode.h"
+
+struct clock;
+
+/* A model is complete and in range.  NULL: the host has no memory left. */
+struct clock *clock_new(const c205_model *model, c205_error *error);
+void clock_free(struct clock *clock);
+
+/* Name the regions, whose accounts start at zero.  names[0] is "". */
+bool clock_set_regions(struct clock *clock, const char *const *names,
+                       size_t count, c205_error *error);
+
+/* Time and accounts to zero, pipes empty; which pages are resident and in
+ * the associative registers stays.  clock_forget_pages forgets that too. */
+void clock_reset(struct clock *clock);
+void clock_forget_pages(struct clock *clock);
+
+/* One instruction has executed. */
+void clock_charge(struct clock *clock, const struct decoded *decoded,
+                  const struct effect *effect);
+/* Wait until everything in flight is done, and charge it. */
+void clock_drain(struct clock *clock);
+
+/* The clocks charged so far: the sum of all accounts. */
+uint64_t clock_now(const struct clock *clock);
+size_t clock_account_count(const struct clock *clock);
+const c205_account *clock_account(const struct clock *clock, size_t i);
+
+#endif

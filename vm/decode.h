@@ -1,0 +1,86 @@
+/* decode.h - an instruction taken apart, ready to execute, and what its
+ * execution did: the two things that time is made from.
+ */
+#ifndef C205_DECODE_H
+#define C205_DECODE_H
+
+#include "c205.h"
+
+/* The register file has two slots more than the machine has registers: where
+ * register 0 is read as a number, the decoder names SLOT_MACHINE_ZERO; where
+ * it is written, SLOT_SINK.  So no instruction looks for register 0. */
+enum {
+    SLOT_MACHINE_ZERO = C205_REGISTERS,
+    SLOT_SINK,
+    SLOTS
+};
+
+struct c205;
+struct decoded;
+typedef c205_trap semantics(struct c205 *machine,
+                            const struct decoded *decoded);
+
+enum { DECODED_SOURCES = 10, DECODED_RESULTS = 3 };
+
+struct decoded {
+    uint64_t pc;
+    uint64_t version;        /* memory.code_changes when it was decoded */
+    semantics *execute;
+    const c205_insn *insn;
+    uint64_t next;           /* address of the instruction after; for LINKV,
+                                the one after the pair */
+    c205_fields fields;      /* as written */
+    uint16_t a, b, c;        /* slots; for short formats R, S, T */
+    uint16_t x, y, z;        /* slots of offsets and control vector */
+    uint32_t region;
+    uint8_t source_count, result_count;
+    uint16_t source[DECODED_SOURCES]; /* slots read, register 0 left out */
+    uint16_t result[DECODED_RESULTS]; /* slots written; register 0 is not
+                                         counted but stands as SLOT_SINK */
+    const struct decoded *linked[2];  /* LINKV: the pair */
+};
+
+/* A range of memory that an instruction used. */
+struct touch {
+    uint64_t address, bits;
+};
+enum { EFFECT_TOUCHES = 6 };
+
+/* Filled by the semantics, read by the clock and the events.  Semantics know
+ * no time: they say what happened, not what it costs. */
+struct effect {
+    size_t elements;    /* vector length: results made or operands scanned */
+    bool taken;         /* a branch that was taken .. */
+    uint64_t target;    /* .. and where it went */
+    unsigned touch_count;
+    struct touch touch[EFFECT_TOUCHES];
+    const c205_word *indices; /* gather, scatter: the indices that were used,
+                                 in the low 48 bits .. */
+    size_t index_count;       /* .. so many; elements less those that the
+                                 control vector held back .. */
+    uint64_t base;            /* .. relative to this address */
+    size_t swapped;           /* registers that SWAP moved */
+};
+
+/* Recently decoded instructions, found by their address. */
+enum { DECODE_ENTRIES = 1 << 14, INSTRUCTION_STEP = 32 };
+struct decode_cache {
+    struct decoded entry[DECODE_ENTRIES];
+};
+
+static inline const struct decoded *
+decode_cached(const struct decode_cache *cache, uint64_t version, uint64_t pc)
+{
+    const struct decoded *entry =
+        &cache->entry[pc / INSTRUCTION_STEP % DECODE_ENTRIES];
+    return entry->pc == pc && entry->version == version ? entry : NULL;
+}
+
+/* The instruction at pc, decoded now or before; marks its words as code. */
+c205_trap decode_at(struct c205 *machine, uint64_t pc,
+                    const struct decoded **decoded);
+/* Decode the pair behind a LINKV and put it into its entry.  BAD_LINK: there
+ * are not two instructions that may be linked. */
+c205_trap decode_pair(struct c205 *machine, const struct decoded *prefix);
+
+#endif
