@@ -1,0 +1,522 @@
+/* test_machine.c - fetch, decode, registers, branches, traps, events. */
+#include "machine_fixture.h"
+
+#define F(...) (c205_fields){ __VA_ARGS__ }
+
+/* Run what was added, and an EXIT behind it. */
+static c205_stop finish(struct little *little)
+{
+    add(little, "EXIT", F(.immediate = 0));
+    load(little, 1000);
+    return run(little);
+}
+
+static void expect_end(c205_stop stop)
+{
+    assert_string_equal(c205_trap_name(stop.trap), "none");
+}
+
+/* ---- Registers ---------------------------------------------------------- */
+
+static void test_enter(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    add(&little, "ES", F(.r = 1, .immediate = -2));
+    add(&little, "EX", F(.r = 2, .immediate = 0x123456789ABC));
+    add(&little, "ELEN", F(.r = 2, .immediate = -1));
+    add(&little, "IS", F(.r = 2, .immediate = -0x2000));
+    add(&little, "RTOR", F(.r = 2, .t = 3));
+    add(&little, "IX", F(.r = 3, .immediate = -0x12345678A000));
+    add(&little, "LTOR", F(.r = 3, .t = 4));
+    add(&little, "ADDLEN", F(.r = 3, .s = 1, .t = 5));
+    add(&little, "ADDX", F(.r = 2, .s = 1, .t = 6));
+    add(&little, "SUBX", F(.r = 2, .s = 1, .t = 7));
+    add(&little, "MPYX", F(.r = 4, .s = 1, .t = 8));
+    add(&little, "EXIT", F(.r = 1));
+    load(&little, 1);
+    c205_stop stop = run(&little);
+    expect_end(stop);
+    assert_int_equal(stop.status, -2);
+    assert_int_equal(get(&little, 1), 0xFFFFFFFFFFFE);
+    assert_int_equal(get(&little, 2), 0xFFFF123456787ABC);
+    assert_int_equal(get(&little, 3), 0xFFFFFFFFFFFFDABC);
+    assert_int_equal(get(&little, 4), 0xFFFF);
+    assert_int_equal(get(&little, 5), 0xFFFDFFFFFFFFDABC);
+    assert_int_equal(get(&little, 6), 0xFFFF123456787ABA);
+    assert_int_equal(get(&little, 7), 0xFFFF123456787ABE);
+    assert_int_equal(get(&little, 8), 0xFFFFFFFE0002);
+    free_little(&little);
+}
+
+static void test_register_zero(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    add(&little, "ES", F(.r = 1, .immediate = 7));
+    add(&little, "ES", F(.r = 0, .immediate = 7));
+    add(&little, "IS", F(.r = 0, .immediate = 7));
+    add(&little, "ADDX", F(.r = 0, .s = 1, .t = 2));
+    add(&little, "ADDU", F(.r = 0, .s = 1, .t = 3));
+    add(&little, "ADDN", F(.r = 0, .s = 0, .t = 4));
+    add(&little, "OR", F(.r = 0, .s = 0, .t = 5));
+    add(&little, "RTOR", F(.r = 1, .t = 0));
+    add(&little, "IBNZ", F(.r = 0, .s = 0, .t = 6));
+    add(&little, "EXIT", F(.r = 0));
+    load(&little, 1);
+    set(&little, 6, CODE + 9 * HALF_WORD);
+    c205_stop stop = run(&little);
+    expect_end(stop);
+    assert_int_equal(get(&little, 0), 0);
+    assert_int_equal(get(&little, 2), 7);
+    assert_int_equal(get(&little, 3), 7);
+    assert_int_equal(get(&little, 4), C205_MACHINE_ZERO);
+    assert_int_equal(get(&little, 5), 0);
+    free_little(&little);
+}
+
+static void test_arithmetic(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    add(&little, "ADDN", F(.r = 1, .s = 2, .t = 3));
+    add(&little, "DIVS", F(.r = 1, .s = 2, .t = 4));
+    add(&little, "SQRT", F(.r = 2, .t = 5));
+    add(&little, "SHIFTI", F(.r = 1, .immediate = 4, .t = 6));
+    add(&little, "SHIFTI", F(.r = 1, .immediate = -4, .t = 7));
+    add(&little, "EXP", F(.r = 1, .t = 8));
+    add(&little, "DIVS", F(.r = 1, .s = 0, .t = 9));
+    add(&little, "EXIT", F(.r = 0));
+    load(&little, 1);
+    set(&little, 1, C205_ONE);
+    set(&little, 2, c205_from_double(4));
+    expect_end(run(&little));
+    assert_int_equal(get(&little, 3), c205_from_double(5));
+    assert_int_equal(get(&little, 4), c205_from_double(0.25));
+    assert_int_equal(get(&little, 5), c205_from_double(2));
+    assert_int_equal(get(&little, 6), 0xFD2400000000000F);
+    assert_int_equal(get(&little, 7), 0xFFFD240000000000);
+    assert_int_equal(c205_to_integer(get(&little, 8)), -46);
+    assert_int_equal(get(&little, 9), C205_INDEFINITE);
+    assert_int_equal(c205_data_flags(little.machine),
+                     UINT64_C(1) << (63 - 41) | UINT64_C(1) << (63 - 46));
+    free_little(&little);
+}
+
+static void test_load_store(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    add(&little, "STO", F(.r = 1, .s = 2, .t = 3));
+    add(&little, "LOD", F(.r = 1, .s = 2, .t = 4));
+    add(&little, "EXIT", F(.r = 0));
+    load(&little, 10);
+    set(&little, 1, descriptor(DATA, 5));
+    set(&little, 2, 3);
+    set(&little, 3, 0xABCD);
+    expect_end(run(&little));
+    assert_int_equal(get(&little, 4), 0xABCD);
+    assert_int_equal(word_at(&little, DATA + 3 * 64), 0xABCD);
+    free_little(&little);
+}
+
+static void test_swap(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    add(&little, "SWAP", F(.r = 1, .s = 10, .t = 2));
+    add(&little, "SWAP", F(.r = 1, .s = 0, .t = 0));
+    add(&little, "EXIT", F(.r = 0));
+    load(&little, 100);
+    for (unsigned i = 0; i < 4; i++) {
+        set(&little, 10 + i, 100 + i);
+        put_at(&little, DATA + i * 64, 200 + i);
+    }
+    set(&little, 1, descriptor(DATA, 3));
+    set(&little, 2, descriptor(DATA + 2 * 64, 4)); /* overlaps: saved first */
+    expect_end(run(&little));
+    assert_int_equal(get(&little, 10), 200);
+    assert_int_equal(get(&little, 11), 201);
+    assert_int_equal(get(&little, 12), 100);
+    assert_int_equal(get(&little, 13), 103);
+    assert_int_equal(word_at(&little, DATA + 5 * 64), 103);
+    /* the second loads registers 0, 1, 2; 0 keeps its value */
+    assert_int_equal(get(&little, 0), 0);
+    assert_int_equal(get(&little, 1), 201);
+    assert_int_equal(get(&little, 2), 100);
+    free_little(&little);
+}
+
+/* ---- Branches ----------------------------------------------------------- */
+
+static void test_loop(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    add(&little, "ES", F(.r = 1, .immediate = 10));
+    add(&little, "EX", F(.r = 3, .immediate = (int64_t)CODE + 96));
+    uint64_t top = add(&little, "IS", F(.r = 2, .immediate = 3));
+    add(&little, "DBNZ", F(.r = 1, .s = 0, .t = 3));
+    assert_int_equal(top, CODE + 96);
+    expect_end(finish(&little));
+    assert_int_equal(get(&little, 2), 30);
+    assert_int_equal(get(&little, 1), 0);
+    free_little(&little);
+}
+
+static void test_near_branches(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    uint64_t top = add(&little, "IS", F(.r = 9, .immediate = 1));
+    add(&little, "IBXLT", F(.g = C205_G_RELATIVE, .a = 1, .x = 2, .z = 3,
+                            .c = 1, .immediate = -1));
+    add(&little, "CFPGT", F(.g = C205_G_RELATIVE | 0x80, .a = 4, .z = 0,
+                            .immediate = 3));
+    add(&little, "ES", F(.r = 9, .immediate = -1)); /* skipped */
+    add(&little, "EXIT", F(.r = 0));
+    load(&little, 1);
+    assert_int_equal(top, CODE);
+    set(&little, 1, 0xFFFFFFFFFFFE); /* -2 */
+    set(&little, 2, 2);
+    set(&little, 3, 7);
+    set(&little, 4, C205_ONE);
+    expect_end(run(&little));
+    assert_int_equal(get(&little, 1), 8);
+    assert_int_equal(get(&little, 9), 5);
+    free_little(&little);
+}
+
+static void test_call(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    add(&little, "BSAVE", F(.r = 1, .s = 2, .t = 3));
+    add(&little, "EXIT", F(.r = 5));
+    add(&little, "ES", F(.r = 5, .immediate = 42));
+    add(&little, "BIM", F(.r = 1, .immediate = 0));
+    load(&little, 1);
+    set(&little, 2, 2);
+    set(&little, 3, CODE);
+    c205_stop stop = run(&little);
+    expect_end(stop);
+    assert_int_equal(stop.status, 42);
+    assert_int_equal(stop.pc, CODE + 32);
+    free_little(&little);
+}
+
+/* The loop's body is changed by the loop. */
+static void test_self_modifying_code(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    add(&little, "IS", F(.r = 9, .immediate = 1));
+    add(&little, "RTOR", F(.r = 0, .t = 0));
+    add(&little, "STO", F(.r = 1, .s = 0, .t = 2));
+    add(&little, "DBNZ", F(.r = 3, .s = 0, .t = 1));
+    add(&little, "EXIT", F(.r = 0));
+    load(&little, 1);
+    c205_fields fields = F(.r = 9, .immediate = 100);
+    const c205_insn *is = c205_insn_named("IS", 2);
+    set(&little, 1, CODE);
+    set(&little, 2, c205_encode(is, &fields) | (little.code[0] & UINT32_MAX));
+    set(&little, 3, 3);
+    expect_end(run(&little));
+    assert_int_equal(get(&little, 9), 201);
+    free_little(&little);
+}
+
+/* ---- Traps -------------------------------------------------------------- */
+
+static c205_stop run_one(struct little *little, const char *mnemonic,
+                         c205_fields fields)
+{
+    begin(little);
+    add(little, "RTOR", F(.r = 0, .t = 0)); /* off the word boundary */
+    add(little, mnemonic, fields);
+    add(little, "EXIT", F(.r = 0));
+    load(little, 100);
+    set(little, 1, descriptor(DATA, 4));
+    set(little, 2, descriptor(DATA + 1, 4));
+    set(little, 3, descriptor(0x800000, 4)); /* not mapped */
+    set(little, 4, 0xFFFFFFFFFFFF);          /* -1 */
+    return run(little);
+}
+
+static void expect_trap(struct little *little, const char *name,
+                        uint64_t address, const char *mnemonic,
+                        c205_fields fields)
+{
+    c205_stop stop = run_one(little, mnemonic, fields);
+    assert_string_equal(c205_trap_name(stop.trap), name);
+    assert_int_equal(stop.address, address);
+    assert_int_equal(stop.pc, CODE + HALF_WORD);
+    assert_int_equal(c205_pc(little->machine), CODE + HALF_WORD);
+}
+
+static void test_undefined(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *mnemonic;
+        c205_fields fields;
+    } wrong[] = {
+        { "ADDNV", { .g = C205_G_HALF, .a = 1, .b = 1, .c = 1 } },
+        { "ADDNV", { .g = C205_G_ZEROS, .a = 1, .b = 1, .c = 1 } },
+        { "ADDNV", { .g = C205_G_OFFSET, .a = 1, .b = 1, .c = 255 } },
+        { "ADDNV", { .g = C205_G_BROADCAST_A, .x = 5, .a = 1, .c = 1 } },
+        { "SHIFTV", { .g = C205_G_NEGATE_A, .a = 1, .b = 1, .c = 1 } },
+        { "VTOV", { .g = C205_G_BROADCAST_B, .a = 1, .c = 1 } },
+        { "VTOV", { .g = C205_G_MAGNITUDE_B, .a = 1, .c = 1 } },
+        { "INTVLV", { .g = C205_G_BROADCAST_A, .a = 1, .c = 1 } },
+        { "SUMV", { .g = C205_G_OFFSET, .a = 1, .c = 1 } },
+        { "VTOVX", { .g = C205_G_OFFSET, .a = 1, .b = 1, .c = 1 } },
+        { "XORB", { .g = C205_G_ZEROS, .a = 1, .b = 1, .c = 1 } },
+        { "MAXV", { .a = 1, .c = 255 } },
+        { "IBXEQ", { .g = 1, .a = 1 } }
+    };
+    struct little little = make_little();
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        expect_trap(&little, "undefined-instruction", 0, wrong[i].mnemonic,
+                    wrong[i].fields);
+    }
+    begin(&little);
+    add_half(&little, 0xFF000000);
+    load(&little, 1);
+    c205_stop stop = run(&little);
+    assert_int_equal(stop.trap, C205_TRAP_UNDEFINED_INSTRUCTION);
+    assert_null(stop.insn);
+    c205_error text;
+    c205_describe_stop(little.machine, &stop, &text);
+    assert_string_equal(text.message,
+                        "trap undefined-instruction at 400000: FF000000");
+    free_little(&little);
+}
+
+static void test_fields_that_are_not_there(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    add(&little, "VTOV", F(.a = 1, .c = 1));
+    little.code[0] |= 1 << 16; /* field B */
+    load(&little, 1);
+    assert_int_equal(run(&little).trap, C205_TRAP_UNDEFINED_INSTRUCTION);
+    free_little(&little);
+}
+
+static void test_operand_traps(void **state)
+{
+    (void)state;
+    const uint64_t odd = DATA + 1, out = 0x800000;
+    struct little l = make_little();
+    const char *bad = "bad-descriptor", *misaligned = "misaligned-operand";
+    const char *unmapped = "unmapped-address";
+    expect_trap(&l, unmapped, out, "LOD", F(.r = 3, .t = 5));
+    expect_trap(&l, misaligned, odd, "STO", F(.r = 2, .t = 5));
+    expect_trap(&l, misaligned, odd, "BIM", F(.r = 2));
+    expect_trap(&l, misaligned, odd, "BSAVE", F(.r = 1, .t = 2));
+    expect_trap(&l, misaligned, odd, "ADDNV", F(.a = 1, .b = 2, .c = 1));
+    expect_trap(&l, unmapped, out, "ADDNV", F(.a = 1, .b = 1, .c = 3));
+    expect_trap(&l, unmapped, out, "ADDNV", F(.a = 1, .b = 1, .z = 3, .c = 1));
+    expect_trap(&l, bad, 0, "ADDNV", F(.a = 1, .x = 4, .b = 1, .c = 1));
+    expect_trap(&l, bad, 0, "MASKV", F(.a = 1, .b = 1, .c = 1));
+    expect_trap(&l, bad, 0, "SUMV", F(.g = C205_G_BROADCAST_A, .a = 1,
+                                      .c = 5));
+    expect_trap(&l, bad, 0, "DOTV", F(.g = C205_G_BROADCAST_A
+                                           | C205_G_BROADCAST_B,
+                                      .a = 1, .b = 1, .c = 5));
+    expect_trap(&l, bad, DATA, "SWAP", F(.r = 1, .s = 253));
+    expect_trap(&l, unmapped, out, "SWAP", F(.r = 1, .s = 10, .t = 3));
+    expect_trap(&l, "bad-request", 0, "EXIT", F(.immediate = 8));
+    expect_trap(&l, unmapped, out, "EXIT", F(.r = 3, .immediate = 6));
+    expect_trap(&l, "bad-link", 0, "LINKV", F(.f = 0));
+    free_little(&l);
+}
+
+static void test_protected(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    c205_error error;
+    add(&little, "STO", F(.r = 1, .t = 1));
+    load(&little, 1);
+    set(&little, 1, DATA);
+    assert_true(c205_map(little.machine, DATA, 1, C205_READ_ONLY, &error));
+    c205_stop stop = run(&little);
+    assert_string_equal(c205_trap_name(stop.trap), "protected-address");
+    c205_describe_stop(little.machine, &stop, &error);
+    assert_string_equal(
+        error.message,
+        "trap protected-address at 400000: STO: address 10000000");
+    assert_int_equal(word_at(&little, DATA), 0);
+    free_little(&little);
+}
+
+static void test_fetch(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    load(&little, 1);
+    c205_set_pc(little.machine, CODE + 16);
+    assert_int_equal(run(&little).trap, C205_TRAP_MISALIGNED_OPERAND);
+    c205_set_pc(little.machine, 0x800000);
+    c205_stop stop = run(&little);
+    assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
+    assert_int_equal(stop.address, 0x800000);
+    /* the second half lies beyond the last page */
+    put_at(&little, 0x800000 - 64, 0xBE000000);
+    c205_set_pc(little.machine, 0x800000 - 32);
+    stop = run(&little);
+    assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
+    assert_int_equal(stop.address, 0x800000);
+    free_little(&little);
+}
+
+static void test_clock_limit(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    add(&little, "BIM", F(.r = 0, .immediate = (int64_t)CODE));
+    load(&little, 1);
+    c205_stop stop = c205_run(little.machine, 1000);
+    assert_string_equal(c205_trap_name(stop.trap), "clock-limit");
+    assert_in_range(c205_clock(little.machine), 1000, 1100);
+    c205_reset_clock(little.machine);
+    assert_int_equal(c205_clock(little.machine), 0);
+    free_little(&little);
+}
+
+/* ---- Regions, events ---------------------------------------------------- */
+
+static void test_regions(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    c205_region regions[] = {
+        { "late", CODE + 64, CODE + 96 },
+        { "early", CODE, CODE + 32 },
+        { "late", CODE + 128, CODE + 160 }
+    };
+    c205_segment segment = { CODE, CODE_WORDS, little.code };
+    c205_program program = { CODE, 1, &segment, 3, regions };
+    c205_error error = { "" };
+    for (unsigned i = 0; i < 5; i++)
+        add(&little, "RTOR", F(.r = 0, .t = 0));
+    add(&little, "EXIT", F(.r = 0));
+    assert_true(c205_load(little.machine, &program, &error));
+    expect_end(run(&little));
+    assert_int_equal(c205_account_count(little.machine), 3);
+    const c205_account *late = c205_account_at(little.machine, 1);
+    assert_string_equal(late->name, "late");
+    assert_int_equal(late->instructions, 2);
+    assert_int_equal(late->entries, 2);
+    regions[1].end = CODE + 65;
+    assert_false(c205_load(little.machine, &program, &error));
+    assert_string_equal(error.message,
+                        "the region late overlaps another, at 400040");
+    free_little(&little);
+}
+
+struct heard {
+    unsigned count[4];
+    uint64_t clocks;
+    unsigned request;
+    c205_word r;
+    bool taken;
+};
+
+static void listen(void *context, const c205 *machine,
+                   const c205_event *event)
+{
+    struct heard *heard = context;
+    (void)machine;
+    heard->count[event->kind]++;
+    heard->clocks += event->clocks;
+    heard->taken = heard->taken || event->taken;
+    if (event->kind == C205_EVENT_REQUEST) {
+        heard->request = event->request;
+        heard->r = event->r;
+    }
+}
+
+static void test_events(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    struct heard heard = { { 0 }, 0, 0, 0, false };
+    add(&little, "ES", F(.r = 1, .immediate = 7));
+    add(&little, "EXIT", F(.r = 1, .immediate = 2));
+    add(&little, "BIM", F(.r = 0, .immediate = (int64_t)CODE + 128));
+    add(&little, "EXIT", F(.r = 0));
+    load(&little, 1);
+    assert_true(c205_listen(little.machine, listen, &heard));
+    expect_end(run(&little));
+    assert_int_equal(heard.count[C205_EVENT_INSTRUCTION], 3);
+    assert_int_equal(heard.count[C205_EVENT_REQUEST], 1);
+    assert_int_equal(heard.count[C205_EVENT_STOP], 1);
+    assert_int_equal(heard.clocks, c205_clock(little.machine));
+    assert_int_equal(heard.request, 2);
+    assert_int_equal(heard.r, 7);
+    assert_true(heard.taken);
+    c205_set_pc(little.machine, 0);
+    run(&little);
+    assert_int_equal(heard.count[C205_EVENT_TRAP], 1);
+    for (unsigned i = 1; i < C205_LISTENERS; i++)
+        assert_true(c205_listen(little.machine, listen, &heard));
+    assert_false(c205_listen(little.machine, listen, &heard));
+    free_little(&little);
+}
+
+static void test_step(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    c205_stop stop;
+    add(&little, "ES", F(.r = 1, .immediate = 7));
+    add(&little, "EXIT", F(.r = 1));
+    load(&little, 1);
+    assert_true(c205_step(little.machine, &stop));
+    assert_int_equal(c205_pc(little.machine), CODE + 32);
+    assert_false(c205_step(little.machine, &stop));
+    assert_int_equal(stop.status, 7);
+    free_little(&little);
+}
+
+static void test_host_copies(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    c205_word words[2] = { 1, 2 };
+    load(&little, 2);
+    assert_true(c205_write(little.machine, DATA, words, 2));
+    assert_false(c205_write(little.machine, DATA + 32, words, 2));
+    assert_false(c205_read(little.machine, 0x800000 - 64, words, 2));
+    assert_int_equal(words[0], 1);
+    free_little(&little);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_enter),
+        cmocka_unit_test(test_register_zero),
+        cmocka_unit_test(test_arithmetic),
+        cmocka_unit_test(test_load_store),
+        cmocka_unit_test(test_swap),
+        cmocka_unit_test(test_loop),
+        cmocka_unit_test(test_near_branches),
+        cmocka_unit_test(test_call),
+        cmocka_unit_test(test_self_modifying_code),
+        cmocka_unit_test(test_undefined),
+        cmocka_unit_test(test_fields_that_are_not_there),
+        cmocka_unit_test(test_operand_traps),
+        cmocka_unit_test(test_protected),
+        cmocka_unit_test(test_fetch),
+        cmocka_unit_test(test_clock_limit),
+        cmocka_unit_test(test_regions),
+        cmocka_unit_test(test_events),
+        cmocka_unit_test(test_step),
+        cmocka_unit_test(test_host_copies)
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

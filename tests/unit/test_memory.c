@@ -1,0 +1,149 @@
+/* test_memory.c - pages, access, spans, bit strings, marks of code. */
+#include "vm/memory.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define PAGE_BITS (UINT64_C(1) << PAGE_SHIFT)
+#define SPACE (ADDRESS_MASK + 1)
+
+static struct memory *memory_of(uint64_t address, size_t words)
+{
+    struct memory *memory = calloc(1, sizeof *memory);
+    c205_error error;
+    assert_non_null(memory);
+    memory_init(memory);
+    assert_true(memory_map(memory, address, words, C205_READ_WRITE, &error));
+    return memory;
+}
+
+static void let_go(struct memory *memory)
+{
+    memory_free(memory);
+    free(memory);
+}
+
+static void test_check(void **state)
+{
+    (void)state;
+    struct memory *memory = memory_of(PAGE_BITS, 2 * C205_PAGE_WORDS);
+    c205_error error;
+    uint64_t fault = 1;
+    assert_int_equal(memory_check(memory, 0, 0, true, &fault),
+                     C205_TRAP_NONE);
+    assert_int_equal(memory_check(memory, PAGE_BITS, 2 * PAGE_BITS, true,
+                                  &fault), C205_TRAP_NONE);
+    assert_int_equal(fault, 1);
+    assert_int_equal(memory_check(memory, PAGE_BITS + 1, 2 * PAGE_BITS,
+                                  false, &fault),
+                     C205_TRAP_UNMAPPED_ADDRESS);
+    assert_int_equal(fault, 3 * PAGE_BITS);
+    assert_true(memory_map(memory, 2 * PAGE_BITS, 1, C205_READ_ONLY,
+                           &error));
+    assert_int_equal(memory_check(memory, PAGE_BITS, PAGE_BITS + 1, true,
+                                  &fault), C205_TRAP_PROTECTED_ADDRESS);
+    assert_int_equal(fault, 2 * PAGE_BITS);
+    assert_int_equal(memory_check(memory, PAGE_BITS, PAGE_BITS + 1, false,
+                                  &fault), C205_TRAP_NONE);
+    let_go(memory);
+}
+
+static void test_end_of_space(void **state)
+{
+    (void)state;
+    struct memory *memory = memory_of(SPACE - 64, 1);
+    c205_error error = { "" };
+    uint64_t fault;
+    assert_false(memory_map(memory, SPACE - 64, 2, C205_READ_WRITE, &error));
+    assert_string_not_equal(error.message, "");
+    assert_false(memory_map(memory, SPACE, 1, C205_READ_WRITE, &error));
+    assert_true(memory_map(memory, 0, 1, C205_READ_WRITE, &error));
+    assert_int_equal(memory_check(memory, SPACE - 64, 64, true, &fault),
+                     C205_TRAP_NONE);
+    assert_int_equal(memory_check(memory, SPACE - 64, 65, true, &fault),
+                     C205_TRAP_UNMAPPED_ADDRESS);
+    let_go(memory);
+}
+
+static void test_words_across_pages(void **state)
+{
+    (void)state;
+    struct memory *memory = memory_of(0, 2 * C205_PAGE_WORDS);
+    c205_word words[100], back[100];
+    uint64_t address = PAGE_BITS - 50 * 64;
+    for (size_t i = 0; i < 100; i++)
+        words[i] = i * 0x0123456789ABCDEF;
+    memory_write_words(memory, address, words, 100);
+    memory_read_words(memory, address, back, 100);
+    assert_memory_equal(words, back, sizeof words);
+    size_t count = 100;
+    assert_int_equal(*memory_read_span(memory, address, &count), 0);
+    assert_int_equal(count, 50);
+    let_go(memory);
+}
+
+/* Against one bit at a time, at every alignment. */
+static void test_bits(void **state)
+{
+    (void)state;
+    struct memory *memory = memory_of(0, 2 * C205_PAGE_WORDS);
+    uint64_t bits[4] = { 0xF0F1F2F3F4F5F6F7, 0x0123456789ABCDEF,
+                         0xAAAA5555CCCC3333, UINT64_MAX };
+    for (size_t count = 0; count < 250; count += 7)
+        for (uint64_t skip = 0; skip < 130; skip++) {
+            uint64_t back[4] = { 1, 1, 1, 1 }, edge[2];
+            uint64_t address = PAGE_BITS - 64 + skip;
+            c205_word ones[8];
+            memset(ones, 0xFF, sizeof ones);
+            memory_write_words(memory, PAGE_BITS - 128, ones, 8);
+            memory_write_bits(memory, address, bits, count);
+            memory_read_bits(memory, address, back, count);
+            for (size_t i = 0; i < (count + 63) / 64 * 64; i++)
+                assert_int_equal(back[i / 64] >> (63 - i % 64) & 1,
+                                 i < count && bits[i / 64] >> (63 - i % 64)
+                                                  & 1);
+            memory_read_bits(memory, address - 1, &edge[0], 1);
+            memory_read_bits(memory, address + count, &edge[1], 1);
+            assert_int_equal(edge[0] >> 63 & edge[1] >> 63, 1);
+        }
+    let_go(memory);
+}
+
+static void test_code_marks(void **state)
+{
+    (void)state;
+    struct memory *memory = memory_of(0, C205_PAGE_WORDS);
+    uint64_t changes = memory->code_changes;
+    c205_word words[200] = { 0 };
+    memory_mark_code(memory, 100 * 64);
+    assert_int_equal(memory_store(memory, 99 * 64, 1), C205_TRAP_NONE);
+    assert_int_equal(memory_store(memory, 101 * 64, 1), C205_TRAP_NONE);
+    memory_write_words(memory, 0, words, 100);
+    memory_write_words(memory, 101 * 64, words, 99);
+    assert_int_equal(memory->code_changes, changes);
+    memory_write_words(memory, 0, words, 200);
+    assert_int_equal(memory->code_changes, changes + 1);
+    memory_mark_code(memory, 100 * 64);
+    assert_int_equal(memory_store(memory, 100 * 64, 1), C205_TRAP_NONE);
+    assert_int_equal(memory->code_changes, changes + 2);
+    assert_int_equal(memory_store(memory, 100 * 64, 1), C205_TRAP_NONE);
+    assert_int_equal(memory->code_changes, changes + 2);
+    let_go(memory);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_check),
+        cmocka_unit_test(test_end_of_space),
+        cmocka_unit_test(test_words_across_pages),
+        cmocka_unit_test(test_bits),
+        cmocka_unit_test(test_code_marks)
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,170 @@
+/* branch.c - branches, and requests to the monitor. */
+#include "machine.h"
+
+#define LOW(word) ((word) & ADDRESS_MASK)
+#define HIGH(word) ((word) & ~ADDRESS_MASK)
+
+static c205_trap go_to(struct c205 *machine, uint64_t target)
+{
+    target = LOW(target);
+    if (target % INSTRUCTION_STEP)
+        return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND, target);
+    machine->effect.taken = true;
+    machine->effect.target = target;
+    return C205_TRAP_NONE;
+}
+
+/* ---- Targets in registers ----------------------------------------------- */
+
+#define BRANCH_IF(name, comparison) \
+    c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
+    { \
+        if (!comparison(machine->slot[d->a], machine->slot[d->b])) \
+            return C205_TRAP_NONE; \
+        return go_to(machine, machine->slot[d->c]); \
+    }
+
+BRANCH_IF(branch_equal, arith_equal)
+BRANCH_IF(branch_not_equal, arith_not_equal)
+BRANCH_IF(branch_not_less, arith_not_less)
+BRANCH_IF(branch_less, arith_less)
+
+/* T + 32 S */
+static uint64_t item_target(const struct c205 *machine,
+                            const struct decoded *decoded)
+{
+    return machine->slot[decoded->c]
+           + machine->slot[decoded->b] * INSTRUCTION_STEP;
+}
+
+static c205_trap count_and_branch(struct c205 *machine,
+                                  const struct decoded *decoded,
+                                  uint64_t step)
+{
+    c205_word count = machine->slot[decoded->a];
+    uint64_t target = item_target(machine, decoded);
+    c205_trap trap = C205_TRAP_NONE;
+    count = HIGH(count) | LOW(count + step);
+    if (LOW(count) != 0)
+        trap = go_to(machine, target);
+    if (trap == C205_TRAP_NONE)
+        machine->slot[decoded->result[0]] = count;
+    return trap;
+}
+
+c205_trap execute_increase_branch(struct c205 *machine,
+                                  const struct decoded *decoded)
+{
+    return count_and_branch(machine, decoded, 1);
+}
+
+c205_trap execute_decrease_branch(struct c205 *machine,
+                                  const struct decoded *decoded)
+{
+    return count_and_branch(machine, decoded, UINT64_MAX);
+}
+
+c205_trap execute_branch_save(struct c205 *machine,
+                              const struct decoded *decoded)
+{
+    c205_trap trap = go_to(machine, item_target(machine, decoded));
+    if (trap == C205_TRAP_NONE)
+        machine->slot[decoded->a] = decoded->next;
+    return trap;
+}
+
+c205_trap execute_branch_immediate(struct c205 *machine,
+                                   const struct decoded *decoded)
+{
+    return go_to(machine, (uint64_t)decoded->fields.immediate
+                              + machine->slot[decoded->a]);
+}
+
+/* ---- Targets by distance, or (Y) + (B) ---------------------------------- */
+
+static c205_trap go_to_near(struct c205 *machine,
+                            const struct decoded *decoded)
+{
+    const c205_fields *fields = &decoded->fields;
+    if (fields->g & C205_G_RELATIVE)
+        return go_to(machine, decoded->pc + (uint64_t)fields->immediate
+                                                * INSTRUCTION_STEP);
+    return go_to(machine,
+                 machine->slot[decoded->y] + machine->slot[decoded->b]);
+}
+
+#define INDEX_BRANCH_IF(name, comparison) \
+    c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
+    { \
+        uint64_t sum = LOW(machine->slot[d->a] + machine->slot[d->x]); \
+        c205_trap trap = C205_TRAP_NONE; \
+        if (c205_to_integer(sum) \
+                comparison c205_to_integer(machine->slot[d->z])) \
+            trap = go_to_near(machine, d); \
+        if (trap == C205_TRAP_NONE) \
+            machine->slot[d->c] = sum; \
+        return trap; \
+    }
+
+INDEX_BRANCH_IF(index_branch_equal, ==)
+INDEX_BRANCH_IF(index_branch_not_equal, !=)
+INDEX_BRANCH_IF(index_branch_not_less, >=)
+INDEX_BRANCH_IF(index_branch_less, <)
+INDEX_BRANCH_IF(index_branch_not_greater, <=)
+INDEX_BRANCH_IF(index_branch_greater, >)
+
+static bool not_greater(c205_word a, c205_word b)
+{
+    return arith_not_less(b, a);
+}
+
+static bool greater(c205_word a, c205_word b)
+{
+    return arith_less(b, a);
+}
+
+#define FLOAT_BRANCH_IF(name, comparison) \
+    c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
+    { \
+        if (!comparison(machine->slot[d->a], machine->slot[d->z])) \
+            return C205_TRAP_NONE; \
+        return go_to_near(machine, d); \
+    }
+
+FLOAT_BRANCH_IF(float_branch_equal, arith_equal)
+FLOAT_BRANCH_IF(float_branch_not_equal, arith_not_equal)
+FLOAT_BRANCH_IF(float_branch_not_less, arith_not_less)
+FLOAT_BRANCH_IF(float_branch_less, arith_less)
+FLOAT_BRANCH_IF(float_branch_not_greater, not_greater)
+FLOAT_BRANCH_IF(float_branch_greater, greater)
+
+/* ---- The monitor -------------------------------------------------------- */
+
+/* Bits of an element of the vector that a request has in R; 0: R is no
+ * vector.  0 ends, 1-3 print R, 4 bytes, 5 a newline, 6 words, 7 bits. */
+static const unsigned request_width[REQUESTS] = { 0, 0, 0, 0, 8, 0, 64, 1 };
+
+static c205_trap check_request(struct c205 *machine, unsigned request,
+                               c205_word r)
+{
+    uint64_t bits = (r >> 48) * request_width[request];
+    if (bits > 0 && LOW(r) % request_width[request])
+        return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND, LOW(r));
+    return memory_check(&machine->memory, LOW(r), bits, false,
+                        &machine->fault);
+}
+
+c205_trap execute_monitor_request(struct c205 *machine,
+                                  const struct decoded *decoded)
+{
+    uint64_t request = (uint64_t)decoded->fields.immediate;
+    if (request >= REQUESTS)
+        return C205_TRAP_BAD_REQUEST;
+    c205_trap trap = check_request(machine, (unsigned)request,
+                                   machine->slot[decoded->a]);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    machine->request = (unsigned)request;
+    machine->eventful = true;
+    return C205_TRAP_NONE;
+}

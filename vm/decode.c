@@ -1,0 +1,250 @@
+/* decode.c - from the word of an instruction to slots and sources, by the
+ * syntax and the operand letters of its row in insn.def.
+ */
+#include "machine.h"
+
+#include <string.h>
+
+static semantics *const functions[] = {
+#define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
+             flags, function, provenance, effect) execute_##function,
+#include "insn.def"
+};
+
+/* ---- Fetch -------------------------------------------------------------- */
+
+enum { HALF_BITS = WORD_BITS / 2 };
+
+static c205_trap fetch_half(struct c205 *machine, uint64_t address,
+                            c205_word *half)
+{
+    uint64_t skip = address % WORD_BITS;
+    c205_word word;
+    c205_trap trap = address > ADDRESS_MASK
+                         ? C205_TRAP_UNMAPPED_ADDRESS
+                         : memory_load(&machine->memory, address - skip,
+                                       &word);
+    if (trap != C205_TRAP_NONE)
+        return machine_fault(machine, trap, address & ADDRESS_MASK);
+    memory_mark_code(&machine->memory, address);
+    *half = word << skip >> HALF_BITS;
+    return C205_TRAP_NONE;
+}
+
+/* The word of the instruction, as c205_decode takes it. */
+static c205_trap fetch(struct c205 *machine, uint64_t pc,
+                       const c205_insn **insn, c205_word *word)
+{
+    c205_word high, low = 0;
+    if (pc % INSTRUCTION_STEP)
+        return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND, pc);
+    c205_trap trap = fetch_half(machine, pc, &high);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    *insn = c205_insn_coded((uint8_t)(high >> 24), (uint8_t)(high >> 16));
+    if (!*insn)
+        return C205_TRAP_UNDEFINED_INSTRUCTION;
+    if (c205_format_halves((*insn)->format) == 2)
+        trap = fetch_half(machine, pc + HALF_BITS, &low);
+    *word = high << HALF_BITS | low;
+    return trap;
+}
+
+/* ---- Is the coding possible? -------------------------------------------- */
+
+static bool has_letter(const char *syntax, const char *letters)
+{
+    return syntax[strcspn(syntax, letters)] != '\0';
+}
+
+/* The operand letter of field C of a vector instruction. */
+static char result_letter(const c205_insn *insn)
+{
+    const char *syntax = c205_format_syntax(insn->format);
+    size_t commas = 0;
+    if (insn->unit != C205_UNIT_VECTOR || !has_letter(syntax, "C"))
+        return '\0';
+    for (const char *c = syntax; *c != 'C'; c++)
+        commas += *c == ',';
+    return insn->operands[commas];
+}
+
+static bool result_is_vector(const c205_insn *insn)
+{
+    char letter = result_letter(insn);
+    return letter == 'd' || letter == 'e' || letter == 'c';
+}
+
+/* The bits of G that an instruction may have. */
+static uint8_t possible_g(const c205_insn *insn, const c205_fields *fields)
+{
+    const char *syntax = c205_format_syntax(insn->format);
+    unsigned g = insn->subop_mask;
+    if (has_letter(syntax, "@"))
+        return (uint8_t)(g | C205_G_RELATIVE);
+    if (has_letter(syntax, "a") && !fields->x)
+        g |= C205_G_BROADCAST_A;
+    if (has_letter(syntax, "b") && !fields->y)
+        g |= C205_G_BROADCAST_B;
+    if (insn->flags & C205_INSN_SIGN)
+        g |= C205_G_NEGATE_A | C205_G_MAGNITUDE_A;
+    if (insn->flags & C205_INSN_SIGN && has_letter(syntax, "bB"))
+        g |= C205_G_MAGNITUDE_B;
+    if (has_letter(syntax, "?!") && fields->z)
+        g |= C205_G_ZEROS;
+    if (result_is_vector(insn) && fields->c + 1 < C205_REGISTERS)
+        g |= C205_G_OFFSET;
+    return (uint8_t)g;
+}
+
+static c205_trap check_coding(const c205_insn *insn, c205_word word,
+                              const c205_fields *fields)
+{
+    if (c205_encode(insn, fields) != word
+        || fields->g & ~possible_g(insn, fields)
+        || (insn->flags & C205_INSN_INDEX
+            && fields->c + 1 == C205_REGISTERS))
+        return C205_TRAP_UNDEFINED_INSTRUCTION;
+    if (has_letter(c205_format_syntax(insn->format), "!") && !fields->z)
+        return C205_TRAP_BAD_DESCRIPTOR;
+    return C205_TRAP_NONE;
+}
+
+/* ---- Slots -------------------------------------------------------------- */
+
+static void add_source(struct decoded *decoded, unsigned number)
+{
+    if (number > 0)
+        decoded->source[decoded->source_count++] = (uint16_t)number;
+}
+
+static uint16_t add_result(struct decoded *decoded, unsigned number)
+{
+    uint16_t slot = number > 0 ? (uint16_t)number : SLOT_SINK;
+    decoded->result[decoded->result_count] = slot;
+    decoded->result_count = (uint8_t)(decoded->result_count + (number > 0));
+    return slot;
+}
+
+/* The slot of a register field for the operand letter that describes it. */
+static uint16_t slot_of(struct decoded *decoded, unsigned number, char letter,
+                        bool broadcast)
+{
+    if (letter == 'w')
+        return add_result(decoded, number);
+    add_source(decoded, number);
+    if (letter == 'm' || letter == 'c')
+        add_result(decoded, number);
+    if (number == 0 && (letter == 'f' || (letter == 'v' && broadcast)))
+        return SLOT_MACHINE_ZERO;
+    return (uint16_t)number;
+}
+
+static void bind(struct decoded *decoded, char field, char letter)
+{
+    const c205_fields *f = &decoded->fields;
+    bool a = f->g & C205_G_BROADCAST_A, b = f->g & C205_G_BROADCAST_B;
+    switch (field) {
+    case 'R': decoded->a = slot_of(decoded, f->r, letter, false); break;
+    case 'S': decoded->b = slot_of(decoded, f->s, letter, false); break;
+    case 'T': decoded->c = slot_of(decoded, f->t, letter, false); break;
+    case 'A': decoded->a = slot_of(decoded, f->a, letter, false); break;
+    case 'B': decoded->b = slot_of(decoded, f->b, letter, false); break;
+    case 'C': decoded->c = slot_of(decoded, f->c, letter, false); break;
+    case 'X': decoded->x = slot_of(decoded, f->x, letter, false); break;
+    case 'Y': decoded->y = slot_of(decoded, f->y, letter, false); break;
+    case 'Z': decoded->z = slot_of(decoded, f->z, letter, false); break;
+    case 'a':
+        decoded->a = slot_of(decoded, f->a, letter, a);
+        decoded->x = slot_of(decoded, f->x, 'i', false);
+        break;
+    case 'b':
+        decoded->b = slot_of(decoded, f->b, letter, b);
+        decoded->y = slot_of(decoded, f->y, 'i', false);
+        break;
+    case '@':
+        if (!(f->g & C205_G_RELATIVE)) {
+            decoded->y = slot_of(decoded, f->y, 'i', false);
+            decoded->b = slot_of(decoded, f->b, 'i', false);
+        }
+        break;
+    default: /* an immediate */
+        break;
+    }
+}
+
+/* Walk along the syntax and the operand letters side by side; an offset after
+ * a plus has no letter of its own. */
+static void bind_all(struct decoded *decoded)
+{
+    const c205_insn *insn = decoded->insn;
+    const char *letter = insn->operands;
+    for (const char *c = c205_format_syntax(insn->format); *c; c++)
+        if (*c == '+')
+            bind(decoded, *++c, 'i');
+        else if (!strchr("[],?! 0123456789", *c))
+            bind(decoded, *c, *letter++);
+    if (result_is_vector(insn) && decoded->fields.g & C205_G_OFFSET)
+        add_source(decoded, decoded->fields.c + 1u);
+    if (insn->flags & C205_INSN_INDEX)
+        add_result(decoded, decoded->fields.c + 1u);
+}
+
+/* ---- The cache ---------------------------------------------------------- */
+
+static c205_trap decode(struct c205 *machine, uint64_t pc,
+                        struct decoded *decoded)
+{
+    c205_word word;
+    memset(decoded, 0, sizeof *decoded);
+    c205_trap trap = fetch(machine, pc, &decoded->insn, &word);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    const c205_insn *insn = decoded->insn;
+    decoded->fields = c205_decode(insn, word);
+    trap = check_coding(insn, word, &decoded->fields);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    decoded->pc = pc;
+    decoded->version = machine->memory.code_changes;
+    decoded->execute = functions[insn - c205_insns];
+    decoded->next = (pc + HALF_BITS * c205_format_halves(insn->format))
+                    & ADDRESS_MASK;
+    decoded->region = machine_region(machine, pc);
+    bind_all(decoded);
+    return C205_TRAP_NONE;
+}
+
+c205_trap decode_at(struct c205 *machine, uint64_t pc,
+                    const struct decoded **decoded)
+{
+    const struct decoded *cached =
+        decode_cached(machine->cache, machine->memory.code_changes, pc);
+    c205_trap trap = C205_TRAP_NONE;
+    if (!cached) {
+        struct decoded *entry =
+            &machine->cache->entry[pc / INSTRUCTION_STEP % DECODE_ENTRIES];
+        trap = decode(machine, pc, entry);
+        cached = entry;
+    }
+    *decoded = cached;
+    return trap;
+}
+
+c205_trap decode_pair(struct c205 *machine, const struct decoded *prefix)
+{
+    struct decoded *entry =
+        &machine->cache->entry[prefix->pc / INSTRUCTION_STEP
+                               % DECODE_ENTRIES];
+    uint64_t pc = (prefix->pc + INSTRUCTION_STEP) & ADDRESS_MASK;
+    for (size_t i = 0; i < 2; i++) {
+        c205_trap trap = decode_at(machine, pc, &entry->linked[i]);
+        if (trap != C205_TRAP_NONE)
+            return trap;
+        if (!(entry->linked[i]->insn->flags & C205_INSN_LINK))
+            return C205_TRAP_BAD_LINK;
+        pc = entry->linked[i]->next;
+    }
+    entry->next = pc;
+    return C205_TRAP_NONE;
+}

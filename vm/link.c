@@ -1,0 +1,126 @@
+/* link.c - the link prefix: two vector instructions as one stream.
+ *
+ * The first one's result goes to the second without passing through memory,
+ * which has two read paths: of the three other sources two may be vectors.
+ */
+#include "vector.h"
+
+static bool is_linked_a(const struct decoded *first,
+                        const struct decoded *second)
+{
+    return !(second->fields.g & C205_G_BROADCAST_A)
+           && second->fields.a == first->fields.c;
+}
+
+static bool is_linked_b(const struct decoded *first,
+                        const struct decoded *second)
+{
+    return !(second->fields.g & C205_G_BROADCAST_B)
+           && second->fields.b == first->fields.c;
+}
+
+static int read_paths(const struct decoded *first,
+                      const struct decoded *second)
+{
+    return !(first->fields.g & C205_G_BROADCAST_A)
+           + !(first->fields.g & C205_G_BROADCAST_B)
+           + (!(second->fields.g & C205_G_BROADCAST_A)
+              && !is_linked_a(first, second))
+           + (!(second->fields.g & C205_G_BROADCAST_B)
+              && !is_linked_b(first, second));
+}
+
+static bool may_be_linked(const struct decoded *first,
+                          const struct decoded *second)
+{
+    bool a = is_linked_a(first, second), b = is_linked_b(first, second);
+    return first->fields.z == 0 && !(first->fields.g & C205_G_OFFSET)
+           && (a || b) && !(a && second->fields.x) && !(b && second->fields.y)
+           && read_paths(first, second) <= 2;
+}
+
+/* ---- The pair as one stream --------------------------------------------- */
+
+struct pair {
+    struct stream first, second;
+    struct operation operation_first, operation_second;
+    c205_word handed[CHUNK]; /* results of the first */
+};
+
+static void hand_over(struct source *source, const c205_word *words)
+{
+    source->handed = words;
+    source->vector.length = 0;
+}
+
+static c205_trap describe_pair(struct pair *pair, struct c205 *machine,
+                               const struct decoded *const *linked)
+{
+    c205_trap trap =
+        stream_describe(&pair->first, machine, linked[0], WORD_BITS);
+    if (trap == C205_TRAP_NONE)
+        trap = stream_describe(&pair->second, machine, linked[1], WORD_BITS);
+    if (trap == C205_TRAP_NONE && pair->first.n != pair->second.n)
+        trap = C205_TRAP_BAD_LINK;
+    if (is_linked_a(linked[0], linked[1]))
+        hand_over(&pair->second.a, pair->handed);
+    if (is_linked_b(linked[0], linked[1]))
+        hand_over(&pair->second.b, pair->handed);
+    pair->operation_first = linked_operation(linked[0]);
+    pair->operation_second = linked_operation(linked[1]);
+    return trap;
+}
+
+static c205_trap claim_pair(struct pair *pair)
+{
+    const struct vector *result = &pair->second.result;
+    c205_trap trap = stream_claim_sources(&pair->first);
+    if (trap == C205_TRAP_NONE)
+        trap = stream_claim(&pair->second);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    size_t a = operand_lead(&pair->first.a.vector, result);
+    size_t b = operand_lead(&pair->first.b.vector, result);
+    if (a < pair->second.chunk)
+        pair->second.chunk = a;
+    if (b < pair->second.chunk)
+        pair->second.chunk = b;
+    return C205_TRAP_NONE;
+}
+
+static void run_pair(struct pair *pair)
+{
+    struct stream *one = &pair->first, *two = &pair->second;
+    struct c205 *machine = two->machine;
+    c205_word words[CHUNK];
+    uint64_t permitted[CHUNK_WORDS];
+    for (size_t first = 0, n; first < two->n; first += n) {
+        n = stream_next(two, first);
+        operate(machine, &pair->operation_first, pair->handed,
+                source_read(&one->a, first, n),
+                source_read(&one->b, first, n), n, NULL);
+        control_read(&two->control, first, n, permitted);
+        operate(machine, &pair->operation_second, words,
+                source_read(&two->a, first, n),
+                source_read(&two->b, first, n), n,
+                two->control.present ? permitted : NULL);
+        result_store(machine, &two->result, &two->control, first, words, n);
+    }
+}
+
+c205_trap execute_link_pair(struct c205 *machine,
+                            const struct decoded *decoded)
+{
+    struct pair pair;
+    c205_trap trap = decode_pair(machine, decoded);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    if (!may_be_linked(decoded->linked[0], decoded->linked[1]))
+        return C205_TRAP_BAD_LINK;
+    trap = describe_pair(&pair, machine, decoded->linked);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_pair(&pair);
+    if (trap == C205_TRAP_NONE)
+        run_pair(&pair);
+    return trap;
+}

@@ -1,0 +1,385 @@
+#include "machine.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Making, loading ---------------------------------------------------- */
+
+static bool no_memory(c205_error *error)
+{
+    snprintf(error->message, sizeof error->message,
+             "no memory left for a machine");
+    return false;
+}
+
+static void clear_registers(struct c205 *machine)
+{
+    memset(machine->slot, 0, sizeof machine->slot);
+    machine->slot[SLOT_MACHINE_ZERO] = C205_MACHINE_ZERO;
+    machine->data_flags = 0;
+    machine->request = NO_REQUEST;
+}
+
+c205 *c205_new(const c205_model *model, c205_error *error)
+{
+    struct c205 *machine = calloc(1, sizeof *machine);
+    if (!machine) {
+        no_memory(error);
+        return NULL;
+    }
+    machine->model = model;
+    memory_init(&machine->memory);
+    clear_registers(machine);
+    machine->clock = clock_new(model, error);
+    machine->cache = calloc(1, sizeof *machine->cache);
+    if (machine->clock && machine->cache)
+        return machine;
+    if (machine->clock)
+        no_memory(error);
+    c205_free(machine);
+    return NULL;
+}
+
+void c205_free(c205 *machine)
+{
+    if (!machine)
+        return;
+    if (machine->clock)
+        clock_free(machine->clock);
+    memory_free(&machine->memory);
+    for (size_t i = 0; i < SCRATCHES; i++)
+        free(machine->scratch[i]);
+    free(machine->ranges);
+    free(machine->cache);
+    free(machine);
+}
+
+static bool load_segment(struct c205 *machine, const c205_segment *segment,
+                         c205_error *error)
+{
+    if (segment->address % WORD_BITS) {
+        snprintf(error->message, sizeof error->message,
+                 "a segment at %llX does not begin at a word",
+                 (unsigned long long)segment->address);
+        return false;
+    }
+    if (!memory_map(&machine->memory, segment->address, segment->length,
+                    C205_READ_WRITE, error))
+        return false;
+    if (segment->words)
+        memory_write_words(&machine->memory, segment->address,
+                           segment->words, segment->length);
+    return true;
+}
+
+bool c205_load(c205 *machine, const c205_program *program, c205_error *error)
+{
+    clear_registers(machine);
+    memory_free(&machine->memory);
+    clock_reset(machine->clock);
+    clock_forget_pages(machine->clock);
+    machine->pc = program->entry & ADDRESS_MASK;
+    for (size_t i = 0; i < program->segment_count; i++)
+        if (!load_segment(machine, &program->segments[i], error))
+            return false;
+    return machine_set_regions(machine, program, error);
+}
+
+c205_word *machine_scratch(struct c205 *machine, enum scratch which)
+{
+    if (!machine->scratch[which])
+        machine->scratch[which] =
+            malloc((C205_MAX_LENGTH + 1) * sizeof **machine->scratch);
+    return machine->scratch[which];
+}
+
+/* ---- Events ------------------------------------------------------------- */
+
+static void tell_listeners(const struct c205 *machine,
+                           const c205_event *event)
+{
+    for (unsigned i = 0; i < machine->listener_count; i++)
+        machine->listener[i].call(machine->listener[i].context, machine,
+                                  event);
+}
+
+static c205_event make_event(const struct c205 *machine,
+                             c205_event_kind kind, uint64_t before)
+{
+    c205_event event;
+    memset(&event, 0, sizeof event);
+    event.kind = kind;
+    event.issued = before;
+    event.clocks = clock_now(machine->clock) - before;
+    return event;
+}
+
+static void tell_instruction(struct c205 *machine,
+                             const struct decoded *decoded, uint64_t before)
+{
+    bool request = machine->request != NO_REQUEST
+                   && machine->request != REQUEST_EXIT;
+    c205_event event = make_event(
+        machine, request ? C205_EVENT_REQUEST : C205_EVENT_INSTRUCTION,
+        before);
+    event.pc = decoded->pc;
+    event.insn = decoded->insn;
+    event.fields = decoded->fields;
+    event.region = decoded->region;
+    event.elements = machine->effect.elements;
+    event.taken = machine->effect.taken;
+    if (request) {
+        event.request = machine->request;
+        event.r = machine->slot[decoded->a];
+        event.s = machine->slot[decoded->b];
+    }
+    tell_listeners(machine, &event);
+}
+
+/* Ends a run: what is in flight is charged, listeners hear of it.  At the
+ * clock limit nothing is: the program may go on as if it had not stopped. */
+static bool stop_run(struct c205 *machine, const c205_stop *stop)
+{
+    uint64_t before = clock_now(machine->clock);
+    if (stop->trap != C205_TRAP_CLOCK_LIMIT)
+        clock_drain(machine->clock);
+    c205_event event = make_event(
+        machine, stop->trap ? C205_EVENT_TRAP : C205_EVENT_STOP, before);
+    event.pc = stop->pc;
+    event.insn = stop->insn;
+    event.region = machine_region(machine, stop->pc);
+    event.trap = stop->trap;
+    tell_listeners(machine, &event);
+    return false;
+}
+
+/* ---- Running ------------------------------------------------------------ */
+
+static bool stop_by_trap(struct c205 *machine, c205_trap trap,
+                         const c205_insn *insn, c205_stop *stop)
+{
+    stop->trap = trap;
+    stop->pc = machine->pc;
+    stop->address = machine->fault;
+    stop->insn = trap == C205_TRAP_UNDEFINED_INSTRUCTION ? NULL : insn;
+    stop->status = 0;
+    machine->fault = 0;
+    return stop_run(machine, stop);
+}
+
+/* After an instruction that listeners hear of, or a request; false: it was
+ * the request that ends the program. */
+static bool attend(struct c205 *machine, const struct decoded *decoded,
+                   uint64_t before, c205_stop *stop)
+{
+    unsigned request = machine->request;
+    tell_instruction(machine, decoded, before);
+    machine->request = NO_REQUEST;
+    machine->eventful = machine->listener_count > 0;
+    if (request != REQUEST_EXIT)
+        return true;
+    stop->trap = C205_TRAP_NONE;
+    stop->pc = decoded->pc;
+    stop->address = 0;
+    stop->insn = decoded->insn;
+    stop->status = c205_to_integer(machine->slot[decoded->a]);
+    return stop_run(machine, stop);
+}
+
+static inline void clear_effect(struct effect *effect)
+{
+    effect->elements = 0;
+    effect->taken = false;
+    effect->touch_count = 0;
+    effect->indices = NULL;
+    effect->swapped = 0;
+}
+
+/* One instruction; false: *stop tells why there is no next one. */
+static inline bool step(struct c205 *machine, uint64_t limit,
+                        c205_stop *stop)
+{
+    const struct decoded *decoded = decode_cached(
+        machine->cache, machine->memory.code_changes, machine->pc);
+    uint64_t before = clock_now(machine->clock);
+    c205_trap trap = C205_TRAP_NONE;
+    if (!decoded)
+        trap = decode_at(machine, machine->pc, &decoded);
+    if (trap == C205_TRAP_NONE && before >= limit)
+        trap = C205_TRAP_CLOCK_LIMIT;
+    if (trap == C205_TRAP_NONE) {
+        clear_effect(&machine->effect);
+        trap = decoded->execute(machine, decoded);
+    }
+    if (trap != C205_TRAP_NONE)
+        return stop_by_trap(machine, trap, decoded->insn, stop);
+    clock_charge(machine->clock, decoded, &machine->effect);
+    machine->pc =
+        machine->effect.taken ? machine->effect.target : decoded->next;
+    return !machine->eventful || attend(machine, decoded, before, stop);
+}
+
+c205_stop c205_run(c205 *machine, uint64_t limit)
+{
+    c205_stop stop;
+    while (step(machine, limit, &stop))
+        continue;
+    return stop;
+}
+
+bool c205_step(c205 *machine, c205_stop *stop)
+{
+    return step(machine, C205_NO_LIMIT, stop);
+}
+
+/* ---- Inspection --------------------------------------------------------- */
+
+static const char *const trap_names[C205_TRAPS] = {
+    [C205_TRAP_NONE] = "none",
+    [C205_TRAP_UNDEFINED_INSTRUCTION] = "undefined-instruction",
+    [C205_TRAP_UNMAPPED_ADDRESS] = "unmapped-address",
+    [C205_TRAP_PROTECTED_ADDRESS] = "protected-address",
+    [C205_TRAP_BAD_DESCRIPTOR] = "bad-descriptor",
+    [C205_TRAP_MISALIGNED_OPERAND] = "misaligned-operand",
+    [C205_TRAP_BAD_LINK] = "bad-link",
+    [C205_TRAP_BAD_REQUEST] = "bad-request",
+    [C205_TRAP_CLOCK_LIMIT] = "clock-limit",
+    [C205_TRAP_NO_MEMORY] = "no-memory"
+};
+
+const char *c205_trap_name(c205_trap trap)
+{
+    return trap_names[trap];
+}
+
+/* ": 56000000", the half words that are no instruction. */
+static void describe_code(const c205 *machine, uint64_t pc, char text[20])
+{
+    c205_word word;
+    uint64_t skip = pc % WORD_BITS;
+    text[0] = '\0';
+    if (c205_read(machine, pc - skip, &word, 1))
+        snprintf(text, 20, ": %08llX",
+                 (unsigned long long)(word << skip >> WORD_BITS / 2));
+}
+
+void c205_describe_stop(const c205 *machine, const c205_stop *stop,
+                        c205_error *text)
+{
+    unsigned long long pc = stop->pc, address = stop->address;
+    char code[20] = "", operand[32] = "";
+    if (stop->trap == C205_TRAP_NONE) {
+        snprintf(text->message, sizeof text->message,
+                 "ended at %llX with status %lld", pc,
+                 (long long)stop->status);
+        return;
+    }
+    if (stop->insn)
+        snprintf(code, sizeof code, ": %s", stop->insn->mnemonic);
+    else if (stop->trap == C205_TRAP_UNDEFINED_INSTRUCTION)
+        describe_code(machine, stop->pc, code);
+    if (stop->address)
+        snprintf(operand, sizeof operand, ": address %llX", address);
+    snprintf(text->message, sizeof text->message, "trap %s at %llX%s%s",
+             c205_trap_name(stop->trap), pc, code, operand);
+}
+
+bool c205_map(c205 *machine, uint64_t address, size_t words,
+              c205_access access, c205_error *error)
+{
+    return memory_map(&machine->memory, address, words, access, error);
+}
+
+static bool host_may_copy(const c205 *machine, uint64_t address,
+                          size_t count)
+{
+    uint64_t fault;
+    return address % WORD_BITS == 0
+           && (uint64_t)count <= ADDRESS_SPACE_WORDS
+           && memory_check(&machine->memory, address,
+                           (uint64_t)count * WORD_BITS, false, &fault)
+                  == C205_TRAP_NONE;
+}
+
+bool c205_read(const c205 *machine, uint64_t address, c205_word *words,
+               size_t count)
+{
+    if (!host_may_copy(machine, address, count))
+        return false;
+    memory_read_words(&machine->memory, address, words, count);
+    return true;
+}
+
+bool c205_write(c205 *machine, uint64_t address, const c205_word *words,
+                size_t count)
+{
+    if (!host_may_copy(machine, address, count))
+        return false;
+    memory_write_words(&machine->memory, address, words, count);
+    return true;
+}
+
+c205_word c205_register(const c205 *machine, unsigned number)
+{
+    return number < C205_REGISTERS ? machine->slot[number] : 0;
+}
+
+/* Register 0 stays what it is. */
+void c205_set_register(c205 *machine, unsigned number, c205_word word)
+{
+    if (number > 0 && number < C205_REGISTERS)
+        machine->slot[number] = word;
+}
+
+uint64_t c205_pc(const c205 *machine)
+{
+    return machine->pc;
+}
+
+void c205_set_pc(c205 *machine, uint64_t address)
+{
+    machine->pc = address & ADDRESS_MASK;
+}
+
+c205_word c205_data_flags(const c205 *machine)
+{
+    return machine->data_flags;
+}
+
+/* ---- Time --------------------------------------------------------------- */
+
+uint64_t c205_clock(const c205 *machine)
+{
+    return clock_now(machine->clock);
+}
+
+const c205_model *c205_machine_model(const c205 *machine)
+{
+    return machine->model;
+}
+
+size_t c205_account_count(const c205 *machine)
+{
+    return clock_account_count(machine->clock);
+}
+
+const c205_account *c205_account_at(const c205 *machine, size_t i)
+{
+    return clock_account(machine->clock, i);
+}
+
+void c205_reset_clock(c205 *machine)
+{
+    clock_reset(machine->clock);
+}
+
+bool c205_listen(c205 *machine, c205_listener *listener, void *context)
+{
+    if (machine->listener_count == C205_LISTENERS)
+        return false;
+    machine->listener[machine->listener_count].call = listener;
+    machine->listener[machine->listener_count++].context = context;
+    machine->eventful = true;
+    return true;
+}

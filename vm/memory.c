@@ -1,0 +1,229 @@
+#include "memory.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void memory_init(struct memory *memory)
+{
+    memory->code_changes = 1;
+}
+
+static void free_directory(struct page **pages)
+{
+    for (size_t i = 0; i < DIRECTORY_PAGES; i++)
+        free(pages[i]);
+    free(pages);
+}
+
+void memory_free(struct memory *memory)
+{
+    for (size_t i = 0; i < DIRECTORIES; i++) {
+        if (memory->directory[i])
+            free_directory(memory->directory[i]);
+        memory->directory[i] = NULL;
+    }
+    memory->code_changes++;
+}
+
+/* ---- Pages -------------------------------------------------------------- */
+
+static struct page **page_place(struct memory *memory, uint64_t address)
+{
+    struct page ***pages = &memory->directory[address >> DIRECTORY_SHIFT];
+    if (!*pages)
+        *pages = calloc(DIRECTORY_PAGES, sizeof **pages);
+    return *pages ? *pages + (address >> PAGE_SHIFT & (DIRECTORY_PAGES - 1))
+                  : NULL;
+}
+
+static struct page *map_page(struct memory *memory, uint64_t address)
+{
+    struct page **place = page_place(memory, address);
+    if (place && !*place)
+        *place = calloc(1, sizeof **place);
+    return place ? *place : NULL;
+}
+
+bool memory_map(struct memory *memory, uint64_t address, size_t words,
+                c205_access access, c205_error *error)
+{
+    uint64_t last = address + (uint64_t)words * WORD_BITS - 1;
+    if (address > ADDRESS_MASK || (uint64_t)words > ADDRESS_SPACE_WORDS
+        || (words > 0 && last > ADDRESS_MASK)) {
+        snprintf(error->message, sizeof error->message,
+                 "%zu words at %llX lie beyond the end of the address space",
+                 words, (unsigned long long)address);
+        return false;
+    }
+    for (uint64_t page = address >> PAGE_SHIFT;
+         words > 0 && page <= last >> PAGE_SHIFT; page++) {
+        struct page *mapped = map_page(memory, page << PAGE_SHIFT);
+        if (!mapped) {
+            snprintf(error->message, sizeof error->message,
+                     "no memory left for a page of the machine");
+            return false;
+        }
+        mapped->writable = access == C205_READ_WRITE;
+    }
+    return true;
+}
+
+static c205_trap check_page(const struct memory *memory, uint64_t address,
+                            bool write)
+{
+    const struct page *page = memory_page(memory, address);
+    if (!page)
+        return C205_TRAP_UNMAPPED_ADDRESS;
+    return write && !page->writable ? C205_TRAP_PROTECTED_ADDRESS
+                                    : C205_TRAP_NONE;
+}
+
+c205_trap memory_check(const struct memory *memory, uint64_t address,
+                       uint64_t bits, bool write, uint64_t *fault)
+{
+    const uint64_t page_mask = (UINT64_C(1) << PAGE_SHIFT) - 1;
+    uint64_t end = address + bits;
+    while (address < end) {
+        c205_trap trap = address > ADDRESS_MASK
+                             ? C205_TRAP_UNMAPPED_ADDRESS
+                             : check_page(memory, address, write);
+        if (trap != C205_TRAP_NONE) {
+            *fault = address & ADDRESS_MASK;
+            return trap;
+        }
+        address = (address | page_mask) + 1;
+    }
+    return C205_TRAP_NONE;
+}
+
+/* ---- Code that was decoded ---------------------------------------------- */
+
+void memory_mark_code(struct memory *memory, uint64_t address)
+{
+    struct page *page = memory_page(memory, address);
+    size_t index = memory_word_index(address);
+    page->code[index / 64] |= UINT64_C(1) << index % 64;
+    page->holds_code = true;
+}
+
+/* The marks are taken away: what is still code will be decoded anew. */
+void memory_change_code(struct memory *memory, struct page *page,
+                        size_t first, size_t count)
+{
+    bool changed = false;
+    for (size_t i = first, n; i < first + count; i += n) {
+        uint64_t mask = UINT64_MAX << i % 64;
+        n = 64 - i % 64;
+        if (n > first + count - i) {
+            mask &= UINT64_MAX >> (n - (first + count - i));
+            n = first + count - i;
+        }
+        changed = changed || page->code[i / 64] & mask;
+        page->code[i / 64] &= ~mask;
+    }
+    memory->code_changes += changed;
+}
+
+/* ---- Words -------------------------------------------------------------- */
+
+static void limit_to_page(size_t index, size_t *count)
+{
+    if (*count > C205_PAGE_WORDS - index)
+        *count = C205_PAGE_WORDS - index;
+}
+
+const c205_word *memory_read_span(const struct memory *memory,
+                                  uint64_t address, size_t *count)
+{
+    const struct page *page = memory_page(memory, address);
+    size_t index = memory_word_index(address);
+    limit_to_page(index, count);
+    return page ? page->word + index : NULL;
+}
+
+c205_word *memory_write_span(struct memory *memory, uint64_t address,
+                             size_t *count)
+{
+    struct page *page = memory_page(memory, address);
+    size_t index = memory_word_index(address);
+    limit_to_page(index, count);
+    if (!page)
+        return NULL;
+    if (page->holds_code)
+        memory_change_code(memory, page, index, *count);
+    return page->word + index;
+}
+
+void memory_read_words(const struct memory *memory, uint64_t address,
+                       c205_word *words, size_t count)
+{
+    for (size_t n; count > 0; count -= n, words += n) {
+        n = count;
+        const c205_word *span = memory_read_span(memory, address, &n);
+        memcpy(words, span, n * sizeof *words);
+        address += n * WORD_BITS;
+    }
+}
+
+void memory_write_words(struct memory *memory, uint64_t address,
+                        const c205_word *words, size_t count)
+{
+    for (size_t n; count > 0; count -= n, words += n) {
+        n = count;
+        c205_word *span = memory_write_span(memory, address, &n);
+        memcpy(span, words, n * sizeof *words);
+        address += n * WORD_BITS;
+    }
+}
+
+/* ---- Bits --------------------------------------------------------------- */
+
+static c205_word word_at(const struct memory *memory, uint64_t address)
+{
+    size_t one = 1;
+    return *memory_read_span(memory, address - address % WORD_BITS, &one);
+}
+
+/* The leftmost n bits of a word, 1 to 64 of them. */
+static uint64_t leading(size_t n)
+{
+    return UINT64_MAX << (WORD_BITS - n);
+}
+
+void memory_read_bits(const struct memory *memory, uint64_t address,
+                      uint64_t *bits, size_t count)
+{
+    unsigned skip = (unsigned)(address % WORD_BITS);
+    for (size_t n; count > 0; count -= n, address += n, bits++) {
+        n = count < WORD_BITS ? count : WORD_BITS;
+        *bits = word_at(memory, address) << skip;
+        if (skip + n > WORD_BITS)
+            *bits |= word_at(memory, address + n - 1) >> (WORD_BITS - skip);
+        *bits &= leading(n);
+    }
+}
+
+/* 64 bits from any place of a string of count bits; behind its end zeros. */
+static uint64_t bits_from(const uint64_t *bits, size_t place, size_t count)
+{
+    size_t word = place / WORD_BITS, skip = place % WORD_BITS;
+    uint64_t result = bits[word] << skip;
+    if (skip > 0 && (word + 1) * WORD_BITS < count)
+        result |= bits[word + 1] >> (WORD_BITS - skip);
+    return result;
+}
+
+void memory_write_bits(struct memory *memory, uint64_t address,
+                       const uint64_t *bits, size_t count)
+{
+    for (size_t place = 0, n; place < count; place += n, address += n) {
+        size_t skip = address % WORD_BITS, one = 1;
+        n = WORD_BITS - skip < count - place ? WORD_BITS - skip
+                                             : count - place;
+        c205_word *word = memory_write_span(memory, address - skip, &one);
+        uint64_t mask = leading(n) >> skip;
+        *word = (*word & ~mask)
+                | (bits_from(bits, place, count) >> skip & mask);
+    }
+}

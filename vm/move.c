@@ -1,0 +1,262 @@
+/* move.c - vector instructions that move elements to other places in a
+ * vector: reverse, mask, merge, compress.
+ */
+#include "vector.h"
+
+#include <string.h>
+
+/* ---- Reverse ------------------------------------------------------------ */
+
+static void reverse_words(c205_word *c, const c205_word *a, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        c[i] = a[n - 1 - i];
+}
+
+c205_trap execute_vector_reverse(struct c205 *machine,
+                                 const struct decoded *decoded)
+{
+    struct stream stream;
+    c205_word words[CHUNK];
+    c205_trap trap = stream_open(&stream, machine, decoded, WORD_BITS);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    if (operands_overlap(&stream.a.vector, &stream.result))
+        stream.chunk = 1;
+    for (size_t first = 0, n; first < stream.n; first += n) {
+        n = stream_next(&stream, first);
+        reverse_words(words,
+                      source_read(&stream.a, stream.n - first - n, n), n);
+        result_store(machine, &stream.result, &stream.control, first, words,
+                     n);
+    }
+    return C205_TRAP_NONE;
+}
+
+/* ---- Mask, merge -------------------------------------------------------- */
+
+/* The control vector tells from which source an element comes; all are
+ * stored.  Mask takes the element in the same place, merge the next one that
+ * has not been taken. */
+struct choice {
+    struct stream stream;
+    size_t next_a, next_b;
+};
+
+typedef void chooser(struct choice *choice, size_t first, size_t n,
+                     const uint64_t *from_a, c205_word *words);
+
+static void mask_words(struct choice *choice, size_t first, size_t n,
+                       const uint64_t *from_a, c205_word *words)
+{
+    memcpy(words, source_read(&choice->stream.b, first, n),
+           n * sizeof *words);
+    lanes_store_masked(words, source_read(&choice->stream.a, first, n),
+                       from_a, n);
+}
+
+static void merge_words(struct choice *choice, size_t first, size_t n,
+                        const uint64_t *from_a, c205_word *words)
+{
+    size_t count = count_ones(from_a, n);
+    const c205_word *a =
+        source_read(&choice->stream.a, choice->next_a, count);
+    const c205_word *b =
+        source_read(&choice->stream.b, choice->next_b, n - count);
+    (void)first;
+    for (size_t i = 0; i < n; i++)
+        words[i] = bit_at(from_a, i) ? *a++ : *b++;
+    choice->next_a += count;
+    choice->next_b += n - count;
+}
+
+static void store_chosen(struct choice *choice, chooser *chosen)
+{
+    struct stream *stream = &choice->stream;
+    c205_word words[CHUNK];
+    uint64_t from_a[CHUNK_WORDS];
+    choice->next_a = choice->next_b = 0;
+    for (size_t first = 0, n; first < stream->n; first += n) {
+        n = stream_next(stream, first);
+        control_read(&stream->control, first, n, from_a);
+        chosen(choice, first, n, from_a, words);
+        memory_write_words(&stream->machine->memory,
+                           vector_at(&stream->result, first), words, n);
+    }
+}
+
+c205_trap execute_vector_mask(struct c205 *machine,
+                              const struct decoded *decoded)
+{
+    struct choice choice;
+    c205_trap trap = stream_open(&choice.stream, machine, decoded, WORD_BITS);
+    if (trap == C205_TRAP_NONE)
+        store_chosen(&choice, mask_words);
+    return trap;
+}
+
+/* Sources advance more slowly than the result: any overlap is taken one
+ * element at a time. */
+c205_trap execute_vector_merge(struct c205 *machine,
+                               const struct decoded *decoded)
+{
+    struct choice choice;
+    struct stream *stream = &choice.stream;
+    c205_trap trap = stream_open(stream, machine, decoded, WORD_BITS);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    if (operands_overlap(&stream->a.vector, &stream->result)
+        || operands_overlap(&stream->b.vector, &stream->result))
+        stream->chunk = 1;
+    store_chosen(&choice, merge_words);
+    return C205_TRAP_NONE;
+}
+
+/* ---- Compress
+ ------------------------------------------------------------ */
+
+/* What keeps an element: the control vector, or how it compares with B, and
+ * then the answer is stored as well. */
+struct sieve {
+    struct stream stream;
+    lanes_compare *comparison; /* NULL: the control vector */
+    struct vector order;       /* where the answers go */
+};
+
+static const c205_word *sieve_words(struct sieve *sieve, size_t first,
+                                    size_t n, uint64_t *keep)
+{
+    struct stream *stream = &sieve->stream;
+    const c205_word *a = source_read(&stream->a, first, n);
+    if (sieve->comparison)
+        sieve->comparison(keep, a, source_read(&stream->b, first, n), n);
+    else
+        control_read(&stream->control, first, n, keep);
+    return a;
+}
+
+static size_t count_kept(struct sieve *sieve)
+{
+    uint64_t keep[CHUNK_WORDS];
+    size_t kept = 0;
+    for (size_t first = 0, n; first < sieve->stream.n; first += n) {
+        n = stream_next(&sieve->stream, first);
+        sieve_words(sieve, first, n, keep);
+        kept += count_ones(keep, n);
+    }
+    return kept;
+}
+
+static size_t store_kept(struct sieve *sieve)
+{
+    struct memory *memory = &sieve->stream.machine->memory;
+    c205_word words[CHUNK];
+    uint64_t keep[CHUNK_WORDS];
+    size_t kept = 0;
+    for (size_t first = 0, n; first < sieve->stream.n; first += n) {
+        n = stream_next(&sieve->stream, first);
+        const c205_word *a = sieve_words(sieve, first, n, keep);
+        size_t count = compress_words(words, a, keep, n);
+        memory_write_words(memory, vector_at(&sieve->stream.result, kept),
+                           words, count);
+        if (sieve->comparison)
+            memory_write_bits(memory, vector_at(&sieve->order, first), keep,
+                              n);
+        kept += count;
+    }
+    return kept;
+}
+
+/* May whole chunks be read before they are stored?  An element never moves
+ * up: a result at or below its source overwrites what has been read. */
+static bool is_ahead(const struct vector *read, const struct vector *written)
+{
+    return !operands_overlap(read, written)
+           || (read->width == written->width
+               && written->address <= read->address);
+}
+
+static bool all_ahead(const struct sieve *sieve)
+{
+    const struct stream *stream = &sieve->stream;
+    const struct vector *c = &stream->result, *order = &sieve->order;
+    return is_ahead(&stream->a.vector, c) && is_ahead(&stream->b.vector, c)
+           && is_ahead(&stream->control.vector, c)
+           && !operands_overlap(&stream->a.vector, order)
+           && !operands_overlap(&stream->b.vector, order)
+           && !operands_overlap(c, order);
+}
+
+/* The result has as many elements as are kept.  They are counted only where
+ * there is no room for all n; where the result changes what is read, there
+ * must be. */
+static c205_trap claim_kept(struct sieve *sieve)
+{
+    struct stream *stream = &sieve->stream;
+    struct c205 *machine = stream->machine;
+    unsigned touches = machine->effect.touch_count;
+    stream->result.length = stream->n;
+    stream->chunk = all_ahead(sieve) ? CHUNK : 1;
+    c205_trap trap = claim_vector(machine, &stream->result, stream->n, true);
+    if (trap != C205_TRAP_NONE && stream->chunk == CHUNK) {
+        machine->fault = 0;
+        trap = claim_vector(machine, &stream->result, count_kept(sieve),
+                            true);
+    }
+    machine->effect.touch_count = touches;
+    return trap;
+}
+
+static void finish_sieve(struct sieve *sieve, const struct decoded *decoded)
+{
+    struct c205 *machine = sieve->stream.machine;
+    c205_word descriptor = machine->slot[decoded->c] & ADDRESS_MASK;
+    size_t kept = store_kept(sieve);
+    if (kept > 0)
+        machine_touch(machine, sieve->stream.result.address,
+                      (uint64_t)kept * WORD_BITS);
+    machine->slot[decoded->result[0]] = descriptor | (c205_word)kept << 48;
+}
+
+c205_trap execute_vector_compress(struct c205 *machine,
+                                  const struct decoded *decoded)
+{
+    struct sieve sieve;
+    struct stream *stream = &sieve.stream;
+    sieve.comparison = NULL;
+    sieve.order = describe_bits(0);
+    c205_trap trap = stream_describe(stream, machine, decoded, WORD_BITS);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    stream->n = stream->control.vector.length;
+    trap = stream_claim_sources(stream);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_kept(&sieve);
+    if (trap == C205_TRAP_NONE)
+        finish_sieve(&sieve, decoded);
+    return trap;
+}
+
+c205_trap execute_arithmetic_compress(struct c205 *machine,
+                                      const struct decoded *decoded)
+{
+    struct sieve sieve;
+    struct stream *stream = &sieve.stream;
+    sieve.comparison = lanes_not_less;
+    c205_trap trap = stream_describe(stream, machine, decoded, WORD_BITS);
+    if (trap == C205_TRAP_NONE)
+        trap = stream_take_length(stream, decoded);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    sieve.order = stream->control.vector;
+    sieve.order.length = stream->n;
+    stream->control.present = false;
+    trap = stream_claim_sources(stream);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_vector(machine, &sieve.order, stream->n, true);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_kept(&sieve);
+    if (trap == C205_TRAP_NONE)
+        finish_sieve(&sieve, decoded);
+    return trap;
+}

@@ -1,0 +1,303 @@
+#include "operand.h"
+
+#include <string.h>
+
+/* ---- Describe ----------------------------------------------------------- */
+
+enum { LENGTH_SHIFT = 48 };
+
+static struct vector describe(c205_word descriptor, unsigned width)
+{
+    struct vector vector;
+    vector.address = descriptor & ADDRESS_MASK;
+    vector.length = (size_t)(descriptor >> LENGTH_SHIFT);
+    vector.width = width;
+    return vector;
+}
+
+/* An offset advances the address and shortens the length (source R). */
+static c205_trap advance(struct vector *vector, c205_word offset)
+{
+    int64_t elements = c205_to_integer(offset);
+    if (elements < 0)
+        return C205_TRAP_BAD_DESCRIPTOR;
+    vector->address += (uint64_t)elements * vector->width;
+    vector->address &= ADDRESS_MASK;
+    vector->length -= (uint64_t)elements < vector->length
+                          ? (size_t)elements
+                          : vector->length;
+    return C205_TRAP_NONE;
+}
+
+struct vector describe_bits(c205_word descriptor)
+{
+    return describe(descriptor, 1);
+}
+
+c205_trap describe_string(struct vector *string, const struct c205 *machine,
+                          uint16_t slot, uint16_t offset)
+{
+    *string = describe_bits(machine->slot[slot]);
+    return offset ? advance(string, machine->slot[offset]) : C205_TRAP_NONE;
+}
+
+/* What a source that is too short goes on with. */
+static c205_word padding_of(const c205_insn *insn)
+{
+    if (insn->flags & C205_INSN_PADO)
+        return C205_ONE;
+    return insn->flags & C205_INSN_PADZ ? C205_MACHINE_ZERO : 0;
+}
+
+/* First the magnitude, then the complement.  It is part of the way to the
+ * pipe, no operation: it sets no data flags. */
+static void control_sign(uint8_t sign, c205_word *words, size_t n)
+{
+    c205_word signless[CHUNK];
+    uint64_t flags = 0;
+    if (sign & C205_G_MAGNITUDE_A) {
+        memcpy(signless, words, n * sizeof *words);
+        lanes_absolute(words, signless, n, &flags);
+    }
+    if (sign & C205_G_NEGATE_A) {
+        memcpy(signless, words, n * sizeof *words);
+        lanes_negate(words, signless, n, &flags);
+    }
+}
+
+static c205_trap describe_source(struct source *source,
+                                 const struct c205 *machine,
+                                 const struct decoded *decoded,
+                                 uint16_t slot, uint16_t offset)
+{
+    source->memory = &machine->memory;
+    source->handed = NULL;
+    source->padded = 0;
+    if (!(decoded->insn->flags & C205_INSN_SIGN))
+        source->sign = 0;
+    if (source->broadcast) {
+        source->vector = describe(0, WORD_BITS);
+        source->padding = machine->slot[slot];
+        control_sign(source->sign, &source->padding, 1);
+        return C205_TRAP_NONE;
+    }
+    source->vector = describe(machine->slot[slot], WORD_BITS);
+    source->padding = padding_of(decoded->insn);
+    return offset ? advance(&source->vector, machine->slot[offset])
+                  : C205_TRAP_NONE;
+}
+
+c205_trap describe_a(struct source *source, const struct c205 *machine,
+                     const struct decoded *decoded)
+{
+    uint8_t g = decoded->fields.g;
+    source->broadcast = g & C205_G_BROADCAST_A
+                        || decoded->insn->format == C205_FORMAT_SCALARS;
+    source->sign = g & (C205_G_NEGATE_A | C205_G_MAGNITUDE_A);
+    return describe_source(source, machine, decoded, decoded->a, decoded->x);
+}
+
+c205_trap describe_b(struct source *source, const struct c205 *machine,
+                     const struct decoded *decoded)
+{
+    uint8_t g = decoded->fields.g;
+    source->broadcast = g & C205_G_BROADCAST_B
+                        || decoded->insn->format == C205_FORMAT_SCALARS;
+    source->sign = g & C205_G_MAGNITUDE_B ? C205_G_MAGNITUDE_A : 0;
+    return describe_source(source, machine, decoded, decoded->b, decoded->y);
+}
+
+void describe_control(struct control *control, const struct c205 *machine,
+                      const struct decoded *decoded)
+{
+    control->memory = &machine->memory;
+    control->present = decoded->z != 0;
+    control->vector = describe_bits(machine->slot[decoded->z]);
+    control->blocked = decoded->fields.g & C205_G_ZEROS ? UINT64_MAX : 0;
+}
+
+c205_trap describe_result(struct vector *result, struct control *control,
+                          const struct c205 *machine,
+                          const struct decoded *decoded, unsigned width)
+{
+    describe_control(control, machine, decoded);
+    *result = describe(machine->slot[decoded->fields.c], width);
+    if (!(decoded->fields.g & C205_G_OFFSET))
+        return C205_TRAP_NONE;
+    c205_word offset = machine->slot[decoded->fields.c + 1];
+    c205_trap trap = advance(result, offset);
+    return trap == C205_TRAP_NONE ? advance(&control->vector, offset) : trap;
+}
+
+/* ---- Claim -------------------------------------------------------------- */
+
+c205_trap claim_vector(struct c205 *machine, struct vector *vector,
+                       size_t count, bool write)
+{
+    if (vector->length > count)
+        vector->length = count;
+    if (vector->length == 0)
+        return C205_TRAP_NONE;
+    uint64_t bits = (uint64_t)vector->length * vector->width;
+    if (vector->address % vector->width)
+        return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND,
+                             vector->address);
+    machine_touch(machine, vector->address, bits);
+    return memory_check(&machine->memory, vector->address, bits, write,
+                        &machine->fault);
+}
+
+c205_trap claim_source(struct c205 *machine, struct source *source,
+                       size_t count)
+{
+    return claim_vector(machine, &source->vector, count, false);
+}
+
+c205_trap claim_control(struct c205 *machine, struct control *control,
+                        size_t count)
+{
+    control->vector.length = control->present ? count : 0;
+    return claim_vector(machine, &control->vector, count, false);
+}
+
+bool operands_overlap(const struct vector *one, const struct vector *other)
+{
+    return one->address < vector_at(other, other->length)
+           && other->address < vector_at(one, one->length);
+}
+
+/* Where the result lies above the source by so many elements, that many are
+ * still as they were; where it lies at it or below, only what has been read
+ * is overwritten. */
+size_t operand_lead(const struct vector *read, const struct vector *written)
+{
+    if (!operands_overlap(read, written))
+        return CHUNK;
+    if (read->width != written->width)
+        return 1;
+    if (written->address <= read->address)
+        return CHUNK;
+    uint64_t lead = (written->address - read->address) / read->width;
+    return lead < CHUNK ? (size_t)lead : CHUNK;
+}
+
+/* ---- Read --------------------------------------------------------------- */
+
+static const c205_word *padding_words(struct source *source, size_t n)
+{
+    for (; source->padded < n; source->padded++)
+        source->space[source->padded] = source->padding;
+    return source->space;
+}
+
+static const c205_word *filled_space(struct source *source, size_t first,
+                                     size_t n)
+{
+    size_t left = source->vector.length - first;
+    size_t in_memory = left < n ? left : n;
+    memory_read_words(source->memory, vector_at(&source->vector, first),
+                      source->space, in_memory);
+    control_sign(source->sign, source->space, in_memory);
+    source->padded = 0;
+    for (size_t i = in_memory; i < n; i++)
+        source->space[i] = source->padding;
+    return source->space;
+}
+
+static const c205_word *handed_words(struct source *source, size_t n)
+{
+    if (!source->sign)
+        return source->handed;
+    memcpy(source->space, source->handed, n * sizeof *source->space);
+    control_sign(source->sign, source->space, n);
+    return source->space;
+}
+
+const c205_word *source_read(struct source *source, size_t first, size_t n)
+{
+    size_t count = n;
+    const c205_word *span;
+    if (source->handed)
+        return handed_words(source, n);
+    if (first >= source->vector.length)
+        return padding_words(source, n);
+    if (source->sign || n > source->vector.length - first)
+        return filled_space(source, first, n);
+    span = memory_read_span(source->memory,
+                            vector_at(&source->vector, first), &count);
+    return count == n ? span : filled_space(source, first, n);
+}
+
+void control_read(const struct control *control, size_t first, size_t n,
+                  uint64_t *permitted)
+{
+    size_t words = (n + 63) / 64;
+    if (control->present)
+        memory_read_bits(control->memory,
+                         vector_at(&control->vector, first), permitted, n);
+    for (size_t i = 0; i < words; i++)
+        permitted[i] = control->present ? permitted[i] ^ control->blocked
+                                        : UINT64_MAX;
+    if (n % 64)
+        permitted[words - 1] &= UINT64_MAX << (64 - n % 64);
+}
+
+/* ---- Store -------------------------------------------------------------- */
+
+void result_store(struct c205 *machine, const struct vector *result,
+                  const struct control *control, size_t first,
+                  const c205_word *words, size_t n)
+{
+    uint64_t address = vector_at(result, first);
+    c205_word merged[CHUNK];
+    uint64_t permitted[CHUNK_WORDS];
+    if (control->present) {
+        control_read(control, first, n, permitted);
+        memory_read_words(&machine->memory, address, merged, n);
+        lanes_store_masked(merged, words, permitted, n);
+        words = merged;
+    }
+    memory_write_words(&machine->memory, address, words, n);
+}
+
+void result_store_bits(struct c205 *machine, const struct vector *result,
+                       const struct control *control, size_t first,
+                       const uint64_t *bits, size_t n)
+{
+    uint64_t address = vector_at(result, first);
+    uint64_t merged[CHUNK_WORDS], permitted[CHUNK_WORDS];
+    if (control->present) {
+        control_read(control, first, n, permitted);
+        memory_read_bits(&machine->memory, address, merged, n);
+        for (size_t i = 0; i < (n + 63) / 64; i++)
+            merged[i] ^= (merged[i] ^ bits[i]) & permitted[i];
+        bits = merged;
+    }
+    memory_write_bits(&machine->memory, address, bits, n);
+}
+
+/* ---- Elements and their bits -------------------------------------------- */
+
+size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits,
+                      size_t n)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < n; i += 64) {
+        size_t end = n - i < 64 ? n : i + 64;
+        uint64_t rest = bits[i / 64];
+        for (size_t j = i; j < end; j++, rest <<= 1) {
+            c[count] = a[j];
+            count += rest >> 63;
+        }
+    }
+    return count;
+}
+
+size_t count_ones(const uint64_t *bits, size_t n)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < (n + 63) / 64; i++)
+        for (uint64_t rest = bits[i]; rest; rest &= rest - 1)
+            count++;
+    return count;
+}

@@ -1,0 +1,212 @@
+/* reduce.c - vectors to one number in a register. */
+#include "vector.h"
+
+static c205_trap open_sources(struct stream *stream, struct c205 *machine,
+                              const struct decoded *decoded)
+{
+    c205_trap trap = stream_describe_sources(stream, machine, decoded);
+    return trap == C205_TRAP_NONE ? stream_claim_sources(stream) : trap;
+}
+
+/* ---- Sum, product, dot -------------------------------------------------- */
+
+typedef void fold(c205_word *accumulator, const c205_word *a, size_t n,
+                  uint64_t *flags);
+
+struct reduction {
+    c205_word start;    /* the result of no element */
+    lanes_binary *pair; /* makes one number of A and B; NULL: take A */
+    fold *fold;
+};
+
+/* The elements that the control vector lets through, in their order. */
+struct some {
+    c205_word a[CHUNK], b[CHUNK];
+};
+
+static size_t take_permitted(const struct stream *stream, size_t first,
+                             size_t n, struct some *some,
+                             const c205_word **a, const c205_word **b)
+{
+    uint64_t permitted[CHUNK_WORDS];
+    if (!stream->control.present)
+        return n;
+    control_read(&stream->control, first, n, permitted);
+    bool same = *b == *a;
+    if (!same)
+        compress_words(some->b, *b, permitted, n);
+    n = compress_words(some->a, *a, permitted, n);
+    *a = some->a;
+    *b = same ? some->a : some->b;
+    return n;
+}
+
+static c205_word run_reduction(struct stream *stream,
+                               const struct reduction *reduction)
+{
+    uint64_t *flags = &stream->machine->data_flags;
+    c205_word accumulator = reduction->start, pairs[CHUNK];
+    struct some some;
+    for (size_t first = 0, n; first < stream->n; first += n) {
+        n = stream_next(stream, first);
+        const c205_word *a = source_read(&stream->a, first, n);
+        const c205_word *b =
+            reduction->pair ? source_read(&stream->b, first, n) : a;
+        size_t count = take_permitted(stream, first, n, &some, &a, &b);
+        if (reduction->pair) {
+            reduction->pair(pairs, a, b, count, flags);
+            a = pairs;
+        }
+        reduction->fold(&accumulator, a, count, flags);
+    }
+    return accumulator;
+}
+
+static c205_trap reduce(struct c205 *machine, const struct decoded *decoded,
+                        const struct reduction *reduction)
+{
+    struct stream stream;
+    c205_trap trap = open_sources(&stream, machine, decoded);
+    if (trap == C205_TRAP_NONE)
+        machine->slot[decoded->c] = run_reduction(&stream, reduction);
+    return trap;
+}
+
+c205_trap execute_vector_sum(struct c205 *machine,
+                             const struct decoded *decoded)
+{
+    static const struct reduction sum = { C205_MACHINE_ZERO, NULL,
+                                          lanes_sum };
+    return reduce(machine, decoded, &sum);
+}
+
+c205_trap execute_vector_product(struct c205 *machine,
+                                 const struct decoded *decoded)
+{
+    static const struct reduction product = { C205_ONE, NULL,
+                                              lanes_product };
+    return reduce(machine, decoded, &product);
+}
+
+c205_trap execute_vector_dot(struct c205 *machine,
+                             const struct decoded *decoded)
+{
+    static const struct reduction dot = { C205_MACHINE_ZERO,
+                                          lanes_multiply_significant,
+                                          lanes_sum };
+    return reduce(machine, decoded, &dot);
+}
+
+/* ---- Maximum, minimum --------------------------------------------------- */
+
+/* The best element so far; the first of equals.  An indefinite one cannot
+ * be compared: the first of them is the result. */
+struct best {
+    c205_word word;
+    size_t index;
+    bool found, indefinite;
+    bool greatest; /* wanted; else the least */
+};
+
+static bool is_better(const struct best *best, c205_word word)
+{
+    if (!best->found || word_is_indefinite(word))
+        return true;
+    return best->greatest ? arith_less(best->word, word)
+                          : arith_less(word, best->word);
+}
+
+static void find_best(struct best *best, const c205_word *a, size_t first,
+                      size_t n, const uint64_t *permitted)
+{
+    for (size_t i = 0; i < n && !best->indefinite; i++)
+        if (bit_at(permitted, i) && is_better(best, a[i])) {
+            best->word = a[i];
+            best->index = first + i;
+            best->found = true;
+            best->indefinite = word_is_indefinite(a[i]);
+        }
+}
+
+static c205_trap extreme(struct c205 *machine, const struct decoded *decoded,
+                         bool greatest)
+{
+    struct best best = { C205_INDEFINITE, 0, false, false, greatest };
+    struct stream stream;
+    uint64_t permitted[CHUNK_WORDS];
+    c205_trap trap = open_sources(&stream, machine, decoded);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    for (size_t first = 0, n; first < stream.n; first += n) {
+        n = stream_next(&stream, first);
+        control_read(&stream.control, first, n, permitted);
+        find_best(&best, source_read(&stream.a, first, n), first, n,
+                  permitted);
+    }
+    if (word_is_indefinite(best.word))
+        machine->data_flags |= FLAG_INDEFINITE;
+    if (word_is_machine_zero(best.word))
+        machine->data_flags |= FLAG_MACHINE_ZERO;
+    machine->slot[decoded->c] = best.word;
+    machine->slot[decoded->fields.c + 1] = best.found ? best.index : stream.n;
+    return C205_TRAP_NONE;
+}
+
+c205_trap execute_vector_maximum(struct c205 *machine,
+                                 const struct decoded *decoded)
+{
+    return extreme(machine, decoded, true);
+}
+
+c205_trap execute_vector_minimum(struct c205 *machine,
+                                 const struct decoded *decoded)
+{
+    return extreme(machine, decoded, false);
+}
+
+/* ---- Select ------------------------------------------------------------- */
+
+/* The place of the first one, or n. */
+static size_t first_one(const uint64_t *bits, size_t n)
+{
+    size_t i = 0;
+    while (i < n && !bit_at(bits, i))
+        i += bits[i / 64] ? 1 : 64;
+    return i < n ? i : n;
+}
+
+static c205_trap select_first(struct c205 *machine,
+                              const struct decoded *decoded,
+                              lanes_compare *comparison)
+{
+    struct stream stream;
+    uint64_t bits[CHUNK_WORDS], permitted[CHUNK_WORDS];
+    size_t first = 0, found = 0;
+    c205_trap trap = open_sources(&stream, machine, decoded);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    while (found == 0 && first < stream.n) {
+        size_t n = stream_next(&stream, first);
+        const c205_word *a = source_read(&stream.a, first, n);
+        comparison(bits, a, source_read(&stream.b, first, n), n);
+        control_read(&stream.control, first, n, permitted);
+        for (size_t i = 0; i < CHUNK_WORDS && i * 64 < n; i++)
+            bits[i] &= permitted[i];
+        size_t place = first_one(bits, n);
+        found = place < n;
+        first += place;
+    }
+    machine->slot[decoded->c] = first;
+    return C205_TRAP_NONE;
+}
+
+#define SELECT(name) \
+    c205_trap execute_select_##name(struct c205 *machine, \
+                                    const struct decoded *decoded) \
+    { \
+        return select_first(machine, decoded, lanes_##name); \
+    }
+SELECT(equal)
+SELECT(not_equal)
+SELECT(not_less)
+SELECT(less)

@@ -1,0 +1,100 @@
+/* region.c - which region of the accounts an instruction belongs to. */
+#include "machine.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int by_address(const void *left, const void *right)
+{
+    const struct region_range *a = left, *b = right;
+    return (a->begin > b->begin) - (a->begin < b->begin);
+}
+
+uint32_t machine_region(const struct c205 *machine, uint64_t pc)
+{
+    size_t low = 0, high = machine->range_count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        const struct region_range *range = &machine->ranges[middle];
+        if (pc >= range->begin && pc < range->end)
+            return range->region;
+        if (pc < range->begin)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return 0;
+}
+
+/* The account of a name, which is added where it is new. */
+static uint32_t account_of(const char **names, size_t *count,
+                           const char *name)
+{
+    size_t i = 0;
+    while (i < *count && strcmp(names[i], name) != 0)
+        i++;
+    if (i == *count)
+        names[(*count)++] = name;
+    return (uint32_t)i;
+}
+
+static bool check_ranges(const struct region_range *ranges, size_t count,
+                         const char *const *names, c205_error *error)
+{
+    for (size_t i = 0; i < count; i++) {
+        const char *wrong = NULL;
+        if (ranges[i].begin > ranges[i].end)
+            wrong = "ends before it begins";
+        else if (i > 0 && ranges[i - 1].end > ranges[i].begin)
+            wrong = "overlaps another";
+        if (!wrong)
+            continue;
+        snprintf(error->message, sizeof error->message,
+                 "the region %.100s %s, at %llX", names[ranges[i].region],
+                 wrong, (unsigned long long)ranges[i].begin);
+        return false;
+    }
+    return true;
+}
+
+static bool set_ranges(struct c205 *machine, const c205_program *program,
+                       struct region_range *ranges, const char **names,
+                       c205_error *error)
+{
+    size_t name_count = 1;
+    names[0] = "";
+    for (size_t i = 0; i < program->region_count; i++) {
+        const c205_region *region = &program->regions[i];
+        ranges[i].begin = region->begin;
+        ranges[i].end = region->end;
+        ranges[i].region = account_of(names, &name_count, region->name);
+    }
+    qsort(ranges, program->region_count, sizeof *ranges, by_address);
+    return check_ranges(ranges, program->region_count,
+                        (const char *const *)names, error)
+           && clock_set_regions(machine->clock, (const char *const *)names,
+                             name_count, error);
+}
+
+bool machine_set_regions(struct c205 *machine, const c205_program *program,
+                         c205_error *error)
+{
+    size_t count = program->region_count;
+    struct region_range *ranges = malloc((count + 1) * sizeof *ranges);
+    const char **names = malloc((count + 1) * sizeof *names);
+    bool done = ranges && names
+                && set_ranges(machine, program, ranges, names, error);
+    if (!ranges || !names)
+        snprintf(error->message, sizeof error->message,
+                 "no memory left for the regions of a program");
+    free(names);
+    if (!done) {
+        free(ranges);
+        return false;
+    }
+    free(machine->ranges);
+    machine->ranges = ranges;
+    machine->range_count = count;
+    return true;
+}

@@ -1,0 +1,155 @@
+/* scalar.c - arithmetic on registers, and loads, stores and the register
+ * swap.  Register 0 needs no care: see SLOT_MACHINE_ZERO and SLOT_SINK.
+ */
+#include "machine.h"
+
+#include <string.h>
+
+#define LOW(word) ((word) & ADDRESS_MASK)
+#define HIGH(word) ((word) & ~ADDRESS_MASK)
+enum { LENGTH_SHIFT = 48 };
+
+/* T := value, where a, b are the words of R and S. */
+#define TO_T(name, value) \
+    c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
+    { \
+        const c205_word a = machine->slot[d->a], b = machine->slot[d->b]; \
+        (void)a, (void)b; \
+        machine->slot[d->c] = (value); \
+        return C205_TRAP_NONE; \
+    }
+
+/* R := value, where a is the word of R and i the immediate. */
+#define TO_R(name, value) \
+    c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
+    { \
+        const c205_word a = machine->slot[d->a]; \
+        const uint64_t i = (uint64_t)d->fields.immediate; \
+        (void)a; \
+        machine->slot[d->result[0]] = (value); \
+        return C205_TRAP_NONE; \
+    }
+
+/* ---- Registers: enter, move, index and address arithmetic --------------- */
+
+TO_R(enter_short, LOW(i))
+TO_R(enter_long, LOW(i))
+TO_R(increase_short, HIGH(a) | LOW(a + i))
+TO_R(increase_long, HIGH(a) | LOW(a + i))
+TO_R(enter_length, LOW(a) | i << LENGTH_SHIFT)
+
+TO_T(add_length, a + (b << LENGTH_SHIFT))
+TO_T(length_to_register, a >> LENGTH_SHIFT)
+TO_T(move_register, a)
+TO_T(add_index, HIGH(a) | LOW(a + b))
+TO_T(subtract_index, HIGH(a) | LOW(a - b))
+TO_T(multiply_index, LOW(a * b))
+
+/* ---- Arithmetic --------------------------------------------------------- */
+
+#define TWO_OPERANDS(name) \
+    TO_T(name, arith_##name(a, b, &machine->data_flags))
+#define ONE_OPERAND(name) TO_T(name, arith_##name(a, &machine->data_flags))
+
+TWO_OPERANDS(add_upper)
+TWO_OPERANDS(add_lower)
+TWO_OPERANDS(add_normalised)
+TWO_OPERANDS(subtract_upper)
+TWO_OPERANDS(subtract_lower)
+TWO_OPERANDS(subtract_normalised)
+TWO_OPERANDS(multiply_upper)
+TWO_OPERANDS(multiply_lower)
+TWO_OPERANDS(multiply_significant)
+TWO_OPERANDS(divide_upper)
+TWO_OPERANDS(divide_significant)
+ONE_OPERAND(truncate)
+ONE_OPERAND(floor)
+ONE_OPERAND(square_root)
+ONE_OPERAND(absolute)
+ONE_OPERAND(exponent)
+
+/* ---- Shift and logical -------------------------------------------------- */
+
+TO_T(shift_immediate, arith_shift(a, d->fields.immediate))
+TO_T(shift_register, arith_shift(a, c205_to_integer(b)))
+TO_T(exclusive_or, a ^ b)
+TO_T(and, a & b)
+TO_T(or, a | b)
+
+/* ---- Memory ------------------------------------------------------------- */
+
+/* The word's address, R + 64 S. */
+static uint64_t operand_address(const struct c205 *machine,
+                                const struct decoded *decoded)
+{
+    return LOW(machine->slot[decoded->a]
+               + machine->slot[decoded->b] * WORD_BITS);
+}
+
+c205_trap execute_load_word(struct c205 *machine,
+                            const struct decoded *decoded)
+{
+    uint64_t address = operand_address(machine, decoded);
+    c205_trap trap = memory_load(&machine->memory, address,
+                                 &machine->slot[decoded->c]);
+    if (trap != C205_TRAP_NONE)
+        return machine_fault(machine, trap, address);
+    machine_touch(machine, address, WORD_BITS);
+    return C205_TRAP_NONE;
+}
+
+c205_trap execute_store_word(struct c205 *machine,
+                             const struct decoded *decoded)
+{
+    uint64_t address = operand_address(machine, decoded);
+    c205_trap trap = memory_store(&machine->memory, address,
+                                  machine->slot[decoded->c]);
+    if (trap != C205_TRAP_NONE)
+        return machine_fault(machine, trap, address);
+    machine_touch(machine, address, WORD_BITS);
+    return C205_TRAP_NONE;
+}
+
+/* ---- Swap --------------------------------------------------------------- */
+
+/* Of the vector in a register: may so many registers from first on be moved
+ * there or from there? */
+static c205_trap check_swap(struct c205 *machine, c205_word descriptor,
+                            unsigned first, bool save)
+{
+    uint64_t address = LOW(descriptor);
+    size_t length = (size_t)(descriptor >> LENGTH_SHIFT);
+    if (first + length > C205_REGISTERS)
+        return machine_fault(machine, C205_TRAP_BAD_DESCRIPTOR, address);
+    if (length > 0 && address % WORD_BITS)
+        return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND, address);
+    return memory_check(&machine->memory, address, length * WORD_BITS, save,
+                        &machine->fault);
+}
+
+/* First saves to vector T, then loads from vector R: where they overlap,
+ * what was saved is loaded. */
+c205_trap execute_swap_registers(struct c205 *machine,
+                                 const struct decoded *decoded)
+{
+    unsigned first = decoded->fields.s;
+    c205_word from = machine->slot[decoded->a], to = machine->slot[decoded->c];
+    size_t loaded = (size_t)(from >> LENGTH_SHIFT);
+    size_t saved = (size_t)(to >> LENGTH_SHIFT);
+    c205_trap trap = check_swap(machine, from, first, false);
+    if (trap == C205_TRAP_NONE)
+        trap = check_swap(machine, to, first, true);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    memory_write_words(&machine->memory, LOW(to), machine->slot + first,
+                       saved);
+    memory_read_words(&machine->memory, LOW(from), machine->slot + first,
+                      loaded);
+    machine->slot[0] = 0;
+    machine->effect.swapped = loaded + saved;
+    if (loaded > 0)
+        machine_touch(machine, LOW(from), loaded * WORD_BITS);
+    if (saved > 0)
+        machine_touch(machine, LOW(to), saved * WORD_BITS);
+    return C205_TRAP_NONE;
+}

@@ -1,0 +1,320 @@
+/* vector.c - vector instructions that work element by element. */
+#include "vector.h"
+
+/* ---- Streams ------------------------------------------------------------ */
+
+c205_trap stream_describe(struct stream *stream, struct c205 *machine,
+                          const struct decoded *decoded, unsigned width)
+{
+    stream->machine = machine;
+    c205_trap trap = describe_a(&stream->a, machine, decoded);
+    if (trap == C205_TRAP_NONE)
+        trap = describe_b(&stream->b, machine, decoded);
+    if (trap == C205_TRAP_NONE)
+        trap = describe_result(&stream->result, &stream->control, machine,
+                               decoded, width);
+    stream->n = stream->result.length;
+    return trap;
+}
+
+c205_trap stream_take_length(struct stream *stream,
+                             const struct decoded *decoded)
+{
+    const struct source *a = &stream->a, *b = &stream->b;
+    bool unary = decoded->insn->format == C205_FORMAT_REDUCE;
+    if (a->broadcast && (unary || b->broadcast))
+        return C205_TRAP_BAD_DESCRIPTOR;
+    stream->n = a->broadcast ? b->vector.length : a->vector.length;
+    return C205_TRAP_NONE;
+}
+
+c205_trap stream_describe_sources(struct stream *stream,
+                                  struct c205 *machine,
+                                  const struct decoded *decoded)
+{
+    stream->machine = machine;
+    stream->result.length = 0;
+    describe_control(&stream->control, machine, decoded);
+    c205_trap trap = describe_a(&stream->a, machine, decoded);
+    if (trap == C205_TRAP_NONE)
+        trap = describe_b(&stream->b, machine, decoded);
+    return trap == C205_TRAP_NONE ? stream_take_length(stream, decoded)
+                                  : trap;
+}
+
+c205_trap stream_claim_sources(struct stream *stream)
+{
+    struct c205 *machine = stream->machine;
+    machine->effect.elements = stream->n;
+    stream->chunk = CHUNK;
+    c205_trap trap = claim_source(machine, &stream->a, stream->n);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_source(machine, &stream->b, stream->n);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_control(machine, &stream->control, stream->n);
+    return trap;
+}
+
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+c205_trap stream_claim(struct stream *stream)
+{
+    c205_trap trap = stream_claim_sources(stream);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_vector(stream->machine, &stream->result, stream->n,
+                            true);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    size_t a = operand_lead(&stream->a.vector, &stream->result);
+    size_t b = operand_lead(&stream->b.vector, &stream->result);
+    size_t z = operand_lead(&stream->control.vector, &stream->result);
+    stream->chunk = least(z, least(a, b));
+    return C205_TRAP_NONE;
+}
+
+c205_trap stream_open(struct stream *stream, struct c205 *machine,
+                      const struct decoded *decoded, unsigned width)
+{
+    c205_trap trap = stream_describe(stream, machine, decoded, width);
+    return trap == C205_TRAP_NONE ? stream_claim(stream) : trap;
+}
+
+/* ---- Operations --------------------------------------------------------- */
+
+static uint64_t flags_of(const struct operation *operation, c205_word *words,
+                         const c205_word *a, const c205_word *b, size_t n)
+{
+    uint64_t flags = 0;
+    if (operation->unary)
+        operation->unary(words, a, n, &flags);
+    else
+        operation->binary(words, a, b, n, &flags);
+    return flags;
+}
+
+/* Flags are seldom set: only then are the elements held back taken out and
+ * the others done once more. */
+static uint64_t permitted_flags(const struct operation *operation,
+                                const c205_word *a, const c205_word *b,
+                                size_t n, const uint64_t *permitted)
+{
+    c205_word words[CHUNK], some_a[CHUNK], some_b[CHUNK];
+    size_t count = compress_words(some_a, a, permitted, n);
+    if (operation->binary)
+        compress_words(some_b, b, permitted, n);
+    return flags_of(operation, words, some_a, some_b, count);
+}
+
+void operate(struct c205 *machine, const struct operation *operation,
+             c205_word *words, const c205_word *a, const c205_word *b,
+             size_t n, const uint64_t *permitted)
+{
+    uint64_t flags = flags_of(operation, words, a, b, n);
+    if (flags && permitted)
+        flags = permitted_flags(operation, a, b, n, permitted);
+    machine->data_flags |= flags;
+}
+
+/* Where a chunk is made: in the result itself where that lies in one piece,
+ * all of it is stored, and it is nothing that is read. */
+static c205_word *result_space(struct stream *stream, size_t first, size_t n,
+                               c205_word *words)
+{
+    size_t count = n;
+    if (stream->control.present
+        || operands_overlap(&stream->a.vector, &stream->result)
+        || operands_overlap(&stream->b.vector, &stream->result))
+        return words;
+    c205_word *span =
+        memory_write_span(&stream->machine->memory,
+                          vector_at(&stream->result, first), &count);
+    return count == n ? span : words;
+}
+
+static void run_stream(struct stream *stream,
+                       const struct operation *operation)
+{
+    c205_word words[CHUNK];
+    uint64_t permitted[CHUNK_WORDS];
+    for (size_t first = 0, n; first < stream->n; first += n) {
+        n = stream_next(stream, first);
+        c205_word *c = result_space(stream, first, n, words);
+        const c205_word *a = source_read(&stream->a, first, n);
+        const c205_word *b =
+            operation->binary ? source_read(&stream->b, first, n) : NULL;
+        control_read(&stream->control, first, n, permitted);
+        operate(stream->machine, operation, c, a, b, n,
+                stream->control.present ? permitted : NULL);
+        if (c == words)
+            result_store(stream->machine, &stream->result, &stream->control,
+                     first, words, n);
+    }
+}
+
+static c205_trap elementwise(struct c205 *machine,
+                             const struct decoded *decoded,
+                             lanes_unary *unary, lanes_binary *binary)
+{
+    struct operation operation = { unary, binary };
+    struct stream stream;
+    c205_trap trap = stream_open(&stream, machine, decoded, WORD_BITS);
+    if (trap == C205_TRAP_NONE)
+        run_stream(&stream, &operation);
+    return trap;
+}
+
+/* Each of these has its function in lanes.h. */
+#define LINKABLE(each) \
+    each(add_upper) each(add_lower) each(add_normalised) \
+    each(subtract_upper) each(subtract_lower) each(subtract_normalised) \
+    each(multiply_upper) each(multiply_lower) each(multiply_significant)
+#define BINARY(each) \
+    LINKABLE(each) each(divide_upper) each(divide_significant) \
+    each(average) each(average_difference) each(shift) each(xor) each(and) \
+    each(or) each(nand) each(nor) each(or_not) each(and_not) \
+    each(equivalence)
+#define UNARY(each) \
+    each(truncate) each(floor) each(square_root) each(absolute) \
+    each(exponent)
+
+#define EXECUTE_BINARY(name) \
+    c205_trap execute_vector_##name(struct c205 *machine, \
+                                    const struct decoded *decoded) \
+    { \
+        return elementwise(machine, decoded, NULL, lanes_##name); \
+    }
+#define EXECUTE_UNARY(name) \
+    c205_trap execute_vector_##name(struct c205 *machine, \
+                                    const struct decoded *decoded) \
+    { \
+        return elementwise(machine, decoded, lanes_##name, NULL); \
+    }
+
+BINARY(EXECUTE_BINARY)
+UNARY(EXECUTE_UNARY)
+
+c205_trap execute_vector_transmit(struct c205 *machine,
+                                  const struct decoded *decoded)
+{
+    return elementwise(machine, decoded, lanes_copy, NULL);
+}
+
+struct operation linked_operation(const struct decoded *decoded)
+{
+#define LINKED(name) { execute_vector_##name, lanes_##name },
+    static const struct {
+        semantics *execute;
+        lanes_binary *lanes;
+    } linked[] = { LINKABLE(LINKED) };
+    struct operation operation = { NULL, NULL };
+    for (size_t i = 0; i < sizeof linked / sizeof linked[0]; i++)
+        if (linked[i].execute == decoded->execute)
+            operation.binary = linked[i].lanes;
+    return operation;
+}
+
+/* ---- Delta, interval ---------------------------------------------------- */
+
+/* Two streams over A, the first one element ahead. */
+c205_trap execute_vector_delta(struct c205 *machine,
+                               const struct decoded *decoded)
+{
+    struct operation operation = { NULL, lanes_subtract_normalised };
+    struct stream stream;
+    c205_trap trap = stream_describe(&stream, machine, decoded, WORD_BITS);
+    if (trap == C205_TRAP_NONE)
+        trap = describe_a(&stream.b, machine, decoded);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    if (stream.a.vector.length > 0) {
+        stream.a.vector.address =
+            (stream.a.vector.address + WORD_BITS) & ADDRESS_MASK;
+        stream.a.vector.length--;
+    }
+    trap = stream_claim(&stream);
+    if (trap == C205_TRAP_NONE)
+        run_stream(&stream, &operation);
+    return trap;
+}
+
+/* n elements by repeated upper addition, the first of them *value; the next
+ * is left there.  They do not depend on the control vector, flags do: each
+ * comes with the sum that is stored. */
+struct progression {
+    c205_word value, step;
+    uint64_t raised; /* flags of value */
+};
+
+static void make_interval(struct c205 *machine,
+                          struct progression *progression, c205_word *words,
+                          size_t n, const uint64_t *permitted)
+{
+    for (size_t i = 0; i < n; i++) {
+        words[i] = progression->value;
+        if (bit_at(permitted, i))
+            machine->data_flags |= progression->raised;
+        progression->raised = 0;
+        progression->value = arith_add_upper(
+            progression->value, progression->step, &progression->raised);
+    }
+}
+
+static void run_interval(struct stream *stream)
+{
+    struct progression progression = { stream->a.padding,
+                                       stream->b.padding, 0 };
+    c205_word words[CHUNK];
+    uint64_t permitted[CHUNK_WORDS];
+    for (size_t first = 0, n; first < stream->n; first += n) {
+        n = stream_next(stream, first);
+        control_read(&stream->control, first, n, permitted);
+        make_interval(stream->machine, &progression, words, n, permitted);
+        result_store(stream->machine, &stream->result, &stream->control,
+                     first, words, n);
+    }
+}
+
+c205_trap execute_vector_interval(struct c205 *machine,
+                                  const struct decoded *decoded)
+{
+    struct stream stream;
+    c205_trap trap = stream_open(&stream, machine, decoded, WORD_BITS);
+    if (trap == C205_TRAP_NONE)
+        run_interval(&stream);
+    return trap;
+}
+
+/* ---- Compare ------------------------------------------------------------ */
+
+static c205_trap compare(struct c205 *machine, const struct decoded *decoded,
+                         lanes_compare *comparison)
+{
+    struct stream stream;
+    uint64_t bits[CHUNK_WORDS];
+    c205_trap trap = stream_open(&stream, machine, decoded, 1);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    for (size_t first = 0, n; first < stream.n; first += n) {
+        n = stream_next(&stream, first);
+        const c205_word *a = source_read(&stream.a, first, n);
+        const c205_word *b = source_read(&stream.b, first, n);
+        comparison(bits, a, b, n);
+        result_store_bits(machine, &stream.result, &stream.control, first,
+                          bits, n);
+    }
+    return C205_TRAP_NONE;
+}
+
+#define COMPARE(name) \
+    c205_trap execute_compare_##name(struct c205 *machine, \
+                                     const struct decoded *decoded) \
+    { \
+        return compare(machine, decoded, lanes_##name); \
+    }
+COMPARE(equal)
+COMPARE(not_equal)
+COMPARE(not_less)
+COMPARE(less)

@@ -1,0 +1,58 @@
+/* vector.h - what the vector instructions share: two sources, a control
+ * vector and a result that run side by side in chunks.
+ */
+#ifndef C205_VECTOR_H
+#define C205_VECTOR_H
+
+#include "operand.h"
+
+struct stream {
+    struct c205 *machine;
+    struct source a, b;
+    struct control control;
+    struct vector result;
+    size_t n;     /* elements */
+    size_t chunk; /* at most so many at once */
+};
+
+/* What is done with the elements: one of the two. */
+struct operation {
+    lanes_unary *unary;
+    lanes_binary *binary;
+};
+
+/* Describe the operands; n is the length of the result. */
+c205_trap stream_describe(struct stream *stream, struct c205 *machine,
+                          const struct decoded *decoded, unsigned width);
+/* The same for results that are registers: n is the length of a source. */
+c205_trap stream_describe_sources(struct stream *stream,
+                                  struct c205 *machine,
+                                  const struct decoded *decoded);
+/* n := the length of A, or that of B where A is broadcast. */
+c205_trap stream_take_length(struct stream *stream,
+                             const struct decoded *decoded);
+/* Claim what will be read and written, and settle the chunk. */
+c205_trap stream_claim(struct stream *stream);
+/* .. where the result is a register, or not stored. */
+c205_trap stream_claim_sources(struct stream *stream);
+/* Describe and claim. */
+c205_trap stream_open(struct stream *stream, struct c205 *machine,
+                      const struct decoded *decoded, unsigned width);
+
+/* How many elements come next. */
+static inline size_t stream_next(const struct stream *stream, size_t first)
+{
+    size_t left = stream->n - first;
+    return left < stream->chunk ? left : stream->chunk;
+}
+
+/* words := operation(a, b); data flags come from the elements permitted
+ * (NULL: all). */
+void operate(struct c205 *machine, const struct operation *operation,
+             c205_word *words, const c205_word *a, const c205_word *b,
+             size_t n, const uint64_t *permitted);
+
+/* The elementwise operation of an instruction that may be linked. */
+struct operation linked_operation(const struct decoded *decoded);
+
+#endif
