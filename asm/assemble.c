@@ -1,0 +1,115 @@
+#include "asm/assemble.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/expand.h"
+#include "asm/file.h"
+
+static bool define(struct assembler *assembler)
+{
+    const struct asm_define *define = NULL;
+    struct value value = { VALUE_INTEGER, 0 };
+
+    if (assembler->options)
+        define = assembler->options->defines;
+    for (; define && define->name; define++) {
+        struct symbol *symbol = symbol_intern(assembler, define->name,
+                                              strlen(define->name));
+
+        if (!symbol)
+            return false;
+        symbol->kind = SYMBOL_CONSTANT;
+        symbol->value = value;
+        symbol->value.bits = (uint64_t)define->value;
+    }
+    return true;
+}
+
+static void start(struct assembler *assembler)
+{
+    static const struct section sections[] = {
+        { ".code", CODE_ORIGIN, false }, { ".data", DATA_ORIGIN, false }
+    };
+
+    memcpy(assembler->sections, sections, sizeof sections);
+    assembler->section = &assembler->sections[0];
+}
+
+static struct object *run_passes(struct assembler *assembler,
+                                 const struct source *source)
+{
+    const struct line *line;
+    bool halted;
+
+    start(assembler);
+    assembler->expander = expander_new(assembler, source);
+    if (!assembler->expander || !define(assembler))
+        return NULL;
+    while ((line = expander_next(assembler->expander)) != NULL
+           && !assembler->arena->failed)
+        parse_line(assembler, line);
+    halted = assembler->expander->halted;
+    assembler->expander = NULL;
+    if (halted || assembler->arena->failed || too_many_errors(assembler))
+        return NULL;
+    return encode_program(assembler);
+}
+
+static struct object *assemble(const struct source *source,
+                               const struct asm_options *options,
+                               struct asm_errors *errors)
+{
+    struct arena arena = { NULL, false };
+    struct assembler *assembler = arena_take(&arena, sizeof *assembler);
+    struct object *object = NULL;
+
+    if (assembler) {
+        assembler->arena = &arena;
+        assembler->options = options;
+        assembler->errors = errors;
+        assembler->first_error = errors->count;
+        object = run_passes(assembler, source);
+    }
+    if (arena.failed) {
+        report_file(errors, source->name, "the host has no memory left");
+        object_free(object);
+        object = NULL;
+    }
+    arena_free(&arena);
+    return object;
+}
+
+struct object *assemble_text(const char *name, const char *text,
+                             const struct asm_options *options,
+                             struct asm_errors *errors)
+{
+    struct source source;
+
+    source.name = name;
+    source.text = text;
+    source.end = text + strlen(text);
+    return assemble(&source, options, errors);
+}
+
+struct object *assemble_file(const char *path,
+                             const struct asm_options *options,
+                             struct asm_errors *errors)
+{
+    struct source source;
+    struct object *object;
+    c205_error error;
+    size_t length;
+    char *text = file_read(path, &length, &error);
+
+    if (!text) {
+        report_file(errors, path, error.message);
+        return NULL;
+    }
+    source.name = path;
+    source.text = text;
+    source.end = text + length;
+    object = assemble(&source, options, errors);
+    free(text);
+    return object;
+}

@@ -1,0 +1,95 @@
+/* assemble.h - from program text to a program the machine can load.
+ *
+ *   lex -> expand (includes, macros, repetition, conditions) -> parse ->
+ *   encode -> object
+ *
+ * The language is described in docs/assembly.md.  Nothing here prints or
+ * exits; all errors of a text are collected in one go.
+ */
+#ifndef ASM_ASSEMBLE_H
+#define ASM_ASSEMBLE_H
+
+#include "asm/sink.h"
+#include "vm/c205.h"
+
+struct text;
+
+struct asm_error {
+    char *file;
+    size_t line, column; /* from 1; line 0: the file as a whole */
+    char *message;
+    char *source;        /* the text of that line */
+};
+
+/* Zero it to begin. */
+struct asm_errors {
+    size_t count;
+    struct asm_error *items;
+};
+
+struct asm_symbol {
+    const char *name;
+    int64_t value; /* labels: bit address */
+    bool is_label;
+    bool is_word;  /* value holds the bits of a 205 word, not an integer */
+};
+
+/* Where a statement's words lie, for listings, debuggers and profiles. */
+struct asm_line {
+    uint64_t address;
+    uint64_t halves;
+    const char *file;
+    size_t number;
+    const char *source;
+};
+
+/* What a test program expects (its "; expect" comments): asm/expect.h. */
+struct asm_expectation;
+
+struct object {
+    c205_program program;
+    size_t symbol_count;
+    const struct asm_symbol *symbols; /* sorted by name */
+    size_t line_count;                /* 0 when read from an object file */
+    const struct asm_line *lines;     /* sorted by address */
+    size_t expectation_count;
+    const struct asm_expectation *expectations;
+};
+
+struct asm_define {
+    const char *name;
+    int64_t value;
+};
+
+struct asm_options {
+    const struct asm_define *defines; /* as .equ before the first line;
+                                         ends with a NULL name; or NULL */
+    const char *const *search;        /* folders for .include, NULL-terminated
+                                         or NULL; the file's own comes first */
+    /* Texts that are included by name before any folder is looked at: the
+     * library of asm/lib and, for rt, the kernels.  NULL-terminated array of
+     * text tables (vm/text.h); the library is always there. */
+    const struct text *const *texts;
+};
+
+/* NULL: errors, or the file cannot be read (then that is the error).  options
+ * may be NULL. */
+struct object *assemble_file(const char *path,
+                             const struct asm_options *options,
+                             struct asm_errors *errors);
+struct object *assemble_text(const char *name, const char *text,
+                             const struct asm_options *options,
+                             struct asm_errors *errors);
+void object_free(struct object *object);
+
+/* file:line:column: error: what was expected, the source line, a caret. */
+void asm_error_print(const struct asm_error *error, const struct sink *sink);
+void asm_errors_print(const struct asm_errors *errors,
+                      const struct sink *sink);
+void asm_errors_free(struct asm_errors *errors);
+
+/* NULL: no such symbol. */
+const struct asm_symbol *object_symbol(const struct object *object,
+                                       const char *name);
+
+#endif

@@ -1,0 +1,186 @@
+/* assembler.h - what the passes of one assembly share.  Not public.
+ *
+ * The passes run line by line: expand hands out logical lines (after
+ * includes, macros, repetition and conditions), parse turns each into items
+ * that lie at known addresses and whose values are expressions, and when the
+ * last line is read, every label known, encode turns items into words.
+ *
+ * Pointers into program text stay good during the whole assembly.  Functions
+ * that can fail return false or NULL after they have reported why.
+ */
+#ifndef ASM_ASSEMBLER_H
+#define ASM_ASSEMBLER_H
+
+#include "asm/arena.h"
+#include "asm/assemble.h"
+#include "asm/expect.h"
+
+/* Bounds, so that no text makes the assembler run away. */
+#define MAX_WORDS ((uint64_t)1 << 26)      /* of a program */
+#define MAX_EXPANSION ((uint64_t)1 << 26)  /* bytes made by .macro and .rept */
+#define MAX_LINE ((size_t)1 << 16)         /* bytes of one line */
+#define MAX_FRAMES 64u                     /* includes and macros in use */
+#define MAX_CONDITIONS 64u
+#define MAX_EXPRESSION_DEPTH 200u
+#define MAX_ERRORS 200u
+
+#define ADDRESS_BITS 48
+#define PAGE_BITS ((uint64_t)C205_PAGE_WORDS * 64)
+#define CODE_ORIGIN (1 * PAGE_BITS) /* page 0 stays unmapped */
+#define DATA_ORIGIN (2 * PAGE_BITS)
+
+/* A line of program text, as read or as expanded. */
+struct line {
+    const char *file;
+    size_t number;
+    const char *text, *text_end; /* for messages */
+    const char *begin, *end;     /* the part that is to be parsed */
+    const struct line *caller;   /* the macro call or .rept it came from */
+};
+
+enum value_kind {
+    VALUE_INTEGER,
+    VALUE_WORD,    /* X'..': as an integer its bits */
+    VALUE_FLOATING /* takes part in no arithmetic of the assembler */
+};
+
+struct value {
+    enum value_kind kind;
+    uint64_t bits;
+};
+
+enum symbol_kind {
+    SYMBOL_UNDEFINED,
+    SYMBOL_LABEL,
+    SYMBOL_CONSTANT,
+    SYMBOL_REGISTER
+};
+
+struct symbol {
+    struct symbol *next;        /* with the same hash */
+    const char *name;
+    size_t length;
+    enum symbol_kind kind;
+    struct value value;         /* register: its number */
+    const struct macro *macro;  /* of this name; macros have their own space */
+    const struct line *defined; /* NULL: given by the caller */
+};
+
+enum { SYMBOL_BUCKETS = 4096 };
+
+struct symbols {
+    struct symbol *buckets[SYMBOL_BUCKETS];
+    size_t count;
+};
+
+struct instruction {
+    const c205_insn *insn;
+    c205_fields fields;
+    const struct expression *value; /* immediate or branch target, or NULL */
+    bool relative;                  /* value is a target address */
+};
+
+enum item_kind {
+    ITEM_INSTRUCTION,
+    ITEM_WORDS,      /* known already */
+    ITEM_VALUE,      /* one word from one expression */
+    ITEM_HALF,       /* half a word from one expression */
+    ITEM_DESCRIPTOR, /* one word from two */
+    ITEM_SPACE       /* zeros */
+};
+
+struct item {
+    enum item_kind kind;
+    const struct line *line;
+    uint64_t address;
+    uint64_t halves;
+    size_t order;
+    union {
+        const struct instruction *instruction;
+        const c205_word *words;
+        const struct expression *values[2]; /* descriptor: length, address */
+    } of;
+};
+
+struct region {
+    const char *name;
+    const struct line *line;
+    uint64_t begin, end;
+};
+
+struct section {
+    const char *name;
+    uint64_t at;
+    bool moved; /* by .org */
+};
+
+/* An expectation before its expressions are known. */
+struct wish {
+    const struct line *line;
+    enum expectation_kind kind;
+    unsigned number;
+    const struct expression *address;
+    size_t count;
+    const struct expression **values;
+    const c205_word *bits;
+    const char *text;
+};
+
+struct assembler {
+    struct arena *arena;
+    const struct asm_options *options;
+    struct asm_errors *errors;
+    size_t first_error; /* errors that were there before */
+    struct symbols symbols;
+    struct expander *expander;
+
+    struct section sections[2];
+    struct section *section;
+    uint64_t words; /* put so far */
+
+    struct item *items;
+    size_t item_count, item_capacity;
+    struct region *regions;
+    size_t region_count, region_capacity;
+    struct region open_region; /* line NULL: none */
+    const struct section *region_section;
+    struct wish *wishes;
+    size_t wish_count, wish_capacity;
+    /* Labels that move on with the data after them when that is aligned. */
+    struct symbol **waiting;
+    size_t waiting_count, waiting_capacity;
+
+    const struct line *entry_line;
+    const struct expression *entry;
+};
+
+/* error.c.  at points into the line; all return false. */
+bool report(struct assembler *assembler, const struct line *line,
+            const char *at, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 4, 5)))
+#endif
+    ;
+bool report_file(struct asm_errors *errors, const char *file,
+                 const char *message);
+bool too_many_errors(const struct assembler *assembler);
+
+/* symbol.c */
+struct symbol *symbol_intern(struct assembler *assembler, const char *name,
+                             size_t length);
+/* NULL: never heard of. */
+struct symbol *symbol_find(const struct assembler *assembler,
+                           const char *name, size_t length);
+/* r0 .. r255: its number; else -1. */
+int register_number(const char *name, size_t length);
+bool symbol_define(struct assembler *assembler, const struct line *line,
+                   const char *at, struct symbol *symbol,
+                   enum symbol_kind kind, struct value value);
+
+/* parse.c */
+bool parse_line(struct assembler *assembler, const struct line *line);
+
+/* encode.c: the object, or NULL. */
+struct object *encode_program(struct assembler *assembler);
+
+#endif

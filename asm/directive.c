@@ -1,0 +1,408 @@
+/* directive.c - the directives that the parser obeys. */
+#include "asm/statement.h"
+
+enum { WORD_BITS = 64, HALF_BITS = 32, WORD_HALVES = 2 };
+
+static bool comma(struct cursor *cursor)
+{
+    return expect_operator(cursor, ',', "','");
+}
+
+/* ---- Names ---- */
+
+static bool parse_equ(struct cursor *cursor)
+{
+    const char *name;
+    size_t length;
+    struct value value;
+
+    return expect_name(cursor, "a name", &name, &length) && comma(cursor)
+           && parse_value(cursor, &value)
+           && symbol_define(cursor->assembler, cursor->line, name,
+                            symbol_intern(cursor->assembler, name, length),
+                            SYMBOL_CONSTANT, value);
+}
+
+static bool name_register(struct cursor *cursor, const char *name,
+                          size_t length, unsigned number)
+{
+    struct value value = { VALUE_INTEGER, 0 };
+
+    value.bits = number;
+    return symbol_define(cursor->assembler, cursor->line, name,
+                         symbol_intern(cursor->assembler, name, length),
+                         SYMBOL_REGISTER, value);
+}
+
+static bool parse_reg(struct cursor *cursor)
+{
+    const char *name;
+    size_t length;
+    uint8_t number;
+
+    return expect_name(cursor, "a name", &name, &length) && comma(cursor)
+           && parse_register(cursor, &number)
+           && name_register(cursor, name, length, number);
+}
+
+/* Consecutive registers. */
+static bool parse_regs(struct cursor *cursor)
+{
+    const char *name;
+    size_t length;
+    uint8_t first;
+    unsigned number;
+
+    if (!parse_register(cursor, &first))
+        return false;
+    for (number = first; cursor_take(cursor, ','); number++) {
+        if (!expect_name(cursor, "a name", &name, &length))
+            return false;
+        if (number >= C205_REGISTERS)
+            return report(cursor->assembler, cursor->line, name,
+                          "there is no register after r255");
+        if (!name_register(cursor, name, length, number))
+            return false;
+    }
+    return true;
+}
+
+/* ---- Places ---- */
+
+static bool parse_code(struct cursor *cursor)
+{
+    cursor->assembler->section = &cursor->assembler->sections[0];
+    return true;
+}
+
+static bool parse_data(struct cursor *cursor)
+{
+    cursor->assembler->section = &cursor->assembler->sections[1];
+    return true;
+}
+
+static bool parse_org(struct cursor *cursor)
+{
+    struct assembler *assembler = cursor->assembler;
+    const char *at = cursor->token.begin;
+    int64_t address;
+
+    if (!parse_integer(cursor, 0, ((int64_t)1 << ADDRESS_BITS) - 1,
+                       "a bit address", &address))
+        return false;
+    if (address % HALF_BITS)
+        return report(assembler, cursor->line, at,
+                      "expected a multiple of %d", HALF_BITS);
+    if (assembler->open_region.line
+        && assembler->region_section == assembler->section)
+        return report(assembler, cursor->line, at,
+                      "a .kernel cannot be torn apart by .org");
+    assembler->section->at = (uint64_t)address;
+    assembler->section->moved = true;
+    return true;
+}
+
+static bool parse_align(struct cursor *cursor)
+{
+    const char *at = cursor->token.begin;
+    int64_t bits;
+
+    if (!parse_integer(cursor, HALF_BITS, (int64_t)1 << ADDRESS_BITS,
+                       "a number of bits", &bits))
+        return false;
+    if (bits % HALF_BITS)
+        return report(cursor->assembler, cursor->line, at,
+                      "expected a multiple of %d", HALF_BITS);
+    layout_align(cursor->assembler, (uint64_t)bits);
+    return true;
+}
+
+static bool parse_entry(struct cursor *cursor)
+{
+    struct assembler *assembler = cursor->assembler;
+
+    if (assembler->entry)
+        return report(assembler, cursor->line, cursor->line->begin,
+                      "there is an .entry already, in %s:%zu",
+                      assembler->entry_line->file,
+                      assembler->entry_line->number);
+    assembler->entry = parse_expression(cursor);
+    assembler->entry_line = cursor->line;
+    return assembler->entry != NULL;
+}
+
+/* ---- Regions of the accounts ---- */
+
+static const char *parse_region_name(struct cursor *cursor)
+{
+    const char *name;
+    size_t length;
+
+    if (cursor->token.kind == TOKEN_STRING) {
+        name = expect_string(cursor, &length);
+        return name && *name ? name : NULL;
+    }
+    if (!expect_name(cursor, "the kernel's name", &name, &length))
+        return NULL;
+    return arena_text(cursor->assembler->arena, name, length);
+}
+
+static bool parse_kernel(struct cursor *cursor)
+{
+    struct assembler *assembler = cursor->assembler;
+    struct region *open = &assembler->open_region;
+
+    if (open->line)
+        return report(assembler, cursor->line, cursor->line->begin,
+                      "expected .endkernel first, for that of %s:%zu",
+                      open->line->file, open->line->number);
+    open->name = parse_region_name(cursor);
+    if (!open->name)
+        return false;
+    open->line = cursor->line;
+    open->begin = assembler->section->at;
+    assembler->region_section = assembler->section;
+    return true;
+}
+
+static bool add_region(struct assembler *assembler, struct region region)
+{
+    struct region *regions;
+
+    regions = arena_grow(assembler->arena, assembler->regions,
+                         assembler->region_count,
+                         &assembler->region_capacity, sizeof *regions);
+    if (!regions)
+        return false;
+    assembler->regions = regions;
+    regions[assembler->region_count++] = region;
+    return true;
+}
+
+static bool parse_endkernel(struct cursor *cursor)
+{
+    struct assembler *assembler = cursor->assembler;
+    struct region *open = &assembler->open_region, region = *open;
+
+    if (!open->line)
+        return report(assembler, cursor->line, cursor->line->begin,
+                      "there is no .kernel open");
+    open->line = NULL;
+    region.end = assembler->region_section->at;
+    return region.begin == region.end || add_region(assembler, region);
+}
+
+/* ---- Data ---- */
+
+static bool add_values(struct cursor *cursor, enum item_kind kind,
+                       uint64_t halves, uint64_t *count)
+{
+    do {
+        const struct expression *value = parse_expression(cursor);
+        struct item *item;
+
+        if (!value || !(item = layout_add(cursor, kind, halves)))
+            return false;
+        item->of.values[0] = value;
+        ++*count;
+    } while (cursor_take(cursor, ','));
+    return true;
+}
+
+static bool parse_word(struct cursor *cursor)
+{
+    uint64_t count = 0;
+
+    layout_align(cursor->assembler, WORD_BITS);
+    return add_values(cursor, ITEM_VALUE, WORD_HALVES, &count);
+}
+
+static bool parse_half(struct cursor *cursor)
+{
+    uint64_t count = 0;
+
+    return add_values(cursor, ITEM_HALF, 1, &count);
+}
+
+static bool parse_descriptor(struct cursor *cursor)
+{
+    const struct expression *length, *address;
+    struct item *item;
+
+    layout_align(cursor->assembler, WORD_BITS);
+    if (!(length = parse_expression(cursor)) || !comma(cursor)
+        || !(address = parse_expression(cursor))
+        || !(item = layout_add(cursor, ITEM_DESCRIPTOR, WORD_HALVES)))
+        return false;
+    item->of.values[0] = length;
+    item->of.values[1] = address;
+    return true;
+}
+
+static bool add_space(struct cursor *cursor, uint64_t words)
+{
+    return words == 0
+           || layout_add(cursor, ITEM_SPACE, WORD_HALVES * words);
+}
+
+static bool parse_space(struct cursor *cursor)
+{
+    int64_t words;
+
+    layout_align(cursor->assembler, WORD_BITS);
+    return parse_integer(cursor, 0, MAX_WORDS, "a number of words", &words)
+           && add_space(cursor, (uint64_t)words);
+}
+
+/* NAME, n: the label and the number of what follows. */
+static bool parse_head(struct cursor *cursor, uint64_t most, int64_t *count)
+{
+    const char *name;
+    size_t length;
+
+    layout_align(cursor->assembler, WORD_BITS);
+    return expect_name(cursor, "a name", &name, &length) && comma(cursor)
+           && parse_integer(cursor, 0, (int64_t)most, "a length", count)
+           && layout_label(cursor, name, length, name);
+}
+
+static bool parse_vector(struct cursor *cursor)
+{
+    const char *at;
+    int64_t length;
+    uint64_t given = 0;
+
+    if (!parse_head(cursor, MAX_WORDS, &length))
+        return false;
+    at = cursor->token.begin;
+    if (cursor_take(cursor, ',')
+        && !add_values(cursor, ITEM_VALUE, WORD_HALVES, &given))
+        return false;
+    if (given > (uint64_t)length)
+        return report(cursor->assembler, cursor->line, at,
+                      "these are %lu values, more than the vector holds",
+                      (unsigned long)given);
+    return add_space(cursor, (uint64_t)length - given);
+}
+
+static bool add_words(struct cursor *cursor, const c205_word *words,
+                      uint64_t count)
+{
+    struct item *item;
+
+    if (count == 0)
+        return true;
+    item = layout_add(cursor, ITEM_WORDS, WORD_HALVES * count);
+    if (!item)
+        return false;
+    item->of.words = words;
+    return true;
+}
+
+/* One more string of 0s and 1s, blanks between them. */
+static bool set_bits(struct cursor *cursor, c205_word *words, uint64_t size,
+                     uint64_t *count)
+{
+    const char *begin = cursor->token.begin, *text;
+    size_t length, i;
+
+    text = expect_string(cursor, &length);
+    if (!text)
+        return false;
+    for (i = 0; i < length; i++) {
+        if (text[i] == ' ')
+            continue;
+        if (text[i] != '0' && text[i] != '1')
+            return report(cursor->assembler, cursor->line, begin,
+                          "expected a string of the digits 0 and 1");
+        if (*count == size)
+            return report(cursor->assembler, cursor->line, begin,
+                          "these are more bits than the vector holds");
+        words[*count / WORD_BITS] |= (c205_word)(text[i] == '1')
+                                     << (WORD_BITS - 1 - *count % WORD_BITS);
+        ++*count;
+    }
+    return true;
+}
+
+static bool parse_bitvector(struct cursor *cursor)
+{
+    int64_t size;
+    uint64_t count = 0, length, given;
+    c205_word *words;
+
+    if (!parse_head(cursor, MAX_WORDS, &size))
+        return false;
+    length = ((uint64_t)size + WORD_BITS - 1) / WORD_BITS;
+    words = arena_take(cursor->assembler->arena, length * sizeof *words);
+    if (!words)
+        return false;
+    while (cursor_take(cursor, ','))
+        if (!set_bits(cursor, words, (uint64_t)size, &count))
+            return false;
+    given = (count + WORD_BITS - 1) / WORD_BITS;
+    return add_words(cursor, words, given)
+           && add_space(cursor, length - given);
+}
+
+/* Eight bytes a word, the rest of the last one zero. */
+static bool parse_text(struct cursor *cursor)
+{
+    uint64_t count;
+    size_t length, i;
+    c205_word *words;
+    const char *text;
+
+    layout_align(cursor->assembler, WORD_BITS);
+    text = expect_string(cursor, &length);
+    if (!text)
+        return false;
+    count = ((uint64_t)length + 7) / 8;
+    words = arena_take(cursor->assembler->arena,
+                       (size_t)count * sizeof *words);
+    if (!words)
+        return false;
+    for (i = 0; i < length; i++)
+        words[i / 8] |= (c205_word)(unsigned char)text[i]
+                        << (WORD_BITS - 8 - i % 8 * 8);
+    return add_words(cursor, words, count);
+}
+
+static bool parse_error(struct cursor *cursor)
+{
+    size_t length;
+    const char *text = expect_string(cursor, &length);
+
+    return text && report(cursor->assembler, cursor->line,
+                          cursor->line->begin, "%s", text);
+}
+
+const struct directive *find_directive(const struct token *token)
+{
+    static const struct directive directives[] = {
+        { ".equ", parse_equ, false },
+        { ".reg", parse_reg, false },
+        { ".regs", parse_regs, false },
+        { ".code", parse_code, false },
+        { ".data", parse_data, false },
+        { ".org", parse_org, false },
+        { ".align", parse_align, true },
+        { ".entry", parse_entry, false },
+        { ".kernel", parse_kernel, false },
+        { ".endkernel", parse_endkernel, false },
+        { ".word", parse_word, true },
+        { ".half", parse_half, true },
+        { ".descriptor", parse_descriptor, true },
+        { ".space", parse_space, true },
+        { ".vector", parse_vector, true },
+        { ".bitvector", parse_bitvector, true },
+        { ".text", parse_text, true },
+        { ".error", parse_error, false }
+    };
+    size_t i;
+
+    for (i = 0; i < sizeof directives / sizeof *directives; i++)
+        if (token_is(token, directives[i].name))
+            return &directives[i];
+    return NULL;
+}

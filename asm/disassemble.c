@@ -1,0 +1,323 @@
+#include "asm/disassemble.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/instruction_text.h"
+#include "asm/lex.h"
+
+enum { WORD_BITS = 64, HALF_BITS = 32, WORDS_A_LINE = 4 };
+
+static const char indent[] = "        ";
+
+unsigned disassemble_one(c205_word word, uint64_t address,
+                         char text[DISASSEMBLE_TEXT_SIZE])
+{
+    static const struct addresses none;
+    struct text_buffer buffer = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&buffer);
+    unsigned halves = instruction_write(word, address, 2, &none, &sink);
+
+    text[0] = '\0';
+    if (buffer.text)
+        strncat(text, buffer.text, DISASSEMBLE_TEXT_SIZE - 1);
+    text_buffer_free(&buffer);
+    return halves;
+}
+
+struct disassembler {
+    const c205_program *program;
+    const struct sink *sink;
+    const c205_region *region;   /* open in the text, or NULL */
+    struct addresses boundaries; /* where instructions begin */
+    struct addresses targets;    /* what instructions name .. */
+    struct addresses labels;     /* .. and is a boundary */
+    bool failed;
+};
+
+/* ---- Addresses ---- */
+
+static void add_address(struct disassembler *disassembler,
+                        struct addresses *addresses, uint64_t address)
+{
+    size_t capacity = addresses->capacity ? 2 * addresses->capacity : 256;
+    uint64_t *items;
+
+    if (addresses->count == addresses->capacity) {
+        items = realloc(addresses->items, capacity * sizeof *items);
+        if (!items) {
+            disassembler->failed = true;
+            return;
+        }
+        addresses->items = items;
+        addresses->capacity = capacity;
+    }
+    addresses->items[addresses->count++] = address;
+}
+
+static int compare_addresses(const void *a, const void *b)
+{
+    uint64_t first = *(const uint64_t *)a, second = *(const uint64_t *)b;
+
+    return (first > second) - (first < second);
+}
+
+static void sort(struct addresses *addresses)
+{
+    if (addresses->count > 0)
+        qsort(addresses->items, addresses->count, sizeof *addresses->items,
+              compare_addresses);
+}
+
+/* ---- Code ---- */
+
+static uint64_t end_of(const c205_segment *segment)
+{
+    return segment->address + WORD_BITS * (uint64_t)segment->length;
+}
+
+static bool lies_in(uint64_t address, const c205_segment *segment)
+{
+    return address >= segment->address && address < end_of(segment);
+}
+
+static bool is_code(const c205_program *program, const c205_segment *segment)
+{
+    size_t i;
+
+    for (i = 0; i < program->region_count; i++)
+        if (lies_in(program->regions[i].begin, segment))
+            return segment->words != NULL;
+    return segment->words && lies_in(program->entry, segment);
+}
+
+/* No instruction is read across this address. */
+static uint64_t next_stop(const c205_program *program,
+                          const c205_segment *segment, uint64_t address)
+{
+    uint64_t stop = end_of(segment);
+    size_t i;
+
+    if (program->entry > address && program->entry < stop)
+        stop = program->entry;
+    for (i = 0; i < program->region_count; i++) {
+        const c205_region *region = &program->regions[i];
+
+        if (region->begin > address && region->begin < stop)
+            stop = region->begin;
+        if (region->end > address && region->end < stop)
+            stop = region->end;
+    }
+    return stop;
+}
+
+static c205_word word_at(const c205_segment *segment, uint64_t address)
+{
+    uint64_t offset = address - segment->address;
+    size_t index = (size_t)(offset / WORD_BITS);
+    c205_word word = segment->words[index];
+
+    if (offset % WORD_BITS == 0)
+        return word;
+    word <<= HALF_BITS;
+    if (index + 1 < segment->length)
+        word |= segment->words[index + 1] >> HALF_BITS;
+    return word;
+}
+
+typedef void visit(struct disassembler *, const c205_segment *,
+                   uint64_t address, unsigned halves, const char *text);
+
+/* Every instruction of a segment, with its text. */
+static void walk(struct disassembler *disassembler,
+                 const c205_segment *segment, visit *visitor)
+{
+    uint64_t address = segment->address;
+
+    while (address < end_of(segment) && !disassembler->failed) {
+        struct text_buffer buffer = { NULL, 0, 0, false };
+        struct sink sink = text_buffer_sink(&buffer);
+        uint64_t stop = next_stop(disassembler->program, segment, address);
+        unsigned halves = instruction_write(
+            word_at(segment, address), address,
+            stop - address < WORD_BITS ? 1 : 2, &disassembler->labels, &sink);
+
+        visitor(disassembler, segment, address, halves, buffer.text);
+        disassembler->failed |= buffer.failed;
+        text_buffer_free(&buffer);
+        address += halves * HALF_BITS;
+    }
+}
+
+static void note(struct disassembler *disassembler,
+                 const c205_segment *segment, uint64_t address,
+                 unsigned halves, const char *text)
+{
+    uint64_t target;
+
+    (void)halves;
+    (void)text;
+    add_address(disassembler, &disassembler->boundaries, address);
+    if (instruction_address(word_at(segment, address), address, &target))
+        add_address(disassembler, &disassembler->targets, target);
+}
+
+static bool is_name(const char *text)
+{
+    if (!is_name_start(*text))
+        return false;
+    while (is_name_part(*text))
+        text++;
+    return *text == '\0';
+}
+
+static void open_region(struct disassembler *disassembler,
+                        const c205_region *region)
+{
+    const struct sink *sink = disassembler->sink;
+    const char *at = region->name;
+
+    if (is_name(at)) {
+        sink_print(sink, "%s.kernel %s\n", indent, at);
+    } else {
+        sink_print(sink, "%s.kernel \"", indent);
+        for (; *at; at++)
+            sink_print(sink, *at == '"' || *at == '\\' ? "\\%c" : "%c", *at);
+        sink_put(sink, "\"\n");
+    }
+    disassembler->region = region;
+}
+
+/* Regions that end and begin here.  One that overlaps another or leaves its
+ * segment has no place in the text. */
+static void turn_region(struct disassembler *disassembler,
+                        const c205_segment *segment, uint64_t address)
+{
+    const c205_program *program = disassembler->program;
+    size_t i;
+
+    if (disassembler->region && disassembler->region->end == address) {
+        sink_print(disassembler->sink, "%s.endkernel\n", indent);
+        disassembler->region = NULL;
+    }
+    for (i = 0; i < program->region_count && !disassembler->region; i++) {
+        const c205_region *region = &program->regions[i];
+
+        if (region->begin == address && address < end_of(segment)
+            && region->end > address && region->end <= end_of(segment)
+            && *region->name)
+            open_region(disassembler, region);
+    }
+}
+
+static void show(struct disassembler *disassembler,
+                 const c205_segment *segment, uint64_t address,
+                 unsigned halves, const char *text)
+{
+    (void)halves;
+    turn_region(disassembler, segment, address);
+    if (addresses_hold(&disassembler->labels, address))
+        sink_print(disassembler->sink, "L%" PRIX64 ":\n", address);
+    sink_print(disassembler->sink, "%s%s\n", indent, text ? text : "");
+}
+
+/* ---- Data ---- */
+
+static size_t count_zeros(const c205_word *words, size_t count)
+{
+    size_t i = 0;
+
+    while (i < count && words[i] == 0)
+        i++;
+    return i;
+}
+
+static size_t put_row(const struct sink *sink, const c205_word *words,
+                      size_t count)
+{
+    char text[C205_TEXT_SIZE];
+    size_t i;
+
+    for (i = 0; i < count && i < WORDS_A_LINE; i++) {
+        if (i > 0 && count_zeros(words + i, count - i) >= WORDS_A_LINE)
+            break;
+        c205_to_hex(words[i], text);
+        sink_print(sink, i ? ", X'%s'" : "        .word X'%s'", text);
+    }
+    sink_put(sink, "\n");
+    return i;
+}
+
+static void show_data(const struct sink *sink, const c205_segment *segment)
+{
+    const c205_word *words = segment->words;
+    size_t i = 0, zeros;
+
+    while (i < segment->length) {
+        zeros = words ? count_zeros(words + i, segment->length - i)
+                      : segment->length;
+        if (words && zeros < WORDS_A_LINE) {
+            i += put_row(sink, words + i, segment->length - i);
+        } else {
+            sink_print(sink, "%s.space %zu\n", indent, zeros);
+            i += zeros;
+        }
+    }
+}
+
+/* ---- The program ---- */
+
+static void collect(struct disassembler *disassembler)
+{
+    const c205_program *program = disassembler->program;
+    size_t i;
+
+    for (i = 0; i < program->segment_count; i++)
+        if (is_code(program, &program->segments[i]))
+            walk(disassembler, &program->segments[i], note);
+    add_address(disassembler, &disassembler->targets, program->entry);
+    sort(&disassembler->boundaries);
+    for (i = 0; i < disassembler->targets.count; i++)
+        if (addresses_hold(&disassembler->boundaries,
+                           disassembler->targets.items[i]))
+            add_address(disassembler, &disassembler->labels,
+                        disassembler->targets.items[i]);
+    sort(&disassembler->labels);
+}
+
+static void show_segment(struct disassembler *disassembler,
+                         const c205_segment *segment)
+{
+    bool code = is_code(disassembler->program, segment);
+
+    sink_print(disassembler->sink, "%s%s\n%s.org 0x%" PRIX64 "\n", indent,
+               code ? ".code" : ".data", indent, segment->address);
+    if (code)
+        walk(disassembler, segment, show);
+    else
+        show_data(disassembler->sink, segment);
+    turn_region(disassembler, segment, end_of(segment));
+}
+
+bool disassemble(const c205_program *program, const struct sink *sink)
+{
+    static const struct disassembler empty;
+    struct disassembler disassembler = empty;
+    size_t i;
+
+    disassembler.program = program;
+    disassembler.sink = sink;
+    collect(&disassembler);
+    sink_print(sink, "%s.entry %s%" PRIX64 "\n", indent,
+               addresses_hold(&disassembler.labels, program->entry) ? "L"
+                                                                    : "0x",
+               program->entry);
+    for (i = 0; i < program->segment_count; i++)
+        if (program->segments[i].length > 0)
+            show_segment(&disassembler, &program->segments[i]);
+    free(disassembler.boundaries.items);
+    free(disassembler.targets.items);
+    free(disassembler.labels.items);
+    return !disassembler.failed;
+}

@@ -1,0 +1,413 @@
+/* encode.c - items become words, and the words an object. */
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/expression.h"
+#include "asm/storage.h"
+#include "asm/syntax.h"
+
+enum {
+    WORD_BITS = 64,
+    HALF_BITS = 32,
+    ZERO_RUN = 64 /* words of .space that are worth a segment of zeros */
+};
+
+/* ---- Instructions ---- */
+
+/* The distance of a branch is counted in half words from itself. */
+static bool encode_target(struct assembler *assembler,
+                          const struct item *item,
+                          const struct instruction *instruction,
+                          c205_fields *fields)
+{
+    uint64_t target;
+
+    if (!evaluate_address(assembler, item->line, instruction->value, &target))
+        return false;
+    fields->immediate = ((int64_t)target - (int64_t)item->address)
+                        / HALF_BITS;
+    if (target % HALF_BITS)
+        return report(assembler, item->line, item->line->begin,
+                      "expected a branch target on a half word, found"
+                      " address %" PRIX64, target);
+    if (fields->immediate < INT16_MIN || fields->immediate > INT16_MAX)
+        return report(assembler, item->line, item->line->begin,
+                      "the branch target is %" PRId64 " half words away,"
+                      " more than 16 bits can tell; give its address in"
+                      " registers [y, b]", fields->immediate);
+    return true;
+}
+
+static bool encode_immediate(struct assembler *assembler,
+                             const struct item *item,
+                             const struct instruction *instruction,
+                             c205_fields *fields)
+{
+    struct operand operands[MAX_OPERANDS];
+    size_t i, count = syntax_operands(instruction->insn, operands);
+
+    for (i = 0; i < count; i++)
+        if (operands[i].kind == OPERAND_IMMEDIATE)
+            return evaluate_range(assembler, item->line, instruction->value,
+                                  operands[i].low, operands[i].high,
+                                  "an integer", &fields->immediate);
+    return true;
+}
+
+static c205_word encode_instruction(struct assembler *assembler,
+                                    const struct item *item)
+{
+    const struct instruction *instruction = item->of.instruction;
+    c205_fields fields = instruction->fields;
+
+    if (instruction->value && instruction->relative)
+        encode_target(assembler, item, instruction, &fields);
+    else if (instruction->value)
+        encode_immediate(assembler, item, instruction, &fields);
+    return c205_encode(instruction->insn, &fields);
+}
+
+/* ---- Data ---- */
+
+static c205_word encode_descriptor(struct assembler *assembler,
+                                   const struct item *item)
+{
+    int64_t length = 0;
+    uint64_t address = 0;
+
+    if (evaluate_range(assembler, item->line, item->of.values[0], 0,
+                       C205_MAX_LENGTH, "a length", &length))
+        evaluate_address(assembler, item->line, item->of.values[1],
+                         &address);
+    return (c205_word)length << ADDRESS_BITS | address;
+}
+
+/* Those that fit 32 bits, with a sign or without. */
+static c205_word encode_half(struct assembler *assembler,
+                             const struct item *item)
+{
+    int64_t integer = 0;
+
+    evaluate_range(assembler, item->line, item->of.values[0], INT32_MIN,
+                   UINT32_MAX, "an integer of 32 bits", &integer);
+    return (c205_word)integer << HALF_BITS;
+}
+
+/* In the high half, if it is one half long. */
+static c205_word encode_one(struct assembler *assembler,
+                            const struct item *item)
+{
+    c205_word word = 0;
+
+    switch (item->kind) {
+    case ITEM_INSTRUCTION: return encode_instruction(assembler, item);
+    case ITEM_DESCRIPTOR: return encode_descriptor(assembler, item);
+    case ITEM_HALF: return encode_half(assembler, item);
+    default:
+        evaluate_word(assembler, item->line, item->of.values[0], &word);
+        return word;
+    }
+}
+
+static void put_half(c205_word *words, uint64_t bits, c205_word half)
+{
+    words[bits / WORD_BITS] |= bits % WORD_BITS ? half : half << HALF_BITS;
+}
+
+static void encode_item(struct assembler *assembler, const struct item *item,
+                        c205_word *words, uint64_t origin)
+{
+    uint64_t bits = item->address - origin;
+    c205_word word;
+
+    if (item->kind == ITEM_SPACE)
+        return;
+    if (item->kind == ITEM_WORDS) {
+        memcpy(words + bits / WORD_BITS, item->of.words,
+               (size_t)(item->halves / 2) * sizeof *words);
+        return;
+    }
+    word = encode_one(assembler, item);
+    put_half(words, bits, word >> HALF_BITS);
+    if (item->halves == 2)
+        put_half(words, bits + HALF_BITS, word & UINT32_MAX);
+}
+
+/* ---- Segments ---- */
+
+static uint64_t end_of(const struct item *item)
+{
+    return item->address + item->halves * HALF_BITS;
+}
+
+static int compare_items(const void *a, const void *b)
+{
+    const struct item *first = a, *second = b;
+
+    if (first->address != second->address)
+        return first->address < second->address ? -1 : 1;
+    return (first->order > second->order) - (first->order < second->order);
+}
+
+static bool check_overlap(struct assembler *assembler)
+{
+    const struct item *items = assembler->items;
+    size_t i, last = 0, before = assembler->errors->count;
+
+    for (i = 1; i < assembler->item_count; i++) {
+        if (items[i].address < end_of(&items[last]))
+            report(assembler, items[i].line, items[i].line->begin,
+                   "address %" PRIX64 " is taken already, by %s:%zu",
+                   items[i].address, items[last].line->file,
+                   items[last].line->number);
+        if (end_of(&items[i]) > end_of(&items[last]))
+            last = i;
+    }
+    return assembler->errors->count == before;
+}
+
+static bool is_zero_run(const struct item *item)
+{
+    return item->kind == ITEM_SPACE
+           && item->halves >= 2 * (uint64_t)ZERO_RUN;
+}
+
+/* How many items from this one on belong to one segment: no word between
+ * them is free. */
+static size_t count_together(const struct item *item, size_t count)
+{
+    uint64_t end = end_of(item);
+    size_t i;
+
+    if (is_zero_run(item))
+        return 1;
+    for (i = 1; i < count && !is_zero_run(&item[i]); i++) {
+        uint64_t boundary = (end + WORD_BITS - 1) / WORD_BITS * WORD_BITS;
+
+        if (item[i].address > boundary)
+            break;
+        end = end_of(&item[i]);
+    }
+    return i;
+}
+
+static bool add_segment(struct assembler *assembler, struct storage *storage,
+                        const struct item *items, size_t count)
+{
+    uint64_t begin = items->address / WORD_BITS * WORD_BITS;
+    uint64_t end = end_of(&items[count - 1]);
+    c205_segment *segment = storage_add_segment(storage);
+    c205_word *words = NULL;
+    size_t i;
+
+    if (!segment)
+        return false;
+    segment->address = begin;
+    segment->length = (size_t)((end - begin + WORD_BITS - 1) / WORD_BITS);
+    if (!is_zero_run(items)) {
+        words = arena_take(&storage->arena, segment->length * sizeof *words);
+        if (!words)
+            return false;
+    }
+    for (i = 0; i < count; i++)
+        encode_item(assembler, &items[i], words, begin);
+    segment->words = words;
+    return true;
+}
+
+static bool add_segments(struct assembler *assembler,
+                         struct storage *storage)
+{
+    size_t i, count;
+
+    for (i = 0; i < assembler->item_count; i += count) {
+        count = count_together(&assembler->items[i],
+                               assembler->item_count - i);
+        if (!add_segment(assembler, storage, &assembler->items[i], count))
+            return false;
+    }
+    return true;
+}
+
+/* ---- The rest of the object ---- */
+
+static char *keep(struct storage *storage, const char *text)
+{
+    return arena_text(&storage->arena, text, strlen(text));
+}
+
+static bool add_regions(struct assembler *assembler, struct storage *storage)
+{
+    size_t i;
+
+    for (i = 0; i < assembler->region_count; i++) {
+        c205_region *region = storage_add_region(storage);
+
+        if (!region)
+            return false;
+        region->name = keep(storage, assembler->regions[i].name);
+        region->begin = assembler->regions[i].begin;
+        region->end = assembler->regions[i].end;
+    }
+    return true;
+}
+
+static bool add_symbol(struct storage *storage, const struct symbol *symbol)
+{
+    struct asm_symbol *kept;
+
+    if (symbol->kind != SYMBOL_LABEL && symbol->kind != SYMBOL_CONSTANT)
+        return true;
+    kept = storage_add_symbol(storage);
+    if (!kept)
+        return false;
+    kept->name = keep(storage, symbol->name);
+    kept->value = (int64_t)symbol->value.bits;
+    kept->is_label = symbol->kind == SYMBOL_LABEL;
+    kept->is_word = symbol->value.kind != VALUE_INTEGER;
+    return kept->name != NULL;
+}
+
+static bool add_symbols(struct assembler *assembler, struct storage *storage)
+{
+    const struct symbol *symbol;
+    size_t i;
+
+    for (i = 0; i < SYMBOL_BUCKETS; i++)
+        for (symbol = assembler->symbols.buckets[i]; symbol;
+             symbol = symbol->next)
+            if (!add_symbol(storage, symbol))
+                return false;
+    storage_sort_symbols(storage);
+    return true;
+}
+
+static bool add_line(struct storage *storage, const struct item *item)
+{
+    struct asm_line *line = storage_add_line(storage);
+    const struct line *from = item->line;
+
+    if (!line)
+        return false;
+    line->address = item->address;
+    line->halves = item->halves;
+    line->number = from->number;
+    line->file = keep(storage, from->file);
+    line->source = arena_text(&storage->arena, from->text,
+                              (size_t)(from->text_end - from->text));
+    return line->source != NULL;
+}
+
+/* Items of one line that lie side by side are one. */
+static bool add_lines(struct assembler *assembler, struct storage *storage)
+{
+    const struct item *items = assembler->items;
+    size_t i, next;
+
+    for (i = 0; i < assembler->item_count; i = next) {
+        struct item whole = items[i];
+
+        for (next = i + 1; next < assembler->item_count
+                           && items[next].line == whole.line
+                           && items[next].address == end_of(&whole); next++)
+            whole.halves += items[next].halves;
+        if (!add_line(storage, &whole))
+            return false;
+    }
+    return true;
+}
+
+static bool grant(struct assembler *assembler, struct storage *storage,
+                  const struct wish *wish)
+{
+    struct asm_expectation *made = storage_add_expectation(storage);
+    size_t i, size = wish->bits ? wish->count / WORD_BITS + 1 : wish->count;
+    c205_word *words = arena_take(&storage->arena, size * sizeof *words);
+
+    if (!made || !words)
+        return false;
+    made->kind = wish->kind;
+    made->number = wish->number;
+    made->count = wish->count;
+    made->words = words;
+    made->text = wish->text ? keep(storage, wish->text) : NULL;
+    made->file = keep(storage, wish->line->file);
+    made->line = wish->line->number;
+    if (wish->address)
+        evaluate_address(assembler, wish->line, wish->address,
+                         &made->address);
+    for (i = 0; i < size; i++) {
+        if (wish->bits)
+            words[i] = wish->bits[i];
+        else
+            evaluate_word(assembler, wish->line, wish->values[i], &words[i]);
+    }
+    return true;
+}
+
+static bool add_expectations(struct assembler *assembler,
+                             struct storage *storage)
+{
+    size_t i;
+
+    for (i = 0; i < assembler->wish_count; i++)
+        if (!grant(assembler, storage, &assembler->wishes[i]))
+            return false;
+    return true;
+}
+
+static void set_entry(struct assembler *assembler, struct storage *storage)
+{
+    uint64_t entry = CODE_ORIGIN;
+    size_t i, first = assembler->item_count;
+
+    if (assembler->entry) {
+        evaluate_address(assembler, assembler->entry_line, assembler->entry,
+                         &entry);
+        storage->object.program.entry = entry;
+        return;
+    }
+    for (i = 0; i < assembler->item_count; i++) /* the first in the text */
+        if (assembler->items[i].kind == ITEM_INSTRUCTION
+            && (first == assembler->item_count
+                || assembler->items[i].order < assembler->items[first].order))
+            first = i;
+    if (first < assembler->item_count)
+        entry = assembler->items[first].address;
+    storage->object.program.entry = entry;
+}
+
+/* Errors do not stop it, so that those of values are told as well. */
+static bool fill(struct assembler *assembler, struct storage *storage)
+{
+    return check_overlap(assembler) && add_segments(assembler, storage)
+           && add_regions(assembler, storage)
+           && add_symbols(assembler, storage)
+           && add_lines(assembler, storage)
+           && add_expectations(assembler, storage);
+}
+
+struct object *encode_program(struct assembler *assembler)
+{
+    struct storage *storage = storage_new();
+    const struct region *open = &assembler->open_region;
+
+    if (!storage) {
+        assembler->arena->failed = true;
+        return NULL;
+    }
+    if (open->line)
+        report(assembler, open->line, open->line->begin,
+               "this .kernel has no .endkernel");
+    if (assembler->item_count > 0)
+        qsort(assembler->items, assembler->item_count,
+              sizeof *assembler->items, compare_items);
+    set_entry(assembler, storage);
+    if (fill(assembler, storage) && !storage->arena.failed
+        && assembler->errors->count == assembler->first_error)
+        return &storage->object;
+    assembler->arena->failed |= storage->arena.failed;
+    object_free(&storage->object);
+    return NULL;
+}

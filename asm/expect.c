@@ -1,0 +1,247 @@
+#include "asm/expect.h"
+
+#include <inttypes.h>
+#include <string.h>
+
+const char *expectation_name(enum expectation_kind kind)
+{
+    static const char *const names[EXPECT_KINDS] = {
+        [EXPECT_REGISTER] = "register", [EXPECT_WORDS] = "words",
+        [EXPECT_BITS] = "bits",         [EXPECT_FLAGS] = "flags",
+        [EXPECT_CLOCKS] = "clocks",     [EXPECT_TRAP] = "trap",
+        [EXPECT_PRINT] = "print"
+    };
+
+    return names[kind];
+}
+
+/* What has come of a run, and where to say so. */
+struct outcome {
+    const c205 *machine;
+    const c205_stop *stop;
+    const char *printed; /* what no expectation has looked at yet */
+    const struct sink *report;
+};
+
+static void say_where(const struct outcome *outcome,
+                      const struct asm_expectation *expectation)
+{
+    sink_print(outcome->report, "%s:%zu: expected ", expectation->file,
+               expectation->line);
+}
+
+static void say_word(const struct outcome *outcome, c205_word word)
+{
+    char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
+
+    c205_to_hex(word, hex);
+    c205_to_text(word, text);
+    sink_print(outcome->report, "X'%s' (%s)", hex, text);
+}
+
+static bool compare_word(const struct outcome *outcome,
+                         const struct asm_expectation *expectation,
+                         const char *place, c205_word wanted, c205_word found)
+{
+    if (wanted == found)
+        return true;
+    say_where(outcome, expectation);
+    sink_print(outcome->report, "%s = ", place);
+    say_word(outcome, wanted);
+    sink_put(outcome->report, ", found ");
+    say_word(outcome, found);
+    sink_put(outcome->report, "\n");
+    return false;
+}
+
+static bool check_register(struct outcome *outcome,
+                           const struct asm_expectation *expectation)
+{
+    c205_word found = c205_register(outcome->machine, expectation->number);
+    char place[] = "r255";
+
+    place[1] = (char)('0' + expectation->number / 100 % 10);
+    place[2] = (char)('0' + expectation->number / 10 % 10);
+    place[3] = (char)('0' + expectation->number % 10);
+    return compare_word(outcome, expectation, place, expectation->words[0],
+                        found);
+}
+
+static bool check_flags(struct outcome *outcome,
+                        const struct asm_expectation *expectation)
+{
+    return compare_word(outcome, expectation, "data flags",
+                        expectation->words[0],
+                        c205_data_flags(outcome->machine));
+}
+
+/* ---- Memory ---- */
+
+static bool unmapped(const struct outcome *outcome,
+                     const struct asm_expectation *expectation,
+                     uint64_t address)
+{
+    say_where(outcome, expectation);
+    sink_print(outcome->report, "a value at %" PRIX64
+               ", found no memory there\n", address);
+    return false;
+}
+
+static bool check_words(struct outcome *outcome,
+                        const struct asm_expectation *expectation)
+{
+    bool good = true;
+    size_t i;
+
+    for (i = 0; i < expectation->count; i++) {
+        uint64_t address = expectation->address + 64 * (uint64_t)i;
+        struct text_buffer place = { NULL, 0, 0, false };
+        struct sink sink = text_buffer_sink(&place);
+        c205_word found;
+
+        if (!c205_read(outcome->machine, address, &found, 1))
+            return unmapped(outcome, expectation, address);
+        sink_print(&sink, "word %zu, at %" PRIX64 ",", i, address);
+        good = compare_word(outcome, expectation,
+                            place.text ? place.text : "",
+                            expectation->words[i], found) && good;
+        text_buffer_free(&place);
+    }
+    return good;
+}
+
+static bool check_bits(struct outcome *outcome,
+                       const struct asm_expectation *expectation)
+{
+    size_t i;
+
+    for (i = 0; i < expectation->count; i++) {
+        uint64_t address = expectation->address + i;
+        c205_word word;
+        unsigned wanted, found;
+
+        if (!c205_read(outcome->machine, address / 64 * 64, &word, 1))
+            return unmapped(outcome, expectation, address);
+        wanted = expectation->words[i / 64] >> (63 - i % 64) & 1;
+        found = word >> (63 - address % 64) & 1;
+        if (wanted == found)
+            continue;
+        say_where(outcome, expectation);
+        sink_print(outcome->report, "bit %zu, at %" PRIX64
+                   ", = %u, found %u\n", i, address, wanted, found);
+        return false;
+    }
+    return true;
+}
+
+/* ---- The run as a whole ---- */
+
+static bool check_clocks(struct outcome *outcome,
+                         const struct asm_expectation *expectation)
+{
+    int64_t wanted = c205_to_integer(expectation->words[0]);
+    uint64_t found = c205_clock(outcome->machine);
+
+    if (found == (uint64_t)wanted)
+        return true;
+    say_where(outcome, expectation);
+    sink_print(outcome->report, "%" PRId64 " clocks, found %" PRIu64 "\n",
+               wanted, found);
+    return false;
+}
+
+static bool check_trap(struct outcome *outcome,
+                       const struct asm_expectation *expectation)
+{
+    c205_error found;
+
+    if (strcmp(c205_trap_name(outcome->stop->trap), expectation->text) == 0)
+        return true;
+    say_where(outcome, expectation);
+    c205_describe_stop(outcome->machine, outcome->stop, &found);
+    sink_print(outcome->report, "trap %s, found: %s\n", expectation->text,
+               found.message);
+    return false;
+}
+
+/* The next line printed, without its end. */
+static bool check_print(struct outcome *outcome,
+                        const struct asm_expectation *expectation)
+{
+    const char *line = outcome->printed;
+    size_t length = strcspn(line, "\n");
+
+    outcome->printed += length + (line[length] == '\n');
+    if (strlen(expectation->text) == length
+        && memcmp(expectation->text, line, length) == 0)
+        return true;
+    say_where(outcome, expectation);
+    sink_print(outcome->report, "'%s' printed, found '%.*s'\n",
+               expectation->text, length < 400 ? (int)length : 400, line);
+    return false;
+}
+
+static bool has(const struct object *object, enum expectation_kind kind)
+{
+    size_t i;
+
+    for (i = 0; i < object->expectation_count; i++)
+        if (object->expectations[i].kind == kind)
+            return true;
+    return false;
+}
+
+static bool check_end(const struct outcome *outcome,
+                      const struct object *object)
+{
+    c205_error found;
+
+    if (outcome->stop->trap == C205_TRAP_NONE || has(object, EXPECT_TRAP))
+        return true;
+    c205_describe_stop(outcome->machine, outcome->stop, &found);
+    sink_print(outcome->report, "expected the program to EXIT, found: %s\n",
+               found.message);
+    return false;
+}
+
+/* Who expects lines expects all of them. */
+static bool check_rest(const struct outcome *outcome,
+                       const struct object *object)
+{
+    size_t length = strcspn(outcome->printed, "\n");
+
+    if (!*outcome->printed || !has(object, EXPECT_PRINT))
+        return true;
+    sink_print(outcome->report, "expected nothing more printed, found "
+               "'%.*s'\n", length < 400 ? (int)length : 400,
+               outcome->printed);
+    return false;
+}
+
+bool expect_check(const struct object *object, const c205 *machine,
+                  const c205_stop *stop, const char *printed,
+                  const struct sink *report)
+{
+    static bool (*const checks[EXPECT_KINDS])(
+        struct outcome *, const struct asm_expectation *) = {
+        [EXPECT_REGISTER] = check_register, [EXPECT_WORDS] = check_words,
+        [EXPECT_BITS] = check_bits,         [EXPECT_FLAGS] = check_flags,
+        [EXPECT_CLOCKS] = check_clocks,     [EXPECT_TRAP] = check_trap,
+        [EXPECT_PRINT] = check_print
+    };
+    struct outcome outcome;
+    bool good;
+    size_t i;
+
+    outcome.machine = machine;
+    outcome.stop = stop;
+    outcome.printed = printed;
+    outcome.report = report;
+    good = check_end(&outcome, object);
+    for (i = 0; i < object->expectation_count; i++) {
+        const struct asm_expectation *expectation = &object->expectations[i];
+
+        good = checks[expectation->kind](&outcome, expectation) && good;
+    }
+    return check_rest(&outcome, object) && good;
+}

@@ -1,0 +1,48 @@
+/* expect.h - what test programs say of themselves, and whether it came true.
+ *
+ *   ; expect: r10 = 5            the register holds this word
+ *   ; expect: [label] = 1.5, 2   the words from there
+ *   ; expect-bits: [label] = 1011 0010
+ *   ; expect-flags: X'0000 0000 0040 0000'
+ *   ; expect-clocks: 150
+ *   ; expect-trap: bad-descriptor
+ *   ; expect-print: text         the next line that the program prints
+ *
+ * A program without expect-trap is expected to end with EXIT.
+ */
+#ifndef ASM_EXPECT_H
+#define ASM_EXPECT_H
+
+#include "asm/assemble.h"
+
+enum expectation_kind {
+    EXPECT_REGISTER,
+    EXPECT_WORDS,
+    EXPECT_BITS,
+    EXPECT_FLAGS,
+    EXPECT_CLOCKS,
+    EXPECT_TRAP,
+    EXPECT_PRINT,
+    EXPECT_KINDS
+};
+
+struct asm_expectation {
+    enum expectation_kind kind;
+    unsigned number;        /* EXPECT_REGISTER */
+    uint64_t address;       /* EXPECT_WORDS, EXPECT_BITS */
+    size_t count;           /* words, or bits */
+    const c205_word *words; /* bits are packed from the left */
+    const char *text;       /* EXPECT_TRAP, EXPECT_PRINT */
+    const char *file;
+    size_t line;
+};
+
+const char *expectation_name(enum expectation_kind kind);
+
+/* Compare a machine that has stopped with what its program expects; printed
+ * is all that it printed.  Each failure is a line put to the report. */
+bool expect_check(const struct object *object, const c205 *machine,
+                  const c205_stop *stop, const char *printed,
+                  const struct sink *report);
+
+#endif

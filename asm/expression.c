@@ -1,0 +1,510 @@
+#include "asm/expression.h"
+
+#include <inttypes.h>
+#include <string.h>
+
+enum operation { VALUE, SYMBOL, UNARY, BINARY, BITS, WORD };
+
+struct expression {
+    enum operation operation;
+    int code;
+    unsigned depth;
+    const char *at;
+    struct value value;
+    const struct symbol *symbol;
+    const struct expression *left, *right;
+};
+
+static const struct {
+    int code;
+    int level; /* binds tighter the higher it is */
+} precedences[] = {
+    { OPERATOR('|', '|'), 1 }, { OPERATOR('&', '&'), 2 }, { '|', 3 },
+    { '^', 4 }, { '&', 5 }, { OPERATOR('=', '='), 6 },
+    { OPERATOR('!', '='), 6 }, { '<', 7 }, { '>', 7 },
+    { OPERATOR('<', '='), 7 }, { OPERATOR('>', '='), 7 },
+    { OPERATOR('<', '<'), 8 }, { OPERATOR('>', '>'), 8 }, { '+', 9 },
+    { '-', 9 }, { '*', 10 }, { '/', 10 }, { '%', 10 }
+};
+
+static int precedence(const struct cursor *cursor)
+{
+    size_t i;
+
+    for (i = 0; i < sizeof precedences / sizeof *precedences; i++)
+        if (cursor_at(cursor, precedences[i].code))
+            return precedences[i].level;
+    return 0;
+}
+
+/* ---- Arithmetic ---- */
+
+static uint64_t shift_right(int64_t a, uint64_t count)
+{
+    return a < 0 ? ~(~(uint64_t)a >> count) : (uint64_t)a >> count;
+}
+
+static const char *divide(int code, int64_t a, int64_t b, uint64_t *result)
+{
+    if (b == 0)
+        return "division by zero";
+    if (a == INT64_MIN && b == -1)
+        return "this quotient does not fit 64 bits";
+    *result = (uint64_t)(code == '/' ? a / b : a % b);
+    return NULL;
+}
+
+static const char *shift(int code, int64_t a, int64_t b, uint64_t *result)
+{
+    if (b < 0 || b > 63)
+        return "a shift count goes from 0 to 63";
+    if (code == OPERATOR('<', '<'))
+        *result = (uint64_t)a << b;
+    else
+        *result = shift_right(a, (uint64_t)b);
+    return NULL;
+}
+
+/* NULL, or what is wrong. */
+static const char *calculate(int code, int64_t a, int64_t b,
+                             uint64_t *result)
+{
+    uint64_t ua = (uint64_t)a, ub = (uint64_t)b;
+
+    switch (code) {
+    case '+': *result = ua + ub; break;
+    case '-': *result = ua - ub; break;
+    case '*': *result = ua * ub; break;
+    case '&': *result = ua & ub; break;
+    case '|': *result = ua | ub; break;
+    case '^': *result = ua ^ ub; break;
+    case '<': *result = a < b; break;
+    case '>': *result = a > b; break;
+    case OPERATOR('<', '='): *result = a <= b; break;
+    case OPERATOR('>', '='): *result = a >= b; break;
+    case OPERATOR('=', '='): *result = a == b; break;
+    case OPERATOR('!', '='): *result = a != b; break;
+    case OPERATOR('&', '&'): *result = a && b; break;
+    case OPERATOR('|', '|'): *result = a || b; break;
+    case '/':
+    case '%': return divide(code, a, b, result);
+    default: return shift(code, a, b, result);
+    }
+    return NULL;
+}
+
+static uint64_t negate(int code, uint64_t a)
+{
+    return code == '-' ? 0 - a : code == '~' ? ~a : !a;
+}
+
+/* ---- Evaluation ---- */
+
+static bool value_of_symbol(struct assembler *assembler,
+                            const struct line *line,
+                            const struct expression *expression,
+                            struct value *value)
+{
+    const struct symbol *symbol = expression->symbol;
+
+    switch (symbol->kind) {
+    case SYMBOL_LABEL:
+    case SYMBOL_CONSTANT:
+        *value = symbol->value;
+        return true;
+    case SYMBOL_REGISTER:
+        return report(assembler, line, expression->at,
+                      "expected a number, '%s' is a register", symbol->name);
+    default:
+        return report(assembler, line, expression->at,
+                      "'%s' is not defined%s", symbol->name,
+                      assembler->expander ? " before this line" : "");
+    }
+}
+
+static bool operand(struct assembler *assembler, const struct line *line,
+                    const struct expression *expression, int64_t *integer)
+{
+    struct value value;
+
+    if (!evaluate(assembler, line, expression, &value))
+        return false;
+    if (value.kind == VALUE_FLOATING)
+        return report(assembler, line, expression->at, "expected an integer;"
+                      " a floating-point number stands alone");
+    *integer = (int64_t)value.bits;
+    return true;
+}
+
+static bool short_circuits(int code, int64_t left)
+{
+    return (code == OPERATOR('&', '&') && !left)
+           || (code == OPERATOR('|', '|') && left);
+}
+
+static bool evaluate_binary(struct assembler *assembler,
+                            const struct line *line,
+                            const struct expression *expression,
+                            uint64_t *result)
+{
+    int64_t left = 0, right = 0;
+    const char *problem;
+
+    if (!operand(assembler, line, expression->left, &left))
+        return false;
+    if (!short_circuits(expression->code, left)
+        && !operand(assembler, line, expression->right, &right))
+        return false;
+    problem = calculate(expression->code, left, right, result);
+    if (problem)
+        return report(assembler, line, expression->at, "%s", problem);
+    return true;
+}
+
+bool evaluate(struct assembler *assembler, const struct line *line,
+              const struct expression *expression, struct value *value)
+{
+    int64_t integer = 0;
+
+    value->kind = VALUE_INTEGER;
+    switch (expression->operation) {
+    case VALUE:
+        *value = expression->value;
+        return true;
+    case SYMBOL:
+        return value_of_symbol(assembler, line, expression, value);
+    case BITS:
+        return evaluate_word(assembler, line, expression->left,
+                             &value->bits);
+    case WORD:
+        value->kind = VALUE_WORD;
+        if (!operand(assembler, line, expression->left, &integer))
+            return false;
+        value->bits = (uint64_t)integer;
+        return true;
+    case UNARY:
+        if (!operand(assembler, line, expression->left, &integer))
+            return false;
+        value->bits = negate(expression->code, (uint64_t)integer);
+        return true;
+    default:
+        return evaluate_binary(assembler, line, expression, &value->bits);
+    }
+}
+
+bool evaluate_integer(struct assembler *assembler, const struct line *line,
+                      const struct expression *expression, int64_t *integer)
+{
+    return operand(assembler, line, expression, integer);
+}
+
+bool evaluate_range(struct assembler *assembler, const struct line *line,
+                    const struct expression *expression, int64_t low,
+                    int64_t high, const char *what, int64_t *integer)
+{
+    if (!evaluate_integer(assembler, line, expression, integer))
+        return false;
+    if (*integer < low || *integer > high)
+        return report(assembler, line, expression->at, "expected %s from %"
+                      PRId64 " to %" PRId64 ", found %" PRId64, what, low,
+                      high, *integer);
+    return true;
+}
+
+bool evaluate_word(struct assembler *assembler, const struct line *line,
+                   const struct expression *expression, c205_word *word)
+{
+    struct value value;
+    int64_t integer = 0;
+
+    if (!evaluate(assembler, line, expression, &value))
+        return false;
+    *word = value.bits;
+    if (value.kind != VALUE_INTEGER)
+        return true;
+    integer = (int64_t)value.bits;
+    if (integer < -((int64_t)1 << 47) || integer >= (int64_t)1 << 48)
+        return report(assembler, line, expression->at, "expected a value of"
+                      " 48 bits; all 64 are written X'..' or word(..)");
+    *word = c205_from_integer(integer);
+    return true;
+}
+
+bool evaluate_address(struct assembler *assembler, const struct line *line,
+                      const struct expression *expression, uint64_t *address)
+{
+    int64_t integer = 0;
+
+    if (!evaluate_range(assembler, line, expression, 0,
+                        ((int64_t)1 << ADDRESS_BITS) - 1, "a bit address",
+                        &integer))
+        return false;
+    *address = (uint64_t)integer;
+    return true;
+}
+
+/* ---- Parsing ---- */
+
+static struct expression *new_node(struct cursor *cursor, const char *at,
+                                   enum operation operation)
+{
+    struct expression *node = arena_take(cursor->assembler->arena,
+                                         sizeof *node);
+
+    if (node) {
+        node->operation = operation;
+        node->at = at;
+    }
+    return node;
+}
+
+/* Work out now what needs no symbol; what fails is told by evaluate(). */
+static void fold(struct expression *node)
+{
+    const struct expression *left = node->left, *right = node->right;
+    uint64_t bits;
+
+    if (left->operation != VALUE || left->value.kind == VALUE_FLOATING)
+        return;
+    if (node->operation == UNARY) {
+        bits = negate(node->code, left->value.bits);
+    } else if (right->operation != VALUE
+               || right->value.kind == VALUE_FLOATING
+               || calculate(node->code, (int64_t)left->value.bits,
+                            (int64_t)right->value.bits, &bits)) {
+        return;
+    }
+    node->operation = VALUE;
+    node->value.kind = VALUE_INTEGER;
+    node->value.bits = bits;
+    node->depth = 0;
+}
+
+static struct expression *join(struct cursor *cursor,
+                               struct expression *node, int code,
+                               const struct expression *left,
+                               const struct expression *right)
+{
+    if (!node)
+        return NULL;
+    node->code = code;
+    node->left = left;
+    node->right = right;
+    node->depth = 1 + left->depth;
+    if (right && right->depth >= node->depth)
+        node->depth = 1 + right->depth;
+    fold(node);
+    if (node->depth > MAX_EXPRESSION_DEPTH) {
+        report(cursor->assembler, cursor->line, node->at,
+               "this expression is nested too deeply");
+        return NULL;
+    }
+    return node;
+}
+
+static const struct expression *parse_binary(struct cursor *cursor,
+                                             int level);
+
+static const struct expression *parse_symbol(struct cursor *cursor)
+{
+    struct expression *node = new_node(cursor, cursor->token.begin, SYMBOL);
+    const char *name;
+    size_t length;
+
+    if (!node || !expect_name(cursor, "a name", &name, &length))
+        return NULL;
+    node->symbol = symbol_intern(cursor->assembler, name, length);
+    return node->symbol ? node : NULL;
+}
+
+static const struct expression *parse_brackets(struct cursor *cursor)
+{
+    const struct expression *inside;
+
+    if (!expect_operator(cursor, '(', "'('"))
+        return NULL;
+    inside = parse_binary(cursor, 1);
+    if (!inside || !expect_operator(cursor, ')', "')'"))
+        return NULL;
+    return inside;
+}
+
+/* bits(value): the word, as an integer of 64 bits; word(integer): the word
+ * that these bits make. */
+static const struct expression *parse_function(struct cursor *cursor,
+                                               enum operation operation)
+{
+    struct expression *node = new_node(cursor, cursor->token.begin,
+                                       operation);
+
+    cursor_next(cursor);
+    if (!node || !(node->left = parse_brackets(cursor)))
+        return NULL;
+    node->depth = 1 + node->left->depth;
+    return node;
+}
+
+/* length("text"): in bytes. */
+static const struct expression *parse_length(struct cursor *cursor)
+{
+    struct expression *node = new_node(cursor, cursor->token.begin, VALUE);
+    size_t length;
+
+    cursor_next(cursor);
+    if (!node || !expect_operator(cursor, '(', "'('")
+        || !expect_string(cursor, &length)
+        || !expect_operator(cursor, ')', "')'"))
+        return NULL;
+    node->value.bits = length;
+    return node;
+}
+
+static const struct expression *parse_number(struct cursor *cursor)
+{
+    struct expression *node = new_node(cursor, cursor->token.begin, VALUE);
+
+    if (!node)
+        return NULL;
+    node->value = cursor->token.value;
+    cursor_next(cursor);
+    return node;
+}
+
+static const struct expression *parse_here(struct cursor *cursor)
+{
+    struct expression *node = new_node(cursor, cursor->token.begin, VALUE);
+
+    if (!node)
+        return NULL;
+    node->value.bits = cursor->assembler->section->at;
+    cursor_next(cursor);
+    return node;
+}
+
+static bool is_function(const struct token *token, const char *name)
+{
+    return token->kind == TOKEN_NAME && token_is(token, name)
+           && *token->end == '(';
+}
+
+static const struct expression *parse_primary(struct cursor *cursor)
+{
+    const struct token *token = &cursor->token;
+
+    if (token->kind == TOKEN_NUMBER)
+        return parse_number(cursor);
+    if (is_function(token, "bits"))
+        return parse_function(cursor, BITS);
+    if (is_function(token, "word"))
+        return parse_function(cursor, WORD);
+    if (is_function(token, "length"))
+        return parse_length(cursor);
+    if (token->kind == TOKEN_NAME)
+        return parse_symbol(cursor);
+    if (cursor_at(cursor, '.'))
+        return parse_here(cursor);
+    if (cursor_at(cursor, '('))
+        return parse_brackets(cursor);
+    expected(cursor, "a number, a name or '('");
+    return NULL;
+}
+
+/* -1.5 is cut to a word from its exact value, not negated afterwards. */
+static const struct expression *parse_negative_number(struct cursor *cursor,
+                                                      const char *at)
+{
+    struct expression *node = new_node(cursor, at, VALUE);
+    char text[80] = "-";
+    size_t length = (size_t)(cursor->token.end - cursor->token.begin);
+    const char *end;
+
+    if (!node)
+        return NULL;
+    if (length > sizeof text - 2) {
+        report(cursor->assembler, cursor->line, at,
+               "a negative number has at most %zu characters",
+               sizeof text - 2);
+        return NULL;
+    }
+    memcpy(text + 1, cursor->token.begin, length);
+    node->value.kind = VALUE_FLOATING;
+    node->value.bits = c205_from_text(text, &end);
+    cursor_next(cursor);
+    return node;
+}
+
+static const struct expression *parse_unary(struct cursor *cursor)
+{
+    const char *at = cursor->token.begin;
+    const struct expression *left;
+    struct expression *node;
+    int code = cursor->token.code;
+
+    if (!cursor_at(cursor, '-') && !cursor_at(cursor, '~')
+        && !cursor_at(cursor, '!'))
+        return parse_primary(cursor);
+    cursor_next(cursor);
+    if (code == '-' && cursor->token.kind == TOKEN_NUMBER
+        && cursor->token.value.kind == VALUE_FLOATING)
+        return parse_negative_number(cursor, at);
+    node = new_node(cursor, at, UNARY);
+    left = parse_binary(cursor, 11);
+    return left ? join(cursor, node, code, left, NULL) : NULL;
+}
+
+static const struct expression *parse_chain(struct cursor *cursor, int level)
+{
+    const struct expression *left = parse_unary(cursor), *right;
+    int found;
+
+    while (left && (found = precedence(cursor)) >= level && found) {
+        int code = cursor->token.code;
+        struct expression *node = new_node(cursor, cursor->token.begin,
+                                           BINARY);
+
+        cursor_next(cursor);
+        right = parse_binary(cursor, found + 1);
+        left = right ? join(cursor, node, code, left, right) : NULL;
+    }
+    return left;
+}
+
+/* Operators of this level and above.  Every nesting passes here. */
+static const struct expression *parse_binary(struct cursor *cursor,
+                                             int level)
+{
+    const struct expression *result;
+
+    if (cursor->depth >= MAX_EXPRESSION_DEPTH) {
+        report(cursor->assembler, cursor->line, cursor->token.begin,
+               "this expression is nested too deeply");
+        return NULL;
+    }
+    cursor->depth++;
+    result = parse_chain(cursor, level);
+    cursor->depth--;
+    return result;
+}
+
+const struct expression *parse_expression(struct cursor *cursor)
+{
+    return parse_binary(cursor, 1);
+}
+
+bool parse_value(struct cursor *cursor, struct value *value)
+{
+    const struct expression *expression = parse_expression(cursor);
+
+    return expression
+           && evaluate(cursor->assembler, cursor->line, expression, value);
+}
+
+bool parse_integer(struct cursor *cursor, int64_t low, int64_t high,
+                   const char *what, int64_t *integer)
+{
+    const struct expression *expression = parse_expression(cursor);
+
+    return expression
+           && evaluate_range(cursor->assembler, cursor->line, expression,
+                             low, high, what, integer);
+}

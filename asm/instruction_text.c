@@ -1,0 +1,236 @@
+#include "asm/instruction_text.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/syntax.h"
+
+enum { HALF_BITS = 32, ADDRESS_BITS = 48 };
+
+/* ---- One instruction ----
+ *
+ * Each operand is written, and the fields that it told are kept.  What these
+ * do not make up to the word again, the language cannot express. */
+
+struct writer {
+    struct sink sink;
+    const struct addresses *labels;
+    uint64_t address;
+    c205_fields fields, told;
+};
+
+static int compare_addresses(const void *a, const void *b)
+{
+    uint64_t first = *(const uint64_t *)a, second = *(const uint64_t *)b;
+
+    return (first > second) - (first < second);
+}
+
+bool addresses_hold(const struct addresses *addresses, uint64_t address)
+{
+    return addresses->count > 0
+           && bsearch(&address, addresses->items, addresses->count,
+                      sizeof address, compare_addresses);
+}
+
+static void write_address(const struct writer *writer, uint64_t address)
+{
+    sink_print(&writer->sink, "%s%" PRIX64,
+               addresses_hold(writer->labels, address) ? "L" : "0x", address);
+}
+
+static uint8_t tell_field(struct writer *writer, char letter)
+{
+    uint8_t value = *syntax_field(&writer->fields, letter);
+
+    *syntax_field(&writer->told, letter) = value;
+    return value;
+}
+
+static bool tell_bit(struct writer *writer, uint8_t bit)
+{
+    bit &= writer->fields.g;
+    writer->told.g |= bit;
+    return bit != 0;
+}
+
+static void write_second(struct writer *writer,
+                         const struct operand *operand, uint8_t first)
+{
+    uint8_t second = 0;
+
+    if (operand->second == SECOND_IS_NEXT) {
+        if (tell_bit(writer, C205_G_OFFSET))
+            second = (uint8_t)(first + 1);
+        else
+            return;
+    } else if (operand->second) {
+        second = tell_field(writer, operand->second);
+    }
+    if (second || operand->second == SECOND_IS_NEXT)
+        sink_print(&writer->sink, ", r%u", second);
+}
+
+static void write_source(struct writer *writer,
+                         const struct operand *operand)
+{
+    bool negate = tell_bit(writer, operand->negate);
+    bool magnitude = tell_bit(writer, operand->magnitude);
+    bool bare = operand->kind == OPERAND_REGISTER
+                || tell_bit(writer, operand->broadcast);
+    uint8_t number = tell_field(writer, operand->field);
+
+    sink_print(&writer->sink, "%s%s%sr%u", negate ? "-" : "",
+               magnitude ? "|" : "", bare ? "" : "[", number);
+    if (!bare)
+        write_second(writer, operand, number);
+    sink_print(&writer->sink, "%s%s", bare ? "" : "]", magnitude ? "|" : "");
+}
+
+/* Targets before address 0 or after the last cannot be written; their
+ * distance stays untold. */
+static void write_target(struct writer *writer)
+{
+    uint64_t target = writer->address
+                      + (uint64_t)writer->fields.immediate * HALF_BITS;
+    uint8_t y, b;
+
+    if (tell_bit(writer, C205_G_RELATIVE)) {
+        if (target >> ADDRESS_BITS == 0)
+            writer->told.immediate = writer->fields.immediate;
+        write_address(writer, target);
+        return;
+    }
+    y = tell_field(writer, 'Y');
+    b = tell_field(writer, 'B');
+    sink_print(&writer->sink, b ? "[r%u, r%u]" : "[r%u]", y, b);
+}
+
+static bool holds_address(const struct operand *operand)
+{
+    return operand->kind == OPERAND_IMMEDIATE
+           && operand->high > UINT16_MAX;
+}
+
+/* Those that can hold an address are in hex; one out of range stays untold. */
+static void write_immediate(struct writer *writer,
+                            const struct operand *operand)
+{
+    int64_t value = writer->fields.immediate;
+
+    if (value >= operand->low && value <= operand->high)
+        writer->told.immediate = value;
+    if (holds_address(operand) && value >= 0)
+        write_address(writer, (uint64_t)value);
+    else
+        sink_print(&writer->sink, "%" PRId64, value);
+}
+
+static void write_control(struct writer *writer,
+                          const struct operand *operand)
+{
+    sink_put(&writer->sink,
+             tell_bit(writer, C205_G_ZEROS) ? " ?! [" : " ? [");
+    sink_print(&writer->sink, "r%u]", tell_field(writer, operand->field));
+}
+
+static void write_operand(struct writer *writer,
+                          const struct operand *operand)
+{
+    switch (operand->kind) {
+    case OPERAND_IMMEDIATE:
+        write_immediate(writer, operand);
+        break;
+    case OPERAND_TARGET:
+        write_target(writer);
+        break;
+    case OPERAND_CONTROL:
+        write_control(writer, operand);
+        break;
+    default:
+        write_source(writer, operand);
+    }
+}
+
+/* A control vector that is not there: no register and no sense. */
+static bool is_absent(const struct writer *writer,
+                      const struct operand *operand)
+{
+    return operand->kind == OPERAND_CONTROL && operand->may_be_left_out
+           && writer->fields.z == 0
+           && !(writer->fields.g & C205_G_ZEROS);
+}
+
+static bool write_instruction(struct writer *writer, const c205_insn *insn,
+                              c205_word word)
+{
+    struct operand operands[MAX_OPERANDS];
+    size_t i, count = syntax_operands(insn, operands);
+
+    writer->fields = c205_decode(insn, word);
+    writer->told.f = insn->opcode;
+    writer->told.g = insn->subop;
+    sink_put(&writer->sink, insn->mnemonic);
+    for (i = 0; i < count; i++) {
+        if (is_absent(writer, &operands[i]))
+            continue;
+        if (operands[i].kind != OPERAND_CONTROL)
+            sink_put(&writer->sink, i > 0 ? ", " : " ");
+        write_operand(writer, &operands[i]);
+    }
+    return c205_encode(insn, &writer->told) == word;
+}
+
+unsigned instruction_write(c205_word word, uint64_t address,
+                           unsigned available,
+                           const struct addresses *labels,
+                           const struct sink *sink)
+{
+    static const struct writer empty;
+    struct writer writer = empty;
+    struct text_buffer buffer = { NULL, 0, 0, false };
+    const c205_insn *insn;
+    unsigned halves;
+
+    insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
+    halves = insn ? c205_format_halves(insn->format) : 1;
+    if (halves == 1)
+        word &= ~(c205_word)UINT32_MAX;
+    writer.sink = text_buffer_sink(&buffer);
+    writer.labels = labels;
+    writer.address = address;
+    if (insn && halves <= available && write_instruction(&writer, insn, word)
+        && buffer.text) {
+        sink_put(sink, buffer.text);
+    } else {
+        sink_print(sink, ".half X'%08" PRIX64 "'", word >> HALF_BITS);
+        halves = 1;
+    }
+    text_buffer_free(&buffer);
+    return halves;
+}
+
+bool instruction_address(c205_word word, uint64_t address, uint64_t *target)
+{
+    struct operand operands[MAX_OPERANDS];
+    const c205_insn *insn;
+    c205_fields fields;
+    size_t i, count;
+
+    insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
+    if (!insn)
+        return false;
+    fields = c205_decode(insn, word);
+    count = syntax_operands(insn, operands);
+    for (i = 0; i < count; i++) {
+        *target = (uint64_t)fields.immediate;
+        if (holds_address(&operands[i]) && fields.immediate >= 0)
+            return true;
+        *target = address + *target * HALF_BITS;
+        if (operands[i].kind == OPERAND_TARGET
+            && (fields.g & C205_G_RELATIVE))
+            return true;
+    }
+    return false;
+}

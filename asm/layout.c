@@ -1,0 +1,91 @@
+/* layout.c - the two location counters and the items that lie at them. */
+#include "asm/statement.h"
+
+enum { WORD_HALVES = 2, HALF_BITS = 32 };
+
+static bool check_room(struct cursor *cursor, uint64_t halves)
+{
+    struct assembler *assembler = cursor->assembler;
+    struct section *section = assembler->section;
+    uint64_t end = section->at + halves * HALF_BITS;
+
+    assembler->words += (halves + 1) / WORD_HALVES;
+    if (assembler->words > MAX_WORDS) {
+        assembler->words = MAX_WORDS;
+        return report(assembler, cursor->line, cursor->line->begin,
+                      "a program has at most %lu words",
+                      (unsigned long)MAX_WORDS);
+    }
+    if (end > (uint64_t)1 << ADDRESS_BITS)
+        return report(assembler, cursor->line, cursor->line->begin,
+                      "this lies beyond the last address");
+    if (section == &assembler->sections[0] && !section->moved
+        && end > DATA_ORIGIN && section->at <= DATA_ORIGIN)
+        return report(assembler, cursor->line, cursor->line->begin,
+                      "the code outgrows its page and runs into the data;"
+                      " move it with .org");
+    return true;
+}
+
+struct item *layout_add(struct cursor *cursor, enum item_kind kind,
+                        uint64_t halves)
+{
+    struct assembler *assembler = cursor->assembler;
+    struct item *item;
+
+    if (!check_room(cursor, halves))
+        return NULL;
+    item = arena_grow(assembler->arena, assembler->items,
+                      assembler->item_count, &assembler->item_capacity,
+                      sizeof *item);
+    if (!item)
+        return NULL;
+    assembler->items = item;
+    item += assembler->item_count;
+    item->kind = kind;
+    item->line = cursor->line;
+    item->address = assembler->section->at;
+    item->halves = halves;
+    item->order = assembler->item_count++;
+    assembler->section->at += halves * HALF_BITS;
+    layout_settle(assembler);
+    return item;
+}
+
+void layout_align(struct assembler *assembler, uint64_t bits)
+{
+    uint64_t at = assembler->section->at;
+    size_t i;
+
+    at = (at + bits - 1) / bits * bits;
+    assembler->section->at = at;
+    for (i = 0; i < assembler->waiting_count; i++)
+        assembler->waiting[i]->value.bits = at;
+}
+
+bool layout_label(struct cursor *cursor, const char *name, size_t length,
+                  const char *at)
+{
+    struct assembler *assembler = cursor->assembler;
+    struct symbol *symbol = symbol_intern(assembler, name, length);
+    struct symbol **waiting;
+    struct value value = { VALUE_INTEGER, 0 };
+
+    value.bits = assembler->section->at;
+    if (!symbol_define(assembler, cursor->line, at, symbol, SYMBOL_LABEL,
+                       value))
+        return false;
+    waiting = arena_grow(assembler->arena, assembler->waiting,
+                         assembler->waiting_count,
+                         &assembler->waiting_capacity, sizeof *waiting);
+    if (!waiting)
+        return false;
+    assembler->waiting = waiting;
+    waiting[assembler->waiting_count++] = symbol;
+    return true;
+}
+
+void layout_settle(struct assembler *assembler)
+{
+    assembler->waiting_count = 0;
+}

@@ -1,0 +1,31 @@
+; core.s - descriptors, constants and calls.
+;
+; Include it as often as needed; it is read once.
+
+        .ifndef descriptor
+
+; r := descriptor of a vector of length elements at a bit address.  Both are
+; constants of the program; at run time: RTOR and ADDLEN.
+        .macro  descriptor r, address, length
+        EX      \r, \address
+        ELEN    \r, \length
+        .endm
+
+; r := any word: load_constant r5, 1.5
+        .macro  load_constant r, value
+        EX      \r, bits(\value) & 0xFFFFFFFFFFFF
+        ELEN    \r, bits(\value) >> 48 & 0xFFFF
+        .endm
+
+; Call a routine: its address goes to scratch, that of the next instruction
+; to link.  The routine ends with: return link
+        .macro  call routine, link, scratch
+        EX      \scratch, \routine
+        BSAVE   \link, [\scratch]
+        .endm
+
+        .macro  return link
+        BIM     0, \link
+        .endm
+
+        .endif

@@ -1,0 +1,131 @@
+/* object.c - object files, written; object_read.c reads them. */
+#include "asm/object.h"
+
+#include <ctype.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/expect.h"
+#include "asm/file.h"
+#include "asm/whole.h"
+
+/* A name ends its line, so it holds no line's end itself. */
+static void put_name(const struct sink *sink, const char *name)
+{
+    for (; *name; name++)
+        sink->put(sink->context,
+                  iscntrl((unsigned char)*name) ? "?" : name, 1);
+    sink_put(sink, "\n");
+}
+
+static void write_words(const struct sink *sink, const c205_word *words,
+                        size_t count)
+{
+    size_t i;
+
+    for (i = 0; i < count; i++)
+        sink_print(sink, "%016" PRIX64 "\n", words[i]);
+}
+
+static void write_segment(const struct sink *sink,
+                          const c205_segment *segment)
+{
+    sink_print(sink, "%s %" PRIX64 " %zu\n",
+               segment->words ? "segment" : "zeros", segment->address,
+               segment->length);
+    if (segment->words)
+        write_words(sink, segment->words, segment->length);
+}
+
+static void write_symbol(const struct sink *sink,
+                         const struct asm_symbol *symbol)
+{
+    const char *kind = symbol->is_word ? "word" : "integer";
+
+    sink_print(sink, "%s %" PRIX64 " ", symbol->is_label ? "label" : kind,
+               (uint64_t)symbol->value);
+    put_name(sink, symbol->name);
+}
+
+static void write_expectation(const struct sink *sink,
+                              const struct asm_expectation *expectation)
+{
+    size_t count = expectation->count;
+
+    sink_print(sink, "expect %s %u %" PRIX64 " %zu %zu ",
+               expectation_name(expectation->kind), expectation->number,
+               expectation->address, count, expectation->line);
+    put_name(sink, expectation->file);
+    if (expectation->kind == EXPECT_BITS)
+        count = (count + 63) / 64;
+    write_words(sink, expectation->words, count);
+    if (expectation->text) {
+        sink_put(sink, "text ");
+        put_name(sink, expectation->text);
+    }
+}
+
+void object_write(const struct object *object, const struct sink *sink)
+{
+    const c205_program *program = &object->program;
+    size_t i;
+
+    sink_print(sink, "c205-object 1\nentry %" PRIX64 "\n", program->entry);
+    for (i = 0; i < program->segment_count; i++)
+        write_segment(sink, &program->segments[i]);
+    for (i = 0; i < program->region_count; i++) {
+        const c205_region *region = &program->regions[i];
+
+        sink_print(sink, "region %" PRIX64 " %" PRIX64 " ", region->begin,
+                   region->end);
+        put_name(sink, region->name);
+    }
+    for (i = 0; i < object->symbol_count; i++)
+        write_symbol(sink, &object->symbols[i]);
+    for (i = 0; i < object->expectation_count; i++)
+        write_expectation(sink, &object->expectations[i]);
+    sink_put(sink, "end\n");
+}
+
+bool object_save(const struct object *object, const char *path,
+                 c205_error *error)
+{
+    struct whole *whole = whole_open(path, error);
+    struct sink sink;
+
+    if (!whole)
+        return false;
+    sink = stream_sink(whole->file);
+    object_write(object, &sink);
+    return whole_commit(whole, error);
+}
+
+struct object *object_load(const char *path, c205_error *error)
+{
+    size_t length;
+    char *text = file_read(path, &length, error);
+    struct object *object;
+
+    if (!text)
+        return NULL;
+    object = object_read(text, length, error);
+    free(text);
+    return object;
+}
+
+bool object_recognise(const char *path)
+{
+    static const char magic[] = "c205-object ";
+    char begin[sizeof magic - 1];
+    FILE *file = fopen(path, "rb");
+    bool same;
+
+    if (!file)
+        return false;
+    same = fread(begin, 1, sizeof begin, file) == sizeof begin
+           && memcmp(begin, magic, sizeof begin) == 0;
+    fclose(file);
+    return same;
+}

@@ -1,0 +1,329 @@
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "asm/assembler.h"
+#include "asm/object.h"
+#include "asm/storage.h"
+
+struct reader {
+    struct storage *storage;
+    const char *at, *end;            /* of what is not read yet */
+    const char *field, *line_end;    /* of the line being read */
+    size_t line;
+    uint64_t words;
+    const char *problem;
+};
+
+static bool wrong(struct reader *reader, const char *problem)
+{
+    if (!reader->problem)
+        reader->problem = problem;
+    return false;
+}
+
+static bool next_line(struct reader *reader)
+{
+    const char *newline;
+
+    if (reader->at >= reader->end)
+        return wrong(reader, "the file ends before its end line");
+    newline = memchr(reader->at, '\n', (size_t)(reader->end - reader->at));
+    if (!newline)
+        return wrong(reader, "the last line is torn");
+    reader->field = reader->at;
+    reader->line_end = newline;
+    reader->at = newline + 1;
+    reader->line++;
+    return true;
+}
+
+/* ---- Fields of a line, a blank between them ---- */
+
+static bool end_field(struct reader *reader, const char *end)
+{
+    if (end < reader->line_end && *end != ' ')
+        return wrong(reader, "a field holds what it should not");
+    reader->field = end + (end < reader->line_end);
+    return true;
+}
+
+static bool take_hex(struct reader *reader, uint64_t *number)
+{
+    static const char digits[] = "0123456789ABCDEF";
+    const char *at = reader->field, *found;
+
+    *number = 0;
+    while (at < reader->line_end && *at
+           && (found = strchr(digits, *at)) != NULL) {
+        *number = *number << 4 | (uint64_t)(found - digits);
+        at++;
+    }
+    if (at == reader->field || at - reader->field > 16)
+        return wrong(reader, "expected 1 to 16 hex digits");
+    return end_field(reader, at);
+}
+
+static bool take_count(struct reader *reader, uint64_t most, size_t *count)
+{
+    const char *at = reader->field;
+    uint64_t number = 0;
+
+    while (at < reader->line_end && isdigit((unsigned char)*at)) {
+        number = 10 * number + (uint64_t)(*at++ - '0');
+        if (number > most)
+            return wrong(reader, "this number is too large");
+    }
+    if (at == reader->field)
+        return wrong(reader, "expected a number");
+    *count = (size_t)number;
+    return end_field(reader, at);
+}
+
+static bool take_address(struct reader *reader, uint64_t *address)
+{
+    return take_hex(reader, address)
+           && (*address >> ADDRESS_BITS == 0
+               || wrong(reader, "an address has 48 bits"));
+}
+
+static const char *take_rest(struct reader *reader)
+{
+    const char *field = reader->field;
+
+    reader->field = reader->line_end;
+    return arena_text(&reader->storage->arena, field,
+                      (size_t)(reader->line_end - field));
+}
+
+static bool take_keyword(struct reader *reader, const char *keyword)
+{
+    size_t length = strlen(keyword);
+    const char *end = reader->field + length;
+
+    if ((size_t)(reader->line_end - reader->field) < length
+        || memcmp(reader->field, keyword, length) != 0
+        || (end < reader->line_end && *end != ' '))
+        return false;
+    return end_field(reader, end);
+}
+
+/* Lines of one word each; there must be bytes for them before there is
+ * memory. */
+static const c205_word *take_words(struct reader *reader, size_t count)
+{
+    enum { LINE = 17 };
+    c205_word *words;
+    size_t i;
+
+    if (count > (size_t)(reader->end - reader->at) / LINE) {
+        wrong(reader, "the file ends before its words do");
+        return NULL;
+    }
+    words = arena_take(&reader->storage->arena, count * sizeof *words);
+    for (i = 0; words && i < count; i++)
+        if (!next_line(reader) || !take_hex(reader, &words[i]))
+            return NULL;
+    return words;
+}
+
+/* ---- Kinds of lines ---- */
+
+static bool read_entry(struct reader *reader)
+{
+    return take_address(reader, &reader->storage->object.program.entry);
+}
+
+static bool read_extent(struct reader *reader, c205_segment *segment)
+{
+    if (!segment || !take_address(reader, &segment->address)
+        || !take_count(reader, MAX_WORDS, &segment->length))
+        return false;
+    reader->words += segment->length;
+    if (segment->address % 64)
+        return wrong(reader, "a segment begins on a word");
+    if (reader->words > MAX_WORDS)
+        return wrong(reader, "these are too many words");
+    if (segment->address + 64 * (uint64_t)segment->length
+        > (uint64_t)1 << ADDRESS_BITS)
+        return wrong(reader, "this segment ends beyond the last address");
+    return true;
+}
+
+static bool read_segment(struct reader *reader)
+{
+    c205_segment *segment = storage_add_segment(reader->storage);
+
+    if (!read_extent(reader, segment))
+        return false;
+    segment->words = take_words(reader, segment->length);
+    return segment->words != NULL;
+}
+
+static bool read_zeros(struct reader *reader)
+{
+    return read_extent(reader, storage_add_segment(reader->storage));
+}
+
+static bool read_region(struct reader *reader)
+{
+    c205_region *region = storage_add_region(reader->storage);
+
+    if (!region || !take_address(reader, &region->begin)
+        || !take_address(reader, &region->end))
+        return false;
+    region->name = take_rest(reader);
+    if (region->begin >= region->end)
+        return wrong(reader, "a region ends after it begins");
+    return region->name != NULL;
+}
+
+static bool read_symbol(struct reader *reader, bool is_label, bool is_word)
+{
+    struct asm_symbol *symbol = storage_add_symbol(reader->storage);
+    uint64_t value;
+
+    if (!symbol || !take_hex(reader, &value))
+        return false;
+    symbol->value = (int64_t)value;
+    symbol->is_label = is_label;
+    symbol->is_word = is_word;
+    symbol->name = take_rest(reader);
+    return symbol->name != NULL;
+}
+
+static bool read_label(struct reader *reader)
+{
+    return read_symbol(reader, true, false);
+}
+
+static bool read_integer(struct reader *reader)
+{
+    return read_symbol(reader, false, false);
+}
+
+static bool read_word(struct reader *reader)
+{
+    return read_symbol(reader, false, true);
+}
+
+static bool take_kind(struct reader *reader, enum expectation_kind *kind)
+{
+    unsigned i;
+
+    for (i = 0; i < EXPECT_KINDS; i++) {
+        *kind = (enum expectation_kind)i;
+        if (take_keyword(reader, expectation_name(*kind)))
+            return true;
+    }
+    return wrong(reader, "expected the name of an expectation");
+}
+
+static bool read_text(struct reader *reader, const char **text)
+{
+    if (!next_line(reader))
+        return false;
+    if (!take_keyword(reader, "text"))
+        return wrong(reader, "expected a text");
+    *text = take_rest(reader);
+    return *text != NULL;
+}
+
+/* How many words follow the line. */
+static size_t words_of(const struct asm_expectation *expectation)
+{
+    if (expectation->kind == EXPECT_BITS)
+        return (expectation->count + 63) / 64;
+    return expectation->count;
+}
+
+static bool check_count(struct reader *reader,
+                        const struct asm_expectation *expectation)
+{
+    static const size_t counts[EXPECT_KINDS] = {
+        [EXPECT_REGISTER] = 1, [EXPECT_FLAGS] = 1, [EXPECT_CLOCKS] = 1
+    };
+
+    return expectation->kind == EXPECT_WORDS
+           || expectation->kind == EXPECT_BITS
+           || expectation->count == counts[expectation->kind]
+           || wrong(reader, "this expectation has another number of words");
+}
+
+static bool read_expectation(struct reader *reader)
+{
+    struct asm_expectation *made = storage_add_expectation(reader->storage);
+    size_t number;
+
+    if (!made || !take_kind(reader, &made->kind)
+        || !take_count(reader, C205_REGISTERS - 1, &number)
+        || !take_address(reader, &made->address)
+        || !take_count(reader, 64 * MAX_WORDS, &made->count)
+        || !take_count(reader, INT32_MAX, &made->line)
+        || !check_count(reader, made))
+        return false;
+    made->number = (unsigned)number;
+    made->file = take_rest(reader);
+    made->words = take_words(reader, words_of(made));
+    if (!made->file || !made->words)
+        return false;
+    return (made->kind != EXPECT_TRAP && made->kind != EXPECT_PRINT)
+           || read_text(reader, &made->text);
+}
+
+/* ---- The file ---- */
+
+static bool read_line(struct reader *reader)
+{
+    static const struct {
+        const char *keyword;
+        bool (*read)(struct reader *);
+    } kinds[] = {
+        { "entry", read_entry },     { "segment", read_segment },
+        { "zeros", read_zeros },     { "region", read_region },
+        { "label", read_label },     { "integer", read_integer },
+        { "word", read_word },       { "expect", read_expectation }
+    };
+    size_t i;
+
+    for (i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (take_keyword(reader, kinds[i].keyword))
+            return kinds[i].read(reader);
+    return wrong(reader, "no line of an object file begins like this");
+}
+
+static bool read_all(struct reader *reader)
+{
+    if (!next_line(reader) || !take_keyword(reader, "c205-object"))
+        return wrong(reader, "this is no object file");
+    if (!take_keyword(reader, "1"))
+        return wrong(reader, "this version of object files is not known");
+    while (next_line(reader)) {
+        if (take_keyword(reader, "end"))
+            return reader->at == reader->end
+                   || wrong(reader, "something follows the end line");
+        if (!read_line(reader))
+            return false;
+    }
+    return false;
+}
+
+struct object *object_read(const char *text, size_t length,
+                           c205_error *error)
+{
+    struct reader reader = { NULL, NULL, NULL, NULL, NULL, 0, 0, NULL };
+
+    reader.storage = storage_new();
+    reader.at = text;
+    reader.end = text + length;
+    if (reader.storage && read_all(&reader)) {
+        storage_sort_symbols(reader.storage);
+        return &reader.storage->object;
+    }
+    snprintf(error->message, sizeof error->message, "line %zu: %s",
+             reader.line, reader.problem ? reader.problem
+                                         : "the host has no memory left");
+    if (reader.storage)
+        object_free(&reader.storage->object);
+    return NULL;
+}

@@ -1,0 +1,126 @@
+#include "asm/print.h"
+
+#include <inttypes.h>
+
+/* A descriptor's 48-bit address and 16-bit length. */
+static uint64_t address_of(c205_word descriptor)
+{
+    return descriptor & ((UINT64_C(1) << 48) - 1);
+}
+
+static unsigned length_of(c205_word descriptor)
+{
+    return (unsigned)(descriptor >> 48);
+}
+
+/* Element i of a vector of elements of 1, 8 or 64 bits, at the right end of
+ * *element.  False after telling that it lies where nothing is. */
+static bool fetch(const struct printer *printer, const c205 *machine,
+                  c205_word descriptor, unsigned i, unsigned bits,
+                  c205_word *element)
+{
+    uint64_t address = address_of(descriptor) / bits * bits;
+    c205_word word;
+
+    address = address_of(address + (uint64_t)i * bits);
+    if (!c205_read(machine, address / 64 * 64, &word, 1)) {
+        sink_print(&printer->sink, "(unmapped address %" PRIX64 ")", address);
+        return false;
+    }
+    *element = word << address % 64 >> (64 - bits);
+    return true;
+}
+
+static void print_number(const struct printer *printer, const c205 *machine,
+                         c205_word word)
+{
+    char text[C205_TEXT_SIZE];
+
+    (void)machine;
+    c205_to_text(word, text);
+    sink_put(&printer->sink, text);
+}
+
+static void print_integer(const struct printer *printer, const c205 *machine,
+                          c205_word word)
+{
+    (void)machine;
+    sink_print(&printer->sink, "%" PRId64, c205_to_integer(word));
+}
+
+static void print_hex(const struct printer *printer, const c205 *machine,
+                      c205_word word)
+{
+    char text[C205_TEXT_SIZE];
+
+    (void)machine;
+    c205_to_hex(word, text);
+    sink_put(&printer->sink, text);
+}
+
+static void print_text(const struct printer *printer, const c205 *machine,
+                       c205_word descriptor)
+{
+    unsigned i;
+    c205_word byte;
+    char c;
+
+    for (i = 0; i < length_of(descriptor); i++) {
+        if (!fetch(printer, machine, descriptor, i, 8, &byte))
+            return;
+        c = (char)byte;
+        printer->sink.put(printer->sink.context, &c, 1);
+    }
+}
+
+static void print_newline(const struct printer *printer, const c205 *machine,
+                          c205_word word)
+{
+    (void)machine;
+    (void)word;
+    sink_put(&printer->sink, "\n");
+}
+
+static void print_vector(const struct printer *printer, const c205 *machine,
+                         c205_word descriptor)
+{
+    unsigned i;
+    c205_word word;
+
+    for (i = 0; i < length_of(descriptor); i++) {
+        if (i > 0)
+            sink_put(&printer->sink, " ");
+        if (!fetch(printer, machine, descriptor, i, 64, &word))
+            return;
+        print_number(printer, machine, word);
+    }
+}
+
+static void print_bits(const struct printer *printer, const c205 *machine,
+                       c205_word descriptor)
+{
+    unsigned i;
+    c205_word bit;
+
+    for (i = 0; i < length_of(descriptor); i++) {
+        if (!fetch(printer, machine, descriptor, i, 1, &bit))
+            return;
+        sink_put(&printer->sink, bit ? "1" : "0");
+    }
+}
+
+void printer_listen(void *context, const c205 *machine,
+                    const c205_event *event)
+{
+    static void (*const requests[])(const struct printer *, const c205 *,
+                                    c205_word) = {
+        NULL, print_number, print_integer, print_hex, print_text,
+        print_newline, print_vector, print_bits
+    };
+    const struct printer *printer = context;
+
+    if (event->kind != C205_EVENT_REQUEST || event->request == 0
+        || event->request >= sizeof requests / sizeof *requests)
+        return;
+    requests[event->request](printer, machine, event->r);
+}

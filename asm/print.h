@@ -1,0 +1,24 @@
+/* print.h - what a program asks the monitor to print, as text.
+ *
+ * EXIT R, S, request with
+ *
+ *   1  R in decimal      2  R as an integer     3  R in hex
+ *   4  text: R is a descriptor of length(R) bytes
+ *   5  newline           6  vector of numbers R
+ *   7  bit vector R
+ */
+#ifndef ASM_PRINT_H
+#define ASM_PRINT_H
+
+#include "asm/sink.h"
+#include "vm/c205.h"
+
+struct printer {
+    struct sink sink;
+};
+
+/* A c205_listener whose context is a struct printer. */
+void printer_listen(void *printer, const c205 *machine,
+                    const c205_event *event);
+
+#endif

@@ -1,0 +1,38 @@
+/* sink.h - where text goes: a callback, or a buffer that grows.
+ *
+ * Whatever the assembler's side prints (errors, listings, disassemblies, the
+ * output of programs) goes to a sink, so that the caller decides on files,
+ * strings or windows.
+ */
+#ifndef ASM_SINK_H
+#define ASM_SINK_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct sink {
+    void (*put)(void *context, const char *text, size_t length);
+    void *context;
+};
+
+void sink_put(const struct sink *sink, const char *text);
+/* At most 1023 bytes a call; longer text is cut. */
+void sink_print(const struct sink *sink, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+
+/* Zero it to begin; text is NUL-terminated or NULL as long as it is empty. */
+struct text_buffer {
+    char *text;
+    size_t length, capacity;
+    bool failed; /* no memory: the text is not complete */
+};
+
+struct sink text_buffer_sink(struct text_buffer *buffer);
+void text_buffer_free(struct text_buffer *buffer);
+/* Writes to the stdio stream given as its context. */
+struct sink stream_sink(void *stream);
+
+#endif

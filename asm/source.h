@@ -1,0 +1,17 @@
+/* source.h - finding the texts that .include names. */
+#ifndef ASM_SOURCE_H
+#define ASM_SOURCE_H
+
+#include "asm/assembler.h"
+
+struct source {
+    const char *name;
+    const char *text, *end;
+};
+
+/* A text that the caller or the library carries under this name; else a file
+ * in the folder of the file from; else one in the folders to search. */
+bool source_find(struct assembler *assembler, const char *name,
+                 const char *from, struct source *source);
+
+#endif

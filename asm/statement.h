@@ -1,0 +1,32 @@
+/* statement.h - what the files of the parser share. */
+#ifndef ASM_STATEMENT_H
+#define ASM_STATEMENT_H
+
+#include "asm/expression.h"
+
+/* layout.c: where things go. */
+struct item *layout_add(struct cursor *cursor, enum item_kind kind,
+                        uint64_t halves);
+/* Data begin on words; labels that wait for them go along. */
+void layout_align(struct assembler *assembler, uint64_t bits);
+bool layout_label(struct cursor *cursor, const char *name, size_t length,
+                  const char *at);
+void layout_settle(struct assembler *assembler);
+
+/* operand.c */
+bool parse_register(struct cursor *cursor, uint8_t *number);
+bool parse_instruction(struct cursor *cursor, const c205_insn *insn);
+
+/* directive.c: NULL: there is none of this name. */
+typedef bool directive_parser(struct cursor *cursor);
+struct directive {
+    const char *name;
+    directive_parser *parse;
+    bool is_data; /* labels before it wait for its alignment */
+};
+const struct directive *find_directive(const struct token *token);
+
+/* wish.c: the expectation in the comment at the end of a line, if any. */
+bool parse_wish(struct cursor *cursor);
+
+#endif

@@ -1,0 +1,27 @@
+/* storage.h - an object and the memory that all of it lies in. */
+#ifndef ASM_STORAGE_H
+#define ASM_STORAGE_H
+
+#include "asm/arena.h"
+#include "asm/assemble.h"
+#include "asm/expect.h"
+
+struct storage {
+    struct object object; /* first: object_free() goes from one to the other */
+    struct arena arena;
+    size_t segment_capacity, region_capacity, symbol_capacity;
+    size_t line_capacity, expectation_capacity;
+};
+
+struct storage *storage_new(void);
+
+/* NULL: no memory. */
+c205_segment *storage_add_segment(struct storage *storage);
+c205_region *storage_add_region(struct storage *storage);
+struct asm_symbol *storage_add_symbol(struct storage *storage);
+struct asm_line *storage_add_line(struct storage *storage);
+struct asm_expectation *storage_add_expectation(struct storage *storage);
+
+void storage_sort_symbols(struct storage *storage);
+
+#endif

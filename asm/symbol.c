@@ -1,0 +1,102 @@
+#include "asm/assembler.h"
+
+#include <ctype.h>
+#include <string.h>
+
+/* FNV-1a */
+static size_t hash(const char *name, size_t length)
+{
+    uint32_t sum = 2166136261u;
+    size_t i;
+
+    for (i = 0; i < length; i++)
+        sum = (sum ^ (unsigned char)name[i]) * 16777619u;
+    return sum % SYMBOL_BUCKETS;
+}
+
+struct symbol *symbol_find(const struct assembler *assembler,
+                           const char *name, size_t length)
+{
+    struct symbol *symbol;
+
+    symbol = assembler->symbols.buckets[hash(name, length)];
+    while (symbol && (symbol->length != length
+                      || memcmp(symbol->name, name, length) != 0))
+        symbol = symbol->next;
+    return symbol;
+}
+
+struct symbol *symbol_intern(struct assembler *assembler, const char *name,
+                             size_t length)
+{
+    struct symbol **bucket = &assembler->symbols.buckets[hash(name, length)];
+    struct symbol *symbol = symbol_find(assembler, name, length);
+
+    if (symbol)
+        return symbol;
+    symbol = arena_take(assembler->arena, sizeof *symbol);
+    if (!symbol)
+        return NULL;
+    symbol->name = arena_text(assembler->arena, name, length);
+    if (!symbol->name)
+        return NULL;
+    symbol->length = length;
+    symbol->next = *bucket;
+    *bucket = symbol;
+    assembler->symbols.count++;
+    return symbol;
+}
+
+/* r0 .. r255, without leading zeros; -1: another name. */
+int register_number(const char *name, size_t length)
+{
+    int number = 0;
+    size_t i;
+
+    if (length < 2 || length > 4 || (*name != 'r' && *name != 'R')
+        || (name[1] == '0' && length > 2))
+        return -1;
+    for (i = 1; i < length; i++) {
+        if (!isdigit((unsigned char)name[i]))
+            return -1;
+        number = 10 * number + (name[i] - '0');
+    }
+    return number < C205_REGISTERS ? number : -1;
+}
+
+static bool is_same(const struct symbol *symbol, enum symbol_kind kind,
+                    struct value value)
+{
+    if (symbol->kind != kind)
+        return false;
+    if (kind == SYMBOL_REGISTER) /* a new name list for the code below */
+        return true;
+    return kind == SYMBOL_CONSTANT && symbol->value.kind == value.kind
+           && symbol->value.bits == value.bits;
+}
+
+/* A name means one thing in a program; but registers are named anew by each
+ * routine, and a constant may be given the same value twice. */
+bool symbol_define(struct assembler *assembler, const struct line *line,
+                   const char *at, struct symbol *symbol,
+                   enum symbol_kind kind, struct value value)
+{
+    if (!symbol)
+        return false;
+    if (register_number(symbol->name, symbol->length) >= 0)
+        return report(assembler, line, at, "'%s' is a register",
+                      symbol->name);
+    if (symbol->kind != SYMBOL_UNDEFINED && !is_same(symbol, kind, value)) {
+        if (!symbol->defined)
+            return report(assembler, line, at,
+                          "'%s' is defined by the command already",
+                          symbol->name);
+        return report(assembler, line, at,
+                      "'%s' is defined already, in %s:%zu", symbol->name,
+                      symbol->defined->file, symbol->defined->number);
+    }
+    symbol->kind = kind;
+    symbol->value = value;
+    symbol->defined = line;
+    return true;
+}

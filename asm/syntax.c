@@ -1,0 +1,139 @@
+#include "asm/syntax.h"
+
+#include <ctype.h>
+#include <string.h>
+
+uint8_t *syntax_field(c205_fields *fields, char letter)
+{
+    switch (letter) {
+    case 'X': return &fields->x;
+    case 'A': return &fields->a;
+    case 'Y': return &fields->y;
+    case 'B': return &fields->b;
+    case 'Z': return &fields->z;
+    case 'C': return &fields->c;
+    case 'R': return &fields->r;
+    case 'S': return &fields->s;
+    default: return &fields->t;
+    }
+}
+
+/* What the format's string does not say: the range of its immediate, and how
+ * many of its last operands may be left out. */
+static const struct format_rule {
+    c205_format format;
+    int64_t low, high;
+    size_t left_out;
+} format_rules[] = {
+    { C205_FORMAT_SHIFT, -64, 63, 0 },
+    { C205_FORMAT_REQUEST, 0, 255, 3 },
+    { C205_FORMAT_I16, -32768, 65535, 0 },
+    { C205_FORMAT_I48, -((int64_t)1 << 47), ((int64_t)1 << 48) - 1, 0 },
+    { C205_FORMAT_JUMP, 0, ((int64_t)1 << 48) - 1, 1 },
+    { C205_FORMAT_INDEX, 0, 0, 1 }
+};
+
+static const struct format_rule *find_rule(c205_format format)
+{
+    size_t i;
+
+    for (i = 0; i < sizeof format_rules / sizeof *format_rules; i++)
+        if (format_rules[i].format == format)
+            return &format_rules[i];
+    return NULL;
+}
+
+/* The G bits go by the field: sources are A and B, and only A has a minus. */
+static void add_sign(struct operand *operand, const c205_insn *insn,
+                     char letter)
+{
+    if (!(insn->flags & C205_INSN_SIGN) || !strchr("vuf", letter))
+        return;
+    if (operand->field == 'A') {
+        operand->negate = C205_G_NEGATE_A;
+        operand->magnitude = C205_G_MAGNITUDE_A;
+    } else if (operand->field == 'B') {
+        operand->magnitude = C205_G_MAGNITUDE_B;
+    }
+}
+
+/* "[R, S]", "[A+X]" or "[R]"; after a result vector stands its offset, register C+1.
+ * Returns the end of the operand and counts its letters. */
+static const char *read_bracket(struct operand *operand, const char *at,
+                                const char **letter)
+{
+    operand->kind = OPERAND_BRACKET;
+    operand->field = at[1];
+    if (at[2] == ',') {
+        operand->second = at[4];
+        ++*letter;
+    } else if (at[2] == '+') {
+        operand->second = at[3];
+    } else if (operand->field == 'C' && strchr("dec", **letter)) {
+        operand->second = SECOND_IS_NEXT;
+    }
+    return strchr(at, ']') + 1;
+}
+
+static void read_source(struct operand *operand, char field)
+{
+    operand->kind = OPERAND_SOURCE;
+    operand->field = (char)toupper((unsigned char)field);
+    operand->second = operand->field == 'A' ? 'X' : 'Y';
+    operand->broadcast = operand->field == 'A' ? C205_G_BROADCAST_A
+                                               : C205_G_BROADCAST_B;
+}
+
+static const char *read_operand(struct operand *operand, const char *at,
+                                const c205_insn *insn, const char **letter)
+{
+    const struct format_rule *rule = find_rule(insn->format);
+
+    if (*at == '[')
+        return read_bracket(operand, at, letter);
+    if (*at == 'I' && isdigit((unsigned char)at[1])) {
+        operand->kind = OPERAND_IMMEDIATE;
+        operand->low = rule->low;
+        operand->high = rule->high;
+        return at + 1 + strspn(at + 1, "0123456789");
+    }
+    if (*at == '?' || *at == '!') {
+        operand->kind = OPERAND_CONTROL;
+        operand->field = at[1];
+        operand->may_be_left_out = *at == '?';
+        return at + 2;
+    }
+    if (*at == '@')
+        operand->kind = OPERAND_TARGET;
+    else if (islower((unsigned char)*at))
+        read_source(operand, *at);
+    else
+        operand->field = *at;
+    return at + 1;
+}
+
+size_t syntax_operands(const c205_insn *insn,
+                       struct operand operands[MAX_OPERANDS])
+{
+    static const struct operand empty;
+    const char *at = c205_format_syntax(insn->format);
+    const char *letter = insn->operands;
+    const struct format_rule *rule = find_rule(insn->format);
+    size_t count = 0, i;
+
+    while (*at && count < MAX_OPERANDS) {
+        char first = *letter;
+
+        if (*at == ' ' || *at == ',') {
+            at++;
+            continue;
+        }
+        operands[count] = empty;
+        at = read_operand(&operands[count], at, insn, &letter);
+        add_sign(&operands[count++], insn, first);
+        letter += *letter != '\0';
+    }
+    for (i = 0; rule && i < rule->left_out && i < count; i++)
+        operands[count - 1 - i].may_be_left_out = true;
+    return count;
+}

@@ -1,0 +1,42 @@
+/* syntax.h - how an instruction is written, from its row of vm/insn.def.
+ *
+ * The parser and the disassembler both walk these operands; neither knows
+ * any instruction by name.
+ */
+#ifndef ASM_SYNTAX_H
+#define ASM_SYNTAX_H
+
+#include "vm/c205.h"
+
+enum operand_kind {
+    OPERAND_REGISTER,  /* R */
+    OPERAND_BRACKET,   /* [R] */
+    OPERAND_SOURCE,    /* [A] or R, which is broadcast */
+    OPERAND_IMMEDIATE,
+    OPERAND_TARGET,
+    OPERAND_CONTROL    /* ? [Z] or ?! [Z] */
+};
+
+/* The register after a comma inside brackets is the one after the first. */
+#define SECOND_IS_NEXT '+'
+
+struct operand {
+    enum operand_kind kind;
+    char field;           /* letter of the c205_fields member */
+    char second;          /* inside the brackets, after a comma; 0: none */
+    bool may_be_left_out; /* with all that follow it; the field is 0 then */
+    uint8_t broadcast;    /* G bits of a bare register, .. */
+    uint8_t negate;       /* .. of -[A], .. */
+    uint8_t magnitude;    /* .. of |[A]|; 0: not allowed */
+    int64_t low, high;    /* of an immediate */
+};
+
+enum { MAX_OPERANDS = 8 };
+
+size_t syntax_operands(const c205_insn *insn,
+                       struct operand operands[MAX_OPERANDS]);
+
+/* The field with a letter of a syntax. */
+uint8_t *syntax_field(c205_fields *fields, char letter);
+
+#endif

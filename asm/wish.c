@@ -1,0 +1,193 @@
+/* wish.c - expectations, as they stand in the comments of test programs. */
+#include <ctype.h>
+#include <string.h>
+
+#include "asm/statement.h"
+
+static const struct expression **add_value(struct cursor *cursor,
+                                           struct wish *wish,
+                                           size_t *capacity)
+{
+    const struct expression **values;
+
+    values = arena_grow(cursor->assembler->arena, wish->values, wish->count,
+                        capacity, sizeof *values);
+    if (values)
+        wish->values = values;
+    return values;
+}
+
+static bool parse_values(struct cursor *cursor, struct wish *wish)
+{
+    size_t capacity = 0;
+
+    do {
+        const struct expression *value = parse_expression(cursor);
+
+        if (!value || !add_value(cursor, wish, &capacity))
+            return false;
+        wish->values[wish->count++] = value;
+    } while (cursor_take(cursor, ','));
+    return expect_end(cursor);
+}
+
+static bool parse_place(struct cursor *cursor, struct wish *wish)
+{
+    return expect_operator(cursor, '[', "'['")
+           && (wish->address = parse_expression(cursor)) != NULL
+           && expect_operator(cursor, ']', "']'");
+}
+
+/* r10 = 5, or [label] = 1, 2, 3 */
+static bool parse_expect(struct cursor *cursor, struct wish *wish)
+{
+    uint8_t number;
+
+    if (cursor_at(cursor, '[')) {
+        wish->kind = EXPECT_WORDS;
+        return parse_place(cursor, wish)
+               && expect_operator(cursor, '=', "'='")
+               && parse_values(cursor, wish);
+    }
+    wish->kind = EXPECT_REGISTER;
+    if (!parse_register(cursor, &number)
+        || !expect_operator(cursor, '=', "'='")
+        || !parse_values(cursor, wish))
+        return false;
+    wish->number = number;
+    return wish->count == 1
+           || report(cursor->assembler, cursor->line, cursor->line->begin,
+                     "expected one value: a register holds one word");
+}
+
+/* [label] = 1011 0010 */
+static bool parse_bits(struct cursor *cursor, struct wish *wish)
+{
+    const char *at, *end = cursor->line->end;
+    c205_word *bits;
+
+    if (!parse_place(cursor, wish) || !cursor_at(cursor, '='))
+        return expected(cursor, "'='");
+    at = cursor->token.end;
+    bits = arena_take(cursor->assembler->arena,
+                      ((size_t)(end - at) / 64 + 1) * sizeof *bits);
+    if (!bits)
+        return false;
+    for (; at < end; at++) {
+        if (isspace((unsigned char)*at))
+            continue;
+        if (*at != '0' && *at != '1')
+            return report(cursor->assembler, cursor->line, at,
+                          "expected the digits 0 and 1");
+        bits[wish->count / 64] |= (c205_word)(*at == '1')
+                                  << (63 - wish->count % 64);
+        wish->count++;
+    }
+    wish->bits = bits;
+    return true;
+}
+
+static bool parse_one(struct cursor *cursor, struct wish *wish)
+{
+    wish->values = arena_take(cursor->assembler->arena,
+                              sizeof *wish->values);
+    wish->count = 1;
+    return wish->values
+           && (wish->values[0] = parse_expression(cursor)) != NULL
+           && expect_end(cursor);
+}
+
+static bool parse_rest(struct cursor *cursor, struct wish *wish)
+{
+    const char *begin = cursor->line->begin, *end = cursor->line->end;
+
+    begin += begin < end && *begin == ' ';
+    while (begin < end && isspace((unsigned char)end[-1]))
+        end--;
+    wish->text = arena_text(cursor->assembler->arena, begin,
+                            (size_t)(end - begin));
+    return wish->text != NULL;
+}
+
+static bool parse_trap(struct cursor *cursor, struct wish *wish)
+{
+    unsigned trap;
+
+    if (!parse_rest(cursor, wish))
+        return false;
+    for (trap = C205_TRAP_NONE + 1; trap < C205_TRAPS; trap++)
+        if (strcmp(c205_trap_name((c205_trap)trap), wish->text) == 0)
+            return true;
+    return report(cursor->assembler, cursor->line, cursor->token.begin,
+                  "expected the name of a trap, found '%s'", wish->text);
+}
+
+static bool add_wish(struct assembler *assembler, struct wish wish)
+{
+    struct wish *wishes;
+
+    wishes = arena_grow(assembler->arena, assembler->wishes,
+                        assembler->wish_count, &assembler->wish_capacity,
+                        sizeof *wishes);
+    if (!wishes)
+        return false;
+    assembler->wishes = wishes;
+    wishes[assembler->wish_count++] = wish;
+    return true;
+}
+
+static bool parse_named(struct cursor *cursor, const char *name,
+                        size_t length, const char *rest)
+{
+    static const struct {
+        const char *name;
+        enum expectation_kind kind;
+        bool (*parse)(struct cursor *, struct wish *);
+    } wishes[] = {
+        { "expect", EXPECT_REGISTER, parse_expect },
+        { "expect-bits", EXPECT_BITS, parse_bits },
+        { "expect-flags", EXPECT_FLAGS, parse_one },
+        { "expect-clocks", EXPECT_CLOCKS, parse_one },
+        { "expect-trap", EXPECT_TRAP, parse_trap },
+        { "expect-print", EXPECT_PRINT, parse_rest }
+    };
+    static const struct wish empty;
+    struct line *line = arena_take(cursor->assembler->arena, sizeof *line);
+    size_t i;
+
+    if (!line)
+        return false;
+    *line = *cursor->line;
+    line->begin = rest;
+    for (i = 0; i < sizeof wishes / sizeof *wishes; i++) {
+        struct cursor inside = cursor_start(cursor->assembler, line);
+        struct wish wish = empty;
+
+        if (strlen(wishes[i].name) != length
+            || memcmp(wishes[i].name, name, length) != 0)
+            continue;
+        wish.line = line;
+        wish.kind = wishes[i].kind;
+        return wishes[i].parse(&inside, &wish)
+               && add_wish(cursor->assembler, wish);
+    }
+    return report(cursor->assembler, cursor->line, name,
+                  "expected expect: or expect-bits: -flags: -clocks: -trap:"
+                  " -print:");
+}
+
+bool parse_wish(struct cursor *cursor)
+{
+    const char *at = cursor->token.begin, *end = cursor->line->end, *name;
+
+    while (at < end && (*at == ';' || *at == ' '))
+        at++;
+    name = at;
+    while (at < end && (islower((unsigned char)*at) || *at == '-'))
+        at++;
+    if (at == end || *at != ':' || at - name < 6
+        || memcmp(name, "expect", 6) != 0
+        || (at - name > 6 && name[6] != '-'))
+        return true;
+    return parse_named(cursor, name, (size_t)(at - name), at + 1);
+}

@@ -1,0 +1,78 @@
+/* fuzz_asm.c - any bytes as a program text and as an object file; what they
+ * make must come back from its disassembly (clang -fsanitize=fuzzer). */
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/assemble.h"
+#include "asm/disassemble.h"
+#include "asm/listing.h"
+#include "asm/object.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static void ignore(void *context, const char *text, size_t length)
+{
+    (void)context;
+    (void)text;
+    (void)length;
+}
+
+static const struct sink nowhere = { ignore, NULL };
+
+/* Its disassembly must assemble. */
+static void go_round(const struct object *object)
+{
+    struct text_buffer text = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&text);
+    struct asm_errors errors = { 0, NULL };
+    struct object *again;
+
+    disassemble(&object->program, &sink);
+    again = assemble_text("again.s", text.text, NULL, &errors);
+    if (!again)
+        abort();
+    object_free(again);
+    asm_errors_free(&errors);
+    text_buffer_free(&text);
+}
+
+static void try_text(const char *text)
+{
+    struct asm_errors errors = { 0, NULL };
+    struct object *object = assemble_text("fuzz.s", text, NULL, &errors);
+
+    if (!object && errors.count == 0)
+        abort();
+    asm_errors_print(&errors, &nowhere);
+    if (object) {
+        go_round(object);
+        listing(object, &nowhere);
+        object_write(object, &nowhere);
+    }
+    object_free(object);
+    asm_errors_free(&errors);
+}
+
+static void try_object(const uint8_t *data, size_t size)
+{
+    c205_error error;
+    struct object *object = object_read((const char *)data, size, &error);
+
+    if (object)
+        object_write(object, &nowhere);
+    object_free(object);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    char *text = calloc(1, size + 1);
+
+    if (!text)
+        return 0;
+    if (size > 0)
+        memcpy(text, data, size);
+    try_text(text);
+    try_object(data, size);
+    free(text);
+    return 0;
+}

@@ -1,0 +1,118 @@
+/* test_asm_expression.c - values and expressions. */
+#include "tests/unit/asm_helper.h"
+
+/* What .word makes of it. */
+static c205_word value(const char *expression)
+{
+    char text[300];
+    struct object *object;
+    c205_word word;
+
+    snprintf(text, sizeof text, " .equ N, 7\n .equ F, 2.5\n .data\n"
+             "here: .word %s\nthere:\n", expression);
+    object = good(text);
+    word = word_of(&object->program, 0x800000);
+    object_free(object);
+    return word;
+}
+
+static void test_integers(void **state)
+{
+    static const struct {
+        const char *text;
+        int64_t value;
+    } cases[] = {
+        { "10", 10 }, { "0x1F", 31 }, { "-1", -1 }, { "1 + 2 * 3", 7 },
+        { "(1 + 2) * 3", 9 }, { "7 - 2 - 1", 4 }, { "-7 / 2", -3 },
+        { "-7 % 4", -3 }, { "1 << 4 + 1", 32 }, { "-8 >> 1", -4 },
+        { "1 < 2", 1 }, { "2 <= 1", 0 }, { "3 > 2 == 1", 1 },
+        { "5 & 3 == 3", 1 }, { "5 & 6 ^ 1 | 8", 13 }, { "~0 & 0xFF", 255 },
+        { "!5", 0 }, { "!!5", 1 }, { "- -5", 5 }, { "-~4", 5 },
+        { "0 && 1 / 0", 0 }, { "1 || 1 / 0", 1 }, { "1 && 0", 0 },
+        { "N * N", 49 }, { "here", 0x800000 }, { "there - here", 64 },
+        { ".", 0x800000 }, { ". + 64 == there", 1 },
+        { "X'0F' + 1", 16 }, { "bits(1.0) >> 48 & 0xFFFF", 0xFFD2 },
+        { "bits(-1)", 0xFFFFFFFFFFFF }, { "length(\"a\\nb\\x41\")", 4 },
+        { "0x7FFFFFFFFFFF + 1", 0x800000000000 },
+        { "9223372036854775807 == -(-9223372036854775807)", 1 },
+        { "1 << 63 >> 63", -1 }
+    };
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < sizeof cases / sizeof *cases; i++)
+        assert_int_equal(value(cases[i].text),
+                         c205_from_integer(cases[i].value));
+}
+
+static void test_words(void **state)
+{
+    (void)state;
+    assert_int_equal(value("1.0"), C205_ONE);
+    assert_int_equal(value("1e0"), C205_ONE);
+    assert_int_equal(value(".5"), 0xFFD1400000000000);
+    assert_int_equal(value("-1.5"), 0xFFD2A00000000000);
+    assert_int_equal(value("- 1.5"), 0xFFD2A00000000000);
+    assert_int_equal(value("F"), c205_from_double(2.5));
+    assert_int_equal(value("(2.5)"), c205_from_double(2.5));
+    assert_int_equal(value("X'FFD2 4000 0000 0000'"), C205_ONE);
+    assert_int_equal(value("x'ff'"), 0xFF);
+    assert_int_equal(value("word(3 << 48 | here)"), 0x0003000000800000);
+}
+
+static void expect_failure(const char *expression, const char *message)
+{
+    char text[700];
+    struct asm_errors errors = { 0, NULL };
+
+    snprintf(text, sizeof text, " .equ F, 2.5\n .reg x, r5\n .word %s\n",
+             expression);
+    assert_null(assemble_text("test.s", text, NULL, &errors));
+    assert_int_equal(errors.count, 1);
+    assert_int_equal(errors.items[0].line, 3);
+    if (!strstr(errors.items[0].message, message))
+        fail_msg("%s: %s", expression, errors.items[0].message);
+    asm_errors_free(&errors);
+}
+
+static void test_errors(void **state)
+{
+    char deep[500] = "";
+
+    (void)state;
+    expect_failure("1 / 0", "division by zero");
+    expect_failure("1 % (2 - 2)", "division by zero");
+    expect_failure("(1 << 63) / -1", "does not fit");
+    expect_failure("1 << 64", "from 0 to 63");
+    expect_failure("1 >> -1", "from 0 to 63");
+    expect_failure("1.5 + 1", "stands alone");
+    expect_failure("-F", "stands alone");
+    expect_failure("nowhere", "'nowhere' is not defined");
+    expect_failure("x", "is a register");
+    expect_failure("1 +", "found the end of the statement");
+    expect_failure("(1", "')'");
+    expect_failure("1 2", "found '2'");
+    expect_failure("12ab", "goes over into a name");
+    expect_failure("1.5.2", "goes over into a name");
+    expect_failure("0x", "no digits");
+    expect_failure("99999999999999999999", "does not fit 63 bits");
+    expect_failure("0x10000000000000000", "does not fit 64 bits");
+    expect_failure("X'12", "ends with '");
+    expect_failure("X''", "1 to 16");
+    expect_failure("X'123456789ABCDEF01'", "1 to 16");
+    expect_failure("1 << 50", "48 bits");
+    expect_failure("\"text\"", "found '\"text\"'");
+    memset(deep, '(', sizeof deep - 1);
+    expect_failure(deep, "too deeply");
+    memset(deep, '-', sizeof deep - 1);
+    expect_failure(deep, "too deeply");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_integers), cmocka_unit_test(test_words),
+        cmocka_unit_test(test_errors)
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

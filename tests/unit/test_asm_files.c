@@ -1,0 +1,246 @@
+/* test_asm_files.c - programs as files: there and back, and broken ones. */
+#include "tests/unit/asm_helper.h"
+
+#include <dirent.h>
+
+#include "asm/disassemble.h"
+#include "asm/expect.h"
+#include "asm/listing.h"
+#include "asm/object.h"
+#include "tests/random.h"
+
+static void check_disassembly(const struct object *object)
+{
+    struct text_buffer text = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&text);
+    struct object *again;
+
+    assert_true(disassemble(&object->program, &sink));
+    again = good(text.text);
+    assert_same_program(&object->program, &again->program);
+    object_free(again);
+    text_buffer_free(&text);
+}
+
+static void check_object_file(const struct object *object)
+{
+    struct text_buffer first = { NULL, 0, 0, false };
+    struct text_buffer second = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&first);
+    c205_error error = { "" };
+    struct object *again;
+
+    object_write(object, &sink);
+    again = object_read(first.text, first.length, &error);
+    assert_string_equal(error.message, "");
+    assert_same_program(&object->program, &again->program);
+    sink = text_buffer_sink(&second);
+    object_write(again, &sink);
+    assert_string_equal(first.text, second.text);
+    object_free(again);
+    text_buffer_free(&first);
+    text_buffer_free(&second);
+}
+
+static void check_listing(const struct object *object)
+{
+    struct text_buffer text = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&text);
+
+    listing(object, &sink);
+    assert_true(object->line_count == 0 || text.length > 0);
+    text_buffer_free(&text);
+}
+
+static void check_source(const char *path)
+{
+    struct asm_errors errors = { 0, NULL };
+    struct sink sink = stream_sink(stderr);
+    struct object *object = assemble_file(path, NULL, &errors);
+
+    asm_errors_print(&errors, &sink);
+    assert_non_null(object);
+    check_disassembly(object);
+    check_object_file(object);
+    check_listing(object);
+    object_free(object);
+    asm_errors_free(&errors);
+}
+
+static void check_folder(const char *folder)
+{
+    DIR *listed = opendir(folder);
+    struct dirent *entry;
+    char path[600];
+
+    while (listed && (entry = readdir(listed)) != NULL) {
+        size_t length = strlen(entry->d_name);
+
+        if (length < 3 || strcmp(entry->d_name + length - 2, ".s") != 0)
+            continue;
+        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
+        check_source(path);
+    }
+    if (listed)
+        closedir(listed);
+}
+
+static void test_sources(void **state)
+{
+    (void)state;
+    check_folder("asm/lib");
+    check_folder("asm/examples");
+    check_folder("tests/programs");
+}
+
+static const char sample[] =
+    " .include \"print.s\"\n"
+    " .equ n, 5\n .equ half, 0.5\n"
+    " .kernel \"a \\\"b\\\\\"\n"
+    "start: print_text \"hello\", r5\n"
+    " IBXLT r1, r2, r3, start, r1\n"
+    " .endkernel\n"
+    " .half X'FFFF FFFF'\n"
+    " .data\n"
+    "v: .word 1, 2, 3, 4, 5, 0, 0, 0, 0, 0, 0, 6\n"
+    " .space 100\n"
+    "; expect: r5 = -1.5\n"
+    "; expect: [v] = 1, 2\n"
+    "; expect-bits: [v] = 1 0\n"
+    "; expect-flags: X'20'\n"
+    "; expect-clocks: 100\n"
+    "; expect-trap: bad-descriptor\n"
+    "; expect-print: a line\n";
+
+static void test_sample(void **state)
+{
+    struct object *object = good(sample);
+
+    (void)state;
+    assert_int_equal(object->expectation_count, EXPECT_KINDS);
+    check_disassembly(object);
+    check_object_file(object);
+    object_free(object);
+}
+
+static void test_saved(void **state)
+{
+    static const char path[] = "test_asm_files.tmp";
+    struct object *object = good(sample), *again;
+    c205_error error;
+
+    (void)state;
+    assert_false(object_recognise(path));
+    assert_true(object_save(object, path, &error));
+    assert_true(object_recognise(path));
+    again = object_load(path, &error);
+    assert_non_null(again);
+    assert_same_program(&object->program, &again->program);
+    assert_int_equal(remove(path), 0);
+    assert_false(object_save(object, "no/such/folder", &error));
+    assert_null(object_load(path, &error));
+    object_free(object);
+    object_free(again);
+}
+
+/* Data disassembled as if they were code, from any bits. */
+static void test_any_bits(void **state)
+{
+    enum { WORDS = 4000 };
+    static c205_word words[WORDS];
+    c205_segment segment = { 0x400000, WORDS, NULL };
+    c205_region regions[] = { { "r", 0x400020, 0x400100 },
+                              { "overlaps", 0x4000E0, 0x400200 },
+                              { "ends", 0x400800, 0x400000 + 64 * WORDS } };
+    struct object object;
+    uint64_t seed = 84;
+    size_t i;
+
+    (void)state;
+    memset(&object, 0, sizeof object);
+    for (i = 0; i < WORDS; i++) {
+        words[i] = xorshift(&seed);
+        if (i % 3) /* opcodes that are defined */
+            words[i] = words[i] << 8 >> 8
+                       | (c205_word)c205_insns[xorshift(&seed)
+                                               % c205_insn_count].opcode
+                         << 56;
+    }
+    segment.words = words;
+    object.program.entry = 0x400060;
+    object.program.segments = &segment;
+    object.program.segment_count = 1;
+    check_disassembly(&object);
+    object.program.regions = regions;
+    object.program.region_count = 1;
+    check_disassembly(&object);
+    regions[1] = regions[2];
+    object.program.region_count = 2;
+    check_disassembly(&object);
+}
+
+/* No piece of an object file, and none with a byte changed, does harm. */
+static void test_broken_files(void **state)
+{
+    struct object *object = good(sample);
+    struct text_buffer text = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&text);
+    uint64_t seed = 1;
+    c205_error error;
+    size_t i;
+
+    (void)state;
+    object_write(object, &sink);
+    object_free(object);
+    for (i = 0; i < text.length; i++)
+        assert_null(object_read(text.text, i, &error));
+    for (i = 0; i < 20000; i++) {
+        char *byte = &text.text[xorshift(&seed) % text.length];
+        char kept = *byte;
+
+        *byte = (char)xorshift(&seed);
+        object_free(object_read(text.text, text.length, &error));
+        *byte = kept;
+    }
+    text_buffer_free(&text);
+}
+
+static void check_refused(const char *text, const char *message)
+{
+    c205_error error;
+
+    assert_null(object_read(text, strlen(text), &error));
+    if (!strstr(error.message, message))
+        fail_msg("%s: %s", text, error.message);
+}
+
+static void test_refused_files(void **state)
+{
+    (void)state;
+    check_refused("", "ends before");
+    check_refused("hello\n", "no object file");
+    check_refused("c205-object 2\nend\n", "version");
+    check_refused("c205-object 1\nfrob\nend\n", "line 2: no line");
+    check_refused("c205-object 1\nentry 1000000000000\nend\n", "48 bits");
+    check_refused("c205-object 1\nsegment 20 0\nend\n", "on a word");
+    check_refused("c205-object 1\nsegment 40 9999999\nend\n",
+                  "before its words");
+    check_refused("c205-object 1\nzeros 40 99999999\nend\n", "too large");
+    check_refused("c205-object 1\nzeros FFFFFFFFFFC0 2\nend\n",
+                  "the last address");
+    check_refused("c205-object 1\nregion 40 40 x\nend\n", "after it begins");
+    check_refused("c205-object 1\nexpect clocks 0 0 0 1 x\nend\n",
+                  "number of words");
+    check_refused("c205-object 1\nend\nend\n", "follows");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_sources), cmocka_unit_test(test_sample),
+        cmocka_unit_test(test_saved), cmocka_unit_test(test_any_bits),
+        cmocka_unit_test(test_broken_files),
+        cmocka_unit_test(test_refused_files)
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,193 @@
+/* test_asm_insn.c - instructions as written and as encoded. */
+#include "tests/unit/asm_helper.h"
+
+#include "asm/disassemble.h"
+#include "tests/random.h"
+
+static const char names[] = " .regs r16, a, x, b, y, c, o, z, s\n"
+                            " .reg c2, r20\n";
+
+static c205_word encoding(const char *instruction)
+{
+    char text[300];
+    struct object *object;
+    c205_word word;
+
+    snprintf(text, sizeof text, "%sback: %s\nnext:\n", names, instruction);
+    object = good(text);
+    word = word_of(&object->program, 0x400000);
+    object_free(object);
+    return word;
+}
+
+static void test_encodings(void **state)
+{
+    static const struct {
+        const char *text;
+        c205_word word;
+    } cases[] = {
+        { "ADDN a, b, c", 0x6210121400000000 },
+        { "addn r1, R2, r3", 0x6201020300000000 },
+        { "SQRT a, b", 0x7310001200000000 },
+        { "LOD [a], c", 0x7E10001400000000 },
+        { "LOD [a, x], c", 0x7E10111400000000 },
+        { "SWAP [a], r32, [c]", 0x7D10201400000000 },
+        { "BEQ a, b, [c]", 0x2410121400000000 },
+        { "BSAVE a, [b]", 0x3610001200000000 },
+        { "BSAVE a, [b, x]", 0x3610111200000000 },
+        { "SHIFTI a, -64, c", 0x3010C01400000000 },
+        { "CNTOB [a], s", 0x1F10001700000000 },
+        { "EXIT", 0x0900000000000000 },
+        { "EXIT a", 0x0910000000000000 },
+        { "EXIT a, b, 255", 0x091012FF00000000 },
+        { "ES a, -1", 0x3E10FFFF00000000 },
+        { "ELEN a, 65535", 0x2A10FFFF00000000 },
+        { "EX a, X'8000 0000 0000'", 0xBE10800000000000 },
+        { "EX a, -1", 0xBE10FFFFFFFFFFFF },
+        { "EX a, next", 0xBE10000000400040 },
+        { "BIM next", 0xB600000000400040 },
+        { "BIM 64, a", 0xB610000000000040 },
+        { "IBXLT a, x, z, back, c", 0xB340111000001614 },
+        { "IBXLT a, x, z, next", 0xB340111000021600 },
+        { "IBXLT a, x, z, [y, b], c", 0xB300111013121614 },
+        { "IBXLT a, x, z, [y]", 0xB300111013001600 },
+        { "IBXEQ a, x, z, 0x3FFFE0, c", 0xB0401110FFFF1614 },
+        { "CFPGE a, z, next", 0xB2C0001000021600 },
+        { "CFPGE a, z, [y, b]", 0xB280001013121600 },
+        { "ADDNV [a], [b], [c]", 0x8200001000120014 },
+        { "ADDNV a, [b], [c]", 0x8210001000120014 },
+        { "ADDNV [a], b, [c]", 0x8208001000120014 },
+        { "ADDNV [a, x], [b, y], [c, o]", 0x8220111013120014 },
+        { "ADDNV [a], [b], [c] ? [z]", 0x8200001000121614 },
+        { "ADDNV [a], [b], [c, o] ?! [z]", 0x8260001000121614 },
+        { "ADDNV -[a], [b], [c]", 0x8204001000120014 },
+        { "ADDNV |[a]|, |[b]|, [c]", 0x8203001000120014 },
+        { "ADDNV -|a|, |b|, [c]", 0x821F001000120014 },
+        { "ORNV [a], b, [c]", 0x9D0D001000120014 },
+        { "INTVLV a, b, [c]", 0xDF00001000120014 },
+        { "SUMV [a], s ? [z]", 0xDA00001000001617 },
+        { "CPSV [a], [c] ? [z]", 0xBC00001000001614 },
+        { "CPSV a, [c] ?! [z]", 0xBC50001000001614 },
+        { "ACPSV [a], b, [c], [z]", 0xCF08001000121614 },
+        { "VXTOV [a], [b], [c, o]", 0xBA20001000120014 },
+        { "VTOVX [a], b, [c]", 0xB708001000120014 },
+        { "XORB [a], [b], [c]", 0xF000001000120014 },
+        { "LINKV", 0x5600000000000000 }
+    };
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < sizeof cases / sizeof *cases; i++)
+        if (encoding(cases[i].text) != cases[i].word)
+            fail_msg("%s: %016llX", cases[i].text,
+                     (unsigned long long)encoding(cases[i].text));
+}
+
+static void test_errors(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t column;
+        const char *message;
+    } cases[] = {
+        { "ADDM a, b, c", 1, "an instruction or a macro" },
+        { "ADDN a, b", 10, "','" },
+        { "ADDN a, b, c, z", 13, "the end of the statement" },
+        { "ADDN [a], b, c", 6, "without brackets" },
+        { "ADDN a, b, 5", 12, "a register" },
+        { "ADDN a, b, r256", 12, "a register" },
+        { "ADDN a, b, nowhere", 12, "a register" },
+        { "LOD a, c", 5, "'['" },
+        { "LOD [a, x, x], c", 10, "']'" },
+        { "BEQ a, b, [c, o]", 13, "no offset" },
+        { "ADDNV [a], -[b], [c]", 12, "only the first source" },
+        { "ANDV -[a], [b], [c]", 6, "no sign control" },
+        { "ANDV [a], |[b]|, [c]", 11, "no sign control" },
+        { "ADDNV |[a], [b], [c]", 11, "'|'" },
+        { "ADDNV [a], [b], c", 17, "'['" },
+        { "ADDNV [a], [b], [c, y]", 21, "expected r21" },
+        { "ADDNV 5, [b], [c]", 7, "a vector [..] or a register" },
+        { "ADDNV [a], [b], [c] [z]", 21, "a control vector" },
+        { "ADDNV [a], [b], [c] ? z", 23, "'['" },
+        { "CPSV [a], [c]", 14, "a control vector" },
+        { "VXTOV [a], [b, x], [c]", 14, "no offset" },
+        { "ES a, 65536", 7, "from -32768 to 65535" },
+        { "ES a, -32769", 7, "from -32768 to 65535" },
+        { "ES a, 1.5", 7, "an integer" },
+        { "SHIFTI a, 64, c", 11, "from -64 to 63" },
+        { "EXIT a, b, 256", 12, "from 0 to 255" },
+        { "BIM -1", 5, "from 0 to" },
+        { "IBXLT a, x, z, 0x700000, c", 1, "half words away" },
+        { "IBXLT a, x, z, 0x400010, c", 1, "on a half word" }
+    };
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct asm_errors errors = { 0, NULL };
+        char text[300];
+
+        snprintf(text, sizeof text, "%s%s\n", names, cases[i].text);
+        assert_null(assemble_text("test.s", text, NULL, &errors));
+        assert_int_equal(errors.count, 1);
+        assert_int_equal(errors.items[0].line, 3);
+        if (!strstr(errors.items[0].message, cases[i].message)
+            || errors.items[0].column != cases[i].column)
+            fail_msg("%s: %zu: %s", cases[i].text, errors.items[0].column,
+                     errors.items[0].message);
+        asm_errors_free(&errors);
+    }
+}
+
+/* Any word comes back from its text: as the instruction or as .half. */
+static void check_round_trip(c205_word word)
+{
+    char one[DISASSEMBLE_TEXT_SIZE], text[DISASSEMBLE_TEXT_SIZE + 40];
+    uint64_t address = 0x40000000;
+    unsigned halves = disassemble_one(word, address, one);
+    struct object *object;
+    c205_word made;
+
+    snprintf(text, sizeof text, " .org 0x40000000\n %s\n", one);
+    object = good(text);
+    made = word_of(&object->program, address);
+    if (halves == 1)
+        word &= 0xFFFFFFFF00000000;
+    if (made != word)
+        fail_msg("%s", one);
+    object_free(object);
+}
+
+static void test_round_trip(void **state)
+{
+    uint64_t seed = 205;
+    size_t i;
+    int j;
+
+    (void)state;
+    for (i = 0; i < c205_insn_count; i++) {
+        const c205_insn *insn = &c205_insns[i];
+
+        for (j = 0; j < 100; j++) {
+            c205_word word = xorshift(&seed);
+
+            word = word << 8 >> 8 | (c205_word)insn->opcode << 56;
+            word &= ~((c205_word)insn->subop_mask << 48);
+            word |= (c205_word)insn->subop << 48;
+            if (j % 2) /* fewer bits, so that more can be written */
+                word &= 0xFFFF00FF00FFFFFF;
+            check_round_trip(word);
+        }
+    }
+    for (j = 0; j < 2000; j++)
+        check_round_trip(xorshift(&seed));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_encodings), cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_round_trip)
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,314 @@
+/* test_asm_text.c - directives, macros, conditions, and their errors. */
+#include "tests/unit/asm_helper.h"
+
+enum { CODE = 0x400000, DATA = 0x800000 };
+
+static c205_word first_word(const char *text, uint64_t address)
+{
+    struct object *object = good(text);
+    c205_word word = word_of(&object->program, address);
+
+    object_free(object);
+    return word;
+}
+
+static void test_data(void **state)
+{
+    struct object *object = good(
+        " .data\n"
+        " .half 1\n"
+        "label:\n"
+        "same: .word 5\n"
+        " .vector v, 3, 1.0\n"
+        " .bitvector b, 70, \"1\", \"0 1\"\n"
+        " .text \"12345678\\x39\"\n"
+        " .descriptor 3, v\n"
+        " .space 2\n"
+        "end:\n"
+        " .half -1, 0xFFFFFFFF\n");
+    const c205_program *program = &object->program;
+
+    (void)state;
+    assert_int_equal(object_symbol(object, "label")->value, DATA + 64);
+    assert_int_equal(object_symbol(object, "same")->value, DATA + 64);
+    assert_true(object_symbol(object, "v")->is_label);
+    assert_null(object_symbol(object, "w"));
+    assert_int_equal(word_of(program, DATA), 0x0000000100000000);
+    assert_int_equal(word_of(program, DATA + 64), 5);
+    assert_int_equal(word_of(program, DATA + 128), C205_ONE);
+    assert_int_equal(word_of(program, DATA + 5 * 64), 0xA000000000000000);
+    assert_int_equal(word_of(program, DATA + 7 * 64), 0x3132333435363738);
+    assert_int_equal(word_of(program, DATA + 8 * 64), 0x3900000000000000);
+    assert_int_equal(word_of(program, DATA + 9 * 64), 0x0003000000800080);
+    assert_int_equal(object_symbol(object, "end")->value, DATA + 12 * 64);
+    assert_int_equal(word_of(program, DATA + 12 * 64), UINT64_MAX);
+    object_free(object);
+}
+
+static void test_places(void **state)
+{
+    struct object *object = good(
+        " .include \"core.s\"\n"
+        " EXIT\n"
+        " .data\n"
+        " .word 1\n"
+        " .code\n"
+        " .align 64\n"
+        "here: ES r1, 2\n"
+        " .org 0x10000020\n"
+        " ES r1, 3\n"
+        " .org 0x20000000\n"
+        " .space 1000\n"
+        " .entry here\n");
+    const c205_program *program = &object->program;
+
+    (void)state;
+    assert_int_equal(program->entry, CODE + 64);
+    assert_int_equal(word_of(program, CODE + 64), 0x3E01000200000000);
+    assert_int_equal(word_of(program, 0x10000000), 0x3E010003);
+    assert_int_equal(program->segment_count, 4);
+    assert_null(program->segments[3].words);
+    assert_int_equal(program->segments[3].length, 1000);
+    object_free(object);
+}
+
+static void test_entry_is_the_first_instruction(void **state)
+{
+    struct object *object = good(" .data\n .word 1\n .code\n .org 0x500000\n"
+                                 " EXIT\n .org 0x400000\n EXIT\n");
+
+    (void)state;
+    assert_int_equal(object->program.entry, 0x500000);
+    object_free(object);
+}
+
+static void test_regions(void **state)
+{
+    struct object *object = good(
+        " EXIT\n .kernel one\n EXIT\n .data\n .word 1\n .code\n EXIT\n"
+        " .endkernel\n .kernel two\n .endkernel\n"
+        " .kernel \"a b\"\n EXIT\n .endkernel\n");
+    const c205_program *program = &object->program;
+
+    (void)state;
+    assert_int_equal(program->region_count, 2);
+    assert_string_equal(program->regions[0].name, "one");
+    assert_int_equal(program->regions[0].begin, CODE + 32);
+    assert_int_equal(program->regions[0].end, CODE + 96);
+    assert_string_equal(program->regions[1].name, "a b");
+    object_free(object);
+}
+
+static void test_macros(void **state)
+{
+    (void)state;
+    assert_int_equal(first_word(" .macro put a, b=7\n .word \\a + \\b\n"
+                                " .endm\n .data\n put 5\n", DATA), 12);
+    assert_int_equal(first_word(" .macro put a, b=7\n .word \\a + \\b\n"
+                                " .endm\n .data\n put 5, 1\n", DATA), 6);
+    assert_int_equal(first_word(" .macro put a\n x\\a\\()0: .word x\\a\\()0\n"
+                                " .endm\n .data\n put 3\n", DATA), DATA);
+    assert_int_equal(first_word(" .macro two\n l\\@: .word l\\@\n .endm\n"
+                                " .data\n two\n two\n", DATA + 64),
+                     DATA + 64);
+    assert_int_equal(first_word(" .macro out n\n .macro in m\n"
+                                " .word \\m * \\n\n .endm\n .endm\n"
+                                " .data\n out 6\n in 7\n", DATA), 42);
+    assert_int_equal(first_word(" .macro text s\n .text \\s\n .endm\n .data\n"
+                                " text \"a,\\x62\"\n", DATA),
+                     0x612C620000000000);
+}
+
+static void test_macro_in_brackets(void **state)
+{
+    (void)state;
+    assert_int_equal(first_word(" .macro add a, b\n"
+                                " ADDNV \\a, \\b, [r3]\n .endm\n"
+                                "l: add [r1, r9], r2 ; a comment\n", CODE),
+                     0x8208090100020003);
+}
+
+static void test_repetition(void **state)
+{
+    static const char nested[] =
+        " .data\n .rept 2\n .rept 3\n .word \\+\n .endr\n .word 10 + \\+\n"
+        " .endr\n";
+
+    (void)state;
+    assert_int_equal(first_word(" .data\n .rept 3\n .word \\+\n .endr\n",
+                                DATA + 128), 2);
+    assert_int_equal(first_word(nested, DATA + 2 * 64), 2);
+    assert_int_equal(first_word(nested, DATA + 3 * 64), 10);
+    assert_int_equal(first_word(nested, DATA + 7 * 64), 11);
+    assert_int_equal(first_word(" .data\n .rept 0\n .word 1\n .endr\n"
+                                " .word 2\n", DATA), 2);
+}
+
+static void test_conditions(void **state)
+{
+    static const char text[] =
+        " .data\n"
+        " .if N == 1\n .word 1\n"
+        " .elseif N == 2\n .word 2\n .if 0\n .error \"no\"\n"
+        " .else\n .word 22\n .endif\n"
+        " .else\n .word 3\n .endif\n"
+        " .ifdef N\n .ifndef M\n .word 4\n .endif\n .endif\n";
+    static const struct asm_define defines[] = { { "N", 2 }, { NULL, 0 } };
+    const struct asm_options options = { defines, NULL, NULL };
+    struct asm_errors errors = { 0, NULL };
+    struct object *object = assemble_text("t.s", text, &options, &errors);
+
+    (void)state;
+    assert_non_null(object);
+    assert_int_equal(word_of(&object->program, DATA), 2);
+    assert_int_equal(word_of(&object->program, DATA + 64), 22);
+    assert_int_equal(word_of(&object->program, DATA + 128), 4);
+    object_free(object);
+}
+
+static void test_registers_are_named_anew(void **state)
+{
+    (void)state;
+    assert_int_equal(first_word(" .reg x, r1\n .reg x, r2\n RTOR x, r3\n",
+                                CODE), 0x7802000300000000);
+}
+
+struct failure {
+    const char *text;
+    size_t line;
+    const char *message;
+};
+
+static void check_failure(const struct failure *failure)
+{
+    struct asm_errors errors = { 0, NULL };
+    struct object *object = assemble_text("test.s", failure->text, NULL,
+                                          &errors);
+
+    if (object || errors.count != 1
+        || errors.items[0].line != failure->line
+        || !strstr(errors.items[0].message, failure->message))
+        fail_msg("%s\n%zu errors: %zu: %s", failure->text, errors.count,
+                 errors.count ? errors.items[0].line : 0,
+                 errors.count ? errors.items[0].message : "");
+    asm_errors_free(&errors);
+}
+
+static void test_errors(void **state)
+{
+    static const struct failure failures[] = {
+        { " .frob 1\n", 1, "a directive" },
+        { "a:\n\na: EXIT\n", 3, "defined already, in test.s:1" },
+        { "r5: EXIT\n", 1, "is a register" },
+        { " .equ A, 1\n .equ A, 2\n", 2, "defined already" },
+        { " .equ A, later\nlater:\n", 1, "not defined before this line" },
+        { " .space later\nlater:\n", 1, "not defined before this line" },
+        { " .space -1\n", 1, "a number of words" },
+        { " .space 0x4000001\n", 1, "a number of words" },
+        { " .data\n .space 0x4000000\n .word 1\n", 3,
+          "at most 67108864 words" },
+        { " .org 5\n", 1, "a multiple of 32" },
+        { " .align 48\n", 1, "a multiple of 32" },
+        { " .org 0xFFFFFFFFFFE0\n BIM 0\n", 2, "beyond the last address" },
+        { " .rept 65537\n .word 1\n .endr\n", 2, "outgrows its page" },
+        { " .org 0x400000\n EXIT\n .org 0x400000\n EXIT\n", 4,
+          "taken already, by test.s:2" },
+        { " .regs r254, a, b, c\n", 1, "after r255" },
+        { " .reg a, b\n", 1, "a register" },
+        { " .vector v, 2, 1, 2, 3\n", 1, "more than the vector holds" },
+        { " .bitvector v, 2, \"111\"\n", 1, "more bits" },
+        { " .bitvector v, 2, \"12\"\n", 1, "the digits 0 and 1" },
+        { " .text \"\\q\"\n", 1, "expected one of" },
+        { " .text \"abc\n", 1, "without its closing" },
+        { " .descriptor 65536, 0\n", 1, "a length" },
+        { " .half 0x100000000\n", 1, "32 bits" },
+        { " .entry 0\n .entry 0\n", 2, "an .entry already" },
+        { " .entry nowhere\n", 1, "not defined" },
+        { " .kernel a\n EXIT\n", 1, "no .endkernel" },
+        { " .endkernel\n", 1, "no .kernel" },
+        { " .kernel a\n .kernel b\n .endkernel\n", 2, ".endkernel first" },
+        { " .kernel a\n .org 0x500000\n .endkernel\n", 2, "torn apart" },
+        { " .error \"mine\"\n", 1, "mine" },
+        { " .include \"no such file\"\n", 1, "cannot be read" },
+        { " .macro ADDN\n .endm\n", 1, "is an instruction" },
+        { " .macro a\n .endm\n .macro a\n .endm\n", 3, "already" },
+        { " .macro a\n", 1, "no .endm" },
+        { " .endm\n", 1, "ends nothing" },
+        { " .rept 2\n EXIT\n", 1, "no .endr" },
+        { " .macro m a\n EXIT\n .endm\n m\n", 4, "expected argument 'a'" },
+        { " .macro m a\n EXIT\n .endm\n m 1, 2\n", 4, "1 parameters" },
+        { " .macro m\n m\n .endm\n m\n", 2, "nested too deeply" },
+        { " .macro m\n .word x\n .endm\n m\n", 2, "from test.s:4" },
+        { " .if 1\n", 1, "no .endif" },
+        { " .endif\n", 1, "no .if" },
+        { " .else\n", 1, "no .if" },
+        { " .if 0\n .else\n .else\n .endif\n", 3, "expected .endif" },
+        { " .if x\n .endif\n", 1, "not defined before" },
+        { " .macro m\n .endif\n .endm\n .if 1\n m\n .endif\n", 2, "no .if" },
+        { " .rept 0x4000000\n\n .endr\n", 2, "too much text" },
+        { "; expect-nothing: 5\n", 1, "expected expect:" },
+        { "; expect: r5 = 1, 2\n", 1, "one value" },
+        { "; expect: 5 = 1\n", 1, "a register" },
+        { "; expect-trap: none\n", 1, "the name of a trap" },
+        { "; expect-bits: [0] = 12\n", 1, "digits 0 and 1" },
+        { "\1\n", 1, "no meaning" }
+    };
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < sizeof failures / sizeof *failures; i++)
+        check_failure(&failures[i]);
+}
+
+static void test_all_errors_with_carets(void **state)
+{
+    static const char text[] = " ADDN r1, r2\n\n\tES\tr1, nowhere\n FROB\n";
+    static const char printed[] =
+        "test.s:1:13: error: expected ',', found the end of the statement\n"
+        "     ADDN r1, r2\n"
+        "                ^\n"
+        "test.s:4:2: error: expected an instruction or a macro, found"
+        " 'FROB'\n"
+        "     FROB\n"
+        "     ^\n"
+        "test.s:3:9: error: 'nowhere' is not defined\n"
+        "    \tES\tr1, nowhere\n"
+        "    \t  \t    ^\n";
+    struct asm_errors errors = { 0, NULL };
+    struct text_buffer buffer = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&buffer);
+
+    (void)state;
+    assert_null(assemble_text("test.s", text, NULL, &errors));
+    asm_errors_print(&errors, &sink);
+    assert_string_equal(buffer.text, printed);
+    text_buffer_free(&buffer);
+    asm_errors_free(&errors);
+}
+
+static void test_missing_file(void **state)
+{
+    struct asm_errors errors = { 0, NULL };
+
+    (void)state;
+    assert_null(assemble_file("no such file.s", NULL, &errors));
+    assert_int_equal(errors.count, 1);
+    assert_int_equal(errors.items[0].line, 0);
+    asm_errors_free(&errors);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_data), cmocka_unit_test(test_places),
+        cmocka_unit_test(test_entry_is_the_first_instruction),
+        cmocka_unit_test(test_regions), cmocka_unit_test(test_macros),
+        cmocka_unit_test(test_macro_in_brackets),
+        cmocka_unit_test(test_repetition), cmocka_unit_test(test_conditions),
+        cmocka_unit_test(test_registers_are_named_anew),
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_all_errors_with_carets),
+        cmocka_unit_test(test_missing_file)
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
