@@ -1,0 +1,103 @@
+/* cmd_arguments.c - the options of all commands.
+ *
+ * An option means the same wherever it is allowed, so there is one list of
+ * them; the command table says which letters a command takes.
+ */
+#include <errno.h>
+#include <getopt.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/cmd.h"
+
+static const struct option options[] = {
+    { "model", required_argument, NULL, 'm' },
+    { "json", required_argument, NULL, 'j' },
+    { "output", required_argument, NULL, 'o' },
+    { "define", required_argument, NULL, 'd' },
+    { "limit", required_argument, NULL, 'l' },
+    { "check", no_argument, NULL, 'c' },
+    { "trace", no_argument, NULL, 't' },
+    { "listing", no_argument, NULL, 'L' },
+    { "names", no_argument, NULL, 'n' },
+    { "points", no_argument, NULL, 'p' },
+    { NULL, 0, NULL, 0 },
+};
+
+static bool parse_limit(const char *text, uint64_t *limit)
+{
+    char *end;
+    errno = 0;
+    *limit = strtoull(text, &end, 10);
+    return errno == 0 && end != text && *end == '\0' && text[0] != '-';
+}
+
+/* NAME=VALUE; the name is cut off in place. */
+static bool parse_define(char *text, struct cmd_arguments *arguments)
+{
+    struct asm_define *define = &arguments->defines[arguments->define_count];
+    char *value = strchr(text, '='), *end;
+    if (!value || value == text || arguments->define_count == CMD_DEFINES) {
+        return false;
+    }
+    *value++ = '\0';
+    errno = 0;
+    define->name = text;
+    define->value = strtoll(value, &end, 0);
+    arguments->define_count++;
+    return errno == 0 && end != value && *end == '\0';
+}
+
+static bool take(int letter, struct cmd_arguments *arguments)
+{
+    switch (letter) {
+    case 'm': arguments->model = optarg; return true;
+    case 'j': arguments->json = optarg; return true;
+    case 'o': arguments->output = optarg; return true;
+    case 'c': arguments->check = true; return true;
+    case 't': arguments->trace = true; return true;
+    case 'L': arguments->listing = true; return true;
+    case 'n': arguments->names = true; return true;
+    case 'p': arguments->points = true; return true;
+    case 'd': return parse_define(optarg, arguments);
+    default: return parse_limit(optarg, &arguments->limit);
+    }
+}
+
+static bool parse_options(int argc, char **argv, const char *allowed,
+                          struct cmd_arguments *arguments)
+{
+    int letter;
+    opterr = 0;
+    while ((letter = getopt_long(argc, argv, ":o:", options, NULL)) != -1) {
+        const char *word = argv[optind - 1];
+        if (letter == ':') {
+            cmd_usage(argv[0], "%s needs an argument", word);
+            return false;
+        }
+        if (letter == '?' || !strchr(allowed, letter)) {
+            cmd_usage(argv[0], "no such option: %s", word);
+            return false;
+        }
+        if (!take(letter, arguments)) {
+            cmd_usage(argv[0], "wrong argument of an option: %s", optarg);
+            return false;
+        }
+    }
+    return true;
+}
+
+bool cmd_parse(int argc, char **argv, const char *allowed,
+               struct cmd_arguments *arguments)
+{
+    memset(arguments, 0, sizeof *arguments);
+    arguments->command = argv[0];
+    arguments->model = CMD_DEFAULT_MODEL;
+    arguments->limit = C205_NO_LIMIT;
+    if (!parse_options(argc, argv, allowed, arguments)) {
+        return false;
+    }
+    arguments->files = argv + optind;
+    arguments->file_count = (size_t)(argc - optind);
+    return true;
+}

@@ -1,0 +1,134 @@
+/* cmd_run.c - c205 run: a program, and where its clocks went. */
+#include <inttypes.h>
+
+#include "asm/accounts.h"
+#include "asm/cmd.h"
+#include "asm/disassemble.h"
+#include "asm/print.h"
+
+/* Instructions lie on half words; a short one needs only the first. */
+static c205_word word_at(const c205 *machine, uint64_t address)
+{
+    c205_word pair[2] = { 0, 0 };
+    uint64_t first = address & ~UINT64_C(63);
+    if (!c205_read(machine, first, pair, 2)) {
+        c205_read(machine, first, pair, 1);
+    }
+    return first == address ? pair[0] : pair[0] << 32 | pair[1] >> 32;
+}
+
+static void trace(void *context, const c205 *machine,
+                  const c205_event *event)
+{
+    char text[DISASSEMBLE_TEXT_SIZE];
+    if (event->kind != C205_EVENT_INSTRUCTION
+        && event->kind != C205_EVENT_REQUEST) {
+        return;
+    }
+    disassemble_one(word_at(machine, event->pc), event->pc, text);
+    fprintf(context, "%10" PRIu64 " %+6" PRId64 " %10" PRIX64 "  %s\n",
+            event->issued, (int64_t)event->clocks, event->pc, text);
+}
+
+static void stop_json(const c205 *machine, const c205_stop *stop,
+                      struct json *json)
+{
+    json_object(json, "stop");
+    json_text(json, "trap", c205_trap_name(stop->trap));
+    json_count(json, "pc", stop->pc);
+    json_count(json, "address", stop->address);
+    json_number(json, "status", (double)stop->status);
+    json_end(json);
+    json_count(json, "clocks", c205_clock(machine));
+}
+
+static int show_accounts(const struct cmd_arguments *arguments,
+                         const c205 *machine, const c205_stop *stop,
+                         struct json *json)
+{
+    const c205_model *model = c205_machine_model(machine);
+    if (json) {
+        json_text(json, "program", arguments->files[0]);
+        provenance_json(model, json);
+        stop_json(machine, stop, json);
+    }
+    printf("%" PRIu64 " clocks\n", c205_clock(machine));
+    int code = cmd_show(arguments->command, accounts_by_cause(machine),
+                        json, "causes");
+    if (code == CMD_DONE) {
+        putchar('\n');
+        code = cmd_show(arguments->command, accounts_by_region(machine),
+                        json, "regions");
+    }
+    provenance_print(model);
+    return code;
+}
+
+/* How it ended, as an exit code. */
+static int judge(const char *command, const c205 *machine,
+                 const c205_stop *stop)
+{
+    c205_error text;
+    if (stop->trap != C205_TRAP_NONE) {
+        c205_describe_stop(machine, stop, &text);
+        return cmd_failed(command, "%s", text.message);
+    }
+    if (stop->status != 0) {
+        return cmd_failed(command, "the program ended with status %" PRId64,
+                          stop->status);
+    }
+    return CMD_DONE;
+}
+
+static int run(const struct cmd_arguments *arguments, c205 *machine)
+{
+    struct printer printer = { stream_sink(stdout) };
+    struct json *json;
+    if (!cmd_open_json(arguments, &json)) {
+        return CMD_FAILED;
+    }
+    c205_listen(machine, printer_listen, &printer);
+    if (arguments->trace) {
+        c205_listen(machine, trace, stderr);
+    }
+    c205_stop stop = c205_run(machine, arguments->limit);
+    int code = show_accounts(arguments, machine, &stop, json);
+    code = cmd_end_json(arguments, json, code);
+    int verdict = judge(arguments->command, machine, &stop);
+    return code == CMD_DONE ? verdict : code;
+}
+
+static int load_and_run(const struct cmd_arguments *arguments,
+                        const c205_model *model, const struct object *object)
+{
+    c205_error error;
+    c205 *machine = c205_new(model, &error);
+    if (!machine || !c205_load(machine, &object->program, &error)) {
+        c205_free(machine);
+        return cmd_failed(arguments->command, "%s", error.message);
+    }
+    int code = run(arguments, machine);
+    c205_free(machine);
+    return code;
+}
+
+int cmd_run(const struct cmd_arguments *arguments)
+{
+    if (arguments->check) {
+        return cmd_check(arguments);
+    }
+    if (arguments->file_count != 1) {
+        return cmd_usage(arguments->command, "one program, not %s too",
+                         arguments->files[1]);
+    }
+    c205_model *model =
+        cmd_find_model(arguments->command, arguments->model);
+    struct sink report = stream_sink(stderr);
+    struct object *object =
+        model ? cmd_read_program(arguments, arguments->files[0], &report)
+              : NULL;
+    int code = object ? load_and_run(arguments, model, object) : CMD_FAILED;
+    object_free(object);
+    c205_model_free(model);
+    return code;
+}

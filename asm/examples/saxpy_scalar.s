@@ -1,0 +1,35 @@
+; saxpy_scalar.s - y := a x + y, one element after another.
+;
+; The loop keeps the addresses of both vectors in registers and counts up the
+; index.  Each turn waits for its loads (15 clocks), the product and the sum (5
+; each), and loses 8 at the branch: 35 clocks for two flops, 2.9 Mflop/s.
+
+        .include "saxpy_data.inc"
+
+        .regs   r10, xs, ys, scale, index, count, one
+        .regs   r20, left, right, product, sum
+
+        EX      xs, a
+        LOD     [xs], scale
+        EX      xs, x
+        EX      ys, y
+        ES      index, 0
+        ES      count, n
+        ES      one, 1
+
+        .kernel saxpy
+loop:   LOD     [xs, index], left
+        LOD     [ys, index], right
+        MPYS    left, scale, product
+        ADDN    product, right, sum
+        STO     [ys, index], sum
+        IBXLT   index, one, count, loop, index
+        .endkernel
+
+        EXIT
+; expect: [y] = 1.0, 3.0, 5.0, 7.0
+; expect: [y + 99*64] = 199.0
+
+; 1,030 clocks for the first touch of the data's page, 7 for the instructions
+; before the loop, 99 turns of 35, the last of 27, the exit:
+; expect-clocks: 4530

@@ -1,0 +1,32 @@
+; saxpy_vector.s - y := a x + y with vector instructions.
+;
+; The product goes to memory and comes back: two instructions, each of a
+; start-up of 51 clocks and half a clock for each element on two pipes.  Part
+; of the second start-up (10 clocks) hides under the first stream.
+
+        .include "saxpy_data.inc"
+
+        .regs   r10, xs, ys, ts, scale
+
+        .data
+t:      .space  n
+        .code
+
+        EX      xs, a
+        LOD     [xs], scale
+        descriptor xs, x, n
+        descriptor ys, y, n
+        descriptor ts, t, n
+
+        .kernel saxpy
+        MPYSV   [xs], scale, [ts]
+        ADDNV   [ts], [ys], [ys]
+        .endkernel
+
+        EXIT
+; expect: [y] = 1.0, 3.0, 5.0, 7.0
+; expect: [y + 99*64] = 199.0
+
+; 1,030 clocks for the first touch of the data's page, 16 until the scale is
+; loaded, 101 + 101 - 10, the exit hidden beneath:
+; expect-clocks: 1238

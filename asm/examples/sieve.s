@@ -1,0 +1,70 @@
+; sieve.s - the primes below 200 by the sieve of Eratosthenes, as a bit vector.
+;
+; Bit i of the vector prime says that no divisor of i has been found.  For each
+; prime p up to the root of the limit an interval p p, p p + p, .. is made by
+; the vector unit, and a scatter of zeros over those places strikes them out:
+; the flags are words (1.0, or machine zero if struck out), so that they can be
+; scattered, and a comparison packs them into bits at the end.
+
+        .include "print.s"
+
+        .equ    limit, 200
+
+        .data
+flags:  .space  limit
+prime:  .space  4
+places: .space  limit
+        .code
+
+        .regs   r10, fs, ps, bits, list, one, p, square, end, step
+        .regs   r20, flag, length, shift, primes, text
+
+; all flags 1.0, those of 0 and 1 zero
+        load_constant flag, 1.0
+        descriptor fs, flags, limit
+        .kernel sieve
+        VTOV    flag, [fs]
+        STO     [fs], r0
+        ES      one, 1
+        STO     [fs, one], r0
+
+        ES      p, 2
+        ES      end, limit
+next:   LOD     [fs, p], flag
+        CFPEQ   flag, r0, composite
+
+; as many multiples from p p on as there are below the limit:
+; (limit - 1 - p p) / p + 1
+        MPYX    p, p, square
+        SUBX    end, square, step
+        ADDX    step, p, step
+        IS      step, -1
+        DIVU    step, p, length         ; integers: the quotient's exponent is
+        TRU     length, length          ; not zero, truncation makes it so
+        EX      list, places
+        ADDLEN  list, length, list
+        INTVLV  square, p, [list]
+        VTOVX   [list], r0, [fs]
+composite:
+        IS      p, 1
+        MPYX    p, p, square
+        IBXLT   square, r0, end, next, square
+
+        descriptor bits, prime, limit
+        CMPNEV  [fs], r0, [bits]
+        CNTOB   [bits], primes
+        .endkernel
+
+        print_integer primes
+        newline
+        ELEN    bits, 30
+        print_bits bits
+        newline
+        EXIT
+; expect: r23 = 46
+; expect-print: 46
+; expect-print: 001101010001010001010001000001
+; expect-bits: [prime + 190] = 0101000101
+
+; Of these 1,030 for the first touch of the data's page:
+; expect-clocks: 3190

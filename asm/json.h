@@ -1,0 +1,37 @@
+/* json.h - writing JSON.
+ *
+ * A document is one object.  Members of an object need a key, elements of an
+ * array have none (NULL).  Nothing is checked until the end: json_close says
+ * whether all of it was written.
+ *
+ *   struct json *json = json_open("out.json", &error);
+ *   json_text(json, "model", "cyber205-2pipe");
+ *   json_array(json, "points");
+ *   json_count(json, NULL, 51);
+ *   json_end(json);
+ *   good = json_close(json, &error);
+ */
+#ifndef ASM_JSON_H
+#define ASM_JSON_H
+
+#include "vm/c205.h"
+
+struct json;
+
+/* NULL: it cannot be written there.  The file appears, whole, at the close. */
+struct json *json_open(const char *path, c205_error *error);
+bool json_close(struct json *json, c205_error *error);
+void json_discard(struct json *json);
+
+void json_object(struct json *json, const char *key);
+void json_array(struct json *json, const char *key);
+void json_end(struct json *json);
+
+void json_text(struct json *json, const char *key, const char *text);
+/* A double comes back as it was; NaN and infinities are null. */
+void json_number(struct json *json, const char *key, double value);
+void json_count(struct json *json, const char *key, uint64_t value);
+void json_truth(struct json *json, const char *key, bool value);
+void json_null(struct json *json, const char *key);
+
+#endif

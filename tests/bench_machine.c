@@ -1,0 +1,227 @@
+/* bench_machine.c - how fast the host emulates: programs on the machine,
+ * beside the same loops in plain doubles, and beside the real machine's clock.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "asm/assemble.h"
+#include "asm/table.h"
+
+enum { LENGTH = 2000, TRIALS = 7, DOUBLE_REPEATS = 20000 };
+
+/* Both vectors hold 1.0, 1.001, ..; the result is stored. */
+#define VECTOR_PROGRAM(instruction) \
+    "        .include \"core.s\"\n" \
+    "        .equ    n, 2000\n" \
+    "        .data\n" \
+    "a:      .space  n\n" \
+    "b:      .space  n\n" \
+    "c:      .space  n\n" \
+    "        .code\n" \
+    "        descriptor r10, a, n\n" \
+    "        descriptor r11, b, n\n" \
+    "        descriptor r12, c, n\n" \
+    "        load_constant r13, 1.0\n" \
+    "        load_constant r14, 0.001\n" \
+    "        INTVLV  r13, r14, [r10]\n" \
+    "        INTVLV  r13, r14, [r11]\n" \
+    "        ES      r15, 20000\n" \
+    "        EX      r16, again\n" \
+    "again:  " instruction " [r10], [r11], [r12]\n" \
+    "        DBNZ    r15, [r16]\n" \
+    "        EXIT\n"
+
+/* As a compiler writes a loop with a call: the nearest root of a quadratic
+ * for each of a list, arguments and results in memory. */
+static const char scalar_program[] =
+    "        .include \"core.s\"\n"
+    "        .regs   r10, args, roots, i, n, one, link, to, turns\n"
+    "        .regs   r20, a, b, c, d, s, bb, ac, two, four, none\n"
+    "        .data\n"
+    "list:   .word   1.0, -3.0, 2.0, 2.0, 1.0, 5.0, 1.0, -8.0, 4.0\n"
+    "result: .space  3\n"
+    "        .code\n"
+    "        EX      roots, result\n"
+    "        ES      one, 1\n"
+    "        ES      n, 3\n"
+    "        load_constant two, 2.0\n"
+    "        load_constant four, 4.0\n"
+    "        EX      turns, 300000\n"
+    "outer:  EX      args, list\n"
+    "        ES      i, 0\n"
+    "inner:  EX      to, solve\n"
+    "        BSAVE   link, [to]\n"
+    "        STO     [roots, i], s\n"
+    "        IX      args, 192\n"
+    "        IBXLT   i, one, n, inner, i\n"
+    "        EX      to, outer\n"
+    "        DBNZ    turns, [to]\n"
+    "        EXIT\n"
+    "solve:  LOD     [args], a\n"
+    "        LOD     [args, one], b\n"
+    "        ES      s, 2\n"
+    "        LOD     [args, s], c\n"
+    "        MPYS    b, b, bb\n"
+    "        MPYS    a, c, ac\n"
+    "        MPYS    four, ac, ac\n"
+    "        SUBN    bb, ac, d\n"
+    "        RTOR    none, s\n"
+    "        CFPLT   d, r0, away\n"
+    "        SQRT    d, s\n"
+    "        ADDN    b, s, s\n"
+    "        MPYS    two, a, a\n"
+    "        SUBN    r0, s, s\n"
+    "        DIVS    s, a, s\n"
+    "away:   BIM     0, link\n";
+
+/* ---- The same in doubles --------------------------------------------- */
+
+static double x[LENGTH], y[LENGTH], z[LENGTH];
+static volatile double sink; /* so that results are wanted */
+
+static void add_doubles(void)
+{
+    for (int i = 0; i < LENGTH; i++) {
+        z[i] = x[i] + y[i];
+    }
+}
+
+static void multiply_doubles(void)
+{
+    for (int i = 0; i < LENGTH; i++) {
+        z[i] = x[i] * y[i];
+    }
+}
+
+typedef void loop(void);
+
+/* Of this process, so that others on the host do not count. */
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+/* Seconds an element; the pointer keeps the compiler from joining turns. */
+static double time_doubles(loop *run)
+{
+    loop *volatile turn = run;
+    double best = HUGE_VAL;
+    for (int trial = 0; trial < TRIALS; trial++) {
+        double start = now();
+        for (int i = 0; i < DOUBLE_REPEATS; i++) {
+            turn();
+            sink = z[i % LENGTH];
+        }
+        best = fmin(best, now() - start);
+    }
+    return best / DOUBLE_REPEATS / LENGTH;
+}
+
+/* ---- The machine ------------------------------------------------------ */
+
+static const struct bench {
+    const char *name;
+    const char *program;
+    loop *doubles; /* NULL: counted in instructions */
+} benches[] = {
+    { "add, 64 bits, n = 2,000", VECTOR_PROGRAM("ADDNV"), add_doubles },
+    { "multiply, 64 bits, n = 2,000", VECTOR_PROGRAM("MPYSV"),
+      multiply_doubles },
+    { "scalar, a loop with a call", scalar_program, NULL },
+};
+
+static const struct table_column columns[] = {
+    { "program", "program", TABLE_TEXT, 0 },
+    { "ns_per_element", "ns/element", TABLE_NUMBER, 3 },
+    { "ns_per_double", "ns/double", TABLE_NUMBER, 3 },
+    { "millions_of_instructions", "M instr/s", TABLE_NUMBER, 1 },
+    { "millions_of_clocks", "M clk/s", TABLE_NUMBER, 1 },
+    { "times_the_machine", "x 50 MHz", TABLE_NUMBER, 1 },
+};
+
+static void stop(const char *message)
+{
+    fprintf(stderr, "bench_machine: %s\n", message);
+    exit(1);
+}
+
+/* Seconds of the fastest run; what it did is left in the accounts. */
+static double time_program(c205 *machine, const c205_program *program)
+{
+    c205_error error;
+    double best = HUGE_VAL;
+    for (int trial = 0; trial < TRIALS; trial++) {
+        if (!c205_load(machine, program, &error)) {
+            stop(error.message);
+        }
+        double start = now();
+        c205_stop end = c205_run(machine, C205_NO_LIMIT);
+        best = fmin(best, now() - start);
+        if (end.trap != C205_TRAP_NONE) {
+            c205_describe_stop(machine, &end, &error);
+            stop(error.message);
+        }
+    }
+    return best;
+}
+
+static void add_row(struct table *table, const struct bench *bench,
+                    const c205 *machine, double seconds)
+{
+    const c205_account *account = c205_account_at(machine, 0);
+    double period =
+        c205_model_lookup(c205_machine_model(machine), "clock.period")->value;
+    double rate = (double)c205_clock(machine) / seconds;
+    bool vector = bench->doubles != NULL;
+    table_text(table, bench->name);
+    table_number(table, vector ? seconds / (double)account->elements * 1e9
+                               : NAN);
+    table_number(table, vector ? time_doubles(bench->doubles) * 1e9 : NAN);
+    table_number(table, vector ? NAN : (double)account->instructions
+                                           / seconds / 1e6);
+    table_number(table, rate / 1e6);
+    table_number(table, rate * period / 1e9);
+}
+
+static void run_bench(struct table *table, const struct bench *bench,
+                      c205 *machine)
+{
+    struct asm_errors errors = { 0, NULL };
+    struct sink messages = stream_sink(stderr);
+    struct object *object =
+        assemble_text(bench->name, bench->program, NULL, &errors);
+    if (!object) {
+        asm_errors_print(&errors, &messages);
+        stop("the program has errors");
+    }
+    add_row(table, bench, machine, time_program(machine, &object->program));
+    asm_errors_free(&errors);
+    object_free(object);
+}
+
+int main(void)
+{
+    c205_error error;
+    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    c205 *machine = model ? c205_new(model, &error) : NULL;
+    struct table *table =
+        table_new(columns, sizeof columns / sizeof *columns);
+    if (!machine || !table) {
+        stop(machine ? "no memory" : error.message);
+    }
+    for (int i = 0; i < LENGTH; i++) {
+        x[i] = y[i] = 1.0 + 0.001 * i;
+    }
+    for (size_t i = 0; i < sizeof benches / sizeof *benches; i++) {
+        run_bench(table, &benches[i], machine);
+    }
+    table_print(table, stdout);
+    table_free(table);
+    c205_free(machine);
+    c205_model_free(model);
+    return 0;
+}

@@ -1,0 +1,40 @@
+; IBXGE: C := A + X (48 bits); if C >= Z go to target
+
+        .include "branch.inc"
+
+        count   less, IBXGE, 3, 1, 8
+; expect: [less] = 0, 4
+
+        count   equal, IBXGE, 7, 1, 8
+; expect: [equal] = 1, 8
+
+        count   greater, IBXGE, 9, 1, 8
+; expect: [greater] = 1, 10
+
+        count   downwards, IBXGE, 3, -5, -2
+; expect: [downwards] = 1, X'0000 FFFF FFFF FFFE'
+
+        count   negative, IBXGE, -3, 1, 2
+; expect: [negative] = 0, X'0000 FFFF FFFF FFFE'
+
+; 48 bits: the sum wraps to a negative number
+        count   wrapped, IBXGE, 140737488355327, 1, 0
+; expect: [wrapped] = 0, X'0000 8000 0000 0000'
+
+; the high 16 bits of the operands do not count
+        count   high_bits, IBXGE, X'1234000000000003', X'FFFF000000000001', 4
+; expect: [high_bits] = 1, 4
+
+; backwards: a loop
+        ES      sum, 0
+        ES      step, 1
+        ES      limit, 5
+        ES      taken, 0
+        EX      right, -2
+again:  ADDX    taken, step, taken
+        IBXGE   limit, right, step, again, limit
+        ADDX    limit, r0, sum
+        keep_taken loop
+; expect: [loop] = 3, X'0000 FFFF FFFF FFFF'
+
+        EXIT

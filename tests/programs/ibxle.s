@@ -1,0 +1,38 @@
+; IBXLE: C := A + X (48 bits); if C <= Z go to target
+
+        .include "branch.inc"
+
+        count   less, IBXLE, 3, 1, 8
+; expect: [less] = 1, 4
+
+        count   equal, IBXLE, 7, 1, 8
+; expect: [equal] = 1, 8
+
+        count   greater, IBXLE, 9, 1, 8
+; expect: [greater] = 0, 10
+
+        count   downwards, IBXLE, 3, -5, -2
+; expect: [downwards] = 1, X'0000 FFFF FFFF FFFE'
+
+        count   negative, IBXLE, -3, 1, 2
+; expect: [negative] = 1, X'0000 FFFF FFFF FFFE'
+
+; 48 bits: the sum wraps to a negative number
+        count   wrapped, IBXLE, 140737488355327, 1, 0
+; expect: [wrapped] = 1, X'0000 8000 0000 0000'
+
+; the high 16 bits of the operands do not count
+        count   high_bits, IBXLE, X'1234000000000003', X'FFFF000000000001', 4
+; expect: [high_bits] = 1, 4
+
+; backwards: a loop
+        ES      sum, 0
+        ES      step, 1
+        ES      limit, 5
+        ES      taken, 0
+again:  ADDX    taken, step, taken
+        IBXLE   sum, step, limit, again, sum
+        keep_taken loop
+; expect: [loop] = 6, 6
+
+        EXIT

@@ -1,0 +1,43 @@
+; SUBNV: C := normalised(A - B)
+
+        .include "binary.inc"
+
+        .data
+a:      .word   1.0, -2.0, 3.0, 4.5, -0.5, 100.0
+b:      .word   10.0, 0.5, -3.0, 4.5, 2.0, -0.25
+scalars:
+        .word   8.0, -0.5
+        .bitvector z, n, "101100"
+        .code
+
+        uses    SUBNV
+; expect: [plain] = -9.0, -2.5, 6.0, 0.0, -2.5, 100.25
+; expect: [broadcast_a] = -2.0, 7.5, 11.0, 3.5, 6.0, 8.25
+; expect: [broadcast_b] = 1.5, -1.5, 3.5, 5.0, 0.0, 100.5
+; expect: [broadcast_both] = 8.5, 8.5, 8.5, 8.5, 8.5, 8.5
+; expect: [where_ones] = -9.0, 9.0, 6.0, 0.0, 9.0, 9.0
+; expect: [where_zeros] = 9.0, -2.5, 9.0, 9.0, -2.5, 100.25
+; expect: [offset_sources] = 1.0, -1.5, 2.5, -0.25, 100.0, 0.0
+; expect: [offset_result] = 9.0, 9.0, -2.5, 6.0, 9.0, 9.0
+; expect: [short_sources] = -9.0, -2.5, 3.0, 4.5, 0.0, 0.0
+; expect: [nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
+
+        overlap SUBNV
+; expect: [chain] = 1.0, -9.0, -9.5, -6.5, -11.0, -13.0, -12.75
+
+        signs   SUBNV
+; expect: [negated] = -11.0, 1.5, 0.0, -9.0, -1.5, -99.75
+; expect: [magnitudes] = -9.0, 1.5, 0.0, 0.0, -1.5, 99.75
+; expect: [negative] = -11.0, -2.5, 0.0, -9.0, -2.5, -99.75
+; expect: [negated_scalar] = -18.0, -8.5, -5.0, -12.5, -10.0, -7.75
+
+        .data
+odd_a:  .word   5, 0.0, 1.0, 3.0, X'6FFF 7FFF FFFF FFFF'
+        .word   X'0010 0000 0000 0000'
+odd_b:  .word   3, 7, X'7000 0000 0000 0000', -3.0, X'6FFF 7FFF FFFF FFFF', 1.0
+        .code
+        specials SUBNV, 6
+; expect: [odd] = 2.0, -7.0, X'7000 0000 0000 0000', 6.0, 0.0, -1.0
+
+        EXIT
+; expect-flags: X'0000 0000 0012 0000'

@@ -1,0 +1,66 @@
+; SWAP: registers from S on: first length(T) of them to vector T, then vector
+; R into length(R) of them
+
+        .regs   r10, load, save
+
+        .data
+new:    .word   101, 102, 103, 104
+old:    .word   9.0, 9.0, 9.0, 9.0
+only_old:
+        .word   9.0, 9.0
+exchange:
+        .word   201, 202
+        .code
+
+        ES      r30, 1
+        ES      r31, 2
+        ES      r32, 3
+        ES      r33, 4
+        ES      r34, 5
+
+; three are saved, four loaded
+        EX      load, new
+        ELEN    load, 4
+        EX      save, old
+        ELEN    save, 3
+        SWAP    [load], r30, [save]
+; expect: [old] = 1, 2, 3, 9.0
+; expect: r30 = 101
+; expect: r31 = 102
+; expect: r32 = 103
+
+; nothing is loaded
+        ELEN    load, 0
+        EX      save, only_old
+        ELEN    save, 2
+        SWAP    [load], r33, [save]
+; expect: [only_old] = 104, 5
+; expect: r33 = 104
+; expect: r34 = 5
+
+; nothing is moved
+        ELEN    save, 0
+        SWAP    [load], r30, [save]
+
+; what has been saved is loaded, where both are one vector
+        ES      r40, 301
+        ES      r41, 302
+        EX      load, exchange
+        ELEN    load, 2
+        EX      save, exchange
+        ELEN    save, 1
+        SWAP    [load], r40, [save]
+; expect: [exchange] = 301, 202
+; expect: r40 = 301
+; expect: r41 = 202
+
+; the descriptors themselves may be among the registers
+        EX      load, new
+        ELEN    load, 2
+        ELEN    save, 0
+        SWAP    [load], load, [save]
+; expect: r10 = 101
+; expect: r11 = 102
+
+        EXIT
+; expect-flags: X'0000 0000 0000 0000'
