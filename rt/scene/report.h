@@ -1,0 +1,19 @@
+/* report.h - collecting what the reader has to say of a scene file. */
+#ifndef RT_SCENE_REPORT_H
+#define RT_SCENE_REPORT_H
+
+#include "rt/scene/scene.h"
+
+/* Where a report points to; line 0: to the file as a whole. */
+struct position {
+    const char *file;
+    size_t line, column;
+    const char *source;   /* the line's text, */
+    size_t source_length; /* up to its newline */
+};
+
+/* Copies what it is given.  Without memory the report is counted, not kept. */
+void reports_add(struct reports *reports, bool error,
+                 const struct position *position, const char *message);
+
+#endif

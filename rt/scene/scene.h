@@ -1,0 +1,138 @@
+/* scene.h - a scene as the scene language describes it, in world units.
+ *
+ * Doubles stand here at the edge: rt/layout.c turns them into the machine's
+ * own numbers.  Axes are left-handed as in POV-Ray: x right, y up, z away.
+ * Colours are linear RGB as the file gives them.
+ */
+#ifndef RT_SCENE_H
+#define RT_SCENE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+/* x' = rows[i][0..2] . x + rows[i][3] */
+struct transform {
+    double rows[3][4];
+};
+
+/* The ray through the picture at u, v (each -1/2 .. 1/2, v upwards) starts at
+ * location and has the direction direction + u right + v up, not of length
+ * one. */
+struct camera {
+    double location[3];
+    double direction[3];
+    double right[3];
+    double up[3];
+};
+
+struct light {
+    double position[3];
+    double color[3];
+    bool shadowless; /* casts no shadow and, as in POV-Ray, makes no phong or
+                        specular highlight */
+};
+
+/* POV-Ray's finish; its defaults (3.7) are ambient .1, diffuse .6, the rest
+ * 0, phong_size 40, roughness .05. */
+struct finish {
+    double ambient[3];
+    double diffuse;
+    double phong, phong_size;
+    double specular, roughness;
+};
+
+enum pigment_kind { PIGMENT_COLOR, PIGMENT_CHECKER };
+
+struct pigment {
+    enum pigment_kind kind;
+    double color[2][3];        /* checker: where floor(x)+floor(y)+floor(z)
+                                  is even, and odd */
+    struct transform to_local; /* from world points to the pattern's */
+};
+
+enum primitive_kind {
+    PRIMITIVE_SPHERE,
+    PRIMITIVE_BOX,
+    PRIMITIVE_CYLINDER,
+    PRIMITIVE_PLANE,
+    PRIMITIVE_KINDS
+};
+const char *primitive_kind_name(enum primitive_kind kind);
+
+/* A primitive as it is written, and the transform that then applies. */
+struct primitive {
+    enum primitive_kind kind;
+    union {
+        struct {
+            double center[3], radius;
+        } sphere;
+        struct {
+            double corner[2][3]; /* the lesser and the greater of each axis */
+        } box;
+        struct {
+            double base[3], cap[3], radius;
+            bool open; /* without its two disks */
+        } cylinder;
+        struct {
+            double normal[3], distance; /* of length one; solid below it */
+        } plane;
+    } shape;
+    struct transform to_world;
+    struct transform to_local; /* the inverse of to_world */
+    bool transformed;          /* to_world is not the identity */
+    struct pigment pigment;
+    struct finish finish;
+    bool no_shadow;
+    size_t line; /* where it is written, in the scene's main file */
+};
+
+struct scene {
+    struct camera camera;
+    double background[3];
+    double ambient_light[3];
+    double assumed_gamma; /* 0: not given */
+    int max_trace_level;
+    size_t light_count;
+    struct light *lights;
+    size_t primitive_count;
+    struct primitive *primitives; /* unions are taken apart, in file order */
+};
+
+/* What the reader has to say of a file: an error (there is then no scene),
+ * or a report of something that is replaced or left out. */
+struct report {
+    bool error;
+    char *file;
+    size_t line, column; /* from 1 */
+    char *message;
+    char *source;        /* the text of that line */
+};
+
+struct reports {
+    size_t count, errors;
+    struct report *items;
+};
+
+struct scene_options {
+    int width, height;         /* of the picture in pixels: image_width and
+                                  image_height; 0: these are errors */
+    bool strict;               /* every report is an error */
+    const char *const *search; /* folders for #include; NULL-terminated, or
+                                  NULL; the file's own folder comes first */
+};
+
+/* Read a scene file.  NULL when it has errors (all are in *reports) or cannot
+ * be read.  The caller frees both. */
+struct scene *scene_read(const char *path, const struct scene_options *options,
+                         struct reports *reports);
+/* The same from text; name stands for the file in reports. */
+struct scene *scene_read_text(const char *name, const char *text,
+                              const struct scene_options *options,
+                              struct reports *reports);
+void scene_free(struct scene *scene);
+void reports_free(struct reports *reports);
+/* file:line:column: error: message, the source line, a caret below it. */
+void reports_print(FILE *out, const struct reports *reports);
+
+#endif

@@ -1,0 +1,35 @@
+/* vector.h - three-vectors of doubles. */
+#ifndef RT_SCENE_VECTOR_H
+#define RT_SCENE_VECTOR_H
+
+#include <math.h>
+
+#define PI 3.14159265358979323846
+
+static inline double dot3(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline double length3(const double a[3])
+{
+    return sqrt(dot3(a, a));
+}
+
+static inline void scale3(double by, double a[3])
+{
+    for (int i = 0; i < 3; i++)
+        a[i] *= by;
+}
+
+/* The product may not be stored over a factor. */
+static inline void cross3(const double a[3], const double b[3],
+                          double product[3])
+{
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        product[i] = a[j] * b[k] - a[k] * b[j];
+    }
+}
+
+#endif

@@ -1,0 +1,28 @@
+/* fuzz_scene.c - any bytes as a scene: read, printed, freed. */
+#include "rt/scene/scene.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static const struct scene_options options = { 640, 480, false, NULL };
+    struct reports reports = { 0, 0, NULL };
+    FILE *out = fopen("/dev/null", "w");
+    char *text = malloc(size + 1);
+
+    if (out && text) {
+        memcpy(text, data, size);
+        text[size] = '\0';
+        scene_free(scene_read_text("fuzz.pov", text, &options, &reports));
+        reports_print(out, &reports);
+    }
+    reports_free(&reports);
+    free(text);
+    if (out)
+        fclose(out);
+    return 0;
+}

@@ -1,0 +1,864 @@
+/* test_scene.c - the scene language: what a scene means, what is reported,
+ * what is an error.  Figures marked POV-Ray were printed by POV-Ray 3.7 for
+ * the same text. */
+#include "rt/scene/scene.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "asm/file.h"
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+#define CLOSE 1e-12
+#define PRINTED 1e-6 /* POV-Ray's six places */
+
+static const struct scene_options options = { 640, 480, false, NULL };
+static const struct scene_options strict = { 640, 480, true, NULL };
+
+static void assert_close(double a, double b, double within)
+{
+    if (!(fabs(a - b) <= within))
+        fail_msg("%.15g is not %.15g", a, b);
+}
+
+static void assert_vector(const double a[3], double x, double y, double z)
+{
+    assert_close(a[0], x, CLOSE);
+    assert_close(a[1], y, CLOSE);
+    assert_close(a[2], z, CLOSE);
+}
+
+/* A scene without errors and with that many reports. */
+static struct scene *read_with(const char *text, size_t expected)
+{
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene = scene_read_text("test.pov", text, &options,
+                                          &reports);
+
+    if (!scene || reports.count != expected) {
+        reports_print(stderr, &reports);
+        fail_msg("%zu reports, expected %zu: %s", reports.count, expected,
+                 text);
+    }
+    reports_free(&reports);
+    return scene;
+}
+
+static struct scene *read(const char *text)
+{
+    return read_with(text, 0);
+}
+
+static void map(const struct transform *transform, const double from[3],
+                double to[3])
+{
+    for (int i = 0; i < 3; i++) {
+        to[i] = transform->rows[i][3];
+        for (int j = 0; j < 3; j++)
+            to[i] += transform->rows[i][j] * from[j];
+    }
+}
+
+static void test_defaults(void **state)
+{
+    struct scene *scene = read("sphere { 0, 1 }");
+    const struct primitive *sphere = scene->primitives;
+
+    (void)state;
+    assert_vector(scene->camera.location, 0, 0, 0);
+    assert_vector(scene->camera.direction, 0, 0, 1);
+    assert_vector(scene->camera.right, 1.33, 0, 0); /* POV-Ray's, measured */
+    assert_vector(scene->camera.up, 0, 1, 0);
+    assert_vector(scene->background, 0, 0, 0);
+    assert_vector(scene->ambient_light, 1, 1, 1);
+    assert_true(scene->assumed_gamma == 0);
+    assert_int_equal(scene->max_trace_level, 5);
+    assert_vector(sphere->finish.ambient, .1, .1, .1);
+    assert_close(sphere->finish.diffuse, .6, CLOSE);
+    assert_close(sphere->finish.phong, 0, CLOSE);
+    assert_close(sphere->finish.phong_size, 40, CLOSE);
+    assert_close(sphere->finish.specular, 0, CLOSE);
+    assert_close(sphere->finish.roughness, .05, CLOSE);
+    assert_int_equal(sphere->pigment.kind, PIGMENT_COLOR);
+    assert_vector(sphere->pigment.color[0], 0, 0, 0);
+    assert_false(sphere->transformed);
+    assert_false(sphere->no_shadow);
+    scene_free(scene);
+}
+
+static void test_expressions(void **state)
+{
+    static const struct {
+        const char *text;
+        double value;
+    } rows[] = {
+        { "1 + 2*3 - 4/2", 5 },
+        { "-1 - 1", -2 },
+        { "-2*-3", 6 },
+        { "--1", 1 },
+        { "!0", 1 },
+        { "(1 = 1 + 1e-12)", 1 },
+        { "(1 != 2)", 1 },
+        { "(1 <= 1)", 1 },
+        { "(2 > 1 ? 5 : 6)", 5 },
+        { "(2 < 1 ? 5 : 6)", 6 },
+        { "(1 | 1 & 0)", 0 }, /* POV-Ray: one rank, from the left */
+        { "(1 & 0 | 1)", 1 },
+        { "(3 > 2 = 1)", 1 },
+        { "yes + true + on - no", 3 },
+        { "mod(-7, 3)", -1 },
+        { "div(-7, 2)", -3 },
+        { "int(-2.7)", -2 },
+        { "ceil(-2.2)", -2 },
+        { "floor(-2.2)", -3 },
+        { "max(1, 5, 3)", 5 },
+        { "min(4, 2, 3)", 2 },
+        { "select(0, 1, 2)", 2 },
+        { "select(-1, 1, 2)", 1 },
+        { "select(0, 1, 2, 3)", 2 },
+        { "select(1, 1, 2, 3)", 3 },
+        { "log(100)", 2 },
+        { "ln(exp(2))", 2 },
+        { "pow(2, -3)", .125 },
+        { "sqrt(9) + abs(-1)", 4 },
+        { "sin(pi/2) + cos(0) + tan(0)", 2 },
+        { "degrees(asin(1))", 90 },
+        { "degrees(acos(0)) - degrees(atan2(1, 1))", 45 },
+        { "radians(180) - pi", 0 },
+        { "<1, 2, 3>.z", 3 },
+        { "(<1, 2, 3> + x).x", 2 },
+        { "(<1, 2> + <1, 1, 1>).z", 1 },
+        { "vcross(x, y).z", 1 },
+        { "vdot(<1, 2, 3>, <4, 5, 6>)", 32 },
+        { "vlength(<3, 4>)", 5 },
+        { "vnormalize(<0, 9, 0>).y", 1 },
+        { "2*-x.x", -2 },
+        { "t.t + u.u + v.v", 3 },
+        { "1e3 + .5e1 + 2.", 1007 },
+        { "image_width/image_height", 4. / 3 },
+        { "F.red", .1 },
+        { "F.gray", .1817 },
+        { "F.transmit", .5 },
+        { "vlength(G)", 0 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        char text[200];
+        snprintf(text, sizeof text,
+                 "#declare F = rgbft <.1, .2, .3, .4, .5>; #local G = 0*x;"
+                 "plane { y, %s }",
+                 rows[i].text);
+        struct scene *scene = read(text);
+        assert_close(scene->primitives->shape.plane.distance, rows[i].value,
+                     CLOSE);
+        scene_free(scene);
+    }
+}
+
+/* POV-Ray's figures: the signs of rotations are left-handed. */
+static void test_rotations(void **state)
+{
+    static const struct {
+        const char *text;
+        double value[3];
+    } rows[] = {
+        { "vrotate(V, <30, 0, 0>)", { 1.000000, 0.232051, 3.598076 } },
+        { "vrotate(V, <0, 30, 0>)", { 2.366025, 2.000000, 2.098076 } },
+        { "vrotate(V, <0, 0, 30>)", { -0.133975, 2.232051, 3.000000 } },
+        { "vrotate(V, <10, 20, 30>)", { 1.067425, 2.289059, 2.760581 } },
+        { "vaxis_rotate(V, <1, 1, 0>, 30)", { 2.127647, 0.872353, 2.951630 } },
+        { "vcross(V, <4, 5, 7>)", { -1, 5, -3 } },
+        { "2*V/<4, 5, 6>", { .5, .8, 1 } },
+        { "V + 1", { 2, 3, 4 } },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        char text[200];
+        snprintf(text, sizeof text,
+                 "#declare V = <1, 2 3>; sphere { %s 1 }", rows[i].text);
+        struct scene *scene = read(text);
+        for (int k = 0; k < 3; k++)
+            assert_close(scene->primitives->shape.sphere.center[k],
+                         rows[i].value[k], PRINTED);
+        scene_free(scene);
+    }
+}
+
+/* POV-Ray's figures. */
+static void test_colors(void **state)
+{
+    static const struct {
+        const char *text;
+        double rgb[3];
+    } rows[] = {
+        { "rgb <1, 2, 3>*.5", { .5, 1, 1.5 } },
+        { "color 2", { 2, 2, 2 } },
+        { "<1, 2, 3>", { 1, 2, 3 } },
+        { "colour red .5 green .25", { .5, .25, 0 } },
+        { "W*.5 red 3", { 3, .5, .5 } },
+        { "color rgb W", { 1, 1, 1 } },
+        { "W*<.5, .4>", { .5, .4, 0 } },
+        { "W + x", { 2, 1, 1 } },
+        { "rgbt <1, 2, 3>", { 1, 2, 3 } },
+        { "srgb <.5, .2, .1>", { 0.214041, 0.033105, 0.010023 } },
+        { "Firebrick", { 0.556863, 0.137255, 0.137255 } },
+        { "Gray35", { .35, .35, .35 } },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        char text[200];
+        snprintf(text, sizeof text,
+                 "#include \"colors.inc\"\n#declare W = rgb 1;"
+                 "background { %s }",
+                 rows[i].text);
+        struct scene *scene = read(text);
+        for (int k = 0; k < 3; k++)
+            assert_close(scene->background[k], rows[i].rgb[k], PRINTED);
+        scene_free(scene);
+    }
+}
+
+static void test_camera(void **state)
+{
+    struct scene *scene = read("camera { look_at 0 angle 90 right x*4/3"
+                               " location <0, 0, -5> }");
+
+    (void)state;
+    assert_vector(scene->camera.location, 0, 0, -5);
+    assert_vector(scene->camera.direction, 0, 0, 2. / 3);
+    assert_vector(scene->camera.right, 4. / 3, 0, 0);
+    scene_free(scene);
+
+    /* Seen from the right, right-handed, upright on x. */
+    scene = read("camera { right -2*x sky x up 3*y direction 2*z"
+                 " location 4*z look_at 0 }");
+    assert_vector(scene->camera.direction, 0, 0, -2);
+    assert_vector(scene->camera.right, 0, -2, 0);
+    assert_vector(scene->camera.up, 3, 0, 0);
+    scene_free(scene);
+
+    scene = read("#declare C = camera { perspective location -z }"
+                 "camera { C rotate 90*y translate 5*y scale 2 }");
+    assert_vector(scene->camera.location, -2, 10, 0);
+    assert_vector(scene->camera.direction, 2, 0, 0);
+    assert_vector(scene->camera.up, 0, 2, 0);
+    scene_free(scene);
+
+    scene_free(read_with("camera { look_at y }", 1)); /* along the sky */
+    scene_free(read_with("camera { } camera { location x }", 1));
+}
+
+static void test_primitives(void **state)
+{
+    struct scene *scene = read(
+        "sphere { <1, 2, 3>, -2 }\n"
+        "box { <1, -1, 1>, <-1, 1, -2> }\n"
+        "cylinder { 0, 2*y, .5 open }\n"
+        "cylinder { 0, 2*y, .5 no_shadow }\n"
+        "plane { <0, 3, 4>, 2 }\n");
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, 5);
+    assert_close(p[0].shape.sphere.radius, 2, 0);
+    assert_vector(p[1].shape.box.corner[0], -1, -1, -2);
+    assert_vector(p[1].shape.box.corner[1], 1, 1, 1);
+    assert_true(p[2].shape.cylinder.open);
+    assert_false(p[3].shape.cylinder.open);
+    assert_vector(p[2].shape.cylinder.cap, 0, 2, 0);
+    assert_true(p[3].no_shadow);
+    assert_vector(p[4].shape.plane.normal, 0, .6, .8);
+    assert_close(p[4].shape.plane.distance, 2, 0); /* along length one */
+    for (size_t i = 0; i < 5; i++)
+        assert_int_equal(p[i].line, i + 1);
+    assert_string_equal(primitive_kind_name(p[2].kind), "cylinder");
+    scene_free(scene);
+}
+
+static void assert_inverse(const struct primitive *primitive)
+{
+    const double point[3] = { .3, -2, 5 };
+    double world[3], back[3];
+
+    map(&primitive->to_world, point, world);
+    map(&primitive->to_local, world, back);
+    assert_vector(back, point[0], point[1], point[2]);
+}
+
+static void test_transforms(void **state)
+{
+    static const struct {
+        const char *text;
+        double image[3]; /* of <1, 2, 3> */
+    } rows[] = {
+        { "translate <1, 0, 2>", { 2, 2, 5 } },
+        { "scale <2, 3, -1>", { 2, 6, -3 } },
+        { "scale 2", { 2, 4, 6 } },
+        { "rotate 90*z", { -2, 1, 3 } },
+        { "rotate <90, 90, 0>", { 2, -3, -1 } },
+        { "translate x rotate 90*y", { 3, 2, -2 } },
+        { "rotate 90*y translate x", { 4, 2, -1 } },
+        { "matrix <1,0,0, 0,1,0, 0,0,1, 5,6,7>", { 6, 8, 10 } },
+        { "matrix <1,2,3, 0,1,0, 0,0,1, 0,0,0>", { 1, 4, 6 } },
+        { "transform T", { 2, 4, 2 } },
+        { "transform { T scale 2 }", { 4, 8, 4 } },
+        { "transform { T inverse }", { 0, 1, 4 } },
+        { "transform { translate x scale 2 }", { 4, 4, 6 } },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        const double point[3] = { 1, 2, 3 };
+        char text[200];
+        double image[3];
+        snprintf(text, sizeof text,
+                 "#declare T = transform { translate <1, 0, -1> "
+                 "scale <1, 2, 1> }"
+                 "sphere { 0, 1 %s }",
+                 rows[i].text);
+        struct scene *scene = read(text);
+        map(&scene->primitives->to_world, point, image);
+        assert_vector(image, rows[i].image[0], rows[i].image[1],
+                      rows[i].image[2]);
+        assert_inverse(scene->primitives);
+        assert_true(scene->primitives->transformed);
+        scene_free(scene);
+    }
+}
+
+static void test_no_transform(void **state)
+{
+    struct scene *scene = read_with(
+        "sphere { 0, 1 translate x translate -x } sphere { 0, 1 scale 0 }",
+        3);
+
+    (void)state;
+    assert_false(scene->primitives[0].transformed);
+    assert_false(scene->primitives[1].transformed); /* 0 became 1 */
+    scene_free(scene);
+}
+
+/* Where the pattern's own x = 1 is found in the world. */
+static void assert_pattern_at(const struct pigment *pigment, double world_x,
+                              double pattern_x)
+{
+    const double world[3] = { world_x, 0, 0 };
+    double local[3];
+
+    map(&pigment->to_local, world, local);
+    assert_close(local[0], pattern_x, CLOSE);
+}
+
+static void test_textures_move(void **state)
+{
+    struct scene *scene = read(
+        "#declare P = pigment { checker rgb 1 rgb 0 scale 2 }\n"
+        "sphere { 0, 1 pigment { P translate x } scale 3 translate 4*x }\n"
+        "sphere { 0, 1 scale 3 translate 4*x pigment { P translate x } }\n"
+        "sphere { 0, 1 texture { pigment { P } translate x } scale 3 }\n"
+        "sphere { 0, 1 scale 3 pigment { checker } }\n");
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_pattern_at(&p[0].pigment, 4 + 3 * (1 + 2), 1);
+    assert_pattern_at(&p[1].pigment, 1 + 2, 1);
+    assert_pattern_at(&p[2].pigment, 3 * (1 + 2), 1);
+    assert_pattern_at(&p[3].pigment, 1, 1);
+    assert_int_equal(p[3].pigment.kind, PIGMENT_CHECKER);
+    assert_vector(p[0].pigment.color[0], 1, 1, 1);
+    assert_vector(p[3].pigment.color[0], 0, 0, 1); /* POV-Ray's own */
+    assert_vector(p[3].pigment.color[1], 0, 1, 0);
+    scene_free(scene);
+}
+
+static void test_unions(void **state)
+{
+    struct scene *scene = read(
+        "#default { finish { ambient 0 } }\n"
+        "#declare U = union {\n"
+        "    sphere { 0, 1 pigment { checker } translate x }\n"
+        "    union { sphere { 0, 2 translate y } sphere { 0, 3 }\n"
+        "            scale 2 no_shadow }\n"
+        "    light_source { x, rgb 1 shadowless }\n"
+        "    rotate 90*z\n"
+        "}\n"
+        "object { U pigment { rgb <1, 0, 0> } finish { phong .5 } }\n"
+        "object { U translate 9*z }\n");
+    const struct primitive *p = scene->primitives;
+    const double origin[3] = { 0, 0, 0 };
+    double image[3];
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, 6);
+    assert_int_equal(scene->light_count, 2);
+    assert_vector(scene->lights[0].position, 0, 1, 0);
+    assert_vector(scene->lights[1].position, 0, 1, 9);
+    assert_true(scene->lights[0].shadowless);
+    map(&p[1].to_world, origin, image);
+    assert_vector(image, -2, 0, 0);
+    map(&p[4].to_world, origin, image);
+    assert_vector(image, -2, 0, 9);
+    assert_int_equal(p[0].pigment.kind, PIGMENT_CHECKER);
+    assert_vector(p[1].pigment.color[0], 1, 0, 0);
+    assert_vector(p[2].pigment.color[0], 1, 0, 0);
+    assert_vector(p[4].pigment.color[0], 0, 0, 0); /* the default */
+    assert_close(p[0].finish.phong, 0, 0);
+    assert_close(p[1].finish.phong, .5, 0);
+    assert_vector(p[1].finish.ambient, 0, 0, 0);
+    assert_false(p[0].no_shadow);
+    assert_true(p[1].no_shadow && p[2].no_shadow && p[4].no_shadow);
+    scene_free(scene);
+}
+
+static void test_declarations(void **state)
+{
+    struct scene *scene = read(
+        "#version 3.7;\n"
+        "#declare R = 1; #declare R = R + 1;\n"
+        "#declare F = finish { phong .25 phong_size 10 }\n"
+        "#declare P = pigment { rgb <0, 1, 0> }\n"
+        "#declare T = texture { pigment { P } finish { F diffuse .3 } };\n"
+        "#declare S = T #local S2 = S;\n"
+        "#declare O = sphere { 0, R texture { S2 } }\n"
+        "#undef P #undef T\n"
+        "#declare O2 = object { O }\n"
+        "object { O2 finish { F ambient rgb <1, 2, 3> } }\n"
+        "sphere { 0, 1 material { texture { S } } }\n"
+        "light_source { <1, 2, 3>, 2 shadowless translate x }\n");
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_close(p[0].shape.sphere.radius, 2, 0);
+    assert_vector(p[0].pigment.color[0], 0, 1, 0);
+    assert_close(p[0].finish.phong_size, 10, 0);
+    assert_vector(p[0].finish.ambient, 1, 2, 3);
+    assert_close(p[0].finish.diffuse, .6, CLOSE); /* F's, it replaces all */
+    assert_close(p[1].finish.diffuse, .3, 0);
+    assert_vector(scene->lights[0].position, 2, 2, 3);
+    assert_vector(scene->lights[0].color, 2, 2, 2);
+    scene_free(scene);
+}
+
+static void test_settings(void **state)
+{
+    struct scene *scene = read(
+        "global_settings { assumed_gamma 1 ambient_light rgb <.5, 1, 2>"
+        " max_trace_level 7 }");
+
+    (void)state;
+    assert_close(scene->assumed_gamma, 1, 0);
+    assert_vector(scene->ambient_light, .5, 1, 2);
+    assert_int_equal(scene->max_trace_level, 7);
+    scene_free(scene);
+}
+
+/* Each text has this one error. */
+static void test_errors(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t line, column;
+        const char *message; /* a part of it */
+    } rows[] = {
+        { "torus { 1, .2 }", 1, 1, "'torus' is not supported" },
+        { "union { sphere { 0, 1 }\n cone { 0, 1, y, 0 } }", 2, 2, "'cone'" },
+        { "difference { sphere { 0 1 } box { 0 1 } }", 1, 1, "not supported" },
+        { "sphere { 0, 1 clipped_by { box { 0 1 } } }", 1, 15, "clipped_by" },
+        { "sphere { 0, 1 inverse }", 1, 15, "'inverse'" },
+        { "camera { orthographic }", 1, 10, "'orthographic'" },
+        { "sphere { 0, Foo }", 1, 13, "'Foo', which is not declared" },
+        { "sphere { 0, 0 }", 1, 13, "the radius is 0" },
+        { "sphere { 0, 1", 1, 14, "expected '}' for the '{' of line 1" },
+        { "sphere 0, 1", 1, 8, "expected '{', found '0'" },
+        { "sphere { <1, 2, 3, 4, 5, 6>, 1 }", 1, 26, "expected '>'" },
+        { "sphere { <1>, 1 }", 1, 12, "expected a number or a vector" },
+        { "sphere { rgb 1, 1 }", 1, 10, "found 'rgb'" },
+        { "sphere { x, y }", 1, 13, "expected a number, found 3" },
+        { "#declare C = rgb 1; sphere { C, 1 }", 1, 30, "a vector of 3" },
+        { "cylinder { x, x, 1 }", 1, 12, "both ends" },
+        { "plane { 0, 1 }", 1, 9, "the normal has no direction" },
+        { "sphere { 0, 1/0 }", 1, 14, "division by 0" },
+        { "sphere { 0, sqrt(-1) }", 1, 13, "not a finite number" },
+        { "sphere { 0, 1e300*1e300 }", 1, 18, "not a finite number" },
+        { "sphere { 0, 1e999 }", 1, 13, "the number is too large" },
+        { "sphere { 0, x.foo }", 1, 15, "a component" },
+        { "sphere { 0, x.t }", 1, 15, "a component" },
+        { "sphere { 0, sin(1, 2) }", 1, 18, "expected ')'" },
+        { "sphere { 0, 1 scale 2 colr 1 }", 1, 23, "found 'colr'" },
+        { "sphere { 0, 1 matrix <1,0,0,0,1,0,0,0,0,0,0,0> }", 1, 15,
+          "no inverse" },
+        { "sphere { 0, 1 finish { roughness 0 } }", 1, 24, "roughness" },
+        { "sphere { 0, 1 pigment { rgb <1, 2, 3, 4> } }", 1, 29,
+          "'rgb' takes 3" },
+        { "camera { angle 180 }", 1, 10, "0 and 180" },
+        { "camera { location x look_at x }", 1, 1, "are the same" },
+        { "camera { up x }", 1, 1, "span no picture" },
+        { "union { sphere { 0 1 } scale 2 sphere { 0 1 } }", 1, 32,
+          "found 'sphere'" },
+        { "#declare A = 1 sphere { 0, 1 }", 1, 16, "expected ';'" },
+        { "#declare x = 1;", 1, 10, "'x' is a word of the language" },
+        { "#declare A = ;", 1, 14, "expected a value, found ';'" },
+        { "#if (1) sphere { #end sphere { 0, 1 }", 1, 1, "'#if'" },
+        { "#while (1) #if (1) #end } #end", 1, 1, "'#while'" },
+        { "#end", 1, 1, "'#end'" },
+        { "#frob", 1, 1, "'#frob' is not a directive" },
+        { "#include \"no/such.inc\"", 1, 10, "no such file" },
+        { "#include \"colors.inc\"\n#include \"\"", 2, 10, "name of a file" },
+        { "#error \"gone\"", 1, 1, "gone" },
+        { "sphere { 0, 1 } }", 1, 17, "found '}'" },
+        { "sphere { 0, 1 } @", 1, 17, "not of the language" },
+        { "sphere { 0, 1 }\n/* /* */", 2, 1, "comment is not closed" },
+        { "sphere { 0, 1 } \"", 1, 17, "string is not closed" },
+        { "object { sphere { 0, 1 } sphere { 0, 1 } }", 1, 26, "'sphere'" },
+        { "light_source { 0, rgb 1 shadowless looks_like { sphere {0 1} } }",
+          1, 36, "'looks_like'" },
+        { "#declare B = sphere { 0, Foo } object { B } object { B scale 2 }",
+          1, 26, "'Foo'" },
+        { "sphere { 0, 1 scale 1e200 scale 1e200 }", 1, 1, "out of range" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct reports reports = { 0, 0, NULL };
+        struct scene *scene = scene_read_text("test.pov", rows[i].text,
+                                              &options, &reports);
+        const struct report *report = reports.items;
+        bool same = !scene && reports.count == 1 && reports.errors == 1
+            && report->error && report->line == rows[i].line
+            && report->column == rows[i].column
+            && strstr(report->message, rows[i].message);
+        if (!same) {
+            reports_print(stderr, &reports);
+            fail_msg("expected %zu:%zu %s, of: %s", rows[i].line,
+                     rows[i].column, rows[i].message, rows[i].text);
+        }
+        reports_free(&reports);
+    }
+}
+
+/* Each text has this one report; it is an error under strict. */
+static void test_reports(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t column;
+        const char *message;
+    } rows[] = {
+        { "sphere { 0, 1 normal { bumps .5 scale { } } }", 15, "'normal'" },
+        { "sphere { 0, 1 hollow }", 15, "'hollow'" },
+        { "sphere { 0, 1 finish { reflection { .1, 1 } } }", 24,
+          "'reflection'" },
+        { "sphere { 0, 1 finish { brilliance 2 phong 1 } }", 24,
+          "'brilliance'" },
+        { "sphere { 0, 1 finish { diffuse albedo .5 } }", 32, "'albedo'" },
+        { "sphere { 0, 1 finish { diffuse .5, .2 } }", 34, "inside" },
+        { "sphere { 0, 1 pigment { granite } }", 25, "'granite'" },
+        { "sphere { 0, 1 pigment { rgbf <1, 1, 1, .5> } }", 25, "'filter'" },
+        { "sphere { 0, 1 texture { gradient y texture_map {"
+          " [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } } }",
+          25, "'gradient'" },
+        { "sphere { 0, 1 scale <1, 0, 1> }", 15, "along y" },
+        { "fog { distance 10 color rgb 1 }", 1, "'fog'" },
+        { "sky_sphere { pigment { rgb 1 } }", 1, "'sky_sphere'" },
+        { "camera { focal_point <1, 2, 3> location x }", 10, "focal_point" },
+        { "global_settings { radiosity { count 9 } }", 19, "'radiosity'" },
+        { "global_settings { charset utf8 }", 19, "'charset'" },
+        { "light_source { 0, 1 parallel shadowless }", 21, "'parallel'" },
+        { "light_source { 0, 1 area_light x, <0, 1, 0>, 4, 4 shadowless }",
+          21, "'area_light'" },
+        { "sphere { 0, 1 } light_source { 0, 1 } light_source { x, 1 }", 17,
+          "shadows are not cast" },
+        { "#debug concat(\"a\", \"{\")\nsphere { 0, 1 }", 1, "'#debug'" },
+        { "#warning \"old\"", 1, "old" },
+        { "#version 3.1;", 10, "version 3.7" },
+        { "#undef A", 8, "'A' is not declared" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct reports reports = { 0, 0, NULL };
+        scene_free(read_with(rows[i].text, 1));
+        assert_null(scene_read_text("test.pov", rows[i].text, &strict,
+                                    &reports));
+        if (reports.count != 1 || reports.errors != 1
+            || reports.items->column != rows[i].column
+            || !strstr(reports.items->message, rows[i].message)) {
+            reports_print(stderr, &reports);
+            fail_msg("expected :%zu %s, of: %s", rows[i].column,
+                     rows[i].message, rows[i].text);
+        }
+        reports_free(&reports);
+    }
+}
+
+static void test_first_colors(void **state)
+{
+    static const char *const texts[] = {
+        "gradient y color_map { [0 rgb <1, 2, 3>] [1 rgb 0] }",
+        "granite colour_map { [0, .5 color C color rgb 0] [.5, 1 x x] }",
+        "brick color rgb <1, 2, 3>, color rgb 0 brick_size 2",
+        "hexagon C, C*2, C*3",
+        "wood pigment_map { [0 C] [1 checker C, rgb 0] }",
+        "image_map { png \"a.png\" } color C",
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(texts); i++) {
+        struct reports reports = { 0, 0, NULL };
+        char text[300];
+        snprintf(text, sizeof text,
+                 "#declare C = rgb <1, 2, 3>; sphere { 0, 1 pigment { %s } }",
+                 texts[i]);
+        struct scene *scene = scene_read_text("test.pov", text, &options,
+                                              &reports);
+        if (!scene)
+            reports_print(stderr, &reports);
+        assert_non_null(scene);
+        assert_vector(scene->primitives->pigment.color[0], 1, 2, 3);
+        assert_true(reports.count > 0);
+        scene_free(scene);
+        reports_free(&reports);
+    }
+}
+
+/* One reading finds them all, and goes on behind each. */
+static void test_all_errors(void **state)
+{
+    static const char text[] =
+        "sphere { 0, foo finish { wibble 2 phong x } scale }\n"
+        "cone { 0, 1, y, 0 }\n"
+        "union { box { 0, 1 rotate <1, 2 } sphere { } bar }\n"
+        "camera { location }\n";
+    static const size_t lines[] = { 1, 1, 1, 1, 2, 3, 3, 3, 4 };
+    struct reports reports = { 0, 0, NULL };
+
+    (void)state;
+    assert_null(scene_read_text("test.pov", text, &options, &reports));
+    if (reports.count != COUNT(lines))
+        reports_print(stderr, &reports);
+    assert_int_equal(reports.count, COUNT(lines));
+    for (size_t i = 0; i < COUNT(lines); i++)
+        assert_int_equal(reports.items[i].line, lines[i]);
+    reports_free(&reports);
+}
+
+static void test_print(void **state)
+{
+    static const char expected[] =
+        "test.pov:2:10: error: 'torus' is not supported\n"
+        "    \xc3\xa4? */   torus { 1, 2 }\n"
+        "            ^\n";
+    struct reports reports = { 0, 0, NULL };
+    char *text = NULL;
+    size_t length = 0;
+    FILE *out = open_memstream(&text, &length);
+
+    (void)state;
+    scene_read_text("test.pov", "/*\n\xc3\xa4\x01 */  \ttorus { 1, 2 }\r\n",
+                    &options, &reports);
+    reports_print(out, &reports);
+    fclose(out);
+    reports_free(&reports);
+    assert_string_equal(text, expected);
+    free(text);
+}
+
+static void write_file(const char *folder, const char *name, const char *text)
+{
+    char path[200];
+    FILE *file;
+
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+static void delete_files(const char *folder, const char *const *names)
+{
+    char path[200];
+
+    for (; *names; names++) {
+        snprintf(path, sizeof path, "%s/%s", folder, *names);
+        assert_int_equal(remove(path), 0);
+    }
+    assert_int_equal(remove(folder), 0);
+}
+
+static void test_includes(void **state)
+{
+    static const char *const names[] = { "main.pov", "part.inc", "loop.inc",
+                                         NULL };
+    char folder[] = "/tmp/scene-XXXXXX", path[200];
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene;
+
+    (void)state;
+    assert_non_null(mkdtemp(folder));
+    write_file(folder, "main.pov",
+               "\n#include \"part.inc\"\nsphere { 0, R }\n");
+    write_file(folder, "part.inc", "#local L = 2;\n#declare R = L + 1;\n"
+                                   "\n\nbox { -1, L }");
+    write_file(folder, "loop.inc", "#include \"loop.inc\"\n");
+    snprintf(path, sizeof path, "%s/main.pov", folder);
+    scene = scene_read(path, &options, &reports);
+    assert_non_null(scene);
+    assert_int_equal(scene->primitives[0].line, 2); /* of the #include */
+    assert_int_equal(scene->primitives[1].line, 3);
+    assert_close(scene->primitives[1].shape.sphere.radius, 3, 0);
+    scene_free(scene);
+
+    write_file(folder, "main.pov", "#include \"part.inc\"\nsphere { 0, L }");
+    assert_null(scene_read(path, &options, &reports)); /* L was local */
+    assert_int_equal(reports.count, 1);
+    assert_int_equal(reports.items[0].line, 2);
+    reports_free(&reports);
+
+    write_file(folder, "main.pov", "#include \"loop.inc\"\n");
+    assert_null(scene_read(path, &options, &reports));
+    assert_non_null(strstr(reports.items[0].file, "loop.inc"));
+    assert_non_null(strstr(reports.items[0].message, "include each other"));
+    reports_free(&reports);
+
+    const char *const search[] = { folder, NULL };
+    const struct scene_options searching = { 4, 3, false, search };
+    scene = scene_read_text("x.pov", "#include \"part.inc\"", &searching,
+                            &reports);
+    assert_non_null(scene);
+    scene_free(scene);
+    delete_files(folder, names);
+    assert_null(scene_read(path, &options, &reports));
+    assert_int_equal(reports.items[0].line, 0);
+    reports_free(&reports);
+}
+
+static char *repeated(const char *head, const char *part, size_t count)
+{
+    size_t start = strlen(head), length = strlen(part);
+    char *text = malloc(start + count * length + 1);
+
+    assert_non_null(text);
+    memcpy(text, head, start + 1);
+    for (size_t i = 0; i < count; i++)
+        memcpy(text + start + i * length, part, length + 1);
+    return text;
+}
+
+/* Neither the stack, nor memory, nor the list of reports grows without end. */
+static void test_bounds(void **state)
+{
+    static const struct {
+        const char *head, *part;
+        const char *message;
+    } rows[] = {
+        { "", "union{", "within each other" },
+        { "sphere{0,", "(", "within each other" },
+        { "sphere{0,", "-", "within each other" },
+        { "#declare A=sphere{0,1} ", "#declare A=union{object{A}object{A}}",
+          "primitives, copies counted" },
+        { "", "foo{}\n", "too many reports" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        char *text = repeated(rows[i].head, rows[i].part, 10000);
+        struct reports reports = { 0, 0, NULL };
+        bool found = false;
+        assert_null(scene_read_text("test.pov", text, &options, &reports));
+        assert_true(reports.count <= 201);
+        for (size_t k = 0; k < reports.count; k++)
+            found = found || strstr(reports.items[k].message,
+                                    rows[i].message);
+        if (!found)
+            fail_msg("no '%s'", rows[i].message);
+        reports_free(&reports);
+        free(text);
+    }
+}
+
+static void test_our_scenes(void **state)
+{
+    static const char *const paths[] = { "scenes/first.pov",
+                                         "scenes/bearing.pov",
+                                         "scenes/pipe_flange.pov" };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(paths); i++) {
+        struct reports reports = { 0, 0, NULL };
+        struct scene *scene = scene_read(paths[i], &strict, &reports);
+        reports_print(stderr, &reports);
+        assert_non_null(scene);
+        assert_int_equal(scene->light_count, 2);
+        scene_free(scene);
+        reports_free(&reports);
+    }
+}
+
+/* The text of a file; the caller frees it. */
+static char *file_text(const char *path)
+{
+    c205_error error;
+    size_t length;
+    char *text = file_read(path, &length, &error);
+
+    assert_non_null(text);
+    return text;
+}
+
+/* Each example of the manual is a scene; only of shadows something is said. */
+static void test_manual(void **state)
+{
+    static const char open[] = "\n```pov\n", close[] = "\n```\n";
+    char *text = file_text("docs/scenes.md"), *end = text;
+    char *start = strstr(text, open);
+    size_t count = 0;
+
+    (void)state;
+    for (; start; start = strstr(end, open), count++) {
+        start += strlen(open);
+        end = strstr(start, close);
+        assert_non_null(end);
+        *end++ = '\0';
+        scene_free(read(start));
+    }
+    assert_true(count > 5);
+    free(text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_expressions),
+        cmocka_unit_test(test_rotations),
+        cmocka_unit_test(test_colors),
+        cmocka_unit_test(test_camera),
+        cmocka_unit_test(test_primitives),
+        cmocka_unit_test(test_transforms),
+        cmocka_unit_test(test_no_transform),
+        cmocka_unit_test(test_textures_move),
+        cmocka_unit_test(test_unions),
+        cmocka_unit_test(test_declarations),
+        cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_reports),
+        cmocka_unit_test(test_first_colors),
+        cmocka_unit_test(test_all_errors),
+        cmocka_unit_test(test_print),
+        cmocka_unit_test(test_includes),
+        cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_our_scenes),
+        cmocka_unit_test(test_manual),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
