@@ -1,0 +1,71 @@
+/* picture.h - a frame as a picture file.
+ *
+ * The file's ending chooses the kind: .png and .jpg hold 8-bit sRGB colours;
+ * .exr and .tif hold linear colours with the channels Z (distance along the
+ * ray), N.X, N.Y, N.Z (unit normal, world) and id (primitive number, from 1;
+ * 0 is background).  The writing is OpenImageIO's; its adapter, a shared
+ * object by the name of rt205_oiio.so, is loaded when a picture is first
+ * touched, so that a command which makes no picture does not pay for it.  It
+ * is looked for in the folder that the environment's RT205_LIBDIR names,
+ * beside the running program, and where it was installed.
+ */
+#ifndef RT_PICTURE_H
+#define RT_PICTURE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum frame_channel {
+    CHANNEL_RED,
+    CHANNEL_GREEN,
+    CHANNEL_BLUE,
+    CHANNEL_DEPTH,
+    CHANNEL_NORMAL_X,
+    CHANNEL_NORMAL_Y,
+    CHANNEL_NORMAL_Z,
+    CHANNEL_ID,
+    FRAME_CHANNELS
+};
+
+/* Planes of height x width samples, the top row first. */
+struct frame {
+    size_t width, height;
+    double *channel[FRAME_CHANNELS];
+};
+
+struct picture_note {
+    const char *name, *text; /* "c205:clocks", "123456" */
+};
+
+struct picture_error {
+    char message[256];
+};
+
+/* Write the frame, whole or not at all.  notes: metadata, ended by a NULL
+ * name; each is an attribute of its own where the kind of file has them (EXR,
+ * PNG), and all are lines of the picture's description everywhere.  half:
+ * 16-bit samples for the colours of EXR (else 32-bit); depth, normal and id
+ * are always 32-bit.  The bytes do not depend on the time of day. */
+bool picture_write(const char *path, const struct frame *frame,
+                   const struct picture_note *notes, bool half,
+                   struct picture_error *error);
+
+/* Could the path be written?  Tells an unknown ending or a missing folder
+ * before a long frame is traced. */
+bool picture_check_path(const char *path, struct picture_error *error);
+
+/* A picture back into a frame, which the caller frees: colours as linear
+ * light, the other channels where the file has them and 0 elsewhere. */
+bool picture_read(const char *path, struct frame *frame,
+                  struct picture_error *error);
+
+/* The text of one note of a picture, "" when it has none. */
+bool picture_read_note(const char *path, const char *name, char *text,
+                       size_t size, struct picture_error *error);
+
+/* All samples 0.  The picture has at least one pixel; false when memory is
+ * short. */
+bool frame_allocate(struct frame *frame, size_t width, size_t height);
+void frame_free(struct frame *frame);
+
+#endif

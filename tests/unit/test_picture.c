@@ -1,0 +1,377 @@
+/* test_picture.c - pictures out and back, and what must not be touched. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "rt/picture.h"
+
+#include <dirent.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { WIDTH = 37, HEIGHT = 23, PIXELS = WIDTH * HEIGHT };
+
+static char folder[] = "/tmp/test_picture.XXXXXX";
+
+static const struct picture_note notes[] = {
+    { "c205:scene", "gear.pov" },
+    { "c205:clocks", "123456" },
+    { NULL, NULL },
+};
+
+static int make_folder(void **state)
+{
+    (void)state;
+    return mkdtemp(folder) ? 0 : -1;
+}
+
+/* Remove the files of the folder, and tell how many there were. */
+static size_t empty_folder(void)
+{
+    size_t count = 0;
+    DIR *entries = opendir(folder);
+    for (struct dirent *entry; entries && (entry = readdir(entries));) {
+        char path[512];
+        if (entry->d_name[0] == '.')
+            continue;
+        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
+        count += remove(path) == 0;
+    }
+    closedir(entries);
+    return count;
+}
+
+static int remove_folder(void **state)
+{
+    (void)state;
+    empty_folder();
+    return rmdir(folder);
+}
+
+static const char *in_folder(const char *name)
+{
+    static char path[512];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return path;
+}
+
+/* Smooth colours, some beyond 1, and channels of many sizes. */
+static struct frame sample_frame(void)
+{
+    struct frame frame;
+    assert_true(frame_allocate(&frame, WIDTH, HEIGHT));
+    for (size_t i = 0; i < PIXELS; i++) {
+        const double u = (double)(i % WIDTH) / (WIDTH - 1);
+        const double v = (double)(i / WIDTH) / (HEIGHT - 1);
+        frame.channel[CHANNEL_RED][i] = 1.25 * u;
+        frame.channel[CHANNEL_GREEN][i] = v;
+        frame.channel[CHANNEL_BLUE][i] = .5 * u * v;
+        frame.channel[CHANNEL_DEPTH][i] = 1000 * u + v;
+        frame.channel[CHANNEL_NORMAL_X][i] = -u;
+        frame.channel[CHANNEL_NORMAL_Y][i] = v - .5;
+        frame.channel[CHANNEL_NORMAL_Z][i] = u * u;
+        frame.channel[CHANNEL_ID][i] = (double)(100000 + i);
+    }
+    return frame;
+}
+
+static double clipped(double value)
+{
+    return fmin(1, fmax(0, value));
+}
+
+struct round_trip {
+    const char *name;
+    bool half, clip;
+    size_t channels;
+    double relative, absolute; /* of colours */
+};
+
+/* An 8-bit sRGB step is at most .0091 in linear light, near white; JPEG may
+ * be some steps off.  Half has 11 bits, float 24. */
+static const struct round_trip round_trips[] = {
+    { "a.png", false, true, 3, 0, .0046 },
+    { "a.jpg", false, true, 3, 0, .05 },
+    { "a.jpeg", true, true, 3, 0, .05 },
+    { "half.exr", true, false, 8, 0x1p-11, 1e-7 },
+    { "float.exr", false, false, 8, 0x1p-24, 0 },
+    { "a.tif", false, false, 8, 0x1p-24, 0 },
+    { "A.TIFF", true, false, 8, 0x1p-24, 0 },
+};
+
+static void compare(const struct round_trip *trip, const struct frame *frame,
+                    const struct frame *back, size_t channel)
+{
+    const bool color = channel <= CHANNEL_BLUE;
+    for (size_t i = 0; i < PIXELS; i++) {
+        const double raw = frame->channel[channel][i];
+        const double value = color && trip->clip ? clipped(raw) : raw;
+        const double kept = channel < trip->channels ? value : 0;
+        const double allowed = (color ? trip->relative : 0x1p-24)
+            * fabs(kept) + (color ? trip->absolute : 0);
+        if (fabs(back->channel[channel][i] - kept) > allowed)
+            fail_msg("%s, channel %zu, pixel %zu: %g is %g", trip->name,
+                     channel, i, kept, back->channel[channel][i]);
+    }
+}
+
+static void test_round_trips(void **state)
+{
+    (void)state;
+    struct frame frame = sample_frame(), back;
+    struct picture_error error = { "" };
+    for (size_t i = 0; i < sizeof round_trips / sizeof *round_trips; i++) {
+        const struct round_trip *const trip = &round_trips[i];
+        const char *const path = in_folder(trip->name);
+        if (!picture_write(path, &frame, notes, trip->half, &error)
+            || !picture_read(path, &back, &error))
+            fail_msg("%s", error.message);
+        assert_int_equal(back.width, WIDTH);
+        assert_int_equal(back.height, HEIGHT);
+        for (size_t channel = 0; channel < FRAME_CHANNELS; channel++)
+            compare(trip, &frame, &back, channel);
+        frame_free(&back);
+    }
+    frame_free(&frame);
+    assert_int_equal(empty_folder(),
+                     sizeof round_trips / sizeof *round_trips);
+}
+
+static void test_half_is_smaller(void **state)
+{
+    (void)state;
+    struct frame frame = sample_frame();
+    struct picture_error error;
+    struct stat half, whole;
+    assert_true(picture_write(in_folder("h.exr"), &frame, NULL, true, &error));
+    assert_int_equal(stat(in_folder("h.exr"), &half), 0);
+    assert_true(picture_write(in_folder("f.exr"), &frame, NULL, false,
+                              &error));
+    assert_int_equal(stat(in_folder("f.exr"), &whole), 0);
+    assert_true(half.st_size < whole.st_size);
+    frame_free(&frame);
+}
+
+/* Mid grey in linear light is 188 of 255 in sRGB; the brightest is 255. */
+static void test_bytes_are_srgb(void **state)
+{
+    (void)state;
+    struct frame frame, back;
+    struct picture_error error;
+    assert_true(frame_allocate(&frame, 4, 1));
+    const double in[4] = { .5, 7, -3, NAN };
+    const double out[4] = { pow((188 / 255. + .055) / 1.055, 2.4), 1, 0, 0 };
+    for (size_t i = 0; i < 4; i++)
+        for (size_t channel = 0; channel <= CHANNEL_BLUE; channel++)
+            frame.channel[channel][i] = in[i];
+    assert_true(picture_write(in_folder("g.png"), &frame, NULL, false,
+                              &error));
+    assert_true(picture_read(in_folder("g.png"), &back, &error));
+    for (size_t i = 0; i < 4; i++)
+        assert_true(fabs(back.channel[CHANNEL_GREEN][i] - out[i]) < 1e-6);
+    frame_free(&back);
+    frame_free(&frame);
+}
+
+struct note_place {
+    const char *file, *name, *text;
+};
+
+static const char described[] =
+    "c205:scene: gear.pov\nc205:clocks: 123456\n";
+
+static const struct note_place note_places[] = {
+    { "n.png", "c205:clocks", "123456" },
+    { "n.png", "ImageDescription", described },
+    { "n.png", "oiio:ColorSpace", "sRGB" },
+    { "n.jpg", "ImageDescription", described },
+    { "n.jpg", "oiio:ColorSpace", "sRGB" },
+    { "n.exr", "c205:scene", "gear.pov" },
+    { "n.exr", "ImageDescription", described },
+    { "n.tif", "ImageDescription", described },
+    { "n.tif", "c205:nothing", "" },
+};
+
+static void test_notes(void **state)
+{
+    (void)state;
+    struct frame frame = sample_frame();
+    struct picture_error error = { "" };
+    for (size_t i = 0; i < sizeof note_places / sizeof *note_places; i++) {
+        const struct note_place *const place = &note_places[i];
+        const char *const path = in_folder(place->file);
+        char text[256];
+        if (!picture_write(path, &frame, notes, false, &error)
+            || !picture_read_note(path, place->name, text, sizeof text,
+                                  &error))
+            fail_msg("%s", error.message);
+        assert_string_equal(text, place->text);
+    }
+    frame_free(&frame);
+}
+
+static size_t contents(const char *path, char *bytes, size_t size)
+{
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    const size_t length = fread(bytes, 1, size, file);
+    fclose(file);
+    return length;
+}
+
+static void test_same_bytes_later(void **state)
+{
+    (void)state;
+    static const char *const names[] = { "t.png", "t.jpg", "t.exr", "t.tif" };
+    static char bytes[4][2][1 << 17];
+    size_t length[4][2];
+    const struct timespec over_a_second = { 1, 100000000 };
+    struct frame frame = sample_frame();
+    struct picture_error error;
+    for (size_t round = 0; round < 2; round++) {
+        for (size_t i = 0; i < 4; i++) {
+            const char *const path = in_folder(names[i]);
+            assert_true(picture_write(path, &frame, notes, true, &error));
+            length[i][round] = contents(path, bytes[i][round],
+                                        sizeof bytes[i][round]);
+        }
+        if (round == 0)
+            nanosleep(&over_a_second, NULL);
+    }
+    for (size_t i = 0; i < 4; i++) {
+        assert_int_equal(length[i][0], length[i][1]);
+        assert_memory_equal(bytes[i][0], bytes[i][1], length[i][0]);
+    }
+    frame_free(&frame);
+}
+
+struct bad_path {
+    const char *name, *message;
+};
+
+static const struct bad_path bad_paths[] = {
+    { "a.gif", "the ending of a picture is" },
+    { "png", "the ending of a picture is" },
+    { "x.png/a", "the ending of a picture is" },
+    { "none/a.png", "No such file" },
+    { "plain/a.png", "not a folder" },
+    { "folder.png", "not a regular file" },
+};
+
+static void test_bad_paths(void **state)
+{
+    (void)state;
+    struct frame frame = sample_frame();
+    fclose(fopen(in_folder("plain"), "w"));
+    assert_int_equal(mkdir(in_folder("folder.png"), 0700), 0);
+    for (size_t i = 0; i < sizeof bad_paths / sizeof *bad_paths; i++) {
+        const char *const path = in_folder(bad_paths[i].name);
+        struct picture_error error = { "" };
+        assert_false(picture_check_path(path, &error));
+        assert_non_null(strstr(error.message, bad_paths[i].message));
+        assert_false(picture_write(path, &frame, notes, false, &error));
+        assert_non_null(strstr(error.message, bad_paths[i].message));
+    }
+    assert_int_equal(rmdir(in_folder("folder.png")), 0);
+    frame_free(&frame);
+    empty_folder();
+}
+
+/* Root may write anywhere, so this asks nothing of root. */
+static void test_unwritable_folder(void **state)
+{
+    (void)state;
+    struct picture_error error;
+    if (geteuid() == 0)
+        skip();
+    assert_int_equal(chmod(folder, 0500), 0);
+    assert_false(picture_check_path(in_folder("a.png"), &error));
+    assert_non_null(strstr(error.message, "Permission denied"));
+    assert_int_equal(chmod(folder, 0700), 0);
+}
+
+static void limit_file_size(rlim_t bytes)
+{
+    struct rlimit limit;
+    getrlimit(RLIMIT_FSIZE, &limit);
+    limit.rlim_cur = bytes;
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &limit), 0);
+}
+
+/* A disk that is full after some bytes: the old file stays, nothing else. */
+static void test_failure_keeps_the_old_file(void **state)
+{
+    (void)state;
+    static const char *const names[] = { "o.png", "o.jpg", "o.exr", "o.tif" };
+    struct frame frame = sample_frame();
+    empty_folder();
+    signal(SIGXFSZ, SIG_IGN);
+    for (size_t i = 0; i < 4; i++) {
+        const char *const path = in_folder(names[i]);
+        struct picture_error error = { "" };
+        char bytes[16];
+        FILE *old = fopen(path, "w");
+        fputs("old", old);
+        fclose(old);
+        limit_file_size(200);
+        const bool written = picture_write(path, &frame, NULL, false, &error);
+        limit_file_size(RLIM_INFINITY);
+        if (written)
+            fail_msg("%s is said to be written", names[i]);
+        assert_non_null(strstr(error.message, names[i]));
+        assert_int_equal(contents(path, bytes, sizeof bytes), 3);
+        assert_memory_equal(bytes, "old", 3);
+        assert_int_equal(empty_folder(), 1);
+    }
+    frame_free(&frame);
+}
+
+static void test_unreadable(void **state)
+{
+    (void)state;
+    struct frame frame;
+    struct picture_error error = { "" };
+    FILE *file = fopen(in_folder("bad.exr"), "w");
+    fputs("not a picture", file);
+    fclose(file);
+    assert_false(picture_read(in_folder("bad.exr"), &frame, &error));
+    assert_non_null(strstr(error.message, "bad.exr"));
+    assert_false(picture_read(in_folder("none.png"), &frame, &error));
+}
+
+static void test_frame_sizes(void **state)
+{
+    (void)state;
+    struct frame frame;
+    assert_false(frame_allocate(&frame, 0, 3));
+    assert_false(frame_allocate(&frame, 3, 0));
+    assert_false(frame_allocate(&frame, SIZE_MAX / 2, SIZE_MAX / 2));
+    frame_free(&frame);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_round_trips),
+        cmocka_unit_test(test_half_is_smaller),
+        cmocka_unit_test(test_bytes_are_srgb),
+        cmocka_unit_test(test_notes),
+        cmocka_unit_test(test_same_bytes_later),
+        cmocka_unit_test(test_bad_paths),
+        cmocka_unit_test(test_unwritable_folder),
+        cmocka_unit_test(test_failure_keeps_the_old_file),
+        cmocka_unit_test(test_unreadable),
+        cmocka_unit_test(test_frame_sizes),
+    };
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}
