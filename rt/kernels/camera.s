@@ -1,0 +1,53 @@
+; camera.s - from the camera to the ray of any pixel (once a frame, scalar).
+;
+; The ray through the picture at u, v starts at the location and has the
+; direction  direction + u right + v up,  u = (column + 1/2)/width - 1/2,
+; v = 1/2 - (row + 1/2)/height.  That is linear in column and row:
+;
+;   per column = right / width          per row = -(up / height)
+;   base = direction + (1/2 per column - 1/2 right)
+;                    + (1/2 per row + 1/2 up)
+;
+; In: scene_camera, scene_width, scene_height.  Out: view.
+; Source: POV-Ray's perspective camera, as shared by every tracer.
+;
+; It is called once, from the main program, with its registers its own.
+
+        .regs r32, cam_at, view_at, size_at
+        .regs r36, cam_locx, cam_locy, cam_locz, cam_dirx, cam_diry, cam_dirz, cam_rightx, cam_righty, cam_rightz, cam_upx, cam_upy, cam_upz
+        .regs r48, cam_width, cam_height, cam_half, cam_t
+        .regs r52, view_locx, view_locy, view_locz, view_basex, view_basey, view_basez, view_colx, view_coly, view_colz, view_rowx, view_rowy, view_rowz
+
+        .macro view_axis dir, right, up, base, col, row
+        DIVS    \right, cam_width, \col
+        DIVS    \up, cam_height, \row
+        SUBN    r0, \row, \row
+        SUBN    \col, \right, \base
+        MPYS    cam_half, \base, \base
+        ADDN    \dir, \base, \base
+        ADDN    \row, \up, cam_t
+        MPYS    cam_half, cam_t, cam_t
+        ADDN    \base, cam_t, \base
+        .endm
+
+        .kernel generate
+camera:
+        EX      cam_at, scene_camera
+        ELEN    cam_at, 12
+        SWAP    [cam_at], cam_locx, [r0]
+        EX      size_at, scene_width
+        ELEN    size_at, 2
+        SWAP    [size_at], cam_width, [r0]
+        EX      size_at, k_half
+        LOD     [size_at], cam_half
+        RTOR    cam_locx, view_locx
+        RTOR    cam_locy, view_locy
+        RTOR    cam_locz, view_locz
+        view_axis cam_dirx, cam_rightx, cam_upx, view_basex, view_colx, view_rowx
+        view_axis cam_diry, cam_righty, cam_upy, view_basey, view_coly, view_rowy
+        view_axis cam_dirz, cam_rightz, cam_upz, view_basez, view_colz, view_rowz
+        EX      view_at, view
+        ELEN    view_at, VIEW_SIZE
+        SWAP    [r0], view_locx, [view_at]
+        BIM     0, link
+        .endkernel

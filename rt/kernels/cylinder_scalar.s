@@ -1,0 +1,91 @@
+; cylinder_scalar.s - one ray meets a circular cylinder, solid or open.
+;
+;       CALL CYLINDER (RAY, PRIMITIVE, SEGMENT)
+;       CALL OPEN_CYLINDER (RAY, PRIMITIVE, SEGMENT)
+;
+; Arguments as in sphere_scalar.s, method as in cylinder_vector.s.
+
+; The side: tin, tout, or to miss.  Leaves o along the axis in t5, d along it
+; in t6.
+        .macro cylinder_side miss
+        SUBN    ox, sh0, t0
+        SUBN    oy, sh1, t1
+        SUBN    oz, sh2, t2
+        dot     t0, t1, t2, sh3, sh4, sh5, t7, t9
+        dot     t0, t1, t2, sh6, sh7, sh8, t8, t9
+        dot     t0, t1, t2, sh9, sh10, sh11, t5, t9
+        dot     dx, dy, dz, sh3, sh4, sh5, t0, t9
+        dot     dx, dy, dz, sh6, sh7, sh8, t1, t9
+        dot     dx, dy, dz, sh9, sh10, sh11, t6, t9
+        MPYS    t0, t0, t2
+        MPYS    t1, t1, t3
+        ADDN    t3, t2, t2              ; a
+        CFPLT   t2, tiny, cylinder_along\@
+        DIVS    one, t2, t2
+        MPYS    t7, t0, t3
+        MPYS    t8, t1, t4
+        ADDN    t4, t3, t3
+        SUBN    r0, t3, t3
+        MPYS    t3, t2, t3              ; t0 of the closest approach
+        MPYS    t3, t0, t0
+        MPYS    t3, t1, t1
+        ADDN    t7, t0, t0
+        ADDN    t8, t1, t1
+        MPYS    t0, t0, t0
+        MPYS    t1, t1, t1
+        ADDN    t1, t0, t4
+        SUBN    sh12, t4, t0
+        MPYS    t0, t2, t0              ; h
+        CFPLT   t0, r0, \miss
+        SQRT    t0, t0
+        SUBN    t3, t0, tin
+        ADDN    t3, t0, tout
+        BIM     cylinder_sided\@
+cylinder_along\@:
+        MPYS    t7, t7, t7
+        MPYS    t8, t8, t8
+        ADDN    t8, t7, t7
+        CFPLT   sh12, t7, \miss
+        RTOR    minus_big, tin
+        RTOR    big, tout
+cylinder_sided\@:
+        .endm
+
+        .data
+cylinder_save:  .space 41
+        .code
+        .kernel cylinder
+cylinder:
+        enter_kernel cylinder_save, 41, 15
+        cylinder_side cylinder_miss
+        SUBN    r0, sh13, t9
+        slab    t5, t6, t9, sh13, cylinder_miss
+        leave_kernel cylinder_save, 41
+cylinder_miss:
+        RTOR    big, tin
+        RTOR    minus_big, tout
+        leave_kernel cylinder_save, 41
+
+; Open: t1 = the first crossing, t2 = the second; t3, t4 their distances from
+; the middle along the axis.
+open_cylinder:
+        enter_kernel cylinder_save, 41, 15
+        cylinder_side cylinder_miss
+        RTOR    tin, t1
+        RTOR    tout, t2
+        MPYS    t1, t6, t3
+        ADDN    t3, t5, t3
+        ABS     t3, t3
+        MPYS    t2, t6, t4
+        ADDN    t4, t5, t4
+        ABS     t4, t4
+        CFPLT   sh13, t3, open_first_beyond
+        CFPGE   sh13, t4, open_done
+        RTOR    t1, tout
+open_done:
+        leave_kernel cylinder_save, 41
+open_first_beyond:
+        CFPLT   sh13, t4, cylinder_miss
+        RTOR    t2, tin
+        leave_kernel cylinder_save, 41
+        .endkernel

@@ -1,0 +1,104 @@
+; cylinder_vector.s - a queue of rays meets a circular cylinder.
+;
+; In the frame u, v, w (w along the axis) with its origin at the middle of the
+; axis, o and d are the ray's origin and direction.  Across the axis:
+;
+;   a = du^2 + dv^2               t0 = -(ou du + ov dv) / a
+;   c = o + t0 d                  the closest approach to the axis
+;   h = (r^2 - cu^2 - cv^2) / a   h < 0: the ray misses
+;   side: t0 - sqrt(h), t0 + sqrt(h)
+;
+; The quadratic is solved about the closest approach, so that nothing cancels
+; for distant origins.  a < tiny: the ray runs along the axis and is inside the
+; side for ever or never.  A solid cylinder is cut by the slab of its two
+; disks; an open one keeps those of its two crossings that lie between them.
+;
+; In:  ox oy oz dx dy dz, n long; the primitive's record.
+; Out: tin, tout; a miss is big, minus_big.
+; Source: the project's notes on ray tracing, 4.2.
+
+; The side of the infinite cylinder: tin, tout.  Leaves o along w in [w5],
+; d along w in [w6].
+        .macro cylinder_side
+        SUBNV   [ox], sh0, [w0]
+        SUBNV   [oy], sh1, [w1]
+        SUBNV   [oz], sh2, [w2]
+        dot_constant w0, w1, w2, sh3, sh4, sh5, w7, w9
+        dot_constant w0, w1, w2, sh6, sh7, sh8, w8, w9
+        dot_constant w0, w1, w2, sh9, sh10, sh11, w5, w9
+        dot_constant dx, dy, dz, sh3, sh4, sh5, w0, w9
+        dot_constant dx, dy, dz, sh6, sh7, sh8, w1, w9
+        dot_constant dx, dy, dz, sh9, sh10, sh11, w6, w9
+        MPYSV   [w0], [w0], [w2]
+        MPYSV   [w1], [w1], [w3]
+        ADDNV   [w3], [w2], [w2]
+        CMPLTV  [w2], tiny, [bits0]
+        MASKV   one, [w2], [w2] ? [bits0]
+        DIVSV   one, [w2], [w2]
+        MPYSV   [w7], [w0], [w3]
+        MPYSV   [w8], [w1], [w4]
+        ADDNV   [w4], [w3], [w3]
+        MPYSV   -[w3], [w2], [w3]
+        MPYSV   [w3], [w0], [w0]
+        ADDNV   [w7], [w0], [w0]
+        MPYSV   [w3], [w1], [w1]
+        ADDNV   [w8], [w1], [w1]
+        MPYSV   [w0], [w0], [w0]
+        MPYSV   [w1], [w1], [w1]
+        LINKV
+        ADDNV   [w1], [w0], [w4]
+        SUBNV   sh12, [w4], [w0]
+        MPYSV   [w0], [w2], [w0]
+        VTOV    big, [tin]
+        VTOV    minus_big, [tout]
+        CMPGEV  [w0], r0, [bits1]
+        SQRTV   [w0], [w0] ? [bits1]
+        SUBNV   [w3], [w0], [tin] ? [bits1]
+        ADDNV   [w3], [w0], [tout] ? [bits1]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, cylinder_crossed\@
+        MPYSV   [w7], [w7], [w7]
+        MPYSV   [w8], [w8], [w8]
+        ADDNV   [w8], [w7], [w7]
+        CMPGEV  sh12, [w7], [bits1]
+        ANDB    [bits1], [bits0], [bits1]
+        VTOV    big, [tin] ? [bits0]
+        VTOV    minus_big, [tout] ? [bits0]
+        VTOV    minus_big, [tin] ? [bits1]
+        VTOV    big, [tout] ? [bits1]
+cylinder_crossed\@:
+        .endm
+
+        .kernel cylinder
+cylinder:
+        load_record P_SHAPE, 15, sh0
+        cylinder_side
+        SUBN    r0, sh13, s1
+        slab    w5, w6, s1, sh13
+        close_segment
+        BIM     0, link_kernel
+
+; An open cylinder: the crossings between the disks.
+        .macro between_disks t, bits
+        MPYSV   [\t], [w6], [w0]
+        ADDNV   [w0], [w5], [w0]
+        CMPGEV  sh13, |[w0]|, [\bits]
+        ANDB    [\bits], [bits2], [\bits]
+        .endm
+
+open_cylinder:
+        load_record P_SHAPE, 15, sh0
+        cylinder_side
+        CMPGEV  [tout], [tin], [bits2]
+        between_disks tin, bits0
+        between_disks tout, bits1
+        VTOV    [tin], [w1]
+        VTOV    [tout], [w2]
+        VTOV    big, [tin]
+        VTOV    minus_big, [tout]
+        VTOV    [w2], [tin] ? [bits1]
+        VTOV    [w1], [tin] ? [bits0]
+        VTOV    [w1], [tout] ? [bits0]
+        VTOV    [w2], [tout] ? [bits1]
+        BIM     0, link_kernel
+        .endkernel

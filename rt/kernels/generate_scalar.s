@@ -1,0 +1,51 @@
+; generate_scalar.s - the ray of one pixel.
+;
+;       CALL GENERATE (PIXEL, VIEW, RAY)
+;
+; PIXEL = column, row (2 words, normalised); VIEW as camera.s leaves it; RAY =
+; O, D (6 words).  Formulas and order of the operations as in
+; generate_vector.s.
+
+        .regs r32, g_pixel, g_view, g_ray, g_index, g_column, g_row
+        .regs r40, g_ox, g_oy, g_oz, g_dx, g_dy, g_dz, g_t, g_u
+        .regs r48, g_lx, g_ly, g_lz, g_basex, g_basey, g_basez, g_colx, g_coly, g_colz, g_rowx, g_rowy, g_rowz
+        .equ GENERATE_REGISTERS, 28
+
+        .macro direction base, col, row, d
+        MPYS    g_column, \col, g_t
+        ADDN    g_t, \base, g_t
+        MPYS    g_row, \row, g_u
+        ADDN    g_u, g_t, \d
+        .endm
+
+        .data
+generate_save:  .space GENERATE_REGISTERS
+        .code
+        .kernel generate
+generate:
+        EX      save_at, generate_save
+        ELEN    save_at, GENERATE_REGISTERS
+        SWAP    [r0], r32, [save_at]
+        ELEN    arguments, 3
+        SWAP    [arguments], g_pixel, [r0]
+        SWAP    [g_pixel], g_column, [r0]
+        SWAP    [g_view], g_lx, [r0]
+        direction g_basex, g_colx, g_rowx, g_dx
+        direction g_basey, g_coly, g_rowy, g_dy
+        direction g_basez, g_colz, g_rowz, g_dz
+        MPYS    g_dx, g_dx, g_t
+        MPYS    g_dy, g_dy, g_u
+        ADDN    g_u, g_t, g_t
+        MPYS    g_dz, g_dz, g_u
+        ADDN    g_u, g_t, g_t
+        SQRT    g_t, g_t
+        DIVS    m_one, g_t, g_t
+        MPYS    g_dx, g_t, g_dx
+        MPYS    g_dy, g_t, g_dy
+        MPYS    g_dz, g_t, g_dz
+        RTOR    g_lx, g_ox
+        RTOR    g_ly, g_oy
+        RTOR    g_lz, g_oz
+        SWAP    [r0], g_ox, [g_ray]
+        leave   generate_save, GENERATE_REGISTERS
+        .endkernel

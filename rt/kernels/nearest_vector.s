@@ -1,0 +1,39 @@
+; nearest_vector.s - which primitive each ray of the queue meets first.
+;
+; For each primitive its kernel gives the segment tin..tout; the hit is tin if
+; that lies ahead of the ray's start (> tmin), else tout.  It counts if it is
+; ahead and nearer than the best so far; the first primitive wins ties.
+;
+; In:  the queue's rays; scene_primitives, scene_primitive_count.
+; Out: nearest (big: none), nearest_id (0: none).
+
+        .kernel nearest
+find_nearest:
+        VTOV    big, [nearest]
+        VTOV    r0, [nearest_id]
+        look_at_rays wox, woy, woz, wdx, wdy, wdz
+        EX      s0, scene_primitives
+        LOD     [s0], primitive
+        EX      s0, scene_primitive_count
+        LOD     [s0], primitives_left
+        IBXEQ   primitives_left, r0, r0, nearest_done
+nearest_next:
+        .endkernel
+        .kernel call
+        load_field P_KERNEL, target
+        BSAVE   link_kernel, [target]
+        .endkernel
+        .kernel nearest
+        CMPLTV  tmin, [tin], [bits0]
+        MASKV   [tin], [tout], [w0] ? [bits0]
+        CMPLTV  tmin, [w0], [bits0]
+        CMPLTV  [w0], [nearest], [bits1]
+        ANDB    [bits0], [bits1], [bits0]
+        load_field P_ID, identity
+        VTOV    [w0], [nearest] ? [bits0]
+        VTOV    identity, [nearest_id] ? [bits0]
+        IX      primitive, 64 * P_SIZE
+        IBXNE   primitives_left, minus_one_index, r0, nearest_next, primitives_left
+nearest_done:
+        BIM     0, link
+        .endkernel

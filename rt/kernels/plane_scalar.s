@@ -1,0 +1,36 @@
+; plane_scalar.s - one ray meets a half space.
+;
+;       CALL PLANE (RAY, PRIMITIVE, SEGMENT)
+;
+; Arguments as in sphere_scalar.s, method as in plane_vector.s.
+
+        .data
+plane_save:     .space 30
+        .code
+        .kernel plane
+plane:
+        enter_kernel plane_save, 30, 4
+        dot     ox, oy, oz, sh0, sh1, sh2, t0, t2
+        SUBN    sh3, t0, t0             ; d - N . O
+        dot     dx, dy, dz, sh0, sh1, sh2, t1, t2
+        ABS     t1, t2
+        CFPLT   t2, tiny, plane_parallel
+        DIVS    t0, t1, t2
+        CFPLT   t1, r0, plane_enters
+        RTOR    minus_big, tin
+        RTOR    t2, tout
+        leave_kernel plane_save, 30
+plane_enters:
+        RTOR    t2, tin
+        RTOR    big, tout
+        leave_kernel plane_save, 30
+plane_parallel:
+        CFPGE   t0, r0, plane_inside
+        RTOR    big, tin
+        RTOR    minus_big, tout
+        leave_kernel plane_save, 30
+plane_inside:
+        RTOR    minus_big, tin
+        RTOR    big, tout
+        leave_kernel plane_save, 30
+        .endkernel

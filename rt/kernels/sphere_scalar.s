@@ -1,0 +1,40 @@
+; sphere_scalar.s - one ray meets a sphere.
+;
+;       CALL SPHERE (RAY, PRIMITIVE, SEGMENT)
+;
+; RAY = O, D (6 words, D of length one); PRIMITIVE = its record; SEGMENT =
+; tin, tout (2 words); a miss is big, minus_big.  Formulas and order of the
+; operations as in sphere_vector.s, but a miss ends before the square root.
+
+        .data
+sphere_save:    .space 30
+        .code
+        .kernel sphere
+sphere:
+        enter_kernel sphere_save, 30, 4
+        SUBN    sh0, ox, t0             ; L = C - O
+        SUBN    sh1, oy, t1
+        SUBN    sh2, oz, t2
+        dot     t0, t1, t2, dx, dy, dz, t3, t4  ; b = L . D
+        MPYS    t3, dx, t4
+        MPYS    t3, dy, t5
+        MPYS    t3, dz, t6
+        SUBN    t4, t0, t0              ; w = b D - L
+        SUBN    t5, t1, t1
+        SUBN    t6, t2, t2
+        MPYS    t0, t0, t0
+        MPYS    t1, t1, t1
+        MPYS    t2, t2, t2
+        ADDN    t1, t0, t0
+        ADDN    t2, t0, t1
+        SUBN    sh3, t1, t0             ; h = r^2 - w . w
+        CFPGE   t0, r0, sphere_hit
+        RTOR    big, tin
+        RTOR    minus_big, tout
+        leave_kernel sphere_save, 30
+sphere_hit:
+        SQRT    t0, t0
+        SUBN    t3, t0, tin
+        ADDN    t3, t0, tout
+        leave_kernel sphere_save, 30
+        .endkernel
