@@ -1,0 +1,35 @@
+/* cmd.h - what the commands of rt205 share.
+ *
+ * A command gets its arguments parsed and returns the exit code.  Results go
+ * to stdout, all else to stderr.
+ */
+#ifndef RT_CMD_H
+#define RT_CMD_H
+
+#include "asm/json.h"
+#include "rt/trace.h"
+
+enum cmd_exit { CMD_DONE = 0, CMD_FAILED = 1, CMD_USAGE = 2 };
+
+struct cmd_arguments {
+    const char *command;
+    const char *scene;          /* a file, or NULL */
+    const char *output, *json;  /* NULL: not wanted */
+    const char *model;
+    struct trace_options trace; /* its model is not yet set */
+    bool mode_given, size_given, strict, half;
+    const char **search;        /* folders for includes; NULL at the end */
+};
+
+typedef int cmd_function(struct cmd_arguments *arguments);
+cmd_function cmd_render, cmd_speedup;
+
+/* "rt205 render: message" on stderr; both return the exit code. */
+int cmd_usage(const char *command, const char *format, ...);
+int cmd_failed(const char *command, const char *format, ...);
+
+/* Let Ctrl-C ask a trace to stop, and show progress when stderr is a
+ * terminal: a trace_options.progress function and its context. */
+void cmd_watch(struct trace_options *options);
+
+#endif

@@ -1,0 +1,178 @@
+/* cmd_render.c - rt205 render: a scene in, a picture out, clocks told. */
+#include <stdio.h>
+#include <string.h>
+
+#include "asm/accounts.h"
+#include "asm/provenance.h"
+#include "rt/cmd.h"
+#include "rt/scene/report.h"
+
+static struct scene *read_scene(const struct cmd_arguments *arguments)
+{
+    struct scene_options options = {
+        .width = (int)arguments->trace.width,
+        .height = (int)arguments->trace.height,
+        .strict = arguments->strict,
+        .search = arguments->search,
+    };
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene = scene_read(arguments->scene, &options, &reports);
+
+    reports_print(stderr, &reports);
+    reports_free(&reports);
+    return scene;
+}
+
+static bool write_picture(const struct cmd_arguments *arguments,
+                          const struct trace *trace, c205_error *error)
+{
+    const c205 *machine = trace_machine(trace);
+    struct frame frame = { 0 };
+    struct picture_error why;
+    char clocks[32];
+    const struct picture_note notes[] = {
+        { "Software", "rt205" },
+        { "rt205:scene", arguments->scene },
+        { "rt205:model", c205_model_name(c205_machine_model(machine)) },
+        { "rt205:mode", trace_mode_name(arguments->trace.mode) },
+        { "rt205:clocks", clocks },
+        { NULL, NULL },
+    };
+    bool good;
+
+    snprintf(clocks, sizeof clocks, "%llu",
+             (unsigned long long)c205_clock(machine));
+    if (!trace_read(trace, &frame, error))
+        return false;
+    good = picture_write(arguments->output, &frame, notes, arguments->half,
+                         &why);
+    if (!good)
+        snprintf(error->message, sizeof error->message, "%s", why.message);
+    frame_free(&frame);
+    return good;
+}
+
+/* What a run has to tell, for print and for JSON. */
+struct result {
+    const struct cmd_arguments *arguments;
+    const c205_model *model;
+    uint64_t clocks;
+    char checksum[17];
+    struct table *regions, *causes;
+};
+
+static void print_result(const struct result *result)
+{
+    const struct trace_options *trace = &result->arguments->trace;
+
+    printf("%s: %zu x %zu, %s", result->arguments->scene, trace->width,
+           trace->height, trace_mode_name(trace->mode));
+    if (trace->mode == TRACE_VECTOR)
+        printf(", a queue of %zu", trace->queue);
+    printf(": %llu clocks, %.4f s on the machine\n",
+           (unsigned long long)result->clocks,
+           accounts_seconds(result->model, result->clocks));
+    printf("frame checksum %s\n", result->checksum);
+    provenance_print(result->model);
+}
+
+static void write_result(const struct result *result, struct json *json)
+{
+    const struct trace_options *trace = &result->arguments->trace;
+
+    json_text(json, "scene", result->arguments->scene);
+    json_text(json, "mode", trace_mode_name(trace->mode));
+    json_count(json, "width", trace->width);
+    json_count(json, "height", trace->height);
+    json_count(json, "queue", trace->queue);
+    json_count(json, "clocks", result->clocks);
+    json_number(json, "seconds",
+                accounts_seconds(result->model, result->clocks));
+    json_text(json, "checksum", result->checksum);
+    provenance_json(result->model, json);
+    table_json(result->regions, json, "regions");
+    table_json(result->causes, json, "causes");
+}
+
+static bool tell(const struct cmd_arguments *arguments,
+                 const struct trace *trace, struct json *json,
+                 c205_error *error)
+{
+    const c205 *machine = trace_machine(trace);
+    struct result result = { .arguments = arguments,
+                             .model = c205_machine_model(machine),
+                             .clocks = c205_clock(machine),
+                             .regions = accounts_by_region(machine),
+                             .causes = accounts_by_cause(machine) };
+    uint64_t checksum;
+    bool good = result.regions != NULL && result.causes != NULL
+                && trace_checksum(trace, &checksum, error);
+
+    if (good) {
+        snprintf(result.checksum, sizeof result.checksum, "%016llX",
+                 (unsigned long long)checksum);
+        print_result(&result);
+        good = table_print(result.regions, stdout) && putchar('\n') != EOF
+               && table_print(result.causes, stdout);
+    }
+    if (good && json != NULL)
+        write_result(&result, json);
+    table_free(result.regions);
+    table_free(result.causes);
+    return good;
+}
+
+static int render(const struct cmd_arguments *arguments,
+                  const struct scene *scene, struct json *json)
+{
+    c205_error error = { "no memory" };
+    struct trace *trace = trace_new(scene, &arguments->trace, &error);
+    bool good = trace != NULL && trace_run(trace, &error)
+                && write_picture(arguments, trace, &error)
+                && tell(arguments, trace, json, &error);
+
+    trace_free(trace);
+    return good ? CMD_DONE
+                : cmd_failed(arguments->command, "%s", error.message);
+}
+
+static int render_with_model(struct cmd_arguments *arguments,
+                             struct json *json)
+{
+    c205_error error;
+    c205_model *model = c205_model_find(arguments->model, &error);
+    struct scene *scene;
+    int code;
+
+    if (model == NULL)
+        return cmd_failed(arguments->command, "%s", error.message);
+    arguments->trace.model = model;
+    scene = read_scene(arguments);
+    code = scene == NULL ? CMD_FAILED : render(arguments, scene, json);
+    scene_free(scene);
+    c205_model_free(model);
+    return code;
+}
+
+int cmd_render(struct cmd_arguments *arguments)
+{
+    struct picture_error why;
+    struct json *json = NULL;
+    c205_error error;
+    int code;
+
+    if (arguments->output == NULL)
+        return cmd_usage(arguments->command, "name the picture with -o");
+    if (!picture_check_path(arguments->output, &why))
+        return cmd_failed(arguments->command, "%s", why.message);
+    if (arguments->json != NULL
+        && (json = json_open(arguments->json, &error)) == NULL)
+        return cmd_failed(arguments->command, "%s", error.message);
+    cmd_watch(&arguments->trace);
+    code = render_with_model(arguments, json);
+    if (json != NULL && code != CMD_DONE)
+        json_discard(json);
+    else if (json != NULL && !json_close(json, &error))
+        code = cmd_failed(arguments->command, "%s", error.message);
+    return code;
+}

@@ -1,0 +1,240 @@
+/* rt205.c - the command: scenes traced by programs of the machine. */
+#include <getopt.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/cmd.h"
+
+#define OPTION_SIZE \
+    "  -W, --width N        pixels across (640; speedup: 400)\n" \
+    "  -H, --height N       pixels down (480; speedup: 250)\n"
+#define OPTION_QUEUE \
+    "  --queue N            rays in the vector queue (2000)\n"
+#define OPTION_MODEL \
+    "  --model NAME|FILE    machine model (cyber205-2pipe)\n"
+#define OPTION_JSON \
+    "  --json FILE          write the results to a file as well\n"
+
+static const struct command {
+    const char *name;
+    cmd_function *function;
+    const char *options; /* letters, see options[] */
+    bool wants_scene;
+    size_t width, height;
+    const char *summary, *help;
+} commands[] = {
+    { "render", cmd_render, "oWHMqmjsfI", true, 640, 480,
+      "trace a scene, write a picture",
+      "rt205 render SCENE -o PICTURE\n"
+      "  -o, --output FILE    the picture: .png .jpg (8-bit sRGB), .exr .tif\n"
+      "                       (linear, with depth, normal and id)\n"
+      OPTION_SIZE
+      "  --mode MODE          scalar or vector (vector)\n"
+      OPTION_QUEUE
+      OPTION_MODEL
+      "  --half               16-bit colours in an .exr\n"
+      "  --strict             what would be replaced or left out is an error\n"
+      "  -I, --include DIR    look for included files there as well\n"
+      OPTION_JSON },
+    { "speedup", cmd_speedup, "WHqmj", false, 400, 250,
+      "scalar against vector, kernel by kernel",
+      "rt205 speedup           100,000 rays against a sphere, a cylinder\n"
+      OPTION_SIZE OPTION_QUEUE OPTION_MODEL OPTION_JSON },
+};
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+static const struct option options[] = {
+    { "output", required_argument, NULL, 'o' },
+    { "width", required_argument, NULL, 'W' },
+    { "height", required_argument, NULL, 'H' },
+    { "mode", required_argument, NULL, 'M' },
+    { "queue", required_argument, NULL, 'q' },
+    { "model", required_argument, NULL, 'm' },
+    { "json", required_argument, NULL, 'j' },
+    { "include", required_argument, NULL, 'I' },
+    { "strict", no_argument, NULL, 's' },
+    { "half", no_argument, NULL, 'f' },
+    { NULL, 0, NULL, 0 },
+};
+
+static void complain(const char *command, const char *format, va_list list)
+{
+    fflush(stdout);
+    fprintf(stderr, "rt205 %s: ", command);
+    vfprintf(stderr, format, list);
+    putc('\n', stderr);
+}
+
+int cmd_usage(const char *command, const char *format, ...)
+{
+    va_list list;
+
+    va_start(list, format);
+    complain(command, format, list);
+    va_end(list);
+    fprintf(stderr, "rt205 %s --help tells how it is used\n", command);
+    return CMD_USAGE;
+}
+
+int cmd_failed(const char *command, const char *format, ...)
+{
+    va_list list;
+
+    va_start(list, format);
+    complain(command, format, list);
+    va_end(list);
+    return CMD_FAILED;
+}
+
+static bool parse_count(const char *text, size_t most, size_t *count)
+{
+    char *end;
+    unsigned long long value = strtoull(text, &end, 10);
+
+    *count = (size_t)value;
+    return *text >= '0' && *text <= '9' && *end == '\0' && value >= 1
+           && value <= most;
+}
+
+static bool take(int letter, struct cmd_arguments *arguments)
+{
+    switch (letter) {
+    case 'o': arguments->output = optarg; return true;
+    case 'm': arguments->model = optarg; return true;
+    case 'j': arguments->json = optarg; return true;
+    case 's': arguments->strict = true; return true;
+    case 'f': arguments->half = true; return true;
+    case 'W':
+        return parse_count(optarg, TRACE_PIXELS_MOST,
+                           &arguments->trace.width);
+    case 'H':
+        return parse_count(optarg, TRACE_PIXELS_MOST,
+                           &arguments->trace.height);
+    case 'q':
+        return parse_count(optarg, TRACE_QUEUE_MOST,
+                           &arguments->trace.queue);
+    case 'M':
+        return trace_mode_named(optarg, &arguments->trace.mode);
+    default: {
+        const char **end = arguments->search;
+
+        while (*end != NULL)
+            end++;
+        *end = optarg;
+        return true;
+    }
+    }
+}
+
+static bool parse_options(int argc, char **argv, const char *allowed,
+                          struct cmd_arguments *arguments)
+{
+    int letter;
+
+    opterr = 0;
+    while ((letter = getopt_long(argc, argv, ":o:W:H:I:", options, NULL))
+           != -1) {
+        const char *word = argv[optind - 1];
+
+        if (letter == ':')
+            cmd_usage(argv[0], "%s needs an argument", word);
+        else if (letter == '?' || strchr(allowed, letter) == NULL)
+            cmd_usage(argv[0], "no such option: %s", word);
+        else if (!take(letter, arguments))
+            cmd_usage(argv[0], "wrong argument of an option: %s", optarg);
+        else
+            continue;
+        return false;
+    }
+    return true;
+}
+
+static bool take_scene(const struct command *command, int argc, char **argv,
+                       struct cmd_arguments *arguments)
+{
+    int given = argc - optind;
+
+    if (given > (command->wants_scene ? 1 : 0))
+        cmd_usage(command->name, "too many arguments: %s", argv[argc - 1]);
+    else if (command->wants_scene && given == 0)
+        cmd_usage(command->name, "name a scene file");
+    else if (arguments->trace.width
+             > TRACE_PIXELS_MOST / arguments->trace.height)
+        cmd_usage(command->name, "at most %zu pixels", TRACE_PIXELS_MOST);
+    else {
+        arguments->scene = command->wants_scene ? argv[optind] : NULL;
+        return true;
+    }
+    return false;
+}
+
+static bool asks_for_help(int argc, char **argv)
+{
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++)
+        if (strcmp(argv[i], "--help") == 0)
+            return true;
+    return false;
+}
+
+static int start(const struct command *command, int argc, char **argv)
+{
+    struct cmd_arguments arguments = {
+        .command = command->name,
+        .model = "cyber205-2pipe",
+        .trace = { .mode = TRACE_VECTOR,
+                   .width = command->width,
+                   .height = command->height,
+                   .queue = TRACE_QUEUE },
+    };
+    int code = CMD_USAGE;
+
+    if (asks_for_help(argc, argv)) {
+        printf("rt205 %s - %s\n\n%s", command->name, command->summary,
+               command->help);
+        return CMD_DONE;
+    }
+    arguments.search = calloc((size_t)argc + 1, sizeof *arguments.search);
+    if (arguments.search == NULL)
+        return cmd_failed(command->name, "no memory");
+    if (parse_options(argc, argv, command->options, &arguments)
+        && take_scene(command, argc, argv, &arguments))
+        code = command->function(&arguments);
+    free(arguments.search);
+    return code;
+}
+
+static int finish(const char *name, int code)
+{
+    if (fflush(stdout) != 0 || ferror(stdout))
+        return cmd_failed(name, "standard output: write error");
+    return code;
+}
+
+static void print_summary(FILE *file)
+{
+    fputs("rt205 COMMAND [OPTIONS] - a ray tracer on a CYBER 205 style "
+          "machine\n", file);
+    for (size_t i = 0; i < COMMANDS; i++)
+        fprintf(file, "  %-8s %s\n", commands[i].name, commands[i].summary);
+    fputs("rt205 COMMAND --help tells more of each\n", file);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 2) {
+        print_summary(stderr);
+        return CMD_USAGE;
+    }
+    if (strcmp(argv[1], "--help") == 0) {
+        print_summary(stdout);
+        return finish("--help", CMD_DONE);
+    }
+    for (size_t i = 0; i < COMMANDS; i++)
+        if (strcmp(argv[1], commands[i].name) == 0)
+            return finish(argv[1], start(&commands[i], argc - 1, argv + 1));
+    fprintf(stderr, "rt205: no such command: %s\n", argv[1]);
+    print_summary(stderr);
+    return CMD_USAGE;
+}
