@@ -1,0 +1,193 @@
+/* check_scene.c - a frame of rt205 against two other tracers.
+ *
+ *     check_scene SCENE.pov WIDTH HEIGHT FRAME.exr [--povray]
+ *
+ * FRAME.exr is what rt205 rendered of the scene, with 32-bit samples.  It is
+ * compared with the plain tracer's frame, channel by channel; with --povray
+ * POV-Ray's picture of the same file is compared with that of the plain
+ * tracer, now with shadows, and with the frame ("both").  A FRAME.exr of "-" leaves the first comparison out.
+ * Prints one line per comparison.  Exit code 1: one failed; 2: wrong usage.
+ */
+#include "rt/picture.h"
+#include "rt/scene/scene.h"
+#include "tests/oracle/compare_pictures.h"
+#include "tests/oracle/plain_tracer.h"
+#include "tests/oracle/run_povray.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The file holds 24-bit samples (6e-8); the machine has 47 bits, and an
+ * exponent of a highlight multiplies what is lost by its size. */
+#define COLOR_TOLERANCE 1e-6
+#define GEOMETRY_TOLERANCE 1e-6
+
+/* Half a step of POV-Ray's 16-bit samples is 7.6e-6; it computes colours in 24
+ * bits besides, so a whole step. */
+#define POVRAY_TOLERANCE (1. / 65535)
+
+/* Pixels where one rounding decides: the edge between two faces of one box,
+ * between two squares of a checker, of a shadow; the primitive, where two of
+ * them touch face to face. */
+#define DECIDED_BY_ROUNDING .0005
+
+static const struct comparison with_frame[] = {
+    { "colour", CHANNEL_RED, 3, INFINITY, true, COLOR_TOLERANCE,
+      DECIDED_BY_ROUNDING },
+    { "depth", CHANNEL_DEPTH, 1, INFINITY, true, GEOMETRY_TOLERANCE,
+      DECIDED_BY_ROUNDING },
+    { "normal", CHANNEL_NORMAL_X, 3, INFINITY, false, GEOMETRY_TOLERANCE,
+      DECIDED_BY_ROUNDING },
+    { "id", CHANNEL_ID, 1, INFINITY, false, 0, DECIDED_BY_ROUNDING },
+};
+
+static const struct comparison with_povray = {
+    "colour", CHANNEL_RED, 3, 1, false, POVRAY_TOLERANCE, DECIDED_BY_ROUNDING
+};
+
+struct request {
+    const char *scene, *frame; /* frame is NULL: leave that out */
+    size_t width, height;
+    bool povray;
+};
+
+/* --- comparisons -------------------------------------------------------- */
+
+static bool report(const char *who, const struct comparison *comparison,
+                   const struct frame *expected, const struct frame *found,
+                   const bool *inner)
+{
+    const struct picture_difference is =
+        compare_pictures(comparison, expected, found, inner);
+    const bool good = within(comparison, &is);
+    printf("%-6s %-6s mean %8.2e  greatest %8.2e at %zu, %zu  "
+           "beyond %.2e: %zu of %zu  %s\n",
+           who, comparison->name, is.mean, is.greatest, is.worst_x,
+           is.worst_y, comparison->tolerance, is.beyond, is.compared,
+           good ? "ok" : "FAILED");
+    return good;
+}
+
+static bool same_size(const char *who, const struct frame *expected,
+                      const struct frame *found)
+{
+    if (expected->width == found->width && expected->height == found->height)
+        return true;
+    fprintf(stderr, "%s: the picture is %zu x %zu\n", who, found->width,
+            found->height);
+    return false;
+}
+
+static bool check_frame(const struct frame *expected, const char *path,
+                        const bool *inner)
+{
+    const size_t count = sizeof with_frame / sizeof with_frame[0];
+    struct picture_error error;
+    struct frame found;
+    if (!picture_read(path, &found, &error)) {
+        fprintf(stderr, "%s\n", error.message);
+        return false;
+    }
+    bool good = same_size("rt205", expected, &found);
+    for (size_t i = 0, sized = good; sized && i < count; i++)
+        good &= report("rt205", &with_frame[i], expected, &found, inner);
+    frame_free(&found);
+    return good;
+}
+
+static bool check_directly(const struct frame *povray, const char *path,
+                           const bool *inner)
+{
+    struct picture_error error;
+    struct frame frame;
+    if (!picture_read(path, &frame, &error)) {
+        fprintf(stderr, "%s\n", error.message);
+        return false;
+    }
+    const bool good = same_size("both", povray, &frame)
+        && report("both", &with_povray, povray, &frame, inner);
+    frame_free(&frame);
+    return good;
+}
+
+/* POV-Ray's picture, against the plain tracer's and against rt205's own if
+ * there is one: the scenes of the tests cast no shadows. */
+static bool check_povray(const struct frame *expected,
+                         const struct request *request, const bool *inner)
+{
+    const char *path = request->scene;
+    struct picture_error error;
+    struct frame found;
+    if (!run_povray(path, expected->width, expected->height, &found, &error)) {
+        fprintf(stderr, "%s\n", error.message);
+        return false;
+    }
+    bool good = same_size("povray", expected, &found)
+        && report("povray", &with_povray, expected, &found, inner);
+    if (good && request->frame)
+        good = check_directly(&found, request->frame, inner);
+    frame_free(&found);
+    return good;
+}
+
+/* --- the command -------------------------------------------------------- */
+
+static bool parse(int count, char **words, struct request *request)
+{
+    if (count < 5 || count > 6 || (count == 6 && strcmp(words[5], "--povray")))
+        return false;
+    request->scene = words[1];
+    request->width = strtoul(words[2], NULL, 10);
+    request->height = strtoul(words[3], NULL, 10);
+    request->frame = strcmp(words[4], "-") ? words[4] : NULL;
+    request->povray = count == 6;
+    return request->width && request->height;
+}
+
+static struct scene *read_scene(const struct request *request)
+{
+    const struct scene_options options = {
+        .width = (int)request->width, .height = (int)request->height
+    };
+    struct reports reports = { 0 };
+    struct scene *scene = scene_read(request->scene, &options, &reports);
+    reports_print(stderr, &reports);
+    reports_free(&reports);
+    return scene;
+}
+
+static bool compare(const struct request *request, const struct scene *scene,
+                    bool shadows)
+{
+    struct frame expected;
+    if (!plain_trace(scene, request->width, request->height, shadows,
+                     &expected))
+        return false;
+    bool *const inner = inner_pixels(&expected);
+    const bool good = inner
+        && (shadows ? check_povray(&expected, request, inner)
+                    : check_frame(&expected, request->frame, inner));
+    free(inner);
+    frame_free(&expected);
+    return good;
+}
+
+int main(int count, char **words)
+{
+    struct request request;
+    if (!parse(count, words, &request)) {
+        fprintf(stderr, "usage: check_scene SCENE.pov WIDTH HEIGHT "
+                "FRAME.exr [--povray]\n");
+        return 2;
+    }
+    struct scene *const scene = read_scene(&request);
+    bool good = scene != NULL;
+    if (scene && request.frame)
+        good &= compare(&request, scene, false);
+    if (scene && request.povray)
+        good &= compare(&request, scene, true);
+    scene_free(scene);
+    return good ? 0 : 1;
+}

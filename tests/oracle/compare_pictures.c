@@ -1,0 +1,89 @@
+/* compare_pictures.c - see compare_pictures.h. */
+#include "tests/oracle/compare_pictures.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static bool is_inner(const struct frame *frame, size_t x, size_t y)
+{
+    const double *const id = frame->channel[CHANNEL_ID];
+    const double here = id[y * frame->width + x];
+    for (size_t j = y ? y - 1 : 0; j <= y + 1 && j < frame->height; j++)
+        for (size_t i = x ? x - 1 : 0; i <= x + 1 && i < frame->width; i++)
+            if (id[j * frame->width + i] != here)
+                return false;
+    return true;
+}
+
+bool *inner_pixels(const struct frame *frame)
+{
+    bool *inner = malloc(frame->width * frame->height * sizeof *inner);
+    for (size_t y = 0; inner && y < frame->height; y++)
+        for (size_t x = 0; x < frame->width; x++)
+            inner[y * frame->width + x] = is_inner(frame, x, y);
+    return inner;
+}
+
+/* What is no number differs without bound. */
+static double difference_of(const struct comparison *comparison,
+                            double expected, double found)
+{
+    const double a = fmin(expected, comparison->ceiling);
+    const double b = isnan(found) ? NAN : fmin(found, comparison->ceiling);
+    const double unit = comparison->relative ? fmax(1, fabs(a)) : 1;
+    const double difference = fabs(a - b) / unit;
+    return isnan(difference) ? INFINITY : difference;
+}
+
+/* One pixel's samples into the sums; its greatest difference. */
+static double add_pixel(const struct comparison *comparison,
+                        const struct frame *expected,
+                        const struct frame *found, size_t pixel, double *sum)
+{
+    double greatest = 0;
+    for (size_t i = 0; i < comparison->channels; i++) {
+        const size_t channel = comparison->first + i;
+        const double difference =
+            difference_of(comparison, expected->channel[channel][pixel],
+                          found->channel[channel][pixel]);
+        *sum += difference;
+        greatest = fmax(greatest, difference);
+    }
+    return greatest;
+}
+
+struct picture_difference compare_pictures(const struct comparison *comparison,
+                                           const struct frame *expected,
+                                           const struct frame *found,
+                                           const bool *inner)
+{
+    struct picture_difference result = { 0 };
+    double sum = 0;
+    for (size_t i = 0; i < expected->width * expected->height; i++) {
+        if (!inner[i]) {
+            result.ignored++;
+            continue;
+        }
+        const double greatest =
+            add_pixel(comparison, expected, found, i, &sum);
+        result.compared++;
+        result.beyond += greatest > comparison->tolerance;
+        if (greatest > result.greatest) {
+            result.greatest = greatest;
+            result.worst_x = i % expected->width;
+            result.worst_y = i / expected->width;
+        }
+    }
+    if (result.compared)
+        result.mean = sum / (double)(result.compared * comparison->channels);
+    return result;
+}
+
+/* A comparison of no pixel at all shows nothing. */
+bool within(const struct comparison *comparison,
+            const struct picture_difference *difference)
+{
+    return difference->compared > 0
+        && (double)difference->beyond
+            <= comparison->share * (double)difference->compared;
+}

@@ -1,0 +1,98 @@
+/* run_povray.c - see run_povray.h. */
+#include "tests/oracle/run_povray.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { LONGEST_PATH = 4096 };
+
+/* Where POV-Ray writes. */
+struct workplace {
+    char folder[64], picture[96], log[96];
+};
+
+static bool open_workplace(struct workplace *place)
+{
+    snprintf(place->folder, sizeof place->folder, "/tmp/run_povray.XXXXXX");
+    if (!mkdtemp(place->folder))
+        return false;
+    snprintf(place->picture, sizeof place->picture, "%s/picture.png",
+             place->folder);
+    snprintf(place->log, sizeof place->log, "%s/log", place->folder);
+    return true;
+}
+
+static void close_workplace(const struct workplace *place)
+{
+    remove(place->picture);
+    remove(place->log);
+    rmdir(place->folder);
+}
+
+/* In the new process: all that POV-Ray says goes to the log. */
+static void become_povray(const char *scene, size_t width, size_t height,
+                          const struct workplace *place)
+{
+    char input[LONGEST_PATH], output[128], wide[32], high[32];
+    const int log = open(place->log, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    dup2(log, STDOUT_FILENO);
+    dup2(log, STDERR_FILENO);
+    snprintf(input, sizeof input, "+I%s", scene);
+    snprintf(output, sizeof output, "+O%s", place->picture);
+    snprintf(wide, sizeof wide, "+W%zu", width);
+    snprintf(high, sizeof high, "+H%zu", height);
+    /* 16-bit PNG whose samples are linear; no display, no antialiasing. */
+    execlp("povray", "povray", input, output, wide, high, "+FN16",
+           "File_Gamma=1.0", "-D", "-A", "+WT1", (char *)NULL);
+    perror("povray");
+    _exit(127);
+}
+
+static bool succeeded(pid_t child)
+{
+    int status = -1;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+        continue;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/* The end of the log as the message. */
+static bool fail_with_log(const struct workplace *place,
+                          struct picture_error *error)
+{
+    FILE *log = fopen(place->log, "r");
+    size_t length = 0;
+    if (log && fseek(log, -(long)sizeof error->message + 1, SEEK_END) != 0)
+        rewind(log);
+    if (log)
+        length = fread(error->message, 1, sizeof error->message - 1, log);
+    error->message[length] = '\0';
+    if (log)
+        fclose(log);
+    return false;
+}
+
+bool run_povray(const char *scene, size_t width, size_t height,
+                struct frame *frame, struct picture_error *error)
+{
+    struct workplace place;
+    if (!open_workplace(&place)) {
+        snprintf(error->message, sizeof error->message, "%s: %s",
+                 place.folder, strerror(errno));
+        return false;
+    }
+    const pid_t child = fork();
+    if (child == 0)
+        become_povray(scene, width, height, &place);
+    const bool good = child > 0 && succeeded(child)
+        ? picture_read(place.picture, frame, error)
+        : fail_with_log(&place, error);
+    close_workplace(&place);
+    return good;
+}

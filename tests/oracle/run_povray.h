@@ -1,0 +1,13 @@
+/* run_povray.h - POV-Ray's picture of a scene file. */
+#ifndef RUN_POVRAY_H
+#define RUN_POVRAY_H
+
+#include "rt/picture.h"
+
+/* Without antialiasing, as linear light between 0 and 1 in steps of 1/65535;
+ * colours only.  Its files stay in a temporary folder that is removed.  The
+ * caller frees the frame.  Fails with POV-Ray's own last words. */
+bool run_povray(const char *scene, size_t width, size_t height,
+                struct frame *frame, struct picture_error *error);
+
+#endif

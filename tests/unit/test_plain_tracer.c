@@ -1,0 +1,367 @@
+/* test_plain_tracer.c - the plain tracer on scenes of one ray, whose answers
+ * are worked out by hand, and the comparison of frames. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "tests/oracle/compare_pictures.h"
+#include "tests/oracle/plain_tracer.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define CLOSE 1e-12
+
+static const struct transform identity = {
+    { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } }
+};
+
+/* Only diffuse; white. */
+static struct primitive primitive_of(enum primitive_kind kind)
+{
+    return (struct primitive) {
+        .kind = kind,
+        .to_world = identity,
+        .to_local = identity,
+        .pigment = { .color = { { 1, 1, 1 } }, .to_local = identity },
+        .finish = { .diffuse = 1, .phong_size = 40, .roughness = .05 },
+    };
+}
+
+static struct primitive unit_sphere(void)
+{
+    struct primitive sphere = primitive_of(PRIMITIVE_SPHERE);
+    sphere.shape.sphere.radius = 1;
+    return sphere;
+}
+
+static struct primitive cube_to(double corner)
+{
+    struct primitive box = primitive_of(PRIMITIVE_BOX);
+    for (int i = 0; i < 3; i++) {
+        box.shape.box.corner[0][i] = -corner;
+        box.shape.box.corner[1][i] = corner;
+    }
+    return box;
+}
+
+/* Of radius 1 about the z axis, from -1 to 1. */
+static struct primitive tube(bool open)
+{
+    struct primitive cylinder = primitive_of(PRIMITIVE_CYLINDER);
+    cylinder.shape.cylinder.base[2] = -1;
+    cylinder.shape.cylinder.cap[2] = 1;
+    cylinder.shape.cylinder.radius = 1;
+    cylinder.shape.cylinder.open = open;
+    return cylinder;
+}
+
+/* y = height. */
+static struct primitive floor_at(double height)
+{
+    struct primitive plane = primitive_of(PRIMITIVE_PLANE);
+    plane.shape.plane.normal[1] = 1;
+    plane.shape.plane.distance = height;
+    return plane;
+}
+
+struct sample {
+    double values[FRAME_CHANNELS];
+};
+
+/* The one pixel that looks from a point in a direction. */
+static struct sample look(struct scene *scene, bool shadows, double x,
+                          double y, double z, double dx, double dy, double dz)
+{
+    struct frame frame;
+    struct sample sample;
+    scene->camera = (struct camera) { .location = { x, y, z },
+                                      .direction = { dx, dy, dz } };
+    assert_true(plain_trace(scene, 1, 1, shadows, &frame));
+    for (size_t i = 0; i < FRAME_CHANNELS; i++)
+        sample.values[i] = frame.channel[i][0];
+    frame_free(&frame);
+    return sample;
+}
+
+static void assert_close(double found, double expected)
+{
+    if (!(fabs(found - expected) <= CLOSE))
+        fail_msg("%.17g is not %.17g", found, expected);
+}
+
+static void assert_hit(struct sample sample, double id, double depth,
+                       double x, double y, double z)
+{
+    assert_close(sample.values[CHANNEL_ID], id);
+    assert_close(sample.values[CHANNEL_DEPTH], depth);
+    assert_close(sample.values[CHANNEL_NORMAL_X], x);
+    assert_close(sample.values[CHANNEL_NORMAL_Y], y);
+    assert_close(sample.values[CHANNEL_NORMAL_Z], z);
+}
+
+static void assert_miss(struct sample sample)
+{
+    assert_hit(sample, 0, 0, 0, 0, 0);
+}
+
+/* --- shapes ------------------------------------------------------------- */
+
+static void test_sphere(void **state)
+{
+    (void)state;
+    struct primitive sphere = unit_sphere();
+    struct scene scene = { .primitive_count = 1, .primitives = &sphere };
+    assert_hit(look(&scene, false, 0, 0, -5, 0, 0, 1), 1, 4, 0, 0, -1);
+    assert_hit(look(&scene, false, .6, 0, -5, 0, 0, 9), 1, 4.2, .6, 0, -.8);
+    assert_hit(look(&scene, false, 0, 0, 0, 0, 3, 0), 1, 1, 0, -1, 0);
+    assert_miss(look(&scene, false, 0, 0, -5, 0, 0, -1));
+    assert_miss(look(&scene, false, 1.001, 0, -5, 0, 0, 1));
+}
+
+static void test_box(void **state)
+{
+    (void)state;
+    struct primitive box = cube_to(2);
+    struct scene scene = { .primitive_count = 1, .primitives = &box };
+    assert_hit(look(&scene, false, 0, 1, -5, 0, 0, 1), 1, 3, 0, 0, -1);
+    assert_hit(look(&scene, false, 1, 0, 0, 1, 0, 0), 1, 1, -1, 0, 0);
+    assert_hit(look(&scene, false, 5, 5, 0, -3, -4, 0), 1, 5, 1, 0, 0);
+    assert_miss(look(&scene, false, 0, 2.001, -5, 0, 0, 1));
+    assert_miss(look(&scene, false, 0, 5, -5, 0, 1, 1));
+}
+
+static void test_cylinder(void **state)
+{
+    (void)state;
+    struct primitive closed = tube(false), open = tube(true);
+    struct scene scene = { .primitive_count = 1, .primitives = &closed };
+    assert_hit(look(&scene, false, .5, 0, -5, 0, 0, 1), 1, 4, 0, 0, -1);
+    assert_hit(look(&scene, false, .6, 5, 0, 0, -1, 0), 1, 4.2, .6, .8, 0);
+    assert_hit(look(&scene, false, 0, 0, 0, 0, 0, 1), 1, 1, 0, 0, -1);
+    assert_miss(look(&scene, false, 1.5, 0, -5, 0, 0, 1));
+    assert_miss(look(&scene, false, 0, 5, 1.5, 0, -1, 0));
+    scene.primitives = &open;
+    assert_miss(look(&scene, false, .5, 0, -5, 0, 0, 1));
+    assert_hit(look(&scene, false, 0, -2, -3, 0, 3, 4), 1, 5, 0, -1, 0);
+    assert_hit(look(&scene, false, 0, -.5, -2, 0, 3, 4), 1, 2.5, 0, -1, 0);
+}
+
+static void test_plane(void **state)
+{
+    (void)state;
+    struct primitive plane = floor_at(-1);
+    struct scene scene = { .primitive_count = 1, .primitives = &plane };
+    assert_hit(look(&scene, false, 0, 2, 0, 4, -3, 0), 1, 5, 0, 1, 0);
+    assert_hit(look(&scene, false, 0, -4, 0, 4, 3, 0), 1, 5, 0, -1, 0);
+    assert_miss(look(&scene, false, 0, 2, 0, 1, 0, 0));
+    assert_miss(look(&scene, false, 0, 2, 0, 0, 1, 0));
+}
+
+/* x / 2 + z in place of z: a slanted, flattened sphere at height 3.  Its top
+ * is at y = 3 + 1 / 2; there the slant does not show. */
+static void test_transform(void **state)
+{
+    (void)state;
+    struct primitive sphere = unit_sphere();
+    struct scene scene = { .primitive_count = 1, .primitives = &sphere };
+    sphere.to_local = (struct transform) {
+        { { 1, 0, 0, 0 }, { 0, 2, 0, -6 }, { .5, 0, 1, 0 } }
+    };
+    assert_hit(look(&scene, false, 0, 9, 0, 0, -2, 0), 1, 5.5, 0, 1, 0);
+    const double length = sqrt(1.25);
+    assert_hit(look(&scene, false, 0, 3, -9, 0, 0, 1), 1, 8, -.5 / length, 0,
+               -1 / length);
+}
+
+static void test_nearest(void **state)
+{
+    (void)state;
+    struct primitive both[] = { cube_to(1), unit_sphere(), floor_at(5) };
+    struct scene scene = { .primitive_count = 3, .primitives = both };
+    both[1].shape.sphere.center[2] = -1;
+    assert_hit(look(&scene, false, 0, 0, -5, 0, 0, 1), 2, 3, 0, 0, -1);
+    assert_hit(look(&scene, false, 0, 0, 5, 0, 0, -1), 1, 4, 0, 0, 1);
+    assert_hit(look(&scene, false, 0, 9, 0, 0, -1, 0), 3, 4, 0, 1, 0);
+}
+
+/* --- the camera --------------------------------------------------------- */
+
+static void test_pixel_centres(void **state)
+{
+    (void)state;
+    struct primitive plane = floor_at(0);
+    struct frame frame;
+    struct scene scene = {
+        .camera = { { 0, 1, 0 }, { 0, -1, 0 }, { 4, 0, 0 }, { 0, 0, 2 } },
+        .primitive_count = 1,
+        .primitives = &plane,
+    };
+    assert_true(plain_trace(&scene, 4, 2, false, &frame));
+    for (size_t i = 0; i < 8; i++) {
+        const double x = (double)(i % 4) - 1.5, z = i < 4 ? .5 : -.5;
+        assert_close(frame.channel[CHANNEL_DEPTH][i],
+                     sqrt(1 + x * x + z * z));
+    }
+    frame_free(&frame);
+}
+
+/* --- shading ------------------------------------------------------------ */
+
+static double red(struct sample sample)
+{
+    return sample.values[CHANNEL_RED];
+}
+
+/* A floor at 0 seen from <-3, 4, 0> at the origin; the light at <3, 4, 0> is
+ * just where the eye's ray is mirrored to. */
+struct stage {
+    struct primitive primitives[2];
+    struct light light;
+    struct scene scene;
+};
+
+static void set_stage(struct stage *stage)
+{
+    *stage = (struct stage) {
+        .primitives = { floor_at(0) },
+        .light = { .position = { 3, 4, 0 }, .color = { .5, 1, 1 } },
+        .scene = { .ambient_light = { 2, 1, 1 }, .background = { .25, 0, 0 },
+                   .light_count = 1, .primitive_count = 1 },
+    };
+    stage->scene.lights = &stage->light;
+    stage->scene.primitives = stage->primitives;
+    stage->primitives[0].pigment.color[0][0] = .8;
+}
+
+static double seen(struct stage *stage, bool shadows)
+{
+    return red(look(&stage->scene, shadows, -3, 4, 0, 3, -4, 0));
+}
+
+static void test_ambient_and_diffuse(void **state)
+{
+    (void)state;
+    struct stage stage;
+    set_stage(&stage);
+    assert_close(seen(&stage, false), .5 * .8 * .8);
+    stage.primitives[0].finish.ambient[0] = .1;
+    assert_close(seen(&stage, false), .5 * .8 * .8 + .1 * 2 * .8);
+    stage.light.position[1] = -4;
+    assert_close(seen(&stage, false), .1 * 2 * .8);
+    assert_close(red(look(&stage.scene, false, 0, 1, 0, 0, 1, 0)), .25);
+}
+
+static void test_highlights(void **state)
+{
+    (void)state;
+    struct stage stage;
+    set_stage(&stage);
+    struct finish *const finish = &stage.primitives[0].finish;
+    finish->diffuse = 0;
+    finish->phong = .5;
+    assert_close(seen(&stage, false), .5 * .5);
+    finish->specular = .25;
+    assert_close(seen(&stage, false), .5 * (.5 + .25));
+    stage.light.position[0] = 0; /* cosine .8; half the angle for specular */
+    assert_close(seen(&stage, false),
+                 .5 * (.5 * pow(.8, 40) + .25 * pow(sqrt(.9), 20)));
+    stage.light.shadowless = true;
+    assert_close(seen(&stage, false), 0);
+}
+
+static void test_shadows(void **state)
+{
+    (void)state;
+    struct stage stage;
+    set_stage(&stage);
+    const double lit = .5 * .8 * .8;
+    stage.primitives[1] = unit_sphere();
+    stage.primitives[1].shape.sphere.center[0] = 1.5;
+    stage.primitives[1].shape.sphere.center[1] = 2;
+    stage.scene.primitive_count = 2;
+    assert_close(seen(&stage, false), lit);
+    assert_close(seen(&stage, true), 0);
+    stage.light.shadowless = true;
+    assert_close(seen(&stage, true), lit);
+    stage.light.shadowless = false;
+    stage.primitives[1].no_shadow = true;
+    assert_close(seen(&stage, true), lit);
+    stage.primitives[1].no_shadow = false;
+    stage.light.position[0] = .75; /* before the sphere */
+    stage.light.position[1] = 1;
+    assert_close(seen(&stage, true), lit);
+}
+
+static void test_checker(void **state)
+{
+    (void)state;
+    struct primitive plane = floor_at(0);
+    struct light light = { .position = { 0, 1e9, 0 }, .color = { 1, 1, 1 } };
+    struct scene scene = { .light_count = 1, .lights = &light,
+                           .primitive_count = 1, .primitives = &plane };
+    plane.pigment.kind = PIGMENT_CHECKER;
+    plane.pigment.to_local.rows[0][0] = .5; /* squares 2 wide in x */
+    for (int x = -3; x < 4; x++)
+        for (int z = -3; z < 4; z++) {
+            const bool odd = (x + z) % 2 != 0;
+            const struct sample sample =
+                look(&scene, false, 2 * x + 1, 1, z + .5, 0, -1, 0);
+            assert_true(fabs(red(sample) - !odd) < 1e-6);
+        }
+}
+
+/* --- frames compared ---------------------------------------------------- */
+
+static void test_compare(void **state)
+{
+    (void)state;
+    struct frame a, b;
+    const struct comparison all = { "colour", CHANNEL_RED, 3, 1, false, .1,
+                                    .05 };
+    assert_true(frame_allocate(&a, 8, 5) && frame_allocate(&b, 8, 5));
+    for (size_t i = 0; i < 40; i++)
+        a.channel[CHANNEL_ID][i] = i % 8 < 4;
+    bool *const inner = inner_pixels(&a);
+    b.channel[CHANNEL_RED][3] = 9;    /* on the edge: ignored */
+    b.channel[CHANNEL_GREEN][15] = 9; /* counts as 1 */
+    b.channel[CHANNEL_BLUE][0] = .05; /* allowed */
+    struct picture_difference is = compare_pictures(&all, &a, &b, inner);
+    assert_int_equal(is.compared, 30);
+    assert_int_equal(is.ignored, 10);
+    assert_int_equal(is.beyond, 1);
+    assert_int_equal(is.worst_x, 7);
+    assert_int_equal(is.worst_y, 1);
+    assert_close(is.greatest, 1);
+    assert_close(is.mean, 1.05 / 90);
+    assert_true(within(&all, &is));
+    b.channel[CHANNEL_RED][16] = NAN;
+    is = compare_pictures(&all, &a, &b, inner);
+    assert_int_equal(is.beyond, 2);
+    assert_false(within(&all, &is));
+    free(inner);
+    frame_free(&a);
+    frame_free(&b);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_sphere),
+        cmocka_unit_test(test_box),
+        cmocka_unit_test(test_cylinder),
+        cmocka_unit_test(test_plane),
+        cmocka_unit_test(test_transform),
+        cmocka_unit_test(test_nearest),
+        cmocka_unit_test(test_pixel_centres),
+        cmocka_unit_test(test_ambient_and_diffuse),
+        cmocka_unit_test(test_highlights),
+        cmocka_unit_test(test_shadows),
+        cmocka_unit_test(test_checker),
+        cmocka_unit_test(test_compare),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
