@@ -1,0 +1,169 @@
+# make demo       installs what is missing, builds, renders a scene on the
+#                 emulated machine and prints the speedup table
+# make check      builds and runs all tests (docs/testing.md says which)
+# make all | bench | san | fuzz | check-long | wasm-check | format | lint |
+#      install | clean
+
+BUILD ?= build
+OPT ?= -O3
+CFLAGS ?= -g
+CXXFLAGS ?= -g
+PREFIX ?= /usr/local
+LIBDIR = $(PREFIX)/lib/rt205
+WASM_CC ?= clang --target=wasm32-wasi --sysroot=/usr
+
+WARN = -Wall -Wextra -Wshadow
+C_WARN = $(WARN) -pedantic -Wconversion -Wstrict-prototypes \
+	-Wmissing-prototypes
+C_FLAGS = -std=c99 -D_POSIX_C_SOURCE=200809L $(C_WARN) -ffp-contract=off \
+	$(OPT) $(CFLAGS) -I. -MMD -MP -DLIBDIR='"$(LIBDIR)"'
+CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
+
+# Rooms: vm stands on the ground, asm on vm, rt on both.
+vm_c = $(wildcard vm/*.c)
+asm_c = $(filter-out $(c205_c),$(wildcard asm/*.c))
+c205_c = asm/c205.c $(wildcard asm/cmd_*.c)
+rt_c = $(filter-out $(rt205_c),$(wildcard rt/*.c rt/scene/*.c))
+rt205_c = rt/rt205.c rt/progress.c $(wildcard rt/cmd_*.c)
+objects = $(patsubst %.c,$(BUILD)/%.o,$(1))
+
+libraries = $(BUILD)/librt205.a $(BUILD)/libc205asm.a $(BUILD)/libc205.a
+programs = $(BUILD)/c205 $(BUILD)/rt205
+adapter = $(BUILD)/rt205_oiio.so
+unit_tests = $(patsubst tests/unit/%.c,$(BUILD)/tests/unit/%,\
+	$(wildcard tests/unit/test_*.c))
+oracles = $(BUILD)/tests/oracle/check_arithmetic \
+	$(BUILD)/tests/oracle/check_scene
+benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
+
+build_packages = build-essential pkg-config libopenimageio-dev
+test_packages = $(build_packages) libcmocka-dev libmpfr-dev libgmp-dev povray \
+	clang lld wasi-libc libclang-rt-14-dev-wasm32
+
+# --- what users call --------------------------------------------------------
+
+all: $(libraries) $(programs) $(adapter)
+
+demo:
+	@sh .ci/need $(build_packages)
+	@$(MAKE) --no-print-directory all
+	$(BUILD)/rt205 render scenes/first.pov -o $(BUILD)/first.png -W 640 -H 480
+	@echo
+	$(BUILD)/rt205 speedup
+	@echo "The picture is in $(BUILD)/first.png"
+
+check:
+	@sh .ci/need $(test_packages)
+	@$(MAKE) --no-print-directory check-unit check-programs \
+		check-arithmetic check-scenes check-commands wasm-check
+	@echo "make check: all passed"
+
+check-long: CASES = 10000000
+check-long: check san
+	$(BUILD)/tests/oracle/check_arithmetic $(CASES)
+
+# --- libraries and programs -------------------------------------------------
+
+$(BUILD)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
+$(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o
+$(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
+	$(BUILD)/rt/scene_texts.o
+%.a:
+	@rm -f $@
+	$(AR) rcs $@ $^
+
+$(BUILD)/c205: $(call objects,$(c205_c)) $(filter-out %librt205.a,$(libraries))
+	$(CC) $(LDFLAGS) -o $@ $^ -lm
+$(BUILD)/rt205: $(call objects,$(rt205_c)) $(libraries)
+	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
+$(adapter): rt/picture_oiio.cc
+	@mkdir -p $(@D)
+	$(CXX) $(CXX_FLAGS) $$(pkg-config --cflags OpenImageIO) -shared -o $@ $< \
+		$$(pkg-config --libs OpenImageIO)
+
+# Texts that the programs carry with them.
+$(BUILD)/vm/model_texts.c: $(wildcard vm/models/*.model)
+$(BUILD)/asm/library_texts.c: $(wildcard asm/lib/*.s)
+$(BUILD)/rt/kernel_texts.c: $(wildcard rt/kernels/*.s)
+$(BUILD)/rt/scene_texts.c: $(wildcard rt/scene/*.inc)
+$(BUILD)/%_texts.c: vm/embed.sh
+	@mkdir -p $(@D)
+	sh vm/embed.sh $(@F:.c=) $(filter-out vm/embed.sh,$^) > $@.new
+	@mv $@.new $@
+
+$(BUILD)/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(C_FLAGS) -c -o $@ $<
+$(BUILD)/%.o: $(BUILD)/%.c
+	$(CC) $(C_FLAGS) -c -o $@ $<
+
+# Loops that choose between doubles only vectorise when neither can trap.
+$(BUILD)/vm/lanes.o: C_FLAGS += -fno-trapping-math
+
+# --- tests ------------------------------------------------------------------
+
+# Test programs do not stand beside the adapter.
+export RT205_LIBDIR = $(abspath $(BUILD))
+
+oracle_o = $(call objects,$(filter-out %/check_arithmetic.c %/check_scene.c,\
+	$(wildcard tests/oracle/*.c)))
+
+$(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(oracle_o) $(libraries)
+	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl
+$(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(libraries)
+	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm -ldl
+$(BUILD)/tests/bench_%: $(BUILD)/tests/bench_%.o $(libraries)
+	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
+
+check-unit: $(unit_tests) $(adapter)
+	@for t in $(unit_tests); do $$t || exit 1; done
+
+check-programs: $(BUILD)/c205
+	sh tests/run_programs.sh $(BUILD)/c205
+
+check-arithmetic: $(BUILD)/tests/oracle/check_arithmetic
+	$< 1000000
+
+check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
+	sh tests/check_scenes.sh $(BUILD)
+
+check-commands: $(programs) $(adapter)
+	sh tests/check_commands.sh $(BUILD)
+
+# vm and asm, and the c205 command, for the browser's kind of machine.
+wasm-check:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
+		AR=llvm-ar $(BUILD)/wasm/c205
+
+san:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/san OPT=-O1 \
+		CFLAGS="-g -fsanitize=address,undefined -fno-sanitize-recover" \
+		LDFLAGS="-fsanitize=address,undefined" check-unit check-programs
+
+bench: $(benches) $(programs)
+	@for b in $(benches); do $$b || exit 1; done
+
+fuzz:
+	sh tests/fuzz/run.sh $(BUILD)/fuzz
+
+format:
+	clang-format -i $$(git ls-files '*.c' '*.h' '*.cc')
+lint:
+	cppcheck --quiet --std=c99 --error-exitcode=1 -I. vm asm rt
+
+install: all
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib \
+		$(DESTDIR)$(PREFIX)/include $(DESTDIR)$(LIBDIR)
+	install $(programs) $(DESTDIR)$(PREFIX)/bin
+	install -m 644 $(BUILD)/libc205.a $(DESTDIR)$(PREFIX)/lib
+	install -m 644 vm/c205.h vm/insn.def $(DESTDIR)$(PREFIX)/include
+	install -m 644 $(adapter) $(DESTDIR)$(LIBDIR)
+
+clean:
+	rm -rf $(BUILD)
+
+.PHONY: all demo check check-long check-unit check-programs \
+	check-arithmetic check-scenes check-commands wasm-check san bench fuzz \
+	format lint install clean
+.SECONDARY:
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
