@@ -14,7 +14,7 @@
 
 enum {
     EXPONENT_PLACE = 48,
-    GUARD = 3 /* bits kept below the coefficient of the larger operand */
+    GUARD = 1 /* bit kept below the coefficient of the larger operand */
 };
 #define EXPONENT_MASK (~WORD_COEFFICIENT_MASK)
 #define LEAST_NUMBER UINT64_C(0x9000000000000000)
@@ -190,8 +190,9 @@ static inline int64_t shifted(int64_t c, uint64_t places, uint64_t limit)
 }
 
 /* The sum, floored to GUARD bits below the larger operand's coefficient.
- * That is all a normalised result can see: where the operands lie further
- * apart it moves by one place at most. */
+ * That is all a normalised result can see if the larger operand is
+ * normalised: at distances of 0 and 1 nothing is lost, and beyond them the
+ * sum moves by one place at most. */
 static inline int64_t sum(c205_word a, c205_word b)
 {
     return guarded(larger(a, b))
@@ -224,12 +225,10 @@ static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
 
 static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
 {
-    const c205_word l = larger(a, b), s = smaller(a, b);
-    const lane result = normalised(exponent(l) - GUARD, t);
+    const c205_word l = larger(a, b);
 
-    return odd_if(indefinite(l) | (unnormalised(s) & ~zero(s))
-                      | (unnormalised(l) & ~zero(l)),
-                  result);
+    return odd_if(indefinite(l) | (unnormalised(l) & ~zero(l)),
+                  normalised(exponent(l) - GUARD, t));
 }
 
 static inline lane lane_add_upper(c205_word a, c205_word b)

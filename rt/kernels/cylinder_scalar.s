@@ -11,12 +11,8 @@
         SUBN    ox, sh0, t0
         SUBN    oy, sh1, t1
         SUBN    oz, sh2, t2
-        dot     t0, t1, t2, sh3, sh4, sh5, t7, t9
-        dot     t0, t1, t2, sh6, sh7, sh8, t8, t9
-        dot     t0, t1, t2, sh9, sh10, sh11, t5, t9
-        dot     dx, dy, dz, sh3, sh4, sh5, t0, t9
-        dot     dx, dy, dz, sh6, sh7, sh8, t1, t9
-        dot     dx, dy, dz, sh9, sh10, sh11, t6, t9
+        dot_rows t0, t1, t2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t7, t8, t5, t3, t4, t6, t9
+        dot_rows dx, dy, dz, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t0, t1, t6, t2, t3, t4, t9
         MPYS    t0, t0, t2
         MPYS    t1, t1, t3
         ADDN    t3, t2, t2              ; a

@@ -11,13 +11,6 @@
         .regs r48, g_lx, g_ly, g_lz, g_basex, g_basey, g_basez, g_colx, g_coly, g_colz, g_rowx, g_rowy, g_rowz
         .equ GENERATE_REGISTERS, 28
 
-        .macro direction base, col, row, d
-        MPYS    g_column, \col, g_t
-        ADDN    g_t, \base, g_t
-        MPYS    g_row, \row, g_u
-        ADDN    g_u, g_t, \d
-        .endm
-
         .data
 generate_save:  .space GENERATE_REGISTERS
         .code
@@ -30,14 +23,19 @@ generate:
         SWAP    [arguments], g_pixel, [r0]
         SWAP    [g_pixel], g_column, [r0]
         SWAP    [g_view], g_lx, [r0]
-        direction g_basex, g_colx, g_rowx, g_dx
-        direction g_basey, g_coly, g_rowy, g_dy
-        direction g_basez, g_colz, g_rowz, g_dz
-        MPYS    g_dx, g_dx, g_t
-        MPYS    g_dy, g_dy, g_u
-        ADDN    g_u, g_t, g_t
-        MPYS    g_dz, g_dz, g_u
-        ADDN    g_u, g_t, g_t
+        MPYS    g_column, g_colx, g_dx
+        MPYS    g_column, g_coly, g_dy
+        MPYS    g_column, g_colz, g_dz
+        MPYS    g_row, g_rowx, g_t
+        MPYS    g_row, g_rowy, g_u
+        MPYS    g_row, g_rowz, third
+        ADDN    g_dx, g_basex, g_dx
+        ADDN    g_dy, g_basey, g_dy
+        ADDN    g_dz, g_basez, g_dz
+        ADDN    g_t, g_dx, g_dx
+        ADDN    g_u, g_dy, g_dy
+        ADDN    third, g_dz, g_dz
+        dot     g_dx, g_dy, g_dz, g_dx, g_dy, g_dz, g_t, g_u
         SQRT    g_t, g_t
         DIVS    m_one, g_t, g_t
         MPYS    g_dx, g_t, g_dx

@@ -10,9 +10,10 @@
 ;
 ; Registers: r7-r31 belong to the linkage and the main program; r32 on are
 ; local to each subroutine; r96 on are the main program's; r200 on are those
-; of power.
+; of power, the last of them scratch.
 
         .regs r7, link, arguments, save_at, image_at, target
+        .regs r253, third, fourth               ; scratch, never saved
         .equ LOCAL, 32
 
 ; The local registers of the kernels, all alike: constants, arguments, the ray,
@@ -71,13 +72,33 @@ kernel_image:
         leave   \save, \registers
         .endm
 
-; sum = x . u, in the order (x1 u1 + x0 u0) + x2 u2.
+; sum = x . u, in the order (x1 u1 + x0 u0) + x2 u2.  Results take five clocks,
+; so independent products stand before the sums that wait for them.
         .macro dot x0, x1, x2, u0, u1, u2, sum, work
         MPYS    \x0, \u0, \sum
         MPYS    \x1, \u1, \work
+        MPYS    \x2, \u2, third
         ADDN    \work, \sum, \sum
-        MPYS    \x2, \u2, \work
-        ADDN    \work, \sum, \sum
+        ADDN    third, \sum, \sum
+        .endm
+
+; Three such sums at a time, a, b, c of x with the rows a, b, c: nothing waits.
+        .macro dot_rows x0, x1, x2, a0, a1, a2, b0, b1, b2, c0, c1, c2, a, b, c, w0, w1, w2, w3
+        MPYS    \x0, \a0, \a
+        MPYS    \x0, \b0, \b
+        MPYS    \x0, \c0, \c
+        MPYS    \x1, \a1, \w0
+        MPYS    \x1, \b1, \w1
+        MPYS    \x1, \c1, \w2
+        MPYS    \x2, \a2, \w3
+        MPYS    \x2, \b2, third
+        MPYS    \x2, \c2, fourth
+        ADDN    \w0, \a, \a
+        ADDN    \w1, \b, \b
+        ADDN    \w2, \c, \c
+        ADDN    \w3, \a, \a
+        ADDN    third, \b, \b
+        ADDN    fourth, \c, \c
         .endm
 
         .macro normalise_by unit, x0, x1, x2, length, work

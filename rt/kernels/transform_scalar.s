@@ -32,15 +32,11 @@ transformed:
         IX      t0, 64 * P_LOCAL
         ELEN    t0, 12
         SWAP    [t0], sh0, [r0]
-        dot     ox, oy, oz, sh0, sh1, sh2, own_ox, t0
+        dot_rows ox, oy, oz, sh0, sh1, sh2, sh4, sh5, sh6, sh8, sh9, sh10, own_ox, own_oy, own_oz, t0, t1, t2, t3
         ADDN    own_ox, sh3, own_ox
-        dot     ox, oy, oz, sh4, sh5, sh6, own_oy, t0
         ADDN    own_oy, sh7, own_oy
-        dot     ox, oy, oz, sh8, sh9, sh10, own_oz, t0
         ADDN    own_oz, sh11, own_oz
-        dot     dx, dy, dz, sh0, sh1, sh2, own_dx, t0
-        dot     dx, dy, dz, sh4, sh5, sh6, own_dy, t0
-        dot     dx, dy, dz, sh8, sh9, sh10, own_dz, t0
+        dot_rows dx, dy, dz, sh0, sh1, sh2, sh4, sh5, sh6, sh8, sh9, sh10, own_dx, own_dy, own_dz, t0, t1, t2, t3
         normalise own_dx, own_dy, own_dz, t0, own_scale
         EX      t1, own_ray
         ELEN    t1, 6

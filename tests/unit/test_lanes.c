@@ -25,6 +25,7 @@ static const c205_word specials[] = {
     UINT64_C(0x8000000000000000), UINT64_C(0x8FFFFFFFFFFFFFFF),
     UINT64_C(0x8FFF800000000000), UINT64_C(0x8FFF7FFFFFFFFFFF),
     UINT64_C(0x7000000000000000), UINT64_C(0x7FFFFFFFFFFFFFFF),
+    UINT64_C(0x7000400000000000), UINT64_C(0x7000800000000000),
     UINT64_C(0x9000400000000000), UINT64_C(0x9000800000000000),
     UINT64_C(0x90007FFFFFFFFFFF), UINT64_C(0x9000BFFFFFFFFFFF),
     UINT64_C(0x6FFF400000000000), UINT64_C(0x6FFF800000000000),
@@ -256,6 +257,22 @@ static void test_every_length(void **state)
     }
 }
 
+/* Alone in a span, so that no other word sends the block to the exact rule. */
+static void test_every_pair_of_specials(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SIZE(specials); i++) {
+        for (size_t op = 0; op < SIZE(unaries); op++)
+            check_unary(op, &specials[i], 1);
+        for (size_t j = 0; j < SIZE(specials); j++) {
+            for (size_t op = 0; op < SIZE(binaries); op++)
+                check_binary(op, &specials[i], &specials[j], 1);
+            for (size_t op = 0; op < SIZE(compares); op++)
+                check_compare(op, &specials[i], &specials[j], 1);
+        }
+    }
+}
+
 /* Long spans of operands of one kind each, so that the fast paths run. */
 static void test_every_pair_of_supplies(void **state)
 {
@@ -377,6 +394,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_length),
+        cmocka_unit_test(test_every_pair_of_specials),
         cmocka_unit_test(test_every_pair_of_supplies),
         cmocka_unit_test(test_close_operands),
         cmocka_unit_test(test_unary_operands),

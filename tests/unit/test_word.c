@@ -63,6 +63,8 @@ static void test_doubles_are_cut_down(void **state)
     assert_int_equal(c205_from_double(1 + ldexp(1, -47)), C205_ONE);
     assert_int_equal(c205_from_double(-1 - ldexp(1, -47)),
                      UINT64_C(0xFFD2BFFFFFFFFFFF));
+    assert_int_equal(c205_from_double(-1 - ldexp(1, -52)),
+                     UINT64_C(0xFFD2BFFFFFFFFFFF));
     assert_int_equal(c205_from_double(ldexp(1, -1074)),
                      word_make(-1074 - 46, INT64_C(1) << 46));
     assert_int_equal(c205_from_double(-2 + ldexp(1, -52)),
@@ -216,6 +218,26 @@ static void test_distant_digits(void **state)
     free(text);
 }
 
+/* The C library writes doubles exactly if asked for enough digits. */
+static void test_exact_text_of_doubles(void **state)
+{
+    enum { DIGITS = 800, WORDS = 500 };
+    uint64_t seed = RANDOM_SEED;
+
+    (void)state;
+    for (int i = 0; i < WORDS; i++) {
+        char text[DIGITS + 20];
+        const c205_word word = xorshift_normalised(&seed, -1060, 970);
+        const double value = c205_to_double(word);
+        snprintf(text, sizeof text, "%.*e", DIGITS, value);
+        assert_int_equal(read_all(text), word);
+        snprintf(text, sizeof text, "%.*e", DIGITS,
+                 nextafter(value, -HUGE_VAL));
+        assert_int_equal(read_all(text),
+                         c205_from_double(nextafter(value, -HUGE_VAL)));
+    }
+}
+
 static void round_trip(c205_word word)
 {
     char text[C205_TEXT_SIZE];
@@ -332,6 +354,7 @@ int main(void)
         cmocka_unit_test(test_ends_of_the_range),
         cmocka_unit_test(test_absurd_exponents),
         cmocka_unit_test(test_distant_digits),
+        cmocka_unit_test(test_exact_text_of_doubles),
         cmocka_unit_test(test_text_comes_back),
         cmocka_unit_test(test_text_is_shortest),
         cmocka_unit_test(test_layout_of_text),
