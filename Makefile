@@ -1,3 +1,4 @@
+	sh tests/bench_frame.sh $(BUILD)
 # make demo       installs what is missing, builds, renders a scene on the
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
@@ -47,10 +48,10 @@ all: $(libraries) $(programs) $(adapter)
 demo:
 	@sh .ci/need $(build_packages)
 	@$(MAKE) --no-print-directory all
-	$(BUILD)/rt205 render scenes/first.pov -o $(BUILD)/first.png -W 640 -H 480
+	$(BUILD)/rt205 render scenes/bearing.pov -o $(BUILD)/bearing.png -W 640 -H 480
 	@echo
 	$(BUILD)/rt205 speedup
-	@echo "The picture is in $(BUILD)/first.png"
+	@echo "The picture is in $(BUILD)/bearing.png"
 
 check:
 	@sh .ci/need $(test_packages)
@@ -140,7 +141,7 @@ san:
 		CFLAGS="-g -fsanitize=address,undefined -fno-sanitize-recover" \
 		LDFLAGS="-fsanitize=address,undefined" check-unit check-programs
 
-bench: $(benches) $(programs)
+bench: $(benches) $(programs) $(adapter)
 	@for b in $(benches); do $$b || exit 1; done
 
 fuzz:

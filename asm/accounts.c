@@ -81,16 +81,21 @@ static c205_account sum_of_accounts(const c205 *machine)
     return sum;
 }
 
-struct table *accounts_by_cause(const c205 *machine)
+struct table *accounts_of_run(const c205 *machine)
 {
     struct table *table = table_new(by_cause, COLUMNS(by_cause));
-    if (!table) {
-        return NULL;
-    }
     c205_account sum = sum_of_accounts(machine);
-    add_causes(table, machine, &sum, sum.name);
+    if (table) {
+        add_causes(table, machine, &sum, sum.name);
+    }
+    return table;
+}
+
+struct table *accounts_by_cause(const c205 *machine)
+{
+    struct table *table = accounts_of_run(machine);
     size_t count = c205_account_count(machine);
-    for (size_t i = 0; count > 1 && i < count; i++) {
+    for (size_t i = 0; table && count > 1 && i < count; i++) {
         const c205_account *account = c205_account_at(machine, i);
         add_causes(table, machine, account, region_name(account));
     }

@@ -58,7 +58,8 @@ struct result {
     const c205_model *model;
     uint64_t clocks;
     char checksum[17];
-    struct table *regions, *causes;
+    struct table *regions, *causes; /* printed */
+    struct table *detail;           /* causes by region, for JSON */
 };
 
 static void print_result(const struct result *result)
@@ -91,7 +92,7 @@ static void write_result(const struct result *result, struct json *json)
     json_text(json, "checksum", result->checksum);
     provenance_json(result->model, json);
     table_json(result->regions, json, "regions");
-    table_json(result->causes, json, "causes");
+    table_json(result->detail, json, "causes");
 }
 
 static bool tell(const struct cmd_arguments *arguments,
@@ -103,9 +104,11 @@ static bool tell(const struct cmd_arguments *arguments,
                              .model = c205_machine_model(machine),
                              .clocks = c205_clock(machine),
                              .regions = accounts_by_region(machine),
-                             .causes = accounts_by_cause(machine) };
+                             .causes = accounts_of_run(machine),
+                             .detail = accounts_by_cause(machine) };
     uint64_t checksum;
     bool good = result.regions != NULL && result.causes != NULL
+                && result.detail != NULL
                 && trace_checksum(trace, &checksum, error);
 
     if (good) {
@@ -119,6 +122,7 @@ static bool tell(const struct cmd_arguments *arguments,
         write_result(&result, json);
     table_free(result.regions);
     table_free(result.causes);
+    table_free(result.detail);
     return good;
 }
 

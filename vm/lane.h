@@ -215,14 +215,16 @@ static inline int64_t difference(c205_word a, c205_word b)
            + shifted(is_subtrahend ? -kept : kept, places, REACH);
 }
 
-/* The indefinite are the largest words. */
+/* The exponent of an indefinite is out of range. */
 static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
 {
-    return odd_if(indefinite(larger(a, b)),
-                  zero_if(is_zero(larger(a, b)),
-                          fitted(exponent(larger(a, b)), t >> GUARD)));
+    const c205_word l = larger(a, b);
+
+    return zero_if(is_zero(l), fitted(exponent(l), t >> GUARD));
 }
 
+/* Less certain here, where it may fall: the indefinite are the largest
+ * words. */
 static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
 {
     const c205_word l = larger(a, b);
