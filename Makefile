@@ -1,4 +1,3 @@
-	sh tests/bench_frame.sh $(BUILD)
 # make demo       installs what is missing, builds, renders a scene on the
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
@@ -143,6 +142,7 @@ san:
 
 bench: $(benches) $(programs) $(adapter)
 	@for b in $(benches); do $$b || exit 1; done
+	sh tests/bench_frame.sh $(BUILD)
 
 fuzz:
 	sh tests/fuzz/run.sh $(BUILD)/fuzz
