@@ -64,23 +64,36 @@ static bool take(int letter, struct cmd_arguments *arguments)
     }
 }
 
+static const char *name_of(int letter)
+{
+    const struct option *option = options;
+    while (option->val != letter) {
+        option++;
+    }
+    return option->name;
+}
+
 static bool parse_options(int argc, char **argv, const char *allowed,
                           struct cmd_arguments *arguments)
 {
     int letter;
     opterr = 0;
     while ((letter = getopt_long(argc, argv, ":o:", options, NULL)) != -1) {
-        const char *word = argv[optind - 1];
         if (letter == ':') {
-            cmd_usage(argv[0], "%s needs an argument", word);
+            cmd_usage(argv[0], "%s needs an argument", argv[optind - 1]);
             return false;
         }
-        if (letter == '?' || !strchr(allowed, letter)) {
-            cmd_usage(argv[0], "no such option: %s", word);
+        if (letter == '?') {
+            cmd_usage(argv[0], "no such option: %s", argv[optind - 1]);
+            return false;
+        }
+        if (!strchr(allowed, letter)) {
+            cmd_usage(argv[0], "--%s is for other commands", name_of(letter));
             return false;
         }
         if (!take(letter, arguments)) {
-            cmd_usage(argv[0], "wrong argument of an option: %s", optarg);
+            cmd_usage(argv[0], "--%s: wrong argument: %s", name_of(letter),
+                      optarg);
             return false;
         }
     }

@@ -27,8 +27,8 @@ static const struct meaning operand_meanings[] = {
     { 'i', "register, read as bits, an index or an address; r0 is 0" },
     { 'w', "register, written" },
     { 'm', "register, read as bits, then written" },
-    { 'v', "vector of numbers [A], or a register, broadcast" },
-    { 'u', "vector of words [A], or a register, broadcast" },
+    { 'v', "vector of numbers in brackets, or a register, broadcast" },
+    { 'u', "vector of words in brackets, or a register, broadcast" },
     { 'b', "bit vector, read" },
     { 'd', "vector of words, written" },
     { 'e', "bit vector, written" },
@@ -210,34 +210,31 @@ static bool chosen(const struct cmd_arguments *arguments,
     return arguments->file_count == 0;
 }
 
-/* A table of all; of those that were named, all that is known. */
+/* A table of all; of those that were named, all that is known; or the names
+ * alone.  The JSON file has the rows of the table in each case. */
 static int show(const struct cmd_arguments *arguments, struct json *json)
 {
     struct table *table = table_new(columns, COLUMNS);
-    bool named = arguments->file_count != 0;
+    bool tabular = arguments->file_count == 0 && !arguments->names;
     for (size_t i = 0; table && i < c205_insn_count; i++) {
-        if (chosen(arguments, &c205_insns[i])) {
-            add_row(table, &c205_insns[i]);
-            if (named) {
-                describe(&c205_insns[i]);
-            }
+        const c205_insn *insn = &c205_insns[i];
+        if (!chosen(arguments, insn)) {
+            continue;
+        }
+        add_row(table, insn);
+        if (arguments->names) {
+            puts(insn->mnemonic);
+        } else if (!tabular) {
+            describe(insn);
         }
     }
-    if (!named) {
+    if (tabular || !table) {
         return cmd_show(arguments->command, table, json, "instructions");
     }
-    if (json && table) {
+    if (json) {
         table_json(table, json, "instructions");
     }
     table_free(table);
-    return CMD_DONE;
-}
-
-static int print_names(void)
-{
-    for (size_t i = 0; i < c205_insn_count; i++) {
-        puts(c205_insns[i].mnemonic);
-    }
     return CMD_DONE;
 }
 
@@ -254,6 +251,6 @@ int cmd_isa(const struct cmd_arguments *arguments)
     if (!cmd_open_json(arguments, &json)) {
         return CMD_FAILED;
     }
-    int code = arguments->names ? print_names() : show(arguments, json);
+    int code = show(arguments, json);
     return cmd_end_json(arguments, json, code);
 }

@@ -334,7 +334,8 @@ static bool parse_bitvector(struct cursor *cursor)
     if (!parse_head(cursor, MAX_WORDS, &size))
         return false;
     length = ((uint64_t)size + WORD_BITS - 1) / WORD_BITS;
-    words = arena_take(cursor->assembler->arena, length * sizeof *words);
+    words = arena_take(cursor->assembler->arena,
+                       (size_t)length * sizeof *words);
     if (!words)
         return false;
     while (cursor_take(cursor, ','))

@@ -40,7 +40,7 @@ char *file_read(const char *path, size_t *length, c205_error *error)
         fclose(file);
     }
     if (!text)
-        snprintf(error->message, sizeof error->message, "%.180s: %s", path,
+        snprintf(error->message, sizeof error->message, "%s",
                  errno ? strerror(errno) : "this file is too large");
     return text;
 }

@@ -74,31 +74,40 @@ static enum operand operand_of(char letter)
     }
 }
 
-/* The syntax of insn.def with registers for its letters: "a" and "[A]" are
- * vectors, a bare source is the scalar; an optional control vector is left
- * out. */
+/* A letter of the syntax: "a" and "[A]" are vectors, a source outside
+ * brackets is the scalar. */
+static int write_letter(char letter, bool in_brackets, char *text,
+                        size_t size)
+{
+    unsigned number = register_of(operand_of(letter));
+    if (!in_brackets && (letter == 'A' || letter == 'B')) {
+        number = SCALAR;
+    }
+    return snprintf(text, size,
+                    islower((unsigned char)letter) ? "[r%u]" : "r%u",
+                    number);
+}
+
+/* The syntax of insn.def with registers for its letters; offsets and an
+ * optional control vector are left out. */
 static void write_operands(const char *syntax, char *text, size_t size)
 {
     size_t used = 0;
     for (const char *at = syntax; *at && *at != '?'; at++) {
-        unsigned number = register_of(operand_of(*at));
-        bool bare = isupper((unsigned char)*at)
-                    && (at == syntax || at[-1] != '[');
-        if (*at == '!') {
-            used += (size_t)snprintf(text + used, size - used, "? [r%u]",
-                                     register_of(Z));
+        int length = 0;
+        if (*at == '+') {
             at++;
-        } else if (!isalpha((unsigned char)*at)) {
-            used += (size_t)snprintf(text + used, size - used, "%c", *at);
-        } else if (bare && (*at == 'A' || *at == 'B')) {
-            used += (size_t)snprintf(text + used, size - used, "r%d",
-                                     SCALAR);
+        } else if (*at == '!') {
+            length = snprintf(text + used, size - used, "? [r%u]",
+                              register_of(Z));
+            at++;
+        } else if (isalpha((unsigned char)*at)) {
+            length = write_letter(*at, at > syntax && at[-1] == '[',
+                                  text + used, size - used);
         } else {
-            used += (size_t)snprintf(text + used, size - used,
-                                     islower((unsigned char)*at) ? "[r%u]"
-                                                                 : "r%u",
-                                     number);
+            length = snprintf(text + used, size - used, "%c", *at);
         }
+        used += (size_t)length;
     }
 }
 

@@ -105,11 +105,15 @@ bool object_save(const struct object *object, const char *path,
 struct object *object_load(const char *path, c205_error *error)
 {
     size_t length;
-    char *text = file_read(path, &length, error);
+    c205_error reason;
+    char *text = file_read(path, &length, &reason);
     struct object *object;
 
-    if (!text)
+    if (!text) {
+        snprintf(error->message, sizeof error->message, "%.180s: %.70s", path,
+                 reason.message);
         return NULL;
+    }
     object = object_read(text, length, error);
     free(text);
     return object;

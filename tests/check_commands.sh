@@ -48,6 +48,7 @@ printf 'loop:   BIM loop\n' >endless.s
 printf '        EX r10, 64\n        LOD [r10], r11\n        EXIT\n' >trap.s
 printf '#version 3.7;\ntorus { 1, .2 }\nsphere { 0, }\n' >bad.pov
 printf '#version 3.7;\nsphere { 0, 1 pigment { granite } }\n' >replaced.pov
+printf '#version 3.7;\nsphere { 0, 1e-310 }\n' >beyond.pov
 
 # help and wrong usage
 for command in c205 rt205; do
@@ -70,6 +71,7 @@ ends 2 "$build/rt205" render "$scene"
 ends 2 "$build/rt205" render "$scene" -o x.png -W 0
 ends 2 "$build/rt205" render "$scene" -o x.png --queue 65536
 ends 2 "$build/rt205" render "$scene" -o x.png --mode sideways
+ends 2 "$build/rt205" render "$scene" -o x.png --json x.png
 
 # programs
 ends 0 "$build/c205" run good.s
@@ -103,7 +105,10 @@ ends 0 "$build/c205" isa ADDNV
 tells out 'normalised'
 ends 0 "$build/c205" model cyber205-4pipe
 tells out 'startup.vadd'
-ends 0 "$build/c205" time ADDNV
+ends 0 "$build/c205" time
+tells out "^VXTOV "
+tells out "^ACPSV "
+tells out "^CNTOB "
 
 # kernels are programs like any other
 ends 0 "$build/c205" asm "$kernels/frame_vector.s" --define QUEUE=2000
@@ -119,7 +124,14 @@ cmp -s a.png b.png
 verdict $? "the same frame twice gives two pictures"
 ends 1 "$build/rt205" render "$scene" -o a.gif -W 40 -H 30
 ends 1 "$build/rt205" render "$scene" -o missing/a.png -W 40 -H 30
+for ending in jpg exr tif; do
+    ends 0 "$build/rt205" render "$scene" -o a.$ending -W 40 -H 30
+    [ -s a.$ending ]
+    verdict $? "no a.$ending"
+done
 ends 1 "$build/rt205" render missing.pov -o a.png
+ends 1 "$build/rt205" render beyond.pov -o a.png
+tells err "line 2"
 ends 1 "$build/rt205" render bad.pov -o a.png
 tells err 'bad.pov:2:'
 tells err 'bad.pov:3:'

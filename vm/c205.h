@@ -161,7 +161,7 @@ c205_word c205_encode(const c205_insn *insn, const c205_fields *fields);
 /* ---- Machine models (vm/model.c) -----------------------------------------
  *
  * A model is a text file of lines "name value unit source # remark"; the
- * sources are the letters P S D R of the instruction table.  Four models are
+ * sources are the letters P S D R of the instruction table.  Three models are
  * built in: cyber205-1pipe, cyber205-2pipe, cyber205-4pipe.
  */
 typedef struct c205_model c205_model;
@@ -325,7 +325,7 @@ c205_stop c205_run(c205 *machine, uint64_t limit);
 /* One instruction (a linked pair with its prefix counts as one); true:
  * go on, false: *stop tells why not. */
 bool c205_step(c205 *machine, c205_stop *stop);
-/* "trap bad-descriptor at 1000: ADDNV ...: address 2040" */
+/* "trap unmapped-address at 1000: ADDNV: address 2040" */
 void c205_describe_stop(const c205 *machine, const c205_stop *stop,
                         c205_error *text);
 

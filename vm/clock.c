@@ -423,15 +423,20 @@ static void read_constants(struct clock *clock, const c205_model *model)
     clock->swap_word = model_rate(model, CONSTANT_SWAP_WORD);
 }
 
+/* How many of something there are: constants.def keeps it small. */
+static size_t model_count(const c205_model *model, enum constant id)
+{
+    return (size_t)model_whole(model, id);
+}
+
 static bool make_parts(struct clock *clock, const c205_model *model)
 {
     static const char *const outside[] = { "" };
-    return pages_init(&clock->pages,
-                      model_whole(model, CONSTANT_REGISTERS),
-                      model_whole(model, CONSTANT_REAL_PAGES)) &&
-           banks_init(&clock->banks, model_whole(model, CONSTANT_BANKS),
-                      model_whole(model, CONSTANT_BANK_BUSY)) &&
-           accounts_open(&clock->accounts, outside, 1);
+    return pages_init(&clock->pages, model_count(model, CONSTANT_REGISTERS),
+                      model_count(model, CONSTANT_REAL_PAGES))
+           && banks_init(&clock->banks, model_count(model, CONSTANT_BANKS),
+                         model_whole(model, CONSTANT_BANK_BUSY))
+           && accounts_open(&clock->accounts, outside, 1);
 }
 
 struct clock *clock_new(const c205_model *model, c205_error *error)

@@ -253,7 +253,14 @@ const char *c205_trap_name(c205_trap trap)
     return trap_names[trap];
 }
 
-/* ": 56000000", the half words that are no instruction. */
+/* Address 0 is one as well: it is what a forgotten descriptor holds. */
+static bool has_address(const c205_stop *stop)
+{
+    return stop->address || stop->trap == C205_TRAP_UNMAPPED_ADDRESS
+           || stop->trap == C205_TRAP_PROTECTED_ADDRESS;
+}
+
+/* ": 56000000", the half word that is no instruction. */
 static void describe_code(const c205 *machine, uint64_t pc, char text[20])
 {
     c205_word word;
@@ -279,7 +286,7 @@ void c205_describe_stop(const c205 *machine, const c205_stop *stop,
         snprintf(code, sizeof code, ": %s", stop->insn->mnemonic);
     else if (stop->trap == C205_TRAP_UNDEFINED_INSTRUCTION)
         describe_code(machine, stop->pc, code);
-    if (stop->address)
+    if (has_address(stop))
         snprintf(operand, sizeof operand, ": address %llX", address);
     snprintf(text->message, sizeof text->message, "trap %s at %llX%s%s",
              c205_trap_name(stop->trap), pc, code, operand);

@@ -112,8 +112,7 @@ c205_trap execute_vector_merge(struct c205 *machine,
     return C205_TRAP_NONE;
 }
 
-/* ---- Compress
- ------------------------------------------------------------ */
+/* ---- Compress ----------------------------------------------------------- */
 
 /* What keeps an element: the control vector, or how it compares with B, and
  * then the answer is stored as well. */

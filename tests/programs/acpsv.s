@@ -66,5 +66,17 @@ odd_b:  .word   X'0010 0000 0000 0000', 1.0, 6.0, X'7000 0000 0000 0000'
 ; expect: [odd] = 0.0, 6, 9.0
 ; expect-bits: [bits_odd] = 10101111
 
+; Z lies in C: a later element goes over the first answer.
+        .data
+crowd:  .word   1.0, X'4000 0000 0000 0005', 0.5, 3.0
+crowded: .space 3
+        .code
+        descriptor va, crowd, 4
+        EX      r100, crowded
+        EX      r101, crowded + 64
+        load_constant r102, 1.0
+        ACPSV   [va], r102, [r100], [r101]
+; expect: [crowded] = 1.0, X'5000 0000 0000 0005', 3.0
+
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'

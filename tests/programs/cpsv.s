@@ -9,6 +9,7 @@
 a:      .word   1.0, 2.0, X'7ABC 0123 4567 89AB', 4.0, 5.0, 6.0
 scalars:
         .word   8.0, -0.5
+        .bitvector second, n, "010000"
         .bitvector z, n, "101100"
         .bitvector none, n, "000000"
         .code
@@ -67,6 +68,16 @@ place0: .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0
         LTOR    to, in_place
 ; expect: [place0] = 1.0, 3.0, 4.0, 4.0, 5.0, 6.0
 ; expect: r49 = 3
+
+; room for those that are kept is enough: C is the last word of its page
+        .data
+        .org    0xBFFFC0
+edge:   .word   0
+        .code
+        EX      to, edge
+        descriptor vz, second, n
+        CPSV    [va], [to] ? [vz]
+; expect: [edge] = 2.0
 
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'

@@ -14,9 +14,9 @@ scalars:
 ; expect: [broadcast] = 8.0, 8.0, 8.0, 8.0, 8.0, 8.0
 ; expect: [where_ones] = 0.75, 9.0, -0.5, 16.0, 9.0, 9.0
 ; expect: [where_zeros] = 9.0, 100.0, 9.0, 9.0, -2.25, 2.25
-; expect: [offset_source] = 0, 0, 0.75, 100.0, -0.5, 16.0
+; expect: [offset_source] = 0.0, 0.0, 0.75, 100.0, -0.5, 16.0
 ; expect: [offset_result] = 9.0, 9.0, -0.5, 16.0, 9.0, 9.0
-; expect: [short_source] = 0, 0, -0.5, 16.0, -2.25, 2.25
+; expect: [short_source] = 0.0, 0.0, -0.5, 16.0, -2.25, 2.25
 ; expect: [nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
 
         overlap VREVV

@@ -32,7 +32,7 @@ scalars:
         VTOVX   [va, twice], [vb], [to]
         scatter_into short_list
         VTOVX   [short_a], [vb], [to]
-        scatter_into short_source       ; continued with zeros
+        scatter_into short_source       ; continued with machine zeros
         VTOVX   [va], [short_b], [to]
         ELEN    va, 0
         scatter_into nothing
@@ -41,10 +41,10 @@ scalars:
 ; expect: [broadcast] = 8.0, 8.0, 8.0, 8.0, 8.0, 9.0
 ; expect: [where_ones] = 32.0, 9.0, 9.0, 33.0, 30.0, 9.0
 ; expect: [where_zeros] = 9.0, 31.0, 35.0, 34.0, 9.0, 9.0
-; expect: [offset_source] = 34.0, 33.0, 0, 0, 32.0, 9.0
+; expect: [offset_source] = 34.0, 33.0, 0.0, 0.0, 32.0, 9.0
 ; expect: [offset_list] = 30.0, 9.0, 33.0, 32.0, 9.0, 9.0
 ; expect: [short_list] = 32.0, 31.0, 9.0, 33.0, 30.0, 9.0
-; expect: [short_source] = 0, 31.0, 0, 0, 30.0, 9.0
+; expect: [short_source] = 0.0, 31.0, 0.0, 0.0, 30.0, 9.0
 ; expect: [nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
 
 ; The source lies in the result: what has been scattered is read again.
@@ -57,6 +57,20 @@ next:   .word   1, 2, 3
         EX      to, chain
         VTOVX   [va], [vb], [to]
 ; expect: [chain] = 5.0, 5.0, 5.0, 5.0
+
+; The control vector lies in the result: its later bits are the new ones.
+        .data
+        .bitvector own, 3, "110"
+        .space  2
+places: .word   0, 1, 2
+values: .word   X'2000 0000 0000 0000', 5.0, 6.0
+        .code
+        descriptor va, places, 3
+        descriptor vb, values, 3
+        EX      vz, own
+        EX      to, own
+        VTOVX   [va], [vb], [to] ? [vz]
+; expect: [own] = X'2000 0000 0000 0000', 0, 6.0
 
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'

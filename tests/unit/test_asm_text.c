@@ -85,7 +85,8 @@ static void test_entry_is_the_first_instruction(void **state)
 static void test_regions(void **state)
 {
     struct object *object = good(
-        " EXIT\n .kernel one\n EXIT\n .data\n .word 1\n .code\n EXIT\n"
+        " EXIT\n .kernel one\n EXIT\n .data\n .org 0x20000000\n .word 1\n"
+        " .code\n EXIT\n"
         " .endkernel\n .kernel two\n .endkernel\n"
         " .kernel \"a b\"\n EXIT\n .endkernel\n");
     const c205_program *program = &object->program;

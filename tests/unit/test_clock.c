@@ -196,6 +196,17 @@ static void test_overlap(void **state)
     clock_free(clock);
 }
 
+/* No more than the start-up hides, however much the model allows. */
+static void test_overlap_of_a_whole_startup(void **state)
+{
+    (void)state;
+    struct clock *clock = clock_of("title T\nlike cyber205-2pipe\n"
+                                   "vector.overlap 1000 clk R\n");
+    assert_int_equal(pair_clocks(clock, 1000, 100), 51 + 500 + 50);
+    assert_int_equal(pair_clocks(clock, 20, 100), 51 + 10 + 101 - 10);
+    clock_free(clock);
+}
+
 /* Scalar code runs on under the stream. */
 static void test_concurrent_scalar(void **state)
 {
@@ -452,6 +463,15 @@ static void test_stack_size(void **state)
                          words <= 64 ? 8 : 16);
         clock_reset(clock);
     }
+    for (unsigned back = 63; back <= 64; back++) { /* of longer code, too */
+        pc = 0x40000;
+        for (unsigned half = 0; half < 199; half++)
+            scalar(clock, "ES", 0, 0, 9);
+        branch(clock, "BEQ", 0x40000 + (99 - back) * 64);
+        assert_int_equal(clocks_for(clock, C205_BRANCH),
+                         back <= 63 ? 8 : 16);
+        clock_reset(clock);
+    }
     clock_free(clock);
 }
 
@@ -600,6 +620,7 @@ int main(void)
         cmocka_unit_test(test_formulas),
         cmocka_unit_test(test_half_rate),
         cmocka_unit_test(test_overlap),
+        cmocka_unit_test(test_overlap_of_a_whole_startup),
         cmocka_unit_test(test_concurrent_scalar),
         cmocka_unit_test(test_vector_result),
         cmocka_unit_test(test_linked_pair),

@@ -333,6 +333,21 @@ static void test_operand_traps(void **state)
     free_little(&l);
 }
 
+/* Address 0 is told like any other. */
+static void test_address_0_is_told(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    c205_error text;
+    add(&little, "LOD", F(.r = 0, .t = 5));
+    load(&little, 1);
+    c205_stop stop = run(&little);
+    c205_describe_stop(little.machine, &stop, &text);
+    assert_string_equal(text.message,
+                        "trap unmapped-address at 400000: LOD: address 0");
+    free_little(&little);
+}
+
 static void test_protected(void **state)
 {
     (void)state;
@@ -383,6 +398,52 @@ static void test_clock_limit(void **state)
     assert_in_range(c205_clock(little.machine), 1000, 1100);
     c205_reset_clock(little.machine);
     assert_int_equal(c205_clock(little.machine), 0);
+    free_little(&little);
+}
+
+/* A run that was stopped at clock limits goes on as if it had not been. */
+static void test_going_on_after_the_limit(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    uint64_t clocks[2];
+    for (uint64_t limit = 0; limit < 30; limit++) {
+        begin(&little);
+        add(&little, "LOD", F(.r = 1, .t = 5));
+        add(&little, "ADDNV", F(.a = 1, .b = 1, .c = 1));
+        add(&little, "SQRT", F(.r = 5, .t = 6));
+        add(&little, "ADDN", F(.r = 6, .s = 5, .t = 7));
+        add(&little, "EXIT", F(.r = 0));
+        for (size_t i = 0; i < 2; i++) {
+            load(&little, 100);
+            set(&little, 1, descriptor(DATA, 100));
+            uint64_t step = i == 0 ? C205_NO_LIMIT : limit;
+            while (c205_run(little.machine, step).trap
+                   == C205_TRAP_CLOCK_LIMIT)
+                step = c205_clock(little.machine) + 1;
+            clocks[i] = c205_clock(little.machine);
+        }
+        assert_int_equal(clocks[0], clocks[1]);
+    }
+    free_little(&little);
+}
+
+/* Room for all that might be kept is asked for first; that there was none is
+ * no fault of a later instruction. */
+static void test_compress_leaves_no_fault(void **state)
+{
+    (void)state;
+    struct little little = make_little();
+    const uint64_t end = DATA + C205_PAGE_WORDS * UINT64_C(64);
+    add(&little, "CPSV", F(.a = 1, .z = 2, .c = 3));
+    add(&little, "SUMV", F(.g = C205_G_BROADCAST_A, .a = 1, .c = 5));
+    load(&little, 100);
+    set(&little, 1, descriptor(DATA, 2));
+    set(&little, 2, descriptor(DATA, 2)); /* zeros: none is kept */
+    set(&little, 3, end - 64);
+    c205_stop stop = run(&little);
+    assert_int_equal(stop.trap, C205_TRAP_BAD_DESCRIPTOR);
+    assert_int_equal(stop.address, 0);
     free_little(&little);
 }
 
@@ -510,9 +571,12 @@ int main(void)
         cmocka_unit_test(test_undefined),
         cmocka_unit_test(test_fields_that_are_not_there),
         cmocka_unit_test(test_operand_traps),
+        cmocka_unit_test(test_address_0_is_told),
         cmocka_unit_test(test_protected),
         cmocka_unit_test(test_fetch),
         cmocka_unit_test(test_clock_limit),
+        cmocka_unit_test(test_going_on_after_the_limit),
+        cmocka_unit_test(test_compress_leaves_no_fault),
         cmocka_unit_test(test_regions),
         cmocka_unit_test(test_events),
         cmocka_unit_test(test_step),

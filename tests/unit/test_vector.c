@@ -223,10 +223,16 @@ static void random_pair(c205_fields f[2])
 {
     bool as_a = below(2), as_b = !as_a || below(4) == 0;
     f[0].z = 0;
-    f[0].y = 0;
     f[0].g &= (uint8_t)~(C205_G_OFFSET | C205_G_ZEROS);
-    f[0].g |= C205_G_BROADCAST_B;
-    f[0].b = 11;
+    if (below(2)) {
+        f[0].g |= C205_G_BROADCAST_A;
+        f[0].x = 0;
+        f[0].a = 11;
+    } else {
+        f[0].g |= C205_G_BROADCAST_B;
+        f[0].y = 0;
+        f[0].b = 11;
+    }
     f[0].c = HANDED;
     if (as_a) {
         f[1].g &= (uint8_t)~C205_G_BROADCAST_A;
