@@ -158,17 +158,32 @@ static int render_with_model(struct cmd_arguments *arguments,
     return code;
 }
 
-int cmd_render(struct cmd_arguments *arguments)
+/* What is wrong with the files asked for: the exit code, CMD_DONE if
+ * nothing. */
+static int check_files(const struct cmd_arguments *arguments)
 {
     struct picture_error why;
-    struct json *json = NULL;
-    c205_error error;
-    int code;
 
     if (arguments->output == NULL)
         return cmd_usage(arguments->command, "name the picture with -o");
+    if (arguments->json != NULL
+        && strcmp(arguments->json, arguments->output) == 0)
+        return cmd_usage(arguments->command, "-o and --json name one file");
     if (!picture_check_path(arguments->output, &why))
         return cmd_failed(arguments->command, "%s", why.message);
+    if (arguments->half && !picture_holds_half(arguments->output))
+        return cmd_usage(arguments->command, "--half is for .exr alone");
+    return CMD_DONE;
+}
+
+int cmd_render(struct cmd_arguments *arguments)
+{
+    struct json *json = NULL;
+    c205_error error;
+    int code = check_files(arguments);
+
+    if (code != CMD_DONE)
+        return code;
     if (arguments->json != NULL
         && (json = json_open(arguments->json, &error)) == NULL)
         return cmd_failed(arguments->command, "%s", error.message);

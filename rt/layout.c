@@ -81,6 +81,7 @@ struct record {
     struct layout *layout;
     c205_word *words;
     size_t size;
+    size_t line; /* of the scene, where the primitive stands */
 };
 
 static c205_word *field(struct record *record, const char *name,
@@ -101,9 +102,15 @@ static void put_numbers(c205_word *words, const double *values, size_t count)
         words[i] = c205_from_double(values[i]);
 }
 
+/* A double's exponents are far fewer than the machine's: what squares and
+ * reciprocals make of a scene's numbers may be beyond them. */
 static void put_field(struct record *record, const char *name,
                       const double *values, size_t count)
 {
+    for (size_t i = 0; i < count; i++)
+        if (!isfinite(values[i]))
+            fail(record->layout, "the object of line %zu is too large or "
+                 "too small to be traced", record->line);
     put_numbers(field(record, name, count), values, count);
 }
 
@@ -145,7 +152,7 @@ static size_t box_shape(const struct primitive *primitive, double *shape)
         shape[i] = low[i];
         shape[3 + i] = high[i];
         shape[6 + i] = (low[i] + high[i]) / 2;
-        shape[9 + i] = high[i] > low[i] ? 2 / (high[i] - low[i]) : 0;
+        shape[9 + i] = (high[i] - low[i]) / 2;
     }
     return 12;
 }
@@ -313,12 +320,13 @@ static void layout_primitives(struct layout *layout,
     size_t size = (size_t)symbol(layout, "P_SIZE");
     uint64_t address = reserve(layout, size * scene->primitive_count);
     c205_word *words = calloc(size + 1, sizeof *words);
-    struct record record = { layout, words, size };
+    struct record record = { layout, words, size, 0 };
 
     if (words == NULL)
         fail(layout, "no memory");
     for (size_t i = 0; i < scene->primitive_count && !layout->failed; i++) {
         memset(words, 0, size * sizeof *words);
+        record.line = scene->primitives[i].line;
         put_integer(&record, "P_ID", (int64_t)i + 1);
         put_shape(&record, &scene->primitives[i]);
         put_surface(&record, scene, &scene->primitives[i]);

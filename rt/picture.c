@@ -14,9 +14,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#ifndef LIBDIR
-#define LIBDIR "/usr/local/lib/rt205"
-#endif
+/* Where it is installed, seen from the program's folder. */
+#define FROM_BIN "/../lib/rt205"
 
 static bool fail(struct picture_error *error, const char *format, ...)
 {
@@ -170,11 +169,14 @@ static const struct picture_adapter *adapter(struct picture_error *error)
     static const struct picture_adapter *loaded;
     if (loaded)
         return loaded;
-    char beside[4096] = ".";
+    char beside[4096] = ".", installed[sizeof beside + sizeof FROM_BIN];
     program_folder(beside, sizeof beside);
-    const char *const folders[] = { getenv("RT205_LIBDIR"), beside, LIBDIR };
+    snprintf(installed, sizeof installed, "%s%s", beside, FROM_BIN);
+    const char *const folders[] = {
+        getenv("RT205_LIBDIR"), beside, installed
+    };
     fail(error, "pictures: no %s in %s or %s", PICTURE_ADAPTER_FILE, beside,
-         LIBDIR);
+         installed);
     for (size_t i = 0; !loaded && i < sizeof folders / sizeof *folders; i++)
         if (folders[i])
             loaded = adapter_in(folders[i], error);
@@ -208,6 +210,12 @@ static bool fail_ending(const char *path, struct picture_error *error)
 {
     return fail(error, "%s: the ending of a picture is .png, .jpg, .exr "
                 "or .tif", path);
+}
+
+bool picture_holds_half(const char *path)
+{
+    const struct picture_kind *kind = kind_of(path);
+    return kind && kind->half;
 }
 
 bool picture_check_path(const char *path, struct picture_error *error)

@@ -7,7 +7,8 @@
  * object by the name of rt205_oiio.so, is loaded when a picture is first
  * touched, so that a command which makes no picture does not pay for it.  It
  * is looked for in the folder that the environment's RT205_LIBDIR names,
- * beside the running program, and where it was installed.
+ * beside the running program, and in ../lib/rt205 from there, where it is
+ * installed.
  */
 #ifndef RT_PICTURE_H
 #define RT_PICTURE_H
@@ -53,6 +54,8 @@ bool picture_write(const char *path, const struct frame *frame,
 /* Could the path be written?  Tells an unknown ending or a missing folder
  * before a long frame is traced. */
 bool picture_check_path(const char *path, struct picture_error *error);
+/* Can a file of that ending hold 16-bit samples? */
+bool picture_holds_half(const char *path);
 
 /* A picture back into a frame, which the caller frees: colours as linear
  * light, the other channels where the file has them and 0 elsewhere. */

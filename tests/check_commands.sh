@@ -71,6 +71,7 @@ ends 2 "$build/rt205" render "$scene"
 ends 2 "$build/rt205" render "$scene" -o x.png -W 0
 ends 2 "$build/rt205" render "$scene" -o x.png --queue 65536
 ends 2 "$build/rt205" render "$scene" -o x.png --mode sideways
+ends 2 "$build/rt205" render "$scene" -o x.png --half
 ends 2 "$build/rt205" render "$scene" -o x.png --json x.png
 
 # programs

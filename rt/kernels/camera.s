@@ -30,7 +30,7 @@
         ADDN    \base, cam_t, \base
         .endm
 
-        .kernel generate
+        .kernel camera
 camera:
         EX      cam_at, scene_camera
         ELEN    cam_at, 12

@@ -15,8 +15,9 @@
         dot_rows dx, dy, dz, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t0, t1, t6, t2, t3, t4, t9
         MPYS    t0, t0, t2
         MPYS    t1, t1, t3
+        MPYS    tiny, tiny, t4
         ADDN    t3, t2, t2              ; a
-        CFPLT   t2, tiny, cylinder_along\@
+        CFPLT   t2, t4, cylinder_along\@
         DIVS    one, t2, t2
         MPYS    t7, t0, t3
         MPYS    t8, t1, t4

@@ -9,8 +9,8 @@
 ;   side: t0 - sqrt(h), t0 + sqrt(h)
 ;
 ; The quadratic is solved about the closest approach, so that nothing cancels
-; for distant origins.  a < tiny: the ray runs along the axis and is inside the
-; side for ever or never.  A solid cylinder is cut by the slab of its two
+; for distant origins.  a < tiny^2: the ray runs along the axis and is inside
+; the side for ever or never.  A solid cylinder is cut by the slab of its two
 ; disks; an open one keeps those of its two crossings that lie between them.
 ;
 ; In:  ox oy oz dx dy dz, n long; the primitive's record.
@@ -32,7 +32,8 @@
         MPYSV   [w0], [w0], [w2]
         MPYSV   [w1], [w1], [w3]
         ADDNV   [w3], [w2], [w2]
-        CMPLTV  [w2], tiny, [bits0]
+        MPYS    tiny, tiny, s0
+        CMPLTV  [w2], s0, [bits0]
         MASKV   one, [w2], [w2] ? [bits0]
         DIVSV   one, [w2], [w2]
         MPYSV   [w7], [w0], [w3]

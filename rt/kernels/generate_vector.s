@@ -7,6 +7,7 @@
 ;
 ; In:  pixel (the first k, an integer), n; view.
 ; Out: wox woy woz wdx wdy wdz.
+; Source: camera.s for the formula; derived here for vectors of any length.
 
         .macro direction base, col, row, d
         LINKV

@@ -8,13 +8,12 @@
 ; costs 200 to 300 clocks so, of which LINPACK shows 260 to 295 (D; see
 ; docs/timing.md).
 ;
-; Registers: r7-r31 belong to the linkage and the main program; r32 on are
-; local to each subroutine; r96 on are the main program's; r200 on are those
-; of power, the last of them scratch.
+; Registers: r7-r31 belong to the linkage and the main program; r32-r155 are
+; local to each subroutine, as many as it says; r200-r238 are those of power,
+; r240-r252 the main program's, r253 and r254 scratch.
 
         .regs r7, link, arguments, save_at, image_at, target
         .regs r253, third, fourth               ; scratch, never saved
-        .equ LOCAL, 32
 
 ; The local registers of the kernels, all alike: constants, arguments, the ray,
 ; the segment found, work, the shape.
@@ -26,10 +25,12 @@
         .regs r58, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, sh12, sh13, sh14, sh15
 
         .data
-; What the local registers hold when a kernel begins.
+; What the local registers hold when a kernel begins: the constants, as in
+; records.s, and nothing in the others.
+        .equ KERNEL_REGISTERS_MOST, 57
 kernel_image:
         .word 1.0, 1e30, -1e30, 1e-12, 1
-        .space 41
+        .space KERNEL_REGISTERS_MOST - 5
         .code
 
         .macro call routine, list

@@ -6,6 +6,7 @@
 ;
 ; In:  the queue's rays; scene_primitives, scene_primitive_count.
 ; Out: nearest (big: none), nearest_id (0: none).
+; Source: the paper's queue, each primitive against all rays in turn.
 
         .kernel nearest
 find_nearest:

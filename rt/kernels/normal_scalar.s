@@ -40,20 +40,23 @@ normal_box:
         SUBN    qx, sh6, t0
         SUBN    qy, sh7, t1
         SUBN    qz, sh8, t2
-        MPYS    t0, sh9, t0
-        MPYS    t1, sh10, t1
-        MPYS    t2, sh11, t2
         RTOR    m_zero, nx
         RTOR    m_zero, ny
         RTOR    m_zero, nz
         ABS     t0, t3
         ABS     t1, t4
         ABS     t2, t5
-        CFPLT   t3, t4, normal_not_x
-        CFPLT   t3, t5, normal_not_x
+        SUBN    t3, sh9, t3
+        SUBN    t4, sh10, t4
+        SUBN    t5, sh11, t5
+        ABS     t3, t3
+        ABS     t4, t4
+        ABS     t5, t5
+        CFPLT   t4, t3, normal_not_x
+        CFPLT   t5, t3, normal_not_x
         face    t0, nx
 normal_not_x:
-        CFPLT   t4, t5, normal_box_z
+        CFPLT   t5, t4, normal_box_z
         face    t1, ny
 normal_box_z:
         face    t2, nz

@@ -2,7 +2,8 @@
 ;
 ; In:  [qx] [qy] [qz], the points in the shape's own space; the record.
 ; Out: [nx] [ny] [nz], in that space, of length one, pointing outwards.
-; Uses v0-v7, hits0-hits2.
+; Source: textbook; which face or side is decided by the least distance.
+; Uses v0-v7, hits0-hits3.
 
         .regs r185, qx, qy, qz
 
@@ -36,31 +37,29 @@ normal_plane:
         VTOV    sh2, [nz]
         BIM     0, link_kernel
 
-; Box: the face is that of the axis on which (X - C) / half edge is the
-; greatest in magnitude; x before y before z where two are equal.
+; Box: the face is the one whose plane is nearest,  | |X - C| - half edge |
+; the least of the three axes; x before y before z where two are equal.
+; Distances, not the ratio of the two: a box may be flat.
         .macro face q, n, bits
         CMPGEV  [\q], r0, [hits2]
-        MASKV   one, minus_one, [v4] ? [hits2]
+        MASKV   one, minus_one, [v6] ? [hits2]
         VTOV    r0, [\n]
-        VTOV    [v4], [\n] ? [\bits]
+        VTOV    [v6], [\n] ? [\bits]
         .endm
 
 normal_box:
         load_record P_SHAPE, 12, sh0
-        LINKV
         SUBNV   [qx], sh6, [v0]
-        MPYSV   [v0], sh9, [v0]
-        LINKV
         SUBNV   [qy], sh7, [v1]
-        MPYSV   [v1], sh10, [v1]
-        LINKV
         SUBNV   [qz], sh8, [v2]
-        MPYSV   [v2], sh11, [v2]
-        CMPGEV  |[v0]|, |[v1]|, [hits0]
-        CMPGEV  |[v0]|, |[v2]|, [hits1]
+        SUBNV   |[v0]|, sh9, [v3]
+        SUBNV   |[v1]|, sh10, [v4]
+        SUBNV   |[v2]|, sh11, [v5]
+        CMPGEV  |[v4]|, |[v3]|, [hits0]
+        CMPGEV  |[v5]|, |[v3]|, [hits1]
         ANDB    [hits0], [hits1], [hits0]       ; x
         face    v0, nx, hits0
-        CMPGEV  |[v1]|, |[v2]|, [hits1]
+        CMPGEV  |[v5]|, |[v4]|, [hits1]
         ANDNB   [hits1], [hits0], [hits3]       ; y, not x
         face    v1, ny, hits3
         NORB    [hits0], [hits1], [hits3]       ; neither

@@ -7,6 +7,7 @@
 ;
 ; In:  ox oy oz dx dy dz, n long; the primitive's record.
 ; Out: tin, tout; a miss is big, minus_big.
+; Source: textbook; the plane as the half space below its normal is POV-Ray's.
 
         .kernel plane
 plane:

@@ -4,7 +4,7 @@
 ; vector of that length.  The vectors' descriptors stay in registers.  Their
 ; addresses stand in a table with length zero; when a queue is shorter than
 ; the last one, one vector OR puts the new length into the whole table and one
-; SWAP loads it: 2 instructions for some forty descriptors.
+; SWAP loads it: 2 instructions for all descriptors.
 ;
 ; The vector program calls its routines by BSAVE with everything in registers.
 ; Three levels, each with its link register.
@@ -146,8 +146,8 @@ shade_store:    .space 28 * QUEUE
         ADDNV   [\work], [\sum], [\sum]
         .endm
 
-; Divide three vectors by the length of the vector they are.  [length] gets
-; the length.
+; Divide x0, x1, x2 by the length of the vector they make.  [length] gets that
+; length, [work] its reciprocal.
         .macro normalise x0, x1, x2, length, work
         dot_vectors \x0, \x1, \x2, \x0, \x1, \x2, \length, \work
         SQRTV   [\length], [\length]

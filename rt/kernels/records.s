@@ -15,10 +15,10 @@
         .equ P_SHAPE, 6         ; 16 words, by kind:
                                 ;   sphere    centre 3, r^2, 1/r
                                 ;   box       least corner 3, greatest 3,
-                                ;             centre 3, 1/half edge 3
+                                ;             centre 3, half edge 3
                                 ;   cylinder  centre 3, unit axes u 3, v 3,
                                 ;             w 3 (along), r^2, half length,
-                                ;             1/(2 r)
+                                ;             1/(2 r), 1/r
                                 ;   plane     unit normal 3, distance
         .equ SHAPE_SIZE, 16
         .equ P_LOCAL, 22        ; 12: rows of the matrix from world to own
@@ -63,7 +63,7 @@ k_half:         .word 0.5
 k_two:          .word 2.0
 k_big:          .word 1e30      ; beyond every scene: "no intersection"
 k_minus_big:    .word -1e30
-k_tiny:         .word 1e-12     ; a direction below this is parallel
+k_tiny:         .word 1e-12     ; a ray that approaches less is parallel
 k_tmin:         .word 1e-6      ; a hit nearer than this is the ray's start
 k_checker:      .word 1e-10     ; added before floor, against ragged faces
         .equ CONSTANTS, 8

@@ -152,13 +152,14 @@ shade_light:
         normalise_by m_one, lx, ly, lz, t0, t1
         dot     nx, ny, nz, lx, ly, lz, ndotl, t0
         CFPGE   r0, ndotl, shade_next_light
+        CFPNE   ndotl, ndotl, shade_next_light  ; indefinite: L = 0
         MPYS    ndotl, f_diffuse, t0
         add_diffuse light_r, color0r, red
         add_diffuse light_g, color0g, green
         add_diffuse light_b, color0b, blue
         CFPEQ   light_gleams, r0, shade_next_light
         dot     dx, dy, dz, lx, ly, lz, ddotl, t0
-        CFPEQ   f_phong, r0, shade_no_phong
+        CFPGE   r0, f_phong, shade_no_phong
         MPYS    facing, m_two, t0
         MPYS    t0, ndotl, t0
         SUBN    ddotl, t0, p_x
@@ -168,13 +169,14 @@ shade_light:
         BSAVE   power_link, [target]
         add_highlight f_phong
 shade_no_phong:
-        CFPEQ   f_specular, r0, shade_next_light
+        CFPGE   r0, f_specular, shade_next_light
         MPYS    ddotl, m_two, t0
         SUBN    m_two, t0, t1
         SUBN    ndotl, facing, t0
         SQRT    t1, t1
         DIVS    t0, t1, p_x
         CFPGE   r0, p_x, shade_next_light
+        CFPNE   p_x, p_x, shade_next_light      ; indefinite: L = D
         RTOR    f_sharpness, exponent
         EX      target, power
         BSAVE   power_link, [target]

@@ -13,6 +13,8 @@
 ;     + phong l (R.L)^phong_size,      R = D - 2 (N.D) N, where R.L > 0
 ;     + specular l (N.H)^(1/roughness), H = (L - D) / |L - D|
 ;   with R.L = D.L - 2 (N.D)(N.L) and N.H = (N.L - N.D) / sqrt(2 - 2 D.L).
+; Where L or H has no length these are indefinite, which is not above 0: such a
+; light, such a highlight is left out.
 ;
 ; In:  the queue's rays, nearest, nearest_id; the scene.
 ; Out: the frame's planes from the queue's first pixel on.
@@ -205,7 +207,7 @@ illuminate:
         add_diffuse light_b, cb, blue
         CFPEQ   light_gleams, r0, illuminate_done
         dot_vectors hdx, hdy, hdz, lx, ly, lz, v6, v0
-        CFPEQ   f_phong, r0, illuminate_no_phong
+        CFPGE   r0, f_phong, illuminate_no_phong
         MPYSV   [facing], two, [v0]
         MPYSV   [v0], [v5], [v0]
         SUBNV   [v6], [v0], [v0]
@@ -219,7 +221,7 @@ illuminate:
         BSAVE   link_inner, [target]
         add_highlight f_phong
 illuminate_no_phong:
-        CFPEQ   f_specular, r0, illuminate_done
+        CFPGE   r0, f_specular, illuminate_done
         LINKV
         MPYSV   [v6], two, [v0]
         SUBNV   two, [v0], [v1]

@@ -6,13 +6,10 @@
 ; carried over into own_ray and the primitive's kernel called with it.
 
         .regs r80, own_ox, own_oy, own_oz, own_dx, own_dy, own_dz, own_scale, link_saved
-        .equ TRANSFORM_REGISTERS, 57
+        .equ TRANSFORM_REGISTERS, KERNEL_REGISTERS_MOST
 
         .data
 transform_save: .space TRANSFORM_REGISTERS
-transform_image:
-        .word 1.0, 1e30, -1e30, 1e-12, 1
-        .space TRANSFORM_REGISTERS - 5
 own_ray:        .space 6
 own_segment:    .space 2
 own_arguments:
@@ -24,7 +21,7 @@ own_primitive:
         .code
         .kernel transform
 transformed:
-        enter   transform_image, transform_save, TRANSFORM_REGISTERS
+        enter   kernel_image, transform_save, TRANSFORM_REGISTERS
         ELEN    arguments, 3
         SWAP    [arguments], a_ray, [r0]
         SWAP    [a_ray], ox, [r0]

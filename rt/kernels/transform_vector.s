@@ -2,10 +2,11 @@
 ;
 ; Its kernel sees the queue's rays carried into that space by the matrix M
 ; (P_LOCAL):  O' = M O + m,  D' = M D / s,  s = |M D|.  The distances it finds
-; are s times too long, and are divided by s where the ray hit.
+; are s times too long, and are multiplied by lscale = 1/s where the ray hit.
 ;
 ; In:  ox oy oz dx dy dz (world), n long; the primitive's record.
 ; Out: tin, tout (world); ox .. dz name the world's rays again.
+; Source: textbook; D' is of length one again, as the kernels ask for.
 
         .kernel transform
 transformed:

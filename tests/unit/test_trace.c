@@ -101,7 +101,8 @@ static size_t hits(const struct words *words)
 
 static double between(double low, double high)
 {
-    return low + (high - low) * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
+    return low + (high - low)
+                     * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
 }
 
 static void add(char *text, size_t size, const char *format, ...)
@@ -183,7 +184,8 @@ static void test_random_scenes(void **state)
 #define AHEAD \
     HEAD "camera { location <0, 0, -5> direction z right x up y }\n"
 
-static void check_middle(const char *text, int64_t id, double depth)
+static void check_middle_within(const char *text, int64_t id, double depth,
+                                double tolerance)
 {
     struct words *words = same_frame(text);
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
@@ -191,8 +193,13 @@ static void check_middle(const char *text, int64_t id, double depth)
     assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][middle]),
                      id);
     assert_float_equal(c205_to_double(words->channel[CHANNEL_DEPTH][middle]),
-                       depth, 1e-10);
+                       depth, tolerance);
     free(words);
+}
+
+static void check_middle(const char *text, int64_t id, double depth)
+{
+    check_middle_within(text, id, depth, 1e-10);
 }
 
 static void test_parallel_rays(void **state)
@@ -237,6 +244,73 @@ static void test_nearest_of_equals_is_the_first(void **state)
     (void)state;
     check_middle(AHEAD "box { -1, 1 } box { -1, 1 } plane { z, 9 }", 1, 4);
     check_middle(AHEAD "plane { z, 9 } sphere { 0, 1 } box { -1, 1 }", 2, 4);
+}
+
+/* Numbers chosen so that nothing is cut off: the middle ray is 0, 0, 1. */
+#define STRAIGHT \
+    HEAD "camera { location <0, 0, -5> direction 64*z right 41*x up 31*y }\n"
+#define GLOSSY "no_shadow finish { phong .5 specular .5 } }"
+
+/* L, then H, has no length. */
+static void test_no_way_to_the_light(void **state)
+{
+    (void)state;
+    check_middle(STRAIGHT "light_source { -z, rgb 1 } box { -1, 1 " GLOSSY,
+                 1, 4);
+    check_middle(STRAIGHT "light_source { <0, 1e-9, 10>, rgb 1 }"
+                 "box { -1, <1, 0, 1> " GLOSSY, 1, 4);
+    check_middle(STRAIGHT "light_source { <0, 0, -5>, rgb 1 }"
+                 "sphere { 0, 1 scale <1, 1, 1e-20> " GLOSSY, 1, 5);
+}
+
+static void check_normal_z(const char *text, double expected)
+{
+    struct words *words = same_frame(text);
+    size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
+
+    assert_float_equal(
+        c205_to_double(words->channel[CHANNEL_NORMAL_Z][middle]), expected,
+        1e-12);
+    free(words);
+}
+
+static void test_flat_boxes(void **state)
+{
+    (void)state;
+    check_normal_z(AHEAD "box { <-1, -1, 2>, <1, 1, 2> }", -1);
+    check_normal_z(AHEAD "box { <-1, -1, 0>, <1, 1, 0>"
+                   " rotate 60*x translate <.1, .3, 9> }", -.5);
+    check_normal_z(AHEAD "box { <-1, -1, 1000>, <1, 1, 1000 + 1e-9> }", -1);
+}
+
+/* The axis leans by 1e-7: the ray is in the side from z = 5 to 15. */
+static void test_ray_almost_along_a_cylinder(void **state)
+{
+    (void)state;
+    check_middle_within(STRAIGHT "cylinder { <-1.1e-5, 0, -100>,"
+                        " <9e-6, 0, 100>, 5e-7 open }", 1, 10, 1e-5);
+}
+
+static void test_numbers_beyond_doubles(void **state)
+{
+    static const char *const shapes[] = {
+        "sphere { 0, 1e200 }", "sphere { 0, 1e-310 }",
+        "cylinder { -1e200*x, x, 1 }", "cylinder { 0, 1e-200*x, 1 }"
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
+        char text[1024] = AHEAD;
+        struct trace_options options = { .width = 1, .height = 1,
+                                         .model = model };
+        c205_error error = { "" };
+
+        add(text, sizeof text, "%s", shapes[i]);
+        struct scene *scene = read_text(text);
+        assert_null(trace_new(scene, &options, &error));
+        assert_non_null(strstr(error.message, "line 5"));
+        scene_free(scene);
+    }
 }
 
 static void test_empty_scene(void **state)
@@ -301,6 +375,10 @@ int main(void)
         cmocka_unit_test(test_from_inside),
         cmocka_unit_test(test_open_cylinder_shows_its_inside),
         cmocka_unit_test(test_nearest_of_equals_is_the_first),
+        cmocka_unit_test(test_no_way_to_the_light),
+        cmocka_unit_test(test_flat_boxes),
+        cmocka_unit_test(test_ray_almost_along_a_cylinder),
+        cmocka_unit_test(test_numbers_beyond_doubles),
         cmocka_unit_test(test_empty_scene),
         cmocka_unit_test(test_speedup_subjects),
     };
