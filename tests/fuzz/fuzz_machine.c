@@ -1,0 +1,193 @@
+/* fuzz_machine.c - any words as a program.
+ *
+ * Whatever they do: the accounts sum to the clock; a program run at once and
+ * one taken step by step end in the same way; an instruction that traps has
+ * changed neither registers nor memory.
+ *
+ * The first byte of a word is taken as a row of the instruction table when
+ * there is such a row, and as the opcode otherwise: nearly all programs get
+ * beyond their first instruction, and undefined ones still occur.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "vm/c205.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+#define CODE UINT64_C(0x400000)   /* page 1 */
+#define DATA UINT64_C(0x10000000) /* page 64, and nothing beside it */
+#define CLOCKS 100000
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+enum { WORD_BITS = 64, CODE_WORDS = 256, DATA_WORDS = 1024 };
+
+/* All that a program can change, but for what it makes of its own code. */
+struct state {
+    c205_word registers[C205_REGISTERS];
+    c205_word flags;
+    c205_word code[CODE_WORDS];
+    c205_word data[DATA_WORDS];
+    uint64_t pc;
+};
+
+static void must(bool holds)
+{
+    if (!holds)
+        abort();
+}
+
+/* ---- A program of the bytes --------------------------------------------- */
+
+static c205_word word_of(const uint8_t *bytes)
+{
+    c205_word word = 0;
+
+    for (int i = 0; i < 8; i++)
+        word = word << 8 | bytes[i];
+    if (bytes[0] < c205_insn_count) {
+        const c205_insn *insn = &c205_insns[bytes[0]];
+        c205_fields fields = c205_decode(insn, word);
+
+        fields.f = insn->opcode;
+        fields.g &= (uint8_t)~insn->subop_mask;
+        fields.g |= insn->subop;
+        word = c205_encode(insn, &fields)
+               | (c205_format_halves(insn->format) == 1
+                  ? word & UINT32_MAX : 0);
+    }
+    return word;
+}
+
+static void load(c205 *machine, const c205_word *code)
+{
+    static const c205_word some[DATA_WORDS] = {
+        C205_ONE, C205_MACHINE_ZERO, C205_INDEFINITE, 1, UINT64_MAX
+    };
+    const c205_segment segments[] = {
+        { CODE, CODE_WORDS, code }, { DATA, DATA_WORDS, some }
+    };
+    const c205_region region = {
+        "half", CODE, CODE + CODE_WORDS * WORD_BITS / 2
+    };
+    const c205_program program = { CODE, 2, segments, 1, &region };
+    c205_error error;
+
+    must(c205_load(machine, &program, &error));
+}
+
+/* Descriptors, numbers, indices and branch targets, in turn. */
+static void fill_registers(c205 *machine)
+{
+    for (unsigned i = 1; i < C205_REGISTERS; i++) {
+        const c205_word kinds[] = {
+            (c205_word)(i % 32) << 48 | (DATA + i * WORD_BITS),
+            c205_from_double(i - 100.5), i % 16, CODE + i * WORD_BITS / 2,
+            (c205_word)(i % 8) << 48 | (CODE + i * WORD_BITS)
+        };
+
+        c205_set_register(machine, i, kinds[i % COUNT(kinds)]);
+    }
+}
+
+/* ---- What must hold ----------------------------------------------------- */
+
+static void check_accounts(const c205 *machine)
+{
+    uint64_t sum = 0;
+
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            sum += c205_account_at(machine, i)->clocks[cause];
+    must(sum == c205_clock(machine));
+}
+
+static void take_state(const c205 *machine, struct state *state)
+{
+    memset(state, 0, sizeof *state);
+    for (unsigned i = 0; i < C205_REGISTERS; i++)
+        state->registers[i] = c205_register(machine, i);
+    state->flags = c205_data_flags(machine);
+    state->pc = c205_pc(machine);
+    must(c205_read(machine, CODE, state->code, CODE_WORDS));
+    must(c205_read(machine, DATA, state->data, DATA_WORDS));
+}
+
+static void check_same(const struct state *a, const struct state *b)
+{
+    must(memcmp(a, b, sizeof *a) == 0);
+}
+
+/* Step to where a run ended; gives the number of steps. */
+static size_t walk(c205 *machine, const c205_stop *end)
+{
+    const uint64_t limit = end->trap == C205_TRAP_CLOCK_LIMIT
+                               ? CLOCKS : C205_NO_LIMIT;
+    c205_stop stop;
+    size_t steps = 0;
+
+    while (c205_clock(machine) < limit && c205_step(machine, &stop))
+        steps++;
+    return steps;
+}
+
+static void check_trap(c205 *machine, const c205_word *code, size_t steps,
+                       const c205_stop *expected)
+{
+    static struct state before, after;
+    c205_stop stop;
+
+    load(machine, code);
+    fill_registers(machine);
+    while (steps-- > 0)
+        must(c205_step(machine, &stop));
+    take_state(machine, &before);
+    must(!c205_step(machine, &stop));
+    must(stop.trap == expected->trap && stop.pc == expected->pc);
+    take_state(machine, &after);
+    check_same(&before, &after);
+}
+
+static void run_and_walk(c205 *machine, const c205_word *code)
+{
+    static struct state ran, walked;
+    c205_error text;
+    c205_stop end;
+    uint64_t clock;
+    size_t steps;
+
+    load(machine, code);
+    fill_registers(machine);
+    end = c205_run(machine, CLOCKS);
+    check_accounts(machine);
+    c205_describe_stop(machine, &end, &text);
+    take_state(machine, &ran);
+    clock = c205_clock(machine);
+
+    load(machine, code);
+    fill_registers(machine);
+    steps = walk(machine, &end);
+    check_accounts(machine);
+    take_state(machine, &walked);
+    check_same(&ran, &walked);
+    must(clock == c205_clock(machine));
+    if (end.trap != C205_TRAP_NONE && end.trap != C205_TRAP_CLOCK_LIMIT)
+        check_trap(machine, code, steps, &end);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    c205_word code[CODE_WORDS] = { 0 };
+    static c205_model *model; /* read once */
+    c205_error error;
+    c205 *machine;
+
+    if (!model)
+        model = c205_model_find("cyber205-2pipe", &error);
+    machine = model ? c205_new(model, &error) : NULL;
+    for (size_t i = 0; i < CODE_WORDS && 8 * i + 8 <= size; i++)
+        code[i] = word_of(data + 8 * i);
+    if (machine)
+        run_and_walk(machine, code);
+    c205_free(machine);
+    return 0;
+}

@@ -1,0 +1,47 @@
+/* fuzz_object.c - any bytes as an object file; what can be read is loaded
+ * and runs for a while. */
+#include <stdlib.h>
+
+#include "asm/object.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+#define CLOCKS 10000
+#define WORDS_MOST ((size_t)1 << 20) /* more is only slower */
+
+static size_t words_of(const c205_program *program)
+{
+    size_t words = 0;
+
+    for (size_t i = 0; i < program->segment_count; i++)
+        words += program->segments[i].length;
+    return words;
+}
+
+static void load_and_run(const c205_program *program)
+{
+    static c205_model *model; /* read once */
+    c205_error error;
+    c205 *machine;
+
+    if (!model)
+        model = c205_model_find("cyber205-2pipe", &error);
+    machine = model ? c205_new(model, &error) : NULL;
+    if (machine && c205_load(machine, program, &error)) {
+        c205_stop stop = c205_run(machine, CLOCKS);
+
+        c205_describe_stop(machine, &stop, &error);
+    }
+    c205_free(machine);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    c205_error error;
+    struct object *object = object_read((const char *)data, size, &error);
+
+    if (object && words_of(&object->program) <= WORDS_MOST)
+        load_and_run(&object->program);
+    object_free(object);
+    return 0;
+}

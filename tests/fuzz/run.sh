@@ -1,0 +1,49 @@
+#!/bin/sh
+# run.sh BUILD [SECONDS] - each fuzz target of BUILD for so many seconds, 60
+# unless told.  The corpus stays in BUILD for the next time; an input that
+# crashes or hangs a target is named and kept beside it.
+set -u
+build=$1 seconds=${2:-60}
+here=$(dirname "$0")
+root=$here/../..
+passed=0 failed=0
+
+seed() { # TARGET FILE ..: files of one corpus, by names that do not clash
+    folder=$build/corpus/$1
+    mkdir -p "$folder" "$build/found/$1"
+    shift
+    for file in "$@"; do
+        [ -f "$file" ] &&
+            cp "$file" "$folder/$(printf '%s' "${file#"$root"/}" | tr / _)"
+    done
+}
+
+seed asm "$root"/tests/programs/*.s "$root"/tests/programs/traps/*.s \
+    "$root"/asm/examples/*.s "$root"/tests/bugs/asm/*
+seed scene "$root"/scenes/*.pov "$root"/tests/scenes/*.pov \
+    "$root"/tests/bugs/scene/*
+seed object "$root"/tests/bugs/object/*
+seed machine "$root"/tests/programs/*.s "$root"/tests/bugs/machine/*
+for source in "$root"/tests/programs/*.s "$root"/asm/examples/*.s; do
+    "$build/c205" asm "$source" \
+        -o "$build/corpus/object/$(basename "$source" .s).o"
+done
+
+for source in "$here"/fuzz_*.c; do
+    target=$(basename "$source" .c)
+    target=${target#fuzz_}
+    echo "fuzz_$target, $seconds s"
+    if "$build/tests/fuzz/fuzz_$target" -max_total_time="$seconds" \
+        -timeout=10 -len_control=0 -rss_limit_mb=4096 -print_final_stats=0 \
+        -artifact_prefix="$build/found/$target/" \
+        "$build/corpus/$target" >"$build/$target.log" 2>&1; then
+        passed=$((passed + 1))
+        tail -n 1 "$build/$target.log"
+    else
+        failed=$((failed + 1))
+        echo "FAIL fuzz_$target; $build/$target.log ends:"
+        tail -n 12 "$build/$target.log" | sed 's/^/    /'
+    fi
+done
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
