@@ -13,12 +13,16 @@
 ;
 ; It is called once, from the main program, with its registers its own.
 
-        .regs r32, cam_at, view_at, size_at
-        .regs r36, cam_locx, cam_locy, cam_locz, cam_dirx, cam_diry, cam_dirz, cam_rightx, cam_righty, cam_rightz, cam_upx, cam_upy, cam_upz
-        .regs r48, cam_width, cam_height, cam_half, cam_t
-        .regs r52, view_locx, view_locy, view_locz, view_basex, view_basey, view_basez, view_colx, view_coly, view_colz, view_rowx, view_rowy, view_rowz
+        .regs   r32, cam_at, view_at, size_at
+        .regs   r36, cam_locx, cam_locy, cam_locz, cam_dirx, cam_diry
+        .regs   r41, cam_dirz, cam_rightx, cam_righty, cam_rightz, cam_upx
+        .regs   r46, cam_upy, cam_upz
+        .regs   r48, cam_width, cam_height, cam_half, cam_t
+        .regs   r52, view_locx, view_locy, view_locz, view_basex, view_basey
+        .regs   r57, view_basez, view_colx, view_coly, view_colz, view_rowx
+        .regs   r62, view_rowy, view_rowz
 
-        .macro view_axis dir, right, up, base, col, row
+        .macro  view_axis dir, right, up, base, col, row
         DIVS    \right, cam_width, \col
         DIVS    \up, cam_height, \row
         SUBN    r0, \row, \row

@@ -7,7 +7,7 @@
 
 ; The side: tin, tout, or to miss.  Leaves o along the axis in t5, d along it
 ; in t6.
-        .macro cylinder_side miss
+        .macro  cylinder_side miss
         SUBN    ox, sh0, t0
         SUBN    oy, sh1, t1
         SUBN    oz, sh2, t2

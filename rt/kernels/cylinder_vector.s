@@ -19,7 +19,7 @@
 
 ; The side of the infinite cylinder: tin, tout.  Leaves o along w in [w5],
 ; d along w in [w6].
-        .macro cylinder_side
+        .macro  cylinder_side
         SUBNV   [ox], sh0, [w0]
         SUBNV   [oy], sh1, [w1]
         SUBNV   [oz], sh2, [w2]
@@ -80,7 +80,7 @@ cylinder:
         BIM     0, link_kernel
 
 ; An open cylinder: the crossings between the disks.
-        .macro between_disks t, bits
+        .macro  between_disks t, bits
         MPYSV   [\t], [w6], [w0]
         ADDNV   [w0], [w5], [w0]
         CMPGEV  sh13, |[w0]|, [\bits]

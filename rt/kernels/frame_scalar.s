@@ -9,11 +9,15 @@
         .include "power_constants.s"
 
 ; The main program's registers.
-        .regs r12, column, row, width, primitive, primitives_left, plane_at
-        .regs r18, m_one, m_half, m_two, m_big, m_minus_big, m_tiny, m_tmin, m_checker_shift
-        .regs r26, m_minus_one, m_index_one, m_index_minus_one, m_zero, plane_size, height
-        .regs r240, hit_primitive, nearest, main_at, main_t, segment_in, segment_out
-        .regs r246, sample_r, sample_g, sample_b, sample_nx, sample_ny, sample_nz, hit_id
+        .regs   r12, column, row, width, primitive, primitives_left, plane_at
+        .regs   r18, m_one, m_half, m_two, m_big, m_minus_big, m_tiny, m_tmin
+        .regs   r25, m_checker_shift
+        .regs   r26, m_minus_one, m_index_one, m_index_minus_one, m_zero
+        .regs   r30, plane_size, height
+        .regs   r240, hit_primitive, nearest, main_at, main_t, segment_in
+        .regs   r245, segment_out
+        .regs   r246, sample_r, sample_g, sample_b, sample_nx, sample_ny
+        .regs   r251, sample_nz, hit_id
 
         .data
 ray:            .space 6
@@ -33,13 +37,13 @@ shade_primitive: .word 0
                 .descriptor 6, sample
         .code
 
-        .macro load_at label, number, first
+        .macro  load_at label, number, first
         EX      main_at, \label
         ELEN    main_at, \number
         SWAP    [main_at], \first, [r0]
         .endm
 
-        .macro store_sample word
+        .macro  store_sample word
         STO     [main_at], \word
         ADDX    main_at, plane_size, main_at
         .endm

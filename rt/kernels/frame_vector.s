@@ -7,7 +7,7 @@
         .include "records.s"
         .include "queue.s"
         .include "power_constants.s"
-        .regs r194, plane_at, plane_size
+        .regs   r194, plane_at, plane_size
 
         .entry  frame
         .kernel frame

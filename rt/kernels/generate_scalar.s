@@ -6,10 +6,11 @@
 ; O, D (6 words).  Formulas and order of the operations as in
 ; generate_vector.s.
 
-        .regs r32, g_pixel, g_view, g_ray, g_index, g_column, g_row
-        .regs r40, g_ox, g_oy, g_oz, g_dx, g_dy, g_dz, g_t, g_u
-        .regs r48, g_lx, g_ly, g_lz, g_basex, g_basey, g_basez, g_colx, g_coly, g_colz, g_rowx, g_rowy, g_rowz
-        .equ GENERATE_REGISTERS, 28
+        .regs   r32, g_pixel, g_view, g_ray, g_index, g_column, g_row
+        .regs   r40, g_ox, g_oy, g_oz, g_dx, g_dy, g_dz, g_t, g_u
+        .regs   r48, g_lx, g_ly, g_lz, g_basex, g_basey, g_basez, g_colx
+        .regs   r55, g_coly, g_colz, g_rowx, g_rowy, g_rowz
+        .equ    GENERATE_REGISTERS, 28
 
         .data
 generate_save:  .space GENERATE_REGISTERS

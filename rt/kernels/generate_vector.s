@@ -9,7 +9,7 @@
 ; Out: wox woy woz wdx wdy wdz.
 ; Source: camera.s for the formula; derived here for vectors of any length.
 
-        .macro direction base, col, row, d
+        .macro  direction base, col, row, d
         LINKV
         MPYSV   [w0], \col, [w2]
         ADDNV   [w2], \base, [w2]

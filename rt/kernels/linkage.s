@@ -12,35 +12,36 @@
 ; local to each subroutine, as many as it says; r200-r238 are those of power,
 ; r240-r252 the main program's, r253 and r254 scratch.
 
-        .regs r7, link, arguments, save_at, image_at, target
-        .regs r253, third, fourth               ; scratch, never saved
+        .regs   r7, link, arguments, save_at, image_at, target
+        .regs   r253, third, fourth               ; scratch, never saved
 
 ; The local registers of the kernels, all alike: constants, arguments, the ray,
 ; the segment found, work, the shape.
-        .regs r32, one, big, minus_big, tiny, index_one
-        .regs r37, a_ray, a_primitive, a_segment
-        .regs r40, ox, oy, oz, dx, dy, dz
-        .regs r46, tin, tout
-        .regs r48, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9
-        .regs r58, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, sh12, sh13, sh14, sh15
+        .regs   r32, one, big, minus_big, tiny, index_one
+        .regs   r37, a_ray, a_primitive, a_segment
+        .regs   r40, ox, oy, oz, dx, dy, dz
+        .regs   r46, tin, tout
+        .regs   r48, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9
+        .regs   r58, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10
+        .regs   r69, sh11, sh12, sh13, sh14, sh15
 
         .data
 ; What the local registers hold when a kernel begins: the constants, as in
 ; records.s, and nothing in the others.
-        .equ KERNEL_REGISTERS_MOST, 57
+        .equ    KERNEL_REGISTERS_MOST, 57
 kernel_image:
         .word 1.0, 1e30, -1e30, 1e-12, 1
         .space KERNEL_REGISTERS_MOST - 5
         .code
 
-        .macro call routine, list
+        .macro  call routine, list
         EX      arguments, \list
         EX      target, \routine
         BSAVE   link, [target]
         .endm
 
 ; Save the first number local registers at save, load them from image.
-        .macro enter image, save, number
+        .macro  enter image, save, number
         EX      image_at, \image
         ELEN    image_at, \number
         EX      save_at, \save
@@ -48,7 +49,7 @@ kernel_image:
         SWAP    [image_at], r32, [save_at]
         .endm
 
-        .macro leave save, number
+        .macro  leave save, number
         EX      save_at, \save
         ELEN    save_at, \number
         SWAP    [save_at], r32, [r0]
@@ -56,7 +57,7 @@ kernel_image:
         .endm
 
 ; Enter a kernel: its arguments, the ray, number words of the shape.
-        .macro enter_kernel save, registers, shape_words
+        .macro  enter_kernel save, registers, shape_words
         enter   kernel_image, \save, \registers
         ELEN    arguments, 3
         SWAP    [arguments], a_ray, [r0]
@@ -67,7 +68,7 @@ kernel_image:
         .endm
 
 ; Give back tin, tout.
-        .macro leave_kernel save, registers
+        .macro  leave_kernel save, registers
         STO     [a_segment], tin
         STO     [a_segment, index_one], tout
         leave   \save, \registers
@@ -75,7 +76,7 @@ kernel_image:
 
 ; sum = x . u, in the order (x1 u1 + x0 u0) + x2 u2.  Results take five clocks,
 ; so independent products stand before the sums that wait for them.
-        .macro dot x0, x1, x2, u0, u1, u2, sum, work
+        .macro  dot x0, x1, x2, u0, u1, u2, sum, work
         MPYS    \x0, \u0, \sum
         MPYS    \x1, \u1, \work
         MPYS    \x2, \u2, third
@@ -84,7 +85,7 @@ kernel_image:
         .endm
 
 ; Three such sums at a time, a, b, c of x with the rows a, b, c: nothing waits.
-        .macro dot_rows x0, x1, x2, a0, a1, a2, b0, b1, b2, c0, c1, c2, a, b, c, w0, w1, w2, w3
+        .macro  dot_rows x0, x1, x2, a0, a1, a2, b0, b1, b2, c0, c1, c2, a, b, c, w0, w1, w2, w3
         MPYS    \x0, \a0, \a
         MPYS    \x0, \b0, \b
         MPYS    \x0, \c0, \c
@@ -102,7 +103,7 @@ kernel_image:
         ADDN    fourth, \c, \c
         .endm
 
-        .macro normalise_by unit, x0, x1, x2, length, work
+        .macro  normalise_by unit, x0, x1, x2, length, work
         dot     \x0, \x1, \x2, \x0, \x1, \x2, \length, \work
         SQRT    \length, \length
         DIVS    \unit, \length, \work
@@ -111,6 +112,6 @@ kernel_image:
         MPYS    \x2, \work, \x2
         .endm
 
-        .macro normalise x0, x1, x2, length, work
+        .macro  normalise x0, x1, x2, length, work
         normalise_by one, \x0, \x1, \x2, \length, \work
         .endm

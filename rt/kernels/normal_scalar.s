@@ -3,7 +3,7 @@
 ; normal_link: point in qx qy qz, normal in nx ny nz; uses t0-t6.
 
         .kernel shade
-        .macro load_shape number
+        .macro  load_shape number
         RTOR    a_primitive, t0
         IX      t0, 64 * P_SHAPE
         ELEN    t0, \number
@@ -27,7 +27,7 @@ normal_plane:
         RTOR    sh2, nz
         BIM     0, normal_link
 
-        .macro face q, n
+        .macro  face q, n
         RTOR    m_one, \n
         CFPGE   \q, r0, face_done\@
         RTOR    m_minus_one, \n
@@ -61,7 +61,7 @@ normal_not_x:
 normal_box_z:
         face    t2, nz
 
-        .macro side_normal u, v, n
+        .macro  side_normal u, v, n
         MPYS    t0, \u, t3
         MPYS    t1, \v, t4
         ADDN    t4, t3, t3

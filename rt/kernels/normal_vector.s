@@ -5,9 +5,9 @@
 ; Source: textbook; which face or side is decided by the least distance.
 ; Uses v0-v7, hits0-hits3.
 
-        .regs r185, qx, qy, qz
+        .regs   r185, qx, qy, qz
 
-        .macro look_at_points x0, x1, x2
+        .macro  look_at_points x0, x1, x2
         RTOR    \x0, qx
         RTOR    \x1, qy
         RTOR    \x2, qz
@@ -40,7 +40,7 @@ normal_plane:
 ; Box: the face is the one whose plane is nearest,  | |X - C| - half edge |
 ; the least of the three axes; x before y before z where two are equal.
 ; Distances, not the ratio of the two: a box may be flat.
-        .macro face q, n, bits
+        .macro  face q, n, bits
         CMPGEV  [\q], r0, [hits2]
         MASKV   one, minus_one, [v6] ? [hits2]
         VTOV    r0, [\n]
@@ -70,7 +70,7 @@ normal_box:
 ; belongs to a disk if it is nearer to the disk's plane than to the side,
 ;   | |xw| - half | < |(xu^2 + xv^2 - r^2) / (2 r)|
 ; Disk: N = w with the sign of xw.  Side: N = (xu u + xv v) / r.
-        .macro side_normal u, v, n
+        .macro  side_normal u, v, n
         MPYSV   [v0], \u, [v3]
         LINKV
         MPYSV   [v1], \v, [v4]
@@ -78,7 +78,7 @@ normal_box:
         MPYSV   [v3], sh15, [\n]
         .endm
 
-        .macro cylinder_side_normal
+        .macro  cylinder_side_normal
         load_record P_SHAPE, 16, sh0
         SUBNV   [qx], sh0, [v3]
         SUBNV   [qy], sh1, [v4]
@@ -91,7 +91,7 @@ normal_box:
         side_normal sh5, sh8, nz
         .endm
 
-        .macro disk_normal w, n
+        .macro  disk_normal w, n
         VTOV    \w, [\n] ? [hits0]
         VTOV    -\w, [\n] ? [hits1]
         .endm

@@ -1,12 +1,14 @@
 ; power_constants.s - what x^y needs (see power_vector.s, power_scalar.s): the
 ; same registers, loaded once, in both forms of the program.
 
-        .reg exponent, r200
-        .regs r201, p_fraction, p_scale, p_upper, p_unit, p_47, p_minus_46, p_48
-        .regs r208, p_root_half, p_two_over_ln2, p_ln2, p_root_two, p_floor
-        .regs r213, log3, log5, log7, log9, log11, log13, log15, log17
-        .regs r221, exp2, exp3, exp4, exp5, exp6, exp7, exp8, exp9, exp10, exp11, exp12, exp13
-        .equ POWER_CONSTANTS, 32
+        .reg    exponent, r200
+        .regs   r201, p_fraction, p_scale, p_upper, p_unit, p_47, p_minus_46
+        .regs   r207, p_48
+        .regs   r208, p_root_half, p_two_over_ln2, p_ln2, p_root_two, p_floor
+        .regs   r213, log3, log5, log7, log9, log11, log13, log15, log17
+        .regs   r221, exp2, exp3, exp4, exp5, exp6, exp7, exp8, exp9, exp10
+        .regs   r230, exp11, exp12, exp13
+        .equ    POWER_CONSTANTS, 32
 
         .data
 power_constants:

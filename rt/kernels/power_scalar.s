@@ -2,14 +2,14 @@
 ; operations as in power_vector.s.  A fast library routine: its arguments and
 ; constants are in registers; it is called by BSAVE power_link.
 
-        .regs r233, p_x, p_k, p_s, p_square, p_t, power_link
+        .regs   r233, p_x, p_k, p_s, p_square, p_t, power_link
 
-        .macro horner x, c
+        .macro  horner x, c
         MPYS    p_x, \x, p_t
         ADDN    p_t, \c, p_x
         .endm
 
-        .macro horner_start x, top, c
+        .macro  horner_start x, top, c
         MPYS    \x, \top, p_t
         ADDN    p_t, \c, p_x
         .endm

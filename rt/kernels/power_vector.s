@@ -17,13 +17,13 @@
 ; Source: the series are textbook; the split is derived here for this format.
 
 ; [v0] = [v0] x + c, and the first such step.
-        .macro horner x, c
+        .macro  horner x, c
         LINKV
         MPYSV   [v0], [\x], [v4]
         ADDNV   [v4], \c, [v0]
         .endm
 
-        .macro horner_start x, top, c
+        .macro  horner_start x, top, c
         LINKV
         MPYSV   [\x], \top, [v4]
         ADDNV   [v4], \c, [v0]

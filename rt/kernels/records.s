@@ -5,14 +5,14 @@
 ; colours are linear.
 
 ; A primitive.
-        .equ P_KERNEL, 0        ; address of the routine that meets a ray
-        .equ P_INNER, 1         ; .. of the one in its own space, under
+        .equ    P_KERNEL, 0        ; address of the routine that meets a ray
+        .equ    P_INNER, 1         ; .. of the one in its own space, under
                                 ;    P_KERNEL = transformed
-        .equ P_NORMAL, 2        ; address of the routine for the normal
-        .equ P_ID, 3            ; its number, from 1, as an integer
-        .equ P_CHECKER, 4       ; 1: the pigment is a checker
-        .equ P_TRANSFORMED, 5   ; 1: the shape stands in a space of its own
-        .equ P_SHAPE, 6         ; 16 words, by kind:
+        .equ    P_NORMAL, 2        ; address of the routine for the normal
+        .equ    P_ID, 3            ; its number, from 1, as an integer
+        .equ    P_CHECKER, 4       ; 1: the pigment is a checker
+        .equ    P_TRANSFORMED, 5   ; 1: the shape stands in a space of its own
+        .equ    P_SHAPE, 6         ; 16 words, by kind:
                                 ;   sphere    centre 3, r^2, 1/r
                                 ;   box       least corner 3, greatest 3,
                                 ;             centre 3, half edge 3
@@ -20,22 +20,22 @@
                                 ;             w 3 (along), r^2, half length,
                                 ;             1/(2 r), 1/r
                                 ;   plane     unit normal 3, distance
-        .equ SHAPE_SIZE, 16
-        .equ P_LOCAL, 22        ; 12: rows of the matrix from world to own
+        .equ    SHAPE_SIZE, 16
+        .equ    P_LOCAL, 22        ; 12: rows of the matrix from world to own
                                 ; space, each three factors and a shift
-        .equ P_COLOR, 34        ; 6: pigment, and the checker's second
-        .equ P_PATTERN, 40      ; 12: from world to the pigment's space
-        .equ P_FINISH, 52       ; 8: ambient 3 (times the ambient light),
+        .equ    P_COLOR, 34        ; 6: pigment, and the checker's second
+        .equ    P_PATTERN, 40      ; 12: from world to the pigment's space
+        .equ    P_FINISH, 52       ; 8: ambient 3 (times the ambient light),
                                 ; diffuse, phong, phong_size, specular,
                                 ; 1/roughness
-        .equ P_SIZE, 60
+        .equ    P_SIZE, 60
 
 ; A light: position 3, colour 3, and 1 if it makes highlights, else 0 (POV-Ray's
 ; shadowless lights make none).
-        .equ LIGHT_SIZE, 7
+        .equ    LIGHT_SIZE, 7
 
 ; The frame: planes of FRAME_CHANNELS numbers, pixel by pixel, top row first.
-        .equ FRAME_CHANNELS, 8  ; red green blue depth normal 3 id
+        .equ    FRAME_CHANNELS, 8  ; red green blue depth normal 3 id
 
         .data
 ; The scene, filled by the host.
@@ -51,7 +51,7 @@ scene_light_count: .word 0
 scene_frame:      .word 0       ; address of the first plane
 
 ; What camera.s makes of the camera.
-        .equ VIEW_SIZE, 12
+        .equ    VIEW_SIZE, 12
 view:             .space VIEW_SIZE ; location, then per axis: the ray through
                                 ; the first pixel, its change per column and
                                 ; per row: base 3, per column 3, per row 3
@@ -66,5 +66,5 @@ k_minus_big:    .word -1e30
 k_tiny:         .word 1e-12     ; a ray that approaches less is parallel
 k_tmin:         .word 1e-6      ; a hit nearer than this is the ray's start
 k_checker:      .word 1e-10     ; added before floor, against ragged faces
-        .equ CONSTANTS, 8
+        .equ    CONSTANTS, 8
         .code

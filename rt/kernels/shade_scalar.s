@@ -6,68 +6,72 @@
 ; SAMPLE = colour, normal (6).  Formulas and order of the operations as in
 ; shade_vector.s and normal_vector.s.
 
-        .regs r32, a_ray, a_primitive, a_distance, a_sample
-        .regs r36, lights_left, light_at, normal_link, pigment_at, link_saved, here
-        .regs r48, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9
-        .regs r58, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, sh12, sh13, sh14, sh15
-        .regs r74, qx, qy, qz
-        .regs r77, red, green, blue, nx, ny, nz
-        .regs r83, color0r, color0g, color0b, color1r, color1g, color1b
-        .regs r89, lx, ly, lz, facing, ndotl, ddotl
-        .regs r95, transformed_shape
-        .regs r132, light_x, light_y, light_z, light_r, light_g, light_b, light_gleams
-        .regs r139, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong, f_size, f_specular, f_sharpness
-        .regs r147, ox, oy, oz, dx, dy, dz
-        .regs r153, px, py, pz
-        .equ SHADE_REGISTERS, 124
+        .regs   r32, a_ray, a_primitive, a_distance, a_sample
+        .regs   r36, lights_left, light_at, normal_link, pigment_at
+        .regs   r40, link_saved, here
+        .regs   r48, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9
+        .regs   r58, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10
+        .regs   r69, sh11, sh12, sh13, sh14, sh15
+        .regs   r74, qx, qy, qz
+        .regs   r77, red, green, blue, nx, ny, nz
+        .regs   r83, color0r, color0g, color0b, color1r, color1g, color1b
+        .regs   r89, lx, ly, lz, facing, ndotl, ddotl
+        .regs   r95, transformed_shape
+        .regs   r132, light_x, light_y, light_z, light_r, light_g, light_b
+        .regs   r138, light_gleams
+        .regs   r139, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
+        .regs   r144, f_size, f_specular, f_sharpness
+        .regs   r147, ox, oy, oz, dx, dy, dz
+        .regs   r153, px, py, pz
+        .equ    SHADE_REGISTERS, 124
 
         .data
 shade_save:     .space SHADE_REGISTERS
         .code
 
-        .macro load_field offset, register
+        .macro  load_field offset, register
         RTOR    a_primitive, here
         IX      here, 64 * (\offset)
         LOD     [here], \register
         .endm
 
-        .macro load_record offset, number, first
+        .macro  load_record offset, number, first
         RTOR    a_primitive, here
         IX      here, 64 * (\offset)
         ELEN    here, \number
         SWAP    [here], \first, [r0]
         .endm
 
-        .macro point o, d, p
+        .macro  point o, d, p
         MPYS    t0, \d, t1
         ADDN    \o, t1, \p
         .endm
 
-        .macro own_point k0, k1, k2, k3, q
+        .macro  own_point k0, k1, k2, k3, q
         dot     px, py, pz, \k0, \k1, \k2, \q, t0
         ADDN    \q, \k3, \q
         .endm
 
-        .macro pattern_floor k0, k1, k2, k3, sum
+        .macro  pattern_floor k0, k1, k2, k3, sum
         dot     px, py, pz, \k0, \k1, \k2, t0, t1
         ADDN    t0, \k3, t0
         ADDN    t0, m_checker_shift, t0
         FLR     t0, \sum
         .endm
 
-        .macro add_light strength, light, channel
+        .macro  add_light strength, light, channel
         MPYS    \strength, \light, t1
         ADDN    \channel, t1, \channel
         .endm
 
-        .macro add_highlight amount
+        .macro  add_highlight amount
         MPYS    p_x, \amount, t0
         add_light t0, light_r, red
         add_light t0, light_g, green
         add_light t0, light_b, blue
         .endm
 
-        .macro add_diffuse light, pigment, channel
+        .macro  add_diffuse light, pigment, channel
         MPYS    t0, \light, t1
         MPYS    t1, \pigment, t1
         ADDN    \channel, t1, \channel

@@ -20,16 +20,18 @@
 ; Out: the frame's planes from the queue's first pixel on.
 ; Source: POV-Ray's finish (phong and Blinn's halfway vector); no shadows.
 
-        .regs r233, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong, f_size, f_specular, f_sharpness
-        .regs r70, color0r, color0g, color0b, color1r, color1g, color1b
-        .regs r241, light_x, light_y, light_z, light_r, light_g, light_b, light_gleams
-        .reg shade_left, r188
+        .regs   r233, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
+        .regs   r238, f_size, f_specular, f_sharpness
+        .regs   r70, color0r, color0g, color0b, color1r, color1g, color1b
+        .regs   r241, light_x, light_y, light_z, light_r, light_g, light_b
+        .regs   r247, light_gleams
+        .reg    shade_left, r188
 
-        .reg link_shade, r190
-        .reg link_light, r191
+        .reg    link_shade, r190
+        .reg    link_light, r191
 
 ; The points where the rays hit, and their directions.
-        .macro point o, d, p, hd
+        .macro  point o, d, p, hd
         VXTOV   [at], [\o], [\p]
         VXTOV   [at], [\d], [\hd]
         MPYSV   [v0], [\hd], [v1]
@@ -144,7 +146,7 @@ normal_world:
 
 ; The pigment's colour.  Checker: the second colour where
 ; floor(x) + floor(y) + floor(z) is odd, in the pigment's space.
-        .macro pattern_floor x0, x1, x2, k0, k1, k2, k3, sum
+        .macro  pattern_floor x0, x1, x2, k0, k1, k2, k3, sum
         dot_constant \x0, \x1, \x2, \k0, \k1, \k2, v0, v1
         ADDNV   [v0], \k3, [v0]
         ADDNV   [v0], checker_shift, [v0]
@@ -173,19 +175,19 @@ pigment_plain:
         BIM     0, link_kernel
 
 ; The light of one source added to red, green, blue.  [v5] = N.L, [v6] = D.L.
-        .macro add_light strength, light, channel, bits
+        .macro  add_light strength, light, channel, bits
         MPYSV   [\strength], \light, [v1]
         ADDNV   [\channel], [v1], [\channel] ? [\bits]
         .endm
 
-        .macro add_highlight amount
+        .macro  add_highlight amount
         MPYSV   [v0], \amount, [v0]
         add_light v0, light_r, red, hits0
         add_light v0, light_g, green, hits0
         add_light v0, light_b, blue, hits0
         .endm
 
-        .macro add_diffuse light, pigment, channel
+        .macro  add_diffuse light, pigment, channel
         MPYSV   [v0], \light, [v1]
         MPYSV   [v1], [\pigment], [v1]
         ADDNV   [\channel], [v1], [\channel] ? [hits3]

@@ -1,7 +1,7 @@
 ; slab_scalar.s - one ray between two parallel planes; see slab_vector.s.  A
 ; segment that has become empty goes to miss at once.
 
-        .macro slab o, d, low, high, miss
+        .macro  slab o, d, low, high, miss
         ABS     \d, t0
         CFPLT   t0, tiny, slab_parallel\@
         DIVS    one, \d, t0

@@ -8,7 +8,7 @@
 ;
 ; Uses w0-w4, bits0-bits2, s0.
 
-        .macro slab o, d, low, high
+        .macro  slab o, d, low, high
         CMPLTV  |[\d]|, tiny, [bits0]
         MASKV   one, [\d], [w0] ? [bits0]
         DIVSV   one, [w0], [w0]
@@ -39,7 +39,7 @@ slab_crossed\@:
         .endm
 
 ; An empty segment becomes a miss.
-        .macro close_segment
+        .macro  close_segment
         CMPLTV  [tout], [tin], [bits0]
         VTOV    big, [tin] ? [bits0]
         VTOV    minus_big, [tout] ? [bits0]

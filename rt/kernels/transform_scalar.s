@@ -5,8 +5,9 @@
 ; Arguments as in sphere_scalar.s, method as in transform_vector.s.  The ray is
 ; carried over into own_ray and the primitive's kernel called with it.
 
-        .regs r80, own_ox, own_oy, own_oz, own_dx, own_dy, own_dz, own_scale, link_saved
-        .equ TRANSFORM_REGISTERS, KERNEL_REGISTERS_MOST
+        .regs   r80, own_ox, own_oy, own_oz, own_dx, own_dy, own_dz, own_scale
+        .regs   r87, link_saved
+        .equ    TRANSFORM_REGISTERS, KERNEL_REGISTERS_MOST
 
         .data
 transform_save: .space TRANSFORM_REGISTERS
