@@ -1,0 +1,58 @@
+/* scene_reading.h - scenes from texts, for the tests of the scene language. */
+#ifndef TESTS_SCENE_READING_H
+#define TESTS_SCENE_READING_H
+
+#include "rt/scene/scene.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+#define CLOSE 1e-12
+#define PRINTED 1e-6 /* POV-Ray's six places */
+
+static const struct scene_options options = { 640, 480, false, NULL };
+static const struct scene_options strict = { 640, 480, true, NULL };
+
+static inline void assert_close(double a, double b, double within)
+{
+    if (!(fabs(a - b) <= within))
+        fail_msg("%.15g is not %.15g", a, b);
+}
+
+static inline void assert_vector(const double a[3], double x, double y,
+                                 double z)
+{
+    assert_close(a[0], x, CLOSE);
+    assert_close(a[1], y, CLOSE);
+    assert_close(a[2], z, CLOSE);
+}
+
+/* A scene without errors and with that many reports. */
+static inline struct scene *read_with(const char *text, size_t expected)
+{
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene = scene_read_text("test.pov", text, &options,
+                                          &reports);
+
+    if (!scene || reports.count != expected) {
+        reports_print(stderr, &reports);
+        fail_msg("%zu reports, expected %zu: %s", reports.count, expected,
+                 text);
+    }
+    reports_free(&reports);
+    return scene;
+}
+
+static inline struct scene *read(const char *text)
+{
+    return read_with(text, 0);
+}
+
+#endif

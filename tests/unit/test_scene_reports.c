@@ -1,0 +1,343 @@
+/* test_scene_reports.c - the scene language: what is reported, what is an
+ * error, what is too much. */
+#include "tests/unit/scene_reading.h"
+
+/* Each text has this one error. */
+static void test_errors(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t line, column;
+        const char *message; /* a part of it */
+    } rows[] = {
+        { "torus { 1, .2 }", 1, 1, "'torus' is not supported" },
+        { "union { sphere { 0, 1 }\n cone { 0, 1, y, 0 } }", 2, 2, "'cone'" },
+        { "difference { sphere { 0 1 } box { 0 1 } }", 1, 1, "not supported" },
+        { "sphere { 0, 1 clipped_by { box { 0 1 } } }", 1, 15, "clipped_by" },
+        { "sphere { 0, 1 inverse }", 1, 15, "'inverse'" },
+        { "camera { orthographic }", 1, 10, "'orthographic'" },
+        { "sphere { 0, Foo }", 1, 13, "'Foo', which is not declared" },
+        { "sphere { 0, 0 }", 1, 13, "the radius is 0" },
+        { "sphere { 0, 1", 1, 14, "expected '}' for the '{' of line 1" },
+        { "sphere 0, 1", 1, 8, "expected '{', found '0'" },
+        { "sphere { <1, 2, 3, 4, 5, 6>, 1 }", 1, 26, "expected '>'" },
+        { "sphere { <1>, 1 }", 1, 12, "expected a number or a vector" },
+        { "sphere { rgb 1, 1 }", 1, 10, "found 'rgb'" },
+        { "sphere { x, y }", 1, 13, "expected a number, found 3" },
+        { "#declare C = rgb 1; sphere { C, 1 }", 1, 30, "a vector of 3" },
+        { "cylinder { x, x, 1 }", 1, 12, "both ends" },
+        { "plane { 0, 1 }", 1, 9, "the normal has no direction" },
+        { "sphere { 0, 1/0 }", 1, 14, "division by 0" },
+        { "sphere { 0, sqrt(-1) }", 1, 13, "not a finite number" },
+        { "sphere { 0, 1e300*1e300 }", 1, 18, "not a finite number" },
+        { "sphere { 0, 1e999 }", 1, 13, "the number is too large" },
+        { "sphere { 0, x.foo }", 1, 15, "a component" },
+        { "sphere { 0, x.t }", 1, 15, "a component" },
+        { "sphere { 0, sin(1, 2) }", 1, 18, "expected ')'" },
+        { "sphere { 0, 1 scale 2 colr 1 }", 1, 23, "found 'colr'" },
+        { "sphere { 0, 1 matrix <1,0,0,0,1,0,0,0,0,0,0,0> }", 1, 15,
+          "no inverse" },
+        { "sphere { 0, 1 finish { roughness 0 } }", 1, 24, "roughness" },
+        { "sphere { 0, 1 pigment { rgb <1, 2, 3, 4> } }", 1, 29,
+          "'rgb' takes 3" },
+        { "camera { angle 180 }", 1, 10, "0 and 180" },
+        { "camera { location x look_at x }", 1, 1, "are the same" },
+        { "camera { up x }", 1, 1, "span no picture" },
+        { "union { sphere { 0 1 } scale 2 sphere { 0 1 } }", 1, 32,
+          "found 'sphere'" },
+        { "#declare A = 1 sphere { 0, 1 }", 1, 16, "expected ';'" },
+        { "#declare x = 1;", 1, 10, "'x' is a word of the language" },
+        { "#declare A = ;", 1, 14, "expected a value, found ';'" },
+        { "#if (1) sphere { #end sphere { 0, 1 }", 1, 1, "'#if'" },
+        { "#while (1) #if (1) #end } #end", 1, 1, "'#while'" },
+        { "#end", 1, 1, "'#end'" },
+        { "#frob", 1, 1, "'#frob' is not a directive" },
+        { "#include \"no/such.inc\"", 1, 10, "no such file" },
+        { "#include \"colors.inc\"\n#include \"\"", 2, 10, "name of a file" },
+        { "#error \"gone\"", 1, 1, "gone" },
+        { "sphere { 0, 1 } }", 1, 17, "found '}'" },
+        { "sphere { 0, 1 } @", 1, 17, "not of the language" },
+        { "sphere { 0, 1 }\n/* /* */", 2, 1, "comment is not closed" },
+        { "sphere { 0, 1 } \"", 1, 17, "string is not closed" },
+        { "object { sphere { 0, 1 } sphere { 0, 1 } }", 1, 26, "'sphere'" },
+        { "light_source { 0, rgb 1 shadowless looks_like { sphere {0 1} } }",
+          1, 36, "'looks_like'" },
+        { "#declare B = sphere { 0, Foo } object { B } object { B scale 2 }",
+          1, 26, "'Foo'" },
+        { "sphere { 0, 1 scale 1e200 scale 1e200 }", 1, 1, "out of range" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct reports reports = { 0, 0, NULL };
+        struct scene *scene = scene_read_text("test.pov", rows[i].text,
+                                              &options, &reports);
+        const struct report *report = reports.items;
+        bool same = !scene && reports.count == 1 && reports.errors == 1
+            && report->error && report->line == rows[i].line
+            && report->column == rows[i].column
+            && strstr(report->message, rows[i].message);
+        if (!same) {
+            reports_print(stderr, &reports);
+            fail_msg("expected %zu:%zu %s, of: %s", rows[i].line,
+                     rows[i].column, rows[i].message, rows[i].text);
+        }
+        reports_free(&reports);
+    }
+}
+
+/* Each text has this one report; it is an error under strict. */
+static void test_reports(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t column;
+        const char *message;
+    } rows[] = {
+        { "sphere { 0, 1 normal { bumps .5 scale { } } }", 15, "'normal'" },
+        { "sphere { 0, 1 hollow }", 15, "'hollow'" },
+        { "sphere { 0, 1 finish { reflection { .1, 1 } } }", 24,
+          "'reflection'" },
+        { "sphere { 0, 1 finish { brilliance 2 phong 1 } }", 24,
+          "'brilliance'" },
+        { "sphere { 0, 1 finish { diffuse albedo .5 } }", 32, "'albedo'" },
+        { "sphere { 0, 1 finish { diffuse .5, .2 } }", 34, "inside" },
+        { "sphere { 0, 1 pigment { granite } }", 25, "'granite'" },
+        { "sphere { 0, 1 pigment { rgbf <1, 1, 1, .5> } }", 25, "'filter'" },
+        { "sphere { 0, 1 texture { gradient y texture_map {"
+          " [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } } }",
+          25, "'gradient'" },
+        { "sphere { 0, 1 scale <1, 0, 1> }", 15, "along y" },
+        { "fog { distance 10 color rgb 1 }", 1, "'fog'" },
+        { "sky_sphere { pigment { rgb 1 } }", 1, "'sky_sphere'" },
+        { "camera { focal_point <1, 2, 3> location x }", 10, "focal_point" },
+        { "global_settings { radiosity { count 9 } }", 19, "'radiosity'" },
+        { "global_settings { charset utf8 }", 19, "'charset'" },
+        { "light_source { 0, 1 parallel shadowless }", 21, "'parallel'" },
+        { "light_source { 0, 1 area_light x, <0, 1, 0>, 4, 4 shadowless }",
+          21, "'area_light'" },
+        { "sphere { 0, 1 } light_source { 0, 1 } light_source { x, 1 }", 17,
+          "shadows are not cast" },
+        { "#debug concat(\"a\", \"{\")\nsphere { 0, 1 }", 1, "'#debug'" },
+        { "#warning \"old\"", 1, "old" },
+        { "#version 3.1;", 10, "version 3.7" },
+        { "#undef A", 8, "'A' is not declared" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct reports reports = { 0, 0, NULL };
+        scene_free(read_with(rows[i].text, 1));
+        assert_null(scene_read_text("test.pov", rows[i].text, &strict,
+                                    &reports));
+        if (reports.count != 1 || reports.errors != 1
+            || reports.items->column != rows[i].column
+            || !strstr(reports.items->message, rows[i].message)) {
+            reports_print(stderr, &reports);
+            fail_msg("expected :%zu %s, of: %s", rows[i].column,
+                     rows[i].message, rows[i].text);
+        }
+        reports_free(&reports);
+    }
+}
+
+static void test_first_colors(void **state)
+{
+    static const char *const texts[] = {
+        "gradient y color_map { [0 rgb <1, 2, 3>] [1 rgb 0] }",
+        "granite colour_map { [0, .5 color C color rgb 0] [.5, 1 x x] }",
+        "brick color rgb <1, 2, 3>, color rgb 0 brick_size 2",
+        "hexagon C, C*2, C*3",
+        "wood pigment_map { [0 C] [1 checker C, rgb 0] }",
+        "image_map { png \"a.png\" } color C",
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(texts); i++) {
+        struct reports reports = { 0, 0, NULL };
+        char text[300];
+        snprintf(text, sizeof text,
+                 "#declare C = rgb <1, 2, 3>; sphere { 0, 1 pigment { %s } }",
+                 texts[i]);
+        struct scene *scene = scene_read_text("test.pov", text, &options,
+                                              &reports);
+        if (!scene)
+            reports_print(stderr, &reports);
+        assert_non_null(scene);
+        assert_vector(scene->primitives->pigment.color[0], 1, 2, 3);
+        assert_true(reports.count > 0);
+        scene_free(scene);
+        reports_free(&reports);
+    }
+}
+
+/* One reading finds them all, and goes on behind each. */
+static void test_all_errors(void **state)
+{
+    static const char text[] =
+        "sphere { 0, foo finish { wibble 2 phong x } scale }\n"
+        "cone { 0, 1, y, 0 }\n"
+        "union { box { 0, 1 rotate <1, 2 } sphere { } bar }\n"
+        "camera { location }\n";
+    static const size_t lines[] = { 1, 1, 1, 1, 2, 3, 3, 3, 4 };
+    struct reports reports = { 0, 0, NULL };
+
+    (void)state;
+    assert_null(scene_read_text("test.pov", text, &options, &reports));
+    if (reports.count != COUNT(lines))
+        reports_print(stderr, &reports);
+    assert_int_equal(reports.count, COUNT(lines));
+    for (size_t i = 0; i < COUNT(lines); i++)
+        assert_int_equal(reports.items[i].line, lines[i]);
+    reports_free(&reports);
+}
+
+static void test_print(void **state)
+{
+    static const char expected[] =
+        "test.pov:2:10: error: 'torus' is not supported\n"
+        "    \xc3\xa4? */   torus { 1, 2 }\n"
+        "            ^\n";
+    struct reports reports = { 0, 0, NULL };
+    char *text = NULL;
+    size_t length = 0;
+    FILE *out = open_memstream(&text, &length);
+
+    (void)state;
+    scene_read_text("test.pov", "/*\n\xc3\xa4\x01 */  \ttorus { 1, 2 }\r\n",
+                    &options, &reports);
+    reports_print(out, &reports);
+    fclose(out);
+    reports_free(&reports);
+    assert_string_equal(text, expected);
+    free(text);
+}
+
+static void write_file(const char *folder, const char *name, const char *text)
+{
+    char path[200];
+    FILE *file;
+
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+static void delete_files(const char *folder, const char *const *names)
+{
+    char path[200];
+
+    for (; *names; names++) {
+        snprintf(path, sizeof path, "%s/%s", folder, *names);
+        assert_int_equal(remove(path), 0);
+    }
+    assert_int_equal(remove(folder), 0);
+}
+
+static void test_includes(void **state)
+{
+    static const char *const names[] = { "main.pov", "part.inc", "loop.inc",
+                                         NULL };
+    char folder[] = "/tmp/scene-XXXXXX", path[200];
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene;
+
+    (void)state;
+    assert_non_null(mkdtemp(folder));
+    write_file(folder, "main.pov",
+               "\n#include \"part.inc\"\nsphere { 0, R }\n");
+    write_file(folder, "part.inc", "#local L = 2;\n#declare R = L + 1;\n"
+                                   "\n\nbox { -1, L }");
+    write_file(folder, "loop.inc", "#include \"loop.inc\"\n");
+    snprintf(path, sizeof path, "%s/main.pov", folder);
+    scene = scene_read(path, &options, &reports);
+    assert_non_null(scene);
+    assert_int_equal(scene->primitives[0].line, 2); /* of the #include */
+    assert_int_equal(scene->primitives[1].line, 3);
+    assert_close(scene->primitives[1].shape.sphere.radius, 3, 0);
+    scene_free(scene);
+
+    write_file(folder, "main.pov", "#include \"part.inc\"\nsphere { 0, L }");
+    assert_null(scene_read(path, &options, &reports)); /* L was local */
+    assert_int_equal(reports.count, 1);
+    assert_int_equal(reports.items[0].line, 2);
+    reports_free(&reports);
+
+    write_file(folder, "main.pov", "#include \"loop.inc\"\n");
+    assert_null(scene_read(path, &options, &reports));
+    assert_non_null(strstr(reports.items[0].file, "loop.inc"));
+    assert_non_null(strstr(reports.items[0].message, "include each other"));
+    reports_free(&reports);
+
+    const char *const search[] = { folder, NULL };
+    const struct scene_options searching = { 4, 3, false, search };
+    scene = scene_read_text("x.pov", "#include \"part.inc\"", &searching,
+                            &reports);
+    assert_non_null(scene);
+    scene_free(scene);
+    delete_files(folder, names);
+    assert_null(scene_read(path, &options, &reports));
+    assert_int_equal(reports.items[0].line, 0);
+    reports_free(&reports);
+}
+
+static char *repeated(const char *head, const char *part, size_t count)
+{
+    size_t start = strlen(head), length = strlen(part);
+    char *text = malloc(start + count * length + 1);
+
+    assert_non_null(text);
+    memcpy(text, head, start + 1);
+    for (size_t i = 0; i < count; i++)
+        memcpy(text + start + i * length, part, length + 1);
+    return text;
+}
+
+/* Neither the stack, nor memory, nor the list of reports grows without end. */
+static void test_bounds(void **state)
+{
+    static const struct {
+        const char *head, *part;
+        const char *message;
+    } rows[] = {
+        { "", "union{", "within each other" },
+        { "sphere{0,", "(", "within each other" },
+        { "sphere{0,", "-", "within each other" },
+        { "#declare A=sphere{0,1} ", "#declare A=union{object{A}object{A}}",
+          "primitives, copies counted" },
+        { "", "foo{}\n", "too many reports" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        char *text = repeated(rows[i].head, rows[i].part, 10000);
+        struct reports reports = { 0, 0, NULL };
+        bool found = false;
+        assert_null(scene_read_text("test.pov", text, &options, &reports));
+        assert_true(reports.count <= 201);
+        for (size_t k = 0; k < reports.count; k++)
+            found = found || strstr(reports.items[k].message,
+                                    rows[i].message);
+        if (!found)
+            fail_msg("no '%s'", rows[i].message);
+        reports_free(&reports);
+        free(text);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_reports),
+        cmocka_unit_test(test_first_colors),
+        cmocka_unit_test(test_all_errors),
+        cmocka_unit_test(test_print),
+        cmocka_unit_test(test_includes),
+        cmocka_unit_test(test_bounds),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
