@@ -30,6 +30,9 @@ static const struct format_rule {
     { C205_FORMAT_I16, -32768, 65535, 0 },
     { C205_FORMAT_I48, -((int64_t)1 << 47), ((int64_t)1 << 48) - 1, 0 },
     { C205_FORMAT_JUMP, 0, ((int64_t)1 << 48) - 1, 1 },
+    { C205_FORMAT_ALTER, 0, 15, 0 },
+    { C205_FORMAT_ALTERB, 0, 15, 0 },
+    { C205_FORMAT_ALTERF, 0, 15, 0 },
     { C205_FORMAT_INDEX, 0, 0, 1 }
 };
 

@@ -14,7 +14,7 @@ typedef struct wide {
 enum { HALF_DIGITS = 24 };
 #define HALF_MASK ((INT64_C(1) << HALF_DIGITS) - 1)
 
-/* ---- Results ------------------------------------------------------------ */
+/* ---- Results ----------------------------------------------------------- */
 
 static c205_word machine_zero(uint64_t *flags)
 {
@@ -29,14 +29,14 @@ static c205_word indefinite(uint64_t cause, uint64_t *flags)
 }
 
 /* The range rule: it looks at the exponent only. */
-static c205_word ranged(int32_t exponent, int64_t coefficient,
+static c205_word ranged(int64_t exponent, int64_t coefficient,
                         uint64_t *flags)
 {
     if (exponent > WORD_EXPONENT_MAX)
         return indefinite(FLAG_EXPONENT_OVERFLOW, flags);
     if (exponent < WORD_EXPONENT_MIN)
         return machine_zero(flags);
-    return word_make(exponent, coefficient);
+    return word_make((int32_t)exponent, coefficient);
 }
 
 static bool either_indefinite(c205_word a, c205_word b)
@@ -44,7 +44,7 @@ static bool either_indefinite(c205_word a, c205_word b)
     return word_is_indefinite(a) || word_is_indefinite(b);
 }
 
-/* ---- Double-length numbers ---------------------------------------------- */
+/* ---- Double-length numbers --------------------------------------------- */
 
 static bool wide_is_zero(wide w)
 {
@@ -106,7 +106,7 @@ static c205_word wide_lower(wide w, uint64_t *flags)
     return ranged(w.exponent, w.lo, flags);
 }
 
-/* ---- Add, subtract ------------------------------------------------------ */
+/* ---- Add, subtract ----------------------------------------------------- */
 
 /* c x 2^47 shifted right in the register of 95 bits; what leaves it is
  * lost. */
@@ -241,7 +241,7 @@ c205_word arith_average_difference(c205_word a, c205_word b,
     return halve(arith_subtract_normalised(a, b, flags), flags);
 }
 
-/* ---- Multiply ----------------------------------------------------------- */
+/* ---- Multiply ---------------------------------------------------------- */
 
 /* By halves of 24 bits, the high ones signed: with ca = a1 x 2^24 + a0 and
  * cb likewise the product is a1 b1 x 2^48 + (a1 b0 + a0 b1) x 2^24 + a0 b0. */
@@ -312,7 +312,7 @@ c205_word arith_multiply_significant(c205_word a, c205_word b,
     return wide_significant(product(a, b), least_significance(a, b), flags);
 }
 
-/* ---- Divide ------------------------------------------------------------- */
+/* ---- Divide ------------------------------------------------------------ */
 
 /* trunc(ca x 2^47 / cb) by long division: a digit of 48 bits, then the 47
  * below it, as many at a time as the remainder leaves room for. */
@@ -370,7 +370,7 @@ c205_word arith_divide_significant(c205_word a, c205_word b,
     return wide_significant(quotient(a, b), least_significance(a, b), flags);
 }
 
-/* ---- Square root -------------------------------------------------------- */
+/* ---- Square root ------------------------------------------------------- */
 
 /* floor(sqrt(c x 2^k)) of a normalised c, the radicand below 2^94.  The
  * root of the double is at most one too large; the remainder, known modulo
@@ -400,7 +400,7 @@ c205_word arith_square_root(c205_word a, uint64_t *flags)
                   root(c << places, k) >> places, flags);
 }
 
-/* ---- Parts of a number, sign -------------------------------------------- */
+/* ---- Parts of a number, sign ------------------------------------------- */
 
 /* A word that is its own result. */
 static c205_word kept(c205_word a, uint64_t *flags)
@@ -422,14 +422,20 @@ c205_word arith_floor(c205_word a, uint64_t *flags)
                             >> (exponent < -63 ? 63 : -exponent));
 }
 
-c205_word arith_truncate(c205_word a, uint64_t *flags)
+c205_word arith_ceiling(c205_word a, uint64_t *flags)
 {
     const int32_t exponent = word_exponent(a);
-    const int64_t c = word_coefficient(a);
 
-    if (exponent >= 0 || c >= 0 || word_is_machine_zero(a))
-        return arith_floor(a, flags);
-    return word_make(0, -(-c >> (exponent < -63 ? 63 : -exponent)));
+    if (exponent >= 0 || word_is_machine_zero(a))
+        return kept(a, flags);
+    return word_make(0, -(-word_coefficient(a)
+                          >> (exponent < -63 ? 63 : -exponent)));
+}
+
+c205_word arith_truncate(c205_word a, uint64_t *flags)
+{
+    return word_coefficient(a) < 0 ? arith_ceiling(a, flags)
+                                   : arith_floor(a, flags);
 }
 
 /* A normalised number stays normalised: 2^47 does not fit, and -2^46 is not
@@ -461,7 +467,55 @@ c205_word arith_exponent(c205_word a, uint64_t *flags)
     return word_make(0, word_exponent(a));
 }
 
-/* ---- Compare ------------------------------------------------------------ */
+c205_word arith_pack(c205_word a, c205_word b, uint64_t *flags)
+{
+    (void)flags;
+    return a << 48 | (b & WORD_COEFFICIENT_MASK);
+}
+
+/* ---- Adjust ------------------------------------------------------------ */
+
+/* How many places a coefficient can be shifted left; 0 has no end of them but
+ * counts as if it had no significant bits. */
+static int32_t room(int64_t c)
+{
+    return WORD_DIGITS - word_significant_bits(c);
+}
+
+/* With another exponent, the coefficient shifted to suit. */
+static c205_word with_exponent(c205_word a, int64_t exponent,
+                               uint64_t *flags)
+{
+    const int64_t c = word_coefficient(a), left = word_exponent(a) - exponent;
+
+    if (word_is_indefinite(a))
+        return indefinite(0, flags);
+    if (word_is_machine_zero(a))
+        return machine_zero(flags);
+    if (left <= 0)
+        return ranged(exponent, c >> (left < -63 ? 63 : -left), flags);
+    if (left <= room(c))
+        return ranged(exponent, word_shift_left(c, (int32_t)left), flags);
+    return c == 0 ? ranged(exponent, 0, flags)
+                  : indefinite(FLAG_EXPONENT_OVERFLOW, flags);
+}
+
+c205_word arith_adjust_significance(c205_word a, c205_word b,
+                                    uint64_t *flags)
+{
+    const int64_t wanted = c205_to_integer(b);
+    const int64_t most = room(word_coefficient(a));
+    const int64_t places = wanted < most ? wanted : most;
+
+    return with_exponent(a, word_exponent(a) - places, flags);
+}
+
+c205_word arith_adjust_exponent(c205_word a, c205_word b, uint64_t *flags)
+{
+    return with_exponent(a, c205_to_integer(b), flags);
+}
+
+/* ---- Compare ----------------------------------------------------------- */
 
 bool arith_equal(c205_word a, c205_word b)
 {
@@ -483,7 +537,7 @@ bool arith_less(c205_word a, c205_word b)
     return !either_indefinite(a, b) && word_rank(a) < word_rank(b);
 }
 
-/* ---- Shift -------------------------------------------------------------- */
+/* ---- Shift ------------------------------------------------------------- */
 
 c205_word arith_shift(c205_word a, int64_t count)
 {

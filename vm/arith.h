@@ -37,9 +37,17 @@ c205_word arith_divide_significant(c205_word a, c205_word b,
 c205_word arith_square_root(c205_word a, uint64_t *flags);
 c205_word arith_truncate(c205_word a, uint64_t *flags);
 c205_word arith_floor(c205_word a, uint64_t *flags);
+c205_word arith_ceiling(c205_word a, uint64_t *flags);
 c205_word arith_absolute(c205_word a, uint64_t *flags);
 c205_word arith_negate(c205_word a, uint64_t *flags);
 c205_word arith_exponent(c205_word a, uint64_t *flags);
+/* The value of a with its coefficient shifted by the integer b, or until its
+ * exponent is the integer b; the integers are in the low 48 bits. */
+c205_word arith_adjust_significance(c205_word a, c205_word b,
+                                    uint64_t *flags);
+c205_word arith_adjust_exponent(c205_word a, c205_word b, uint64_t *flags);
+/* The low 16 bits of a as exponent, the coefficient of b. */
+c205_word arith_pack(c205_word a, c205_word b, uint64_t *flags);
 /* normalised(a +- b) with the exponent one less */
 c205_word arith_average(c205_word a, c205_word b, uint64_t *flags);
 c205_word arith_average_difference(c205_word a, c205_word b,

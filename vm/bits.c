@@ -82,7 +82,222 @@ STRINGS(or_not)
 STRINGS(and_not)
 STRINGS(equivalence)
 
-/* ---- Count -------------------------------------------------------------- */
+/* ---- Mask, merge ------------------------------------------------------- */
+
+static void set_bit(uint64_t *bits, size_t i, bool value)
+{
+    uint64_t one = UINT64_C(1) << (63 - i % 64);
+    bits[i / 64] = value ? bits[i / 64] | one : bits[i / 64] & ~one;
+}
+
+/* As move.c does with words: mask takes the bit in the same place, merge the
+ * next one that has not been taken. */
+struct choice {
+    struct c205 *machine;
+    struct vector a, b, c;
+    struct control control;
+    size_t next_a, next_b;
+};
+
+typedef void chooser(struct choice *choice, size_t first, size_t n,
+                     const uint64_t *from_a, uint64_t *bits);
+
+static void mask_bits(struct choice *choice, size_t first, size_t n,
+                      const uint64_t *from_a, uint64_t *bits)
+{
+    uint64_t a[STRING_WORDS], b[STRING_WORDS];
+    read_string(choice->machine, &choice->a, first, n, a);
+    read_string(choice->machine, &choice->b, first, n, b);
+    for (size_t i = 0; i < (n + 63) / 64; i++)
+        bits[i] = (a[i] & from_a[i]) | (b[i] & ~from_a[i]);
+}
+
+static void merge_bits(struct choice *choice, size_t first, size_t n,
+                       const uint64_t *from_a, uint64_t *bits)
+{
+    uint64_t a[STRING_WORDS], b[STRING_WORDS];
+    size_t count = count_ones(from_a, n), at_a = 0, at_b = 0;
+    (void)first;
+    read_string(choice->machine, &choice->a, choice->next_a, count, a);
+    read_string(choice->machine, &choice->b, choice->next_b, n - count, b);
+    for (size_t i = 0; i < n; i++)
+        set_bit(bits, i, bit_at(from_a, i) ? bit_at(a, at_a++)
+                                           : bit_at(b, at_b++));
+    choice->next_a += count;
+    choice->next_b += n - count;
+}
+
+static c205_trap open_choice(struct choice *choice, struct c205 *machine,
+                             const struct decoded *decoded)
+{
+    struct vector *a = &choice->a, *b = &choice->b, *c = &choice->c;
+    choice->machine = machine;
+    choice->next_a = choice->next_b = 0;
+    c205_trap trap = describe_string(a, machine, decoded->a, decoded->x);
+    if (trap == C205_TRAP_NONE)
+        trap = describe_string(b, machine, decoded->b, decoded->y);
+    if (trap == C205_TRAP_NONE)
+        trap = describe_result(c, &choice->control, machine, decoded, 1);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_vector(machine, a, c->length, false);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_vector(machine, b, c->length, false);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_control(machine, &choice->control, c->length);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_vector(machine, c, c->length, true);
+    return trap;
+}
+
+static c205_trap choose(struct c205 *machine, const struct decoded *decoded,
+                        chooser *chosen)
+{
+    struct choice choice;
+    const struct vector *c = &choice.c;
+    uint64_t bits[STRING_WORDS], from_a[STRING_WORDS];
+    c205_trap trap = open_choice(&choice, machine, decoded);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    machine->effect.elements = c->length;
+    bool apart = !operands_overlap(&choice.a, c)
+                 && !operands_overlap(&choice.b, c)
+                 && !operands_overlap(&choice.control.vector, c);
+    size_t chunk = apart ? STRING_BITS : 1;
+    for (size_t first = 0, n; first < c->length; first += n) {
+        n = c->length - first < chunk ? c->length - first : chunk;
+        control_read(&choice.control, first, n, from_a);
+        chosen(&choice, first, n, from_a, bits);
+        memory_write_bits(&machine->memory, vector_at(c, first), bits, n);
+    }
+    return C205_TRAP_NONE;
+}
+
+c205_trap execute_bits_mask(struct c205 *machine,
+                            const struct decoded *decoded)
+{
+    return choose(machine, decoded, mask_bits);
+}
+
+c205_trap execute_bits_merge(struct c205 *machine,
+                             const struct decoded *decoded)
+{
+    return choose(machine, decoded, merge_bits);
+}
+
+/* ---- Compress ---------------------------------------------------------- */
+
+struct sieve {
+    struct c205 *machine;
+    struct vector a, c;
+    struct control control;
+    size_t n; /* bits scanned */
+};
+
+static size_t keep_bits(const struct sieve *sieve, size_t first, size_t n,
+                        uint64_t *kept)
+{
+    uint64_t bits[STRING_WORDS], keep[STRING_WORDS];
+    size_t count = 0;
+    read_string(sieve->machine, &sieve->a, first, n, bits);
+    control_read(&sieve->control, first, n, keep);
+    for (size_t i = 0; i < n; i++)
+        if (bit_at(keep, i))
+            set_bit(kept, count++, bit_at(bits, i));
+    return count;
+}
+
+/* The result has as many bits as are kept; where it changes what is read,
+ * there must be room for all. */
+static c205_trap claim_sieve(struct sieve *sieve, bool ahead)
+{
+    struct c205 *machine = sieve->machine;
+    uint64_t kept[STRING_WORDS];
+    c205_trap trap = claim_vector(machine, &sieve->a, sieve->n, false);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_control(machine, &sieve->control, sieve->n);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    unsigned touches = machine->effect.touch_count;
+    sieve->c.length = ahead ? keep_bits(sieve, 0, sieve->n, kept) : sieve->n;
+    trap = claim_vector(machine, &sieve->c, sieve->c.length, true);
+    machine->effect.touch_count = touches;
+    return trap;
+}
+
+static size_t store_kept(const struct sieve *sieve, size_t chunk)
+{
+    struct memory *memory = &sieve->machine->memory;
+    uint64_t bits[STRING_WORDS];
+    size_t kept = 0;
+    for (size_t first = 0, n; first < sieve->n; first += n) {
+        n = sieve->n - first < chunk ? sieve->n - first : chunk;
+        size_t count = keep_bits(sieve, first, n, bits);
+        memory_write_bits(memory, vector_at(&sieve->c, kept), bits, count);
+        kept += count;
+    }
+    return kept;
+}
+
+c205_trap execute_bits_compress(struct c205 *machine,
+                                const struct decoded *decoded)
+{
+    struct sieve sieve = { .machine = machine };
+    c205_trap trap =
+        describe_string(&sieve.a, machine, decoded->a, decoded->x);
+    if (trap == C205_TRAP_NONE)
+        trap = describe_result(&sieve.c, &sieve.control, machine, decoded, 1);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    sieve.n = sieve.c.length = sieve.control.vector.length;
+    bool ahead = operand_is_ahead(&sieve.a, &sieve.c)
+                 && operand_is_ahead(&sieve.control.vector, &sieve.c);
+    trap = claim_sieve(&sieve, ahead);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    size_t kept = store_kept(&sieve, ahead ? STRING_BITS : 1);
+    if (kept > 0)
+        machine_touch(machine, sieve.c.address, kept);
+    machine->effect.elements = sieve.n;
+    machine->slot[decoded->result[0]] =
+        (machine->slot[decoded->c] & ADDRESS_MASK) | (c205_word)kept << 48;
+    return C205_TRAP_NONE;
+}
+
+/* ---- Repeated masks ---------------------------------------------------- */
+
+/* Groups of S bits, of which the first R are as told and the others not. */
+static c205_trap repeat(struct c205 *machine, const struct decoded *decoded,
+                        bool first)
+{
+    struct vector c = describe_bits(machine->slot[decoded->c]);
+    int64_t many = c205_to_integer(machine->slot[decoded->a]);
+    int64_t group = c205_to_integer(machine->slot[decoded->b]);
+    uint64_t bits[STRING_WORDS];
+    if (group < 1)
+        return C205_TRAP_BAD_DESCRIPTOR;
+    c205_trap trap = claim_vector(machine, &c, c.length, true);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    machine->effect.elements = c.length;
+    for (size_t i = 0; i < c.length; i++)
+        set_bit(bits, i, ((int64_t)i % group < many) == first);
+    memory_write_bits(&machine->memory, c.address, bits, c.length);
+    return C205_TRAP_NONE;
+}
+
+c205_trap execute_bits_repeat_zeros(struct c205 *machine,
+                                    const struct decoded *decoded)
+{
+    return repeat(machine, decoded, false);
+}
+
+c205_trap execute_bits_repeat_ones(struct c205 *machine,
+                                   const struct decoded *decoded)
+{
+    return repeat(machine, decoded, true);
+}
+
+/* ---- Count ------------------------------------------------------------- */
 
 static size_t leading_alike(const uint64_t *bits, size_t n)
 {

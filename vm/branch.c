@@ -14,7 +14,7 @@ static c205_trap go_to(struct c205 *machine, uint64_t target)
     return C205_TRAP_NONE;
 }
 
-/* ---- Targets in registers ----------------------------------------------- */
+/* ---- Targets in registers ---------------------------------------------- */
 
 #define BRANCH_IF(name, comparison) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
@@ -80,7 +80,77 @@ c205_trap execute_branch_immediate(struct c205 *machine,
                               + machine->slot[decoded->a]);
 }
 
-/* ---- Targets by distance, or (Y) + (B) ---------------------------------- */
+/* ---- Branch on a bit and alter it -------------------------------------- */
+
+enum { CONDITION_SHIFT = 2, ALTERATION_MASK = 3 };
+
+/* I4, its high half: branch never, always, on a one, on a zero. */
+static const bool branches[4][2] = {
+    { false, false }, { true, true }, { false, true }, { true, false }
+};
+/* Its low half: leave the bit, change it, make it zero, make it one. */
+static const bool altered[4][2] = {
+    { false, true }, { true, false }, { false, false }, { true, true }
+};
+
+static c205_trap branch_and_alter(struct c205 *machine,
+                                  const struct decoded *decoded,
+                                  c205_word *word, uint64_t number)
+{
+    int64_t how = decoded->fields.immediate;
+    uint64_t mask = UINT64_C(1) << (63 - number % WORD_BITS);
+    bool bit = *word & mask;
+    c205_trap trap = C205_TRAP_NONE;
+    if (branches[how >> CONDITION_SHIFT][bit])
+        trap = go_to(machine, machine->slot[decoded->c]);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    *word = altered[how & ALTERATION_MASK][bit] ? *word | mask
+                                                : *word & ~mask;
+    return C205_TRAP_NONE;
+}
+
+c205_trap execute_alter_register_bit(struct c205 *machine,
+                                     const struct decoded *decoded)
+{
+    c205_word word = machine->slot[decoded->a];
+    c205_trap trap = branch_and_alter(machine, decoded, &word,
+                                      machine->slot[decoded->b]);
+    if (trap == C205_TRAP_NONE)
+        machine->slot[decoded->result[0]] = word;
+    return trap;
+}
+
+c205_trap execute_alter_flag(struct c205 *machine,
+                             const struct decoded *decoded)
+{
+    return branch_and_alter(machine, decoded, &machine->data_flags,
+                            machine->slot[decoded->a]);
+}
+
+/* A bit that is left as it is may be in memory that may only be read. */
+c205_trap execute_alter_memory_bit(struct c205 *machine,
+                                   const struct decoded *decoded)
+{
+    struct memory *memory = &machine->memory;
+    uint64_t address =
+        LOW(machine->slot[decoded->a] + machine->slot[decoded->b]);
+    uint64_t place = address - address % WORD_BITS;
+    bool alters = decoded->fields.immediate & ALTERATION_MASK;
+    c205_word word = 0;
+    c205_trap trap = memory_check(memory, address, 1, alters,
+                                  &machine->fault);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    memory_read_words(memory, place, &word, 1);
+    trap = branch_and_alter(machine, decoded, &word, address);
+    if (trap == C205_TRAP_NONE && alters)
+        memory_write_words(memory, place, &word, 1);
+    machine_touch(machine, address, 1);
+    return trap;
+}
+
+/* ---- Targets by distance, or (Y) + (B) --------------------------------- */
 
 static c205_trap go_to_near(struct c205 *machine,
                             const struct decoded *decoded)
@@ -138,7 +208,7 @@ FLOAT_BRANCH_IF(float_branch_less, arith_less)
 FLOAT_BRANCH_IF(float_branch_not_greater, not_greater)
 FLOAT_BRANCH_IF(float_branch_greater, greater)
 
-/* ---- The monitor -------------------------------------------------------- */
+/* ---- The monitor ------------------------------------------------------- */
 
 /* Bits of an element of the vector that a request has in R; 0: R is no
  * vector.  0 ends, 1-3 print R, 4 bytes, 5 a newline, 6 words, 7 bits. */

@@ -142,6 +142,7 @@ static const struct layout {
     [C205_FORMAT_NONE] = { "", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_RST] = { "rst", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_RT] = { "rt", NO_IMMEDIATE, 0, 0 },
+    [C205_FORMAT_T] = { "t", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_MEMORY] = { "rst", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_COMPARE] = { "rst", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_CALL] = { "rst", NO_IMMEDIATE, 0, 0 },
@@ -149,11 +150,15 @@ static const struct layout {
     [C205_FORMAT_REQUEST] = { "rs", UNSIGNED, 32, 8 },
     [C205_FORMAT_SHIFT] = { "rt", SIGNED, 40, 8 },
     [C205_FORMAT_BITS1] = { "rt", NO_IMMEDIATE, 0, 0 },
+    [C205_FORMAT_REPEAT] = { "rst", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_I16] = { "r", SIGNED, 32, 16 },
     [C205_FORMAT_I48] = { "r", SIGNED, 0, 48 },
     [C205_FORMAT_JUMP] = { "r", UNSIGNED, 0, 48 },
     [C205_FORMAT_INDEX] = { "gxaybzc", IF_RELATIVE, 16, 16 },
     [C205_FORMAT_FLOAT] = { "gaybz", IF_RELATIVE, 16, 16 },
+    [C205_FORMAT_ALTER] = { "abc", UNSIGNED, 48, 4 },
+    [C205_FORMAT_ALTERB] = { "abc", UNSIGNED, 48, 4 },
+    [C205_FORMAT_ALTERF] = { "ac", UNSIGNED, 48, 4 },
     [C205_FORMAT_VECTOR] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_UNARY] = { "gxazc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_REDUCE2] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
@@ -162,9 +167,13 @@ static const struct layout {
     [C205_FORMAT_SELECTED] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_SQUEEZE] = { "gxazc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_SIEVE] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
+    [C205_FORMAT_SPARSE] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_TABLE] = { "gxabzc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_SPREAD] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_STRING] = { "gxaybc", NO_IMMEDIATE, 0, 0 }
+    [C205_FORMAT_STRING] = { "gxaybc", NO_IMMEDIATE, 0, 0 },
+    [C205_FORMAT_SCAN] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
+    [C205_FORMAT_SELECTEDB] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
+    [C205_FORMAT_SQUEEZEB] = { "gxazc", NO_IMMEDIATE, 0, 0 }
 };
 
 static bool has_immediate(const struct layout *layout, uint8_t g)

@@ -401,6 +401,11 @@ static inline lane lane_floor(c205_word a)
     return integer_part(a, without_fraction(coefficient(a), a));
 }
 
+static inline lane lane_ceiling(c205_word a)
+{
+    return integer_part(a, -without_fraction(-coefficient(a), a));
+}
+
 static inline lane lane_truncate(c205_word a)
 {
     const int64_t c = coefficient(a);

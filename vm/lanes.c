@@ -84,7 +84,7 @@ static inline size_t lesser(size_t a, size_t b)
     SPAN(name, UNARY_PARAMETERS, lane_##name(a[j]),                        \
          unary_exactly(arith_##name, c + i, a + i, end - i, flags))
 
-/* The forms for longer numbers, which are rare: no fast path. */
+/* What is rare has no fast path. */
 #define EXACT(name)                                                        \
     void lanes_##name BINARY_PARAMETERS                                    \
     {                                                                      \
@@ -134,9 +134,12 @@ EXACT(add_lower)
 EXACT(subtract_lower)
 EXACT(multiply_lower)
 EXACT(divide_upper)
+EXACT(adjust_significance)
+EXACT(adjust_exponent)
 UNARY(square_root)
 UNARY(truncate)
 UNARY(floor)
+UNARY(ceiling)
 UNARY(absolute)
 UNARY(negate)
 COMPARE(equal, ==, 0)
@@ -152,6 +155,11 @@ COMPARE(less, <, 0)
 #define OR_NOT(a, b) ((a) | ~(b))
 #define AND_NOT(a, b) ((a) & ~(b))
 #define EQUIVALENCE(a, b) ~((a) ^ (b))
+#define PACK(a, b) ((a) << 48 | ((b) & WORD_COEFFICIENT_MASK))
+#define HIGH(a) ((a) & ~WORD_COEFFICIENT_MASK)
+#define ADD_INDEX(a, b) (HIGH(a) | (((a) + (b)) & WORD_COEFFICIENT_MASK))
+#define SUBTRACT_INDEX(a, b)                                               \
+    (HIGH(a) | (((a) - (b)) & WORD_COEFFICIENT_MASK))
 
 static inline c205_word shift(c205_word a, c205_word b)
 {
@@ -173,6 +181,9 @@ LOGICAL(or_not, OR_NOT)
 LOGICAL(and_not, AND_NOT)
 LOGICAL(equivalence, EQUIVALENCE)
 LOGICAL(shift, shift)
+LOGICAL(pack, PACK)
+LOGICAL(add_index, ADD_INDEX)
+LOGICAL(subtract_index, SUBTRACT_INDEX)
 
 CLONED void lanes_exponent UNARY_PARAMETERS
 {

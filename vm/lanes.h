@@ -28,8 +28,11 @@ lanes_binary lanes_divide_upper, lanes_divide_significant;
 lanes_binary lanes_average, lanes_average_difference;
 lanes_binary lanes_xor, lanes_and, lanes_or, lanes_nand, lanes_nor,
     lanes_or_not, lanes_and_not, lanes_equivalence, lanes_shift;
-lanes_unary lanes_square_root, lanes_truncate, lanes_floor, lanes_absolute,
-    lanes_negate, lanes_exponent, lanes_copy;
+lanes_binary lanes_adjust_significance, lanes_adjust_exponent, lanes_pack;
+/* The low 48 bits of a + b, a - b; the high 16 bits from a. */
+lanes_binary lanes_add_index, lanes_subtract_index;
+lanes_unary lanes_square_root, lanes_truncate, lanes_floor, lanes_ceiling,
+    lanes_absolute, lanes_negate, lanes_exponent, lanes_copy;
 lanes_compare lanes_equal, lanes_not_equal, lanes_not_less, lanes_less;
 
 /* c[i] = bit i of bits (as above) ? a[i] : c[i] */

@@ -166,21 +166,13 @@ static size_t store_kept(struct sieve *sieve)
     return kept;
 }
 
-/* May whole chunks be read before they are stored?  An element never moves
- * up: a result at or below its source overwrites what has been read. */
-static bool is_ahead(const struct vector *read, const struct vector *written)
-{
-    return !operands_overlap(read, written)
-           || (read->width == written->width
-               && written->address <= read->address);
-}
-
 static bool all_ahead(const struct sieve *sieve)
 {
     const struct stream *stream = &sieve->stream;
     const struct vector *c = &stream->result, *order = &sieve->order;
-    return is_ahead(&stream->a.vector, c) && is_ahead(&stream->b.vector, c)
-           && is_ahead(&stream->control.vector, c)
+    return operand_is_ahead(&stream->a.vector, c)
+           && operand_is_ahead(&stream->b.vector, c)
+           && operand_is_ahead(&stream->control.vector, c)
            && !operands_overlap(&stream->a.vector, order)
            && !operands_overlap(&stream->b.vector, order)
            && !operands_overlap(c, order);

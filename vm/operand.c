@@ -181,6 +181,15 @@ size_t operand_lead(const struct vector *read, const struct vector *written)
     return lead < CHUNK ? (size_t)lead : CHUNK;
 }
 
+/* An element never moves up: a result at or below its source overwrites what
+ * has been read. */
+bool operand_is_ahead(const struct vector *read, const struct vector *written)
+{
+    return !operands_overlap(read, written)
+           || (read->width == written->width
+               && written->address <= read->address);
+}
+
 /* ---- Read --------------------------------------------------------------- */
 
 static const c205_word *padding_words(struct source *source, size_t n)
@@ -300,4 +309,18 @@ size_t count_ones(const uint64_t *bits, size_t n)
         for (uint64_t rest = bits[i]; rest; rest &= rest - 1)
             count++;
     return count;
+}
+
+size_t first_one(const uint64_t *bits, size_t n)
+{
+    size_t i = 0;
+    while (i < n && !bit_at(bits, i))
+        i += bits[i / 64] ? 1 : 64;
+    return i < n ? i : n;
+}
+
+void fill_words(c205_word *words, c205_word word, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        words[i] = word;
 }

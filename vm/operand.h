@@ -82,6 +82,9 @@ c205_trap claim_control(struct c205 *machine, struct control *control,
  * stored. */
 size_t operand_lead(const struct vector *read, const struct vector *written);
 bool operands_overlap(const struct vector *one, const struct vector *other);
+/* May all of one be read before the other is stored, whose elements come from
+ * the same place or from further on? */
+bool operand_is_ahead(const struct vector *read, const struct vector *written);
 
 /* ---- Read and store ----------------------------------------------------- */
 
@@ -103,6 +106,9 @@ void result_store_bits(struct c205 *machine, const struct vector *result,
 size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits,
                       size_t n);
 size_t count_ones(const uint64_t *bits, size_t n);
+/* The place of the first one, or n. */
+size_t first_one(const uint64_t *bits, size_t n);
+void fill_words(c205_word *words, c205_word word, size_t n);
 
 static inline bool bit_at(const uint64_t *bits, size_t i)
 {

@@ -166,15 +166,6 @@ c205_trap execute_vector_minimum(struct c205 *machine,
 
 /* ---- Select ------------------------------------------------------------- */
 
-/* The place of the first one, or n. */
-static size_t first_one(const uint64_t *bits, size_t n)
-{
-    size_t i = 0;
-    while (i < n && !bit_at(bits, i))
-        i += bits[i / 64] ? 1 : 64;
-    return i < n ? i : n;
-}
-
 static c205_trap select_first(struct c205 *machine,
                               const struct decoded *decoded,
                               lanes_compare *comparison)

@@ -30,7 +30,7 @@ enum { LENGTH_SHIFT = 48 };
         return C205_TRAP_NONE; \
     }
 
-/* ---- Registers: enter, move, index and address arithmetic --------------- */
+/* ---- Registers: enter, move, index and address arithmetic -------------- */
 
 TO_R(enter_short, LOW(i))
 TO_R(enter_long, LOW(i))
@@ -45,7 +45,20 @@ TO_T(add_index, HIGH(a) | LOW(a + b))
 TO_T(subtract_index, HIGH(a) | LOW(a - b))
 TO_T(multiply_index, LOW(a * b))
 
-/* ---- Arithmetic --------------------------------------------------------- */
+/* ---- Special registers ------------------------------------------------- */
+
+c205_trap execute_exchange_flags(struct c205 *machine,
+                                 const struct decoded *decoded)
+{
+    c205_word flags = machine->data_flags;
+    machine->data_flags = machine->slot[decoded->a];
+    machine->slot[decoded->c] = flags;
+    return C205_TRAP_NONE;
+}
+
+TO_T(read_clock, LOW(machine_clocks(machine)))
+
+/* ---- Arithmetic -------------------------------------------------------- */
 
 #define TWO_OPERANDS(name) \
     TO_T(name, arith_##name(a, b, &machine->data_flags))
@@ -64,11 +77,15 @@ TWO_OPERANDS(divide_upper)
 TWO_OPERANDS(divide_significant)
 ONE_OPERAND(truncate)
 ONE_OPERAND(floor)
+ONE_OPERAND(ceiling)
 ONE_OPERAND(square_root)
 ONE_OPERAND(absolute)
 ONE_OPERAND(exponent)
+TWO_OPERANDS(adjust_significance)
+TWO_OPERANDS(adjust_exponent)
+TWO_OPERANDS(pack)
 
-/* ---- Shift and logical -------------------------------------------------- */
+/* ---- Shift and logical ------------------------------------------------- */
 
 TO_T(shift_immediate, arith_shift(a, d->fields.immediate))
 TO_T(shift_register, arith_shift(a, c205_to_integer(b)))
@@ -76,7 +93,51 @@ TO_T(exclusive_or, a ^ b)
 TO_T(and, a & b)
 TO_T(or, a | b)
 
-/* ---- Memory ------------------------------------------------------------- */
+/* ---- Fields of bits ---------------------------------------------------- */
+
+/* Of a word: the length of a field stands where a vector has it, its first
+ * bit where a vector has its address. */
+struct field {
+    uint64_t ones;  /* as many, right-justified */
+    unsigned right; /* bits of the word after it */
+};
+
+static c205_trap describe_field(c205_word descriptor, struct field *field)
+{
+    uint64_t length = descriptor >> LENGTH_SHIFT, first = LOW(descriptor);
+    if (first + length > WORD_BITS)
+        return C205_TRAP_BAD_DESCRIPTOR;
+    field->ones = length > 0 ? UINT64_MAX >> (WORD_BITS - length) : 0;
+    field->right = length > 0 ? (unsigned)(WORD_BITS - first - length) : 0;
+    return C205_TRAP_NONE;
+}
+
+c205_trap execute_insert_bits(struct c205 *machine,
+                              const struct decoded *decoded)
+{
+    c205_word word = machine->slot[decoded->c], bits;
+    struct field field;
+    c205_trap trap = describe_field(machine->slot[decoded->b], &field);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    bits = machine->slot[decoded->a] & field.ones;
+    machine->slot[decoded->result[0]] =
+        (word & ~(field.ones << field.right)) | bits << field.right;
+    return C205_TRAP_NONE;
+}
+
+c205_trap execute_extract_bits(struct c205 *machine,
+                               const struct decoded *decoded)
+{
+    struct field field;
+    c205_trap trap = describe_field(machine->slot[decoded->b], &field);
+    if (trap == C205_TRAP_NONE)
+        machine->slot[decoded->c] =
+            machine->slot[decoded->a] >> field.right & field.ones;
+    return trap;
+}
+
+/* ---- Memory ------------------------------------------------------------ */
 
 /* The word's address, R + 64 S. */
 static uint64_t operand_address(const struct c205 *machine,
@@ -110,7 +171,7 @@ c205_trap execute_store_word(struct c205 *machine,
     return C205_TRAP_NONE;
 }
 
-/* ---- Swap --------------------------------------------------------------- */
+/* ---- Swap -------------------------------------------------------------- */
 
 /* Of the vector in a register: may so many registers from first on be moved
  * there or from there? */

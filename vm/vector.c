@@ -1,12 +1,13 @@
 /* vector.c - vector instructions that work element by element. */
 #include "vector.h"
 
-/* ---- Streams ------------------------------------------------------------ */
+/* ---- Streams ----------------------------------------------------------- */
 
 c205_trap stream_describe(struct stream *stream, struct c205 *machine,
                           const struct decoded *decoded, unsigned width)
 {
     stream->machine = machine;
+    stream->scans_b = false;
     c205_trap trap = describe_a(&stream->a, machine, decoded);
     if (trap == C205_TRAP_NONE)
         trap = describe_b(&stream->b, machine, decoded);
@@ -33,6 +34,7 @@ c205_trap stream_describe_sources(struct stream *stream,
                                   const struct decoded *decoded)
 {
     stream->machine = machine;
+    stream->scans_b = false;
     stream->result.length = 0;
     describe_control(&stream->control, machine, decoded);
     c205_trap trap = describe_a(&stream->a, machine, decoded);
@@ -42,6 +44,13 @@ c205_trap stream_describe_sources(struct stream *stream,
                                   : trap;
 }
 
+/* How many elements of B will be read. */
+static size_t count_b(const struct stream *stream)
+{
+    return stream->scans_b && stream->n > 0 ? stream->b.vector.length
+                                            : stream->n;
+}
+
 c205_trap stream_claim_sources(struct stream *stream)
 {
     struct c205 *machine = stream->machine;
@@ -49,7 +58,7 @@ c205_trap stream_claim_sources(struct stream *stream)
     stream->chunk = CHUNK;
     c205_trap trap = claim_source(machine, &stream->a, stream->n);
     if (trap == C205_TRAP_NONE)
-        trap = claim_source(machine, &stream->b, stream->n);
+        trap = claim_source(machine, &stream->b, count_b(stream));
     if (trap == C205_TRAP_NONE)
         trap = claim_control(machine, &stream->control, stream->n);
     return trap;
@@ -82,7 +91,20 @@ c205_trap stream_open(struct stream *stream, struct c205 *machine,
     return trap == C205_TRAP_NONE ? stream_claim(stream) : trap;
 }
 
-/* ---- Operations --------------------------------------------------------- */
+c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
+                           const struct decoded *decoded)
+{
+    c205_trap trap = stream_describe(stream, machine, decoded, WORD_BITS);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    stream->scans_b = true;
+    trap = stream_claim(stream);
+    if (operands_overlap(&stream->b.vector, &stream->result))
+        stream->chunk = 1;
+    return trap;
+}
+
+/* ---- Operations -------------------------------------------------------- */
 
 static uint64_t flags_of(const struct operation *operation, c205_word *words,
                          const c205_word *a, const c205_word *b, size_t n)
@@ -175,10 +197,11 @@ static c205_trap elementwise(struct c205 *machine,
     LINKABLE(each) each(divide_upper) each(divide_significant) \
     each(average) each(average_difference) each(shift) each(xor) each(and) \
     each(or) each(nand) each(nor) each(or_not) each(and_not) \
-    each(equivalence)
+    each(equivalence) each(adjust_significance) each(adjust_exponent) \
+    each(pack) each(add_index) each(subtract_index)
 #define UNARY(each) \
-    each(truncate) each(floor) each(square_root) each(absolute) \
-    each(exponent)
+    each(truncate) each(floor) each(ceiling) each(square_root) \
+    each(absolute) each(exponent)
 
 #define EXECUTE_BINARY(name) \
     c205_trap execute_vector_##name(struct c205 *machine, \
@@ -216,13 +239,14 @@ struct operation linked_operation(const struct decoded *decoded)
     return operation;
 }
 
-/* ---- Delta, interval ---------------------------------------------------- */
+/* ---- Neighbours -------------------------------------------------------- */
 
 /* Two streams over A, the first one element ahead. */
-c205_trap execute_vector_delta(struct c205 *machine,
-                               const struct decoded *decoded)
+static c205_trap neighbours(struct c205 *machine,
+                            const struct decoded *decoded,
+                            lanes_binary *binary)
 {
-    struct operation operation = { NULL, lanes_subtract_normalised };
+    struct operation operation = { NULL, binary };
     struct stream stream;
     c205_trap trap = stream_describe(&stream, machine, decoded, WORD_BITS);
     if (trap == C205_TRAP_NONE)
@@ -239,6 +263,20 @@ c205_trap execute_vector_delta(struct c205 *machine,
         run_stream(&stream, &operation);
     return trap;
 }
+
+c205_trap execute_vector_delta(struct c205 *machine,
+                               const struct decoded *decoded)
+{
+    return neighbours(machine, decoded, lanes_subtract_normalised);
+}
+
+c205_trap execute_vector_adjacent_mean(struct c205 *machine,
+                                       const struct decoded *decoded)
+{
+    return neighbours(machine, decoded, lanes_average);
+}
+
+/* ---- Interval ---------------------------------------------------------- */
 
 /* n elements by repeated upper addition, the first of them *value; the next
  * is left there.  They do not depend on the control vector, flags do: each
@@ -287,7 +325,51 @@ c205_trap execute_vector_interval(struct c205 *machine,
     return trap;
 }
 
-/* ---- Compare ------------------------------------------------------------ */
+/* ---- Polynomial -------------------------------------------------------- */
+
+/* values := the polynomial at each of a, by Horner: times a, plus the next
+ * coefficient. */
+static void evaluate(struct stream *stream, c205_word *values,
+                     const c205_word *a, size_t n, const uint64_t *permitted)
+{
+    static const struct operation times = { NULL,
+                                            lanes_multiply_significant };
+    static const struct operation plus = { NULL, lanes_add_normalised };
+    size_t count = stream->b.vector.length;
+    c205_word products[CHUNK], coefficients[CHUNK];
+    fill_words(values,
+               count > 0 ? *source_read(&stream->b, 0, 1)
+                         : C205_MACHINE_ZERO, n);
+    for (size_t i = 1; i < count; i++) {
+        fill_words(coefficients, *source_read(&stream->b, i, 1), n);
+        operate(stream->machine, &times, products, values, a, n, permitted);
+        operate(stream->machine, &plus, values, products, coefficients, n,
+                permitted);
+    }
+}
+
+c205_trap execute_vector_polynomial(struct c205 *machine,
+                                    const struct decoded *decoded)
+{
+    struct stream stream;
+    c205_word words[CHUNK];
+    uint64_t permitted[CHUNK_WORDS];
+    c205_trap trap = stream_open_scan(&stream, machine, decoded);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    machine->effect.elements = stream.n * stream.b.vector.length;
+    for (size_t first = 0, n; first < stream.n; first += n) {
+        n = stream_next(&stream, first);
+        control_read(&stream.control, first, n, permitted);
+        evaluate(&stream, words, source_read(&stream.a, first, n), n,
+                 stream.control.present ? permitted : NULL);
+        result_store(machine, &stream.result, &stream.control, first, words,
+                     n);
+    }
+    return C205_TRAP_NONE;
+}
+
+/* ---- Compare ----------------------------------------------------------- */
 
 static c205_trap compare(struct c205 *machine, const struct decoded *decoded,
                          lanes_compare *comparison)

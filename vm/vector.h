@@ -13,6 +13,7 @@ struct stream {
     struct vector result;
     size_t n;     /* elements */
     size_t chunk; /* at most so many at once */
+    bool scans_b; /* all of B is read for each element of A */
 };
 
 /* What is done with the elements: one of the two. */
@@ -38,6 +39,9 @@ c205_trap stream_claim_sources(struct stream *stream);
 /* Describe and claim. */
 c205_trap stream_open(struct stream *stream, struct c205 *machine,
                       const struct decoded *decoded, unsigned width);
+/* .. where all of B is read for each element of A. */
+c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
+                           const struct decoded *decoded);
 
 /* How many elements come next. */
 static inline size_t stream_next(const struct stream *stream, size_t first)

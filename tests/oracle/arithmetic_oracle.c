@@ -413,6 +413,12 @@ c205_word oracle_floor(c205_word a, c205_word b, uint64_t *flags)
     return integer_part(a, mpz_fdiv_q_2exp, flags);
 }
 
+c205_word oracle_ceiling(c205_word a, c205_word b, uint64_t *flags)
+{
+    (void)b;
+    return integer_part(a, mpz_cdiv_q_2exp, flags);
+}
+
 /* Of a special word too: the range rule makes the plain special of it, but
  * no exponent overflow where there was no number. */
 c205_word oracle_negate(c205_word a, c205_word b, uint64_t *flags)
@@ -449,6 +455,85 @@ c205_word oracle_exponent(c205_word a, c205_word b, uint64_t *flags)
     take(&left, a);
     mpz_set_si(wide, left.exponent);
     return make(wide, 0, flags);
+}
+
+/* ---- Adjust, pack -------------------------------------------------------- */
+
+/* A number shifted left, one place after the other, as far as it may be and
+ * is wanted; limit: how far at the most. */
+static long shift_left(long wanted, long limit)
+{
+    long places = 0;
+
+    while (places < wanted && places < limit
+           && significant_bits(left.coefficient) < 47) {
+        scale_down(left.coefficient, -1);
+        places++;
+    }
+    return places;
+}
+
+/* Past so many places only the sign is left. */
+static void shift_right(long places)
+{
+    scale_down(left.coefficient, places > 100 ? 100 : places);
+}
+
+c205_word oracle_adjust_significance(c205_word a, c205_word b,
+                                     uint64_t *flags)
+{
+    take_both(a, b);
+    long places = mpz_get_si(right.coefficient);
+    if (left.kind == INDEFINITE)
+        return indefinite(0, flags);
+    if (left.kind == MACHINE_ZERO)
+        return machine_zero(flags);
+    if (places > 0)
+        places = shift_left(places, 47);
+    else
+        shift_right(-places);
+    return make(left.coefficient, left.exponent - places, flags);
+}
+
+c205_word oracle_adjust_exponent(c205_word a, c205_word b, uint64_t *flags)
+{
+    take_both(a, b);
+    const long exponent = mpz_get_si(right.coefficient);
+    const long places = left.exponent - exponent;
+    if (left.kind == INDEFINITE)
+        return indefinite(0, flags);
+    if (left.kind == MACHINE_ZERO)
+        return machine_zero(flags);
+    if (places <= 0)
+        shift_right(-places);
+    else if (mpz_sgn(left.coefficient) != 0
+             && shift_left(places, places) < places)
+        return indefinite(FLAG_EXPONENT_OVERFLOW, flags);
+    return make(left.coefficient, exponent, flags);
+}
+
+/* 16 bits and 48. */
+static c205_word join(c205_word high, c205_word low)
+{
+    return high % (1ul << 16) * (1ul << 48) + low % (1ul << 48);
+}
+
+c205_word oracle_pack(c205_word a, c205_word b, uint64_t *flags)
+{
+    (void)flags;
+    return join(a, b);
+}
+
+c205_word oracle_add_index(c205_word a, c205_word b, uint64_t *flags)
+{
+    (void)flags;
+    return join(a >> 48, a + b);
+}
+
+c205_word oracle_subtract_index(c205_word a, c205_word b, uint64_t *flags)
+{
+    (void)flags;
+    return join(a >> 48, a - b);
 }
 
 /* ---- Compare ------------------------------------------------------------ */

@@ -28,12 +28,14 @@ oracle_rule oracle_multiply_upper, oracle_multiply_lower,
     oracle_multiply_significant;
 oracle_rule oracle_divide_upper, oracle_divide_significant;
 oracle_rule oracle_square_root;
-oracle_rule oracle_truncate, oracle_floor, oracle_absolute, oracle_negate,
-    oracle_exponent;
+oracle_rule oracle_truncate, oracle_floor, oracle_ceiling, oracle_absolute,
+    oracle_negate, oracle_exponent;
+oracle_rule oracle_adjust_significance, oracle_adjust_exponent, oracle_pack;
 oracle_rule oracle_equal, oracle_not_equal, oracle_not_less, oracle_less;
 oracle_rule oracle_shift;
 oracle_rule oracle_xor, oracle_and, oracle_or, oracle_nand, oracle_nor,
     oracle_or_not, oracle_and_not, oracle_equivalence;
+oracle_rule oracle_add_index, oracle_subtract_index;
 oracle_rule oracle_copy;
 
 /* The value of a word, exactly when value has 48 bits or more; machine zero

@@ -118,9 +118,13 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
     UNARY(square_root)                                                      \
     UNARY(truncate)                                                         \
     UNARY(floor)                                                            \
+    UNARY(ceiling)                                                          \
     UNARY(absolute)                                                         \
     UNARY(negate)                                                           \
     UNARY(exponent)                                                         \
+    BINARY(adjust_significance)                                             \
+    BINARY(adjust_exponent)                                                 \
+    BINARY(pack)                                                            \
     BINARY(average)                                                         \
     BINARY(average_difference)                                              \
     COMPARE(equal)                                                          \
@@ -136,6 +140,8 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
     SPAN_ONLY(or_not)                                                       \
     SPAN_ONLY(and_not)                                                      \
     SPAN_ONLY(equivalence)                                                  \
+    SPAN_ONLY(add_index)                                                    \
+    SPAN_ONLY(subtract_index)                                               \
     UNARY_SPAN(copy)
 
 OPERATIONS(ADAPT_BINARY, ADAPT_UNARY, ADAPT_COMPARE, ADAPT_SHIFT, ADAPT_SPAN,

@@ -239,6 +239,16 @@ static void with_zeros(uint64_t *random, c205_word *a, c205_word *b)
         *b = C205_MACHINE_ZERO;
 }
 
+/* b is an exponent to be brought to, near that of a. */
+static void other_exponents(uint64_t *random, c205_word *a, c205_word *b)
+{
+    const int64_t exponent = usual_exponent(random);
+
+    *a = pack(exponent, random_between(random, -9, 9)
+                            * (INT64_C(1) << random_between(random, 0, 43)));
+    *b = pack(0, exponent + random_between(random, -50, 50));
+}
+
 static void anything(uint64_t *random, c205_word *a, c205_word *b)
 {
     *a = random_word(random);
@@ -249,7 +259,7 @@ static family *const families[] = {
     fast_path,    aligned_normalised, aligned_unnormalised, cancelling,
     equal_values, extreme,            extreme_sums,         extreme_normalised,
     squares,      multiples,          counts,               sprinkled,
-    with_zeros,   anything,
+    with_zeros,   other_exponents,    anything,
 };
 
 /* ---- The stream --------------------------------------------------------- */

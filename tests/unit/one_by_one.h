@@ -70,6 +70,7 @@ struct insn {
     const c205_insn *row;
     c205_fields f;
     struct operand a, b, c, z;
+    unsigned order; /* the register of Z */
     const c205_word *handed; /* by the first of a linked pair, .. */
     bool handed_a, handed_b; /* .. as what */
 };
@@ -181,6 +182,12 @@ static c205_word shifted(c205_word a, c205_word b, uint64_t *flags)
     return arith_shift(a, c205_to_integer(b));
 }
 
+static c205_word add_index(c205_word a, c205_word b, uint64_t *flags)
+{
+    (void)flags;
+    return (a & ~UINT64_C(0xFFFFFFFFFFFF)) | ((a + b) & 0xFFFFFFFFFFFF);
+}
+
 static const struct {
     const char *name;
     one *one;
@@ -191,16 +198,27 @@ static const struct {
     { "SUBLV", NULL, arith_subtract_lower, NULL },
     { "MPYSV", NULL, arith_multiply_significant, NULL },
     { "DIVUV", NULL, arith_divide_upper, NULL },
+    { "ADJSV", NULL, arith_adjust_significance, NULL },
+    { "ADJEV", NULL, arith_adjust_exponent, NULL },
+    { "PACKV", NULL, arith_pack, NULL },
+    { "ADDXV", NULL, add_index, NULL },
     { "AVGDV", NULL, arith_average_difference, NULL },
     { "SHIFTV", NULL, shifted, NULL },
     { "ANDNV", NULL, and_not, NULL },
     { "VTOV", copy, NULL, NULL },
     { "SQRTV", arith_square_root, NULL, NULL },
     { "FLRV", arith_floor, NULL, NULL },
+    { "CLGV", arith_ceiling, NULL, NULL },
     { "CMPGEV", NULL, NULL, arith_not_less },
     { "CMPNEV", NULL, NULL, arith_not_equal },
     { "SELLTV", NULL, NULL, arith_less },
-    { "SELEQV", NULL, NULL, arith_equal }
+    { "SELEQV", NULL, NULL, arith_equal },
+    { "SUBUS", NULL, arith_subtract_upper, NULL },
+    { "ADDNS", NULL, arith_add_normalised, NULL },
+    { "MPYSS", NULL, arith_multiply_significant, NULL },
+    { "DIVUS", NULL, arith_divide_upper, NULL },
+    { "SCHEQV", NULL, NULL, arith_equal },
+    { "SCHGEV", NULL, NULL, arith_not_less }
 };
 enum { SIMPLE = sizeof simple / sizeof simple[0] };
 
@@ -295,6 +313,73 @@ static void do_delta(struct insn *i)
     }
 }
 
+static void do_adjacent_mean(struct insn *i)
+{
+    for (int64_t n = 0; n < i->c.length; n++) {
+        uint64_t flags = 0;
+        c205_word a = element_a(i, n), next = element_a(i, n + 1);
+        store(i, n, arith_average(next, a, &flags), &flags);
+    }
+}
+
+static void do_polynomial(struct insn *i)
+{
+    for (int64_t n = 0; n < i->c.length; n++) {
+        c205_word a = element_a(i, n), value = C205_MACHINE_ZERO;
+        uint64_t flags = 0;
+        for (int64_t k = 0; k < i->b.length; k++) {
+            c205_word b = element_b(i, k);
+            value = arith_multiply_significant(value, a, &flags);
+            value = arith_add_normalised(value, b, &flags);
+            flags = k == 0 ? 0 : flags;
+            value = k == 0 ? b : value;
+        }
+        store(i, n, value, &flags);
+    }
+}
+
+/* Order vectors are read before and stored after all elements. */
+static void do_sparse(struct insn *i, size_t which)
+{
+    bool both = i->row->flags & C205_INSN_PADO;
+    struct operand x = operand_of(i->o, i->f.x, 0, 1);
+    struct operand y = operand_of(i->o, i->f.y, 0, 1);
+    int64_t n = x.length > y.length ? x.length : y.length;
+    int64_t next_a = 0, next_b = 0, kept = 0;
+    bool in_a[C205_MAX_LENGTH], in_b[C205_MAX_LENGTH];
+    for (int64_t k = 0; k < n; k++) {
+        in_a[k] = k < x.length && bit(i->o, x.address + (uint64_t)k);
+        in_b[k] = k < y.length && bit(i->o, y.address + (uint64_t)k);
+    }
+    i->f.z = 0;
+    for (int64_t k = 0; k < n; k++) {
+        uint64_t flags = 0;
+        c205_word a = in_a[k] ? element_a(i, next_a++) : C205_MACHINE_ZERO;
+        c205_word b = in_b[k] ? element_b(i, next_b++) : C205_MACHINE_ZERO;
+        if (both ? in_a[k] && in_b[k] : in_a[k] || in_b[k])
+            store(i, kept++, simple[which].two(a, b, &flags), &flags);
+    }
+    for (int64_t k = 0; k < n; k++)
+        set_bit(i->o, i->z.address + (uint64_t)k,
+                both ? in_a[k] && in_b[k] : in_a[k] || in_b[k]);
+    i->o->reg[i->f.c] =
+        descriptor(i->o->reg[i->f.c] & 0xFFFFFFFFFFFF, (size_t)kept);
+    i->o->reg[i->order] =
+        descriptor(i->o->reg[i->order] & 0xFFFFFFFFFFFF, (size_t)n);
+}
+
+static void do_search(struct insn *i, size_t which)
+{
+    for (int64_t n = 0; n < i->c.length; n++) {
+        c205_word a = element_a(i, n);
+        int64_t found = 0;
+        while (found < i->b.length
+               && !simple[which].relation(a, element_b(i, found)))
+            found++;
+        store(i, n, (c205_word)found, NULL);
+    }
+}
+
 static void do_interval(struct insn *i)
 {
     c205_word value = element_a(i, 0), step = element_b(i, 0);
@@ -370,13 +455,47 @@ static void do_scatter(struct insn *i)
     }
 }
 
+static bool bit_a(struct insn *i, int64_t n)
+{
+    return n < i->a.length && bit(i->o, i->a.address + (uint64_t)n);
+}
+
+static bool bit_b(struct insn *i, int64_t n)
+{
+    return n < i->b.length && bit(i->o, i->b.address + (uint64_t)n);
+}
+
 static void do_strings(struct insn *i)
 {
-    for (int64_t n = 0; n < i->c.length; n++) {
-        bool a = n < i->a.length && bit(i->o, i->a.address + (uint64_t)n);
-        bool b = n < i->b.length && bit(i->o, i->b.address + (uint64_t)n);
-        set_bit(i->o, i->c.address + (uint64_t)n, a && !b);
+    for (int64_t n = 0; n < i->c.length; n++)
+        set_bit(i->o, i->c.address + (uint64_t)n, bit_a(i, n) && !bit_b(i, n));
+}
+
+static void do_mask_bits(struct insn *i)
+{
+    for (int64_t n = 0; n < i->c.length; n++)
+        set_bit(i->o, i->c.address + (uint64_t)n,
+                one_of_z(i, n) ? bit_a(i, n) : bit_b(i, n));
+}
+
+static void do_merge_bits(struct insn *i)
+{
+    int64_t next_a = 0, next_b = 0;
+    for (int64_t n = 0; n < i->c.length; n++)
+        set_bit(i->o, i->c.address + (uint64_t)n,
+                one_of_z(i, n) ? bit_a(i, next_a++) : bit_b(i, next_b++));
+}
+
+static void do_compress_bits(struct insn *i)
+{
+    int64_t kept = 0;
+    for (int64_t n = 0; n < i->z.length; n++) {
+        bool a = bit_a(i, n);
+        if (one_of_z(i, n))
+            set_bit(i->o, i->c.address + (uint64_t)kept++, a);
     }
+    i->o->reg[i->f.c] =
+        descriptor(i->o->reg[i->f.c] & 0xFFFFFFFFFFFF, (size_t)kept);
 }
 
 static const struct {
@@ -386,20 +505,29 @@ static const struct {
     { "SUMV", do_reduction },   { "PRODV", do_reduction },
     { "DOTV", do_reduction },   { "MAXV", do_extreme },
     { "MINV", do_extreme },     { "DELTAV", do_delta },
+    { "ADJMV", do_adjacent_mean }, { "POLYV", do_polynomial },
     { "INTVLV", do_interval },  { "VREVV", do_reverse },
     { "MASKV", do_mask },       { "MRGV", do_merge },
     { "CPSV", do_compress },    { "ACPSV", do_compress },
     { "VXTOV", do_gather },     { "VTOVX", do_scatter },
-    { "ANDNB", do_strings }
+    { "ANDNB", do_strings },    { "MASKB", do_mask_bits },
+    { "MRGB", do_merge_bits },  { "CPSB", do_compress_bits }
 };
 enum { SPECIAL = sizeof special / sizeof special[0] };
+
+static bool is_string(const c205_insn *row)
+{
+    return row->format == C205_FORMAT_STRING
+           || row->format == C205_FORMAT_SELECTEDB
+           || row->format == C205_FORMAT_SQUEEZEB;
+}
 
 static struct insn describe(struct other *o, const c205_insn *row,
                             c205_fields f)
 {
     struct insn i;
     const char *syntax = c205_format_syntax(row->format);
-    bool strings = row->format == C205_FORMAT_STRING;
+    bool strings = is_string(row);
     int64_t width = strings ? 1 : 64, offset = 0;
     char letter =
         row->operands[strcspn(row->operands, "dec")];
@@ -409,10 +537,13 @@ static struct insn describe(struct other *o, const c205_insn *row,
     i.f = f;
     if (f.g & C205_G_OFFSET)
         offset = c205_to_integer(o->reg[f.c + 1]);
+    i.order = f.z;
+    if (row->format == C205_FORMAT_SPARSE) /* X and Y are order vectors */
+        f.x = f.y = 0;
     i.a = operand_of(o, f.a, c205_to_integer(o->reg[f.x]), width);
     i.b = operand_of(o, f.b, c205_to_integer(o->reg[f.y]), width);
     i.z = operand_of(o, f.z, offset, 1);
-    i.c = operand_of(o, f.c, offset, letter == 'e' ? 1 : 64);
+    i.c = operand_of(o, f.c, offset, letter == 'e' ? 1 : width);
     if (!strchr(syntax, 'b') && !strchr(syntax, 'B'))
         i.b.length = 0;
     return i;
@@ -425,6 +556,10 @@ static void perform(struct other *o, const c205_insn *row, c205_fields f)
         if (strcmp(simple[n].name, row->mnemonic) == 0) {
             if (row->format == C205_FORMAT_REDUCE2)
                 do_select(&i, n);
+            else if (row->format == C205_FORMAT_SPARSE)
+                do_sparse(&i, n);
+            else if (row->format == C205_FORMAT_SCAN)
+                do_search(&i, n);
             else
                 do_simple(&i, n);
         }

@@ -69,8 +69,10 @@ static c205_fields random_fields(const c205_insn *row)
 {
     const char *syntax = c205_format_syntax(row->format);
     bool scalars = row->format == C205_FORMAT_SCALARS;
-    bool strings = row->format == C205_FORMAT_STRING;
+    bool strings = is_string(row);
     bool sieve = row->format == C205_FORMAT_SIEVE;
+    bool scan = row->format == C205_FORMAT_SCAN;
+    bool sparse = row->format == C205_FORMAT_SPARSE;
     char result = row->operands[strcspn(row->operands, "dec")];
     uint64_t base = strings ? 5 : 1;
     c205_fields f;
@@ -83,7 +85,7 @@ static c205_fields random_fields(const c205_insn *row)
         f.a = (uint8_t)(11 + below(2));
     else if (strchr(syntax, 'a'))
         f.x = some(3, 9);
-    if (strchr(syntax, 'b') || scalars || strings)
+    if (strchr(syntax, 'b') || scalars || strings || scan || sparse)
         f.b = (uint8_t)(scalars ? 12 : base + below(4));
     if (row->format == C205_FORMAT_TABLE)
         f.b = 10;
@@ -91,17 +93,22 @@ static c205_fields random_fields(const c205_insn *row)
         f.g |= some(4, C205_G_BROADCAST_B);
     if (f.g & C205_G_BROADCAST_B)
         f.b = (uint8_t)(below(2) * 12);
-    else if (strchr(syntax, 'b'))
+    else if (strchr(syntax, 'b') || scan)
         f.y = some(3, 9);
-    if (strchr(syntax, '!') || sieve || (strchr(syntax, '?') && below(2)))
+    if (strchr(syntax, '!') || sieve || sparse
+        || (strchr(syntax, '?') && below(2)))
         f.z = (uint8_t)(5 + below(4));
-    if (f.z && !sieve)
+    if (f.z && !sieve && !sparse)
         f.g |= some(3, C205_G_ZEROS);
     if (row->flags & C205_INSN_SIGN)
         f.g |= (uint8_t)(some(4, C205_G_NEGATE_A)
                          | some(4, C205_G_MAGNITUDE_A));
     if (row->flags & C205_INSN_SIGN && f.b)
         f.g |= some(4, C205_G_MAGNITUDE_B);
+    if (sparse) {
+        f.x = (uint8_t)(5 + below(4));
+        f.y = (uint8_t)(5 + below(4));
+    }
     f.c = (uint8_t)((sieve || result != 'e' ? 1 : 5) + below(4));
     if (row->format == C205_FORMAT_SPREAD)
         f.c = 10;

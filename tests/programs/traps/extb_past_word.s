@@ -1,0 +1,8 @@
+; A field that reaches past the end of the word.
+        .include "../scalar.inc"
+        fetch   left, 1.0
+        fetch   right, X'0009 0000 0000 0038'
+        ES      result, 5
+        EXTB    left, right, result
+; expect-trap: bad-descriptor
+; expect: r19 = 5

@@ -1,0 +1,7 @@
+; The control vector of a mask may not be left out.
+        .include "../string.inc"
+        descriptor va, first, 100
+        into_string nothing, 8
+        MASKB   [va], [va], [to] ? [r0]
+; expect-trap: bad-descriptor
+; expect-bits: [nothing] = 11111111

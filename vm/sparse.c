@@ -1,0 +1,212 @@
+/* sparse.c - arithmetic on sparse vectors: of each operand the elements that
+ * are present stand one behind the other, and its order vector has a one for
+ * each, a zero for each that is absent.
+ *
+ * The order vectors are read as a whole before an element is stored, and that
+ * of the result is stored as a whole after the last.
+ */
+#include "vector.h"
+
+enum { ORDER_BITS = C205_MAX_LENGTH + 1, ORDER_WORDS = ORDER_BITS / 64 };
+
+/* Where elements are present. */
+struct order {
+    struct vector vector;
+    uint64_t bits[ORDER_WORDS]; /* zeros behind its end */
+    size_t ones;
+};
+
+/* Elements of the result are present where one operand is, or where both
+ * are. */
+enum presence { EITHER, BOTH };
+
+struct sparse {
+    struct c205 *machine;
+    struct source a, b;
+    struct vector result;
+    struct order x, y, z;
+    size_t next_a, next_b, next_result;
+};
+
+/* ---- Order vectors ----------------------------------------------------- */
+
+static c205_trap read_order(struct c205 *machine, struct order *order,
+                            c205_word descriptor)
+{
+    struct vector *vector = &order->vector;
+    *vector = describe_bits(descriptor);
+    c205_trap trap = claim_vector(machine, vector, vector->length, false);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    memset(order->bits, 0, sizeof order->bits);
+    memory_read_bits(&machine->memory, vector->address, order->bits,
+                     vector->length);
+    order->ones = count_ones(order->bits, vector->length);
+    return C205_TRAP_NONE;
+}
+
+/* The result is as long as the longer one. */
+static void combine_orders(struct sparse *sparse, enum presence presence)
+{
+    const struct order *x = &sparse->x, *y = &sparse->y;
+    struct order *z = &sparse->z;
+    z->vector.length = x->vector.length > y->vector.length
+                           ? x->vector.length
+                           : y->vector.length;
+    for (size_t i = 0; i < ORDER_WORDS; i++)
+        z->bits[i] = presence == EITHER ? x->bits[i] | y->bits[i]
+                                        : x->bits[i] & y->bits[i];
+    z->ones = count_ones(z->bits, z->vector.length);
+}
+
+static size_t ones_from(const struct order *order, size_t first, size_t n)
+{
+    size_t count = 0;
+    for (size_t i = first; i < first + n; i++)
+        count += bit_at(order->bits, i);
+    return count;
+}
+
+/* ---- Operands ---------------------------------------------------------- */
+
+/* X and Y are no offsets here. */
+static c205_trap describe_packed(struct sparse *sparse,
+                                 const struct decoded *decoded)
+{
+    const struct c205 *machine = sparse->machine;
+    struct decoded packed = *decoded;
+    struct control z;
+    packed.x = packed.y = 0;
+    c205_trap trap = describe_a(&sparse->a, machine, &packed);
+    if (trap == C205_TRAP_NONE)
+        trap = describe_b(&sparse->b, machine, &packed);
+    if (trap == C205_TRAP_NONE)
+        trap = describe_result(&sparse->result, &z, machine, &packed,
+                               WORD_BITS);
+    sparse->z.vector = z.vector;
+    return trap;
+}
+
+static c205_trap claim_packed(struct sparse *sparse)
+{
+    struct c205 *machine = sparse->machine;
+    struct order *z = &sparse->z;
+    sparse->result.length = z->ones;
+    c205_trap trap = claim_source(machine, &sparse->a, sparse->x.ones);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_source(machine, &sparse->b, sparse->y.ones);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_vector(machine, &sparse->result, z->ones, true);
+    if (trap == C205_TRAP_NONE)
+        trap = claim_vector(machine, &z->vector, z->vector.length, true);
+    return trap;
+}
+
+static c205_trap open_sparse(struct sparse *sparse, struct c205 *machine,
+                             const struct decoded *decoded,
+                             enum presence presence)
+{
+    sparse->machine = machine;
+    sparse->next_a = sparse->next_b = sparse->next_result = 0;
+    c205_trap trap = describe_packed(sparse, decoded);
+    if (trap == C205_TRAP_NONE)
+        trap = read_order(machine, &sparse->x, machine->slot[decoded->x]);
+    if (trap == C205_TRAP_NONE)
+        trap = read_order(machine, &sparse->y, machine->slot[decoded->y]);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    combine_orders(sparse, presence);
+    return claim_packed(sparse);
+}
+
+/* ---- Elements ---------------------------------------------------------- */
+
+/* Of n places from first on the pairs that have a result, side by side; an
+ * absent one is machine zero.  How many. */
+static size_t take_pairs(struct sparse *sparse, size_t first, size_t n,
+                         c205_word *pair_a, c205_word *pair_b)
+{
+    size_t count_a = ones_from(&sparse->x, first, n), count = 0;
+    size_t count_b = ones_from(&sparse->y, first, n);
+    const c205_word *a = source_read(&sparse->a, sparse->next_a, count_a);
+    const c205_word *b = source_read(&sparse->b, sparse->next_b, count_b);
+    for (size_t i = first; i < first + n; i++) {
+        bool in_a = bit_at(sparse->x.bits, i);
+        bool in_b = bit_at(sparse->y.bits, i);
+        pair_a[count] = in_a ? *a++ : C205_MACHINE_ZERO;
+        pair_b[count] = in_b ? *b++ : C205_MACHINE_ZERO;
+        count += bit_at(sparse->z.bits, i);
+    }
+    sparse->next_a += count_a;
+    sparse->next_b += count_b;
+    return count;
+}
+
+static void run_sparse(struct sparse *sparse,
+                       const struct operation *operation)
+{
+    const struct vector *result = &sparse->result;
+    struct c205 *machine = sparse->machine;
+    c205_word a[CHUNK], b[CHUNK], words[CHUNK];
+    bool apart = !operands_overlap(&sparse->a.vector, result)
+                 && !operands_overlap(&sparse->b.vector, result);
+    size_t length = sparse->z.vector.length, chunk = apart ? CHUNK : 1;
+    for (size_t first = 0, n; first < length; first += n) {
+        n = length - first < chunk ? length - first : chunk;
+        size_t count = take_pairs(sparse, first, n, a, b);
+        operate(machine, operation, words, a, b, count, NULL);
+        memory_write_words(&machine->memory,
+                           vector_at(result, sparse->next_result), words,
+                           count);
+        sparse->next_result += count;
+    }
+    memory_write_bits(&machine->memory, sparse->z.vector.address,
+                      sparse->z.bits, length);
+}
+
+static size_t longest(size_t a, size_t b, size_t c)
+{
+    size_t longer = a > b ? a : b;
+    return longer > c ? longer : c;
+}
+
+static void set_length(struct c205 *machine, uint16_t slot, size_t length)
+{
+    if (slot > 0)
+        machine->slot[slot] = (machine->slot[slot] & ADDRESS_MASK)
+                              | (c205_word)length << 48;
+}
+
+static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,
+                        enum presence presence, lanes_binary *binary)
+{
+    struct operation operation = { NULL, binary };
+    struct sparse sparse;
+    c205_trap trap = open_sparse(&sparse, machine, decoded, presence);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    machine->effect.elements =
+        longest(sparse.x.ones, sparse.y.ones, sparse.z.ones);
+    run_sparse(&sparse, &operation);
+    set_length(machine, decoded->c, sparse.z.ones);
+    set_length(machine, decoded->z, sparse.z.vector.length);
+    return C205_TRAP_NONE;
+}
+
+#define SPARSE(presence, name) \
+    c205_trap execute_sparse_##name(struct c205 *machine, \
+                                    const struct decoded *decoded) \
+    { \
+        return sparse(machine, decoded, presence, lanes_##name); \
+    }
+SPARSE(EITHER, add_upper)
+SPARSE(EITHER, add_lower)
+SPARSE(EITHER, add_normalised)
+SPARSE(EITHER, subtract_upper)
+SPARSE(EITHER, subtract_lower)
+SPARSE(EITHER, subtract_normalised)
+SPARSE(BOTH, multiply_upper)
+SPARSE(BOTH, multiply_lower)
+SPARSE(BOTH, multiply_significant)
+SPARSE(BOTH, divide_upper)
+SPARSE(BOTH, divide_significant)
