@@ -48,7 +48,7 @@ static bool try(const struct cmd_arguments *arguments, c205 *machine,
         fail(findings, error.message);
     }
     object_free(object);
-    return good;
+    return good && !findings->printed.failed && !findings->report.failed;
 }
 
 /* The reasons, each line a little to the right. */
@@ -71,6 +71,9 @@ static void check_all(const struct cmd_arguments *arguments, c205 *machine,
         const char *report = findings->report.text;
         printf("%s %s\n", good ? "PASS" : "FAIL", path);
         print_report(report);
+        if (findings->printed.failed || findings->report.failed) {
+            puts("    no memory");
+        }
         if (json) {
             json_object(json, NULL);
             json_text(json, "program", path);

@@ -59,6 +59,9 @@ struct object *cmd_read_program(const struct cmd_arguments *arguments,
     }
     object = assemble_file(path, &options, &errors);
     asm_errors_print(&errors, report);
+    if (!object && errors.count == 0) {
+        sink_print(report, "%s: error: no memory\n", path);
+    }
     asm_errors_free(&errors);
     return object;
 }

@@ -15,14 +15,11 @@ unsigned disassemble_one(c205_word word, uint64_t address,
                          char text[DISASSEMBLE_TEXT_SIZE])
 {
     static const struct addresses none;
-    struct text_buffer buffer = { NULL, 0, 0, false };
-    struct sink sink = text_buffer_sink(&buffer);
+    struct text_line line = { "", 0 };
+    struct sink sink = text_line_sink(&line);
     unsigned halves = instruction_write(word, address, 2, &none, &sink);
 
-    text[0] = '\0';
-    if (buffer.text)
-        strncat(text, buffer.text, DISASSEMBLE_TEXT_SIZE - 1);
-    text_buffer_free(&buffer);
+    memcpy(text, line.text, line.length + 1);
     return halves;
 }
 
@@ -136,16 +133,14 @@ static void walk(struct disassembler *disassembler,
     uint64_t address = segment->address;
 
     while (address < end_of(segment) && !disassembler->failed) {
-        struct text_buffer buffer = { NULL, 0, 0, false };
-        struct sink sink = text_buffer_sink(&buffer);
+        struct text_line line = { "", 0 };
+        struct sink sink = text_line_sink(&line);
         uint64_t stop = next_stop(disassembler->program, segment, address);
         unsigned halves = instruction_write(
             word_at(segment, address), address,
             stop - address < WORD_BITS ? 1 : 2, &disassembler->labels, &sink);
 
-        visitor(disassembler, segment, address, halves, buffer.text);
-        disassembler->failed |= buffer.failed;
-        text_buffer_free(&buffer);
+        visitor(disassembler, segment, address, halves, line.text);
         address += halves * HALF_BITS;
     }
 }
@@ -219,7 +214,7 @@ static void show(struct disassembler *disassembler,
     turn_region(disassembler, segment, address);
     if (addresses_hold(&disassembler->labels, address))
         sink_print(disassembler->sink, "L%" PRIX64 ":\n", address);
-    sink_print(disassembler->sink, "%s%s\n", indent, text ? text : "");
+    sink_print(disassembler->sink, "%s%s\n", indent, text);
 }
 
 /* ---- Data ---- */

@@ -14,7 +14,7 @@
 /* False: the host has no memory left. */
 bool disassemble(const c205_program *program, const struct sink *sink);
 
-enum { DISASSEMBLE_TEXT_SIZE = 160 };
+enum { DISASSEMBLE_TEXT_SIZE = TEXT_LINE_SIZE };
 /* One instruction, in the high half of word if it is short, as it stands at
  * a bit address.  Returns its length in half words; one that the language
  * cannot express is one .half. */

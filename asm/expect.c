@@ -95,17 +95,15 @@ static bool check_words(struct outcome *outcome,
 
     for (i = 0; i < expectation->count; i++) {
         uint64_t address = expectation->address + 64 * (uint64_t)i;
-        struct text_buffer place = { NULL, 0, 0, false };
-        struct sink sink = text_buffer_sink(&place);
+        struct text_line place = { "", 0 };
+        struct sink sink = text_line_sink(&place);
         c205_word found;
 
         if (!c205_read(outcome->machine, address, &found, 1))
             return unmapped(outcome, expectation, address);
         sink_print(&sink, "word %zu, at %" PRIX64 ",", i, address);
-        good = compare_word(outcome, expectation,
-                            place.text ? place.text : "",
+        good = compare_word(outcome, expectation, place.text,
                             expectation->words[i], found) && good;
-        text_buffer_free(&place);
     }
     return good;
 }

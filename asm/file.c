@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const size_t largest = (size_t)1 << 28;
+/* The text, its NUL, and a byte to see that the file goes on. */
+static const size_t largest = (size_t)FILE_LARGEST + 2;
 
 static char *read_stream(FILE *file, size_t *length)
 {

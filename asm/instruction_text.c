@@ -189,7 +189,7 @@ unsigned instruction_write(c205_word word, uint64_t address,
 {
     static const struct writer empty;
     struct writer writer = empty;
-    struct text_buffer buffer = { NULL, 0, 0, false };
+    struct text_line line = { "", 0 };
     const c205_insn *insn;
     unsigned halves;
 
@@ -197,17 +197,16 @@ unsigned instruction_write(c205_word word, uint64_t address,
     halves = insn ? c205_format_halves(insn->format) : 1;
     if (halves == 1)
         word &= ~(c205_word)UINT32_MAX;
-    writer.sink = text_buffer_sink(&buffer);
+    writer.sink = text_line_sink(&line);
     writer.labels = labels;
     writer.address = address;
-    if (insn && halves <= available && write_instruction(&writer, insn, word)
-        && buffer.text) {
-        sink_put(sink, buffer.text);
+    if (insn && halves <= available
+        && write_instruction(&writer, insn, word)) {
+        sink_put(sink, line.text);
     } else {
         sink_print(sink, ".half X'%08" PRIX64 "'", word >> HALF_BITS);
         halves = 1;
     }
-    text_buffer_free(&buffer);
     return halves;
 }
 

@@ -67,6 +67,26 @@ void text_buffer_free(struct text_buffer *buffer)
     *buffer = empty;
 }
 
+static void put_into_line(void *context, const char *text, size_t length)
+{
+    struct text_line *line = context;
+    size_t room = sizeof line->text - 1 - line->length;
+
+    if (length > room)
+        length = room;
+    memcpy(line->text + line->length, text, length);
+    line->length += length;
+    line->text[line->length] = '\0';
+}
+
+struct sink text_line_sink(struct text_line *line)
+{
+    struct sink sink = { put_into_line, NULL };
+
+    sink.context = line;
+    return sink;
+}
+
 static void put_into_stream(void *context, const char *text, size_t length)
 {
     fwrite(text, 1, length, context);

@@ -32,6 +32,14 @@ struct text_buffer {
 
 struct sink text_buffer_sink(struct text_buffer *buffer);
 void text_buffer_free(struct text_buffer *buffer);
+/* Zero it to begin; what does not fit is cut off.  Never without memory. */
+enum { TEXT_LINE_SIZE = 160 };
+struct text_line {
+    char text[TEXT_LINE_SIZE]; /* ends with a NUL */
+    size_t length;
+};
+
+struct sink text_line_sink(struct text_line *line);
 /* Writes to the stdio stream given as its context. */
 struct sink stream_sink(void *stream);
 

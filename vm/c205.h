@@ -350,6 +350,29 @@ void c205_reset_clock(c205 *machine);
 enum { C205_LISTENERS = 8 };
 bool c205_listen(c205 *machine, c205_listener *listener, void *context);
 
+/* ---- Saving and restoring (vm/save.c) ------------------------------------
+ *
+ * A machine between two instructions (not in a listener) as a list of bytes:
+ * format version, model, program, registers, memory, and the clock with all
+ * that is in flight.  A restored machine goes on as the saved one would have:
+ * same results, same clocks, same accounts.  Listeners are not saved.
+ */
+
+/* Take the next bytes; false: it cannot, which ends the saving. */
+typedef bool c205_writer(void *context, const void *bytes, size_t count);
+
+bool c205_save(const c205 *machine, c205_writer *write, void *context,
+               c205_error *error);
+/* A new machine from what was saved on a model with the same constants.  NULL:
+ * the bytes are damaged, not a saved machine, of another version or model. */
+c205 *c205_restore(const void *bytes, size_t count, const c205_model *model,
+                   c205_error *error);
+
+/* Tells programs apart: entry, segments and regions all count. */
+uint64_t c205_program_hash(const c205_program *program);
+/* That of the program last loaded; 0: none. */
+uint64_t c205_loaded_program(const c205 *machine);
+
 #ifdef __cplusplus
 }
 #endif

@@ -2,68 +2,12 @@
  *
  * Rules and formulas with their sources: docs/timing.md.
  */
-#include "clock.h"
-
-#include "account.h"
-#include "banks.h"
-#include "model.h"
-#include "pages.h"
+#include "clock_parts.h"
 
 #include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* A timing class, its constants taken from the model. */
-struct timing {
-    uint64_t latency, busy; /* scalar */
-    uint64_t startup;       /* vector .. */
-    struct rate stream;
-};
-
-/* What keeps the vector unit until a clock, and whom that is charged to. */
-struct phase {
-    uint64_t end;
-    c205_cause cause;
-    size_t region;
-};
-/* Start-up, misses, faults, conflicts, stream; and the tail of the stream of
- * the instruction before, under which the start-up hides. */
-enum { PHASES = 6 };
-
-/* What a register waits for, besides C205_OPERAND_WAIT and _MEMORY_WAIT. */
-enum { FOR_VECTOR = C205_CAUSES };
-
-struct clock {
-    uint64_t now;
-    c205_account *account; /* of the region in which the program is */
-    size_t region;
-
-    uint64_t ready[SLOTS]; /* the clock at which each register is ready .. */
-    uint8_t awaits[SLOTS]; /* .. and the cause of waiting for it */
-    uint64_t results_done; /* all registers are ready */
-    uint64_t loads_done;   /* all loads are */
-    uint64_t free_at[C205_UNITS];
-    uint64_t load_end[LOADS_MOST]; /* of the last loads_in_flight loads */
-    size_t load;           /* the oldest of them */
-
-    struct phase phase[PHASES];
-    size_t phase_count;
-    uint64_t vector_end;   /* the end of the last phase .. */
-    uint64_t vector_tail;  /* .. and how much of it may hide a start-up */
-
-    uint64_t next;                  /* address, if control runs straight on */
-    uint64_t stack_low, stack_high; /* words in the instruction stack */
-
-    struct timing timing[C205_TIMINGS];
-    uint64_t issue_interval, loads_in_flight, stack_words, overlap;
-    uint64_t branch_taken, branch_not_taken, branch_out_of_stack;
-    uint64_t translation_miss, page_fault;
-    struct rate swap_word;
-    struct pages pages;
-    struct banks banks;
-    struct accounts accounts;
-};
 
 /* ---- The time line ------------------------------------------------------- */
 
@@ -240,6 +184,8 @@ static bool in_stack(const struct clock *clock, uint64_t address)
 static void charge_branch(struct clock *clock, const struct decoded *decoded,
                           const struct effect *effect)
 {
+    if (effect->touch_count > 0)
+        reach_memory(clock, effect);
     issue(clock, decoded, C205_OPERAND_WAIT);
     if (!effect->taken) {
         spend(clock, clock->branch_not_taken, C205_BRANCH);

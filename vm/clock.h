@@ -19,6 +19,7 @@
 #include "decode.h"
 
 struct clock;
+struct tape;
 
 /* A model is complete and in range.  NULL: the host has no memory left. */
 struct clock *clock_new(const c205_model *model, c205_error *error);
@@ -38,6 +39,10 @@ void clock_charge(struct clock *clock, const struct decoded *decoded,
                   const struct effect *effect);
 /* Wait until everything in flight is done, and charge it. */
 void clock_drain(struct clock *clock);
+
+/* Write all of a clock, its names of regions aside, to a tape; or fill one
+ * with the same model and regions from there. */
+void clock_walk(struct clock *clock, struct tape *tape);
 
 /* The clocks charged so far: the sum of all accounts. */
 uint64_t clock_now(const struct clock *clock);

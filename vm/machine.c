@@ -80,6 +80,7 @@ bool c205_load(c205 *machine, const c205_program *program, c205_error *error)
     clock_reset(machine->clock);
     clock_forget_pages(machine->clock);
     machine->pc = program->entry & ADDRESS_MASK;
+    machine->program = c205_program_hash(program);
     for (size_t i = 0; i < program->segment_count; i++)
         if (!load_segment(machine, &program->segments[i], error))
             return false;
@@ -352,6 +353,11 @@ void c205_set_pc(c205 *machine, uint64_t address)
 c205_word c205_data_flags(const c205 *machine)
 {
     return machine->data_flags;
+}
+
+uint64_t c205_loaded_program(const c205 *machine)
+{
+    return machine->program;
 }
 
 /* ---- Time --------------------------------------------------------------- */

@@ -13,6 +13,8 @@ struct region_range {
     uint32_t region;
 };
 
+struct tape;
+
 /* Places for vectors that need a copy. */
 enum scratch {
     SCRATCH_INDICES,
@@ -27,6 +29,7 @@ struct c205 {
     c205_word slot[SLOTS]; /* slot[0] is always 0 */
     uint64_t pc;
     uint64_t data_flags;
+    uint64_t program;         /* hash of what was loaded, or 0 */
     struct clock *clock;
     struct decode_cache *cache;
     const c205_model *model;
@@ -57,6 +60,13 @@ static inline void machine_touch(struct c205 *machine, uint64_t address,
     effect->touch[effect->touch_count++].bits = bits;
 }
 
+/* The one thing that semantics may ask of time, for an instruction that reads
+ * the clock: how many clocks have been charged before it. */
+static inline uint64_t machine_clocks(const struct c205 *machine)
+{
+    return clock_now(machine->clock);
+}
+
 /* A trap that has to do with an operand's address. */
 static inline c205_trap machine_fault(struct c205 *machine, c205_trap trap,
                                       uint64_t address)
@@ -75,5 +85,7 @@ static inline c205_trap machine_fault(struct c205 *machine, c205_trap trap,
 bool machine_set_regions(struct c205 *machine, const c205_program *program,
                          c205_error *error);
 uint32_t machine_region(const struct c205 *machine, uint64_t pc);
+/* Regions and the names of their accounts, to or from a tape. */
+void machine_walk_regions(struct c205 *machine, struct tape *tape);
 
 #endif

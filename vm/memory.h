@@ -20,6 +20,7 @@ enum {
 };
 
 #define ADDRESS_SPACE_WORDS ((ADDRESS_MASK + 1) / WORD_BITS)
+#define PAGE_BITS (UINT64_C(1) << PAGE_SHIFT)
 
 struct page {
     c205_word word[C205_PAGE_WORDS];
@@ -76,6 +77,10 @@ void memory_mark_code(struct memory *memory, uint64_t address);
 /* Words of a page, about to be written, may hold decoded code. */
 void memory_change_code(struct memory *memory, struct page *page,
                         size_t first, size_t count);
+
+/* The address of the first mapped page from a page on; the end of the address
+ * space: there is none. */
+uint64_t memory_next_page(const struct memory *memory, uint64_t address);
 
 /* NULL: not mapped. */
 static inline struct page *memory_page(const struct memory *memory,

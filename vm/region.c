@@ -1,9 +1,13 @@
 /* region.c - which region of the accounts an instruction belongs to. */
 #include "machine.h"
+#include "tape.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+static const char no_memory[] =
+    "no memory left for the regions of a program";
 
 static int by_address(const void *left, const void *right)
 {
@@ -86,8 +90,7 @@ bool machine_set_regions(struct c205 *machine, const c205_program *program,
     bool done = ranges && names
                 && set_ranges(machine, program, ranges, names, error);
     if (!ranges || !names)
-        snprintf(error->message, sizeof error->message,
-                 "no memory left for the regions of a program");
+        snprintf(error->message, sizeof error->message, "%s", no_memory);
     free(names);
     if (!done) {
         free(ranges);
@@ -97,4 +100,71 @@ bool machine_set_regions(struct c205 *machine, const c205_program *program,
     machine->ranges = ranges;
     machine->range_count = count;
     return true;
+}
+
+/* ---- On a tape ----------------------------------------------------------- */
+
+static const char wrong_regions[] =
+    "the regions of the saved machine are wrong";
+
+/* Each region has its account, the first one is for all other code. */
+static void walk_names(struct c205 *machine, const char **names,
+                       size_t count, struct tape *tape)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (!tape_is_read(tape))
+            names[i] = clock_account(machine->clock, i)->name;
+        tape_text(tape, &names[i]);
+    }
+    tape_require(tape, count > 0 && names[0][0] == '\0', wrong_regions);
+    if (tape_is_read(tape) && !tape->failed
+        && !clock_set_regions(machine->clock, names, count, tape->error))
+        tape->failed = true;
+}
+
+static void walk_accounts(struct c205 *machine, struct tape *tape)
+{
+    size_t count = clock_account_count(machine->clock);
+    tape_size(tape, &count, tape_room(tape));
+    const char **names = malloc((count + 1) * sizeof *names);
+    if (names)
+        walk_names(machine, names, count, tape);
+    else
+        tape_refuse(tape, no_memory);
+    free(names);
+}
+
+static void walk_range(struct region_range *range, size_t regions,
+                       struct tape *tape)
+{
+    size_t region = range->region;
+    tape_word(tape, &range->begin);
+    tape_word(tape, &range->end);
+    tape_size(tape, &region, regions - 1);
+    range->region = (uint32_t)region;
+    tape_require(tape, range->begin <= range->end, wrong_regions);
+}
+
+static void walk_ranges(struct region_range *ranges, size_t count,
+                        size_t regions, struct tape *tape)
+{
+    for (size_t i = 0; i < count; i++) {
+        walk_range(&ranges[i], regions, tape);
+        tape_require(tape, i == 0 || ranges[i - 1].end <= ranges[i].begin,
+                     wrong_regions);
+    }
+}
+
+void machine_walk_regions(struct c205 *machine, struct tape *tape)
+{
+    size_t count = machine->range_count;
+    walk_accounts(machine, tape);
+    tape_size(tape, &count, tape_room(tape));
+    if (tape_is_read(tape)) {
+        machine->ranges = calloc(count + 1, sizeof *machine->ranges);
+        machine->range_count = machine->ranges ? count : 0;
+        tape_require(tape, machine->ranges, no_memory);
+    }
+    walk_ranges(machine->ranges, machine->range_count,
+                clock_account_count(machine->clock), tape);
 }

@@ -1,0 +1,63 @@
+/* state.c - see state.h. */
+#include "asm/state.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "asm/file.h"
+#include "asm/whole.h"
+
+static void tell(c205_error *error, const char *path, const char *why)
+{
+    snprintf(error->message, sizeof error->message, "%.100s: %.150s", path,
+             why);
+}
+
+/* A saved machine is read again by file_read, so it may be no larger. */
+struct output {
+    FILE *file;
+    size_t left;
+};
+
+static bool put(void *context, const void *bytes, size_t count)
+{
+    struct output *output = context;
+    if (output->left < count) {
+        return false;
+    }
+    output->left -= count;
+    return fwrite(bytes, 1, count, output->file) == count;
+}
+
+bool state_save(const c205 *machine, const char *path, c205_error *error)
+{
+    c205_error reason = { "" };
+    struct whole *whole = whole_open(path, error);
+    if (!whole) {
+        return false;
+    }
+    struct output output = { whole->file, FILE_LARGEST };
+    if (c205_save(machine, put, &output, &reason)) {
+        return whole_commit(whole, error);
+    }
+    tell(error, path, output.left < sizeof(c205_word)
+                          ? "a machine of this size cannot be saved"
+                          : reason.message);
+    whole_discard(whole);
+    return false;
+}
+
+c205 *state_load(const char *path, const c205_model *model,
+                 c205_error *error)
+{
+    size_t length;
+    c205_error reason = { "" };
+    char *bytes = file_read(path, &length, &reason);
+    c205 *machine =
+        bytes ? c205_restore(bytes, length, model, &reason) : NULL;
+    if (!machine) {
+        tell(error, path, reason.message);
+    }
+    free(bytes);
+    return machine;
+}

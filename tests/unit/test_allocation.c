@@ -1,0 +1,423 @@
+/* When the host's memory runs out: each allocation of a task fails in turn,
+ * alone or with all that follow.  Then the task says so or has found another
+ * way to the same output; it neither leaks nor crashes.
+ *
+ * Linked with --wrap, so that the libraries' allocations come through here. */
+#include "tests/unit/asm_helper.h"
+
+#include <errno.h>
+#include <unistd.h>
+
+#include "asm/accounts.h"
+#include "asm/disassemble.h"
+#include "asm/expect.h"
+#include "asm/listing.h"
+#include "asm/measure.h"
+#include "asm/object.h"
+#include "asm/print.h"
+#include "asm/state.h"
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *old, size_t size);
+void __real_free(void *old);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *old, size_t size);
+void __wrap_free(void *old);
+
+/* ---- The host ------------------------------------------------------------ */
+
+static struct {
+    size_t calls;   /* allocations asked for since .. */
+    size_t fails;   /* .. this one of them fails; 0: none does */
+    bool for_good;  /* and so do all after it */
+    long living;    /* given and not taken back */
+} host;
+
+static bool refuses(void)
+{
+    host.calls++;
+    bool refused = host.fails && (host.calls == host.fails
+                                  || (host.for_good
+                                      && host.calls > host.fails));
+    if (refused)
+        errno = ENOMEM;
+    return refused;
+}
+
+static void *given(void *memory)
+{
+    host.living += memory != NULL;
+    return memory;
+}
+
+void *__wrap_malloc(size_t size)
+{
+    return refuses() ? NULL : given(__real_malloc(size));
+}
+
+void *__wrap_calloc(size_t count, size_t size)
+{
+    return refuses() ? NULL : given(__real_calloc(count, size));
+}
+
+void *__wrap_realloc(void *old, size_t size)
+{
+    if (refuses())
+        return NULL;
+    void *memory = __real_realloc(old, size);
+    host.living += !old && memory;
+    return memory;
+}
+
+void __wrap_free(void *old)
+{
+    host.living -= old != NULL;
+    __real_free(old);
+}
+
+/* ---- A task under a host that fails -------------------------------------- */
+
+/* False with a message, or true after putting all of its output. */
+typedef bool task(FILE *out, c205_error *error);
+
+struct outcome {
+    bool done;
+    c205_error error;
+    char *output;
+    size_t length;
+};
+
+static struct outcome attempt(task *work, size_t fails, bool for_good)
+{
+    struct outcome outcome = { false, { "" }, NULL, 0 };
+    FILE *out = open_memstream(&outcome.output, &outcome.length);
+    assert_non_null(out);
+    long before = host.living;
+    host.calls = 0;
+    host.fails = fails;
+    host.for_good = for_good;
+    outcome.done = work(out, &outcome.error);
+    host.fails = 0;
+    fclose(out);
+    if (host.living != before)
+        fail_msg("allocation %zu failed, %ld are lost", fails,
+                 host.living - before);
+    return outcome;
+}
+
+/* What libc gave, without our count. */
+static void drop(struct outcome *outcome)
+{
+    __real_free(outcome->output);
+}
+
+static void judge(const struct outcome *outcome, const struct outcome *wanted,
+                  size_t fails)
+{
+    if (!outcome->done) {
+        if (!outcome->error.message[0])
+            fail_msg("allocation %zu failed without a message", fails);
+    } else if (outcome->length != wanted->length
+               || memcmp(outcome->output, wanted->output, wanted->length)) {
+        fail_msg("allocation %zu failed, and the output is wrong", fails);
+    }
+}
+
+static void exhaust(task *work)
+{
+    struct outcome wanted = attempt(work, 0, false);
+    size_t calls = host.calls;
+    if (!wanted.done)
+        fail_msg("%s", wanted.error.message);
+    assert_true(calls > 0);
+    for (size_t fails = 1; fails <= calls; fails++)
+        for (int for_good = 0; for_good < 2; for_good++) {
+            struct outcome outcome = attempt(work, fails, for_good);
+            judge(&outcome, &wanted, fails);
+            drop(&outcome);
+        }
+    drop(&wanted);
+}
+
+/* ---- Tasks --------------------------------------------------------------- */
+
+static const c205_model *model;
+static const struct object *object;
+
+static bool no_memory(c205_error *error)
+{
+    snprintf(error->message, sizeof error->message, "no memory");
+    return false;
+}
+
+static bool find_models(FILE *out, c205_error *error)
+{
+    static const char text[] = "title Slow\nlike cyber205-2pipe\n"
+                               "latency.load 99 clk R\n";
+    c205_model *parsed = c205_model_parse("slow", text, error);
+    c205_model *read =
+        parsed ? c205_model_find("vm/models/cyber205-2pipe.model", error)
+               : NULL;
+    if (read)
+        fprintf(out, "%s, %s\n", c205_model_title(parsed),
+                c205_model_title(read));
+    c205_model_free(parsed);
+    c205_model_free(read);
+    return read;
+}
+
+static const char program_text[] =
+    "        .include \"print.s\"\n"
+    "        .equ    size, 3\n"
+    "        .macro  twice register\n"
+    "        ADDN    \\register, \\register, \\register\n"
+    "        .endm\n"
+    "        .data\n"
+    "a:      .word   1.5, 2.0, X'FFD2 4000 0000 0000'\n"
+    "b:      .space  size\n"
+    "text:   .text   \"sum \"\n"
+    "        .code\n"
+    "        .reg    sum, r12\n"
+    "        .kernel add\n"
+    "        EX      r10, a\n"
+    "        ELEN    r10, size\n"
+    "        EX      r11, b\n"
+    "        ELEN    r11, size\n"
+    "        ADDNV   [r10], [r10], [r11]\n"
+    "        VREVV   [r11], [r11]\n"
+    "        .endkernel\n"
+    "        SUMV    [r11], sum\n"
+    "        twice   sum\n"
+    "        print_number sum\n"
+    "        EXIT\n"
+    "; expect: [b] = 2.0, 4.0, 2.0\n"
+    "; expect-print: 16\n";
+
+/* An error that found no memory for itself stays untold. */
+static void tell_first(const struct asm_errors *errors, c205_error *error)
+{
+    snprintf(error->message, sizeof error->message, "%.200s",
+             errors->count ? errors->items[0].message : "no memory");
+}
+
+static struct object *assembled(const char *text, c205_error *error)
+{
+    struct asm_errors errors = { 0, NULL };
+    struct object *made = assemble_text("test.s", text, NULL, &errors);
+    if (!made)
+        tell_first(&errors, error);
+    asm_errors_free(&errors);
+    return made;
+}
+
+static bool assemble_one(FILE *out, c205_error *error)
+{
+    struct sink sink = stream_sink(out);
+    struct object *made = assembled(program_text, error);
+    if (!made)
+        return false;
+    object_write(made, &sink);
+    listing(made, &sink);
+    object_free(made);
+    return true;
+}
+
+/* A text with errors is refused, whatever else happens. */
+static bool assemble_wrong(FILE *out, c205_error *error)
+{
+    struct object *made =
+        assembled("        NOPE\n        ADDN r1, nowhere, r3\n"
+                  "        .if 1\n        .include \"missing.s\"\n", error);
+    fputs("refused", out);
+    assert_null(made);
+    return true;
+}
+
+static bool read_object(FILE *out, c205_error *error)
+{
+    struct text_buffer buffer = { NULL, 0, 0, false };
+    struct sink text = text_buffer_sink(&buffer), sink = stream_sink(out);
+    object_write(object, &text);
+    struct object *copy =
+        buffer.failed ? (no_memory(error), NULL)
+                      : object_read(buffer.text, buffer.length, error);
+    if (copy)
+        object_write(copy, &sink);
+    text_buffer_free(&buffer);
+    object_free(copy);
+    return copy;
+}
+
+static bool disassemble_object(FILE *out, c205_error *error)
+{
+    struct sink sink = stream_sink(out);
+    return disassemble(&object->program, &sink) || no_memory(error);
+}
+
+static bool show(struct table *table, FILE *out, c205_error *error)
+{
+    bool done = table && table_print(table, out);
+    table_free(table);
+    return done || no_memory(error);
+}
+
+static bool run_to(c205 *machine, uint64_t limit, c205_error *error)
+{
+    c205_stop stop = c205_run(machine, limit);
+    if (stop.trap == C205_TRAP_NONE || stop.trap == C205_TRAP_CLOCK_LIMIT)
+        return true;
+    c205_describe_stop(machine, &stop, error);
+    return false;
+}
+
+static bool run_and_show(c205 *machine, FILE *out, c205_error *error)
+{
+    struct printer printer = { stream_sink(out) };
+    c205_listen(machine, printer_listen, &printer);
+    return run_to(machine, C205_NO_LIMIT, error)
+           && show(accounts_by_cause(machine), out, error)
+           && show(accounts_by_region(machine), out, error);
+}
+
+static c205 *loaded(const struct object *program, c205_error *error)
+{
+    c205 *machine = c205_new(model, error);
+    if (machine && !c205_load(machine, &program->program, error)) {
+        c205_free(machine);
+        return NULL;
+    }
+    return machine;
+}
+
+static bool run_object(FILE *out, c205_error *error)
+{
+    c205 *machine = loaded(object, error);
+    bool done = machine && run_and_show(machine, out, error);
+    c205_free(machine);
+    return done;
+}
+
+/* Gathers and scatters: the machine, too, asks for memory as it runs. */
+static bool run_example(FILE *out, c205_error *error)
+{
+    struct asm_errors errors = { 0, NULL };
+    struct object *made =
+        assemble_file("asm/examples/lookup.s", NULL, &errors);
+    c205 *machine = NULL;
+    if (made)
+        machine = loaded(made, error);
+    else
+        tell_first(&errors, error);
+    bool done = machine && run_and_show(machine, out, error);
+    c205_free(machine);
+    asm_errors_free(&errors);
+    object_free(made);
+    return done;
+}
+
+static bool save_and_restore(FILE *out, c205_error *error)
+{
+    char path[] = "/tmp/c205_state_XXXXXX";
+    int file = mkstemp(path);
+    assert_true(file >= 0);
+    close(file);
+    c205 *machine = loaded(object, error), *other = NULL;
+    bool done = machine && run_to(machine, 1100, error)
+                && state_save(machine, path, error)
+                && (other = state_load(path, model, error))
+                && run_and_show(other, out, error);
+    c205_free(machine);
+    c205_free(other);
+    unlink(path);
+    return done;
+}
+
+static bool measure_one(FILE *out, c205_error *error)
+{
+    struct measurement measurement;
+    if (!measure(model, "ADDNV", &measurement, error))
+        return false;
+    fprintf(out, "%.17g %.17g\n", measurement.startup,
+            measurement.per_element);
+    return true;
+}
+
+static bool check_object(FILE *out, c205_error *error)
+{
+    struct text_buffer printed = { NULL, 0, 0, false };
+    struct printer printer = { text_buffer_sink(&printed) };
+    struct sink report = stream_sink(out);
+    c205 *machine = loaded(object, error);
+    bool done = machine != NULL;
+    if (machine) {
+        c205_listen(machine, printer_listen, &printer);
+        c205_stop stop = c205_run(machine, C205_NO_LIMIT);
+        done = stop.trap != C205_TRAP_NO_MEMORY && !printed.failed;
+        if (done)
+            assert_true(expect_check(object, machine, &stop, printed.text,
+                                     &report));
+    }
+    text_buffer_free(&printed);
+    c205_free(machine);
+    return done || no_memory(error);
+}
+
+static bool write_json(FILE *out, c205_error *error)
+{
+    (void)out;
+    struct json *json = json_open("/dev/null", error);
+    if (!json)
+        return false;
+    json_text(json, "model", c205_model_name(model));
+    return json_close(json, error);
+}
+
+/* ---- The tests ----------------------------------------------------------- */
+
+#define TASKS(use) \
+    use(find_models) \
+    use(assemble_one) \
+    use(assemble_wrong) \
+    use(read_object) \
+    use(disassemble_object) \
+    use(run_object) \
+    use(run_example) \
+    use(save_and_restore) \
+    use(check_object) \
+    use(measure_one) \
+    use(write_json)
+
+#define TEST(task) \
+    static void test_##task(void **state) \
+    { \
+        (void)state; \
+        exhaust(task); \
+    }
+TASKS(TEST)
+
+static int prepare(void **state)
+{
+    c205_error error = { "" };
+    (void)state;
+    model = c205_model_find("cyber205-2pipe", &error);
+    object = assembled(program_text, &error);
+    fputs(error.message, stderr);
+    return model && object ? 0 : -1;
+}
+
+static int tidy(void **state)
+{
+    (void)state;
+    object_free((struct object *)object);
+    c205_model_free((c205_model *)model);
+    return 0;
+}
+
+int main(void)
+{
+#define LISTED(task) cmocka_unit_test(test_##task),
+    const struct CMUnitTest tests[] = { TASKS(LISTED) };
+    return cmocka_run_group_tests_name("allocation", tests, prepare, tidy);
+}

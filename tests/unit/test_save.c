@@ -1,0 +1,414 @@
+/* Saving and restoring: a run that was broken off ends like one that was not,
+ * and nothing but a whole saved machine is taken for one. */
+#include "tests/unit/asm_helper.h"
+
+#include "rt/trace.h"
+#include "tests/random.h"
+#include "vm/hash.h"
+#include "vm/machine.h"
+
+enum { WORD_BYTES = 8 };
+
+struct bytes {
+    size_t count, room; /* room 0: it grows */
+    unsigned char *byte;
+};
+
+static c205_model *model;
+static uint64_t random_state = RANDOM_SEED;
+
+static bool append(void *context, const void *more, size_t count)
+{
+    struct bytes *bytes = context;
+    unsigned char *byte = realloc(bytes->byte, bytes->count + count);
+    assert_non_null(byte);
+    bytes->byte = byte;
+    if (bytes->room && bytes->count + count > bytes->room)
+        return false;
+    memcpy(byte + bytes->count, more, count);
+    bytes->count += count;
+    return true;
+}
+
+static struct bytes save(const c205 *machine)
+{
+    struct bytes bytes = { 0, 0, NULL };
+    c205_error error = { "" };
+    if (!c205_save(machine, append, &bytes, &error))
+        fail_msg("%s", error.message);
+    return bytes;
+}
+
+static c205 *restore(const struct bytes *bytes)
+{
+    c205_error error = { "" };
+    c205 *machine = c205_restore(bytes->byte, bytes->count, model, &error);
+    if (!machine)
+        fail_msg("%s", error.message);
+    return machine;
+}
+
+/* All that a machine is, is saved: two with the same bytes are the same. */
+static void assert_same(const c205 *a, const c205 *b)
+{
+    struct bytes left = save(a), right = save(b);
+    assert_int_equal(left.count, right.count);
+    assert_memory_equal(left.byte, right.byte, left.count);
+    free(left.byte);
+    free(right.byte);
+}
+
+/* The machine in another one's place. */
+static c205 *replace(c205 *machine)
+{
+    struct bytes bytes = save(machine);
+    c205 *other = restore(&bytes);
+    assert_same(machine, other);
+    assert_int_equal(c205_clock(machine), c205_clock(other));
+    assert_int_equal(c205_loaded_program(machine),
+                     c205_loaded_program(other));
+    free(bytes.byte);
+    c205_free(machine);
+    return other;
+}
+
+static c205_stop run_in_pieces(c205 **machine, uint64_t clocks)
+{
+    c205_stop stop;
+    while (stop = c205_run(*machine, c205_clock(*machine) + clocks),
+           stop.trap == C205_TRAP_CLOCK_LIMIT)
+        *machine = replace(*machine);
+    return stop;
+}
+
+/* From this state to the end, in one go and in pieces of so many clocks. */
+static void compare_runs(const struct bytes *begin, uint64_t clocks)
+{
+    c205 *whole = restore(begin), *broken = restore(begin);
+    c205_stop one = c205_run(whole, C205_NO_LIMIT);
+    c205_stop other = run_in_pieces(&broken, clocks);
+    assert_int_equal(one.trap, other.trap);
+    assert_int_equal(one.pc, other.pc);
+    assert_int_equal(one.address, other.address);
+    assert_int_equal(one.status, other.status);
+    assert_same(whole, broken);
+    c205_free(whole);
+    c205_free(broken);
+}
+
+/* ---- Programs ------------------------------------------------------------ */
+
+static c205 *machine_with(const c205_program *program)
+{
+    c205_error error = { "" };
+    c205 *machine = c205_new(model, &error);
+    if (!machine || !c205_load(machine, program, &error))
+        fail_msg("%s", error.message);
+    return machine;
+}
+
+static c205 *machine_from(const char *path)
+{
+    struct asm_errors errors = { 0, NULL };
+    struct object *object = assemble_file(path, NULL, &errors);
+    assert_non_null(object);
+    c205 *machine = machine_with(&object->program);
+    object_free(object);
+    return machine;
+}
+
+static void compare_program(const char *path, uint64_t clocks)
+{
+    c205 *machine = machine_from(path);
+    struct bytes begin = save(machine);
+    compare_runs(&begin, clocks);
+    free(begin.byte);
+    c205_free(machine);
+}
+
+static void test_programs(void **state)
+{
+    static const char *const paths[] = {
+        "asm/examples/horner.s", "asm/examples/interval_sum.s",
+        "asm/examples/lookup.s", "asm/examples/saxpy_linked.s",
+        "asm/examples/saxpy_scalar.s", "asm/examples/saxpy_vector.s",
+        "asm/examples/sieve.s", "tests/programs/swap.s"
+    };
+    (void)state;
+    compare_program("asm/examples/dot.s", 1);
+    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++)
+        compare_program(paths[i], 41);
+}
+
+static void compare_frame(const struct scene *scene, enum trace_mode mode)
+{
+    struct trace_options options = { .mode = mode, .width = 8, .height = 6,
+                                     .queue = 30, .model = model };
+    c205_error error = { "" };
+    struct trace *trace = trace_new(scene, &options, &error);
+    if (!trace)
+        fail_msg("%s", error.message);
+    struct bytes begin = save(trace_machine(trace));
+    compare_runs(&begin, 20011);
+    free(begin.byte);
+    trace_free(trace);
+}
+
+static void test_kernels(void **state)
+{
+    struct scene_options options = { .strict = false };
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene = scene_read_text(
+        "test",
+        "#version 3.7; camera { location <0, 1, -4> look_at 0 }"
+        "light_source { <5, 9, -7>, 1 }"
+        "plane { y, -1 pigment { rgb .5 } finish { reflection .3 } }"
+        "sphere { 0, 1 pigment { rgb <1, .5, .2> } }", &options, &reports);
+    (void)state;
+    assert_non_null(scene);
+    compare_frame(scene, TRACE_SCALAR);
+    compare_frame(scene, TRACE_VECTOR);
+    scene_free(scene);
+    reports_free(&reports);
+}
+
+static void test_access(void **state)
+{
+    const uint64_t address = UINT64_C(0xFFFFFFFFFFC0);
+    c205 *machine = machine_from("asm/examples/dot.s");
+    c205_word word = 205;
+    c205_error error;
+    uint64_t fault;
+    (void)state;
+    assert_true(c205_map(machine, address, 1, C205_READ_ONLY, &error));
+    assert_true(c205_write(machine, address, &word, 1));
+    machine = replace(machine);
+    word = 0;
+    assert_true(c205_read(machine, address, &word, 1));
+    assert_int_equal(word, 205);
+    assert_int_equal(memory_check(&machine->memory, address, 64, true,
+                                  &fault), C205_TRAP_PROTECTED_ADDRESS);
+    c205_free(machine);
+}
+
+/* A machine without a program, too. */
+static void test_empty_machine(void **state)
+{
+    c205_error error;
+    c205 *machine = c205_new(model, &error);
+    (void)state;
+    assert_non_null(machine);
+    machine = replace(machine);
+    assert_int_equal(c205_loaded_program(machine), 0);
+    c205_free(machine);
+}
+
+static void test_program_hash(void **state)
+{
+    c205_word words[] = { 1, 2 };
+    c205_segment segment = { 0x400000, 2, words };
+    c205_region region = { "loop", 0x400000, 0x400040 };
+    c205_program program = { 0x400000, 1, &segment, 1, &region };
+    uint64_t hash = c205_program_hash(&program);
+    (void)state;
+    assert_int_equal(hash, c205_program_hash(&program));
+    words[1] = 3;
+    assert_int_not_equal(hash, c205_program_hash(&program));
+    words[1] = 2;
+    region.name = "loops";
+    assert_int_not_equal(hash, c205_program_hash(&program));
+    region.name = "loop";
+    program.entry += 64;
+    assert_int_not_equal(hash, c205_program_hash(&program));
+}
+
+/* ---- What is no saved machine -------------------------------------------- */
+
+static void put_word(struct bytes *bytes, size_t i, uint64_t word)
+{
+    for (size_t k = 0; k < WORD_BYTES; k++, word <<= 8)
+        bytes->byte[i * WORD_BYTES + k] = (unsigned char)(word >> 56);
+}
+
+static uint64_t get_word(const struct bytes *bytes, size_t i)
+{
+    uint64_t word = 0;
+    for (size_t k = 0; k < WORD_BYTES; k++)
+        word = word << 8 | bytes->byte[i * WORD_BYTES + k];
+    return word;
+}
+
+/* Put the hash right at the end. */
+static void seal(struct bytes *bytes)
+{
+    size_t last = bytes->count / WORD_BYTES - 1;
+    uint64_t hash = HASH_BEGIN;
+    for (size_t i = 0; i < last; i++)
+        hash = hash_word(hash, get_word(bytes, i));
+    put_word(bytes, last, hash);
+}
+
+static struct bytes in_the_middle(uint64_t clock)
+{
+    c205 *machine = machine_from("asm/examples/lookup.s");
+    assert_int_equal(c205_run(machine, clock).trap, C205_TRAP_CLOCK_LIMIT);
+    struct bytes bytes = save(machine);
+    c205_free(machine);
+    return bytes;
+}
+
+static void assert_refused(const void *bytes, size_t count,
+                           const c205_model *other, const char *why)
+{
+    c205_error error = { "" };
+    assert_null(c205_restore(bytes, count, other, &error));
+    if (!strstr(error.message, why) || !error.message[0])
+        fail_msg("'%s' does not say '%s'", error.message, why);
+}
+
+/* Each in a place of its own, so that reading beyond it is seen. */
+static void test_truncated(void **state)
+{
+    struct bytes bytes = in_the_middle(1300);
+    (void)state;
+    for (size_t count = 0; count < bytes.count; count++) {
+        unsigned char *part = malloc(count ? count : 1);
+        assert_non_null(part);
+        memcpy(part, bytes.byte, count);
+        assert_refused(part, count, model,
+                       count < WORD_BYTES ? "not a saved machine"
+                                          : "damaged");
+        free(part);
+    }
+    free(bytes.byte);
+}
+
+static void test_flipped(void **state)
+{
+    struct bytes bytes = in_the_middle(1300);
+    (void)state;
+    for (size_t i = 0; i < bytes.count; i++) {
+        unsigned char bit = (unsigned char)(1 << xorshift(&random_state) % 8);
+        bytes.byte[i] ^= bit;
+        assert_refused(bytes.byte, bytes.count, model, "");
+        bytes.byte[i] ^= bit;
+    }
+    append(&bytes, "beyond..", WORD_BYTES);
+    assert_refused(bytes.byte, bytes.count, model, "damaged");
+    free(bytes.byte);
+}
+
+/* With the right hash at the end any word may stand anywhere: refused, or a
+ * machine that runs. */
+static void try_word(struct bytes *bytes, size_t i, uint64_t word)
+{
+    uint64_t before = get_word(bytes, i);
+    c205_error error = { "" };
+    put_word(bytes, i, word);
+    seal(bytes);
+    c205 *machine = c205_restore(bytes->byte, bytes->count, model, &error);
+    put_word(bytes, i, before);
+    if (!machine) {
+        assert_true(error.message[0]);
+        return;
+    }
+    machine = replace(machine);
+    c205_run(machine, c205_clock(machine) + 4000);
+    c205_free(machine);
+}
+
+static void test_forged(void **state)
+{
+    struct bytes bytes = in_the_middle(1300);
+    (void)state;
+    for (size_t i = 0; i + 1 < bytes.count / WORD_BYTES; i++) {
+        uint64_t random = xorshift(&random_state);
+        try_word(&bytes, i, 0);
+        try_word(&bytes, i, UINT64_MAX);
+        try_word(&bytes, i, get_word(&bytes, i) + 1);
+        try_word(&bytes, i, random >> random % 64);
+    }
+    free(bytes.byte);
+}
+
+static void test_foreign(void **state)
+{
+    static const char text[] = "c205-object 1\nentry 400000\nend\n";
+    struct bytes bytes = in_the_middle(1300);
+    c205_error error;
+    c205_model *other = c205_model_find("cyber205-4pipe", &error);
+    (void)state;
+    assert_non_null(other);
+    assert_refused(bytes.byte, bytes.count, other, "cyber205-2pipe");
+    assert_refused(text, sizeof text, model, "not a saved machine");
+    put_word(&bytes, 1, get_word(&bytes, 1) + 1);
+    seal(&bytes);
+    assert_refused(bytes.byte, bytes.count, model, "another version");
+    free(bytes.byte);
+    c205_model_free(other);
+}
+
+/* The name and the sources of a model don't matter, its constants do. */
+static void test_same_constants(void **state)
+{
+    c205_error error = { "" };
+    c205_model *same = c205_model_parse(
+        "renamed", "title As before\nlike cyber205-2pipe\n"
+        "latency.load 15.0 clk P\n", &error);
+    struct bytes bytes = in_the_middle(1300);
+    (void)state;
+    assert_non_null(same);
+    c205 *machine = c205_restore(bytes.byte, bytes.count, same, &error);
+    assert_non_null(machine);
+    c205_free(machine);
+    c205_model_free(same);
+    free(bytes.byte);
+}
+
+static void test_no_room(void **state)
+{
+    c205 *machine = machine_from("asm/examples/dot.s");
+    c205_error error;
+    (void)state;
+    for (size_t room = 1; room < 4000; room += 97) {
+        struct bytes bytes = { 0, room, NULL };
+        error.message[0] = '\0';
+        assert_false(c205_save(machine, append, &bytes, &error));
+        assert_true(error.message[0]);
+        free(bytes.byte);
+    }
+    c205_free(machine);
+}
+
+static int find_model(void **state)
+{
+    c205_error error;
+    (void)state;
+    model = c205_model_find("cyber205-2pipe", &error);
+    return model ? 0 : -1;
+}
+
+static int drop_model(void **state)
+{
+    (void)state;
+    c205_model_free(model);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_programs),
+        cmocka_unit_test(test_kernels),
+        cmocka_unit_test(test_access),
+        cmocka_unit_test(test_empty_machine),
+        cmocka_unit_test(test_program_hash),
+        cmocka_unit_test(test_truncated),
+        cmocka_unit_test(test_flipped),
+        cmocka_unit_test(test_forged),
+        cmocka_unit_test(test_foreign),
+        cmocka_unit_test(test_same_constants),
+        cmocka_unit_test(test_no_room),
+    };
+    return cmocka_run_group_tests_name("save", tests, find_model, drop_model);
+}

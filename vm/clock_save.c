@@ -1,0 +1,151 @@
+/* clock_save.c - all that a clock is beyond its model, on a tape. */
+#include "clock_parts.h"
+#include "memory.h"
+#include "tape.h"
+
+/* No run gets that far (3,000 years of the machine); sums of such times
+ * with what one instruction costs do not overflow. */
+#define LATEST (UINT64_MAX >> 2)
+
+static const char wrong_account[] =
+    "the accounts of the saved machine are wrong";
+static const char wrong_flight[] =
+    "what the saved machine has in flight is wrong";
+
+/* ---- Accounts ------------------------------------------------------------ */
+
+static void walk_account(c205_account *account, struct tape *tape)
+{
+    tape_array(tape, account->clocks, C205_CAUSES);
+    tape_word(tape, &account->instructions);
+    tape_word(tape, &account->vector_instructions);
+    tape_word(tape, &account->elements);
+    tape_word(tape, &account->entries);
+}
+
+/* The region, counted from one: none has been entered yet. */
+static void walk_region(struct clock *clock, struct tape *tape)
+{
+    size_t entered = clock->region + 1;
+    tape_size(tape, &entered, clock->accounts.count);
+    if (!tape_is_read(tape))
+        return;
+    clock->region = entered - 1;
+    clock->account = &clock->accounts.account[entered ? entered - 1 : 0];
+}
+
+static void walk_accounts(struct clock *clock, struct tape *tape)
+{
+    for (size_t i = 0; i < clock->accounts.count; i++)
+        walk_account(&clock->accounts.account[i], tape);
+    walk_region(clock, tape);
+    tape_word(tape, &clock->now);
+    tape_require(tape, accounts_sum(&clock->accounts) == clock->now
+                           && clock->now <= LATEST, wrong_account);
+}
+
+/* ---- In flight ----------------------------------------------------------- */
+
+static void walk_time(uint64_t *time, struct tape *tape)
+{
+    tape_word(tape, time);
+    tape_require(tape, *time <= LATEST, wrong_flight);
+}
+
+static void walk_times(uint64_t *times, size_t count, struct tape *tape)
+{
+    tape_array(tape, times, count);
+    for (size_t i = 0; i < count; i++)
+        tape_require(tape, times[i] <= LATEST, wrong_flight);
+}
+
+static void walk_scoreboard(struct clock *clock, struct tape *tape)
+{
+    walk_times(clock->ready, SLOTS, tape);
+    for (size_t i = 0; i < SLOTS; i++) {
+        size_t awaits = clock->awaits[i];
+        tape_size(tape, &awaits, FOR_VECTOR);
+        clock->awaits[i] = (uint8_t)awaits;
+    }
+    walk_time(&clock->results_done, tape);
+    walk_time(&clock->loads_done, tape);
+    walk_times(clock->free_at, C205_UNITS, tape);
+    walk_times(clock->load_end, clock->loads_in_flight, tape);
+    tape_size(tape, &clock->load, clock->loads_in_flight - 1);
+}
+
+static void walk_phase(struct phase *phase, size_t regions,
+                       struct tape *tape)
+{
+    size_t cause = phase->cause;
+    walk_time(&phase->end, tape);
+    tape_size(tape, &cause, C205_CAUSES - 1);
+    phase->cause = (c205_cause)cause;
+    tape_size(tape, &phase->region, regions - 1);
+}
+
+/* The phases follow each other up to the end; before the last one begins,
+ * no start-up may hide. */
+static bool phases_are_sound(const struct clock *clock)
+{
+    if (clock->phase_count == 0)
+        return clock->vector_end <= clock->now && clock->vector_tail == 0;
+    const struct phase *last = &clock->phase[clock->phase_count - 1];
+    if (last->end != clock->vector_end
+        || clock->vector_tail > clock->vector_end)
+        return false;
+    for (const struct phase *phase = clock->phase; phase < last; phase++)
+        if (phase->end > phase[1].end
+            || phase->end > clock->vector_end - clock->vector_tail)
+            return false;
+    return true;
+}
+
+/* A register that the vector unit delivers is ready when that is done. */
+static bool results_are_sound(const struct clock *clock)
+{
+    for (size_t i = 0; i < SLOTS; i++)
+        if (clock->awaits[i] == FOR_VECTOR && clock->ready[i] > clock->now
+            && clock->ready[i] > clock->vector_end)
+            return false;
+    return true;
+}
+
+static void walk_vector_unit(struct clock *clock, struct tape *tape)
+{
+    tape_size(tape, &clock->phase_count, PHASES);
+    for (size_t i = 0; i < clock->phase_count; i++)
+        walk_phase(&clock->phase[i], clock->accounts.count, tape);
+    walk_time(&clock->vector_end, tape);
+    walk_time(&clock->vector_tail, tape);
+    tape_require(tape, phases_are_sound(clock) && results_are_sound(clock),
+                 wrong_flight);
+}
+
+/* ---- Control, pages ------------------------------------------------------ */
+
+static void walk_stack(struct clock *clock, struct tape *tape)
+{
+    tape_word(tape, &clock->next);
+    tape_word(tape, &clock->stack_low);
+    tape_word(tape, &clock->stack_high);
+}
+
+static void walk_page_list(struct pages *pages, struct tape *tape)
+{
+    tape_size(tape, &pages->count, pages->capacity);
+    for (size_t i = 0; i < pages->count; i++) {
+        size_t page = pages->page[i];
+        tape_size(tape, &page, ADDRESS_MASK >> PAGE_SHIFT);
+        pages->page[i] = (uint32_t)page;
+    }
+}
+
+void clock_walk(struct clock *clock, struct tape *tape)
+{
+    walk_accounts(clock, tape);
+    walk_scoreboard(clock, tape);
+    walk_vector_unit(clock, tape);
+    walk_stack(clock, tape);
+    walk_page_list(&clock->pages, tape);
+}

@@ -1,0 +1,199 @@
+/* save.c - a whole machine, saved and restored. */
+#include "hash.h"
+#include "machine.h"
+#include "model.h"
+#include "tape.h"
+
+#include <stdio.h>
+
+/* A saved machine is, in words: magic, version, the model's name and the hash
+ * of its constants, the hash of the program, registers, regions, memory,
+ * clock, and the hash of all that.  Nothing of it depends on the host. */
+
+#define SAVE_MAGIC UINT64_C(0x4332303553415645) /* "C205SAVE" */
+/* To be raised with each change of what is saved or of its order. */
+enum { SAVE_VERSION = 1 };
+
+/* ---- Hashes -------------------------------------------------------------- */
+
+/* Titles, sources and remarks cost no clocks. */
+static uint64_t model_hash(const c205_model *model)
+{
+    uint64_t hash = HASH_BEGIN;
+    for (size_t i = 0; i < CONSTANTS; i++) {
+        const c205_constant *constant = c205_model_constant(model, i);
+        hash = hash_text(hash, constant->name);
+        hash = hash_word(hash, model_millionths(model, (enum constant)i));
+        hash = hash_text(hash, constant->unit);
+    }
+    return hash;
+}
+
+static uint64_t hash_segment(uint64_t hash, const c205_segment *segment)
+{
+    hash = hash_word(hash, segment->address);
+    hash = hash_word(hash, segment->length);
+    hash = hash_word(hash, segment->words != NULL);
+    for (size_t i = 0; segment->words && i < segment->length; i++)
+        hash = hash_word(hash, segment->words[i]);
+    return hash;
+}
+
+static uint64_t hash_region(uint64_t hash, const c205_region *region)
+{
+    hash = hash_text(hash, region->name);
+    return hash_word(hash_word(hash, region->begin), region->end);
+}
+
+uint64_t c205_program_hash(const c205_program *program)
+{
+    uint64_t hash = hash_word(HASH_BEGIN, program->entry);
+    for (size_t i = 0; i < program->segment_count; i++)
+        hash = hash_segment(hash, &program->segments[i]);
+    for (size_t i = 0; i < program->region_count; i++)
+        hash = hash_region(hash, &program->regions[i]);
+    return hash;
+}
+
+/* ---- Memory -------------------------------------------------------------- */
+
+/* So many words of zero, then so many that follow. */
+struct run {
+    size_t zeros, words;
+};
+
+/* From a word of a page on: up to the next two zeros, as a lone one costs no
+ * more than what begins another run. */
+static struct run find_run(const c205_word *word, size_t left)
+{
+    size_t begin = 0;
+    while (begin < left && word[begin] == 0)
+        begin++;
+    size_t end = begin;
+    while (end < left && (word[end] || (end + 1 < left && word[end + 1])))
+        end++;
+    struct run run = { begin, end - begin };
+    return run;
+}
+
+/* When reading, the page is new: all zeros. */
+static void walk_words(c205_word *words, struct tape *tape)
+{
+    for (size_t i = 0; i < C205_PAGE_WORDS;) {
+        struct run run = { 0, 0 };
+        if (!tape_is_read(tape))
+            run = find_run(words + i, C205_PAGE_WORDS - i);
+        tape_size(tape, &run.zeros, C205_PAGE_WORDS - i);
+        tape_size(tape, &run.words, C205_PAGE_WORDS - i - run.zeros);
+        tape_require(tape, run.zeros + run.words > 0,
+                     "the memory of the saved machine is damaged");
+        if (tape->failed)
+            return;
+        tape_words(tape, words + i + run.zeros, run.words);
+        i += run.zeros + run.words;
+    }
+}
+
+static void walk_page(struct memory *memory, uint64_t address,
+                      struct tape *tape)
+{
+    struct page *page = memory_page(memory, address);
+    size_t access = page && page->writable ? C205_READ_WRITE : C205_READ_ONLY;
+    tape_size(tape, &access, C205_READ_WRITE);
+    if (!page && !tape->failed
+        && !memory_map(memory, address, C205_PAGE_WORDS, (c205_access)access,
+                       tape->error))
+        tape->failed = true;
+    if (!tape->failed)
+        walk_words(memory_page(memory, address)->word, tape);
+}
+
+/* Pages by rising address; the end of the address space ends them. */
+static void walk_memory(struct memory *memory, struct tape *tape)
+{
+    uint64_t address = 0;
+    while (!tape->failed) {
+        uint64_t least = address;
+        if (!tape_is_read(tape))
+            address = memory_next_page(memory, address);
+        tape_word(tape, &address);
+        tape_require(tape, address >= least && address <= ADDRESS_MASK + 1
+                               && address % PAGE_BITS == 0,
+                     "the memory of the saved machine is damaged");
+        if (address > ADDRESS_MASK)
+            break;
+        walk_page(memory, address, tape);
+        address += PAGE_BITS;
+    }
+}
+
+/* ---- The machine --------------------------------------------------------- */
+
+static void walk_format(struct tape *tape)
+{
+    uint64_t magic = SAVE_MAGIC, version = SAVE_VERSION;
+    static const char foreign[] = "this is not a saved machine";
+    tape_require(tape, tape_room(tape) > 0, foreign);
+    tape_word(tape, &magic);
+    tape_require(tape, magic == SAVE_MAGIC, foreign);
+    tape_word(tape, &version);
+    tape_require(tape, version == SAVE_VERSION,
+                 "the machine was saved in another version of the format");
+}
+
+static void walk_model(const c205_model *model, struct tape *tape)
+{
+    uint64_t constants = model_hash(model), hash = constants;
+    const char *name = c205_model_name(model);
+    char other[sizeof tape->error->message];
+    tape_text(tape, &name);
+    tape_word(tape, &hash);
+    snprintf(other, sizeof other, "the machine was saved on the model %.60s, "
+             "whose constants are not those of %.60s", name,
+             c205_model_name(model));
+    tape_require(tape, hash == constants, other);
+}
+
+static void walk_registers(struct c205 *machine, struct tape *tape)
+{
+    tape_array(tape, machine->slot + 1, C205_REGISTERS - 1);
+    tape_word(tape, &machine->data_flags);
+    tape_word(tape, &machine->pc);
+    tape_require(tape, machine->pc <= ADDRESS_MASK,
+                 "the program address of the saved machine is wrong");
+}
+
+static void walk(struct c205 *machine, struct tape *tape)
+{
+    walk_format(tape);
+    tape_verify(tape);
+    walk_model(machine->model, tape);
+    tape_word(tape, &machine->program);
+    walk_registers(machine, tape);
+    machine_walk_regions(machine, tape);
+    walk_memory(&machine->memory, tape);
+    clock_walk(machine->clock, tape);
+    tape_end(tape);
+}
+
+/* A tape that is written changes nothing. */
+bool c205_save(const c205 *machine, c205_writer *write, void *context,
+               c205_error *error)
+{
+    struct tape tape = tape_to(write, context, error);
+    walk((struct c205 *)machine, &tape);
+    return !tape.failed;
+}
+
+c205 *c205_restore(const void *bytes, size_t count, const c205_model *model,
+                   c205_error *error)
+{
+    struct tape tape = tape_from(bytes, count, error);
+    c205 *machine = c205_new(model, error);
+    if (machine)
+        walk(machine, &tape);
+    if (!tape.failed)
+        return machine;
+    c205_free(machine);
+    return NULL;
+}
