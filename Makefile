@@ -1,8 +1,8 @@
 # make demo       installs what is missing, builds, renders a scene on the
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
-# make all | bench | san | fuzz | check-long | wasm-check | format | lint |
-#      install | clean
+# make all | docs | bench | san | fuzz | check-long | wasm-check | format |
+#      lint | install | clean
 
 BUILD ?= build
 OPT ?= -O3
@@ -60,7 +60,8 @@ demo:
 check:
 	@sh .ci/need $(test_packages)
 	@sh tests/run_all.sh "$(MAKE)" check-unit check-programs check-bugs \
-		check-arithmetic check-scenes check-commands check-install wasm-check
+		check-isa check-arithmetic check-scenes check-commands check-install \
+		wasm-check
 
 check-long: CASES = 10000000
 check-long: check san
@@ -76,7 +77,8 @@ $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	@rm -f $@
 	$(AR) rcs $@ $^
 
-$(BUILD)/c205: $(call objects,$(c205_c)) $(filter-out %librt205.a,$(libraries))
+$(BUILD)/c205: $(call objects,$(c205_c)) $(BUILD)/asm/isa_example_texts.o \
+		$(filter-out %librt205.a,$(libraries))
 	$(CC) $(LDFLAGS) -o $@ $^ -lm
 $(BUILD)/rt205: $(call objects,$(rt205_c)) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
@@ -88,6 +90,7 @@ $(adapter): rt/picture_oiio.cc
 # Texts that the programs carry with them.
 $(BUILD)/vm/model_texts.c: $(wildcard vm/models/*.model)
 $(BUILD)/asm/library_texts.c: $(wildcard asm/lib/*.s)
+$(BUILD)/asm/isa_example_texts.c: $(wildcard asm/isa_examples/*.s)
 $(BUILD)/rt/kernel_texts.c: $(wildcard rt/kernels/*.s)
 $(BUILD)/rt/scene_texts.c: $(wildcard rt/scene/*.inc)
 $(BUILD)/%_texts.c: vm/embed.sh
@@ -104,6 +107,11 @@ $(BUILD)/%.o: $(BUILD)/%.c
 # Loops that choose between doubles only vectorise when neither can trap.
 $(BUILD)/vm/lanes.o: C_FLAGS += -fno-trapping-math
 
+# The reference of the instructions.
+docs: $(BUILD)/c205
+	$< isa --markdown >$(BUILD)/isa.md
+	@mv $(BUILD)/isa.md docs/isa.md
+
 # --- tests ------------------------------------------------------------------
 
 # Test programs do not stand beside the adapter.
@@ -112,6 +120,9 @@ export RT205_LIBDIR = $(abspath $(BUILD))
 oracle_o = $(call objects,$(filter-out $(oracles:$(BUILD)/%=%.c),\
 	$(wildcard tests/oracle/*.c)))
 
+# All allocations go through the test that makes them fail.
+$(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
+	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(oracle_o) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl
 $(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(libraries)
@@ -130,6 +141,9 @@ check-unit: $(unit_tests) $(adapter)
 
 check-programs: $(BUILD)/c205
 	sh tests/run_programs.sh $(BUILD)/c205
+
+check-isa: $(BUILD)/c205
+	sh tests/check_isa.sh $(BUILD)/c205
 
 check-bugs: $(replays)
 	sh tests/run_bugs.sh $(BUILD)
@@ -195,7 +209,7 @@ clean:
 	rm -rf $(BUILD)
 
 .PHONY: all demo check check-long check-unit check-programs check-bugs \
-	check-arithmetic check-scenes check-commands check-install wasm-check \
-	san bench fuzz fuzz-targets format lint install clean
+	check-isa check-arithmetic check-scenes check-commands check-install \
+	wasm-check docs san bench fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

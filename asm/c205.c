@@ -20,12 +20,16 @@ static const struct command {
     const char *summary;
     const char *help;
 } commands[] = {
-    { "run", cmd_run, "mjdlct", 1, SIZE_MAX,
+    { "run", cmd_run, "mjdlctsr", 0, SIZE_MAX,
       "run a program and account for its clocks",
       "c205 run FILE           run a program, text or an object of c205 asm\n"
       "c205 run --check FILE.. run test programs; a line each, PASS or FAIL\n"
+      "c205 run --restore STATE [FILE]\n"
+      "                        go on with a program that was saved; a FILE\n"
+      "                        must be that program\n"
       OPTION_MODEL
       "  --limit CLOCKS       stop the program after so many\n"
+      "  --save STATE         save the machine when the limit stops it\n"
       OPTION_DEFINE
       "  --trace              print each instruction as it is executed\n"
       OPTION_JSON },
@@ -37,10 +41,12 @@ static const struct command {
     { "dis", cmd_dis, "d", 1, 1, "a program as text again",
       "c205 dis FILE           an object of c205 asm, or a text\n"
       OPTION_DEFINE },
-    { "isa", cmd_isa, "jn", 0, SIZE_MAX, "the instructions",
+    { "isa", cmd_isa, "jnmM", 0, SIZE_MAX, "the instructions",
       "c205 isa                all instructions, one line each\n"
       "c205 isa MNEMONIC..     all that is known of these\n"
       "  --names              the mnemonics alone\n"
+      "  --markdown           the whole reference, docs/isa.md\n"
+      OPTION_MODEL
       OPTION_JSON },
     { "model", cmd_model, "j", 0, 1, "the machine models",
       "c205 model              the models that are built in\n"

@@ -19,9 +19,9 @@ enum { CMD_DEFINES = 64 };
 struct cmd_arguments {
     const char *command;
     const char *model;
-    const char *json, *output; /* NULL: not wanted */
+    const char *json, *output, *save, *restore; /* NULL: not wanted */
     uint64_t limit;
-    bool check, trace, listing, names, points;
+    bool check, trace, listing, names, points, markdown;
     size_t define_count;
     struct asm_define defines[CMD_DEFINES + 1]; /* the last has no name */
     size_t file_count;

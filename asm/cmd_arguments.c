@@ -21,6 +21,9 @@ static const struct option options[] = {
     { "listing", no_argument, NULL, 'L' },
     { "names", no_argument, NULL, 'n' },
     { "points", no_argument, NULL, 'p' },
+    { "markdown", no_argument, NULL, 'M' },
+    { "save", required_argument, NULL, 's' },
+    { "restore", required_argument, NULL, 'r' },
     { NULL, 0, NULL, 0 },
 };
 
@@ -54,11 +57,14 @@ static bool take(int letter, struct cmd_arguments *arguments)
     case 'm': arguments->model = optarg; return true;
     case 'j': arguments->json = optarg; return true;
     case 'o': arguments->output = optarg; return true;
+    case 's': arguments->save = optarg; return true;
+    case 'r': arguments->restore = optarg; return true;
     case 'c': arguments->check = true; return true;
     case 't': arguments->trace = true; return true;
     case 'L': arguments->listing = true; return true;
     case 'n': arguments->names = true; return true;
     case 'p': arguments->points = true; return true;
+    case 'M': arguments->markdown = true; return true;
     case 'd': return parse_define(optarg, arguments);
     default: return parse_limit(optarg, &arguments->limit);
     }

@@ -111,6 +111,47 @@ tells out "^VXTOV "
 tells out "^ACPSV "
 tells out "^CNTOB "
 
+# programs that are saved and go on
+cat >counting.s <<'TEXT'
+        .include "print.s"
+        EX      r10, 0
+        EX      r11, 100
+        EX      r13, 1
+loop:   print_integer r10
+        IBXLT   r10, r13, r11, loop, r10
+        EXIT
+TEXT
+ends 0 "$build/c205" run counting.s
+cp out whole
+ends 0 "$build/c205" run counting.s --limit 300 --save early
+tells out 'saved as early'
+
+ends 0 "$build/c205" run --restore early counting.s --limit 700 --save late
+ends 0 "$build/c205" run --restore late
+sed 1d whole >whole.accounts
+sed 1d out | cmp -s - whole.accounts
+verdict $? "a restored run ends with other accounts"
+ends 1 "$build/c205" run --restore early --limit 400
+tells err 'clock-limit'
+ends 1 "$build/c205" run --restore late good.s
+tells err 'another program'
+ends 1 "$build/c205" run --restore late --model cyber205-4pipe
+tells err 'cyber205-2pipe'
+ends 1 "$build/c205" run --restore good.s
+tells err 'not a saved machine'
+head -c 1000 late >part
+ends 1 "$build/c205" run --restore part
+tells err 'damaged'
+ends 1 "$build/c205" run --restore missing
+ends 0 "$build/c205" run good.s --limit 1000000 --save never
+tells err 'nothing is saved'
+[ ! -e never ]
+verdict $? "a run that ended was saved"
+ends 1 "$build/c205" run counting.s --limit 300 --save missing/state
+ends 2 "$build/c205" run good.s --save state
+ends 2 "$build/c205" run --check good.s --save state --limit 10
+ends 2 "$build/c205" run --restore late good.s trap.s
+
 # kernels are programs like any other
 ends 0 "$build/c205" asm "$kernels/frame_vector.s" --define QUEUE=2000
 ends 0 "$build/c205" asm "$kernels/frame_scalar.s"

@@ -1,0 +1,6 @@
+        EX      r10, 0x800000
+        ELEN    r10, 4
+        ES      r11, 1
+        ADDLEN  r10, r11, r12
+        EXIT
+; expect: r12 = X'0005 0000 0080 0000'

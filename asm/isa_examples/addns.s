@@ -1,0 +1,12 @@
+        .include "vectors.s"
+        .regs   r16, a, b, c, x, y, z
+        words   a, 1.0, 2.0, 3.0
+        bits    x, "11010"
+        words   b, 10.0, 20.0
+        bits    y, "01001"
+        words   c
+        bits    z, "00000"
+        ADDNS   [a, x], [b, y], [c], [z]
+        EXIT
+; expect: [c.words] = 1.0, 12.0, 3.0, 20.0
+; expect-bits: [z.bits] = 11011

@@ -1,0 +1,5 @@
+        ES      r10, 12
+        ES      r11, 10
+        AND     r10, r11, r12
+        EXIT
+; expect: r12 = 8

@@ -1,0 +1,8 @@
+        ADDN    r0, r0, r11             ; flag 43: machine zero
+        ES      r10, 43
+        EX      r12, there
+        BADF    r10, [r12], 10          ; on a one; make it zero
+        ES      r13, 1                  ; passed over
+there:  EXIT
+; expect-flags: X'0'
+; expect: r13 = X'0'

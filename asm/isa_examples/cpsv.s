@@ -1,0 +1,10 @@
+        .include "vectors.s"
+        .regs   r16, a, c, z, n
+        words   a, 1.0, 2.0, 3.0, 4.0
+        words   c
+        bits    z, "1011"
+        CPSV    [a], [c] ? [z]
+        LTOR    c, n
+        EXIT
+; expect: [c.words] = 1.0, 3.0, 4.0, 0
+; expect: n = 3

@@ -1,0 +1,3 @@
+        ES      r10, -2
+        EXIT
+; expect: r10 = -2

@@ -1,0 +1,8 @@
+        .data
+table:  .word   1.5, 2.5, 3.5
+        .code
+        EX      r10, table
+        ES      r11, 2
+        LOD     [r10, r11], r12
+        EXIT
+; expect: r12 = 3.5

@@ -1,0 +1,7 @@
+        .include "vectors.s"
+        .regs   r16, a, value, index
+        words   a, 1.0, -2.0, 3.0, 4.5
+        MAXV    [a], value           ; index is the register after value
+        EXIT
+; expect: value = 4.5
+; expect: index = 3

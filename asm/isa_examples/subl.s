@@ -1,0 +1,6 @@
+        .include "core.s"
+        load_constant r10, 1.0
+        load_constant r11, X'FFA0 4000 0000 0000' ; 2 to the -50
+        SUBL    r10, r11, r12
+        EXIT
+; expect: r12 = X'FFA3 7800 0000 0000'

@@ -1,0 +1,8 @@
+        .include "vectors.s"
+        .regs   r16, a, b, c
+        words   a, 1.0, -2.0, 3.0, 4.5
+        words   b, 10.0, 0.5, -3.0, 1.5
+        words   c
+        SUBUV   [a], [b], [c]
+        EXIT
+; expect: [c.words] = -9.0, -2.5, 6.0, X'FFD4 3000 0000 0000'

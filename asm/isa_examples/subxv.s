@@ -1,0 +1,8 @@
+        .include "vectors.s"
+        .regs   r16, a, b, c
+        words   a, word(4 << 48 | 0x800000), 5, 1, -1
+        words   b, 64, 2, -1, 2
+        words   c
+        SUBXV   [a], [b], [c]
+        EXIT
+; expect: [c.words] = word(4 << 48 | 0x7FFFC0), 3, 2, -3

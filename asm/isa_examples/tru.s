@@ -1,0 +1,5 @@
+        .include "core.s"
+        load_constant r10, -2.5
+        TRU     r10, r11
+        EXIT
+; expect: r11 = -2

@@ -1,0 +1,7 @@
+        .include "vectors.s"
+        .regs   r16, a, c
+        words   a, 2.75, -2.75, 3, 0.5
+        words   c
+        TRUV    [a], [c]
+        EXIT
+; expect: [c.words] = 2, -2, 3, 0

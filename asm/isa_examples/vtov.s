@@ -1,0 +1,7 @@
+        .include "vectors.s"
+        .regs   r16, a, c
+        words   a, 1.0, -2.0, 3.0, 4.5
+        words   c
+        VTOV    [a], [c]
+        EXIT
+; expect: [c.words] = 1.0, -2.0, 3.0, 4.5

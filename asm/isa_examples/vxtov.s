@@ -1,0 +1,8 @@
+        .include "vectors.s"
+        .regs   r16, list, table, c
+        words   list, 3, 0, 0, 2
+        words   table, 10.0, 11.0, 12.0, 13.0
+        words   c
+        VXTOV   [list], [table], [c]
+        EXIT
+; expect: [c.words] = 13.0, 10.0, 10.0, 12.0

@@ -1,0 +1,24 @@
+; vectors.s - short vectors for examples and tests.
+
+        .ifndef words
+
+        .include "core.s"
+
+; Four words at a.words, and their descriptor in register a.
+        .macro  words a, first=0, second=0, third=0, fourth=0
+        .data
+\a\().words:
+        .word   \first, \second, \third, \fourth
+        .code
+        descriptor \a, \a\().words, 4
+        .endm
+
+; A bit vector at z.bits, and its descriptor in register z: bits z, "1011"
+        .macro  bits z, text
+        .data
+        .bitvector \z\().bits, length(\text), \text
+        .code
+        descriptor \z, \z\().bits, length(\text)
+        .endm
+
+        .endif
