@@ -178,12 +178,21 @@ static bool fill(c205 *machine, const c205_insn *insn, c205_error *error)
 
 /* ---- The runs -------------------------------------------------------- */
 
-static bool run_once(c205 *machine, uint64_t entry, size_t length,
+/* A machine with operands.  An instruction that goes through B once for each
+ * element of A gets a B of one element, so that its rate is that of one step. */
+struct rig {
+    c205 *machine;
+    bool one_step;
+};
+
+static bool run_once(const struct rig *rig, uint64_t entry, size_t length,
                      c205_error *error)
 {
+    c205 *machine = rig->machine;
     for (int operand = A; operand < OPERANDS; operand++) {
+        size_t own = operand == B && rig->one_step ? 1 : length;
         c205_set_register(machine, register_of((enum operand)operand),
-                          (c205_word)length << 48
+                          (c205_word)own << 48
                               | address_of((enum operand)operand));
     }
     c205_set_register(machine, SCALAR, C205_ONE);
@@ -198,22 +207,23 @@ static bool run_once(c205 *machine, uint64_t entry, size_t length,
 }
 
 /* The clock of the second run. */
-static bool clocks_of(c205 *machine, uint64_t entry, size_t length,
+static bool clocks_of(const struct rig *rig, uint64_t entry, size_t length,
                       uint64_t *clocks, c205_error *error)
 {
-    bool good = run_once(machine, entry, length, error)
-                && run_once(machine, entry, length, error);
-    *clocks = c205_clock(machine);
+    bool good = run_once(rig, entry, length, error)
+                && run_once(rig, entry, length, error);
+    *clocks = c205_clock(rig->machine);
     return good;
 }
 
-static bool measure_points(c205 *machine, uint64_t entry, uint64_t last,
-                           struct measurement *result, c205_error *error)
+static bool measure_points(const struct rig *rig, uint64_t entry,
+                           uint64_t last, struct measurement *result,
+                           c205_error *error)
 {
     for (size_t i = 0; i < MEASURE_POINTS; i++) {
         uint64_t whole, empty;
-        if (!clocks_of(machine, entry, lengths[i], &whole, error)
-            || !clocks_of(machine, last, lengths[i], &empty, error)) {
+        if (!clocks_of(rig, entry, lengths[i], &whole, error)
+            || !clocks_of(rig, last, lengths[i], &empty, error)) {
             return false;
         }
         result->points[i].length = lengths[i];
@@ -255,9 +265,10 @@ static bool measure_object(const c205_model *model,
 {
     const struct asm_symbol *last = object_symbol(object, "last");
     c205 *machine = c205_new(model, error);
+    struct rig rig = { machine, insn && insn->format == C205_FORMAT_SCAN };
     bool good = machine && c205_load(machine, &object->program, error)
                 && fill(machine, insn, error)
-                && measure_points(machine, object->program.entry,
+                && measure_points(&rig, object->program.entry,
                                   (uint64_t)last->value, result, error);
     c205_free(machine);
     return good;

@@ -70,8 +70,8 @@ static void walk_scoreboard(struct clock *clock, struct tape *tape)
     walk_time(&clock->results_done, tape);
     walk_time(&clock->loads_done, tape);
     walk_times(clock->free_at, C205_UNITS, tape);
-    walk_times(clock->load_end, clock->loads_in_flight, tape);
-    tape_size(tape, &clock->load, clock->loads_in_flight - 1);
+    walk_times(clock->load_end, (size_t)clock->loads_in_flight, tape);
+    tape_size(tape, &clock->load, (size_t)clock->loads_in_flight - 1);
 }
 
 static void walk_phase(struct phase *phase, size_t regions,

@@ -46,7 +46,7 @@ static c205_trap search(struct c205 *machine, const struct decoded *decoded,
         const c205_word *a = source_read(&stream.a, first, n);
         for (size_t i = 0; i < n; i++) {
             places[i] = search_for(&stream, a[i], comparison);
-            machine->effect.elements += compared(&stream, places[i]);
+            machine->effect.elements += compared(&stream, (size_t)places[i]);
         }
         result_store(machine, &stream.result, &stream.control, first, places,
                      n);
