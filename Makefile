@@ -60,12 +60,13 @@ demo:
 check:
 	@sh .ci/need $(test_packages)
 	@sh tests/run_all.sh "$(MAKE)" check-unit check-programs check-bugs \
-		check-isa check-arithmetic check-scenes check-commands check-install \
-		wasm-check
+		check-isa check-arithmetic check-random check-scenes \
+		check-commands check-install wasm-check
 
 check-long: CASES = 10000000
 check-long: check san
 	$(BUILD)/tests/oracle/check_arithmetic $(CASES)
+	$(BUILD)/tests/oracle/check_random 200000
 
 # --- libraries and programs -------------------------------------------------
 
@@ -151,6 +152,14 @@ check-bugs: $(replays)
 check-arithmetic: $(BUILD)/tests/oracle/check_arithmetic
 	$< 1000000
 
+check-random: $(BUILD)/tests/oracle/check_random
+	$< 15000
+
+# Not a part of check: every one of the faults planted must be found.
+check-planted:
+	@sh .ci/need $(test_packages)
+	sh tests/planted/run.sh $(BUILD)
+
 check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
 	sh tests/check_scenes.sh $(BUILD)
 
@@ -209,7 +218,7 @@ clean:
 	rm -rf $(BUILD)
 
 .PHONY: all demo check check-long check-unit check-programs check-bugs \
-	check-isa check-arithmetic check-scenes check-commands check-install \
-	wasm-check docs san bench fuzz fuzz-targets format lint install clean
+	check-isa check-arithmetic check-random check-planted check-scenes \
+	check-commands check-install wasm-check docs san bench fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

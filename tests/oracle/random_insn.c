@@ -1,0 +1,328 @@
+/* random_insn.c - instructions by chance, drawn from the instruction table. */
+#include "random_parts.h"
+
+#include "tests/oracle/operands.h"
+#include "tests/oracle/reference.h"
+
+#include <string.h>
+
+/* ---- Instructions ------------------------------------------------------ */
+
+static const unsigned unit_weights[C205_UNITS] = {
+    [C205_UNIT_SINGLE] = 10,  [C205_UNIT_ADD] = 6,
+    [C205_UNIT_MULTIPLY] = 4, [C205_UNIT_DIVIDE] = 3,
+    [C205_UNIT_LOGICAL] = 4,  [C205_UNIT_MEMORY] = 9,
+    [C205_UNIT_BRANCH] = 14,  [C205_UNIT_VECTOR] = 50,
+};
+
+static c205_unit draw_unit(uint64_t *random)
+{
+    int64_t left = random_between(random, 0, 99);
+    int unit = 0;
+
+    while (left >= unit_weights[unit])
+        left -= unit_weights[unit++];
+    return (c205_unit)unit;
+}
+
+typedef bool insn_filter(const c205_insn *insn);
+
+static bool may_link(const c205_insn *insn)
+{
+    return insn->flags & C205_INSN_LINK;
+}
+
+static const c205_insn *draw_any(uint64_t *random)
+{
+    return c205_insns
+           + random_between(random, 0, (int64_t)c205_insn_count - 1);
+}
+
+static const c205_insn *draw_where(uint64_t *random, insn_filter *fits)
+{
+    const c205_insn *insn;
+
+    do
+        insn = draw_any(random);
+    while (!fits(insn));
+    return insn;
+}
+
+static const c205_insn *draw_of_unit(uint64_t *random, c205_unit unit)
+{
+    const c205_insn *insn;
+
+    do
+        insn = draw_any(random);
+    while (insn->unit != unit || !reference_knows(insn));
+    return insn;
+}
+
+static bool is_prefix(const c205_insn *insn)
+{
+    return insn->format == C205_FORMAT_NONE;
+}
+
+/* After a prefix mostly two that can be linked; often the same once more, so
+ * that units and memory are kept busy. */
+static const c205_insn *draw_insn(uint64_t *random,
+                                  const c205_insn *const *rows, size_t i)
+{
+    const bool linked = (i > 0 && is_prefix(rows[i - 1]))
+                        || (i > 1 && is_prefix(rows[i - 2]));
+
+    if (linked && !one_in(random, 30))
+        return draw_where(random, may_link);
+    if (one_in(random, 20))
+        return draw_where(random, is_prefix);
+    if (i > 0 && !is_prefix(rows[i - 1]) && one_in(random, 4))
+        return rows[i - 1];
+    return draw_of_unit(random, draw_unit(random));
+}
+
+/* ---- Operands ---------------------------------------------------------- */
+
+static bool is_field(const c205_insn *insn)
+{
+    return strcmp(insn->mnemonic, "INSB") == 0
+           || strcmp(insn->mnemonic, "EXTB") == 0;
+}
+
+/* What the registers written i hold, by format and operand. */
+static char integer_role(const c205_insn *insn, char field)
+{
+    switch (insn->format) {
+    case C205_FORMAT_ALTER:
+    case C205_FORMAT_ALTERB:
+    case C205_FORMAT_ALTERF:
+        return field == 'C'                                         ? 'k'
+               : field == 'A' && insn->format == C205_FORMAT_ALTERB ? 'b'
+                                                                    : 'i';
+    case C205_FORMAT_MEMORY:
+        return field == 'R' ? 'v' : field == 'S' ? 'i' : 'n';
+    case C205_FORMAT_COMPARE: return 'k';
+    case C205_FORMAT_CALL: return field == 'T' ? 'k' : 'i';
+    case C205_FORMAT_SWAP: return field == 'S' ? 'n' : 's';
+    case C205_FORMAT_JUMP: return '0';
+    default:
+        if (is_field(insn) && field == 'S')
+            return 'f';
+        return insn->unit == C205_UNIT_LOGICAL ? 'n' : 'i';
+    }
+}
+
+static bool is_list(const c205_insn *insn)
+{
+    return strchr(insn->operands, 'x') != NULL;
+}
+
+static char role_of(uint64_t *random, const c205_insn *insn, char letter,
+                    char field, unsigned g)
+{
+    const bool number = (field == 'a' && g & C205_G_BROADCAST_A)
+                        || (field == 'b' && g & C205_G_BROADCAST_B);
+
+    switch (letter) {
+    case 'v':
+    case 'u': return number ? 'n' : field == 'A' && is_list(insn) ? 'x' : 'v';
+    case 'c':
+        if (insn->timing == C205_TIMING_vbits || field == 'Z')
+            return g & C205_G_OFFSET && field == 'C' ? 'q' : 'b';
+        return g & C205_G_OFFSET ? 'p' : 'v';
+    case 'd': return g & C205_G_OFFSET ? 'p' : 'v';
+    case 'x': return 'v';
+    case 'e': return g & C205_G_OFFSET && field == 'C' ? 'q' : 'b';
+    case 'b': return 'b';
+    case 'z':
+        return strstr(c205_format_syntax(insn->format), "!Z")
+                       || one_in(random, 3)
+                   ? 'b'
+                   : '0';
+    case 'f': return 'n';
+    case 'm': return one_in(random, 3) ? 'v' : 'i';
+    case 'w': return strchr("fv", insn->operands[0]) ? 'n' : 'i';
+    default: return integer_role(insn, field);
+    }
+}
+
+static uint8_t *field_of(c205_fields *fields, char name)
+{
+    switch (name) {
+    case 'R': return &fields->r;
+    case 'S': return &fields->s;
+    case 'T': return &fields->t;
+    case 'a':
+    case 'A': return &fields->a;
+    case 'b':
+    case 'B': return &fields->b;
+    case 'C': return &fields->c;
+    case 'X': return &fields->x;
+    case 'Y': return &fields->y;
+    case 'Z': return &fields->z;
+    default: return NULL;
+    }
+}
+
+static unsigned draw_bits_of_g(uint64_t *random, const c205_insn *insn)
+{
+    const unsigned legal = reference_bits_of_g(insn);
+
+    if (one_in(random, 80))
+        return (unsigned)random_bits(random) & 0xFF;
+    return (unsigned)(random_bits(random) & random_bits(random)) & legal;
+}
+
+/* In half words from the branch to some instruction. */
+static int64_t distance(uint64_t *random,
+                        const struct random_program *program, size_t i)
+{
+    return ((int64_t)draw_code_address(random, program)
+            - (int64_t)program_address(program, i))
+           / HALF;
+}
+
+static int64_t draw_immediate(uint64_t *random,
+                              const struct random_program *program,
+                              const c205_insn *insn, size_t i)
+{
+    switch (insn->format) {
+    case C205_FORMAT_INDEX:
+    case C205_FORMAT_FLOAT: return distance(random, program, i);
+    case C205_FORMAT_JUMP: return (int64_t)draw_code_address(random, program);
+    case C205_FORMAT_ALTER:
+    case C205_FORMAT_ALTERB:
+    case C205_FORMAT_ALTERF: return random_between(random, 0, 15);
+    case C205_FORMAT_REQUEST:
+        return random_between(random, one_in(random, 8) ? 0 : 1,
+                              one_in(random, 8) ? 255 : 7);
+    case C205_FORMAT_SHIFT: return random_between(random, -128, 127);
+    case C205_FORMAT_I48:
+        if (one_in(random, 2))
+            return (int64_t)(draw_descriptor(random, 'v') << 16 >> 16);
+        return draw_integer(random);
+    default:
+        return one_in(random, 3) ? WORD * random_between(random, -9, 9)
+                                 : (int64_t)draw_length(random);
+    }
+}
+
+/* The operands in the order written; a letter after + is an offset. */
+static void draw_registers(uint64_t *random, const c205_insn *insn,
+                           c205_fields *fields)
+{
+    const char *letters = insn->operands;
+    const char *syntax = c205_format_syntax(insn->format);
+
+    for (const char *p = syntax; *p && *letters; p++) {
+        uint8_t *field = field_of(fields, *p);
+        char role;
+        if (p > syntax && p[-1] == '+')
+            continue;
+        if (*p == 'I' || *p == '@')
+            letters++;
+        if (field == NULL)
+            continue;
+        role = role_of(random, insn, *letters++, *p, fields->g);
+        *field = (uint8_t)(role == '0' ? 0 : draw_register(random, role));
+    }
+}
+
+static void draw_offsets(uint64_t *random, const c205_insn *insn,
+                         c205_fields *fields)
+{
+    if (strchr(c205_format_syntax(insn->format), '@')) {
+        fields->y = (uint8_t)draw_register(random, 'k');
+        fields->b = 0;
+        return;
+    }
+    if (insn->format == C205_FORMAT_SPARSE)
+        return;
+    if (!(fields->g & C205_G_BROADCAST_A) && one_in(random, 4))
+        fields->x = (uint8_t)draw_register(random, 'i');
+    if (!(fields->g & C205_G_BROADCAST_B) && one_in(random, 4))
+        fields->y = (uint8_t)draw_register(random, 'i');
+}
+
+static void put_insn(struct random_program *program, size_t i,
+                     const c205_insn *insn, const c205_fields *fields)
+{
+    program->insns[i].word = c205_encode(insn, fields);
+    program->insns[i].halves = c205_format_halves(insn->format);
+}
+
+static c205_fields draw_fields(uint64_t *random,
+                               const struct random_program *program,
+                               const c205_insn *insn, size_t i)
+{
+    c205_fields fields = { .f = insn->opcode };
+
+    fields.g = (uint8_t)draw_bits_of_g(random, insn);
+    draw_registers(random, insn, &fields);
+    if (c205_format_halves(insn->format) == 2)
+        draw_offsets(random, insn, &fields);
+    if (fields.z == 0 && insn->unit == C205_UNIT_VECTOR)
+        fields.g &= (uint8_t)~C205_G_ZEROS;
+    fields.immediate = draw_immediate(random, program, insn, i);
+    return fields;
+}
+
+/* Make the second of a pair read what the first makes, mostly. */
+static void link_fields(uint64_t *random, c205_fields *first,
+                        c205_fields *second)
+{
+    const bool a = one_in(random, 2);
+
+    if (!one_in(random, 20)) {
+        first->z = 0;
+        first->g &= (uint8_t) ~(C205_G_OFFSET | C205_G_ZEROS);
+    }
+    second->g &= (uint8_t) ~(a ? C205_G_BROADCAST_A : C205_G_BROADCAST_B);
+    if (!one_in(random, 20))
+        *(a ? &second->a : &second->b) = first->c;
+    if (!one_in(random, 20)) {
+        first->g |= C205_G_BROADCAST_B;
+        first->y = 0;
+        first->b = (uint8_t)draw_register(random, 'n');
+    }
+    if (!one_in(random, 4))
+        *(a ? &second->x : &second->y) = 0;
+}
+
+static void link_pairs(uint64_t *random, struct random_program *program,
+                       const c205_insn *const *rows)
+{
+    for (size_t i = 0; i + 2 < program->insn_count; i++) {
+        c205_fields first, second;
+        if (!is_prefix(rows[i]) || !may_link(rows[i + 1])
+            || !may_link(rows[i + 2]))
+            continue;
+        first = c205_decode(rows[i + 1], program->insns[i + 1].word);
+        second = c205_decode(rows[i + 2], program->insns[i + 2].word);
+        link_fields(random, &first, &second);
+        put_insn(program, i + 1, rows[i + 1], &first);
+        put_insn(program, i + 2, rows[i + 2], &second);
+    }
+}
+
+void draw_insns(uint64_t *random, struct random_program *program)
+{
+    const c205_insn *rows[PROGRAM_INSNS];
+    const size_t count = program->insn_count;
+
+    for (size_t i = 0; i + 1 < count; i++) {
+        rows[i] = draw_insn(random, rows, i);
+        program->insns[i].halves = c205_format_halves(rows[i]->format);
+    }
+    rows[count - 1] = c205_insn_named("EXIT", 4);
+    program->insns[count - 1].halves = 1;
+    for (size_t i = 0; i < count; i++) {
+        c205_fields fields = draw_fields(random, program, rows[i], i);
+        if (i == count - 1)
+            fields.immediate = 0;
+        put_insn(program, i, rows[i], &fields);
+        if (one_in(random, 200))
+            program->insns[i].word ^= UINT64_C(1)
+                                      << random_between(random, 32, 63);
+    }
+    link_pairs(random, program, rows);
+}

@@ -1,0 +1,27 @@
+/* random_parts.h - what the two parts of the generator share. */
+#ifndef RANDOM_PARTS_H
+#define RANDOM_PARTS_H
+
+#include "tests/oracle/random_program.h"
+
+enum { WORD = 64, HALF = 32 };
+
+bool one_in(uint64_t *random, int64_t n);
+/* Mostly small: counts, offsets, distances. */
+int64_t draw_integer(uint64_t *random);
+uint64_t draw_length(uint64_t *random);
+
+/* Registers lie in pools, by the role that they play in an instruction:
+ * n number, i integer, v word vector, b bit vector, x index list, k code
+ * address, s short vector, f field of a register; p, q a vector of words or
+ * bits whose offset stands in the next register. */
+unsigned draw_register(uint64_t *random, char role);
+c205_word draw_descriptor(uint64_t *random, char role);
+/* Of an instruction of the program; now and then off a half word. */
+c205_word draw_code_address(uint64_t *random,
+                            const struct random_program *program);
+
+/* All of the program's instructions. */
+void draw_insns(uint64_t *random, struct random_program *program);
+
+#endif

@@ -1,0 +1,287 @@
+/* random_program.c - programs by chance. */
+#include "random_parts.h"
+
+#include "tests/oracle/operands.h"
+#include "tests/oracle/reference.h"
+
+#include <string.h>
+
+enum { PAGE_BITS = C205_PAGE_WORDS * WORD };
+#define IN_PAGE(page, word) \
+    ((uint64_t)(page)*PAGE_BITS + (uint64_t)(word)*WORD)
+
+const char *const random_models[] = {
+    "title two pipes\nlike cyber205-2pipe\n",
+    "title one pipe\nlike cyber205-1pipe\n",
+    "title four pipes\nlike cyber205-4pipe\n",
+    "title little memory\nlike cyber205-2pipe\n"
+    "memory.real_pages 3 pages R\ntranslation.registers 2 registers R\n",
+    "title odd times\nlike cyber205-4pipe\n"
+    "memory.real_pages 2 pages R\ntranslation.registers 1 registers R\n"
+    "vector.overlap 70 clk R\nstream.vadd 1.7 clk*pipe/element R\n"
+    "issue.interval 2 clk R\nmemory.loads_in_flight 2 loads R\n"
+    "swap.word 0.3 clk/word R\nbusy.add 3 clk R\n"
+    "branch.stack_words 4 words R\nbranch.not_taken 2 clk R\n",
+};
+const size_t random_model_count = sizeof random_models
+                                  / sizeof random_models[0];
+
+/* Page 5 is not there, nor are pages 0 and 7 and those from 9 on. */
+const struct random_area random_areas[] = {
+    { IN_PAGE(2, C205_PAGE_WORDS - 250), 500, C205_READ_WRITE, NUMBERS },
+    { IN_PAGE(3, 1000), 2600, C205_READ_WRITE, NUMBERS },
+    { IN_PAGE(4, C205_PAGE_WORDS - 250), 250, C205_READ_WRITE, NUMBERS },
+    { IN_PAGE(6, 0), 200, C205_READ_ONLY, NUMBERS },
+    { IN_PAGE(8, 100), 300, C205_READ_WRITE, NUMBERS },
+    { IN_PAGE(3, 5000), 300, C205_READ_WRITE, INDICES },
+    { IN_PAGE(3, 6000), 200, C205_READ_WRITE, WILD_INDICES },
+    { IN_PAGE(3, C205_PAGE_WORDS - 10), 20, C205_READ_WRITE, BIT_STRINGS },
+    { IN_PAGE(2, 300), 40, C205_READ_WRITE, BIT_STRINGS },
+};
+const size_t random_area_count = sizeof random_areas / sizeof random_areas[0];
+
+/* ---- Chance ------------------------------------------------------------ */
+
+bool one_in(uint64_t *random, int64_t n)
+{
+    return random_between(random, 1, n) == 1;
+}
+
+static c205_word number(uint64_t *random)
+{
+    struct operands operands = operands_begin(random_bits(random));
+    c205_word a, b;
+
+    if (one_in(random, 3))
+        return c205_from_integer(random_between(random, -20, 20));
+    operands.position = (size_t)random_bits(random) % 100000;
+    operands_next(&operands, &a, &b, 1);
+    return one_in(random, 2) ? a : b;
+}
+
+int64_t draw_integer(uint64_t *random)
+{
+    if (one_in(random, 30))
+        return random_between(random, -90, -1);
+    if (one_in(random, 30))
+        return (int64_t)(random_bits(random) >> 16);
+    return random_between(random, 0, one_in(random, 4) ? 200 : 8);
+}
+
+uint64_t draw_length(uint64_t *random)
+{
+    if (one_in(random, 300))
+        return C205_MAX_LENGTH;
+    if (one_in(random, 12))
+        return 0;
+    if (one_in(random, 30))
+        return (uint64_t)random_between(random, 500, 1600);
+    return (uint64_t)random_between(random, 1, one_in(random, 3) ? 200 : 20);
+}
+
+/* ---- Data -------------------------------------------------------------- */
+
+static c205_word datum(uint64_t *random, const struct random_area *area)
+{
+    switch (area->contents) {
+    case INDICES: return (c205_word)random_between(random, 0, 90);
+    case WILD_INDICES:
+        return one_in(random, 60) ? random_bits(random)
+                                  : (c205_word)random_between(random, -9, 9);
+    case BIT_STRINGS:
+        return one_in(random, 3) ? 0 - (random_bits(random) & 1)
+                                 : random_bits(random);
+    default: return number(random);
+    }
+}
+
+static c205_word plain_datum(const struct random_area *area)
+{
+    switch (area->contents) {
+    case NUMBERS: return C205_ONE;
+    case BIT_STRINGS: return UINT64_MAX;
+    default: return 0;
+    }
+}
+
+void program_data(const struct random_program *program,
+                  const struct random_area *area, c205_word *words)
+{
+    uint64_t random = program->seed ^ area->address;
+
+    for (size_t i = 0; i < area->words; i++)
+        words[i] = program->plain_data ? plain_datum(area)
+                                       : datum(&random, area);
+}
+
+/* ---- Registers --------------------------------------------------------- */
+
+/* What the roles mean: random_parts.h. */
+static const struct pool {
+    char role;
+    unsigned first, count;
+} pools[] = {
+    { 'n', 1, 15 },   /* numbers */
+    { 'i', 16, 16 },  /* integers */
+    { 'v', 32, 32 },  /* word vectors */
+    { 'b', 64, 16 },  /* bit vectors */
+    { 'x', 80, 8 },   /* lists of indices */
+    { 'k', 88, 8 },   /* code addresses */
+    { 's', 96, 8 },   /* short vectors for SWAP */
+    { 'p', 104, 16 }, /* a vector and its offset, alternately */
+    { 'q', 120, 8 },  /* a bit vector and its offset, alternately */
+    { 'f', 128, 8 },  /* fields of a register */
+};
+enum { POOLS = sizeof pools / sizeof pools[0] };
+
+static const struct pool *pool_of(char role)
+{
+    for (size_t i = 0; i < POOLS; i++)
+        if (pools[i].role == role)
+            return pools + i;
+    return pools;
+}
+
+unsigned draw_register(uint64_t *random, char role)
+{
+    const struct pool *pool = pool_of(role);
+    const bool pairs = role == 'p' || role == 'q';
+
+    if (one_in(random, 40))
+        return (unsigned)random_between(random, 0, C205_REGISTERS - 1);
+    if (!pairs && one_in(random, 25))
+        return 0;
+    return pool->first
+           + (unsigned)random_between(random, 0, pool->count - 1)
+                 / (pairs ? 2 : 1) * (pairs ? 2 : 1);
+}
+
+static const struct random_area *draw_area(uint64_t *random, char role)
+{
+    const struct random_area *area;
+    bool fits;
+
+    do {
+        area = random_areas
+               + random_between(random, 0, (int64_t)random_area_count - 1);
+        fits = role == 'b'   ? area->contents == BIT_STRINGS
+               : role == 'x' ? area->contents == INDICES
+                                   || area->contents == WILD_INDICES
+                             : area->contents == NUMBERS;
+        if (area->access == C205_READ_ONLY)
+            fits = fits && one_in(random, 3);
+        if (area->contents == WILD_INDICES)
+            fits = fits && one_in(random, 3);
+    } while (!fits && !one_in(random, 400));
+    return area;
+}
+
+c205_word draw_descriptor(uint64_t *random, char role)
+{
+    const struct random_area *area = draw_area(random, role);
+    const int64_t words = (int64_t)area->words;
+    const int64_t at = one_in(random, 3)
+                           ? random_between(random, 0, words - 1)
+                           : random_between(random, 0, words / 3);
+    uint64_t address = area->address + WORD * (uint64_t)at;
+
+    if (role == 'b')
+        address += (uint64_t)random_between(random, 0, WORD - 1);
+    else if (one_in(random, 100))
+        address += (uint64_t)random_between(random, 1, WORD - 1);
+    if (role == 's')
+        return (c205_word)random_between(random, 0, 6) << 48 | address;
+    return draw_length(random) << 48 | address;
+}
+
+c205_word draw_code_address(uint64_t *random,
+                            const struct random_program *program)
+{
+    const size_t i = (size_t)random_between(random, 0,
+                                            (int64_t)program->insn_count - 1);
+    const uint64_t address = program_address(program, i);
+
+    return one_in(random, 30) ? address + 8 : address;
+}
+
+/* Some words of the program itself. */
+static c205_word code_vector(uint64_t *random,
+                             const struct random_program *program)
+{
+    return (c205_word)random_between(random, 1, 5) << 48
+           | draw_code_address(random, program) / WORD * WORD;
+}
+
+static c205_word preset(uint64_t *random,
+                        const struct random_program *program, char role,
+                        unsigned i)
+{
+    switch (role) {
+    case 'n': return number(random);
+    case 'i':
+        return (c205_word)draw_integer(random) & UINT64_C(0xFFFFFFFFFFFF);
+    case 'f':
+        return (c205_word)random_between(random, 0, 20) << 48
+               | (c205_word)random_between(random, 0, 50);
+    case 'k': return draw_code_address(random, program);
+    case 'p':
+    case 'q':
+        if (i % 2 == 1)
+            return (c205_word)random_between(random,
+                                             one_in(random, 30) ? -2 : 0, 9)
+                   & UINT64_C(0xFFFFFFFFFFFF);
+        return draw_descriptor(random, role == 'p' ? 'v' : 'b');
+    default:
+        return one_in(random, 40) ? code_vector(random, program)
+                                  : draw_descriptor(random, role);
+    }
+}
+
+/* Every fourth vector begins near the one before, so that they overlap. */
+static void preset_registers(uint64_t *random, struct random_program *program)
+{
+    for (size_t p = 0; p < POOLS; p++)
+        for (unsigned i = 0; i < pools[p].count; i++) {
+            c205_word *r = program->registers + pools[p].first + i;
+            *r = preset(random, program, pools[p].role, i);
+            if (pools[p].role == 'v' && i > 0 && one_in(random, 4))
+                *r = r[-1] + WORD * (uint64_t)random_between(random, -2, 2);
+        }
+}
+
+/* ---- The whole --------------------------------------------------------- */
+
+uint64_t program_address(const struct random_program *program, size_t i)
+{
+    uint64_t address = program->code;
+
+    for (size_t k = 0; k < i && k < program->insn_count; k++)
+        address += HALF * program->insns[k].halves;
+    return address;
+}
+
+/* Anywhere, often such that the program runs on into the next page. */
+static uint64_t draw_beginning(uint64_t *random)
+{
+    const uint64_t words = one_in(random, 3)
+                               ? C205_PAGE_WORDS
+                                     - (uint64_t)random_between(random, 1, 20)
+                               : (uint64_t)random_between(random, 0, 200);
+
+    return IN_PAGE(1, words) + HALF * (random_bits(random) & 1);
+}
+
+struct random_program random_program(uint64_t seed)
+{
+    uint64_t random = seed * UINT64_C(0x9E3779B97F4A7C15);
+    struct random_program program = { .seed = seed };
+
+    random_bits(&random);
+    program.model = (size_t)random_between(&random, 0,
+                                           (int64_t)random_model_count - 1);
+    program.code = draw_beginning(&random);
+    program.insn_count = (size_t)random_between(&random, 4, PROGRAM_INSNS);
+    draw_insns(&random, &program);
+    preset_registers(&random, &program);
+    return program;
+}

@@ -1,0 +1,56 @@
+/* random_program.h - programs by chance, the same for the same seed.
+ *
+ * A program is a row of instructions drawn from the instruction table, the
+ * registers it starts with and the contents of a few areas of memory.  Its
+ * registers lie in pools (numbers, integers, descriptors of word and bit
+ * vectors, of index lists, code addresses ..) and each operand is mostly
+ * taken from the pool it needs, so that most instructions do something, and
+ * some trap.  Vectors overlap, cross pages, run off their ends and into
+ * memory that is not there or may only be read.
+ */
+#ifndef RANDOM_PROGRAM_H
+#define RANDOM_PROGRAM_H
+
+#include "vm/c205.h"
+
+struct program_insn {
+    c205_word word; /* a short one in its high half */
+    unsigned halves;
+};
+
+enum { PROGRAM_INSNS = 40 };
+
+struct random_program {
+    uint64_t seed;
+    size_t model; /* index into random_models */
+    uint64_t code;
+    size_t insn_count;
+    struct program_insn insns[PROGRAM_INSNS];
+    c205_word registers[C205_REGISTERS];
+    bool plain_data; /* all numbers one, all bits ones: for shrinking */
+};
+
+/* Machine models worth running on: pipes, little memory. */
+extern const char *const random_models[];
+extern const size_t random_model_count;
+
+/* Where the data lie; the words around an area belong to nobody. */
+struct random_area {
+    uint64_t address;
+    size_t words;
+    c205_access access;
+    enum { NUMBERS, INDICES, WILD_INDICES, BIT_STRINGS } contents;
+};
+extern const struct random_area random_areas[];
+extern const size_t random_area_count;
+
+struct random_program random_program(uint64_t seed);
+
+/* The bit address of an instruction, or of the end when there is no such. */
+uint64_t program_address(const struct random_program *program, size_t i);
+
+/* The contents of an area, area->words of them. */
+void program_data(const struct random_program *program,
+                  const struct random_area *area, c205_word *words);
+
+#endif

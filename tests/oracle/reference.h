@@ -1,0 +1,96 @@
+/* reference.h - the machine a second time, as plainly as it can be said.
+ *
+ * Written from docs/machine.md and vm/insn.def: one instruction at a time,
+ * one element at a time, in element order.  No spans, no decoded programs,
+ * no clock.  Arithmetic is that of arithmetic_oracle.h; from vm/ it uses
+ * only the instruction table.
+ *
+ * Where the text leaves open whether an address is used (elements that a
+ * control vector leaves out, sources of which only some elements are
+ * needed) a fault there is *possible*: the machine may trap or not.
+ * Everything else is certain.  When an instruction has several faults any of
+ * them may be the one that is told.
+ *
+ * In two points it follows the machine and not the text: MAXV and MINV give
+ * an indefinite element as it stands (machine.md: indefinite), and masked
+ * elements of a gather or scatter use no memory (timing.md: included).
+ *
+ * What the text does not say was settled by comparing with the machine:
+ * MAXV and MINV raise the flags of their result; a linked pair must agree in
+ * length, and its first member raises all its flags; IBX.. clears the high
+ * 16 bits; an unused field, the offset of a number broadcast and zeros of no
+ * control vector are undefined; a text to print begins at a word.
+ */
+#ifndef REFERENCE_H
+#define REFERENCE_H
+
+#include "tests/oracle/plain_memory.h"
+
+/* All faults of one kind that an instruction has: the lowest and the highest
+ * address at fault. */
+struct fault {
+    bool possible, certain;
+    uint64_t low, high;
+};
+
+/* Memory that an instruction uses, in bits. */
+struct extent {
+    uint64_t address, bits;
+};
+
+enum { PAIR = 2, EXTENTS = 8 };
+
+/* What an instruction did, as far as a clock wants to know. */
+struct deed {
+    uint64_t pc;
+    size_t insn_count; /* 1, or 3: prefix and linked pair */
+    const c205_insn *insns[PAIR + 1];
+    c205_word words[PAIR + 1]; /* a short one in its high half */
+    c205_fields fields[PAIR + 1];
+    uint64_t elements;
+    size_t extent_count;
+    struct extent extents[EXTENTS];
+    size_t indexed_count, indexed_room;
+    uint64_t *indexed; /* addresses of gather and scatter, in order */
+    uint64_t swapped;  /* words */
+    bool taken;
+    uint64_t target;
+};
+
+struct reference_state {
+    c205_word registers[C205_REGISTERS];
+    uint64_t flags, pc;
+};
+
+struct reference {
+    struct reference_state now, before;
+    struct plain_memory memory;
+    uint64_t clock; /* as CLOCK reads it; set by who counts clocks */
+    struct fault faults[C205_TRAPS];
+    struct deed deed;
+    bool ended;
+    bool lost; /* no rule for the instruction, or too long a work */
+    int64_t status;
+};
+
+void reference_begin(struct reference *reference);
+void reference_end(struct reference *reference);
+
+/* One instruction.  False: it has a certain fault, and nothing changed.
+ * The stores it made stand in memory.changes until the next step. */
+bool reference_step(struct reference *reference);
+
+/* Take the last instruction back, which had possible faults only. */
+void reference_undo(struct reference *reference);
+
+/* True: its faults include this one. */
+bool reference_has_fault(const struct reference *reference, c205_trap trap,
+                         uint64_t address);
+
+/* False: no rule for this instruction has been written yet. */
+bool reference_knows(const c205_insn *insn);
+
+/* The bits of G that an instruction of 64 bits may have. */
+unsigned reference_bits_of_g(const c205_insn *insn);
+
+#endif

@@ -1,0 +1,235 @@
+/* reference_branch.c - instructions that go elsewhere, and the monitor. */
+#include "reference_parts.h"
+
+#include <limits.h>
+
+/* ---- Branches ---------------------------------------------------------- */
+
+enum relation { LESS = 1, EQUAL = 2, GREATER = 4, UNORDERED = 8 };
+
+/* Which relations an instruction branches on. */
+static unsigned branches_on(enum reference_insn which)
+{
+    switch (which) {
+    case DO_BEQ:
+    case DO_IBXEQ:
+    case DO_CFPEQ: return EQUAL;
+    case DO_BGE:
+    case DO_IBXGE:
+    case DO_CFPGE: return GREATER | EQUAL;
+    case DO_BLT:
+    case DO_IBXLT:
+    case DO_CFPLT: return LESS;
+    case DO_IBXLE:
+    case DO_CFPLE: return LESS | EQUAL;
+    case DO_IBXGT:
+    case DO_CFPGT: return GREATER;
+    default: return LESS | GREATER | UNORDERED;
+    }
+}
+
+static enum relation compare_integers(int64_t a, int64_t b)
+{
+    return a < b ? LESS : a > b ? GREATER : EQUAL;
+}
+
+static enum relation compare_numbers(c205_word a, c205_word b)
+{
+    uint64_t flags = 0;
+
+    if (oracle_less(a, b, &flags))
+        return LESS;
+    if (oracle_equal(a, b, &flags))
+        return EQUAL;
+    return oracle_not_less(a, b, &flags) ? GREATER : UNORDERED;
+}
+
+static void go_to(struct reference *reference, uint64_t target, bool taken)
+{
+    target = plain_address(target);
+    if (target % HALF_BITS != 0)
+        add_fault(reference, C205_TRAP_MISALIGNED_OPERAND, target, taken);
+    if (!taken)
+        return;
+    reference->deed.taken = true;
+    reference->deed.target = target;
+    reference->now.pc = target;
+}
+
+/* Of the 64-bit branches: a distance from themselves, or (Y) + (B). */
+static uint64_t long_target(const struct reference *reference,
+                            const c205_fields *fields)
+{
+    if (fields->g & C205_G_RELATIVE)
+        return reference->deed.pc + HALF_BITS * (uint64_t)fields->immediate;
+    return read_bits(reference, fields->y) + read_bits(reference, fields->b);
+}
+
+static void branch_on_index(struct reference *reference,
+                            const c205_insn *insn, const c205_fields *fields)
+{
+    const c205_word a = read_bits(reference, fields->a);
+    const c205_word sum = (a + read_bits(reference, fields->x)) & LOW_48;
+    const c205_word limit = read_bits(reference, fields->z);
+    const uint64_t target = long_target(reference, fields);
+    const enum relation found = compare_integers(as_integer(sum),
+                                                 as_integer(limit));
+
+    write_register(reference, fields->c, sum);
+    go_to(reference, target,
+          branches_on(reference_which(insn)) & (unsigned)found);
+}
+
+static void branch_on_numbers(struct reference *reference,
+                              const c205_insn *insn, unsigned a, unsigned b,
+                              uint64_t target)
+{
+    const enum relation found = compare_numbers(read_as_number(reference, a),
+                                                read_as_number(reference, b));
+
+    go_to(reference, target,
+          branches_on(reference_which(insn)) & (unsigned)found);
+}
+
+static void count_and_branch(struct reference *reference,
+                             const c205_fields *fields, uint64_t step,
+                             uint64_t target)
+{
+    const c205_word r = read_bits(reference, fields->r);
+    const c205_word count = with_low(r, r + step);
+
+    write_register(reference, fields->r, count);
+    go_to(reference, target, (count & LOW_48) != 0);
+}
+
+/* ---- Branches on one bit, which they alter ----------------------------- */
+
+enum alteration { LEAVE, CHANGE, MAKE_ZERO, MAKE_ONE };
+
+/* I4 is 4 x condition + alteration.  Conditions: never, always, one, zero. */
+static bool holds(int64_t i4, bool bit)
+{
+    const bool answers[] = { false, true, bit, !bit };
+
+    return answers[i4 >> 2];
+}
+
+static bool altered(int64_t i4, bool bit)
+{
+    const bool answers[] = { bit, !bit, false, true };
+
+    return answers[i4 & 3];
+}
+
+/* The new word, and on to C if the bit is as it must be.  Of its number the
+ * low 6 bits count. */
+static c205_word branch_on_bit(struct reference *reference,
+                               const c205_fields *fields, c205_word word,
+                               c205_word number)
+{
+    const uint64_t mask = UINT64_C(1) << (BITS - 1 - number % BITS);
+    const bool bit = word & mask;
+
+    go_to(reference, read_bits(reference, fields->c),
+          holds(fields->immediate, bit));
+    return altered(fields->immediate, bit) ? word | mask : word & ~mask;
+}
+
+static void branch_on_memory(struct reference *reference,
+                             const c205_fields *fields)
+{
+    const uint64_t address = plain_address(read_bits(reference, fields->a)
+                                           + read_bits(reference, fields->b));
+    const bool bit = read_bit(reference, address);
+
+    add_extent(reference, address, 1);
+    go_to(reference, read_bits(reference, fields->c),
+          holds(fields->immediate, bit));
+    if ((fields->immediate & 3) != LEAVE)
+        write_bit(reference, address, altered(fields->immediate, bit));
+}
+
+static void branch_on_one_bit(struct reference *reference,
+                              const c205_insn *insn,
+                              const c205_fields *fields)
+{
+    const c205_word a = read_bits(reference, fields->a);
+
+    if (reference_which(insn) == DO_BAB)
+        branch_on_memory(reference, fields);
+    else if (reference_which(insn) == DO_BADF)
+        reference->now.flags = branch_on_bit(reference, fields,
+                                             reference->now.flags, a);
+    else
+        write_register(reference, fields->a,
+                       branch_on_bit(reference, fields, a,
+                                     read_bits(reference, fields->b)));
+}
+
+enum request {
+    END,
+    PRINT_TEXT = 4,
+    PRINT_NUMBERS = 6,
+    PRINT_BITS = 7,
+    REQUESTS
+};
+
+/* What the monitor will print must be there. */
+static void look_at(struct reference *reference, c205_word descriptor,
+                    int64_t request)
+{
+    for (uint64_t i = 0; i < length_of(descriptor); i++)
+        if (request == PRINT_TEXT)
+            read_word(reference, descriptor + CHAR_BIT * (i - i % CHAR_BIT));
+        else if (request == PRINT_NUMBERS)
+            read_word(reference, descriptor + BITS * i);
+        else if (request == PRINT_BITS)
+            read_bit(reference, descriptor + i);
+}
+
+static void ask_monitor(struct reference *reference,
+                        const c205_fields *fields)
+{
+    const c205_word r = read_bits(reference, fields->r);
+
+    if (fields->immediate >= REQUESTS)
+        add_fault(reference, C205_TRAP_BAD_REQUEST, 0, true);
+    look_at(reference, r, fields->immediate);
+    reference->ended = fields->immediate == END;
+    reference->status = as_integer(r);
+}
+
+void do_branch(struct reference *reference, const c205_insn *insn,
+               const c205_fields *fields)
+{
+    const uint64_t t = read_bits(reference, fields->t);
+    const uint64_t called = t + HALF_BITS * read_bits(reference, fields->s);
+
+    switch (reference_which(insn)) {
+    case DO_IBNZ: count_and_branch(reference, fields, 1, called); break;
+    case DO_DBNZ:
+        count_and_branch(reference, fields, (uint64_t)-1, called);
+        break;
+    case DO_BSAVE:
+        write_register(reference, fields->r, reference->now.pc);
+        go_to(reference, called, true);
+        break;
+    case DO_BIM:
+        go_to(reference,
+              (uint64_t)fields->immediate + read_bits(reference, fields->r),
+              true);
+        break;
+    case DO_BARB:
+    case DO_BAB:
+    case DO_BADF: branch_on_one_bit(reference, insn, fields); break;
+    case DO_EXIT: ask_monitor(reference, fields); break;
+    default:
+        if (insn->format == C205_FORMAT_COMPARE)
+            branch_on_numbers(reference, insn, fields->r, fields->s, t);
+        else if (insn->format == C205_FORMAT_FLOAT)
+            branch_on_numbers(reference, insn, fields->a, fields->z,
+                              long_target(reference, fields));
+        else
+            branch_on_index(reference, insn, fields);
+    }
+}

@@ -1,0 +1,506 @@
+/* reference_clock.c - waits and what they are charged to. */
+#include "reference_clock.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { WORD = 64, HALF = 32, NAME = 64 };
+#define MILLION UINT64_C(1000000)
+
+/* ---- Constants --------------------------------------------------------- */
+
+/* In millionths. */
+static uint64_t millionths(const struct reference_clock *clock,
+                           const char *family, const char *name)
+{
+    char full[NAME];
+
+    snprintf(full, sizeof full, "%s.%s", family, name);
+    return (uint64_t)(c205_model_lookup(clock->model, full)->value
+                          * (double)MILLION
+                      + 0.5);
+}
+
+static uint64_t constant(const struct reference_clock *clock,
+                         const char *family, const char *name)
+{
+    return millionths(clock, family, name) / MILLION;
+}
+
+static uint64_t of_class(const struct reference_clock *clock,
+                         const char *family, c205_timing timing)
+{
+    return constant(clock, family, c205_timing_name(timing));
+}
+
+/* ---- Charging ---------------------------------------------------------- */
+
+static void charge(struct reference_clock *clock, size_t region,
+                   c205_cause cause, uint64_t until)
+{
+    if (until > clock->now) {
+        clock->charged[region][cause] += until - clock->now;
+        clock->now = until;
+    }
+}
+
+static void pass(struct reference_clock *clock, c205_cause cause,
+                 uint64_t clocks)
+{
+    charge(clock, clock->region, cause, clock->now + clocks);
+}
+
+static uint64_t lesser(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+/* Piece by piece, by what the vector unit does meanwhile. */
+static void wait_for_vector(struct reference_clock *clock, uint64_t until)
+{
+    for (size_t i = 0; i < clock->phase_count; i++)
+        charge(clock, clock->phases[i].region, clock->phases[i].cause,
+               lesser(clock->phases[i].end, until));
+}
+
+static void wait_for(struct reference_clock *clock,
+                     const struct awaited *awaited)
+{
+    if (awaited->maker == VECTOR_UNIT)
+        wait_for_vector(clock, awaited->ready);
+    else
+        charge(clock, clock->region,
+               awaited->maker == LOAD ? C205_MEMORY_WAIT : C205_OPERAND_WAIT,
+               awaited->ready);
+}
+
+/* ---- Registers --------------------------------------------------------- */
+
+/* The registers that an instruction names, in the order in which it is
+ * written: each vector with its offset. */
+struct named {
+    unsigned numbers[16];
+    size_t count;
+};
+
+static void name_register(struct named *named, unsigned number)
+{
+    if (number != 0)
+        named->numbers[named->count++] = number;
+}
+
+static bool has_offset(const c205_insn *insn, const c205_fields *fields)
+{
+    return fields->g & C205_G_OFFSET && insn->unit == C205_UNIT_VECTOR
+           && reference_bits_of_g(insn) & C205_G_OFFSET;
+}
+
+/* C is a register that is only written, so waited for last. */
+static bool is_reduction(const c205_insn *insn)
+{
+    return insn->format == C205_FORMAT_REDUCE
+           || insn->format == C205_FORMAT_REDUCE2;
+}
+
+static void name_result(struct named *named, const c205_insn *insn,
+                        const c205_fields *fields)
+{
+    name_register(named, fields->c);
+    if (insn->flags & C205_INSN_INDEX)
+        name_register(named, fields->c + 1u);
+}
+
+static void name_field(struct named *named, const c205_insn *insn,
+                       const c205_fields *fields, char field)
+{
+    const bool vector = insn->unit == C205_UNIT_VECTOR;
+
+    switch (field) {
+    case 'R': name_register(named, fields->r); break;
+    case 'S': name_register(named, fields->s); break;
+    case 'T': name_register(named, fields->t); break;
+    case 'a':
+    case 'A':
+        name_register(named, fields->a);
+        if (vector)
+            name_register(named, fields->x);
+        break;
+    case 'b':
+    case 'B':
+        name_register(named, fields->b);
+        if (vector)
+            name_register(named, fields->y);
+        break;
+    case 'C':
+        if (!is_reduction(insn))
+            name_register(named, fields->c);
+        if (has_offset(insn, fields))
+            name_register(named, fields->c + 1u);
+        break;
+    case 'X': name_register(named, fields->x); break;
+    case 'Z': name_register(named, fields->z); break;
+    case '@':
+        if (!(fields->g & C205_G_RELATIVE)) {
+            name_register(named, fields->y);
+            name_register(named, fields->b);
+        }
+        break;
+    default: break;
+    }
+}
+
+static void wait_for_registers(struct reference_clock *clock,
+                               const c205_insn *insn,
+                               const c205_fields *fields)
+{
+    const char *syntax = c205_format_syntax(insn->format);
+    struct named named = { .count = 0 };
+
+    for (const char *p = syntax; *p; p++)
+        if (p == syntax || p[-1] != '+')
+            name_field(&named, insn, fields, *p);
+    if (is_reduction(insn))
+        name_result(&named, insn, fields);
+    for (size_t i = 0; i < named.count; i++)
+        wait_for(clock, clock->registers + named.numbers[i]);
+}
+
+enum { NO_REGISTER = C205_REGISTERS };
+
+/* The register that an instruction writes. */
+static unsigned written(const c205_insn *insn, const c205_fields *fields)
+{
+    const char *letters = insn->operands;
+
+    if (strpbrk(letters, "wmc") == NULL)
+        return NO_REGISTER;
+    if (insn->format == C205_FORMAT_ALTER)
+        return fields->a;
+    if (insn->format == C205_FORMAT_INDEX
+        || (insn->unit == C205_UNIT_VECTOR
+            && insn->format != C205_FORMAT_BITS1))
+        return fields->c;
+    return strpbrk(letters, "wm") == letters && letters[1] != '\0'
+               ? fields->r
+               : fields->t;
+}
+
+/* Nobody reads a result on its way to register 0, but it is one. */
+static void deliver(struct reference_clock *clock, const c205_insn *insn,
+                    const c205_fields *fields, struct awaited awaited)
+{
+    const unsigned number = written(insn, fields);
+
+    if (number == NO_REGISTER)
+        return;
+    if (number != 0 || awaited.ready > clock->registers[0].ready)
+        clock->registers[number] = awaited;
+    if (insn->flags & C205_INSN_INDEX)
+        clock->registers[number + 1] = awaited;
+    if (insn->format == C205_FORMAT_SPARSE)
+        clock->registers[fields->z] = awaited;
+}
+
+/* ---- Pages ------------------------------------------------------------- */
+
+struct translation {
+    uint64_t misses, faults;
+};
+
+/* The depth of a page in the list, which it leads from now on. */
+static size_t touch(struct reference_clock *clock, uint64_t page)
+{
+    size_t depth = 0;
+
+    while (depth < clock->page_count && clock->pages[depth] != page)
+        depth++;
+    const bool known = depth < clock->page_count;
+    if (!known && clock->page_count < CLOCK_PAGES)
+        clock->page_count++;
+    memmove(clock->pages + 1, clock->pages, depth * sizeof *clock->pages);
+    clock->pages[0] = page;
+    return known ? depth : CLOCK_PAGES;
+}
+
+static void look_up(struct reference_clock *clock, uint64_t page,
+                    struct translation *translation)
+{
+    const size_t depth = touch(clock, page);
+
+    if (depth >= constant(clock, "translation", "registers"))
+        translation->misses++;
+    if (depth >= constant(clock, "memory", "real_pages"))
+        translation->faults++;
+}
+
+static struct translation translate(struct reference_clock *clock,
+                                    const struct deed *deed)
+{
+    struct translation translation = { 0, 0 };
+
+    for (size_t i = 0; i < deed->extent_count; i++) {
+        const struct extent *extent = deed->extents + i;
+        const uint64_t last = extent->address + extent->bits - 1;
+        for (uint64_t page = plain_page_number(extent->address);
+             page <= plain_page_number(last); page++)
+            look_up(clock, page, &translation);
+    }
+    for (size_t i = 0; i < deed->indexed_count; i++)
+        look_up(clock, plain_page_number(deed->indexed[i]), &translation);
+    translation.misses *= constant(clock, "translation", "miss");
+    translation.faults *= constant(clock, "page_fault", "clocks");
+    return translation;
+}
+
+/* ---- The scalar unit --------------------------------------------------- */
+
+static void wait_for_unit(struct reference_clock *clock, c205_unit unit)
+{
+    charge(clock, clock->region, C205_UNIT_BUSY, clock->unit_free[unit]);
+}
+
+static void forget_loads(struct reference_clock *clock)
+{
+    while (clock->load_count > 0 && clock->loads[0] <= clock->now)
+        memmove(clock->loads, clock->loads + 1,
+                --clock->load_count * sizeof *clock->loads);
+}
+
+static void wait_for_loads(struct reference_clock *clock, size_t left)
+{
+    while (clock->load_count > left) {
+        charge(clock, clock->region, C205_MEMORY_WAIT, clock->loads[0]);
+        forget_loads(clock);
+    }
+}
+
+static void issue(struct reference_clock *clock)
+{
+    pass(clock, C205_ISSUE, constant(clock, "issue", "interval"));
+}
+
+/* Memory is the vector unit's until it is done. */
+static void reach_memory(struct reference_clock *clock,
+                         const struct deed *deed)
+{
+    struct translation translation;
+
+    wait_for_vector(clock, clock->vector_done);
+    translation = translate(clock, deed);
+    pass(clock, C205_TRANSLATION_MISS, translation.misses);
+    pass(clock, C205_PAGE_FAULT, translation.faults);
+}
+
+static void step_swap(struct reference_clock *clock, const struct deed *deed)
+{
+    const uint64_t words = deed->swapped * millionths(clock, "swap", "word")
+                           + MILLION - 1;
+    const uint64_t clocks = constant(clock, "latency", "swap")
+                            + words / MILLION;
+    uint64_t begin;
+
+    wait_for_registers(clock, deed->insns[0], deed->fields);
+    reach_memory(clock, deed);
+    wait_for_loads(clock, 0);
+    for (size_t i = 0; i < C205_REGISTERS; i++)
+        wait_for(clock, clock->registers + i);
+    begin = clock->now;
+    issue(clock);
+    charge(clock, clock->region, C205_MEMORY_WAIT, begin + clocks);
+}
+
+static void step_scalar(struct reference_clock *clock,
+                        const struct deed *deed)
+{
+    const c205_insn *insn = deed->insns[0];
+    const bool load = insn->timing == C205_TIMING_load;
+    uint64_t ready;
+
+    wait_for_registers(clock, insn, deed->fields);
+    if (insn->unit == C205_UNIT_MEMORY || deed->extent_count > 0)
+        reach_memory(clock, deed);
+    if (load)
+        wait_for_loads(clock,
+                       constant(clock, "memory", "loads_in_flight") - 1);
+    wait_for_unit(clock, insn->unit);
+    ready = clock->now + of_class(clock, "latency", insn->timing);
+    clock->unit_free[insn->unit] = clock->now
+                                   + of_class(clock, "busy", insn->timing);
+    if (load)
+        clock->loads[clock->load_count++] = ready;
+    deliver(clock, insn, deed->fields,
+            (struct awaited){ ready, load ? LOAD : ARITHMETIC });
+    issue(clock);
+}
+
+/* ---- Branches ---------------------------------------------------------- */
+
+/* The code that ran straight on, the words of this instruction included. */
+static void run_on(struct reference_clock *clock, const struct deed *deed)
+{
+    uint64_t halves = 0, end;
+
+    for (size_t i = 0; i < deed->insn_count; i++)
+        halves += c205_format_halves(deed->insns[i]->format);
+    end = (deed->pc + HALF * halves + WORD - 1) / WORD;
+    if (end > clock->stack_high)
+        clock->stack_high = end;
+    const uint64_t words = constant(clock, "branch", "stack_words");
+    if (clock->stack_high - clock->stack_low > words)
+        clock->stack_low = clock->stack_high - words;
+}
+
+static void step_branch(struct reference_clock *clock,
+                        const struct deed *deed)
+{
+    const uint64_t word = deed->target / WORD;
+    const bool inside = word >= clock->stack_low && word < clock->stack_high;
+
+    if (deed->insns[0]->timing == C205_TIMING_monitor)
+        pass(clock, C205_BRANCH, constant(clock, "latency", "monitor") - 1);
+    else if (!deed->taken)
+        pass(clock, C205_BRANCH, constant(clock, "branch", "not_taken"));
+    else if (inside)
+        pass(clock, C205_BRANCH, constant(clock, "branch", "taken"));
+    else {
+        pass(clock, C205_BRANCH, constant(clock, "branch", "out_of_stack"));
+        reference_clock_enter(clock, deed->target);
+    }
+}
+
+/* ---- The vector unit --------------------------------------------------- */
+
+/* How long gather or scatter wait for busy banks. */
+static uint64_t conflicts(const struct reference_clock *clock,
+                          const struct deed *deed)
+{
+    const uint64_t banks = constant(clock, "memory", "banks");
+    const uint64_t busy = constant(clock, "memory", "bank_busy");
+    uint64_t free[1024] = { 0 };
+    uint64_t time = 0;
+
+    for (size_t k = 0; k < deed->indexed_count; k++) {
+        const uint64_t bank = deed->indexed[k] / WORD % banks;
+        if (k > 0)
+            time++;
+        if (free[bank] > time)
+            time = free[bank];
+        free[bank] = time + busy;
+    }
+    return deed->indexed_count > 0 ? time - (deed->indexed_count - 1) : 0;
+}
+
+static uint64_t stream(const struct reference_clock *clock,
+                       c205_timing timing, uint64_t elements)
+{
+    char name[NAME];
+    const c205_constant *rate;
+    uint64_t pipes, millionth;
+
+    snprintf(name, sizeof name, "stream.%s", c205_timing_name(timing));
+    rate = c205_model_lookup(clock->model, name);
+    pipes = strstr(rate->unit, "pipe") ? constant(clock, "machine", "pipes")
+                                       : 1;
+    millionth = elements
+                * millionths(clock, "stream", c205_timing_name(timing));
+    return (millionth + MILLION * pipes - 1) / (MILLION * pipes);
+}
+
+static void add_phase(struct reference_clock *clock, c205_cause cause,
+                      uint64_t *end, uint64_t clocks)
+{
+    *end += clocks;
+    clock->phases[clock->phase_count++] = (struct phase){ *end, cause,
+                                                          clock->region };
+}
+
+/* Phases that are over are forgotten. */
+static void forget_phases(struct reference_clock *clock)
+{
+    size_t kept = 0;
+
+    for (size_t i = 0; i < clock->phase_count; i++)
+        if (clock->phases[i].end > clock->now)
+            clock->phases[kept++] = clock->phases[i];
+    clock->phase_count = kept;
+}
+
+/* Part of the start-up hides under the stream before. */
+static void wait_for_overlap(struct reference_clock *clock, uint64_t startup)
+{
+    const uint64_t hidden = lesser(lesser(constant(clock, "vector",
+                                                   "overlap"),
+                                          clock->vector_stream),
+                                   startup);
+
+    if (clock->vector_done > hidden)
+        wait_for_vector(clock, clock->vector_done - hidden);
+}
+
+static void step_vector(struct reference_clock *clock,
+                        const struct deed *deed)
+{
+    const size_t last = deed->insn_count - 1;
+    const c205_timing timing = deed->insns[0]->timing;
+    const uint64_t startup = of_class(clock, "startup", timing);
+    struct translation translation;
+    uint64_t end;
+
+    for (size_t i = 0; i <= last; i++)
+        wait_for_registers(clock, deed->insns[i], deed->fields + i);
+    wait_for_loads(clock, 0);
+    wait_for_overlap(clock, startup);
+    translation = translate(clock, deed);
+    forget_phases(clock);
+    end = clock->now;
+    add_phase(clock, C205_VECTOR_STARTUP, &end, startup);
+    add_phase(clock, C205_TRANSLATION_MISS, &end, translation.misses);
+    add_phase(clock, C205_PAGE_FAULT, &end, translation.faults);
+    add_phase(clock, C205_BANK_CONFLICT, &end, conflicts(clock, deed));
+    clock->vector_stream = stream(clock, timing, deed->elements);
+    add_phase(clock, C205_VECTOR_STREAM, &end, clock->vector_stream);
+    clock->vector_done = end;
+    deliver(clock, deed->insns[last], deed->fields + last,
+            (struct awaited){ end, VECTOR_UNIT });
+    wait_for_vector(clock, clock->now + constant(clock, "issue", "interval"));
+}
+
+/* ---- A step ------------------------------------------------------------ */
+
+void reference_clock_begin(struct reference_clock *clock,
+                           const c205_model *model)
+{
+    memset(clock, 0, sizeof *clock);
+    clock->model = model;
+}
+
+void reference_clock_enter(struct reference_clock *clock, uint64_t pc)
+{
+    clock->stack_low = clock->stack_high = pc / WORD;
+}
+
+void reference_clock_step(struct reference_clock *clock,
+                          const struct deed *deed, size_t region)
+{
+    const c205_insn *insn = deed->insns[0];
+
+    clock->region = region;
+    forget_loads(clock);
+    run_on(clock, deed);
+    if (insn->timing == C205_TIMING_swap)
+        step_swap(clock, deed);
+    else if (insn->unit == C205_UNIT_VECTOR)
+        step_vector(clock, deed);
+    else
+        step_scalar(clock, deed);
+    if (insn->unit == C205_UNIT_BRANCH)
+        step_branch(clock, deed);
+}
+
+void reference_clock_drain(struct reference_clock *clock)
+{
+    wait_for_vector(clock, clock->vector_done);
+    wait_for_loads(clock, 0);
+    for (size_t i = 0; i < C205_REGISTERS; i++)
+        wait_for(clock, clock->registers + i);
+}

@@ -1,0 +1,205 @@
+/* reference_move.c - vector instructions that move elements about. */
+#include "reference_vector.h"
+
+static uint64_t lesser(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+/* Bits of an element. */
+static unsigned width_of(const struct vector *vector)
+{
+    return vector->insn->timing == C205_TIMING_vbits ? 1 : BITS;
+}
+
+/* Element i of C, whether bit or word. */
+static void write_any(struct reference *reference,
+                      const struct vector *vector, uint64_t i, c205_word word)
+{
+    if (width_of(vector) == 1)
+        write_bit(reference, vector->c.address + i, word & 1);
+    else
+        write_word(reference, vector->c.address + BITS * i, word);
+}
+
+/* n elements of A, B and Z, then stored ones of C. */
+static void use_operands(struct reference *reference,
+                         const struct vector *vector, uint64_t n,
+                         uint64_t stored)
+{
+    reference->deed.elements = n;
+    use_source(reference, &vector->sources.a, n);
+    use_source(reference, &vector->sources.b, n);
+    use_control(reference, vector, n);
+    add_extent(reference, vector->c.address, stored * width_of(vector));
+}
+
+/* As if A had the length of C. */
+static void reverse(struct reference *reference, const struct vector *vector)
+{
+    const uint64_t length = vector->c.length;
+
+    use_operands(reference, vector, length, length);
+    for (uint64_t i = 0; i < length; i++)
+        write_element(reference, vector, i,
+                      element(reference, &vector->sources.a, length - 1 - i),
+                      0);
+}
+
+/* ---- Gather and scatter ------------------------------------------------ */
+
+static void note_index(struct reference *reference, uint64_t address)
+{
+    struct deed *deed = &reference->deed;
+
+    if (deed->indexed_count == deed->indexed_room) {
+        deed->indexed_room = 2 * deed->indexed_room + BITS;
+        deed->indexed = plain_room(deed->indexed, deed->indexed_room,
+                                   sizeof *deed->indexed);
+    }
+    deed->indexed[deed->indexed_count++] = address;
+}
+
+/* Where index i leads: words from the table's address on. */
+static uint64_t indexed(struct reference *reference,
+                        const struct vector *vector, uint64_t i,
+                        uint64_t table)
+{
+    const c205_word index = element(reference, &vector->sources.a, i);
+    return plain_address(table + BITS * (index & LOW_48));
+}
+
+/* As many as there are indices, and room for them. */
+static void gather(struct reference *reference, const struct vector *vector)
+{
+    const uint64_t table = read_bits(reference, vector->fields->b);
+    const uint64_t length = lesser(vector->c.length,
+                                   vector->sources.a.length);
+
+    use_operands(reference, vector, length, length);
+    for (uint64_t i = 0; i < length; i++) {
+        const uint64_t from = indexed(reference, vector, i, table);
+        const uint64_t to = vector->c.address + BITS * i;
+        if (permitted(reference, vector, i)) {
+            note_index(reference, from);
+            write_word(reference, to, read_word(reference, from));
+        } else {
+            pass_by_word(reference, from);
+            leave_word(reference, to);
+        }
+    }
+}
+
+static void scatter(struct reference *reference, const struct vector *vector)
+{
+    const uint64_t length = vector->sources.a.length;
+
+    use_operands(reference, vector, length, 0);
+    for (uint64_t i = 0; i < length; i++) {
+        const uint64_t to = indexed(reference, vector, i, vector->c.address);
+        const c205_word word = element(reference, &vector->sources.b, i);
+        if (permitted(reference, vector, i)) {
+            note_index(reference, to);
+            write_word(reference, to, word);
+        } else
+            leave_word(reference, to);
+    }
+}
+
+/* ---- Mask, merge, compress --------------------------------------------- */
+
+static void mask(struct reference *reference, const struct vector *vector)
+{
+    use_operands(reference, vector, vector->c.length, vector->c.length);
+    for (uint64_t i = 0; i < vector->c.length; i++) {
+        const c205_word a = element(reference, &vector->sources.a, i);
+        const c205_word b = element(reference, &vector->sources.b, i);
+        write_any(reference, vector, i,
+                  permitted(reference, vector, i) ? a : b);
+    }
+}
+
+static void leave_any(struct reference *reference,
+                      const struct vector *vector, uint64_t i)
+{
+    if (width_of(vector) == 1)
+        leave_bit(reference, vector->c.address + i);
+    else
+        leave_word(reference, vector->c.address + BITS * i);
+}
+
+static void merge(struct reference *reference, const struct vector *vector)
+{
+    const struct pair *sources = &vector->sources;
+    uint64_t from_a = 0, from_b = 0;
+
+    use_operands(reference, vector, vector->c.length, vector->c.length);
+    may_need(reference, &sources->a, vector->c.length);
+    may_need(reference, &sources->b, vector->c.length);
+    for (uint64_t i = 0; i < vector->c.length; i++) {
+        const c205_word word = permitted(reference, vector, i)
+                                   ? element(reference, &sources->a, from_a++)
+                                   : element(reference, &sources->b,
+                                             from_b++);
+        write_any(reference, vector, i, word);
+    }
+}
+
+/* Nobody knows beforehand how many will be stored. */
+static void may_store(struct reference *reference,
+                      const struct vector *vector, uint64_t length)
+{
+    for (uint64_t i = 0; i < length; i++)
+        leave_any(reference, vector, i);
+}
+
+static void compress(struct reference *reference, const struct vector *vector)
+{
+    uint64_t stored = 0;
+
+    may_store(reference, vector, vector->z.length);
+    for (uint64_t i = 0; i < vector->z.length; i++) {
+        const c205_word word = element(reference, &vector->sources.a, i);
+        if (permitted(reference, vector, i))
+            write_any(reference, vector, stored++, word);
+    }
+    use_operands(reference, vector, vector->z.length, stored);
+    set_length(reference, vector, stored);
+}
+
+/* It scans the length of A. */
+static void sieve(struct reference *reference, const struct vector *vector)
+{
+    uint64_t stored = 0, flags = 0, length;
+
+    if (!scan_length(reference, vector, &length))
+        return;
+    may_store(reference, vector, length);
+    for (uint64_t i = 0; i < length; i++) {
+        const c205_word a = element(reference, &vector->sources.a, i);
+        const c205_word b = element(reference, &vector->sources.b, i);
+        const bool passes = oracle_not_less(a, b, &flags);
+        if (passes)
+            write_word(reference, vector->c.address + BITS * stored++, a);
+        write_bit(reference, vector->z.address + i, passes);
+    }
+    use_operands(reference, vector, length, stored);
+    set_length(reference, vector, stored);
+}
+
+bool do_move(struct reference *reference, const struct vector *vector)
+{
+    switch (reference_which(vector->insn)) {
+    case DO_VREVV: reverse(reference, vector); return true;
+    case DO_VXTOV: gather(reference, vector); return true;
+    case DO_VTOVX: scatter(reference, vector); return true;
+    case DO_MASKV:
+    case DO_MASKB: mask(reference, vector); return true;
+    case DO_MRGV:
+    case DO_MRGB: merge(reference, vector); return true;
+    case DO_CPSV:
+    case DO_CPSB: compress(reference, vector); return true;
+    case DO_ACPSV: sieve(reference, vector); return true;
+    default: return false;
+    }
+}

@@ -1,0 +1,288 @@
+/* reference_vector.c - vector instructions, one element after the other. */
+#include "reference_vector.h"
+
+#include <string.h>
+
+/* ---- Element by element ------------------------------------------------ */
+
+static void each_element(struct reference *reference,
+                         const struct vector *vector)
+{
+    for (uint64_t i = 0; i < vector->c.length; i++) {
+        uint64_t flags = 0;
+        const c205_word word = join(reference, &vector->sources, i, &flags);
+        write_element(reference, vector, i, word, flags);
+    }
+}
+
+/* Each element and the one after it. */
+static void each_neighbour(struct reference *reference,
+                           const struct vector *vector)
+{
+    const struct source *a = &vector->sources.a;
+
+    for (uint64_t i = 0; i < vector->c.length; i++) {
+        uint64_t flags = 0;
+        const c205_word here = element(reference, a, i);
+        const c205_word next = element(reference, a, i + 1);
+        const c205_word word = vector->sources.rule(next, here, &flags);
+        write_element(reference, vector, i, word, flags);
+    }
+}
+
+/* The polynomial with the coefficients B, highest first. */
+static c205_word polynomial(struct reference *reference,
+                            const struct source *b, c205_word x,
+                            uint64_t *flags)
+{
+    c205_word value = b->length > 0 ? element(reference, b, 0)
+                                    : C205_MACHINE_ZERO;
+
+    for (uint64_t j = 1; j < b->length; j++) {
+        value = oracle_multiply_significant(value, x, flags);
+        value = oracle_add_normalised(value, element(reference, b, j), flags);
+    }
+    return value;
+}
+
+/* The first B to which x stands in the relation, or the length. */
+static c205_word search(struct reference *reference, const struct pair *pair,
+                        c205_word x, uint64_t *compared)
+{
+    uint64_t flags = 0;
+
+    for (uint64_t j = 0; j < pair->b.length; j++) {
+        ++*compared;
+        if (pair->rule(x, element(reference, &pair->b, j), &flags))
+            return j;
+    }
+    return pair->b.length;
+}
+
+/* A polynomial or a search of more steps is not waited for: the comparison
+ * ends there. */
+enum { PATIENCE = 100000 };
+
+/* Each element goes through all of B. */
+static void each_scan(struct reference *reference,
+                      const struct vector *vector)
+{
+    const struct pair *pair = &vector->sources;
+    uint64_t steps = 0;
+
+    if (vector->c.length * pair->b.length > PATIENCE) {
+        reference->lost = true;
+        return;
+    }
+    may_need(reference, &pair->b, vector->c.length > 0 ? pair->b.length : 0);
+    for (uint64_t i = 0; i < vector->c.length; i++) {
+        uint64_t flags = 0;
+        const c205_word x = element(reference, &pair->a, i);
+        const c205_word word = pair->rule ? search(reference, pair, x, &steps)
+                                          : polynomial(reference, &pair->b, x,
+                                                       &flags);
+        write_element(reference, vector, i, word, flags);
+    }
+    reference->deed.elements = pair->rule ? steps
+                                          : vector->c.length * pair->b.length;
+}
+
+static void interval(struct reference *reference, const struct vector *vector)
+{
+    const c205_word step = element(reference, &vector->sources.b, 0);
+    c205_word word = element(reference, &vector->sources.a, 0);
+    uint64_t flags = 0;
+
+    for (uint64_t i = 0; i < vector->c.length; i++) {
+        write_element(reference, vector, i, word, flags);
+        flags = 0;
+        word = oracle_add_upper(word, step, &flags);
+    }
+}
+
+/* Comparisons and strings of bits. */
+static void each_bit(struct reference *reference, const struct vector *vector)
+{
+    for (uint64_t i = 0; i < vector->c.length; i++) {
+        uint64_t flags = 0;
+        const c205_word bit = join(reference, &vector->sources, i, &flags);
+        if (permitted(reference, vector, i))
+            write_bit(reference, vector->c.address + i, bit & 1);
+        else
+            leave_bit(reference, vector->c.address + i);
+    }
+}
+
+static void count_bits(struct reference *reference, const c205_fields *fields,
+                       bool leading)
+{
+    const c205_word string = read_bits(reference, fields->r);
+    const bool first = length_of(string) > 0 && read_bit(reference, string);
+    uint64_t count = 0;
+    bool equal = true;
+
+    reference->deed.elements = length_of(string);
+    add_extent(reference, string, length_of(string));
+    for (uint64_t i = 0; i < length_of(string); i++) {
+        const bool bit = read_bit(reference, string + i);
+        equal = equal && bit == first;
+        count += leading ? equal : bit;
+    }
+    write_register(reference, fields->t, count);
+}
+
+/* Groups of S bits, the first R of each like ones. */
+static void repeat_bits(struct reference *reference,
+                        const c205_fields *fields, bool ones)
+{
+    const int64_t r = as_integer(read_bits(reference, fields->r));
+    const int64_t s = as_integer(read_bits(reference, fields->s));
+    const c205_word string = read_bits(reference, fields->t);
+
+    if (s < 1) {
+        add_fault(reference, C205_TRAP_BAD_DESCRIPTOR, 0, true);
+        return;
+    }
+    reference->deed.elements = length_of(string);
+    add_extent(reference, string, length_of(string));
+    for (uint64_t i = 0; i < length_of(string); i++)
+        write_bit(reference, string + i,
+                  ((int64_t)(i % (uint64_t)s) < r) == ones);
+}
+
+/* ---- Which of them ----------------------------------------------------- */
+
+static bool takes_neighbours(const c205_insn *insn)
+{
+    return reference_which(insn) == DO_DELTAV
+           || reference_which(insn) == DO_ADJMV;
+}
+
+/* n elements of A, B, Z, and of C, which have a width.  For neighbours A is
+ * two sources, the first one element on. */
+static void use_operands(struct reference *reference,
+                         const struct vector *vector, unsigned width)
+{
+    const uint64_t n = vector->c.length;
+    struct source next = vector->sources.a;
+
+    reference->deed.elements = n;
+    if (takes_neighbours(vector->insn) && next.length > 0) {
+        next.address = plain_address(next.address + BITS);
+        next.length--;
+        use_source(reference, &next, n);
+    }
+    use_source(reference, &vector->sources.a, n);
+    use_source(reference, &vector->sources.b,
+               n > 0 && vector->insn->format == C205_FORMAT_SCAN
+                   ? C205_MAX_LENGTH
+                   : n);
+    use_control(reference, vector, n);
+    add_extent(reference, vector->c.address, width * n);
+}
+
+static void do_operands(struct reference *reference,
+                        const struct vector *vector)
+{
+    const char *letters = vector->insn->operands;
+
+    if (strchr(letters, 'w')) {
+        do_reduction(reference, vector);
+        return;
+    }
+    if (do_move(reference, vector))
+        return;
+    use_operands(reference, vector, strchr(letters, 'e') ? 1 : BITS);
+    if (takes_neighbours(vector->insn))
+        each_neighbour(reference, vector);
+    else if (vector->insn->format == C205_FORMAT_SCAN)
+        each_scan(reference, vector);
+    else if (reference_which(vector->insn) == DO_INTVLV)
+        interval(reference, vector);
+    else if (strchr(letters, 'e'))
+        each_bit(reference, vector);
+    else
+        each_element(reference, vector);
+}
+
+void do_vector(struct reference *reference, const c205_insn *insn,
+               const c205_fields *fields)
+{
+    struct vector vector;
+
+    if (insn->format == C205_FORMAT_BITS1)
+        count_bits(reference, fields, reference_which(insn) == DO_CNTLB);
+    else if (insn->format == C205_FORMAT_REPEAT)
+        repeat_bits(reference, fields, reference_which(insn) == DO_MRKO);
+    else if (insn->format == C205_FORMAT_SPARSE)
+        do_sparse(reference, insn, fields);
+    else if (take_operands(reference, insn, fields, &vector))
+        do_operands(reference, &vector);
+}
+
+/* ---- Linked pairs ------------------------------------------------------ */
+
+/* How many streams of words a pair takes from memory. */
+static unsigned streams(const struct pair *sources)
+{
+    return (sources->a.kind == WORDS ? 1u : 0u)
+           + (sources->b.kind == WORDS ? 1u : 0u);
+}
+
+/* A source that is the other instruction's result, by its register.  With an
+ * offset it is none that can be handed over: false. */
+static bool link_source(struct source *source, unsigned number,
+                        unsigned offset, const struct vector *first)
+{
+    if (source->kind != WORDS || number != first->fields->c)
+        return true;
+    source->kind = STREAM;
+    source->stream = &first->sources;
+    return offset == 0;
+}
+
+static bool is_plain(const struct vector *first)
+{
+    return first->fields->z == 0 && !(first->fields->g & C205_G_OFFSET);
+}
+
+static bool can_be_linked(const struct vector *first, struct vector *second)
+{
+    const c205_fields *fields = second->fields;
+    const bool a = link_source(&second->sources.a, fields->a, fields->x,
+                               first);
+    const bool b = link_source(&second->sources.b, fields->b, fields->y,
+                               first);
+    const bool linked = second->sources.a.kind == STREAM
+                        || second->sources.b.kind == STREAM;
+
+    return is_plain(first) && linked && a && b
+           && first->c.length == second->c.length
+           && streams(&first->sources) + streams(&second->sources) <= PAIR;
+}
+
+static bool may_link(const struct deed *deed)
+{
+    return deed->insns[1]->flags & deed->insns[2]->flags & C205_INSN_LINK;
+}
+
+void do_linked(struct reference *reference)
+{
+    const struct deed *deed = &reference->deed;
+    struct vector first, second;
+
+    if (!may_link(deed)) {
+        add_fault(reference, C205_TRAP_BAD_LINK, deed->pc, true);
+        return;
+    }
+    take_operands(reference, deed->insns[1], deed->fields + 1, &first);
+    take_operands(reference, deed->insns[2], deed->fields + 2, &second);
+    if (!can_be_linked(&first, &second))
+        add_fault(reference, C205_TRAP_BAD_LINK, deed->pc, true);
+    else if (!has_bad_operand(reference)) {
+        use_source(reference, &first.sources.a, first.c.length);
+        use_source(reference, &first.sources.b, first.c.length);
+        use_operands(reference, &second, BITS);
+        each_element(reference, &second);
+    }
+}
