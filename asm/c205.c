@@ -5,6 +5,8 @@
 
 #include "asm/cmd.h"
 
+const char cmd_program[] = "c205";
+
 #define OPTION_MODEL \
     "  --model NAME|FILE    machine model (" CMD_DEFAULT_MODEL ")\n"
 #define OPTION_JSON \

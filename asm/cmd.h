@@ -7,11 +7,10 @@
 #define ASM_CMD_H
 
 #include "asm/assemble.h"
+#include "asm/complain.h"
 #include "asm/json.h"
 #include "asm/provenance.h"
 #include "asm/table.h"
-
-enum cmd_exit { CMD_DONE = 0, CMD_FAILED = 1, CMD_USAGE = 2 };
 
 #define CMD_DEFAULT_MODEL "cyber205-2pipe"
 enum { CMD_DEFINES = 64 };
@@ -36,10 +35,6 @@ cmd_function cmd_run, cmd_check, cmd_asm, cmd_dis, cmd_isa, cmd_model,
  * cmd_arguments.c).  False after telling what is wrong. */
 bool cmd_parse(int argc, char **argv, const char *allowed,
                struct cmd_arguments *arguments);
-
-/* "c205 run: message" on stderr; both return the exit code. */
-int cmd_usage(const char *command, const char *format, ...);
-int cmd_failed(const char *command, const char *format, ...);
 
 /* A program from its text or from an object file; NULL after all errors have
  * gone to the report. */

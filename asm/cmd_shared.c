@@ -1,37 +1,9 @@
 /* cmd_shared.c - see cmd.h. */
 #include "asm/cmd.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 
 #include "asm/object.h"
-
-static void complain(const char *command, const char *format, va_list list)
-{
-    fflush(stdout);
-    fprintf(stderr, "c205 %s: ", command);
-    vfprintf(stderr, format, list);
-    putc('\n', stderr);
-}
-
-int cmd_usage(const char *command, const char *format, ...)
-{
-    va_list list;
-    va_start(list, format);
-    complain(command, format, list);
-    va_end(list);
-    fprintf(stderr, "c205 %s --help tells how it is used\n", command);
-    return CMD_USAGE;
-}
-
-int cmd_failed(const char *command, const char *format, ...)
-{
-    va_list list;
-    va_start(list, format);
-    complain(command, format, list);
-    va_end(list);
-    return CMD_FAILED;
-}
 
 c205_model *cmd_find_model(const char *command, const char *name)
 {

@@ -6,10 +6,9 @@
 #ifndef RT_CMD_H
 #define RT_CMD_H
 
+#include "asm/complain.h"
 #include "asm/json.h"
 #include "rt/trace.h"
-
-enum cmd_exit { CMD_DONE = 0, CMD_FAILED = 1, CMD_USAGE = 2 };
 
 struct cmd_arguments {
     const char *command;
@@ -23,10 +22,6 @@ struct cmd_arguments {
 
 typedef int cmd_function(struct cmd_arguments *arguments);
 cmd_function cmd_render, cmd_speedup;
-
-/* "rt205 render: message" on stderr; both return the exit code. */
-int cmd_usage(const char *command, const char *format, ...);
-int cmd_failed(const char *command, const char *format, ...);
 
 /* Let Ctrl-C ask a trace to stop, and show progress when stderr is a
  * terminal: a trace_options.progress function and its context. */

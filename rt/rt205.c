@@ -1,11 +1,12 @@
 /* rt205.c - the command: scenes traced by programs of the machine. */
 #include <getopt.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "rt/cmd.h"
+
+const char cmd_program[] = "rt205";
 
 #define OPTION_SIZE \
     "  -W, --width N        pixels across (640; speedup: 400)\n" \
@@ -58,35 +59,6 @@ static const struct option options[] = {
     { "half", no_argument, NULL, 'f' },
     { NULL, 0, NULL, 0 },
 };
-
-static void complain(const char *command, const char *format, va_list list)
-{
-    fflush(stdout);
-    fprintf(stderr, "rt205 %s: ", command);
-    vfprintf(stderr, format, list);
-    putc('\n', stderr);
-}
-
-int cmd_usage(const char *command, const char *format, ...)
-{
-    va_list list;
-
-    va_start(list, format);
-    complain(command, format, list);
-    va_end(list);
-    fprintf(stderr, "rt205 %s --help tells how it is used\n", command);
-    return CMD_USAGE;
-}
-
-int cmd_failed(const char *command, const char *format, ...)
-{
-    va_list list;
-
-    va_start(list, format);
-    complain(command, format, list);
-    va_end(list);
-    return CMD_FAILED;
-}
 
 static bool parse_count(const char *text, size_t most, size_t *count)
 {
