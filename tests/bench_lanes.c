@@ -1,5 +1,5 @@
 /* bench_lanes.c - host nanoseconds per element of the machine's arithmetic,
- * beside the same loop in plain doubles. */
+ * on words and half words, beside the same loop in plain doubles. */
 #include "tests/random.h"
 #include "vm/lanes.h"
 
@@ -11,6 +11,7 @@
 enum { LENGTH = 4096, REPEATS = 2000, TRIALS = 7 };
 
 static c205_word a[LENGTH], b[LENGTH], c[LENGTH];
+static c205_word half_a[LENGTH], half_b[LENGTH];
 static double x[LENGTH], y[LENGTH], z[LENGTH];
 static volatile double sink;
 
@@ -22,6 +23,19 @@ static double now(void)
     return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
 }
 
+/* The others hold the same values as a and b, the half words cut. */
+static void share_values(void)
+{
+    uint64_t flags = 0;
+
+    lanes_contract(half_a, a, LENGTH, &flags);
+    lanes_contract(half_b, b, LENGTH, &flags);
+    for (size_t i = 0; i < LENGTH; i++) {
+        x[i] = c205_to_double(a[i]);
+        y[i] = c205_to_double(b[i]);
+    }
+}
+
 static void fill(void)
 {
     uint64_t state = RANDOM_SEED;
@@ -31,9 +45,8 @@ static void fill(void)
         b[i] = xorshift_normalised(&state, -60, -40);
         if (i % 8 == 3)
             b[i] = C205_MACHINE_ZERO;
-        x[i] = c205_to_double(a[i]);
-        y[i] = c205_to_double(b[i]);
     }
+    share_values();
 }
 
 /* Divisors without zeros, radicands without signs. */
@@ -45,9 +58,8 @@ static void make_divisible(void)
         if (word_is_machine_zero(b[i]))
             b[i] = C205_ONE;
         a[i] = arith_absolute(a[i], &flags);
-        x[i] = fabs(x[i]);
-        y[i] = c205_to_double(b[i]);
     }
+    share_values();
 }
 
 typedef void task(void);
@@ -67,31 +79,51 @@ static double nanoseconds(task *run)
     return best;
 }
 
-#define TASK(name, lanes, doubles)                                         \
+/* What is compared: of words, of half words, in doubles. */
+typedef struct tasks {
+    task *lanes, *halves, *doubles;
+} tasks;
+
+#define TASKS(name, of_words, of_halves, of_doubles)                       \
     static void name##_lanes(void)                                         \
     {                                                                      \
         uint64_t flags = 0;                                                \
-        lanes;                                                             \
+        of_words;                                                          \
+    }                                                                      \
+    static void name##_halves(void)                                        \
+    {                                                                      \
+        uint64_t flags = 0;                                                \
+        of_halves;                                                         \
     }                                                                      \
     static void name##_doubles(void)                                       \
     {                                                                      \
         for (size_t i = 0; i < LENGTH; i++)                                \
-            z[i] = doubles;                                                \
-    }
+            z[i] = of_doubles;                                             \
+    }                                                                      \
+    static const tasks name = {name##_lanes, name##_halves, name##_doubles};
 
-TASK(add, lanes_add_normalised(c, a, b, LENGTH, &flags), x[i] + y[i])
-TASK(subtract, lanes_subtract_normalised(c, a, b, LENGTH, &flags),
-     x[i] - y[i])
-TASK(add_upper, lanes_add_upper(c, a, b, LENGTH, &flags), x[i] + y[i])
-TASK(multiply, lanes_multiply_significant(c, a, b, LENGTH, &flags),
-     x[i] * y[i])
-TASK(less, lanes_less(c, a, b, LENGTH); (void)flags, x[i] < y[i])
-TASK(truncate, lanes_truncate(c, a, LENGTH, &flags), trunc(x[i]))
-TASK(sum, c[0] = C205_ONE; lanes_sum(c, a, LENGTH, &flags),
-     z[0] = z[0] + x[i])
-TASK(divide, lanes_divide_significant(c, a, b, LENGTH, &flags),
-     x[i] / y[i])
-TASK(square_root, lanes_square_root(c, a, LENGTH, &flags), sqrt(x[i]))
+#define BINARY(name, operation, of_doubles)                                \
+    TASKS(name, lanes_##operation(c, a, b, LENGTH, &flags),                \
+          halves_##operation(c, half_a, half_b, LENGTH, &flags),           \
+          of_doubles)
+#define UNARY(name, operation, of_doubles)                                 \
+    TASKS(name, lanes_##operation(c, a, LENGTH, &flags),                   \
+          halves_##operation(c, half_a, LENGTH, &flags), of_doubles)
+
+BINARY(add, add_normalised, x[i] + y[i])
+BINARY(subtract, subtract_normalised, x[i] - y[i])
+BINARY(add_upper, add_upper, x[i] + y[i])
+BINARY(multiply, multiply_significant, x[i] * y[i])
+TASKS(less, lanes_less(c, a, b, LENGTH); (void)flags,
+      halves_less(c, half_a, half_b, LENGTH); (void)flags, x[i] < y[i])
+UNARY(truncate, truncate, trunc(x[i]))
+TASKS(sum, c[0] = C205_ONE; lanes_sum(c, a, LENGTH, &flags),
+      c[0] = C205_HALF_ONE; halves_sum(c, half_a, LENGTH, &flags),
+      z[0] = z[0] + x[i])
+BINARY(divide, divide_significant, x[i] / y[i])
+UNARY(square_root, square_root, sqrt(x[i]))
+TASKS(convert, lanes_extend(c, half_a, LENGTH, &flags),
+      lanes_contract(c, a, LENGTH, &flags), (double)(float)x[i])
 
 #define EACH_WORD(name, operation)                                         \
     static void name(void)                                                 \
@@ -105,32 +137,32 @@ EACH_WORD(multiply_words, arith_multiply_significant(a[i], b[i], &flags))
 EACH_WORD(divide_words, arith_divide_significant(a[i], b[i], &flags))
 EACH_WORD(root_words, arith_square_root(a[i], &flags))
 
-static void report(const char *name, task *ours, task *words, task *doubles)
+static void report(const char *name, const tasks *spans, task *words)
 {
-    printf("%-24s %8.2f", name, nanoseconds(ours));
+    printf("%-24s %8.2f %8.2f", name, nanoseconds(spans->lanes),
+           nanoseconds(spans->halves));
     if (words != NULL)
         printf(" %8.2f", nanoseconds(words));
     else
         printf(" %8s", "");
-    printf(" %8.2f\n", nanoseconds(doubles));
+    printf(" %8.2f\n", nanoseconds(spans->doubles));
 }
 
 int main(void)
 {
     fill();
-    printf("%-24s %8s %8s %8s  ns per element\n", "", "lanes", "words",
-           "double");
-    report("add normalised", add_lanes, add_words, add_doubles);
-    report("subtract normalised", subtract_lanes, NULL, subtract_doubles);
-    report("add upper", add_upper_lanes, NULL, add_upper_doubles);
-    report("multiply significant", multiply_lanes, multiply_words,
-           multiply_doubles);
-    report("less", less_lanes, NULL, less_doubles);
-    report("truncate", truncate_lanes, NULL, truncate_doubles);
-    report("sum", sum_lanes, NULL, sum_doubles);
+    printf("%-24s %8s %8s %8s %8s  ns per element\n", "", "lanes", "halves",
+           "words", "double");
+    report("add normalised", &add, add_words);
+    report("subtract normalised", &subtract, NULL);
+    report("add upper", &add_upper, NULL);
+    report("multiply significant", &multiply, multiply_words);
+    report("less", &less, NULL);
+    report("truncate", &truncate, NULL);
+    report("sum", &sum, NULL);
     make_divisible();
-    report("divide significant", divide_lanes, divide_words, divide_doubles);
-    report("square root", square_root_lanes, root_words,
-           square_root_doubles);
+    report("divide significant", &divide, divide_words);
+    report("square root", &square_root, root_words);
+    report("extend, contract", &convert, NULL);
     return 0;
 }

@@ -22,25 +22,40 @@ static inline int64_t xorshift_between(uint64_t *state, int64_t low,
     return low + (int64_t)(xorshift(state) % (uint64_t)(high - low + 1));
 }
 
-/* A normalised word with an exponent of the given range. */
-static inline c205_word xorshift_normalised(uint64_t *state, int32_t low,
-                                            int32_t high)
+/* A normalised word of a format with an exponent of the given range. */
+static inline c205_word xorshift_normalised_of(word_format f,
+                                               uint64_t *state, int32_t low,
+                                               int32_t high)
 {
     const int32_t exponent = (int32_t)xorshift_between(state, low, high);
     const uint64_t random = xorshift(state);
-    const int64_t c = (int64_t)(random >> 18 | UINT64_C(1) << 46);
+    const int64_t c = (int64_t)(random >> (65 - f.digits)
+                                | UINT64_C(1) << (f.digits - 1));
 
-    return word_make(exponent, random & 1 ? c : ~c);
+    return format_make(f, exponent, random & 1 ? c : ~c);
 }
 
-/* An unnormalised number: up to 46 significant bits. */
+/* An unnormalised number: up to all significant bits but one. */
+static inline c205_word xorshift_unnormalised_of(word_format f,
+                                                 uint64_t *state,
+                                                 int32_t low, int32_t high)
+{
+    const int32_t exponent = (int32_t)xorshift_between(state, low, high);
+    const int places = (int)xorshift_between(state, 64 - f.digits, 63);
+
+    return format_make(f, exponent, (int64_t)xorshift(state) >> places);
+}
+
+static inline c205_word xorshift_normalised(uint64_t *state, int32_t low,
+                                            int32_t high)
+{
+    return xorshift_normalised_of(whole_words, state, low, high);
+}
+
 static inline c205_word xorshift_unnormalised(uint64_t *state, int32_t low,
                                               int32_t high)
 {
-    const int32_t exponent = (int32_t)xorshift_between(state, low, high);
-    const int places = (int)xorshift_between(state, 17, 63);
-
-    return word_make(exponent, (int64_t)xorshift(state) >> places);
+    return xorshift_unnormalised_of(whole_words, state, low, high);
 }
 
 #endif

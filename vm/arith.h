@@ -5,6 +5,10 @@
  * cut, never rounded.  Source: machine notes, section 2 (R); where they are
  * silent the comment at the function says what this project fixed.
  *
+ * The rule is written once, in rule.h, for words of any format: arith_NAME is
+ * that for words of 64 bits, half_NAME that for half words of 32, which stand
+ * at the left of a c205_word.
+ *
  * Each function ORs into *flags the bits of the data flag register that the
  * operation sets.
  */
@@ -20,48 +24,47 @@
 #define FLAG_IMAGINARY_ROOT (UINT64_C(1) << (63 - 45))
 #define FLAG_INDEFINITE (UINT64_C(1) << (63 - 46))
 
-c205_word arith_add_upper(c205_word a, c205_word b, uint64_t *flags);
-c205_word arith_add_lower(c205_word a, c205_word b, uint64_t *flags);
-c205_word arith_add_normalised(c205_word a, c205_word b, uint64_t *flags);
-c205_word arith_subtract_upper(c205_word a, c205_word b, uint64_t *flags);
-c205_word arith_subtract_lower(c205_word a, c205_word b, uint64_t *flags);
-c205_word arith_subtract_normalised(c205_word a, c205_word b,
-                                    uint64_t *flags);
-c205_word arith_multiply_upper(c205_word a, c205_word b, uint64_t *flags);
-c205_word arith_multiply_lower(c205_word a, c205_word b, uint64_t *flags);
-c205_word arith_multiply_significant(c205_word a, c205_word b,
-                                     uint64_t *flags);
-c205_word arith_divide_upper(c205_word a, c205_word b, uint64_t *flags);
-c205_word arith_divide_significant(c205_word a, c205_word b,
-                                   uint64_t *flags);
-c205_word arith_square_root(c205_word a, uint64_t *flags);
-c205_word arith_truncate(c205_word a, uint64_t *flags);
-c205_word arith_floor(c205_word a, uint64_t *flags);
-c205_word arith_ceiling(c205_word a, uint64_t *flags);
-c205_word arith_absolute(c205_word a, uint64_t *flags);
-c205_word arith_negate(c205_word a, uint64_t *flags);
-c205_word arith_exponent(c205_word a, uint64_t *flags);
-/* The value of a with its coefficient shifted by the integer b, or until its
- * exponent is the integer b; the integers are in the low 48 bits. */
-c205_word arith_adjust_significance(c205_word a, c205_word b,
-                                    uint64_t *flags);
-c205_word arith_adjust_exponent(c205_word a, c205_word b, uint64_t *flags);
-/* The low 16 bits of a as exponent, the coefficient of b. */
-c205_word arith_pack(c205_word a, c205_word b, uint64_t *flags);
-/* normalised(a +- b) with the exponent one less */
-c205_word arith_average(c205_word a, c205_word b, uint64_t *flags);
-c205_word arith_average_difference(c205_word a, c205_word b,
-                                   uint64_t *flags);
+typedef c205_word arith_binary(c205_word a, c205_word b, uint64_t *flags);
+typedef c205_word arith_unary(c205_word a, uint64_t *flags);
+typedef bool arith_relation(c205_word a, c205_word b);
+typedef c205_word arith_shifted(c205_word a, int64_t count);
 
-/* The comparisons are of values; indefinite equals nothing, so that only
- * "not equal" holds for it. */
-bool arith_equal(c205_word a, c205_word b);
-bool arith_not_equal(c205_word a, c205_word b);
-bool arith_not_less(c205_word a, c205_word b);
-bool arith_less(c205_word a, c205_word b);
+/* The functions of one format; of(name) is what a name is there.
+ *
+ * adjust_significance, adjust_exponent: the value of a with its coefficient
+ * shifted by the integer b, or until its exponent is the integer b; the
+ * integers are coefficients, whatever their exponents.
+ * pack: the low bits of a as exponent, the coefficient of b.
+ * average: normalised(a +- b) with the exponent one less.
+ * equal .. less: of values; indefinite equals nothing, so that only "not
+ * equal" holds for it.
+ * shift: left circular for 0 up to the width less one, right with the sign
+ * extended for -1 down to the negative width; other counts: modulo the
+ * width above, as the negative width below. */
+#define ARITH_FUNCTIONS(of)                                                \
+    arith_binary of(add_upper), of(add_lower), of(add_normalised);         \
+    arith_binary of(subtract_upper), of(subtract_lower),                   \
+        of(subtract_normalised);                                           \
+    arith_binary of(multiply_upper), of(multiply_lower),                   \
+        of(multiply_significant);                                          \
+    arith_binary of(divide_upper), of(divide_significant);                 \
+    arith_binary of(average), of(average_difference);                      \
+    arith_binary of(adjust_significance), of(adjust_exponent), of(pack);   \
+    arith_unary of(square_root);                                           \
+    arith_unary of(truncate), of(floor), of(ceiling);                      \
+    arith_unary of(absolute), of(negate), of(exponent);                    \
+    arith_relation of(equal), of(not_equal), of(not_less), of(less);       \
+    arith_shifted of(shift)
 
-/* Left circular for 0..63, right with the sign extended for -1..-64; other
- * counts: n mod 64 above, -64 below. */
-c205_word arith_shift(c205_word a, int64_t count);
+#define ARITH_OF_WORDS(name) arith_##name
+#define ARITH_OF_HALVES(name) half_##name
+ARITH_FUNCTIONS(ARITH_OF_WORDS);
+ARITH_FUNCTIONS(ARITH_OF_HALVES);
+
+/* A word as half word, its coefficient floored or rounded; it is not
+ * normalised. */
+arith_unary arith_contract, arith_contract_rounded;
+/* A half word as word, exactly. */
+arith_unary arith_extend;
 
 #endif

@@ -4,6 +4,9 @@
  * the flags are those of arith.h, bit for bit, for every word; normalised
  * operands and machine zeros are the fast path.  The loops are plain C that
  * compilers vectorise, cloned for the instruction sets of the host.
+ *
+ * lanes_NAME takes words, halves_NAME half words, one at the left of each
+ * c205_word.
  */
 #ifndef C205_LANES_H
 #define C205_LANES_H
@@ -18,31 +21,45 @@ typedef void lanes_unary(c205_word *c, const c205_word *a, size_t n,
  * the unused low bits of the last word are zero. */
 typedef void lanes_compare(uint64_t *bits, const c205_word *a,
                            const c205_word *b, size_t n);
+/* In element order, from *accumulator on. */
+typedef void lanes_reduction(c205_word *accumulator, const c205_word *a,
+                             size_t n, uint64_t *flags);
 
-lanes_binary lanes_add_upper, lanes_add_lower, lanes_add_normalised;
-lanes_binary lanes_subtract_upper, lanes_subtract_lower,
-    lanes_subtract_normalised;
-lanes_binary lanes_multiply_upper, lanes_multiply_lower,
-    lanes_multiply_significant;
-lanes_binary lanes_divide_upper, lanes_divide_significant;
-lanes_binary lanes_average, lanes_average_difference;
-lanes_binary lanes_xor, lanes_and, lanes_or, lanes_nand, lanes_nor,
-    lanes_or_not, lanes_and_not, lanes_equivalence, lanes_shift;
-lanes_binary lanes_adjust_significance, lanes_adjust_exponent, lanes_pack;
-/* The low 48 bits of a + b, a - b; the high 16 bits from a. */
-lanes_binary lanes_add_index, lanes_subtract_index;
-lanes_unary lanes_square_root, lanes_truncate, lanes_floor, lanes_ceiling,
-    lanes_absolute, lanes_negate, lanes_exponent, lanes_copy;
-lanes_compare lanes_equal, lanes_not_equal, lanes_not_less, lanes_less;
+/* The functions of one size; of(name) is what a name is there.  add_index,
+ * subtract_index: the coefficient's bits of a + b, a - b, the exponent's from
+ * a. */
+#define LANES_FUNCTIONS(of)                                                \
+    lanes_binary of(add_upper), of(add_lower), of(add_normalised);         \
+    lanes_binary of(subtract_upper), of(subtract_lower),                   \
+        of(subtract_normalised);                                           \
+    lanes_binary of(multiply_upper), of(multiply_lower),                   \
+        of(multiply_significant);                                          \
+    lanes_binary of(divide_upper), of(divide_significant);                 \
+    lanes_binary of(average), of(average_difference);                      \
+    lanes_binary of(xor), of(and), of(or), of(nand), of(nor), of(or_not),  \
+        of(and_not), of(equivalence), of(shift);                           \
+    lanes_binary of(adjust_significance), of(adjust_exponent), of(pack);   \
+    lanes_binary of(add_index), of(subtract_index);                        \
+    lanes_unary of(square_root), of(truncate), of(floor), of(ceiling),     \
+        of(absolute), of(negate), of(exponent);                            \
+    lanes_compare of(equal), of(not_equal), of(not_less), of(less);        \
+    lanes_reduction of(sum), of(product)
+
+#define LANES_OF_WORDS(name) lanes_##name
+#define LANES_OF_HALVES(name) halves_##name
+LANES_FUNCTIONS(LANES_OF_WORDS);
+LANES_FUNCTIONS(LANES_OF_HALVES);
+
+/* From words to half words, and back. */
+lanes_unary lanes_contract, lanes_contract_rounded;
+lanes_unary lanes_extend;
+
+/* ---- Of any words ------------------------------------------------------- */
+
+lanes_unary lanes_copy;
 
 /* c[i] = bit i of bits (as above) ? a[i] : c[i] */
 void lanes_store_masked(c205_word *c, const c205_word *a,
                         const uint64_t *bits, size_t n);
-
-/* Reductions in element order, from *accumulator on; flags as above. */
-void lanes_sum(c205_word *accumulator, const c205_word *a, size_t n,
-               uint64_t *flags);
-void lanes_product(c205_word *accumulator, const c205_word *a, size_t n,
-                   uint64_t *flags);
 
 #endif

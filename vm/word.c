@@ -7,21 +7,22 @@
 #include <stdio.h>
 
 /* The magnitude (digits + a fraction, if inexact) x 2^exponent with digits
- * in [2^46, 2^47) and a sign, floored to a normalised word. */
-static c205_word cut(bool negative, int64_t digits, bool inexact,
-                     int32_t exponent)
+ * in [2^(d - 1), 2^d), d the digits of the format, and a sign, floored to a
+ * normalised word. */
+static c205_word cut(word_format f, bool negative, int64_t digits,
+                     bool inexact, int32_t exponent)
 {
     int64_t c = negative ? -digits - inexact : digits;
 
-    if (c == WORD_COEFFICIENT_MIN / 2) {
-        c = WORD_COEFFICIENT_MIN;
+    if (c == format_coefficient_min(f) / 2) {
+        c = format_coefficient_min(f);
         exponent--;
     }
-    if (exponent > WORD_EXPONENT_MAX)
+    if (exponent > format_exponent_max(f))
         return C205_INDEFINITE;
-    if (exponent < WORD_EXPONENT_MIN)
+    if (exponent < format_exponent_min(f))
         return C205_MACHINE_ZERO;
-    return word_make(exponent, c);
+    return format_make(f, exponent, c);
 }
 
 /* ---- Integers, doubles, hexadecimal ------------------------------------- */
@@ -36,9 +37,10 @@ int64_t c205_to_integer(c205_word word)
     return word_coefficient(word);
 }
 
-c205_word c205_from_double(double value)
+static c205_word from_double(word_format f, double value)
 {
-    enum { DOUBLE_DIGITS = 53, EXCESS = DOUBLE_DIGITS - WORD_DIGITS };
+    enum { DOUBLE_DIGITS = 53 };
+    const int32_t excess = DOUBLE_DIGITS - f.digits;
     int exponent;
 
     if (!isfinite(value))
@@ -47,17 +49,39 @@ c205_word c205_from_double(double value)
         return C205_MACHINE_ZERO;
     const double fraction = frexp(fabs(value), &exponent);
     const int64_t digits = (int64_t)ldexp(fraction, DOUBLE_DIGITS);
-    return cut(value < 0, digits >> EXCESS,
-               (digits & ((1 << EXCESS) - 1)) != 0, exponent - WORD_DIGITS);
+    return cut(f, value < 0, digits >> excess,
+               (digits & ((INT64_C(1) << excess) - 1)) != 0,
+               exponent - f.digits);
 }
 
-double c205_to_double(c205_word word)
+c205_word c205_from_double(double value)
+{
+    return from_double(whole_words, value);
+}
+
+c205_word c205_half_from_double(double value)
+{
+    return from_double(half_words, value);
+}
+
+static double to_double(word_format f, c205_word word)
 {
     if (word_is_indefinite(word))
         return NAN;
     if (word_is_machine_zero(word))
         return 0;
-    return ldexp((double)word_coefficient(word), word_exponent(word));
+    return ldexp((double)format_coefficient(f, word),
+                 format_exponent(f, word));
+}
+
+double c205_to_double(c205_word word)
+{
+    return to_double(whole_words, word);
+}
+
+double c205_half_to_double(c205_word half)
+{
+    return to_double(half_words, half);
 }
 
 void c205_to_hex(c205_word word, char text[C205_TEXT_SIZE])
@@ -162,7 +186,7 @@ static bool scale(big *number, int32_t power, int32_t *exponent)
     return inexact;
 }
 
-static c205_word word_of_decimal(decimal *d)
+static c205_word word_of_decimal(word_format f, decimal *d)
 {
     int32_t exponent;
 
@@ -174,16 +198,17 @@ static c205_word word_of_decimal(decimal *d)
     if (places > PLACES_MAX)
         return C205_INDEFINITE;
     d->inexact |= scale(&d->number, (int32_t)d->exponent, &exponent);
-    int32_t excess = big_bit_length(&d->number) - WORD_DIGITS;
+    int32_t excess = big_bit_length(&d->number) - f.digits;
     if (excess > 0)
         d->inexact |= big_shift_right(&d->number, excess);
     else
         big_shift_left(&d->number, -excess);
-    return cut(d->negative, (int64_t)big_low(&d->number), d->inexact,
+    return cut(f, d->negative, (int64_t)big_low(&d->number), d->inexact,
                exponent + excess);
 }
 
-c205_word c205_from_text(const char *text, const char **end)
+static c205_word from_text(word_format f, const char *text,
+                           const char **end)
 {
     decimal d = {.negative = *text == '-'};
     const char *p
@@ -193,7 +218,17 @@ c205_word c205_from_text(const char *text, const char **end)
         return C205_MACHINE_ZERO;
     }
     *end = take_exponent(&d, p);
-    return word_of_decimal(&d);
+    return word_of_decimal(f, &d);
+}
+
+c205_word c205_from_text(const char *text, const char **end)
+{
+    return from_text(whole_words, text, end);
+}
+
+c205_word c205_half_from_text(const char *text, const char **end)
+{
+    return from_text(half_words, text, end);
 }
 
 /* ---- To decimal text -----------------------------------------------------
@@ -232,13 +267,14 @@ typedef struct digits {
 /* A number of units lies among them if the least not below the one end lies
  * below the other; of magnitudes of negative words, if the greatest not
  * above the one lies above the other. */
-static digits shortest(int64_t c, int32_t exponent)
+static digits shortest(word_format f, int64_t c, int32_t exponent)
 {
     const bool negative = c < 0;
     const int64_t near = negative ? -c : c;
     const int64_t far = negative ? near - 1 : near + 1;
     /* 18 or 19 digits: log10(2) is 0.30103 */
-    const int32_t log10 = (int32_t)floor((exponent + 46) * 0.30103);
+    const int32_t twos = exponent + f.digits - 1;
+    const int32_t log10 = (int32_t)floor(twos * 0.30103);
     digits d = {0, log10 - 17};
     uint64_t from = count_units(near, exponent, d.power, !negative);
     uint64_t to = count_units(far, exponent, d.power, !negative);
@@ -279,10 +315,11 @@ static void write_decimal(char *text, bool negative, digits d)
                  "000000000000000");
 }
 
-void c205_to_text(c205_word word, char text[C205_TEXT_SIZE])
+static void to_text(word_format f, c205_word word,
+                    char text[C205_TEXT_SIZE])
 {
-    const int64_t c = word_value_coefficient(word);
-    const int32_t places = WORD_DIGITS - word_significant_bits(c);
+    const int64_t c = format_value_coefficient(f, word);
+    const int32_t places = f.digits - word_significant_bits(c);
 
     if (word_is_indefinite(word))
         snprintf(text, C205_TEXT_SIZE, "indefinite");
@@ -290,6 +327,16 @@ void c205_to_text(c205_word word, char text[C205_TEXT_SIZE])
         snprintf(text, C205_TEXT_SIZE, "0");
     else
         write_decimal(text, c < 0,
-                      shortest(word_shift_left(c, places),
-                               word_exponent(word) - places));
+                      shortest(f, word_shift_left(c, places),
+                               format_exponent(f, word) - places));
+}
+
+void c205_to_text(c205_word word, char text[C205_TEXT_SIZE])
+{
+    to_text(whole_words, word, text);
+}
+
+void c205_half_to_text(c205_word half, char text[C205_TEXT_SIZE])
+{
+    to_text(half_words, half, text);
 }

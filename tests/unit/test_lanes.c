@@ -1,5 +1,5 @@
 /* test_lanes.c - spans against the rule for one word: the same bits, the same
- * flags, for every length. */
+ * flags, for every length and place, for words and half words. */
 #include "tests/random.h"
 #include "vm/lanes.h"
 
@@ -13,112 +13,158 @@
 enum {
     LENGTH_MAX = 257,
     SLACK = 3, /* words behind a span, which must stay as they are */
-    SPAN = LENGTH_MAX + SLACK,
+    PLACES = 8, /* words of the longest vectors of hosts */
+    SPAN = LENGTH_MAX + SLACK + PLACES,
     BITS = (LENGTH_MAX + 63) / 64 + SLACK,
     LONG_LENGTH = 4096,
     ROUNDS = 30
 };
 
+#define SIZE(table) (sizeof(table) / sizeof *(table))
+
 /* ---- Operands ----------------------------------------------------------- */
 
-static const c205_word specials[] = {
-    UINT64_C(0x8000000000000000), UINT64_C(0x8FFFFFFFFFFFFFFF),
-    UINT64_C(0x8FFF800000000000), UINT64_C(0x8FFF7FFFFFFFFFFF),
-    UINT64_C(0x7000000000000000), UINT64_C(0x7FFFFFFFFFFFFFFF),
-    UINT64_C(0x7000400000000000), UINT64_C(0x7000800000000000),
-    UINT64_C(0x9000400000000000), UINT64_C(0x9000800000000000),
-    UINT64_C(0x90007FFFFFFFFFFF), UINT64_C(0x9000BFFFFFFFFFFF),
-    UINT64_C(0x6FFF400000000000), UINT64_C(0x6FFF800000000000),
-    UINT64_C(0x6FFF7FFFFFFFFFFF), UINT64_C(0x6FFFBFFFFFFFFFFF),
-    UINT64_C(0x0000000000000000), UINT64_C(0x0000FFFFFFFFFFFF),
-    UINT64_C(0x0000000000000001), UINT64_C(0x0000C00000000000),
-    UINT64_C(0xFFD2400000000000), UINT64_C(0xFFD1800000000000),
-    UINT64_C(0xFFD27FFFFFFFFFFF), UINT64_C(0xFFD2BFFFFFFFFFFF),
-    UINT64_C(0x6FFF000000000000), UINT64_C(0x9000000000000000),
-};
+/* Both sides of the edges: of the special exponents, of exponents and
+ * coefficients, of integers; and one. */
+enum { EXPONENTS = 10, COEFFICIENTS = 8, SPECIALS = EXPONENTS * COEFFICIENTS };
 
-static c205_word special(uint64_t *seed)
+static c205_word special_at(word_format f, size_t i)
 {
-    return specials[xorshift(seed) % (sizeof specials / sizeof *specials)];
+    const int32_t top = format_exponent_max(f);
+    const int32_t bottom = format_exponent_min(f);
+    const int32_t end = 1 << (f.exponent_bits - 1);
+    const int64_t half = INT64_C(1) << (f.digits - 1);
+    const int32_t exponents[EXPONENTS] = {
+        -end, bottom - 1, top + 1, end - 1, bottom, top, 0, -1,
+        1 - f.digits, -f.digits
+    };
+    const int64_t coefficients[COEFFICIENTS] = {
+        0, 1, -1, half, -half, 2 * half - 1, -2 * half, -half - 1
+    };
+
+    return format_make(f, exponents[i / COEFFICIENTS],
+                       coefficients[i % COEFFICIENTS]);
 }
 
-static c205_word near(uint64_t *seed)
+static c205_word special(word_format f, uint64_t *seed)
 {
-    return xorshift_normalised(seed, -49, -45);
+    return special_at(f, xorshift(seed) % SPECIALS);
 }
 
-static c205_word around(uint64_t *seed)
+static c205_word near(word_format f, uint64_t *seed)
 {
-    return xorshift_normalised(seed, -100, 10);
+    return xorshift_normalised_of(f, seed, -f.digits - 2, -f.digits + 2);
 }
 
-static c205_word near_top(uint64_t *seed)
+static c205_word around(word_format f, uint64_t *seed)
 {
-    return xorshift_normalised(seed, WORD_EXPONENT_MAX - 3,
-                               WORD_EXPONENT_MAX);
+    return xorshift_normalised_of(f, seed, -2 * f.digits - 6, 10);
 }
 
-static c205_word near_bottom(uint64_t *seed)
+static c205_word near_top(word_format f, uint64_t *seed)
 {
-    return xorshift_normalised(seed, WORD_EXPONENT_MIN,
-                               WORD_EXPONENT_MIN + 50);
+    const int32_t top = format_exponent_max(f);
+
+    return xorshift_normalised_of(f, seed, top - 3, top);
 }
 
-static c205_word anywhere(uint64_t *seed)
+static c205_word near_bottom(word_format f, uint64_t *seed)
 {
-    return xorshift_normalised(seed, WORD_EXPONENT_MIN, WORD_EXPONENT_MAX);
+    const int32_t bottom = format_exponent_min(f);
+
+    return xorshift_normalised_of(f, seed, bottom, bottom + f.digits + 3);
 }
 
-static c205_word or_machine_zero(uint64_t *seed)
+static c205_word anywhere(word_format f, uint64_t *seed)
 {
-    return xorshift(seed) % 4 == 0 ? C205_MACHINE_ZERO : around(seed);
+    return xorshift_normalised_of(f, seed, format_exponent_min(f),
+                                  format_exponent_max(f));
 }
 
-static c205_word unnormalised(uint64_t *seed)
+static c205_word or_machine_zero(word_format f, uint64_t *seed)
 {
-    return xorshift_unnormalised(seed, -100, 10);
+    return xorshift(seed) % 4 == 0 ? C205_MACHINE_ZERO : around(f, seed);
+}
+
+static c205_word unnormalised(word_format f, uint64_t *seed)
+{
+    return xorshift_unnormalised_of(f, seed, -2 * f.digits - 6, 10);
+}
+
+static c205_word any_bits(word_format f, uint64_t *seed)
+{
+    return xorshift(seed) & format_mask(f);
 }
 
 /* Coefficients of few ones or zeros: where carries go far. */
-static c205_word sparse(uint64_t *seed)
+static c205_word sparse(word_format f, uint64_t *seed)
 {
-    const c205_word word = around(seed);
-    const int64_t c = word_coefficient(word);
-    const int64_t kept = -(INT64_C(1) << xorshift_between(seed, 0, 46));
+    const c205_word word = around(f, seed);
+    const int64_t c = format_coefficient(f, word);
+    const int64_t kept
+        = -(INT64_C(1) << xorshift_between(seed, 0, f.digits - 1));
 
-    return word_make(word_exponent(word), c < 0 ? c | ~kept : c & kept);
+    return format_make(f, format_exponent(f, word),
+                       c < 0 ? c | ~kept : c & kept);
 }
 
-static c205_word mostly_usual(uint64_t *seed)
+static c205_word mostly_usual(word_format f, uint64_t *seed)
 {
-    return xorshift(seed) % 64 == 0 ? special(seed) : near(seed);
+    return xorshift(seed) % 64 == 0 ? special(f, seed) : near(f, seed);
 }
 
-typedef c205_word supply(uint64_t *seed);
+static c205_word positive(word_format f, uint64_t *seed)
+{
+    uint64_t flags = 0;
+    const c205_word word = anywhere(f, seed);
+
+    return f.digits == WORD_DIGITS ? arith_absolute(word, &flags)
+                                   : half_absolute(word, &flags);
+}
+
+/* Squares and their neighbours, where a root turns. */
+static c205_word about_a_square(word_format f, uint64_t *seed)
+{
+    const int64_t least = INT64_C(1) << (f.digits / 2);
+    const int64_t root = xorshift_between(seed, least, least * 707 / 500);
+
+    return format_make(f, (int32_t)xorshift_between(seed, -90, 90),
+                       root * root - (int64_t)(xorshift(seed) & 1));
+}
+
+typedef c205_word supply(word_format f, uint64_t *seed);
 static supply *const supplies[] = {
-    special,  near,         around, near_top,     near_bottom, anywhere,
-    xorshift, unnormalised, sparse, mostly_usual, or_machine_zero,
+    special,  near,         around, near_top,     near_bottom,     anywhere,
+    any_bits, unnormalised, sparse, mostly_usual, or_machine_zero, positive,
 };
 
-static void fill(c205_word *words, size_t n, supply *next, uint64_t *seed)
+static void fill(c205_word *words, size_t n, supply *next, word_format f,
+                 uint64_t *seed)
 {
     for (size_t i = 0; i < n; i++)
-        words[i] = next(seed);
+        words[i] = next(f, seed);
 }
 
 /* ---- The operations ----------------------------------------------------- */
 
-typedef c205_word exact_binary(c205_word a, c205_word b, uint64_t *flags);
-typedef c205_word exact_unary(c205_word a, uint64_t *flags);
-typedef bool exact_compare(c205_word a, c205_word b);
-
-#define LOGICAL(name, result)                                              \
-    static c205_word exact_##name(c205_word a, c205_word b,                \
+/* What arith.h has no functions for. */
+#define BINARY_OF_WORDS(name, result)                                      \
+    static c205_word arith_##name(c205_word a, c205_word b,                \
                                   uint64_t *flags)                         \
     {                                                                      \
         (void)flags;                                                       \
         return result;                                                     \
     }
+#define BINARY_OF_HALVES(name, result)                                     \
+    static c205_word half_##name(c205_word a, c205_word b,                 \
+                                 uint64_t *flags)                          \
+    {                                                                      \
+        (void)flags;                                                       \
+        return (result) >> 32 << 32;                                       \
+    }
+#define LOGICAL(name, result)                                              \
+    BINARY_OF_WORDS(name, result)                                          \
+    BINARY_OF_HALVES(name, result)
 LOGICAL(xor, a ^ b)
 LOGICAL(and, a & b)
 LOGICAL(or, a | b)
@@ -127,217 +173,313 @@ LOGICAL(nor, ~(a | b))
 LOGICAL(or_not, a | ~b)
 LOGICAL(and_not, a & ~b)
 LOGICAL(equivalence, ~(a ^ b))
-LOGICAL(shift, arith_shift(a, c205_to_integer(b)))
+BINARY_OF_WORDS(shift_by, arith_shift(a, c205_to_integer(b)))
+BINARY_OF_HALVES(shift_by, half_shift(a, (int64_t)(b << 8) >> 40))
+BINARY_OF_WORDS(add_index, a >> 48 << 48 | (a + b) << 16 >> 16)
+BINARY_OF_HALVES(add_index, a >> 56 << 56 | (a + b) << 8 >> 8)
+BINARY_OF_WORDS(subtract_index, a >> 48 << 48 | (a - b) << 16 >> 16)
+BINARY_OF_HALVES(subtract_index, a >> 56 << 56 | (a - b) << 8 >> 8)
 
-static c205_word exact_copy(c205_word a, uint64_t *flags)
+static c205_word arith_copy(c205_word a, uint64_t *flags)
 {
     (void)flags;
     return a;
 }
 
-#define ROW(name) {#name, lanes_##name, arith_##name}
-#define LOGICAL_ROW(name) {#name, lanes_##name, exact_##name}
-
-static const struct {
+typedef struct binary {
     const char *name;
     lanes_binary *span;
-    exact_binary *exact;
-} binaries[] = {
-    ROW(add_upper), ROW(add_lower), ROW(add_normalised),
-    ROW(subtract_upper), ROW(subtract_lower), ROW(subtract_normalised),
-    ROW(multiply_upper), ROW(multiply_lower), ROW(multiply_significant),
-    ROW(divide_upper), ROW(divide_significant), ROW(average),
-    ROW(average_difference), LOGICAL_ROW(xor), LOGICAL_ROW(and),
-    LOGICAL_ROW(or), LOGICAL_ROW(nand), LOGICAL_ROW(nor),
-    LOGICAL_ROW(or_not), LOGICAL_ROW(and_not), LOGICAL_ROW(equivalence),
-    LOGICAL_ROW(shift),
-};
+    arith_binary *exact;
+} binary;
 
-static const struct {
+typedef struct unary {
     const char *name;
     lanes_unary *span;
-    exact_unary *exact;
-} unaries[] = {
-    ROW(square_root), ROW(truncate), ROW(floor), ROW(absolute), ROW(negate),
-    ROW(exponent), LOGICAL_ROW(copy),
-};
+    arith_unary *exact;
+} unary;
 
-static const struct {
+typedef struct comparison {
     const char *name;
     lanes_compare *span;
-    exact_compare *exact;
-} compares[] = {ROW(equal), ROW(not_equal), ROW(not_less), ROW(less)};
+    arith_relation *exact;
+} comparison;
 
-#define SIZE(table) (sizeof(table) / sizeof *(table))
+enum { BINARIES = 27, UNARIES = 10, COMPARISONS = 4 };
+
+/* The operations of one size. */
+typedef struct operations {
+    word_format format;
+    binary binaries[BINARIES];
+    unary unaries[UNARIES];
+    comparison comparisons[COMPARISONS];
+} operations;
+
+#define WORDS(name) {"lanes_" #name, lanes_##name, arith_##name}
+#define HALVES(name) {"halves_" #name, halves_##name, half_##name}
+
+#define BINARY_ROWS(row)                                                   \
+    row(add_upper), row(add_lower), row(add_normalised),                   \
+    row(subtract_upper), row(subtract_lower), row(subtract_normalised),    \
+    row(multiply_upper), row(multiply_lower), row(multiply_significant),   \
+    row(divide_upper), row(divide_significant), row(average),              \
+    row(average_difference), row(adjust_significance),                     \
+    row(adjust_exponent), row(pack), row(add_index), row(subtract_index),  \
+    row(xor), row(and), row(or), row(nand), row(nor), row(or_not),         \
+    row(and_not), row(equivalence)
+#define UNARY_ROWS(row)                                                    \
+    row(square_root), row(truncate), row(floor), row(ceiling),             \
+    row(absolute), row(negate), row(exponent)
+#define COMPARISON_ROWS(row)                                               \
+    row(equal), row(not_equal), row(not_less), row(less)
+
+/* The conversions stand with the size that they take. */
+static const operations sizes[] = {
+    {{16, 47},
+     {BINARY_ROWS(WORDS), {"lanes_shift", lanes_shift, arith_shift_by}},
+     {UNARY_ROWS(WORDS), WORDS(contract), WORDS(contract_rounded),
+      WORDS(copy)},
+     {COMPARISON_ROWS(WORDS)}},
+    {{8, 23},
+     {BINARY_ROWS(HALVES), {"halves_shift", halves_shift, half_shift_by}},
+     {UNARY_ROWS(HALVES), WORDS(extend)},
+     {COMPARISON_ROWS(HALVES)}},
+};
 
 /* ---- Spans against words ------------------------------------------------ */
 
 /* Flags that no operation sets stay. */
 static const uint64_t other_flags = 5;
 
-static void check_binary(size_t op, const c205_word *a, const c205_word *b,
-                         size_t n)
+static void check_binary(const binary *op, const c205_word *a,
+                         const c205_word *b, size_t n, size_t place)
 {
-    static c205_word c[LONG_LENGTH + SLACK];
+    static c205_word room[LONG_LENGTH + SLACK + PLACES];
+    c205_word *c = room + place;
     uint64_t flags = other_flags, exact_flags = other_flags;
 
     memset(c, 0x5A, (n + SLACK) * sizeof *c);
-    binaries[op].span(c, a, b, n, &flags);
+    op->span(c, a, b, n, &flags);
     for (size_t i = 0; i < n; i++) {
-        const c205_word exact = binaries[op].exact(a[i], b[i], &exact_flags);
+        const c205_word exact = op->exact(a[i], b[i], &exact_flags);
         if (c[i] != exact)
             fail_msg("%s(%016llX, %016llX) = %016llX, not %016llX; "
-                     "lane %zu of %zu", binaries[op].name,
-                     (unsigned long long)a[i], (unsigned long long)b[i],
-                     (unsigned long long)c[i], (unsigned long long)exact, i,
-                     n);
+                     "lane %zu of %zu", op->name, (unsigned long long)a[i],
+                     (unsigned long long)b[i], (unsigned long long)c[i],
+                     (unsigned long long)exact, i, n);
     }
     if (flags != exact_flags)
-        fail_msg("%s, length %zu: flags %llX, not %llX", binaries[op].name,
-                 n, (unsigned long long)flags,
+        fail_msg("%s, length %zu: flags %llX, not %llX", op->name, n,
+                 (unsigned long long)flags,
                  (unsigned long long)exact_flags);
     for (size_t i = 0; i < SLACK; i++)
         assert_int_equal(c[n + i], UINT64_C(0x5A5A5A5A5A5A5A5A));
 }
 
-static void check_unary(size_t op, const c205_word *a, size_t n)
+static void check_unary(const unary *op, const c205_word *a, size_t n,
+                        size_t place)
 {
-    static c205_word c[LONG_LENGTH + SLACK];
+    static c205_word room[LONG_LENGTH + SLACK + PLACES];
+    c205_word *c = room + place;
     uint64_t flags = other_flags, exact_flags = other_flags;
 
+    if (op->name == NULL)
+        return;
     memset(c, 0x5A, (n + SLACK) * sizeof *c);
-    unaries[op].span(c, a, n, &flags);
+    op->span(c, a, n, &flags);
     for (size_t i = 0; i < n; i++) {
-        const c205_word exact = unaries[op].exact(a[i], &exact_flags);
+        const c205_word exact = op->exact(a[i], &exact_flags);
         if (c[i] != exact)
             fail_msg("%s(%016llX) = %016llX, not %016llX; lane %zu of %zu",
-                     unaries[op].name, (unsigned long long)a[i],
+                     op->name, (unsigned long long)a[i],
                      (unsigned long long)c[i], (unsigned long long)exact, i,
                      n);
     }
     if (flags != exact_flags)
-        fail_msg("%s, length %zu: flags %llX, not %llX", unaries[op].name, n,
+        fail_msg("%s, length %zu: flags %llX, not %llX", op->name, n,
                  (unsigned long long)flags, (unsigned long long)exact_flags);
     for (size_t i = 0; i < SLACK; i++)
         assert_int_equal(c[n + i], UINT64_C(0x5A5A5A5A5A5A5A5A));
 }
 
-static void check_compare(size_t op, const c205_word *a, const c205_word *b,
-                          size_t n)
+static void check_comparison(const comparison *op, const c205_word *a,
+                             const c205_word *b, size_t n)
 {
     uint64_t bits[BITS], expected[BITS];
 
     memset(bits, 0x5A, sizeof bits);
     memset(expected, 0x5A, sizeof expected);
     memset(expected, 0, (n + 63) / 64 * sizeof *expected);
-    compares[op].span(bits, a, b, n);
+    op->span(bits, a, b, n);
     for (size_t i = 0; i < n; i++)
-        expected[i / 64] |= (uint64_t)compares[op].exact(a[i], b[i])
-                            << (63 - i % 64);
+        expected[i / 64] |= (uint64_t)op->exact(a[i], b[i]) << (63 - i % 64);
     if (memcmp(bits, expected, sizeof bits) != 0)
-        fail_msg("%s, length %zu", compares[op].name, n);
+        fail_msg("%s, length %zu", op->name, n);
+}
+
+static void check_pairs(const operations *size, const c205_word *a,
+                        const c205_word *b, size_t n, size_t place)
+{
+    const size_t compared = n < LENGTH_MAX ? n : LENGTH_MAX;
+
+    for (size_t i = 0; i < BINARIES; i++)
+        check_binary(&size->binaries[i], a, b, n, place);
+    for (size_t i = 0; i < COMPARISONS; i++)
+        check_comparison(&size->comparisons[i], a, b, compared);
+}
+
+static void check_unaries(const operations *size, const c205_word *a, size_t n,
+                          size_t place)
+{
+    for (size_t i = 0; i < UNARIES; i++)
+        check_unary(&size->unaries[i], a, n, place);
 }
 
 /* Every length, with the supplies of the two operands taking turns. */
-static void test_every_length(void **state)
+static void check_lengths(const operations *size, size_t place, uint64_t seed)
 {
-    c205_word a[SPAN], b[SPAN];
-    uint64_t seed = RANDOM_SEED;
+    static c205_word a[SPAN], b[SPAN];
+    const size_t turns = SIZE(supplies);
 
-    (void)state;
     for (size_t n = 0; n <= LENGTH_MAX; n++) {
-        fill(a, n, supplies[n % SIZE(supplies)], &seed);
-        fill(b, n, supplies[n / SIZE(supplies) % SIZE(supplies)], &seed);
-        for (size_t op = 0; op < SIZE(binaries); op++)
-            check_binary(op, a, b, n);
-        for (size_t op = 0; op < SIZE(unaries); op++)
-            check_unary(op, a, n);
-        for (size_t op = 0; op < SIZE(compares); op++)
-            check_compare(op, a, b, n);
+        c205_word *const placed_a = a + place;
+        c205_word *const placed_b = b + 3 * place % PLACES;
+        fill(placed_a, n, supplies[n % turns], size->format, &seed);
+        fill(placed_b, n, supplies[n / turns % turns], size->format, &seed);
+        check_pairs(size, placed_a, placed_b, n, 5 * place % PLACES);
+        check_unaries(size, placed_a, n, 5 * place % PLACES);
     }
+}
+
+static void test_every_length_and_place(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SIZE(sizes); i++)
+        for (size_t place = 0; place < PLACES; place++)
+            check_lengths(&sizes[i], place, RANDOM_SEED + place);
 }
 
 /* Alone in a span, so that no other word sends the block to the exact rule. */
+static void check_specials(const operations *size)
+{
+    for (size_t i = 0; i < SPECIALS; i++) {
+        const c205_word a = special_at(size->format, i);
+        check_unaries(size, &a, 1, 0);
+        for (size_t j = 0; j < SPECIALS; j++) {
+            const c205_word b = special_at(size->format, j);
+            check_pairs(size, &a, &b, 1, 0);
+        }
+    }
+}
+
 static void test_every_pair_of_specials(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < SIZE(specials); i++) {
-        for (size_t op = 0; op < SIZE(unaries); op++)
-            check_unary(op, &specials[i], 1);
-        for (size_t j = 0; j < SIZE(specials); j++) {
-            for (size_t op = 0; op < SIZE(binaries); op++)
-                check_binary(op, &specials[i], &specials[j], 1);
-            for (size_t op = 0; op < SIZE(compares); op++)
-                check_compare(op, &specials[i], &specials[j], 1);
-        }
-    }
+    for (size_t i = 0; i < SIZE(sizes); i++)
+        check_specials(&sizes[i]);
 }
 
 /* Long spans of operands of one kind each, so that the fast paths run. */
-static void test_every_pair_of_supplies(void **state)
+static void check_supplies(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
-    uint64_t seed = RANDOM_SEED + 1;
+    const size_t turns = SIZE(supplies);
 
-    (void)state;
-    for (size_t s = 0; s < SIZE(supplies) * SIZE(supplies); s++) {
-        fill(a, LONG_LENGTH, supplies[s / SIZE(supplies)], &seed);
-        fill(b, LONG_LENGTH, supplies[s % SIZE(supplies)], &seed);
-        for (size_t op = 0; op < SIZE(binaries); op++)
-            check_binary(op, a, b, LONG_LENGTH);
-        for (size_t op = 0; op < SIZE(compares); op++)
-            check_compare(op, a, b, LENGTH_MAX);
+    for (size_t s = 0; s < turns * turns; s++) {
+        fill(a, LONG_LENGTH, supplies[s / turns], size->format, &seed);
+        fill(b, LONG_LENGTH, supplies[s % turns], size->format, &seed);
+        check_pairs(size, a, b, LONG_LENGTH, 0);
     }
+}
+
+static void test_every_pair_of_supplies(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SIZE(sizes); i++)
+        check_supplies(&sizes[i], RANDOM_SEED + 1);
 }
 
 /* Close operands: cancellation, quotients near 1, sums near 0. */
-static void test_close_operands(void **state)
+static c205_word close_to(word_format f, c205_word a, uint64_t *seed)
+{
+    const uint64_t shift = xorshift(seed) % 7;
+    const int32_t e = format_exponent(f, a) + (int32_t)(xorshift(seed) % 3);
+    const int64_t c = format_coefficient(f, a) + (int64_t)shift - 3;
+
+    return format_make(f, e, shift & 1 ? -c : c);
+}
+
+static void check_close_operands(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
-    uint64_t seed = RANDOM_SEED + 2, flags = 0;
 
-    (void)state;
     for (int round = 0; round < ROUNDS; round++) {
-        fill(a, LONG_LENGTH, round & 1 ? sparse : near, &seed);
-        for (size_t i = 0; i < LONG_LENGTH; i++) {
-            c205_word shift = xorshift(&seed) % 7;
-            b[i] = a[i] + shift - 3 + (xorshift(&seed) % 3 << 48);
-            b[i] = shift & 1 ? arith_negate(b[i], &flags) : b[i];
-        }
-        for (size_t op = 0; op < SIZE(binaries); op++)
-            check_binary(op, a, b, LONG_LENGTH);
-        for (size_t op = 0; op < SIZE(compares); op++)
-            check_compare(op, a, b, LENGTH_MAX);
+        fill(a, LONG_LENGTH, round & 1 ? sparse : near, size->format, &seed);
+        for (size_t i = 0; i < LONG_LENGTH; i++)
+            b[i] = close_to(size->format, a[i], &seed);
+        check_pairs(size, a, b, LONG_LENGTH, 0);
     }
 }
 
-static c205_word positive(uint64_t *seed)
+static void test_close_operands(void **state)
 {
-    return (anywhere(seed) | UINT64_C(3) << 46) ^ UINT64_C(1) << 47;
+    (void)state;
+    for (size_t i = 0; i < SIZE(sizes); i++)
+        check_close_operands(&sizes[i], RANDOM_SEED + 2);
 }
 
-/* Squares and their neighbours, where a root turns. */
-static c205_word about_a_square(uint64_t *seed)
+/* Counts, exponents and significances are small integers. */
+static void check_by_integers(const operations *size, uint64_t seed)
 {
-    const int64_t root = xorshift_between(seed, 1 << 23, 11863282);
+    static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
 
-    return word_make((int32_t)xorshift_between(seed, -200, 200),
-                     root * root - (int64_t)(xorshift(seed) & 1));
+    for (size_t s = 0; s < SIZE(supplies); s++) {
+        fill(a, LONG_LENGTH, supplies[s], size->format, &seed);
+        for (size_t i = 0; i < LONG_LENGTH; i++)
+            b[i] = format_make(size->format, (int32_t)(xorshift(&seed) & 3),
+                               xorshift_between(&seed, -140, 140));
+        check_pairs(size, a, b, LONG_LENGTH, 0);
+    }
+}
+
+static void test_by_integers(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SIZE(sizes); i++)
+        check_by_integers(&sizes[i], RANDOM_SEED + 5);
+}
+
+static void check_unary_operands(const operations *size, uint64_t seed)
+{
+    static c205_word a[LONG_LENGTH];
+
+    for (size_t s = 0; s < SIZE(supplies) + ROUNDS; s++) {
+        fill(a, LONG_LENGTH,
+             s < SIZE(supplies) ? supplies[s] : about_a_square, size->format,
+             &seed);
+        check_unaries(size, a, LONG_LENGTH, 0);
+    }
 }
 
 static void test_unary_operands(void **state)
 {
+    (void)state;
+    for (size_t i = 0; i < SIZE(sizes); i++)
+        check_unary_operands(&sizes[i], RANDOM_SEED + 3);
+}
+
+/* The roots come from doubles, which err: every coefficient is tried, with
+ * both parities of the exponent. */
+static void test_every_root_of_a_half_word(void **state)
+{
     static c205_word a[LONG_LENGTH];
-    static supply *const more[] = {positive, about_a_square};
-    uint64_t seed = RANDOM_SEED + 3;
+    const unary square_root = HALVES(square_root);
 
     (void)state;
-    for (size_t s = 0; s < SIZE(supplies) + SIZE(more) * ROUNDS; s++) {
-        fill(a, LONG_LENGTH, s < SIZE(supplies) ? supplies[s]
-                                                : more[s % SIZE(more)],
-             &seed);
-        for (size_t op = 0; op < SIZE(unaries); op++)
-            check_unary(op, a, LONG_LENGTH);
+    for (int64_t c = INT64_C(1) << 22; c < INT64_C(1) << 23;
+         c += LONG_LENGTH / 2) {
+        for (int i = 0; i < LONG_LENGTH; i++)
+            a[i] = format_make(half_words, i & 1, c + i / 2);
+        check_unary(&square_root, a, LONG_LENGTH, 0);
     }
 }
 
@@ -351,9 +493,9 @@ static void test_store_masked(void **state)
     for (size_t n = 0; n <= LENGTH_MAX; n++) {
         c205_word a[SPAN], c[SPAN], expected[SPAN];
         uint64_t bits[BITS];
-        fill(a, SPAN, xorshift, &seed);
-        fill(c, SPAN, xorshift, &seed);
-        fill(bits, BITS, xorshift, &seed);
+        fill(a, SPAN, any_bits, whole_words, &seed);
+        fill(c, SPAN, any_bits, whole_words, &seed);
+        fill(bits, BITS, any_bits, whole_words, &seed);
         for (size_t i = 0; i < SPAN; i++)
             expected[i] = i < n && bits[i / 64] >> (63 - i % 64) & 1 ? a[i]
                                                                      : c[i];
@@ -362,15 +504,14 @@ static void test_store_masked(void **state)
     }
 }
 
-static void check_reduction(void (*reduce)(c205_word *, const c205_word *,
-                                           size_t, uint64_t *),
-                            exact_binary *exact, supply *next, uint64_t seed)
+static void check_reduction(lanes_reduction *reduce, arith_binary *exact,
+                            supply *next, word_format f, uint64_t seed)
 {
     for (size_t n = 0; n <= LENGTH_MAX; n++) {
         c205_word a[SPAN];
         uint64_t flags = other_flags, exact_flags = other_flags;
-        c205_word accumulator = next(&seed), expected = accumulator;
-        fill(a, n, next, &seed);
+        c205_word accumulator = next(f, &seed), expected = accumulator;
+        fill(a, n, next, f, &seed);
         for (size_t i = 0; i < n; i++)
             expected = exact(expected, a[i], &exact_flags);
         reduce(&accumulator, a, n, &flags);
@@ -384,20 +525,26 @@ static void test_reductions(void **state)
     (void)state;
     for (size_t s = 0; s < SIZE(supplies); s++) {
         check_reduction(lanes_sum, arith_add_normalised, supplies[s],
-                        RANDOM_SEED);
+                        whole_words, RANDOM_SEED);
         check_reduction(lanes_product, arith_multiply_significant,
-                        supplies[s], RANDOM_SEED);
+                        supplies[s], whole_words, RANDOM_SEED);
+        check_reduction(halves_sum, half_add_normalised, supplies[s],
+                        half_words, RANDOM_SEED);
+        check_reduction(halves_product, half_multiply_significant,
+                        supplies[s], half_words, RANDOM_SEED);
     }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_length),
+        cmocka_unit_test(test_every_length_and_place),
         cmocka_unit_test(test_every_pair_of_specials),
         cmocka_unit_test(test_every_pair_of_supplies),
         cmocka_unit_test(test_close_operands),
+        cmocka_unit_test(test_by_integers),
         cmocka_unit_test(test_unary_operands),
+        cmocka_unit_test(test_every_root_of_a_half_word),
         cmocka_unit_test(test_store_masked),
         cmocka_unit_test(test_reductions),
     };

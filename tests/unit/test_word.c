@@ -339,6 +339,107 @@ static void test_significant_bits(void **state)
     }
 }
 
+/* ---- Half words --------------------------------------------------------- */
+
+static c205_word read_half(const char *text)
+{
+    const char *end;
+    const c205_word half = c205_half_from_text(text, &end);
+
+    assert_true(end != text);
+    assert_int_equal(*end, '\0');
+    return half;
+}
+
+static const known halves[] = {
+    {"1", C205_HALF_ONE},
+    {"0.5", UINT64_C(0xE940000000000000)},
+    {"10", UINT64_C(0xED50000000000000)},
+    {"100", UINT64_C(0xF064000000000000)},
+    {"0.1", UINT64_C(0xE666666600000000)},
+    {"-1.5", UINT64_C(0xEAA0000000000000)},
+    {"-1", UINT64_C(0xE980000000000000)},
+    {"0", C205_MACHINE_ZERO},
+};
+
+static void test_known_halves(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof halves / sizeof *halves; i++) {
+        char text[C205_TEXT_SIZE];
+        assert_int_equal(read_half(halves[i].text), halves[i].word);
+        c205_half_to_text(halves[i].word, text);
+        assert_string_equal(text, halves[i].text);
+        assert_int_equal(
+            c205_half_from_double(strtod(halves[i].text, NULL)),
+            halves[i].word);
+    }
+}
+
+static void test_half_doubles(void **state)
+{
+    (void)state;
+    assert_int_equal(c205_half_from_double(-0.1),
+                     UINT64_C(0xE699999900000000));
+    assert_int_equal(c205_half_from_double(1 + ldexp(1, -23)),
+                     C205_HALF_ONE);
+    assert_int_equal(c205_half_from_double(-1 - ldexp(1, -52)),
+                     UINT64_C(0xEABFFFFF00000000));
+    assert_int_equal(c205_half_from_double(ldexp(1, 134)), C205_INDEFINITE);
+    assert_int_equal(c205_half_from_double(ldexp(1, 133)),
+                     UINT64_C(0x6F40000000000000));
+    assert_int_equal(c205_half_from_double(ldexp(1, -90)),
+                     UINT64_C(0x9040000000000000));
+    assert_int_equal(c205_half_from_double(ldexp(1, -91)),
+                     C205_MACHINE_ZERO);
+    assert_int_equal(c205_half_from_double(NAN), C205_INDEFINITE);
+    assert_true(isnan(c205_half_to_double(UINT64_C(0x7ABCDEF000000000))));
+    assert_true(c205_half_to_double(UINT64_C(0x8FBCDEF000000000)) == 0);
+    assert_true(c205_half_to_double(UINT64_C(0x03FFFFFB00000000)) == -40);
+}
+
+static void test_half_text(void **state)
+{
+    char text[C205_TEXT_SIZE];
+
+    (void)state;
+    /* 2^134 is 2.1778071482940061661e40, 2^-90 8.0779356694631608874e-28. */
+    assert_int_equal(read_half("2.17780714829400616e40"),
+                     UINT64_C(0x6F7FFFFF00000000));
+    assert_int_equal(read_half("2.17780714829400617e40"), C205_INDEFINITE);
+    assert_int_equal(read_half("8.0779356694631609e-28"),
+                     UINT64_C(0x9040000000000000));
+    assert_int_equal(read_half("8.0779356694631608e-28"),
+                     C205_MACHINE_ZERO);
+    assert_int_equal(read_half("1e9999"), C205_INDEFINITE);
+    c205_half_to_text(UINT64_C(0x0100000300000000), text);
+    assert_string_equal(text, "6");
+    c205_half_to_text(UINT64_C(0x1100000000000000), text);
+    assert_string_equal(text, "0");
+    c205_half_to_text(UINT64_C(0x7F12345600000000), text);
+    assert_string_equal(text, "indefinite");
+}
+
+/* As shortest text, as exact text, as double. */
+static void test_halves_come_back(void **state)
+{
+    uint64_t seed = RANDOM_SEED;
+
+    (void)state;
+    for (int i = 0; i < ROUNDS; i++) {
+        char text[C205_TEXT_SIZE], exact[200];
+        const c205_word half = xorshift_normalised_of(
+            half_words, &seed, format_exponent_min(half_words),
+            format_exponent_max(half_words));
+        const double value = c205_half_to_double(half);
+        c205_half_to_text(half, text);
+        assert_int_equal(read_half(text), half);
+        snprintf(exact, sizeof exact, "%.150e", value);
+        assert_int_equal(read_half(exact), half);
+        assert_int_equal(c205_half_from_double(value), half);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -360,6 +461,10 @@ int main(void)
         cmocka_unit_test(test_layout_of_text),
         cmocka_unit_test(test_text_of_odd_words),
         cmocka_unit_test(test_significant_bits),
+        cmocka_unit_test(test_known_halves),
+        cmocka_unit_test(test_half_doubles),
+        cmocka_unit_test(test_half_text),
+        cmocka_unit_test(test_halves_come_back),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,588 @@
+/* rule.h - the exact rule, one word at a time, for words of any format; see
+ * docs/arithmetic.md.
+ *
+ * A file that includes this defines before
+ *
+ *   RULE_FORMAT   a constant word_format
+ *   RULE(name)    what the functions of arith.h are called in this format
+ *
+ * and should hold little else, for it gets the names below.  With d for the
+ * digits of the format (47 for words of 64 bits), numbers of two coefficients
+ * have 2d + 1 bits (95), d of them in the lower half.
+ */
+
+#include <math.h>
+
+#define DIGITS (RULE_FORMAT.digits)
+#define MIN_COEFFICIENT format_coefficient_min(RULE_FORMAT)
+#define MAX_COEFFICIENT (-(MIN_COEFFICIENT + 1))
+
+/* A double-length number, (hi x 2^d + lo) x 2^exponent with lo in [0, 2^d):
+ * every exact result before it is cut to a word. */
+typedef struct wide {
+    int64_t hi, lo;
+    int32_t exponent;
+} wide;
+
+/* ---- Words ------------------------------------------------------------- */
+
+static int32_t exponent_of(c205_word w)
+{
+    return format_exponent(RULE_FORMAT, w);
+}
+
+static int64_t coefficient_of(c205_word w)
+{
+    return format_coefficient(RULE_FORMAT, w);
+}
+
+/* As it counts in arithmetic: that of machine zero is 0. */
+static int64_t value_of(c205_word w)
+{
+    return format_value_coefficient(RULE_FORMAT, w);
+}
+
+static int64_t rank_of(c205_word w)
+{
+    return format_rank(RULE_FORMAT, w);
+}
+
+static c205_word made(int32_t exponent, int64_t coefficient)
+{
+    return format_make(RULE_FORMAT, exponent, coefficient);
+}
+
+/* ---- Results ----------------------------------------------------------- */
+
+static c205_word machine_zero(uint64_t *flags)
+{
+    *flags |= FLAG_MACHINE_ZERO;
+    return C205_MACHINE_ZERO;
+}
+
+static c205_word indefinite(uint64_t cause, uint64_t *flags)
+{
+    *flags |= cause | FLAG_INDEFINITE;
+    return C205_INDEFINITE;
+}
+
+/* The range rule: it looks at the exponent only. */
+static c205_word ranged(int64_t exponent, int64_t coefficient,
+                        uint64_t *flags)
+{
+    if (exponent > format_exponent_max(RULE_FORMAT))
+        return indefinite(FLAG_EXPONENT_OVERFLOW, flags);
+    if (exponent < format_exponent_min(RULE_FORMAT))
+        return machine_zero(flags);
+    return made((int32_t)exponent, coefficient);
+}
+
+static bool either_indefinite(c205_word a, c205_word b)
+{
+    return word_is_indefinite(a) || word_is_indefinite(b);
+}
+
+/* ---- Double-length numbers --------------------------------------------- */
+
+static bool wide_is_zero(wide w)
+{
+    return w.hi == 0 && w.lo == 0;
+}
+
+static wide wide_negate(wide w)
+{
+    const int64_t borrow = w.lo != 0;
+    const wide negated = {
+        -w.hi - borrow, -w.lo & MAX_COEFFICIENT, w.exponent
+    };
+
+    return negated;
+}
+
+static int32_t wide_significant_bits(wide w)
+{
+    if (w.hi != 0 && w.hi != -1)
+        return DIGITS + word_significant_bits(w.hi);
+    return word_significant_bits(word_shift_left(w.hi, DIGITS) + w.lo);
+}
+
+/* floor(w / 2^places), which must fit; places of either sign. */
+static int64_t wide_floor(wide w, int32_t places)
+{
+    const int32_t up = DIGITS - places;
+
+    if (up <= 0)
+        return w.hi >> (up < -63 ? 63 : -up);
+    if (places >= 0)
+        return word_shift_left(w.hi, up) + (w.lo >> places);
+    return word_shift_left(word_shift_left(w.hi, DIGITS) + w.lo,
+                           -places);
+}
+
+/* Cut to a word by a shift right, or brought to it by a shift left. */
+static c205_word wide_cut(wide w, int32_t places, uint64_t *flags)
+{
+    return ranged(w.exponent + places, wide_floor(w, places), flags);
+}
+
+/* The same, to a given number of significant bits; zero is machine zero. */
+static c205_word wide_significant(wide w, int32_t bits, uint64_t *flags)
+{
+    if (wide_is_zero(w))
+        return machine_zero(flags);
+    return wide_cut(w, wide_significant_bits(w) - bits, flags);
+}
+
+/* Its high part, or if that has no room in a word, half of it. */
+static c205_word wide_upper(wide w, uint64_t *flags)
+{
+    const bool fits = word_significant_bits(w.hi) <= DIGITS;
+
+    return wide_cut(w, fits ? DIGITS : DIGITS + 1, flags);
+}
+
+static c205_word wide_lower(wide w, uint64_t *flags)
+{
+    return ranged(w.exponent, w.lo, flags);
+}
+
+/* ---- Add, subtract ----------------------------------------------------- */
+
+/* c x 2^d shifted right in the register of 2d + 1 bits; what leaves it is
+ * lost. */
+static wide aligned(int64_t c, int32_t places)
+{
+    wide w = {c >> 63, 0, 0};
+
+    if (places < DIGITS) {
+        w.hi = c >> places;
+        w.lo = word_shift_left(c, DIGITS - places) & MAX_COEFFICIENT;
+    } else if (places < 2 * DIGITS) {
+        w.lo = c >> (places - DIGITS) & MAX_COEFFICIENT;
+    } else {
+        w.lo = c >> 63 & MAX_COEFFICIENT;
+    }
+    return w;
+}
+
+/* The sum in the register.  A machine zero counts as a coefficient of 0; its
+ * exponent is below all others, so that it is never the one aligned to. */
+static wide sum(c205_word a, c205_word b, bool subtract)
+{
+    const int32_t distance = exponent_of(a) - exponent_of(b);
+    const int64_t ca = value_of(a);
+    const int64_t cb = value_of(b);
+    wide w;
+
+    if (distance >= 0) {
+        w = aligned(cb, distance);
+        if (subtract)
+            w = wide_negate(w);
+        w.hi += ca;
+        w.exponent = exponent_of(a) - DIGITS;
+    } else {
+        w = aligned(ca, -distance);
+        w.hi += subtract ? -cb : cb;
+        w.exponent = exponent_of(b) - DIGITS;
+    }
+    return w;
+}
+
+/* A sum of more than 2d + 1 bits loses the last one. */
+static wide fitted(wide w)
+{
+    if (word_significant_bits(w.hi) > DIGITS) {
+        w.lo = w.lo >> 1 | (w.hi & 1) << (DIGITS - 1);
+        w.hi >>= 1;
+        w.exponent++;
+    }
+    return w;
+}
+
+static bool both_machine_zero(c205_word a, c205_word b)
+{
+    return word_is_machine_zero(a) && word_is_machine_zero(b);
+}
+
+static c205_word add_upper(c205_word a, c205_word b, bool subtract,
+                           uint64_t *flags)
+{
+    if (either_indefinite(a, b))
+        return indefinite(0, flags);
+    if (both_machine_zero(a, b))
+        return machine_zero(flags);
+    return wide_upper(sum(a, b, subtract), flags);
+}
+
+static c205_word add_lower(c205_word a, c205_word b, bool subtract,
+                           uint64_t *flags)
+{
+    if (either_indefinite(a, b))
+        return indefinite(0, flags);
+    if (both_machine_zero(a, b))
+        return machine_zero(flags);
+    return wide_lower(fitted(sum(a, b, subtract)), flags);
+}
+
+static c205_word add_normalised(c205_word a, c205_word b, bool subtract,
+                                uint64_t *flags)
+{
+    if (either_indefinite(a, b))
+        return indefinite(0, flags);
+    return wide_significant(sum(a, b, subtract), DIGITS, flags);
+}
+
+c205_word RULE(add_upper)(c205_word a, c205_word b, uint64_t *flags)
+{
+    return add_upper(a, b, false, flags);
+}
+
+c205_word RULE(add_lower)(c205_word a, c205_word b, uint64_t *flags)
+{
+    return add_lower(a, b, false, flags);
+}
+
+c205_word RULE(add_normalised)(c205_word a, c205_word b, uint64_t *flags)
+{
+    return add_normalised(a, b, false, flags);
+}
+
+c205_word RULE(subtract_upper)(c205_word a, c205_word b, uint64_t *flags)
+{
+    return add_upper(a, b, true, flags);
+}
+
+c205_word RULE(subtract_lower)(c205_word a, c205_word b, uint64_t *flags)
+{
+    return add_lower(a, b, true, flags);
+}
+
+c205_word RULE(subtract_normalised)(c205_word a, c205_word b,
+                                    uint64_t *flags)
+{
+    return add_normalised(a, b, true, flags);
+}
+
+static c205_word halve(c205_word a, uint64_t *flags)
+{
+    if (word_is_machine_zero(a) || word_is_indefinite(a))
+        return a;
+    return ranged(exponent_of(a) - 1, coefficient_of(a), flags);
+}
+
+c205_word RULE(average)(c205_word a, c205_word b, uint64_t *flags)
+{
+    return halve(RULE(add_normalised)(a, b, flags), flags);
+}
+
+c205_word RULE(average_difference)(c205_word a, c205_word b,
+                                   uint64_t *flags)
+{
+    return halve(RULE(subtract_normalised)(a, b, flags), flags);
+}
+
+/* ---- Multiply ---------------------------------------------------------- */
+
+/* By halves of h = (d + 1) / 2 bits, the high ones signed: with ca = a1 x 2^h
+ * + a0 and cb likewise the product is a1 b1 x 2^(d + 1) + (a1 b0 + a0 b1) x
+ * 2^h + a0 b0. */
+static wide product(c205_word a, c205_word b)
+{
+    const int32_t half = (DIGITS + 1) / 2;
+    const int64_t mask = (INT64_C(1) << half) - 1;
+    const int64_t ca = coefficient_of(a), cb = coefficient_of(b);
+    const int64_t a1 = ca >> half, a0 = ca & mask;
+    const int64_t b1 = cb >> half, b0 = cb & mask;
+    const int64_t low = a0 * b0;
+    const int64_t middle = a1 * b0 + a0 * b1 + (low >> half);
+    const wide w = {
+        a1 * b1 * 2 + (middle >> (half - 1)),
+        (middle & mask >> 1) << half | (low & mask),
+        exponent_of(a) + exponent_of(b)
+    };
+
+    return w;
+}
+
+/* True: a special operand decides, and the result is in *special. */
+static bool special_product(c205_word a, c205_word b, c205_word *special,
+                            uint64_t *flags)
+{
+    if (either_indefinite(a, b))
+        *special = indefinite(0, flags);
+    else if (word_is_machine_zero(a) || word_is_machine_zero(b))
+        *special = machine_zero(flags);
+    else
+        return false;
+    return true;
+}
+
+/* Significant bits of the less significant operand, but at least one. */
+static int32_t least_significance(c205_word a, c205_word b)
+{
+    const int32_t sa = word_significant_bits(coefficient_of(a));
+    const int32_t sb = word_significant_bits(coefficient_of(b));
+    const int32_t least = sa < sb ? sa : sb;
+
+    return least < 1 ? 1 : least;
+}
+
+c205_word RULE(multiply_upper)(c205_word a, c205_word b, uint64_t *flags)
+{
+    c205_word special;
+
+    if (special_product(a, b, &special, flags))
+        return special;
+    return wide_upper(product(a, b), flags);
+}
+
+c205_word RULE(multiply_lower)(c205_word a, c205_word b, uint64_t *flags)
+{
+    c205_word special;
+
+    if (special_product(a, b, &special, flags))
+        return special;
+    return wide_lower(product(a, b), flags);
+}
+
+c205_word RULE(multiply_significant)(c205_word a, c205_word b,
+                                     uint64_t *flags)
+{
+    c205_word special;
+
+    if (special_product(a, b, &special, flags))
+        return special;
+    return wide_significant(product(a, b), least_significance(a, b), flags);
+}
+
+/* ---- Divide ------------------------------------------------------------ */
+
+/* trunc(ca x 2^d / cb) by long division: a digit of d + 1 bits, then the d
+ * below it, as many at a time as the remainder leaves room for. */
+static wide quotient(c205_word a, c205_word b)
+{
+    const int64_t ca = coefficient_of(a), cb = coefficient_of(b);
+    const int64_t dividend = ca < 0 ? -ca : ca, divisor = cb < 0 ? -cb : cb;
+    int64_t remainder = dividend % divisor;
+    wide w = {dividend / divisor, 0, 0};
+
+    for (int32_t left = DIGITS; left > 0; ) {
+        const int32_t places = left < 16 ? left : 16;
+        remainder <<= places;
+        w.lo = w.lo << places | remainder / divisor;
+        remainder %= divisor;
+        left -= places;
+    }
+    w.exponent = exponent_of(a) - exponent_of(b) - DIGITS;
+    return (ca < 0) != (cb < 0) ? wide_negate(w) : w;
+}
+
+/* As for a product; a divisor of no value is a fault, whatever it divides. */
+static bool special_quotient(c205_word a, c205_word b, c205_word *special,
+                             uint64_t *flags)
+{
+    if (either_indefinite(a, b))
+        *special = indefinite(0, flags);
+    else if (value_of(b) == 0)
+        *special = indefinite(FLAG_DIVIDE_FAULT, flags);
+    else if (word_is_machine_zero(a))
+        *special = machine_zero(flags);
+    else
+        return false;
+    return true;
+}
+
+c205_word RULE(divide_upper)(c205_word a, c205_word b, uint64_t *flags)
+{
+    c205_word special;
+
+    if (special_quotient(a, b, &special, flags))
+        return special;
+    const wide w = quotient(a, b);
+    const int32_t excess = wide_significant_bits(w) - DIGITS;
+    return wide_cut(w, excess > 0 ? excess : 0, flags);
+}
+
+c205_word RULE(divide_significant)(c205_word a, c205_word b,
+                                   uint64_t *flags)
+{
+    c205_word special;
+
+    if (special_quotient(a, b, &special, flags))
+        return special;
+    return wide_significant(quotient(a, b), least_significance(a, b), flags);
+}
+
+/* ---- Square root ------------------------------------------------------- */
+
+/* floor(sqrt(c x 2^k)) of a normalised c, the radicand below 2^2d.  The
+ * root of the double is at most one too large; the remainder, known modulo
+ * 2^64, tells. */
+static int64_t root(int64_t c, int32_t k)
+{
+    const uint64_t estimate = (uint64_t)sqrt(ldexp((double)c, k));
+    const uint64_t remainder = ((uint64_t)c << k) - estimate * estimate;
+
+    return (int64_t)(estimate - (remainder >> 63));
+}
+
+c205_word RULE(square_root)(c205_word a, uint64_t *flags)
+{
+    const int64_t c = value_of(a);
+
+    if (word_is_indefinite(a))
+        return indefinite(0, flags);
+    if (c == 0)
+        return machine_zero(flags);
+    if (c < 0)
+        return indefinite(FLAG_IMAGINARY_ROOT, flags);
+    const int32_t places = DIGITS - word_significant_bits(c);
+    const int32_t exponent = exponent_of(a) - places;
+    const int32_t k = exponent % 2 == 0 ? DIGITS - 1 : DIGITS;
+    return ranged((exponent - k) / 2 + places,
+                  root(c << places, k) >> places, flags);
+}
+
+/* ---- Parts of a number, sign ------------------------------------------- */
+
+/* A word that is its own result. */
+static c205_word kept(c205_word a, uint64_t *flags)
+{
+    if (word_is_machine_zero(a))
+        *flags |= FLAG_MACHINE_ZERO;
+    if (word_is_indefinite(a))
+        *flags |= FLAG_INDEFINITE;
+    return a;
+}
+
+c205_word RULE(floor)(c205_word a, uint64_t *flags)
+{
+    const int32_t exponent = exponent_of(a);
+
+    if (exponent >= 0 || word_is_machine_zero(a))
+        return kept(a, flags);
+    return made(0, coefficient_of(a)
+                            >> (exponent < -63 ? 63 : -exponent));
+}
+
+c205_word RULE(ceiling)(c205_word a, uint64_t *flags)
+{
+    const int32_t exponent = exponent_of(a);
+
+    if (exponent >= 0 || word_is_machine_zero(a))
+        return kept(a, flags);
+    return made(0, -(-coefficient_of(a)
+                          >> (exponent < -63 ? 63 : -exponent)));
+}
+
+c205_word RULE(truncate)(c205_word a, uint64_t *flags)
+{
+    return coefficient_of(a) < 0 ? RULE(ceiling)(a, flags)
+                                   : RULE(floor)(a, flags);
+}
+
+/* A normalised number stays normalised: 2^d does not fit, and -2^(d - 1) is
+ * not normalised. */
+c205_word RULE(negate)(c205_word a, uint64_t *flags)
+{
+    const int32_t exponent = exponent_of(a);
+    const int64_t c = coefficient_of(a);
+
+    if (word_is_indefinite(a))
+        return indefinite(0, flags);
+    if (word_is_machine_zero(a))
+        return machine_zero(flags);
+    if (c == MIN_COEFFICIENT)
+        return ranged(exponent + 1, -(c / 2), flags);
+    if (c == -(MIN_COEFFICIENT / 2))
+        return ranged(exponent - 1, MIN_COEFFICIENT, flags);
+    return made(exponent, -c);
+}
+
+c205_word RULE(absolute)(c205_word a, uint64_t *flags)
+{
+    return coefficient_of(a) < 0 ? RULE(negate)(a, flags) : kept(a, flags);
+}
+
+c205_word RULE(exponent)(c205_word a, uint64_t *flags)
+{
+    (void)flags;
+    return made(0, exponent_of(a));
+}
+
+c205_word RULE(pack)(c205_word a, c205_word b, uint64_t *flags)
+{
+    (void)flags;
+    return format_pack(RULE_FORMAT, a, b);
+}
+
+/* ---- Adjust ------------------------------------------------------------ */
+
+/* How many places a coefficient can be shifted left; 0 has no end of them but
+ * counts as if it had no significant bits. */
+static int32_t room(int64_t c)
+{
+    return DIGITS - word_significant_bits(c);
+}
+
+/* With another exponent, the coefficient shifted to suit. */
+static c205_word with_exponent(c205_word a, int64_t exponent,
+                               uint64_t *flags)
+{
+    const int64_t c = coefficient_of(a), left = exponent_of(a) - exponent;
+
+    if (word_is_indefinite(a))
+        return indefinite(0, flags);
+    if (word_is_machine_zero(a))
+        return machine_zero(flags);
+    if (left <= 0)
+        return ranged(exponent, c >> (left < -63 ? 63 : -left), flags);
+    if (left <= room(c))
+        return ranged(exponent, word_shift_left(c, (int32_t)left), flags);
+    return c == 0 ? ranged(exponent, 0, flags)
+                  : indefinite(FLAG_EXPONENT_OVERFLOW, flags);
+}
+
+c205_word RULE(adjust_significance)(c205_word a, c205_word b,
+                                    uint64_t *flags)
+{
+    const int64_t wanted = coefficient_of(b);
+    const int64_t most = room(coefficient_of(a));
+    const int64_t places = wanted < most ? wanted : most;
+
+    return with_exponent(a, exponent_of(a) - places, flags);
+}
+
+c205_word RULE(adjust_exponent)(c205_word a, c205_word b, uint64_t *flags)
+{
+    return with_exponent(a, coefficient_of(b), flags);
+}
+
+/* ---- Compare ----------------------------------------------------------- */
+
+bool RULE(equal)(c205_word a, c205_word b)
+{
+    return !either_indefinite(a, b) && rank_of(a) == rank_of(b);
+}
+
+bool RULE(not_equal)(c205_word a, c205_word b)
+{
+    return !RULE(equal)(a, b);
+}
+
+bool RULE(not_less)(c205_word a, c205_word b)
+{
+    return !either_indefinite(a, b) && rank_of(a) >= rank_of(b);
+}
+
+bool RULE(less)(c205_word a, c205_word b)
+{
+    return !either_indefinite(a, b) && rank_of(a) < rank_of(b);
+}
+
+/* ---- Shift ------------------------------------------------------------- */
+
+c205_word RULE(shift)(c205_word a, int64_t count)
+{
+    return format_shift(RULE_FORMAT, a, count);
+}
