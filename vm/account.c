@@ -34,8 +34,9 @@ bool accounts_open(struct accounts *accounts, const char *const *names,
                    size_t count)
 {
     struct accounts opened = { count, calloc(count, sizeof(c205_account)),
+                               calloc(count, sizeof(c205_account)),
                                malloc(names_size(names, count)) };
-    if (!opened.account || !opened.names) {
+    if (!opened.account || !opened.kept || !opened.names) {
         accounts_close(&opened);
         return false;
     }
@@ -43,6 +44,7 @@ bool accounts_open(struct accounts *accounts, const char *const *names,
     for (size_t i = 0; i < count; i++) {
         size_t size = strlen(names[i]) + 1;
         opened.account[i].name = memcpy(name, names[i], size);
+        opened.kept[i].name = name;
         name += size;
     }
     accounts_close(accounts);
@@ -53,6 +55,7 @@ bool accounts_open(struct accounts *accounts, const char *const *names,
 void accounts_close(struct accounts *accounts)
 {
     free(accounts->account);
+    free(accounts->kept);
     free(accounts->names);
 }
 
@@ -64,11 +67,33 @@ void accounts_clear(struct accounts *accounts)
     }
 }
 
-uint64_t accounts_sum(const struct accounts *accounts)
+void accounts_keep(struct accounts *accounts)
+{
+    memcpy(accounts->kept, accounts->account,
+           accounts->count * sizeof *accounts->account);
+}
+
+void accounts_put_back(struct accounts *accounts)
+{
+    memcpy(accounts->account, accounts->kept,
+           accounts->count * sizeof *accounts->account);
+}
+
+static uint64_t sum_of(const c205_account *account, size_t count)
 {
     uint64_t sum = 0;
-    for (size_t i = 0; i < accounts->count; i++)
+    for (size_t i = 0; i < count; i++)
         for (int cause = 0; cause < C205_CAUSES; cause++)
-            sum += accounts->account[i].clocks[cause];
+            sum += account[i].clocks[cause];
     return sum;
+}
+
+uint64_t accounts_sum(const struct accounts *accounts)
+{
+    return sum_of(accounts->account, accounts->count);
+}
+
+uint64_t accounts_sum_kept(const struct accounts *accounts)
+{
+    return sum_of(accounts->kept, accounts->count);
 }

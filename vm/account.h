@@ -11,6 +11,7 @@
 struct accounts {
     size_t count;
     c205_account *account;
+    c205_account *kept; /* room for a copy */
     char *names; /* one after the other, each ending with '\0' */
 };
 
@@ -20,6 +21,12 @@ bool accounts_open(struct accounts *accounts, const char *const *names,
                    size_t count);
 void accounts_close(struct accounts *accounts);
 void accounts_clear(struct accounts *accounts);
+
+/* Copy all that stands in them, and put it back. */
+void accounts_keep(struct accounts *accounts);
+void accounts_put_back(struct accounts *accounts);
+
 uint64_t accounts_sum(const struct accounts *accounts);
+uint64_t accounts_sum_kept(const struct accounts *accounts);
 
 #endif

@@ -19,13 +19,14 @@ void banks_free(struct banks *banks)
     free(banks->free_at);
 }
 
-uint64_t banks_conflicts(struct banks *banks, uint64_t base,
-                         const c205_word *indices, size_t count)
+uint64_t banks_conflicts(struct banks *banks, uint64_t table,
+                         unsigned step, const c205_word *indices,
+                         size_t count)
 {
     uint64_t clock = 0;
     memset(banks->free_at, 0, banks->count * sizeof *banks->free_at);
     for (size_t i = 0; i < count; i++) {
-        uint64_t word = ((base + (indices[i] << 6)) & ADDRESS_MASK) >> 6;
+        uint64_t word = ((table + indices[i] * step) & ADDRESS_MASK) >> 6;
         uint64_t *free_at = &banks->free_at[word % banks->count];
         if (clock < *free_at)
             clock = *free_at;

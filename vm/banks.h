@@ -18,9 +18,10 @@ struct banks {
 bool banks_init(struct banks *banks, size_t count, uint64_t busy);
 void banks_free(struct banks *banks);
 
-/* By how many clocks the accesses to base + 64 x index, in this order, take
+/* By how many clocks the accesses to table + step x index, in this order, take
  * longer than one clock each; all banks are free at the beginning. */
-uint64_t banks_conflicts(struct banks *banks, uint64_t base,
-                         const c205_word *indices, size_t count);
+uint64_t banks_conflicts(struct banks *banks, uint64_t table,
+                         unsigned step, const c205_word *indices,
+                         size_t count);
 
 #endif

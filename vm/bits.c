@@ -27,21 +27,28 @@ static size_t chunk_of(const struct vector *source,
     return (size_t)(result->address - source->address);
 }
 
-static void run_strings(struct c205 *machine, const struct vector *a,
-                        const struct vector *b, const struct vector *c,
-                        lanes_binary *operation)
+static size_t least(size_t a, size_t b)
 {
+    return a < b ? a : b;
+}
+
+static c205_trap run_strings(struct c205 *machine, const struct vector *a,
+                             const struct vector *b, const struct vector *c,
+                             lanes_binary *operation)
+{
+    struct turn turn = machine_turn(machine, c->length, machine->allowed);
     uint64_t bits_a[STRING_WORDS], bits_b[STRING_WORDS];
     uint64_t bits_c[STRING_WORDS], flags = 0;
     size_t chunk_a = chunk_of(a, c), chunk_b = chunk_of(b, c);
-    size_t chunk = chunk_a < chunk_b ? chunk_a : chunk_b;
-    for (size_t first = 0, n; first < c->length; first += n) {
-        n = c->length - first < chunk ? c->length - first : chunk;
+    size_t chunk = least(chunk_a, chunk_b);
+    for (size_t first = turn.first, n; first < turn.end; first += n) {
+        n = least(turn.end - first, chunk);
         read_string(machine, a, first, n, bits_a);
         read_string(machine, b, first, n, bits_b);
         operation(bits_c, bits_a, bits_b, (n + 63) / 64, &flags);
         memory_write_bits(&machine->memory, vector_at(c, first), bits_c, n);
     }
+    return machine_end_turn(machine, &turn);
 }
 
 static c205_trap strings(struct c205 *machine, const struct decoded *decoded,
@@ -53,7 +60,7 @@ static c205_trap strings(struct c205 *machine, const struct decoded *decoded,
     if (trap == C205_TRAP_NONE)
         trap = describe_string(&b, machine, decoded->b, decoded->y);
     if (trap == C205_TRAP_NONE)
-        trap = describe_result(&c, &none, machine, decoded, 1);
+        trap = describe_result(&c, &none, machine, decoded);
     if (trap == C205_TRAP_NONE)
         trap = claim_vector(machine, &a, c.length, false);
     if (trap == C205_TRAP_NONE)
@@ -63,8 +70,7 @@ static c205_trap strings(struct c205 *machine, const struct decoded *decoded,
     if (trap != C205_TRAP_NONE)
         return trap;
     machine->effect.elements = c.length;
-    run_strings(machine, &a, &b, &c, operation);
-    return C205_TRAP_NONE;
+    return run_strings(machine, &a, &b, &c, operation);
 }
 
 #define STRINGS(name) \
@@ -132,12 +138,13 @@ static c205_trap open_choice(struct choice *choice, struct c205 *machine,
 {
     struct vector *a = &choice->a, *b = &choice->b, *c = &choice->c;
     choice->machine = machine;
-    choice->next_a = choice->next_b = 0;
+    choice->next_a = machine->progress.count[0];
+    choice->next_b = machine->progress.count[1];
     c205_trap trap = describe_string(a, machine, decoded->a, decoded->x);
     if (trap == C205_TRAP_NONE)
         trap = describe_string(b, machine, decoded->b, decoded->y);
     if (trap == C205_TRAP_NONE)
-        trap = describe_result(c, &choice->control, machine, decoded, 1);
+        trap = describe_result(c, &choice->control, machine, decoded);
     if (trap == C205_TRAP_NONE)
         trap = claim_vector(machine, a, c->length, false);
     if (trap == C205_TRAP_NONE)
@@ -163,13 +170,19 @@ static c205_trap choose(struct c205 *machine, const struct decoded *decoded,
                  && !operands_overlap(&choice.b, c)
                  && !operands_overlap(&choice.control.vector, c);
     size_t chunk = apart ? STRING_BITS : 1;
-    for (size_t first = 0, n; first < c->length; first += n) {
-        n = c->length - first < chunk ? c->length - first : chunk;
+    struct turn turn = machine_turn(machine, c->length, machine->allowed);
+    for (size_t first = turn.first, n; first < turn.end; first += n) {
+        n = least(turn.end - first, chunk);
         control_read(&choice.control, first, n, from_a);
         chosen(&choice, first, n, from_a, bits);
         memory_write_bits(&machine->memory, vector_at(c, first), bits, n);
     }
-    return C205_TRAP_NONE;
+    trap = machine_end_turn(machine, &turn);
+    if (trap != C205_TRAP_NONE) {
+        machine->progress.count[0] = choice.next_a;
+        machine->progress.count[1] = choice.next_b;
+    }
+    return trap;
 }
 
 c205_trap execute_bits_mask(struct c205 *machine,
@@ -190,7 +203,9 @@ struct sieve {
     struct c205 *machine;
     struct vector a, c;
     struct control control;
-    size_t n; /* bits scanned */
+    size_t n;    /* bits scanned */
+    size_t kept; /* so far */
+    struct turn turn;
 };
 
 static size_t keep_bits(const struct sieve *sieve, size_t first, size_t n,
@@ -211,6 +226,7 @@ static size_t keep_bits(const struct sieve *sieve, size_t first, size_t n,
 static c205_trap claim_sieve(struct sieve *sieve, bool ahead)
 {
     struct c205 *machine = sieve->machine;
+    const struct turn *turn = &sieve->turn;
     uint64_t kept[STRING_WORDS];
     c205_trap trap = claim_vector(machine, &sieve->a, sieve->n, false);
     if (trap == C205_TRAP_NONE)
@@ -218,24 +234,33 @@ static c205_trap claim_sieve(struct sieve *sieve, bool ahead)
     if (trap != C205_TRAP_NONE)
         return trap;
     unsigned touches = machine->effect.touch_count;
-    sieve->c.length = ahead ? keep_bits(sieve, 0, sieve->n, kept) : sieve->n;
+    sieve->kept = least(machine->progress.count[0], turn->first);
+    sieve->c.length = sieve->n;
+    if (ahead)
+        sieve->c.length =
+            sieve->kept
+            + keep_bits(sieve, turn->first, turn->n - turn->first, kept);
     trap = claim_vector(machine, &sieve->c, sieve->c.length, true);
     machine->effect.touch_count = touches;
     return trap;
 }
 
-static size_t store_kept(const struct sieve *sieve, size_t chunk)
+static c205_trap store_kept(struct sieve *sieve, size_t chunk)
 {
     struct memory *memory = &sieve->machine->memory;
+    const struct turn *turn = &sieve->turn;
     uint64_t bits[STRING_WORDS];
-    size_t kept = 0;
-    for (size_t first = 0, n; first < sieve->n; first += n) {
-        n = sieve->n - first < chunk ? sieve->n - first : chunk;
+    for (size_t first = turn->first, n; first < turn->end; first += n) {
+        n = least(turn->end - first, chunk);
         size_t count = keep_bits(sieve, first, n, bits);
-        memory_write_bits(memory, vector_at(&sieve->c, kept), bits, count);
-        kept += count;
+        memory_write_bits(memory, vector_at(&sieve->c, sieve->kept), bits,
+                          count);
+        sieve->kept += count;
     }
-    return kept;
+    c205_trap trap = machine_end_turn(sieve->machine, turn);
+    if (trap != C205_TRAP_NONE)
+        sieve->machine->progress.count[0] = sieve->kept;
+    return trap;
 }
 
 c205_trap execute_bits_compress(struct c205 *machine,
@@ -245,21 +270,25 @@ c205_trap execute_bits_compress(struct c205 *machine,
     c205_trap trap =
         describe_string(&sieve.a, machine, decoded->a, decoded->x);
     if (trap == C205_TRAP_NONE)
-        trap = describe_result(&sieve.c, &sieve.control, machine, decoded, 1);
+        trap = describe_result(&sieve.c, &sieve.control, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
     sieve.n = sieve.c.length = sieve.control.vector.length;
+    sieve.turn = machine_turn(machine, sieve.n, machine->allowed);
     bool ahead = operand_is_ahead(&sieve.a, &sieve.c)
                  && operand_is_ahead(&sieve.control.vector, &sieve.c);
     trap = claim_sieve(&sieve, ahead);
     if (trap != C205_TRAP_NONE)
         return trap;
-    size_t kept = store_kept(&sieve, ahead ? STRING_BITS : 1);
-    if (kept > 0)
-        machine_touch(machine, sieve.c.address, kept);
+    trap = store_kept(&sieve, ahead ? STRING_BITS : 1);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    if (sieve.kept > 0)
+        machine_touch(machine, sieve.c.address, sieve.kept);
     machine->effect.elements = sieve.n;
     machine->slot[decoded->result[0]] =
-        (machine->slot[decoded->c] & ADDRESS_MASK) | (c205_word)kept << 48;
+        (machine->slot[decoded->c] & ADDRESS_MASK)
+        | (c205_word)sieve.kept << 48;
     return C205_TRAP_NONE;
 }
 
@@ -279,10 +308,12 @@ static c205_trap repeat(struct c205 *machine, const struct decoded *decoded,
     if (trap != C205_TRAP_NONE)
         return trap;
     machine->effect.elements = c.length;
-    for (size_t i = 0; i < c.length; i++)
-        set_bit(bits, i, ((int64_t)i % group < many) == first);
-    memory_write_bits(&machine->memory, c.address, bits, c.length);
-    return C205_TRAP_NONE;
+    struct turn turn = machine_turn(machine, c.length, machine->allowed);
+    for (size_t i = turn.first; i < turn.end; i++)
+        set_bit(bits, i - turn.first, ((int64_t)i % group < many) == first);
+    memory_write_bits(&machine->memory, vector_at(&c, turn.first), bits,
+                      turn.end - turn.first);
+    return machine_end_turn(machine, &turn);
 }
 
 c205_trap execute_bits_repeat_zeros(struct c205 *machine,
@@ -309,12 +340,18 @@ static size_t leading_alike(const uint64_t *bits, size_t n)
 
 typedef size_t count(const uint64_t *bits, size_t n);
 
+/* Nothing is stored before the end, so that what was counted when the
+ * instruction was interrupted may be counted again. */
 static c205_trap count_string(struct c205 *machine,
                               const struct decoded *decoded, count *counted)
 {
     struct vector string = describe_bits(machine->slot[decoded->a]);
+    struct turn turn =
+        machine_turn(machine, string.length, machine->allowed);
     uint64_t bits[STRING_WORDS];
     c205_trap trap = claim_vector(machine, &string, string.length, false);
+    if (trap == C205_TRAP_NONE)
+        trap = machine_end_turn(machine, &turn);
     if (trap != C205_TRAP_NONE)
         return trap;
     read_string(machine, &string, 0, string.length, bits);

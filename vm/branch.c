@@ -29,6 +29,20 @@ BRANCH_IF(branch_not_equal, arith_not_equal)
 BRANCH_IF(branch_not_less, arith_not_less)
 BRANCH_IF(branch_less, arith_less)
 
+#define BRANCH_IF_HALF(name, comparison) \
+    c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
+    { \
+        if (!comparison(machine_half(machine, d->a, d->shift[OPERAND_A]), \
+                        machine_half(machine, d->b, d->shift[OPERAND_B]))) \
+            return C205_TRAP_NONE; \
+        return go_to(machine, machine->slot[d->c]); \
+    }
+
+BRANCH_IF_HALF(branch_half_equal, half_equal)
+BRANCH_IF_HALF(branch_half_not_equal, half_not_equal)
+BRANCH_IF_HALF(branch_half_not_less, half_not_less)
+BRANCH_IF_HALF(branch_half_less, half_less)
+
 /* T + 32 S */
 static uint64_t item_target(const struct c205 *machine,
                             const struct decoded *decoded)
@@ -124,7 +138,7 @@ c205_trap execute_alter_register_bit(struct c205 *machine,
 c205_trap execute_alter_flag(struct c205 *machine,
                              const struct decoded *decoded)
 {
-    return branch_and_alter(machine, decoded, &machine->data_flags,
+    return branch_and_alter(machine, decoded, machine_raise_flags(machine),
                             machine->slot[decoded->a]);
 }
 

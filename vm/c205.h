@@ -71,6 +71,24 @@ void c205_to_text(c205_word word, char text[C205_TEXT_SIZE]);
 /* "FFD2 4000 0000 0000" */
 void c205_to_hex(c205_word word, char text[C205_TEXT_SIZE]);
 
+/* ---- Half words (vm/word.c) ----------------------------------------------
+ *
+ * A half word is 32 bits:
+ *
+ *   | exponent 8, two's complement | coefficient 24, two's complement |
+ *
+ * with the exponents 80-8F hex for machine zero, 70-7F for indefinite.  Here
+ * it always stands at the left of a c205_word, zeros behind it, so that
+ * C205_MACHINE_ZERO and C205_INDEFINITE serve both sizes.
+ */
+#define C205_HALF_ONE UINT64_C(0xEA40000000000000)
+
+/* As for words; 23 bits are left of a double or a text. */
+c205_word c205_half_from_double(double value);
+double c205_half_to_double(c205_word half);
+c205_word c205_half_from_text(const char *text, const char **end);
+void c205_half_to_text(c205_word half, char text[C205_TEXT_SIZE]);
+
 /* ---- Instructions (vm/insn.c, from vm/insn.def) ------------------------- */
 
 typedef enum c205_format {
@@ -103,6 +121,7 @@ typedef enum c205_timing {
 #define C205_INSN_PADZ 4u
 #define C205_INSN_PADO 8u
 #define C205_INSN_INDEX 16u
+#define C205_INSN_HALF 32u
 
 /* Bits of the G byte, as values of that byte. */
 #define C205_G_HALF 0x80u        /* 32-bit operands */
@@ -149,7 +168,7 @@ bool c205_timing_is_vector(c205_timing timing);
 typedef struct c205_fields {
     uint8_t f, g, x, a, y, b, z, c; /* VECTOR and its kin, INDEX, FLOAT */
     uint8_t r, s, t;                /* register formats */
-    int64_t immediate; /* I8, I16, I48, or the branch distance in halves */
+    int64_t immediate; /* I8 .. I48, or the branch distance in halves */
 } c205_fields;
 
 /* Take an instruction apart and put it together.  A short instruction lies
@@ -320,10 +339,16 @@ bool c205_read(const c205 *machine, uint64_t address, c205_word *words,
 bool c205_write(c205 *machine, uint64_t address, const c205_word *words,
                 size_t count);
 
-/* Run until the program ends, a trap, or the clock has reached limit. */
+/* Run until the program ends, a trap, or the clock has reached limit: between
+ * two instructions, or in the middle of a vector instruction, whose first
+ * elements are stored then and which stays the one at the program counter.
+ * The next run goes on there, and its results, clocks and accounts are those
+ * of a run that was not stopped.  Nothing happens where the clock has reached
+ * the limit already. */
 c205_stop c205_run(c205 *machine, uint64_t limit);
-/* One instruction (a linked pair with its prefix counts as one); true:
- * go on, false: *stop tells why not. */
+/* One instruction (a linked pair with its prefix counts as one), or what is
+ * left of the one that was interrupted; true: go on, false: *stop tells why
+ * not. */
 bool c205_step(c205 *machine, c205_stop *stop);
 /* "trap unmapped-address at 1000: ADDNV: address 2040" */
 void c205_describe_stop(const c205 *machine, const c205_stop *stop,
@@ -332,18 +357,29 @@ void c205_describe_stop(const c205 *machine, const c205_stop *stop,
 c205_word c205_register(const c205 *machine, unsigned number);
 void c205_set_register(c205 *machine, unsigned number, c205_word word);
 uint64_t c205_pc(const c205 *machine);
+/* Gives up a vector instruction that was interrupted: what it stored stays,
+ * its other results are lost, and its clocks so far are charged. */
 void c205_set_pc(c205 *machine, uint64_t address);
 c205_word c205_data_flags(const c205 *machine);
 
 /* Clocks charged so far: the sum of all accounts.  When a run has ended, by
- * itself or by a trap, everything in flight is included; at the clock limit
- * it is not, and the run may go on as if it had not been stopped. */
+ * itself or by a trap, everything in flight is included.  At the clock limit
+ * it is not; in the middle of a vector instruction the clock is the limit, and
+ * the clocks of that instruction up to there are in the accounts (it is
+ * counted when it is done).
+ *
+ * After a trap or at the limit a run may go on as if it had not been stopped:
+ * from the clock at which the instruction at the program counter issues.  So
+ * where a page was missing and has been mapped, the end is as if it had been
+ * there from the beginning. */
 uint64_t c205_clock(const c205 *machine);
 const c205_model *c205_machine_model(const c205 *machine);
 size_t c205_account_count(const c205 *machine);
 const c205_account *c205_account_at(const c205 *machine, size_t i);
 /* Set clock and accounts to zero, the machine's pipes empty; memory,
- * registers and which pages are resident stay. */
+ * registers, which pages are resident and what is left on the job interval
+ * timer stay.  An instruction that was interrupted stays so, and is charged as
+ * a whole when it is done. */
 void c205_reset_clock(c205 *machine);
 
 /* At most C205_LISTENERS; false when there are more. */
@@ -352,10 +388,11 @@ bool c205_listen(c205 *machine, c205_listener *listener, void *context);
 
 /* ---- Saving and restoring (vm/save.c) ------------------------------------
  *
- * A machine between two instructions (not in a listener) as a list of bytes:
- * format version, model, program, registers, memory, and the clock with all
- * that is in flight.  A restored machine goes on as the saved one would have:
- * same results, same clocks, same accounts.  Listeners are not saved.
+ * A machine that is not running (not in a listener) as a list of bytes:
+ * format version, model, program, registers, memory, the clock with all that
+ * is in flight, and how far an interrupted vector instruction came.  A
+ * restored machine goes on as the saved one would have: same results, same
+ * clocks, same accounts.  Listeners are not saved.
  */
 
 /* Take the next bytes; false: it cannot, which ends the saving. */

@@ -5,9 +5,6 @@
 #include "clock_parts.h"
 
 #include <assert.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* ---- The time line ------------------------------------------------------- */
 
@@ -104,7 +101,8 @@ static struct translation translate(struct clock *clock,
         pages_touch(&clock->pages, effect->touch[i].address,
                     effect->touch[i].bits, &met);
     if (effect->indices)
-        pages_touch_indexed(&clock->pages, effect->base, effect->indices,
+        pages_touch_indexed(&clock->pages, effect->table,
+                            effect->table_step, effect->indices,
                             effect->index_count, &met);
     return met;
 }
@@ -243,11 +241,20 @@ static uint64_t vector_free_at(const struct clock *clock, uint64_t startup)
     return clock->vector_end - hidden;
 }
 
+/* A linked pair is of one size. */
+static struct rate stream_rate(const struct timing *timing,
+                               const struct decoded *decoded)
+{
+    const struct decoded *first = decoded->linked[0];
+    uint8_t g = first ? first->fields.g : decoded->fields.g;
+    return g & C205_G_HALF ? timing->half_stream : timing->stream;
+}
+
 static void add_phases(struct clock *clock, const struct timing *timing,
-                       const struct effect *effect)
+                       struct rate rate, const struct effect *effect)
 {
     struct translation met = translate(clock, effect);
-    uint64_t stream = at_rate(timing->stream, effect->elements);
+    uint64_t stream = at_rate(rate, effect->elements);
     clock->vector_end = clock->now;
     clock->vector_tail = stream;
     add_phase(clock, timing->startup, C205_VECTOR_STARTUP);
@@ -255,8 +262,9 @@ static void add_phases(struct clock *clock, const struct timing *timing,
               C205_TRANSLATION_MISS);
     add_phase(clock, met.faults * clock->page_fault, C205_PAGE_FAULT);
     if (effect->indices)
-        add_phase(clock, banks_conflicts(&clock->banks, effect->base,
-                                         effect->indices, effect->index_count),
+        add_phase(clock, banks_conflicts(&clock->banks, effect->table,
+                                         effect->table_step, effect->indices,
+                                         effect->index_count),
                   C205_BANK_CONFLICT);
     add_phase(clock, stream, C205_VECTOR_STREAM);
 }
@@ -278,7 +286,7 @@ static void charge_vector(struct clock *clock, const struct decoded *decoded,
     wait_through_phases(clock, vector_free_at(clock, timing->startup));
     drop_phases(clock);
     uint64_t issued = clock->now + clock->issue_interval;
-    add_phases(clock, timing, effect);
+    add_phases(clock, timing, stream_rate(timing, decoded), effect);
     wait_through_phases(clock, lesser(issued, clock->vector_end));
     wait_until(clock, issued, C205_ISSUE);
     set_results(clock, decoded, clock->vector_end, FOR_VECTOR);
@@ -337,114 +345,109 @@ void clock_drain(struct clock *clock)
     check_sum(clock);
 }
 
-/* ---- Making a clock ------------------------------------------------------ */
+/* ---- Within an instruction ----------------------------------------------- */
 
-static void read_timings(struct clock *clock, const c205_model *model)
+static uint64_t later(uint64_t a, uint64_t b)
 {
-    for (unsigned i = 0; i < C205_TIMINGS; i++) {
-        c205_timing id = (c205_timing)i;
-        struct timing *timing = &clock->timing[i];
-        if (c205_timing_is_vector(id)) {
-            timing->startup = model_whole(model, startup_constant(id));
-            timing->stream = model_rate(model, stream_constant(id));
-        } else {
-            timing->latency = model_whole(model, latency_constant(id));
-            timing->busy = model_whole(model, busy_constant(id));
-        }
-    }
+    return a > b ? a : b;
 }
 
-static void read_constants(struct clock *clock, const c205_model *model)
+static uint64_t registers_ready(const struct clock *clock,
+                                const struct decoded *decoded)
 {
-    clock->issue_interval = model_whole(model, CONSTANT_ISSUE_INTERVAL);
-    clock->loads_in_flight = model_whole(model, CONSTANT_LOADS_IN_FLIGHT);
-    clock->stack_words = model_whole(model, CONSTANT_STACK_WORDS);
-    clock->overlap = model_whole(model, CONSTANT_OVERLAP);
-    clock->branch_taken = model_whole(model, CONSTANT_BRANCH_TAKEN);
-    clock->branch_not_taken = model_whole(model, CONSTANT_BRANCH_NOT_TAKEN);
-    clock->branch_out_of_stack =
-        model_whole(model, CONSTANT_BRANCH_OUT_OF_STACK);
-    clock->translation_miss = model_whole(model, CONSTANT_TRANSLATION_MISS);
-    clock->page_fault = model_whole(model, CONSTANT_PAGE_FAULT);
-    clock->swap_word = model_rate(model, CONSTANT_SWAP_WORD);
+    uint64_t ready = 0;
+    for (unsigned i = 0; i < decoded->source_count; i++)
+        ready = later(ready, clock->ready[decoded->source[i]]);
+    for (unsigned i = 0; i < decoded->result_count; i++)
+        ready = later(ready, clock->ready[decoded->result[i]]);
+    return ready;
 }
 
-/* How many of something there are: constants.def keeps it small. */
-static size_t model_count(const c205_model *model, enum constant id)
+/* When a vector instruction begins to stream. */
+static uint64_t stream_begin(const struct clock *clock,
+                             const struct decoded *decoded)
 {
-    return (size_t)model_whole(model, id);
+    uint64_t startup = clock->timing[decoded->insn->timing].startup;
+    uint64_t issue = later(clock->now, registers_ready(clock, decoded));
+    for (size_t i = 0; i < 2; i++)
+        if (decoded->linked[i])
+            issue = later(issue, registers_ready(clock, decoded->linked[i]));
+    issue = later(issue, clock->loads_done);
+    return later(issue, vector_free_at(clock, startup)) + startup;
 }
 
-static bool make_parts(struct clock *clock, const c205_model *model)
+/* The most elements for which at_rate is no more than clocks. */
+static size_t in_clocks(struct rate rate, uint64_t clocks)
 {
-    static const char *const outside[] = { "" };
-    return pages_init(&clock->pages, model_count(model, CONSTANT_REGISTERS),
-                      model_count(model, CONSTANT_REAL_PAGES))
-           && banks_init(&clock->banks, model_count(model, CONSTANT_BANKS),
-                         model_whole(model, CONSTANT_BANK_BUSY))
-           && accounts_open(&clock->accounts, outside, 1);
+    if (rate.clocks == 0 || clocks / rate.clocks >= SIZE_MAX / rate.per)
+        return SIZE_MAX;
+    return (size_t)(clocks / rate.clocks * rate.per
+                    + clocks % rate.clocks * rate.per / rate.clocks);
 }
 
-struct clock *clock_new(const c205_model *model, c205_error *error)
+size_t clock_elements(const struct clock *clock,
+                      const struct decoded *decoded, uint64_t until)
 {
-    struct clock *clock = calloc(1, sizeof *clock);
-    if (clock && make_parts(clock, model)) {
-        read_constants(clock, model);
-        read_timings(clock, model);
-        clock_reset(clock);
-        return clock;
-    }
-    snprintf(error->message, sizeof error->message,
-             "no memory left for the machine's clock");
-    clock_free(clock);
-    return NULL;
+    const struct timing *timing = &clock->timing[decoded->insn->timing];
+    uint64_t begin = stream_begin(clock, decoded);
+    return in_clocks(stream_rate(timing, decoded),
+                     until > begin ? until - begin : 0);
 }
 
-void clock_free(struct clock *clock)
+static void keep_charged(struct clock *clock)
 {
-    if (!clock)
+    accounts_keep(&clock->accounts);
+    clock->kept_now = clock->now;
+    clock->ahead = true;
+}
+
+/* Nothing is waited for beyond a clock. */
+static void cut_at(struct clock *clock, uint64_t until)
+{
+    for (size_t i = 0; i < SLOTS; i++)
+        clock->ready[i] = lesser(clock->ready[i], until);
+    for (size_t i = 0; i < clock->phase_count; i++)
+        clock->phase[i].end = lesser(clock->phase[i].end, until);
+    clock->vector_end = lesser(clock->vector_end, until);
+    clock->loads_done = lesser(clock->loads_done, until);
+}
+
+void clock_show(struct clock *clock, const struct decoded *decoded,
+                uint64_t until)
+{
+    uint64_t begin = stream_begin(clock, decoded);
+    struct clock cut = *clock; /* with the same accounts */
+    keep_charged(clock);
+    cut_at(&cut, until);
+    cut.account = &cut.accounts.account[decoded->region];
+    wait_for_registers(&cut, decoded);
+    wait_for_pair(&cut, decoded);
+    wait_until(&cut, cut.loads_done, C205_MEMORY_WAIT);
+    wait_for_vector(&cut);
+    wait_until(&cut, lesser(begin, until), C205_VECTOR_STARTUP);
+    wait_until(&cut, until, C205_VECTOR_STREAM);
+    clock->now = cut.now;
+    check_sum(clock);
+}
+
+void clock_show_drained(struct clock *clock)
+{
+    keep_charged(clock);
+    clock_drain(clock);
+}
+
+void clock_go_back(struct clock *clock)
+{
+    if (!clock->ahead)
         return;
-    pages_free(&clock->pages);
-    banks_free(&clock->banks);
-    accounts_close(&clock->accounts);
-    free(clock);
+    accounts_put_back(&clock->accounts);
+    clock->now = clock->kept_now;
+    clock->ahead = false;
 }
 
-bool clock_set_regions(struct clock *clock, const char *const *names,
-                       size_t count, c205_error *error)
+void clock_settle(struct clock *clock)
 {
-    if (!accounts_open(&clock->accounts, names, count)) {
-        snprintf(error->message, sizeof error->message,
-                 "no memory left for the accounts of %zu regions", count);
-        return false;
-    }
-    clock_reset(clock);
-    return true;
-}
-
-static void forget_flight(struct clock *clock)
-{
-    memset(clock->ready, 0, sizeof clock->ready);
-    memset(clock->free_at, 0, sizeof clock->free_at);
-    memset(clock->load_end, 0, sizeof clock->load_end);
-    clock->results_done = clock->loads_done = 0;
-    clock->phase_count = 0;
-    clock->vector_end = clock->vector_tail = 0;
-}
-
-void clock_reset(struct clock *clock)
-{
-    accounts_clear(&clock->accounts);
-    forget_flight(clock);
-    clock->now = 0;
-    clock->account = &clock->accounts.account[0];
-    clock->region = SIZE_MAX; /* the first instruction enters its own */
-    clock->next = UINT64_MAX; /* and begins the instruction stack */
-}
-
-void clock_forget_pages(struct clock *clock)
-{
-    pages_forget(&clock->pages);
+    clock->ahead = false;
 }
 
 /* ---- Looking at it ------------------------------------------------------- */

@@ -12,6 +12,11 @@
  * a vector instruction unless it needs memory, its result, or the vector
  * unit; clocks it then waits are charged to the phase of the vector
  * instruction in which they fall, and to that instruction's region.
+ *
+ * An instruction is charged as a whole when it has executed.  Where a run
+ * stops before that, by a trap or within a vector instruction, the clock
+ * shows ahead the time at which it stopped; when the run goes on it goes back
+ * to what has been charged, so that the total does not depend on the stop.
  */
 #ifndef C205_CLOCK_H
 #define C205_CLOCK_H
@@ -39,6 +44,20 @@ void clock_charge(struct clock *clock, const struct decoded *decoded,
                   const struct effect *effect);
 /* Wait until everything in flight is done, and charge it. */
 void clock_drain(struct clock *clock);
+
+/* How many elements of a vector instruction that comes next will have
+ * streamed at a clock.  What only its execution tells, misses, faults and
+ * conflicts, does not count. */
+size_t clock_elements(const struct clock *clock,
+                      const struct decoded *decoded, uint64_t until);
+/* Show how the clock stands at that clock, within that instruction; or when
+ * everything in flight is done. */
+void clock_show(struct clock *clock, const struct decoded *decoded,
+                uint64_t until);
+void clock_show_drained(struct clock *clock);
+/* Go back to what has been charged; or charge what is shown. */
+void clock_go_back(struct clock *clock);
+void clock_settle(struct clock *clock);
 
 /* Write all of a clock, its names of regions aside, to a tape; or fill one
  * with the same model and regions from there. */

@@ -13,7 +13,7 @@
 struct timing {
     uint64_t latency, busy; /* scalar */
     uint64_t startup;       /* vector .. */
-    struct rate stream;
+    struct rate stream, half_stream; /* of words, of half words */
 };
 
 /* What keeps the vector unit until a clock, and whom that is charged to. */
@@ -31,6 +31,9 @@ enum { FOR_VECTOR = C205_CAUSES };
 
 struct clock {
     uint64_t now;
+    bool ahead;            /* now and the accounts show a later time than .. */
+    uint64_t kept_now;     /* .. this, with the accounts kept, from which the
+                              clock goes on */
     c205_account *account; /* of the region in which the program is */
     size_t region;
 

@@ -44,6 +44,27 @@ static void walk_accounts(struct clock *clock, struct tape *tape)
                            && clock->now <= LATEST, wrong_account);
 }
 
+/* What has been charged, where more than that is shown. */
+static void walk_charged(struct clock *clock, struct tape *tape)
+{
+    size_t ahead = clock->ahead;
+    tape_size(tape, &ahead, 1);
+    clock->ahead = ahead == 1;
+    if (!clock->ahead)
+        return;
+    for (size_t i = 0; i < clock->accounts.count; i++)
+        walk_account(&clock->accounts.kept[i], tape);
+    tape_word(tape, &clock->kept_now);
+    tape_require(tape,
+                 accounts_sum_kept(&clock->accounts) == clock->kept_now
+                     && clock->kept_now <= clock->now, wrong_account);
+}
+
+static uint64_t charged(const struct clock *clock)
+{
+    return clock->ahead ? clock->kept_now : clock->now;
+}
+
 /* ---- In flight ----------------------------------------------------------- */
 
 static void walk_time(uint64_t *time, struct tape *tape)
@@ -89,7 +110,8 @@ static void walk_phase(struct phase *phase, size_t regions,
 static bool phases_are_sound(const struct clock *clock)
 {
     if (clock->phase_count == 0)
-        return clock->vector_end <= clock->now && clock->vector_tail == 0;
+        return clock->vector_end <= charged(clock)
+               && clock->vector_tail == 0;
     const struct phase *last = &clock->phase[clock->phase_count - 1];
     if (last->end != clock->vector_end
         || clock->vector_tail > clock->vector_end)
@@ -105,7 +127,8 @@ static bool phases_are_sound(const struct clock *clock)
 static bool results_are_sound(const struct clock *clock)
 {
     for (size_t i = 0; i < SLOTS; i++)
-        if (clock->awaits[i] == FOR_VECTOR && clock->ready[i] > clock->now
+        if (clock->awaits[i] == FOR_VECTOR
+            && clock->ready[i] > charged(clock)
             && clock->ready[i] > clock->vector_end)
             return false;
     return true;
@@ -144,6 +167,7 @@ static void walk_page_list(struct pages *pages, struct tape *tape)
 void clock_walk(struct clock *clock, struct tape *tape)
 {
     walk_accounts(clock, tape);
+    walk_charged(clock, tape);
     walk_scoreboard(clock, tape);
     walk_vector_unit(clock, tape);
     walk_stack(clock, tape);

@@ -3,6 +3,7 @@
  */
 #include "machine.h"
 
+#include <ctype.h>
 #include <string.h>
 
 static semantics *const functions[] = {
@@ -13,13 +14,14 @@ static semantics *const functions[] = {
 
 /* ---- Fetch -------------------------------------------------------------- */
 
-enum { HALF_BITS = WORD_BITS / 2 };
-
+/* An instruction that was interrupted is there already. */
 static c205_trap fetch_half(struct c205 *machine, uint64_t address,
                             c205_word *half)
 {
     uint64_t skip = address % WORD_BITS;
     c205_word word;
+    if (progress_holds(&machine->progress, machine->pc, address, half))
+        return C205_TRAP_NONE;
     c205_trap trap = address > ADDRESS_MASK
                          ? C205_TRAP_UNMAPPED_ADDRESS
                          : memory_load(&machine->memory, address - skip,
@@ -72,7 +74,7 @@ static char result_letter(const c205_insn *insn)
 static bool result_is_vector(const c205_insn *insn)
 {
     char letter = result_letter(insn);
-    return letter == 'd' || letter == 'e' || letter == 'c';
+    return letter && strchr("dDeqco", letter);
 }
 
 /* The bits of G that an instruction may have. */
@@ -92,6 +94,8 @@ static uint8_t possible_g(const c205_insn *insn, const c205_fields *fields)
         g |= C205_G_MAGNITUDE_B;
     if (has_letter(syntax, "?!") && fields->z)
         g |= C205_G_ZEROS;
+    if (insn->flags & C205_INSN_HALF)
+        g |= C205_G_HALF;
     if (result_is_vector(insn) && fields->c + 1 < C205_REGISTERS)
         g |= C205_G_OFFSET;
     return (uint8_t)g;
@@ -130,36 +134,84 @@ static uint16_t add_result(struct decoded *decoded, unsigned number)
 static uint16_t slot_of(struct decoded *decoded, unsigned number, char letter,
                         bool broadcast)
 {
-    if (letter == 'w')
+    if (letter == 'w' || letter == 'k')
         return add_result(decoded, number);
     add_source(decoded, number);
-    if (letter == 'm' || letter == 'c')
+    if (letter && strchr("mco", letter))
         add_result(decoded, number);
     if (number == 0 && (letter == 'f' || (letter == 'v' && broadcast)))
         return SLOT_MACHINE_ZERO;
     return (uint16_t)number;
 }
 
+/* What a letter of the row means in this instruction. */
+static char sized(const struct decoded *decoded, char letter)
+{
+    bool half = decoded->insn->flags & C205_INSN_HALF
+                && decoded->fields.g & C205_G_HALF;
+    if (!half || !strchr("fwvudcx", letter))
+        return letter;
+    return (char)toupper((unsigned char)letter);
+}
+
+static uint8_t width_of(char letter)
+{
+    if (isupper((unsigned char)letter))
+        return HALF_BITS;
+    return strchr("beo", letter) ? 1 : WORD_BITS;
+}
+
+/* A, B or C; R, S or T of the short formats. */
+static uint16_t bind_operand(struct decoded *decoded, unsigned operand,
+                             unsigned number, char letter, bool broadcast)
+{
+    letter = sized(decoded, letter);
+    decoded->width[operand] = width_of(letter);
+    if (strchr("FIWM", letter) || (broadcast && strchr("VU", letter))) {
+        bool right = number > 1 && number % 2;
+        decoded->shift[operand] = right ? HALF_BITS : 0;
+        number /= 2;
+    }
+    return slot_of(decoded, number, (char)tolower((unsigned char)letter),
+                   broadcast);
+}
+
+static void bind_a(struct decoded *decoded, uint8_t number, char letter,
+                   bool broadcast)
+{
+    decoded->a = bind_operand(decoded, OPERAND_A, number, letter, broadcast);
+}
+
+static void bind_b(struct decoded *decoded, uint8_t number, char letter,
+                   bool broadcast)
+{
+    decoded->b = bind_operand(decoded, OPERAND_B, number, letter, broadcast);
+}
+
+static void bind_c(struct decoded *decoded, uint8_t number, char letter)
+{
+    decoded->c = bind_operand(decoded, OPERAND_C, number, letter, false);
+}
+
 static void bind(struct decoded *decoded, char field, char letter)
 {
     const c205_fields *f = &decoded->fields;
-    bool a = f->g & C205_G_BROADCAST_A, b = f->g & C205_G_BROADCAST_B;
     switch (field) {
-    case 'R': decoded->a = slot_of(decoded, f->r, letter, false); break;
-    case 'S': decoded->b = slot_of(decoded, f->s, letter, false); break;
-    case 'T': decoded->c = slot_of(decoded, f->t, letter, false); break;
-    case 'A': decoded->a = slot_of(decoded, f->a, letter, false); break;
-    case 'B': decoded->b = slot_of(decoded, f->b, letter, false); break;
-    case 'C': decoded->c = slot_of(decoded, f->c, letter, false); break;
+    case 'R': bind_a(decoded, f->r, letter, false); break;
+    case 'S': bind_b(decoded, f->s, letter, false); break;
+    case 'T': bind_c(decoded, f->t, letter); break;
+    case 'A': bind_a(decoded, f->a, letter, false); break;
+    case 'B': bind_b(decoded, f->b, letter, false); break;
+    case 'C': bind_c(decoded, f->c, letter); break;
     case 'X': decoded->x = slot_of(decoded, f->x, letter, false); break;
     case 'Y': decoded->y = slot_of(decoded, f->y, letter, false); break;
     case 'Z': decoded->z = slot_of(decoded, f->z, letter, false); break;
     case 'a':
-        decoded->a = slot_of(decoded, f->a, letter, a);
+        bind_a(decoded, f->a, letter, f->g & C205_G_BROADCAST_A);
         decoded->x = slot_of(decoded, f->x, 'i', false);
         break;
     case 'b':
-        decoded->b = slot_of(decoded, f->b, letter, b);
+        bind_b(decoded, f->b, letter, f->g & C205_G_BROADCAST_B);
         decoded->y = slot_of(decoded, f->y, 'i', false);
         break;
     case '@':

@@ -21,6 +21,7 @@ typedef c205_trap semantics(struct c205 *machine,
                             const struct decoded *decoded);
 
 enum { DECODED_SOURCES = 10, DECODED_RESULTS = 3 };
+enum { OPERAND_A, OPERAND_B, OPERAND_C, OPERANDS };
 
 struct decoded {
     uint64_t pc;
@@ -32,6 +33,9 @@ struct decoded {
     c205_fields fields;      /* as written */
     uint16_t a, b, c;        /* slots; for short formats R, S, T */
     uint16_t x, y, z;        /* slots of offsets and control vector */
+    uint8_t width[OPERANDS]; /* of A, B, C: bits of an element */
+    uint8_t shift[OPERANDS]; /* bits of the slot left of a half register; 0
+                                also for those of register 0 */
     uint32_t region;
     uint8_t source_count, result_count;
     uint16_t source[DECODED_SOURCES]; /* slots read, register 0 left out */
@@ -58,7 +62,8 @@ struct effect {
                                  in the low 48 bits .. */
     size_t index_count;       /* .. so many; elements less those that the
                                  control vector held back .. */
-    uint64_t base;            /* .. relative to this address */
+    uint64_t table;           /* .. counted from this address .. */
+    unsigned table_step;      /* .. in steps of so many bits */
     size_t swapped;           /* registers that SWAP moved */
 };
 

@@ -7,26 +7,33 @@
 struct transfer {
     struct stream stream;
     bool gather;
-    uint64_t base;
+    struct vector table; /* its length is not known */
     c205_word *indices; /* those permitted, one behind the other */
     size_t count;       /* how many */
+    size_t used;        /* so many of them before this turn */
 };
 
 static uint64_t table_address(const struct transfer *transfer,
                               c205_word index)
 {
-    return (transfer->base + index * WORD_BITS) & ADDRESS_MASK;
+    return (transfer->table.address + index * transfer->table.width)
+           & ADDRESS_MASK;
 }
 
 /* ---- The index list ----------------------------------------------------- */
 
+/* Those used before the instruction was interrupted were kept; the list may
+ * have been overwritten there. */
 static void collect_indices(struct transfer *transfer)
 {
     struct stream *stream = &transfer->stream;
+    size_t kept = stream->machine->progress.kept;
     uint64_t permitted[CHUNK_WORDS];
-    transfer->count = 0;
-    for (size_t first = 0, n; first < stream->n; first += n) {
-        n = stream_next(stream, first);
+    transfer->used = kept < stream->turn.first ? kept : stream->turn.first;
+    transfer->count = transfer->used;
+    for (size_t first = stream->turn.first, n; first < stream->n;
+         first += n) {
+        n = stream->n - first < CHUNK ? stream->n - first : CHUNK;
         control_read(&stream->control, first, n, permitted);
         transfer->count += compress_words(
             transfer->indices + transfer->count,
@@ -34,25 +41,26 @@ static void collect_indices(struct transfer *transfer)
     }
 }
 
-/* From the lowest to the highest word that the list names. */
+/* From the lowest element that the list names to the end of the highest. */
 struct extent {
-    uint64_t low, high;
+    uint64_t low, end;
 };
 
 static struct extent extent_of(const struct transfer *transfer)
 {
     struct extent extent = { ADDRESS_MASK, 0 };
-    for (size_t i = 0; i < transfer->count; i++) {
+    for (size_t i = transfer->used; i < transfer->count; i++) {
         uint64_t address = table_address(transfer, transfer->indices[i]);
         extent.low = address < extent.low ? address : extent.low;
-        extent.high = address > extent.high ? address : extent.high;
+        address += transfer->table.width;
+        extent.end = address > extent.end ? address : extent.end;
     }
     return extent;
 }
 
 static bool is_within(const struct vector *vector, struct extent extent)
 {
-    return vector->length > 0 && vector->address < extent.high + WORD_BITS
+    return vector->length > 0 && vector->address < extent.end
            && extent.low < vector_at(vector, vector->length);
 }
 
@@ -75,14 +83,30 @@ static c205_trap check_table(struct transfer *transfer)
     struct c205 *machine = transfer->stream.machine;
     c205_trap trap = C205_TRAP_NONE;
     uint64_t checked = UINT64_MAX;
-    for (size_t i = 0; i < transfer->count && trap == C205_TRAP_NONE; i++) {
+    for (size_t i = transfer->used;
+         i < transfer->count && trap == C205_TRAP_NONE; i++) {
         uint64_t address = table_address(transfer, transfer->indices[i]);
         if (address >> PAGE_SHIFT != checked)
-            trap = memory_check(&machine->memory, address, WORD_BITS,
+            trap = memory_check(&machine->memory, address,
+                                transfer->table.width,
                                 !transfer->gather, &machine->fault);
         checked = address >> PAGE_SHIFT;
     }
     return trap;
+}
+
+static c205_trap load_element(const struct memory *memory, uint64_t address,
+                              unsigned width, c205_word *word)
+{
+    return width == HALF_BITS ? memory_load_half(memory, address, word)
+                              : memory_load(memory, address, word);
+}
+
+static c205_trap store_element(struct memory *memory, uint64_t address,
+                               unsigned width, c205_word word)
+{
+    return width == HALF_BITS ? memory_store_half(memory, address, word)
+                              : memory_store(memory, address, word);
 }
 
 /* ---- Whole chunks ------------------------------------------------------- */
@@ -97,8 +121,8 @@ static void gather_chunk(struct transfer *transfer, size_t first, size_t n,
     for (size_t i = 0; i < n; i++) {
         words[i] = 0;
         if (bit_at(permitted, i))
-            memory_load(memory, table_address(transfer, *(*next_index)++),
-                        &words[i]);
+            load_element(memory, table_address(transfer, *(*next_index)++),
+                         stream->result.width, &words[i]);
     }
     result_store(stream->machine, &stream->result, &stream->control, first,
                  words, n);
@@ -113,30 +137,33 @@ static void scatter_chunk(struct transfer *transfer, size_t first, size_t n,
     const c205_word *b = source_read(&stream->b, first, n);
     for (size_t i = 0; i < n; i++)
         if (bit_at(permitted, i))
-            memory_store(memory, table_address(transfer, *(*next_index)++),
-                         b[i]);
+            store_element(memory, table_address(transfer, *(*next_index)++),
+                          transfer->table.width, b[i]);
 }
 
 static c205_trap transfer_chunks(struct transfer *transfer)
 {
     struct stream *stream = &transfer->stream;
-    const c205_word *next_index = transfer->indices;
+    const c205_word *next_index = transfer->indices + transfer->used;
     uint64_t permitted[CHUNK_WORDS];
     c205_trap trap = check_table(transfer);
     if (trap != C205_TRAP_NONE)
         return trap;
-    for (size_t first = 0, n; first < stream->n; first += n) {
+    for (size_t first = stream->turn.first, n; first < stream->turn.end;
+         first += n) {
         n = stream_next(stream, first);
         control_read(&stream->control, first, n, permitted);
         (transfer->gather ? gather_chunk : scatter_chunk)(
             transfer, first, n, permitted, &next_index);
     }
-    return C205_TRAP_NONE;
+    transfer->count = (size_t)(next_index - transfer->indices);
+    return stream_end(stream);
 }
 
 /* ---- One element after another ------------------------------------------ */
 
-/* What was overwritten, to be put back if a later element traps. */
+/* What was overwritten, to be put back if a later element traps, or if the
+ * turn ends before it. */
 struct undo {
     c205_word *old;
     c205_word *address;
@@ -149,18 +176,19 @@ static c205_trap transfer_one(struct transfer *transfer, size_t i,
     struct c205 *machine = stream->machine;
     c205_word index = *source_read(&stream->a, i, 1), word;
     uint64_t table = table_address(transfer, index), to = table;
+    unsigned width = transfer->table.width;
     c205_trap trap = C205_TRAP_NONE;
     if (transfer->gather) {
         to = vector_at(&stream->result, i);
-        trap = memory_load(&machine->memory, table, &word);
+        trap = load_element(&machine->memory, table, width, &word);
     } else {
         word = *source_read(&stream->b, i, 1);
     }
     if (trap == C205_TRAP_NONE)
-        trap = memory_load(&machine->memory, to,
-                           &undo->old[transfer->count]);
+        trap = load_element(&machine->memory, to, width,
+                            &undo->old[transfer->count]);
     if (trap == C205_TRAP_NONE)
-        trap = memory_store(&machine->memory, to, word);
+        trap = store_element(&machine->memory, to, width, word);
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, table);
     undo->address[transfer->count] = to;
@@ -168,6 +196,18 @@ static c205_trap transfer_one(struct transfer *transfer, size_t i,
     return C205_TRAP_NONE;
 }
 
+static void put_back(struct transfer *transfer, const struct undo *undo,
+                     size_t count)
+{
+    struct memory *memory = &transfer->stream.machine->memory;
+    for (; transfer->count > count; transfer->count--)
+        store_element(memory, undo->address[transfer->count - 1],
+                      transfer->table.width,
+                      undo->old[transfer->count - 1]);
+}
+
+/* All elements are tried, so that one that traps does so before any is done;
+ * those beyond the turn are put back. */
 static c205_trap transfer_one_by_one(struct transfer *transfer)
 {
     struct stream *stream = &transfer->stream;
@@ -177,17 +217,28 @@ static c205_trap transfer_one_by_one(struct transfer *transfer)
     c205_trap trap = C205_TRAP_NONE;
     if (!undo.old || !undo.address)
         return C205_TRAP_NO_MEMORY;
-    transfer->count = 0;
-    for (size_t i = 0; i < stream->n && trap == C205_TRAP_NONE; i++) {
+    size_t done = transfer->count = transfer->used;
+    for (size_t i = stream->turn.first;
+         i < stream->n && trap == C205_TRAP_NONE; i++) {
         uint64_t permitted;
         control_read(&stream->control, i, 1, &permitted);
         if (permitted)
             trap = transfer_one(transfer, i, &undo);
+        if (i < stream->turn.end)
+            done = transfer->count;
     }
-    while (trap != C205_TRAP_NONE && transfer->count-- > 0)
-        memory_store(&machine->memory, undo.address[transfer->count],
-                     undo.old[transfer->count]);
-    return trap;
+    bool all = trap == C205_TRAP_NONE;
+    put_back(transfer, &undo, all ? done : transfer->used);
+    return all ? stream_end(stream) : trap;
+}
+
+static struct vector describe_table(const struct c205 *machine,
+                                    const struct decoded *decoded,
+                                    unsigned operand, uint16_t slot)
+{
+    struct vector table = { machine->slot[slot] & ADDRESS_MASK, 0,
+                            decoded->width[operand] };
+    return table;
 }
 
 /* ---- The instructions --------------------------------------------------- */
@@ -196,20 +247,22 @@ static c205_trap run_transfer(struct transfer *transfer)
 {
     struct stream *stream = &transfer->stream;
     struct c205 *machine = stream->machine;
-    transfer->base &= ADDRESS_MASK;
-    transfer->indices = machine_scratch(machine, SCRATCH_INDICES);
+    transfer->indices = machine_scratch(machine, SCRATCH_KEPT);
     if (!transfer->indices)
         return C205_TRAP_NO_MEMORY;
-    if (stream->n > 0 && transfer->base % WORD_BITS)
+    if (stream->n > 0 && transfer->table.address % transfer->table.width)
         return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND,
-                             transfer->base);
+                             transfer->table.address);
     stream->chunk = CHUNK;
     collect_indices(transfer);
     c205_trap trap = is_entangled(transfer) ? transfer_one_by_one(transfer)
                                             : transfer_chunks(transfer);
+    if (trap == C205_TRAP_CLOCK_LIMIT)
+        machine->progress.kept = transfer->count;
     machine->effect.indices = transfer->indices;
     machine->effect.index_count = transfer->count;
-    machine->effect.base = transfer->base;
+    machine->effect.table = transfer->table.address;
+    machine->effect.table_step = transfer->table.width;
     return trap;
 }
 
@@ -218,14 +271,14 @@ c205_trap execute_vector_gather(struct c205 *machine,
 {
     struct transfer transfer;
     struct stream *stream = &transfer.stream;
-    c205_trap trap = stream_describe(stream, machine, decoded, WORD_BITS);
+    c205_trap trap = stream_describe(stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
     if (stream->n > stream->a.vector.length)
         stream->n = stream->a.vector.length;
     stream->b.vector.length = 0; /* B is no stream but the table */
     transfer.gather = true;
-    transfer.base = machine->slot[decoded->b];
+    transfer.table = describe_table(machine, decoded, OPERAND_B, decoded->b);
     trap = stream_claim(stream);
     return trap == C205_TRAP_NONE ? run_transfer(&transfer) : trap;
 }
@@ -239,7 +292,7 @@ c205_trap execute_vector_scatter(struct c205 *machine,
     if (trap != C205_TRAP_NONE)
         return trap;
     transfer.gather = false;
-    transfer.base = machine->slot[decoded->c];
+    transfer.table = describe_table(machine, decoded, OPERAND_C, decoded->c);
     trap = stream_claim_sources(stream);
     return trap == C205_TRAP_NONE ? run_transfer(&transfer) : trap;
 }

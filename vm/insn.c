@@ -11,7 +11,8 @@ enum {
     LINK = C205_INSN_LINK,
     PADZ = C205_INSN_PADZ,
     PADO = C205_INSN_PADO,
-    INDEX = C205_INSN_INDEX
+    INDEX = C205_INSN_INDEX,
+    HALF = C205_INSN_HALF
 };
 
 const c205_insn c205_insns[] = {
@@ -142,6 +143,7 @@ static const struct layout {
     [C205_FORMAT_NONE] = { "", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_RST] = { "rst", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_RT] = { "rt", NO_IMMEDIATE, 0, 0 },
+    [C205_FORMAT_R] = { "r", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_T] = { "t", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_MEMORY] = { "rst", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_COMPARE] = { "rst", NO_IMMEDIATE, 0, 0 },
@@ -152,6 +154,7 @@ static const struct layout {
     [C205_FORMAT_BITS1] = { "rt", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_REPEAT] = { "rst", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_I16] = { "r", SIGNED, 32, 16 },
+    [C205_FORMAT_I24] = { "r", SIGNED, 24, 24 },
     [C205_FORMAT_I48] = { "r", SIGNED, 0, 48 },
     [C205_FORMAT_JUMP] = { "r", UNSIGNED, 0, 48 },
     [C205_FORMAT_INDEX] = { "gxaybzc", IF_RELATIVE, 16, 16 },

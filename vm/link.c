@@ -34,7 +34,9 @@ static bool may_be_linked(const struct decoded *first,
                           const struct decoded *second)
 {
     bool a = is_linked_a(first, second), b = is_linked_b(first, second);
-    return first->fields.z == 0 && !(first->fields.g & C205_G_OFFSET)
+    bool same_size = !((first->fields.g ^ second->fields.g) & C205_G_HALF);
+    return same_size && first->fields.z == 0
+           && !(first->fields.g & C205_G_OFFSET)
            && (a || b) && !(a && second->fields.x) && !(b && second->fields.y)
            && read_paths(first, second) <= 2;
 }
@@ -57,9 +59,9 @@ static c205_trap describe_pair(struct pair *pair, struct c205 *machine,
                                const struct decoded *const *linked)
 {
     c205_trap trap =
-        stream_describe(&pair->first, machine, linked[0], WORD_BITS);
+        stream_describe(&pair->first, machine, linked[0]);
     if (trap == C205_TRAP_NONE)
-        trap = stream_describe(&pair->second, machine, linked[1], WORD_BITS);
+        trap = stream_describe(&pair->second, machine, linked[1]);
     if (trap == C205_TRAP_NONE && pair->first.n != pair->second.n)
         trap = C205_TRAP_BAD_LINK;
     if (is_linked_a(linked[0], linked[1]))
@@ -88,13 +90,14 @@ static c205_trap claim_pair(struct pair *pair)
     return C205_TRAP_NONE;
 }
 
-static void run_pair(struct pair *pair)
+static c205_trap run_pair(struct pair *pair)
 {
     struct stream *one = &pair->first, *two = &pair->second;
     struct c205 *machine = two->machine;
     c205_word words[CHUNK];
     uint64_t permitted[CHUNK_WORDS];
-    for (size_t first = 0, n; first < two->n; first += n) {
+    for (size_t first = two->turn.first, n; first < two->turn.end;
+         first += n) {
         n = stream_next(two, first);
         operate(machine, &pair->operation_first, pair->handed,
                 source_read(&one->a, first, n),
@@ -106,6 +109,7 @@ static void run_pair(struct pair *pair)
                 two->control.present ? permitted : NULL);
         result_store(machine, &two->result, &two->control, first, words, n);
     }
+    return stream_end(two);
 }
 
 c205_trap execute_link_pair(struct c205 *machine,
@@ -120,7 +124,5 @@ c205_trap execute_link_pair(struct c205 *machine,
     trap = describe_pair(&pair, machine, decoded->linked);
     if (trap == C205_TRAP_NONE)
         trap = claim_pair(&pair);
-    if (trap == C205_TRAP_NONE)
-        run_pair(&pair);
-    return trap;
+    return trap == C205_TRAP_NONE ? run_pair(&pair) : trap;
 }

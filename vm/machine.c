@@ -18,7 +18,17 @@ static void clear_registers(struct c205 *machine)
     memset(machine->slot, 0, sizeof machine->slot);
     machine->slot[SLOT_MACHINE_ZERO] = C205_MACHINE_ZERO;
     machine->data_flags = 0;
+    machine->timer = 0;
     machine->request = NO_REQUEST;
+}
+
+/* What was decoded from there is not what stands in memory, perhaps. */
+static void clear_progress(struct c205 *machine)
+{
+    if (!machine->progress.interrupted)
+        return;
+    machine->memory.code_changes++;
+    memset(&machine->progress, 0, sizeof machine->progress);
 }
 
 c205 *c205_new(const c205_model *model, c205_error *error)
@@ -76,6 +86,7 @@ static bool load_segment(struct c205 *machine, const c205_segment *segment,
 bool c205_load(c205 *machine, const c205_program *program, c205_error *error)
 {
     clear_registers(machine);
+    clear_progress(machine);
     memory_free(&machine->memory);
     clock_reset(machine->clock);
     clock_forget_pages(machine->clock);
@@ -138,13 +149,10 @@ static void tell_instruction(struct c205 *machine,
     tell_listeners(machine, &event);
 }
 
-/* Ends a run: what is in flight is charged, listeners hear of it.  At the
- * clock limit nothing is: the program may go on as if it had not stopped. */
-static bool stop_run(struct c205 *machine, const c205_stop *stop)
+/* Listeners hear of the end of a run that had been charged up to a clock. */
+static bool stop_run(struct c205 *machine, const c205_stop *stop,
+                     uint64_t before)
 {
-    uint64_t before = clock_now(machine->clock);
-    if (stop->trap != C205_TRAP_CLOCK_LIMIT)
-        clock_drain(machine->clock);
     c205_event event = make_event(
         machine, stop->trap ? C205_EVENT_TRAP : C205_EVENT_STOP, before);
     event.pc = stop->pc;
@@ -157,8 +165,8 @@ static bool stop_run(struct c205 *machine, const c205_stop *stop)
 
 /* ---- Running ------------------------------------------------------------ */
 
-static bool stop_by_trap(struct c205 *machine, c205_trap trap,
-                         const c205_insn *insn, c205_stop *stop)
+static void set_trap(struct c205 *machine, c205_trap trap,
+                     const c205_insn *insn, c205_stop *stop)
 {
     stop->trap = trap;
     stop->pc = machine->pc;
@@ -166,7 +174,46 @@ static bool stop_by_trap(struct c205 *machine, c205_trap trap,
     stop->insn = trap == C205_TRAP_UNDEFINED_INSTRUCTION ? NULL : insn;
     stop->status = 0;
     machine->fault = 0;
-    return stop_run(machine, stop);
+}
+
+/* Between two instructions, whatever the next one is. */
+static bool stop_at_limit(struct c205 *machine, c205_stop *stop)
+{
+    const struct decoded *decoded;
+    c205_trap trap = decode_at(machine, machine->pc, &decoded);
+    machine->fault = 0;
+    set_trap(machine, C205_TRAP_CLOCK_LIMIT,
+             trap == C205_TRAP_NONE ? decoded->insn : NULL, stop);
+    return stop_run(machine, stop, clock_now(machine->clock));
+}
+
+/* At an instruction that cannot begin.  The clock shows the time when all in
+ * flight is done. */
+static bool stop_before(struct c205 *machine, c205_trap trap,
+                        const c205_insn *insn, c205_stop *stop)
+{
+    uint64_t before = clock_now(machine->clock);
+    set_trap(machine, trap, insn, stop);
+    clock_show_drained(machine->clock);
+    return stop_run(machine, stop, before);
+}
+
+/* In the middle of a vector instruction: at the limit, or at a trap that came
+ * when it was to go on. */
+static bool stop_within(struct c205 *machine, c205_trap trap,
+                        const struct decoded *decoded, uint64_t limit,
+                        c205_stop *stop)
+{
+    uint64_t before = clock_now(machine->clock);
+    if (trap == C205_TRAP_CLOCK_LIMIT)
+        progress_interrupt(&machine->progress, decoded);
+    else if (!machine->progress.interrupted)
+        return stop_before(machine, trap, decoded->insn, stop);
+    else
+        limit = machine->resumed_at;
+    set_trap(machine, trap, decoded->insn, stop);
+    clock_show(machine->clock, decoded, limit);
+    return stop_run(machine, stop, before);
 }
 
 /* After an instruction that listeners hear of, or a request; false: it was
@@ -174,6 +221,7 @@ static bool stop_by_trap(struct c205 *machine, c205_trap trap,
 static bool attend(struct c205 *machine, const struct decoded *decoded,
                    uint64_t before, c205_stop *stop)
 {
+    uint64_t after = clock_now(machine->clock);
     unsigned request = machine->request;
     tell_instruction(machine, decoded, before);
     machine->request = NO_REQUEST;
@@ -185,7 +233,8 @@ static bool attend(struct c205 *machine, const struct decoded *decoded,
     stop->address = 0;
     stop->insn = decoded->insn;
     stop->status = c205_to_integer(machine->slot[decoded->a]);
-    return stop_run(machine, stop);
+    clock_drain(machine->clock);
+    return stop_run(machine, stop, after);
 }
 
 static inline void clear_effect(struct effect *effect)
@@ -197,6 +246,15 @@ static inline void clear_effect(struct effect *effect)
     effect->swapped = 0;
 }
 
+/* A vector instruction may go on until the limit comes. */
+static void limit_elements(struct c205 *machine,
+                           const struct decoded *decoded, uint64_t limit)
+{
+    if (decoded->insn->timing == C205_TIMING_vlink)
+        decode_pair(machine, decoded);
+    machine->allowed = clock_elements(machine->clock, decoded, limit);
+}
+
 /* One instruction; false: *stop tells why there is no next one. */
 static inline bool step(struct c205 *machine, uint64_t limit,
                         c205_stop *stop)
@@ -205,33 +263,50 @@ static inline bool step(struct c205 *machine, uint64_t limit,
         machine->cache, machine->memory.code_changes, machine->pc);
     uint64_t before = clock_now(machine->clock);
     c205_trap trap = C205_TRAP_NONE;
+    if (before >= limit)
+        return stop_at_limit(machine, stop);
     if (!decoded)
         trap = decode_at(machine, machine->pc, &decoded);
-    if (trap == C205_TRAP_NONE && before >= limit)
-        trap = C205_TRAP_CLOCK_LIMIT;
-    if (trap == C205_TRAP_NONE) {
-        clear_effect(&machine->effect);
-        trap = decoded->execute(machine, decoded);
-    }
     if (trap != C205_TRAP_NONE)
-        return stop_by_trap(machine, trap, decoded->insn, stop);
+        return stop_before(machine, trap, decoded->insn, stop);
+    if (limit != C205_NO_LIMIT && decoded->insn->unit == C205_UNIT_VECTOR)
+        limit_elements(machine, decoded, limit);
+    clear_effect(&machine->effect);
+    trap = decoded->execute(machine, decoded);
+    if (trap != C205_TRAP_NONE)
+        return stop_within(machine, trap, decoded, limit, stop);
     clock_charge(machine->clock, decoded, &machine->effect);
     machine->pc =
         machine->effect.taken ? machine->effect.target : decoded->next;
     return !machine->eventful || attend(machine, decoded, before, stop);
 }
 
+/* The first one goes on where the run before was stopped. */
+static bool first_step(struct c205 *machine, uint64_t limit, c205_stop *stop)
+{
+    machine->resumed_at = clock_now(machine->clock);
+    machine->allowed = SIZE_MAX;
+    if (machine->resumed_at >= limit)
+        return stop_at_limit(machine, stop);
+    clock_go_back(machine->clock);
+    bool goes_on = step(machine, limit, stop);
+    if (goes_on || stop->trap == C205_TRAP_NONE)
+        clear_progress(machine);
+    return goes_on;
+}
+
 c205_stop c205_run(c205 *machine, uint64_t limit)
 {
     c205_stop stop;
-    while (step(machine, limit, &stop))
-        continue;
+    if (first_step(machine, limit, &stop))
+        while (step(machine, limit, &stop))
+            continue;
     return stop;
 }
 
 bool c205_step(c205 *machine, c205_stop *stop)
 {
-    return step(machine, C205_NO_LIMIT, stop);
+    return first_step(machine, C205_NO_LIMIT, stop);
 }
 
 /* ---- Inspection --------------------------------------------------------- */
@@ -347,12 +422,14 @@ uint64_t c205_pc(const c205 *machine)
 
 void c205_set_pc(c205 *machine, uint64_t address)
 {
+    clear_progress(machine);
+    clock_settle(machine->clock);
     machine->pc = address & ADDRESS_MASK;
 }
 
 c205_word c205_data_flags(const c205 *machine)
 {
-    return machine->data_flags;
+    return machine_flags(machine);
 }
 
 uint64_t c205_loaded_program(const c205 *machine)
@@ -384,6 +461,9 @@ const c205_account *c205_account_at(const c205 *machine, size_t i)
 
 void c205_reset_clock(c205 *machine)
 {
+    machine_raise_flags(machine);
+    if (machine->timer)
+        machine->timer -= clock_now(machine->clock);
     clock_reset(machine->clock);
 }
 

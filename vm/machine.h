@@ -6,6 +6,7 @@
 #include "clock.h"
 #include "decode.h"
 #include "memory.h"
+#include "progress.h"
 
 /* Code from begin to end belongs to a region of the accounts. */
 struct region_range {
@@ -17,11 +18,14 @@ struct tape;
 
 /* Places for vectors that need a copy. */
 enum scratch {
-    SCRATCH_INDICES,
+    SCRATCH_KEPT, /* goes on with an instruction that was interrupted */
     SCRATCH_OLD_WORDS,
     SCRATCH_ADDRESSES,
     SCRATCHES
 };
+
+/* The job interval timer has run out (R); the others are arithmetic's. */
+#define FLAG_TIMER (UINT64_C(1) << (63 - 36))
 
 enum { REQUEST_EXIT, REQUESTS = 8, NO_REQUEST = REQUESTS };
 
@@ -29,11 +33,17 @@ struct c205 {
     c205_word slot[SLOTS]; /* slot[0] is always 0 */
     uint64_t pc;
     uint64_t data_flags;
+    uint64_t timer;           /* the clock at which the job interval timer
+                                 runs out, or 0: it is off */
     uint64_t program;         /* hash of what was loaded, or 0 */
     struct clock *clock;
     struct decode_cache *cache;
     const c205_model *model;
     struct effect effect;     /* of the instruction being executed */
+    struct progress progress; /* of the one that was interrupted */
+    size_t allowed;           /* elements of this one before the clock limit
+                                 comes, SIZE_MAX: any number */
+    uint64_t resumed_at;      /* the clock shown when the run began */
     uint64_t fault;           /* operand address of a trap */
     unsigned request;         /* that EXIT just made, or NO_REQUEST */
     bool eventful;            /* EXIT was executed, or somebody listens */
@@ -60,12 +70,79 @@ static inline void machine_touch(struct c205 *machine, uint64_t address,
     effect->touch[effect->touch_count++].bits = bits;
 }
 
-/* The one thing that semantics may ask of time, for an instruction that reads
- * the clock: how many clocks have been charged before it. */
+/* A half register, in the left half of a word. */
+static inline c205_word machine_half(const struct c205 *machine,
+                                     uint16_t slot, uint8_t shift)
+{
+    return machine->slot[slot] << shift & LEFT_HALF;
+}
+
+/* The other half of the register stays. */
+static inline void machine_set_half(struct c205 *machine, uint16_t slot,
+                                    uint8_t shift, c205_word half)
+{
+    c205_word other = ~(LEFT_HALF >> shift);
+    machine->slot[slot] = (machine->slot[slot] & other) | half >> shift;
+}
+
+/* To C, a register or a half register. */
+static inline void machine_deliver(struct c205 *machine,
+                                   const struct decoded *decoded,
+                                   c205_word number)
+{
+    if (decoded->width[OPERAND_C] == HALF_BITS)
+        machine_set_half(machine, decoded->c, decoded->shift[OPERAND_C],
+                         number);
+    else
+        machine->slot[decoded->c] = number;
+}
+
+/* Of n elements those from where the instruction was interrupted up to where
+ * it will be, which is after so many. */
+static inline struct turn machine_turn(const struct c205 *machine, size_t n,
+                                       size_t allowed)
+{
+    struct turn turn = { machine->progress.first, allowed, n };
+    if (turn.first > n)
+        turn.first = n;
+    if (turn.end > n)
+        turn.end = n;
+    if (turn.end < turn.first)
+        turn.end = turn.first;
+    return turn;
+}
+
+/* The elements of a turn are done.  CLOCK_LIMIT: there are more, and what the
+ * loop carries on to them must go to machine->progress. */
+static inline c205_trap machine_end_turn(struct c205 *machine,
+                                         const struct turn *turn)
+{
+    if (turn->end == turn->n)
+        return C205_TRAP_NONE;
+    machine->progress.first = turn->end;
+    return C205_TRAP_CLOCK_LIMIT;
+}
+
+/* The one thing that semantics may ask of time, for instructions that read
+ * the clock or the timer: how many clocks have been charged before it. */
 static inline uint64_t machine_clocks(const struct c205 *machine)
 {
     return clock_now(machine->clock);
 }
+
+static inline bool machine_timer_has_run_out(const struct c205 *machine)
+{
+    return machine->timer && machine_clocks(machine) >= machine->timer;
+}
+
+/* The data flags, with that of the timer when it has run out. */
+static inline uint64_t machine_flags(const struct c205 *machine)
+{
+    return machine->data_flags
+           | (machine_timer_has_run_out(machine) ? FLAG_TIMER : 0);
+}
+/* The same, to be changed; a timer that has run out is off then. */
+uint64_t *machine_raise_flags(struct c205 *machine);
 
 /* A trap that has to do with an operand's address. */
 static inline c205_trap machine_fault(struct c205 *machine, c205_trap trap,

@@ -188,6 +188,93 @@ void memory_write_words(struct memory *memory, uint64_t address,
     }
 }
 
+/* ---- Half words ---------------------------------------------------------- */
+
+enum { WORD_HALVES = WORD_BITS / HALF_BITS };
+
+/* The half word that stands shift bits from the left end of a word. */
+static inline c205_word half_of(c205_word word, unsigned shift)
+{
+    return word << shift & LEFT_HALF;
+}
+
+static inline c205_word with_half(c205_word word, unsigned shift,
+                                  c205_word half)
+{
+    return (word & ~(LEFT_HALF >> shift)) | half >> shift;
+}
+
+static unsigned shift_at(uint64_t address)
+{
+    return (unsigned)(address % WORD_BITS);
+}
+
+c205_trap memory_load_half(const struct memory *memory, uint64_t address,
+                           c205_word *half)
+{
+    c205_word word;
+    if (address % HALF_BITS)
+        return C205_TRAP_MISALIGNED_OPERAND;
+    c205_trap trap = memory_load(memory, address - shift_at(address), &word);
+    if (trap == C205_TRAP_NONE)
+        *half = half_of(word, shift_at(address));
+    return trap;
+}
+
+c205_trap memory_store_half(struct memory *memory, uint64_t address,
+                            c205_word half)
+{
+    uint64_t place = address - shift_at(address);
+    c205_word word;
+    if (address % HALF_BITS)
+        return C205_TRAP_MISALIGNED_OPERAND;
+    c205_trap trap = memory_load(memory, place, &word);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    word = with_half(word, shift_at(address), half);
+    return memory_store(memory, place, word);
+}
+
+/* From the address on, how many of count half words lie in a span of words that
+ * begins with the word of the address. */
+static size_t halves_in(size_t words, uint64_t address, size_t count)
+{
+    size_t halves = words * WORD_HALVES - shift_at(address) / HALF_BITS;
+    return halves < count ? halves : count;
+}
+
+void memory_read_halves(const struct memory *memory, uint64_t address,
+                        c205_word *halves, size_t count)
+{
+    for (size_t n; count > 0; count -= n, halves += n) {
+        unsigned shift = shift_at(address);
+        size_t words = (count + shift / HALF_BITS + 1) / WORD_HALVES;
+        const c205_word *span =
+            memory_read_span(memory, address - shift, &words);
+        n = halves_in(words, address, count);
+        for (size_t i = 0, at = shift / HALF_BITS; i < n; i++, at++)
+            halves[i] = half_of(span[at / WORD_HALVES],
+                                at % WORD_HALVES * HALF_BITS);
+        address += n * HALF_BITS;
+    }
+}
+
+void memory_write_halves(struct memory *memory, uint64_t address,
+                         const c205_word *halves, size_t count)
+{
+    for (size_t n; count > 0; count -= n, halves += n) {
+        unsigned shift = shift_at(address);
+        size_t words = (count + shift / HALF_BITS + 1) / WORD_HALVES;
+        c205_word *span = memory_write_span(memory, address - shift, &words);
+        n = halves_in(words, address, count);
+        for (size_t i = 0, at = shift / HALF_BITS; i < n; i++, at++)
+            span[at / WORD_HALVES] =
+                with_half(span[at / WORD_HALVES],
+                          at % WORD_HALVES * HALF_BITS, halves[i]);
+        address += n * HALF_BITS;
+    }
+}
+
 /* ---- Bits --------------------------------------------------------------- */
 
 static c205_word word_at(const struct memory *memory, uint64_t address)

@@ -13,12 +13,15 @@
 #define ADDRESS_MASK UINT64_C(0xFFFFFFFFFFFF)
 enum {
     WORD_BITS = 64,
+    HALF_BITS = 32,
     PAGE_SHIFT = 22,      /* bits of address within a page */
     DIRECTORY_SHIFT = 35, /* .. and within a directory's pages */
     DIRECTORY_PAGES = 1 << (DIRECTORY_SHIFT - PAGE_SHIFT),
     DIRECTORIES = 1 << (48 - DIRECTORY_SHIFT)
 };
 
+/* Half words travel in the left half of a word, the right one zeros. */
+#define LEFT_HALF UINT64_C(0xFFFFFFFF00000000)
 #define ADDRESS_SPACE_WORDS ((ADDRESS_MASK + 1) / WORD_BITS)
 #define PAGE_BITS (UINT64_C(1) << PAGE_SHIFT)
 
@@ -64,6 +67,11 @@ void memory_read_words(const struct memory *memory, uint64_t address,
                        c205_word *words, size_t count);
 void memory_write_words(struct memory *memory, uint64_t address,
                         const c205_word *words, size_t count);
+/* Half words, each in the left half of a word. */
+void memory_read_halves(const struct memory *memory, uint64_t address,
+                        c205_word *halves, size_t count);
+void memory_write_halves(struct memory *memory, uint64_t address,
+                         const c205_word *halves, size_t count);
 /* Bit strings from any bit address; bit i is bit i % 64, counted from the
  * left, of bits[i / 64]; unused bits of the last word are zero on reading and
  * do not matter on writing. */
@@ -124,5 +132,11 @@ static inline c205_trap memory_store(struct memory *memory, uint64_t address,
     page->word[index] = word;
     return C205_TRAP_NONE;
 }
+
+/* One half word, checked, in the left half of *half. */
+c205_trap memory_load_half(const struct memory *memory, uint64_t address,
+                           c205_word *half);
+c205_trap memory_store_half(struct memory *memory, uint64_t address,
+                            c205_word half);
 
 #endif

@@ -420,10 +420,23 @@ uint64_t model_whole(const c205_model *model, enum constant id)
     return model_millionths(model, id) / MILLION;
 }
 
+static bool is_shared(const c205_model *model, enum constant id)
+{
+    return !strcmp(model->constant[id].shown.unit, shared_rate);
+}
+
 struct rate model_rate(const c205_model *model, enum constant id)
 {
     struct rate rate = { model_millionths(model, id), MILLION };
-    if (!strcmp(model->constant[id].shown.unit, shared_rate))
+    if (is_shared(model, id))
         rate.per *= model_whole(model, CONSTANT_PIPES);
+    return rate;
+}
+
+struct rate model_half_rate(const c205_model *model, enum constant id)
+{
+    struct rate rate = model_rate(model, id);
+    if (is_shared(model, id))
+        rate.per *= model_whole(model, CONSTANT_HALF_RATE);
     return rate;
 }

@@ -30,6 +30,8 @@ struct rate {
     uint64_t clocks, per;
 };
 struct rate model_rate(const c205_model *model, enum constant id);
+/* The same for elements of 32 bits; the pipes take so many more of them. */
+struct rate model_half_rate(const c205_model *model, enum constant id);
 
 static inline enum constant latency_constant(c205_timing scalar)
 {

@@ -18,19 +18,20 @@ c205_trap execute_vector_reverse(struct c205 *machine,
 {
     struct stream stream;
     c205_word words[CHUNK];
-    c205_trap trap = stream_open(&stream, machine, decoded, WORD_BITS);
+    c205_trap trap = stream_open(&stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
     if (operands_overlap(&stream.a.vector, &stream.result))
         stream.chunk = 1;
-    for (size_t first = 0, n; first < stream.n; first += n) {
+    for (size_t first = stream.turn.first, n; first < stream.turn.end;
+         first += n) {
         n = stream_next(&stream, first);
         reverse_words(words,
                       source_read(&stream.a, stream.n - first - n, n), n);
         result_store(machine, &stream.result, &stream.control, first, words,
                      n);
     }
-    return C205_TRAP_NONE;
+    return stream_end(&stream);
 }
 
 /* ---- Mask, merge -------------------------------------------------------- */
@@ -70,29 +71,36 @@ static void merge_words(struct choice *choice, size_t first, size_t n,
     choice->next_b += n - count;
 }
 
-static void store_chosen(struct choice *choice, chooser *chosen)
+static c205_trap store_chosen(struct choice *choice, chooser *chosen)
 {
     struct stream *stream = &choice->stream;
+    struct progress *progress = &stream->machine->progress;
     c205_word words[CHUNK];
     uint64_t from_a[CHUNK_WORDS];
-    choice->next_a = choice->next_b = 0;
-    for (size_t first = 0, n; first < stream->n; first += n) {
+    choice->next_a = progress->count[0];
+    choice->next_b = progress->count[1];
+    for (size_t first = stream->turn.first, n; first < stream->turn.end;
+         first += n) {
         n = stream_next(stream, first);
         control_read(&stream->control, first, n, from_a);
         chosen(choice, first, n, from_a, words);
-        memory_write_words(&stream->machine->memory,
-                           vector_at(&stream->result, first), words, n);
+        vector_write(&stream->machine->memory, &stream->result, first, words,
+                     n);
     }
+    c205_trap trap = stream_end(stream);
+    if (trap != C205_TRAP_NONE) {
+        progress->count[0] = choice->next_a;
+        progress->count[1] = choice->next_b;
+    }
+    return trap;
 }
 
 c205_trap execute_vector_mask(struct c205 *machine,
                               const struct decoded *decoded)
 {
     struct choice choice;
-    c205_trap trap = stream_open(&choice.stream, machine, decoded, WORD_BITS);
-    if (trap == C205_TRAP_NONE)
-        store_chosen(&choice, mask_words);
-    return trap;
+    c205_trap trap = stream_open(&choice.stream, machine, decoded);
+    return trap == C205_TRAP_NONE ? store_chosen(&choice, mask_words) : trap;
 }
 
 /* Sources advance more slowly than the result: any overlap is taken one
@@ -102,14 +110,13 @@ c205_trap execute_vector_merge(struct c205 *machine,
 {
     struct choice choice;
     struct stream *stream = &choice.stream;
-    c205_trap trap = stream_open(stream, machine, decoded, WORD_BITS);
+    c205_trap trap = stream_open(stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
     if (operands_overlap(&stream->a.vector, &stream->result)
         || operands_overlap(&stream->b.vector, &stream->result))
         stream->chunk = 1;
-    store_chosen(&choice, merge_words);
-    return C205_TRAP_NONE;
+    return store_chosen(&choice, merge_words);
 }
 
 /* ---- Compress ----------------------------------------------------------- */
@@ -120,6 +127,7 @@ struct sieve {
     struct stream stream;
     lanes_compare *comparison; /* NULL: the control vector */
     struct vector order;       /* where the answers go */
+    size_t kept;               /* so far */
 };
 
 static const c205_word *sieve_words(struct sieve *sieve, size_t first,
@@ -134,36 +142,38 @@ static const c205_word *sieve_words(struct sieve *sieve, size_t first,
     return a;
 }
 
+/* As many as were kept before the turn, and what this one and later ones
+ * will keep. */
 static size_t count_kept(struct sieve *sieve)
 {
+    const struct turn *turn = &sieve->stream.turn;
     uint64_t keep[CHUNK_WORDS];
-    size_t kept = 0;
-    for (size_t first = 0, n; first < sieve->stream.n; first += n) {
-        n = stream_next(&sieve->stream, first);
+    size_t kept = sieve->kept;
+    for (size_t first = turn->first, n; first < turn->n; first += n) {
+        n = turn->n - first < CHUNK ? turn->n - first : CHUNK;
         sieve_words(sieve, first, n, keep);
         kept += count_ones(keep, n);
     }
     return kept;
 }
 
-static size_t store_kept(struct sieve *sieve)
+static void store_kept(struct sieve *sieve)
 {
+    const struct turn *turn = &sieve->stream.turn;
     struct memory *memory = &sieve->stream.machine->memory;
     c205_word words[CHUNK];
     uint64_t keep[CHUNK_WORDS];
-    size_t kept = 0;
-    for (size_t first = 0, n; first < sieve->stream.n; first += n) {
+    for (size_t first = turn->first, n; first < turn->end; first += n) {
         n = stream_next(&sieve->stream, first);
         const c205_word *a = sieve_words(sieve, first, n, keep);
         size_t count = compress_words(words, a, keep, n);
-        memory_write_words(memory, vector_at(&sieve->stream.result, kept),
-                           words, count);
+        vector_write(memory, &sieve->stream.result, sieve->kept, words,
+                     count);
         if (sieve->comparison)
             memory_write_bits(memory, vector_at(&sieve->order, first), keep,
                               n);
-        kept += count;
+        sieve->kept += count;
     }
-    return kept;
 }
 
 static bool all_ahead(const struct sieve *sieve)
@@ -186,6 +196,8 @@ static c205_trap claim_kept(struct sieve *sieve)
     struct stream *stream = &sieve->stream;
     struct c205 *machine = stream->machine;
     unsigned touches = machine->effect.touch_count;
+    size_t kept = machine->progress.count[0];
+    sieve->kept = kept < stream->turn.first ? kept : stream->turn.first;
     stream->result.length = stream->n;
     stream->chunk = all_ahead(sieve) ? CHUNK : 1;
     c205_trap trap = claim_vector(machine, &stream->result, stream->n, true);
@@ -198,15 +210,23 @@ static c205_trap claim_kept(struct sieve *sieve)
     return trap;
 }
 
-static void finish_sieve(struct sieve *sieve, const struct decoded *decoded)
+static c205_trap finish_sieve(struct sieve *sieve,
+                              const struct decoded *decoded)
 {
     struct c205 *machine = sieve->stream.machine;
     c205_word descriptor = machine->slot[decoded->c] & ADDRESS_MASK;
-    size_t kept = store_kept(sieve);
-    if (kept > 0)
+    store_kept(sieve);
+    c205_trap trap = stream_end(&sieve->stream);
+    if (trap != C205_TRAP_NONE) {
+        machine->progress.count[0] = sieve->kept;
+        return trap;
+    }
+    if (sieve->kept > 0)
         machine_touch(machine, sieve->stream.result.address,
-                      (uint64_t)kept * WORD_BITS);
-    machine->slot[decoded->result[0]] = descriptor | (c205_word)kept << 48;
+                      (uint64_t)sieve->kept * sieve->stream.result.width);
+    machine->slot[decoded->result[0]] =
+        descriptor | (c205_word)sieve->kept << 48;
+    return C205_TRAP_NONE;
 }
 
 c205_trap execute_vector_compress(struct c205 *machine,
@@ -216,16 +236,14 @@ c205_trap execute_vector_compress(struct c205 *machine,
     struct stream *stream = &sieve.stream;
     sieve.comparison = NULL;
     sieve.order = describe_bits(0);
-    c205_trap trap = stream_describe(stream, machine, decoded, WORD_BITS);
+    c205_trap trap = stream_describe(stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
     stream->n = stream->control.vector.length;
     trap = stream_claim_sources(stream);
     if (trap == C205_TRAP_NONE)
         trap = claim_kept(&sieve);
-    if (trap == C205_TRAP_NONE)
-        finish_sieve(&sieve, decoded);
-    return trap;
+    return trap == C205_TRAP_NONE ? finish_sieve(&sieve, decoded) : trap;
 }
 
 c205_trap execute_arithmetic_compress(struct c205 *machine,
@@ -233,8 +251,8 @@ c205_trap execute_arithmetic_compress(struct c205 *machine,
 {
     struct sieve sieve;
     struct stream *stream = &sieve.stream;
-    sieve.comparison = lanes_not_less;
-    c205_trap trap = stream_describe(stream, machine, decoded, WORD_BITS);
+    sieve.comparison = SIZED(decoded, not_less);
+    c205_trap trap = stream_describe(stream, machine, decoded);
     if (trap == C205_TRAP_NONE)
         trap = stream_take_length(stream, decoded);
     if (trap != C205_TRAP_NONE)
@@ -247,7 +265,5 @@ c205_trap execute_arithmetic_compress(struct c205 *machine,
         trap = claim_vector(machine, &sieve.order, stream->n, true);
     if (trap == C205_TRAP_NONE)
         trap = claim_kept(&sieve);
-    if (trap == C205_TRAP_NONE)
-        finish_sieve(&sieve, decoded);
-    return trap;
+    return trap == C205_TRAP_NONE ? finish_sieve(&sieve, decoded) : trap;
 }

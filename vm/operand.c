@@ -42,47 +42,54 @@ c205_trap describe_string(struct vector *string, const struct c205 *machine,
 }
 
 /* What a source that is too short goes on with. */
-static c205_word padding_of(const c205_insn *insn)
+static c205_word padding_of(const c205_insn *insn, unsigned width)
 {
     if (insn->flags & C205_INSN_PADO)
-        return C205_ONE;
+        return width == HALF_BITS ? C205_HALF_ONE : C205_ONE;
     return insn->flags & C205_INSN_PADZ ? C205_MACHINE_ZERO : 0;
 }
 
 /* First the magnitude, then the complement.  It is part of the way to the
  * pipe, no operation: it sets no data flags. */
-static void control_sign(uint8_t sign, c205_word *words, size_t n)
+static void control_sign(const struct source *source, c205_word *words,
+                         size_t n)
 {
+    bool half = source->vector.width == HALF_BITS;
     c205_word signless[CHUNK];
     uint64_t flags = 0;
-    if (sign & C205_G_MAGNITUDE_A) {
+    if (source->sign & C205_G_MAGNITUDE_A) {
         memcpy(signless, words, n * sizeof *words);
-        lanes_absolute(words, signless, n, &flags);
+        (half ? halves_absolute : lanes_absolute)(words, signless, n, &flags);
     }
-    if (sign & C205_G_NEGATE_A) {
+    if (source->sign & C205_G_NEGATE_A) {
         memcpy(signless, words, n * sizeof *words);
-        lanes_negate(words, signless, n, &flags);
+        (half ? halves_negate : lanes_negate)(words, signless, n, &flags);
     }
 }
 
 static c205_trap describe_source(struct source *source,
                                  const struct c205 *machine,
                                  const struct decoded *decoded,
-                                 uint16_t slot, uint16_t offset)
+                                 unsigned operand, uint16_t slot,
+                                 uint16_t offset)
 {
+    unsigned width = decoded->width[operand];
     source->memory = &machine->memory;
     source->handed = NULL;
     source->padded = 0;
     if (!(decoded->insn->flags & C205_INSN_SIGN))
         source->sign = 0;
     if (source->broadcast) {
-        source->vector = describe(0, WORD_BITS);
-        source->padding = machine->slot[slot];
-        control_sign(source->sign, &source->padding, 1);
+        source->vector = describe(0, width);
+        source->padding =
+            width == HALF_BITS
+                ? machine_half(machine, slot, decoded->shift[operand])
+                : machine->slot[slot];
+        control_sign(source, &source->padding, 1);
         return C205_TRAP_NONE;
     }
-    source->vector = describe(machine->slot[slot], WORD_BITS);
-    source->padding = padding_of(decoded->insn);
+    source->vector = describe(machine->slot[slot], width);
+    source->padding = padding_of(decoded->insn, width);
     return offset ? advance(&source->vector, machine->slot[offset])
                   : C205_TRAP_NONE;
 }
@@ -94,7 +101,8 @@ c205_trap describe_a(struct source *source, const struct c205 *machine,
     source->broadcast = g & C205_G_BROADCAST_A
                         || decoded->insn->format == C205_FORMAT_SCALARS;
     source->sign = g & (C205_G_NEGATE_A | C205_G_MAGNITUDE_A);
-    return describe_source(source, machine, decoded, decoded->a, decoded->x);
+    return describe_source(source, machine, decoded, OPERAND_A, decoded->a,
+                           decoded->x);
 }
 
 c205_trap describe_b(struct source *source, const struct c205 *machine,
@@ -104,7 +112,8 @@ c205_trap describe_b(struct source *source, const struct c205 *machine,
     source->broadcast = g & C205_G_BROADCAST_B
                         || decoded->insn->format == C205_FORMAT_SCALARS;
     source->sign = g & C205_G_MAGNITUDE_B ? C205_G_MAGNITUDE_A : 0;
-    return describe_source(source, machine, decoded, decoded->b, decoded->y);
+    return describe_source(source, machine, decoded, OPERAND_B, decoded->b,
+                           decoded->y);
 }
 
 void describe_control(struct control *control, const struct c205 *machine,
@@ -118,10 +127,11 @@ void describe_control(struct control *control, const struct c205 *machine,
 
 c205_trap describe_result(struct vector *result, struct control *control,
                           const struct c205 *machine,
-                          const struct decoded *decoded, unsigned width)
+                          const struct decoded *decoded)
 {
     describe_control(control, machine, decoded);
-    *result = describe(machine->slot[decoded->fields.c], width);
+    *result = describe(machine->slot[decoded->fields.c],
+                       decoded->width[OPERAND_C]);
     if (!(decoded->fields.g & C205_G_OFFSET))
         return C205_TRAP_NONE;
     c205_word offset = machine->slot[decoded->fields.c + 1];
@@ -190,6 +200,28 @@ bool operand_is_ahead(const struct vector *read, const struct vector *written)
                && written->address <= read->address);
 }
 
+/* ---- Elements in memory ------------------------------------------------- */
+
+void vector_read(const struct memory *memory, const struct vector *vector,
+                 size_t first, c205_word *words, size_t n)
+{
+    uint64_t address = vector_at(vector, first);
+    if (vector->width == HALF_BITS)
+        memory_read_halves(memory, address, words, n);
+    else
+        memory_read_words(memory, address, words, n);
+}
+
+void vector_write(struct memory *memory, const struct vector *vector,
+                  size_t first, const c205_word *words, size_t n)
+{
+    uint64_t address = vector_at(vector, first);
+    if (vector->width == HALF_BITS)
+        memory_write_halves(memory, address, words, n);
+    else
+        memory_write_words(memory, address, words, n);
+}
+
 /* ---- Read --------------------------------------------------------------- */
 
 static const c205_word *padding_words(struct source *source, size_t n)
@@ -204,9 +236,9 @@ static const c205_word *filled_space(struct source *source, size_t first,
 {
     size_t left = source->vector.length - first;
     size_t in_memory = left < n ? left : n;
-    memory_read_words(source->memory, vector_at(&source->vector, first),
-                      source->space, in_memory);
-    control_sign(source->sign, source->space, in_memory);
+    vector_read(source->memory, &source->vector, first, source->space,
+                in_memory);
+    control_sign(source, source->space, in_memory);
     source->padded = 0;
     for (size_t i = in_memory; i < n; i++)
         source->space[i] = source->padding;
@@ -218,7 +250,7 @@ static const c205_word *handed_words(struct source *source, size_t n)
     if (!source->sign)
         return source->handed;
     memcpy(source->space, source->handed, n * sizeof *source->space);
-    control_sign(source->sign, source->space, n);
+    control_sign(source, source->space, n);
     return source->space;
 }
 
@@ -230,7 +262,8 @@ const c205_word *source_read(struct source *source, size_t first, size_t n)
         return handed_words(source, n);
     if (first >= source->vector.length)
         return padding_words(source, n);
-    if (source->sign || n > source->vector.length - first)
+    if (source->sign || source->vector.width != WORD_BITS
+        || n > source->vector.length - first)
         return filled_space(source, first, n);
     span = memory_read_span(source->memory,
                             vector_at(&source->vector, first), &count);
@@ -257,16 +290,15 @@ void result_store(struct c205 *machine, const struct vector *result,
                   const struct control *control, size_t first,
                   const c205_word *words, size_t n)
 {
-    uint64_t address = vector_at(result, first);
     c205_word merged[CHUNK];
     uint64_t permitted[CHUNK_WORDS];
     if (control->present) {
         control_read(control, first, n, permitted);
-        memory_read_words(&machine->memory, address, merged, n);
+        vector_read(&machine->memory, result, first, merged, n);
         lanes_store_masked(merged, words, permitted, n);
         words = merged;
     }
-    memory_write_words(&machine->memory, address, words, n);
+    vector_write(&machine->memory, result, first, words, n);
 }
 
 void result_store_bits(struct c205 *machine, const struct vector *result,

@@ -21,7 +21,7 @@ enum { CHUNK = 512, CHUNK_WORDS = CHUNK / 64 };
 struct vector {
     uint64_t address;
     size_t length;
-    unsigned width; /* WORD_BITS or 1 */
+    unsigned width; /* WORD_BITS, HALF_BITS or 1 */
 };
 
 /* A vector that is read; behind its end, padding.  A word that is broadcast
@@ -53,11 +53,10 @@ c205_trap describe_a(struct source *source, const struct c205 *machine,
                      const struct decoded *decoded);
 c205_trap describe_b(struct source *source, const struct c205 *machine,
                      const struct decoded *decoded);
-/* C, and Z with the offset of C where it has one.  Result vectors of bits
- * have width 1, the others WORD_BITS. */
+/* C, and Z with the offset of C where it has one. */
 c205_trap describe_result(struct vector *result, struct control *control,
                           const struct c205 *machine,
-                          const struct decoded *decoded, unsigned width);
+                          const struct decoded *decoded);
 /* A vector of bits in a register, without offset. */
 struct vector describe_bits(c205_word descriptor);
 /* The same with an offset, where the offset's slot is not 0. */
@@ -93,6 +92,12 @@ const c205_word *source_read(struct source *source, size_t first, size_t n);
 /* Bit i is 1 where element first + i is permitted. */
 void control_read(const struct control *control, size_t first, size_t n,
                   uint64_t *permitted);
+/* n elements from the first on; half words stand in the left half of a word.
+ */
+void vector_read(const struct memory *memory, const struct vector *vector,
+                 size_t first, c205_word *words, size_t n);
+void vector_write(struct memory *memory, const struct vector *vector,
+                  size_t first, const c205_word *words, size_t n);
 /* Store n elements, under a control vector only those permitted. */
 void result_store(struct c205 *machine, const struct vector *result,
                   const struct control *control, size_t first,

@@ -74,10 +74,11 @@ void pages_touch(struct pages *pages, uint64_t address, uint64_t bits,
         touch(pages, page << PAGE_SHIFT, met);
 }
 
-void pages_touch_indexed(struct pages *pages, uint64_t base,
-                         const c205_word *indices, size_t count,
+void pages_touch_indexed(struct pages *pages, uint64_t table,
+                         unsigned step, const c205_word *indices,
+                         size_t count,
                          struct translation *met)
 {
     for (size_t i = 0; i < count; i++)
-        touch(pages, base + (indices[i] << 6), met);
+        touch(pages, table + indices[i] * step, met);
 }

@@ -31,9 +31,10 @@ void pages_forget(struct pages *pages);
 /* Look up every page of a range of bits, in order; add to *met. */
 void pages_touch(struct pages *pages, uint64_t address, uint64_t bits,
                  struct translation *met);
-/* Look up the pages of base + 64 x index for a list of indices. */
-void pages_touch_indexed(struct pages *pages, uint64_t base,
-                         const c205_word *indices, size_t count,
+/* Look up the pages of table + step x index for a list of indices. */
+void pages_touch_indexed(struct pages *pages, uint64_t table,
+                         unsigned step, const c205_word *indices,
+                         size_t count,
                          struct translation *met);
 
 #endif

@@ -41,13 +41,18 @@ static size_t take_permitted(const struct stream *stream, size_t first,
     return n;
 }
 
-static c205_word run_reduction(struct stream *stream,
-                               const struct reduction *reduction)
+/* What the accumulator holds at first, and when the turn is over. */
+static c205_trap run_reduction(struct stream *stream,
+                               const struct reduction *reduction,
+                               c205_word *accumulator)
 {
+    struct progress *progress = &stream->machine->progress;
     uint64_t *flags = &stream->machine->data_flags;
-    c205_word accumulator = reduction->start, pairs[CHUNK];
+    c205_word pairs[CHUNK];
     struct some some;
-    for (size_t first = 0, n; first < stream->n; first += n) {
+    *accumulator = stream->turn.first > 0 ? progress->word : reduction->start;
+    for (size_t first = stream->turn.first, n; first < stream->turn.end;
+         first += n) {
         n = stream_next(stream, first);
         const c205_word *a = source_read(&stream->a, first, n);
         const c205_word *b =
@@ -57,43 +62,51 @@ static c205_word run_reduction(struct stream *stream,
             reduction->pair(pairs, a, b, count, flags);
             a = pairs;
         }
-        reduction->fold(&accumulator, a, count, flags);
+        reduction->fold(accumulator, a, count, flags);
     }
-    return accumulator;
+    c205_trap trap = stream_end(stream);
+    if (trap != C205_TRAP_NONE)
+        progress->word = *accumulator;
+    return trap;
 }
 
 static c205_trap reduce(struct c205 *machine, const struct decoded *decoded,
                         const struct reduction *reduction)
 {
     struct stream stream;
+    c205_word accumulator;
     c205_trap trap = open_sources(&stream, machine, decoded);
     if (trap == C205_TRAP_NONE)
-        machine->slot[decoded->c] = run_reduction(&stream, reduction);
+        trap = run_reduction(&stream, reduction, &accumulator);
+    if (trap == C205_TRAP_NONE)
+        machine_deliver(machine, decoded, accumulator);
     return trap;
 }
 
 c205_trap execute_vector_sum(struct c205 *machine,
                              const struct decoded *decoded)
 {
-    static const struct reduction sum = { C205_MACHINE_ZERO, NULL,
-                                          lanes_sum };
+    const struct reduction sum = { C205_MACHINE_ZERO, NULL,
+                                   SIZED(decoded, sum) };
     return reduce(machine, decoded, &sum);
 }
 
 c205_trap execute_vector_product(struct c205 *machine,
                                  const struct decoded *decoded)
 {
-    static const struct reduction product = { C205_ONE, NULL,
-                                              lanes_product };
+    const struct reduction product = {
+        decoded->width[OPERAND_A] == HALF_BITS ? C205_HALF_ONE : C205_ONE,
+        NULL, SIZED(decoded, product)
+    };
     return reduce(machine, decoded, &product);
 }
 
 c205_trap execute_vector_dot(struct c205 *machine,
                              const struct decoded *decoded)
 {
-    static const struct reduction dot = { C205_MACHINE_ZERO,
-                                          lanes_multiply_significant,
-                                          lanes_sum };
+    const struct reduction dot = { C205_MACHINE_ZERO,
+                                   SIZED(decoded, multiply_significant),
+                                   SIZED(decoded, sum) };
     return reduce(machine, decoded, &dot);
 }
 
@@ -106,14 +119,15 @@ struct best {
     size_t index;
     bool found, indefinite;
     bool greatest; /* wanted; else the least */
+    bool (*less)(c205_word a, c205_word b);
 };
 
 static bool is_better(const struct best *best, c205_word word)
 {
     if (!best->found || word_is_indefinite(word))
         return true;
-    return best->greatest ? arith_less(best->word, word)
-                          : arith_less(word, best->word);
+    return best->greatest ? best->less(best->word, word)
+                          : best->less(word, best->word);
 }
 
 static void find_best(struct best *best, const c205_word *a, size_t first,
@@ -128,26 +142,52 @@ static void find_best(struct best *best, const c205_word *a, size_t first,
         }
 }
 
+/* The one found before the instruction was interrupted, if it was. */
+static void resume_extreme(struct best *best, const struct progress *progress)
+{
+    if (!progress->found)
+        return;
+    best->word = progress->word;
+    best->index = progress->count[0];
+    best->found = true;
+    best->indefinite = word_is_indefinite(best->word);
+}
+
+static c205_trap interrupt_extreme(struct progress *progress,
+                                   const struct best *best)
+{
+    progress->word = best->word;
+    progress->count[0] = best->index;
+    progress->found = best->found;
+    return C205_TRAP_CLOCK_LIMIT;
+}
+
 static c205_trap extreme(struct c205 *machine, const struct decoded *decoded,
                          bool greatest)
 {
-    struct best best = { C205_INDEFINITE, 0, false, false, greatest };
+    bool half = decoded->width[OPERAND_A] == HALF_BITS;
+    struct best best = { C205_INDEFINITE, 0, false, false, greatest,
+                         half ? half_less : arith_less };
     struct stream stream;
     uint64_t permitted[CHUNK_WORDS];
     c205_trap trap = open_sources(&stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
-    for (size_t first = 0, n; first < stream.n; first += n) {
+    resume_extreme(&best, &machine->progress);
+    for (size_t first = stream.turn.first, n; first < stream.turn.end;
+         first += n) {
         n = stream_next(&stream, first);
         control_read(&stream.control, first, n, permitted);
         find_best(&best, source_read(&stream.a, first, n), first, n,
                   permitted);
     }
+    if (stream_end(&stream) != C205_TRAP_NONE)
+        return interrupt_extreme(&machine->progress, &best);
     if (word_is_indefinite(best.word))
         machine->data_flags |= FLAG_INDEFINITE;
     if (word_is_machine_zero(best.word))
         machine->data_flags |= FLAG_MACHINE_ZERO;
-    machine->slot[decoded->c] = best.word;
+    machine_deliver(machine, decoded, best.word);
     machine->slot[decoded->fields.c + 1] = best.found ? best.index : stream.n;
     return C205_TRAP_NONE;
 }
@@ -171,12 +211,14 @@ static c205_trap select_first(struct c205 *machine,
                               lanes_compare *comparison)
 {
     struct stream stream;
+    struct progress *progress = &machine->progress;
     uint64_t bits[CHUNK_WORDS], permitted[CHUNK_WORDS];
-    size_t first = 0, found = 0;
+    bool found = progress->found;
     c205_trap trap = open_sources(&stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
-    while (found == 0 && first < stream.n) {
+    size_t first = found ? progress->count[0] : stream.turn.first;
+    while (!found && first < stream.turn.end) {
         size_t n = stream_next(&stream, first);
         const c205_word *a = source_read(&stream.a, first, n);
         comparison(bits, a, source_read(&stream.b, first, n), n);
@@ -187,15 +229,21 @@ static c205_trap select_first(struct c205 *machine,
         found = place < n;
         first += place;
     }
-    machine->slot[decoded->c] = first;
-    return C205_TRAP_NONE;
+    trap = stream_end(&stream);
+    if (trap == C205_TRAP_NONE) {
+        machine->slot[decoded->c] = first;
+    } else {
+        progress->found = found;
+        progress->count[0] = first;
+    }
+    return trap;
 }
 
 #define SELECT(name) \
     c205_trap execute_select_##name(struct c205 *machine, \
                                     const struct decoded *decoded) \
     { \
-        return select_first(machine, decoded, lanes_##name); \
+        return select_first(machine, decoded, SIZED(decoded, name)); \
     }
 SELECT(equal)
 SELECT(not_equal)

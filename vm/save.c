@@ -8,11 +8,12 @@
 
 /* A saved machine is, in words: magic, version, the model's name and the hash
  * of its constants, the hash of the program, registers, regions, memory,
- * clock, and the hash of all that.  Nothing of it depends on the host. */
+ * clock, how far an interrupted instruction came, and the hash of all that.
+ * Nothing of it depends on the host. */
 
 #define SAVE_MAGIC UINT64_C(0x4332303553415645) /* "C205SAVE" */
 /* To be raised with each change of what is saved or of its order. */
-enum { SAVE_VERSION = 1 };
+enum { SAVE_VERSION = 2 };
 
 /* ---- Hashes -------------------------------------------------------------- */
 
@@ -158,9 +159,23 @@ static void walk_registers(struct c205 *machine, struct tape *tape)
 {
     tape_array(tape, machine->slot + 1, C205_REGISTERS - 1);
     tape_word(tape, &machine->data_flags);
+    tape_word(tape, &machine->timer);
     tape_word(tape, &machine->pc);
     tape_require(tape, machine->pc <= ADDRESS_MASK,
                  "the program address of the saved machine is wrong");
+}
+
+static void walk_progress(struct c205 *machine, struct tape *tape)
+{
+    struct progress *progress = &machine->progress;
+    progress_walk(progress, tape);
+    if (progress->kept == 0)
+        return;
+    c205_word *kept = machine_scratch(machine, SCRATCH_KEPT);
+    if (kept)
+        tape_words(tape, kept, progress->kept);
+    else
+        tape_refuse(tape, "no memory left for a machine");
 }
 
 static void walk(struct c205 *machine, struct tape *tape)
@@ -173,6 +188,7 @@ static void walk(struct c205 *machine, struct tape *tape)
     machine_walk_regions(machine, tape);
     walk_memory(&machine->memory, tape);
     clock_walk(machine->clock, tape);
+    walk_progress(machine, tape);
     tape_end(tape);
 }
 

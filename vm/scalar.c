@@ -47,16 +47,42 @@ TO_T(multiply_index, LOW(a * b))
 
 /* ---- Special registers ------------------------------------------------- */
 
+uint64_t *machine_raise_flags(struct c205 *machine)
+{
+    machine->data_flags = machine_flags(machine);
+    if (machine_timer_has_run_out(machine))
+        machine->timer = 0;
+    return &machine->data_flags;
+}
+
 c205_trap execute_exchange_flags(struct c205 *machine,
                                  const struct decoded *decoded)
 {
-    c205_word flags = machine->data_flags;
-    machine->data_flags = machine->slot[decoded->a];
-    machine->slot[decoded->c] = flags;
+    uint64_t *flags = machine_raise_flags(machine);
+    c205_word before = *flags;
+    *flags = machine->slot[decoded->a];
+    machine->slot[decoded->c] = before;
     return C205_TRAP_NONE;
 }
 
 TO_T(read_clock, LOW(machine_clocks(machine)))
+
+static uint64_t clocks_left(const struct c205 *machine)
+{
+    uint64_t now = machine_clocks(machine);
+    return machine->timer > now ? machine->timer - now : 0;
+}
+
+TO_T(read_timer, LOW(clocks_left(machine)))
+
+c205_trap execute_set_timer(struct c205 *machine,
+                            const struct decoded *decoded)
+{
+    uint64_t clocks = LOW(machine->slot[decoded->a]);
+    machine_raise_flags(machine);
+    machine->timer = clocks ? machine_clocks(machine) + clocks : 0;
+    return C205_TRAP_NONE;
+}
 
 /* ---- Arithmetic -------------------------------------------------------- */
 
@@ -84,6 +110,89 @@ ONE_OPERAND(exponent)
 TWO_OPERANDS(adjust_significance)
 TWO_OPERANDS(adjust_exponent)
 TWO_OPERANDS(pack)
+
+/* ---- Half registers ----------------------------------------------------- */
+
+/* T := value, where a, b are the half words of R and S. */
+#define TO_HALF(name, value) \
+    c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
+    { \
+        const c205_word a = machine_half(machine, d->a, d->shift[OPERAND_A]); \
+        const c205_word b = machine_half(machine, d->b, d->shift[OPERAND_B]); \
+        (void)a, (void)b; \
+        machine_deliver(machine, d, value); \
+        return C205_TRAP_NONE; \
+    }
+#define TWO_HALVES(name) TO_HALF(name, name(a, b, &machine->data_flags))
+#define ONE_HALF(name) TO_HALF(name, name(a, &machine->data_flags))
+
+TWO_HALVES(half_add_upper)
+TWO_HALVES(half_add_lower)
+TWO_HALVES(half_add_normalised)
+TWO_HALVES(half_subtract_upper)
+TWO_HALVES(half_subtract_lower)
+TWO_HALVES(half_subtract_normalised)
+TWO_HALVES(half_multiply_upper)
+TWO_HALVES(half_multiply_lower)
+TWO_HALVES(half_multiply_significant)
+TWO_HALVES(half_divide_upper)
+TWO_HALVES(half_divide_significant)
+ONE_HALF(half_truncate)
+ONE_HALF(half_floor)
+ONE_HALF(half_ceiling)
+ONE_HALF(half_square_root)
+ONE_HALF(half_absolute)
+ONE_HALF(half_exponent)
+TWO_HALVES(half_adjust_significance)
+TWO_HALVES(half_adjust_exponent)
+TWO_HALVES(half_pack)
+TO_HALF(move_half, a)
+TO_HALF(extend, arith_extend(a, &machine->data_flags))
+
+static c205_trap cut_to_half(struct c205 *machine,
+                             const struct decoded *decoded,
+                             c205_word (*contract)(c205_word, uint64_t *))
+{
+    machine_deliver(machine, decoded,
+                    contract(machine->slot[decoded->a],
+                             &machine->data_flags));
+    return C205_TRAP_NONE;
+}
+
+c205_trap execute_contract(struct c205 *machine,
+                           const struct decoded *decoded)
+{
+    return cut_to_half(machine, decoded, arith_contract);
+}
+
+c205_trap execute_contract_rounded(struct c205 *machine,
+                                   const struct decoded *decoded)
+{
+    return cut_to_half(machine, decoded, arith_contract_rounded);
+}
+
+/* Of a half word in the left half. */
+#define HALF_COEFFICIENT UINT64_C(0x00FFFFFF00000000)
+
+c205_trap execute_enter_half(struct c205 *machine,
+                             const struct decoded *decoded)
+{
+    c205_word i = (c205_word)decoded->fields.immediate << HALF_BITS;
+    machine_set_half(machine, decoded->result[0], decoded->shift[OPERAND_A],
+                     i & HALF_COEFFICIENT);
+    return C205_TRAP_NONE;
+}
+
+c205_trap execute_increase_half(struct c205 *machine,
+                                const struct decoded *decoded)
+{
+    c205_word i = (c205_word)decoded->fields.immediate << HALF_BITS;
+    uint8_t shift = decoded->shift[OPERAND_A];
+    c205_word a = machine_half(machine, decoded->a, shift);
+    machine_set_half(machine, decoded->result[0], shift,
+                     (a & ~HALF_COEFFICIENT) | ((a + i) & HALF_COEFFICIENT));
+    return C205_TRAP_NONE;
+}
 
 /* ---- Shift and logical ------------------------------------------------- */
 
@@ -168,6 +277,40 @@ c205_trap execute_store_word(struct c205 *machine,
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
     machine_touch(machine, address, WORD_BITS);
+    return C205_TRAP_NONE;
+}
+
+/* R + 32 S */
+static uint64_t half_address(const struct c205 *machine,
+                             const struct decoded *decoded)
+{
+    return LOW(machine->slot[decoded->a]
+               + machine->slot[decoded->b] * HALF_BITS);
+}
+
+c205_trap execute_load_half(struct c205 *machine,
+                            const struct decoded *decoded)
+{
+    uint64_t address = half_address(machine, decoded);
+    c205_word half;
+    c205_trap trap = memory_load_half(&machine->memory, address, &half);
+    if (trap != C205_TRAP_NONE)
+        return machine_fault(machine, trap, address);
+    machine_deliver(machine, decoded, half);
+    machine_touch(machine, address, HALF_BITS);
+    return C205_TRAP_NONE;
+}
+
+c205_trap execute_store_half(struct c205 *machine,
+                             const struct decoded *decoded)
+{
+    uint64_t address = half_address(machine, decoded);
+    c205_word half = machine_half(machine, decoded->c,
+                                  decoded->shift[OPERAND_C]);
+    c205_trap trap = memory_store_half(&machine->memory, address, half);
+    if (trap != C205_TRAP_NONE)
+        return machine_fault(machine, trap, address);
+    machine_touch(machine, address, HALF_BITS);
     return C205_TRAP_NONE;
 }
 

@@ -32,6 +32,22 @@ static size_t compared(const struct stream *stream, size_t place)
     return place < stream->b.vector.length ? place + 1 : place;
 }
 
+/* The places of n words, or of as many as there is time for. */
+static size_t search_some(struct stream *stream, const c205_word *a, size_t n,
+                          lanes_compare *comparison, c205_word *places)
+{
+    struct c205 *machine = stream->machine;
+    size_t *made = &machine->effect.elements; /* comparisons */
+    for (size_t i = 0; i < n; i++) {
+        places[i] = search_for(stream, a[i], comparison);
+        size_t more = compared(stream, (size_t)places[i]);
+        if (*made > machine->allowed || more > machine->allowed - *made)
+            return i;
+        *made += more;
+    }
+    return n;
+}
+
 static c205_trap search(struct c205 *machine, const struct decoded *decoded,
                         lanes_compare *comparison)
 {
@@ -40,25 +56,28 @@ static c205_trap search(struct c205 *machine, const struct decoded *decoded,
     c205_trap trap = stream_open_scan(&stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
-    machine->effect.elements = 0;
-    for (size_t first = 0, n; first < stream.n; first += n) {
+    size_t first = stream.turn.first, n = 0, done = 0;
+    machine->effect.elements = machine->progress.count[0];
+    stream.turn.end = stream.n;
+    for (; first < stream.n && done == n; first += done) {
         n = stream_next(&stream, first);
-        const c205_word *a = source_read(&stream.a, first, n);
-        for (size_t i = 0; i < n; i++) {
-            places[i] = search_for(&stream, a[i], comparison);
-            machine->effect.elements += compared(&stream, (size_t)places[i]);
-        }
+        done = search_some(&stream, source_read(&stream.a, first, n), n,
+                           comparison, places);
         result_store(machine, &stream.result, &stream.control, first, places,
-                     n);
+                     done);
     }
-    return C205_TRAP_NONE;
+    stream.turn.end = first;
+    trap = stream_end(&stream);
+    if (trap != C205_TRAP_NONE)
+        machine->progress.count[0] = machine->effect.elements;
+    return trap;
 }
 
 #define SEARCH(name) \
     c205_trap execute_search_##name(struct c205 *machine, \
                                     const struct decoded *decoded) \
     { \
-        return search(machine, decoded, lanes_##name); \
+        return search(machine, decoded, SIZED(decoded, name)); \
     }
 SEARCH(equal)
 SEARCH(not_equal)

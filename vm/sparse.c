@@ -22,6 +22,7 @@ enum presence { EITHER, BOTH };
 
 struct sparse {
     struct c205 *machine;
+    struct turn turn; /* through the places of the order vectors */
     struct source a, b;
     struct vector result;
     struct order x, y, z;
@@ -30,8 +31,31 @@ struct sparse {
 
 /* ---- Order vectors ----------------------------------------------------- */
 
+/* Those of an instruction that was interrupted were kept, X before Y, as its
+ * result may lie upon them. */
+enum { KEPT_ORDERS = 2 * ORDER_WORDS };
+
+static const uint64_t *kept_orders(struct c205 *machine)
+{
+    return machine->progress.kept == KEPT_ORDERS
+               ? machine_scratch(machine, SCRATCH_KEPT)
+               : NULL;
+}
+
+static c205_trap keep_orders(struct sparse *sparse)
+{
+    struct c205 *machine = sparse->machine;
+    c205_word *kept = machine_scratch(machine, SCRATCH_KEPT);
+    if (!kept)
+        return C205_TRAP_NO_MEMORY;
+    memcpy(kept, sparse->x.bits, sizeof sparse->x.bits);
+    memcpy(kept + ORDER_WORDS, sparse->y.bits, sizeof sparse->y.bits);
+    machine->progress.kept = KEPT_ORDERS;
+    return C205_TRAP_NONE;
+}
+
 static c205_trap read_order(struct c205 *machine, struct order *order,
-                            c205_word descriptor)
+                            c205_word descriptor, const uint64_t *kept)
 {
     struct vector *vector = &order->vector;
     *vector = describe_bits(descriptor);
@@ -39,8 +63,11 @@ static c205_trap read_order(struct c205 *machine, struct order *order,
     if (trap != C205_TRAP_NONE)
         return trap;
     memset(order->bits, 0, sizeof order->bits);
-    memory_read_bits(&machine->memory, vector->address, order->bits,
-                     vector->length);
+    if (kept)
+        memcpy(order->bits, kept, sizeof order->bits);
+    else
+        memory_read_bits(&machine->memory, vector->address, order->bits,
+                         vector->length);
     order->ones = count_ones(order->bits, vector->length);
     return C205_TRAP_NONE;
 }
@@ -81,8 +108,7 @@ static c205_trap describe_packed(struct sparse *sparse,
     if (trap == C205_TRAP_NONE)
         trap = describe_b(&sparse->b, machine, &packed);
     if (trap == C205_TRAP_NONE)
-        trap = describe_result(&sparse->result, &z, machine, &packed,
-                               WORD_BITS);
+        trap = describe_result(&sparse->result, &z, machine, &packed);
     sparse->z.vector = z.vector;
     return trap;
 }
@@ -107,12 +133,14 @@ static c205_trap open_sparse(struct sparse *sparse, struct c205 *machine,
                              enum presence presence)
 {
     sparse->machine = machine;
-    sparse->next_a = sparse->next_b = sparse->next_result = 0;
+    const uint64_t *kept = kept_orders(machine);
     c205_trap trap = describe_packed(sparse, decoded);
     if (trap == C205_TRAP_NONE)
-        trap = read_order(machine, &sparse->x, machine->slot[decoded->x]);
+        trap = read_order(machine, &sparse->x, machine->slot[decoded->x],
+                          kept);
     if (trap == C205_TRAP_NONE)
-        trap = read_order(machine, &sparse->y, machine->slot[decoded->y]);
+        trap = read_order(machine, &sparse->y, machine->slot[decoded->y],
+                          kept ? kept + ORDER_WORDS : NULL);
     if (trap != C205_TRAP_NONE)
         return trap;
     combine_orders(sparse, presence);
@@ -142,32 +170,65 @@ static size_t take_pairs(struct sparse *sparse, size_t first, size_t n,
     return count;
 }
 
-static void run_sparse(struct sparse *sparse,
-                       const struct operation *operation)
+static c205_trap run_sparse(struct sparse *sparse,
+                            const struct operation *operation)
 {
+    const struct turn *turn = &sparse->turn;
     const struct vector *result = &sparse->result;
     struct c205 *machine = sparse->machine;
     c205_word a[CHUNK], b[CHUNK], words[CHUNK];
     bool apart = !operands_overlap(&sparse->a.vector, result)
                  && !operands_overlap(&sparse->b.vector, result);
-    size_t length = sparse->z.vector.length, chunk = apart ? CHUNK : 1;
-    for (size_t first = 0, n; first < length; first += n) {
-        n = length - first < chunk ? length - first : chunk;
+    size_t chunk = apart ? CHUNK : 1;
+    for (size_t first = turn->first, n; first < turn->end; first += n) {
+        n = turn->end - first < chunk ? turn->end - first : chunk;
         size_t count = take_pairs(sparse, first, n, a, b);
         operate(machine, operation, words, a, b, count, NULL);
-        memory_write_words(&machine->memory,
-                           vector_at(result, sparse->next_result), words,
-                           count);
+        vector_write(&machine->memory, result, sparse->next_result, words,
+                     count);
         sparse->next_result += count;
     }
-    memory_write_bits(&machine->memory, sparse->z.vector.address,
-                      sparse->z.bits, length);
+    c205_trap trap = machine_end_turn(machine, turn);
+    if (trap == C205_TRAP_NONE)
+        memory_write_bits(&machine->memory, sparse->z.vector.address,
+                          sparse->z.bits, sparse->z.vector.length);
+    return trap;
 }
 
 static size_t longest(size_t a, size_t b, size_t c)
 {
     size_t longer = a > b ? a : b;
     return longer > c ? longer : c;
+}
+
+/* Up to which place the longest packed vector has so many elements. */
+static size_t places_of(const struct sparse *sparse, size_t elements)
+{
+    size_t x = 0, y = 0, z = 0, length = sparse->z.vector.length;
+    if (elements >= sparse->machine->effect.elements)
+        return length;
+    for (size_t i = 0; i < length; i++) {
+        x += bit_at(sparse->x.bits, i);
+        y += bit_at(sparse->y.bits, i);
+        z += bit_at(sparse->z.bits, i);
+        if (longest(x, y, z) > elements)
+            return i;
+    }
+    return length;
+}
+
+/* What comes before the turn has been taken. */
+static c205_trap begin_turn(struct sparse *sparse)
+{
+    struct c205 *machine = sparse->machine;
+    sparse->turn = machine_turn(machine, sparse->z.vector.length,
+                                places_of(sparse, machine->allowed));
+    size_t first = sparse->turn.first;
+    sparse->next_a = ones_from(&sparse->x, 0, first);
+    sparse->next_b = ones_from(&sparse->y, 0, first);
+    sparse->next_result = ones_from(&sparse->z, 0, first);
+    return sparse->turn.end < sparse->turn.n ? keep_orders(sparse)
+                                             : C205_TRAP_NONE;
 }
 
 static void set_length(struct c205 *machine, uint16_t slot, size_t length)
@@ -187,7 +248,11 @@ static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,
         return trap;
     machine->effect.elements =
         longest(sparse.x.ones, sparse.y.ones, sparse.z.ones);
-    run_sparse(&sparse, &operation);
+    trap = begin_turn(&sparse);
+    if (trap == C205_TRAP_NONE)
+        trap = run_sparse(&sparse, &operation);
+    if (trap != C205_TRAP_NONE)
+        return trap;
     set_length(machine, decoded->c, sparse.z.ones);
     set_length(machine, decoded->z, sparse.z.vector.length);
     return C205_TRAP_NONE;
@@ -197,7 +262,7 @@ static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,
     c205_trap execute_sparse_##name(struct c205 *machine, \
                                     const struct decoded *decoded) \
     { \
-        return sparse(machine, decoded, presence, lanes_##name); \
+        return sparse(machine, decoded, presence, SIZED(decoded, name)); \
     }
 SPARSE(EITHER, add_upper)
 SPARSE(EITHER, add_lower)

@@ -4,7 +4,7 @@
 /* ---- Streams ----------------------------------------------------------- */
 
 c205_trap stream_describe(struct stream *stream, struct c205 *machine,
-                          const struct decoded *decoded, unsigned width)
+                          const struct decoded *decoded)
 {
     stream->machine = machine;
     stream->scans_b = false;
@@ -13,7 +13,7 @@ c205_trap stream_describe(struct stream *stream, struct c205 *machine,
         trap = describe_b(&stream->b, machine, decoded);
     if (trap == C205_TRAP_NONE)
         trap = describe_result(&stream->result, &stream->control, machine,
-                               decoded, width);
+                               decoded);
     stream->n = stream->result.length;
     return trap;
 }
@@ -56,6 +56,7 @@ c205_trap stream_claim_sources(struct stream *stream)
     struct c205 *machine = stream->machine;
     machine->effect.elements = stream->n;
     stream->chunk = CHUNK;
+    stream->turn = machine_turn(machine, stream->n, machine->allowed);
     c205_trap trap = claim_source(machine, &stream->a, stream->n);
     if (trap == C205_TRAP_NONE)
         trap = claim_source(machine, &stream->b, count_b(stream));
@@ -85,16 +86,16 @@ c205_trap stream_claim(struct stream *stream)
 }
 
 c205_trap stream_open(struct stream *stream, struct c205 *machine,
-                      const struct decoded *decoded, unsigned width)
+                      const struct decoded *decoded)
 {
-    c205_trap trap = stream_describe(stream, machine, decoded, width);
+    c205_trap trap = stream_describe(stream, machine, decoded);
     return trap == C205_TRAP_NONE ? stream_claim(stream) : trap;
 }
 
 c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
                            const struct decoded *decoded)
 {
-    c205_trap trap = stream_describe(stream, machine, decoded, WORD_BITS);
+    c205_trap trap = stream_describe(stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
     stream->scans_b = true;
@@ -146,7 +147,7 @@ static c205_word *result_space(struct stream *stream, size_t first, size_t n,
                                c205_word *words)
 {
     size_t count = n;
-    if (stream->control.present
+    if (stream->control.present || stream->result.width != WORD_BITS
         || operands_overlap(&stream->a.vector, &stream->result)
         || operands_overlap(&stream->b.vector, &stream->result))
         return words;
@@ -156,12 +157,13 @@ static c205_word *result_space(struct stream *stream, size_t first, size_t n,
     return count == n ? span : words;
 }
 
-static void run_stream(struct stream *stream,
-                       const struct operation *operation)
+static c205_trap run_stream(struct stream *stream,
+                            const struct operation *operation)
 {
     c205_word words[CHUNK];
     uint64_t permitted[CHUNK_WORDS];
-    for (size_t first = 0, n; first < stream->n; first += n) {
+    for (size_t first = stream->turn.first, n; first < stream->turn.end;
+         first += n) {
         n = stream_next(stream, first);
         c205_word *c = result_space(stream, first, n, words);
         const c205_word *a = source_read(&stream->a, first, n);
@@ -174,6 +176,7 @@ static void run_stream(struct stream *stream,
             result_store(stream->machine, &stream->result, &stream->control,
                      first, words, n);
     }
+    return stream_end(stream);
 }
 
 static c205_trap elementwise(struct c205 *machine,
@@ -182,10 +185,8 @@ static c205_trap elementwise(struct c205 *machine,
 {
     struct operation operation = { unary, binary };
     struct stream stream;
-    c205_trap trap = stream_open(&stream, machine, decoded, WORD_BITS);
-    if (trap == C205_TRAP_NONE)
-        run_stream(&stream, &operation);
-    return trap;
+    c205_trap trap = stream_open(&stream, machine, decoded);
+    return trap == C205_TRAP_NONE ? run_stream(&stream, &operation) : trap;
 }
 
 /* Each of these has its function in lanes.h. */
@@ -207,28 +208,35 @@ static c205_trap elementwise(struct c205 *machine,
     c205_trap execute_vector_##name(struct c205 *machine, \
                                     const struct decoded *decoded) \
     { \
-        return elementwise(machine, decoded, NULL, lanes_##name); \
+        return elementwise(machine, decoded, NULL, SIZED(decoded, name)); \
     }
 #define EXECUTE_UNARY(name) \
     c205_trap execute_vector_##name(struct c205 *machine, \
                                     const struct decoded *decoded) \
     { \
-        return elementwise(machine, decoded, lanes_##name, NULL); \
+        return elementwise(machine, decoded, SIZED(decoded, name), NULL); \
     }
 
 BINARY(EXECUTE_BINARY)
 UNARY(EXECUTE_UNARY)
 
-c205_trap execute_vector_transmit(struct c205 *machine,
-                                  const struct decoded *decoded)
-{
-    return elementwise(machine, decoded, lanes_copy, NULL);
-}
+/* Those that are of both sizes or between them. */
+#define EXECUTE_LANES(name, lanes) \
+    c205_trap execute_vector_##name(struct c205 *machine, \
+                                    const struct decoded *decoded) \
+    { \
+        return elementwise(machine, decoded, lanes, NULL); \
+    }
+
+EXECUTE_LANES(transmit, lanes_copy)
+EXECUTE_LANES(contract, lanes_contract)
+EXECUTE_LANES(contract_rounded, lanes_contract_rounded)
+EXECUTE_LANES(extend, lanes_extend)
 
 struct operation linked_operation(const struct decoded *decoded)
 {
-#define LINKED(name) { execute_vector_##name, lanes_##name },
-    static const struct {
+#define LINKED(name) { execute_vector_##name, SIZED(decoded, name) },
+    const struct {
         semantics *execute;
         lanes_binary *lanes;
     } linked[] = { LINKABLE(LINKED) };
@@ -248,32 +256,31 @@ static c205_trap neighbours(struct c205 *machine,
 {
     struct operation operation = { NULL, binary };
     struct stream stream;
-    c205_trap trap = stream_describe(&stream, machine, decoded, WORD_BITS);
+    c205_trap trap = stream_describe(&stream, machine, decoded);
     if (trap == C205_TRAP_NONE)
         trap = describe_a(&stream.b, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
     if (stream.a.vector.length > 0) {
         stream.a.vector.address =
-            (stream.a.vector.address + WORD_BITS) & ADDRESS_MASK;
+            vector_at(&stream.a.vector, 1) & ADDRESS_MASK;
         stream.a.vector.length--;
     }
     trap = stream_claim(&stream);
-    if (trap == C205_TRAP_NONE)
-        run_stream(&stream, &operation);
-    return trap;
+    return trap == C205_TRAP_NONE ? run_stream(&stream, &operation) : trap;
 }
 
 c205_trap execute_vector_delta(struct c205 *machine,
                                const struct decoded *decoded)
 {
-    return neighbours(machine, decoded, lanes_subtract_normalised);
+    return neighbours(machine, decoded,
+                      SIZED(decoded, subtract_normalised));
 }
 
 c205_trap execute_vector_adjacent_mean(struct c205 *machine,
                                        const struct decoded *decoded)
 {
-    return neighbours(machine, decoded, lanes_average);
+    return neighbours(machine, decoded, SIZED(decoded, average));
 }
 
 /* ---- Interval ---------------------------------------------------------- */
@@ -281,7 +288,10 @@ c205_trap execute_vector_adjacent_mean(struct c205 *machine,
 /* n elements by repeated upper addition, the first of them *value; the next
  * is left there.  They do not depend on the control vector, flags do: each
  * comes with the sum that is stored. */
+typedef c205_word adder(c205_word a, c205_word b, uint64_t *flags);
+
 struct progression {
+    adder *add;
     c205_word value, step;
     uint64_t raised; /* flags of value */
 };
@@ -295,46 +305,62 @@ static void make_interval(struct c205 *machine,
         if (bit_at(permitted, i))
             machine->data_flags |= progression->raised;
         progression->raised = 0;
-        progression->value = arith_add_upper(
-            progression->value, progression->step, &progression->raised);
+        progression->value =
+            progression->add(progression->value, progression->step,
+                             &progression->raised);
     }
 }
 
-static void run_interval(struct stream *stream)
+static c205_trap run_interval(struct stream *stream)
 {
-    struct progression progression = { stream->a.padding,
-                                       stream->b.padding, 0 };
+    struct progress *progress = &stream->machine->progress;
+    bool half = stream->result.width == HALF_BITS;
+    struct progression progression = {
+        half ? half_add_upper : arith_add_upper, stream->a.padding,
+        stream->b.padding, 0
+    };
     c205_word words[CHUNK];
     uint64_t permitted[CHUNK_WORDS];
-    for (size_t first = 0, n; first < stream->n; first += n) {
+    if (stream->turn.first > 0) {
+        progression.value = progress->word;
+        progression.raised = progress->flags;
+    }
+    for (size_t first = stream->turn.first, n; first < stream->turn.end;
+         first += n) {
         n = stream_next(stream, first);
         control_read(&stream->control, first, n, permitted);
         make_interval(stream->machine, &progression, words, n, permitted);
         result_store(stream->machine, &stream->result, &stream->control,
                      first, words, n);
     }
+    c205_trap trap = stream_end(stream);
+    if (trap != C205_TRAP_NONE) {
+        progress->word = progression.value;
+        progress->flags = progression.raised;
+    }
+    return trap;
 }
 
 c205_trap execute_vector_interval(struct c205 *machine,
                                   const struct decoded *decoded)
 {
     struct stream stream;
-    c205_trap trap = stream_open(&stream, machine, decoded, WORD_BITS);
-    if (trap == C205_TRAP_NONE)
-        run_interval(&stream);
-    return trap;
+    c205_trap trap = stream_open(&stream, machine, decoded);
+    return trap == C205_TRAP_NONE ? run_interval(&stream) : trap;
 }
 
 /* ---- Polynomial -------------------------------------------------------- */
 
+struct horner {
+    struct operation times, plus;
+};
+
 /* values := the polynomial at each of a, by Horner: times a, plus the next
  * coefficient. */
-static void evaluate(struct stream *stream, c205_word *values,
-                     const c205_word *a, size_t n, const uint64_t *permitted)
+static void evaluate(struct stream *stream, const struct horner *horner,
+                     c205_word *values, const c205_word *a, size_t n,
+                     const uint64_t *permitted)
 {
-    static const struct operation times = { NULL,
-                                            lanes_multiply_significant };
-    static const struct operation plus = { NULL, lanes_add_normalised };
     size_t count = stream->b.vector.length;
     c205_word products[CHUNK], coefficients[CHUNK];
     fill_words(values,
@@ -342,31 +368,41 @@ static void evaluate(struct stream *stream, c205_word *values,
                          : C205_MACHINE_ZERO, n);
     for (size_t i = 1; i < count; i++) {
         fill_words(coefficients, *source_read(&stream->b, i, 1), n);
-        operate(stream->machine, &times, products, values, a, n, permitted);
-        operate(stream->machine, &plus, values, products, coefficients, n,
+        operate(stream->machine, &horner->times, products, values, a, n,
                 permitted);
+        operate(stream->machine, &horner->plus, values, products,
+                coefficients, n, permitted);
     }
 }
 
 c205_trap execute_vector_polynomial(struct c205 *machine,
                                     const struct decoded *decoded)
 {
+    const struct horner horner = {
+        { NULL, SIZED(decoded, multiply_significant) },
+        { NULL, SIZED(decoded, add_normalised) }
+    };
     struct stream stream;
     c205_word words[CHUNK];
     uint64_t permitted[CHUNK_WORDS];
     c205_trap trap = stream_open_scan(&stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
-    machine->effect.elements = stream.n * stream.b.vector.length;
-    for (size_t first = 0, n; first < stream.n; first += n) {
+    size_t count = stream.b.vector.length;
+    machine->effect.elements = stream.n * count;
+    stream.turn = machine_turn(machine, stream.n,
+                               count > 0 ? machine->allowed / count
+                                         : stream.n);
+    for (size_t first = stream.turn.first, n; first < stream.turn.end;
+         first += n) {
         n = stream_next(&stream, first);
         control_read(&stream.control, first, n, permitted);
-        evaluate(&stream, words, source_read(&stream.a, first, n), n,
-                 stream.control.present ? permitted : NULL);
+        evaluate(&stream, &horner, words, source_read(&stream.a, first, n),
+                 n, stream.control.present ? permitted : NULL);
         result_store(machine, &stream.result, &stream.control, first, words,
                      n);
     }
-    return C205_TRAP_NONE;
+    return stream_end(&stream);
 }
 
 /* ---- Compare ----------------------------------------------------------- */
@@ -376,10 +412,11 @@ static c205_trap compare(struct c205 *machine, const struct decoded *decoded,
 {
     struct stream stream;
     uint64_t bits[CHUNK_WORDS];
-    c205_trap trap = stream_open(&stream, machine, decoded, 1);
+    c205_trap trap = stream_open(&stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
-    for (size_t first = 0, n; first < stream.n; first += n) {
+    for (size_t first = stream.turn.first, n; first < stream.turn.end;
+         first += n) {
         n = stream_next(&stream, first);
         const c205_word *a = source_read(&stream.a, first, n);
         const c205_word *b = source_read(&stream.b, first, n);
@@ -387,14 +424,14 @@ static c205_trap compare(struct c205 *machine, const struct decoded *decoded,
         result_store_bits(machine, &stream.result, &stream.control, first,
                           bits, n);
     }
-    return C205_TRAP_NONE;
+    return stream_end(&stream);
 }
 
 #define COMPARE(name) \
     c205_trap execute_compare_##name(struct c205 *machine, \
                                      const struct decoded *decoded) \
     { \
-        return compare(machine, decoded, lanes_##name); \
+        return compare(machine, decoded, SIZED(decoded, name)); \
     }
 COMPARE(equal)
 COMPARE(not_equal)

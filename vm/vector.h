@@ -12,6 +12,7 @@ struct stream {
     struct control control;
     struct vector result;
     size_t n;     /* elements */
+    struct turn turn; /* those of them that are gone through this time */
     size_t chunk; /* at most so many at once */
     bool scans_b; /* all of B is read for each element of A */
 };
@@ -22,9 +23,13 @@ struct operation {
     lanes_binary *binary;
 };
 
+/* The function on spans of the size that the instruction works on. */
+#define SIZED(decoded, name) \
+    ((decoded)->fields.g & C205_G_HALF ? halves_##name : lanes_##name)
+
 /* Describe the operands; n is the length of the result. */
 c205_trap stream_describe(struct stream *stream, struct c205 *machine,
-                          const struct decoded *decoded, unsigned width);
+                          const struct decoded *decoded);
 /* The same for results that are registers: n is the length of a source. */
 c205_trap stream_describe_sources(struct stream *stream,
                                   struct c205 *machine,
@@ -38,7 +43,7 @@ c205_trap stream_claim(struct stream *stream);
 c205_trap stream_claim_sources(struct stream *stream);
 /* Describe and claim. */
 c205_trap stream_open(struct stream *stream, struct c205 *machine,
-                      const struct decoded *decoded, unsigned width);
+                      const struct decoded *decoded);
 /* .. where all of B is read for each element of A. */
 c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
                            const struct decoded *decoded);
@@ -46,8 +51,14 @@ c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
 /* How many elements come next. */
 static inline size_t stream_next(const struct stream *stream, size_t first)
 {
-    size_t left = stream->n - first;
+    size_t left = stream->turn.end - first;
     return left < stream->chunk ? left : stream->chunk;
+}
+
+/* All that come next are done: NONE, or CLOCK_LIMIT if there are more. */
+static inline c205_trap stream_end(struct stream *stream)
+{
+    return machine_end_turn(stream->machine, &stream->turn);
 }
 
 /* words := operation(a, b); data flags come from the elements permitted

@@ -1,0 +1,79 @@
+#include "progress.h"
+
+#include "memory.h"
+#include "tape.h"
+
+/* The longest search makes so many comparisons. */
+#define MOST_COMPARED ((size_t)C205_MAX_LENGTH * C205_MAX_LENGTH)
+
+/* ---- The instruction itself --------------------------------------------- */
+
+static void keep_instruction(struct progress *progress,
+                             const struct decoded *decoded)
+{
+    c205_word word = c205_encode(decoded->insn, &decoded->fields);
+    unsigned halves = c205_format_halves(decoded->insn->format);
+    progress->half[progress->halves++] = (uint32_t)(word >> HALF_BITS);
+    if (halves == 2)
+        progress->half[progress->halves++] = (uint32_t)word;
+}
+
+/* Of one that was interrupted before, that is what was kept then. */
+void progress_interrupt(struct progress *progress,
+                        const struct decoded *decoded)
+{
+    progress->interrupted = true;
+    progress->halves = 0;
+    keep_instruction(progress, decoded);
+    for (size_t i = 0; i < 2 && decoded->linked[i]; i++)
+        keep_instruction(progress, decoded->linked[i]);
+}
+
+bool progress_holds(const struct progress *progress, uint64_t pc,
+                    uint64_t address, c205_word *half)
+{
+    uint64_t i = ((address - pc) & ADDRESS_MASK) / HALF_BITS;
+    if (!progress->interrupted || i >= progress->halves)
+        return false;
+    *half = progress->half[i];
+    return true;
+}
+
+/* ---- On a tape ---------------------------------------------------------- */
+
+static void walk_instruction(struct progress *progress, struct tape *tape)
+{
+    size_t halves = progress->halves;
+    tape_size(tape, &halves, PACKAGE_HALVES);
+    progress->halves = (unsigned)halves;
+    for (size_t i = 0; i < halves; i++) {
+        uint64_t half = progress->half[i];
+        tape_word(tape, &half);
+        tape_require(tape, half <= UINT32_MAX,
+                     "the interrupted instruction is damaged");
+        progress->half[i] = (uint32_t)half;
+    }
+}
+
+static void walk_flag(bool *flag, struct tape *tape)
+{
+    size_t size = *flag;
+    tape_size(tape, &size, 1);
+    *flag = size == 1;
+}
+
+/* Whatever numbers a tape holds, the loops stay within what is claimed. */
+void progress_walk(struct progress *progress, struct tape *tape)
+{
+    walk_flag(&progress->interrupted, tape);
+    if (!progress->interrupted)
+        return;
+    walk_instruction(progress, tape);
+    walk_flag(&progress->found, tape);
+    tape_size(tape, &progress->first, C205_MAX_LENGTH);
+    for (size_t i = 0; i < 2; i++)
+        tape_size(tape, &progress->count[i], MOST_COMPARED);
+    tape_word(tape, &progress->word);
+    tape_word(tape, &progress->flags);
+    tape_size(tape, &progress->kept, C205_MAX_LENGTH);
+}

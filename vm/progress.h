@@ -1,0 +1,54 @@
+/* progress.h - how far a vector instruction came before it was interrupted:
+ * the machine's "invisible package" (that there is one is S, what is in it
+ * is R).
+ *
+ * An instruction whose elements are not all done when the clock limit comes
+ * leaves here what its loop carries from one element to the next; what it
+ * stored is in memory already, and its other operands are described and
+ * claimed anew when it goes on.  The instruction itself is kept as well: it
+ * goes on even if its result lies upon its own code.
+ */
+#ifndef C205_PROGRESS_H
+#define C205_PROGRESS_H
+
+#include "decode.h"
+
+/* A linked pair: a short prefix and two long instructions. */
+enum { PACKAGE_HALVES = 5 };
+
+struct progress {
+    bool interrupted; /* the instruction at the program counter was; if not,
+                         all of this is zero */
+    size_t first;     /* elements done */
+    size_t count[2];  /* merge: how many came from A and from B; compress: how
+                         many were kept; search: how many comparisons were
+                         made; maximum, minimum, select: the place found */
+    bool found;
+    c205_word word;   /* reductions: the result so far; an interval: the next
+                         element .. */
+    uint64_t flags;   /* .. and its data flags */
+    size_t kept;      /* words in SCRATCH_KEPT: the indices of a gather or
+                         scatter, the order vectors of a sparse operation */
+    unsigned halves;  /* of the instruction, .. */
+    uint32_t half[PACKAGE_HALVES]; /* .. these */
+};
+
+/* The elements that an instruction goes through this time. */
+struct turn {
+    size_t first, end;
+    size_t n; /* of all */
+};
+
+struct tape;
+
+/* The instruction was interrupted; its loop has left the rest. */
+void progress_interrupt(struct progress *progress,
+                        const struct decoded *decoded);
+/* The half word at an address belongs to the instruction at pc that was
+ * interrupted. */
+bool progress_holds(const struct progress *progress, uint64_t pc,
+                    uint64_t address, c205_word *half);
+/* To or from a tape; SCRATCH_KEPT aside. */
+void progress_walk(struct progress *progress, struct tape *tape);
+
+#endif
