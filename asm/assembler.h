@@ -53,7 +53,8 @@ enum symbol_kind {
     SYMBOL_UNDEFINED,
     SYMBOL_LABEL,
     SYMBOL_CONSTANT,
-    SYMBOL_REGISTER
+    SYMBOL_REGISTER,
+    SYMBOL_HALF_REGISTER
 };
 
 struct symbol {
@@ -67,6 +68,12 @@ struct symbol {
 };
 
 enum { SYMBOL_BUCKETS = 4096 };
+
+/* A register of 64 bits, or a half register. */
+struct register_name {
+    bool half;
+    uint8_t number;
+};
 
 struct symbols {
     struct symbol *buckets[SYMBOL_BUCKETS];
@@ -84,7 +91,8 @@ enum item_kind {
     ITEM_INSTRUCTION,
     ITEM_WORDS,      /* known already */
     ITEM_VALUE,      /* one word from one expression */
-    ITEM_HALF,       /* half a word from one expression */
+    ITEM_HALF,       /* 32 bits of an integer from one expression */
+    ITEM_HALF_WORD,  /* a half word from one expression */
     ITEM_DESCRIPTOR, /* one word from two */
     ITEM_SPACE       /* zeros */
 };
@@ -171,8 +179,9 @@ struct symbol *symbol_intern(struct assembler *assembler, const char *name,
 /* NULL: never heard of. */
 struct symbol *symbol_find(const struct assembler *assembler,
                            const char *name, size_t length);
-/* r0 .. r255: its number; else -1. */
-int register_number(const char *name, size_t length);
+/* False: neither r0 .. r255 nor h0 .. h255. */
+bool register_named(const char *name, size_t length,
+                    struct register_name *found);
 bool symbol_define(struct assembler *assembler, const struct line *line,
                    const char *at, struct symbol *symbol,
                    enum symbol_kind kind, struct value value);

@@ -58,7 +58,8 @@ static const struct command {
       "measure the vector instructions",
       "c205 time [MNEMONIC..]  start-up, clocks per element, r-infinity and\n"
       "                        n-half of these, or of all; TRIAD is the\n"
-      "                        linked triad B + s A\n"
+      "                        linked triad B + s A; ,H behind a name: on\n"
+      "                        32-bit operands\n"
       OPTION_MODEL
       "  --points             print each measured point, too\n"
       OPTION_JSON },

@@ -2,10 +2,12 @@
 #include <string.h>
 
 #include "asm/cmd_isa.h"
+#include "asm/syntax.h"
 
 static const struct table_column columns[] = {
     { "mnemonic", "name", TABLE_TEXT, 0 },
     { "code", "code", TABLE_TEXT, 0 },
+    { "half", ",H", TABLE_TEXT, 0 },
     { "operands", "operands", TABLE_TEXT, 0 },
     { "format", "format", TABLE_TEXT, 0 },
     { "unit", "unit", TABLE_TEXT, 0 },
@@ -37,12 +39,15 @@ static void describe_rule(const char *name, const char *text)
 
 static void describe_rules(const c205_insn *insn)
 {
+    char half[ISA_HALF];
+    isa_half(insn, half);
     describe_rule("length", isa_length(insn));
     describe_rule("padding", isa_padding(insn));
     describe_rule("control", isa_control(insn));
     describe_rule("specials", isa_specials(insn));
+    describe_rule("with ,H", half);
     for (unsigned flag = 1; flag <= insn->flags; flag <<= 1) {
-        if (insn->flags & flag & ~ISA_PADDING && isa_flag(flag)) {
+        if (insn->flags & flag & ~ISA_TOLD && isa_flag(flag)) {
             describe_rule("note", isa_flag(flag));
         }
     }
@@ -65,15 +70,18 @@ static void describe(const c205_insn *insn)
     isa_code(insn, code);
     isa_drawing(insn, drawing);
     printf("%s   %s\n", insn->mnemonic, insn->effect);
-    printf("  written     %s %s\n", insn->mnemonic,
+    printf("  written     %s%s %s\n", insn->mnemonic,
+           insn->flags & C205_INSN_HALF ? "[" SYNTAX_HALF "]" : "",
            c205_format_syntax(insn->format));
     printf("  code        %s\n", code);
     printf("  word        %s\n", drawing);
     describe_operands(insn);
     describe_rules(insn);
     printf("  unit        %s\n", c205_unit_name(insn->unit));
-    printf("  timing      %s.%s%s%s\n", vector ? "startup" : "latency",
-           timing, vector ? ", stream." : "", vector ? timing : "");
+    printf("  timing      %s.%s%s%s%s\n", vector ? "startup" : "latency",
+           timing, vector ? ", stream." : "", vector ? timing : "",
+           insn->flags & C205_INSN_HALF
+               ? "; with ,H by vector.half_rate where pipes share it" : "");
     printf("  provenance  %c, %s\n", insn->provenance,
            isa_provenance(insn->provenance));
     describe_example(insn);
@@ -86,6 +94,7 @@ static void add_row(struct table *table, const c205_insn *insn)
     isa_code(insn, code);
     table_text(table, insn->mnemonic);
     table_text(table, code);
+    table_text(table, insn->flags & C205_INSN_HALF ? "H" : "");
     table_text(table, c205_format_syntax(insn->format));
     table_text(table, c205_format_name(insn->format));
     table_text(table, c205_unit_name(insn->unit));

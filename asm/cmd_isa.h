@@ -37,9 +37,13 @@ const char *isa_control(const c205_insn *insn);
 /* What becomes of machine zeros, indefinites and results out of range. */
 const char *isa_specials(const c205_insn *insn);
 
-/* Flags that isa_padding tells of. */
-#define ISA_PADDING (C205_INSN_PADZ | C205_INSN_PADO)
-/* What one flag of a row means; NULL: nobody has explained it. */
+/* What becomes of the operands with ",H"; empty: the row has no such form. */
+enum { ISA_FIELDS = 16, ISA_HALF = 200 };
+void isa_half(const c205_insn *insn, char text[ISA_HALF]);
+
+/* Flags that isa_padding and isa_half tell of. */
+#define ISA_TOLD (C205_INSN_PADZ | C205_INSN_PADO | C205_INSN_HALF)
+/* What another flag of a row means; NULL: nobody has explained it. */
 const char *isa_flag(unsigned flag);
 const char *isa_provenance(char letter);
 

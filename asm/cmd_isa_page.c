@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "asm/cmd_isa.h"
+#include "asm/syntax.h"
 
 /* The rows of insn.def and the headings among them. */
 static const struct entry {
@@ -22,7 +23,7 @@ static const struct {
     unsigned bit;
     const char *text, *where;
 } g_bits[] = {
-    { C205_G_HALF, "32-bit operands", "nowhere yet: a trap" },
+    { C205_G_HALF, "32-bit operands, written `,H`", "rows with `,H`" },
     { C205_G_ZEROS, "the control vector acts where it has zeros",
       "Z among the operands, and not 0" },
     { C205_G_OFFSET, "register C+1 holds an offset of C and Z",
@@ -40,23 +41,35 @@ static const struct {
 enum { G_BITS = sizeof g_bits / sizeof *g_bits };
 
 static const struct {
-    const char *what, *why;
+    const char *what, *why, *instead;
 } left_out[] = {
-    { "decimal and byte strings",
-      "packed decimal arithmetic, editing, byte search and translation: "
+#define NO_SUCH_CODE "its codes: `undefined-instruction`"
+    { "strings of bytes and of decimal digits",
+      "packed decimal arithmetic, editing, search and translation of bytes: "
       "COBOL's part of the machine. No numerical program needs them, and "
-      "nothing that could be read tells their rules" },
+      "nothing that could be read tells their rules",
+      NO_SUCH_CODE },
     { "monitor mode",
-      "exchange of the register file, keys and locks, interrupts, the page "
-      "table's own instructions: the project has no operating system. The "
-      "host is the monitor, [EXIT](#exit) the only way to it" },
+      "exchange of the register file, keys and locks, the instructions for "
+      "the page table: the project has no operating system; the host is the "
+      "monitor",
+      NO_SUCH_CODE "; a request that [EXIT](#exit) does not know: "
+      "`bad-request`" },
     { "input and output",
       "the machine had none of its own: its channels led to other "
       "computers. Programs are loaded by the host and print through "
-      "[EXIT](#exit)" },
-    { "32-bit operands",
-      "not yet: bit 80 of G, half-word registers, and the codes that "
-      "contract, extend or work on them" },
+      "[EXIT](#exit)",
+      NO_SUCH_CODE },
+    { "interrupts of a program",
+      "automatic branches on the data flags, by their masks, and that of "
+      "the job interval timer: where they branch to, and what they save, "
+      "nothing that could be read tells",
+      "the flags, bit 36 of the timer among them, wait until the program "
+      "looks at them: [LSDFR](#lsdfr), [BADF](#badf)" },
+    { "32-bit strings of bits, 32-bit branches on a distance",
+      "a string of bits has no size of its own, and the branches B0-B5 "
+      "compare whole registers only (R)",
+      "bit 80 of G in a string: `undefined-instruction`" },
 };
 enum { LEFT_OUT = sizeof left_out / sizeof *left_out };
 
@@ -121,7 +134,10 @@ static void put_formats(void)
          "`+X` an offset that may be left out; `a` and `b` are sources "
          "written `[a]`, `[a, x]` with an\n"
          "offset, or as a bare register; `?Z` may be left out, `!Z` may "
-         "not.\n");
+         "not. The operands of a\n"
+         "row tell which registers are half ones, `h0` .. `h255`; behind "
+         "a mnemonic `,H` (bit 80 of G)\n"
+         "makes them 32 bits long, where the row has it.\n");
     for (int format = 0; format < C205_FORMATS; format++) {
         const c205_insn *insn = first_of((c205_format)format);
         if (insn) {
@@ -165,11 +181,19 @@ static const c205_constant *constant(const c205_model *model,
     return c205_model_lookup(model, name);
 }
 
-static double pipes_of(const c205_model *model,
-                       const c205_constant *stream)
+/* Its stream, per element; one that the pipes share is faster for half
+ * words. */
+static double per_element(const c205_model *model,
+                          const c205_constant *stream, bool half)
 {
     const c205_constant *pipes = c205_model_lookup(model, "machine.pipes");
-    return strstr(stream->unit, "*pipe") && pipes ? pipes->value : 1.0;
+    const c205_constant *rate = c205_model_lookup(model, "vector.half_rate");
+    bool shared = strstr(stream->unit, "*pipe") != NULL;
+    double clocks = stream->value;
+    if (shared && pipes) {
+        clocks /= pipes->value;
+    }
+    return shared && half && rate ? clocks / rate->value : clocks;
 }
 
 static void put_stream(const c205_insn *insn, const c205_model *model,
@@ -178,8 +202,11 @@ static void put_stream(const c205_insn *insn, const c205_model *model,
 {
     const char *clocked = isa_clocked(insn);
     printf(": %s + %g n clocks%s%s", startup->text,
-           stream->value / pipes_of(model, stream),
-           *clocked ? ", " : "", clocked);
+           per_element(model, stream, false), *clocked ? ", " : "", clocked);
+    if (insn->flags & C205_INSN_HALF) {
+        printf("; with `,H` %s + %g n", startup->text,
+               per_element(model, stream, true));
+    }
 }
 
 /* What a taken branch loses after its issue clock. */
@@ -235,7 +262,7 @@ static bool put_flags(const c205_insn *insn)
     bool good = true;
     for (unsigned flag = 1; flag <= insn->flags; flag <<= 1) {
         const char *note = isa_flag(flag);
-        if (insn->flags & flag & ~ISA_PADDING) {
+        if (insn->flags & flag & ~ISA_TOLD) {
             put_row("note", note ? note : "?");
             good = good && note;
         }
@@ -246,8 +273,10 @@ static bool put_flags(const c205_insn *insn)
 static void put_written(const c205_insn *insn)
 {
     const char *syntax = c205_format_syntax(insn->format);
-    printf("| written | `%s%s%s` |\n", insn->mnemonic, *syntax ? " " : "",
-           syntax);
+    const char *half = insn->flags & C205_INSN_HALF ? "[" SYNTAX_HALF "]"
+                                                    : "";
+    printf("| written | `%s%s%s%s` |\n", insn->mnemonic, half,
+           *syntax ? " " : "", syntax);
 }
 
 static bool put_example(const c205_insn *insn)
@@ -267,10 +296,11 @@ static bool put_example(const c205_insn *insn)
 /* False: something is not explained, or there is no example. */
 static bool put_insn(const c205_insn *insn, const c205_model *model)
 {
-    char code[ISA_CODE], drawing[ISA_DRAWING];
+    char code[ISA_CODE], drawing[ISA_DRAWING], half[ISA_HALF];
     bool good;
     isa_code(insn, code);
     isa_drawing(insn, drawing);
+    isa_half(insn, half);
     printf("\n### %s\n\n%c%s.\n\n| | |\n|---|---|\n| code | %s |\n",
            insn->mnemonic, toupper((unsigned char)insn->effect[0]),
            insn->effect + 1, code);
@@ -284,6 +314,7 @@ static bool put_insn(const c205_insn *insn, const c205_model *model)
     put_row("short source", isa_padding(insn));
     put_row("control vector", isa_control(insn));
     put_row("special values", isa_specials(insn));
+    put_row("with `,H`", half);
     good = put_flags(insn) && good;
     put_time(insn, model);
     printf("| source | %c: %s |\n", insn->provenance,
@@ -359,16 +390,17 @@ static void put_free_codes(void)
 static void put_left_out(void)
 {
     puts("\n## What is left out\n\n"
-         "Each is the trap `undefined-instruction`, so that no program "
-         "runs on past one:\n\n"
+         "An instruction that is not in the table is the trap "
+         "`undefined-instruction`, so that no program\nruns on past one:\n\n"
          "```c205\n"
          "        .entry  start\n"
          "start:  .half   0xF8000000, 0           ; once a byte string\n"
          "; expect-trap: undefined-instruction\n"
          "```\n\n"
-         "| left out | why |\n|---|---|");
+         "| left out | why | a program that tries it |\n|---|---|---|");
     for (size_t i = 0; i < LEFT_OUT; i++) {
-        printf("| %s | %s |\n", left_out[i].what, left_out[i].why);
+        printf("| %s | %s | %s |\n", left_out[i].what, left_out[i].why,
+               left_out[i].instead);
     }
     printf("\nCodes without a row: ");
     put_free_codes();

@@ -11,25 +11,40 @@ struct meaning {
     const char *text;
 };
 
-static const struct meaning operand_meanings[] = {
-    { 'f', "register, read as a number; r0 is machine zero" },
-    { 'i', "register, read as bits, an index or an address; r0 is 0" },
-    { 'w', "register, written" },
-    { 'm', "register, read as bits, then written" },
-    { 'v', "vector of numbers in brackets, or a register, broadcast" },
-    { 'u', "vector of words in brackets, or a register, broadcast" },
-    { 'V', "vector of numbers" },
-    { 'U', "vector of words" },
-    { 'b', "bit vector, read" },
-    { 'd', "vector of words, written" },
-    { 'e', "bit vector, written" },
-    { 'c', "vector, written; the machine sets its length" },
-    { 'x', "address of a table; its length is not used" },
-    { 'n', "immediate" },
-    { 't', "branch target, a label" },
-    { 'z', "control vector: ? where it has ones, ?! zeros" },
-    { '\0', NULL },
+/* Where a source is in brackets always, it is no register. */
+static const struct operand_meaning {
+    char letter;
+    const char *text, *in_brackets;
+} operand_meanings[] = {
+#define OR_REGISTER " in brackets, or a register, broadcast"
+#define OR_HALF " in brackets, or a half register, broadcast"
+    { 'f', "register, read as a number; r0 is machine zero", NULL },
+    { 'i', "register, read as bits, an index or an address; r0 is 0", NULL },
+    { 'w', "register, written", NULL },
+    { 'm', "register, read as bits, then written", NULL },
+    { 'k', "register, written with an index or a count", NULL },
+    { 'F', "half register, read as a number; h0, h1 are machine zero",
+      NULL },
+    { 'I', "half register, read as bits; h0, h1 are 0", NULL },
+    { 'W', "half register, written", NULL },
+    { 'M', "half register, read as bits, then written", NULL },
+    { 'v', "vector of numbers" OR_REGISTER, "vector of numbers" },
+    { 'u', "vector of words" OR_REGISTER, "vector of words" },
+    { 'l', "vector of indices" OR_REGISTER, "vector of indices" },
+    { 'V', "vector of 32-bit numbers" OR_HALF, "vector of 32-bit numbers" },
+    { 'b', "bit vector, read", NULL },
+    { 'd', "vector of words, written", NULL },
+    { 'D', "vector of half words, written", NULL },
+    { 'q', "vector of indices, written", NULL },
+    { 'e', "bit vector, written", NULL },
+    { 'c', "vector, written; the machine sets its length", NULL },
+    { 'o', "bit vector, written; the machine sets its length", NULL },
+    { 'x', "address of a table; its length is not used", NULL },
+    { 'n', "immediate", NULL },
+    { 't', "branch target, a label", NULL },
+    { 'z', "control vector: ? where it has ones, ?! zeros", NULL },
 };
+enum { MEANINGS = sizeof operand_meanings / sizeof *operand_meanings };
 
 static const struct meaning provenances[] = {
     { 'P', "read in a primary source" },
@@ -151,10 +166,18 @@ void isa_drawing(const c205_insn *insn, char text[ISA_DRAWING])
 
 /* ---- Operands and rules ------------------------------------------------- */
 
-/* Fields in capitals are registers or descriptors only. */
-static char without_broadcast(char letter)
+static const char *operand_meaning(char letter, bool in_brackets)
 {
-    return letter == 'v' ? 'V' : letter == 'u' ? 'U' : letter;
+    size_t i = 0;
+    while (i < MEANINGS && operand_meanings[i].letter != letter) {
+        i++;
+    }
+    if (i == MEANINGS) {
+        return NULL;
+    }
+    return in_brackets && operand_meanings[i].in_brackets
+               ? operand_meanings[i].in_brackets
+               : operand_meanings[i].text;
 }
 
 bool isa_next_operand(const c205_insn *insn, const char **letter,
@@ -170,10 +193,8 @@ bool isa_next_operand(const c205_insn *insn, const char **letter,
     }
     operand->written += strspn(operand->written, between);
     operand->length = (int)strcspn(operand->written, between);
-    operand->meaning =
-        meaning_of(operand_meanings,
-                   isupper((unsigned char)*operand->written)
-                       ? without_broadcast(**letter) : **letter);
+    operand->meaning = operand_meaning(
+        **letter, isupper((unsigned char)*operand->written));
     return **letter != '\0';
 }
 
@@ -184,7 +205,7 @@ static bool has_operand(const c205_insn *insn, const char *letters)
 
 static bool is_vector(const c205_insn *insn)
 {
-    return insn->unit == C205_UNIT_VECTOR && has_operand(insn, "vubdecx");
+    return insn->unit == C205_UNIT_VECTOR && has_operand(insn, "vulVbdDeqcox");
 }
 
 static bool must_have_control(const c205_insn *insn)
@@ -225,7 +246,7 @@ const char *isa_length(const c205_insn *insn)
             return lengths[i].length;
         }
     }
-    if (has_operand(insn, "c")) {
+    if (has_operand(insn, "co")) {
         return must_have_control(insn)
                    ? "that of Z; C's is set"
                    : "that of A, or of B if A is broadcast; C's is set";
@@ -235,7 +256,7 @@ const char *isa_length(const c205_insn *insn)
                    ? "that of C, or of A if A is shorter"
                    : "that of A, or of B if A is broadcast";
     }
-    if (has_operand(insn, "de")) {
+    if (has_operand(insn, "dDe")) {
         return strchr(c205_format_syntax(insn->format), 'C')
                    ? "that of C" : "that of T";
     }
@@ -272,11 +293,79 @@ const char *isa_control(const c205_insn *insn)
         return "must be there: Z chooses, `? [z]` with its ones, `?! [z]` "
                "with its zeros";
     }
-    return has_operand(insn, "w")
+    return has_operand(insn, "wk")
                ? "`? [z]`: only elements where Z has ones take part; "
                  "`?! [z]`: zeros"
                : "`? [z]`: C keeps what it had where Z has zeros; "
                  "`?! [z]`: where it has ones";
+}
+
+/* ---- 32-bit operands ---------------------------------------------------- */
+
+/* The fields whose letters are among these: "A, B and C". */
+static size_t list_fields(const c205_insn *insn, const char *letters,
+                          char text[ISA_FIELDS])
+{
+    struct isa_operand operand;
+    const char *letter = NULL;
+    size_t count = 0, length = 0;
+    text[0] = '\0';
+    while (isa_next_operand(insn, &letter, &operand)) {
+        if (strchr(letters, *letter)) {
+            length += (size_t)snprintf(
+                text + length, ISA_FIELDS - length, "%s%c",
+                count ? ", " : "", toupper((unsigned char)*operand.written));
+            count++;
+        }
+    }
+    return count;
+}
+
+/* Which of a row's texts about a group of fields: one field, more. */
+static size_t put_group(const c205_insn *insn, const char *letters,
+                        const char *one, const char *more, char *text,
+                        size_t size)
+{
+    char fields[ISA_FIELDS];
+    size_t count = list_fields(insn, letters, fields);
+    return count ? (size_t)snprintf(text, size, count > 1 ? more : one,
+                                    fields)
+                 : 0;
+}
+
+static bool broadcasts(const c205_insn *insn)
+{
+    const char *syntax = c205_format_syntax(insn->format);
+    return has_operand(insn, "vu") && insn->format != C205_FORMAT_REDUCE
+           && syntax[strcspn(syntax, "ab")];
+}
+
+void isa_half(const c205_insn *insn, char text[ISA_HALF])
+{
+    size_t length;
+    text[0] = '\0';
+    if (!(insn->flags & C205_INSN_HALF)) {
+        return;
+    }
+    length = put_group(insn, "vudcx", "elements of %s of 32 bits",
+                       "elements of %s of 32 bits", text, ISA_HALF);
+    length += put_group(insn, "fw", "; %s is a half register",
+                        "; %s are half registers", text + length,
+                        ISA_HALF - length);
+    length += (size_t)snprintf(text + length, ISA_HALF - length, "%s",
+                               broadcasts(insn)
+                                   ? "; what is broadcast is a half register"
+                                   : "");
+    length += put_group(insn, "lq", "; the indices of %s have 64 bits",
+                        "; the indices of %s have 64 bits", text + length,
+                        ISA_HALF - length);
+    length += put_group(insn, "k", "; %s is a whole register",
+                        "; %s are whole registers", text + length,
+                        ISA_HALF - length);
+    if (insn->flags & C205_INSN_INDEX) {
+        snprintf(text + length, ISA_HALF - length,
+                 "; the index is in the whole register with the next number");
+    }
 }
 
 /* ---- Special values ----------------------------------------------------- */
@@ -295,6 +384,9 @@ static const struct {
     "any indefinite: indefinite with its index; of equals the first; no " \
     "elements: indefinite"
 #define KEEP_RULE "machine zero and indefinite stay what they are"
+#define CONTRACT_RULE \
+    "machine zero and indefinite become the plain half words; so does a " \
+    "result with an exponent below -112 or above 111"
     { "ADD", SUM_RULE },
     { "SUB", SUM_RULE },
     { "SUM", SUM_RULE "; no elements: machine zero" },
@@ -320,6 +412,10 @@ static const struct {
     { "POLY", "products and sums as those of MPYS and ADDN; no "
               "coefficients: machine zero" },
     { "EXP", "the exponent field of every word, no flags" },
+    { "CON", CONTRACT_RULE },
+    { "RCON", CONTRACT_RULE },
+    { "EXT", "machine zero and indefinite become the plain words; nothing "
+             "else is out of range" },
     { "MAX", EXTREME_RULE },
     { "MIN", EXTREME_RULE },
     { "", "" },
@@ -336,7 +432,7 @@ static bool compares(const c205_insn *insn)
 const char *isa_specials(const c205_insn *insn)
 {
     size_t i = 0;
-    if (!has_operand(insn, "fv") && insn->format != C205_FORMAT_SPARSE) {
+    if (!has_operand(insn, "fvFV") && insn->format != C205_FORMAT_SPARSE) {
         return insn->unit == C205_UNIT_VECTOR && *insn->operands
                    ? "none: elements are bits, whatever they mean"
                    : "";

@@ -1,8 +1,7 @@
 /* cmd_time.c - c205 time: the speed of the vector instructions. */
-#include <string.h>
-
 #include "asm/cmd.h"
 #include "asm/measure.h"
+#include "asm/syntax.h"
 
 static const struct table_column speed_columns[] = {
     { "instruction", "instruction", TABLE_TEXT, 0 },
@@ -60,7 +59,24 @@ static bool add_name(const struct cmd_arguments *arguments,
     return true;
 }
 
-/* Those that were named, in that order; or all of the table. */
+/* All of the table in one size, and the triad. */
+static bool measure_size(const struct cmd_arguments *arguments,
+                         const c205_model *model, const char *suffix,
+                         struct tables *tables)
+{
+    char name[MEASURE_NAME_SIZE];
+    bool good = true;
+    for (size_t i = 0; good && i < c205_insn_count; i++) {
+        snprintf(name, sizeof name, "%s%s", c205_insns[i].mnemonic, suffix);
+        if (measure_knows(name)) {
+            good = add_name(arguments, model, name, tables);
+        }
+    }
+    snprintf(name, sizeof name, "%s%s", measure_triad, suffix);
+    return good && add_name(arguments, model, name, tables);
+}
+
+/* Those that were named, in that order; or all. */
 static bool measure_all(const struct cmd_arguments *arguments,
                         const c205_model *model, struct tables *tables)
 {
@@ -71,13 +87,8 @@ static bool measure_all(const struct cmd_arguments *arguments,
     if (arguments->file_count > 0) {
         return good;
     }
-    for (size_t i = 0; good && i < c205_insn_count; i++) {
-        const char *name = c205_insns[i].mnemonic;
-        if (measure_knows(name, strlen(name))) {
-            good = add_name(arguments, model, name, tables);
-        }
-    }
-    return good && add_name(arguments, model, measure_triad, tables);
+    return measure_size(arguments, model, "", tables)
+           && measure_size(arguments, model, SYNTAX_HALF, tables);
 }
 
 /* Both tables go to the JSON file; the points are printed when asked for. */
@@ -126,7 +137,7 @@ int cmd_time(const struct cmd_arguments *arguments)
     struct json *json;
     for (size_t i = 0; i < arguments->file_count; i++) {
         const char *name = arguments->files[i];
-        if (!measure_knows(name, strlen(name))) {
+        if (!measure_knows(name)) {
             return cmd_usage(arguments->command,
                              "no such vector instruction: %s", name);
         }

@@ -24,25 +24,26 @@ static bool parse_equ(struct cursor *cursor)
 }
 
 static bool name_register(struct cursor *cursor, const char *name,
-                          size_t length, unsigned number)
+                          size_t length, struct register_name named)
 {
     struct value value = { VALUE_INTEGER, 0 };
 
-    value.bits = number;
+    value.bits = named.number;
     return symbol_define(cursor->assembler, cursor->line, name,
                          symbol_intern(cursor->assembler, name, length),
-                         SYMBOL_REGISTER, value);
+                         named.half ? SYMBOL_HALF_REGISTER : SYMBOL_REGISTER,
+                         value);
 }
 
 static bool parse_reg(struct cursor *cursor)
 {
     const char *name;
     size_t length;
-    uint8_t number;
+    struct register_name named;
 
     return expect_name(cursor, "a name", &name, &length) && comma(cursor)
-           && parse_register(cursor, &number)
-           && name_register(cursor, name, length, number);
+           && parse_any_register(cursor, &named)
+           && name_register(cursor, name, length, named);
 }
 
 /* Consecutive registers. */
@@ -50,18 +51,20 @@ static bool parse_regs(struct cursor *cursor)
 {
     const char *name;
     size_t length;
-    uint8_t first;
+    struct register_name named;
     unsigned number;
 
-    if (!parse_register(cursor, &first))
+    if (!parse_any_register(cursor, &named))
         return false;
-    for (number = first; cursor_take(cursor, ','); number++) {
+    for (number = named.number; cursor_take(cursor, ','); number++) {
         if (!expect_name(cursor, "a name", &name, &length))
             return false;
         if (number >= C205_REGISTERS)
             return report(cursor->assembler, cursor->line, name,
-                          "there is no register after r255");
-        if (!name_register(cursor, name, length, number))
+                          "there is no register after %c255",
+                          named.half ? 'h' : 'r');
+        named.number = (uint8_t)number;
+        if (!name_register(cursor, name, length, named))
             return false;
     }
     return true;
@@ -139,7 +142,12 @@ static const char *parse_region_name(struct cursor *cursor)
     size_t length;
 
     if (cursor->token.kind == TOKEN_STRING) {
+        const char *at = cursor->token.begin;
+
         name = expect_string(cursor, &length);
+        if (name && !*name)
+            report(cursor->assembler, cursor->line, at,
+                   "a kernel has a name");
         return name && *name ? name : NULL;
     }
     if (!expect_name(cursor, "the kernel's name", &name, &length))
@@ -224,6 +232,13 @@ static bool parse_half(struct cursor *cursor)
     return add_values(cursor, ITEM_HALF, 1, &count);
 }
 
+static bool parse_halfword(struct cursor *cursor)
+{
+    uint64_t count = 0;
+
+    return add_values(cursor, ITEM_HALF_WORD, 1, &count);
+}
+
 static bool parse_descriptor(struct cursor *cursor)
 {
     const struct expression *length, *address;
@@ -239,10 +254,21 @@ static bool parse_descriptor(struct cursor *cursor)
     return true;
 }
 
-static bool add_space(struct cursor *cursor, uint64_t words)
+static bool add_space(struct cursor *cursor, uint64_t halves)
 {
-    return words == 0
-           || layout_add(cursor, ITEM_SPACE, WORD_HALVES * words);
+    return halves == 0 || layout_add(cursor, ITEM_SPACE, halves);
+}
+
+/* From any half word on; what are whole words stays in one piece. */
+static bool add_half_space(struct cursor *cursor, uint64_t halves)
+{
+    uint64_t odd = cursor->assembler->section->at % WORD_BITS != 0;
+    uint64_t first = odd < halves ? odd : halves;
+    uint64_t last = (halves - first) % WORD_HALVES;
+
+    return add_space(cursor, first)
+           && add_space(cursor, halves - first - last)
+           && add_space(cursor, last);
 }
 
 static bool parse_space(struct cursor *cursor)
@@ -251,7 +277,7 @@ static bool parse_space(struct cursor *cursor)
 
     layout_align(cursor->assembler, WORD_BITS);
     return parse_integer(cursor, 0, MAX_WORDS, "a number of words", &words)
-           && add_space(cursor, (uint64_t)words);
+           && add_space(cursor, WORD_HALVES * (uint64_t)words);
 }
 
 /* NAME, n: the label and the number of what follows. */
@@ -260,29 +286,47 @@ static bool parse_head(struct cursor *cursor, uint64_t most, int64_t *count)
     const char *name;
     size_t length;
 
-    layout_align(cursor->assembler, WORD_BITS);
     return expect_name(cursor, "a name", &name, &length) && comma(cursor)
            && parse_integer(cursor, 0, (int64_t)most, "a length", count)
            && layout_label(cursor, name, length, name);
 }
 
-static bool parse_vector(struct cursor *cursor)
+/* NAME, n, values: how many elements are without a value. */
+static bool parse_elements(struct cursor *cursor, enum item_kind kind,
+                           uint64_t halves, uint64_t *rest)
 {
     const char *at;
     int64_t length;
     uint64_t given = 0;
 
-    if (!parse_head(cursor, MAX_WORDS, &length))
+    if (!parse_head(cursor, WORD_HALVES * MAX_WORDS / halves, &length))
         return false;
     at = cursor->token.begin;
     if (cursor_take(cursor, ',')
-        && !add_values(cursor, ITEM_VALUE, WORD_HALVES, &given))
+        && !add_values(cursor, kind, halves, &given))
         return false;
-    if (given > (uint64_t)length)
-        return report(cursor->assembler, cursor->line, at,
-                      "these are %lu values, more than the vector holds",
-                      (unsigned long)given);
-    return add_space(cursor, (uint64_t)length - given);
+    *rest = (uint64_t)length - given;
+    return given <= (uint64_t)length
+           || report(cursor->assembler, cursor->line, at,
+                     "these are %lu values, more than the vector holds",
+                     (unsigned long)given);
+}
+
+static bool parse_vector(struct cursor *cursor)
+{
+    uint64_t rest;
+
+    layout_align(cursor->assembler, WORD_BITS);
+    return parse_elements(cursor, ITEM_VALUE, WORD_HALVES, &rest)
+           && add_space(cursor, WORD_HALVES * rest);
+}
+
+static bool parse_halfvector(struct cursor *cursor)
+{
+    uint64_t rest;
+
+    return parse_elements(cursor, ITEM_HALF_WORD, 1, &rest)
+           && add_half_space(cursor, rest);
 }
 
 static bool add_words(struct cursor *cursor, const c205_word *words,
@@ -331,6 +375,7 @@ static bool parse_bitvector(struct cursor *cursor)
     uint64_t count = 0, length, given;
     c205_word *words;
 
+    layout_align(cursor->assembler, WORD_BITS);
     if (!parse_head(cursor, MAX_WORDS, &size))
         return false;
     length = ((uint64_t)size + WORD_BITS - 1) / WORD_BITS;
@@ -343,7 +388,7 @@ static bool parse_bitvector(struct cursor *cursor)
             return false;
     given = (count + WORD_BITS - 1) / WORD_BITS;
     return add_words(cursor, words, given)
-           && add_space(cursor, length - given);
+           && add_space(cursor, WORD_HALVES * (length - given));
 }
 
 /* Eight bytes a word, the rest of the last one zero. */
@@ -393,9 +438,11 @@ const struct directive *find_directive(const struct token *token)
         { ".endkernel", parse_endkernel, false },
         { ".word", parse_word, true },
         { ".half", parse_half, true },
+        { ".halfword", parse_halfword, true },
         { ".descriptor", parse_descriptor, true },
         { ".space", parse_space, true },
         { ".vector", parse_vector, true },
+        { ".halfvector", parse_halfvector, true },
         { ".bitvector", parse_bitvector, true },
         { ".text", parse_text, true },
         { ".error", parse_error, false }

@@ -45,7 +45,7 @@ static bool encode_immediate(struct assembler *assembler,
                              c205_fields *fields)
 {
     struct operand operands[MAX_OPERANDS];
-    size_t i, count = syntax_operands(instruction->insn, operands);
+    size_t i, count = syntax_operands(instruction->insn, false, operands);
 
     for (i = 0; i < count; i++)
         if (operands[i].kind == OPERAND_IMMEDIATE)
@@ -104,6 +104,9 @@ static c205_word encode_one(struct assembler *assembler,
     case ITEM_INSTRUCTION: return encode_instruction(assembler, item);
     case ITEM_DESCRIPTOR: return encode_descriptor(assembler, item);
     case ITEM_HALF: return encode_half(assembler, item);
+    case ITEM_HALF_WORD:
+        evaluate_half(assembler, item->line, item->of.values[0], &word);
+        return word;
     default:
         evaluate_word(assembler, item->line, item->of.values[0], &word);
         return word;
@@ -318,11 +321,17 @@ static bool add_lines(struct assembler *assembler, struct storage *storage)
     return true;
 }
 
+typedef bool evaluator(struct assembler *, const struct line *,
+                       const struct expression *, c205_word *);
+
 static bool grant(struct assembler *assembler, struct storage *storage,
                   const struct wish *wish)
 {
     struct asm_expectation *made = storage_add_expectation(storage);
     size_t i, size = wish->bits ? wish->count / WORD_BITS + 1 : wish->count;
+    bool half = wish->kind == EXPECT_HALF_REGISTER
+                || wish->kind == EXPECT_HALVES;
+    evaluator *value = half ? evaluate_half : evaluate_word;
     c205_word *words = arena_take(&storage->arena, size * sizeof *words);
 
     if (!made || !words)
@@ -341,7 +350,7 @@ static bool grant(struct assembler *assembler, struct storage *storage,
         if (wish->bits)
             words[i] = wish->bits[i];
         else
-            evaluate_word(assembler, wish->line, wish->values[i], &words[i]);
+            value(assembler, wish->line, wish->values[i], &words[i]);
     }
     return true;
 }

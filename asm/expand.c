@@ -267,7 +267,7 @@ static void include(struct expander *expander, struct cursor *cursor)
         push_source(expander, cursor->line, &source);
     else
         report(expander->assembler, cursor->line, at,
-               "'%s' cannot be read, or is nowhere to be found", name);
+               "'%.200s' cannot be read, or is nowhere to be found", name);
 }
 
 static void stray(struct expander *expander, struct cursor *cursor)

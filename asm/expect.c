@@ -3,10 +3,13 @@
 #include <inttypes.h>
 #include <string.h>
 
+enum { WORD_BITS = 64, HALF_BITS = 32 };
+
 const char *expectation_name(enum expectation_kind kind)
 {
     static const char *const names[EXPECT_KINDS] = {
-        [EXPECT_REGISTER] = "register", [EXPECT_WORDS] = "words",
+        [EXPECT_REGISTER] = "register", [EXPECT_HALF_REGISTER] = "half",
+        [EXPECT_WORDS] = "words",       [EXPECT_HALVES] = "halves",
         [EXPECT_BITS] = "bits",         [EXPECT_FLAGS] = "flags",
         [EXPECT_CLOCKS] = "clocks",     [EXPECT_TRAP] = "trap",
         [EXPECT_PRINT] = "print"
@@ -30,49 +33,80 @@ static void say_where(const struct outcome *outcome,
                expectation->line);
 }
 
-static void say_word(const struct outcome *outcome, c205_word word)
+/* A half word stands at the left of a word; it is told with 8 digits. */
+static void say_value(const struct outcome *outcome, bool half,
+                      c205_word word)
 {
+    enum { HALF_DIGITS = 9 }; /* and the blank among them */
     char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
 
     c205_to_hex(word, hex);
-    c205_to_text(word, text);
+    if (half)
+        hex[HALF_DIGITS] = '\0';
+    (half ? c205_half_to_text : c205_to_text)(word, text);
     sink_print(outcome->report, "X'%s' (%s)", hex, text);
 }
 
-static bool compare_word(const struct outcome *outcome,
-                         const struct asm_expectation *expectation,
-                         const char *place, c205_word wanted, c205_word found)
+static bool compare(const struct outcome *outcome,
+                    const struct asm_expectation *expectation,
+                    const char *place, c205_word wanted, c205_word found)
 {
+    bool half = expectation->kind == EXPECT_HALF_REGISTER
+                || expectation->kind == EXPECT_HALVES;
+
     if (wanted == found)
         return true;
     say_where(outcome, expectation);
     sink_print(outcome->report, "%s = ", place);
-    say_word(outcome, wanted);
+    say_value(outcome, half, wanted);
     sink_put(outcome->report, ", found ");
-    say_word(outcome, found);
+    say_value(outcome, half, found);
     sink_put(outcome->report, "\n");
     return false;
+}
+
+static bool compare_register(struct outcome *outcome,
+                             const struct asm_expectation *expectation,
+                             char letter, c205_word found)
+{
+    struct text_line place = { "", 0 };
+    struct sink sink = text_line_sink(&place);
+
+    sink_print(&sink, "%c%u", letter, expectation->number);
+    return compare(outcome, expectation, place.text, expectation->words[0],
+                   found);
 }
 
 static bool check_register(struct outcome *outcome,
                            const struct asm_expectation *expectation)
 {
-    c205_word found = c205_register(outcome->machine, expectation->number);
-    char place[] = "r255";
+    return compare_register(outcome, expectation, 'r',
+                            c205_register(outcome->machine,
+                                          expectation->number));
+}
 
-    place[1] = (char)('0' + expectation->number / 100 % 10);
-    place[2] = (char)('0' + expectation->number / 10 % 10);
-    place[3] = (char)('0' + expectation->number % 10);
-    return compare_word(outcome, expectation, place, expectation->words[0],
-                        found);
+/* The half of a word that holds the bit with a number or an address. */
+static c205_word half_of(c205_word word, uint64_t bit)
+{
+    return word << bit % WORD_BITS / HALF_BITS * HALF_BITS
+           & ~(c205_word)UINT32_MAX;
+}
+
+static bool check_half_register(struct outcome *outcome,
+                                const struct asm_expectation *expectation)
+{
+    c205_word pair = c205_register(outcome->machine, expectation->number / 2);
+
+    return compare_register(outcome, expectation, 'h',
+                            half_of(pair, HALF_BITS * expectation->number));
 }
 
 static bool check_flags(struct outcome *outcome,
                         const struct asm_expectation *expectation)
 {
-    return compare_word(outcome, expectation, "data flags",
-                        expectation->words[0],
-                        c205_data_flags(outcome->machine));
+    return compare(outcome, expectation, "data flags",
+                   expectation->words[0],
+                   c205_data_flags(outcome->machine));
 }
 
 /* ---- Memory ---- */
@@ -87,6 +121,19 @@ static bool unmapped(const struct outcome *outcome,
     return false;
 }
 
+static bool compare_element(const struct outcome *outcome,
+                            const struct asm_expectation *expectation,
+                            const char *what, size_t i, uint64_t address,
+                            c205_word found)
+{
+    struct text_line place = { "", 0 };
+    struct sink sink = text_line_sink(&place);
+
+    sink_print(&sink, "%s %zu, at %" PRIX64 ",", what, i, address);
+    return compare(outcome, expectation, place.text, expectation->words[i],
+                   found);
+}
+
 static bool check_words(struct outcome *outcome,
                         const struct asm_expectation *expectation)
 {
@@ -94,16 +141,32 @@ static bool check_words(struct outcome *outcome,
     size_t i;
 
     for (i = 0; i < expectation->count; i++) {
-        uint64_t address = expectation->address + 64 * (uint64_t)i;
-        struct text_line place = { "", 0 };
-        struct sink sink = text_line_sink(&place);
+        uint64_t address = expectation->address + WORD_BITS * (uint64_t)i;
         c205_word found;
 
         if (!c205_read(outcome->machine, address, &found, 1))
             return unmapped(outcome, expectation, address);
-        sink_print(&sink, "word %zu, at %" PRIX64 ",", i, address);
-        good = compare_word(outcome, expectation, place.text,
-                            expectation->words[i], found) && good;
+        good = compare_element(outcome, expectation, "word", i, address,
+                               found) && good;
+    }
+    return good;
+}
+
+static bool check_halves(struct outcome *outcome,
+                         const struct asm_expectation *expectation)
+{
+    bool good = true;
+    size_t i;
+
+    for (i = 0; i < expectation->count; i++) {
+        uint64_t address = expectation->address + HALF_BITS * (uint64_t)i;
+        c205_word found;
+
+        if (!c205_read(outcome->machine, address / WORD_BITS * WORD_BITS,
+                       &found, 1))
+            return unmapped(outcome, expectation, address);
+        good = compare_element(outcome, expectation, "half", i, address,
+                               half_of(found, address)) && good;
     }
     return good;
 }
@@ -222,9 +285,11 @@ bool expect_check(const struct object *object, const c205 *machine,
 {
     static bool (*const checks[EXPECT_KINDS])(
         struct outcome *, const struct asm_expectation *) = {
-        [EXPECT_REGISTER] = check_register, [EXPECT_WORDS] = check_words,
-        [EXPECT_BITS] = check_bits,         [EXPECT_FLAGS] = check_flags,
-        [EXPECT_CLOCKS] = check_clocks,     [EXPECT_TRAP] = check_trap,
+        [EXPECT_REGISTER] = check_register,
+        [EXPECT_HALF_REGISTER] = check_half_register,
+        [EXPECT_WORDS] = check_words,         [EXPECT_HALVES] = check_halves,
+        [EXPECT_BITS] = check_bits,           [EXPECT_FLAGS] = check_flags,
+        [EXPECT_CLOCKS] = check_clocks,       [EXPECT_TRAP] = check_trap,
         [EXPECT_PRINT] = check_print
     };
     struct outcome outcome;

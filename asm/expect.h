@@ -1,7 +1,9 @@
 /* expect.h - what test programs say of themselves, and whether it came true.
  *
  *   ; expect: r10 = 5            the register holds this word
+ *   ; expect: h10 = 1.5          the half register holds this half word
  *   ; expect: [label] = 1.5, 2   the words from there
+ *   ; expect-halves: [label] = 1.5, 2   the half words from there
  *   ; expect-bits: [label] = 1011 0010
  *   ; expect-flags: X'0000 0000 0040 0000'
  *   ; expect-clocks: 150
@@ -17,7 +19,9 @@
 
 enum expectation_kind {
     EXPECT_REGISTER,
+    EXPECT_HALF_REGISTER,
     EXPECT_WORDS,
+    EXPECT_HALVES,
     EXPECT_BITS,
     EXPECT_FLAGS,
     EXPECT_CLOCKS,
@@ -28,10 +32,11 @@ enum expectation_kind {
 
 struct asm_expectation {
     enum expectation_kind kind;
-    unsigned number;        /* EXPECT_REGISTER */
-    uint64_t address;       /* EXPECT_WORDS, EXPECT_BITS */
-    size_t count;           /* words, or bits */
-    const c205_word *words; /* bits are packed from the left */
+    unsigned number;        /* of the register */
+    uint64_t address;       /* of the first word, half or bit */
+    size_t count;           /* words, halves or bits */
+    const c205_word *words; /* a half is at the left of one; bits are packed
+                               from the left */
     const char *text;       /* EXPECT_TRAP, EXPECT_PRINT */
     const char *file;
     size_t line;

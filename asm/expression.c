@@ -5,6 +5,8 @@
 
 enum operation { VALUE, SYMBOL, UNARY, BINARY, BITS, WORD };
 
+enum { HALF_BITS = 32, HALF_INTEGERS = 1 << 24 };
+
 struct expression {
     enum operation operation;
     int code;
@@ -113,6 +115,7 @@ static bool value_of_symbol(struct assembler *assembler,
         *value = symbol->value;
         return true;
     case SYMBOL_REGISTER:
+    case SYMBOL_HALF_REGISTER:
         return report(assembler, line, expression->at,
                       "expected a number, '%s' is a register", symbol->name);
     default:
@@ -228,6 +231,33 @@ bool evaluate_word(struct assembler *assembler, const struct line *line,
                       " 48 bits; all 64 are written X'..' or word(..)");
     *word = c205_from_integer(integer);
     return true;
+}
+
+bool evaluate_half(struct assembler *assembler, const struct line *line,
+                   const struct expression *expression, c205_word *half)
+{
+    struct value value;
+    int64_t integer = 0;
+    bool good = evaluate(assembler, line, expression, &value);
+
+    if (!good)
+        return false;
+    switch (value.kind) {
+    case VALUE_FLOATING: /* floor after floor is the floor of the decimal */
+        *half = c205_half_from_double(c205_to_double(value.bits));
+        return true;
+    case VALUE_WORD:
+        *half = value.bits << HALF_BITS;
+        return value.bits <= UINT32_MAX
+               || report(assembler, line, expression->at,
+                         "expected a half word, of 8 hex digits");
+    default:
+        good = evaluate_range(assembler, line, expression, -HALF_INTEGERS / 2,
+                              HALF_INTEGERS - 1, "an integer of 24 bits",
+                              &integer);
+        *half = (c205_word)(integer & (HALF_INTEGERS - 1)) << HALF_BITS;
+        return good;
+    }
 }
 
 bool evaluate_address(struct assembler *assembler, const struct line *line,

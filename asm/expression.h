@@ -26,6 +26,10 @@ bool evaluate_range(struct assembler *assembler, const struct line *line,
 /* As a word of memory: an integer has exponent 0. */
 bool evaluate_word(struct assembler *assembler, const struct line *line,
                    const struct expression *expression, c205_word *word);
+/* As a half word, at the left of *half: an integer has exponent 0, of a word
+ * 32 bits are left. */
+bool evaluate_half(struct assembler *assembler, const struct line *line,
+                   const struct expression *expression, c205_word *half);
 bool evaluate_address(struct assembler *assembler, const struct line *line,
                       const struct expression *expression,
                       uint64_t *address);

@@ -81,8 +81,9 @@ static void write_source(struct writer *writer,
                 || tell_bit(writer, operand->broadcast);
     uint8_t number = tell_field(writer, operand->field);
 
-    sink_print(&writer->sink, "%s%s%sr%u", negate ? "-" : "",
-               magnitude ? "|" : "", bare ? "" : "[", number);
+    sink_print(&writer->sink, "%s%s%s%c%u", negate ? "-" : "",
+               magnitude ? "|" : "", bare ? "" : "[",
+               bare && operand->half ? 'h' : 'r', number);
     if (!bare)
         write_second(writer, operand, number);
     sink_print(&writer->sink, "%s%s", bare ? "" : "]", magnitude ? "|" : "");
@@ -110,7 +111,7 @@ static void write_target(struct writer *writer)
 static bool holds_address(const struct operand *operand)
 {
     return operand->kind == OPERAND_IMMEDIATE
-           && operand->high > UINT16_MAX;
+           && operand->high >> (ADDRESS_BITS - 1) > 0;
 }
 
 /* Those that can hold an address are in hex; one out of range stays untold. */
@@ -166,12 +167,16 @@ static bool write_instruction(struct writer *writer, const c205_insn *insn,
                               c205_word word)
 {
     struct operand operands[MAX_OPERANDS];
-    size_t i, count = syntax_operands(insn, operands);
+    size_t i, blamed, count;
+    bool half;
 
     writer->fields = c205_decode(insn, word);
     writer->told.f = insn->opcode;
     writer->told.g = insn->subop;
-    sink_put(&writer->sink, insn->mnemonic);
+    half = insn->flags & C205_INSN_HALF && tell_bit(writer, C205_G_HALF);
+    count = syntax_operands(insn, half, operands);
+    sink_print(&writer->sink, "%s%s", insn->mnemonic,
+               half ? SYNTAX_HALF : "");
     for (i = 0; i < count; i++) {
         if (is_absent(writer, &operands[i]))
             continue;
@@ -179,7 +184,9 @@ static bool write_instruction(struct writer *writer, const c205_insn *insn,
             sink_put(&writer->sink, i > 0 ? ", " : " ");
         write_operand(writer, &operands[i]);
     }
-    return c205_encode(insn, &writer->told) == word;
+    return c205_encode(insn, &writer->told) == word
+           && !syntax_refusal(insn, operands, count, &writer->fields,
+                              &blamed);
 }
 
 unsigned instruction_write(c205_word word, uint64_t address,
@@ -221,7 +228,7 @@ bool instruction_address(c205_word word, uint64_t address, uint64_t *target)
     if (!insn)
         return false;
     fields = c205_decode(insn, word);
-    count = syntax_operands(insn, operands);
+    count = syntax_operands(insn, false, operands);
     for (i = 0; i < count; i++) {
         *target = (uint64_t)fields.immediate;
         if (holds_address(&operands[i]) && fields.immediate >= 0)

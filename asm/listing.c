@@ -46,10 +46,11 @@ static void put_line(const c205_program *program, const struct asm_line *line,
 
         sink_print(sink, "%12" PRIX64 "  ", address);
         shown = put_half(program, address, sink);
-        if (at + 1 < line->halves && shown)
-            put_half(program, address + 32, sink);
-        else
-            sink_put(sink, shown ? "        " : "...             ");
+        if (!shown)
+            sink_put(sink, "...             ");
+        else if (at + 1 == line->halves
+                 || !put_half(program, address + 32, sink))
+            sink_put(sink, "        ");
         if (at == 0)
             sink_print(sink, "  %5zu  %s", line->number, line->source);
         sink_put(sink, "\n");

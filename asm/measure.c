@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "asm/assemble.h"
+#include "asm/syntax.h"
 
 const char measure_triad[] = "TRIAD";
 
@@ -24,47 +25,72 @@ static const unsigned flops_of[C205_TIMINGS] = {
 };
 
 /* The operands of every program, each in a page of its own. */
-enum operand { A, B, C, Z, OPERANDS };
+enum operand_place { A, B, C, Z, OPERANDS };
 enum { FIRST_REGISTER = 16, SCALAR = 32, LOADED = 33, FIRST_PAGE = 64 };
 enum { TEXT_SIZE = 256 };
 #define PAGE_BITS ((uint64_t)C205_PAGE_WORDS * 64)
 
-static uint64_t address_of(enum operand operand)
+static uint64_t address_of(enum operand_place operand)
 {
     return (FIRST_PAGE + (uint64_t)operand) * PAGE_BITS;
 }
 
 /* C+1 is a result of some instructions, so registers go in twos. */
-static unsigned register_of(enum operand operand)
+static unsigned register_of(enum operand_place operand)
 {
     return FIRST_REGISTER + 2u * (unsigned)operand;
 }
 
 /* ---- The program ---------------------------------------------------- */
 
-static const c205_insn *instruction(const char *name, size_t length)
-{
-    const c205_insn *insn = c205_insn_named(name, length);
-    bool vector = insn && c205_timing_is_vector(insn->timing);
-    return vector && insn->timing != C205_TIMING_vlink ? insn : NULL;
-}
+/* A row of the table, or the triad (NULL); with 32-bit operands or not. */
+struct subject {
+    const c205_insn *insn;
+    bool half;
+};
 
-static bool is_triad(const char *name, size_t length)
+static bool same(const char *name, size_t length, const char *text)
 {
-    bool same = length == strlen(measure_triad);
-    for (size_t i = 0; same && i < length; i++) {
-        same = toupper((unsigned char)name[i]) == measure_triad[i];
+    bool good = length == strlen(text);
+    for (size_t i = 0; good && i < length; i++) {
+        good = toupper((unsigned char)name[i]) == text[i];
     }
-    return same;
+    return good;
 }
 
-bool measure_knows(const char *name, size_t length)
+static bool take_suffix(const char *name, size_t *length)
 {
-    return is_triad(name, length) || instruction(name, length);
+    size_t suffix = strlen(SYNTAX_HALF);
+    if (*length < suffix
+        || !same(name + *length - suffix, suffix, SYNTAX_HALF)) {
+        return false;
+    }
+    *length -= suffix;
+    return true;
+}
+
+static bool find_subject(const char *name, struct subject *subject)
+{
+    size_t length = strlen(name);
+    const c205_insn *insn;
+    subject->half = take_suffix(name, &length);
+    subject->insn = insn = c205_insn_named(name, length);
+    if (!insn) {
+        return same(name, length, measure_triad);
+    }
+    return c205_timing_is_vector(insn->timing)
+           && insn->timing != C205_TIMING_vlink
+           && (!subject->half || (insn->flags & C205_INSN_HALF));
+}
+
+bool measure_knows(const char *name)
+{
+    struct subject subject;
+    return find_subject(name, &subject);
 }
 
 /* R and T are the first and the last operand of a short instruction. */
-static enum operand operand_of(char letter)
+static enum operand_place operand_of(char letter)
 {
     switch (toupper((unsigned char)letter)) {
     case 'A': case 'R': return A;
@@ -74,24 +100,42 @@ static enum operand operand_of(char letter)
     }
 }
 
+/* Whether the field is a half register. */
+static bool is_half(const struct subject *subject, char field)
+{
+    struct operand operands[MAX_OPERANDS];
+    size_t count = syntax_operands(subject->insn, subject->half, operands);
+    bool half = false;
+    for (size_t i = 0; i < count; i++) {
+        half = half || (operands[i].field == field && operands[i].half);
+    }
+    return half;
+}
+
 /* A letter of the syntax: "a" and "[A]" are vectors, a source outside
- * brackets is the scalar. */
-static int write_letter(char letter, bool in_brackets, char *text,
-                        size_t size)
+ * brackets is the scalar; the left half of it is the half register of twice
+ * its number. */
+static int write_letter(const struct subject *subject, char letter,
+                        bool in_brackets, char *text, size_t size)
 {
     unsigned number = register_of(operand_of(letter));
+    if (islower((unsigned char)letter)) {
+        return snprintf(text, size, "[r%u]", number);
+    }
     if (!in_brackets && (letter == 'A' || letter == 'B')) {
         number = SCALAR;
     }
-    return snprintf(text, size,
-                    islower((unsigned char)letter) ? "[r%u]" : "r%u",
-                    number);
+    return !in_brackets && is_half(subject, letter)
+               ? snprintf(text, size, "h%u", 2 * number)
+               : snprintf(text, size, "r%u", number);
 }
 
 /* The syntax of insn.def with registers for its letters; offsets and an
  * optional control vector are left out. */
-static void write_operands(const char *syntax, char *text, size_t size)
+static void write_operands(const struct subject *subject, char *text,
+                           size_t size)
 {
+    const char *syntax = c205_format_syntax(subject->insn->format);
     size_t used = 0;
     for (const char *at = syntax; *at && *at != '?'; at++) {
         int length = 0;
@@ -102,7 +146,7 @@ static void write_operands(const char *syntax, char *text, size_t size)
                               register_of(Z));
             at++;
         } else if (isalpha((unsigned char)*at)) {
-            length = write_letter(*at, at > syntax && at[-1] == '[',
+            length = write_letter(subject, *at, at > syntax && at[-1] == '[',
                                   text + used, size - used);
         } else {
             length = snprintf(text + used, size - used, "%c", *at);
@@ -111,26 +155,34 @@ static void write_operands(const char *syntax, char *text, size_t size)
     }
 }
 
+static int write_triad(bool half, char *text)
+{
+    const char *suffix = half ? SYNTAX_HALF : "";
+    unsigned a = register_of(A), b = register_of(B), c = register_of(C);
+    return snprintf(text, TEXT_SIZE,
+                    "\tLINKV\n\tMPYSV%s [r%u], %c%d, [r%u]\n"
+                    "\tADDNV%s [r%u], [r%u], [r%u]\n",
+                    suffix, a, half ? 'h' : 'r', half ? 2 * SCALAR : SCALAR,
+                    c, suffix, c, b, c);
+}
+
 /* The load waits until the vector unit is done, so that nothing of the end
  * hides under the instruction. */
-static void write_program(const c205_insn *insn, char text[TEXT_SIZE])
+static void write_program(const struct subject *subject,
+                          char text[TEXT_SIZE])
 {
     char operands[TEXT_SIZE / 2] = "";
-    unsigned a = register_of(A), b = register_of(B), c = register_of(C);
     int length;
-    if (insn) {
-        write_operands(c205_format_syntax(insn->format), operands,
-                       sizeof operands);
-        length = snprintf(text, TEXT_SIZE, "\t%s %s\n", insn->mnemonic,
-                          operands);
+    if (subject->insn) {
+        write_operands(subject, operands, sizeof operands);
+        length = snprintf(text, TEXT_SIZE, "\t%s%s %s\n",
+                          subject->insn->mnemonic,
+                          subject->half ? SYNTAX_HALF : "", operands);
     } else {
-        length = snprintf(text, TEXT_SIZE,
-                          "\tLINKV\n\tMPYSV [r%u], r%d, [r%u]\n"
-                          "\tADDNV [r%u], [r%u], [r%u]\n",
-                          a, SCALAR, c, c, b, c);
+        length = write_triad(subject->half, text);
     }
     snprintf(text + length, TEXT_SIZE - (size_t)length,
-             "last:\tLOD [r%u], r%d\n\tEXIT\n", a, LOADED);
+             "last:\tLOD [r%u], r%d\n\tEXIT\n", register_of(A), LOADED);
 }
 
 /* ---- The operands ---------------------------------------------------- */
@@ -144,31 +196,52 @@ static uint64_t next_bits(uint64_t *state)
     return *state;
 }
 
-/* Normalised numbers from 1 to 2; or indices of a table of one page. */
-static c205_word next_word(uint64_t *state, bool index)
+/* Normalised numbers from 1 to 2, one of 64 bits or two of 32. */
+static c205_word next_numbers(uint64_t *state, bool half)
 {
-    uint64_t bits = next_bits(state) >> 18;
-    return index ? c205_from_integer((int64_t)(bits % C205_PAGE_WORDS))
-                 : C205_ONE | bits;
+    enum { HALF_BITS = 32 };
+    uint64_t bits = next_bits(state);
+    return half ? (C205_HALF_ONE | C205_HALF_ONE >> HALF_BITS)
+                      | (bits & UINT64_C(0x003FFFFF003FFFFF))
+                : C205_ONE | bits >> 18;
 }
 
-static bool fill(c205 *machine, const c205_insn *insn, c205_error *error)
+/* Indices of a table of one page. */
+static c205_word next_index(uint64_t *state)
+{
+    return c205_from_integer(
+        (int64_t)(next_bits(state) >> 18) % C205_PAGE_WORDS);
+}
+
+static c205_word next_word(const struct subject *subject,
+                           enum operand_place operand, uint64_t *state)
+{
+    const c205_insn *insn = subject->insn;
+    bool indexed = insn && (insn->format == C205_FORMAT_TABLE
+                            || insn->format == C205_FORMAT_SPREAD);
+    if (operand == Z) {
+        return next_bits(state);
+    }
+    return indexed && operand == A ? next_index(state)
+                                   : next_numbers(state, subject->half);
+}
+
+static bool fill(c205 *machine, const struct subject *subject,
+                 c205_error *error)
 {
     enum { PIECE = 1024 };
     uint64_t state = UINT64_C(0x9E3779B97F4A7C15);
     c205_word words[PIECE];
-    bool indexed = insn && (insn->format == C205_FORMAT_TABLE
-                            || insn->format == C205_FORMAT_SPREAD);
     for (int operand = A; operand < OPERANDS; operand++) {
-        uint64_t address = address_of((enum operand)operand);
+        uint64_t address = address_of((enum operand_place)operand);
         if (!c205_map(machine, address, C205_PAGE_WORDS, C205_READ_WRITE,
                       error)) {
             return false;
         }
         for (size_t at = 0; at < C205_PAGE_WORDS; at += PIECE) {
             for (size_t i = 0; i < PIECE; i++) {
-                words[i] = operand == Z ? next_bits(&state)
-                           : next_word(&state, indexed && operand == A);
+                words[i] = next_word(subject, (enum operand_place)operand,
+                                     &state);
             }
             c205_write(machine, address + at * 64, words, PIECE);
         }
@@ -179,10 +252,12 @@ static bool fill(c205 *machine, const c205_insn *insn, c205_error *error)
 /* ---- The runs -------------------------------------------------------- */
 
 /* A machine with operands.  An instruction that goes through B once for each
- * element of A gets a B of one element, so that its rate is that of one step. */
+ * element of A gets a B of one element: its rate is that of one step.  The
+ * scalar is one, in the left half if it is a half word. */
 struct rig {
     c205 *machine;
     bool one_step;
+    c205_word scalar;
 };
 
 static bool run_once(const struct rig *rig, uint64_t entry, size_t length,
@@ -191,11 +266,11 @@ static bool run_once(const struct rig *rig, uint64_t entry, size_t length,
     c205 *machine = rig->machine;
     for (int operand = A; operand < OPERANDS; operand++) {
         size_t own = operand == B && rig->one_step ? 1 : length;
-        c205_set_register(machine, register_of((enum operand)operand),
+        c205_set_register(machine, register_of((enum operand_place)operand),
                           (c205_word)own << 48
-                              | address_of((enum operand)operand));
+                              | address_of((enum operand_place)operand));
     }
-    c205_set_register(machine, SCALAR, C205_ONE);
+    c205_set_register(machine, SCALAR, rig->scalar);
     c205_set_pc(machine, entry);
     c205_reset_clock(machine);
     c205_stop stop = c205_run(machine, C205_NO_LIMIT);
@@ -260,14 +335,17 @@ static void fit_line(struct measurement *result)
 
 static bool measure_object(const c205_model *model,
                            const struct object *object,
-                           const c205_insn *insn,
+                           const struct subject *subject,
                            struct measurement *result, c205_error *error)
 {
     const struct asm_symbol *last = object_symbol(object, "last");
     c205 *machine = c205_new(model, error);
-    struct rig rig = { machine, insn && insn->format == C205_FORMAT_SCAN };
+    struct rig rig = { machine,
+                       subject->insn
+                           && subject->insn->format == C205_FORMAT_SCAN,
+                       subject->half ? C205_HALF_ONE : C205_ONE };
     bool good = machine && c205_load(machine, &object->program, error)
-                && fill(machine, insn, error)
+                && fill(machine, subject, error)
                 && measure_points(&rig, object->program.entry,
                                   (uint64_t)last->value, result, error);
     c205_free(machine);
@@ -277,17 +355,21 @@ static bool measure_object(const c205_model *model,
 bool measure(const c205_model *model, const char *name,
              struct measurement *result, c205_error *error)
 {
-    const c205_insn *insn = instruction(name, strlen(name));
-    c205_timing timing = insn ? insn->timing : C205_TIMING_vlink;
+    struct subject subject = { NULL, false };
     struct asm_errors errors = { 0, NULL };
     char text[TEXT_SIZE];
-    write_program(insn, text);
+    find_subject(name, &subject);
+    write_program(&subject, text);
     struct object *object = assemble_text(name, text, NULL, &errors);
-    result->name = insn ? insn->mnemonic : measure_triad;
+    c205_timing timing = subject.insn ? subject.insn->timing
+                                      : C205_TIMING_vlink;
+    snprintf(result->name, sizeof result->name, "%s%s",
+             subject.insn ? subject.insn->mnemonic : measure_triad,
+             subject.half ? SYNTAX_HALF : "");
     result->timing = c205_timing_name(timing);
     result->flops = flops_of[timing];
     bool good = object
-                && measure_object(model, object, insn, result, error);
+                && measure_object(model, object, &subject, result, error);
     if (good) {
         fit_line(result);
     } else if (!object) {

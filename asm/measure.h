@@ -15,7 +15,7 @@
 
 #include "vm/c205.h"
 
-enum { MEASURE_POINTS = 18 };
+enum { MEASURE_POINTS = 18, MEASURE_NAME_SIZE = 16 };
 
 struct measure_point {
     size_t length;
@@ -23,7 +23,7 @@ struct measure_point {
 };
 
 struct measurement {
-    const char *name;
+    char name[MEASURE_NAME_SIZE];
     const char *timing;
     unsigned flops; /* per element; 0: it makes results, not flops */
     struct measure_point points[MEASURE_POINTS];
@@ -35,9 +35,11 @@ struct measurement {
 /* The linked triad B + s A, as if it were one instruction. */
 extern const char measure_triad[];
 
-/* Whether a name can be measured: a vector instruction, or the triad. */
-bool measure_knows(const char *name, size_t length);
+/* Whether a name can be measured: a vector instruction or the triad, behind
+ * it ",H" for 32-bit operands where the row allows them. */
+bool measure_knows(const char *name);
 
+/* name: one that measure_knows. */
 bool measure(const c205_model *model, const char *name,
              struct measurement *result, c205_error *error);
 

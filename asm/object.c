@@ -109,12 +109,10 @@ struct object *object_load(const char *path, c205_error *error)
     char *text = file_read(path, &length, &reason);
     struct object *object;
 
-    if (!text) {
+    object = text ? object_read(text, length, &reason) : NULL;
+    if (!object)
         snprintf(error->message, sizeof error->message, "%.180s: %.70s", path,
                  reason.message);
-        return NULL;
-    }
-    object = object_read(text, length, error);
     free(text);
     return object;
 }

@@ -241,10 +241,12 @@ static bool check_count(struct reader *reader,
                         const struct asm_expectation *expectation)
 {
     static const size_t counts[EXPECT_KINDS] = {
-        [EXPECT_REGISTER] = 1, [EXPECT_FLAGS] = 1, [EXPECT_CLOCKS] = 1
+        [EXPECT_REGISTER] = 1, [EXPECT_HALF_REGISTER] = 1,
+        [EXPECT_FLAGS] = 1, [EXPECT_CLOCKS] = 1
     };
 
     return expectation->kind == EXPECT_WORDS
+           || expectation->kind == EXPECT_HALVES
            || expectation->kind == EXPECT_BITS
            || expectation->count == counts[expectation->kind]
            || wrong(reader, "this expectation has another number of words");

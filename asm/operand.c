@@ -3,25 +3,48 @@
 
 #include "asm/syntax.h"
 
-bool parse_register(struct cursor *cursor, uint8_t *number)
+bool parse_any_register(struct cursor *cursor, struct register_name *found)
 {
     const struct token *token = &cursor->token;
     const struct symbol *symbol;
     size_t length;
-    int known;
 
     if (token->kind != TOKEN_NAME)
         return expected(cursor, "a register");
     length = (size_t)(token->end - token->begin);
-    known = register_number(token->begin, length);
     symbol = symbol_find(cursor->assembler, token->begin, length);
-    if (known < 0 && symbol && symbol->kind == SYMBOL_REGISTER)
-        known = (int)symbol->value.bits;
-    if (known < 0)
+    if (symbol && (symbol->kind == SYMBOL_REGISTER
+                   || symbol->kind == SYMBOL_HALF_REGISTER)) {
+        found->half = symbol->kind == SYMBOL_HALF_REGISTER;
+        found->number = (uint8_t)symbol->value.bits;
+    } else if (!register_named(token->begin, length, found)) {
         return expected(cursor, "a register");
-    *number = (uint8_t)known;
+    }
     cursor_next(cursor);
     return true;
+}
+
+/* A whole register or a half one. */
+static bool parse_sized(struct cursor *cursor, bool half, uint8_t *number)
+{
+    struct register_name found = { false, 0 };
+    const char *at = cursor->token.begin;
+
+    if (!parse_any_register(cursor, &found))
+        return false;
+    *number = found.number;
+    if (found.half == half)
+        return true;
+    return report(cursor->assembler, cursor->line, at,
+                  half ? "expected a half register, h0 .. h255, found the"
+                         " whole register r%u"
+                       : "expected a whole register, r0 .. r255, found the"
+                         " half register h%u", found.number);
+}
+
+bool parse_register(struct cursor *cursor, uint8_t *number)
+{
+    return parse_sized(cursor, false, number);
 }
 
 /* ---- Sources and results ---- */
@@ -42,11 +65,11 @@ static bool parse_second(struct cursor *cursor, const struct operand *operand,
         *syntax_field(fields, operand->second) = second;
         return true;
     }
-    if (second != (uint8_t)(first + 1))
+    fields->g |= C205_G_OFFSET;
+    if (first < C205_REGISTERS - 1 && second != first + 1)
         return report(cursor->assembler, cursor->line, at,
                       "expected r%u: the offset of a result is in the"
-                      " register after it", (first + 1u) % C205_REGISTERS);
-    fields->g |= C205_G_OFFSET;
+                      " register after it", first + 1u);
     return true;
 }
 
@@ -72,7 +95,8 @@ static bool parse_unsigned(struct cursor *cursor,
     if (operand->kind == OPERAND_SOURCE && cursor->token.kind != TOKEN_NAME)
         return expected(cursor, "a vector [..] or a register");
     fields->g |= operand->broadcast;
-    return parse_register(cursor, syntax_field(fields, operand->field));
+    return parse_sized(cursor, operand->half,
+                       syntax_field(fields, operand->field));
 }
 
 /* -[A], |[A]|, -|[A]|, |[B]| */
@@ -120,11 +144,18 @@ static bool parse_target(struct cursor *cursor,
 static bool parse_control(struct cursor *cursor,
                           const struct operand *operand, c205_fields *fields)
 {
+    const char *at;
+
     if (!cursor_take(cursor, '?'))
         return expected(cursor, "a control vector ? [..] or ?! [..]");
     if (cursor_take(cursor, '!'))
         fields->g |= C205_G_ZEROS;
-    return parse_bracket(cursor, operand, fields);
+    at = cursor->token.begin;
+    if (!parse_bracket(cursor, operand, fields))
+        return false;
+    return fields->z != 0
+           || report(cursor->assembler, cursor->line, at,
+                     "r0 is no control vector");
 }
 
 static bool parse_operand(struct cursor *cursor,
@@ -144,11 +175,27 @@ static bool parse_operand(struct cursor *cursor,
     }
 }
 
+static bool check_operands(struct cursor *cursor,
+                           struct instruction *instruction,
+                           const struct operand *operands, size_t count,
+                           const char *const *at)
+{
+    size_t blamed;
+    const char *problem = syntax_refusal(instruction->insn, operands, count,
+                                         &instruction->fields, &blamed);
+
+    return !problem
+           || report(cursor->assembler, cursor->line, at[blamed], "%s",
+                     problem);
+}
+
 static bool parse_operands(struct cursor *cursor,
                            struct instruction *instruction)
 {
     struct operand operands[MAX_OPERANDS];
-    size_t i, count = syntax_operands(instruction->insn, operands);
+    const char *at[MAX_OPERANDS] = { NULL };
+    bool half = instruction->fields.g & C205_G_HALF;
+    size_t i, count = syntax_operands(instruction->insn, half, operands);
 
     for (i = 0; i < count; i++) {
         if (operands[i].may_be_left_out && cursor_at_end(cursor))
@@ -156,10 +203,31 @@ static bool parse_operands(struct cursor *cursor,
         if (i > 0 && operands[i].kind != OPERAND_CONTROL
             && !expect_operator(cursor, ',', "','"))
             return false;
+        at[i] = cursor->token.begin;
         if (!parse_operand(cursor, &operands[i], instruction))
             return false;
     }
-    return expect_end(cursor);
+    return expect_end(cursor)
+           && check_operands(cursor, instruction, operands, count, at);
+}
+
+/* ",H" directly behind the mnemonic. */
+static bool parse_size(struct cursor *cursor, struct instruction *instruction)
+{
+    const char *at = cursor->token.begin;
+
+    if (!cursor_at(cursor, ',') || !is_name_part(at[-1]))
+        return true;
+    cursor_next(cursor);
+    if (!token_is(&cursor->token, "H"))
+        return expected(cursor, "H, for 32-bit operands");
+    if (!(instruction->insn->flags & C205_INSN_HALF))
+        return report(cursor->assembler, cursor->line, at,
+                      "%s has no form with " SYNTAX_HALF,
+                      instruction->insn->mnemonic);
+    instruction->fields.g |= C205_G_HALF;
+    cursor_next(cursor);
+    return true;
 }
 
 bool parse_instruction(struct cursor *cursor, const c205_insn *insn)
@@ -175,7 +243,8 @@ bool parse_instruction(struct cursor *cursor, const c205_insn *insn)
     instruction->insn = insn;
     instruction->fields.f = insn->opcode;
     instruction->fields.g = insn->subop;
-    good = parse_operands(cursor, instruction);
+    good = parse_size(cursor, instruction)
+           && parse_operands(cursor, instruction);
     item = layout_add(cursor, ITEM_INSTRUCTION, halves); /* errors or not */
     if (item)
         item->of.instruction = instruction;

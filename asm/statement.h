@@ -14,6 +14,8 @@ bool layout_label(struct cursor *cursor, const char *name, size_t length,
 void layout_settle(struct assembler *assembler);
 
 /* operand.c */
+bool parse_any_register(struct cursor *cursor, struct register_name *found);
+/* A whole one. */
 bool parse_register(struct cursor *cursor, uint8_t *number);
 bool parse_instruction(struct cursor *cursor, const c205_insn *insn);
 

@@ -47,31 +47,38 @@ struct symbol *symbol_intern(struct assembler *assembler, const char *name,
     return symbol;
 }
 
-/* r0 .. r255, without leading zeros; -1: another name. */
-int register_number(const char *name, size_t length)
+/* Without leading zeros. */
+bool register_named(const char *name, size_t length,
+                    struct register_name *found)
 {
-    int number = 0;
+    int letter = length > 0 ? tolower((unsigned char)*name) : 0, number = 0;
     size_t i;
 
-    if (length < 2 || length > 4 || (*name != 'r' && *name != 'R')
+    if (length < 2 || length > 4 || (letter != 'r' && letter != 'h')
         || (name[1] == '0' && length > 2))
-        return -1;
+        return false;
     for (i = 1; i < length; i++) {
         if (!isdigit((unsigned char)name[i]))
-            return -1;
+            return false;
         number = 10 * number + (name[i] - '0');
     }
-    return number < C205_REGISTERS ? number : -1;
+    found->half = letter == 'h';
+    found->number = (uint8_t)number;
+    return number < C205_REGISTERS;
+}
+
+static bool is_register(enum symbol_kind kind)
+{
+    return kind == SYMBOL_REGISTER || kind == SYMBOL_HALF_REGISTER;
 }
 
 static bool is_same(const struct symbol *symbol, enum symbol_kind kind,
                     struct value value)
 {
-    if (symbol->kind != kind)
-        return false;
-    if (kind == SYMBOL_REGISTER) /* a new name list for the code below */
-        return true;
-    return kind == SYMBOL_CONSTANT && symbol->value.kind == value.kind
+    if (is_register(kind)) /* a new name list for the code below */
+        return is_register(symbol->kind);
+    return kind == SYMBOL_CONSTANT && symbol->kind == kind
+           && symbol->value.kind == value.kind
            && symbol->value.bits == value.bits;
 }
 
@@ -81,9 +88,11 @@ bool symbol_define(struct assembler *assembler, const struct line *line,
                    const char *at, struct symbol *symbol,
                    enum symbol_kind kind, struct value value)
 {
+    struct register_name named;
+
     if (!symbol)
         return false;
-    if (register_number(symbol->name, symbol->length) >= 0)
+    if (register_named(symbol->name, symbol->length, &named))
         return report(assembler, line, at, "'%s' is a register",
                       symbol->name);
     if (symbol->kind != SYMBOL_UNDEFINED && !is_same(symbol, kind, value)) {

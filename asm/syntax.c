@@ -3,6 +3,8 @@
 #include <ctype.h>
 #include <string.h>
 
+enum { LAST_REGISTER = C205_REGISTERS - 1 };
+
 uint8_t *syntax_field(c205_fields *fields, char letter)
 {
     switch (letter) {
@@ -18,22 +20,30 @@ uint8_t *syntax_field(c205_fields *fields, char letter)
     }
 }
 
-/* What the format's string does not say: the range of its immediate, and how
- * many of its last operands may be left out. */
+/* What the format's string does not say: the range of its immediate, how
+ * many of its last operands may be left out, and whether a source must be a
+ * vector, as it alone tells the length. */
 static const struct format_rule {
     c205_format format;
     int64_t low, high;
     size_t left_out;
+    bool needs_vector;
 } format_rules[] = {
-    { C205_FORMAT_SHIFT, -64, 63, 0 },
-    { C205_FORMAT_REQUEST, 0, 255, 3 },
-    { C205_FORMAT_I16, -32768, 65535, 0 },
-    { C205_FORMAT_I48, -((int64_t)1 << 47), ((int64_t)1 << 48) - 1, 0 },
-    { C205_FORMAT_JUMP, 0, ((int64_t)1 << 48) - 1, 1 },
-    { C205_FORMAT_ALTER, 0, 15, 0 },
-    { C205_FORMAT_ALTERB, 0, 15, 0 },
-    { C205_FORMAT_ALTERF, 0, 15, 0 },
-    { C205_FORMAT_INDEX, 0, 0, 1 }
+    { C205_FORMAT_SHIFT, -64, 63, 0, false },
+    { C205_FORMAT_REQUEST, 0, 255, 3, false },
+    { C205_FORMAT_I16, -32768, 65535, 0, false },
+    { C205_FORMAT_I24, -((int64_t)1 << 23), ((int64_t)1 << 24) - 1, 0,
+      false },
+    { C205_FORMAT_I48, -((int64_t)1 << 47), ((int64_t)1 << 48) - 1, 0,
+      false },
+    { C205_FORMAT_JUMP, 0, ((int64_t)1 << 48) - 1, 1, false },
+    { C205_FORMAT_ALTER, 0, 15, 0, false },
+    { C205_FORMAT_ALTERB, 0, 15, 0, false },
+    { C205_FORMAT_ALTERF, 0, 15, 0, false },
+    { C205_FORMAT_INDEX, 0, 0, 1, false },
+    { C205_FORMAT_REDUCE, 0, 0, 0, true },
+    { C205_FORMAT_REDUCE2, 0, 0, 0, true },
+    { C205_FORMAT_SIEVE, 0, 0, 0, true }
 };
 
 static const struct format_rule *find_rule(c205_format format)
@@ -50,7 +60,8 @@ static const struct format_rule *find_rule(c205_format format)
 static void add_sign(struct operand *operand, const c205_insn *insn,
                      char letter)
 {
-    if (!(insn->flags & C205_INSN_SIGN) || !strchr("vuf", letter))
+    if (!(insn->flags & C205_INSN_SIGN)
+        || !strchr("vuf", tolower((unsigned char)letter)))
         return;
     if (operand->field == 'A') {
         operand->negate = C205_G_NEGATE_A;
@@ -60,8 +71,8 @@ static void add_sign(struct operand *operand, const c205_insn *insn,
     }
 }
 
-/* "[R, S]", "[A+X]" or "[R]"; after a result vector stands its offset, register C+1.
- * Returns the end of the operand and counts its letters. */
+/* "[R, S]", "[A+X]" or "[R]"; after a result vector stands its offset,
+ * register C+1.  Returns the end of the operand and counts its letters. */
 static const char *read_bracket(struct operand *operand, const char *at,
                                 const char **letter)
 {
@@ -72,7 +83,7 @@ static const char *read_bracket(struct operand *operand, const char *at,
         ++*letter;
     } else if (at[2] == '+') {
         operand->second = at[3];
-    } else if (operand->field == 'C' && strchr("dec", **letter)) {
+    } else if (operand->field == 'C' && strchr("dDeqco", **letter)) {
         operand->second = SECOND_IS_NEXT;
     }
     return strchr(at, ']') + 1;
@@ -85,6 +96,17 @@ static void read_source(struct operand *operand, char field)
     operand->second = operand->field == 'A' ? 'X' : 'Y';
     operand->broadcast = operand->field == 'A' ? C205_G_BROADCAST_A
                                                : C205_G_BROADCAST_B;
+}
+
+/* Whether a bare register is a half one; with ",H" the letters named in
+ * insn.def are as if they were capitals. */
+static bool is_half(const struct operand *operand, const c205_insn *insn,
+                    char letter, bool half)
+{
+    if (half && (insn->flags & C205_INSN_HALF) && strchr("fwvu", letter))
+        letter = (char)toupper((unsigned char)letter);
+    return (operand->kind == OPERAND_REGISTER && strchr("FIWM", letter))
+           || (operand->kind == OPERAND_SOURCE && strchr("VU", letter));
 }
 
 static const char *read_operand(struct operand *operand, const char *at,
@@ -115,7 +137,7 @@ static const char *read_operand(struct operand *operand, const char *at,
     return at + 1;
 }
 
-size_t syntax_operands(const c205_insn *insn,
+size_t syntax_operands(const c205_insn *insn, bool half,
                        struct operand operands[MAX_OPERANDS])
 {
     static const struct operand empty;
@@ -133,10 +155,56 @@ size_t syntax_operands(const c205_insn *insn,
         }
         operands[count] = empty;
         at = read_operand(&operands[count], at, insn, &letter);
-        add_sign(&operands[count++], insn, first);
+        add_sign(&operands[count], insn, first);
+        operands[count].half = is_half(&operands[count], insn, first, half);
+        count++;
         letter += *letter != '\0';
     }
     for (i = 0; rule && i < rule->left_out && i < count; i++)
         operands[count - 1 - i].may_be_left_out = true;
     return count;
+}
+
+/* ---- What no machine executes ---- */
+
+static const char *refuse_one(const c205_insn *insn,
+                              const struct operand *operand,
+                              c205_fields *fields)
+{
+    uint8_t number = *syntax_field(fields, operand->field);
+
+    if (operand->second == SECOND_IS_NEXT && number == LAST_REGISTER
+        && (fields->g & C205_G_OFFSET))
+        return "the offset of a result is in the register after it, and"
+               " there is none after r255";
+    if (operand->field == 'C' && number == LAST_REGISTER
+        && (insn->flags & C205_INSN_INDEX))
+        return "the index goes to the register with the next number, and"
+               " 255 is the last";
+    if (operand->kind == OPERAND_CONTROL && number == 0
+        && (!operand->may_be_left_out || (fields->g & C205_G_ZEROS)))
+        return "r0 is no control vector";
+    return NULL;
+}
+
+const char *syntax_refusal(const c205_insn *insn,
+                           const struct operand *operands, size_t count,
+                           c205_fields *fields, size_t *blamed)
+{
+    const struct format_rule *rule = find_rule(insn->format);
+    bool vector = !rule || !rule->needs_vector;
+    const char *problem = NULL;
+    size_t i;
+
+    for (i = 0; i < count && !problem; i++) {
+        *blamed = i;
+        problem = refuse_one(insn, &operands[i], fields);
+        vector |= operands[i].kind == OPERAND_SOURCE
+                  && !(fields->g & operands[i].broadcast);
+    }
+    if (problem || vector)
+        return problem;
+    *blamed = 0;
+    return "a source must be a vector [..], since nothing else tells the"
+           " length";
 }

@@ -22,6 +22,7 @@ enum operand_kind {
 
 struct operand {
     enum operand_kind kind;
+    bool half;            /* a bare register is a half register */
     char field;           /* letter of the c205_fields member */
     char second;          /* inside the brackets, after a comma; 0: none */
     bool may_be_left_out; /* with all that follow it; the field is 0 then */
@@ -33,10 +34,21 @@ struct operand {
 
 enum { MAX_OPERANDS = 8 };
 
-size_t syntax_operands(const c205_insn *insn,
+/* Written behind the mnemonic of an instruction on 32-bit operands. */
+#define SYNTAX_HALF ",H"
+
+/* half: with SYNTAX_HALF. */
+size_t syntax_operands(const c205_insn *insn, bool half,
                        struct operand operands[MAX_OPERANDS]);
 
 /* The field with a letter of a syntax. */
 uint8_t *syntax_field(c205_fields *fields, char letter);
+
+/* Why no machine executes it, whatever its registers hold, and which operand
+ * is to blame; NULL: one does.  A control vector that may be left out is
+ * taken to be if it is r0. */
+const char *syntax_refusal(const c205_insn *insn,
+                           const struct operand *operands, size_t count,
+                           c205_fields *fields, size_t *blamed);
 
 #endif

@@ -38,26 +38,32 @@ static bool parse_place(struct cursor *cursor, struct wish *wish)
            && expect_operator(cursor, ']', "']'");
 }
 
-/* r10 = 5, or [label] = 1, 2, 3 */
+/* [label] = 1, 2, 3 */
+static bool parse_memory(struct cursor *cursor, struct wish *wish)
+{
+    return parse_place(cursor, wish)
+           && expect_operator(cursor, '=', "'='")
+           && parse_values(cursor, wish);
+}
+
+/* r10 = 5, h10 = 5, or words of memory */
 static bool parse_expect(struct cursor *cursor, struct wish *wish)
 {
-    uint8_t number;
+    struct register_name named;
 
     if (cursor_at(cursor, '[')) {
         wish->kind = EXPECT_WORDS;
-        return parse_place(cursor, wish)
-               && expect_operator(cursor, '=', "'='")
-               && parse_values(cursor, wish);
+        return parse_memory(cursor, wish);
     }
-    wish->kind = EXPECT_REGISTER;
-    if (!parse_register(cursor, &number)
+    if (!parse_any_register(cursor, &named)
         || !expect_operator(cursor, '=', "'='")
         || !parse_values(cursor, wish))
         return false;
-    wish->number = number;
+    wish->kind = named.half ? EXPECT_HALF_REGISTER : EXPECT_REGISTER;
+    wish->number = named.number;
     return wish->count == 1
            || report(cursor->assembler, cursor->line, cursor->line->begin,
-                     "expected one value: a register holds one word");
+                     "expected one value: a register holds one");
 }
 
 /* [label] = 1011 0010 */
@@ -66,7 +72,9 @@ static bool parse_bits(struct cursor *cursor, struct wish *wish)
     const char *at, *end = cursor->line->end;
     c205_word *bits;
 
-    if (!parse_place(cursor, wish) || !cursor_at(cursor, '='))
+    if (!parse_place(cursor, wish))
+        return false;
+    if (!cursor_at(cursor, '='))
         return expected(cursor, "'='");
     at = cursor->token.end;
     bits = arena_take(cursor->assembler->arena,
@@ -145,6 +153,7 @@ static bool parse_named(struct cursor *cursor, const char *name,
         bool (*parse)(struct cursor *, struct wish *);
     } wishes[] = {
         { "expect", EXPECT_REGISTER, parse_expect },
+        { "expect-halves", EXPECT_HALVES, parse_memory },
         { "expect-bits", EXPECT_BITS, parse_bits },
         { "expect-flags", EXPECT_FLAGS, parse_one },
         { "expect-clocks", EXPECT_CLOCKS, parse_one },
@@ -172,8 +181,8 @@ static bool parse_named(struct cursor *cursor, const char *name,
                && add_wish(cursor->assembler, wish);
     }
     return report(cursor->assembler, cursor->line, name,
-                  "expected expect: or expect-bits: -flags: -clocks: -trap:"
-                  " -print:");
+                  "expected expect: or expect-halves: -bits: -flags: -clocks:"
+                  " -trap: -print:");
 }
 
 bool parse_wish(struct cursor *cursor)

@@ -7,6 +7,12 @@
         words   c
         bits    z, "00000"
         ADDNS   [a, x], [b, y], [c], [z]
+        .regs   r22, d, e, f            ; the same of 32 bits
+        halves  d, 1.0, 2.0, 3.0
+        halves  e, 10.0, 20.0
+        halves  f
+        ADDNS,H [d, x], [e, y], [f], [z]
         EXIT
 ; expect: [c.words] = 1.0, 12.0, 3.0, 20.0
+; expect-halves: [f.halves] = 1.0, 12.0, 3.0, 20.0
 ; expect-bits: [z.bits] = 11011

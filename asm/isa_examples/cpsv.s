@@ -5,6 +5,11 @@
         bits    z, "1011"
         CPSV    [a], [c] ? [z]
         LTOR    c, n
+        .regs   r20, d, e               ; the same of 32 bits
+        halves  d, 1.0, 2.0, 3.0, 4.0
+        halves  e
+        CPSV,H  [d], [e] ? [z]
         EXIT
 ; expect: [c.words] = 1.0, 3.0, 4.0, 0
 ; expect: n = 3
+; expect-halves: [e.halves] = 1.0, 3.0, 4.0, 0

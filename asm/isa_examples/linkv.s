@@ -7,5 +7,14 @@
         LINKV                           ; c := 2 a + b
         MPYSV   [a], factor, [c]
         ADDNV   [c], [b], [c]
+        .regs   r20, d, e, f            ; the same of 32 bits
+        halves  d, 1.0, -2.0, 3.0, 4.5
+        halves  e, 10.0, 0.5, -3.0, 1.5
+        halves  f
+        load_half h60, 2.0, r9
+        LINKV
+        MPYSV,H [d], h60, [f]
+        ADDNV,H [f], [e], [f]
         EXIT
 ; expect: [c.words] = 12.0, -3.5, 3.0, 10.5
+; expect-halves: [f.halves] = 12.0, -3.5, 3.0, 10.5

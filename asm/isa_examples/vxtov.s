@@ -4,5 +4,10 @@
         words   table, 10.0, 11.0, 12.0, 13.0
         words   c
         VXTOV   [list], [table], [c]
+        .regs   r19, d, e               ; of 32 bits, but for the list
+        halves  d, 10.0, 11.0, 12.0, 13.0
+        halves  e
+        VXTOV,H [list], [d], [e]
         EXIT
 ; expect: [c.words] = 13.0, 10.0, 10.0, 12.0
+; expect-halves: [e.halves] = 13.0, 10.0, 10.0, 12.0

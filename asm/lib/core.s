@@ -17,6 +17,17 @@
         ELEN    \r, bits(\value) >> 48 & 0xFFFF
         .endm
 
+; h := any half word: load_half h40, 1.5, r9.  It goes among the data; scratch
+; gets its address.
+        .macro  load_half h, value, scratch
+        .data
+load_half.\@:
+        .halfword \value
+        .code
+        EX      \scratch, load_half.\@
+        LODH    [\scratch], \h
+        .endm
+
 ; Call a routine: its address goes to scratch, that of the next instruction
 ; to link.  The routine ends with: return link
         .macro  call routine, link, scratch

@@ -18,6 +18,12 @@
         EXIT    \r, r0, 3
         .endm
 
+; The number in half register h, by way of a whole register.
+        .macro  print_half h, scratch
+        EXTH    \h, \scratch
+        print_number \scratch
+        .endm
+
 ; A text: print_text "clocks: ", r9.  Its bytes go among the data; scratch
 ; gets their descriptor.
         .macro  print_text text, scratch
@@ -40,6 +46,13 @@ print_text.\@:
         .endm
         .macro  print_bits d
         EXIT    \d, r0, 7
+        .endm
+
+; The half words that descriptor d describes, extended first to the vector of
+; words that descriptor whole describes, which is as long.
+        .macro  print_half_vector d, whole
+        EXTV    [\d], [\whole]
+        print_vector \whole
         .endm
 
         .endif

@@ -13,6 +13,15 @@
         descriptor \a, \a\().words, 4
         .endm
 
+; Four half words at a.halves, and their descriptor in register a.
+        .macro  halves a, first=0, second=0, third=0, fourth=0
+        .data
+\a\().halves:
+        .halfword \first, \second, \third, \fourth
+        .code
+        descriptor \a, \a\().halves, 4
+        .endm
+
 ; A bit vector at z.bits, and its descriptor in register z: bits z, "1011"
         .macro  bits z, text
         .data

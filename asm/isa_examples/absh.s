@@ -1,0 +1,5 @@
+        .include "core.s"
+        load_half h20, -2.5, r9
+        ABSH    h20, h21
+        EXIT
+; expect: h21 = 2.5

@@ -1,0 +1,5 @@
+        .include "core.s"
+        load_half h20, 2.25, r9
+        CLGH    h20, h21
+        EXIT
+; expect: h21 = 3

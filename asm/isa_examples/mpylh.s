@@ -1,0 +1,6 @@
+        .include "core.s"
+        load_half h20, 3, r9
+        load_half h21, 5, r9
+        MPYLH   h20, h21, h22
+        EXIT
+; expect: h22 = 15

@@ -1,0 +1,87 @@
+; Vectors of half words: add, subtract, average.
+
+        .include "half_vector.inc"
+
+        .macro  plain op
+        into    \op\().plain
+        \op,H   [va], [vb], [to]
+        .endm
+
+        .macro  uses op
+        plain   \op
+        into    \op\().broadcast
+        \op,H   x, [vb], [to] ? [vz]
+        .endm
+
+        .macro  all_uses op
+        uses    \op
+        into    \op\().offset           ; of source, result, control vector
+        \op,H   [va, once], y, [to, by] ?! [vz]
+        into    \op\().short            ; machine zeros follow
+        \op,H   -|[short_a]|, [vb], [to]
+        .endm
+
+        odd
+a:      .halfword 1.0, -2.0, 3.0, 4.5, -0.5
+        odd
+b:      .halfword 10.0, 0.5, -3.0, 4.5, 2.0
+        odd
+scalars:
+        .halfword 8.0, -0.5
+        odd
+uneven_a:
+        .halfword 1.0, 0.1, 7, 5, X'7012 3456'
+        odd
+uneven_b:
+        .halfword X'D280 0000', 0.2, 0.0, 3, 1.0
+        .code
+
+        operands
+        all_uses ADDNV
+; expect-halves: [ADDNV.plain] = 11.0, -1.5, 0.0, 9.0, 1.5
+; expect-halves: [ADDNV.broadcast] = 18.0, kept, 5.0, 12.5, kept
+; expect-halves: [ADDNV.offset] = kept, -2.5, kept, kept, -1.0
+; expect-halves: [ADDNV.short] = 9.0, -1.5, -6.0, 4.5, 2.0
+        all_uses ADDUV
+; expect-halves: [ADDUV.plain] = 11.0, -1.5, X'EB00 0000', 9.0, X'EB30 0000'
+; expect-halves: [ADDUV.broadcast] = 18.0, kept, X'ED28 0000', 12.5, kept
+; expect-halves: [ADDUV.offset] = kept, -2.5, kept, kept, -1.0
+; expect-halves: [ADDUV.short] = 9.0, -1.5, -6.0, 4.5, 2.0
+        uses    SUBNV
+; expect-halves: [SUBNV.plain] = -9.0, -2.5, 6.0, 0.0, -2.5
+; expect-halves: [SUBNV.broadcast] = -2.0, kept, 11.0, 3.5, kept
+        uses    SUBUV
+; expect-halves: [SUBUV.plain] = -9.0, -2.5, 6.0, X'EC00 0000', -2.5
+; expect-halves: [SUBUV.broadcast] = X'EDF0 0000', kept, 11.0, X'ED1C 0000'
+; expect-halves: [SUBUV.broadcast + 4*32] = kept
+        uses    AVGV
+; expect-halves: [AVGV.plain] = 5.5, -0.75, 0.0, 4.5, 0.75
+; expect-halves: [AVGV.broadcast] = 9.0, kept, 2.5, 6.25, kept
+        uses    AVGDV
+; expect-halves: [AVGDV.plain] = -4.5, -1.25, 3.0, 0.0, -1.25
+; expect-halves: [AVGDV.broadcast] = -1.0, kept, 5.5, 1.75, kept
+
+; The lower halves of sums: those of a tiny number that is lost in the upper
+; one, of 0.1 and 0.2, none of what machine zero leaves, none of integers.
+        descriptor va, uneven_a, n
+        descriptor vb, uneven_b, n
+        plain   ADDLV
+; expect-halves: [ADDLV.plain] = X'D340 0000', X'D140 0000', X'E900 0000'
+; expect-halves: [ADDLV.plain + 3*32] = X'E900 0000', X'7000 0000'
+        plain   SUBLV
+; expect-halves: [SUBLV.plain] = X'D340 0000', X'D000 0000', X'E900 0000'
+; expect-halves: [SUBLV.plain + 3*32] = X'E900 0000', X'7000 0000'
+
+; The result lies one half word after the first source: each element is made
+; from the one before.
+        odd
+chain:  .halfword 1.0, kept, kept, kept, kept, kept
+        .code
+        descriptor from, chain, n
+        descriptor to, chain + 32, n
+        descriptor vb, b, n
+        ADDNV,H [from], [vb], [to]
+; expect-halves: [chain] = 1.0, 11.0, 11.5, 8.5, 13.0, 15.0
+
+        EXIT
+; expect-flags: X'0000 0000 0012 0000'

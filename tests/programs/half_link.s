@@ -1,0 +1,60 @@
+; Linked pairs on half words.
+
+        .include "half_vector.inc"
+
+        .reg    t, r50
+
+        odd
+a:      .halfword 1.0, -2.0, 3.0, 4.5, -0.5
+        odd
+b:      .halfword 10.0, 0.5, -3.0, 4.5, 2.0
+        odd
+scalars:
+        .halfword 8.0, -0.5
+        odd
+handed: .halfword kept, kept, kept, kept, kept
+        .code
+
+        operands
+        descriptor t, handed, n
+
+        into    triad                   ; x a + b
+        LINKV
+        MPYSV,H [va], x, [t]
+        ADDNV,H [t], [vb], [to]
+; expect-halves: [triad] = 18.0, -15.5, 21.0, 40.5, -2.0
+; expect-halves: [handed] = kept, kept, kept, kept, kept
+
+        into    scaled_sum              ; (a + b) y
+        LINKV
+        ADDNV,H [va], [vb], [t]
+        MPYSV,H [t], y, [to] ? [vz]
+; expect-halves: [scaled_sum] = -5.5, kept, 0.0, -4.5, kept
+
+        into    second_source           ; b - (a - x)
+        LINKV
+        SUBNV,H [va], x, [t]
+        SUBNV,H [vb], [t], [to]
+; expect-halves: [second_source] = 17.0, 10.5, 2.0, 8.0, 10.5
+
+        into    short_source            ; ones, then machine zeros follow
+        ELEN    vb, 2
+        LINKV
+        MPYSV,H [short_a], x, [t]
+        ADDNV,H [t], [vb], [to]
+; expect-halves: [short_source] = 18.0, -15.5, 24.0, 8.0, 8.0
+
+; a recurrence: the result lies one half word after the source
+        odd
+chain:  .halfword 1.0, 2.0, 3.0, 4.0
+        .code
+        descriptor from, chain, 3
+        descriptor to, chain + 32, 3
+        ELEN    t, 3
+        LINKV
+        MPYSV,H [from], x, [t]
+        ADDNV,H [t], y, [to]
+; expect-halves: [chain] = 1.0, 7.5, 59.5, 475.5
+
+        EXIT
+; expect-flags: X'0000 0000 0010 0000'

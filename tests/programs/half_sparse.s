@@ -1,0 +1,101 @@
+; Sparse vectors of half words.  The order vectors are
+;
+;       110100 of A     101101 of B
+;
+; so there are a sum of the first, A alone, B alone, a sum, B alone; and two
+; products.
+
+        .include "half_vector.inc"
+
+        .regs   r40, vx, vy
+        .regs   r50, elements, places
+
+        .macro  uses op, length
+        into    \op\().plain
+        .data
+\op\().order: .word X'FFFF FFFF FFFF FFFF'
+        .code
+        EX      vz, \op\().order
+        \op,H   [va, vx], [vb, vy], [to], [vz]
+        LTOR    to, elements
+        LTOR    vz, places
+        EX      to, \length
+        SUBX    elements, to, elements  ; 0 if it is as long
+        .data
+\op\().lengths: .word 9.0, 9.0
+        .code
+        EX      place, \op\().lengths
+        STO     [place], elements
+        STO     [place, once], places
+        .endm
+
+        odd
+a:      .halfword 1.0, -2.0, 4.5
+        odd
+b:      .halfword 10.0, -3.0, 4.5, -0.25
+        .bitvector in_a, 6, "110100"
+        .bitvector in_b, 6, "101101"
+        .code
+
+        descriptor va, a, 3
+        descriptor vb, b, 4
+        descriptor vx, in_a, 6
+        descriptor vy, in_b, 6
+        ES      once, 1
+        ES      by, 1
+
+        uses    ADDNS, 5
+; expect-halves: [ADDNS.plain] = 11.0, -2.0, -3.0, 9.0, -0.25
+; expect-bits: [ADDNS.order] = 111101 11
+; expect: [ADDNS.lengths] = 0, 6
+        uses    ADDUS, 5
+; expect-halves: [ADDUS.plain] = 11.0, -2.0, -3.0, 9.0, -0.25
+        uses    ADDLS, 5
+; expect-halves: [ADDLS.plain] = X'D600 0000', X'D300 0000', X'D400 0000'
+; expect-halves: [ADDLS.plain + 3*32] = X'D600 0000', X'D000 0000'
+        uses    SUBNS, 5
+; expect-halves: [SUBNS.plain] = -9.0, -2.0, 3.0, 0.0, 0.25
+        uses    SUBUS, 5
+; expect-halves: [SUBUS.plain] = -9.0, -2.0, 3.0, X'EC00 0000', 0.25
+; expect-bits: [SUBUS.order] = 111101 11
+; expect: [SUBUS.lengths] = 0, 6
+        uses    SUBLS, 5
+; expect-halves: [SUBLS.plain] = X'D600 0000', X'D300 0000', X'D400 0000'
+; expect-halves: [SUBLS.plain + 3*32] = X'D500 0000', X'D100 0000'
+        uses    MPYSS, 2
+; expect-halves: [MPYSS.plain] = 10.0, 20.25, kept, kept, kept
+; expect-bits: [MPYSS.order] = 100100 11
+; expect: [MPYSS.lengths] = 0, 6
+        uses    MPYUS, 2
+; expect-halves: [MPYUS.plain] = X'EE28 0000', X'EF28 8000', kept
+        uses    MPYLS, 2
+; expect-halves: [MPYLS.plain] = X'D700 0000', X'D800 0000', kept
+        uses    DIVSS, 2
+; expect-halves: [DIVSS.plain] = 0.1, 1.0, kept
+        uses    DIVUS, 2
+; expect-halves: [DIVUS.plain] = 0.1, 1.0, kept
+; expect-bits: [DIVUS.order] = 100100 11
+; expect: [DIVUS.lengths] = 0, 6
+
+; The offset of a result, of its order vector as well.
+        into    offset
+        .data
+offset_order: .word X'FFFF FFFF FFFF FFFF'
+        .code
+        EX      vz, offset_order
+        MPYSS,H [va, vx], [vb, vy], [to, by], [vz]
+; expect-halves: [offset] = kept, 10.0, 20.25, kept, kept
+; expect-bits: [offset_order] = 1 100100 11
+
+; A packed vector that is too short: machine zero follows -2.0.
+        ELEN    va, 2
+        into    short
+        .data
+short_order: .word 0
+        .code
+        EX      vz, short_order
+        ADDNS,H [va, vx], [vb, vy], [to], [vz]
+; expect-halves: [short] = 11.0, -2.0, -3.0, 4.5, -0.25
+
+        EXIT
+; expect-flags: X'0000 0000 0010 0000'

@@ -1,0 +1,32 @@
+; RJTIME: T := clocks left on the job interval timer, 0 when it is off or has
+; run out
+
+        .regs   r10, clocks, first, second, third
+
+        RJTIME  r20                     ; off
+; expect: r20 = 0
+        ES      clocks, 20
+        WJTIME  clocks
+        RJTIME  first
+        RJTIME  second
+        ADDN    r0, clocks, r21         ; 5 clocks
+        RTOR    r21, r22                ; waits for them
+        RJTIME  third
+        RJTIME  r0
+; expect: first = 19
+; expect: second = 18
+; expect: third = 11
+; expect: r0 = 0
+
+; what it reads when the clocks have passed
+        ES      clocks, 2
+        WJTIME  clocks
+        RJTIME  r23
+        RJTIME  r24
+        RJTIME  r25
+; expect: r23 = 1
+; expect: r24 = 0
+; expect: r25 = 0
+
+        EXIT
+; expect-flags: X'0000 0000 0800 0000'

@@ -1,0 +1,12 @@
+; An index list has words, also where the table has half words.
+        .include "../half_vector.inc"
+        .data
+list:   .word   0, 1, 0, 0, 1, 1
+table:  .halfword 1.0, 2.0
+        .code
+        descriptor va, list + 32, n
+        EX      vb, table
+        into    nothing
+        VXTOV,H [va], [vb], [to]
+; expect-trap: misaligned-operand
+; expect-halves: [nothing] = kept, kept, kept, kept, kept
