@@ -9,6 +9,7 @@
 #include "arithmetic_oracle.h"
 #include "check_conversions.h"
 #include "operands.h"
+#include "operations.h"
 #include "vm/lanes.h"
 
 #include <errno.h>
@@ -17,143 +18,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* ---- The operations ----------------------------------------------------- */
-
-typedef void span_rule(c205_word *c, const c205_word *a, const c205_word *b,
-                       size_t n, uint64_t *flags);
-
-/* scalar: as arith.h; NULL where only lanes.h has the operation. */
-struct operation {
-    const char *name;
-    oracle_rule *expected, *scalar;
-    span_rule *span;
-};
-
-enum { SPAN = 512, BITMAP = SPAN / 64 };
-
-static void spread(c205_word *c, const uint64_t *bits, size_t n)
-{
-    for (size_t i = 0; i < n; i++)
-        c[i] = bits[i / 64] >> (63 - i % 64) & 1;
-}
-
-static bool rest_is_zero(const uint64_t *bits, size_t n)
-{
-    return n % 64 == 0 || bits[n / 64] << n % 64 == 0;
-}
-
-/* How the functions of the machine are called, by kind: all are brought to
- * the signatures of oracle_rule and span_rule. */
-#define ADAPT_BINARY(name)                                                  \
-    static c205_word scalar_##name(c205_word a, c205_word b,                \
-                                   uint64_t *flags)                         \
-    {                                                                       \
-        return arith_##name(a, b, flags);                                   \
-    }                                                                       \
-    ADAPT_SPAN(name)
-#define ADAPT_SPAN(name)                                                    \
-    static void span_##name(c205_word *c, const c205_word *a,               \
-                            const c205_word *b, size_t n, uint64_t *flags)  \
-    {                                                                       \
-        lanes_##name(c, a, b, n, flags);                                    \
-    }
-#define ADAPT_UNARY(name)                                                   \
-    static c205_word scalar_##name(c205_word a, c205_word b,                \
-                                   uint64_t *flags)                         \
-    {                                                                       \
-        (void)b;                                                            \
-        return arith_##name(a, flags);                                      \
-    }                                                                       \
-    ADAPT_UNARY_SPAN(name)
-#define ADAPT_UNARY_SPAN(name)                                              \
-    static void span_##name(c205_word *c, const c205_word *a,               \
-                            const c205_word *b, size_t n, uint64_t *flags)  \
-    {                                                                       \
-        (void)b;                                                            \
-        lanes_##name(c, a, n, flags);                                       \
-    }
-/* A bitmap with bits past its end spoils the flags, which comparisons do
- * not touch. */
-#define ADAPT_COMPARE(name)                                                 \
-    static c205_word scalar_##name(c205_word a, c205_word b,                \
-                                   uint64_t *flags)                         \
-    {                                                                       \
-        (void)flags;                                                        \
-        return arith_##name(a, b);                                          \
-    }                                                                       \
-    static void span_##name(c205_word *c, const c205_word *a,               \
-                            const c205_word *b, size_t n, uint64_t *flags)  \
-    {                                                                       \
-        uint64_t bits[BITMAP];                                              \
-                                                                            \
-        memset(bits, 0xA5, sizeof bits);                                    \
-        lanes_##name(bits, a, b, n);                                        \
-        spread(c, bits, n);                                                 \
-        if (!rest_is_zero(bits, n))                                         \
-            *flags = 0;                                                     \
-    }
-#define ADAPT_SHIFT(name)                                                   \
-    static c205_word scalar_##name(c205_word a, c205_word b,                \
-                                   uint64_t *flags)                         \
-    {                                                                       \
-        (void)flags;                                                        \
-        return arith_##name(a, c205_to_integer(b));                         \
-    }                                                                       \
-    ADAPT_SPAN(name)
-
-/* SPAN and UNARY_SPAN have no counterpart in arith.h. */
-#define OPERATIONS(BINARY, UNARY, COMPARE, SHIFT, SPAN_ONLY, UNARY_SPAN)    \
-    BINARY(add_upper)                                                       \
-    BINARY(add_lower)                                                       \
-    BINARY(add_normalised)                                                  \
-    BINARY(subtract_upper)                                                  \
-    BINARY(subtract_lower)                                                  \
-    BINARY(subtract_normalised)                                             \
-    BINARY(multiply_upper)                                                  \
-    BINARY(multiply_lower)                                                  \
-    BINARY(multiply_significant)                                            \
-    BINARY(divide_upper)                                                    \
-    BINARY(divide_significant)                                              \
-    UNARY(square_root)                                                      \
-    UNARY(truncate)                                                         \
-    UNARY(floor)                                                            \
-    UNARY(ceiling)                                                          \
-    UNARY(absolute)                                                         \
-    UNARY(negate)                                                           \
-    UNARY(exponent)                                                         \
-    BINARY(adjust_significance)                                             \
-    BINARY(adjust_exponent)                                                 \
-    BINARY(pack)                                                            \
-    BINARY(average)                                                         \
-    BINARY(average_difference)                                              \
-    COMPARE(equal)                                                          \
-    COMPARE(not_equal)                                                      \
-    COMPARE(not_less)                                                       \
-    COMPARE(less)                                                           \
-    SHIFT(shift)                                                            \
-    SPAN_ONLY(xor)                                                          \
-    SPAN_ONLY(and)                                                          \
-    SPAN_ONLY(or)                                                           \
-    SPAN_ONLY(nand)                                                         \
-    SPAN_ONLY(nor)                                                          \
-    SPAN_ONLY(or_not)                                                       \
-    SPAN_ONLY(and_not)                                                      \
-    SPAN_ONLY(equivalence)                                                  \
-    SPAN_ONLY(add_index)                                                    \
-    SPAN_ONLY(subtract_index)                                               \
-    UNARY_SPAN(copy)
-
-OPERATIONS(ADAPT_BINARY, ADAPT_UNARY, ADAPT_COMPARE, ADAPT_SHIFT, ADAPT_SPAN,
-           ADAPT_UNARY_SPAN)
-
-#define ROW(name) {#name, oracle_##name, scalar_##name, span_##name},
-#define SPAN_ROW(name) {#name, oracle_##name, NULL, span_##name},
-
-static const struct operation operations[] = {
-    OPERATIONS(ROW, ROW, ROW, ROW, SPAN_ROW, SPAN_ROW)};
-
-enum { OPERATION_COUNT = sizeof operations / sizeof operations[0] };
 
 /* ---- One operation ------------------------------------------------------ */
 
@@ -170,7 +34,17 @@ static bool same(struct outcome a, struct outcome b)
     return a.word == b.word && a.flags == b.flags;
 }
 
-static struct outcome apply(oracle_rule *rule, c205_word a, c205_word b)
+static struct outcome expect(oracle_rule *rule,
+                             const struct oracle_format *format, c205_word a,
+                             c205_word b)
+{
+    struct outcome outcome = { .flags = EARLIER_FLAG };
+
+    outcome.word = rule(format, a, b, &outcome.flags);
+    return outcome;
+}
+
+static struct outcome apply(scalar_rule *rule, c205_word a, c205_word b)
 {
     struct outcome outcome = {.flags = EARLIER_FLAG};
 
@@ -182,7 +56,7 @@ static void show_mismatch(const char *room, const char *name, c205_word a,
                           c205_word b, struct outcome expected,
                           struct outcome got)
 {
-    printf("%s_%s %016" PRIX64 " %016" PRIX64 "\n", room, name, a, b);
+    printf("%s %s %016" PRIX64 " %016" PRIX64 "\n", room, name, a, b);
     printf("    expected %016" PRIX64 " flags %06" PRIX64 "\n",
            expected.word, expected.flags);
     printf("    got      %016" PRIX64 " flags %06" PRIX64 "\n", got.word,
@@ -201,13 +75,14 @@ static bool check_scalars(const struct operation *operation,
 {
     for (size_t i = 0; i < span->n; i++) {
         const c205_word a = span->a[i], b = span->b[i];
-        const struct outcome expected = apply(operation->expected, a, b);
+        const struct outcome expected = expect(operation->expected,
+                                               operation->format, a, b);
         span->expected[i] = expected;
         if (operation->scalar == NULL)
             continue;
         const struct outcome got = apply(operation->scalar, a, b);
         if (!same(expected, got)) {
-            show_mismatch("arith", operation->name, a, b, expected, got);
+            show_mismatch("scalar", operation->name, a, b, expected, got);
             return false;
         }
     }
@@ -226,14 +101,14 @@ static bool check_span(const struct operation *operation, struct span *span)
         const struct outcome got = {span->c[i], span->expected[i].flags};
         expected_flags |= span->expected[i].flags;
         if (!same(span->expected[i], got)) {
-            show_mismatch("lanes", operation->name, span->a[i], span->b[i],
+            show_mismatch("span", operation->name, span->a[i], span->b[i],
                           span->expected[i], got);
             return false;
         }
     }
     if (flags == expected_flags && span->c[span->n] == guard)
         return true;
-    printf("lanes_%s, %zu elements from %016" PRIX64 " %016" PRIX64
+    printf("span %s, %zu elements from %016" PRIX64 " %016" PRIX64
            " on: %s\n    expected flags %06" PRIX64 ", got %06" PRIX64 "\n",
            operation->name, span->n, span->a[0], span->b[0],
            span->c[span->n] == guard ? "flags" : "a word past the end",
@@ -253,7 +128,7 @@ static bool check_operation(const struct operation *operation,
                             uint64_t seed, size_t cases)
 {
     static struct span span;
-    struct operands operands = operands_begin(seed);
+    struct operands operands = operands_begin(operation->format, seed);
     uint64_t random = ~seed;
 
     for (size_t done = 0; done < cases; done += span.n) {
@@ -270,25 +145,11 @@ static bool check_operation(const struct operation *operation,
 
 /* ---- Reductions, masked stores ------------------------------------------ */
 
-struct reduction {
-    const char *name;
-    oracle_rule *step;
-    void (*span)(c205_word *accumulator, const c205_word *a, size_t n,
-                 uint64_t *flags);
-};
-
-static const struct reduction reductions[] = {
-    {"sum", oracle_add_normalised, lanes_sum},
-    {"product", oracle_multiply_significant, lanes_product},
-};
-
-enum { REDUCTION_COUNT = sizeof reductions / sizeof reductions[0] };
-
 static bool check_reduction(const struct reduction *reduction, uint64_t seed,
                             size_t cases)
 {
     static struct span span;
-    struct operands operands = operands_begin(seed);
+    struct operands operands = operands_begin(reduction->format, seed);
     uint64_t random = ~seed;
 
     for (size_t done = 0; done < cases; done += span.n) {
@@ -297,12 +158,12 @@ static bool check_reduction(const struct reduction *reduction, uint64_t seed,
         struct outcome expected = {span.b[0], EARLIER_FLAG};
         struct outcome got = expected;
         for (size_t i = 0; i < span.n; i++)
-            expected.word = reduction->step(expected.word, span.a[i],
-                                            &expected.flags);
+            expected.word = reduction->step(reduction->format, expected.word,
+                                            span.a[i], &expected.flags);
         reduction->span(&got.word, span.a, span.n, &got.flags);
         if (!same(expected, got)) {
             printf("%zu elements: ", span.n);
-            show_mismatch("lanes", reduction->name, span.b[0], span.a[0],
+            show_mismatch("span", reduction->name, span.b[0], span.a[0],
                           expected, got);
             return false;
         }
@@ -313,7 +174,7 @@ static bool check_reduction(const struct reduction *reduction, uint64_t seed,
 static bool check_masked_store(uint64_t seed, size_t cases)
 {
     static struct span span;
-    struct operands operands = operands_begin(seed);
+    struct operands operands = operands_begin(&oracle_full, seed);
     uint64_t random = ~seed;
 
     for (size_t done = 0; done < cases; done += span.n) {
@@ -323,16 +184,16 @@ static bool check_masked_store(uint64_t seed, size_t cases)
         operands_next(&operands, span.a, span.b, span.n);
         for (size_t i = 0; i < BITMAP; i++)
             bits[i] = random_bits(&random);
-        spread(choice, bits, span.n);
+        spread_bits(choice, bits, span.n);
         memcpy(span.c, span.b, sizeof span.b);
         lanes_store_masked(span.c, span.a, bits, span.n);
         for (size_t i = 0; i < SPAN; i++) {
             const bool taken = i < span.n && choice[i] == 1;
             const c205_word expected = taken ? span.a[i] : span.b[i];
             if (span.c[i] != expected) {
-                show_mismatch("lanes", "store_masked", span.a[i], span.b[i],
-                              (struct outcome){expected, 0},
-                              (struct outcome){span.c[i], 0});
+                show_mismatch("span", "store_masked", span.a[i], span.b[i],
+                              (struct outcome){ expected, 0 },
+                              (struct outcome){ span.c[i], 0 });
                 return false;
             }
         }
@@ -366,11 +227,11 @@ static void check_everything(struct run *run)
 {
     const size_t conversion_cases = run->cases / 10;
 
-    for (size_t i = 0; i < OPERATION_COUNT; i++)
+    for (size_t i = 0; i < operation_count; i++)
         if (wanted(run, operations[i].name))
             count(run, operations[i].name, run->cases,
                   check_operation(operations + i, run->seed, run->cases));
-    for (size_t i = 0; i < REDUCTION_COUNT; i++)
+    for (size_t i = 0; i < reduction_count; i++)
         if (wanted(run, reductions[i].name))
             count(run, reductions[i].name, run->cases,
                   check_reduction(reductions + i, run->seed, run->cases));

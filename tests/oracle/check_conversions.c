@@ -9,6 +9,15 @@
 
 enum { DIGITS = 400, TEXT = DIGITS + 64 };
 
+static const struct converters words = {
+    &oracle_full,   c205_from_double, c205_to_double,
+    c205_from_text, c205_to_text,
+};
+static const struct converters halves = {
+    &oracle_half,        c205_half_from_double, c205_half_to_double,
+    c205_half_from_text, c205_half_to_text,
+};
+
 static bool same_word(const char *what, c205_word expected, c205_word got)
 {
     if (expected != got)
@@ -36,6 +45,18 @@ static double double_of_bits(uint64_t bits)
     return value;
 }
 
+/* About as large as what a full word and a double have in common, or as the
+ * largest and smallest half words: 2^134, 2^-90. */
+static int64_t usual_power(uint64_t *random)
+{
+    static const int64_t ends[] = { 134, -90 };
+    const int64_t end = ends[random_bits(random) % 2];
+
+    return random_bits(random) % 4 == 0
+               ? end + random_between(random, -3, 3)
+               : random_between(random, -60, 60);
+}
+
 /* Any double; every other one of usual size, every third with few bits. */
 static double random_double(uint64_t *random)
 {
@@ -43,7 +64,7 @@ static double random_double(uint64_t *random)
     uint64_t bits = random_bits(random);
 
     if (choice % 2 == 0) {
-        const int64_t exponent = random_between(random, 1023 - 60, 1023 + 60);
+        const int64_t exponent = 1023 + usual_power(random);
         bits = bits >> 63 << 63 | bits << 12 >> 12 | (uint64_t)exponent << 52;
     }
     if (choice % 3 == 0)
@@ -51,41 +72,45 @@ static double random_double(uint64_t *random)
     return double_of_bits(bits);
 }
 
-static bool from_double_agrees(uint64_t *random)
+static bool from_double_agrees(const struct converters *as, uint64_t *random)
 {
     const double value = random_double(random);
     char what[64];
     mpfr_t cut;
 
-    mpfr_init2(cut, 47);
+    mpfr_init2(cut, as->format->digits);
     mpfr_set_d(cut, value, MPFR_RNDD);
     snprintf(what, sizeof what, "from %a", value);
-    const c205_word expected = oracle_word(cut);
+    const c205_word expected = oracle_word(as->format, cut);
     mpfr_clear(cut);
-    return same_word(what, expected, c205_from_double(value));
+    return same_word(what, expected, as->from_double(value));
 }
 
 /* Words around the range of a double and far from it. */
-static c205_word word_near_doubles(uint64_t *random)
+static c205_word word_near_doubles(const struct oracle_format *format,
+                                   uint64_t *random)
 {
-    const c205_word digits = random_word(random) << 16 >> 16;
-    const int64_t exponent = random_between(random, -1200, 1100);
+    const long bits = format->width - format->digits - 1;
+    const c205_word digits = random_word(format, random) << bits >> bits;
+    const int64_t low = format->exponent_min, high = format->exponent_max;
+    const int64_t exponent = random_between(
+        random, low < -1200 ? -1200 : low, high > 1100 ? 1100 : high);
 
     return random_bits(random) % 4 == 0
-               ? random_word(random)
-               : (c205_word)exponent << 48 | digits;
+               ? random_word(format, random)
+               : (c205_word)exponent << (64 - bits) | digits;
 }
 
-static bool to_double_agrees(uint64_t *random)
+static bool to_double_agrees(const struct converters *as, uint64_t *random)
 {
-    const c205_word word = word_near_doubles(random);
+    const c205_word word = word_near_doubles(as->format, random);
     mpfr_t value;
 
     mpfr_init2(value, 48);
-    oracle_value(value, word);
+    oracle_value(as->format, value, word);
     const double expected = mpfr_get_d(value, MPFR_RNDN);
     mpfr_clear(value);
-    const double got = c205_to_double(word);
+    const double got = as->to_double(word);
     if (expected != expected ? got != got
                              : !memcmp(&expected, &got, sizeof got))
         return true;
@@ -95,7 +120,7 @@ static bool to_double_agrees(uint64_t *random)
 
 /* ---- Integers ----------------------------------------------------------- */
 
-static bool from_integer_agrees(uint64_t *random)
+static bool from_integer_agrees(const struct converters *as, uint64_t *random)
 {
     const int64_t end = INT64_C(1) << random_between(random, 0, 47);
     const int64_t value = random_between(random, -end, end - 1);
@@ -105,16 +130,16 @@ static bool from_integer_agrees(uint64_t *random)
     mpfr_init2(exact, 48);
     mpfr_set_si(exact, value, MPFR_RNDD);
     const c205_word word = c205_from_integer(value);
-    oracle_value(exact, word);
+    oracle_value(as->format, exact, word);
     const bool right = mpfr_cmp_si(exact, value) == 0 && word >> 48 == 0;
     mpfr_clear(exact);
     snprintf(what, sizeof what, "from %" PRId64, value);
     return right || same_word(what, (c205_word)value << 16 >> 16, word);
 }
 
-static bool to_integer_agrees(uint64_t *random)
+static bool to_integer_agrees(const struct converters *as, uint64_t *random)
 {
-    const c205_word word = random_word(random);
+    const c205_word word = random_word(as->format, random);
     const int64_t low = (int64_t)(word % (UINT64_C(1) << 48));
     const int64_t expected = low >= INT64_C(1) << 47
                                  ? low - (INT64_C(1) << 48)
@@ -140,8 +165,8 @@ static const char *chosen(uint64_t *random, const char *const *texts,
 
 /* Decimal digits of 0.DDD x 10^*exponent: those of some word, cut or exact
  * or one unit up, or any. */
-static void random_digits(uint64_t *random, char digits[DIGITS + 2],
-                          long *exponent)
+static void random_digits(const struct converters *as, uint64_t *random,
+                          char digits[DIGITS + 2], long *exponent)
 {
     const size_t wanted = (size_t)random_between(
         random, 1, random_bits(random) % 2 ? 20 : DIGITS);
@@ -149,7 +174,7 @@ static void random_digits(uint64_t *random, char digits[DIGITS + 2],
     mpfr_t value;
 
     mpfr_init2(value, 48);
-    oracle_value(value, word_near_doubles(random));
+    oracle_value(as->format, value, word_near_doubles(as->format, random));
     mpfr_abs(value, value, MPFR_RNDD);
     mpfr_exp_t point = 0;
     if (mpfr_regular_p(value))
@@ -162,7 +187,8 @@ static void random_digits(uint64_t *random, char digits[DIGITS + 2],
 
 /* Sign, digits with a point somewhere, the exponent if there need be one,
  * and what is no part of the number. */
-static void random_text(uint64_t *random, char text[TEXT])
+static void random_text(const struct converters *as, uint64_t *random,
+                        char text[TEXT])
 {
     static const char *const signs[] = {"", "", "+", "-", "-"};
     static const char *const heads[] = {"", "", "", "0", "000"};
@@ -171,7 +197,7 @@ static void random_text(uint64_t *random, char text[TEXT])
     char digits[DIGITS + 2], power[32] = "";
     long exponent;
 
-    random_digits(random, digits, &exponent);
+    random_digits(as, random, digits, &exponent);
     const long n = (long)strlen(digits);
     long point = random_between(random, 0, n);
     if (exponent >= 0 && exponent <= n && random_bits(random) % 2)
@@ -186,7 +212,8 @@ static void random_text(uint64_t *random, char text[TEXT])
              power, CHOSEN(random, tails));
 }
 
-static void odd_text(uint64_t *random, char text[TEXT])
+static void odd_text(const struct converters *as, uint64_t *random,
+                     char text[TEXT])
 {
     static const char *const texts[] = {
         "", "-", "+", ".", "-.", "e5", ".e5", "+-1", "--1", "x", "0", "-0",
@@ -197,24 +224,30 @@ static void odd_text(uint64_t *random, char text[TEXT])
         "1e-8618", "140737488355327", "140737488355328", "-140737488355328",
         "-140737488355329", "140737488355328.99999999999999999999999999",
         "-140737488355328.00000000000000000000000000000000000000000000001",
+        /* the ends of the half words */
+        "8388607", "8388608", "-8388608", "-8388609", "8388608.99999999",
+        "21778069e33", "21778071e33", "21778072e33", "-21778071e33",
+        "-21778072e33", "8e-28", "8077e-31", "8078e-31", "-8e-28",
     };
 
+    (void)as;
     snprintf(text, TEXT, "%s", CHOSEN(random, texts));
 }
 
-static bool from_text_agrees(uint64_t *random)
+static bool from_text_agrees(const struct converters *as, uint64_t *random)
 {
     char text[TEXT];
     char *expected_end;
     const char *end;
     mpfr_t cut;
 
-    (random_bits(random) % 16 == 0 ? odd_text : random_text)(random, text);
-    mpfr_init2(cut, 47);
+    (random_bits(random) % 16 == 0 ? odd_text : random_text)(as, random,
+                                                             text);
+    mpfr_init2(cut, as->format->digits);
     mpfr_strtofr(cut, text, &expected_end, 10, MPFR_RNDD);
-    const c205_word expected = oracle_word(cut);
+    const c205_word expected = oracle_word(as->format, cut);
     mpfr_clear(cut);
-    const c205_word got = c205_from_text(text, &end);
+    const c205_word got = as->from_text(text, &end);
     if (end != expected_end)
         printf("\"%s\": ends at \"%s\", not at \"%s\"\n", text, expected_end,
                end);
@@ -243,7 +276,8 @@ static size_t significant_digits(const char *text)
 /* The texts that read back as value are of [value, the next above), since
  * reading is cutting; so the first of n digits that is not below it is the
  * one to try. */
-static bool fewer_digits_do(const mpfr_t value, size_t digits)
+static bool fewer_digits_do(const struct converters *as, const mpfr_t value,
+                            size_t digits)
 {
     const bool negative = mpfr_sgn(value) < 0;
     char shorter[64], text[128];
@@ -255,7 +289,7 @@ static bool fewer_digits_do(const mpfr_t value, size_t digits)
     mpfr_get_str(shorter, &point, 10, digits - 1, value, MPFR_RNDU);
     snprintf(text, sizeof text, "%s0.%se%ld", negative ? "-" : "",
              shorter + negative, (long)point);
-    mpfr_init2(back, 47);
+    mpfr_init2(back, as->format->digits);
     mpfr_strtofr(back, text, NULL, 10, MPFR_RNDD);
     const bool same = mpfr_equal_p(back, value) != 0;
     mpfr_clear(back);
@@ -263,53 +297,54 @@ static bool fewer_digits_do(const mpfr_t value, size_t digits)
 }
 
 /* Read by MPFR and by the machine, as far as its range goes. */
-static bool reads_back(const mpfr_t value, const char *text)
+static bool reads_back(const struct converters *as, const mpfr_t value,
+                       const char *text)
 {
     char *expected_end;
     const char *end;
     mpfr_t back;
 
-    mpfr_init2(back, 47);
+    mpfr_init2(back, as->format->digits);
     mpfr_strtofr(back, text, &expected_end, 10, MPFR_RNDD);
     const bool same = *expected_end == '\0' && mpfr_equal_p(back, value);
     mpfr_clear(back);
-    return same && c205_from_text(text, &end) == oracle_word(value)
+    return same && as->from_text(text, &end) == oracle_word(as->format, value)
            && *end == '\0';
 }
 
-static bool text_is_right(c205_word word, const mpfr_t value,
-                          const char *text)
+static bool text_is_right(const struct converters *as, c205_word word,
+                          const mpfr_t value, const char *text)
 {
     if (mpfr_nan_p(value))
         return same_text(word, "indefinite", text);
     if (mpfr_zero_p(value))
         return same_text(word, "0", text);
-    const bool back = reads_back(value, text);
-    const bool fewer = fewer_digits_do(value, significant_digits(text));
+    const bool back = reads_back(as, value, text);
+    const bool fewer = fewer_digits_do(as, value, significant_digits(text));
     if (!back || fewer)
         printf("%016" PRIX64 ": \"%s\" %s\n", word, text,
                !back ? "does not read back" : "is not the shortest");
     return back && !fewer;
 }
 
-static bool to_text_agrees(uint64_t *random)
+static bool to_text_agrees(const struct converters *as, uint64_t *random)
 {
-    const c205_word word = word_near_doubles(random);
+    const c205_word word = word_near_doubles(as->format, random);
     char text[C205_TEXT_SIZE];
     mpfr_t value;
 
-    c205_to_text(word, text);
+    as->to_text(word, text);
     mpfr_init2(value, 48);
-    oracle_value(value, word);
+    oracle_value(as->format, value, word);
     const bool right = memchr(text, '\0', sizeof text) != NULL
-                       && text_is_right(word, value, text);
+                       && text_is_right(as, word, value, text);
     mpfr_clear(value);
     return right;
 }
 
-static bool to_hex_agrees(uint64_t *random)
+static bool to_hex_agrees(const struct converters *as, uint64_t *random)
 {
-    const c205_word word = random_word(random);
+    const c205_word word = random_word(as->format, random);
     char text[C205_TEXT_SIZE], expected[C205_TEXT_SIZE];
 
     snprintf(expected, sizeof expected, "%04X %04X %04X %04X",
@@ -322,13 +357,17 @@ static bool to_hex_agrees(uint64_t *random)
 /* ---- All of them -------------------------------------------------------- */
 
 const struct conversion conversions[] = {
-    {"from_double", from_double_agrees},
-    {"to_double", to_double_agrees},
-    {"from_integer", from_integer_agrees},
-    {"to_integer", to_integer_agrees},
-    {"from_text", from_text_agrees},
-    {"to_text", to_text_agrees},
-    {"to_hex", to_hex_agrees},
+    { "from_double", &words, from_double_agrees },
+    { "to_double", &words, to_double_agrees },
+    { "from_integer", &words, from_integer_agrees },
+    { "to_integer", &words, to_integer_agrees },
+    { "from_text", &words, from_text_agrees },
+    { "to_text", &words, to_text_agrees },
+    { "to_hex", &words, to_hex_agrees },
+    { "half_from_double", &halves, from_double_agrees },
+    { "half_to_double", &halves, to_double_agrees },
+    { "half_from_text", &halves, from_text_agrees },
+    { "half_to_text", &halves, to_text_agrees },
 };
 
 const size_t conversion_count = sizeof conversions / sizeof conversions[0];
@@ -339,7 +378,7 @@ bool check_conversion(const struct conversion *conversion, uint64_t seed,
     uint64_t random = seed;
 
     for (size_t i = 0; i < cases; i++)
-        if (!conversion->agrees(&random))
+        if (!conversion->agrees(conversion->converters, &random))
             return false;
     return true;
 }

@@ -1,13 +1,24 @@
-/* check_conversions.h - words from and to doubles, integers and text. */
+/* check_conversions.h - words of both sizes from and to doubles, integers
+ * and text. */
 #ifndef CHECK_CONVERSIONS_H
 #define CHECK_CONVERSIONS_H
 
-#include "vm/c205.h"
+#include "arithmetic_oracle.h"
+
+/* The conversions of one size of word. */
+struct converters {
+    const struct oracle_format *format;
+    c205_word (*from_double)(double value);
+    double (*to_double)(c205_word word);
+    c205_word (*from_text)(const char *text, const char **end);
+    void (*to_text)(c205_word word, char text[C205_TEXT_SIZE]);
+};
 
 struct conversion {
     const char *name;
+    const struct converters *converters;
     /* One case by chance; prints what differs. */
-    bool (*agrees)(uint64_t *random);
+    bool (*agrees)(const struct converters *converters, uint64_t *random);
 };
 
 extern const struct conversion conversions[];

@@ -3,9 +3,11 @@
  *   check_random [programs] [--seed N] [--first]
  *
  * Both run each program side by side; after each instruction registers, data
- * flags, program counter, trap and the words around all areas of data must
- * agree, at the end all of memory.  A program on which they differ is
- * shrunk and printed; with --first the run ends there, unshrunk.
+ * flags, program counter, trap, clock and accounts must agree, and the words
+ * in and around all areas of data if it may have stored some; at the end all
+ * of memory.  Some programs run in other ways as well (other_ways.h).  A
+ * program on which they differ is shrunk and printed; with --first the run
+ * ends there, unshrunk.
  */
 #include "tests/oracle/compare_states.h"
 #include "tests/oracle/shrink_program.h"

@@ -2,6 +2,8 @@
 #include "compare_states.h"
 
 #include "asm/disassemble.h"
+#include "tests/oracle/other_ways.h"
+#include "tests/oracle/random_machine.h"
 #include "tests/oracle/reference_clock.h"
 
 #include <stdarg.h>
@@ -12,19 +14,9 @@
 enum {
     WORD = 64,
     HALF = 32,
-    CODE_WORDS = PROGRAM_INSNS + 2,
     MARGIN = 64, /* words looked at on either side of an area */
     STEPS = 120,
-    PAGES = 6
-};
-
-/* All pages there are, as they should be. */
-static const struct page {
-    uint64_t number;
-    c205_access access;
-} pages[PAGES] = {
-    { 1, C205_READ_WRITE }, { 2, C205_READ_WRITE }, { 3, C205_READ_WRITE },
-    { 4, C205_READ_WRITE }, { 6, C205_READ_ONLY },  { 8, C205_READ_WRITE },
+    ONE_OTHERWISE_IN = 12 /* programs */
 };
 
 /* What one program needs. */
@@ -36,151 +28,35 @@ struct trial {
     struct difference *difference;
 };
 
-static c205 **machines; /* one for each model */
-static c205_model **models;
-static c205_word *images[PAGES], *scratch;
+static c205_word *scratch; /* a page */
 
 /* ---- Begin and end ----------------------------------------------------- */
 
-static void fail(const char *what)
-{
-    fprintf(stderr, "check_random: %s\n", what);
-    exit(2);
-}
-
-static void make_machine(size_t i)
-{
-    c205_error error;
-
-    models[i] = c205_model_parse("random", random_models[i], &error);
-    if (models[i] == NULL)
-        fail(error.message);
-    machines[i] = c205_new(models[i], &error);
-    if (machines[i] == NULL)
-        fail(error.message);
-}
-
 void compare_begin(void)
 {
-    models = plain_room(NULL, random_model_count, sizeof *models);
-    machines = plain_room(NULL, random_model_count, sizeof *machines);
-    for (size_t i = 0; i < random_model_count; i++)
-        make_machine(i);
-    for (size_t i = 0; i < PAGES; i++)
-        images[i] = plain_room(NULL, C205_PAGE_WORDS, sizeof **images);
+    random_machines_begin();
     scratch = plain_room(NULL, C205_PAGE_WORDS, sizeof *scratch);
 }
 
 void compare_end(void)
 {
-    for (size_t i = 0; i < random_model_count; i++) {
-        c205_free(machines[i]);
-        c205_model_free(models[i]);
-    }
-    for (size_t i = 0; i < PAGES; i++)
-        free(images[i]);
+    random_machines_end();
     free(scratch);
-    free(machines);
-    free(models);
-}
-
-/* ---- Loading ----------------------------------------------------------- */
-
-static c205_word *image_of(uint64_t address)
-{
-    for (size_t i = 0; i < PAGES; i++)
-        if (pages[i].number == plain_page_number(address))
-            return images[i] + address / WORD % C205_PAGE_WORDS;
-    return NULL;
-}
-
-static void put(struct trial *trial, uint64_t address, c205_word word)
-{
-    plain_store(&trial->reference.memory, address, word);
-    *image_of(address) = word;
-}
-
-static void put_code(struct trial *trial)
-{
-    const struct random_program *program = trial->program;
-
-    for (size_t i = 0; i < program->insn_count; i++) {
-        const uint64_t begin = program_address(program, i);
-        for (unsigned k = 0; k < program->insns[i].halves; k++) {
-            const uint64_t at = begin + HALF * k;
-            const uint64_t half = program->insns[i].word
-                                      >> (k == 0 ? HALF : 0)
-                                  & 0xFFFFFFFF;
-            put(trial, at / WORD * WORD,
-                *image_of(at) | half << (at % WORD == 0 ? HALF : 0));
-        }
-    }
-}
-
-static void put_data(struct trial *trial)
-{
-    for (size_t a = 0; a < random_area_count; a++) {
-        const struct random_area *area = random_areas + a;
-        program_data(trial->program, area, scratch);
-        for (size_t i = 0; i < area->words; i++)
-            put(trial, area->address + WORD * i, scratch[i]);
-    }
-}
-
-/* The first half of a program is a region of its own. */
-static uint64_t region_end(const struct random_program *program)
-{
-    return program_address(program, (program->insn_count + 1) / 2);
-}
-
-static void load_machine(struct trial *trial)
-{
-    const struct c205_segment nothing = { WORD * C205_PAGE_WORDS, 1, NULL };
-    const struct c205_region region = { "first", trial->program->code,
-                                        region_end(trial->program) };
-    const c205_program empty = { .entry = trial->program->code,
-                                 .segment_count = 1,
-                                 .segments = &nothing,
-                                 .region_count = 1,
-                                 .regions = &region };
-    const struct plain_memory *memory = &trial->reference.memory;
-    c205_error error;
-
-    if (!c205_load(trial->machine, &empty, &error))
-        fail(error.message);
-    for (size_t i = 0; i < PAGES; i++)
-        if (!c205_map(trial->machine,
-                      pages[i].number * C205_PAGE_WORDS * WORD,
-                      C205_PAGE_WORDS, pages[i].access, &error))
-            fail(error.message);
-    for (size_t i = 0; i < memory->change_count; i++) {
-        const uint64_t address = memory->changes[i].address;
-        c205_write(trial->machine, address, image_of(address), 1);
-    }
-    for (unsigned i = 0; i < C205_REGISTERS; i++)
-        c205_set_register(trial->machine, i, trial->program->registers[i]);
 }
 
 static void begin_trial(struct trial *trial)
 {
+    const struct random_program *program = trial->program;
     struct reference *reference = &trial->reference;
 
     reference_begin(reference);
-    for (size_t i = 0; i < PAGES; i++) {
-        plain_map(&reference->memory,
-                  pages[i].number * C205_PAGE_WORDS * WORD, C205_PAGE_WORDS,
-                  pages[i].access);
-        memset(images[i], 0, C205_PAGE_WORDS * sizeof **images);
-    }
-    put_data(trial);
-    put_code(trial);
-    reference->now.pc = trial->program->code;
-    memcpy(reference->now.registers, trial->program->registers,
+    trial->machine = random_machine_load(program);
+    random_images_take(trial->machine, program, &reference->memory);
+    reference->now.pc = program->code;
+    memcpy(reference->now.registers, program->registers,
            sizeof reference->now.registers);
-    trial->machine = machines[trial->program->model];
-    reference_clock_begin(&trial->clock, models[trial->program->model]);
-    reference_clock_enter(&trial->clock, trial->program->code);
-    load_machine(trial);
+    reference_clock_begin(&trial->clock, c205_machine_model(trial->machine));
+    reference_clock_enter(&trial->clock, program->code);
 }
 
 /* ---- Differences ------------------------------------------------------- */
@@ -216,7 +92,7 @@ static void compare_registers(struct trial *trial)
         compare_words(trial, "register", i, c205_register(trial->machine, i),
                       state->registers[i]);
     compare_words(trial, "data flags", 0, c205_data_flags(trial->machine),
-                  state->flags);
+                  reference_flags(&trial->reference, trial->clock.now));
     compare_words(trial, "program counter", 0, c205_pc(trial->machine),
                   state->pc);
 }
@@ -241,16 +117,16 @@ static size_t at_most(size_t count, size_t limit)
 static void compare_area(struct trial *trial, const struct random_area *area)
 {
     const uint64_t margin = WORD * MARGIN;
-    uint64_t address = image_of(area->address - margin)
+    uint64_t address = random_image(area->address - margin)
                            ? area->address - margin
                            : area->address;
     const uint64_t end = area->address + WORD * area->words + margin;
 
-    while (address < end && image_of(address)) {
+    while (address < end && random_image(address)) {
         const size_t in_page = C205_PAGE_WORDS
                                - address / WORD % C205_PAGE_WORDS;
         const size_t count = at_most((size_t)(end - address) / WORD, in_page);
-        compare_memory(trial, address, image_of(address), count);
+        compare_memory(trial, address, random_image(address), count);
         address += WORD * count;
     }
 }
@@ -262,44 +138,66 @@ static void follow_changes(struct trial *trial)
 
     for (size_t i = 0; i < memory->change_count; i++) {
         const uint64_t address = memory->changes[i].address;
-        *image_of(address) = plain_read(memory, address);
-        compare_memory(trial, address, image_of(address), 1);
+        *random_image(address) = plain_read(memory, address);
+        compare_memory(trial, address, random_image(address), 1);
     }
+}
+
+/* Other instructions leave memory alone; if not, that is seen after the
+ * next one that does not, or at the end. */
+static bool may_store(const struct deed *deed)
+{
+    return deed->insn_count == 0 || deed->insns[0]->unit == C205_UNIT_VECTOR
+           || deed->insns[0]->unit == C205_UNIT_MEMORY;
 }
 
 static void compare_states(struct trial *trial)
 {
     compare_registers(trial);
     follow_changes(trial);
-    for (size_t i = 0; i < random_area_count; i++)
-        compare_area(trial, random_areas + i);
+    if (may_store(&trial->reference.deed))
+        for (size_t i = 0; i < random_area_count; i++)
+            compare_area(trial, random_areas + i);
 }
 
 static void compare_all_memory(struct trial *trial)
 {
-    for (size_t i = 0; i < PAGES; i++)
-        compare_memory(trial, pages[i].number * C205_PAGE_WORDS * WORD,
-                       images[i], C205_PAGE_WORDS);
+    for (size_t i = 0; i < RANDOM_PAGES; i++) {
+        const uint64_t address = random_pages[i].address;
+        compare_memory(trial, address, random_image(address),
+                       C205_PAGE_WORDS);
+    }
 }
 
 /* ---- Clocks ------------------------------------------------------------ */
 
 static size_t region_of(const struct trial *trial, uint64_t pc)
 {
-    return pc >= trial->program->code && pc < region_end(trial->program);
+    return pc >= trial->program->code
+           && pc < random_region_end(trial->program);
 }
 
 static void compare_account(struct trial *trial, size_t region,
                             const c205_account *account)
 {
-    char what[DIFFERENCE_TEXT];
+    const struct counts *counts = trial->clock.counts + region;
 
-    for (int i = 0; i < C205_CAUSES; i++) {
-        snprintf(what, sizeof what, "clocks of %s in region",
-                 c205_cause_name((c205_cause)i));
-        compare_words(trial, what, region, account->clocks[i],
-                      trial->clock.charged[region][i]);
-    }
+    for (int i = 0; i < C205_CAUSES; i++)
+        if (account->clocks[i] != trial->clock.charged[region][i])
+            differ(trial,
+                   "clocks of %s in region %zu: machine %llu, "
+                   "reference %llu",
+                   c205_cause_name((c205_cause)i), region,
+                   (unsigned long long)account->clocks[i],
+                   (unsigned long long)trial->clock.charged[region][i]);
+    compare_words(trial, "instructions in region", region,
+                  account->instructions, counts->instructions);
+    compare_words(trial, "vector instructions in region", region,
+                  account->vector_instructions, counts->vector_instructions);
+    compare_words(trial, "elements in region", region, account->elements,
+                  counts->elements);
+    compare_words(trial, "entries to region", region, account->entries,
+                  counts->entries);
 }
 
 static void compare_clocks(struct trial *trial)
@@ -349,15 +247,13 @@ static void differ_in_faults(struct trial *trial, const c205_stop *stop)
  * cannot. */
 static bool skip(struct trial *trial)
 {
-    const struct deed *deed = &trial->reference.deed;
-    const unsigned halves = deed->insn_count > 0
-                                ? c205_format_halves(deed->insns[0]->format)
-                                : 1;
+    const uint64_t pc = trial->reference.deed.pc;
+    const unsigned halves = random_insn_halves(trial->machine, pc);
 
-    trial->reference.now.pc = plain_address(deed->pc + HALF * halves);
+    trial->reference.now.pc = plain_address(pc + HALF * halves);
     c205_set_pc(trial->machine, trial->reference.now.pc);
     reference_clock_enter(&trial->clock, trial->reference.now.pc);
-    return image_of(deed->pc) != NULL;
+    return halves != 0;
 }
 
 /* True: go on. */
@@ -369,8 +265,8 @@ static bool after_trap(struct trial *trial, bool done, const c205_stop *stop)
     }
     if (done)
         reference_undo(&trial->reference);
-    compare_states(trial);
     reference_clock_drain(&trial->clock);
+    compare_states(trial);
     compare_clocks(trial);
     compare_words(trial, "trap at", 0, stop->pc, trial->reference.deed.pc);
     return skip(trial);
@@ -399,11 +295,11 @@ static bool step_both(struct trial *trial)
     else if (reference->ended)
         compare_words(trial, "status", 0, (c205_word)stop.status,
                       (c205_word)reference->status);
-    compare_states(trial);
     reference_clock_step(&trial->clock, &reference->deed,
                          region_of(trial, reference->deed.pc));
     if (reference->ended)
         reference_clock_drain(&trial->clock);
+    compare_states(trial);
     compare_clocks(trial);
     return goes_on;
 }
@@ -418,22 +314,44 @@ static c205_word word_at(const struct trial *trial, uint64_t address)
     return address % WORD == 0 ? first : first << HALF | second >> HALF;
 }
 
+/* Until the program ends, or differs, or is lost, or too long. */
+static void run_steps(struct trial *trial)
+{
+    struct difference *difference = trial->difference;
+    bool goes_on = true;
+
+    while (goes_on && difference->step < STEPS && difference->count == 0) {
+        difference->pc = trial->reference.now.pc;
+        difference->word = word_at(trial, difference->pc);
+        goes_on = step_both(trial);
+        difference->step++;
+    }
+    if (difference->count == 0 && !trial->reference.lost)
+        compare_all_memory(trial);
+}
+
+/* They load the machine anew. */
+static void compare_other_ways(struct trial *trial)
+{
+    const uint64_t hash = machine_hash(trial->machine);
+    const char *way = disagreeing_way(trial->program,
+                                      trial->reference.ended ? &hash : NULL);
+
+    if (way != NULL)
+        differ(trial, "%s ends in another state", way);
+}
+
 bool compare_run(const struct random_program *program,
                  struct difference *difference)
 {
     struct trial trial = { .program = program, .difference = difference };
-    bool goes_on = true;
 
     *difference = (struct difference){ .count = 0 };
     begin_trial(&trial);
-    while (goes_on && difference->step < STEPS && difference->count == 0) {
-        difference->pc = trial.reference.now.pc;
-        difference->word = word_at(&trial, difference->pc);
-        goes_on = step_both(&trial);
-        difference->step++;
-    }
-    if (difference->count == 0 && !trial.reference.lost)
-        compare_all_memory(&trial);
+    run_steps(&trial);
+    if (difference->count == 0 && !trial.reference.lost
+        && program->seed % ONE_OTHERWISE_IN == 0)
+        compare_other_ways(&trial);
     reference_end(&trial.reference);
     return difference->count == 0;
 }

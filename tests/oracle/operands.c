@@ -18,30 +18,71 @@ int64_t random_between(uint64_t *random, int64_t low, int64_t high)
     return low + (int64_t)(random_bits(random) % span);
 }
 
-static c205_word pack(int64_t exponent, int64_t coefficient)
+/* What a family draws from: the format and the numbers by chance. */
+struct draw {
+    const struct oracle_format *format;
+    uint64_t *random;
+};
+
+static bool one_in(struct draw draw, uint64_t n)
 {
-    return (c205_word)exponent << 48
-           | ((c205_word)coefficient & UINT64_C(0xFFFFFFFFFFFF));
+    return random_bits(draw.random) % n == 0;
+}
+
+static int64_t between(struct draw draw, int64_t low, int64_t high)
+{
+    return random_between(draw.random, low, high);
+}
+
+static c205_word pack(const struct oracle_format *format, int64_t exponent,
+                      int64_t coefficient)
+{
+    const long exponent_bits = format->width - format->digits - 1;
+
+    return (c205_word)exponent << (64 - exponent_bits)
+           | (c205_word)coefficient << (63 - format->digits) >> exponent_bits;
 }
 
 /* ---- The edges ---------------------------------------------------------- */
 
-#define TWO(n) (INT64_C(1) << (n))
+static int64_t two(int64_t n)
+{
+    return INT64_C(1) << n;
+}
 
-static const int64_t edge_exponents[] = {
-    -32768, -32767, -28673,                /* machine zeros */
-    28672, 32767,                          /* indefinites */
-    28671, 28670, 28624,                   /* the largest numbers */
-    -28672, -28671, -28626, -28625,        /* the smallest */
-    -48, -47, -46, -45, -1, 0, 1, 47,
+/* clang-format off */
+/* An exponent beside a place of the format; so many times its digits off. */
+static const struct {
+    enum { FIRST, SMALLEST, NOUGHT, LARGEST, LAST } beside;
+    int64_t digits, more;
+} edge_exponents[] = {
+    /* machine zeros, indefinites */
+    {FIRST, 0, 0}, {FIRST, 0, 1}, {SMALLEST, 0, -1}, {LARGEST, 0, 1},
+    {LAST, 0, 0},
+    /* the largest numbers, the smallest */
+    {LARGEST, 0, 0}, {LARGEST, 0, -1}, {LARGEST, -1, 0}, {SMALLEST, 0, 0},
+    {SMALLEST, 0, 1}, {SMALLEST, 1, -1}, {SMALLEST, 1, 0},
+    /* integers and what just is none */
+    {NOUGHT, -1, -1}, {NOUGHT, -1, 0}, {NOUGHT, -1, 1}, {NOUGHT, -1, 2},
+    {NOUGHT, 0, -1}, {NOUGHT, 0, 0}, {NOUGHT, 0, 1}, {NOUGHT, 1, 0},
 };
+/* clang-format on */
 
-static const int64_t edge_coefficients[] = {
-    0, 1, -1, 2, -2, 3, -3, 5, TWO(23), -TWO(23), TWO(24) - 1,
-    TWO(45), -TWO(45), TWO(46) - 1, TWO(46), TWO(46) + 1,
-    TWO(47) - 2, TWO(47) - 1, -TWO(47), -TWO(47) + 1,
-    -TWO(46) - 1, -TWO(46), -TWO(46) + 1, INT64_C(0x555555555555),
+/* clang-format off */
+/* times x 2^(digits x halves / 2 + places) + more */
+static const struct {
+    int64_t times, halves, places, more;
+} edge_coefficients[] = {
+    {0, 0, 0, 0}, {0, 0, 0, 1}, {0, 0, 0, -1}, {0, 0, 0, 2}, {0, 0, 0, -2},
+    {0, 0, 0, 3}, {0, 0, 0, -3}, {0, 0, 0, 5},
+    {1, 1, 0, 0}, {-1, 1, 0, 0}, {1, 1, 1, -1},
+    {1, 2, -2, 0}, {-1, 2, -2, 0},
+    {1, 2, -1, -1}, {1, 2, -1, 0}, {1, 2, -1, 1},
+    {-1, 2, -1, -1}, {-1, 2, -1, 0}, {-1, 2, -1, 1},
+    {1, 2, 0, -2}, {1, 2, 0, -1}, {-1, 2, 0, 0}, {-1, 2, 0, 1},
+    {3, 2, -2, -1},
 };
+/* clang-format on */
 
 enum {
     EDGE_EXPONENTS = sizeof edge_exponents / sizeof edge_exponents[0],
@@ -50,246 +91,343 @@ enum {
     EDGES = EDGE_EXPONENTS * EDGE_COEFFICIENTS
 };
 
-static c205_word edge(size_t i)
+static int64_t edge_exponent(const struct oracle_format *format, size_t i)
 {
-    return pack(edge_exponents[i / EDGE_COEFFICIENTS],
-                edge_coefficients[i % EDGE_COEFFICIENTS]);
+    const int64_t past = two(format->width - format->digits - 2);
+    const int64_t places[] = { [FIRST] = -past,
+                               [SMALLEST] = format->exponent_min,
+                               [NOUGHT] = 0,
+                               [LARGEST] = format->exponent_max,
+                               [LAST] = past - 1 };
+
+    return places[edge_exponents[i].beside]
+           + edge_exponents[i].digits * format->digits
+           + edge_exponents[i].more;
+}
+
+static int64_t edge_coefficient(const struct oracle_format *format, size_t i)
+{
+    const int64_t power = edge_coefficients[i].halves * format->digits / 2
+                          + edge_coefficients[i].places;
+
+    return edge_coefficients[i].times * two(power)
+           + edge_coefficients[i].more;
+}
+
+static c205_word edge(const struct oracle_format *format, size_t i)
+{
+    return pack(format, edge_exponent(format, i / EDGE_COEFFICIENTS),
+                edge_coefficient(format, i % EDGE_COEFFICIENTS));
 }
 
 /* ---- Coefficients and words --------------------------------------------- */
 
 /* Of either sign, with a number of significant bits; one in four with long
  * runs of zeros or of ones. */
-static int64_t coefficient(uint64_t *random, int64_t digits)
+static int64_t coefficient(struct draw draw, int64_t digits)
 {
-    uint64_t bits = random_bits(random);
-    const uint64_t choice = random_bits(random);
+    uint64_t bits = random_bits(draw.random);
+    const uint64_t choice = random_bits(draw.random);
 
     if (choice % 8 == 0)
-        bits &= random_bits(random) & random_bits(random);
+        bits &= random_bits(draw.random) & random_bits(draw.random);
     if (choice % 8 == 1)
-        bits |= random_bits(random) | random_bits(random);
+        bits |= random_bits(draw.random) | random_bits(draw.random);
     if (digits == 0)
         return choice & 8 ? 0 : -1;
-    const int64_t top = INT64_C(1) << (digits - 1);
+    const int64_t top = two(digits - 1);
     const int64_t magnitude = top | (int64_t)(bits & (uint64_t)(top - 1));
     return choice & 8 ? magnitude : ~magnitude;
 }
 
-static c205_word any_digits(uint64_t *random, int64_t exponent)
+static int64_t any_coefficient(struct draw draw)
 {
-    return pack(exponent, coefficient(random, random_between(random, 0, 47)));
+    return coefficient(draw, between(draw, 0, draw.format->digits));
 }
 
-static c205_word normalised(uint64_t *random, int64_t exponent)
+static c205_word any_digits(struct draw draw, int64_t exponent)
 {
-    return pack(exponent, coefficient(random, 47));
+    return pack(draw.format, exponent, any_coefficient(draw));
 }
 
-static int64_t usual_exponent(uint64_t *random)
+static c205_word normalised(struct draw draw, int64_t exponent)
 {
-    return random_between(random, -110, 20);
+    return pack(draw.format, exponent,
+                coefficient(draw, draw.format->digits));
 }
 
-static int64_t clamp(int64_t exponent)
+/* Of values around one, the ends of the range far off. */
+static int64_t usual_exponent(struct draw draw)
 {
-    return exponent < -28672 ? -28672 : exponent > 28671 ? 28671 : exponent;
+    const int64_t digits = draw.format->digits;
+
+    return between(draw, -2 * digits - 16, digits / 2 - 3);
 }
 
-c205_word random_word(uint64_t *random)
+/* Past the digits of a sum, either way. */
+static int64_t difference(struct draw draw)
+{
+    const int64_t past = 2 * draw.format->digits + 6;
+
+    return between(draw, -past, past);
+}
+
+static int64_t clamp(struct draw draw, int64_t exponent)
+{
+    return exponent < draw.format->exponent_min   ? draw.format->exponent_min
+           : exponent > draw.format->exponent_max ? draw.format->exponent_max
+                                                  : exponent;
+}
+
+c205_word random_word(const struct oracle_format *format, uint64_t *random)
 {
     const uint64_t bits = random_bits(random);
+    const long unused = 64 - format->width;
 
-    return bits % 4 == 0 ? edge(bits / 4 % EDGES) : random_bits(random);
+    return bits % 4 == 0 ? edge(format, bits / 4 % EDGES)
+                         : random_bits(random) >> unused << unused;
 }
 
 /* ---- Families of pairs -------------------------------------------------- */
 
-typedef void family(uint64_t *random, c205_word *a, c205_word *b);
+typedef void family(struct draw draw, c205_word *a, c205_word *b);
 
-static void fast_path(uint64_t *random, c205_word *a, c205_word *b)
+static void fast_path(struct draw draw, c205_word *a, c205_word *b)
 {
-    *a = normalised(random, usual_exponent(random));
-    *b = normalised(random, usual_exponent(random));
+    *a = normalised(draw, usual_exponent(draw));
+    *b = normalised(draw, usual_exponent(draw));
 }
 
-/* Exponents 0 to 100 apart, either way. */
-static void aligned_normalised(uint64_t *random, c205_word *a, c205_word *b)
+static void aligned_normalised(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t exponent = usual_exponent(random);
+    const int64_t exponent = usual_exponent(draw);
 
-    *a = normalised(random, exponent);
-    *b = normalised(random, exponent + random_between(random, -100, 100));
+    *a = normalised(draw, exponent);
+    *b = normalised(draw, exponent + difference(draw));
 }
 
-static void aligned_unnormalised(uint64_t *random, c205_word *a,
-                                 c205_word *b)
+static void aligned_unnormalised(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t exponent = usual_exponent(random);
+    const int64_t exponent = usual_exponent(draw);
 
-    *a = any_digits(random, exponent);
-    *b = any_digits(random, exponent + random_between(random, -100, 100));
+    *a = any_digits(draw, exponent);
+    *b = any_digits(draw, exponent + difference(draw));
 }
 
 /* b is plus or minus a, or nearly. */
-static void cancelling(uint64_t *random, c205_word *a, c205_word *b)
+static void cancelling(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t exponent = usual_exponent(random);
-    const int64_t c = coefficient(random, random_between(random, 20, 47));
-    const int64_t near = random_between(random, -3, 3);
-    const int64_t sign = random_bits(random) & 1 ? 1 : -1;
-    const int64_t doubled = random_between(random, 0, 1);
+    const int64_t most = draw.format->digits;
+    const int64_t exponent = usual_exponent(draw);
+    const int64_t c = coefficient(draw, between(draw, most / 2 - 3, most));
+    const int64_t near = between(draw, -3, 3);
+    const int64_t sign = one_in(draw, 2) ? 1 : -1;
+    const int64_t doubled = between(draw, 0, 1);
 
-    *a = pack(exponent, c);
-    *b = pack(exponent + doubled, sign * (c / (1 + doubled)) + near);
+    *a = pack(draw.format, exponent, c);
+    *b = pack(draw.format, exponent + doubled,
+              sign * (c / (1 + doubled)) + near);
 }
 
 /* The same value, or nearly, differently shifted. */
-static void equal_values(uint64_t *random, c205_word *a, c205_word *b)
+static void equal_values(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t digits = random_between(random, 1, 47);
-    const int64_t places = random_between(random, 0, 47 - digits);
-    const int64_t c = coefficient(random, digits);
-    const int64_t exponent = usual_exponent(random);
-    const int64_t near = random_between(random, -4, 4) / 4;
+    const int64_t digits = between(draw, 1, draw.format->digits);
+    const int64_t places = between(draw, 0, draw.format->digits - digits);
+    const int64_t c = coefficient(draw, digits);
+    const int64_t exponent = usual_exponent(draw);
+    const int64_t near = between(draw, -4, 4) / 4;
 
-    *a = pack(exponent, c);
-    *b = pack(exponent - places, c * (INT64_C(1) << places) + near);
+    *a = pack(draw.format, exponent, c);
+    *b = pack(draw.format, exponent - places, c * two(places) + near);
 }
 
-static int64_t end_of_range(uint64_t *random)
+static int64_t end_of_range(struct draw draw)
 {
-    return random_bits(random) & 1 ? 28671 : -28672;
+    return one_in(draw, 2) ? draw.format->exponent_max
+                           : draw.format->exponent_min;
 }
 
 /* Results near the ends of the range: the exponents or their opposites add
- * up to about 28671 or -28672. */
-static void extreme(uint64_t *random, c205_word *a, c205_word *b)
+ * up to about the largest or the smallest. */
+static void extreme_exponents(struct draw draw, int64_t *a, int64_t *b)
 {
-    const int64_t end = end_of_range(random);
-    const int64_t first = random_between(random, -28672, 28671);
-    const int64_t second = end - first + random_between(random, -150, 150);
-    const int64_t sign = random_bits(random) & 1 ? 1 : -1;
+    const struct oracle_format *const format = draw.format;
+    const int64_t end = end_of_range(draw);
+    const int64_t past = 3 * format->digits + 9;
+    const int64_t sign = one_in(draw, 2) ? 1 : -1;
 
-    *a = any_digits(random, first);
-    *b = any_digits(random, clamp(sign * second));
+    *a = between(draw, format->exponent_min, format->exponent_max);
+    *b = clamp(draw, sign * (end - *a + between(draw, -past, past)));
 }
 
-static void extreme_sums(uint64_t *random, c205_word *a, c205_word *b)
+static void extreme(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t end = end_of_range(random);
+    int64_t first, second;
 
-    *a = any_digits(random, clamp(end + random_between(random, -99, 99)));
-    *b = any_digits(random, clamp(end + random_between(random, -99, 99)));
+    extreme_exponents(draw, &first, &second);
+    *a = any_digits(draw, first);
+    *b = any_digits(draw, second);
 }
 
-static void extreme_normalised(uint64_t *random, c205_word *a, c205_word *b)
+static void extreme_normalised(struct draw draw, c205_word *a, c205_word *b)
 {
-    extreme(random, a, b);
-    *a = normalised(random, (int64_t)*a >> 48);
-    *b = normalised(random, (int64_t)*b >> 48);
+    int64_t first, second;
+
+    extreme_exponents(draw, &first, &second);
+    *a = normalised(draw, first);
+    *b = normalised(draw, second);
 }
 
-/* a is a square, or one off it. */
-static void squares(uint64_t *random, c205_word *a, c205_word *b)
+static void extreme_sums(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t root = random_between(random, 1, INT64_C(11863283));
+    const int64_t end = end_of_range(draw);
+    const int64_t first = clamp(draw, end + difference(draw));
+    const int64_t second = clamp(draw, end + difference(draw));
 
-    *a = pack(usual_exponent(random),
-              root * root + random_between(random, -1, 1));
-    *b = pack(usual_exponent(random), root);
+    *a = any_digits(draw, first);
+    *b = any_digits(draw, second);
+}
+
+/* a is a square, or one off it; roots to just below that of 2^digits. */
+static void squares(struct draw draw, c205_word *a, c205_word *b)
+{
+    const int64_t last = two(draw.format->digits / 2) * 1414 / 1000;
+    const int64_t root = between(draw, 1, last);
+    const int64_t near = between(draw, -1, 1);
+
+    *a = pack(draw.format, usual_exponent(draw), root * root + near);
+    *b = pack(draw.format, usual_exponent(draw), root);
 }
 
 /* a is a multiple of b, or one off it. */
-static void multiples(uint64_t *random, c205_word *a, c205_word *b)
+static void multiples(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t digits = random_between(random, 1, 46);
-    const int64_t divisor = coefficient(random, digits);
-    const int64_t quotient = coefficient(random, 46 - digits);
+    const int64_t most = draw.format->digits - 1;
+    const int64_t digits = between(draw, 1, most);
+    const int64_t divisor = coefficient(draw, digits);
+    const int64_t quotient = coefficient(draw, most - digits);
+    const int64_t near = between(draw, -1, 1);
 
-    *a = pack(usual_exponent(random),
-              divisor * quotient + random_between(random, -1, 1));
-    *b = pack(usual_exponent(random), divisor);
+    *a = pack(draw.format, usual_exponent(draw), divisor * quotient + near);
+    *b = pack(draw.format, usual_exponent(draw), divisor);
 }
 
 /* b is a count to shift by. */
-static void counts(uint64_t *random, c205_word *a, c205_word *b)
+static void counts(struct draw draw, c205_word *a, c205_word *b)
 {
-    *a = random_bits(random);
-    *b = pack(0, random_between(random, -200, 200));
+    const int64_t most = 3 * draw.format->width + 8;
+
+    *a = random_word(draw.format, draw.random);
+    *b = pack(draw.format, 0, between(draw, -most, most));
 }
 
 /* Numbers with a special among them here and there. */
-static void sprinkled(uint64_t *random, c205_word *a, c205_word *b)
+static void sprinkled(struct draw draw, c205_word *a, c205_word *b)
 {
-    fast_path(random, a, b);
-    if (random_bits(random) % 8 == 0)
-        *a = random_word(random);
-    if (random_bits(random) % 8 == 0)
-        *b = random_word(random);
+    fast_path(draw, a, b);
+    if (one_in(draw, 8))
+        *a = random_word(draw.format, draw.random);
+    if (one_in(draw, 8))
+        *b = random_word(draw.format, draw.random);
 }
 
 /* As in vectors with gaps: nothing but normalised words and zeros. */
-static void with_zeros(uint64_t *random, c205_word *a, c205_word *b)
+static void with_zeros(struct draw draw, c205_word *a, c205_word *b)
 {
-    fast_path(random, a, b);
-    if (random_bits(random) % 4 == 0)
+    fast_path(draw, a, b);
+    if (one_in(draw, 4))
         *a = C205_MACHINE_ZERO;
-    if (random_bits(random) % 4 == 0)
+    if (one_in(draw, 4))
         *b = C205_MACHINE_ZERO;
 }
 
 /* b is an exponent to be brought to, near that of a. */
-static void other_exponents(uint64_t *random, c205_word *a, c205_word *b)
+static void other_exponents(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t exponent = usual_exponent(random);
+    const int64_t digits = draw.format->digits;
+    const int64_t exponent = usual_exponent(draw);
+    const int64_t digit = between(draw, -9, 9);
+    const int64_t places = between(draw, 0, digits - 4);
+    const int64_t distance = between(draw, -digits - 3, digits + 3);
 
-    *a = pack(exponent, random_between(random, -9, 9)
-                            * (INT64_C(1) << random_between(random, 0, 43)));
-    *b = pack(0, exponent + random_between(random, -50, 50));
+    *a = pack(draw.format, exponent, digit * two(places));
+    *b = pack(draw.format, 0, exponent + distance);
 }
 
-static void anything(uint64_t *random, c205_word *a, c205_word *b)
+/* What is cut off to make a half word of a is about half of what stays; the
+ * half words are near the ends of their range. */
+static void nearly_halves(struct draw draw, c205_word *a, c205_word *b)
 {
-    *a = random_word(random);
-    *b = random_word(random);
+    const struct oracle_format *const format = draw.format;
+    const long cut = format->digits / 2 + 1;
+    const int64_t end = end_of_range(
+        (struct draw){ &oracle_half, draw.random });
+    const int64_t exponent = end - cut + between(draw, -3, 3);
+    const int64_t above = any_coefficient(draw) >> cut;
+    const int64_t near = between(draw, -2, 2);
+
+    *a = pack(format, exponent, above * two(cut) + two(cut - 1) + near);
+    *b = any_digits(draw, exponent);
+}
+
+static void anything(struct draw draw, c205_word *a, c205_word *b)
+{
+    *a = random_word(draw.format, draw.random);
+    *b = random_word(draw.format, draw.random);
 }
 
 static family *const families[] = {
-    fast_path,    aligned_normalised, aligned_unnormalised, cancelling,
-    equal_values, extreme,            extreme_sums,         extreme_normalised,
-    squares,      multiples,          counts,               sprinkled,
-    with_zeros,   other_exponents,    anything,
+    fast_path,
+    aligned_normalised,
+    aligned_unnormalised,
+    cancelling,
+    equal_values,
+    extreme,
+    extreme_sums,
+    extreme_normalised,
+    squares,
+    multiples,
+    counts,
+    sprinkled,
+    with_zeros,
+    other_exponents,
+    nearly_halves,
+    anything,
 };
 
 /* ---- The stream --------------------------------------------------------- */
 
 enum { FAMILIES = sizeof families / sizeof families[0], BLOCK = EDGES };
 
-struct operands operands_begin(uint64_t seed)
+struct operands operands_begin(const struct oracle_format *format,
+                               uint64_t seed)
 {
-    return (struct operands){.random = seed, .position = 0};
+    return (struct operands){ .format = format, .random = seed };
 }
 
 /* One edge word with all of them; neighbouring blocks far apart, so that a
  * short run has seen a bit of everything. */
-static void edge_pair(size_t block, size_t i, c205_word *a, c205_word *b)
+static void edge_pair(const struct oracle_format *format, size_t block,
+                      size_t i, c205_word *a, c205_word *b)
 {
     enum { STRIDE = 199 }; /* prime to EDGES */
 
-    *a = edge(block * STRIDE % EDGES);
-    *b = edge(i);
+    *a = edge(format, block * STRIDE % EDGES);
+    *b = edge(format, i);
 }
 
 void operands_next(struct operands *operands, c205_word *a, c205_word *b,
                    size_t n)
 {
+    const struct draw draw = { operands->format, &operands->random };
+
     for (size_t i = 0; i < n; i++) {
         const size_t at = operands->position++;
         const size_t block = at / BLOCK;
         if (block % 2 == 0 && block / 2 < EDGES)
-            edge_pair(block / 2, at % BLOCK, a + i, b + i);
+            edge_pair(draw.format, block / 2, at % BLOCK, a + i, b + i);
         else
-            families[block / 2 % FAMILIES](&operands->random, a + i, b + i);
+            families[block / 2 % FAMILIES](draw, a + i, b + i);
     }
 }

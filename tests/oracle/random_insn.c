@@ -4,6 +4,7 @@
 #include "tests/oracle/operands.h"
 #include "tests/oracle/reference.h"
 
+#include <ctype.h>
 #include <string.h>
 
 /* ---- Instructions ------------------------------------------------------ */
@@ -89,7 +90,7 @@ static bool is_field(const c205_insn *insn)
 }
 
 /* What the registers written i hold, by format and operand. */
-static char integer_role(const c205_insn *insn, char field)
+static char integer_role(uint64_t *random, const c205_insn *insn, char field)
 {
     switch (insn->format) {
     case C205_FORMAT_ALTER:
@@ -99,7 +100,9 @@ static char integer_role(const c205_insn *insn, char field)
                : field == 'A' && insn->format == C205_FORMAT_ALTERB ? 'b'
                                                                     : 'i';
     case C205_FORMAT_MEMORY:
-        return field == 'R' ? 'v' : field == 'S' ? 'i' : 'n';
+        return field != 'R'        ? field == 'S' ? 'i' : 'n'
+               : one_in(random, 3) ? 'w'
+                                   : 'v';
     case C205_FORMAT_COMPARE: return 'k';
     case C205_FORMAT_CALL: return field == 'T' ? 'k' : 'i';
     case C205_FORMAT_SWAP: return field == 'S' ? 'n' : 's';
@@ -111,27 +114,48 @@ static char integer_role(const c205_insn *insn, char field)
     }
 }
 
-static bool is_list(const c205_insn *insn)
+static char vector_role(uint64_t *random, unsigned g, char role)
 {
-    return strchr(insn->operands, 'x') != NULL;
+    const char of_other_size = role == 'v' ? 'w' : 'v';
+
+    if (g & C205_G_OFFSET)
+        return role == 'v' ? 'p' : 'o';
+    return one_in(random, role == 'v' ? 20 : 6) ? of_other_size : role;
 }
 
-static char role_of(uint64_t *random, const c205_insn *insn, char letter,
-                    char field, unsigned g)
+static char bits_role(unsigned g, char field)
 {
-    const bool number = (field == 'a' && g & C205_G_BROADCAST_A)
-                        || (field == 'b' && g & C205_G_BROADCAST_B);
+    return g & C205_G_OFFSET && field == 'C' ? 'q' : 'b';
+}
+
+static bool is_broadcast(char field, unsigned g)
+{
+    return (field == 'a' && g & C205_G_BROADCAST_A)
+           || (field == 'b' && g & C205_G_BROADCAST_B);
+}
+
+static char role_of(uint64_t *random, const c205_insn *insn, char field,
+                    unsigned g)
+{
+    const char letter = reference_letter(insn, g, (char)toupper(field));
+    const bool number = is_broadcast(field, g);
+    const unsigned sources = g & ~C205_G_OFFSET;
 
     switch (letter) {
     case 'v':
-    case 'u': return number ? 'n' : field == 'A' && is_list(insn) ? 'x' : 'v';
+    case 'u': return number ? 'n' : vector_role(random, sources, 'v');
+    case 'V':
+    case 'U': return number ? 'h' : vector_role(random, sources, 'w');
+    case 'l': return number ? 'i' : 'x';
+    case 'x': return vector_role(random, sources, 'v');
+    case 'X': return vector_role(random, sources, 'w');
     case 'c':
-        if (insn->timing == C205_TIMING_vbits || field == 'Z')
-            return g & C205_G_OFFSET && field == 'C' ? 'q' : 'b';
-        return g & C205_G_OFFSET ? 'p' : 'v';
-    case 'd': return g & C205_G_OFFSET ? 'p' : 'v';
-    case 'x': return 'v';
-    case 'e': return g & C205_G_OFFSET && field == 'C' ? 'q' : 'b';
+    case 'd':
+    case 'q': return vector_role(random, g, 'v');
+    case 'C':
+    case 'D': return vector_role(random, g, 'w');
+    case 'e':
+    case 'o': return bits_role(g, field);
     case 'b': return 'b';
     case 'z':
         return strstr(c205_format_syntax(insn->format), "!Z")
@@ -139,9 +163,15 @@ static char role_of(uint64_t *random, const c205_insn *insn, char letter,
                    ? 'b'
                    : '0';
     case 'f': return 'n';
+    case 'F': return 'h';
     case 'm': return one_in(random, 3) ? 'v' : 'i';
-    case 'w': return strchr("fv", insn->operands[0]) ? 'n' : 'i';
-    default: return integer_role(insn, field);
+    case 'M': return 'j';
+    case 'I':
+        return insn->format == C205_FORMAT_MEMORY || one_in(random, 3) ? 'h'
+                                                                       : 'j';
+    case 'w': return strpbrk(insn->operands, "fvF") ? 'n' : 'i';
+    case 'W': return insn->format == C205_FORMAT_I24 ? 'j' : 'h';
+    default: return integer_role(random, insn, field);
     }
 }
 
@@ -169,7 +199,12 @@ static unsigned draw_bits_of_g(uint64_t *random, const c205_insn *insn)
 
     if (one_in(random, 80))
         return (unsigned)random_bits(random) & 0xFF;
-    return (unsigned)(random_bits(random) & random_bits(random)) & legal;
+    const unsigned size = one_in(random, 2) ? C205_G_HALF : 0;
+
+    return (((unsigned)(random_bits(random) & random_bits(random))
+             & ~C205_G_HALF)
+            | size)
+           & legal;
 }
 
 /* In half words from the branch to some instruction. */
@@ -193,13 +228,16 @@ static int64_t draw_immediate(uint64_t *random,
     case C205_FORMAT_ALTERB:
     case C205_FORMAT_ALTERF: return random_between(random, 0, 15);
     case C205_FORMAT_REQUEST:
-        return random_between(random, one_in(random, 8) ? 0 : 1,
-                              one_in(random, 8) ? 255 : 7);
+        return one_in(random, 8) ? random_between(random, 0, 255)
+                                 : random_between(random, 1, 7);
     case C205_FORMAT_SHIFT: return random_between(random, -128, 127);
     case C205_FORMAT_I48:
         if (one_in(random, 2))
             return (int64_t)(draw_descriptor(random, 'v') << 16 >> 16);
         return draw_integer(random);
+    case C205_FORMAT_I24:
+        return one_in(random, 2) ? draw_integer(random)
+                                 : (int64_t)random_bits(random) >> 40;
     default:
         return one_in(random, 3) ? WORD * random_between(random, -9, 9)
                                  : (int64_t)draw_length(random);
@@ -210,19 +248,14 @@ static int64_t draw_immediate(uint64_t *random,
 static void draw_registers(uint64_t *random, const c205_insn *insn,
                            c205_fields *fields)
 {
-    const char *letters = insn->operands;
     const char *syntax = c205_format_syntax(insn->format);
 
-    for (const char *p = syntax; *p && *letters; p++) {
+    for (const char *p = syntax; *p; p++) {
         uint8_t *field = field_of(fields, *p);
         char role;
-        if (p > syntax && p[-1] == '+')
+        if (field == NULL || (p > syntax && p[-1] == '+'))
             continue;
-        if (*p == 'I' || *p == '@')
-            letters++;
-        if (field == NULL)
-            continue;
-        role = role_of(random, insn, *letters++, *p, fields->g);
+        role = role_of(random, insn, *p, fields->g);
         *field = (uint8_t)(role == '0' ? 0 : draw_register(random, role));
     }
 }
@@ -250,13 +283,28 @@ static void put_insn(struct random_program *program, size_t i,
     program->insns[i].halves = c205_format_halves(insn->format);
 }
 
+/* The second of a pair is mostly of the size of the first. */
+static unsigned size_of_pair(uint64_t *random,
+                             const struct random_program *program,
+                             const c205_insn *const *rows, size_t i,
+                             unsigned g)
+{
+    if (i < 2 || !is_prefix(rows[i - 2]) || !may_link(rows[i - 1])
+        || !may_link(rows[i]) || one_in(random, 20))
+        return g;
+    return (g & ~C205_G_HALF)
+           | ((unsigned)(program->insns[i - 1].word >> 48) & C205_G_HALF);
+}
+
 static c205_fields draw_fields(uint64_t *random,
                                const struct random_program *program,
-                               const c205_insn *insn, size_t i)
+                               const c205_insn *const *rows, size_t i)
 {
+    const c205_insn *insn = rows[i];
     c205_fields fields = { .f = insn->opcode };
 
-    fields.g = (uint8_t)draw_bits_of_g(random, insn);
+    fields.g = (uint8_t)size_of_pair(random, program, rows, i,
+                                     draw_bits_of_g(random, insn));
     draw_registers(random, insn, &fields);
     if (c205_format_halves(insn->format) == 2)
         draw_offsets(random, insn, &fields);
@@ -279,10 +327,13 @@ static void link_fields(uint64_t *random, c205_fields *first,
     second->g &= (uint8_t) ~(a ? C205_G_BROADCAST_A : C205_G_BROADCAST_B);
     if (!one_in(random, 20))
         *(a ? &second->a : &second->b) = first->c;
+    if (one_in(random, 2))
+        second->c = first->c; /* of one length */
     if (!one_in(random, 20)) {
         first->g |= C205_G_BROADCAST_B;
         first->y = 0;
-        first->b = (uint8_t)draw_register(random, 'n');
+        first->b = (uint8_t)draw_register(random,
+                                          first->g & C205_G_HALF ? 'h' : 'n');
     }
     if (!one_in(random, 4))
         *(a ? &second->x : &second->y) = 0;
@@ -316,7 +367,7 @@ void draw_insns(uint64_t *random, struct random_program *program)
     rows[count - 1] = c205_insn_named("EXIT", 4);
     program->insns[count - 1].halves = 1;
     for (size_t i = 0; i < count; i++) {
-        c205_fields fields = draw_fields(random, program, rows[i], i);
+        c205_fields fields = draw_fields(random, program, rows, i);
         if (i == count - 1)
             fields.immediate = 0;
         put_insn(program, i, rows[i], &fields);

@@ -12,9 +12,10 @@ int64_t draw_integer(uint64_t *random);
 uint64_t draw_length(uint64_t *random);
 
 /* Registers lie in pools, by the role that they play in an instruction:
- * n number, i integer, v word vector, b bit vector, x index list, k code
- * address, s short vector, f field of a register; p, q a vector of words or
- * bits whose offset stands in the next register. */
+ * n number, i integer, h number and j integer in a half register, v vector of
+ * words, w of half words, b of bits, x index list, k code address, s short
+ * vector for SWAP, f field of a register; p, o, q a vector of words, half
+ * words or bits whose offset stands in the next register. */
 unsigned draw_register(uint64_t *random, char role);
 c205_word draw_descriptor(uint64_t *random, char role);
 /* Of an instruction of the program; now and then off a half word. */

@@ -7,6 +7,8 @@
 #include <string.h>
 
 enum { PAGE_BITS = C205_PAGE_WORDS * WORD };
+#define HALF_ONES UINT64_C(0xEA400000EA400000)
+#define LOW_24 UINT64_C(0xFFFFFF)
 #define IN_PAGE(page, word) \
     ((uint64_t)(page)*PAGE_BITS + (uint64_t)(word)*WORD)
 
@@ -21,18 +23,29 @@ const char *const random_models[] = {
     "vector.overlap 70 clk R\nstream.vadd 1.7 clk*pipe/element R\n"
     "issue.interval 2 clk R\nmemory.loads_in_flight 2 loads R\n"
     "swap.word 0.3 clk/word R\nbusy.add 3 clk R\n"
-    "branch.stack_words 4 words R\nbranch.not_taken 2 clk R\n",
+    "branch.stack_words 4 words R\nbranch.not_taken 2 clk R\n"
+    "vector.half_rate 3 results R\n",
 };
 const size_t random_model_count = sizeof random_models
                                   / sizeof random_models[0];
 
 /* Page 5 is not there, nor are pages 0 and 7 and those from 9 on. */
+const struct random_page random_pages[RANDOM_PAGES] = {
+    { IN_PAGE(1, 0), C205_READ_WRITE }, { IN_PAGE(2, 0), C205_READ_WRITE },
+    { IN_PAGE(3, 0), C205_READ_WRITE }, { IN_PAGE(4, 0), C205_READ_WRITE },
+    { IN_PAGE(6, 0), C205_READ_ONLY },  { IN_PAGE(8, 0), C205_READ_WRITE },
+};
+
 const struct random_area random_areas[] = {
     { IN_PAGE(2, C205_PAGE_WORDS - 250), 500, C205_READ_WRITE, NUMBERS },
     { IN_PAGE(3, 1000), 2600, C205_READ_WRITE, NUMBERS },
     { IN_PAGE(4, C205_PAGE_WORDS - 250), 250, C205_READ_WRITE, NUMBERS },
     { IN_PAGE(6, 0), 200, C205_READ_ONLY, NUMBERS },
     { IN_PAGE(8, 100), 300, C205_READ_WRITE, NUMBERS },
+    { IN_PAGE(3, 9000), 1200, C205_READ_WRITE, HALF_NUMBERS },
+    { IN_PAGE(3, C205_PAGE_WORDS - 120), 100, C205_READ_WRITE, HALF_NUMBERS },
+    { IN_PAGE(4, 20), 150, C205_READ_WRITE, HALF_NUMBERS },
+    { IN_PAGE(8, 440), 100, C205_READ_WRITE, HALF_NUMBERS },
     { IN_PAGE(3, 5000), 300, C205_READ_WRITE, INDICES },
     { IN_PAGE(3, 6000), 200, C205_READ_WRITE, WILD_INDICES },
     { IN_PAGE(3, C205_PAGE_WORDS - 10), 20, C205_READ_WRITE, BIT_STRINGS },
@@ -47,16 +60,31 @@ bool one_in(uint64_t *random, int64_t n)
     return random_between(random, 1, n) == 1;
 }
 
-static c205_word number(uint64_t *random)
+static c205_word integer(const struct oracle_format *format, int64_t value)
 {
-    struct operands operands = operands_begin(random_bits(random));
+    const long exponent_bits = format->width - format->digits - 1;
+
+    return (c205_word)value << (WORD - format->digits - 1) >> exponent_bits;
+}
+
+static c205_word number(uint64_t *random, const struct oracle_format *format)
+{
+    struct operands operands = operands_begin(format, random_bits(random));
     c205_word a, b;
 
     if (one_in(random, 3))
-        return c205_from_integer(random_between(random, -20, 20));
+        return integer(format, random_between(random, -20, 20));
     operands.position = (size_t)random_bits(random) % 100000;
     operands_next(&operands, &a, &b, 1);
     return one_in(random, 2) ? a : b;
+}
+
+/* Two half words. */
+static c205_word half_numbers(uint64_t *random)
+{
+    const c205_word left = number(random, &oracle_half);
+
+    return left | number(random, &oracle_half) >> HALF;
 }
 
 int64_t draw_integer(uint64_t *random)
@@ -76,7 +104,7 @@ uint64_t draw_length(uint64_t *random)
         return 0;
     if (one_in(random, 30))
         return (uint64_t)random_between(random, 500, 1600);
-    return (uint64_t)random_between(random, 1, one_in(random, 3) ? 200 : 20);
+    return (uint64_t)random_between(random, 1, one_in(random, 3) ? 300 : 20);
 }
 
 /* ---- Data -------------------------------------------------------------- */
@@ -91,7 +119,8 @@ static c205_word datum(uint64_t *random, const struct random_area *area)
     case BIT_STRINGS:
         return one_in(random, 3) ? 0 - (random_bits(random) & 1)
                                  : random_bits(random);
-    default: return number(random);
+    case HALF_NUMBERS: return half_numbers(random);
+    default: return number(random, &oracle_full);
     }
 }
 
@@ -99,10 +128,15 @@ static c205_word plain_datum(const struct random_area *area)
 {
     switch (area->contents) {
     case NUMBERS: return C205_ONE;
+    case HALF_NUMBERS: return HALF_ONES;
     case BIT_STRINGS: return UINT64_MAX;
     default: return 0;
     }
 }
+
+/* Beyond so many words of an area the same come again, in any order: numbers
+ * take their time. */
+enum { DISTINCT = 200 };
 
 void program_data(const struct random_program *program,
                   const struct random_area *area, c205_word *words)
@@ -111,7 +145,8 @@ void program_data(const struct random_program *program,
 
     for (size_t i = 0; i < area->words; i++)
         words[i] = program->plain_data ? plain_datum(area)
-                                       : datum(&random, area);
+                   : i < DISTINCT      ? datum(&random, area)
+                                  : words[random_bits(&random) % DISTINCT];
 }
 
 /* ---- Registers --------------------------------------------------------- */
@@ -123,14 +158,18 @@ static const struct pool {
 } pools[] = {
     { 'n', 1, 15 },   /* numbers */
     { 'i', 16, 16 },  /* integers */
-    { 'v', 32, 32 },  /* word vectors */
-    { 'b', 64, 16 },  /* bit vectors */
-    { 'x', 80, 8 },   /* lists of indices */
-    { 'k', 88, 8 },   /* code addresses */
-    { 's', 96, 8 },   /* short vectors for SWAP */
-    { 'p', 104, 16 }, /* a vector and its offset, alternately */
-    { 'q', 120, 8 },  /* a bit vector and its offset, alternately */
-    { 'f', 128, 8 },  /* fields of a register */
+    { 'h', 32, 12 },  /* half registers of numbers */
+    { 'j', 44, 4 },   /* half registers of integers */
+    { 'v', 48, 28 },  /* vectors of words */
+    { 'w', 76, 24 },  /* vectors of half words */
+    { 'b', 100, 16 }, /* bit vectors */
+    { 'x', 116, 8 },  /* lists of indices */
+    { 'k', 128, 8 },  /* code addresses */
+    { 's', 136, 8 },  /* short vectors for SWAP */
+    { 'p', 144, 16 }, /* a vector and its offset, alternately */
+    { 'o', 160, 16 }, /* a vector of half words and its offset, likewise */
+    { 'q', 176, 8 },  /* a bit vector and its offset, likewise */
+    { 'f', 184, 8 },  /* fields of a register */
 };
 enum { POOLS = sizeof pools / sizeof pools[0] };
 
@@ -145,34 +184,52 @@ static const struct pool *pool_of(char role)
 unsigned draw_register(uint64_t *random, char role)
 {
     const struct pool *pool = pool_of(role);
-    const bool pairs = role == 'p' || role == 'q';
+    const bool pairs = strchr("poq", role);
+    const bool halves = strchr("hj", role);
 
     if (one_in(random, 40))
         return (unsigned)random_between(random, 0, C205_REGISTERS - 1);
     if (!pairs && one_in(random, 25))
         return 0;
-    return pool->first
-           + (unsigned)random_between(random, 0, pool->count - 1)
-                 / (pairs ? 2 : 1) * (pairs ? 2 : 1);
+    if (pairs)
+        return pool->first
+               + 2 * (unsigned)random_between(random, 0, pool->count / 2 - 1);
+    if (halves)
+        return 2 * pool->first
+               + (unsigned)random_between(random, 0, 2 * pool->count - 1);
+    return pool->first + (unsigned)random_between(random, 0, pool->count - 1);
+}
+
+static bool is_of_halves(char role)
+{
+    return role == 'w' || role == 'o';
+}
+
+static bool area_fits(uint64_t *random, const struct random_area *area,
+                      char role)
+{
+    if (area->access == C205_READ_ONLY && !one_in(random, 3))
+        return false;
+    switch (area->contents) {
+    case BIT_STRINGS: return role == 'b';
+    case INDICES: return role == 'x';
+    case WILD_INDICES: return role == 'x' && one_in(random, 3);
+    case HALF_NUMBERS:
+        return is_of_halves(role) || (role != 'b' && one_in(random, 6));
+    default:
+        return !strchr("bx", role)
+               && (!is_of_halves(role) || one_in(random, 4));
+    }
 }
 
 static const struct random_area *draw_area(uint64_t *random, char role)
 {
     const struct random_area *area;
-    bool fits;
 
-    do {
+    do
         area = random_areas
                + random_between(random, 0, (int64_t)random_area_count - 1);
-        fits = role == 'b'   ? area->contents == BIT_STRINGS
-               : role == 'x' ? area->contents == INDICES
-                                   || area->contents == WILD_INDICES
-                             : area->contents == NUMBERS;
-        if (area->access == C205_READ_ONLY)
-            fits = fits && one_in(random, 3);
-        if (area->contents == WILD_INDICES)
-            fits = fits && one_in(random, 3);
-    } while (!fits && !one_in(random, 400));
+    while (!area_fits(random, area, role) && !one_in(random, 400));
     return area;
 }
 
@@ -189,6 +246,8 @@ c205_word draw_descriptor(uint64_t *random, char role)
         address += (uint64_t)random_between(random, 0, WORD - 1);
     else if (one_in(random, 100))
         address += (uint64_t)random_between(random, 1, WORD - 1);
+    else if (is_of_halves(role))
+        address += HALF * (random_bits(random) & 1);
     if (role == 's')
         return (c205_word)random_between(random, 0, 6) << 48 | address;
     return draw_length(random) << 48 | address;
@@ -208,44 +267,80 @@ c205_word draw_code_address(uint64_t *random,
 static c205_word code_vector(uint64_t *random,
                              const struct random_program *program)
 {
+    const uint64_t address = draw_code_address(random, program);
+
     return (c205_word)random_between(random, 1, 5) << 48
-           | draw_code_address(random, program) / WORD * WORD;
+           | address / WORD * WORD;
+}
+
+static c205_word half_integers(uint64_t *random)
+{
+    const c205_word left = (c205_word)draw_integer(random) & LOW_24;
+
+    return left << HALF | ((c205_word)draw_integer(random) & LOW_24);
 }
 
 static c205_word preset(uint64_t *random,
                         const struct random_program *program, char role,
                         unsigned i)
 {
+    c205_word length;
+
     switch (role) {
-    case 'n': return number(random);
+    case 'n': return number(random, &oracle_full);
+    case 'h': return half_numbers(random);
+    case 'j': return half_integers(random);
     case 'i':
         return (c205_word)draw_integer(random) & UINT64_C(0xFFFFFFFFFFFF);
     case 'f':
-        return (c205_word)random_between(random, 0, 20) << 48
-               | (c205_word)random_between(random, 0, 50);
+        length = (c205_word)random_between(random, 0, 20);
+        return length << 48 | (c205_word)random_between(random, 0, 50);
     case 'k': return draw_code_address(random, program);
     case 'p':
+    case 'o':
     case 'q':
         if (i % 2 == 1)
             return (c205_word)random_between(random,
                                              one_in(random, 30) ? -2 : 0, 9)
                    & UINT64_C(0xFFFFFFFFFFFF);
-        return draw_descriptor(random, role == 'p' ? 'v' : 'b');
+        return draw_descriptor(random, role == 'q' ? 'b' : role);
     default:
         return one_in(random, 40) ? code_vector(random, program)
                                   : draw_descriptor(random, role);
     }
 }
 
-/* Every fourth vector begins near the one before, so that they overlap. */
+static uint64_t step_of(char role)
+{
+    return is_of_halves(role) ? HALF : WORD;
+}
+
+/* Near the vector before, or, of half words, near one of words. */
+static c205_word near_another(uint64_t *random,
+                              const struct random_program *program, char role,
+                              unsigned number)
+{
+    const unsigned other = role == 'w' && one_in(random, 2)
+                               ? draw_register(random, 'v')
+                               : number - 1;
+
+    return program->registers[other]
+           + step_of(role) * (uint64_t)random_between(random, -3, 3);
+}
+
+/* Every fourth vector begins near another, so that they overlap. */
 static void preset_registers(uint64_t *random, struct random_program *program)
 {
     for (size_t p = 0; p < POOLS; p++)
         for (unsigned i = 0; i < pools[p].count; i++) {
-            c205_word *r = program->registers + pools[p].first + i;
-            *r = preset(random, program, pools[p].role, i);
-            if (pools[p].role == 'v' && i > 0 && one_in(random, 4))
-                *r = r[-1] + WORD * (uint64_t)random_between(random, -2, 2);
+            const unsigned number = pools[p].first + i;
+            program->registers[number] = strchr("vw", pools[p].role) && i > 0
+                                                 && one_in(random, 4)
+                                             ? near_another(random, program,
+                                                            pools[p].role,
+                                                            number)
+                                             : preset(random, program,
+                                                      pools[p].role, i);
         }
 }
 
@@ -273,10 +368,10 @@ static uint64_t draw_beginning(uint64_t *random)
 
 struct random_program random_program(uint64_t seed)
 {
-    uint64_t random = seed * UINT64_C(0x9E3779B97F4A7C15);
+    uint64_t random = seed;
     struct random_program program = { .seed = seed };
 
-    random_bits(&random);
+    random = random_bits(&random); /* far from those of other seeds */
     program.model = (size_t)random_between(&random, 0,
                                            (int64_t)random_model_count - 1);
     program.code = draw_beginning(&random);

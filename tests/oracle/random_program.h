@@ -2,11 +2,12 @@
  *
  * A program is a row of instructions drawn from the instruction table, the
  * registers it starts with and the contents of a few areas of memory.  Its
- * registers lie in pools (numbers, integers, descriptors of word and bit
- * vectors, of index lists, code addresses ..) and each operand is mostly
- * taken from the pool it needs, so that most instructions do something, and
- * some trap.  Vectors overlap, cross pages, run off their ends and into
- * memory that is not there or may only be read.
+ * registers lie in pools (numbers, integers, half registers, descriptors of
+ * vectors of words, half words and bits, of index lists, code addresses ..)
+ * and each operand is mostly taken from the pool it needs, so that most
+ * instructions do something, and some trap.  Vectors of both sizes overlap,
+ * cross pages, run off their ends and into memory that is not there or may
+ * only be read.
  */
 #ifndef RANDOM_PROGRAM_H
 #define RANDOM_PROGRAM_H
@@ -34,12 +35,26 @@ struct random_program {
 extern const char *const random_models[];
 extern const size_t random_model_count;
 
+/* All pages there are; the first holds the program. */
+struct random_page {
+    uint64_t address;
+    c205_access access;
+};
+enum { RANDOM_PAGES = 6 };
+extern const struct random_page random_pages[RANDOM_PAGES];
+
 /* Where the data lie; the words around an area belong to nobody. */
 struct random_area {
     uint64_t address;
     size_t words;
     c205_access access;
-    enum { NUMBERS, INDICES, WILD_INDICES, BIT_STRINGS } contents;
+    enum {
+        NUMBERS,
+        HALF_NUMBERS,
+        INDICES,
+        WILD_INDICES,
+        BIT_STRINGS
+    } contents;
 };
 extern const struct random_area random_areas[];
 extern const size_t random_area_count;
@@ -52,5 +67,11 @@ uint64_t program_address(const struct random_program *program, size_t i);
 /* The contents of an area, area->words of them. */
 void program_data(const struct random_program *program,
                   const struct random_area *area, c205_word *words);
+
+/* The machine as the program finds it.  The first half of the program is the
+ * region "first", up to random_region_end. */
+bool random_load(c205 *machine, const struct random_program *program,
+                 c205_error *error);
+uint64_t random_region_end(const struct random_program *program);
 
 #endif

@@ -1,6 +1,7 @@
 /* reference.c - one instruction: fetched, taken apart, done or taken back. */
 #include "reference_parts.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,12 +37,45 @@ static bool certain_fault(const struct reference *reference)
     return false;
 }
 
-/* ---- Registers --------------------------------------------------------- */
+/* ---- Operands by their letters ----------------------------------------- */
 
-c205_word read_as_number(const struct reference *reference, unsigned number)
+/* With 32-bit operands some letters become capitals. */
+static char in_size(const c205_insn *insn, unsigned g, char letter)
 {
-    return number == 0 ? C205_MACHINE_ZERO : reference->now.registers[number];
+    const bool half = insn->flags & C205_INSN_HALF && g & C205_G_HALF;
+
+    return half && strchr("fwvudcx", letter) ? (char)toupper(letter) : letter;
 }
+
+/* What comes behind a + is an offset and has no letter. */
+char reference_letter(const c205_insn *insn, unsigned g, char field)
+{
+    const char *syntax = c205_format_syntax(insn->format);
+    const char *letter = insn->operands;
+
+    for (const char *p = syntax; *p && *letter; p++) {
+        if ((!isalpha(*p) && *p != '@') || (p > syntax && p[-1] == '+'))
+            continue;
+        if (toupper(*p) == field)
+            return in_size(insn, g, *letter);
+        letter++;
+    }
+    return '\0';
+}
+
+bool reference_is_half_register(char letter, bool broadcast)
+{
+    return letter && strchr(broadcast ? "FIWMVU" : "FIWM", letter);
+}
+
+unsigned width_of_letter(char letter)
+{
+    return letter && strchr("beoz", letter) ? BIT
+           : isupper(letter)                ? HALF_BITS
+                                            : BITS;
+}
+
+/* ---- Registers --------------------------------------------------------- */
 
 c205_word read_bits(const struct reference *reference, unsigned number)
 {
@@ -57,6 +91,48 @@ void write_register(struct reference *reference, unsigned number,
         reference->now.registers[number] = word;
 }
 
+/* Of a half register: which of all it is a half of, and which half. */
+static unsigned whole_register(unsigned number)
+{
+    return number / 2;
+}
+
+static unsigned shift_of_half(unsigned number)
+{
+    return number % 2 * HALF_BITS;
+}
+
+static bool is_number(char letter)
+{
+    return strchr("fFvV", letter);
+}
+
+c205_word read_operand(const struct reference *reference, char letter,
+                       unsigned number)
+{
+    const bool half = width_of_letter(letter) == HALF_BITS;
+    const unsigned whole = half ? whole_register(number) : number;
+    const c205_word word = read_bits(reference, whole);
+
+    if (whole == 0)
+        return is_number(letter) ? C205_MACHINE_ZERO : 0;
+    return half ? word << shift_of_half(number) & LEFT_HALF : word;
+}
+
+void write_operand(struct reference *reference, char letter, unsigned number,
+                   c205_word word)
+{
+    const unsigned whole = whole_register(number);
+    const c205_word mask = LEFT_HALF >> shift_of_half(number);
+
+    if (width_of_letter(letter) == HALF_BITS)
+        write_register(reference, whole,
+                       (read_bits(reference, whole) & ~mask)
+                           | (word >> shift_of_half(number) & mask));
+    else
+        write_register(reference, number, word);
+}
+
 /* ---- Memory ------------------------------------------------------------ */
 
 static uint64_t word_of(uint64_t address)
@@ -64,86 +140,63 @@ static uint64_t word_of(uint64_t address)
     return plain_address(address) / BITS * BITS;
 }
 
-static void check_word(struct reference *reference, uint64_t address,
-                       bool certain)
+static void check_place(struct reference *reference, uint64_t address,
+                        unsigned width, bool certain)
 {
-    if (plain_address(address) % BITS != 0)
+    if (plain_address(address) % width != 0)
         add_fault(reference, C205_TRAP_MISALIGNED_OPERAND, address, certain);
-}
-
-static void check_read(struct reference *reference, uint64_t address,
-                       bool certain)
-{
     if (!plain_is_mapped(&reference->memory, address))
         add_fault(reference, C205_TRAP_UNMAPPED_ADDRESS, address, certain);
 }
 
 static void check_write(struct reference *reference, uint64_t address,
-                        bool certain)
+                        unsigned width, bool certain)
 {
-    if (!plain_is_mapped(&reference->memory, address))
-        add_fault(reference, C205_TRAP_UNMAPPED_ADDRESS, address, certain);
-    else if (!plain_is_writable(&reference->memory, address))
+    check_place(reference, address, width, certain);
+    if (plain_is_mapped(&reference->memory, address)
+        && !plain_is_writable(&reference->memory, address))
         add_fault(reference, C205_TRAP_PROTECTED_ADDRESS, address, certain);
 }
 
-c205_word read_word(struct reference *reference, uint64_t address)
+/* The bits of a word that are an operand; bit 0 is the leftmost. */
+static uint64_t bits_in_word(uint64_t address, unsigned width)
 {
-    check_word(reference, address, true);
-    check_read(reference, address, true);
-    return plain_read(&reference->memory, word_of(address));
+    return UINT64_MAX << (BITS - width) >> address % BITS;
 }
 
-void write_word(struct reference *reference, uint64_t address, c205_word word)
+c205_word read_memory(struct reference *reference, uint64_t address,
+                      unsigned width)
 {
-    check_word(reference, address, true);
-    check_write(reference, address, true);
-    plain_store(&reference->memory, word_of(address), word);
+    c205_word word = plain_read(&reference->memory, word_of(address));
+
+    check_place(reference, address, width, true);
+    word = (word & bits_in_word(address, width)) << address % BITS;
+    return width == BIT ? word >> (BITS - BIT) : word;
 }
 
-void pass_by_word(struct reference *reference, uint64_t address)
+void write_memory(struct reference *reference, uint64_t address,
+                  unsigned width, c205_word word)
 {
-    check_word(reference, address, false);
-    check_read(reference, address, false);
-}
+    const c205_word old = plain_read(&reference->memory, word_of(address));
+    const uint64_t mask = bits_in_word(address, width);
 
-void pass_by_bit(struct reference *reference, uint64_t address)
-{
-    check_read(reference, address, false);
-}
-
-void leave_word(struct reference *reference, uint64_t address)
-{
-    check_word(reference, address, false);
-    check_write(reference, address, false);
-}
-
-void leave_bit(struct reference *reference, uint64_t address)
-{
-    check_write(reference, address, false);
-}
-
-/* Bit 0 of a word is its leftmost. */
-static uint64_t bit_in_word(uint64_t address)
-{
-    return UINT64_C(1) << (BITS - 1 - address % BITS);
-}
-
-bool read_bit(struct reference *reference, uint64_t address)
-{
-    check_read(reference, address, true);
-    return plain_read(&reference->memory, word_of(address))
-           & bit_in_word(address);
-}
-
-void write_bit(struct reference *reference, uint64_t address, bool bit)
-{
-    const uint64_t mask = bit_in_word(address);
-    const c205_word word = plain_read(&reference->memory, word_of(address));
-
-    check_write(reference, address, true);
+    check_write(reference, address, width, true);
+    if (width == BIT)
+        word <<= BITS - BIT;
     plain_store(&reference->memory, word_of(address),
-                bit ? word | mask : word & ~mask);
+                (old & ~mask) | (word >> address % BITS & mask));
+}
+
+void pass_by_memory(struct reference *reference, uint64_t address,
+                    unsigned width)
+{
+    check_place(reference, address, width, false);
+}
+
+void leave_memory(struct reference *reference, uint64_t address,
+                  unsigned width)
+{
+    check_write(reference, address, width, false);
 }
 
 void add_extent(struct reference *reference, uint64_t address, uint64_t bits)
@@ -158,22 +211,13 @@ void add_extent(struct reference *reference, uint64_t address, uint64_t bits)
 
 /* ---- Fetching ---------------------------------------------------------- */
 
-static uint64_t read_half(struct reference *reference, uint64_t address)
-{
-    const c205_word word = plain_read(&reference->memory, word_of(address));
-
-    check_read(reference, address, true);
-    return address % BITS == 0 ? word >> HALF_BITS
-                               : word & UINT64_C(0xFFFFFFFF);
-}
-
 /* The next instruction of the deed, at the program counter, which moves on.
  * False: there is none, or memory ends before it does. */
 static bool fetch(struct reference *reference)
 {
     struct deed *deed = &reference->deed;
     uint64_t *pc = &reference->now.pc;
-    c205_word word = read_half(reference, *pc) << HALF_BITS;
+    c205_word word = read_memory(reference, *pc, HALF_BITS);
     const c205_insn *insn;
 
     if (certain_fault(reference))
@@ -185,7 +229,7 @@ static bool fetch(struct reference *reference)
     }
     *pc = plain_address(*pc + HALF_BITS);
     if (c205_format_halves(insn->format) == 2) {
-        word |= read_half(reference, *pc);
+        word |= read_memory(reference, *pc, HALF_BITS) >> HALF_BITS;
         *pc = plain_address(*pc + HALF_BITS);
     }
     deed->insns[deed->insn_count] = insn;
@@ -216,6 +260,8 @@ static unsigned vector_bits(const c205_insn *insn)
         bits |= C205_G_NEGATE_A | C205_G_MAGNITUDE_A;
     if (signs && strpbrk(syntax, "bB"))
         bits |= C205_G_MAGNITUDE_B;
+    if (insn->flags & C205_INSN_HALF)
+        bits |= C205_G_HALF;
     return bits;
 }
 
@@ -264,6 +310,17 @@ static void check_code(struct reference *reference, size_t i)
 
 /* ---- A step ------------------------------------------------------------ */
 
+static bool has_run_out(const struct reference_state *state, uint64_t clock)
+{
+    return state->timer != 0 && state->timer <= clock;
+}
+
+uint64_t reference_flags(const struct reference *reference, uint64_t clock)
+{
+    return reference->now.flags
+           | (has_run_out(&reference->now, clock) ? FLAG_TIMER : 0);
+}
+
 static void do_one(struct reference *reference, const c205_insn *insn,
                    const c205_fields *fields)
 {
@@ -303,11 +360,20 @@ static void do_fetched(struct reference *reference)
         do_one(reference, deed->insns[0], deed->fields);
 }
 
+/* One that has run out is off. */
+static void look_at_timer(struct reference *reference)
+{
+    reference->now.flags = reference_flags(reference, reference->clock);
+    if (has_run_out(&reference->now, reference->clock))
+        reference->now.timer = 0;
+}
+
 static void begin_step(struct reference *reference)
 {
     struct deed *deed = &reference->deed;
 
     memset(reference->faults, 0, sizeof reference->faults);
+    look_at_timer(reference);
     reference->before = reference->now;
     plain_settle(&reference->memory);
     deed->pc = reference->now.pc;

@@ -19,7 +19,7 @@
  * MAXV and MINV raise the flags of their result; a linked pair must agree in
  * length, and its first member raises all its flags; IBX.. clears the high
  * 16 bits; an unused field, the offset of a number broadcast and zeros of no
- * control vector are undefined; a text to print begins at a word.
+ * control vector are undefined.
  */
 #ifndef REFERENCE_H
 #define REFERENCE_H
@@ -60,6 +60,7 @@ struct deed {
 struct reference_state {
     c205_word registers[C205_REGISTERS];
     uint64_t flags, pc;
+    uint64_t timer; /* the clock at which it runs out; 0: it is off */
 };
 
 struct reference {
@@ -90,7 +91,17 @@ bool reference_has_fault(const struct reference *reference, c205_trap trap,
 /* False: no rule for this instruction has been written yet. */
 bool reference_knows(const c205_insn *insn);
 
-/* The bits of G that an instruction of 64 bits may have. */
+/* The data flags as they stand at a clock: that of the timer comes by
+ * itself. */
+uint64_t reference_flags(const struct reference *reference, uint64_t clock);
+
+/* The bits of G that an instruction may have. */
 unsigned reference_bits_of_g(const c205_insn *insn);
+
+/* What a field of the syntax is, A for a, by the letters of the table: in
+ * capitals if it is of 32 bits, also where G says so.  0: no such field. */
+char reference_letter(const c205_insn *insn, unsigned g, char field);
+/* A half register, as a number broadcast if it may be a vector. */
+bool reference_is_half_register(char letter, bool broadcast);
 
 #endif

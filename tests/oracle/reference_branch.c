@@ -12,12 +12,15 @@ static unsigned branches_on(enum reference_insn which)
 {
     switch (which) {
     case DO_BEQ:
+    case DO_BHEQ:
     case DO_IBXEQ:
     case DO_CFPEQ: return EQUAL;
     case DO_BGE:
+    case DO_BHGE:
     case DO_IBXGE:
     case DO_CFPGE: return GREATER | EQUAL;
     case DO_BLT:
+    case DO_BHLT:
     case DO_IBXLT:
     case DO_CFPLT: return LESS;
     case DO_IBXLE:
@@ -33,15 +36,16 @@ static enum relation compare_integers(int64_t a, int64_t b)
     return a < b ? LESS : a > b ? GREATER : EQUAL;
 }
 
-static enum relation compare_numbers(c205_word a, c205_word b)
+static enum relation compare_numbers(const struct oracle_format *format,
+                                     c205_word a, c205_word b)
 {
     uint64_t flags = 0;
 
-    if (oracle_less(a, b, &flags))
+    if (oracle_less(format, a, b, &flags))
         return LESS;
-    if (oracle_equal(a, b, &flags))
+    if (oracle_equal(format, a, b, &flags))
         return EQUAL;
-    return oracle_not_less(a, b, &flags) ? GREATER : UNORDERED;
+    return oracle_not_less(format, a, b, &flags) ? GREATER : UNORDERED;
 }
 
 static void go_to(struct reference *reference, uint64_t target, bool taken)
@@ -84,8 +88,11 @@ static void branch_on_numbers(struct reference *reference,
                               const c205_insn *insn, unsigned a, unsigned b,
                               uint64_t target)
 {
-    const enum relation found = compare_numbers(read_as_number(reference, a),
-                                                read_as_number(reference, b));
+    const char letter = insn->operands[0];
+    const enum relation found =
+        compare_numbers(format_of(width_of_letter(letter)),
+                        read_operand(reference, letter, a),
+                        read_operand(reference, letter, b));
 
     go_to(reference, target,
           branches_on(reference_which(insn)) & (unsigned)found);
@@ -140,13 +147,14 @@ static void branch_on_memory(struct reference *reference,
 {
     const uint64_t address = plain_address(read_bits(reference, fields->a)
                                            + read_bits(reference, fields->b));
-    const bool bit = read_bit(reference, address);
+    const bool bit = read_memory(reference, address, BIT);
 
     add_extent(reference, address, 1);
     go_to(reference, read_bits(reference, fields->c),
           holds(fields->immediate, bit));
     if ((fields->immediate & 3) != LEAVE)
-        write_bit(reference, address, altered(fields->immediate, bit));
+        write_memory(reference, address, BIT,
+                     altered(fields->immediate, bit));
 }
 
 static void branch_on_one_bit(struct reference *reference,
@@ -180,11 +188,11 @@ static void look_at(struct reference *reference, c205_word descriptor,
 {
     for (uint64_t i = 0; i < length_of(descriptor); i++)
         if (request == PRINT_TEXT)
-            read_word(reference, descriptor + CHAR_BIT * (i - i % CHAR_BIT));
+            read_memory(reference, descriptor + CHAR_BIT * i, CHAR_BIT);
         else if (request == PRINT_NUMBERS)
-            read_word(reference, descriptor + BITS * i);
+            read_memory(reference, descriptor + BITS * i, BITS);
         else if (request == PRINT_BITS)
-            read_bit(reference, descriptor + i);
+            read_memory(reference, descriptor + i, BIT);
 }
 
 static void ask_monitor(struct reference *reference,

@@ -89,6 +89,21 @@ static void name_register(struct named *named, unsigned number)
         named->numbers[named->count++] = number;
 }
 
+/* A half register is waited for as the register it lies in. */
+static void name_operand(struct named *named, const c205_insn *insn,
+                         const c205_fields *fields, char field,
+                         unsigned number)
+{
+    const unsigned bit = field == 'A'   ? C205_G_BROADCAST_A
+                         : field == 'B' ? C205_G_BROADCAST_B
+                                        : 0;
+    const char letter = reference_letter(insn, fields->g, field);
+
+    name_register(named, reference_is_half_register(letter, fields->g & bit)
+                             ? number / 2
+                             : number);
+}
+
 static bool has_offset(const c205_insn *insn, const c205_fields *fields)
 {
     return fields->g & C205_G_OFFSET && insn->unit == C205_UNIT_VECTOR
@@ -105,7 +120,7 @@ static bool is_reduction(const c205_insn *insn)
 static void name_result(struct named *named, const c205_insn *insn,
                         const c205_fields *fields)
 {
-    name_register(named, fields->c);
+    name_operand(named, insn, fields, 'C', fields->c);
     if (insn->flags & C205_INSN_INDEX)
         name_register(named, fields->c + 1u);
 }
@@ -116,18 +131,18 @@ static void name_field(struct named *named, const c205_insn *insn,
     const bool vector = insn->unit == C205_UNIT_VECTOR;
 
     switch (field) {
-    case 'R': name_register(named, fields->r); break;
-    case 'S': name_register(named, fields->s); break;
-    case 'T': name_register(named, fields->t); break;
+    case 'R': name_operand(named, insn, fields, 'R', fields->r); break;
+    case 'S': name_operand(named, insn, fields, 'S', fields->s); break;
+    case 'T': name_operand(named, insn, fields, 'T', fields->t); break;
     case 'a':
     case 'A':
-        name_register(named, fields->a);
+        name_operand(named, insn, fields, 'A', fields->a);
         if (vector)
             name_register(named, fields->x);
         break;
     case 'b':
     case 'B':
-        name_register(named, fields->b);
+        name_operand(named, insn, fields, 'B', fields->b);
         if (vector)
             name_register(named, fields->y);
         break;
@@ -167,22 +182,34 @@ static void wait_for_registers(struct reference_clock *clock,
 
 enum { NO_REGISTER = C205_REGISTERS };
 
-/* The register that an instruction writes. */
-static unsigned written(const c205_insn *insn, const c205_fields *fields)
+/* The field that an instruction writes; 0: none. */
+static char written_field(const c205_insn *insn)
 {
     const char *letters = insn->operands;
 
-    if (strpbrk(letters, "wmc") == NULL)
-        return NO_REGISTER;
+    if (strpbrk(letters, "wmkcoWM") == NULL)
+        return '\0';
     if (insn->format == C205_FORMAT_ALTER)
-        return fields->a;
+        return 'A';
     if (insn->format == C205_FORMAT_INDEX
         || (insn->unit == C205_UNIT_VECTOR
             && insn->format != C205_FORMAT_BITS1))
-        return fields->c;
-    return strpbrk(letters, "wm") == letters && letters[1] != '\0'
-               ? fields->r
-               : fields->t;
+        return 'C';
+    return strchr("wmWM", letters[0]) && letters[1] != '\0' ? 'R' : 'T';
+}
+
+/* The register that gets the result, whole or a half of it. */
+static unsigned written(const c205_insn *insn, const c205_fields *fields)
+{
+    const char field = written_field(insn);
+    const unsigned number = field == 'A'   ? fields->a
+                            : field == 'C' ? fields->c
+                            : field == 'R' ? fields->r
+                            : field == 'T' ? fields->t
+                                           : NO_REGISTER;
+    const char letter = reference_letter(insn, fields->g, field);
+
+    return reference_is_half_register(letter, false) ? number / 2 : number;
 }
 
 /* Nobody reads a result on its way to register 0, but it is one. */
@@ -196,7 +223,7 @@ static void deliver(struct reference_clock *clock, const c205_insn *insn,
     if (number != 0 || awaited.ready > clock->registers[0].ready)
         clock->registers[number] = awaited;
     if (insn->flags & C205_INSN_INDEX)
-        clock->registers[number + 1] = awaited;
+        clock->registers[fields->c + 1] = awaited;
     if (insn->format == C205_FORMAT_SPARSE)
         clock->registers[fields->z] = awaited;
 }
@@ -390,8 +417,9 @@ static uint64_t conflicts(const struct reference_clock *clock,
     return deed->indexed_count > 0 ? time - (deed->indexed_count - 1) : 0;
 }
 
+/* Of half words so many more where the pipes set the rate. */
 static uint64_t stream(const struct reference_clock *clock,
-                       c205_timing timing, uint64_t elements)
+                       c205_timing timing, bool halves, uint64_t elements)
 {
     char name[NAME];
     const c205_constant *rate;
@@ -401,6 +429,8 @@ static uint64_t stream(const struct reference_clock *clock,
     rate = c205_model_lookup(clock->model, name);
     pipes = strstr(rate->unit, "pipe") ? constant(clock, "machine", "pipes")
                                        : 1;
+    if (halves && strstr(rate->unit, "pipe"))
+        pipes *= constant(clock, "vector", "half_rate");
     millionth = elements
                 * millionths(clock, "stream", c205_timing_name(timing));
     return (millionth + MILLION * pipes - 1) / (MILLION * pipes);
@@ -457,7 +487,9 @@ static void step_vector(struct reference_clock *clock,
     add_phase(clock, C205_TRANSLATION_MISS, &end, translation.misses);
     add_phase(clock, C205_PAGE_FAULT, &end, translation.faults);
     add_phase(clock, C205_BANK_CONFLICT, &end, conflicts(clock, deed));
-    clock->vector_stream = stream(clock, timing, deed->elements);
+    clock->vector_stream = stream(clock, timing,
+                                  deed->fields[last].g & C205_G_HALF,
+                                  deed->elements);
     add_phase(clock, C205_VECTOR_STREAM, &end, clock->vector_stream);
     clock->vector_done = end;
     deliver(clock, deed->insns[last], deed->fields + last,
@@ -479,11 +511,28 @@ void reference_clock_enter(struct reference_clock *clock, uint64_t pc)
     clock->stack_low = clock->stack_high = pc / WORD;
 }
 
+/* Instructions, elements, and how often control came from elsewhere. */
+static void count(struct reference_clock *clock, const struct deed *deed,
+                  size_t region)
+{
+    struct counts *counts = clock->counts + region;
+
+    counts->instructions++;
+    if (deed->insns[0]->unit == C205_UNIT_VECTOR) {
+        counts->vector_instructions++;
+        counts->elements += deed->elements;
+    }
+    if (!clock->begun || region != clock->region)
+        counts->entries++;
+    clock->begun = true;
+}
+
 void reference_clock_step(struct reference_clock *clock,
                           const struct deed *deed, size_t region)
 {
     const c205_insn *insn = deed->insns[0];
 
+    count(clock, deed, region);
     clock->region = region;
     forget_loads(clock);
     run_on(clock, deed);

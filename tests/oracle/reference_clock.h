@@ -34,6 +34,11 @@ struct phase {
     size_t region;
 };
 
+/* Beside the clocks of a region. */
+struct counts {
+    uint64_t instructions, vector_instructions, elements, entries;
+};
+
 struct reference_clock {
     const c205_model *model;
     uint64_t now;
@@ -48,6 +53,8 @@ struct reference_clock {
     uint64_t pages[CLOCK_PAGES];    /* latest first */
     size_t page_count;
     size_t region; /* of the instruction at work */
+    bool begun;
+    struct counts counts[CLOCK_REGIONS];
     uint64_t charged[CLOCK_REGIONS][C205_CAUSES];
 };
 

@@ -6,22 +6,6 @@ static uint64_t lesser(uint64_t a, uint64_t b)
     return a < b ? a : b;
 }
 
-/* Bits of an element. */
-static unsigned width_of(const struct vector *vector)
-{
-    return vector->insn->timing == C205_TIMING_vbits ? 1 : BITS;
-}
-
-/* Element i of C, whether bit or word. */
-static void write_any(struct reference *reference,
-                      const struct vector *vector, uint64_t i, c205_word word)
-{
-    if (width_of(vector) == 1)
-        write_bit(reference, vector->c.address + i, word & 1);
-    else
-        write_word(reference, vector->c.address + BITS * i, word);
-}
-
 /* n elements of A, B and Z, then stored ones of C. */
 static void use_operands(struct reference *reference,
                          const struct vector *vector, uint64_t n,
@@ -31,7 +15,7 @@ static void use_operands(struct reference *reference,
     use_source(reference, &vector->sources.a, n);
     use_source(reference, &vector->sources.b, n);
     use_control(reference, vector, n);
-    add_extent(reference, vector->c.address, stored * width_of(vector));
+    use_target(reference, &vector->c, stored);
 }
 
 /* As if A had the length of C. */
@@ -60,32 +44,34 @@ static void note_index(struct reference *reference, uint64_t address)
     deed->indexed[deed->indexed_count++] = address;
 }
 
-/* Where index i leads: words from the table's address on. */
+/* Where index i leads: elements from the table's address on. */
 static uint64_t indexed(struct reference *reference,
                         const struct vector *vector, uint64_t i,
-                        uint64_t table)
+                        const struct target *table)
 {
     const c205_word index = element(reference, &vector->sources.a, i);
-    return plain_address(table + BITS * (index & LOW_48));
+    return plain_address(table->address + table->width * (index & LOW_48));
 }
 
 /* As many as there are indices, and room for them. */
 static void gather(struct reference *reference, const struct vector *vector)
 {
-    const uint64_t table = read_bits(reference, vector->fields->b);
+    const struct target table = { .width = vector->c.width,
+                                  .address = read_bits(reference,
+                                                       vector->fields->b) };
     const uint64_t length = lesser(vector->c.length,
                                    vector->sources.a.length);
 
     use_operands(reference, vector, length, length);
     for (uint64_t i = 0; i < length; i++) {
-        const uint64_t from = indexed(reference, vector, i, table);
-        const uint64_t to = vector->c.address + BITS * i;
+        const uint64_t from = indexed(reference, vector, i, &table);
         if (permitted(reference, vector, i)) {
             note_index(reference, from);
-            write_word(reference, to, read_word(reference, from));
+            store_element(reference, &vector->c, i,
+                          read_memory(reference, from, table.width));
         } else {
-            pass_by_word(reference, from);
-            leave_word(reference, to);
+            pass_by_memory(reference, from, table.width);
+            leave_element(reference, &vector->c, i);
         }
     }
 }
@@ -96,13 +82,13 @@ static void scatter(struct reference *reference, const struct vector *vector)
 
     use_operands(reference, vector, length, 0);
     for (uint64_t i = 0; i < length; i++) {
-        const uint64_t to = indexed(reference, vector, i, vector->c.address);
+        const uint64_t to = indexed(reference, vector, i, &vector->c);
         const c205_word word = element(reference, &vector->sources.b, i);
         if (permitted(reference, vector, i)) {
             note_index(reference, to);
-            write_word(reference, to, word);
+            write_memory(reference, to, vector->c.width, word);
         } else
-            leave_word(reference, to);
+            leave_memory(reference, to, vector->c.width);
     }
 }
 
@@ -114,18 +100,9 @@ static void mask(struct reference *reference, const struct vector *vector)
     for (uint64_t i = 0; i < vector->c.length; i++) {
         const c205_word a = element(reference, &vector->sources.a, i);
         const c205_word b = element(reference, &vector->sources.b, i);
-        write_any(reference, vector, i,
-                  permitted(reference, vector, i) ? a : b);
+        store_element(reference, &vector->c, i,
+                      permitted(reference, vector, i) ? a : b);
     }
-}
-
-static void leave_any(struct reference *reference,
-                      const struct vector *vector, uint64_t i)
-{
-    if (width_of(vector) == 1)
-        leave_bit(reference, vector->c.address + i);
-    else
-        leave_word(reference, vector->c.address + BITS * i);
 }
 
 static void merge(struct reference *reference, const struct vector *vector)
@@ -141,7 +118,7 @@ static void merge(struct reference *reference, const struct vector *vector)
                                    ? element(reference, &sources->a, from_a++)
                                    : element(reference, &sources->b,
                                              from_b++);
-        write_any(reference, vector, i, word);
+        store_element(reference, &vector->c, i, word);
     }
 }
 
@@ -150,7 +127,7 @@ static void may_store(struct reference *reference,
                       const struct vector *vector, uint64_t length)
 {
     for (uint64_t i = 0; i < length; i++)
-        leave_any(reference, vector, i);
+        leave_element(reference, &vector->c, i);
 }
 
 static void compress(struct reference *reference, const struct vector *vector)
@@ -161,7 +138,7 @@ static void compress(struct reference *reference, const struct vector *vector)
     for (uint64_t i = 0; i < vector->z.length; i++) {
         const c205_word word = element(reference, &vector->sources.a, i);
         if (permitted(reference, vector, i))
-            write_any(reference, vector, stored++, word);
+            store_element(reference, &vector->c, stored++, word);
     }
     use_operands(reference, vector, vector->z.length, stored);
     set_length(reference, vector, stored);
@@ -178,10 +155,11 @@ static void sieve(struct reference *reference, const struct vector *vector)
     for (uint64_t i = 0; i < length; i++) {
         const c205_word a = element(reference, &vector->sources.a, i);
         const c205_word b = element(reference, &vector->sources.b, i);
-        const bool passes = oracle_not_less(a, b, &flags);
+        const bool passes = oracle_not_less(vector->sources.format, a, b,
+                                            &flags);
         if (passes)
-            write_word(reference, vector->c.address + BITS * stored++, a);
-        write_bit(reference, vector->z.address + i, passes);
+            store_element(reference, &vector->c, stored++, a);
+        store_element(reference, &vector->z, i, passes);
     }
     use_operands(reference, vector, length, stored);
     set_length(reference, vector, stored);

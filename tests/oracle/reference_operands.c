@@ -14,8 +14,9 @@ static c205_word read_element(struct reference *reference,
     case NUMBER: return source->number;
     case STREAM:
         return join(reference, source->stream, i, &reference->now.flags);
-    case STRING: return read_bit(reference, source->address + i);
-    default: return read_word(reference, source->address + BITS * i);
+    default:
+        return read_memory(reference, source->address + source->width * i,
+                           source->width);
     }
 }
 
@@ -24,6 +25,7 @@ static c205_word read_element(struct reference *reference,
 c205_word element(struct reference *reference, const struct source *source,
                   uint64_t i)
 {
+    const struct oracle_format *format = format_of(source->width);
     uint64_t unused = 0;
     c205_word word;
 
@@ -31,9 +33,9 @@ c205_word element(struct reference *reference, const struct source *source,
         return source->pad;
     word = read_element(reference, source, i);
     if (source->magnitude)
-        word = oracle_absolute(word, 0, &unused);
+        word = oracle_absolute(format, word, 0, &unused);
     if (source->negate)
-        word = oracle_negate(word, 0, &unused);
+        word = oracle_negate(format, word, 0, &unused);
     return word;
 }
 
@@ -43,7 +45,7 @@ c205_word join(struct reference *reference, const struct pair *pair,
     const c205_word a = element(reference, &pair->a, i);
     const c205_word b = pair->has_b ? element(reference, &pair->b, i) : 0;
 
-    return pair->rule(a, b, flags);
+    return pair->rule(pair->format, a, b, flags);
 }
 
 /* ---- The control vector ------------------------------------------------ */
@@ -55,19 +57,31 @@ bool permitted(struct reference *reference, const struct vector *vector,
 
     if (vector->fields->z == 0)
         return true;
-    return read_bit(reference, vector->z.address + i) != on_zeros;
+    return read_memory(reference, vector->z.address + i, BIT) != on_zeros;
+}
+
+void store_element(struct reference *reference, const struct target *target,
+                   uint64_t i, c205_word word)
+{
+    write_memory(reference, target->address + target->width * i,
+                 target->width, word);
+}
+
+void leave_element(struct reference *reference, const struct target *target,
+                   uint64_t i)
+{
+    leave_memory(reference, target->address + target->width * i,
+                 target->width);
 }
 
 void write_element(struct reference *reference, const struct vector *vector,
                    uint64_t i, c205_word word, uint64_t flags)
 {
-    const uint64_t address = vector->c.address + BITS * i;
-
     if (permitted(reference, vector, i)) {
         reference->now.flags |= flags;
-        write_word(reference, address, word);
+        store_element(reference, &vector->c, i, word);
     } else
-        leave_word(reference, address);
+        leave_element(reference, &vector->c, i);
 }
 
 /* ---- Lengths ----------------------------------------------------------- */
@@ -108,26 +122,26 @@ static struct target behind_offset(struct reference *reference,
     if (skipped < 0)
         add_fault(reference, C205_TRAP_BAD_DESCRIPTOR, 0, true);
     return (struct target){
+        .width = width,
         .address = plain_address(descriptor + width * count),
         .length = count < length ? length - count : 0,
     };
 }
 
-static c205_word pad_of(const c205_insn *insn)
+static c205_word pad_of(const c205_insn *insn, unsigned width)
 {
     if (insn->flags & C205_INSN_PADO)
-        return C205_ONE;
+        return width == HALF_BITS ? HALF_ONE : C205_ONE;
     return insn->flags & C205_INSN_PADZ ? C205_MACHINE_ZERO : 0;
 }
 
-/* The letter of the instruction table says how register 0 reads. */
 static struct source broadcast(const struct reference *reference, char letter,
                                unsigned number)
 {
     return (struct source){
         .kind = NUMBER,
-        .number = letter == 'u' ? read_bits(reference, number)
-                                : read_as_number(reference, number),
+        .width = width_of_letter(letter),
+        .number = read_operand(reference, letter, number),
     };
 }
 
@@ -135,63 +149,68 @@ struct source vector_source(struct reference *reference,
                             const c205_insn *insn, char letter,
                             unsigned number, unsigned offset)
 {
-    const bool bits = letter == 'b';
+    const unsigned width = width_of_letter(letter);
     const struct target place = behind_offset(reference,
                                               read_bits(reference, number),
-                                              offset, bits ? 1 : BITS);
+                                              offset, width);
 
     return (struct source){
-        .kind = bits ? STRING : WORDS,
+        .kind = VECTOR,
+        .width = width,
         .address = place.address,
         .length = place.length,
-        .pad = pad_of(insn),
+        .pad = pad_of(insn, width),
     };
+}
+
+static struct source take_source(struct reference *reference,
+                                 const struct vector *vector, char letter,
+                                 unsigned number, unsigned offset,
+                                 bool broadcasts)
+{
+    if (vector->insn->format == C205_FORMAT_SCALARS || broadcasts)
+        return broadcast(reference, letter, number);
+    return vector_source(reference, vector->insn, letter, number, offset);
 }
 
 static void take_sources(struct reference *reference, struct vector *vector)
 {
     const c205_insn *insn = vector->insn;
     const c205_fields *fields = vector->fields;
-    const char *letters = insn->operands;
-    const bool numbers = insn->format == C205_FORMAT_SCALARS;
+    const char a = reference_letter(insn, fields->g, 'A');
+    const char b = reference_letter(insn, fields->g, 'B');
     const bool signs = insn->flags & C205_INSN_SIGN;
     struct pair *pair = &vector->sources;
 
     pair->rule = reference_rule(insn);
-    pair->has_b = strchr("vubf", letters[1]) != NULL;
-    pair->a = numbers || fields->g & C205_G_BROADCAST_A
-                  ? broadcast(reference, letters[0], fields->a)
-                  : vector_source(reference, insn, letters[0], fields->a,
-                                  fields->x);
+    pair->format = format_of(width_of_letter(a));
+    pair->has_b = b && strchr("vubfVUF", b);
+    pair->a = take_source(reference, vector, a, fields->a, fields->x,
+                          fields->g & C205_G_BROADCAST_A);
     if (pair->has_b)
-        pair->b = numbers || fields->g & C205_G_BROADCAST_B
-                      ? broadcast(reference, letters[1], fields->b)
-                      : vector_source(reference, insn, letters[1], fields->b,
-                                      fields->y);
+        pair->b = take_source(reference, vector, b, fields->b, fields->y,
+                              fields->g & C205_G_BROADCAST_B);
     pair->a.magnitude = signs && fields->g & C205_G_MAGNITUDE_A;
     pair->a.negate = signs && fields->g & C205_G_NEGATE_A;
     pair->b.magnitude = signs && fields->g & C205_G_MAGNITUDE_B;
 }
 
-static bool writes_bits(const c205_insn *insn)
-{
-    return insn->timing == C205_TIMING_vbits
-           || (strchr(insn->operands, 'e') && !strchr(insn->operands, 'c'));
-}
-
 /* C and Z share the offset in C+1. */
 void take_targets(struct reference *reference, struct vector *vector)
 {
+    const c205_insn *insn = vector->insn;
     const c205_fields *fields = vector->fields;
-    const unsigned offset = fields->g & reference_bits_of_g(vector->insn)
+    const unsigned width = width_of_letter(
+        reference_letter(insn, fields->g, 'C'));
+    const unsigned offset = fields->g & reference_bits_of_g(insn)
                                     & C205_G_OFFSET
                                 ? fields->c + 1u
                                 : 0;
 
     vector->c = behind_offset(reference, read_bits(reference, fields->c),
-                              offset, writes_bits(vector->insn) ? 1 : BITS);
+                              offset, width);
     vector->z = behind_offset(reference, read_bits(reference, fields->z),
-                              offset, 1);
+                              offset, BIT);
 }
 
 bool has_bad_operand(const struct reference *reference)
@@ -215,29 +234,27 @@ void use_source(struct reference *reference, const struct source *source,
 {
     const uint64_t used = n < source->length ? n : source->length;
 
-    if (source->kind == WORDS || source->kind == STRING)
-        add_extent(reference, source->address,
-                   used * (source->kind == WORDS ? BITS : 1));
+    if (source->kind == VECTOR)
+        add_extent(reference, source->address, source->width * used);
+}
+
+void use_target(struct reference *reference, const struct target *target,
+                uint64_t n)
+{
+    add_extent(reference, target->address, target->width * n);
 }
 
 void use_control(struct reference *reference, const struct vector *vector,
                  uint64_t n)
 {
     if (vector->fields->z != 0)
-        add_extent(reference, vector->z.address, n);
-}
-static void pass_by(struct reference *reference, const struct source *source,
-                    uint64_t i)
-{
-    if (source->kind == STRING)
-        pass_by_bit(reference, source->address + i);
-    else
-        pass_by_word(reference, source->address + BITS * i);
+        use_target(reference, &vector->z, n);
 }
 
 void may_need(struct reference *reference, const struct source *source,
               uint64_t n)
 {
     for (uint64_t i = 0; i < n && i < source->length; i++)
-        pass_by(reference, source, i);
+        pass_by_memory(reference, source->address + source->width * i,
+                       source->width);
 }

@@ -14,8 +14,19 @@ enum reference_insn {
     DO_NOTHING
 };
 
-enum { BITS = 64, HALF_BITS = 32, COEFFICIENT_BITS = 48 };
+/* Widths of operands. */
+enum { BIT = 1, HALF_BITS = 32, BITS = 64 };
+
+enum { COEFFICIENT_BITS = 48 };
 #define LOW_48 UINT64_C(0xFFFFFFFFFFFF)
+#define LOW_24 UINT64_C(0xFFFFFF)
+
+/* Half words are in the left half of a word, zeros in the other. */
+#define LEFT_HALF UINT64_C(0xFFFFFFFF00000000)
+#define HALF_ONE UINT64_C(0xEA40000000000000)
+
+/* When the job interval timer has run out. */
+#define FLAG_TIMER (UINT64_C(1) << (63 - 36))
 
 static inline enum reference_insn reference_which(const c205_insn *insn)
 {
@@ -25,6 +36,14 @@ static inline enum reference_insn reference_which(const c205_insn *insn)
 /* The rule of an operation on words, for registers and for elements; NULL:
  * the instruction is of another kind. */
 oracle_rule *reference_rule(const c205_insn *insn);
+
+static inline const struct oracle_format *format_of(unsigned width)
+{
+    return width == HALF_BITS ? &oracle_half : &oracle_full;
+}
+
+/* By the letter of an operand. */
+unsigned width_of_letter(char letter);
 
 /* ---- Words as integers and descriptors --------------------------------- */
 
@@ -53,26 +72,32 @@ static inline c205_word with_length(c205_word descriptor, uint64_t length)
 
 /* ---- Registers and memory ---------------------------------------------- */
 
-/* Register 0 is machine zero to those who read numbers, 0 to others. */
-c205_word read_as_number(const struct reference *reference, unsigned number);
+/* A register of 64 bits, as bits. */
 c205_word read_bits(const struct reference *reference, unsigned number);
 void write_register(struct reference *reference, unsigned number,
                     c205_word word);
 
+/* A register or a half register, as the letter of the operand says.  Register
+ * 0, h0 and h1 are machine zero to those who read numbers, 0 to others. */
+c205_word read_operand(const struct reference *reference, char letter,
+                       unsigned number);
+void write_operand(struct reference *reference, char letter, unsigned number,
+                   c205_word word);
+
 void add_fault(struct reference *reference, c205_trap trap, uint64_t address,
                bool certain);
 
-c205_word read_word(struct reference *reference, uint64_t address);
-void write_word(struct reference *reference, uint64_t address,
-                c205_word word);
-bool read_bit(struct reference *reference, uint64_t address);
-void write_bit(struct reference *reference, uint64_t address, bool bit);
+/* A word, a half word, or a bit as 1 or 0. */
+c205_word read_memory(struct reference *reference, uint64_t address,
+                      unsigned width);
+void write_memory(struct reference *reference, uint64_t address,
+                  unsigned width, c205_word word);
 /* A load that was not needed, and a store that the control vector left
  * out: they may trap. */
-void pass_by_word(struct reference *reference, uint64_t address);
-void pass_by_bit(struct reference *reference, uint64_t address);
-void leave_word(struct reference *reference, uint64_t address);
-void leave_bit(struct reference *reference, uint64_t address);
+void pass_by_memory(struct reference *reference, uint64_t address,
+                    unsigned width);
+void leave_memory(struct reference *reference, uint64_t address,
+                  unsigned width);
 
 void add_extent(struct reference *reference, uint64_t address, uint64_t bits);
 

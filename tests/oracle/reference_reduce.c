@@ -25,8 +25,19 @@ static c205_word term(struct reference *reference,
 
     if (!sources->has_b)
         return a;
-    return oracle_multiply_significant(a, element(reference, &sources->b, i),
+    return oracle_multiply_significant(sources->format, a,
+                                       element(reference, &sources->b, i),
                                        flags);
+}
+
+/* To the register, or half register, C. */
+static void write_result(struct reference *reference,
+                         const struct vector *vector, c205_word word)
+{
+    const c205_fields *fields = vector->fields;
+
+    write_operand(reference, reference_letter(vector->insn, fields->g, 'C'),
+                  fields->c, word);
 }
 
 /* From a first value on, in element order. */
@@ -37,13 +48,14 @@ static void accumulate(struct reference *reference,
     for (uint64_t i = 0; i < length; i++) {
         uint64_t flags = 0;
         const c205_word next = term(reference, vector, i, &flags);
-        const c205_word sum = rule(total, next, &flags);
+        const c205_word sum = rule(vector->sources.format, total, next,
+                                   &flags);
         if (permitted(reference, vector, i)) {
             reference->now.flags |= flags;
             total = sum;
         }
     }
-    write_register(reference, vector->fields->c, total);
+    write_result(reference, vector, total);
 }
 
 static bool is_indefinite(c205_word word)
@@ -57,7 +69,8 @@ static bool is_machine_zero(c205_word word)
 }
 
 /* The first of equals stays, and so does the first indefinite. */
-static bool surpasses(c205_word word, c205_word best, bool greatest)
+static bool surpasses(const struct oracle_format *format, c205_word word,
+                      c205_word best, bool greatest)
 {
     uint64_t flags = 0;
 
@@ -65,8 +78,8 @@ static bool surpasses(c205_word word, c205_word best, bool greatest)
         return false;
     if (is_indefinite(word))
         return true;
-    return greatest ? oracle_less(best, word, &flags)
-                    : oracle_less(word, best, &flags);
+    return greatest ? oracle_less(format, best, word, &flags)
+                    : oracle_less(format, word, best, &flags);
 }
 
 static void extreme(struct reference *reference, const struct vector *vector,
@@ -78,7 +91,8 @@ static void extreme(struct reference *reference, const struct vector *vector,
     for (uint64_t i = 0; i < length; i++) {
         const c205_word word = element(reference, &vector->sources.a, i);
         if (permitted(reference, vector, i)
-            && (index == length || surpasses(word, best, greatest))) {
+            && (index == length
+                || surpasses(vector->sources.format, word, best, greatest))) {
             best = word;
             index = i;
         }
@@ -86,7 +100,7 @@ static void extreme(struct reference *reference, const struct vector *vector,
     reference->now.flags |= is_indefinite(best)     ? FLAG_INDEFINITE
                             : is_machine_zero(best) ? FLAG_MACHINE_ZERO
                                                     : 0;
-    write_register(reference, vector->fields->c, best);
+    write_result(reference, vector, best);
     write_register(reference, vector->fields->c + 1u, index);
 }
 
@@ -108,7 +122,8 @@ void do_reduction(struct reference *reference, const struct vector *vector)
                    oracle_add_normalised);
         break;
     case DO_PRODV:
-        accumulate(reference, vector, length, C205_ONE,
+        accumulate(reference, vector, length,
+                   vector->c.width == HALF_BITS ? HALF_ONE : C205_ONE,
                    oracle_multiply_significant);
         break;
     case DO_MAXV:

@@ -3,98 +3,72 @@
 
 /* ---- Rules of arithmetic, one for registers and elements --------------- */
 
+/* Of whole and half registers. */
+#define IN_REGISTERS(name, rule) [DO_##name] = rule, [DO_##name##H] = rule
+/* Of vectors as well; and of sparse vectors. */
+#define AND_VECTORS(name, rule) \
+    IN_REGISTERS(name, rule), [DO_##name##V] = rule
+#define AND_SPARSE(name, vector, sparse, rule) \
+    IN_REGISTERS(name, rule), [DO_##vector] = rule, [DO_##sparse] = rule
+/* Of words and of strings of bits. */
+#define LOGICAL(name, rule) [DO_##name##V] = rule, [DO_##name##B] = rule
+/* To a bit, to the first, to a list of indices. */
+#define COMPARE(name, rule) \
+    [DO_CMP##name##V] = rule, [DO_SEL##name##V] = rule, \
+    [DO_SCH##name##V] = rule
+
 static oracle_rule *const rules[] = {
-    [DO_ADDU] = oracle_add_upper,
-    [DO_ADDL] = oracle_add_lower,
-    [DO_ADDN] = oracle_add_normalised,
-    [DO_SUBU] = oracle_subtract_upper,
-    [DO_SUBL] = oracle_subtract_lower,
-    [DO_SUBN] = oracle_subtract_normalised,
-    [DO_MPYU] = oracle_multiply_upper,
-    [DO_MPYL] = oracle_multiply_lower,
-    [DO_MPYS] = oracle_multiply_significant,
-    [DO_DIVU] = oracle_divide_upper,
-    [DO_DIVS] = oracle_divide_significant,
-    [DO_TRU] = oracle_truncate,
-    [DO_FLR] = oracle_floor,
-    [DO_SQRT] = oracle_square_root,
-    [DO_ABS] = oracle_absolute,
-    [DO_EXP] = oracle_exponent,
-    [DO_CLG] = oracle_ceiling,
-    [DO_ADJS] = oracle_adjust_significance,
-    [DO_ADJE] = oracle_adjust_exponent,
-    [DO_PACK] = oracle_pack,
-    [DO_SHIFT] = oracle_shift,
-    [DO_XOR] = oracle_xor,
-    [DO_AND] = oracle_and,
-    [DO_OR] = oracle_or,
-    [DO_ADDUV] = oracle_add_upper,
-    [DO_ADDLV] = oracle_add_lower,
-    [DO_ADDNV] = oracle_add_normalised,
-    [DO_SUBUV] = oracle_subtract_upper,
-    [DO_SUBLV] = oracle_subtract_lower,
-    [DO_SUBNV] = oracle_subtract_normalised,
-    [DO_MPYUV] = oracle_multiply_upper,
-    [DO_MPYLV] = oracle_multiply_lower,
-    [DO_MPYSV] = oracle_multiply_significant,
-    [DO_DIVUV] = oracle_divide_upper,
-    [DO_DIVSV] = oracle_divide_significant,
-    [DO_TRUV] = oracle_truncate,
-    [DO_FLRV] = oracle_floor,
-    [DO_SQRTV] = oracle_square_root,
+    AND_SPARSE(ADDU, ADDUV, ADDUS, oracle_add_upper),
+    AND_SPARSE(ADDL, ADDLV, ADDLS, oracle_add_lower),
+    AND_SPARSE(ADDN, ADDNV, ADDNS, oracle_add_normalised),
+    AND_SPARSE(SUBU, SUBUV, SUBUS, oracle_subtract_upper),
+    AND_SPARSE(SUBL, SUBLV, SUBLS, oracle_subtract_lower),
+    AND_SPARSE(SUBN, SUBNV, SUBNS, oracle_subtract_normalised),
+    AND_SPARSE(MPYU, MPYUV, MPYUS, oracle_multiply_upper),
+    AND_SPARSE(MPYL, MPYLV, MPYLS, oracle_multiply_lower),
+    AND_SPARSE(MPYS, MPYSV, MPYSS, oracle_multiply_significant),
+    AND_SPARSE(DIVU, DIVUV, DIVUS, oracle_divide_upper),
+    AND_SPARSE(DIVS, DIVSV, DIVSS, oracle_divide_significant),
+    AND_VECTORS(TRU, oracle_truncate),
+    AND_VECTORS(FLR, oracle_floor),
+    AND_VECTORS(CLG, oracle_ceiling),
+    AND_VECTORS(SQRT, oracle_square_root),
+    AND_VECTORS(ABS, oracle_absolute),
+    AND_VECTORS(EXP, oracle_exponent),
+    AND_VECTORS(ADJS, oracle_adjust_significance),
+    AND_VECTORS(ADJE, oracle_adjust_exponent),
+    AND_VECTORS(PACK, oracle_pack),
+    IN_REGISTERS(RTOR, oracle_copy),
+    [DO_CON] = oracle_contract,
+    [DO_RCON] = oracle_contract_rounded,
+    [DO_EXTH] = oracle_extend,
+    [DO_CONV] = oracle_contract,
+    [DO_RCONV] = oracle_contract_rounded,
+    [DO_EXTV] = oracle_extend,
     [DO_VTOV] = oracle_copy,
-    [DO_ABSV] = oracle_absolute,
-    [DO_EXPV] = oracle_exponent,
-    [DO_ADDUS] = oracle_add_upper,
-    [DO_ADDLS] = oracle_add_lower,
-    [DO_ADDNS] = oracle_add_normalised,
-    [DO_SUBUS] = oracle_subtract_upper,
-    [DO_SUBLS] = oracle_subtract_lower,
-    [DO_SUBNS] = oracle_subtract_normalised,
-    [DO_MPYUS] = oracle_multiply_upper,
-    [DO_MPYLS] = oracle_multiply_lower,
-    [DO_MPYSS] = oracle_multiply_significant,
-    [DO_DIVUS] = oracle_divide_upper,
-    [DO_DIVSS] = oracle_divide_significant,
     [DO_AVGV] = oracle_average,
     [DO_AVGDV] = oracle_average_difference,
-    [DO_CLGV] = oracle_ceiling,
-    [DO_ADJSV] = oracle_adjust_significance,
-    [DO_ADJEV] = oracle_adjust_exponent,
-    [DO_PACKV] = oracle_pack,
     [DO_ADDXV] = oracle_add_index,
     [DO_SUBXV] = oracle_subtract_index,
     [DO_DELTAV] = oracle_subtract_normalised,
     [DO_ADJMV] = oracle_average,
-    [DO_SCHEQV] = oracle_equal,
-    [DO_SCHNEV] = oracle_not_equal,
-    [DO_SCHGEV] = oracle_not_less,
-    [DO_SCHLTV] = oracle_less,
+    [DO_SHIFT] = oracle_shift,
     [DO_SHIFTV] = oracle_shift,
-    [DO_XORV] = oracle_xor,
-    [DO_ANDV] = oracle_and,
-    [DO_ORV] = oracle_or,
-    [DO_NANDV] = oracle_nand,
-    [DO_NORV] = oracle_nor,
-    [DO_ORNV] = oracle_or_not,
-    [DO_ANDNV] = oracle_and_not,
-    [DO_EQVV] = oracle_equivalence,
-    [DO_CMPEQV] = oracle_equal,
-    [DO_CMPNEV] = oracle_not_equal,
-    [DO_CMPGEV] = oracle_not_less,
-    [DO_CMPLTV] = oracle_less,
-    [DO_SELEQV] = oracle_equal,
-    [DO_SELNEV] = oracle_not_equal,
-    [DO_SELGEV] = oracle_not_less,
-    [DO_SELLTV] = oracle_less,
-    [DO_XORB] = oracle_xor,
-    [DO_ANDB] = oracle_and,
-    [DO_ORB] = oracle_or,
-    [DO_NANDB] = oracle_nand,
-    [DO_NORB] = oracle_nor,
-    [DO_ORNB] = oracle_or_not,
-    [DO_ANDNB] = oracle_and_not,
-    [DO_EQVB] = oracle_equivalence,
+    [DO_XOR] = oracle_xor,
+    [DO_AND] = oracle_and,
+    [DO_OR] = oracle_or,
+    LOGICAL(XOR, oracle_xor),
+    LOGICAL(AND, oracle_and),
+    LOGICAL(OR, oracle_or),
+    LOGICAL(NAND, oracle_nand),
+    LOGICAL(NOR, oracle_nor),
+    LOGICAL(ORN, oracle_or_not),
+    LOGICAL(ANDN, oracle_and_not),
+    LOGICAL(EQV, oracle_equivalence),
+    COMPARE(EQ, oracle_equal),
+    COMPARE(NE, oracle_not_equal),
+    COMPARE(GE, oracle_not_less),
+    COMPARE(LT, oracle_less),
     [DO_NOTHING] = NULL,
 };
 
@@ -105,22 +79,48 @@ oracle_rule *reference_rule(const c205_insn *insn)
 
 /* ---- Registers --------------------------------------------------------- */
 
-/* As the letter of its operand says. */
-static c205_word read_as(const struct reference *reference, char letter,
-                         unsigned number)
-{
-    return letter == 'f' ? read_as_number(reference, number)
-                         : read_bits(reference, number);
-}
-
 static void apply_rule(struct reference *reference, const c205_insn *insn,
                        const c205_fields *fields)
 {
-    const c205_word r = read_as(reference, insn->operands[0], fields->r);
-    const c205_word s = read_as(reference, insn->operands[1], fields->s);
+    const char *letters = insn->operands;
+    const c205_word r = read_operand(reference, letters[0], fields->r);
+    const c205_word s = read_operand(reference, letters[1], fields->s);
+    const struct oracle_format *format = format_of(
+        width_of_letter(letters[0]));
 
-    write_register(reference, fields->t,
-                   reference_rule(insn)(r, s, &reference->now.flags));
+    write_operand(reference, reference_letter(insn, 0, 'T'), fields->t,
+                  reference_rule(insn)(format, r, s, &reference->now.flags));
+}
+
+/* The low 24 bits of a half register; the others those of another. */
+static c205_word half_of(uint64_t high, uint64_t low)
+{
+    return (high & ~(LOW_24 << HALF_BITS)) | (low & LOW_24) << HALF_BITS;
+}
+
+static void enter_half(struct reference *reference, const c205_fields *fields,
+                       bool add)
+{
+    const c205_word old = read_operand(reference, 'I', fields->r);
+    const uint64_t immediate = (uint64_t)fields->immediate;
+
+    write_operand(reference, 'W', fields->r,
+                  add ? half_of(old, (old >> HALF_BITS) + immediate)
+                      : half_of(0, immediate));
+}
+
+static void read_timer(struct reference *reference, unsigned result)
+{
+    const struct reference_state *now = &reference->now;
+
+    write_register(reference, result,
+                   now->timer == 0 ? 0 : now->timer - reference->clock);
+}
+
+static void set_timer(struct reference *reference, c205_word clocks)
+{
+    clocks &= LOW_48;
+    reference->now.timer = clocks == 0 ? 0 : reference->clock + clocks;
 }
 
 static void exchange_flags(struct reference *reference,
@@ -187,9 +187,9 @@ static void look_at_vectors(struct reference *reference, c205_word from,
                             c205_word to)
 {
     for (unsigned i = 0; i < length_of(from); i++)
-        pass_by_word(reference, from + BITS * i);
+        pass_by_memory(reference, from + BITS * i, BITS);
     for (unsigned i = 0; i < length_of(to); i++)
-        leave_word(reference, to + BITS * i);
+        leave_memory(reference, to + BITS * i, BITS);
 }
 
 /* Saved first, then loaded; the descriptors are read before either. */
@@ -206,28 +206,33 @@ static void swap(struct reference *reference, const c205_fields *fields)
         return;
     }
     for (unsigned i = 0; i < saved; i++)
-        write_word(reference, to + BITS * i,
-                   read_bits(reference, fields->s + i));
+        write_memory(reference, to + BITS * i, BITS,
+                     read_bits(reference, fields->s + i));
     for (unsigned i = 0; i < loaded; i++)
         write_register(reference, fields->s + i,
-                       read_word(reference, from + BITS * i));
+                       read_memory(reference, from + BITS * i, BITS));
     reference->deed.swapped = saved + loaded;
     add_extent(reference, from, BITS * loaded);
     add_extent(reference, to, BITS * saved);
 }
 
-static void reach_memory(struct reference *reference,
+/* The size of T is that of what is moved. */
+static void reach_memory(struct reference *reference, const c205_insn *insn,
                          const c205_fields *fields, bool store)
 {
+    const char letter = reference_letter(insn, 0, 'T');
+    const unsigned width = width_of_letter(letter);
     const uint64_t address = plain_address(
         read_bits(reference, fields->r)
-        + BITS * read_bits(reference, fields->s));
+        + width * read_bits(reference, fields->s));
 
-    add_extent(reference, address, BITS);
+    add_extent(reference, address, width);
     if (store)
-        write_word(reference, address, read_bits(reference, fields->t));
+        write_memory(reference, address, width,
+                     read_operand(reference, letter, fields->t));
     else
-        write_register(reference, fields->t, read_word(reference, address));
+        write_operand(reference, letter, fields->t,
+                      read_memory(reference, address, width));
 }
 
 void do_scalar(struct reference *reference, const c205_insn *insn,
@@ -252,7 +257,6 @@ void do_scalar(struct reference *reference, const c205_insn *insn,
         write_register(reference, result, with_length(r, length_of(r) + s));
         break;
     case DO_LTOR: write_register(reference, result, length_of(r)); break;
-    case DO_RTOR: write_register(reference, result, r); break;
     case DO_ADDX:
         write_register(reference, result, with_low(r, r + s));
         break;
@@ -262,19 +266,25 @@ void do_scalar(struct reference *reference, const c205_insn *insn,
     case DO_MPYX: write_register(reference, result, low_product(r, s)); break;
     case DO_SHIFTI:
         write_register(reference, result,
-                       oracle_shift(r, immediate & LOW_48,
+                       oracle_shift(&oracle_full, r, immediate & LOW_48,
                                     &reference->now.flags));
         break;
     case DO_LSDFR: exchange_flags(reference, fields); break;
     case DO_CLOCK:
         write_register(reference, result, reference->clock & LOW_48);
         break;
+    case DO_RJTIME: read_timer(reference, result); break;
+    case DO_WJTIME: set_timer(reference, r); break;
+    case DO_EXH:
+    case DO_IXH:
+        enter_half(reference, fields, reference_which(insn) == DO_IXH);
+        break;
     case DO_EXTB: extract(reference, fields); break;
     case DO_INSB: insert(reference, fields); break;
     case DO_LOD:
+    case DO_LODH: reach_memory(reference, insn, fields, false); break;
     case DO_STO:
-        reach_memory(reference, fields, reference_which(insn) == DO_STO);
-        break;
+    case DO_STOH: reach_memory(reference, insn, fields, true); break;
     case DO_SWAP: swap(reference, fields); break;
     default: apply_rule(reference, insn, fields);
     }
@@ -283,28 +293,31 @@ void do_scalar(struct reference *reference, const c205_insn *insn,
 /* ---- Which instructions have a rule ------------------------------------ */
 
 static const bool written_out[] = {
-    [DO_ES] = true,     [DO_IS] = true,    [DO_EX] = true,
-    [DO_IX] = true,     [DO_ELEN] = true,  [DO_ADDLEN] = true,
-    [DO_LTOR] = true,   [DO_RTOR] = true,  [DO_ADDX] = true,
-    [DO_SUBX] = true,   [DO_MPYX] = true,  [DO_LOD] = true,
-    [DO_STO] = true,    [DO_SWAP] = true,  [DO_SHIFTI] = true,
-    [DO_BEQ] = true,    [DO_BNE] = true,   [DO_BGE] = true,
-    [DO_BLT] = true,    [DO_IBNZ] = true,  [DO_DBNZ] = true,
-    [DO_BSAVE] = true,  [DO_BIM] = true,   [DO_IBXEQ] = true,
-    [DO_IBXNE] = true,  [DO_IBXGE] = true, [DO_IBXLT] = true,
-    [DO_IBXLE] = true,  [DO_IBXGT] = true, [DO_CFPEQ] = true,
-    [DO_CFPNE] = true,  [DO_CFPGE] = true, [DO_CFPLT] = true,
-    [DO_CFPLE] = true,  [DO_CFPGT] = true, [DO_EXIT] = true,
-    [DO_INTVLV] = true, [DO_MAXV] = true,  [DO_MINV] = true,
-    [DO_SUMV] = true,   [DO_PRODV] = true, [DO_DOTV] = true,
-    [DO_VREVV] = true,  [DO_VXTOV] = true, [DO_VTOVX] = true,
-    [DO_MASKV] = true,  [DO_CPSV] = true,  [DO_MRGV] = true,
-    [DO_ACPSV] = true,  [DO_CNTLB] = true, [DO_LSDFR] = true,
-    [DO_CLOCK] = true,  [DO_INSB] = true,  [DO_EXTB] = true,
-    [DO_BARB] = true,   [DO_BAB] = true,   [DO_BADF] = true,
-    [DO_POLYV] = true,  [DO_CPSB] = true,  [DO_MRGB] = true,
-    [DO_MASKB] = true,  [DO_MRKZ] = true,  [DO_MRKO] = true,
-    [DO_CNTOB] = true,  [DO_LINKV] = true, [DO_NOTHING] = false,
+    [DO_ES] = true,     [DO_IS] = true,     [DO_EX] = true,
+    [DO_IX] = true,     [DO_ELEN] = true,   [DO_ADDLEN] = true,
+    [DO_LTOR] = true,   [DO_ADDX] = true,   [DO_SUBX] = true,
+    [DO_MPYX] = true,   [DO_LOD] = true,    [DO_STO] = true,
+    [DO_SWAP] = true,   [DO_SHIFTI] = true, [DO_BEQ] = true,
+    [DO_BNE] = true,    [DO_BGE] = true,    [DO_BLT] = true,
+    [DO_IBNZ] = true,   [DO_DBNZ] = true,   [DO_BSAVE] = true,
+    [DO_BIM] = true,    [DO_IBXEQ] = true,  [DO_IBXNE] = true,
+    [DO_IBXGE] = true,  [DO_IBXLT] = true,  [DO_IBXLE] = true,
+    [DO_IBXGT] = true,  [DO_CFPEQ] = true,  [DO_CFPNE] = true,
+    [DO_CFPGE] = true,  [DO_CFPLT] = true,  [DO_CFPLE] = true,
+    [DO_CFPGT] = true,  [DO_EXIT] = true,   [DO_INTVLV] = true,
+    [DO_MAXV] = true,   [DO_MINV] = true,   [DO_SUMV] = true,
+    [DO_PRODV] = true,  [DO_DOTV] = true,   [DO_VREVV] = true,
+    [DO_VXTOV] = true,  [DO_VTOVX] = true,  [DO_MASKV] = true,
+    [DO_CPSV] = true,   [DO_MRGV] = true,   [DO_ACPSV] = true,
+    [DO_CNTLB] = true,  [DO_LSDFR] = true,  [DO_CLOCK] = true,
+    [DO_INSB] = true,   [DO_EXTB] = true,   [DO_BARB] = true,
+    [DO_BAB] = true,    [DO_BADF] = true,   [DO_POLYV] = true,
+    [DO_CPSB] = true,   [DO_MRGB] = true,   [DO_MASKB] = true,
+    [DO_MRKZ] = true,   [DO_MRKO] = true,   [DO_CNTOB] = true,
+    [DO_LINKV] = true,  [DO_EXH] = true,    [DO_IXH] = true,
+    [DO_LODH] = true,   [DO_STOH] = true,   [DO_BHEQ] = true,
+    [DO_BHNE] = true,   [DO_BHGE] = true,   [DO_BHLT] = true,
+    [DO_RJTIME] = true, [DO_WJTIME] = true, [DO_NOTHING] = false,
 };
 
 bool reference_knows(const c205_insn *insn)

@@ -71,8 +71,9 @@ static uint64_t make_elements(struct reference *reference,
         const c205_word x = next_element(reference, a, i, &next_a);
         const c205_word y = next_element(reference, b, i, &next_b);
         if (is_made(vector, a, b, i))
-            write_word(reference, vector->c.address + BITS * made++,
-                       vector->sources.rule(x, y, &reference->now.flags));
+            store_element(reference, &vector->c, made++,
+                          vector->sources.rule(vector->sources.format, x, y,
+                                               &reference->now.flags));
     }
     return made;
 }
@@ -99,9 +100,9 @@ static void do_packed(struct reference *reference,
     use_packed(reference, a, b, n);
     made = make_elements(reference, vector, a, b, n);
     for (uint64_t i = 0; i < n; i++)
-        write_bit(reference, vector->z.address + i, is_made(vector, a, b, i));
-    add_extent(reference, vector->c.address, BITS * made);
-    add_extent(reference, vector->z.address, n);
+        store_element(reference, &vector->z, i, is_made(vector, a, b, i));
+    use_target(reference, &vector->c, made);
+    use_target(reference, &vector->z, n);
     reference->deed.elements = greater(made, greater(a->ones, b->ones));
     set_lengths(reference, vector->fields, made, n);
     free(a->present);
@@ -112,12 +113,14 @@ void do_sparse(struct reference *reference, const c205_insn *insn,
                const c205_fields *fields)
 {
     struct vector vector = { .insn = insn, .fields = fields };
+    const char letter = reference_letter(insn, fields->g, 'A');
     struct packed a, b;
 
     vector.sources.rule = reference_rule(insn);
-    a.elements = vector_source(reference, insn, 'u', fields->a, 0);
+    vector.sources.format = format_of(width_of_letter(letter));
+    a.elements = vector_source(reference, insn, letter, fields->a, 0);
     a.order = vector_source(reference, insn, 'b', fields->x, 0);
-    b.elements = vector_source(reference, insn, 'u', fields->b, 0);
+    b.elements = vector_source(reference, insn, letter, fields->b, 0);
     b.order = vector_source(reference, insn, 'b', fields->y, 0);
     a.order.pad = b.order.pad = 0;
     take_targets(reference, &vector);

@@ -25,22 +25,25 @@ static void each_neighbour(struct reference *reference,
         uint64_t flags = 0;
         const c205_word here = element(reference, a, i);
         const c205_word next = element(reference, a, i + 1);
-        const c205_word word = vector->sources.rule(next, here, &flags);
+        const c205_word word = vector->sources.rule(vector->sources.format,
+                                                    next, here, &flags);
         write_element(reference, vector, i, word, flags);
     }
 }
 
 /* The polynomial with the coefficients B, highest first. */
 static c205_word polynomial(struct reference *reference,
-                            const struct source *b, c205_word x,
+                            const struct pair *pair, c205_word x,
                             uint64_t *flags)
 {
+    const struct source *b = &pair->b;
     c205_word value = b->length > 0 ? element(reference, b, 0)
                                     : C205_MACHINE_ZERO;
 
     for (uint64_t j = 1; j < b->length; j++) {
-        value = oracle_multiply_significant(value, x, flags);
-        value = oracle_add_normalised(value, element(reference, b, j), flags);
+        value = oracle_multiply_significant(pair->format, value, x, flags);
+        value = oracle_add_normalised(pair->format, value,
+                                      element(reference, b, j), flags);
     }
     return value;
 }
@@ -53,7 +56,8 @@ static c205_word search(struct reference *reference, const struct pair *pair,
 
     for (uint64_t j = 0; j < pair->b.length; j++) {
         ++*compared;
-        if (pair->rule(x, element(reference, &pair->b, j), &flags))
+        if (pair->rule(pair->format, x, element(reference, &pair->b, j),
+                       &flags))
             return j;
     }
     return pair->b.length;
@@ -78,9 +82,9 @@ static void each_scan(struct reference *reference,
     for (uint64_t i = 0; i < vector->c.length; i++) {
         uint64_t flags = 0;
         const c205_word x = element(reference, &pair->a, i);
-        const c205_word word = pair->rule ? search(reference, pair, x, &steps)
-                                          : polynomial(reference, &pair->b, x,
-                                                       &flags);
+        const c205_word word = pair->rule
+                                   ? search(reference, pair, x, &steps)
+                                   : polynomial(reference, pair, x, &flags);
         write_element(reference, vector, i, word, flags);
     }
     reference->deed.elements = pair->rule ? steps
@@ -96,7 +100,7 @@ static void interval(struct reference *reference, const struct vector *vector)
     for (uint64_t i = 0; i < vector->c.length; i++) {
         write_element(reference, vector, i, word, flags);
         flags = 0;
-        word = oracle_add_upper(word, step, &flags);
+        word = oracle_add_upper(vector->sources.format, word, step, &flags);
     }
 }
 
@@ -105,11 +109,8 @@ static void each_bit(struct reference *reference, const struct vector *vector)
 {
     for (uint64_t i = 0; i < vector->c.length; i++) {
         uint64_t flags = 0;
-        const c205_word bit = join(reference, &vector->sources, i, &flags);
-        if (permitted(reference, vector, i))
-            write_bit(reference, vector->c.address + i, bit & 1);
-        else
-            leave_bit(reference, vector->c.address + i);
+        write_element(reference, vector, i,
+                      join(reference, &vector->sources, i, &flags), 0);
     }
 }
 
@@ -117,14 +118,15 @@ static void count_bits(struct reference *reference, const c205_fields *fields,
                        bool leading)
 {
     const c205_word string = read_bits(reference, fields->r);
-    const bool first = length_of(string) > 0 && read_bit(reference, string);
+    const bool first = length_of(string) > 0
+                       && read_memory(reference, string, BIT);
     uint64_t count = 0;
     bool equal = true;
 
     reference->deed.elements = length_of(string);
     add_extent(reference, string, length_of(string));
     for (uint64_t i = 0; i < length_of(string); i++) {
-        const bool bit = read_bit(reference, string + i);
+        const bool bit = read_memory(reference, string + i, BIT);
         equal = equal && bit == first;
         count += leading ? equal : bit;
     }
@@ -146,8 +148,8 @@ static void repeat_bits(struct reference *reference,
     reference->deed.elements = length_of(string);
     add_extent(reference, string, length_of(string));
     for (uint64_t i = 0; i < length_of(string); i++)
-        write_bit(reference, string + i,
-                  ((int64_t)(i % (uint64_t)s) < r) == ones);
+        write_memory(reference, string + i, BIT,
+                     ((int64_t)(i % (uint64_t)s) < r) == ones);
 }
 
 /* ---- Which of them ----------------------------------------------------- */
@@ -158,17 +160,17 @@ static bool takes_neighbours(const c205_insn *insn)
            || reference_which(insn) == DO_ADJMV;
 }
 
-/* n elements of A, B, Z, and of C, which have a width.  For neighbours A is
+/* n elements of A, B, Z and C.  For neighbours A is
  * two sources, the first one element on. */
 static void use_operands(struct reference *reference,
-                         const struct vector *vector, unsigned width)
+                         const struct vector *vector)
 {
     const uint64_t n = vector->c.length;
     struct source next = vector->sources.a;
 
     reference->deed.elements = n;
     if (takes_neighbours(vector->insn) && next.length > 0) {
-        next.address = plain_address(next.address + BITS);
+        next.address = plain_address(next.address + next.width);
         next.length--;
         use_source(reference, &next, n);
     }
@@ -178,7 +180,7 @@ static void use_operands(struct reference *reference,
                    ? C205_MAX_LENGTH
                    : n);
     use_control(reference, vector, n);
-    add_extent(reference, vector->c.address, width * n);
+    use_target(reference, &vector->c, n);
 }
 
 static void do_operands(struct reference *reference,
@@ -186,13 +188,13 @@ static void do_operands(struct reference *reference,
 {
     const char *letters = vector->insn->operands;
 
-    if (strchr(letters, 'w')) {
+    if (strpbrk(letters, "wk")) {
         do_reduction(reference, vector);
         return;
     }
     if (do_move(reference, vector))
         return;
-    use_operands(reference, vector, strchr(letters, 'e') ? 1 : BITS);
+    use_operands(reference, vector);
     if (takes_neighbours(vector->insn))
         each_neighbour(reference, vector);
     else if (vector->insn->format == C205_FORMAT_SCAN)
@@ -222,11 +224,11 @@ void do_vector(struct reference *reference, const c205_insn *insn,
 
 /* ---- Linked pairs ------------------------------------------------------ */
 
-/* How many streams of words a pair takes from memory. */
+/* How many streams of elements a pair takes from memory. */
 static unsigned streams(const struct pair *sources)
 {
-    return (sources->a.kind == WORDS ? 1u : 0u)
-           + (sources->b.kind == WORDS ? 1u : 0u);
+    return (sources->a.kind == VECTOR ? 1u : 0u)
+           + (sources->b.kind == VECTOR ? 1u : 0u);
 }
 
 /* A source that is the other instruction's result, by its register.  With an
@@ -234,7 +236,7 @@ static unsigned streams(const struct pair *sources)
 static bool link_source(struct source *source, unsigned number,
                         unsigned offset, const struct vector *first)
 {
-    if (source->kind != WORDS || number != first->fields->c)
+    if (source->kind != VECTOR || number != first->fields->c)
         return true;
     source->kind = STREAM;
     source->stream = &first->sources;
@@ -257,6 +259,7 @@ static bool can_be_linked(const struct vector *first, struct vector *second)
                         || second->sources.b.kind == STREAM;
 
     return is_plain(first) && linked && a && b
+           && first->c.width == second->c.width
            && first->c.length == second->c.length
            && streams(&first->sources) + streams(&second->sources) <= PAIR;
 }
@@ -282,7 +285,7 @@ void do_linked(struct reference *reference)
     else if (!has_bad_operand(reference)) {
         use_source(reference, &first.sources.a, first.c.length);
         use_source(reference, &first.sources.b, first.c.length);
-        use_operands(reference, &second, BITS);
+        use_operands(reference, &second);
         each_element(reference, &second);
     }
 }

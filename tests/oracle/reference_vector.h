@@ -5,7 +5,8 @@
 #include "tests/oracle/reference_parts.h"
 
 struct source {
-    enum { NUMBER, WORDS, STRING, STREAM } kind;
+    enum { NUMBER, VECTOR, STREAM } kind;
+    unsigned width;           /* of an element */
     uint64_t address, length; /* of the vector, its offset applied */
     c205_word number;         /* broadcast */
     c205_word pad;            /* what a short vector continues with */
@@ -18,10 +19,12 @@ struct pair {
     struct source a, b;
     bool has_b;
     oracle_rule *rule;
+    const struct oracle_format *format; /* of the operands */
 };
 
 /* A result or a control vector, its offset applied. */
 struct target {
+    unsigned width;
     uint64_t address, length;
 };
 
@@ -32,7 +35,7 @@ struct vector {
     struct target c, z;
 };
 
-/* A vector, of words or (b) of bits, by its registers. */
+/* A vector, of words, half words or bits, by its registers. */
 struct source vector_source(struct reference *reference,
                             const c205_insn *insn, char letter,
                             unsigned number, unsigned offset);
@@ -57,6 +60,8 @@ void use_source(struct reference *reference, const struct source *source,
 /* n elements that are looked at but perhaps not needed. */
 void may_need(struct reference *reference, const struct source *source,
               uint64_t n);
+void use_target(struct reference *reference, const struct target *target,
+                uint64_t n);
 void use_control(struct reference *reference, const struct vector *vector,
                  uint64_t n);
 
@@ -66,6 +71,12 @@ bool permitted(struct reference *reference, const struct vector *vector,
 /* Where it permits: stored, and the flags with it. */
 void write_element(struct reference *reference, const struct vector *vector,
                    uint64_t i, c205_word word, uint64_t flags);
+
+/* Element i of the result, whatever the control vector says. */
+void store_element(struct reference *reference, const struct target *target,
+                   uint64_t i, c205_word word);
+void leave_element(struct reference *reference, const struct target *target,
+                   uint64_t i);
 
 /* How many elements an instruction without a result vector looks at: those
  * of A, or of B when A is one number; false: of two numbers, a fault. */

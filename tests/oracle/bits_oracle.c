@@ -1,0 +1,122 @@
+/* bits_oracle.c - the operations that know words as rows of bits: shift,
+ * the logical ones, pack, the sums of indices. */
+#include "arithmetic_oracle.h"
+
+/* Bit i of a word, counted from the left. */
+static c205_word bit(c205_word word, long i)
+{
+    return word >> (63 - i) & 1;
+}
+
+/* The exponent field of one word, the coefficient field of another. */
+static c205_word join(const struct oracle_format *format, c205_word high,
+                      c205_word low)
+{
+    const long middle = format->width - format->digits - 1;
+    c205_word word = 0;
+
+    for (long i = 0; i < 64; i++) {
+        const c205_word from = i < middle ? high : low;
+        word = word << 1 | (i < format->width ? bit(from, i) : 0);
+    }
+    return word;
+}
+
+/* The low bits of a number as a word of the format. */
+static c205_word justified(const struct oracle_format *format,
+                           c205_word number)
+{
+    return number << (64 - format->width);
+}
+
+static c205_word as_number(const struct oracle_format *format, c205_word word)
+{
+    return word >> (64 - format->width);
+}
+
+c205_word oracle_pack(const struct oracle_format *format, c205_word a,
+                      c205_word b, uint64_t *flags)
+{
+    const c205_word exponent = as_number(format, a) << (format->digits + 1);
+
+    (void)flags;
+    return join(format, justified(format, exponent), b);
+}
+
+c205_word oracle_add_index(const struct oracle_format *format, c205_word a,
+                           c205_word b, uint64_t *flags)
+{
+    (void)flags;
+    return join(format, a,
+                justified(format,
+                          as_number(format, a) + as_number(format, b)));
+}
+
+c205_word oracle_subtract_index(const struct oracle_format *format,
+                                c205_word a, c205_word b, uint64_t *flags)
+{
+    (void)flags;
+    return join(format, a,
+                justified(format,
+                          as_number(format, a) - as_number(format, b)));
+}
+
+/* The coefficient field as an integer: its first bit counts negative. */
+static long as_integer(const struct oracle_format *format, c205_word word)
+{
+    const long first = format->width - format->digits - 1;
+    long integer = -(long)bit(word, first);
+
+    for (long i = first + 1; i < format->width; i++)
+        integer = 2 * integer + (long)bit(word, i);
+    return integer;
+}
+
+c205_word oracle_shift(const struct oracle_format *format, c205_word a,
+                       c205_word b, uint64_t *flags)
+{
+    const long width = format->width;
+    const long count = as_integer(format, b);
+    c205_word shifted = 0;
+
+    (void)flags;
+    for (long i = 0; i < width; i++) {
+        const long from = count >= 0      ? (i + count % width) % width
+                          : i + count < 0 ? 0
+                                          : i + count;
+        shifted = shifted << 1 | bit(a, from);
+    }
+    return justified(format, shifted);
+}
+
+/* One bit of the result from one bit of a and one of b: truth[a][b]. */
+static c205_word bitwise(const struct oracle_format *format, c205_word a,
+                         c205_word b, const unsigned truth[2][2])
+{
+    c205_word result = 0;
+
+    for (long i = 0; i < format->width; i++)
+        result = result << 1 | truth[bit(a, i)][bit(b, i)];
+    return justified(format, result);
+}
+
+#define LOGICAL(name, of00, of01, of10, of11) \
+    c205_word oracle_##name(const struct oracle_format *format, c205_word a, \
+                            c205_word b, uint64_t *flags) \
+    { \
+        static const unsigned truth[2][2] = { { of00, of01 }, \
+                                              { of10, of11 } }; \
+\
+        (void)flags; \
+        return bitwise(format, a, b, truth); \
+    }
+
+LOGICAL(xor, 0, 1, 1, 0)
+LOGICAL(and, 0, 0, 0, 1)
+LOGICAL(or, 0, 1, 1, 1)
+LOGICAL(nand, 1, 1, 1, 0)
+LOGICAL(nor, 1, 0, 0, 0)
+LOGICAL(or_not, 1, 0, 1, 1)
+LOGICAL(and_not, 0, 0, 1, 0)
+LOGICAL(equivalence, 1, 0, 0, 1)
+LOGICAL(copy, 0, 0, 1, 1)

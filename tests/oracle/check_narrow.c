@@ -1,0 +1,286 @@
+/* check_narrow - the machine's rule for every pair of words of a narrow
+ * format.
+ *
+ *     check_narrow [--operation NAME] [some | all]
+ *
+ * vm/rule.h is one text for words of any format; here it is compiled for
+ * words of 6 + 8 bits and meets every word, or every pair of them.  Without
+ * "all" some exponents are left out, but no coefficient.  What is right is
+ * said by narrow_oracle.c; that itself is compared with the oracle of the
+ * larger formats first, on a sample.
+ */
+#include "arithmetic_oracle.h"
+#include "narrow_machine.h"
+#include "narrow_oracle.h"
+#include "operands.h"
+
+#include <getopt.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ---- The operations ----------------------------------------------------- */
+
+struct operation {
+    const char *name;
+    bool unary;
+    oracle_rule *oracle;
+    small_rule *expected, *machine;
+};
+
+/* How the functions of the machine are called, by kind. */
+#define ADAPT_BINARY(name) \
+    static c205_word machine_##name(c205_word a, c205_word b, \
+                                    uint64_t *flags) \
+    { \
+        return narrow_##name(a, b, flags); \
+    }
+#define ADAPT_UNARY(name) \
+    static c205_word machine_##name(c205_word a, c205_word b, \
+                                    uint64_t *flags) \
+    { \
+        (void)b; \
+        return narrow_##name(a, flags); \
+    }
+#define ADAPT_COMPARE(name) \
+    static c205_word machine_##name(c205_word a, c205_word b, \
+                                    uint64_t *flags) \
+    { \
+        (void)flags; \
+        return narrow_##name(a, b); \
+    }
+#define ADAPT_SHIFT(name) \
+    static c205_word machine_##name(c205_word a, c205_word b, \
+                                    uint64_t *flags) \
+    { \
+        (void)flags; \
+        return narrow_##name(a, narrow_coefficient_of(b)); \
+    }
+
+#define OPERATIONS(BINARY, UNARY, COMPARE, SHIFT) \
+    BINARY(add_upper) \
+    BINARY(add_lower) \
+    BINARY(add_normalised) \
+    BINARY(subtract_upper) \
+    BINARY(subtract_lower) \
+    BINARY(subtract_normalised) \
+    BINARY(multiply_upper) \
+    BINARY(multiply_lower) \
+    BINARY(multiply_significant) \
+    BINARY(divide_upper) \
+    BINARY(divide_significant) \
+    UNARY(square_root) \
+    UNARY(truncate) \
+    UNARY(floor) \
+    UNARY(ceiling) \
+    UNARY(absolute) \
+    UNARY(negate) \
+    UNARY(exponent) \
+    BINARY(adjust_significance) \
+    BINARY(adjust_exponent) \
+    BINARY(pack) \
+    BINARY(average) \
+    BINARY(average_difference) \
+    COMPARE(equal) \
+    COMPARE(not_equal) \
+    COMPARE(not_less) \
+    COMPARE(less) \
+    SHIFT(shift)
+
+OPERATIONS(ADAPT_BINARY, ADAPT_UNARY, ADAPT_COMPARE, ADAPT_SHIFT)
+
+#define ROW(name) \
+    { #name, false, oracle_##name, small_##name, machine_##name },
+#define UNARY_ROW(name) \
+    { #name, true, oracle_##name, small_##name, machine_##name },
+
+static const struct operation operations[] = { OPERATIONS(ROW, UNARY_ROW, ROW,
+                                                          ROW) };
+
+enum { OPERATION_COUNT = sizeof operations / sizeof operations[0] };
+
+/* ---- The words ---------------------------------------------------------- */
+
+enum {
+    EXPONENTS = 1 << NARROW_EXPONENT_BITS,
+    COEFFICIENTS = 2 << NARROW_DIGITS,
+    MOST_WORDS = EXPONENTS * COEFFICIENTS
+};
+
+struct words {
+    size_t n;
+    c205_word at[MOST_WORDS];
+};
+
+static void add_words(struct words *words, int64_t exponent)
+{
+    for (int64_t c = 0; c < COEFFICIENTS; c++)
+        words->at[words->n++] = narrow_word(exponent, c);
+}
+
+static void every_word(struct words *words)
+{
+    for (int64_t e = 0; e < EXPONENTS; e++)
+        add_words(words, e);
+}
+
+/* A machine zero, an indefinite, the ends of the range; alignments of less
+ * than a coefficient, of one, of all there is. */
+static void some_words(struct words *words)
+{
+    static const int64_t exponents[] = {
+        NARROW_EXPONENT_MIN - 1,
+        NARROW_EXPONENT_MAX + 1,
+        NARROW_EXPONENT_MIN,
+        NARROW_EXPONENT_MIN + 1,
+        -NARROW_DIGITS - 1,
+        -NARROW_DIGITS,
+        -1,
+        0,
+        NARROW_DIGITS,
+        NARROW_EXPONENT_MAX,
+    };
+
+    for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++)
+        add_words(words, exponents[i]);
+}
+
+/* ---- One operation ------------------------------------------------------ */
+
+/* Flags are only ever added to: this one, which no operation sets, stays. */
+#define EARLIER_FLAG UINT64_C(1)
+
+static void show(const char *which, c205_word word, uint64_t flags)
+{
+    printf("    %s %016" PRIX64 " (%" PRId64 " x 2^%" PRId64
+           ") flags %06" PRIX64 "\n",
+           which, word, narrow_coefficient_of(word), narrow_exponent_of(word),
+           flags);
+}
+
+static bool pair_agrees(const struct operation *operation, c205_word a,
+                        c205_word b)
+{
+    uint64_t expected_flags = EARLIER_FLAG, flags = EARLIER_FLAG;
+    const c205_word expected = operation->expected(a, b, &expected_flags);
+    const c205_word got = operation->machine(a, b, &flags);
+
+    if (expected == got && expected_flags == flags)
+        return true;
+    printf("%s\n", operation->name);
+    show("of      ", a, 0);
+    show("and     ", b, 0);
+    show("expected", expected, expected_flags);
+    show("got     ", got, flags);
+    return false;
+}
+
+static bool check_operation(const struct operation *operation,
+                            const struct words *words)
+{
+    const size_t second = operation->unary ? 1 : words->n;
+
+    for (size_t i = 0; i < words->n; i++)
+        for (size_t j = 0; j < second; j++)
+            if (!pair_agrees(operation, words->at[i], words->at[j]))
+                return false;
+    return true;
+}
+
+/* The two oracles, over every word of the first operand. */
+static bool oracles_agree(const struct operation *operation,
+                          const struct words *words)
+{
+    enum { PARTNERS = 16 };
+    uint64_t random = 205;
+
+    for (size_t i = 0; i < words->n * PARTNERS; i++) {
+        uint64_t one = 0, other = 0;
+        const c205_word a = words->at[i / PARTNERS];
+        const c205_word b = words->at[random_bits(&random) % words->n];
+        const c205_word small = operation->expected(a, b, &one);
+        const c205_word exact = operation->oracle(&oracle_narrow, a, b,
+                                                  &other);
+        if (small != exact || one != other) {
+            printf("the oracles differ: %s\n", operation->name);
+            show("of      ", a, 0);
+            show("and     ", b, 0);
+            show("integers", small, one);
+            show("exact   ", exact, other);
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- The run ------------------------------------------------------------ */
+
+struct run {
+    const char *only; /* NULL: all operations */
+    struct words words;
+    unsigned passed, failed;
+};
+
+static void check_everything(struct run *run)
+{
+    static struct words every;
+
+    every_word(&every);
+    for (size_t i = 0; i < OPERATION_COUNT; i++) {
+        const struct operation *operation = operations + i;
+        if (run->only != NULL && strcmp(run->only, operation->name) != 0)
+            continue;
+        const size_t cases = operation->unary ? every.n
+                                              : run->words.n * run->words.n;
+        const bool pass = oracles_agree(operation, &every)
+                          && check_operation(operation, operation->unary
+                                                            ? &every
+                                                            : &run->words);
+        run->passed += pass;
+        run->failed += !pass;
+        printf("%-24s %9zu %s\n", operation->name, cases,
+               pass ? "ok" : "FAILED");
+        fflush(stdout);
+    }
+}
+
+static bool read_arguments(struct run *run, int argc, char **argv)
+{
+    static const struct option options[] = {
+        { "operation", required_argument, NULL, 'o' },
+        { NULL, 0, NULL, 0 },
+    };
+
+    for (int c; (c = getopt_long(argc, argv, "", options, NULL)) != -1;) {
+        if (c != 'o')
+            return false;
+        run->only = optarg;
+    }
+    const char *const wanted = optind < argc ? argv[optind++] : "some";
+    if (strcmp(wanted, "some") == 0)
+        some_words(&run->words);
+    else if (strcmp(wanted, "all") == 0)
+        every_word(&run->words);
+    return optind == argc && run->words.n > 0;
+}
+
+int main(int argc, char **argv)
+{
+    static struct run run;
+
+    if (!read_arguments(&run, argc, argv)) {
+        fprintf(stderr,
+                "usage: check_narrow [--operation NAME] [some | all]\n");
+        return 2;
+    }
+    small_begin();
+    oracle_begin();
+    check_everything(&run);
+    oracle_end();
+    if (run.passed + run.failed == 0) {
+        fprintf(stderr, "check_narrow: no operation %s\n", run.only);
+        return 2;
+    }
+    printf("%u passed, %u failed\n", run.passed, run.failed);
+    return run.failed == 0 ? 0 : 1;
+}

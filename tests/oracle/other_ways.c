@@ -1,0 +1,174 @@
+/* other_ways.c - a random program as a whole, in slices, saved between. */
+#include "other_ways.h"
+
+#include "tests/oracle/operands.h"
+#include "tests/oracle/random_machine.h"
+#include "vm/hash.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    HALF = 32,
+    CLOCKS = 6000, /* of a program that may go on for ever */
+    TRAPS = 120,
+    LONGEST_SLICE = 150,
+    ONE_SAVED_IN = 40
+};
+
+/* ---- States ------------------------------------------------------------ */
+
+static bool hash_bytes(void *context, const void *bytes, size_t count)
+{
+    const unsigned char *byte = bytes;
+    uint64_t *hash = context;
+
+    for (size_t i = 0; i < count; i++)
+        *hash = hash_word(*hash, byte[i]);
+    return true;
+}
+
+static void save(const c205 *machine, c205_writer *write, void *context)
+{
+    c205_error error;
+
+    if (!c205_save(machine, write, context, &error))
+        random_machine_fail(error.message);
+}
+
+uint64_t machine_hash(const c205 *machine)
+{
+    uint64_t hash = HASH_BEGIN;
+
+    save(machine, hash_bytes, &hash);
+    return hash;
+}
+
+/* ---- Saved and restored ------------------------------------------------ */
+
+struct bytes {
+    unsigned char *bytes;
+    size_t count, room;
+};
+
+static bool keep_bytes(void *context, const void *bytes, size_t count)
+{
+    struct bytes *kept = context;
+
+    if (kept->room - kept->count < count) {
+        kept->room = 2 * kept->room + count;
+        kept->bytes = plain_room(kept->bytes, kept->room, 1);
+    }
+    memcpy(kept->bytes + kept->count, bytes, count);
+    kept->count += count;
+    return true;
+}
+
+/* What another machine makes of a saved one. */
+static c205 *copy_machine(const c205 *machine)
+{
+    struct bytes kept = { NULL, 0, 0 };
+    c205_error error;
+    c205 *copy;
+
+    save(machine, keep_bytes, &kept);
+    copy = c205_restore(kept.bytes, kept.count, c205_machine_model(machine),
+                        &error);
+    if (copy == NULL)
+        random_machine_fail(error.message);
+    free(kept.bytes);
+    return copy;
+}
+
+/* ---- Running ----------------------------------------------------------- */
+
+struct way {
+    const char *name;
+    bool sliced, saved;
+};
+
+struct run {
+    const struct way *way;
+    c205 *machine;
+    bool restored; /* the machine is the run's own */
+    uint64_t random, limit;
+    unsigned traps;
+};
+
+static void change_machine(struct run *run)
+{
+    c205 *copy = copy_machine(run->machine);
+
+    if (run->restored)
+        c205_free(run->machine);
+    run->machine = copy;
+    run->restored = true;
+}
+
+static uint64_t next_limit(struct run *run)
+{
+    const uint64_t end = c205_clock(run->machine)
+                         + (uint64_t)random_between(&run->random, 1,
+                                                    LONGEST_SLICE);
+
+    return run->way->sliced && end < run->limit ? end : run->limit;
+}
+
+/* Behind what trapped.  False: it cannot go on. */
+static bool skip(struct run *run, const c205_stop *stop)
+{
+    const unsigned halves = random_insn_halves(run->machine, stop->pc);
+
+    c205_set_pc(run->machine, stop->pc + HALF * halves);
+    return halves != 0 && ++run->traps < TRAPS;
+}
+
+/* One slice.  False: it was the last. */
+static bool run_on(struct run *run)
+{
+    const c205_stop stop = c205_run(run->machine, next_limit(run));
+
+    if (stop.trap == C205_TRAP_NONE)
+        return false;
+    if (stop.trap != C205_TRAP_CLOCK_LIMIT)
+        return skip(run, &stop);
+    if (run->way->saved && random_between(&run->random, 1, ONE_SAVED_IN) == 1)
+        change_machine(run);
+    return c205_clock(run->machine) < run->limit;
+}
+
+static uint64_t hash_at_end(const struct random_program *program,
+                            const struct way *way, uint64_t limit)
+{
+    struct run run = { .way = way,
+                       .machine = random_machine_load(program),
+                       .random = program->seed,
+                       .limit = limit };
+    uint64_t hash;
+
+    while (run_on(&run))
+        continue;
+    hash = machine_hash(run.machine);
+    if (run.restored)
+        c205_free(run.machine);
+    return hash;
+}
+
+const char *disagreeing_way(const struct random_program *program,
+                            const uint64_t *stepped)
+{
+    static const struct way whole = { "a whole run", false, false };
+    static const struct way others[] = {
+        { "a run in slices", true, false },
+        { "a run saved and restored", true, true },
+    };
+    const uint64_t limit = stepped ? C205_NO_LIMIT : CLOCKS;
+    const uint64_t expected = hash_at_end(program, &whole, limit);
+
+    if (stepped && *stepped != expected)
+        return whole.name;
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
+        if (hash_at_end(program, others + i, limit) != expected)
+            return others[i].name;
+    return NULL;
+}

@@ -1,0 +1,116 @@
+/* random_machine.c - machines loaded with random programs. */
+#include "random_machine.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WORD = 64 };
+
+static c205 **machines; /* one for each model */
+static c205_model **models;
+static c205_word *images[RANDOM_PAGES];
+
+/* ---- Begin and end ----------------------------------------------------- */
+
+void random_machine_fail(const char *what)
+{
+    fprintf(stderr, "check_random: %s\n", what);
+    exit(2);
+}
+
+static void make_machine(size_t i)
+{
+    c205_error error;
+
+    models[i] = c205_model_parse("random", random_models[i], &error);
+    if (models[i] == NULL)
+        random_machine_fail(error.message);
+    machines[i] = c205_new(models[i], &error);
+    if (machines[i] == NULL)
+        random_machine_fail(error.message);
+}
+
+void random_machines_begin(void)
+{
+    models = plain_room(NULL, random_model_count, sizeof *models);
+    machines = plain_room(NULL, random_model_count, sizeof *machines);
+    for (size_t i = 0; i < random_model_count; i++)
+        make_machine(i);
+    for (size_t i = 0; i < RANDOM_PAGES; i++)
+        images[i] = plain_room(NULL, C205_PAGE_WORDS, sizeof **images);
+}
+
+void random_machines_end(void)
+{
+    for (size_t i = 0; i < random_model_count; i++) {
+        c205_free(machines[i]);
+        c205_model_free(models[i]);
+    }
+    for (size_t i = 0; i < RANDOM_PAGES; i++)
+        free(images[i]);
+    free(machines);
+    free(models);
+}
+
+c205 *random_machine_load(const struct random_program *program)
+{
+    c205 *machine = machines[program->model];
+    c205_error error;
+
+    if (!random_load(machine, program, &error))
+        random_machine_fail(error.message);
+    return machine;
+}
+
+/* ---- Images ------------------------------------------------------------ */
+
+c205_word *random_image(uint64_t address)
+{
+    for (size_t i = 0; i < RANDOM_PAGES; i++)
+        if (plain_page_number(random_pages[i].address)
+            == plain_page_number(address))
+            return images[i] + address / WORD % C205_PAGE_WORDS;
+    return NULL;
+}
+
+/* The words from an address up to another, of one page or more. */
+static void take_words(const c205 *machine, struct plain_memory *memory,
+                       uint64_t address, uint64_t end)
+{
+    for (; address < end; address += WORD) {
+        c205_word *word = random_image(address);
+        c205_read(machine, address, word, 1);
+        plain_store(memory, address, *word);
+    }
+}
+
+void random_images_take(const c205 *machine,
+                        const struct random_program *program,
+                        struct plain_memory *memory)
+{
+    for (size_t i = 0; i < RANDOM_PAGES; i++) {
+        const struct random_page *page = random_pages + i;
+        plain_map(memory, page->address, C205_PAGE_WORDS, page->access);
+        memset(images[i], 0, C205_PAGE_WORDS * sizeof **images);
+    }
+    for (size_t i = 0; i < random_area_count; i++)
+        take_words(machine, memory, random_areas[i].address,
+                   random_areas[i].address + WORD * random_areas[i].words);
+    take_words(machine, memory, program->code / WORD * WORD,
+               program_address(program, program->insn_count));
+}
+
+/* ---- Instructions in memory -------------------------------------------- */
+
+unsigned random_insn_halves(const c205 *machine, uint64_t address)
+{
+    const c205_insn *insn;
+    c205_word word;
+
+    if (!c205_read(machine, address / WORD * WORD, &word, 1))
+        return 0;
+    word <<= address % WORD;
+    insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
+    return insn == NULL ? 1 : c205_format_halves(insn->format);
+}
