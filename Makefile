@@ -1,7 +1,8 @@
 # make demo       installs what is missing, builds, renders a scene on the
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
-# make all | docs | bench | san | fuzz | check-long | wasm-check | format |
+# make all | docs | bench | san | fuzz | cover | check-long | wasm-check |
+#      format | lint | install | clean| docs | bench | san | fuzz | check-long | wasm-check | format |
 #      lint | install | clean
 
 BUILD ?= build
@@ -33,7 +34,9 @@ adapter = $(BUILD)/rt205_oiio.so
 unit_tests = $(patsubst tests/unit/%.c,$(BUILD)/tests/unit/%,\
 	$(wildcard tests/unit/test_*.c))
 oracles = $(BUILD)/tests/oracle/check_arithmetic \
-	$(BUILD)/tests/oracle/check_scene $(BUILD)/tests/oracle/check_random
+	$(BUILD)/tests/oracle/check_narrow \
+	$(BUILD)/tests/oracle/check_scene $(BUILD)/tests/oracle/check_random \
+	$(BUILD)/tests/oracle/digest
 fuzz_targets = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,\
 	$(wildcard tests/fuzz/fuzz_*.c))
 replays = $(subst /fuzz_,/replay_,$(fuzz_targets))
@@ -42,6 +45,17 @@ benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
 build_packages = build-essential pkg-config libopenimageio-dev
 test_packages = $(build_packages) libcmocka-dev libmpfr-dev libgmp-dev povray \
 	povray-includes clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
+
+# What check runs, and in what size: cases an operation, pairs of narrow words,
+# random programs, tries a row of the table, compilers.
+check_parts = check-unit check-programs check-bugs check-isa check-arithmetic \
+	check-narrow check-random check-scenes check-commands check-install \
+	check-hosts wasm-check
+CASES ?= 1000000
+PAIRS ?= some
+PROGRAMS ?= 15000
+TRIES ?= 300
+HOSTS ?= quick
 
 sanitizers = address,undefined
 
@@ -59,14 +73,17 @@ demo:
 
 check:
 	@sh .ci/need $(test_packages)
-	@sh tests/run_all.sh "$(MAKE)" check-unit check-programs check-bugs \
-		check-isa check-arithmetic check-random check-scenes \
-		check-commands check-install wasm-check
+	@sh tests/run_all.sh "$(MAKE)" $(check_parts)
 
-check-long: CASES = 10000000
-check-long: check san
-	$(BUILD)/tests/oracle/check_arithmetic $(CASES)
-	$(BUILD)/tests/oracle/check_random 200000
+check-long: export CASES = 10000000
+check-long: export PAIRS = all
+check-long: export PROGRAMS = 200000
+check-long: export TRIES = 3000
+check-long: export HOSTS = full
+check-long:
+	@sh .ci/need $(test_packages) valgrind
+	@sh tests/run_all.sh "$(MAKE)" $(check_parts) check-poison check-timing \
+		check-planted san cover
 
 # --- libraries and programs -------------------------------------------------
 
@@ -106,7 +123,8 @@ $(BUILD)/%.o: $(BUILD)/%.c
 	$(CC) $(C_FLAGS) -c -o $@ $<
 
 # Loops that choose between doubles only vectorise when neither can trap.
-$(BUILD)/vm/lanes.o: C_FLAGS += -fno-trapping-math
+$(BUILD)/vm/lanes.o $(BUILD)/vm/halves.o $(BUILD)/vm/spans.o: \
+	C_FLAGS += -fno-trapping-math
 
 # The reference of the instructions.
 docs: $(BUILD)/c205
@@ -146,19 +164,35 @@ check-programs: $(BUILD)/c205
 check-isa: $(BUILD)/c205
 	sh tests/check_isa.sh $(BUILD)/c205
 
-check-bugs: $(replays)
+check-bugs: $(replays) $(BUILD)/c205
 	sh tests/run_bugs.sh $(BUILD)
 
 check-arithmetic: $(BUILD)/tests/oracle/check_arithmetic
-	$< 1000000
+	$< $(CASES)
+
+check-narrow: $(BUILD)/tests/oracle/check_narrow
+	$< $(PAIRS)
 
 check-random: $(BUILD)/tests/oracle/check_random
-	$< 15000
+	$< $(PROGRAMS)
+
+# A part of check-unit, here with more tries.
+check-poison: $(BUILD)/tests/unit/test_poison
+	$< $(TRIES)
+
+check-timing: $(BUILD)/tests/unit/test_timing $(BUILD)/tests/unit/test_renaming
+	$(BUILD)/tests/unit/test_timing $(TRIES)
+	$(BUILD)/tests/unit/test_renaming $(PROGRAMS)
 
 # Not a part of check: every one of the faults planted must be found.
 check-planted:
 	@sh .ci/need $(test_packages)
 	sh tests/planted/run.sh $(BUILD)
+
+# The same bits and clocks from every compiler.
+check-hosts:
+	@sh .ci/need $(test_packages) $(if $(filter full,$(HOSTS)),valgrind)
+	sh tests/check_hosts.sh $(BUILD) "$(MAKE)" $(HOSTS)
 
 check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
 	sh tests/check_scenes.sh $(BUILD)
@@ -180,6 +214,21 @@ san:
 		CFLAGS="-g -fsanitize=$(sanitizers) -fno-sanitize-recover=$(sanitizers)" \
 		LDFLAGS="-fsanitize=$(sanitizers)" \
 		check-unit check-programs check-bugs
+
+# Lines and branches of vm and asm that the tests run.
+cover: export LLVM_PROFILE_FILE = $(abspath $(BUILD))/cover/profile/%m.profraw
+cover:
+	@sh .ci/need $(test_packages) libclang-rt-14-dev
+	@rm -rf $(BUILD)/cover/profile
+	@sh tests/run_all.sh "$(MAKE)" cover-tests
+	sh tests/cover.sh $(BUILD)/cover
+
+cover-tests:
+	@$(MAKE) -k --no-print-directory BUILD=$(BUILD)/cover CC=clang OPT=-O1 \
+		CASES=20000 PROGRAMS=5000 \
+		CFLAGS="-g -fprofile-instr-generate -fcoverage-mapping" \
+		LDFLAGS=-fprofile-instr-generate check-unit check-programs \
+		check-isa check-bugs check-commands check-arithmetic check-random
 
 bench: $(benches) $(programs) $(adapter)
 	@for b in $(benches); do $$b || exit 1; done
@@ -218,7 +267,9 @@ clean:
 	rm -rf $(BUILD)
 
 .PHONY: all demo check check-long check-unit check-programs check-bugs \
-	check-isa check-arithmetic check-random check-planted check-scenes \
-	check-commands check-install wasm-check docs san bench fuzz fuzz-targets format lint install clean
+	check-isa check-arithmetic check-narrow check-random check-planted \
+	check-scenes check-commands check-install check-hosts check-poison \
+	check-timing cover cover-tests wasm-check docs san bench fuzz \
+	fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -50,6 +50,44 @@ printf '#version 3.7;\ntorus { 1, .2 }\nsphere { 0, }\n' >bad.pov
 printf '#version 3.7;\nsphere { 0, 1 pigment { granite } }\n' >replaced.pov
 printf '#version 3.7;\nsphere { 0, 1e-310 }\n' >beyond.pov
 
+printf 'title Odd\nlike cyber205-2pipe\nmemory.banks 0 banks R\n' >odd.model
+cat >expects.s <<'END'
+        EX      r10, 5
+        EXIT
+; expect: r10 = 5
+END
+cat >wrong.s <<'END'
+        .include "print.s"
+        EX      r10, 5
+        print_integer r0
+        EX      r11, 1
+        print_integer r11
+        EXIT
+        .org    0x10000040
+x:      .word   1.0, X'A000 0000 0000 0000'
+; expect: r10 = 6
+; expect: [x] = 2.0
+; expect: [0x7000000000] = 1
+; expect-bits: [x + 64] = 111
+; expect-flags: 1
+; expect-clocks: 3
+; expect-print: 0
+; expect-print: two
+END
+printf '        EX r10, 64\n        LOD [r10], r11\n        EXIT\n%s\n' \
+    '; expect-trap: bad-link' >wrong_trap.s
+printf '        EX r10, 64\n        LOD [r10], r11\n        EXIT\n%s\n' \
+    '; expect: r10 = 64' >wrong_end.s
+printf '        ES r1, 2\n        EXIT r1, r0, 2\n        EXIT\n%s\n' \
+    '; expect-print: 2' >right_print.s
+printf '        ES r1, 2\n        EXIT r1, r0, 2\n        EXIT r1, r0, 5\n%s\n%s\n' \
+    '        EXIT r1, r0, 2' '        EXIT
+; expect-print: 2' >wrong_print.s
+printf '        EXIT\n; expect-bits: [0x7000000000] = 1\n' >wrong_bits.s
+printf 'loop:   BIM loop\n; expect: r1 = 0\n' >endless_test.s
+printf '        .include "print.s"\n        ES r10, N + M\n%s\n        EXIT\n' \
+    '        print_integer r10' >defined.s
+
 # help and wrong usage
 for command in c205 rt205; do
     ends 0 "$build/$command" --help
@@ -111,6 +149,113 @@ tells out "^VXTOV "
 tells out "^ACPSV "
 tells out "^CNTOB "
 
+# what a command does with wrong arguments
+ends 2 "$build/c205" asm
+tells err 'name a file'
+ends 2 "$build/c205" model one two
+tells err 'too many arguments: two'
+ends 2 "$build/c205" run --limit
+tells err 'needs an argument'
+ends 2 "$build/c205" run --points good.s
+tells err 'is for other commands'
+ends 2 "$build/c205" run good.s trap.s
+ends 2 "$build/c205" time NOPE
+tells err 'no such vector instruction: NOPE'
+ends 2 "$build/c205" isa --markdown ADDNV
+tells err 'stands alone'
+for define in NAME =1 NAME=x; do
+    ends 2 "$build/c205" run --define $define good.s
+    tells err 'wrong argument'
+done
+for command in run asm dis; do
+    ends 1 "$build/c205" $command bad.s
+    tells err 'bad.s:2:'
+done
+ends 1 "$build/c205" model nonsense
+ends 1 "$build/c205" isa --markdown --model nonsense
+ends 1 "$build/c205" time --model nonsense ADDNV
+ends 1 "$build/c205" run --check --model nonsense good.s
+ends 1 "$build/c205" asm good.s -o missing/good.o
+printf 'c205-object 1\nentry nowhere\n' >bad.o
+ends 1 "$build/c205" run bad.o
+tells err 'bad.o'
+if [ -e /dev/full ]; then
+    "$build/c205" isa >/dev/full 2>err
+    [ $? -eq 1 ]
+    verdict $? "a full disc is not noticed"
+    tells err 'write error'
+fi
+
+# every table as a file
+for command in 'run good.s' 'run --check expects.s' 'isa' 'isa ADDNV' \
+    'isa --names' 'model' 'model cyber205-1pipe' 'time ADDNV TRIAD'; do
+    rm -f table.json
+    # The command and its arguments are words.
+    # shellcheck disable=SC2086
+    ends 0 "$build/c205" $command --json table.json
+    [ "$(head -c 1 table.json)" = '{' ] && [ "$(tail -c 2 table.json)" = '}' ]
+    verdict $? "c205 $command --json: no table"
+    # shellcheck disable=SC2086
+    ends 1 "$build/c205" $command --json missing/table.json
+done
+ends 1 "$build/c205" time --model odd.model ADDNV --json never.json
+[ ! -e never.json ]
+verdict $? "a run that failed wrote its table"
+ends 0 "$build/c205" model
+tells out '^cyber205-4pipe'
+ends 0 "$build/c205" time --points ADDNV TRIAD
+tells out '^TRIAD .* 65535 '
+
+# what is printed of a program
+ends 0 "$build/c205" asm --listing good.s
+tells out 'LOD  *\[r10\], r11'
+ends 0 "$build/c205" run --trace good.s
+tells err 'LOD .*\[r10\], r11'
+printf '        ES r10, 7\n        EXIT r10, r0, 0\n' >seven.s
+ends 1 "$build/c205" run seven.s
+tells err 'ended with status 7'
+printf '        EXIT r0, r0, 99\n' >asks.s
+ends 1 "$build/c205" run asks.s
+tells err 'bad-request'
+printf '        EX r10, 64\n        ELEN r10, 8\n%s' \
+    '        EXIT r10, r0, 4
+        EXIT
+' >nowhere.s
+ends 1 "$build/c205" run nowhere.s
+tells err 'unmapped-address at 400060: EXIT: address 40'
+ends 0 "$build/c205" run --define N=3 --define M=0x10 defined.s
+tells out '^19'
+
+# test programs that find what they do not expect
+ends 0 "$build/c205" run --check expects.s
+tells out '^PASS expects.s'
+ends 1 "$build/c205" run --check expects.s wrong.s seven.s bad.s missing.s
+tells out '^1 passed, 4 failed$'
+tells out '^FAIL wrong.s'
+tells out "wrong.s:9: expected r0*10 = X'0000 0000 0000 0006' (6), found X'0000 0000 0000 0005' (5)"
+tells out "expected word 0, at 10000040, = X'FFD3 4000 0000 0000' (2), found"
+tells out 'expected a value at 7000000000, found no memory there'
+tells out 'expected bit 1, at 10000081, = 1, found 0'
+tells out 'expected data flags = '
+tells out 'expected 3 clocks, found '
+tells out "expected 'two' printed, found ''"
+tells out 'the program expects nothing'
+tells out 'bad.s:2:'
+tells out 'missing.s'
+for kind in trap end print bits; do
+    ends 1 "$build/c205" run --check wrong_$kind.s
+done
+ends 1 "$build/c205" run --check wrong_trap.s
+tells out 'expected trap bad-link, found: '
+ends 1 "$build/c205" run --check wrong_end.s
+tells out 'expected the program to EXIT, found: '
+ends 1 "$build/c205" run --check wrong_print.s
+tells out "expected nothing more printed, found '2'"
+ends 1 "$build/c205" run --check wrong_bits.s
+tells out 'found no memory there'
+ends 1 "$build/c205" run --check --limit 100 endless_test.s
+tells out 'clock-limit'
+
 # programs that are saved and go on
 cat >counting.s <<'TEXT'
         .include "print.s"
@@ -131,6 +276,29 @@ ends 0 "$build/c205" run --restore late
 sed 1d whole >whole.accounts
 sed 1d out | cmp -s - whole.accounts
 verdict $? "a restored run ends with other accounts"
+cat >vectors.s <<'TEXT'
+        .include "core.s"
+        .include "print.s"
+        .data
+list:   .space  2000
+        .code
+        descriptor r10, list, 2000
+        load_constant r11, 1.5
+        INTVLV  r11, r11, [r10]
+        SUMV    [r10], r12
+        print_number r12
+        EXIT
+TEXT
+ends 0 "$build/c205" run vectors.s
+sed 1d out >whole.accounts
+ends 0 "$build/c205" run vectors.s --limit 700 --save middle
+tells out '^700 clocks'
+ends 0 "$build/c205" run --restore middle --limit 3000 --save middle
+tells out '^3000 clocks'
+ends 0 "$build/c205" run --restore middle
+tells out '^3001500'
+sed 1d out | cmp -s - whole.accounts
+verdict $? "a run that was stopped in vector instructions ends otherwise"
 ends 1 "$build/c205" run --restore early --limit 400
 tells err 'clock-limit'
 ends 1 "$build/c205" run --restore late good.s

@@ -1,8 +1,8 @@
 /* fuzz_machine.c - any words as a program.
  *
- * Whatever they do: the accounts sum to the clock; a program run at once and
- * one taken step by step end in the same way; an instruction that traps has
- * changed neither registers nor memory.
+ * Whatever they do: the accounts sum to the clock; a program run at once, one
+ * stopped every few clocks and one taken step by step end in the same way; an
+ * instruction that traps has changed neither registers nor memory.
  *
  * The first byte of a word is taken as a row of the instruction table when
  * there is such a row, and as the opcode otherwise: nearly all programs get
@@ -18,6 +18,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 #define CODE UINT64_C(0x400000)   /* page 1 */
 #define DATA UINT64_C(0x10000000) /* page 64, and nothing beside it */
 #define CLOCKS 100000
+#define SLICE 37
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 enum { WORD_BITS = 64, CODE_WORDS = 256, DATA_WORDS = 1024 };
 
@@ -117,15 +118,33 @@ static void check_same(const struct state *a, const struct state *b)
     must(memcmp(a, b, sizeof *a) == 0);
 }
 
-/* Step to where a run ended; gives the number of steps. */
-static size_t walk(c205 *machine, const c205_stop *end)
+static void begin(c205 *machine, const c205_word *code)
 {
-    const uint64_t limit = end->trap == C205_TRAP_CLOCK_LIMIT
-                               ? CLOCKS : C205_NO_LIMIT;
+    load(machine, code);
+    fill_registers(machine);
+}
+
+/* As c205_run(machine, CLOCKS). */
+static c205_stop run_slices(c205 *machine)
+{
+    c205_stop stop;
+    uint64_t limit = 0;
+
+    do {
+        limit = CLOCKS - limit < SLICE ? CLOCKS : limit + SLICE;
+        stop = c205_run(machine, limit);
+        check_accounts(machine);
+    } while (stop.trap == C205_TRAP_CLOCK_LIMIT && limit < CLOCKS);
+    return stop;
+}
+
+/* To where a run ended; gives the number of steps. */
+static size_t walk(c205 *machine)
+{
     c205_stop stop;
     size_t steps = 0;
 
-    while (c205_clock(machine) < limit && c205_step(machine, &stop))
+    while (c205_step(machine, &stop))
         steps++;
     return steps;
 }
@@ -136,8 +155,7 @@ static void check_trap(c205 *machine, const c205_word *code, size_t steps,
     static struct state before, after;
     c205_stop stop;
 
-    load(machine, code);
-    fill_registers(machine);
+    begin(machine, code);
     while (steps-- > 0)
         must(c205_step(machine, &stop));
     take_state(machine, &before);
@@ -147,30 +165,43 @@ static void check_trap(c205 *machine, const c205_word *code, size_t steps,
     check_same(&before, &after);
 }
 
+/* The machine has come to where the run ended. */
+static void check_end(const c205 *machine, const struct state *ran,
+                      uint64_t clock)
+{
+    static struct state state;
+
+    check_accounts(machine);
+    take_state(machine, &state);
+    check_same(ran, &state);
+    must(clock == c205_clock(machine));
+}
+
 static void run_and_walk(c205 *machine, const c205_word *code)
 {
-    static struct state ran, walked;
+    static struct state ran;
     c205_error text;
     c205_stop end;
     uint64_t clock;
     size_t steps;
 
-    load(machine, code);
-    fill_registers(machine);
+    begin(machine, code);
     end = c205_run(machine, CLOCKS);
-    check_accounts(machine);
     c205_describe_stop(machine, &end, &text);
     take_state(machine, &ran);
     clock = c205_clock(machine);
+    check_end(machine, &ran, clock);
 
-    load(machine, code);
-    fill_registers(machine);
-    steps = walk(machine, &end);
-    check_accounts(machine);
-    take_state(machine, &walked);
-    check_same(&ran, &walked);
-    must(clock == c205_clock(machine));
-    if (end.trap != C205_TRAP_NONE && end.trap != C205_TRAP_CLOCK_LIMIT)
+    begin(machine, code);
+    must(run_slices(machine).trap == end.trap);
+    check_end(machine, &ran, clock);
+    if (end.trap == C205_TRAP_CLOCK_LIMIT)
+        return;
+
+    begin(machine, code);
+    steps = walk(machine);
+    check_end(machine, &ran, clock);
+    if (end.trap != C205_TRAP_NONE)
         check_trap(machine, code, steps, &end);
 }
 

@@ -5,33 +5,13 @@
 set -u
 build=$1 seconds=${2:-60}
 here=$(dirname "$0")
-root=$here/../..
 passed=0 failed=0
 
-seed() { # TARGET FILE ..: files of one corpus, by names that do not clash
-    folder=$build/corpus/$1
-    mkdir -p "$folder" "$build/found/$1"
-    shift
-    for file in "$@"; do
-        [ -f "$file" ] &&
-            cp "$file" "$folder/$(printf '%s' "${file#"$root"/}" | tr / _)"
-    done
-}
-
-seed asm "$root"/tests/programs/*.s "$root"/tests/programs/traps/*.s \
-    "$root"/asm/examples/*.s "$root"/tests/bugs/asm/*
-seed scene "$root"/scenes/*.pov "$root"/tests/scenes/*.pov \
-    "$root"/tests/bugs/scene/*
-seed object "$root"/tests/bugs/object/*
-seed machine "$root"/tests/programs/*.s "$root"/tests/bugs/machine/*
-for source in "$root"/tests/programs/*.s "$root"/asm/examples/*.s; do
-    "$build/c205" asm "$source" \
-        -o "$build/corpus/object/$(basename "$source" .s).o"
-done
-
+sh "$here/seed.sh" "$build/c205" "$build/corpus"
 for source in "$here"/fuzz_*.c; do
     target=$(basename "$source" .c)
     target=${target#fuzz_}
+    mkdir -p "$build/corpus/$target" "$build/found/$target"
     echo "fuzz_$target, $seconds s"
     if "$build/tests/fuzz/fuzz_$target" -max_total_time="$seconds" \
         -timeout=10 -len_control=0 -rss_limit_mb=4096 -print_final_stats=0 \

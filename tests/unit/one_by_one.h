@@ -92,7 +92,7 @@ static c205_word padding(const c205_insn *row)
 
 static c205_word scalar(struct insn *i, unsigned number)
 {
-    bool zero = number == 0 && i->row->operands[0] != 'u';
+    bool zero = number == 0 && !strchr("ul", i->row->operands[0]);
     return zero ? C205_MACHINE_ZERO : i->o->reg[number];
 }
 
@@ -530,7 +530,7 @@ static struct insn describe(struct other *o, const c205_insn *row,
     bool strings = is_string(row);
     int64_t width = strings ? 1 : 64, offset = 0;
     char letter =
-        row->operands[strcspn(row->operands, "dec")];
+        row->operands[strcspn(row->operands, "deqco")];
     memset(&i, 0, sizeof i);
     i.o = o;
     i.row = row;

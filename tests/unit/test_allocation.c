@@ -125,7 +125,8 @@ static void judge(const struct outcome *outcome, const struct outcome *wanted,
     }
 }
 
-static void exhaust(task *work)
+/* Once: with all that follow only. */
+static void exhaust(task *work, bool once)
 {
     struct outcome wanted = attempt(work, 0, false);
     size_t calls = host.calls;
@@ -133,7 +134,7 @@ static void exhaust(task *work)
         fail_msg("%s", wanted.error.message);
     assert_true(calls > 0);
     for (size_t fails = 1; fails <= calls; fails++)
-        for (int for_good = 0; for_good < 2; for_good++) {
+        for (int for_good = once; for_good < 2; for_good++) {
             struct outcome outcome = attempt(work, fails, for_good);
             judge(&outcome, &wanted, fails);
             drop(&outcome);
@@ -220,6 +221,65 @@ static bool assemble_one(FILE *out, c205_error *error)
         return false;
     object_write(made, &sink);
     listing(made, &sink);
+    object_free(made);
+    return true;
+}
+
+/* A label as long as that moves all that comes after it in its block of
+ * memory, so that another one of them needs the next block. */
+enum { LABEL_MOST = 65000, LABEL_STEP = 47 };
+static const char more_text[] =
+    "        .regs   r40, one, two, three\n"
+    "        .macro  fill value, count=2\n"
+    "        .rept   \\count\n"
+    "        .word   \\value + \\+\n"
+    "        .endr\n"
+    "        .endm\n"
+    "        .data\n"
+    "        fill    5\n"
+    "        fill    -a + 7 * (size << 2), 3\n"
+    "        .vector list, 4, 1.0, -2.5\n"
+    "        .bitvector bits, 70, \"1 01\"\n"
+    "        .descriptor 4, list\n"
+    "        .half   1, 2\n"
+    "        .if     size == 3\n"
+    "        .ifdef  nothing\n"
+    "        .error  \"wrong\"\n"
+    "        .else\n"
+    "        .equ    late, 5\n"
+    "        .endif\n"
+    "        .endif\n"
+    "        .org    0x20000000\n"
+    "        .code\n"
+    "        .entry  begin\n"
+    "begin:  IBXLT   one, two, three, begin, one\n"
+    "        CFPGE   one, two, [three]\n"
+    "        ADDNV   -|[one, two]|, three, [r60, r61] ? [r70]\n"
+    "        .kernel \"a b\"\n"
+    "        BIM     begin\n"
+    "        .endkernel\n"
+    "; expect: r10 = -late\n"
+    "; expect: [list + 64] = 1.0, X'FFD2 4000 0000 0000'\n"
+    "; expect-bits: [bits] = 101\n"
+    "; expect-flags: 0\n"
+    "; expect-clocks: 5\n"
+    "; expect-trap: bad-link\n";
+static char long_text[LABEL_MOST + sizeof program_text + sizeof more_text];
+
+static void begin_with_label(size_t length)
+{
+    memset(long_text, 'x', length);
+    strcpy(long_text + length, length ? ":\n" : "");
+    strcat(long_text + length, program_text);
+    strcat(long_text + length, more_text);
+}
+
+static bool assemble_long(FILE *out, c205_error *error)
+{
+    struct object *made = assembled(long_text, error);
+    if (!made)
+        return false;
+    fprintf(out, "%zu symbols\n", made->symbol_count);
     object_free(made);
     return true;
 }
@@ -393,9 +453,18 @@ static bool write_json(FILE *out, c205_error *error)
     static void test_##task(void **state) \
     { \
         (void)state; \
-        exhaust(task); \
+        exhaust(task, false); \
     }
 TASKS(TEST)
+
+static void test_any_block(void **state)
+{
+    (void)state;
+    for (size_t length = 0; length < LABEL_MOST; length += LABEL_STEP) {
+        begin_with_label(length);
+        exhaust(assemble_long, true);
+    }
+}
 
 static int prepare(void **state)
 {
@@ -418,6 +487,8 @@ static int tidy(void **state)
 int main(void)
 {
 #define LISTED(task) cmocka_unit_test(test_##task),
-    const struct CMUnitTest tests[] = { TASKS(LISTED) };
+    const struct CMUnitTest tests[] = {
+        TASKS(LISTED) cmocka_unit_test(test_any_block)
+    };
     return cmocka_run_group_tests_name("allocation", tests, prepare, tidy);
 }

@@ -105,7 +105,9 @@ static const char sample[] =
     "v: .word 1, 2, 3, 4, 5, 0, 0, 0, 0, 0, 0, 6\n"
     " .space 100\n"
     "; expect: r5 = -1.5\n"
+    "; expect: h5 = -1.5\n"
     "; expect: [v] = 1, 2\n"
+    "; expect-halves: [v] = 1, 2.5\n"
     "; expect-bits: [v] = 1 0\n"
     "; expect-flags: X'20'\n"
     "; expect-clocks: 100\n"
@@ -228,7 +230,11 @@ static void test_refused_files(void **state)
     check_refused("c205-object 1\nzeros 40 99999999\nend\n", "too large");
     check_refused("c205-object 1\nzeros FFFFFFFFFFC0 2\nend\n",
                   "the last address");
+    check_refused("c205-object 1\nzeros 0 40000000\nzeros 200000000 40000000\n"
+                  "end\n", "too many words");
     check_refused("c205-object 1\nregion 40 40 x\nend\n", "after it begins");
+    check_refused("c205-object 1\nexpect half 0 0 0 1 x\nend\n",
+                  "number of words");
     check_refused("c205-object 1\nexpect clocks 0 0 0 1 x\nend\n",
                   "number of words");
     check_refused("c205-object 1\nend\nend\n", "follows");

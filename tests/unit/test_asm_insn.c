@@ -5,7 +5,7 @@
 #include "tests/random.h"
 
 static const char names[] = " .regs r16, a, x, b, y, c, o, z, s\n"
-                            " .reg c2, r20\n";
+                            " .reg c2, r20\n .regs h50, h, i, j\n";
 
 static c205_word encoding(const char *instruction)
 {
@@ -72,7 +72,32 @@ static void test_encodings(void **state)
         { "VXTOV [a], [b], [c, o]", 0xBA20001000120014 },
         { "VTOVX [a], b, [c]", 0xB708001000120014 },
         { "XORB [a], [b], [c]", 0xF000001000120014 },
-        { "LINKV", 0x5600000000000000 }
+        { "LINKV", 0x5600000000000000 },
+        { "ADDNH h, h255, i", 0x4232FF3300000000 },
+        { "RTORH h0, H9", 0x5800000900000000 },
+        { "CON a, h", 0x7610003200000000 },
+        { "EXTH i, a", 0x5C33001000000000 },
+        { "LODH [a, x], j", 0x5E10113400000000 },
+        { "STOH [a], h", 0x5F10003200000000 },
+        { "BHLT h, i, [c]", 0x2332331400000000 },
+        { "EXH h, -1", 0xCD32FFFFFF000000 },
+        { "IXH h3, X'800000'", 0xCE03800000000000 },
+        { "WJTIME a", 0x3A10000000000000 },
+        { "RJTIME a", 0x3700001000000000 },
+        { "ADDNV,H [a], [b], [c]", 0x8280001000120014 },
+        { "addnv,h -|h|, [b, y], [c, o] ?! [z]", 0x82F6003213121614 },
+        { "ANDV,H [a], j, [c]", 0x9D89001000340014 },
+        { "INTVLV,H h, i, [c]", 0xDF80003200330014 },
+        { "SUMV,H [a], h ? [z]", 0xDA80001000001632 },
+        { "MAXV,H [a], h254", 0xD8800010000000FE },
+        { "SELEQV,H [a], h, s", 0xC088001000320017 },
+        { "SCHEQV,H h, [b], [c, o]", 0xC8B0003200120014 },
+        { "VXTOV,H [a], [b], [c]", 0xBA80001000120014 },
+        { "VTOVX,H [a], h, [c]", 0xB788001000320014 },
+        { "ADDNS,H [a, x], [b, y], [c, o], [z]", 0xA2A0111013121614 },
+        { "CPSV,H h, [c] ? [z]", 0xBC90003200001614 },
+        { "CONV s, [c, o]", 0x9630001700000014 },
+        { "EXTV -h, [c]", 0x9C14003200000014 }
     };
     size_t i;
 
@@ -118,7 +143,34 @@ static void test_errors(void **state)
         { "EXIT a, b, 256", 12, "from 0 to 255" },
         { "BIM -1", 5, "from 0 to" },
         { "IBXLT a, x, z, 0x700000, c", 1, "half words away" },
-        { "IBXLT a, x, z, 0x400010, c", 1, "on a half word" }
+        { "IBXLT a, x, z, 0x400010, c", 1, "on a half word" },
+        { "ADDN a, h, c", 9, "a whole register, r0 .. r255, found the half"
+                             " register h50" },
+        { "ADDNH h, i, a", 13, "a half register, h0 .. h255, found the whole"
+                               " register r16" },
+        { "ADDNH h, i, h256", 13, "a register" },
+        { "ADDNV [a], h, [c]", 12, "a whole register" },
+        { "ADDNV,H [a], b, [c]", 14, "a half register" },
+        { "ADDNV,H [h], [b], [c]", 10, "a whole register" },
+        { "SUMV,H [a], s", 13, "a half register" },
+        { "SELEQV,H [a], [b], h", 20, "a whole register" },
+        { "ADDNV,H [a, h], [b], [c]", 13, "a whole register" },
+        { "ADDNV,H [a], [b], [c] ? [h]", 26, "a whole register" },
+        { "VXTOV,H [h], [b], [c]", 10, "a whole register" },
+        { "CONV h, [c]", 6, "a whole register" },
+        { "EXTV s, [c]", 6, "a half register" },
+        { "LINKV,H", 6, "LINKV has no form with ,H" },
+        { "ADDNH,H h, i, j", 6, "ADDNH has no form with ,H" },
+        { "ADDNV,Q [a], [b], [c]", 7, "expected H, for 32-bit operands" },
+        { "EXH h, 0x1000000", 8, "from -8388608 to 16777215" },
+        { "MAXV [a], r255", 11, "255 is the last" },
+        { "MINV,H [a], h255", 13, "255 is the last" },
+        { "ADDNV [a], [b], [r255, r0]", 17, "there is none after r255" },
+        { "SUMV a, s", 6, "a source must be a vector" },
+        { "SELEQV a, b, s", 8, "a source must be a vector" },
+        { "ACPSV a, b, [c], [z]", 7, "a source must be a vector" },
+        { "ADDNV [a], [b], [c] ? [r0]", 23, "r0 is no control vector" },
+        { "CPSV [a], [c] ?! [r0]", 18, "r0 is no control vector" }
     };
     size_t i;
 
@@ -130,7 +182,7 @@ static void test_errors(void **state)
         snprintf(text, sizeof text, "%s%s\n", names, cases[i].text);
         assert_null(assemble_text("test.s", text, NULL, &errors));
         assert_int_equal(errors.count, 1);
-        assert_int_equal(errors.items[0].line, 3);
+        assert_int_equal(errors.items[0].line, 4);
         if (!strstr(errors.items[0].message, cases[i].message)
             || errors.items[0].column != cases[i].column)
             fail_msg("%s: %zu: %s", cases[i].text, errors.items[0].column,
@@ -183,11 +235,63 @@ static void test_round_trip(void **state)
         check_round_trip(xorshift(&seed));
 }
 
+/* Every row is written, not as data, in each size that it has. */
+static void check_written(const c205_insn *insn, uint8_t g)
+{
+    c205_fields fields = { insn->opcode, 0, 0, 7, 0, 8, 9, 10, 7, 8, 10, 3 };
+    char text[DISASSEMBLE_TEXT_SIZE];
+    c205_word word;
+
+    fields.g = (uint8_t)(insn->subop | g);
+    word = c205_encode(insn, &fields);
+    disassemble_one(word, 0x40000000, text);
+    if (strncmp(text, insn->mnemonic, strlen(insn->mnemonic)) != 0
+        || (strstr(text, ",H") != NULL) != (g != 0))
+        fail_msg("%s: %s", insn->mnemonic, text);
+    check_round_trip(word);
+}
+
+static void test_sizes(void **state)
+{
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < c205_insn_count; i++) {
+        check_written(&c205_insns[i], 0);
+        if (c205_insns[i].flags & C205_INSN_HALF)
+            check_written(&c205_insns[i], C205_G_HALF);
+    }
+}
+
+/* What no machine executes is no text. */
+static void test_refused(void **state)
+{
+    static const c205_word words[] = {
+        0xDA10001000000017, /* SUMV r16, r23 */
+        0xC018001000120017, /* SELEQV r16, r18, r23 */
+        0xD8000010000000FF, /* MAXV [r16], r255 */
+        0xD8800010000000FF, /* MAXV,H [r16], h255 */
+        0x82200010001200FF, /* ADDNV [r16], [r18], [r255, r0] */
+        0x8240001000120014, /* ADDNV [r16], [r18], [r20] ?! [r0] */
+        0xBC00001000000014, /* CPSV [r16], [r20] ? [r0] */
+        0xF080001000120014  /* XORB with 32-bit operands */
+    };
+    char text[DISASSEMBLE_TEXT_SIZE];
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < sizeof words / sizeof *words; i++) {
+        assert_int_equal(disassemble_one(words[i], 0, text), 1);
+        assert_memory_equal(text, ".half", 5);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_encodings), cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_round_trip)
+        cmocka_unit_test(test_round_trip), cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_refused)
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

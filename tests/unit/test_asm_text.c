@@ -45,6 +45,35 @@ static void test_data(void **state)
     object_free(object);
 }
 
+static void test_half_words(void **state)
+{
+    struct object *object = good(
+        " .equ tenth, 0.1\n"
+        " .data\n"
+        " .halfword 1.5, -2.0, -2, tenth, X'7012 3456', 1e99, 1e-99\n"
+        "odd: .halfvector v, 3, 1.0, -0.1\n"
+        " .halfvector large, 1001\n"
+        "last: .half 7\n"
+        " .halfvector none, 0\n"
+        " .word 8\n");
+    const c205_program *program = &object->program;
+
+    (void)state;
+    assert_int_equal(word_of(program, DATA), 0xEA600000EA800000);
+    assert_int_equal(word_of(program, DATA + 64), 0x00FFFFFEE6666666);
+    assert_int_equal(word_of(program, DATA + 128), 0x7012345670000000);
+    assert_int_equal(word_of(program, DATA + 192), 0x80000000EA400000);
+    assert_int_equal(word_of(program, DATA + 256), 0xE699999900000000);
+    assert_int_equal(object_symbol(object, "odd")->value, DATA + 7 * 32);
+    assert_int_equal(object_symbol(object, "v")->value, DATA + 7 * 32);
+    assert_int_equal(object_symbol(object, "large")->value, DATA + 10 * 32);
+    assert_int_equal(object_symbol(object, "last")->value, DATA + 1011 * 32);
+    assert_int_equal(word_of(program, DATA + 1010 * 32), 7);
+    assert_int_equal(object_symbol(object, "none")->value, DATA + 1012 * 32);
+    assert_int_equal(word_of(program, DATA + 1012 * 32), 8);
+    object_free(object);
+}
+
 static void test_places(void **state)
 {
     struct object *object = good(
@@ -172,6 +201,10 @@ static void test_registers_are_named_anew(void **state)
     (void)state;
     assert_int_equal(first_word(" .reg x, r1\n .reg x, r2\n RTOR x, r3\n",
                                 CODE), 0x7802000300000000);
+    assert_int_equal(first_word(" .reg x, r1\n .regs h8, y, x\n"
+                                " RTORH y, x\n", CODE), 0x5808000900000000);
+    assert_int_equal(first_word(" .reg x, h1\n .reg x, r9\n RTOR x, r3\n",
+                                CODE), 0x7809000300000000);
 }
 
 struct failure {
@@ -201,6 +234,7 @@ static void test_errors(void **state)
         { " .frob 1\n", 1, "a directive" },
         { "a:\n\na: EXIT\n", 3, "defined already, in test.s:1" },
         { "r5: EXIT\n", 1, "is a register" },
+        { "h5: EXIT\n", 1, "is a register" },
         { " .equ A, 1\n .equ A, 2\n", 2, "defined already" },
         { " .equ A, later\nlater:\n", 1, "not defined before this line" },
         { " .space later\nlater:\n", 1, "not defined before this line" },
@@ -215,7 +249,9 @@ static void test_errors(void **state)
         { " .org 0x400000\n EXIT\n .org 0x400000\n EXIT\n", 4,
           "taken already, by test.s:2" },
         { " .regs r254, a, b, c\n", 1, "after r255" },
+        { " .regs h254, a, b, c\n", 1, "after h255" },
         { " .reg a, b\n", 1, "a register" },
+        { " .reg a, h5\n .word a\n", 2, "'a' is a register" },
         { " .vector v, 2, 1, 2, 3\n", 1, "more than the vector holds" },
         { " .bitvector v, 2, \"111\"\n", 1, "more bits" },
         { " .bitvector v, 2, \"12\"\n", 1, "the digits 0 and 1" },
@@ -223,6 +259,11 @@ static void test_errors(void **state)
         { " .text \"abc\n", 1, "without its closing" },
         { " .descriptor 65536, 0\n", 1, "a length" },
         { " .half 0x100000000\n", 1, "32 bits" },
+        { " .halfword 0x1000000\n", 1, "24 bits" },
+        { " .halfword -0x800001\n", 1, "24 bits" },
+        { " .halfword X'1 0000 0000'\n", 1, "8 hex digits" },
+        { " .halfvector v, 2, 1, 2, 3\n", 1, "more than the vector holds" },
+        { " .halfvector v, -1\n", 1, "a length" },
         { " .entry 0\n .entry 0\n", 2, "an .entry already" },
         { " .entry nowhere\n", 1, "not defined" },
         { " .kernel a\n EXIT\n", 1, "no .endkernel" },
@@ -249,6 +290,9 @@ static void test_errors(void **state)
         { " .rept 0x4000000\n\n .endr\n", 2, "too much text" },
         { "; expect-nothing: 5\n", 1, "expected expect:" },
         { "; expect: r5 = 1, 2\n", 1, "one value" },
+        { "; expect: h5 = 1, 2\n", 1, "one value" },
+        { "; expect: h5 = 0x1000000\n", 1, "24 bits" },
+        { "; expect-halves: [0]\n", 1, "'='" },
         { "; expect: 5 = 1\n", 1, "a register" },
         { "; expect-trap: none\n", 1, "the name of a trap" },
         { "; expect-bits: [0] = 12\n", 1, "digits 0 and 1" },
@@ -301,7 +345,8 @@ static void test_missing_file(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_data), cmocka_unit_test(test_places),
+        cmocka_unit_test(test_data), cmocka_unit_test(test_half_words),
+        cmocka_unit_test(test_places),
         cmocka_unit_test(test_entry_is_the_first_instruction),
         cmocka_unit_test(test_regions), cmocka_unit_test(test_macros),
         cmocka_unit_test(test_macro_in_brackets),

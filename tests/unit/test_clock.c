@@ -268,6 +268,7 @@ static uint64_t gather_clocks(struct clock *clock, const c205_word *indices,
     clock_reset(clock);
     effect.elements = effect.index_count = count;
     effect.indices = indices;
+    effect.table_step = 64;
     charge(clock, insn("VXTOV", 1, 2, 0), &effect);
     clock_drain(clock);
     return clocks_for(clock, C205_BANK_CONFLICT) +
@@ -543,7 +544,8 @@ static void test_vector_pages(void **state)
     effect = no_effect;
     effect.elements = effect.index_count = 4;
     effect.indices = indices;
-    effect.base = 3 * PAGE;
+    effect.table = 3 * PAGE;
+    effect.table_step = 64;
     charge(clock, insn("VXTOV", 1, 2, 0), &effect);
     clock_drain(clock);
     assert_int_equal(clocks_for(clock, C205_PAGE_FAULT), 2000);
@@ -574,6 +576,7 @@ static void random_instruction(struct clock *clock, c205_word *indices)
         effect.elements = random_bits() % 100;
     if (row->timing == C205_TIMING_vgather)
         effect.indices = indices;
+    effect.table_step = 64;
     charge(clock, decoded, &effect);
 }
 

@@ -158,9 +158,9 @@ static const char *allowed_letters(const char **syntax, bool *bracket)
     if (c == '@')
         return "t";
     if (islower((unsigned char)c))
-        return "vu";
+        return "vulV";
     if (c != 'I')
-        return *bracket ? "iudecxb" : "fiwm";
+        return *bracket ? "iuldeqcoxbD" : "fiwmkFIWM";
     while (isdigit((unsigned char)**syntax))
         ++*syntax;
     return "n";

@@ -261,7 +261,9 @@ static void test_undefined(void **state)
         const char *mnemonic;
         c205_fields fields;
     } wrong[] = {
-        { "ADDNV", { .g = C205_G_HALF, .a = 1, .b = 1, .c = 1 } },
+        { "CONV", { .g = C205_G_HALF, .a = 1, .c = 1 } },
+        { "XORB", { .g = C205_G_HALF, .a = 1, .b = 1, .c = 1 } },
+        { "MAXV", { .g = C205_G_HALF, .a = 1, .c = 255 } },
         { "ADDNV", { .g = C205_G_ZEROS, .a = 1, .b = 1, .c = 1 } },
         { "ADDNV", { .g = C205_G_OFFSET, .a = 1, .b = 1, .c = 255 } },
         { "ADDNV", { .g = C205_G_BROADCAST_A, .x = 5, .a = 1, .c = 1 } },
@@ -475,6 +477,15 @@ static void test_regions(void **state)
     assert_false(c205_load(little.machine, &program, &error));
     assert_string_equal(error.message,
                         "the region late overlaps another, at 400040");
+    regions[1].end = CODE - 32;
+    assert_false(c205_load(little.machine, &program, &error));
+    assert_string_equal(error.message,
+                        "the region early ends before it begins, at 400000");
+    program.region_count = 0;
+    segment.address = CODE + 32;
+    assert_false(c205_load(little.machine, &program, &error));
+    assert_string_equal(error.message,
+                        "a segment at 400020 does not begin at a word");
     free_little(&little);
 }
 

@@ -184,6 +184,18 @@ static void test_files(void **state)
     assert_string_equal(c205_model_name(model), path);
     assert_string_equal(c205_model_title(model), "From a file");
     c205_model_free(model);
+    file = fopen(path, "w");
+    assert_non_null(file);
+    fputs("title Long\nlike cyber205-1pipe\n", file);
+    for (int i = 0; i < 5000; i++)
+        fputs("# a remark that takes some room\n", file);
+    fputs("latency.load 99 clk R\n", file);
+    fclose(file);
+    model = c205_model_find(path, &error);
+    remove(path);
+    assert_non_null(model);
+    assert_string_equal(c205_model_lookup(model, "latency.load")->text, "99");
+    c205_model_free(model);
     assert_null(c205_model_find("no/such/file", &error));
     assert_string_equal(error.message,
                         "cannot read the machine model no/such/file");

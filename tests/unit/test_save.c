@@ -1,6 +1,6 @@
 /* Saving and restoring: a run that was broken off ends like one that was not,
  * and nothing but a whole saved machine is taken for one. */
-#include "tests/unit/asm_helper.h"
+#include "tests/unit/saved_machine.h"
 
 #include "rt/trace.h"
 #include "tests/random.h"
@@ -9,68 +9,8 @@
 
 enum { WORD_BYTES = 8 };
 
-struct bytes {
-    size_t count, room; /* room 0: it grows */
-    unsigned char *byte;
-};
-
 static c205_model *model;
 static uint64_t random_state = RANDOM_SEED;
-
-static bool append(void *context, const void *more, size_t count)
-{
-    struct bytes *bytes = context;
-    unsigned char *byte = realloc(bytes->byte, bytes->count + count);
-    assert_non_null(byte);
-    bytes->byte = byte;
-    if (bytes->room && bytes->count + count > bytes->room)
-        return false;
-    memcpy(byte + bytes->count, more, count);
-    bytes->count += count;
-    return true;
-}
-
-static struct bytes save(const c205 *machine)
-{
-    struct bytes bytes = { 0, 0, NULL };
-    c205_error error = { "" };
-    if (!c205_save(machine, append, &bytes, &error))
-        fail_msg("%s", error.message);
-    return bytes;
-}
-
-static c205 *restore(const struct bytes *bytes)
-{
-    c205_error error = { "" };
-    c205 *machine = c205_restore(bytes->byte, bytes->count, model, &error);
-    if (!machine)
-        fail_msg("%s", error.message);
-    return machine;
-}
-
-/* All that a machine is, is saved: two with the same bytes are the same. */
-static void assert_same(const c205 *a, const c205 *b)
-{
-    struct bytes left = save(a), right = save(b);
-    assert_int_equal(left.count, right.count);
-    assert_memory_equal(left.byte, right.byte, left.count);
-    free(left.byte);
-    free(right.byte);
-}
-
-/* The machine in another one's place. */
-static c205 *replace(c205 *machine)
-{
-    struct bytes bytes = save(machine);
-    c205 *other = restore(&bytes);
-    assert_same(machine, other);
-    assert_int_equal(c205_clock(machine), c205_clock(other));
-    assert_int_equal(c205_loaded_program(machine),
-                     c205_loaded_program(other));
-    free(bytes.byte);
-    c205_free(machine);
-    return other;
-}
 
 static c205_stop run_in_pieces(c205 **machine, uint64_t clocks)
 {
@@ -84,13 +24,10 @@ static c205_stop run_in_pieces(c205 **machine, uint64_t clocks)
 /* From this state to the end, in one go and in pieces of so many clocks. */
 static void compare_runs(const struct bytes *begin, uint64_t clocks)
 {
-    c205 *whole = restore(begin), *broken = restore(begin);
+    c205 *whole = restore(begin, model), *broken = restore(begin, model);
     c205_stop one = c205_run(whole, C205_NO_LIMIT);
     c205_stop other = run_in_pieces(&broken, clocks);
-    assert_int_equal(one.trap, other.trap);
-    assert_int_equal(one.pc, other.pc);
-    assert_int_equal(one.address, other.address);
-    assert_int_equal(one.status, other.status);
+    assert_same_stop(&one, &other);
     assert_same(whole, broken);
     c205_free(whole);
     c205_free(broken);
@@ -98,28 +35,9 @@ static void compare_runs(const struct bytes *begin, uint64_t clocks)
 
 /* ---- Programs ------------------------------------------------------------ */
 
-static c205 *machine_with(const c205_program *program)
-{
-    c205_error error = { "" };
-    c205 *machine = c205_new(model, &error);
-    if (!machine || !c205_load(machine, program, &error))
-        fail_msg("%s", error.message);
-    return machine;
-}
-
-static c205 *machine_from(const char *path)
-{
-    struct asm_errors errors = { 0, NULL };
-    struct object *object = assemble_file(path, NULL, &errors);
-    assert_non_null(object);
-    c205 *machine = machine_with(&object->program);
-    object_free(object);
-    return machine;
-}
-
 static void compare_program(const char *path, uint64_t clocks)
 {
-    c205 *machine = machine_from(path);
+    c205 *machine = machine_from(path, model);
     struct bytes begin = save(machine);
     compare_runs(&begin, clocks);
     free(begin.byte);
@@ -175,7 +93,7 @@ static void test_kernels(void **state)
 static void test_access(void **state)
 {
     const uint64_t address = UINT64_C(0xFFFFFFFFFFC0);
-    c205 *machine = machine_from("asm/examples/dot.s");
+    c205 *machine = machine_from("asm/examples/dot.s", model);
     c205_word word = 205;
     c205_error error;
     uint64_t fault;
@@ -250,7 +168,7 @@ static void seal(struct bytes *bytes)
 
 static struct bytes in_the_middle(uint64_t clock)
 {
-    c205 *machine = machine_from("asm/examples/lookup.s");
+    c205 *machine = machine_from("asm/examples/lookup.s", model);
     assert_int_equal(c205_run(machine, clock).trap, C205_TRAP_CLOCK_LIMIT);
     struct bytes bytes = save(machine);
     c205_free(machine);
@@ -367,11 +285,11 @@ static void test_same_constants(void **state)
 
 static void test_no_room(void **state)
 {
-    c205 *machine = machine_from("asm/examples/dot.s");
+    c205 *machine = machine_from("asm/examples/dot.s", model);
     c205_error error;
     (void)state;
     for (size_t room = 1; room < 4000; room += 97) {
-        struct bytes bytes = { 0, room, NULL };
+        struct bytes bytes = { 0, room, NULL, 0 };
         error.message[0] = '\0';
         assert_false(c205_save(machine, append, &bytes, &error));
         assert_true(error.message[0]);

@@ -73,7 +73,7 @@ static c205_fields random_fields(const c205_insn *row)
     bool sieve = row->format == C205_FORMAT_SIEVE;
     bool scan = row->format == C205_FORMAT_SCAN;
     bool sparse = row->format == C205_FORMAT_SPARSE;
-    char result = row->operands[strcspn(row->operands, "dec")];
+    char result = row->operands[strcspn(row->operands, "deqco")];
     uint64_t base = strings ? 5 : 1;
     c205_fields f;
     memset(&f, 0, sizeof f);

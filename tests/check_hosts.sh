@@ -1,0 +1,72 @@
+#!/bin/sh
+# check_hosts.sh BUILD MAKE [full] - the same bits and clocks, however the
+# machine was compiled: gcc and clang, without and with optimisation, loops
+# compiled for several processors or once; full: all of these, and valgrind.
+#
+# Each variant is built in a folder of its own and prints one number for the
+# final states, clocks and accounts of the examples, the test programs and some
+# random programs (tests/oracle/digest.c).  All must print the same.
+set -u
+build=$1 make=$2 size=${3:-quick}
+place=$build/hosts
+passed=0 failed=0
+first=
+mkdir -p "$place"
+
+once=-DNO_TARGET_CLONES
+[ "$size" = full ] && programs=20000 || programs=4000
+
+digest() { # NAME WRAPPER ..: into out/NAME
+    binary=$place/${1%%,*}/tests/oracle/digest
+    name=$1
+    shift
+    "$@" "$binary" -v -n "$count" asm/examples/*.s tests/programs/*.s \
+        >"$place/$name.txt" 2>"$place/$name.err"
+}
+
+compare() { # NAME WRAPPER ..: with the first that ran
+    name=$1
+    if ! digest "$@"; then
+        failed=$((failed + 1))
+        echo "FAIL $name:"
+        tail -n 5 "$place/$name.err"
+    elif [ -z "$first" ]; then
+        first=$name
+        echo "$(tail -n 1 "$place/$name.txt"), $name"
+    elif diff "$place/$first.txt" "$place/$name.txt" >"$place/$name.diff"; then
+        passed=$((passed + 1))
+        echo "as $first: $name"
+    else
+        failed=$((failed + 1))
+        echo "FAIL $name is not as $first; the first programs that differ:"
+        head -n 5 "$place/$name.diff"
+    fi
+}
+
+variant() { # NAME CC OPT [FLAG]
+    if "$make" --no-print-directory BUILD="$place/$1" CC="$2" OPT="$3" \
+        CFLAGS="-g ${4:-}" "$place/$1/tests/oracle/digest" \
+        >"$place/$1.make" 2>&1; then
+        compare "$1"
+    else
+        failed=$((failed + 1))
+        echo "FAIL $1 is not built:"
+        tail -n 5 "$place/$1.make"
+    fi
+}
+
+count=$programs
+variant gcc-O3 gcc -O3
+variant gcc-O0 gcc -O0
+variant gcc-O3-once gcc -O3 "$once"
+variant clang-O3 clang -O3
+if [ "$size" = full ]; then
+    variant gcc-O0-once gcc -O0 "$once"
+    variant clang-O0 clang -O0
+    count=200 first=
+    compare gcc-O3,plain
+    compare gcc-O3,valgrind valgrind --quiet --error-exitcode=9
+    compare gcc-O0,valgrind valgrind --quiet --error-exitcode=9
+fi
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

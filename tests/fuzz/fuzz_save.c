@@ -1,0 +1,159 @@
+/* fuzz_save.c - any bytes as a saved machine.
+ *
+ * As they are, and once more with the right hash in the last word, which
+ * chance would never find.  What is restored is a machine: saved again it
+ * gives the same bytes, what is saved of its twin after a few steps is what
+ * is saved of it, and the accounts sum to the clock, now and then.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "vm/c205.h"
+#include "vm/hash.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+#define CLOCKS 20000
+enum { WORD_BYTES = 8, STEPS = 20 };
+
+struct bytes {
+    size_t count, room;
+    uint8_t *byte;
+};
+
+static void must(bool holds)
+{
+    if (!holds)
+        abort();
+}
+
+static bool append(void *context, const void *more, size_t count)
+{
+    struct bytes *bytes = context;
+
+    if (bytes->count + count > bytes->room) {
+        bytes->room = 2 * (bytes->count + count);
+        bytes->byte = realloc(bytes->byte, bytes->room);
+        must(bytes->byte != NULL);
+    }
+    memcpy(bytes->byte + bytes->count, more, count);
+    bytes->count += count;
+    return true;
+}
+
+static struct bytes save(const c205 *machine)
+{
+    struct bytes bytes = { 0, 0, NULL };
+    c205_error error;
+
+    must(c205_save(machine, append, &bytes, &error));
+    return bytes;
+}
+
+static c205 *restore(const uint8_t *data, size_t size)
+{
+    static c205_model *model; /* read once */
+    c205_error error = { "" };
+    c205 *machine;
+
+    if (!model)
+        model = c205_model_find("cyber205-2pipe", &error);
+    if (!model)
+        return NULL;
+    machine = c205_restore(data, size, model, &error);
+    must(machine != NULL || error.message[0] != '\0');
+    return machine;
+}
+
+/* Whole words only, the last of them a hash of the others. */
+static size_t seal(uint8_t *byte, size_t size)
+{
+    const size_t words = size / WORD_BYTES;
+    uint64_t hash = HASH_BEGIN;
+
+    for (size_t i = 0; i + 1 < words; i++) {
+        uint64_t word = 0;
+        for (size_t k = 0; k < WORD_BYTES; k++)
+            word = word << 8 | byte[i * WORD_BYTES + k];
+        hash = hash_word(hash, word);
+    }
+    for (size_t k = 0; words > 0 && k < WORD_BYTES; k++)
+        byte[words * WORD_BYTES - 1 - k] = (uint8_t)(hash >> 8 * k);
+    return words * WORD_BYTES;
+}
+
+/* ---- What must hold ----------------------------------------------------- */
+
+static void check_accounts(const c205 *machine)
+{
+    uint64_t sum = 0;
+
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            sum += c205_account_at(machine, i)->clocks[cause];
+    must(sum == c205_clock(machine));
+}
+
+static void check_same(const c205 *a, const c205 *b)
+{
+    struct bytes left = save(a), right = save(b);
+
+    must(left.count == right.count
+         && memcmp(left.byte, right.byte, left.count) == 0);
+    free(left.byte);
+    free(right.byte);
+}
+
+static c205_stop go_on(c205 *machine)
+{
+    c205_stop stop = { .trap = C205_TRAP_NONE };
+    int steps = 0;
+
+    while (steps < STEPS && c205_step(machine, &stop))
+        steps++;
+    if (steps == STEPS)
+        stop = c205_run(machine, c205_clock(machine) + CLOCKS);
+    check_accounts(machine);
+    return stop;
+}
+
+/* The machine and its twin, which was saved and restored. */
+static void check_twins(c205 *machine)
+{
+    struct bytes bytes = save(machine);
+    c205 *twin = restore(bytes.byte, bytes.count);
+    c205_stop one, other;
+
+    must(twin != NULL);
+    check_accounts(machine);
+    check_same(machine, twin);
+    one = go_on(machine);
+    other = go_on(twin);
+    must(one.trap == other.trap && one.pc == other.pc);
+    check_same(machine, twin);
+    c205_free(twin);
+    free(bytes.byte);
+}
+
+static void try_bytes(const uint8_t *data, size_t size)
+{
+    c205 *machine = restore(data, size);
+
+    if (machine)
+        check_twins(machine);
+    c205_free(machine);
+}
+
+/* In a place as long as they are, so that reading beyond them is seen. */
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    uint8_t *sealed = malloc(size ? size : 1);
+
+    try_bytes(data, size);
+    must(sealed != NULL);
+    if (size > 0)
+        memcpy(sealed, data, size);
+    try_bytes(sealed, seal(sealed, size));
+    free(sealed);
+    return 0;
+}

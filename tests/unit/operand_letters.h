@@ -1,0 +1,101 @@
+/* operand_letters.h - what the instruction table says of the operands of an
+ * instruction: their letters (vm/insn.def), and which are half registers.
+ */
+#ifndef OPERAND_LETTERS_H
+#define OPERAND_LETTERS_H
+
+#include "vm/c205.h"
+
+#include <ctype.h>
+#include <string.h>
+
+/* R, S, T of the short formats are A, B, C. */
+enum role { ROLE_A, ROLE_B, ROLE_C, ROLE_X, ROLE_Y, ROLE_Z, ROLES };
+
+static inline int role_of_letter(char letter)
+{
+    switch (letter) {
+    case 'A': case 'a': case 'R': return ROLE_A;
+    case 'B': case 'b': case 'S': return ROLE_B;
+    case 'C': case 'T': return ROLE_C;
+    case 'X': return ROLE_X;
+    case 'Y': return ROLE_Y;
+    case 'Z': return ROLE_Z;
+    default: return -1;
+    }
+}
+
+/* A short or an immediate format has R, S and T. */
+static inline bool has_short_fields(const c205_insn *row)
+{
+    return !strpbrk(c205_format_syntax(row->format), "ABCab");
+}
+
+static inline uint8_t *field_of_role(c205_fields *fields,
+                                     const c205_insn *row, enum role role)
+{
+    const bool is_short = has_short_fields(row);
+
+    switch (role) {
+    case ROLE_A: return is_short ? &fields->r : &fields->a;
+    case ROLE_B: return is_short ? &fields->s : &fields->b;
+    case ROLE_C: return is_short ? &fields->t : &fields->c;
+    case ROLE_X: return &fields->x;
+    case ROLE_Y: return &fields->y;
+    default: return &fields->z;
+    }
+}
+
+/* What the row's operands say of a role; 0: it has none. */
+static inline char letter_of(const c205_insn *row, enum role role)
+{
+    const char *letters = row->operands;
+    const char *syntax = c205_format_syntax(row->format);
+
+    for (const char *p = syntax; *p && *letters; p++) {
+        const int found = role_of_letter(*p);
+        if (*p == '@' || *p == 'I')
+            letters++;
+        if (found < 0 || (p > syntax && p[-1] == '+'))
+            continue;
+        if (found == (int)role)
+            return *letters;
+        letters++;
+    }
+    return 0;
+}
+
+/* The same, a capital where the operands are of 32 bits. */
+static inline char sized_letter(const c205_insn *row, unsigned g,
+                                enum role role)
+{
+    const char letter = letter_of(row, role);
+    const bool half = row->flags & C205_INSN_HALF && g & C205_G_HALF;
+
+    return half && letter && strchr("fwvudcx", letter)
+               ? (char)toupper((unsigned char)letter)
+               : letter;
+}
+
+/* A register and no vector, though it may be broadcast as one. */
+static inline bool is_scalar(const c205_insn *row, unsigned g, enum role role)
+{
+    const char letter = (char)tolower((unsigned char)letter_of(row, role));
+
+    if (letter == 0 || strchr("fiwkm", letter))
+        return true;
+    return (role == ROLE_A && g & C205_G_BROADCAST_A
+            && strchr(c205_format_syntax(row->format), 'a'))
+           || (role == ROLE_B && g & C205_G_BROADCAST_B
+               && strchr(c205_format_syntax(row->format), 'b'));
+}
+
+static inline bool is_half_register(const c205_insn *row, unsigned g,
+                                    enum role role)
+{
+    const char letter = sized_letter(row, g, role);
+
+    return isupper((unsigned char)letter) && is_scalar(row, g, role);
+}
+
+#endif

@@ -1,0 +1,314 @@
+/* test_asm_errors.c - what is wrong with a statement, and where: one error
+ * each, at its column. */
+#include "tests/unit/asm_helper.h"
+
+struct failure {
+    const char *text;
+    size_t line, column;
+    const char *message;
+};
+
+static void check_one(const struct asm_errors *errors, const char *text,
+                      size_t line, size_t column, const char *message)
+{
+    if (errors->count != 1 || errors->items[0].line != line
+        || errors->items[0].column != column
+        || !strstr(errors->items[0].message, message))
+        fail_msg("%.200s\n%zu errors: %zu:%zu: %s", text, errors->count,
+                 errors->count ? errors->items[0].line : 0,
+                 errors->count ? errors->items[0].column : 0,
+                 errors->count ? errors->items[0].message : "");
+}
+
+static void check_failures(const struct failure *failure, size_t count)
+{
+    for (; count > 0; count--, failure++) {
+        struct asm_errors errors = { 0, NULL };
+        struct object *object = assemble_text("test.s", failure->text, NULL,
+                                              &errors);
+
+        check_one(&errors, failure->text, failure->line, failure->column,
+                  failure->message);
+        assert_null(object);
+        asm_errors_free(&errors);
+    }
+}
+
+#define CHECK(failures) \
+    check_failures(failures, sizeof failures / sizeof *failures)
+
+static void test_expressions(void **state)
+{
+    static const struct failure failures[] = {
+        { " .word\n", 1, 7, "expected a number, a name or '('" },
+        { " .word 1,\n", 1, 10, "expected a number" },
+        { " .word 1 2\n", 1, 10, "the end of the statement, found '2'" },
+        { " .word (1\n", 1, 10, "expected ')'" },
+        { " .word 1.5.2\n", 1, 8, "goes over into a name" },
+        { " .word 1/0\n", 1, 9, "division by zero" },
+        { " .word 1 % 0\n", 1, 10, "division by zero" },
+        { " .word 1 << 64\n", 1, 10, "0 to 63" },
+        { " .word 1.5 + 1\n", 1, 8, "expected an integer" },
+        { " .word 1 + later\n", 1, 12, "'later' is not defined" },
+        { " .word later + 1\n", 1, 8, "'later' is not defined" },
+        { " .word bits(5\n", 1, 14, "expected ')'" },
+        { " .word word(1.5)\n", 1, 13, "expected an integer" },
+        { " .word word(later)\n", 1, 13, "'later' is not defined" },
+        { " .word length(5)\n", 1, 15, "expected a string" },
+        { " .word length(\"a\"\n", 1, 18, "expected ')'" },
+        { " .word X'12345678901234567'\n", 1, 8, "1 to 16 hex digits" },
+        { " .word X'12\n", 1, 8, "ends with '" },
+        { " .word 99999999999999999999\n", 1, 8, "63 bits" },
+        { " .word -1000000000000000000000000000000000000000000000000000000000"
+          "000000000000000000000000000000.0\n", 1, 8, "78 characters" },
+    };
+
+    (void)state;
+    CHECK(failures);
+}
+
+static void test_directives(void **state)
+{
+    static const struct failure failures[] = {
+        { " .reg\n", 1, 6, "expected a name" },
+        { " .reg a r1\n", 1, 9, "expected ','" },
+        { " .regs 5\n", 1, 8, "expected a register" },
+        { " .regs r1, 5\n", 1, 12, "expected a name" },
+        { " .reg a, r1\na: EXIT\n", 2, 1, "defined already, in test.s:1" },
+        { "a: EXIT\n .reg a, r1\n", 2, 7, "defined already" },
+        { "a: EXIT\n .regs r1, a\n", 2, 12, "defined already" },
+        { " .equ r1, 5\n", 1, 7, "'r1' is a register" },
+        { " .equ a 5\n", 1, 9, "expected ','" },
+        { " .org )\n", 1, 7, "expected a number" },
+        { " .align 0\n", 1, 9, "from 32 to" },
+        { " .half )\n", 1, 8, "expected a number" },
+        { " .descriptor 1\n", 1, 15, "expected ','" },
+        { " .descriptor )\n", 1, 14, "expected a number" },
+        { " .descriptor 1, )\n", 1, 17, "expected a number" },
+        { " .descriptor 1, -5\n", 1, 17, "a bit address from 0" },
+        { " .descriptor 1, later\n", 1, 17, "'later' is not defined" },
+        { " .vector v, -1\n", 1, 13, "a length from 0" },
+        { " .vector v, 2, )\n", 1, 16, "expected a number" },
+        { " .bitvector v, 4, 5\n", 1, 19, "expected a string" },
+        { " .bitvector v, 70000000\n", 1, 16, "a length from 0" },
+        { " .text 5\n", 1, 8, "expected a string" },
+        { " .text \"a\\x4\"\n", 1, 10, "expected one of" },
+        { " .entry )\n", 1, 9, "expected a number" },
+        { " .kernel\n", 1, 9, "expected the kernel's name" },
+        { " .kernel \"\"\n EXIT\n", 1, 10, "a kernel has a name" },
+        { " .kernel \"a\\q\"\n", 1, 12, "expected one of" },
+        { " .error 5\n", 1, 9, "expected a string" },
+    };
+
+    (void)state;
+    CHECK(failures);
+}
+
+static void test_expansion(void **state)
+{
+    static const struct failure failures[] = {
+        { " .include 5\n", 1, 11, "expected a string" },
+        { " .include \"a\" b\n", 1, 15, "the end of the statement" },
+        { " .include \"/no such file\"\n", 1, 11, "cannot be read" },
+        { " .rept -1\n .endr\n", 1, 8, "a count from 0" },
+        { " .rept 1 2\n .endr\n", 1, 10, "the end of the statement" },
+        { " .macro\n .endm\n", 1, 8, "the macro's name" },
+        { " .macro m 5\n .endm\n", 1, 11, "a parameter's name" },
+        { " .macro m a b\n .endm\n", 1, 13, "expected ','" },
+        { " .ifdef 5\n .endif\n", 1, 9, "expected a name" },
+        { " .if 1 2\n .endif\n", 1, 8, "the end of the statement" },
+    };
+
+    (void)state;
+    CHECK(failures);
+}
+
+static void test_instructions(void **state)
+{
+    static const struct failure failures[] = {
+        { " ADDN r1, r2, r256\n", 1, 15, "expected a register" },
+        { " ADDN r1, r2, r3, r4\n", 1, 17, "the end of the statement" },
+        { " ADDNV [r1, ], [r2], [r3]\n", 1, 13, "expected a register" },
+        { " ADDNV [r1], [r2], [r3, r5]\n", 1, 25, "expected r4" },
+        { " ADDNV |[r1], [r2], [r3]\n", 1, 13, "expected '|'" },
+        { " ADDNV [r1], -[r2], [r3]\n", 1, 14, "only the first source" },
+        { " VXTOV [r1], [r2, r3], [r4]\n", 1, 17, "has no offset" },
+        { " CPSV [r1], [r2]\n", 1, 17, "expected a control vector" },
+        { " ES r1, 1.5\n", 1, 9, "expected an integer" },
+        { " IBXLT r1, r2, r3, 5, r1\n", 1, 1, "on a half word" },
+        { " IBXLT r1, r2, r3, later, r1\n", 1, 20, "'later' is not defined" },
+        { " BARB r1, r2, [r3], 16\n", 1, 21, "from 0 to 15" },
+        { " 5\n", 1, 2, "expected an instruction" },
+        { "a b\n", 1, 1, "an instruction or a macro" },
+        { ".frob\n", 1, 1, "expected a directive" },
+    };
+
+    (void)state;
+    CHECK(failures);
+}
+
+static void test_expectations(void **state)
+{
+    static const struct failure failures[] = {
+        { "; expect: r1\n", 1, 13, "expected '='" },
+        { "; expect: [0] 5\n", 1, 15, "expected '='" },
+        { "; expect: [0] = 5,\n", 1, 19, "expected a number" },
+        { "; expect: [)] = 1\n", 1, 12, "expected a number" },
+        { "; expect-bits: 5\n", 1, 16, "expected '['" },
+        { "; expect-bits: [5\n", 1, 18, "expected ']'" },
+        { "; expect-bits: [5] 1\n", 1, 20, "expected '='" },
+        { "; expect-bits: [later] = 1\n", 1, 17, "'later' is not defined" },
+        { "; expect-flags: 1, 2\n", 1, 18, "the end of the statement" },
+        { "; expect-clocks: later\n", 1, 18, "'later' is not defined" },
+        { "; expect-trap:\n", 1, 15, "the name of a trap" },
+    };
+
+    (void)state;
+    CHECK(failures);
+}
+
+/* ---- Bounds ------------------------------------------------------------ */
+
+/* begin, so many times the part, end */
+static char *repeated(const char *begin, const char *part, size_t times,
+                      const char *end)
+{
+    size_t length = strlen(part);
+    char *text = malloc(strlen(begin) + times * length + strlen(end) + 1);
+    char *at;
+
+    assert_non_null(text);
+    at = text + sprintf(text, "%s", begin);
+    for (; times > 0; times--, at += length)
+        memcpy(at, part, length);
+    strcpy(at, end);
+    return text;
+}
+
+static void check_long(char *text, size_t line, size_t column,
+                       const char *message)
+{
+    struct asm_errors errors = { 0, NULL };
+
+    assert_null(assemble_text("test.s", text, NULL, &errors));
+    check_one(&errors, text, line, column, message);
+    asm_errors_free(&errors);
+    free(text);
+}
+
+static void test_bounds(void **state)
+{
+    char *model = repeated(" .macro m a\n .text \"", "\\a", 100,
+                           "\"\n .endm\n m ");
+
+    (void)state;
+    check_long(repeated("a:", " ", 70000, "EXIT\n"), 1, 1, "too long");
+    check_long(repeated(model, "1234567890", 70, "\n"), 2, 1,
+               "too long a line");
+    free(model);
+    check_long(repeated("", " .if 1\n", 300, ""), 65, 1, "nested more than");
+    check_long(repeated(" .word ", "(", 300, "1\n"), 1, 208, "too deeply");
+    check_long(repeated(" .word later", " + later", 300, "\n"), 1, 1614,
+               "too deeply");
+    check_long(repeated(" .include \"", "long/", 1000, "name\"\n"), 1, 11,
+               "'long/long");
+}
+
+/* Carriage returns before the ends of lines do not matter. */
+static void test_line_ends(void **state)
+{
+    struct object *object = good(" .data\r\n .word 5 \r\n .word 6\r\n");
+
+    (void)state;
+    assert_int_equal(word_of(&object->program, 0x800000), 5);
+    assert_int_equal(word_of(&object->program, 0x800040), 6);
+    object_free(object);
+}
+
+/* ---- Names from outside ------------------------------------------------ */
+
+static void test_names_of_the_command(void **state)
+{
+    static const struct asm_define defines[] = { { "N", 2 }, { NULL, 0 } };
+    const struct asm_options options = { defines, NULL, NULL };
+    struct asm_errors errors = { 0, NULL };
+
+    (void)state;
+    assert_null(assemble_text("test.s", " EXIT\nN: EXIT\n", &options,
+                              &errors));
+    check_one(&errors, "N", 2, 1, "defined by the command already");
+    asm_errors_free(&errors);
+}
+
+static void test_search_folders(void **state)
+{
+    static const char *const folders[] = { "no such folder",
+                                           "tests/programs/", NULL };
+    static const char *const without[] = { "asm/examples", "tests/programs",
+                                           NULL };
+    const struct asm_options options = { NULL, folders, NULL };
+    const struct asm_options others = { NULL, without, NULL };
+    struct asm_errors errors = { 0, NULL };
+    struct object *object;
+
+    (void)state;
+    object = assemble_text("test.s", " .include \"scalar.inc\"\n EXIT\n",
+                           &options, &errors);
+    assert_non_null(object);
+    object_free(object);
+    object = assemble_text("test.s", " .include \"scalar.inc\"\n EXIT\n",
+                           &others, &errors);
+    assert_non_null(object);
+    object_free(object);
+    assert_int_equal(errors.count, 0);
+}
+
+/* ---- Operators --------------------------------------------------------- */
+
+static void test_operators(void **state)
+{
+    static const struct {
+        const char *expression;
+        int64_t value;
+    } cases[] = {
+        { "1 >= 1", 1 }, { "1 >= 2", 0 }, { "1 != 2", 1 }, { "2 != 2", 0 },
+        { "1 <= 0", 0 }, { "1 < 2", 1 }, { "2 > 1", 1 }, { "1 == 1", 1 },
+        { "!1", 0 }, { "!0", 1 }, { "-(5)", -5 }, { "~5", -6 },
+        { "7 % 4", 3 }, { "7 / 2", 3 }, { "1 && 0", 0 }, { "2 && 3", 1 },
+        { "0 || 0", 0 }, { "0 || 5", 1 }, { "1 || 1 / 0", 1 },
+        { "0 && 1 / 0", 0 }, { "1 ^ 3", 2 }, { "3 | 4", 7 }, { "6 & 3", 2 },
+        { "1 << 5", 32 }, { "64 >> 5", 2 }, { "2 + 3 * 4", 14 },
+        { "length(\"abc\")", 3 }, { "bits(word(77))", 77 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[80];
+        struct object *object;
+
+        snprintf(text, sizeof text, " EXIT\n .equ v, %s\n",
+                 cases[i].expression);
+        object = good(text);
+        if (object_symbol(object, "v")->value != cases[i].value)
+            fail_msg("%s is %lld", cases[i].expression,
+                     (long long)object_symbol(object, "v")->value);
+        object_free(object);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_expressions),
+        cmocka_unit_test(test_directives),
+        cmocka_unit_test(test_expansion),
+        cmocka_unit_test(test_instructions),
+        cmocka_unit_test(test_expectations),
+        cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_line_ends),
+        cmocka_unit_test(test_names_of_the_command),
+        cmocka_unit_test(test_search_folders),
+        cmocka_unit_test(test_operators)
+    };
+    return cmocka_run_group_tests_name("asm errors", tests, NULL, NULL);
+}

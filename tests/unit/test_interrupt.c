@@ -1,0 +1,539 @@
+/* Vector instructions that are interrupted: by the clock limit between any two
+ * elements, or by a page that is not there.  A run that goes on ends like one
+ * that was never stopped: same state, same clock, same accounts. */
+#include "tests/unit/machine_fixture.h"
+#include "tests/unit/saved_machine.h"
+
+#include "vm/machine.h"
+
+#include <ctype.h>
+
+#define F(...) ((c205_fields){ __VA_ARGS__ })
+
+static c205_model *model; /* of two pipes */
+static c205_model *slow;  /* one element or bit a clock, faults cost little */
+
+/* By row: was interrupted after some of its elements. */
+static bool *divided;
+
+/* ---- Stop by stop -------------------------------------------------------- */
+
+static void assert_sum(const c205 *machine)
+{
+    uint64_t sum = 0;
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            sum += c205_account_at(machine, i)->clocks[cause];
+    assert_int_equal(sum, c205_clock(machine));
+}
+
+static void check_stop(const c205 *machine, const c205_stop *stop,
+                       uint64_t limit)
+{
+    assert_sum(machine);
+    assert_int_equal(stop->pc, c205_pc(machine));
+    if (!machine->progress.interrupted) {
+        assert_true(c205_clock(machine) >= limit);
+        return;
+    }
+    assert_int_equal(c205_clock(machine), limit);
+    assert_int_equal(stop->insn->unit, C205_UNIT_VECTOR);
+    divided[stop->insn - c205_insns] |= machine->progress.first > 0;
+}
+
+/* To the end, so many clocks at a time. */
+static c205_stop run_broken(c205 **machine, uint64_t clocks, bool saving)
+{
+    c205_stop stop;
+    for (;;) {
+        uint64_t limit = c205_clock(*machine) + clocks;
+        stop = c205_run(*machine, limit);
+        if (stop.trap != C205_TRAP_CLOCK_LIMIT)
+            return stop;
+        check_stop(*machine, &stop, limit);
+        if (saving)
+            *machine = replace(*machine);
+    }
+}
+
+/* So many clocks at a time, or SAVED: in a few pieces, each on the machine
+ * that was restored after the one before. */
+enum { SAVED = 0, SAVED_PIECES = 7 };
+
+/* Two machines that are the same, which they still are at the end. */
+static void compare_ends(c205 *whole, c205 *broken, uint64_t clocks)
+{
+    c205_stop one = c205_run(whole, C205_NO_LIMIT);
+    bool saving = clocks == SAVED;
+    if (saving)
+        clocks = c205_clock(whole) / SAVED_PIECES + 1;
+    c205_stop other = run_broken(&broken, clocks, saving);
+    assert_same_stop(&one, &other);
+    assert_same(whole, broken);
+    c205_free(whole);
+    c205_free(broken);
+}
+
+/* ---- Every vector instruction -------------------------------------------- */
+
+static void compare_file(const char *path)
+{
+    compare_ends(machine_from(path, slow), machine_from(path, slow), 1);
+    compare_ends(machine_from(path, slow), machine_from(path, slow), SAVED);
+    compare_ends(machine_from(path, model), machine_from(path, model), 7);
+}
+
+static void compare_row(const c205_insn *insn)
+{
+    char path[64] = "tests/programs/";
+    size_t end = strlen(path);
+    for (const char *c = insn->mnemonic; *c; c++)
+        path[end++] = (char)tolower((unsigned char)*c);
+    snprintf(path + end, sizeof path - end, ".s");
+    compare_file(path);
+    if (!divided[insn - c205_insns])
+        fail_msg("%s was never interrupted between elements",
+                 insn->mnemonic);
+}
+
+static void test_rows(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < c205_insn_count; i++)
+        if (c205_insns[i].unit == C205_UNIT_VECTOR)
+            compare_row(c205_insns + i);
+}
+
+static void test_examples(void **state)
+{
+    static const char *const paths[] = {
+        "asm/examples/dot.s", "asm/examples/horner.s",
+        "asm/examples/interval_sum.s", "asm/examples/lookup.s",
+        "asm/examples/saxpy_linked.s", "asm/examples/saxpy_vector.s",
+        "asm/examples/sieve.s"
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++)
+        compare_file(paths[i]);
+}
+
+/* ---- Long vectors -------------------------------------------------------- */
+
+/* a = 1, 1.5, 2 ..; b = .5, 1.5, ..; lists of indices; every third bit. */
+static const char preamble[] =
+    "        .include \"core.s\"\n"
+    "        .equ    n, 3000\n"
+    "        .regs   r10, a, b, c, list, bits, more, next, one, half, x, y, z\n"
+    "        .regs   r30, zero, seven, three, short, coefficients, two\n"
+    "        .data\n"
+    "in_a:   .space  4000\n"
+    "in_b:   .space  4000\n"
+    "in_c:   .space  4000\n"
+    "in_list: .space 4000\n"
+    "in_bits: .space 100\n"
+    "in_more: .space 100\n"
+    "        .code\n"
+    "        descriptor a, in_a, n\n"
+    "        descriptor b, in_b, n\n"
+    "        descriptor c, in_c, n\n"
+    "        descriptor list, in_list, n\n"
+    "        descriptor bits, in_bits, n\n"
+    "        descriptor more, in_more, n\n"
+    "        descriptor next, in_a + 64, n\n"
+    "        descriptor short, in_b, 40\n"
+    "        descriptor coefficients, in_b, 7\n"
+    "        load_constant one, 1.0\n"
+    "        load_constant half, 0.5\n"
+    "        ES      zero, 0\n"
+    "        ES      two, 2\n"
+    "        ES      three, 3\n"
+    "        ES      seven, 7\n"
+    "        INTVLV  one, half, [a]\n"
+    "        INTVLV  half, one, [b]\n"
+    "        INTVLV  zero, seven, [list]\n"
+    "        MRKO    two, three, [bits]\n"
+    "        MRKZ    two, seven, [more]\n";
+
+/* Recurrences, results upon their operands, and the like. */
+static const char *const long_programs[] = {
+    "        ADDNV   [a], one, [next]\n",
+    "        ADDNV   [a, seven], [b], [a] ? [bits]\n",
+    "        LINKV\n"
+    "        MPYSV   [a], half, [c]\n"
+    "        ADDNV   [c], [b], [next] ?! [bits]\n",
+    "        INTVLV  one, half, [c] ? [bits]\n",
+    "        VREVV   [a], [a]\n",
+    "        MRGV    [a], [b], [next] ? [bits]\n"
+    "        MASKV   [a], [b], [b] ? [more]\n",
+    "        CPSV    [a], [a] ? [bits]\n"
+    "        CPSV    [b], [next] ?! [more]\n",
+    "        ACPSV   [a], [b], [next], [bits]\n",
+    "        SUMV    [a], x ? [bits]\n"
+    "        DOTV    [a], [b], y\n"
+    "        MAXV    [a], x ?! [bits]\n"
+    "        SELGEV  [a], two, z\n",
+    "        ELEN    list, 500\n"
+    "        VXTOV   [list], [a], [list]\n",
+    "        EX      x, in_list\n"
+    "        ELEN    list, 500\n"
+    "        VTOVX   [list], [a], [x]\n",
+    "        POLYV   [a], [coefficients], [next]\n",
+    "        SCHGEV  [short], [a], [c]\n"
+    "        SCHEQV  [b], [short], [next]\n",
+    "        ADDNS   [a, bits], [b, more], [c], [z]\n",
+    "        EX      z, in_more + 640\n"
+    "        RTOR    bits, c\n"
+    "        MPYSS   [a, bits], [b, more], [c], [z]\n",
+    "        XORB    [bits], [more], [bits]\n"
+    "        EX      x, in_bits + 1\n"
+    "        ELEN    x, 2500\n"
+    "        ORNB    [bits], [more], [x]\n"
+    "        MRGB    [bits], [more], [x] ? [more]\n"
+    "        CPSB    [bits], [x] ? [more]\n"
+    "        CNTLB   [bits], y\n"
+    "        CNTOB   [bits], z\n",
+};
+
+static void compare_text(const char *text, const c205_model *on,
+                         uint64_t clocks)
+{
+    char whole[4000];
+    snprintf(whole, sizeof whole, "%s%s        EXIT\n", preamble, text);
+    struct object *object = good(whole);
+    compare_ends(machine_with(&object->program, on),
+                 machine_with(&object->program, on), clocks);
+    object_free(object);
+}
+
+static void test_long_vectors(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof long_programs / sizeof *long_programs;
+         i++) {
+        compare_text(long_programs[i], model, 61);
+        compare_text(long_programs[i], slow, SAVED);
+    }
+}
+
+/* The instruction lies in its own result, which makes two EXITs of it. */
+static void test_overwritten_instruction(void **state)
+{
+    static const char program[] =
+        "        .data\n"
+        "code:   .word   X'0900000009000000', X'0900000009000000'\n"
+        "        .code\n"
+        "        EX      r5, code\n"
+        "        ELEN    r5, 2\n"
+        "        EX      r6, there\n"
+        "        ELEN    r6, 2\n"
+        "        .align  64\n"
+        "there:  VTOV    [r5], [r6]\n"
+        "        SUMV    [r6], r7\n"
+        "        EXIT\n";
+    struct object *object = good(program);
+    c205 *whole = machine_with(&object->program, slow);
+    c205 *broken = machine_with(&object->program, slow);
+    (void)state;
+    c205_stop one = c205_run(whole, C205_NO_LIMIT);
+    c205_stop other = run_broken(&broken, 1, true);
+    assert_int_equal(c205_register(whole, 7), 0);
+    assert_same_stop(&one, &other);
+    assert_same(whole, broken);
+    c205_set_pc(broken, one.pc - 64); /* now it is the new one */
+    assert_int_equal(c205_run(broken, C205_NO_LIMIT).pc, one.pc - 64);
+    c205_free(whole);
+    c205_free(broken);
+    object_free(object);
+}
+
+/* ---- What is seen in the middle ------------------------------------------ */
+
+/* c = a + a of 100 elements; then the sum. */
+static void load_sum(struct little *little)
+{
+    begin(little);
+    add(little, "ADDNV", F(.a = 1, .b = 1, .c = 2));
+    add(little, "SUMV", F(.a = 2, .c = 3));
+    add(little, "EXIT", F(.r = 0));
+    load(little, 300);
+    set(little, 1, descriptor(DATA, 100));
+    set(little, 2, descriptor(DATA + 200 * 64, 100));
+    for (size_t i = 0; i < 100; i++)
+        put_at(little, DATA + i * 64, C205_ONE);
+}
+
+static void assert_doubled(const struct little *little, size_t count)
+{
+    for (size_t i = 0; i < 100; i++)
+        assert_int_equal(word_at(little, DATA + (200 + i) * 64),
+                         i < count ? c205_from_double(2) : 0);
+}
+
+static uint64_t charged(const struct little *little, c205_cause cause)
+{
+    return c205_account_at(little->machine, 0)->clocks[cause];
+}
+
+static void test_in_the_middle(void **state)
+{
+    struct little little = make_little();
+    (void)state;
+    load_sum(&little);
+    c205_stop stop = c205_run(little.machine, 51 + 20);
+    assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
+    assert_int_equal(stop.pc, CODE);
+    assert_string_equal(stop.insn->mnemonic, "ADDNV");
+    assert_int_equal(c205_clock(little.machine), 71);
+    assert_int_equal(charged(&little, C205_VECTOR_STARTUP), 51);
+    assert_int_equal(charged(&little, C205_VECTOR_STREAM), 20);
+    assert_int_equal(c205_account_at(little.machine, 0)->instructions, 0);
+    assert_doubled(&little, 40);
+    /* at a clock that has come already nothing happens */
+    stop = c205_run(little.machine, 60);
+    assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
+    assert_int_equal(c205_clock(little.machine), 71);
+    assert_doubled(&little, 40);
+    stop = c205_run(little.machine, 51 + 30);
+    assert_doubled(&little, 60);
+    /* one step does what is left of it */
+    assert_true(c205_step(little.machine, &stop));
+    assert_doubled(&little, 100);
+    assert_int_equal(c205_pc(little.machine), CODE + 64);
+    free_little(&little);
+}
+
+/* A sum that is not complete is in no register. */
+static void test_result_at_the_end(void **state)
+{
+    struct little little = make_little();
+    c205_stop stop;
+    (void)state;
+    load_sum(&little);
+    assert_true(c205_step(little.machine, &stop));
+    uint64_t limit = c205_clock(little.machine) + 1;
+    while (c205_run(little.machine, limit).pc == CODE + 64
+           && !little.machine->progress.first)
+        limit++;
+    assert_int_equal(c205_pc(little.machine), CODE + 64);
+    assert_int_equal(get(&little, 3), 0);
+    assert_int_equal(run(&little).trap, C205_TRAP_NONE);
+    assert_int_equal(get(&little, 3), c205_from_double(200));
+    free_little(&little);
+}
+
+static uint64_t whole_time(struct little *little)
+{
+    load_sum(little);
+    assert_int_equal(run(little).trap, C205_TRAP_NONE);
+    return c205_clock(little->machine);
+}
+
+/* Setting the program counter gives the instruction up, but not its time. */
+static void test_given_up(void **state)
+{
+    struct little little = make_little();
+    uint64_t whole = whole_time(&little);
+    (void)state;
+    load_sum(&little);
+    c205_run(little.machine, 71);
+    c205_set_pc(little.machine, CODE);
+    assert_int_equal(c205_clock(little.machine), 71);
+    assert_int_equal(run(&little).trap, C205_TRAP_NONE);
+    assert_doubled(&little, 100);
+    assert_int_equal(c205_clock(little.machine), 71 + whole);
+    free_little(&little);
+}
+
+/* Resetting the clock does not. */
+static void test_reset_clock(void **state)
+{
+    struct little little = make_little();
+    uint64_t whole = whole_time(&little);
+    (void)state;
+    load_sum(&little);
+    c205_run(little.machine, 71);
+    c205_reset_clock(little.machine);
+    put_at(&little, DATA, C205_MACHINE_ZERO); /* has been read */
+    assert_int_equal(run(&little).trap, C205_TRAP_NONE);
+    assert_doubled(&little, 100);
+    assert_int_equal(c205_clock(little.machine), whole);
+    free_little(&little);
+}
+
+/* The limit comes before what is no instruction, too. */
+static void test_limit_before_undefined(void **state)
+{
+    struct little little = make_little();
+    (void)state;
+    load(&little, 1);
+    c205_stop stop = c205_run(little.machine, 0);
+    assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
+    assert_null(stop.insn);
+    assert_int_equal(run(&little).trap, C205_TRAP_UNDEFINED_INSTRUCTION);
+    free_little(&little);
+}
+
+/* ---- Pages --------------------------------------------------------------- */
+
+#define NEXT_PAGE (DATA + C205_PAGE_WORDS * UINT64_C(64))
+
+static void map_next_page(c205 *machine)
+{
+    c205_word words[60];
+    c205_error error;
+    for (size_t i = 0; i < 60; i++)
+        words[i] = C205_ONE;
+    assert_true(c205_map(machine, NEXT_PAGE, 60, C205_READ_WRITE, &error));
+    assert_true(c205_write(machine, NEXT_PAGE, words, 60));
+}
+
+/* A vector on both sides of the end of a page, with more in flight. */
+static void load_crossing(struct little *little)
+{
+    begin(little);
+    add(little, "LOD", F(.r = 4, .t = 5));
+    add(little, "DIVS", F(.r = 6, .s = 6, .t = 7));
+    add(little, "ADDNV", F(.a = 1, .b = 1, .c = 2));
+    add(little, "LOD", F(.r = 8, .t = 9));
+    add(little, "ADDN", F(.r = 9, .s = 7, .t = 10));
+    add(little, "EXIT", F(.r = 0));
+    load(little, 300);
+    set(little, 1, descriptor(NEXT_PAGE - 40 * 64, 100));
+    set(little, 2, descriptor(DATA, 100));
+    set(little, 4, DATA);
+    set(little, 6, C205_ONE);
+    set(little, 8, NEXT_PAGE);
+}
+
+/* The page is missing, comes, and the end is as if it had been there. */
+static void test_missing_page(void **state)
+{
+    struct little with = make_little(), without = make_little();
+    (void)state;
+    load_crossing(&with);
+    load_crossing(&without);
+    map_next_page(with.machine);
+    c205_stop stop = run(&without);
+    assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
+    assert_int_equal(stop.address, NEXT_PAGE);
+    assert_int_equal(word_at(&without, DATA), 0);
+    assert_sum(without.machine);
+    assert_true(charged(&without, C205_OPERAND_WAIT) > 30); /* in flight */
+    without.machine = replace(without.machine);
+    map_next_page(without.machine);
+    assert_int_equal(run(&without).trap, C205_TRAP_NONE);
+    assert_int_equal(run(&with).trap, C205_TRAP_NONE);
+    assert_same(with.machine, without.machine);
+    free_little(&with);
+    free_little(&without);
+}
+
+static void test_missing_page_of_a_scalar(void **state)
+{
+    struct little with = make_little(), without = make_little();
+    (void)state;
+    load_crossing(&with);
+    load_crossing(&without);
+    map_next_page(with.machine);
+    set(&with, 1, descriptor(DATA, 30));
+    set(&without, 1, descriptor(DATA, 30));
+    assert_int_equal(run(&without).trap, C205_TRAP_UNMAPPED_ADDRESS);
+    map_next_page(without.machine);
+    assert_int_equal(run(&without).trap, C205_TRAP_NONE);
+    assert_int_equal(run(&with).trap, C205_TRAP_NONE);
+    assert_same(with.machine, without.machine);
+    free_little(&with);
+    free_little(&without);
+}
+
+static void set_access(struct little *little, c205_access access)
+{
+    c205_error error;
+    assert_true(c205_map(little->machine, DATA, 300, access, &error));
+}
+
+/* What traps when it is to go on stays where it was. */
+static void test_trap_in_the_middle(void **state)
+{
+    struct little broken = make_little(), whole = make_little();
+    (void)state;
+    load_sum(&broken);
+    load_sum(&whole);
+    c205_run(broken.machine, 71);
+    set_access(&broken, C205_READ_ONLY);
+    c205_stop stop = run(&broken);
+    assert_int_equal(stop.trap, C205_TRAP_PROTECTED_ADDRESS);
+    assert_int_equal(c205_clock(broken.machine), 71);
+    assert_sum(broken.machine);
+    assert_doubled(&broken, 40);
+    set_access(&broken, C205_READ_WRITE);
+    assert_int_equal(run(&broken).trap, C205_TRAP_NONE);
+    assert_int_equal(run(&whole).trap, C205_TRAP_NONE);
+    assert_same(broken.machine, whole.machine);
+    free_little(&broken);
+    free_little(&whole);
+}
+
+/* A table whose indices are overwritten traps before anything is done. */
+static void test_bad_index_behind_the_limit(void **state)
+{
+    struct little little = make_little();
+    (void)state;
+    add(&little, "VXTOV", F(.a = 1, .b = 2, .c = 3));
+    load(&little, 300);
+    set(&little, 1, descriptor(DATA, 40));
+    set(&little, 2, DATA);
+    set(&little, 3, descriptor(DATA + 64, 40));
+    put_at(&little, DATA, 50);
+    put_at(&little, DATA + 50 * 64, 51);
+    put_at(&little, DATA + 51 * 64, UINT64_C(1) << 40);
+    c205_stop stop = c205_run(little.machine, 69 + 2);
+    assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
+    assert_int_equal(word_at(&little, DATA + 64), 0);
+    free_little(&little);
+}
+
+/* ---- The models ---------------------------------------------------------- */
+
+static int find_models(void **state)
+{
+    c205_error error;
+    (void)state;
+    model = c205_model_find("cyber205-2pipe", &error);
+    slow = c205_model_parse("slow", "title one element a clock\n"
+                            "like cyber205-1pipe\n"
+                            "stream.vbits 1 clk/bit R\n"
+                            "page_fault.clocks 1 clk R\n", &error);
+    divided = calloc(c205_insn_count, sizeof *divided);
+    return model && slow && divided ? 0 : -1;
+}
+
+static int drop_models(void **state)
+{
+    (void)state;
+    c205_model_free(model);
+    c205_model_free(slow);
+    free(divided);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_examples),
+        cmocka_unit_test(test_long_vectors),
+        cmocka_unit_test(test_overwritten_instruction),
+        cmocka_unit_test(test_in_the_middle),
+        cmocka_unit_test(test_result_at_the_end),
+        cmocka_unit_test(test_given_up),
+        cmocka_unit_test(test_reset_clock),
+        cmocka_unit_test(test_limit_before_undefined),
+        cmocka_unit_test(test_missing_page),
+        cmocka_unit_test(test_missing_page_of_a_scalar),
+        cmocka_unit_test(test_trap_in_the_middle),
+        cmocka_unit_test(test_bad_index_behind_the_limit),
+    };
+    return cmocka_run_group_tests_name("interrupt", tests, find_models,
+                                       drop_models);
+}

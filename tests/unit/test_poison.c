@@ -1,0 +1,415 @@
+/* test_poison.c - vector instructions keep to their operands.
+ *
+ *   test_poison [CASES]
+ *
+ * Each row of the instruction table, with operands by chance, runs twice in a
+ * memory full of poison, another one each time: words before, between and
+ * behind the operands, elements beyond the lengths and those that the control
+ * vector holds back, what is left of the last word of a bit vector, the parts
+ * of registers that do not count, the old contents of the result.  All poison
+ * outside of the result must survive, and results, data flags and clocks be
+ * the same both times.
+ */
+#include "tests/unit/vector_case.h"
+
+enum { TWICE = 2, USUAL_CASES = 60 };
+
+static size_t cases = USUAL_CASES;
+
+/* What the machine holds, before and after. */
+struct image {
+    c205_word memory[MEMORY_WORDS], reg[C205_REGISTERS];
+    c205_word flags;
+    uint64_t clock;
+};
+
+/* ---- Which elements an instruction looks at ---------------------------- */
+
+/* Of order vectors: elements before position i. */
+static size_t present_before(const struct vector_case *one, enum role role,
+                             size_t i)
+{
+    size_t count = 0;
+
+    for (size_t k = 0; k < i; k++)
+        count += bit_of(one, role, k);
+    return count;
+}
+
+/* Products need both. */
+static void mark_sparse(struct vector_case *one)
+{
+    const bool both = one->row->flags & C205_INSN_PADO;
+
+    for (size_t i = 0; i < one->n; i++) {
+        const bool x = bit_of(one, ROLE_X, i), y = bit_of(one, ROLE_Y, i);
+        mark_element(&one->defined, &one->vector[ROLE_X], i);
+        mark_element(&one->defined, &one->vector[ROLE_Y], i);
+        if (both ? x && y : x)
+            mark_element(&one->defined, &one->vector[ROLE_A],
+                         present_before(one, ROLE_X, i));
+        if (both ? x && y : y)
+            mark_element(&one->defined, &one->vector[ROLE_B],
+                         present_before(one, ROLE_Y, i));
+    }
+}
+
+/* Where Z sends element i of A, or of B. */
+static bool is_selected(const struct vector_case *one, enum role role,
+                        size_t i)
+{
+    const bool ones = role == ROLE_A;
+
+    if (is_one_of(one->row, "MRGV MRGB"))
+        return i < count_chosen(one, ones);
+    return is_chosen(one, i) == ones;
+}
+
+static bool is_used(const struct vector_case *one, enum role role, size_t i)
+{
+    if (role == ROLE_B && one->row->format == C205_FORMAT_SCAN)
+        return true;
+    if (is_one_of(one->row, "DELTAV ADJMV"))
+        return (i < one->n && is_permitted(one, i))
+               || (i > 0 && i - 1 < one->n && is_permitted(one, i - 1));
+    if (i >= one->n)
+        return false;
+    if (is_one_of(one->row, "VREVV"))
+        return is_permitted(one, one->n - 1 - i);
+    if (z_selects(one->row))
+        return is_selected(one, role, i);
+    return is_permitted(one, i);
+}
+
+static void mark_source(struct vector_case *one, enum role role)
+{
+    if (!one->scalar[role])
+        for (size_t i = 0; i < one->vector[role].length; i++)
+            if (is_used(one, role, i))
+                mark_element(&one->defined, &one->vector[role], i);
+}
+
+static void mark_control(struct vector_case *one)
+{
+    if (has_control(one))
+        mark(&one->defined, one->vector[ROLE_Z].address, one->n);
+}
+
+/* Element i of the table that the index list names. */
+static struct extent_of indexed(const struct vector_case *one, enum role role,
+                                size_t i)
+{
+    const uint64_t list = one->vector[ROLE_A].address - DATA;
+    struct extent_of element = one->vector[role];
+
+    element.address += one->memory[list / WORD + i] * element.width;
+    element.length = 1;
+    return element;
+}
+
+static void mark_table(struct vector_case *one, enum role role,
+                       struct bits_of *bits)
+{
+    for (size_t i = 0; i < one->n; i++)
+        if (is_permitted(one, i)) {
+            const struct extent_of element = indexed(one, role, i);
+            mark_element(bits, &element, 0);
+        }
+}
+
+static void mark_sources(struct vector_case *one)
+{
+    mark_control(one);
+    if (one->row->format == C205_FORMAT_SPARSE) {
+        mark_sparse(one);
+        return;
+    }
+    mark_source(one, ROLE_A);
+    if (one->row->format == C205_FORMAT_TABLE)
+        mark_table(one, ROLE_B, &one->defined);
+    else
+        mark_source(one, ROLE_B);
+}
+
+/* ---- Which elements it stores ------------------------------------------ */
+
+static void mark_result(struct vector_case *one, const struct image *after)
+{
+    const struct extent_of *c = &one->vector[ROLE_C];
+    const c205_word set = after->reg[role_register[ROLE_C]] >> 48;
+    const bool counted = strchr("co", letter_of(one->row, ROLE_C));
+
+    if (one->row->format == C205_FORMAT_SPREAD)
+        mark_table(one, ROLE_C, &one->written);
+    else if (counted)
+        mark(&one->written, c->address, set * c->width);
+    else
+        for (size_t i = 0; i < one->n; i++)
+            if (is_permitted(one, i))
+                mark_element(&one->written, c, i);
+    if (letter_of(one->row, ROLE_Z) && !has_control(one)
+        && letter_of(one->row, ROLE_Z) != 'z')
+        mark(&one->written, one->vector[ROLE_Z].address, one->n);
+}
+
+static void mark_registers(struct vector_case *one)
+{
+    c205_word *reg = one->written.reg;
+
+    for (int role = ROLE_C; role < ROLES; role++) {
+        const char letter = letter_of(one->row, (enum role)role);
+        if (is_half(one, (enum role)role))
+            reg[role_half[role] / 2] = role_half[role] % 2
+                                           ? UINT32_MAX
+                                           : (c205_word)UINT32_MAX << HALF;
+        else if (letter == 'w' || letter == 'k')
+            reg[role_register[role]] = UINT64_MAX;
+        if (letter == 'c' || letter == 'o')
+            reg[role_register[role]] = ~ADDRESS_BITS;
+    }
+    if (one->row->flags & C205_INSN_INDEX)
+        reg[register_name(one, ROLE_C) + 1] = UINT64_MAX;
+}
+
+/* ---- Running ----------------------------------------------------------- */
+
+static c205_word poison(uint64_t *random)
+{
+    static const c205_word kinds[] = {
+        C205_INDEFINITE, C205_MACHINE_ZERO, UINT64_MAX, 0,
+        UINT64_C(0x6FFF7FFFFFFFFFFF)
+    };
+    const size_t kind = draw(random, 0, 9);
+
+    return kind < 5 ? kinds[kind] : random_bits(random);
+}
+
+static void poison_words(c205_word *words, const c205_word *good,
+                         const c205_word *defined, size_t count,
+                         uint64_t *random)
+{
+    for (size_t i = 0; i < count; i++)
+        words[i] = (good[i] & defined[i]) | (poison(random) & ~defined[i]);
+}
+
+static void fill(struct image *before, const struct vector_case *one,
+                 uint64_t *random)
+{
+    poison_words(before->memory, one->memory, one->defined.memory,
+                 MEMORY_WORDS, random);
+    poison_words(before->reg, one->reg, one->defined.reg, C205_REGISTERS,
+                 random);
+    before->reg[0] = 0;
+}
+
+static void take(struct little *little, struct image *image)
+{
+    assert_true(c205_read(little->machine, DATA, image->memory,
+                          MEMORY_WORDS));
+    for (unsigned i = 0; i < C205_REGISTERS; i++)
+        image->reg[i] = get(little, i);
+    image->flags = c205_data_flags(little->machine);
+    image->clock = c205_clock(little->machine);
+}
+
+static void run_image(struct little *little, const char *name,
+                      const struct image *before, struct image *after)
+{
+    c205_stop stop;
+
+    load(little, MEMORY_WORDS);
+    assert_true(c205_write(little->machine, DATA, before->memory,
+                           MEMORY_WORDS));
+    for (unsigned i = 0; i < C205_REGISTERS; i++)
+        set(little, i, before->reg[i]);
+    stop = run(little);
+    if (stop.trap != C205_TRAP_NONE)
+        fail_msg("%s: trap %s", name, c205_trap_name(stop.trap));
+    take(little, after);
+}
+
+/* ---- Comparing --------------------------------------------------------- */
+
+static void check_words(const char *name, const char *what,
+                        const c205_word *a, const c205_word *b,
+                        const c205_word *bits, c205_word flip, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if ((a[i] ^ b[i]) & (bits[i] ^ flip))
+            fail_msg("%s: %s %zu: %016llX and %016llX, of which %016llX",
+                     name, what, i, (unsigned long long)a[i],
+                     (unsigned long long)b[i],
+                     (unsigned long long)(bits[i] ^ flip));
+}
+
+static void check_survivors(const char *name, const struct image *before,
+                            const struct image *after,
+                            const struct bits_of *written)
+{
+    check_words(name, "changed word", before->memory, after->memory,
+                written->memory, UINT64_MAX, MEMORY_WORDS);
+    check_words(name, "changed register", before->reg, after->reg,
+                written->reg, UINT64_MAX, C205_REGISTERS);
+}
+
+static void check_results(const char *name, const struct image *one,
+                          const struct image *other,
+                          const struct bits_of *written,
+                          bool with_clock)
+{
+    check_words(name, "unlike word", one->memory, other->memory,
+                written->memory, 0, MEMORY_WORDS);
+    check_words(name, "unlike register", one->reg, other->reg, written->reg,
+                0, C205_REGISTERS);
+    if (one->flags != other->flags
+        || (with_clock && one->clock != other->clock))
+        fail_msg("%s: flags %llX and %llX, clocks %llu and %llu", name,
+                 (unsigned long long)one->flags,
+                 (unsigned long long)other->flags,
+                 (unsigned long long)one->clock,
+                 (unsigned long long)other->clock);
+}
+
+static void run_twice(struct little *little, struct vector_case *one,
+                      uint64_t *random, struct image *before,
+                      struct image *after)
+{
+    for (int i = 0; i < TWICE; i++) {
+        fill(&before[i], one, random);
+        run_image(little, one->row->mnemonic, &before[i], &after[i]);
+    }
+}
+
+/* A control vector saves no time: the search is made for the elements that it
+ * holds back as well, and takes as long as it takes. */
+static bool time_is_known(const struct vector_case *one)
+{
+    return !(one->row->format == C205_FORMAT_SCAN && one->fields.z
+             && is_one_of(one->row, "SCHEQV SCHNEV SCHGEV SCHLTV"));
+}
+
+static void check_images(struct vector_case *one, const struct image *before,
+                         const struct image *after)
+{
+    const char *name = one->row->mnemonic;
+
+    for (int i = 0; i < TWICE; i++)
+        check_survivors(name, &before[i], &after[i], &one->written);
+    check_results(name, &after[0], &after[1], &one->written,
+                  time_is_known(one));
+}
+
+/* ---- The tests --------------------------------------------------------- */
+
+static struct vector_case one, other;
+static struct image before[TWICE], after[TWICE];
+
+static void try_row(struct little *little, const c205_insn *row,
+                    uint64_t *random)
+{
+    draw_case(&one, row, random, draw_size(random));
+    mark_sources(&one);
+    begin(little);
+    add(little, row->mnemonic, one.fields);
+    add(little, "EXIT", (c205_fields){ .r = 0 });
+    run_twice(little, &one, random, before, after);
+    mark_registers(&one);
+    if (!one.scalar[ROLE_C])
+        mark_result(&one, &after[0]);
+    check_images(&one, before, after);
+}
+
+static void test_rows(void **state)
+{
+    struct little little = make_little();
+    uint64_t random = 1205;
+    (void)state;
+    for (size_t i = 0; i < c205_insn_count; i++)
+        if (c205_insns[i].unit == C205_UNIT_VECTOR
+            && c205_insns[i].format != C205_FORMAT_NONE)
+            for (size_t k = 0; k < cases; k++)
+                try_row(&little, &c205_insns[i], &random);
+    free_little(&little);
+}
+
+/* ---- Linked pairs ------------------------------------------------------ */
+
+static const c205_insn *draw_linked(uint64_t *random)
+{
+    const c205_insn *row;
+
+    do
+        row = c205_insns + draw(random, 0, c205_insn_count - 1);
+    while (!(row->flags & C205_INSN_LINK));
+    return row;
+}
+
+/* [x] and a number make what the second takes as its A: that is stored
+ * nowhere. */
+static void draw_pair(uint64_t *random)
+{
+    unsigned half;
+
+    do
+        draw_case(&one, draw_linked(random), random, draw_size(random));
+    while (one.scalar[ROLE_A] || one.fields.x || one.scalar[ROLE_B]);
+    half = one.fields.g & C205_G_HALF;
+    memset(&other, 0, sizeof other);
+    other.row = draw_linked(random);
+    other.fields = (c205_fields){
+        .g = (uint8_t)(C205_G_BROADCAST_B | half),
+        .a = role_register[ROLE_X], .b = half ? role_half[ROLE_Y]
+                                              : role_register[ROLE_Y],
+        .c = role_register[ROLE_A]
+    };
+    if (half)
+        define_half(&one, role_half[ROLE_Y], draw_half(random));
+    else
+        define(&one, role_register[ROLE_Y], draw_word(random), UINT64_MAX);
+    one.vector[ROLE_A].length = 0;
+    one.vector[ROLE_X].width = half ? HALF : WORD;
+    one.vector[ROLE_X].address = DATA + ROLE_X * ZONE_WORDS * UINT64_C(64);
+    one.vector[ROLE_X].length = source_length(random, one.n);
+    define(&one, role_register[ROLE_X],
+           descriptor(one.vector[ROLE_X].address, one.vector[ROLE_X].length),
+           UINT64_MAX);
+    for (size_t i = 0; i < one.vector[ROLE_X].length && i < one.n; i++)
+        mark_element(&one.defined, &one.vector[ROLE_X], i);
+    define(&one, role_register[ROLE_A],
+           descriptor(one.vector[ROLE_A].address, one.n), UINT64_MAX);
+}
+
+static void try_pair(struct little *little, uint64_t *random)
+{
+    draw_pair(random);
+    mark_sources(&one);
+    begin(little);
+    add(little, "LINKV", (c205_fields){ .f = 0 });
+    add(little, other.row->mnemonic, other.fields);
+    add(little, one.row->mnemonic, one.fields);
+    add(little, "EXIT", (c205_fields){ .r = 0 });
+    run_twice(little, &one, random, before, after);
+    mark_result(&one, &after[0]);
+    check_images(&one, before, after);
+}
+
+static void test_pairs(void **state)
+{
+    struct little little = make_little();
+    uint64_t random = 2205;
+    (void)state;
+    for (size_t k = 0; k < 4 * cases; k++)
+        try_pair(&little, &random);
+    free_little(&little);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_pairs)
+    };
+    if (argc > 1)
+        cases = strtoul(argv[1], NULL, 0);
+    return cmocka_run_group_tests_name("poison", tests, NULL, NULL);
+}

@@ -1,0 +1,318 @@
+/* test_renaming.c - which registers a program uses does not matter.
+ *
+ *   test_renaming [PROGRAMS]
+ *
+ * Random programs with their registers renamed by a permutation end with the
+ * same numbers in the registers of the new names, the same memory and the same
+ * clocks.  Register 0 keeps its name, and those that an instruction takes
+ * together (C and C+1) stay together.
+ */
+#include "tests/unit/machine_fixture.h"
+#include "tests/unit/operand_letters.h"
+
+#include "tests/oracle/random_program.h"
+
+enum {
+    USUAL_PROGRAMS = 2000,
+    STEPS = 200,
+    TWO = 2,
+    PAIR = 2, /* instructions behind a prefix */
+    IN_HALVES = 128 /* registers that have half registers */
+};
+
+static unsigned long program_count = USUAL_PROGRAMS;
+
+/* new_name[r]; tied[r]: r and r+1 stay together. */
+struct renaming {
+    uint8_t new_name[C205_REGISTERS];
+    bool tied[C205_REGISTERS];
+};
+
+static const c205_insn *row_of(const struct program_insn *insn)
+{
+    return c205_insn_coded((uint8_t)(insn->word >> 56),
+                           (uint8_t)(insn->word >> 48));
+}
+
+/* ---- Which programs ---------------------------------------------------- */
+
+/* SWAP takes as many registers as its vectors are long; a word that is none
+ * of the table's, or has bits that its format lacks, is no instruction.  The
+ * index of a greatest half word stands in a register that has nothing to do
+ * with that of its own. */
+static bool can_be_renamed(const struct random_program *program)
+{
+    for (size_t i = 0; i < program->insn_count; i++) {
+        const struct program_insn *insn = &program->insns[i];
+        const c205_insn *row = row_of(insn);
+        c205_fields fields;
+        if (!row || row->format == C205_FORMAT_SWAP
+            || c205_format_halves(row->format) != insn->halves)
+            return false;
+        fields = c205_decode(row, insn->word);
+        if (c205_encode(row, &fields) != insn->word
+            || fields.c == C205_REGISTERS - 1 || fields.c == IN_HALVES - 1
+            || (row->flags & C205_INSN_INDEX && fields.g & C205_G_HALF))
+            return false;
+    }
+    return true;
+}
+
+/* ---- The renaming ------------------------------------------------------ */
+
+static void tie_pairs(struct renaming *renaming,
+                      const struct random_program *program)
+{
+    for (size_t i = 0; i < program->insn_count; i++) {
+        const c205_insn *row = row_of(&program->insns[i]);
+        const c205_fields fields = c205_decode(row, program->insns[i].word);
+        if (row->unit == C205_UNIT_VECTOR
+            && !is_half_register(row, fields.g, ROLE_C))
+            renaming->tied[fields.c] = true;
+    }
+}
+
+static uint64_t random_state = 5205;
+
+static size_t below(size_t n)
+{
+    random_state = random_state * UINT64_C(6364136223846793005) + 1;
+    return (size_t)(random_state >> 33) % n;
+}
+
+/* Runs first to end-1 in another order. */
+static void shuffle(unsigned *order, unsigned first, unsigned end)
+{
+    for (unsigned i = end - 1; i > first; i--) {
+        const size_t other = first + below(i - first + 1);
+        const unsigned one = order[i];
+        order[i] = order[other];
+        order[other] = one;
+    }
+}
+
+/* Runs of tied registers, the first of which begins with register 0, are
+ * shuffled as wholes. */
+static void draw_names(struct renaming *renaming)
+{
+    unsigned begin[C205_REGISTERS + 1], order[C205_REGISTERS];
+    unsigned runs = 0, low = 0, next = 0;
+
+    for (unsigned r = 0; r < C205_REGISTERS; r++)
+        if (r == 0 || !renaming->tied[r - 1]) {
+            low = r == IN_HALVES ? runs : low;
+            order[runs] = runs;
+            begin[runs++] = r;
+        }
+    begin[runs] = C205_REGISTERS;
+    shuffle(order, 1, low);
+    shuffle(order, low, runs);
+    for (unsigned i = 0; i < runs; i++)
+        for (unsigned r = begin[order[i]]; r < begin[order[i] + 1]; r++)
+            renaming->new_name[r] = (uint8_t)next++;
+}
+
+static uint8_t rename_half(const struct renaming *renaming, uint8_t half)
+{
+    return (uint8_t)(2 * renaming->new_name[half / 2] + half % 2);
+}
+
+/* Half registers go where their register goes. */
+static c205_word rename_insn(const struct renaming *renaming,
+                             const c205_insn *row, c205_word word)
+{
+    c205_fields old = c205_decode(row, word), fields = old;
+    uint8_t *const names[] = {
+        &fields.x, &fields.a, &fields.y, &fields.b, &fields.z,
+        &fields.c, &fields.r, &fields.s, &fields.t
+    };
+
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+        *names[i] = renaming->new_name[*names[i]];
+    for (int role = 0; role < ROLES; role++)
+        if (is_half_register(row, old.g, (enum role)role))
+            *field_of_role(&fields, row, (enum role)role) =
+                rename_half(renaming,
+                            *field_of_role(&old, row, (enum role)role));
+    return c205_encode(row, &fields);
+}
+
+static struct random_program rename_program(
+    const struct renaming *renaming, const struct random_program *program)
+{
+    struct random_program renamed = *program;
+
+    for (size_t i = 0; i < program->insn_count; i++)
+        renamed.insns[i].word = rename_insn(
+            renaming, row_of(&program->insns[i]), program->insns[i].word);
+    for (unsigned r = 0; r < C205_REGISTERS; r++)
+        renamed.registers[renaming->new_name[r]] = program->registers[r];
+    return renamed;
+}
+
+/* ---- Both run ---------------------------------------------------------- */
+
+static c205_model *models[8];
+static c205 *machines[TWO][8];
+
+/* Words of the program hold names; what looks at them, or stores there, is
+ * no longer the same program. */
+static bool holds_code_address(const c205 *machine, unsigned number,
+                               const struct random_program *program)
+{
+    const uint64_t address = c205_register(machine, number) << 16 >> 16;
+
+    return address >= random_pages[0].address
+           && address < program_address(program, program->insn_count);
+}
+
+static bool uses_code(const c205 *machine, const c205_insn *row,
+                      const c205_fields *f,
+                      const struct random_program *program)
+{
+    const uint8_t names[] = { f->x, f->a, f->y, f->b, f->z,
+                              f->c, f->r, f->s, f->t };
+
+    for (size_t i = 0; i < sizeof names; i++)
+        if (holds_code_address(machine, names[i], program))
+            return row->unit != C205_UNIT_BRANCH
+                   || row->format == C205_FORMAT_ALTERB;
+    return false;
+}
+
+/* The next instruction, or one of three if it is a prefix.  Branches may also
+ * go to where none of the program begins. */
+static bool next_uses_code(const c205 *machine,
+                           const struct random_program *program)
+{
+    size_t i = 0, end;
+
+    while (i < program->insn_count
+           && program_address(program, i) != c205_pc(machine))
+        i++;
+    if (i == program->insn_count)
+        return true;
+    for (end = i + 1; i < end && i < program->insn_count; i++) {
+        const c205_insn *row = row_of(&program->insns[i]);
+        const c205_fields fields = c205_decode(row, program->insns[i].word);
+        if (uses_code(machine, row, &fields, program))
+            return true;
+        if (row->format == C205_FORMAT_NONE)
+            end = i + 1 + PAIR;
+    }
+    return false;
+}
+
+static void check_registers(const c205 *machine, const c205 *other,
+                            const struct renaming *renaming)
+{
+    for (unsigned r = 1; r < C205_REGISTERS; r++)
+        assert_int_equal(c205_register(machine, r),
+                         c205_register(other, renaming->new_name[r]));
+    assert_int_equal(c205_data_flags(machine), c205_data_flags(other));
+    assert_int_equal(c205_pc(machine), c205_pc(other));
+}
+
+static void check_accounts(const c205 *machine, const c205 *other)
+{
+    assert_int_equal(c205_clock(machine), c205_clock(other));
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        assert_memory_equal(c205_account_at(machine, i)->clocks,
+                            c205_account_at(other, i)->clocks,
+                            sizeof c205_account_at(machine, i)->clocks);
+}
+
+static void check_memory(const c205 *machine, const c205 *other)
+{
+    enum { AREA_MOST = 4096 };
+    static c205_word one[AREA_MOST], two[AREA_MOST];
+
+    for (size_t i = 0; i < random_area_count; i++) {
+        const struct random_area *area = random_areas + i;
+        assert_true(c205_read(machine, area->address, one, area->words));
+        assert_true(c205_read(other, area->address, two, area->words));
+        assert_memory_equal(one, two, area->words * sizeof *one);
+    }
+}
+
+static bool step_both(c205 *machine, c205 *other,
+                      const struct renaming *renaming)
+{
+    c205_stop stop = { .trap = C205_TRAP_NONE };
+    c205_stop its_stop = { .trap = C205_TRAP_NONE };
+    const bool goes_on = c205_step(machine, &stop);
+
+    assert_int_equal(goes_on, c205_step(other, &its_stop));
+    assert_int_equal(stop.trap, its_stop.trap);
+    assert_int_equal(stop.address, its_stop.address);
+    check_registers(machine, other, renaming);
+    check_accounts(machine, other);
+    return goes_on;
+}
+
+static void try_program(const struct random_program *program)
+{
+    struct renaming renaming = { .tied = { false } };
+    struct random_program renamed;
+    c205 *machine = machines[0][program->model];
+    c205 *other = machines[1][program->model];
+    c205_error error;
+
+    tie_pairs(&renaming, program);
+    draw_names(&renaming);
+    renamed = rename_program(&renaming, program);
+    assert_true(random_load(machine, program, &error));
+    assert_true(random_load(other, &renamed, &error));
+    for (int step = 0; step < STEPS && !next_uses_code(machine, program);
+         step++)
+        if (!step_both(machine, other, &renaming))
+            break;
+    check_memory(machine, other);
+}
+
+static void test_renaming(void **state)
+{
+    unsigned long tried = 0;
+    (void)state;
+    for (uint64_t seed = 1; tried < program_count; seed++) {
+        const struct random_program program = random_program(seed);
+        if (can_be_renamed(&program)) {
+            try_program(&program);
+            tried++;
+        }
+    }
+}
+
+static int make_machines(void **state)
+{
+    c205_error error;
+    (void)state;
+    assert_true(random_model_count <= sizeof models / sizeof models[0]);
+    for (size_t i = 0; i < random_model_count; i++) {
+        models[i] = c205_model_parse("random", random_models[i], &error);
+        assert_non_null(models[i]);
+        for (int k = 0; k < TWO; k++)
+            machines[k][i] = c205_new(models[i], &error);
+    }
+    return 0;
+}
+
+static int free_machines(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < random_model_count; i++) {
+        for (int k = 0; k < TWO; k++)
+            c205_free(machines[k][i]);
+        c205_model_free(models[i]);
+    }
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_renaming) };
+    if (argc > 1)
+        program_count = strtoul(argv[1], NULL, 0);
+    return cmocka_run_group_tests_name("renaming", tests, make_machines,
+                                       free_machines);
+}

@@ -1,0 +1,472 @@
+/* test_timing.c - what docs/timing.md promises of the clock, on machines.
+ *
+ *   test_timing [CASES]
+ *
+ * The closed formula holds for every vector row with operands by chance;
+ * longer is never cheaper, more pipes are never slower; the causes sum to the
+ * total at every step; and ten programs take what a pencil says.
+ */
+#include "tests/unit/asm_helper.h"
+#include "tests/unit/vector_case.h"
+
+#include "tests/oracle/random_program.h"
+#include "vm/arith.h"
+
+#include <math.h>
+
+enum { MODELS = 3, USUAL_CASES = 20, BANKS_MOST = 64 };
+
+static const char *const model_names[MODELS] = {
+    "cyber205-1pipe", "cyber205-2pipe", "cyber205-4pipe"
+};
+static struct little little[MODELS];
+static size_t cases = USUAL_CASES;
+
+static int make_machines(void **state)
+{
+    c205_error error = { "" };
+    (void)state;
+    for (int i = 0; i < MODELS; i++) {
+        begin(&little[i]);
+        little[i].model = c205_model_find(model_names[i], &error);
+        assert_non_null(little[i].model);
+        little[i].machine = c205_new(little[i].model, &error);
+        assert_non_null(little[i].machine);
+    }
+    return 0;
+}
+
+static int free_machines(void **state)
+{
+    (void)state;
+    for (int i = 0; i < MODELS; i++)
+        free_little(&little[i]);
+    return 0;
+}
+
+static bool is_vector(const c205_insn *row)
+{
+    return row->unit == C205_UNIT_VECTOR && row->format != C205_FORMAT_NONE;
+}
+
+/* ---- Measured ---------------------------------------------------------- */
+
+static void place_case(struct little *on, const struct vector_case *one)
+{
+    assert_true(c205_write(on->machine, DATA, one->memory, MEMORY_WORDS));
+    for (unsigned i = 0; i < C205_REGISTERS; i++)
+        set(on, i, one->reg[i]);
+}
+
+/* The second time its pages are in place. */
+static uint64_t measured(struct little *on, const struct vector_case *one)
+{
+    load(on, MEMORY_WORDS);
+    for (int time = 0; time < 2; time++) {
+        place_case(on, one);
+        c205_set_pc(on->machine, CODE);
+        c205_reset_clock(on->machine);
+        if (run(on).trap != C205_TRAP_NONE)
+            fail_msg("%s traps", one->row->mnemonic);
+    }
+    return c205_clock(on->machine);
+}
+
+static void begin_with(struct little *on, const struct vector_case *one,
+                       unsigned times)
+{
+    begin(on);
+    while (times-- > 0)
+        add(on, one->row->mnemonic, one->fields);
+    add(on, "EXIT", (c205_fields){ .r = 0 });
+}
+
+/* ---- By the formula ---------------------------------------------------- */
+
+static double constant(const c205_model *model, const char *kind,
+                       const char *name)
+{
+    char text[64];
+    const c205_constant *found;
+
+    snprintf(text, sizeof text, "%s.%s", kind, name);
+    found = c205_model_lookup(model, text);
+    assert_non_null(found);
+    return found->value;
+}
+
+/* ceil(n x rate / pipes), which make half_rate results of 32 bits in the time
+ * of one; rates are exact in millionths. */
+static uint64_t stream(const c205_model *model, const char *name, uint64_t n,
+                       bool half)
+{
+    const uint64_t million = 1000000;
+    const double value = constant(model, "stream", name);
+    const uint64_t rate = (uint64_t)llround(value * 1e6);
+    uint64_t pipes = 1;
+    char text[64];
+
+    snprintf(text, sizeof text, "stream.%s", name);
+    if (strncmp(c205_model_lookup(model, text)->unit, "clk*pipe", 8) == 0) {
+        pipes = (uint64_t)constant(model, "machine", "pipes");
+        pipes *= half ? (uint64_t)constant(model, "vector", "half_rate") : 1;
+    }
+    return (n * rate + pipes * million - 1) / (pipes * million);
+}
+
+typedef bool relation(c205_word a, c205_word b);
+
+static relation *relation_of(const c205_insn *row, unsigned g)
+{
+    static const struct {
+        const char *name;
+        relation *relation, *of_halves;
+    } searches[] = {
+        { "SCHEQV", arith_equal, half_equal },
+        { "SCHNEV", arith_not_equal, half_not_equal },
+        { "SCHGEV", arith_not_less, half_not_less },
+        { "SCHLTV", arith_less, half_less }
+    };
+
+    for (size_t i = 0; i < sizeof searches / sizeof searches[0]; i++)
+        if (is_one_of(row, searches[i].name))
+            return g & C205_G_HALF ? searches[i].of_halves
+                                   : searches[i].relation;
+    return NULL;
+}
+
+static c205_word unsigned_element(const struct vector_case *one,
+                                  enum role role, size_t i)
+{
+    const struct extent_of *vector = &one->vector[role];
+    const uint64_t at = vector->address - DATA + i * vector->width;
+    unsigned left = role_half[role] % 2 ? HALF : 0;
+    c205_word word;
+
+    if (!one->scalar[role] && i >= vector->length)
+        return C205_MACHINE_ZERO;
+    if (!one->scalar[role]) {
+        word = one->memory[at / WORD] << at % WORD;
+        return vector->width == HALF ? word >> HALF << HALF : word;
+    }
+    if (!is_half(one, role))
+        return one->reg[role_register[role]];
+    return one->reg[role_half[role] / 2] << left >> HALF << HALF;
+}
+
+/* A half word stands on the left. */
+static c205_word element(const struct vector_case *one, enum role role,
+                         size_t i)
+{
+    const unsigned g = one->fields.g;
+    const bool half = g & C205_G_HALF;
+    c205_word word = unsigned_element(one, role, i);
+    uint64_t flags = 0;
+
+    if (g & (role == ROLE_A ? C205_G_MAGNITUDE_A : C205_G_MAGNITUDE_B))
+        word = half ? half_absolute(word, &flags)
+                    : arith_absolute(word, &flags);
+    if (role == ROLE_A && g & C205_G_NEGATE_A)
+        word = half ? half_negate(word, &flags) : arith_negate(word, &flags);
+    return word;
+}
+
+static uint64_t comparisons(const struct vector_case *one)
+{
+    relation *const compares = relation_of(one->row, one->fields.g);
+    uint64_t count = 0;
+
+    for (size_t i = 0; i < one->n; i++)
+        for (size_t k = 0; k < one->vector[ROLE_B].length; k++) {
+            count++;
+            if (compares(element(one, ROLE_A, i), element(one, ROLE_B, k)))
+                break;
+        }
+    return count;
+}
+
+static size_t ones(const struct vector_case *one, bool x, bool y)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < one->n; i++)
+        count += (x && bit_of(one, ROLE_X, i))
+                 || (y && bit_of(one, ROLE_Y, i));
+    return count;
+}
+
+static size_t longest_packed(const struct vector_case *one)
+{
+    const size_t x = ones(one, true, false), y = ones(one, false, true);
+
+    if (!(one->row->flags & C205_INSN_PADO))
+        return ones(one, true, true);
+    return x > y ? x : y;
+}
+
+static uint64_t elements(const struct vector_case *one)
+{
+    if (one->row->format == C205_FORMAT_SPARSE)
+        return longest_packed(one);
+    if (relation_of(one->row, one->fields.g))
+        return comparisons(one);
+    if (one->row->format == C205_FORMAT_SCAN)
+        return one->n * one->vector[ROLE_B].length;
+    return one->n;
+}
+
+/* t(k) = max(t(k-1) + 1, free(bank(k))), for those not held back. */
+static uint64_t conflicts(const struct vector_case *one,
+                          const c205_model *model)
+{
+    const uint64_t list = one->vector[ROLE_A].address - DATA;
+    const uint64_t banks = (uint64_t)constant(model, "memory", "banks");
+    const uint64_t busy = (uint64_t)constant(model, "memory", "bank_busy");
+    const enum role table = one->row->format == C205_FORMAT_TABLE ? ROLE_B
+                                                                  : ROLE_C;
+    uint64_t free_at[BANKS_MOST] = { 0 }, t = 0, accesses = 0;
+
+    for (size_t i = 0; has_indices(one->row) && i < one->n; i++) {
+        const uint64_t word = (one->vector[table].address
+                               + one->memory[list / WORD + i]
+                                     * one->vector[table].width) / WORD;
+        if (!is_permitted(one, i))
+            continue;
+        t = t + 1 > free_at[word % banks] ? t + 1 : free_at[word % banks];
+        free_at[word % banks] = t + busy;
+        accesses++;
+    }
+    return t - accesses;
+}
+
+static void test_closed_formula(void **state)
+{
+    static struct vector_case one;
+    uint64_t random = 3205;
+    (void)state;
+    for (size_t i = 0; i < c205_insn_count; i++)
+        for (size_t k = 0; is_vector(&c205_insns[i]) && k < cases; k++) {
+            struct little *on = &little[k % MODELS];
+            const char *timing = c205_timing_name(c205_insns[i].timing);
+            uint64_t clocks, startup;
+            draw_case(&one, &c205_insns[i], &random, draw_size(&random));
+            begin_with(on, &one, 1);
+            startup = (uint64_t)constant(on->model, "startup", timing);
+            clocks = startup + conflicts(&one, on->model)
+                     + stream(on->model, timing, elements(&one),
+                              one.fields.g & C205_G_HALF);
+            if (measured(on, &one) != clocks)
+                fail_msg("%s of %zu on %s: %llu clocks, not %llu",
+                         one.row->mnemonic, one.n, model_names[k % MODELS],
+                         (unsigned long long)measured(on, &one),
+                         (unsigned long long)clocks);
+        }
+}
+
+/* ---- Longer, more pipes ------------------------------------------------ */
+
+/* All operands this long. */
+static void set_lengths(struct vector_case *one, size_t length)
+{
+    for (int role = 0; role < ROLES; role++)
+        if (letter_of(one->row, (enum role)role) && !one->scalar[role]
+            && (role != ROLE_Z || one->fields.z))
+            one->reg[role_register[role]] =
+                descriptor(one->vector[role].address, length);
+}
+
+static void draw_plain(struct vector_case *one, const c205_insn *row,
+                       uint64_t *random)
+{
+    do
+        draw_case(one, row, random, LENGTH);
+    while (one->fields.g & (C205_G_OFFSET | C205_G_BROADCAST_A
+                            | C205_G_BROADCAST_B)
+           || one->fields.x != (row->format == C205_FORMAT_SPARSE
+                                    ? role_register[ROLE_X] : 0)
+           || one->fields.y != (row->format == C205_FORMAT_SPARSE
+                                    ? role_register[ROLE_Y] : 0));
+}
+
+static void check_fewer_pipes(const struct vector_case *one,
+                              const uint64_t *clocks)
+{
+    if (clocks[0] < clocks[1] || clocks[1] < clocks[2])
+        fail_msg("%s is slower with more pipes", one->row->mnemonic);
+}
+
+/* Alone, and two back to back. */
+static void try_lengths(struct vector_case *one, unsigned times)
+{
+    uint64_t before[MODELS] = { 0 }, now[MODELS];
+
+    for (int i = 0; i < MODELS; i++)
+        begin_with(&little[i], one, times);
+    for (size_t length = 0; length <= LENGTH; length += 1 + length / 20) {
+        set_lengths(one, length);
+        for (int i = 0; i < MODELS; i++) {
+            now[i] = measured(&little[i], one);
+            if (now[i] < before[i])
+                fail_msg("%s of %zu is cheaper", one->row->mnemonic, length);
+        }
+        check_fewer_pipes(one, now);
+        memcpy(before, now, sizeof now);
+    }
+}
+
+static void test_longer_is_never_cheaper(void **state)
+{
+    static struct vector_case one;
+    uint64_t random = 4205;
+    (void)state;
+    for (size_t i = 0; i < c205_insn_count; i++)
+        for (unsigned times = 1; is_vector(&c205_insns[i]) && times <= 2;
+             times++) {
+            draw_plain(&one, &c205_insns[i], &random);
+            try_lengths(&one, times);
+        }
+}
+
+/* ---- Random programs --------------------------------------------------- */
+
+static void check_sum(const c205 *machine)
+{
+    uint64_t sum = 0;
+
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            sum += c205_account_at(machine, i)->clocks[cause];
+    assert_int_equal(sum, c205_clock(machine));
+}
+
+static bool same_states(void)
+{
+    for (int i = 1; i < MODELS; i++)
+        for (unsigned r = 0; r < C205_REGISTERS; r++)
+            if (get(&little[i], r) != get(&little[0], r))
+                return false;
+    return c205_pc(little[0].machine) == c205_pc(little[1].machine);
+}
+
+/* False: one of them has ended, or done something else: those that look at
+ * the clock may. */
+static bool step_all(void)
+{
+    bool goes_on = true;
+    c205_stop stop;
+
+    for (int i = 0; i < MODELS; i++) {
+        goes_on = c205_step(little[i].machine, &stop) && goes_on;
+        check_sum(little[i].machine);
+    }
+    return goes_on && same_states();
+}
+
+static void try_program(uint64_t seed)
+{
+    enum { STEPS = 200 };
+    const struct random_program program = random_program(seed);
+    c205_error error = { "" };
+
+    for (int i = 0; i < MODELS; i++)
+        assert_true(random_load(little[i].machine, &program, &error));
+    for (int step = 0; step < STEPS && step_all(); step++)
+        if (c205_clock(little[0].machine) < c205_clock(little[1].machine)
+            || c205_clock(little[1].machine) < c205_clock(little[2].machine))
+            fail_msg("seed %llu is slower with more pipes",
+                     (unsigned long long)seed);
+}
+
+static void test_random_programs(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed <= 20 * cases; seed++)
+        try_program(seed);
+}
+
+/* ---- Ten small programs ------------------------------------------------ */
+
+/* All on two pipes; the constants are those of docs/timing.md.  The first
+ * touch of a page takes 30 + 1,000. */
+static const struct {
+    const char *what, *text;
+    uint64_t clocks;
+} programs[] = {
+    { "The monitor takes 1.", "EXIT", 1 },
+    { "A linked pair is one instruction: 3 + 84 + 1030 + 50.",
+      "EX r10, x\n ELEN r10, 100\n RTOR r10, r11\n LINKV\n"
+      " MPYSV [r10], r12, [r11]\n ADDNV [r11], [r10], [r11]\n EXIT\n"
+      " .data\nx: .space 100\n", 3 + 84 + 1030 + 50 },
+    { "Each waits for the one before: at 0, 5, 10; ready at 15.",
+      "ADDN r10, r11, r12\n ADDN r12, r11, r13\n ADDN r13, r11, r14\n EXIT",
+      15 },
+    { "At 0, 1, 2: the last is ready at 7.",
+      "ADDN r10, r11, r12\n ADDN r10, r11, r13\n ADDN r10, r11, r14\n EXIT",
+      7 },
+    { "The unit is busy for 54: at 0 and 54, ready at 108.",
+      "DIVS r10, r11, r12\n DIVS r10, r11, r13\n EXIT", 108 },
+    { "EX at 0; the page is in at 1 + 1030, when LOD issues; 15 until it is "
+      "there, then 5 for the addition.",
+      "EX r10, x\n LOD [r10], r11\n ADDN r11, r11, r12\n EXIT\n"
+      " .data\nx: .word 1.0\n", 1 + 1030 + 15 + 5 },
+    { "ES at 0 and 1; DBNZ at 2: taken, 8 more; at 11: taken; at 20 not; "
+      "EXIT at 21.",
+      "ES r10, 3\n EX r11, loop\nloop: DBNZ r10, [r11]\n EXIT",
+      2 + 9 + 9 + 1 + 1 },
+    { "Descriptors at 0, 1, 2; the addition at 3: start-up 51, the page, "
+      "which holds all, 1030, 100 elements by two pipes 50.",
+      "EX r10, x\n ELEN r10, 100\n RTOR r10, r11\n"
+      " ADDNV [r10], [r11], [r11]\n EXIT\n .data\nx: .space 100\n",
+      3 + 51 + 1030 + 50 },
+    { "The second start-up begins 10 clocks before the first stream ends: "
+      "3 + 51 + 1030 + 50, then 51 + 50 - 10.",
+      "EX r10, x\n ELEN r10, 100\n RTOR r10, r11\n"
+      " ADDNV [r10], [r11], [r11]\n ADDNV [r10], [r11], [r11]\n EXIT\n"
+      " .data\nx: .space 100\n",
+      3 + 51 + 1030 + 50 + 51 + 50 - 10 },
+    { "The vector sum of no elements takes its start-up of 96, in whose shade "
+      "the chain of two additions is done; what needs the sum waits for it.",
+      "SUMV [r10], r20\n ADDN r12, r13, r14\n ADDN r14, r13, r15\n"
+      " ADDN r20, r13, r16\n EXIT", 96 + 5 },
+};
+
+static uint64_t clocks_of(const char *text)
+{
+    struct object *object = good(text);
+    c205 *machine = little[1].machine;
+    c205_error error = { "" };
+    uint64_t clocks;
+
+    assert_true(c205_load(machine, &object->program, &error));
+    assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
+    clocks = c205_clock(machine);
+    check_sum(machine);
+    object_free(object);
+    return clocks;
+}
+
+static void test_small_programs(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
+        const uint64_t clocks = clocks_of(programs[i].text);
+        if (clocks != programs[i].clocks)
+            fail_msg("%llu clocks, not %llu: %s", (unsigned long long)clocks,
+                     (unsigned long long)programs[i].clocks,
+                     programs[i].what);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_closed_formula),
+        cmocka_unit_test(test_longer_is_never_cheaper),
+        cmocka_unit_test(test_random_programs),
+        cmocka_unit_test(test_small_programs)
+    };
+    if (argc > 1)
+        cases = strtoul(argv[1], NULL, 0);
+    return cmocka_run_group_tests_name("timing", tests, make_machines,
+                                       free_machines);
+}
