@@ -18,20 +18,6 @@ static void read_string(const struct c205 *machine,
         bits[i] = 0;
 }
 
-static size_t chunk_of(const struct vector *source,
-                       const struct vector *result)
-{
-    if (!operands_overlap(source, result)
-        || result->address <= source->address)
-        return STRING_BITS;
-    return (size_t)(result->address - source->address);
-}
-
-static size_t least(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
-
 static c205_trap run_strings(struct c205 *machine, const struct vector *a,
                              const struct vector *b, const struct vector *c,
                              lanes_binary *operation)
@@ -39,8 +25,8 @@ static c205_trap run_strings(struct c205 *machine, const struct vector *a,
     struct turn turn = machine_turn(machine, c->length, machine->allowed);
     uint64_t bits_a[STRING_WORDS], bits_b[STRING_WORDS];
     uint64_t bits_c[STRING_WORDS], flags = 0;
-    size_t chunk_a = chunk_of(a, c), chunk_b = chunk_of(b, c);
-    size_t chunk = least(chunk_a, chunk_b);
+    size_t chunk = operand_lead(a, c, STRING_BITS);
+    chunk = operand_lead(b, c, chunk);
     for (size_t first = turn.first, n; first < turn.end; first += n) {
         n = least(turn.end - first, chunk);
         read_string(machine, a, first, n, bits_a);
@@ -287,8 +273,7 @@ c205_trap execute_bits_compress(struct c205 *machine,
         machine_touch(machine, sieve.c.address, sieve.kept);
     machine->effect.elements = sieve.n;
     machine->slot[decoded->result[0]] =
-        (machine->slot[decoded->c] & ADDRESS_MASK)
-        | (c205_word)sieve.kept << 48;
+        with_length(machine->slot[decoded->c], sieve.kept);
     return C205_TRAP_NONE;
 }
 

@@ -1,9 +1,6 @@
 /* branch.c - branches, and requests to the monitor. */
 #include "machine.h"
 
-#define LOW(word) ((word) & ADDRESS_MASK)
-#define HIGH(word) ((word) & ~ADDRESS_MASK)
-
 static c205_trap go_to(struct c205 *machine, uint64_t target)
 {
     target = LOW(target);
@@ -138,8 +135,12 @@ c205_trap execute_alter_register_bit(struct c205 *machine,
 c205_trap execute_alter_flag(struct c205 *machine,
                              const struct decoded *decoded)
 {
-    return branch_and_alter(machine, decoded, machine_raise_flags(machine),
-                            machine->slot[decoded->a]);
+    uint64_t flags = machine_flags(machine);
+    c205_trap trap = branch_and_alter(machine, decoded, &flags,
+                                      machine->slot[decoded->a]);
+    if (trap == C205_TRAP_NONE)
+        *machine_raise_flags(machine) = flags;
+    return trap;
 }
 
 /* A bit that is left as it is may be in memory that may only be read. */
@@ -231,7 +232,7 @@ static const unsigned request_width[REQUESTS] = { 0, 0, 0, 0, 8, 0, 64, 1 };
 static c205_trap check_request(struct c205 *machine, unsigned request,
                                c205_word r)
 {
-    uint64_t bits = (r >> 48) * request_width[request];
+    uint64_t bits = (r >> LENGTH_SHIFT) * request_width[request];
     if (bits > 0 && LOW(r) % request_width[request])
         return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND, LOW(r));
     return memory_check(&machine->memory, LOW(r), bits, false,

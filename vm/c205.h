@@ -378,8 +378,8 @@ size_t c205_account_count(const c205 *machine);
 const c205_account *c205_account_at(const c205 *machine, size_t i);
 /* Set clock and accounts to zero, the machine's pipes empty; memory,
  * registers, which pages are resident and what is left on the job interval
- * timer stay.  An instruction that was interrupted stays so, and is charged as
- * a whole when it is done. */
+ * timer, counted from the clock shown, stay.  An instruction that was
+ * interrupted stays so, and is charged as a whole when it is done. */
 void c205_reset_clock(c205 *machine);
 
 /* At most C205_LISTENERS; false when there are more. */

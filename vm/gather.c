@@ -27,13 +27,13 @@ static uint64_t table_address(const struct transfer *transfer,
 static void collect_indices(struct transfer *transfer)
 {
     struct stream *stream = &transfer->stream;
-    size_t kept = stream->machine->progress.kept;
     uint64_t permitted[CHUNK_WORDS];
-    transfer->used = kept < stream->turn.first ? kept : stream->turn.first;
+    transfer->used = least(stream->machine->progress.kept,
+                           stream->turn.first);
     transfer->count = transfer->used;
     for (size_t first = stream->turn.first, n; first < stream->n;
          first += n) {
-        n = stream->n - first < CHUNK ? stream->n - first : CHUNK;
+        n = least(stream->n - first, CHUNK);
         control_read(&stream->control, first, n, permitted);
         transfer->count += compress_words(
             transfer->indices + transfer->count,

@@ -19,14 +19,11 @@ static inline int64_t product(c205_word a, c205_word b, int keep)
     return (int64_t)((uint64_t)(a1 * b1) << keep) + (middle >> (24 - keep));
 }
 
-/* Machine zeros are the smallest words. */
 static inline lane lane_multiply_upper(c205_word a, c205_word b)
 {
     const int64_t e = exponent(a) + exponent(b) + WORD_DIGITS;
 
-    return odd_if(indefinite(larger(a, b)),
-                  zero_if(is_zero(smaller(a, b)),
-                          fitted(e, product(a, b, 1))));
+    return special_product(a, b, fitted(e, product(a, b, 1)));
 }
 
 /* The product of normalised operands lies in 2^92 .. 2^94, or below -2^92: of
@@ -39,8 +36,7 @@ static inline lane lane_multiply_significant(c205_word a, c205_word b)
     const lane result
         = odd_if(unnormalised(a) | unnormalised(b) | too_long, fitted(e, p));
 
-    return odd_if(indefinite(larger(a, b)),
-                  zero_if(is_zero(smaller(a, b)), result));
+    return special_product(a, b, result);
 }
 
 /* ---- Divide, square root ------------------------------------------------ */

@@ -81,12 +81,10 @@ static c205_trap claim_pair(struct pair *pair)
         trap = stream_claim(&pair->second);
     if (trap != C205_TRAP_NONE)
         return trap;
-    size_t a = operand_lead(&pair->first.a.vector, result);
-    size_t b = operand_lead(&pair->first.b.vector, result);
-    if (a < pair->second.chunk)
-        pair->second.chunk = a;
-    if (b < pair->second.chunk)
-        pair->second.chunk = b;
+    size_t chunk = pair->second.chunk;
+    chunk = operand_lead(&pair->first.a.vector, result, chunk);
+    pair->second.chunk =
+        operand_lead(&pair->first.b.vector, result, chunk);
     return C205_TRAP_NONE;
 }
 

@@ -58,6 +58,17 @@ struct c205 {
     struct memory memory;
 };
 
+/* The parts of a descriptor: its length, its address.  Indices and integers
+ * have their bits where the address is. */
+enum { LENGTH_SHIFT = 48 };
+#define HIGH(word) ((word) & ~ADDRESS_MASK)
+#define LOW(word) ((word) & ADDRESS_MASK)
+
+static inline c205_word with_length(c205_word descriptor, size_t length)
+{
+    return LOW(descriptor) | (c205_word)length << LENGTH_SHIFT;
+}
+
 /* C205_MAX_LENGTH words and one, or NULL: the host has no memory left. */
 c205_word *machine_scratch(struct c205 *machine, enum scratch which);
 

@@ -150,7 +150,7 @@ static size_t count_kept(struct sieve *sieve)
     uint64_t keep[CHUNK_WORDS];
     size_t kept = sieve->kept;
     for (size_t first = turn->first, n; first < turn->n; first += n) {
-        n = turn->n - first < CHUNK ? turn->n - first : CHUNK;
+        n = least(turn->n - first, CHUNK);
         sieve_words(sieve, first, n, keep);
         kept += count_ones(keep, n);
     }
@@ -196,8 +196,7 @@ static c205_trap claim_kept(struct sieve *sieve)
     struct stream *stream = &sieve->stream;
     struct c205 *machine = stream->machine;
     unsigned touches = machine->effect.touch_count;
-    size_t kept = machine->progress.count[0];
-    sieve->kept = kept < stream->turn.first ? kept : stream->turn.first;
+    sieve->kept = least(machine->progress.count[0], stream->turn.first);
     stream->result.length = stream->n;
     stream->chunk = all_ahead(sieve) ? CHUNK : 1;
     c205_trap trap = claim_vector(machine, &stream->result, stream->n, true);
@@ -214,7 +213,6 @@ static c205_trap finish_sieve(struct sieve *sieve,
                               const struct decoded *decoded)
 {
     struct c205 *machine = sieve->stream.machine;
-    c205_word descriptor = machine->slot[decoded->c] & ADDRESS_MASK;
     store_kept(sieve);
     c205_trap trap = stream_end(&sieve->stream);
     if (trap != C205_TRAP_NONE) {
@@ -225,7 +223,7 @@ static c205_trap finish_sieve(struct sieve *sieve,
         machine_touch(machine, sieve->stream.result.address,
                       (uint64_t)sieve->kept * sieve->stream.result.width);
     machine->slot[decoded->result[0]] =
-        descriptor | (c205_word)sieve->kept << 48;
+        with_length(machine->slot[decoded->c], sieve->kept);
     return C205_TRAP_NONE;
 }
 

@@ -4,8 +4,6 @@
 
 /* ---- Describe ----------------------------------------------------------- */
 
-enum { LENGTH_SHIFT = 48 };
-
 static struct vector describe(c205_word descriptor, unsigned width)
 {
     struct vector vector;
@@ -172,23 +170,25 @@ c205_trap claim_control(struct c205 *machine, struct control *control,
 
 bool operands_overlap(const struct vector *one, const struct vector *other)
 {
-    return one->address < vector_at(other, other->length)
+    return one->length > 0 && other->length > 0
+           && one->address < vector_at(other, other->length)
            && other->address < vector_at(one, one->length);
 }
 
 /* Where the result lies above the source by so many elements, that many are
  * still as they were; where it lies at it or below, only what has been read
  * is overwritten. */
-size_t operand_lead(const struct vector *read, const struct vector *written)
+size_t operand_lead(const struct vector *read, const struct vector *written,
+                    size_t most)
 {
     if (!operands_overlap(read, written))
-        return CHUNK;
+        return most;
     if (read->width != written->width)
         return 1;
     if (written->address <= read->address)
-        return CHUNK;
+        return most;
     uint64_t lead = (written->address - read->address) / read->width;
-    return lead < CHUNK ? (size_t)lead : CHUNK;
+    return lead < most ? (size_t)lead : most;
 }
 
 /* An element never moves up: a result at or below its source overwrites what
@@ -234,8 +234,7 @@ static const c205_word *padding_words(struct source *source, size_t n)
 static const c205_word *filled_space(struct source *source, size_t first,
                                      size_t n)
 {
-    size_t left = source->vector.length - first;
-    size_t in_memory = left < n ? left : n;
+    size_t in_memory = least(source->vector.length - first, n);
     vector_read(source->memory, &source->vector, first, source->space,
                 in_memory);
     control_sign(source, source->space, in_memory);

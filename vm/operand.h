@@ -77,9 +77,10 @@ c205_trap claim_source(struct c205 *machine, struct source *source,
 c205_trap claim_control(struct c205 *machine, struct control *control,
                         size_t count);
 
-/* How many elements of one may be read before the first of the other is
- * stored. */
-size_t operand_lead(const struct vector *read, const struct vector *written);
+/* How many elements of one, but most at the most, may be read before the first
+ * of the other is stored. */
+size_t operand_lead(const struct vector *read, const struct vector *written,
+                    size_t most);
 bool operands_overlap(const struct vector *one, const struct vector *other);
 /* May all of one be read before the other is stored, whose elements come from
  * the same place or from further on? */
@@ -114,6 +115,11 @@ size_t count_ones(const uint64_t *bits, size_t n);
 /* The place of the first one, or n. */
 size_t first_one(const uint64_t *bits, size_t n);
 void fill_words(c205_word *words, c205_word word, size_t n);
+
+static inline size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
 
 static inline bool bit_at(const uint64_t *bits, size_t i)
 {

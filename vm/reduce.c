@@ -119,7 +119,7 @@ struct best {
     size_t index;
     bool found, indefinite;
     bool greatest; /* wanted; else the least */
-    bool (*less)(c205_word a, c205_word b);
+    arith_relation *less;
 };
 
 static bool is_better(const struct best *best, c205_word word)

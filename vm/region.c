@@ -78,7 +78,7 @@ static bool set_ranges(struct c205 *machine, const c205_program *program,
     return check_ranges(ranges, program->region_count,
                         (const char *const *)names, error)
            && clock_set_regions(machine->clock, (const char *const *)names,
-                             name_count, error);
+                                name_count, error);
 }
 
 bool machine_set_regions(struct c205 *machine, const c205_program *program,
@@ -125,7 +125,7 @@ static void walk_names(struct c205 *machine, const char **names,
 static void walk_accounts(struct c205 *machine, struct tape *tape)
 {
     size_t count = clock_account_count(machine->clock);
-    tape_size(tape, &count, tape_room(tape));
+    tape_count(tape, &count);
     const char **names = malloc((count + 1) * sizeof *names);
     if (names)
         walk_names(machine, names, count, tape);
@@ -159,7 +159,7 @@ void machine_walk_regions(struct c205 *machine, struct tape *tape)
 {
     size_t count = machine->range_count;
     walk_accounts(machine, tape);
-    tape_size(tape, &count, tape_room(tape));
+    tape_count(tape, &count);
     if (tape_is_read(tape)) {
         machine->ranges = calloc(count + 1, sizeof *machine->ranges);
         machine->range_count = machine->ranges ? count : 0;

@@ -461,8 +461,7 @@ c205_word RULE(floor)(c205_word a, uint64_t *flags)
 
     if (exponent >= 0 || word_is_machine_zero(a))
         return kept(a, flags);
-    return made(0, coefficient_of(a)
-                            >> (exponent < -63 ? 63 : -exponent));
+    return made(0, coefficient_of(a) >> (exponent < -63 ? 63 : -exponent));
 }
 
 c205_word RULE(ceiling)(c205_word a, uint64_t *flags)
@@ -471,14 +470,14 @@ c205_word RULE(ceiling)(c205_word a, uint64_t *flags)
 
     if (exponent >= 0 || word_is_machine_zero(a))
         return kept(a, flags);
-    return made(0, -(-coefficient_of(a)
-                          >> (exponent < -63 ? 63 : -exponent)));
+    return made(0,
+                -(-coefficient_of(a) >> (exponent < -63 ? 63 : -exponent)));
 }
 
 c205_word RULE(truncate)(c205_word a, uint64_t *flags)
 {
     return coefficient_of(a) < 0 ? RULE(ceiling)(a, flags)
-                                   : RULE(floor)(a, flags);
+                                 : RULE(floor)(a, flags);
 }
 
 /* A normalised number stays normalised: 2^d does not fit, and -2^(d - 1) is

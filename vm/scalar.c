@@ -5,10 +5,6 @@
 
 #include <string.h>
 
-#define LOW(word) ((word) & ADDRESS_MASK)
-#define HIGH(word) ((word) & ~ADDRESS_MASK)
-enum { LENGTH_SHIFT = 48 };
-
 /* T := value, where a, b are the words of R and S. */
 #define TO_T(name, value) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
@@ -151,7 +147,7 @@ TO_HALF(extend, arith_extend(a, &machine->data_flags))
 
 static c205_trap cut_to_half(struct c205 *machine,
                              const struct decoded *decoded,
-                             c205_word (*contract)(c205_word, uint64_t *))
+                             arith_unary *contract)
 {
     machine_deliver(machine, decoded,
                     contract(machine->slot[decoded->a],

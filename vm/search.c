@@ -6,8 +6,7 @@
 /* How many words of B are compared at once. */
 static size_t scan_next(const struct stream *stream, size_t first)
 {
-    size_t left = stream->b.vector.length - first;
-    return left < CHUNK ? left : CHUNK;
+    return least(stream->b.vector.length - first, CHUNK);
 }
 
 /* The index of the first B that compares with the word, or the length. */

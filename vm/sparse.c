@@ -181,7 +181,7 @@ static c205_trap run_sparse(struct sparse *sparse,
                  && !operands_overlap(&sparse->b.vector, result);
     size_t chunk = apart ? CHUNK : 1;
     for (size_t first = turn->first, n; first < turn->end; first += n) {
-        n = turn->end - first < chunk ? turn->end - first : chunk;
+        n = least(turn->end - first, chunk);
         size_t count = take_pairs(sparse, first, n, a, b);
         operate(machine, operation, words, a, b, count, NULL);
         vector_write(&machine->memory, result, sparse->next_result, words,
@@ -234,8 +234,7 @@ static c205_trap begin_turn(struct sparse *sparse)
 static void set_length(struct c205 *machine, uint16_t slot, size_t length)
 {
     if (slot > 0)
-        machine->slot[slot] = (machine->slot[slot] & ADDRESS_MASK)
-                              | (c205_word)length << 48;
+        machine->slot[slot] = with_length(machine->slot[slot], length);
 }
 
 static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,

@@ -101,6 +101,12 @@ size_t tape_room(const struct tape *tape)
     return tape->left / TAPE_WORD_BYTES;
 }
 
+void tape_count(struct tape *tape, size_t *count)
+{
+    const size_t room = tape_room(tape); /* with that of the number itself */
+    tape_size(tape, count, room > 0 ? room - 1 : 0);
+}
+
 /* ---- Texts: how many words, then the characters and at least one NUL ----- */
 
 static void write_text(struct tape *tape, const char *text)
@@ -121,7 +127,7 @@ static const char *read_text(struct tape *tape)
 {
     const char *text = "";
     size_t words = 0;
-    tape_size(tape, &words, tape_room(tape));
+    tape_count(tape, &words);
     if (words > 0 && tape->bytes[words * TAPE_WORD_BYTES - 1] == '\0')
         text = (const char *)tape->bytes;
     else

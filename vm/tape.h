@@ -41,7 +41,9 @@ void tape_words(struct tape *tape, uint64_t *words, size_t count);
 void tape_array(struct tape *tape, uint64_t *words, size_t count);
 /* A number of things, at most so many; most is not looked at in writing. */
 void tape_size(struct tape *tape, size_t *size, size_t most);
-/* Words, or lists that begin with one, that the rest of a tape may hold. */
+/* A number of things that follow, each a word or more. */
+void tape_count(struct tape *tape, size_t *count);
+/* Words that the rest of a tape may hold. */
 size_t tape_room(const struct tape *tape);
 /* A text that was read lies in the bytes of the tape. */
 void tape_text(struct tape *tape, const char **text);

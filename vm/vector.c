@@ -65,11 +65,6 @@ c205_trap stream_claim_sources(struct stream *stream)
     return trap;
 }
 
-static size_t least(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
-
 c205_trap stream_claim(struct stream *stream)
 {
     c205_trap trap = stream_claim_sources(stream);
@@ -78,10 +73,10 @@ c205_trap stream_claim(struct stream *stream)
                             true);
     if (trap != C205_TRAP_NONE)
         return trap;
-    size_t a = operand_lead(&stream->a.vector, &stream->result);
-    size_t b = operand_lead(&stream->b.vector, &stream->result);
-    size_t z = operand_lead(&stream->control.vector, &stream->result);
-    stream->chunk = least(z, least(a, b));
+    const struct vector *result = &stream->result;
+    size_t a = operand_lead(&stream->a.vector, result, CHUNK);
+    size_t b = operand_lead(&stream->b.vector, result, a);
+    stream->chunk = operand_lead(&stream->control.vector, result, b);
     return C205_TRAP_NONE;
 }
 
@@ -285,17 +280,15 @@ c205_trap execute_vector_adjacent_mean(struct c205 *machine,
 
 /* ---- Interval ---------------------------------------------------------- */
 
-/* n elements by repeated upper addition, the first of them *value; the next
- * is left there.  They do not depend on the control vector, flags do: each
- * comes with the sum that is stored. */
-typedef c205_word adder(c205_word a, c205_word b, uint64_t *flags);
-
 struct progression {
-    adder *add;
+    arith_binary *add;
     c205_word value, step;
     uint64_t raised; /* flags of value */
 };
 
+/* n elements by repeated upper addition, the first of them value; the next
+ * is left there.  They do not depend on the control vector, flags do: each
+ * comes with the sum that is stored. */
 static void make_interval(struct c205 *machine,
                           struct progression *progression, c205_word *words,
                           size_t n, const uint64_t *permitted)

@@ -51,8 +51,7 @@ c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
 /* How many elements come next. */
 static inline size_t stream_next(const struct stream *stream, size_t first)
 {
-    size_t left = stream->turn.end - first;
-    return left < stream->chunk ? left : stream->chunk;
+    return least(stream->turn.end - first, stream->chunk);
 }
 
 /* All that come next are done: NONE, or CLOCK_LIMIT if there are more. */

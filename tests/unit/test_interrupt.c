@@ -360,6 +360,30 @@ static void test_reset_clock(void **state)
     free_little(&little);
 }
 
+/* What is left on the job interval timer stays then, as it is shown in the
+ * middle; also on a machine that was restored there. */
+static void test_reset_timer(void **state)
+{
+    struct little little = make_little();
+    (void)state;
+    begin(&little);
+    add(&little, "WJTIME", F(.r = 3));
+    add(&little, "ADDNV", F(.a = 1, .b = 1, .c = 2));
+    add(&little, "RJTIME", F(.t = 4));
+    add(&little, "EXIT", F(.r = 0));
+    load(&little, 300);
+    set(&little, 1, descriptor(DATA, 100));
+    set(&little, 2, descriptor(DATA + 200 * 64, 100));
+    set(&little, 3, 1000);
+    c205_run(little.machine, 71);
+    assert_true(little.machine->progress.first > 0);
+    little.machine = replace(little.machine);
+    c205_reset_clock(little.machine);
+    assert_int_equal(run(&little).trap, C205_TRAP_NONE);
+    assert_int_equal(get(&little, 4), 1000 - 71 - 1);
+    free_little(&little);
+}
+
 /* The limit comes before what is no instruction, too. */
 static void test_limit_before_undefined(void **state)
 {
@@ -528,6 +552,7 @@ int main(void)
         cmocka_unit_test(test_result_at_the_end),
         cmocka_unit_test(test_given_up),
         cmocka_unit_test(test_reset_clock),
+        cmocka_unit_test(test_reset_timer),
         cmocka_unit_test(test_limit_before_undefined),
         cmocka_unit_test(test_missing_page),
         cmocka_unit_test(test_missing_page_of_a_scalar),

@@ -239,8 +239,12 @@ static void test_forged(void **state)
 {
     struct bytes bytes = in_the_middle(1300);
     (void)state;
-    for (size_t i = 0; i + 1 < bytes.count / WORD_BYTES; i++) {
+    bytes.byte = realloc(bytes.byte, bytes.count); /* nothing behind */
+    assert_non_null(bytes.byte);
+    const size_t words = bytes.count / WORD_BYTES;
+    for (size_t i = 0; i + 1 < words; i++) {
         uint64_t random = xorshift(&random_state);
+        try_word(&bytes, i, words - i); /* one more than follow */
         try_word(&bytes, i, 0);
         try_word(&bytes, i, UINT64_MAX);
         try_word(&bytes, i, get_word(&bytes, i) + 1);
