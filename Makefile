@@ -2,8 +2,7 @@
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
 # make all | docs | bench | san | fuzz | cover | check-long | wasm-check |
-#      format | lint | install | clean| docs | bench | san | fuzz | check-long | wasm-check | format |
-#      lint | install | clean
+#      format | lint | install | clean
 
 BUILD ?= build
 OPT ?= -O3

@@ -162,7 +162,8 @@ struct assembler {
     const struct expression *entry;
 };
 
-/* error.c.  at points into the line; all return false. */
+/* error.c.  at points into the line, or to its beginning if the whole of it is
+ * meant; all return false. */
 bool report(struct assembler *assembler, const struct line *line,
             const char *at, const char *format, ...)
 #if defined(__GNUC__)

@@ -39,16 +39,20 @@ static bool parse_limit(const char *text, uint64_t *limit)
 static bool parse_define(char *text, struct cmd_arguments *arguments)
 {
     struct asm_define *define = &arguments->defines[arguments->define_count];
-    char *value = strchr(text, '='), *end;
-    if (!value || value == text || arguments->define_count == CMD_DEFINES) {
+    char *equals = strchr(text, '='), *end;
+    if (!equals || equals == text
+        || arguments->define_count == CMD_DEFINES) {
         return false;
     }
-    *value++ = '\0';
     errno = 0;
+    define->value = strtoll(equals + 1, &end, 0);
+    if (errno != 0 || end == equals + 1 || *end != '\0') {
+        return false;
+    }
+    *equals = '\0';
     define->name = text;
-    define->value = strtoll(value, &end, 0);
     arguments->define_count++;
-    return errno == 0 && end != value && *end == '\0';
+    return true;
 }
 
 static bool take(int letter, struct cmd_arguments *arguments)

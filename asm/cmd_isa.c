@@ -47,8 +47,8 @@ static void describe_rules(const c205_insn *insn)
     describe_rule("specials", isa_specials(insn));
     describe_rule("with ,H", half);
     for (unsigned flag = 1; flag <= insn->flags; flag <<= 1) {
-        if (insn->flags & flag & ~ISA_TOLD && isa_flag(flag)) {
-            describe_rule("note", isa_flag(flag));
+        if (insn->flags & flag & ~ISA_TOLD && isa_flag(insn, flag)) {
+            describe_rule("note", isa_flag(insn, flag));
         }
     }
 }
@@ -64,15 +64,16 @@ static void describe_example(const c205_insn *insn)
 
 static void describe(const c205_insn *insn)
 {
+    const char *syntax = c205_format_syntax(insn->format);
     const char *timing = c205_timing_name(insn->timing);
     bool vector = c205_timing_is_vector(insn->timing);
     char code[ISA_CODE], drawing[ISA_DRAWING];
     isa_code(insn, code);
     isa_drawing(insn, drawing);
     printf("%s   %s\n", insn->mnemonic, insn->effect);
-    printf("  written     %s%s %s\n", insn->mnemonic,
+    printf("  written     %s%s%s%s\n", insn->mnemonic,
            insn->flags & C205_INSN_HALF ? "[" SYNTAX_HALF "]" : "",
-           c205_format_syntax(insn->format));
+           *syntax ? " " : "", syntax);
     printf("  code        %s\n", code);
     printf("  word        %s\n", drawing);
     describe_operands(insn);
@@ -103,12 +104,24 @@ static void add_row(struct table *table, const c205_insn *insn)
     table_text(table, insn->effect);
 }
 
+/* With the qualifier of 32-bit operands, where a row has it, or without. */
+static const c205_insn *row_named(const char *name)
+{
+    size_t length = strcspn(name, ",");
+    const c205_insn *insn = c205_insn_named(name, length);
+    const char *qualifier = name + length;
+    bool half = !strcmp(qualifier, ",H") || !strcmp(qualifier, ",h");
+    if (!*qualifier || (insn && half && insn->flags & C205_INSN_HALF)) {
+        return insn;
+    }
+    return NULL;
+}
+
 static bool chosen(const struct cmd_arguments *arguments,
                    const c205_insn *insn)
 {
     for (size_t i = 0; i < arguments->file_count; i++) {
-        const char *name = arguments->files[i];
-        if (c205_insn_named(name, strlen(name)) == insn) {
+        if (row_named(arguments->files[i]) == insn) {
             return true;
         }
     }
@@ -164,7 +177,7 @@ int cmd_isa(const struct cmd_arguments *arguments)
     }
     for (size_t i = 0; i < arguments->file_count; i++) {
         const char *name = arguments->files[i];
-        if (!c205_insn_named(name, strlen(name))) {
+        if (!row_named(name)) {
             return cmd_usage(arguments->command, "no such instruction: %s",
                              name);
         }

@@ -34,7 +34,8 @@ const char *isa_padding(const c205_insn *insn);
 const char *isa_clocked(const c205_insn *insn);
 /* What becomes of the elements that the control vector shuts out. */
 const char *isa_control(const c205_insn *insn);
-/* What becomes of machine zeros, indefinites and results out of range. */
+/* What becomes of machine zeros and indefinites, and of what is out of range
+ * where that is not as everywhere. */
 const char *isa_specials(const c205_insn *insn);
 
 /* What becomes of the operands with ",H"; empty: the row has no such form. */
@@ -44,7 +45,7 @@ void isa_half(const c205_insn *insn, char text[ISA_HALF]);
 /* Flags that isa_padding and isa_half tell of. */
 #define ISA_TOLD (C205_INSN_PADZ | C205_INSN_PADO | C205_INSN_HALF)
 /* What another flag of a row means; NULL: nobody has explained it. */
-const char *isa_flag(unsigned flag);
+const char *isa_flag(const c205_insn *insn, unsigned flag);
 const char *isa_provenance(char letter);
 
 /* The lines of a short program that shows it; NULL: there is none. */

@@ -209,16 +209,20 @@ static void put_stream(const c205_insn *insn, const c205_model *model,
     }
 }
 
-/* What a taken branch loses after its issue clock. */
+/* What a taken branch loses after its issue clock, what a swap takes. */
 static void put_latency(const c205_insn *insn, const c205_model *model,
                         const c205_constant *latency,
                         const c205_constant *busy)
 {
     const c205_constant *near = constant(model, "branch", "taken");
     const c205_constant *far = constant(model, "branch", "out_of_stack");
+    const c205_constant *word = constant(model, "swap", "word");
     if (insn->timing == C205_TIMING_branch && near && far) {
         printf(": taken %s clocks lost, %s out of the stack", near->text,
                far->text);
+    } else if (insn->timing == C205_TIMING_swap && word) {
+        printf(": %s clocks + %s for each word loaded or saved",
+               latency->text, word->text);
     } else {
         printf(": result after %s clk, unit free after %s", latency->text,
                busy->text);
@@ -261,7 +265,7 @@ static bool put_flags(const c205_insn *insn)
 {
     bool good = true;
     for (unsigned flag = 1; flag <= insn->flags; flag <<= 1) {
-        const char *note = isa_flag(flag);
+        const char *note = isa_flag(insn, flag);
         if (insn->flags & flag & ~ISA_TOLD) {
             put_row("note", note ? note : "?");
             good = good && note;
@@ -420,8 +424,12 @@ int isa_page(const char *command, const c205_model *model)
            "the clock in [timing.md](timing.md). The clocks here are those "
            "of the model `%s`,\n"
            "n the number of elements (of bits in a bit string), rounded up. "
-           "Each example is\n"
-           "assembled, run and checked by the tests.\n",
+           "Special values\n"
+           "are told of where they have rules; everywhere a result above the "
+           "range is indefinite\n"
+           "(flags 42 and 46), one below it machine zero (flag 43). Each "
+           "example is assembled,\n"
+           "run and checked by the tests.\n",
            c205_insn_count, c205_model_name(model));
     put_contents();
     put_formats();

@@ -22,7 +22,7 @@ static const struct operand_meaning {
     { 'i', "register, read as bits, an index or an address; r0 is 0", NULL },
     { 'w', "register, written", NULL },
     { 'm', "register, read as bits, then written", NULL },
-    { 'k', "register, written with an index or a count", NULL },
+    { 'k', "register, written with an index", NULL },
     { 'F', "half register, read as a number; h0, h1 are machine zero",
       NULL },
     { 'I', "half register, read as bits; h0, h1 are 0", NULL },
@@ -30,7 +30,7 @@ static const struct operand_meaning {
     { 'M', "half register, read as bits, then written", NULL },
     { 'v', "vector of numbers" OR_REGISTER, "vector of numbers" },
     { 'u', "vector of words" OR_REGISTER, "vector of words" },
-    { 'l', "vector of indices" OR_REGISTER, "vector of indices" },
+    { 'l', "vector of indices", NULL },
     { 'V', "vector of 32-bit numbers" OR_HALF, "vector of 32-bit numbers" },
     { 'b', "bit vector, read", NULL },
     { 'd', "vector of words, written", NULL },
@@ -58,7 +58,7 @@ static const struct {
     unsigned flag;
     const char *text;
 } flag_notes[] = {
-    { C205_INSN_SIGN, "sign control: -A, |A|, -|A|, |B|" },
+    { C205_INSN_SIGN, "sign control: -A, |A|, -|A|" },
     { C205_INSN_LINK, "may stand after the link prefix" },
     { C205_INSN_INDEX, "the register after the result gets an index" },
 };
@@ -77,9 +77,13 @@ const char *isa_provenance(char letter)
     return meaning_of(provenances, letter);
 }
 
-const char *isa_flag(unsigned flag)
+const char *isa_flag(const c205_insn *insn, unsigned flag)
 {
     size_t i = 0;
+    if (flag == C205_INSN_SIGN
+        && strpbrk(c205_format_syntax(insn->format), "bB")) {
+        return "sign control: -A, |A|, -|A|, |B|";
+    }
     while (i < FLAG_NOTES && flag_notes[i].flag != flag) {
         i++;
     }
@@ -166,6 +170,13 @@ void isa_drawing(const c205_insn *insn, char text[ISA_DRAWING])
 
 /* ---- Operands and rules ------------------------------------------------- */
 
+/* A reduction of one number is refused. */
+static bool is_in_brackets(const c205_insn *insn, char field)
+{
+    return isupper((unsigned char)field)
+           || insn->format == C205_FORMAT_REDUCE;
+}
+
 static const char *operand_meaning(char letter, bool in_brackets)
 {
     size_t i = 0;
@@ -194,7 +205,7 @@ bool isa_next_operand(const c205_insn *insn, const char **letter,
     operand->written += strspn(operand->written, between);
     operand->length = (int)strcspn(operand->written, between);
     operand->meaning = operand_meaning(
-        **letter, isupper((unsigned char)*operand->written));
+        **letter, is_in_brackets(insn, *operand->written));
     return **letter != '\0';
 }
 
@@ -254,7 +265,7 @@ const char *isa_length(const c205_insn *insn)
     if (has_operand(insn, "x")) {
         return has_operand(insn, "d")
                    ? "that of C, or of A if A is shorter"
-                   : "that of A, or of B if A is broadcast";
+                   : "that of A";
     }
     if (has_operand(insn, "dDe")) {
         return strchr(c205_format_syntax(insn->format), 'C')
@@ -407,8 +418,9 @@ static const struct {
     { "ABS", KEEP_RULE },
     { "CLG", KEEP_RULE },
     { "VTOV", KEEP_RULE },
-    { "ADJ", "machine zero and indefinite stay; a coefficient that does not "
-             "fit: indefinite, flag 42" },
+    { "ADJS", "machine zero and indefinite become the plain words" },
+    { "ADJE", "machine zero and indefinite become the plain words; a "
+              "coefficient that does not fit: indefinite, flag 42" },
     { "POLY", "products and sums as those of MPYS and ADDN; no "
               "coefficients: machine zero" },
     { "EXP", "the exponent field of every word, no flags" },
@@ -432,7 +444,7 @@ static bool compares(const c205_insn *insn)
 const char *isa_specials(const c205_insn *insn)
 {
     size_t i = 0;
-    if (!has_operand(insn, "fvFV") && insn->format != C205_FORMAT_SPARSE) {
+    if (!has_operand(insn, "fvFV")) {
         return insn->unit == C205_UNIT_VECTOR && *insn->operands
                    ? "none: elements are bits, whatever they mean"
                    : "";

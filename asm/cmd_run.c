@@ -127,7 +127,7 @@ static int run(const struct cmd_arguments *arguments, c205 *machine)
     return code == CMD_DONE ? verdict : code;
 }
 
-/* ---- Where the machine comes from ---------------------------------------- */
+/* ---- Where the machine comes from --------------------------------------- */
 
 static c205 *load(const c205_model *model, const struct object *object,
                   c205_error *error)

@@ -60,6 +60,15 @@ static void say_caller(char *message, size_t size, const struct line *line)
                  line->caller->file, line->caller->number);
 }
 
+/* What is wrong with a line as a whole is told at its first word. */
+static size_t column_of(const struct line *line, const char *at)
+{
+    if (at == line->begin)
+        while (at < line->text_end && (*at == ' ' || *at == '\t'))
+            at++;
+    return (size_t)(at - line->text) + 1;
+}
+
 bool report(struct assembler *assembler, const struct line *line,
             const char *at, const char *format, ...)
 {
@@ -75,7 +84,7 @@ bool report(struct assembler *assembler, const struct line *line,
     say_caller(message, sizeof message, line);
     item.file = copy(line->file, strlen(line->file));
     item.line = line->number;
-    item.column = (size_t)(at - line->text) + 1;
+    item.column = column_of(line, at);
     item.message = copy(message, strlen(message));
     item.source = copy(line->text, (size_t)(line->text_end - line->text));
     add(assembler->errors, item);

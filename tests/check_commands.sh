@@ -140,6 +140,8 @@ ends 0 "$build/c205" run good.s --json run.json
 verdict $? "run.json is empty"
 ends 1 "$build/c205" run good.s --json missing/run.json
 ends 1 "$build/c205" run good.s --model nonsense
+ends 0 "$build/c205" isa ADDNV,H
+ends 2 "$build/c205" isa LOD,H
 ends 0 "$build/c205" isa ADDNV
 tells out 'normalised'
 ends 0 "$build/c205" model cyber205-4pipe
@@ -165,7 +167,7 @@ ends 2 "$build/c205" isa --markdown ADDNV
 tells err 'stands alone'
 for define in NAME =1 NAME=x; do
     ends 2 "$build/c205" run --define $define good.s
-    tells err 'wrong argument'
+    tells err "wrong argument: $define"
 done
 for command in run asm dis; do
     ends 1 "$build/c205" $command bad.s

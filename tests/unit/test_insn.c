@@ -160,7 +160,7 @@ static const char *allowed_letters(const char **syntax, bool *bracket)
     if (islower((unsigned char)c))
         return "vulV";
     if (c != 'I')
-        return *bracket ? "iuldeqcoxbD" : "fiwmkFIWM";
+        return *bracket ? "ivuldeqcoxbD" : "fiwmkFIWM";
     while (isdigit((unsigned char)**syntax))
         ++*syntax;
     return "n";
