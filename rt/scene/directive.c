@@ -1,6 +1,7 @@
 /* directive.c - the directives: words after '#'. */
 #include "rt/scene/directive.h"
 
+#include "rt/scene/condition.h"
 #include "rt/scene/expression.h"
 #include "rt/scene/statement.h"
 
@@ -346,10 +347,6 @@ static bool unsupported(struct reader *reader, void *subject,
                         item->keyword->word);
 }
 
-static bool skip_to_end(struct reader *reader, void *subject,
-                        const struct item *item);
-
-/* What #end ends has 1 as its detail: how much deeper it leads. */
 static const struct keyword words[] = {
     { "declare", read_declare, 0 },
     { "local", read_local, 0 },
@@ -368,17 +365,17 @@ static const struct keyword words[] = {
     { "write", unsupported, 0 },
     { "break", unsupported, 0 },
     { "case", unsupported, 0 },
-    { "else", unsupported, 0 },
+    { "else", condition_else, 0 },
     { "elseif", unsupported, 0 },
-    { "end", unsupported, 0 },
+    { "end", condition_end, 0 },
     { "range", unsupported, 0 },
-    { "for", skip_to_end, 1 },
-    { "if", skip_to_end, 1 },
-    { "ifdef", skip_to_end, 1 },
-    { "ifndef", skip_to_end, 1 },
-    { "macro", skip_to_end, 1 },
-    { "switch", skip_to_end, 1 },
-    { "while", skip_to_end, 1 },
+    { "for", condition_unsupported, 0 },
+    { "if", condition_unsupported, 0 },
+    { "ifdef", condition_read, CONDITION_WHEN_DEFINED },
+    { "ifndef", condition_read, CONDITION_UNLESS_DEFINED },
+    { "macro", condition_unsupported, 0 },
+    { "switch", condition_unsupported, 0 },
+    { "while", condition_unsupported, 0 },
     { NULL, NULL, 0 },
 };
 
@@ -391,26 +388,6 @@ static const struct keyword *find(const struct token *token)
                || memcmp(keyword->word, token->text, token->length)))
         keyword++;
     return keyword->word ? keyword : NULL;
-}
-
-/* Conditions, loops and macros: an error; what they hold is not read. */
-static bool skip_to_end(struct reader *reader, void *subject,
-                        const struct item *item)
-{
-    size_t depth = 1, braces = reader->braces;
-
-    unsupported(reader, subject, item);
-    while (depth && reader->token.kind != TOKEN_END) {
-        if (reader->token.kind == TOKEN_DIRECTIVE) {
-            const struct keyword *keyword = find(&reader->token);
-            if (keyword && keyword->read == skip_to_end)
-                depth += keyword->detail;
-            depth -= keyword && !strcmp(keyword->word, "end");
-        }
-        reader_next(reader);
-    }
-    reader->braces = braces;
-    return true;
 }
 
 bool directive_read(struct reader *reader)

@@ -4,7 +4,6 @@
 const struct keyword other_shapes[] = {
     { "bicubic_patch", item_unsupported, 0 },
     { "blob", item_unsupported, 0 },
-    { "cone", item_unsupported, 0 },
     { "cubic", item_unsupported, 0 },
     { "difference", item_unsupported, 0 },
     { "disc", item_unsupported, 0 },
@@ -24,14 +23,11 @@ const struct keyword other_shapes[] = {
     { "polygon", item_unsupported, 0 },
     { "polynomial", item_unsupported, 0 },
     { "prism", item_unsupported, 0 },
-    { "quadric", item_unsupported, 0 },
-    { "quartic", item_unsupported, 0 },
     { "smooth_triangle", item_unsupported, 0 },
     { "sor", item_unsupported, 0 },
     { "sphere_sweep", item_unsupported, 0 },
     { "superellipsoid", item_unsupported, 0 },
     { "text", item_unsupported, 0 },
-    { "torus", item_unsupported, 0 },
     { "triangle", item_unsupported, 0 },
     { NULL, NULL, 0 },
 };

@@ -14,7 +14,14 @@
 enum {
     NESTING_MOST = 200,       /* blocks and brackets within each other */
     PRIMITIVES_MOST = 200000, /* made in all, copies counted */
-    REPORTS_MOST = 200
+    REPORTS_MOST = 200,
+    CONDITIONS_MOST = 100     /* within each other */
+};
+
+/* An #ifdef or #ifndef whose #end has not come. */
+struct condition {
+    struct token at;
+    bool in_else;
 };
 
 struct reader {
@@ -25,6 +32,8 @@ struct reader {
     size_t braces;      /* open before it */
     bool closed;        /* the one before is a closing brace */
     size_t nesting;
+    size_t condition_count;
+    struct condition conditions[CONDITIONS_MOST];
 
     struct symbols symbols;
     struct texture default_texture;

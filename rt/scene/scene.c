@@ -1,6 +1,7 @@
 /* scene.c - a scene from a file: its statements, and what they add up to. */
 #include "rt/scene/scene.h"
 
+#include "rt/scene/condition.h"
 #include "rt/scene/expression.h"
 #include "rt/scene/statement.h"
 
@@ -11,7 +12,10 @@
 const char *primitive_kind_name(enum primitive_kind kind)
 {
     static const char *const names[PRIMITIVE_KINDS] = {
-        "sphere", "box", "cylinder", "plane"
+        "sphere",  "box",     "cylinder",
+        "plane",   "cone",    "torus",
+        "elliptical_torus", "quadric", "quartic",
+        "steiner_patch"
     };
 
     return names[kind];
@@ -209,6 +213,7 @@ static bool read_all(struct reader *reader, const struct source *source)
     reader_next(reader);
     file = block_file(reader);
     block_items(reader, &file, &file_grammar, NULL, true);
+    conditions_close(reader);
     report_shadows(reader);
     return take_world(reader);
 }

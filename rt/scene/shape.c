@@ -1,9 +1,6 @@
-/* shape.c - primitives, unions and objects: their arguments and modifiers. */
+/* shape.c - unions, objects and their modifiers. */
 #include "rt/scene/expression.h"
 #include "rt/scene/statement.h"
-#include "rt/scene/vector.h"
-
-#include <string.h>
 
 static bool count_primitives(struct reader *reader, size_t more,
                              const struct token *at)
@@ -36,80 +33,6 @@ static bool add_primitive(struct reader *reader, struct object *object,
         return false;
     return object_add_primitive(object, primitive)
         || reader_no_memory(reader);
-}
-
-/* A radius counts by its size; without one there is nothing to see. */
-static bool read_radius(struct reader *reader, double *radius)
-{
-    struct token at = reader->token;
-
-    if (!read_number(reader, radius))
-        return false;
-    *radius = fabs(*radius);
-    return *radius > 0 || reader_fault(reader, &at, "the radius is 0");
-}
-
-static bool read_sphere(struct reader *reader, struct primitive *primitive)
-{
-    primitive->kind = PRIMITIVE_SPHERE;
-    if (!read_vector(reader, primitive->shape.sphere.center))
-        return false;
-    reader_comma(reader);
-    return read_radius(reader, &primitive->shape.sphere.radius);
-}
-
-static bool read_box(struct reader *reader, struct primitive *primitive)
-{
-    double a[3], b[3];
-
-    primitive->kind = PRIMITIVE_BOX;
-    if (!read_vector(reader, a))
-        return false;
-    reader_comma(reader);
-    if (!read_vector(reader, b))
-        return false;
-    for (int i = 0; i < 3; i++) {
-        primitive->shape.box.corner[0][i] = fmin(a[i], b[i]);
-        primitive->shape.box.corner[1][i] = fmax(a[i], b[i]);
-    }
-    return true;
-}
-
-static bool read_cylinder(struct reader *reader, struct primitive *primitive)
-{
-    const double *base = primitive->shape.cylinder.base;
-    const double *cap = primitive->shape.cylinder.cap;
-    struct token at = reader->token;
-
-    primitive->kind = PRIMITIVE_CYLINDER;
-    if (!read_vector(reader, primitive->shape.cylinder.base))
-        return false;
-    reader_comma(reader);
-    if (!read_vector(reader, primitive->shape.cylinder.cap))
-        return false;
-    reader_comma(reader);
-    if (!read_radius(reader, &primitive->shape.cylinder.radius))
-        return false;
-    primitive->shape.cylinder.open = reader_accept(reader, "open");
-    return base[0] != cap[0] || base[1] != cap[1] || base[2] != cap[2]
-        || reader_fault(reader, &at, "both ends of the axis are the same");
-}
-
-/* The distance is along the normal of length one. */
-static bool read_plane(struct reader *reader, struct primitive *primitive)
-{
-    double *normal = primitive->shape.plane.normal, length;
-    struct token at = reader->token;
-
-    primitive->kind = PRIMITIVE_PLANE;
-    if (!read_vector(reader, normal))
-        return false;
-    length = length3(normal);
-    if (length == 0 || !isfinite(length))
-        return reader_fault(reader, &at, "the normal has no direction");
-    scale3(1 / length, normal);
-    reader_comma(reader);
-    return read_number(reader, &primitive->shape.plane.distance);
 }
 
 /* A texture laid over another hides it, being opaque. */
@@ -171,6 +94,17 @@ static bool read_no_shadow(struct reader *reader, void *subject,
     return true;
 }
 
+/* POV-Ray's choice of a root solver; ours needs none. */
+static bool read_sturm(struct reader *reader, void *subject,
+                       const struct item *item)
+{
+    double ignored;
+
+    (void)subject;
+    (void)item;
+    return !starts_expression(reader) || read_number(reader, &ignored);
+}
+
 static const struct keyword material_words[] = {
     { "texture", read_texture, 0 },
     { "interior", item_left_out, 0 },
@@ -195,6 +129,7 @@ static const struct keyword modifiers[] = {
     { "finish", read_finish, 0 },
     { "material", read_material, 0 },
     { "no_shadow", read_no_shadow, 0 },
+    { "sturm", read_sturm, 0 },
     { NULL, NULL, 0 },
 };
 
@@ -213,7 +148,6 @@ static const struct keyword modifiers_left_out[] = {
     { "photons", item_left_out, 0 },
     { "radiosity", item_left_out, 0 },
     { "split_union", item_left_out, 0 },
-    { "sturm", item_left_out, 0 },
     { "uv_mapping", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
@@ -280,18 +214,14 @@ static bool read_base(struct reader *reader, struct object *object)
 static bool read_first(struct reader *reader, struct object *object,
                        const struct item *item)
 {
-    static bool (*const arguments[])(struct reader *, struct primitive *) = {
-        read_sphere, read_box, read_cylinder, read_plane
-    };
-    size_t shape = item->keyword->detail;
+    enum shape shape = (enum shape)item->keyword->detail;
     struct primitive primitive;
 
     if (shape == SHAPE_UNION)
         return true;
     if (shape == SHAPE_OBJECT)
         return read_base(reader, object);
-    memset(&primitive, 0, sizeof primitive);
-    return arguments[shape](reader, &primitive)
+    return primitive_read(reader, shape, &primitive)
         && add_primitive(reader, object, &primitive, &item->at);
 }
 

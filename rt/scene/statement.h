@@ -34,6 +34,12 @@ enum shape {
     SHAPE_BOX,
     SHAPE_CYLINDER,
     SHAPE_PLANE,
+    SHAPE_CONE,
+    SHAPE_TORUS,
+    SHAPE_ELLIPTICAL_TORUS,
+    SHAPE_QUADRIC,
+    SHAPE_QUARTIC,
+    SHAPE_STEINER_PATCH,
     SHAPE_UNION,
     SHAPE_OBJECT,
     SHAPE_LIGHT
@@ -41,12 +47,20 @@ enum shape {
 #define SHAPE_WORDS(read)                                            \
     { "sphere", read, SHAPE_SPHERE }, { "box", read, SHAPE_BOX },    \
     { "cylinder", read, SHAPE_CYLINDER },                            \
-    { "plane", read, SHAPE_PLANE }, { "union", read, SHAPE_UNION },  \
-    { "object", read, SHAPE_OBJECT },                                \
+    { "plane", read, SHAPE_PLANE }, { "cone", read, SHAPE_CONE },    \
+    { "torus", read, SHAPE_TORUS },                                  \
+    { "elliptical_torus", read, SHAPE_ELLIPTICAL_TORUS },            \
+    { "quadric", read, SHAPE_QUADRIC },                              \
+    { "quartic", read, SHAPE_QUARTIC },                              \
+    { "steiner_patch", read, SHAPE_STEINER_PATCH },                  \
+    { "union", read, SHAPE_UNION }, { "object", read, SHAPE_OBJECT }, \
     { "light_source", read, SHAPE_LIGHT }
 /* Into an empty object; the caller frees it also after an error. */
 bool shape_read(struct reader *reader, struct object *object,
                 const struct item *item);
+/* The arguments of one primitive, behind its '{'. */
+bool primitive_read(struct reader *reader, enum shape shape,
+                    struct primitive *primitive);
 bool light_read(struct reader *reader, struct object *object);
 /* Another copy of an object, within the bound of PRIMITIVES_MOST. */
 bool shape_copy(struct reader *reader, struct object *copy,

@@ -412,9 +412,11 @@ static void test_settings(void **state)
 
 static void test_our_scenes(void **state)
 {
-    static const char *const paths[] = { "scenes/first.pov",
-                                         "scenes/bearing.pov",
-                                         "scenes/pipe_flange.pov" };
+    static const char *const paths[] = {
+        "scenes/first.pov",  "scenes/bearing.pov", "scenes/pipe_flange.pov",
+        "scenes/rings.pov",  "scenes/hills.pov",   "scenes/roman.pov",
+        "scenes/steiner.pov", "scenes/car.pov"
+    };
 
     (void)state;
     for (size_t i = 0; i < COUNT(paths); i++) {

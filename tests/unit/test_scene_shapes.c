@@ -1,0 +1,239 @@
+/* test_scene_shapes.c - the scene language: cones, tori, quadrics, quartics
+ * and patches, and the conditions that let one file serve two programs. */
+#include "tests/unit/scene_reading.h"
+
+/* --- shapes -------------------------------------------------------------- */
+
+static void test_cones(void **state)
+{
+    struct scene *scene = read(
+        "cone { <1, 2, 3>, 2, 5*y, 0 }\n"
+        "cone { 0, 0, x, .5 open no_shadow scale 2 }\n"
+        "cone { -x, 1.5, x, 1.5 open }\n");
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_int_equal(p[0].kind, PRIMITIVE_CONE);
+    assert_vector(p[0].shape.cone.base, 1, 2, 3);
+    assert_vector(p[0].shape.cone.cap, 0, 5, 0);
+    assert_close(p[0].shape.cone.base_radius, 2, 0);
+    assert_close(p[0].shape.cone.cap_radius, 0, 0);
+    assert_false(p[0].shape.cone.open);
+    assert_true(p[1].shape.cone.open && p[1].no_shadow && p[1].transformed);
+    assert_close(p[1].shape.cone.cap_radius, .5, 0);
+    assert_int_equal(p[2].kind, PRIMITIVE_CYLINDER); /* equal radii */
+    assert_vector(p[2].shape.cylinder.base, -1, 0, 0);
+    assert_vector(p[2].shape.cylinder.cap, 1, 0, 0);
+    assert_close(p[2].shape.cylinder.radius, 1.5, 0);
+    assert_true(p[2].shape.cylinder.open);
+    assert_int_equal(p[2].line, 3);
+    scene_free(scene);
+}
+
+static void test_tori(void **state)
+{
+    struct scene *scene = read(
+        "torus { 2, .5 sturm rotate 90*x }\n"
+        "torus { .5 1 sturm off pigment { rgb 1 } }\n"
+        "elliptical_torus { 3, .4, .2 }\n");
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_int_equal(p[0].kind, PRIMITIVE_TORUS);
+    assert_close(p[0].shape.torus.major, 2, 0);
+    assert_close(p[0].shape.torus.minor, .5, 0);
+    assert_true(p[0].transformed);
+    assert_close(p[1].shape.torus.minor, 1, 0);
+    assert_int_equal(p[2].kind, PRIMITIVE_ELLIPTICAL_TORUS);
+    assert_close(p[2].shape.elliptical_torus.major, 3, 0);
+    assert_close(p[2].shape.elliptical_torus.radial, .4, 0);
+    assert_close(p[2].shape.elliptical_torus.axial, .2, 0);
+    assert_string_equal(primitive_kind_name(p[2].kind), "elliptical_torus");
+    scene_free(scene);
+}
+
+static void test_polynomials(void **state)
+{
+    struct scene *scene = read(
+        "quadric { <1, 2, 3>, <4, 5, 6>, <7, 8, 9>, -1 translate x }\n"
+        "quartic { <1, 2 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16,\n"
+        "  17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32,\n"
+        "  33, 34, -2*sqrt(4)> sturm }\n");
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_int_equal(p[0].kind, PRIMITIVE_QUADRIC);
+    for (int i = 0; i < 9; i++)
+        assert_close(p[0].shape.quadric.coefficients[i], i + 1, 0);
+    assert_close(p[0].shape.quadric.coefficients[9], -1, 0);
+    assert_int_equal(p[1].kind, PRIMITIVE_QUARTIC);
+    for (int i = 0; i < 34; i++)
+        assert_close(p[1].shape.quartic.coefficients[i], i + 1, 0);
+    assert_close(p[1].shape.quartic.coefficients[34], -4, 0);
+    scene_free(scene);
+}
+
+static void test_patches(void **state)
+{
+    struct scene *scene = read(
+        "#declare A = <4, 0, 1>;\n"
+        "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x }\n"
+        "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x\n"
+        "    weights 1, 2, 3 .5, 1/4, 6 scale 2 }\n");
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_int_equal(p[0].kind, PRIMITIVE_STEINER_PATCH);
+    assert_vector(p[0].shape.steiner_patch.points[0], 4, 0, 1);
+    assert_vector(p[0].shape.steiner_patch.points[3], 1, 2, 3);
+    assert_vector(p[0].shape.steiner_patch.points[5], 1, 0, 0);
+    for (int i = 0; i < STEINER_POINTS; i++)
+        assert_close(p[0].shape.steiner_patch.weights[i], 1, 0);
+    assert_close(p[1].shape.steiner_patch.weights[2], 3, 0);
+    assert_close(p[1].shape.steiner_patch.weights[4], .25, 0);
+    assert_true(p[1].transformed);
+    scene_free(scene);
+}
+
+/* Each text has this one error. */
+static void test_errors(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t column;
+        const char *message;
+    } rows[] = {
+        { "cone { x, 1, x, 2 }", 8, "both ends" },
+        { "cone { 0, 0, y, 0 }", 8, "both radii" },
+        { "cone { 0, -1, y, 0 }", 11, "below 0" },
+        { "cone { 0, 1, y, -1 }", 17, "below 0" },
+        { "cone { 0, 1, y }", 16, "expected a number" },
+        { "cone { 0, 1, y, 0 opened }", 19, "found 'opened'" },
+        { "torus { 0, 1 }", 9, "the major radius is not above 0" },
+        { "torus { -1, 1 }", 9, "major radius" },
+        { "torus { 1, 0 }", 12, "the minor radius is not above 0" },
+        { "torus { 1 }", 11, "expected a number" },
+        { "torus { 1, y }", 12, "found 3" },
+        { "elliptical_torus { 0, 1, 1 }", 20, "major radius" },
+        { "elliptical_torus { 1, 0, 1 }", 23, "radial" },
+        { "elliptical_torus { 1, 1, -1 }", 26, "axial" },
+        { "elliptical_torus { 1, 1 }", 25, "expected a number" },
+        { "quadric { 0, 0, 0, 1 }", 11, "are 0" },
+        { "quadric { x, y, 1 }", 19, "expected a number" },
+        { "quadric { <1, 2, 3, 4>, 0, 0, 1 }", 11, "a vector of 3" },
+        { "quartic { <1, 2, 3> }", 11, "expected 35 coefficients, found 3" },
+        { "quartic { 1, 2, 3 }", 11, "expected '<'" },
+        { "quartic { <1, 2, y> }", 18, "found 3" },
+        { "quartic { <0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,"
+          "0,0,0,0,0,0,0,0,0,0,1> }", 11, "35 coefficients, found 36" },
+        { "quartic { <0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,"
+          "0,0,0,0,0,0,0,0,0,1> }", 11, "are 0" },
+        { "steiner_patch { x, y, z, 0, 0 }", 31, "expected a number" },
+        { "steiner_patch { x, y, z, 0, 0, 0 weights 1, 1, 1, 1, 1 }", 56,
+          "expected a number" },
+        { "steiner_patch { x, y, z, 0, 0, 0 weights 1, 1, 1, 1, 0, 1 }", 54,
+          "the weight is not above 0" },
+        { "steiner_patch { 0, 2*x, 4*x, x, 3*x, 2*x }", 17, "no area" },
+        { "steiner_patch { x, x, x, x, x, x }", 17, "no area" },
+        { "steiner_patch { x, z, z, y, z, y weights 1, 2, 2, 3, 2, 3 }", 17,
+          "no area" }, /* a parabola */
+        { "#declare steiner_patch = 1;", 10, "a word of the language" },
+        { "#ifdef A sphere { 0, } #end", 8, "expected '('" },
+        { "#ifdef (1) sphere { 0, } #end", 9, "expected a name" },
+        { "#ifndef (A sphere { 0, } #end", 12, "expected ')'" },
+        { "#ifdef (A) #elseif (1) #end", 12, "'#elseif'" },
+        { "#ifndef (A) #elseif (1) #end", 13, "'#elseif'" },
+        { "sphere { 0, 1 } #else", 17, "no '#ifdef' for this '#else'" },
+        { "#ifndef (A) #end #end", 18, "no '#ifdef' for this '#end'" },
+        { "#ifdef (A) #else #else #end", 18, "for this '#else'" },
+        { "sphere { 0, 1 } #ifdef (A) #else", 17, "no '#end' closes" },
+        { "#ifndef (A) sphere { 0, 1 }", 1, "closes this '#ifndef'" },
+        { "sphere { 0, #ifdef (A) 1 #end }", 13, "found '#ifdef'" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct reports reports = { 0, 0, NULL };
+        struct scene *scene = scene_read_text("test.pov", rows[i].text,
+                                              &options, &reports);
+        const struct report *report = reports.items;
+        bool same = !scene && reports.count == 1 && report->line == 1
+            && report->column == rows[i].column
+            && strstr(report->message, rows[i].message);
+        if (!same) {
+            reports_print(stderr, &reports);
+            fail_msg("expected :%zu %s, of: %s", rows[i].column,
+                     rows[i].message, rows[i].text);
+        }
+        reports_free(&reports);
+    }
+}
+
+/* --- conditions ---------------------------------------------------------- */
+
+/* What is not read may be anything that is made of the language's signs. */
+static void test_conditions(void **state)
+{
+    static const struct {
+        const char *text;
+        double radius;
+    } rows[] = {
+        { "#ifdef (A) sphere { 0, 1 } #else sphere { 0, 2 } #end", 1 },
+        { "#ifndef (A) sphere { 0, 1 } #else sphere { 0, 2 } #end", 2 },
+        { "#ifdef (B) wibble { ( #else sphere { 0, 3 } #end", 3 },
+        { "#ifndef (B) sphere { 0, 3 } #else } #end", 3 },
+        { "#ifdef (steiner_patch) sphere { 0, 4 } #end", 4 },
+        { "#ifdef (elliptical_torus) sphere { 0, 5 } #end", 5 },
+        { "#ifdef (sphere) wibble #else sphere { 0, 6 } #end", 6 },
+        { "#ifndef (B) #ifdef (A) sphere { 0, 7 } #end #else { #end", 7 },
+        { "#ifdef (B) #ifdef (A) { #else { #end { #else sphere { 0, 8 } #end",
+          8 },
+        { "#ifdef (B) #macro M(x) #if (x) { #end #end #while (1) #end #else\n"
+          "sphere { 0, 9 } #end", 9 },
+        { "sphere { #ifdef (B) x, #end 0, 2 #ifdef (A) scale 5 #end }", 2 },
+        { "union { #ifdef (A) sphere { 0, 2 } #else box { 0, 1 } #end }", 2 },
+        { "#ifdef (B) #declare C = 1; #else #declare C = 2; #end\n"
+          "sphere { 0, C }", 2 },
+        { "#undef A #ifdef (A) sphere { 0, 1 } #end sphere { 0, 2 }", 2 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        char text[300];
+        snprintf(text, sizeof text, "#declare A = 1;\n%s", rows[i].text);
+        struct scene *scene = read(text);
+        assert_int_equal(scene->primitive_count, 1);
+        assert_close(scene->primitives->shape.sphere.radius, rows[i].radius,
+                     0);
+        scene_free(scene);
+    }
+}
+
+static void test_many_conditions(void **state)
+{
+    static const char open[] = "#ifndef (A) ";
+    struct reports reports = { 0, 0, NULL };
+    char text[200 * sizeof open] = "";
+
+    (void)state;
+    for (size_t i = 0; i < 150; i++)
+        strcat(text, open);
+    assert_null(scene_read_text("test.pov", text, &options, &reports));
+    assert_non_null(strstr(reports.items[0].message, "more than 100"));
+    reports_free(&reports);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_cones),
+        cmocka_unit_test(test_tori),
+        cmocka_unit_test(test_polynomials),
+        cmocka_unit_test(test_patches),
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_conditions),
+        cmocka_unit_test(test_many_conditions),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
