@@ -1,6 +1,8 @@
 /* plain_tracer.c - see plain_tracer.h. */
 #include "tests/oracle/plain_tracer.h"
 
+#include "tests/oracle/plain_shapes.h"
+
 #include <math.h>
 
 /* POV-Ray 3.7's: hits nearer than this are the surface that a ray starts
@@ -11,53 +13,13 @@
 #define SMALL_ANGLE 1e-10
 #define SHADOW_DISTANCE 1e-3
 
-struct ray {
-    double origin[3], direction[3];
-};
-
-/* Where a ray crosses a surface, in the shape's own space. */
-struct crossing {
-    double distance;
-    double normal[3];
-};
-
 struct hit {
     const struct primitive *primitive; /* NULL: none */
     double distance;
     double normal[3]; /* world, unit */
 };
 
-/* --- vectors ----------------------------------------------------------- */
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* result = a + scale b; result may be either. */
-static void add_scaled(double result[3], const double a[3], double scale,
-                       const double b[3])
-{
-    for (int i = 0; i < 3; i++)
-        result[i] = a[i] + scale * b[i];
-}
-
-static void copy(double to[3], const double from[3])
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = from[i];
-}
-
-static void scale_by(double a[3], double scale)
-{
-    for (int i = 0; i < 3; i++)
-        a[i] *= scale;
-}
-
-static void normalise(double a[3])
-{
-    scale_by(a, 1 / sqrt(dot(a, a)));
-}
+/* --- transforms -------------------------------------------------------- */
 
 static void transform_direction(const struct transform *transform,
                                 const double in[3], double out[3])
@@ -84,170 +46,6 @@ static void normal_to_world(const struct transform *to_local,
     normalise(out);
 }
 
-static void point_on(const struct ray *ray, double distance, double point[3])
-{
-    add_scaled(point, ray->origin, distance, ray->direction);
-}
-
-/* --- shapes: every crossing of a line ----------------------------------- */
-
-enum { MOST_CROSSINGS = 4 };
-
-/* The real roots of a t^2 + 2 b t + c, by the form that does not cancel. */
-static size_t quadratic(double a, double b, double c, double roots[2])
-{
-    const double discriminant = b * b - a * c;
-    if (discriminant < 0 || a == 0)
-        return 0;
-    const double q = -(b + copysign(sqrt(discriminant), b));
-    roots[0] = q / a;
-    roots[1] = q == 0 ? 0 : c / q;
-    return 2;
-}
-
-static size_t cross_sphere(const struct primitive *primitive,
-                           const struct ray *ray,
-                           struct crossing crossings[MOST_CROSSINGS])
-{
-    const double *const center = primitive->shape.sphere.center;
-    const double radius = primitive->shape.sphere.radius;
-    double from[3], roots[2], point[3];
-    add_scaled(from, ray->origin, -1, center);
-    const size_t count =
-        quadratic(dot(ray->direction, ray->direction),
-                  dot(from, ray->direction),
-                  dot(from, from) - radius * radius, roots);
-    for (size_t i = 0; i < count; i++) {
-        crossings[i].distance = roots[i];
-        point_on(ray, roots[i], point);
-        add_scaled(crossings[i].normal, point, -1, center);
-    }
-    return count;
-}
-
-static void face_crossing(struct crossing *crossing, double distance, int axis)
-{
-    *crossing = (struct crossing) { .distance = distance };
-    crossing->normal[axis] = 1;
-}
-
-/* The part of the line between each pair of faces; the box is what all three
- * have in common. */
-static size_t cross_box(const struct primitive *primitive,
-                        const struct ray *ray,
-                        struct crossing crossings[MOST_CROSSINGS])
-{
-    const double (*const corner)[3] = primitive->shape.box.corner;
-    crossings[0].distance = -INFINITY;
-    crossings[1].distance = INFINITY;
-    for (int axis = 0; axis < 3; axis++) {
-        const double from = ray->origin[axis], along = ray->direction[axis];
-        if (along == 0 && (from < corner[0][axis] || from > corner[1][axis]))
-            return 0;
-        if (along == 0)
-            continue;
-        const double a = (corner[0][axis] - from) / along;
-        const double b = (corner[1][axis] - from) / along;
-        if (fmin(a, b) > crossings[0].distance)
-            face_crossing(&crossings[0], fmin(a, b), axis);
-        if (fmax(a, b) < crossings[1].distance)
-            face_crossing(&crossings[1], fmax(a, b), axis);
-    }
-    return crossings[0].distance <= crossings[1].distance ? 2 : 0;
-}
-
-/* The axis, its length, and a ray taken apart along and across it. */
-struct cylinder_view {
-    double axis[3], length;
-    double height, rise;           /* of origin and direction */
-    double from[3], direction[3];  /* across, from the axis */
-};
-
-static void view_cylinder(const struct primitive *primitive,
-                          const struct ray *ray, struct cylinder_view *view)
-{
-    const double *const base = primitive->shape.cylinder.base;
-    add_scaled(view->axis, primitive->shape.cylinder.cap, -1, base);
-    view->length = sqrt(dot(view->axis, view->axis));
-    normalise(view->axis);
-    add_scaled(view->from, ray->origin, -1, base);
-    view->height = dot(view->from, view->axis);
-    view->rise = dot(ray->direction, view->axis);
-    add_scaled(view->from, view->from, -view->height, view->axis);
-    add_scaled(view->direction, ray->direction, -view->rise, view->axis);
-}
-
-static size_t cross_wall(const struct cylinder_view *view, double radius,
-                         struct crossing *crossings)
-{
-    double roots[2];
-    size_t count = 0;
-    const size_t found = quadratic(dot(view->direction, view->direction),
-                                   dot(view->from, view->direction),
-                                   dot(view->from, view->from)
-                                       - radius * radius, roots);
-    for (size_t i = 0; i < found; i++) {
-        const double height = view->height + roots[i] * view->rise;
-        if (height < 0 || height > view->length)
-            continue;
-        crossings[count].distance = roots[i];
-        add_scaled(crossings[count++].normal, view->from, roots[i],
-                   view->direction);
-    }
-    return count;
-}
-
-static size_t cross_disk(const struct cylinder_view *view, double radius,
-                         double height, struct crossing *crossing)
-{
-    double across[3];
-    if (view->rise == 0)
-        return 0;
-    crossing->distance = (height - view->height) / view->rise;
-    add_scaled(across, view->from, crossing->distance, view->direction);
-    copy(crossing->normal, view->axis);
-    return dot(across, across) <= radius * radius;
-}
-
-static size_t cross_cylinder(const struct primitive *primitive,
-                             const struct ray *ray,
-                             struct crossing crossings[MOST_CROSSINGS])
-{
-    const double radius = primitive->shape.cylinder.radius;
-    struct cylinder_view view;
-    view_cylinder(primitive, ray, &view);
-    size_t count = cross_wall(&view, radius, crossings);
-    if (primitive->shape.cylinder.open)
-        return count;
-    count += cross_disk(&view, radius, 0, &crossings[count]);
-    return count + cross_disk(&view, radius, view.length, &crossings[count]);
-}
-
-static size_t cross_plane(const struct primitive *primitive,
-                          const struct ray *ray,
-                          struct crossing crossings[MOST_CROSSINGS])
-{
-    const double *const normal = primitive->shape.plane.normal;
-    const double along = dot(normal, ray->direction);
-    if (along == 0)
-        return 0;
-    crossings[0].distance =
-        (primitive->shape.plane.distance - dot(normal, ray->origin)) / along;
-    copy(crossings[0].normal, normal);
-    return 1;
-}
-
-typedef size_t cross_shape(const struct primitive *primitive,
-                           const struct ray *ray,
-                           struct crossing crossings[MOST_CROSSINGS]);
-
-static cross_shape *const cross[PRIMITIVE_KINDS] = {
-    [PRIMITIVE_SPHERE] = cross_sphere,
-    [PRIMITIVE_BOX] = cross_box,
-    [PRIMITIVE_CYLINDER] = cross_cylinder,
-    [PRIMITIVE_PLANE] = cross_plane,
-};
-
 /* --- the nearest hit ---------------------------------------------------- */
 
 /* Crossings of one primitive beyond the limit and before the hit so far. */
@@ -260,7 +58,7 @@ static void try_primitive(const struct primitive *primitive,
     transform_point(&primitive->to_local, ray->origin, local.origin);
     transform_direction(&primitive->to_local, ray->direction,
                         local.direction);
-    const size_t count = cross[primitive->kind](primitive, &local, crossings);
+    const size_t count = plain_crossings(primitive, &local, crossings);
     for (size_t i = 0; i < count; i++) {
         const double distance = crossings[i].distance;
         if (!(distance > limit && distance < hit->distance))

@@ -1,0 +1,212 @@
+/* plain_quartic.c - surfaces of the fourth degree: the polynomial along the
+ * line is put together from those of its coordinates. */
+#include "tests/oracle/plain_roots.h"
+#include "tests/oracle/plain_shapes.h"
+
+enum { TERMS = HIGHEST_DEGREE + 1 };
+
+/* A polynomial's coefficients, the constant first. */
+struct along {
+    long double c[TERMS];
+};
+
+/* The line from its point nearest to the origin, in steps of length one: its
+ * coordinates, and what a step is in the ray's own. */
+struct centred_line {
+    struct along coordinate[3];
+    long double start, step;
+};
+
+static struct centred_line centre(const struct ray *ray)
+{
+    struct centred_line line = { .start = 0 };
+    long double square = 0, along = 0;
+    for (int i = 0; i < 3; i++) {
+        square += (long double)ray->direction[i] * ray->direction[i];
+        along += (long double)ray->direction[i] * ray->origin[i];
+    }
+    line.start = -along / square;
+    line.step = 1 / sqrtl(square);
+    for (int i = 0; i < 3; i++) {
+        line.coordinate[i].c[0] =
+            ray->origin[i] + line.start * ray->direction[i];
+        line.coordinate[i].c[1] = ray->direction[i] * line.step;
+    }
+    return line;
+}
+
+/* Terms above the fourth degree are not asked for. */
+static struct along times(const struct along *a, const struct along *b)
+{
+    struct along product = { { 0 } };
+    for (int i = 0; i < TERMS; i++)
+        for (int j = 0; i + j < TERMS; j++)
+            product.c[i + j] += a->c[i] * b->c[j];
+    return product;
+}
+
+static void add_times(struct along *sum, long double factor,
+                      const struct along *what)
+{
+    for (int i = 0; i < TERMS; i++)
+        sum->c[i] += factor * what->c[i];
+}
+
+/* Distances and points of the roots; the caller adds the normals. */
+static size_t cross_surface(const struct along *surface,
+                            const struct centred_line *line,
+                            struct crossing crossings[MOST_CROSSINGS])
+{
+    long double roots[HIGHEST_DEGREE];
+    const size_t count = plain_roots(surface->c, HIGHEST_DEGREE, roots);
+    for (size_t i = 0; i < count; i++)
+        crossings[i].distance =
+            (double)(line->start + roots[i] * line->step);
+    return count;
+}
+
+/* --- tori --------------------------------------------------------------- */
+
+/* The tube's ellipse stands at the distance `major` from y:
+ *     ((sqrt(x^2 + z^2) - major) / radial)^2 + (y / axial)^2 = 1.
+ * Without the root, with r = (radial / axial)^2:
+ *     (x^2 + z^2 + r y^2 + major^2 - radial^2)^2 = 4 major^2 (x^2 + z^2). */
+struct torus {
+    double major, radial, axial;
+};
+
+static struct along torus_along(const struct torus *torus,
+                                const struct along coordinate[3])
+{
+    const long double major = torus->major, radial = torus->radial;
+    const long double ratio = radial / torus->axial;
+    const struct along xx = times(&coordinate[0], &coordinate[0]);
+    const struct along yy = times(&coordinate[1], &coordinate[1]);
+    const struct along zz = times(&coordinate[2], &coordinate[2]);
+    struct along across = xx, sum;
+    add_times(&across, 1, &zz);
+    sum = across;
+    add_times(&sum, ratio * ratio, &yy);
+    sum.c[0] += major * major - radial * radial;
+    sum = times(&sum, &sum);
+    add_times(&sum, -4 * major * major, &across);
+    return sum;
+}
+
+static void torus_normal(const struct torus *torus, const double point[3],
+                         double normal[3])
+{
+    const double ratio = torus->radial / torus->axial;
+    const double across = point[0] * point[0] + point[2] * point[2];
+    const double sum = across + ratio * ratio * point[1] * point[1]
+        + torus->major * torus->major - torus->radial * torus->radial;
+    normal[0] = point[0] * (sum - 2 * torus->major * torus->major);
+    normal[1] = point[1] * ratio * ratio * sum;
+    normal[2] = point[2] * (sum - 2 * torus->major * torus->major);
+}
+
+static size_t cross_any_torus(const struct torus *torus,
+                              const struct ray *ray,
+                              struct crossing crossings[MOST_CROSSINGS])
+{
+    const struct centred_line line = centre(ray);
+    const struct along surface = torus_along(torus, line.coordinate);
+    const size_t count = cross_surface(&surface, &line, crossings);
+    double point[3];
+    for (size_t i = 0; i < count; i++) {
+        point_on(ray, crossings[i].distance, point);
+        torus_normal(torus, point, crossings[i].normal);
+    }
+    return count;
+}
+
+size_t cross_torus(const struct primitive *primitive, const struct ray *ray,
+                   struct crossing crossings[MOST_CROSSINGS])
+{
+    const double minor = primitive->shape.torus.minor;
+    const struct torus torus = { primitive->shape.torus.major, minor, minor };
+    return cross_any_torus(&torus, ray, crossings);
+}
+
+size_t cross_elliptical_torus(const struct primitive *primitive,
+                              const struct ray *ray,
+                              struct crossing crossings[MOST_CROSSINGS])
+{
+    const struct torus torus = { primitive->shape.elliptical_torus.major,
+                                 primitive->shape.elliptical_torus.radial,
+                                 primitive->shape.elliptical_torus.axial };
+    return cross_any_torus(&torus, ray, crossings);
+}
+
+/* --- any quartic -------------------------------------------------------- */
+
+/* The powers of x, y and z in the terms, in their order: falling in x, then
+ * in y, then in z. */
+typedef int powers_of_term[3];
+
+static void list_powers(powers_of_term powers[QUARTIC_TERMS])
+{
+    size_t count = 0;
+    for (int x = HIGHEST_DEGREE; x >= 0; x--)
+        for (int y = HIGHEST_DEGREE - x; y >= 0; y--)
+            for (int z = HIGHEST_DEGREE - x - y; z >= 0; z--) {
+                powers[count][0] = x;
+                powers[count][1] = y;
+                powers[count++][2] = z;
+            }
+}
+
+static struct along quartic_along(const double *coefficients,
+                                  const struct along coordinate[3])
+{
+    powers_of_term powers[QUARTIC_TERMS];
+    struct along sum = { { 0 } };
+    list_powers(powers);
+    for (int i = 0; i < QUARTIC_TERMS; i++) {
+        struct along term = { { coefficients[i] } };
+        for (int axis = 0; axis < 3; axis++)
+            for (int k = 0; k < powers[i][axis]; k++)
+                term = times(&term, &coordinate[axis]);
+        add_times(&sum, 1, &term);
+    }
+    return sum;
+}
+
+/* The derivative of a term by one axis, at a point. */
+static double term_slope(const powers_of_term powers, int by,
+                         const double point[3])
+{
+    double value = powers[by];
+    for (int axis = 0; axis < 3; axis++)
+        for (int k = axis == by; k < powers[axis]; k++)
+            value *= point[axis];
+    return value;
+}
+
+static void quartic_normal(const double *coefficients, const double point[3],
+                           double normal[3])
+{
+    powers_of_term powers[QUARTIC_TERMS];
+    list_powers(powers);
+    for (int axis = 0; axis < 3; axis++) {
+        normal[axis] = 0;
+        for (int i = 0; i < QUARTIC_TERMS; i++)
+            normal[axis] +=
+                coefficients[i] * term_slope(powers[i], axis, point);
+    }
+}
+
+size_t cross_quartic(const struct primitive *primitive, const struct ray *ray,
+                     struct crossing crossings[MOST_CROSSINGS])
+{
+    const double *const c = primitive->shape.quartic.coefficients;
+    const struct centred_line line = centre(ray);
+    const struct along surface = quartic_along(c, line.coordinate);
+    const size_t count = cross_surface(&surface, &line, crossings);
+    double point[3];
+    for (size_t i = 0; i < count; i++) {
+        point_on(ray, crossings[i].distance, point);
+        quartic_normal(c, point, crossings[i].normal);
+    }
+    return count;
+}

@@ -1,0 +1,231 @@
+/* plain_shapes.c - planes, boxes and surfaces of the second degree. */
+#include "tests/oracle/plain_shapes.h"
+
+/* The real roots of a t^2 + 2 b t + c, by the form that does not cancel. */
+static size_t quadratic(double a, double b, double c, double roots[2])
+{
+    const double discriminant = b * b - a * c;
+    if (discriminant < 0)
+        return 0;
+    const double q = -(b + copysign(sqrt(discriminant), b));
+    roots[0] = q == 0 ? 0 : c / q;
+    roots[1] = q / a;
+    return a != 0 ? 2 : b != 0;
+}
+
+static size_t cross_sphere(const struct primitive *primitive,
+                           const struct ray *ray,
+                           struct crossing crossings[MOST_CROSSINGS])
+{
+    const double *const center = primitive->shape.sphere.center;
+    const double radius = primitive->shape.sphere.radius;
+    double from[3], roots[2], point[3];
+    add_scaled(from, ray->origin, -1, center);
+    const size_t count =
+        quadratic(dot(ray->direction, ray->direction),
+                  dot(from, ray->direction),
+                  dot(from, from) - radius * radius, roots);
+    for (size_t i = 0; i < count; i++) {
+        crossings[i].distance = roots[i];
+        point_on(ray, roots[i], point);
+        add_scaled(crossings[i].normal, point, -1, center);
+    }
+    return count;
+}
+
+static void face_crossing(struct crossing *crossing, double distance, int axis)
+{
+    *crossing = (struct crossing) { .distance = distance };
+    crossing->normal[axis] = 1;
+}
+
+/* The part of the line between each pair of faces; the box is what all three
+ * have in common. */
+static size_t cross_box(const struct primitive *primitive,
+                        const struct ray *ray,
+                        struct crossing crossings[MOST_CROSSINGS])
+{
+    const double (*const corner)[3] = primitive->shape.box.corner;
+    crossings[0].distance = -INFINITY;
+    crossings[1].distance = INFINITY;
+    for (int axis = 0; axis < 3; axis++) {
+        const double from = ray->origin[axis], along = ray->direction[axis];
+        if (along == 0 && (from < corner[0][axis] || from > corner[1][axis]))
+            return 0;
+        if (along == 0)
+            continue;
+        const double a = (corner[0][axis] - from) / along;
+        const double b = (corner[1][axis] - from) / along;
+        if (fmin(a, b) > crossings[0].distance)
+            face_crossing(&crossings[0], fmin(a, b), axis);
+        if (fmax(a, b) < crossings[1].distance)
+            face_crossing(&crossings[1], fmax(a, b), axis);
+    }
+    return crossings[0].distance <= crossings[1].distance ? 2 : 0;
+}
+
+/* The axis of a cone, its length, and a ray taken apart along and across it.
+ * At the height h the radius is radius + slope h; a cylinder is a cone whose
+ * slope is 0. */
+struct axial_view {
+    double axis[3], length;
+    double height, rise;          /* of origin and direction */
+    double from[3], direction[3]; /* across, from the axis */
+    double radius, slope;
+};
+
+static void view_along(const double base[3], const double cap[3],
+                       const struct ray *ray, struct axial_view *view)
+{
+    add_scaled(view->axis, cap, -1, base);
+    view->length = sqrt(dot(view->axis, view->axis));
+    normalise(view->axis);
+    add_scaled(view->from, ray->origin, -1, base);
+    view->height = dot(view->from, view->axis);
+    view->rise = dot(ray->direction, view->axis);
+    add_scaled(view->from, view->from, -view->height, view->axis);
+    add_scaled(view->direction, ray->direction, -view->rise, view->axis);
+}
+
+/* The distance from the axis is the radius: the difference of their squares is
+ * 0, and its gradient the normal. */
+static size_t cross_wall(const struct axial_view *view,
+                         struct crossing *crossings)
+{
+    const double radius = view->radius + view->slope * view->height;
+    const double growth = view->slope * view->rise;
+    double roots[2];
+    size_t count = 0;
+    const size_t found =
+        quadratic(dot(view->direction, view->direction) - growth * growth,
+                  dot(view->from, view->direction) - radius * growth,
+                  dot(view->from, view->from) - radius * radius, roots);
+    for (size_t i = 0; i < found; i++) {
+        const double height = view->height + roots[i] * view->rise;
+        double *const normal = crossings[count].normal;
+        if (!(height >= 0 && height <= view->length))
+            continue;
+        crossings[count++].distance = roots[i];
+        add_scaled(normal, view->from, roots[i], view->direction);
+        add_scaled(normal, normal,
+                   -view->slope * (view->radius + view->slope * height),
+                   view->axis);
+    }
+    return count;
+}
+
+static size_t cross_disk(const struct axial_view *view, double height,
+                         struct crossing *crossing)
+{
+    const double radius = view->radius + view->slope * height;
+    double across[3];
+    if (view->rise == 0)
+        return 0;
+    crossing->distance = (height - view->height) / view->rise;
+    add_scaled(across, view->from, crossing->distance, view->direction);
+    copy(crossing->normal, view->axis);
+    return dot(across, across) <= radius * radius;
+}
+
+static size_t cross_disks(const struct axial_view *view,
+                          struct crossing *crossings)
+{
+    const size_t count = cross_disk(view, 0, crossings);
+    return count + cross_disk(view, view->length, &crossings[count]);
+}
+
+static size_t cross_cylinder(const struct primitive *primitive,
+                             const struct ray *ray,
+                             struct crossing crossings[MOST_CROSSINGS])
+{
+    struct axial_view view;
+    view_along(primitive->shape.cylinder.base, primitive->shape.cylinder.cap,
+               ray, &view);
+    view.radius = primitive->shape.cylinder.radius;
+    view.slope = 0;
+    const size_t count = cross_wall(&view, crossings);
+    return primitive->shape.cylinder.open
+        ? count : count + cross_disks(&view, &crossings[count]);
+}
+
+static size_t cross_cone(const struct primitive *primitive,
+                         const struct ray *ray,
+                         struct crossing crossings[MOST_CROSSINGS])
+{
+    struct axial_view view;
+    view_along(primitive->shape.cone.base, primitive->shape.cone.cap, ray,
+               &view);
+    view.radius = primitive->shape.cone.base_radius;
+    view.slope = (primitive->shape.cone.cap_radius - view.radius)
+        / view.length;
+    const size_t count = cross_wall(&view, crossings);
+    return primitive->shape.cone.open
+        ? count : count + cross_disks(&view, &crossings[count]);
+}
+
+static size_t cross_plane(const struct primitive *primitive,
+                          const struct ray *ray,
+                          struct crossing crossings[MOST_CROSSINGS])
+{
+    const double *const normal = primitive->shape.plane.normal;
+    const double along = dot(normal, ray->direction);
+    if (along == 0)
+        return 0;
+    crossings[0].distance =
+        (primitive->shape.plane.distance - dot(normal, ray->origin)) / along;
+    copy(crossings[0].normal, normal);
+    return 1;
+}
+
+/* A quadric's gradient at a point; without its linear part in a direction. */
+static void quadric_gradient(const double c[QUADRIC_TERMS], const double at[3],
+                             double linear, double gradient[3])
+{
+    const double x = at[0], y = at[1], z = at[2];
+    gradient[0] = 2 * c[0] * x + c[3] * y + c[4] * z + linear * c[6];
+    gradient[1] = c[3] * x + 2 * c[1] * y + c[5] * z + linear * c[7];
+    gradient[2] = c[4] * x + c[5] * y + 2 * c[2] * z + linear * c[8];
+}
+
+/* f(o + t d) = f(o) + t d.grad f(o) + t^2 / 2 d.H d, the Hessian H being
+ * constant; and f(o) by Euler's rule for its quadratic and linear parts. */
+static size_t cross_quadric(const struct primitive *primitive,
+                            const struct ray *ray,
+                            struct crossing crossings[MOST_CROSSINGS])
+{
+    const double *const c = primitive->shape.quadric.coefficients;
+    double at[3], along[3], roots[2], point[3];
+    quadric_gradient(c, ray->direction, 0, along);
+    const double a = dot(along, ray->direction) / 2;
+    quadric_gradient(c, ray->origin, 1, at);
+    const double b = dot(at, ray->direction) / 2;
+    quadric_gradient(c, ray->origin, 2, at);
+    const size_t count =
+        quadratic(a, b, dot(at, ray->origin) / 2 + c[9], roots);
+    for (size_t i = 0; i < count; i++) {
+        crossings[i].distance = roots[i];
+        point_on(ray, roots[i], point);
+        quadric_gradient(c, point, 1, crossings[i].normal);
+    }
+    return count;
+}
+
+size_t plain_crossings(const struct primitive *primitive,
+                       const struct ray *ray,
+                       struct crossing crossings[MOST_CROSSINGS])
+{
+    static cross_shape *const cross[PRIMITIVE_KINDS] = {
+        [PRIMITIVE_SPHERE] = cross_sphere,
+        [PRIMITIVE_BOX] = cross_box,
+        [PRIMITIVE_CYLINDER] = cross_cylinder,
+        [PRIMITIVE_PLANE] = cross_plane,
+        [PRIMITIVE_CONE] = cross_cone,
+        [PRIMITIVE_TORUS] = cross_torus,
+        [PRIMITIVE_ELLIPTICAL_TORUS] = cross_elliptical_torus,
+        [PRIMITIVE_QUADRIC] = cross_quadric,
+        [PRIMITIVE_QUARTIC] = cross_quartic,
+        [PRIMITIVE_STEINER_PATCH] = cross_steiner_patch,
+    };
+
+    return cross[primitive->kind](primitive, ray, crossings);
+}

@@ -1,0 +1,75 @@
+/* plain_shapes.h - where lines cross the primitives, for the plain tracer.
+ *
+ * From the geometry of each shape, in its own space; nothing is shared with
+ * the kernels.
+ */
+#ifndef PLAIN_SHAPES_H
+#define PLAIN_SHAPES_H
+
+#include "rt/scene/scene.h"
+
+#include <math.h>
+
+struct ray {
+    double origin[3], direction[3]; /* any length but 0 */
+};
+
+/* Where a ray crosses a surface: origin + distance direction. */
+struct crossing {
+    double distance;
+    double normal[3]; /* of any length and either side */
+};
+
+enum { MOST_CROSSINGS = 4 };
+
+/* Every crossing of the whole line, in no order; returns how many. */
+typedef size_t cross_shape(const struct primitive *primitive,
+                           const struct ray *ray,
+                           struct crossing crossings[MOST_CROSSINGS]);
+cross_shape plain_crossings;
+
+/* plain_quartic.c, plain_steiner.c */
+cross_shape cross_torus;
+cross_shape cross_elliptical_torus;
+cross_shape cross_quartic;
+cross_shape cross_steiner_patch;
+
+/* --- vectors ----------------------------------------------------------- */
+
+static inline double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* result = a + scale b; result may be either. */
+static inline void add_scaled(double result[3], const double a[3],
+                              double scale, const double b[3])
+{
+    for (int i = 0; i < 3; i++)
+        result[i] = a[i] + scale * b[i];
+}
+
+static inline void copy(double to[3], const double from[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = from[i];
+}
+
+static inline void scale_by(double a[3], double scale)
+{
+    for (int i = 0; i < 3; i++)
+        a[i] *= scale;
+}
+
+static inline void normalise(double a[3])
+{
+    scale_by(a, 1 / sqrt(dot(a, a)));
+}
+
+static inline void point_on(const struct ray *ray, double distance,
+                            double point[3])
+{
+    add_scaled(point, ray->origin, distance, ray->direction);
+}
+
+#endif

@@ -1,0 +1,251 @@
+/* test_plain_patches.c - where the plain tracer's lines cross Steiner patches
+ * and the quartics of the Roman surface and the cross-cap: answers in closed
+ * form, the same surface written in two ways, there and back. */
+#include "tests/unit/plain_surface.h"
+
+/* x^2 y^2 + y^2 z^2 + z^2 x^2 = x y z */
+static struct surface roman_quartic(void)
+{
+    struct surface surface = one(PRIMITIVE_QUARTIC);
+    set(&surface, 2, 2, 0, 1);
+    set(&surface, 0, 2, 2, 1);
+    set(&surface, 2, 0, 2, 1);
+    set(&surface, 1, 1, 1, -1);
+    return surface;
+}
+
+/* 4 x^2 (x^2 + y^2 + z^2 + z) + y^2 (y^2 + z^2 - 1) = 0 */
+static struct surface cross_cap_quartic(void)
+{
+    struct surface surface = one(PRIMITIVE_QUARTIC);
+    set(&surface, 4, 0, 0, 4);
+    set(&surface, 2, 2, 0, 4);
+    set(&surface, 2, 0, 2, 4);
+    set(&surface, 2, 0, 1, 4);
+    set(&surface, 0, 4, 0, 1);
+    set(&surface, 0, 2, 2, 1);
+    set(&surface, 0, 2, 0, -1);
+    return surface;
+}
+
+/* From the triple point: t = lmn / (l^2 m^2 + m^2 n^2 + n^2 l^2). */
+static void test_roman_from_the_triple_point(void **state)
+{
+    const struct surface roman = roman_quartic();
+    uint64_t random = RANDOM_SEED;
+    (void)state;
+    for (int i = 0; i < 2000; i++) {
+        struct ray ray = { { 0 }, { 0 } };
+        random_direction(&random, ray.direction);
+        const double l = ray.direction[0], m = ray.direction[1],
+                     n = ray.direction[2];
+        const double t = l * m * n
+            / (l * l * m * m + m * m * n * n + n * n * l * l);
+        if (fabs(t) < 1e-4) /* near to a double line */
+            continue;
+        const double found = shoot(&roman, &ray).distance;
+        if (t > 0)
+            assert_near(found, t, 1e-12);
+        else
+            assert_true(isinf(found));
+    }
+}
+
+static void test_roman_volume(void **state)
+{
+    const struct surface roman = roman_quartic();
+    (void)state;
+    assert_near(volume(&roman, .6), 1. / 6, 1e-3);
+}
+
+/* --- surfaces of Steiner patches ------------------------------------------ */
+
+/* Four quadratic forms of s, t, u: x, y, z and w; each by its coefficients of
+ * s^2 t^2 u^2 2st 2tu 2su. */
+typedef double four_forms[4][STEINER_POINTS];
+
+static const four_forms roman_forms = {
+    { 0, 0, 0, 0, .5, 0 }, { 0, 0, 0, 0, 0, .5 }, { 0, 0, 0, .5, 0, 0 },
+    { 1, 1, 1, 0, 0, 0 },
+};
+static const four_forms sphere_forms = {
+    { 0, 0, 0, 0, 0, 1 }, { 0, 0, 0, 0, 1, 0 }, { 1, 1, -1, 0, 0, 0 },
+    { 1, 1, 1, 0, 0, 0 },
+};
+static const four_forms cross_cap_forms = {
+    { 0, 0, 0, 0, .5, 0 }, { 0, 0, 0, 1, 0, 0 }, { 1, -1, 0, 0, 0, 0 },
+    { 1, 1, 1, 0, 0, 0 },
+};
+
+static const int pairs[STEINER_POINTS][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 },
+                                              { 0, 1 }, { 1, 2 }, { 0, 2 } };
+
+static double polar_value(const double form[STEINER_POINTS],
+                          const double a[3], const double b[3])
+{
+    double sum = 0;
+    for (int k = 0; k < STEINER_POINTS; k++) {
+        const int i = pairs[k][0], j = pairs[k][1];
+        sum += form[k] * a[i] * b[j];
+        if (i != j)
+            sum += form[k] * a[j] * b[i];
+    }
+    return sum;
+}
+
+/* The patch over the triangle of three places. */
+static void put_patch(struct primitive *patch, const four_forms forms,
+                      const double corners[3][3])
+{
+    patch->kind = PRIMITIVE_STEINER_PATCH;
+    for (int k = 0; k < STEINER_POINTS; k++) {
+        const double *const a = corners[pairs[k][0]];
+        const double *const b = corners[pairs[k][1]];
+        const double w = polar_value(forms[3], a, b);
+        assert_true(w > 0);
+        patch->shape.steiner_patch.weights[k] = w;
+        for (int i = 0; i < 3; i++)
+            patch->shape.steiner_patch.points[k][i] =
+                polar_value(forms[i], a, b) / w;
+    }
+}
+
+/* All s, t, u: four octants, each in four, so that all weights are above
+ * 0. */
+static struct surface whole(const four_forms forms)
+{
+    static const double corner[6][3] = { { 1, 0, 0 },   { 0, 1, 0 },
+                                         { 0, 0, 1 },   { 0, .5, .5 },
+                                         { .5, 0, .5 }, { .5, .5, 0 } };
+    static const int triangles[4][3] = {
+        { 0, 5, 4 }, { 5, 1, 3 }, { 4, 3, 2 }, { 3, 4, 5 }
+    };
+    struct surface surface = { .count = 0 };
+    for (int octant = 0; octant < 4; octant++)
+        for (int k = 0; k < 4; k++) {
+            double corners[3][3];
+            for (int i = 0; i < 3; i++) {
+                copy(corners[i], corner[triangles[k][i]]);
+                corners[i][0] *= octant & 1 ? -1 : 1;
+                corners[i][1] *= octant & 2 ? -1 : 1;
+            }
+            put_patch(&surface.parts[surface.count++], forms,
+                      (const double (*)[3])corners);
+        }
+    return surface;
+}
+
+static void test_two_ways(void **state)
+{
+    const struct surface roman = roman_quartic(), cap = cross_cap_quartic();
+    const struct surface roman_patches = whole(roman_forms);
+    const struct surface cap_patches = whole(cross_cap_forms);
+    const struct surface ball_patches = whole(sphere_forms);
+    struct surface ball = one(PRIMITIVE_SPHERE);
+    (void)state;
+    ball.parts[0].shape.sphere.radius = 1;
+    assert_same_surface(&roman, &roman_patches, .5);
+    assert_same_surface(&cap, &cap_patches, .8);
+    assert_same_surface(&ball, &ball_patches, 1);
+}
+
+/* --- patches ------------------------------------------------------------- */
+
+static void random_patch(uint64_t *random, struct primitive *patch)
+{
+    static const double corner[3][2] = { { 1, 0 }, { 0, 1 }, { 0, 0 } };
+    patch->kind = PRIMITIVE_STEINER_PATCH;
+    for (int k = 0; k < STEINER_POINTS; k++) {
+        double *const point = patch->shape.steiner_patch.points[k];
+        for (int i = 0; i < 3; i++)
+            point[i] = between(random, -.4, .4);
+        for (int i = 0; i < 2; i++)
+            point[i] += (corner[pairs[k][0]][i] + corner[pairs[k][1]][i]) / 2;
+        patch->shape.steiner_patch.weights[k] = between(random, .3, 3);
+    }
+}
+
+static void point_of(const struct primitive *patch, const double p[3],
+                     double point[3])
+{
+    double weight = 0, sum[3] = { 0 };
+    for (int k = 0; k < STEINER_POINTS; k++) {
+        const int i = pairs[k][0], j = pairs[k][1];
+        const double share = patch->shape.steiner_patch.weights[k]
+            * p[i] * p[j] * (i == j ? 1 : 2);
+        add_scaled(sum, sum, share, patch->shape.steiner_patch.points[k]);
+        weight += share;
+    }
+    scale_by(sum, 1 / weight);
+    copy(point, sum);
+}
+
+/* A ray from anywhere to a point of the patch meets it there, and at no
+ * other of its crossings does it leave the patch. */
+static void assert_round_trip(uint64_t *random,
+                              const struct primitive *patch)
+{
+    const double s = between(random, 0, 1);
+    const double t = between(random, 0, 1 - s);
+    const double p[3] = { s, t, 1 - s - t };
+    struct crossing crossings[MOST_CROSSINGS];
+    double point[3];
+    struct ray ray;
+    bool found = false;
+    point_of(patch, p, point);
+    random_direction(random, ray.origin);
+    scale_by(ray.origin, between(random, 1, 20));
+    add_scaled(ray.direction, point, -1, ray.origin);
+    const size_t count = plain_crossings(patch, &ray, crossings);
+    for (size_t i = 0; i < count; i++)
+        found = found || fabs(crossings[i].distance - 1) < 1e-11;
+    if (!found)
+        fail_msg("no crossing at %.17g, %.17g of %zu", s, t, count);
+}
+
+static void test_round_trips(void **state)
+{
+    uint64_t random = RANDOM_SEED;
+    (void)state;
+    for (int i = 0; i < 200; i++) {
+        struct primitive patch;
+        random_patch(&random, &patch);
+        for (int k = 0; k < 20; k++)
+            assert_round_trip(&random, &patch);
+    }
+}
+
+/* A triangle whose control points are the middles of its edges. */
+static void test_flat_patch(void **state)
+{
+    static const double points[STEINER_POINTS][3] = {
+        { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 0 },
+        { 2, 2, 0 }, { 0, 2, 0 }, { 2, 0, 0 }
+    };
+    const struct expectation rows[] = {
+        { { 1, 1, -5 }, { 0, 0, 1 }, 5, { 0, 0, -1 } },
+        { { 1, 2.9, 5 }, { 0, 0, -2 }, 2.5, { 0, 0, 1 } },
+        { { 1, 3.1, 5 }, { 0, 0, -2 }, 0, { 0 } },
+        { { -.1, 1, 5 }, { 0, 0, -2 }, 0, { 0 } },
+        { { 0, 0, 5 }, { .2, .2, -1 }, 5, { 0, 0, 1 } },
+    };
+    struct surface surface = one(PRIMITIVE_STEINER_PATCH);
+    (void)state;
+    memcpy(surface.parts[0].shape.steiner_patch.points, points,
+           sizeof points);
+    for (int k = 0; k < STEINER_POINTS; k++)
+        surface.parts[0].shape.steiner_patch.weights[k] = 1;
+    ASSERT_HITS(&surface, rows);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_roman_from_the_triple_point),
+        cmocka_unit_test(test_roman_volume),
+        cmocka_unit_test(test_two_ways),
+        cmocka_unit_test(test_round_trips),
+        cmocka_unit_test(test_flat_patch),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
