@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "rt/layout.h"
-#include "vm/text.h"
+#include "rt/program.h"
 
 struct trace {
     struct trace_options options;
@@ -38,37 +38,20 @@ bool trace_mode_named(const char *name, enum trace_mode *mode)
     return false;
 }
 
-/* The kernels are the program's own texts: an error in them is a fault of
- * the build, and the first one says where. */
-static struct object *assemble_kernels(const struct trace_options *options,
-                                       c205_error *error)
+static struct object *assemble_form(const struct trace_options *options,
+                                    c205_error *error)
 {
     const struct asm_define defines[] = {
         { "QUEUE", (int64_t)options->queue }, { NULL, 0 }
     };
-    const struct text *const texts[] = { kernel_texts, NULL };
-    struct asm_options how = { .defines = defines, .texts = texts };
-    struct asm_errors errors = { 0, NULL };
-    char start[64];
-    struct object *object;
 
-    snprintf(start, sizeof start, "        .include \"%s\"\n",
-             forms[options->mode].program);
-    object = assemble_text("frame", start, &how, &errors);
-    if (object == NULL && errors.count > 0)
-        snprintf(error->message, sizeof error->message, "%s:%zu: %s",
-                 errors.items[0].file, errors.items[0].line,
-                 errors.items[0].message);
-    else if (object == NULL)
-        snprintf(error->message, sizeof error->message, "no memory");
-    asm_errors_free(&errors);
-    return object;
+    return program_assemble(forms[options->mode].program, defines, error);
 }
 
 static bool prepare(struct trace *trace, const struct scene *scene,
                     c205_error *error)
 {
-    trace->program = assemble_kernels(&trace->options, error);
+    trace->program = assemble_form(&trace->options, error);
     if (trace->program == NULL)
         return false;
     trace->machine = c205_new(trace->options.model, error);

@@ -12,6 +12,18 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 passed=0 failed=0
 
+# Scenes with shapes that have no kernels yet: only the plain C tracer's and
+# POV-Ray's pictures are compared.  A scene that can be traced fails here until
+# it is taken from the list.
+without_kernels="scenes/car.pov scenes/steiner.pov tests/scenes/patches.pov"
+# Scenes with shapes that POV-Ray does not know.
+without_povray="scenes/car.pov scenes/steiner.pov tests/scenes/patches.pov"
+
+is_listed() { # SCENE LIST
+    case " $(echo $2) " in *" $1 "*) return 0 ;; esac
+    return 1
+}
+
 verdict() { # STATUS TEXT
     if [ "$1" -eq 0 ]; then
         passed=$((passed + 1))
@@ -24,21 +36,38 @@ verdict() { # STATUS TEXT
 checksum() { # SCENE OPTIONS ..: render into frame.exr, print the checksum
     scene_file=$1
     shift
-    "$build/rt205" render "$scene_file" -o "$work/frame.exr" -W $width -H $height \
-        "$@" | sed -n 's/^frame checksum //p'
+    "$build/rt205" render "$scene_file" -o "$work/frame.exr" -W $width \
+        -H $height "$@" | sed -n 's/^frame checksum //p'
+}
+
+same_frames() { # SCENE: of all forms and queues; leaves frame.exr
+    frame=$(checksum "$1" --mode scalar)
+    [ -n "$frame" ]
+    verdict $? "$1: no frame"
+    for queue in 1 77 2000 65535; do
+        [ "$(checksum "$1" --mode vector --queue $queue)" = "$frame" ]
+        verdict $? "$1: a queue of $queue gives another frame"
+    done
+}
+
+is_refused() { # SCENE: until its shapes have kernels
+    "$build/rt205" render "$1" -o "$work/frame.exr" -W 4 -H 3 2>&1 |
+        grep -q 'cannot be traced yet'
+    verdict $? "$1: is listed as one without kernels"
 }
 
 for scene in scenes/*.pov tests/scenes/*.pov; do
     [ -e "$scene" ] || continue
-    frame=$(checksum "$scene" --mode scalar)
-    [ -n "$frame" ]
-    verdict $? "$scene: no frame"
-    for queue in 1 77 2000 65535; do
-        [ "$(checksum "$scene" --mode vector --queue $queue)" = "$frame" ]
-        verdict $? "$scene: a queue of $queue gives another frame"
-    done
-    "$build/tests/oracle/check_scene" "$scene" $width $height \
-        "$work/frame.exr" --povray
+    frame_file=$work/frame.exr povray=--povray
+    is_listed "$scene" "$without_povray" && povray=
+    if is_listed "$scene" "$without_kernels"; then
+        frame_file=-
+        is_refused "$scene"
+    else
+        same_frames "$scene"
+    fi
+    "$build/tests/oracle/check_scene" "$scene" $width $height "$frame_file" \
+        $povray
     verdict $? "$scene: not what the other tracers see"
 done
 echo "$passed passed, $failed failed"

@@ -64,25 +64,29 @@ cylinder_miss:
         leave_kernel cylinder_save, 41
 
 ; Open: t1 = the first crossing, t2 = the second; t3, t4 their distances from
-; the middle along the axis.
+; the middle along the axis; o, d along the axis.
+        .macro  keep_between_disks o, d, half, miss
+        RTOR    tin, t1
+        RTOR    tout, t2
+        MPYS    t1, \d, t3
+        ADDN    t3, \o, t3
+        ABS     t3, t3
+        MPYS    t2, \d, t4
+        ADDN    t4, \o, t4
+        ABS     t4, t4
+        CFPLT   \half, t3, first_beyond\@
+        CFPGE   \half, t4, disks_done\@
+        RTOR    t1, tout
+        BIM     disks_done\@
+first_beyond\@:
+        CFPLT   \half, t4, \miss
+        RTOR    t2, tin
+disks_done\@:
+        .endm
+
 open_cylinder:
         enter_kernel cylinder_save, 41, 15
         cylinder_side cylinder_miss
-        RTOR    tin, t1
-        RTOR    tout, t2
-        MPYS    t1, t6, t3
-        ADDN    t3, t5, t3
-        ABS     t3, t3
-        MPYS    t2, t6, t4
-        ADDN    t4, t5, t4
-        ABS     t4, t4
-        CFPLT   sh13, t3, open_first_beyond
-        CFPGE   sh13, t4, open_done
-        RTOR    t1, tout
-open_done:
-        leave_kernel cylinder_save, 41
-open_first_beyond:
-        CFPLT   sh13, t4, cylinder_miss
-        RTOR    t2, tin
+        keep_between_disks t5, t6, sh13, cylinder_miss
         leave_kernel cylinder_save, 41
         .endkernel

@@ -79,20 +79,19 @@ cylinder:
         close_segment
         BIM     0, link_kernel
 
-; An open cylinder: the crossings between the disks.
-        .macro  between_disks t, bits
+; Of the crossings tin and tout those that lie between the disks, half from the
+; middle; [w5], [w6] = o, d along the axis.  Uses w0-w2, bits0-bits2.
+        .macro  between_disks t, half, bits
         MPYSV   [\t], [w6], [w0]
         ADDNV   [w0], [w5], [w0]
-        CMPGEV  sh13, |[w0]|, [\bits]
+        CMPGEV  \half, |[w0]|, [\bits]
         ANDB    [\bits], [bits2], [\bits]
         .endm
 
-open_cylinder:
-        load_record P_SHAPE, 15, sh0
-        cylinder_side
+        .macro  keep_between_disks half
         CMPGEV  [tout], [tin], [bits2]
-        between_disks tin, bits0
-        between_disks tout, bits1
+        between_disks tin, \half, bits0
+        between_disks tout, \half, bits1
         VTOV    [tin], [w1]
         VTOV    [tout], [w2]
         VTOV    big, [tin]
@@ -101,5 +100,11 @@ open_cylinder:
         VTOV    [w1], [tin] ? [bits0]
         VTOV    [w1], [tout] ? [bits0]
         VTOV    [w2], [tout] ? [bits1]
+        .endm
+
+open_cylinder:
+        load_record P_SHAPE, 15, sh0
+        cylinder_side
+        keep_between_disks sh13
         BIM     0, link_kernel
         .endkernel

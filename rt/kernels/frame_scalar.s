@@ -20,7 +20,7 @@
         .regs   r251, sample_nz, hit_id
 
         .data
-ray:            .space 6
+ray:            .space 7        ; O, D, and tmin: the least distance
 pixel:          .space 2
 segment:        .space 2
 distance:       .space 1
@@ -53,6 +53,9 @@ shade_primitive: .word 0
 frame:
         load_at constants, CONSTANTS, m_one
         load_at power_constants, POWER_CONSTANTS, p_fraction
+        EX      main_at, ray
+        IX      main_at, 64 * 6
+        STO     [main_at], m_tmin
         SUBN    r0, m_one, m_minus_one
         ES      m_index_one, 1
         ES      m_index_minus_one, -1
@@ -153,9 +156,19 @@ frame_store:
         .include "slab_scalar.s"
         .include "sphere_scalar.s"
         .include "box_scalar.s"
+        .include "quadratic_scalar.s"
         .include "cylinder_scalar.s"
+        .include "cone_scalar.s"
+        .include "quadric_scalar.s"
         .include "plane_scalar.s"
+        .include "quartic_scalar.s"
+        .include "lanes_scalar.s"
+        .include "torus_scalar.s"
+        .include "quartic_terms.s"
+        .include "quartic_surface_scalar.s"
         .include "transform_scalar.s"
         .include "power_scalar.s"
         .include "shade_scalar.s"
         .include "normal_scalar.s"
+        .include "normal_quadric_scalar.s"
+        .include "normal_quartic_scalar.s"

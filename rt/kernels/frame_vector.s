@@ -34,8 +34,9 @@ frame:
         EX      s0, shade_bases
         LOD     [s0], at
         EX      n, QUEUE
-        set_lengths n, n_high, queue_bases, queue_descriptors, QUEUE_VECTORS, wox
+        set_lengths n, n_high, queue_bases, queue_descriptors, QUEUE_VECTORS, hit_s
         INTVLV  pixel, one_index, [iota]
+        VTOV    tmin, [wlower]
 frame_next:
         SUBX    pixels, pixel, batch
         EX      s2, QUEUE
@@ -44,7 +45,7 @@ frame_next:
 frame_short:
         IBXEQ   batch, r0, n, frame_lengths
         RTOR    batch, n
-        set_lengths n, n_high, queue_bases, queue_descriptors, QUEUE_VECTORS, wox
+        set_lengths n, n_high, queue_bases, queue_descriptors, QUEUE_VECTORS, hit_s
 frame_lengths:
         EX      s0, scene_frame
         LOD     [s0], plane_at
@@ -76,10 +77,20 @@ frame_lengths:
         .include "slab_vector.s"
         .include "sphere_vector.s"
         .include "box_vector.s"
+        .include "quadratic_vector.s"
         .include "cylinder_vector.s"
+        .include "cone_vector.s"
+        .include "quadric_vector.s"
         .include "plane_vector.s"
+        .include "quartic_vector.s"
+        .include "lanes_vector.s"
+        .include "torus_vector.s"
+        .include "quartic_terms.s"
+        .include "quartic_surface_vector.s"
         .include "transform_vector.s"
         .include "nearest_vector.s"
         .include "normal_vector.s"
+        .include "normal_quadric_vector.s"
+        .include "normal_quartic_vector.s"
         .include "shade_vector.s"
         .include "power_vector.s"

@@ -86,6 +86,7 @@ normal_cylinder:
         SUBN    t4, sh13, t4
         ABS     t4, t4
         CFPGE   t4, t3, normal_side
+normal_end_disk:
         RTOR    sh9, nx
         RTOR    sh10, ny
         RTOR    sh11, nz

@@ -96,6 +96,16 @@ normal_box:
         VTOV    -\w, [\n] ? [hits1]
         .endm
 
+; Where [v1], the distance to a disk, is less than [v0], that to the side.
+        .macro  end_disk_normal
+        CMPLTV  |[v1]|, |[v0]|, [hits0]
+        CMPLTV  [v2], r0, [hits2]
+        ANDB    [hits0], [hits2], [hits1]
+        disk_normal sh9, nx
+        disk_normal sh10, ny
+        disk_normal sh11, nz
+        .endm
+
 normal_cylinder:
         cylinder_side_normal
         MPYSV   [v0], [v0], [v0]
@@ -105,12 +115,7 @@ normal_cylinder:
         SUBNV   [v3], sh12, [v0]
         MPYSV   [v0], sh14, [v0]
         SUBNV   |[v2]|, sh13, [v1]
-        CMPLTV  |[v1]|, |[v0]|, [hits0]
-        CMPLTV  [v2], r0, [hits2]
-        ANDB    [hits0], [hits2], [hits1]
-        disk_normal sh9, nx
-        disk_normal sh10, ny
-        disk_normal sh11, nz
+        end_disk_normal
         BIM     0, link_kernel
 
 normal_open_cylinder:

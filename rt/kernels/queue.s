@@ -15,7 +15,8 @@
         .regs   r6, s0, s1, s2, s3, s4, s5, s6, s7, s8, s9    ; scratch
         .regs   r16, one, half, two, big, minus_big, tiny, tmin, checker_shift
         .regs   r24, pixel, pixels, batch
-        .regs   r28, primitive, primitives_left, shape_at, target, identity
+        .regs   r28, primitive, primitives_left, shape_at, target
+        .regs   r32, identity, on_patch
         .regs   r34, light_at, lights_left
 
 ; Shape parameters and the matrix of the primitive at hand (see records.s).
@@ -24,6 +25,8 @@
         .regs   r56, m00, m01, m02, m03, m10, m11, m12, m13, m20, m21, m22, m23
 
 ; Queue vectors, all n long.
+        .regs   r70, hit_s, hit_t, patch_s, patch_t       ; on patches
+        .regs   r74, wlower, llower                       ; least distances
         .regs   r80, wox, woy, woz, wdx, wdy, wdz         ; rays, world
         .regs   r86, lox, loy, loz, ldx, ldy, ldz, lscale ; rays, own space
         .regs   r93, tin, tout                            ; of the kernel
@@ -31,18 +34,19 @@
         .regs   r97, w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11
         .regs   r109, bits0, bits1, bits2                 ; bit vectors
         .reg    iota, r112                                 ; 0, 1, 2, ...
-        .equ    QUEUE_VECTORS, 33
+        .equ    QUEUE_VECTORS, 43
 
 ; The ray that a kernel looks at: world or own space.
-        .regs   r116, ox, oy, oz, dx, dy, dz
+        .regs   r116, ox, oy, oz, dx, dy, dz, lower
 
-        .macro  look_at_rays x0, x1, x2, d0, d1, d2
+        .macro  look_at_rays x0, x1, x2, d0, d1, d2, least
         RTOR    \x0, ox
         RTOR    \x1, oy
         RTOR    \x2, oz
         RTOR    \d0, dx
         RTOR    \d1, dy
         RTOR    \d2, dz
+        RTOR    \least, lower
         .endm
 
 ; The frame's planes, from the queue's first pixel on, n long.
@@ -74,13 +78,19 @@
 
         .data
 queue_bases:
-        .rept 29
+        .rept 6
         .descriptor 0, queue_store + 64 * QUEUE * \+
+        .endr
+        .rept 4
+        .descriptor 0, 0                ; r76-r79 are not of this table
+        .endr
+        .rept 29
+        .descriptor 0, queue_store + 64 * QUEUE * (6 + \+)
         .endr
         .descriptor 0, queue_bits
         .descriptor 0, queue_bits + 64 * QUEUE_BIT_WORDS
         .descriptor 0, queue_bits + 128 * QUEUE_BIT_WORDS
-        .descriptor 0, queue_store + 64 * QUEUE * 29
+        .descriptor 0, queue_store + 64 * QUEUE * 35
 queue_descriptors:
         .space QUEUE_VECTORS
 
@@ -99,7 +109,7 @@ shade_descriptors:
 queue_bits:     .space 3 * QUEUE_BIT_WORDS
 shade_bits:     .space 4 * QUEUE_BIT_WORDS
         .align 64
-queue_store:    .space 30 * QUEUE
+queue_store:    .space 36 * QUEUE
 shade_store:    .space 28 * QUEUE
         .code
 

@@ -10,9 +10,12 @@
                                 ;    P_KERNEL = transformed
         .equ    P_NORMAL, 2        ; address of the routine for the normal
         .equ    P_ID, 3            ; its number, from 1, as an integer
-        .equ    P_CHECKER, 4       ; 1: the pigment is a checker
-        .equ    P_TRANSFORMED, 5   ; 1: the shape stands in a space of its own
-        .equ    P_SHAPE, 6         ; 16 words, by kind:
+        .equ    P_ON_PATCH, 4      ; 1: a hit has two parameters, too
+        .equ    P_CHECKER, 5       ; 1: the pigment is a checker
+        .equ    P_TRANSFORMED, 6   ; 1: the shape stands in a space of its own
+        .equ    P_TABLE, 7         ; address of the words that P_SHAPE has no
+                                ; room for
+        .equ    P_SHAPE, 8         ; 16 words, by kind:
                                 ;   sphere    centre 3, r^2, 1/r
                                 ;   box       least corner 3, greatest 3,
                                 ;             centre 3, half edge 3
@@ -20,15 +23,28 @@
                                 ;             w 3 (along), r^2, half length,
                                 ;             1/(2 r), 1/r
                                 ;   plane     unit normal 3, distance
+                                ;   cone      centre 3, unit axes 9, mean
+                                ;             radius, slope, half length,
+                                ;             1/sqrt(1 + slope^2)
+                                ;   quadric   centre 3, matrix xx yy zz xy
+                                ;             xz yz, half of the linear terms
+                                ;             3, constant, about the centre
+                                ;   torus     rho, b0, a0, a0/2, square of its
+                                ;             bound, R^2 + r^2, r^2, 2 a0,
+                                ;             resolution of its roots
+                                ;   quartic   farthest distance, resolution;
+                                ;             table: its 35 coefficients
         .equ    SHAPE_SIZE, 16
-        .equ    P_LOCAL, 22        ; 12: rows of the matrix from world to own
+        .equ    P_LOCAL, 24        ; 12: rows of the matrix from world to own
                                 ; space, each three factors and a shift
-        .equ    P_COLOR, 34        ; 6: pigment, and the checker's second
-        .equ    P_PATTERN, 40      ; 12: from world to the pigment's space
-        .equ    P_FINISH, 52       ; 8: ambient 3 (times the ambient light),
+        .equ    P_COLOR, 36        ; 6: pigment, and the checker's second
+        .equ    P_PATTERN, 42      ; 12: from world to the pigment's space
+        .equ    P_FINISH, 54       ; 8: ambient 3 (times the ambient light),
                                 ; diffuse, phong, phong_size, specular,
                                 ; 1/roughness
-        .equ    P_SIZE, 60
+        .equ    P_PATCH_POINT, 62  ; 2: the parameters of the last hit, written
+                                ; by the scalar form only
+        .equ    P_SIZE, 64
 
 ; A light: position 3, colour 3, and 1 if it makes highlights, else 0 (POV-Ray's
 ; shadowless lights make none).
@@ -66,5 +82,7 @@ k_minus_big:    .word -1e30
 k_tiny:         .word 1e-12     ; a ray that approaches less is parallel
 k_tmin:         .word 1e-6      ; a hit nearer than this is the ray's start
 k_checker:      .word 1e-10     ; added before floor, against ragged faces
-        .equ    CONSTANTS, 8
+        .equ    CONSTANTS, 8       ; so many in registers
+k_lower:        .word 1.000000000001e-6 ; tmin where it is scaled and back: what
+                                ; is beyond it there is beyond tmin here
         .code

@@ -22,9 +22,9 @@
 
         .regs   r233, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
         .regs   r238, f_size, f_specular, f_sharpness
-        .regs   r70, color0r, color0g, color0b, color1r, color1g, color1b
         .regs   r241, light_x, light_y, light_z, light_r, light_g, light_b
         .regs   r247, light_gleams
+        .regs   r248, color0r, color0g, color0b, color1r, color1g, color1b
         .reg    shade_left, r188
 
         .reg    link_shade, r190

@@ -2,7 +2,8 @@
 ;
 ;       CALL SPHERE (RAY, PRIMITIVE, SEGMENT)
 ;
-; RAY = O, D (6 words, D of length one); PRIMITIVE = its record; SEGMENT =
+; RAY = O, D (6 words, D of length one), and behind them, for the kernels that
+; need it, the least distance that counts; PRIMITIVE = its record; SEGMENT =
 ; tin, tout (2 words); a miss is big, minus_big.  Formulas and order of the
 ; operations as in sphere_vector.s, but a miss ends before the square root.
 

@@ -3,15 +3,16 @@
 ;       CALL TRANSFORMED (RAY, PRIMITIVE, SEGMENT)
 ;
 ; Arguments as in sphere_scalar.s, method as in transform_vector.s.  The ray is
-; carried over into own_ray and the primitive's kernel called with it.
+; carried over into own_ray, with its least distance, and the primitive's
+; kernel called with it.
 
-        .regs   r80, own_ox, own_oy, own_oz, own_dx, own_dy, own_dz, own_scale
-        .regs   r87, link_saved
+        .regs   r80, own_ox, own_oy, own_oz, own_dx, own_dy, own_dz
+        .regs   r86, own_lower, own_scale, link_saved
         .equ    TRANSFORM_REGISTERS, KERNEL_REGISTERS_MOST
 
         .data
 transform_save: .space TRANSFORM_REGISTERS
-own_ray:        .space 6
+own_ray:        .space 7
 own_segment:    .space 2
 own_arguments:
         .descriptor 6, own_ray
@@ -35,9 +36,12 @@ transformed:
         ADDN    own_oy, sh7, own_oy
         ADDN    own_oz, sh11, own_oz
         dot_rows dx, dy, dz, sh0, sh1, sh2, sh4, sh5, sh6, sh8, sh9, sh10, own_dx, own_dy, own_dz, t0, t1, t2, t3
+        EX      t1, k_lower
+        LOD     [t1], own_lower
         normalise own_dx, own_dy, own_dz, t0, own_scale
         EX      t1, own_ray
-        ELEN    t1, 6
+        ELEN    t1, 7
+        MPYS    t0, own_lower, own_lower
         SWAP    [r0], own_ox, [t1]
         EX      t1, own_primitive
         STO     [t1], a_primitive

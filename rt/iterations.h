@@ -1,0 +1,47 @@
+/* iterations.h - counting the steps of the root solver's refinement.
+ *
+ * A listener on the machine's events: it knows the labels of falsi_scalar.s
+ * and falsi_vector.s and reads what is in their registers.  It costs the
+ * machine no clocks.
+ */
+#ifndef RT_ITERATIONS_H
+#define RT_ITERATIONS_H
+
+#include "asm/assemble.h"
+
+enum stage { STAGE_SLOPE, STAGE_VALUE, STAGES };
+const char *stage_name(enum stage stage);
+
+enum { ITERATIONS_MOST = 128 };
+
+/* Of one stage: roots of f' (knots), or of f. */
+struct stage_count {
+    uint64_t brackets;  /* that were refined */
+    uint64_t passes;    /* of the loop over all its lanes */
+    uint64_t steps;     /* of brackets that were not done */
+    uint64_t lanes;     /* in the loop, summed over the passes */
+    uint64_t halvings;  /* of exponents, of wide brackets, before that */
+    /* By pass of a refinement, from 0: active brackets, lanes in the loop. */
+    uint64_t active[ITERATIONS_MOST], in_loop[ITERATIONS_MOST];
+};
+
+struct iterations {
+    struct stage_count stage[STAGES];
+    /* Private. */
+    struct stage_labels {
+        uint64_t begin, wide, step, midpoint, left;
+    } labels[STAGES];
+    bool vector;
+    size_t pass;     /* of the refinement that goes on */
+    uint64_t active; /* in it */
+};
+
+/* A c205_listener whose context is a struct iterations. */
+void iterations_listen(void *iterations, const c205 *machine,
+                       const c205_event *event);
+/* Zero all and find the labels of a program in the vector or scalar form.
+ * False: the program has no such labels. */
+bool iterations_begin(struct iterations *iterations,
+                      const struct object *program, bool vector);
+
+#endif

@@ -1,0 +1,201 @@
+; falsi_vector.s - the roots of many polynomials, each between two ends at
+; which its signs differ.  A macro for each degree:
+;
+;       refine  NAME, value, compress
+;
+; makes the routine NAME, called by BSAVE q_link.  value x, fx is the macro
+; that evaluates the polynomials, compress bits the one that compresses their
+; coefficients.
+;
+; The two ends are A and B, B the newer.  Sign of 0: +.
+;
+; 1. While both ends lie on one side of zero and one is more than 16 times the
+;    other, the bracket is halved in the exponent: X = sqrt(A B).
+; 2. Steps of falsi: X = B - (B - A) f(B) / (f(B) - f(A)), but no nearer to B
+;    than 7/8 D, where D = 2^-41 |B| + resolution.  If the sign has changed from
+;    B to X, A := B; else f(A) is made smaller (quartic_constants.s).  B := X.
+; 3. Found when |B - A| <= D or f(B) = 0: the end with the lesser |f|.  So the
+;    sign of f changes within D of every root.
+; 4. What is not found after FALSI_STEPS such steps is halved, X = (A + B) / 2,
+;    HALVINGS times at most.
+;
+; The loop runs over all lanes that began; an answer is kept once it is found.
+; When fewer than half of the lanes in the loop are active their answers are
+; scattered and the active ones compressed.
+;
+; In:  q_a, q_fa, q_b, q_fb, the coefficients, q_at (places of the lanes), all
+;      as long as the number of lanes; q_resolution; q_result.
+; Out: the roots, scattered by q_at into q_result.
+; Uses q_x, q_fx, q_w, q_s, q_d, q_t, q_answer and the bit vectors named here.
+
+; Give results the length of the loop; the address stays.
+        .macro  lengthen count, vector
+        ELEN    \vector, 0
+        ADDLEN  \vector, \count, \vector
+        .endm
+
+        .macro  exchange a, b
+        RTOR    \a, q_u
+        RTOR    \b, \a
+        RTOR    q_u, \b
+        .endm
+
+        .macro  set_loop
+        lengthen q_loop, q_x
+        lengthen q_loop, q_fx
+        lengthen q_loop, q_w
+        lengthen q_loop, q_s
+        lengthen q_loop, q_d
+        lengthen q_loop, q_t
+        lengthen q_loop, q_answer
+        lengthen q_loop, q_small
+        lengthen q_loop, q_change
+        lengthen q_loop, q_bits
+        lengthen q_loop, q_x_sign
+        lengthen q_loop, q_done
+        .if     FALSI == PAPER
+        lengthen q_loop, q_changed
+        .endif
+        .endm
+
+; A kept: its value made smaller, where the sign has not changed.
+        .macro  keep_ends
+        .if     FALSI == ILLINOIS
+        MPYSV   [q_fa], q_half, [q_fa] ?! [q_change]
+        .elseif FALSI == PAPER
+        ORB     [q_change], [q_changed], [q_bits]
+        MPYSV   [q_fa], q_half, [q_fa] ?! [q_bits]
+        ANDB    [q_change], [q_change], [q_changed]
+        .elseif FALSI == PEGASUS
+        ADDNV   [q_fb], [q_fx], [q_t]
+        DIVSV   [q_fb], [q_t], [q_t]
+        MPYSV   [q_fa], [q_t], [q_fa] ?! [q_change]
+        .elseif FALSI == ANDERSON_BJORCK
+        DIVSV   [q_fx], [q_fb], [q_t]
+        SUBNV   q_one, [q_t], [q_t]
+        CMPLTV  r0, [q_t], [q_bits]
+        VTOV    q_half, [q_t] ?! [q_bits]
+        MPYSV   [q_fa], [q_t], [q_fa] ?! [q_change]
+        .endif
+        .endm
+
+        .macro  refine name, value, compress
+\name:
+        LTOR    q_at, q_loop
+        RTOR    q_loop, q_active_count
+        set_loop
+        lengthen q_loop, q_b_sign
+        lengthen q_loop, q_active
+        CMPGEV  [q_fb], r0, [q_b_sign]
+        EQVB    [q_b_sign], [q_b_sign], [q_active]
+
+; Wide brackets.
+\name\()_bracket:
+        MPYSV   [q_a], [q_b], [q_w]
+        MPYSV   |[q_a]|, q_sixteen, [q_s]
+        MPYSV   |[q_b]|, q_sixteen, [q_d]
+        CMPLTV  [q_s], |[q_b]|, [q_small]
+        CMPLTV  [q_d], |[q_a]|, [q_bits]
+        ORB     [q_small], [q_bits], [q_small]
+        CMPLTV  r0, [q_w], [q_bits]
+        ANDB    [q_small], [q_bits], [q_small]
+\name\()_wide:
+        CNTOB   [q_small], q_finished
+        IBXEQ   q_finished, r0, r0, \name\()_narrow
+        SQRTV   [q_w], [q_x] ? [q_small]
+        CMPLTV  [q_a], r0, [q_bits]
+        VTOV    -[q_x], [q_x] ? [q_bits]
+        \value  q_x, q_fx
+        CMPGEV  [q_fx], r0, [q_x_sign]
+        XORB    [q_x_sign], [q_b_sign], [q_change]
+        ANDNB   [q_small], [q_change], [q_bits]
+        VTOV    [q_x], [q_b] ? [q_bits]
+        VTOV    [q_fx], [q_fb] ? [q_bits]
+        ANDB    [q_small], [q_change], [q_bits]
+        VTOV    [q_x], [q_a] ? [q_bits]
+        VTOV    [q_fx], [q_fa] ? [q_bits]
+        BIM     \name\()_bracket
+
+\name\()_narrow:
+        .if     FALSI == PAPER
+        EQVB    [q_b_sign], [q_b_sign], [q_changed]
+        .endif
+        SUBNV   [q_b], [q_a], [q_w]
+        ES      q_steps, 0
+\name\()_step:
+        SUBNV   [q_fb], [q_fa], [q_s]
+        DIVSV   [q_fb], [q_s], [q_s]
+        MPYSV   [q_w], [q_s], [q_s]
+        BIM     \name\()_move
+\name\()_midpoint:
+        MPYSV   [q_w], q_half, [q_s]
+\name\()_move:
+        LINKV
+        MPYSV   |[q_b]|, q_close, [q_d]
+        ADDNV   [q_d], q_resolution, [q_d]
+        CMPLTV  |[q_s]|, [q_d], [q_small]
+        CNTOB   [q_small], q_finished
+        IBXEQ   q_finished, r0, r0, \name\()_long_enough
+        MPYSV   [q_d], q_least, [q_s] ? [q_small]
+        CMPLTV  [q_w], r0, [q_bits]
+        ANDB    [q_small], [q_bits], [q_bits]
+        VTOV    -[q_s], [q_s] ? [q_bits]
+\name\()_long_enough:
+        SUBNV   [q_b], [q_s], [q_x]
+        \value  q_x, q_fx
+        CMPGEV  [q_fx], r0, [q_x_sign]
+        XORB    [q_x_sign], [q_b_sign], [q_change]
+        keep_ends
+        VTOV    [q_b], [q_a] ? [q_change]
+        VTOV    [q_fb], [q_fa] ? [q_change]
+        exchange q_b, q_x
+        exchange q_fb, q_fx
+        exchange q_b_sign, q_x_sign
+        SUBNV   [q_b], [q_a], [q_w]
+        CMPGEV  [q_d], |[q_w]|, [q_done]
+        CMPEQV  [q_fb], r0, [q_bits]
+        ORB     [q_done], [q_bits], [q_done]
+        ANDB    [q_done], [q_active], [q_done]
+        CNTOB   [q_done], q_finished
+        IBXNE   q_finished, r0, r0, \name\()_found
+\name\()_next:
+        IBXLT   q_steps, q_index_one, q_falsi_steps, \name\()_step, q_steps
+        IBXLT   q_steps, r0, q_all_steps, \name\()_midpoint
+        RTOR    q_active, q_done
+        RTOR    q_active_count, q_finished
+\name\()_found:
+        CMPLTV  |[q_fa]|, |[q_fb]|, [q_bits]
+        VTOV    [q_b], [q_answer] ? [q_done]
+        ANDB    [q_bits], [q_done], [q_bits]
+        VTOV    [q_a], [q_answer] ? [q_bits]
+\name\()_left:
+        SUBX    q_active_count, q_finished, q_active_count
+        IBXEQ   q_active_count, r0, r0, \name\()_end
+        ANDNB   [q_active], [q_done], [q_active]
+        ADDX    q_active_count, q_active_count, q_u
+        IBXGE   q_u, r0, q_loop, \name\()_next
+
+; Fewer than half are active.
+        CPSV    [q_answer], [q_x] ?! [q_active]
+        CPSV    [q_at], [q_fx] ?! [q_active]
+        VTOVX   [q_fx], [q_x], [q_result]
+        CPSV    [q_at], [q_at] ? [q_active]
+        CPSV    [q_a], [q_a] ? [q_active]
+        CPSV    [q_fa], [q_fa] ? [q_active]
+        CPSV    [q_b], [q_b] ? [q_active]
+        CPSV    [q_fb], [q_fb] ? [q_active]
+        CPSV    [q_w], [q_w] ? [q_active]
+        \compress q_active
+        CPSB    [q_b_sign], [q_b_sign] ? [q_active]
+        .if     FALSI == PAPER
+        CPSB    [q_changed], [q_changed] ? [q_active]
+        .endif
+        RTOR    q_active_count, q_loop
+        lengthen q_loop, q_active
+        EQVB    [q_active], [q_active], [q_active]
+        set_loop
+        BIM     \name\()_next
+\name\()_end:
+        VTOVX   [q_at], [q_answer], [q_result]
+        BIM     0, q_link
+        .endm

@@ -1,0 +1,76 @@
+; lanes_scalar.s - one ray and a shape whose crossings the root solver finds;
+; see lanes_vector.s.  What shows a miss ends the work.
+
+        .regs   r46, lower                      ; comes where tin will be
+        .regs   r74, k4, k3, k2, k1, k0         ; of the quartic
+        .regs   r79, near_low, near_high, near_resolution
+        .regs   r82, along, near_o2, link_kept
+        .regs   r85, e0, e1, e2, e3, e4, e5, e6
+        .equ    LANE_REGISTERS, 60
+
+        .data
+near_save:      .space LANE_REGISTERS
+near_input:     .space 8
+near_roots:     .space 5
+near_list:      .descriptor 5, near_input
+                .descriptor 3, near_input + 64 * 5
+                .descriptor 5, near_roots
+        .code
+
+        .macro  enter_solver shape_words, save=near_save, registers=LANE_REGISTERS
+        EX      image_at, kernel_image
+        ELEN    image_at, 5
+        EX      save_at, \save
+        ELEN    save_at, \registers
+        SWAP    [image_at], r32, [save_at]
+        ELEN    arguments, 3
+        SWAP    [arguments], a_ray, [r0]
+        ELEN    a_ray, 7
+        SWAP    [a_ray], ox, [r0]
+        RTOR    a_primitive, t0
+        IX      t0, 64 * P_SHAPE
+        ELEN    t0, \shape_words
+        SWAP    [t0], sh0, [r0]
+        RTOR    link, link_kept
+        .endm
+
+        .macro  leave_solver save=near_save, registers=LANE_REGISTERS
+        RTOR    link_kept, link
+        leave_kernel \save, \registers
+        .endm
+
+; o in t0-t2, o . o in near_o2, near_low, near_high; or to miss.
+        .macro  come_near x0, x1, x2, bound2, miss
+        closest_approach \x0, \x1, \x2, t0, t1, t2, along, t3, t4
+        dot     t0, t1, t2, t0, t1, t2, near_o2, t4
+        SUBN    \bound2, near_o2, near_high
+        CFPGE   r0, near_high, \miss
+        SQRT    near_high, near_high
+        ADDN    lower, along, near_low
+        SUBN    r0, near_high, t3
+        CFPLT   t3, near_low, come_near_ahead\@
+        RTOR    t3, near_low
+come_near_ahead\@:
+        CFPGE   near_low, near_high, \miss
+        .endm
+
+; tin = tout = the first root; or to miss.
+        .macro  solve_near resolution, miss
+        RTOR    \resolution, near_resolution
+        EX      t3, near_input
+        ELEN    t3, 8
+        SWAP    [r0], k4, [t3]
+        call    solve_quartic, near_list
+        EX      t3, near_roots
+        LOD     [t3], tin
+        CFPGE   tin, big, \miss
+        SUBN    tin, along, tin
+        RTOR    tin, tout
+        .endm
+
+; The ray misses.
+        .macro  miss_near save=near_save, registers=LANE_REGISTERS
+        RTOR    big, tin
+        RTOR    minus_big, tout
+        leave_solver \save, \registers
+        .endm

@@ -1,0 +1,83 @@
+; lanes_vector.s - the rays that come near a shape whose crossings the root
+; solver finds, and how its roots become tin and tout.
+;
+; A shape has a bounding sphere about its centre.  With a ray's origin moved to
+; o, its closest approach to the centre (quadratic_vector.s), and s the
+; distance from there, the ray is in the sphere for
+;
+;   |s| <= high = sqrt(bound^2 - o . o)
+;
+; and crossings count for  low < s <= high,  low = lower + along or, if that is
+; less, -high.  Where low is not below high the ray misses.  The others, m of n,
+; are compressed: the lanes.  They use the vectors of the shading, which has
+; not begun yet.
+;
+; Source: the project's notes on ray tracing, 0 and 1.1.
+
+        .reg    lane_link, r123
+        .regs   r136, lane_at                           ; places in the queue
+        .regs   r137, lane_ox, lane_oy, lane_oz, lane_dx, lane_dy, lane_dz
+        .regs   r143, lane_along, lane_low, lane_high
+        .regs   r146, k4, k3, k2, k1, k0                ; of the quartic
+        .regs   r151, e0, e1, e2, e3, e4, e5, e6, e7, e8, e9, e10, e11, e12
+
+; Lengths for count lanes.
+        .macro  set_lanes count
+        set_lengths \count, m_high, shade_bases, shade_descriptors, SHADE_VECTORS, at
+        .endm
+
+; From the origins x, told from the centre, and the scalar bound2 = bound^2:
+; bits0 = the rays that come near, in w0-w2 o, in w3 along, in w5, w6 low and
+; high, in w7 o . o; m of them; to miss if there are none.
+        .macro  find_lanes x0, x1, x2, bound2, miss
+        closest_approach \x0, \x1, \x2, w0, w1, w2, w3, w4
+        dot_vectors w0, w1, w2, w0, w1, w2, w7, w4
+        SUBNV   \bound2, [w7], [w6]
+        CMPLTV  r0, [w6], [bits0]
+        SQRTV   [w6], [w6] ? [bits0]
+        ADDNV   [lower], [w3], [w5]
+        CMPGEV  -[w5], [w6], [bits1]
+        VTOV    -[w6], [w5] ? [bits1]
+        CMPLTV  [w5], [w6], [bits1]
+        ANDB    [bits0], [bits1], [bits0]
+        CNTOB   [bits0], m
+        IBXEQ   m, r0, r0, \miss
+        .endm
+
+        .macro  take_lanes
+        set_lanes m
+        CPSV    [iota], [lane_at] ? [bits0]
+        CPSV    [w0], [lane_ox] ? [bits0]
+        CPSV    [w1], [lane_oy] ? [bits0]
+        CPSV    [w2], [lane_oz] ? [bits0]
+        CPSV    [dx], [lane_dx] ? [bits0]
+        CPSV    [dy], [lane_dy] ? [bits0]
+        CPSV    [dz], [lane_dz] ? [bits0]
+        CPSV    [w3], [lane_along] ? [bits0]
+        CPSV    [w5], [lane_low] ? [bits0]
+        CPSV    [w6], [lane_high] ? [bits0]
+        .endm
+
+; The first root of each lane's quartic k4 .. k0, with the scalar resolution,
+; is tin = tout of its ray.
+        .macro  solve_lanes resolution
+        RTOR    link_inner, lane_link
+        EX      s8, solve_quartic
+        call_quartic s8, k4, k3, k2, k1, k0, lane_low, lane_high, \resolution
+        RTOR    lane_link, link_inner
+        VTOV    big, [tin]
+        VTOV    minus_big, [tout]
+        CMPLTV  [root0], big, [hits0]
+        SUBNV   [root0], [lane_along], [e0]
+        VTOV    big, [e0] ?! [hits0]
+        VTOVX   [lane_at], [e0], [tin]
+        VTOV    minus_big, [e0] ?! [hits0]
+        VTOVX   [lane_at], [e0], [tout]
+        .endm
+
+; All rays miss.
+        .macro  miss_all
+        VTOV    big, [tin]
+        VTOV    minus_big, [tout]
+        BIM     0, link_kernel
+        .endm

@@ -1,0 +1,105 @@
+; normal_quartic_vector.s - the normals of shapes whose crossings the root
+; solver finds; see normal_vector.s.
+
+        .kernel shade
+
+; Torus: the gradient of (x^2 + z^2 + rho y^2 + b0)^2 - a0 (x^2 + z^2), with
+; g = x^2 + z^2 + rho y^2 + b0:  N = ((g - a0/2) x, rho g y, (g - a0/2) z).
+normal_torus:
+        load_record P_SHAPE, 4, sh0
+        MPYSV   [qx], [qx], [v0]
+        MPYSV   [qz], [qz], [v1]
+        ADDNV   [v1], [v0], [v0]
+        MPYSV   [qy], [qy], [v1]
+        LINKV
+        MPYSV   [v1], sh0, [v1]
+        ADDNV   [v1], [v0], [v0]
+        ADDNV   [v0], sh1, [v0]                 ; g
+        MPYSV   [v0], [qy], [v1]
+        MPYSV   [v1], sh0, [ny]
+        SUBNV   [v0], sh3, [v0]
+        MPYSV   [v0], [qx], [nx]
+        MPYSV   [v0], [qz], [nz]
+        BIM     gradient_normal
+
+; Quartic surface: the gradient of F, grouped as in quartic_terms.s.  Of each
+; row B (in v0, its derivative by z in v1), each group A (v2, by y v3, by z v4)
+; and F (v5, its gradient in n) Horner's rule is
+;
+;   value := value x + c,    derivative := derivative x + value before
+        .macro  gradient_step c, x, work
+        MPYSV   [\c], [\x], [\c]
+        ADDNV   [\work], [\c], [\c]
+        .endm
+
+; The row of the words from sh0 on; its first word is the first coefficient.
+        .macro  gradient_term c
+        gradient_step v1, qz, v0
+        LINKV
+        MPYSV   [v0], [qz], [v0]
+        ADDNV   [v0], \c, [v0]
+        .endm
+
+        .macro  gradient_row first
+        VTOV    \first, [v0]
+        VTOV    r0, [v1]
+        .endm
+
+        .macro  gradient_group_row
+        gradient_step v3, qy, v2
+        gradient_step v2, qy, v0
+        gradient_step v4, qy, v1
+        .endm
+
+        .macro  gradient_group words
+        ELEN    table_at, \words
+        SWAP    [table_at], sh0, [r0]
+        IX      table_at, 64 * \words
+        VTOV    sh0, [v2]
+        VTOV    r0, [v3]
+        VTOV    r0, [v4]
+        .if     \words >= 3
+        gradient_row sh1
+        gradient_term sh2
+        gradient_group_row
+        .endif
+        .if     \words >= 6
+        gradient_row sh3
+        gradient_term sh4
+        gradient_term sh5
+        gradient_group_row
+        .endif
+        .if     \words >= 10
+        gradient_row sh6
+        gradient_term sh7
+        gradient_term sh8
+        gradient_term sh9
+        gradient_group_row
+        .endif
+        .if     \words >= 15
+        gradient_row sh10
+        gradient_term sh11
+        gradient_term sh12
+        gradient_term sh13
+        gradient_term sh14
+        gradient_group_row
+        .endif
+        gradient_step nx, qx, v5
+        gradient_step v5, qx, v2
+        gradient_step ny, qx, v3
+        gradient_step nz, qx, v4
+        .endm
+
+normal_quartic:
+        load_field P_TABLE, table_at
+        VTOV    r0, [nx]
+        VTOV    r0, [ny]
+        VTOV    r0, [nz]
+        VTOV    r0, [v5]
+        gradient_group 1
+        gradient_group 3
+        gradient_group 6
+        gradient_group 10
+        gradient_group 15
+        BIM     gradient_normal
+        .endkernel

@@ -1,0 +1,50 @@
+; quadratic_scalar.s - one quadratic  a t^2 + 2 b t + c; see
+; quadratic_vector.s.  Without real roots to miss, with a = 0 to no_first, with
+; q = 0 (and any a) to no_second; second is there at no_first.
+
+; Registers of the kernels that solve one.
+        .regs   r74, o_along, d_along, k_along, shift, quad_a, quad_b, quad_c
+        .equ    QUADRATIC_REGISTERS, 49
+
+        .macro  discriminant a, b, c, disc, work
+        MPYS    \b, \b, \disc
+        MPYS    \a, \c, \work
+        SUBN    \disc, \work, \disc
+        .endm
+
+        .macro  quadratic_roots a, b, c, disc, first, second, no_first, no_second
+        SQRT    \disc, \disc
+        ABS     \b, \first
+        ADDN    \first, \disc, \disc
+        CFPLT   \b, r0, quadratic_signed\@
+        SUBN    r0, \disc, \disc
+quadratic_signed\@:
+        CFPEQ   \disc, r0, \no_second
+        DIVS    \c, \disc, \second
+        CFPEQ   \a, r0, \no_first
+        DIVS    \disc, \a, \first
+        .endm
+
+        .macro  sort_roots first, second
+        RTOR    \first, tin
+        RTOR    \second, tout
+        CFPGE   \second, \first, sorted\@
+        RTOR    \second, tin
+        RTOR    \first, tout
+sorted\@:
+        .endm
+
+        .macro  closest_approach x0, x1, x2, o0, o1, o2, along, work0, work1
+        dot     \x0, \x1, \x2, dx, dy, dz, \along, \work0
+        MPYS    \along, dx, \work0
+        MPYS    \along, dy, \work1
+        MPYS    \along, dz, third
+        SUBN    \x0, \work0, \o0
+        SUBN    \x1, \work1, \o1
+        SUBN    \x2, third, \o2
+        .endm
+
+        .macro  move_back along
+        SUBN    tin, \along, tin
+        SUBN    tout, \along, tout
+        .endm

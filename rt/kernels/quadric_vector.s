@@ -1,0 +1,61 @@
+; quadric_vector.s - a queue of rays meets a quadric:
+;
+;   f(X) = X A X + 2 g X + k = 0,  A symmetric, X told from the shape's centre
+;   (or a point of its axis; paraboloids have no centre).
+;
+; With the ray's origin moved to o, its closest approach to the centre:
+;
+;   h = A o + g,   a = D A D,   b = D h,   c = o (h + g) + k
+;
+; and the crossings are the roots of a t^2 + 2 b t + c.  A quadric's inside
+; may be what lies before one and behind the other, so tin, tout are not a
+; segment here but the two crossings, the lesser first; the nearest one ahead
+; is then chosen as for all shapes.  One root (a = 0): tin = tout.
+;
+; In:  ox oy oz dx dy dz, n long; the primitive's record.
+; Out: tin, tout; a miss is big, minus_big.
+; Source: derived here; the project's notes on ray tracing, 4.2.
+
+; y = A x for the matrix of the record.
+        .macro  quadric_rows x0, x1, x2, y0, y1, y2, work
+        dot_constant \x0, \x1, \x2, sh3, sh6, sh7, \y0, \work
+        dot_constant \x0, \x1, \x2, sh6, sh4, sh8, \y1, \work
+        dot_constant \x0, \x1, \x2, sh7, sh8, sh5, \y2, \work
+        .endm
+
+        .kernel quadric
+quadric:
+        load_record P_SHAPE, 13, sh0
+        SUBNV   [ox], sh0, [w0]
+        SUBNV   [oy], sh1, [w1]
+        SUBNV   [oz], sh2, [w2]
+        closest_approach w0, w1, w2, w0, w1, w2, w9, w3
+        quadric_rows dx, dy, dz, w4, w5, w6, w3
+        dot_vectors dx, dy, dz, w4, w5, w6, w10, w3
+        quadric_rows w0, w1, w2, w4, w5, w6, w3
+        ADDNV   [w4], sh9, [w4]
+        ADDNV   [w5], sh10, [w5]
+        ADDNV   [w6], sh11, [w6]
+        dot_vectors dx, dy, dz, w4, w5, w6, w11, w3
+        ADDNV   [w4], sh9, [w4]
+        ADDNV   [w5], sh10, [w5]
+        ADDNV   [w6], sh11, [w6]
+        dot_vectors w0, w1, w2, w4, w5, w6, w7, w3
+        ADDNV   [w7], sh12, [w7]
+        discriminant w10, w11, w7, w2, w0
+        quadratic_roots w10, w11, w7, w2, w0, w1
+        ORB     [bits1], [bits2], [bits1]
+        CNTOB   [bits1], s0
+        IBXEQ   s0, r0, r0, quadric_rooted
+        CMPEQV  [w10], r0, [bits1]
+        VTOV    [w0], [w1] ? [bits2]
+        VTOV    [w1], [w0] ? [bits1]
+        ANDB    [bits1], [bits2], [bits1]
+        ANDNB   [bits0], [bits1], [bits0]       ; no root
+quadric_rooted:
+        sort_roots w0, w1
+        VTOV    big, [tin] ?! [bits0]
+        VTOV    minus_big, [tout] ?! [bits0]
+        move_back w9
+        BIM     0, link_kernel
+        .endkernel

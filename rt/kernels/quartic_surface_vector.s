@@ -1,0 +1,221 @@
+; quartic_surface_vector.s - a queue of rays meets a quartic surface, POV-Ray's
+; quartic with its 35 coefficients.
+;
+; The ray's origin is moved to o, its closest approach to the origin of the
+; shape's space; the quartic of the distance from there is formed as
+; quartic_terms.s says.  The surface may reach for ever: crossings are looked
+; for up to
+;
+;   high = 2 max(1, |k3/k4|, |k2/k4|^(1/2), |k0/k4|^(1/4), (|k1/k4| / q)^(1/2))
+;
+; q the greatest of the terms before it: no root is beyond, for where q is less
+; than |k1/k4|^(1/3) the last term is more.  Not beyond 1e7, as in POV-Ray.
+;
+; In:  ox oy oz dx dy dz lower, n long; the primitive's record.
+; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
+; Source: derived here; the bound is Fujiwara's, made without cube roots.
+
+        .reg    table_at, s1
+        .reg    seen_terms, s2
+        .reg    seen_groups, s3
+        .regs   r137, z20, z21, z22, z30, z31, z32, z33, z40
+        .regs   r151, z41, z42, z43, z44, a0, a1, a2, a3, a4, term_work
+
+        .macro  scaled c, z, a
+        LINKV
+        MPYSV   [\z], \c, [term_work]
+        ADDNV   [term_work], [\a], [\a]
+        .endm
+
+        .macro  term0 c
+        CFPEQ   \c, r0, term_none\@
+        ADDNV   [a0], \c, [a0]
+        ES      seen_terms, 1
+term_none\@:
+        .endm
+
+        .macro  term1 c
+        CFPEQ   \c, r0, term_none\@
+        scaled  \c, w2, a0
+        scaled  \c, dz, a1
+        ES      seen_terms, 1
+term_none\@:
+        .endm
+
+        .macro  term2 c
+        CFPEQ   \c, r0, term_none\@
+        scaled  \c, z20, a0
+        scaled  \c, z21, a1
+        scaled  \c, z22, a2
+        ES      seen_terms, 1
+term_none\@:
+        .endm
+
+        .macro  term3 c
+        CFPEQ   \c, r0, term_none\@
+        scaled  \c, z30, a0
+        scaled  \c, z31, a1
+        scaled  \c, z32, a2
+        scaled  \c, z33, a3
+        ES      seen_terms, 1
+term_none\@:
+        .endm
+
+        .macro  term4 c
+        CFPEQ   \c, r0, term_none\@
+        scaled  \c, z40, a0
+        scaled  \c, z41, a1
+        scaled  \c, z42, a2
+        scaled  \c, z43, a3
+        scaled  \c, z44, a4
+        ES      seen_terms, 1
+term_none\@:
+        .endm
+
+; c(i) := c(i) o + c(i-1) d
+        .macro  times_inner o, d, c, before
+        MPYSV   [\c], [\o], [\c]
+        MPYSV   [\before], [\d], [term_work]
+        ADDNV   [term_work], [\c], [\c]
+        .endm
+
+        .macro  times o, d, degree, c0, c1, c2, c3, c4
+        .if     \degree == 4
+        MPYSV   [\c3], [\d], [\c4]
+        times_inner \o, \d, \c3, \c2
+        .endif
+        .if     \degree == 3
+        MPYSV   [\c2], [\d], [\c3]
+        .endif
+        .if     \degree >= 3
+        times_inner \o, \d, \c2, \c1
+        .endif
+        .if     \degree == 2
+        MPYSV   [\c1], [\d], [\c2]
+        .endif
+        .if     \degree >= 2
+        times_inner \o, \d, \c1, \c0
+        .endif
+        .if     \degree == 1
+        MPYSV   [\c0], [\d], [\c1]
+        .endif
+        MPYSV   [\c0], [\o], [\c0]
+        .endm
+
+        .macro  times_y degree
+        IBXEQ   seen_terms, r0, r0, times_none\@
+        times   w1, dy, \degree, a0, a1, a2, a3, a4
+times_none\@:
+        .endm
+
+        .macro  times_x degree
+        times   w0, dx, \degree, k0, k1, k2, k3, k4
+        .endm
+
+        .macro  clear_group degree
+        VTOV    r0, [a0]
+        .if     \degree >= 1
+        VTOV    r0, [a1]
+        .endif
+        .if     \degree >= 2
+        VTOV    r0, [a2]
+        .endif
+        .if     \degree >= 3
+        VTOV    r0, [a3]
+        .endif
+        .if     \degree >= 4
+        VTOV    r0, [a4]
+        .endif
+        .endm
+
+        .macro  add_group degree
+        ADDNV   [k0], [a0], [k0]
+        .if     \degree >= 1
+        ADDNV   [k1], [a1], [k1]
+        .endif
+        .if     \degree >= 2
+        ADDNV   [k2], [a2], [k2]
+        .endif
+        .if     \degree >= 3
+        ADDNV   [k3], [a3], [k3]
+        .endif
+        .if     \degree >= 4
+        ADDNV   [k4], [a4], [k4]
+        .endif
+        .endm
+
+; z^2, z^3, z^4, each the one before times o + d t.
+        .macro  power_of_z
+        MPYSV   [w2], [w2], [z20]
+        MPYSV   [w2], [dz], [z21]
+        ADDNV   [z21], [z21], [z21]
+        MPYSV   [dz], [dz], [z22]
+        MPYSV   [z20], [w2], [z30]
+        next_power z21, z20, z31
+        next_power z22, z21, z32
+        MPYSV   [z22], [dz], [z33]
+        MPYSV   [z30], [w2], [z40]
+        next_power z31, z30, z41
+        next_power z32, z31, z42
+        next_power z33, z32, z43
+        MPYSV   [z33], [dz], [z44]
+        .endm
+
+        .macro  next_power c, before, to
+        MPYSV   [\c], [w2], [\to]
+        MPYSV   [\before], [dz], [term_work]
+        ADDNV   [term_work], [\to], [\to]
+        .endm
+
+        .macro  at_least x, most
+        CMPLTV  [\most], [\x], [bits0]
+        VTOV    [\x], [\most] ? [bits0]
+        .endm
+
+        .kernel quartic_surface
+quartic_surface:
+        set_lanes n
+        closest_approach ox, oy, oz, w0, w1, w2, w3, w4
+        power_of_z
+        VTOV    r0, [k0]
+        VTOV    r0, [k1]
+        VTOV    r0, [k2]
+        VTOV    r0, [k3]
+        VTOV    r0, [k4]
+        load_field P_TABLE, table_at
+        quartic_groups
+        DIVSV   one, |[k4]|, [w4]
+        MPYSV   |[k3]|, [w4], [w6]
+        VTOV    one, [w5]
+        at_least w6, w5
+        MPYSV   |[k2]|, [w4], [w6]
+        SQRTV   [w6], [w6]
+        at_least w6, w5
+        MPYSV   |[k0]|, [w4], [w6]
+        SQRTV   [w6], [w6]
+        SQRTV   [w6], [w6]
+        at_least w6, w5
+        MPYSV   |[k1]|, [w4], [w6]
+        DIVSV   [w6], [w5], [w6]
+        SQRTV   [w6], [w6]
+        at_least w6, w5
+        ADDNV   [w5], [w5], [w5]
+        load_record P_SHAPE, 2, sh0             ; 1e7, resolution
+        CMPEQV  [k4], r0, [bits0]
+        VTOV    sh0, [w5] ? [bits0]
+        CMPLTV  sh0, [w5], [bits0]
+        VTOV    sh0, [w5] ? [bits0]
+        ADDNV   [lower], [w3], [w6]
+        CMPGEV  -[w6], [w5], [bits0]
+        VTOV    -[w5], [w6] ? [bits0]
+        RTOR    link_inner, lane_link
+        EX      s8, solve_quartic
+        call_quartic s8, k4, k3, k2, k1, k0, w6, w5, sh1
+        RTOR    lane_link, link_inner
+        VTOV    big, [tin]
+        VTOV    minus_big, [tout]
+        CMPLTV  [root0], big, [bits0]
+        SUBNV   [root0], [w3], [tin] ? [bits0]
+        VTOV    [tin], [tout] ? [bits0]
+        BIM     0, link_kernel
+        .endkernel

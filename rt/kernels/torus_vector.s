@@ -1,0 +1,98 @@
+; torus_vector.s - a queue of rays meets a torus about the y axis.
+;
+; Elliptical: R = major radius, p, n = half axes of the tube, away from the axis
+; and along it; rho = p^2/n^2, b0 = R^2 - p^2, a0 = 4 R^2:
+;
+;   (x^2 + z^2 + rho y^2 + b0)^2 = a0 (x^2 + z^2)
+;
+; With the ray's origin moved to o, its closest approach to the centre,
+;
+;   f = dx^2 + dz^2      l = ox dx + oz dz     g = ox^2 + oz^2
+;   a = f + rho dy^2     b = 2 (l + rho oy dy) c = g + rho oy^2 + b0
+;
+; both sides are polynomials of the distance s from there:
+;
+;   (a s^2 + b s + c)^2 = a0 (f s^2 + 2 l s + g)
+;
+; Circular (p = n = r): o . d = 0 takes away the cubic term, and with
+; k = o . o - R^2 - r^2
+;
+;   s^4 + (2 k + a0 dy^2) s^2 + 2 a0 oy dy s + k^2 + a0 (oy^2 - r^2) = 0
+;
+; In:  ox oy oz dx dy dz lower, n long; the primitive's record.
+; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
+; Source: the project's notes on ray tracing, 1.1.
+
+        .kernel torus
+torus:
+        load_record P_SHAPE, 9, sh0
+        find_lanes ox, oy, oz, sh4, torus_miss
+        take_lanes
+        CPSV    [w7], [e0] ? [bits0]
+        SUBNV   [e0], sh5, [e0]                 ; k
+        MPYSV   [lane_dy], [lane_dy], [e1]
+        ADDNV   [e0], [e0], [e2]
+        LINKV
+        MPYSV   [e1], sh2, [e1]
+        ADDNV   [e1], [e2], [k2]
+        MPYSV   [lane_oy], [lane_dy], [e1]
+        MPYSV   [e1], sh7, [k1]
+        MPYSV   [lane_oy], [lane_oy], [e1]
+        LINKV
+        SUBNV   [e1], sh6, [e1]
+        MPYSV   [e1], sh2, [e1]
+        MPYSV   [e0], [e0], [e2]
+        ADDNV   [e1], [e2], [k0]
+        VTOV    r0, [k3]
+        VTOV    one, [k4]
+        solve_lanes sh8
+        BIM     0, link_kernel
+
+elliptical_torus:
+        load_record P_SHAPE, 9, sh0
+        find_lanes ox, oy, oz, sh4, torus_miss
+        take_lanes
+        MPYSV   [lane_dx], [lane_dx], [e0]
+        MPYSV   [lane_dz], [lane_dz], [e1]
+        ADDNV   [e1], [e0], [e0]                ; f
+        MPYSV   [lane_ox], [lane_dx], [e1]
+        MPYSV   [lane_oz], [lane_dz], [e2]
+        ADDNV   [e2], [e1], [e1]                ; l
+        MPYSV   [lane_ox], [lane_ox], [e2]
+        MPYSV   [lane_oz], [lane_oz], [e3]
+        ADDNV   [e3], [e2], [e2]                ; g
+        MPYSV   [lane_dy], [lane_dy], [e3]
+        LINKV
+        MPYSV   [e3], sh0, [e3]
+        ADDNV   [e3], [e0], [e3]                ; a
+        MPYSV   [lane_oy], [lane_dy], [e4]
+        LINKV
+        MPYSV   [e4], sh0, [e4]
+        ADDNV   [e4], [e1], [e4]
+        ADDNV   [e4], [e4], [e4]                ; b
+        MPYSV   [lane_oy], [lane_oy], [e5]
+        LINKV
+        MPYSV   [e5], sh0, [e5]
+        ADDNV   [e5], [e2], [e5]
+        ADDNV   [e5], sh1, [e5]                 ; c
+        MPYSV   [e3], [e3], [k4]
+        MPYSV   [e3], [e4], [k3]
+        ADDNV   [k3], [k3], [k3]
+        MPYSV   [e3], [e5], [k2]
+        ADDNV   [k2], [k2], [k2]
+        MPYSV   [e4], [e4], [e6]
+        ADDNV   [e6], [k2], [k2]
+        MPYSV   [e0], sh2, [e6]
+        SUBNV   [k2], [e6], [k2]
+        MPYSV   [e4], [e5], [k1]
+        ADDNV   [k1], [k1], [k1]
+        MPYSV   [e1], sh7, [e6]
+        SUBNV   [k1], [e6], [k1]
+        MPYSV   [e5], [e5], [k0]
+        MPYSV   [e2], sh2, [e6]
+        SUBNV   [k0], [e6], [k0]
+        solve_lanes sh8
+        BIM     0, link_kernel
+torus_miss:
+        miss_all
+        .endkernel

@@ -1,0 +1,47 @@
+#include "rt/program.h"
+
+#include <stdio.h>
+
+#include "vm/text.h"
+
+struct object *program_assemble(const char *kernel,
+                                const struct asm_define *defines,
+                                c205_error *error)
+{
+    const struct text *const texts[] = { kernel_texts, NULL };
+    struct asm_options how = { .defines = defines, .texts = texts };
+    struct asm_errors errors = { 0, NULL };
+    char start[64];
+    struct object *object;
+
+    snprintf(start, sizeof start, "        .include \"%s\"\n", kernel);
+    object = assemble_text(kernel, start, &how, &errors);
+    if (object == NULL && errors.count > 0)
+        snprintf(error->message, sizeof error->message, "%s:%zu: %s",
+                 errors.items[0].file, errors.items[0].line,
+                 errors.items[0].message);
+    else if (object == NULL)
+        snprintf(error->message, sizeof error->message, "no memory");
+    asm_errors_free(&errors);
+    return object;
+}
+
+uint64_t program_round_up(uint64_t address)
+{
+    const uint64_t page = UINT64_C(64) * C205_PAGE_WORDS;
+
+    return (address + page - 1) / page * page;
+}
+
+uint64_t program_end(const struct object *program)
+{
+    uint64_t end = 0;
+
+    for (size_t i = 0; i < program->program.segment_count; i++) {
+        const c205_segment *segment = &program->program.segments[i];
+        uint64_t last = segment->address + UINT64_C(64) * segment->length;
+
+        end = last > end ? last : end;
+    }
+    return program_round_up(end);
+}
