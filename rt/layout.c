@@ -152,16 +152,16 @@ static void put_shape(struct record *record,
 {
     struct shape_words shape;
 
-    if (!shape_words(primitive, &shape)) {
-        fail(record->layout, "line %zu: '%s' cannot be traced yet",
-             record->line, primitive_kind_name(primitive->kind));
-        return;
-    }
+    shape_words(primitive, &shape);
+    if (shape.historical != NULL
+        && object_symbol(record->layout->program, shape.historical) != NULL)
+        shape.kernel = shape.historical;
     put_address(record, "P_KERNEL",
                 shape.transformed ? "transformed" : shape.kernel);
     put_address(record, "P_INNER", shape.kernel);
     put_address(record, "P_NORMAL", shape.normal);
     put_integer(record, "P_TRANSFORMED", shape.transformed);
+    put_integer(record, "P_ON_PATCH", shape.on_patch);
     put_field(record, "P_SHAPE", shape.words, shape.count);
     if (shape.table_count > 0)
         put_table(record, shape.table, shape.table_count);
@@ -193,9 +193,10 @@ static size_t table_words(const struct scene *scene)
     struct shape_words shape;
     size_t count = 0;
 
-    for (size_t i = 0; i < scene->primitive_count; i++)
-        if (shape_words(&scene->primitives[i], &shape))
-            count += shape.table_count;
+    for (size_t i = 0; i < scene->primitive_count; i++) {
+        shape_words(&scene->primitives[i], &shape);
+        count += shape.table_count;
+    }
     return count;
 }
 

@@ -4,9 +4,7 @@
 #include <string.h>
 
 #include "rt/singular.h"
-
-/* How closely roots are found, beside the size of the shape. */
-#define ROOT_RESOLUTION 0x1p-44
+#include "rt/steiner.h"
 
 /* The words of P_SHAPE, for each kind; their number is returned. */
 static size_t sphere_shape(const struct primitive *primitive, double *shape)
@@ -232,61 +230,97 @@ static size_t quartic_table(const struct primitive *primitive, double *table)
     return QUARTIC_TERMS;
 }
 
+static size_t patch_shape(const struct primitive *primitive, double *shape)
+{
+    steiner_shape(primitive, shape);
+    return STEINER_SHAPE;
+}
+
+static size_t patch_table(const struct primitive *primitive, double *table)
+{
+    return steiner_table(primitive, table);
+}
+
+static bool cylinder_is_open(const struct primitive *primitive)
+{
+    return primitive->shape.cylinder.open;
+}
+
+static bool cone_is_open(const struct primitive *primitive)
+{
+    return primitive->shape.cone.open;
+}
+
+struct kernels {
+    const char *kernel, *normal;
+};
+
+/* Some kinds have two sorts: a condition, and the kernels where it holds. */
 struct kind {
     size_t (*shape)(const struct primitive *primitive, double *shape);
     size_t (*table)(const struct primitive *primitive, double *table);
-    const char *kernel, *normal;
-    const char *open_kernel, *open_normal;
+    struct kernels kernels;
+    bool (*is_special)(const struct primitive *primitive);
+    struct kernels special;
 };
 
 static const struct kind kinds[PRIMITIVE_KINDS] = {
-    [PRIMITIVE_SPHERE] = { sphere_shape, NULL, "sphere", "normal_sphere",
-                           NULL, NULL },
-    [PRIMITIVE_BOX] = { box_shape, NULL, "box", "normal_box", NULL, NULL },
-    [PRIMITIVE_CYLINDER] = { cylinder_shape, NULL, "cylinder",
-                             "normal_cylinder", "open_cylinder",
-                             "normal_open_cylinder" },
-    [PRIMITIVE_PLANE] = { plane_shape, NULL, "plane", "normal_plane", NULL,
-                          NULL },
-    [PRIMITIVE_CONE] = { cone_shape, NULL, "cone", "normal_cone",
-                         "open_cone", "normal_open_cone" },
-    [PRIMITIVE_TORUS] = { torus_shape, NULL, "torus", "normal_torus", NULL,
-                          NULL },
-    [PRIMITIVE_ELLIPTICAL_TORUS] = { elliptical_torus_shape, NULL,
-                                     "elliptical_torus", "normal_torus",
-                                     NULL, NULL },
-    [PRIMITIVE_QUADRIC] = { quadric_shape, NULL, "quadric",
-                            "normal_quadric", NULL, NULL },
-    [PRIMITIVE_QUARTIC] = { quartic_shape, quartic_table, "quartic_surface",
-                            "normal_quartic", NULL, NULL },
+    [PRIMITIVE_SPHERE] = { .shape = sphere_shape,
+                           .kernels = { "sphere", "normal_sphere" } },
+    [PRIMITIVE_BOX] = { .shape = box_shape,
+                        .kernels = { "box", "normal_box" } },
+    [PRIMITIVE_CYLINDER] = { .shape = cylinder_shape,
+                             .kernels = { "cylinder", "normal_cylinder" },
+                             .is_special = cylinder_is_open,
+                             .special = { "open_cylinder",
+                                          "normal_open_cylinder" } },
+    [PRIMITIVE_PLANE] = { .shape = plane_shape,
+                          .kernels = { "plane", "normal_plane" } },
+    [PRIMITIVE_CONE] = { .shape = cone_shape,
+                         .kernels = { "cone", "normal_cone" },
+                         .is_special = cone_is_open,
+                         .special = { "open_cone", "normal_open_cone" } },
+    [PRIMITIVE_TORUS] = { .shape = torus_shape,
+                          .kernels = { "torus", "normal_torus" } },
+    [PRIMITIVE_ELLIPTICAL_TORUS] = { .shape = elliptical_torus_shape,
+                                     .kernels = { "elliptical_torus",
+                                                  "normal_torus" } },
+    [PRIMITIVE_QUADRIC] = { .shape = quadric_shape,
+                            .kernels = { "quadric", "normal_quadric" } },
+    [PRIMITIVE_QUARTIC] = { .shape = quartic_shape,
+                            .table = quartic_table,
+                            .kernels = { "quartic_surface",
+                                         "normal_quartic" } },
+    [PRIMITIVE_STEINER_PATCH] = { .shape = patch_shape,
+                                  .table = patch_table,
+                                  .kernels = { "rational_steiner",
+                                               "normal_rational_steiner" },
+                                  .is_special = steiner_is_polynomial,
+                                  .special = { "steiner",
+                                               "normal_steiner" } },
 };
 
-static bool is_open(const struct primitive *primitive)
-{
-    return (primitive->kind == PRIMITIVE_CYLINDER
-            && primitive->shape.cylinder.open)
-           || (primitive->kind == PRIMITIVE_CONE
-               && primitive->shape.cone.open);
-}
-
-bool shape_words(const struct primitive *primitive,
+void shape_words(const struct primitive *primitive,
                  struct shape_words *shape)
 {
     const struct kind *kind = &kinds[primitive->kind];
-    bool open = is_open(primitive);
+    const struct kernels *kernels = &kind->kernels;
 
-    if (kind->shape == NULL)
-        return false;
-
+    if (kind->is_special != NULL && kind->is_special(primitive))
+        kernels = &kind->special;
     shape->count = kind->shape(primitive, shape->words);
     shape->table_count =
         kind->table == NULL ? 0 : kind->table(primitive, shape->table);
-    shape->kernel = open ? kind->open_kernel : kind->kernel;
-    shape->normal = open ? kind->open_normal : kind->normal;
+    shape->kernel = kernels->kernel;
+    shape->normal = kernels->normal;
+    shape->on_patch = primitive->kind == PRIMITIVE_STEINER_PATCH;
+    shape->historical = shape->table_count > STEINER_TABLE
+                            && shape->on_patch
+                        ? "steiner_implicit"
+                        : NULL;
     shape->transformed = primitive->transformed
                          && primitive->kind != PRIMITIVE_PLANE;
     if (shape->transformed && primitive->kind == PRIMITIVE_SPHERE
         && carry_sphere(primitive, shape->words))
         shape->transformed = false;
-    return true;
 }

@@ -9,6 +9,9 @@
 
 #include "rt/scene/scene.h"
 
+/* How closely roots are found, beside the size of the shape. */
+#define ROOT_RESOLUTION 0x1p-44
+
 enum { SHAPE_WORDS_MOST = 16, SHAPE_TABLE_MOST = 96 };
 
 struct shape_words {
@@ -17,11 +20,12 @@ struct shape_words {
     double table[SHAPE_TABLE_MOST]; /* what has no room among the words */
     size_t table_count;
     bool transformed;            /* it stands in a space of its own */
+    bool on_patch;               /* a hit has two parameters, too */
     const char *kernel, *normal; /* routines, in both forms of the program */
+    const char *historical;      /* the kernel of 1984, or NULL */
 };
 
-/* False: there are no kernels for its kind. */
-bool shape_words(const struct primitive *primitive,
+void shape_words(const struct primitive *primitive,
                  struct shape_words *shape);
 
 #endif

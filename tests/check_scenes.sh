@@ -12,10 +12,6 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 passed=0 failed=0
 
-# Scenes with shapes that have no kernels yet: only the plain C tracer's and
-# POV-Ray's pictures are compared.  A scene that can be traced fails here until
-# it is taken from the list.
-without_kernels="scenes/car.pov scenes/steiner.pov tests/scenes/patches.pov"
 # Scenes with shapes that POV-Ray does not know.
 without_povray="scenes/car.pov scenes/steiner.pov tests/scenes/patches.pov"
 
@@ -50,24 +46,13 @@ same_frames() { # SCENE: of all forms and queues; leaves frame.exr
     done
 }
 
-is_refused() { # SCENE: until its shapes have kernels
-    "$build/rt205" render "$1" -o "$work/frame.exr" -W 4 -H 3 2>&1 |
-        grep -q 'cannot be traced yet'
-    verdict $? "$1: is listed as one without kernels"
-}
-
 for scene in scenes/*.pov tests/scenes/*.pov; do
     [ -e "$scene" ] || continue
-    frame_file=$work/frame.exr povray=--povray
+    povray=--povray
     is_listed "$scene" "$without_povray" && povray=
-    if is_listed "$scene" "$without_kernels"; then
-        frame_file=-
-        is_refused "$scene"
-    else
-        same_frames "$scene"
-    fi
-    "$build/tests/oracle/check_scene" "$scene" $width $height "$frame_file" \
-        $povray
+    same_frames "$scene"
+    "$build/tests/oracle/check_scene" "$scene" $width $height \
+        "$work/frame.exr" $povray
     verdict $? "$scene: not what the other tracers see"
 done
 echo "$passed passed, $failed failed"

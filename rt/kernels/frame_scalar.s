@@ -166,6 +166,11 @@ frame_store:
         .include "torus_scalar.s"
         .include "quartic_terms.s"
         .include "quartic_surface_scalar.s"
+        .include "steiner_constants.s"
+        .include "steiner_scalar.s"
+        .ifdef  HISTORICAL
+        .include "steiner_implicit_scalar.s"
+        .endif
         .include "transform_scalar.s"
         .include "power_scalar.s"
         .include "shade_scalar.s"

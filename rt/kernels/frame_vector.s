@@ -87,6 +87,11 @@ frame_lengths:
         .include "torus_vector.s"
         .include "quartic_terms.s"
         .include "quartic_surface_vector.s"
+        .include "steiner_constants.s"
+        .include "steiner_vector.s"
+        .ifdef  HISTORICAL
+        .include "steiner_implicit_vector.s"
+        .endif
         .include "transform_vector.s"
         .include "nearest_vector.s"
         .include "normal_vector.s"

@@ -21,6 +21,26 @@
         .regs   r146, k4, k3, k2, k1, k0                ; of the quartic
         .regs   r151, e0, e1, e2, e3, e4, e5, e6, e7, e8, e9, e10, e11, e12
 
+; More of them, in registers that the shading loads anew: r233-r253.
+        .regs   r233, pa0, pa1, pa2, pa3, pa4, pa5, pb0, pb1, pb2, pb3, pb4
+        .regs   r244, n1x, n1y, n1z, n2x, n2y, n2z, spread, f0, f1, f2
+        .equ    LANE_VECTORS, 21
+
+        .data
+lane_bases:
+        .rept   LANE_VECTORS
+        .descriptor 0, lane_store + 64 * QUEUE * \+
+        .endr
+lane_descriptors:
+        .space  LANE_VECTORS
+        .align  64
+lane_store:     .space LANE_VECTORS * QUEUE
+        .code
+
+        .macro  set_more_lanes count
+        set_lengths \count, m_high, lane_bases, lane_descriptors, LANE_VECTORS, pa0
+        .endm
+
 ; Lengths for count lanes.
         .macro  set_lanes count
         set_lengths \count, m_high, shade_bases, shade_descriptors, SHADE_VECTORS, at

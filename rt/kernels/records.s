@@ -34,6 +34,11 @@
                                 ;             resolution of its roots
                                 ;   quartic   farthest distance, resolution;
                                 ;             table: its 35 coefficients
+                                ;   steiner   centre 3, square of its bound,
+                                ;             what is parallel, what is nothing;
+                                ;             resolution of distances;
+                                ;             table: K0 .. K5, their weights,
+                                ;             another plane (steiner_vector.s)
         .equ    SHAPE_SIZE, 16
         .equ    P_LOCAL, 24        ; 12: rows of the matrix from world to own
                                 ; space, each three factors and a shift

@@ -29,6 +29,7 @@ struct words {
 
 static c205_model *model;
 static uint64_t random_state = RANDOM_SEED;
+static bool historical; /* as in trace_options */
 
 static inline struct scene *read_text(const char *text)
 {
@@ -50,6 +51,7 @@ static inline struct words *trace_words(const struct scene *scene,
                                      .width = WIDTH,
                                      .height = HEIGHT,
                                      .queue = queue,
+                                     .historical = historical,
                                      .model = model };
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);

@@ -1,0 +1,216 @@
+; steiner_implicit_vector.s - a queue of rays meets a Steiner patch, by the
+; quartic of the surface on which it lies: the way of 1984, for comparison.
+;
+; The surface H(p), p = (s, t, u), has two moving planes: matrices L1, L2 with
+;   p . (L1 H(p)) = p . (L2 H(p)) = 0   for all p,
+; so that a point X of it has the parameters p ~ (L1 X) x (L2 X).  On a ray
+; o + d tau, o its closest approach to the patch's centre, with
+;
+;   a = L1 (o, 1), a' = L1 (d, 0), b = L2 (o, 1), b' = L2 (d, 0):
+;   p(tau) = c0 + c1 tau + c2 tau^2,
+;   c0 = a x b,  c1 = a x b' + a' x b,  c2 = a' x b'
+;
+; All points of any plane through the ray, N . X = N . o, obey p A p = 0, with
+; A = N.x Qx + N.y Qy + N.z Qz - (N . o) Qw of the quadratic forms of H.  So
+; the ray meets the surface where
+;
+;   c0 A c0 + 2 c1 A c0 tau + (2 c2 A c0 + c1 A c1) tau^2 + 2 c2 A c1 tau^3
+;     + c2 A c2 tau^4 = 0
+;
+; times the distance of the triple point T from the plane: N is square to d and
+; points towards T.  (A ray through T itself is lost.)  Roots are taken in
+; their order; one whose parameters do not lie in the triangle, within 2^-30,
+; is no crossing.
+;
+; In:  ox oy oz dx dy dz lower, n long; the primitive's record and the part
+;      of its table behind PATCH_TABLE.
+; Out: tin = tout = the nearest crossing; a miss is big, minus_big;
+;      patch_s, patch_t where there is a crossing.
+; Source: the project's notes on ray tracing, 2.2 (B), where it is derived; the
+; paper says no more than that the quartic is solved.
+
+; The rest of the table in two parts: L1, L2 by rows, T; then the forms
+; Qx Qy Qz Qw, of each ss tt uu st tu us.
+        .regs   r40, la00, la01, la02, la03, la10, la11, la12, la13, la20, la21, la22, la23
+        .regs   r52, lb00, lb01, lb02, lb03, lb10, lb11, lb12, lb13, lb20, lb21, lb22, lb23
+        .regs   r64, triple_x, triple_y, triple_z, triple_w
+        .equ    PLANES_TABLE, 28
+        .regs   r40, qxss, qxtt, qxuu, qxst, qxtu, qxus
+        .regs   r46, qyss, qytt, qyuu, qyst, qytu, qyus
+        .regs   r52, qzss, qztt, qzuu, qzst, qztu, qzus
+        .regs   r58, qwss, qwtt, qwuu, qwst, qwtu, qwus
+        .equ    FORMS_TABLE, 24
+
+        .regs   r233, ma0, ma1, ma2, da0, da1, da2, mb0, mb1, mb2, db0, db1
+        .regs   r244, db2, c00, c01, c02, c10, c11, c12, c20, c21, c22
+        .regs   r233, fss, ftt, fuu, fst, ftu, fus      ; A, when these are done
+
+        .data
+implicit_margins:
+        .word   X'FFB3 8000 0000 0000'  ; -2^-30
+        .word   1.000000000931322       ; 1 + 2^-30
+        .code
+
+        .macro  plane_row l0, l1, l2, l3, at, by
+        dot_constant lane_ox, lane_oy, lane_oz, \l0, \l1, \l2, \at, e12
+        ADDNV   [\at], \l3, [\at]
+        dot_constant lane_dx, lane_dy, lane_dz, \l0, \l1, \l2, \by, e12
+        .endm
+
+        .macro  parameters_of_ray
+        plane_row la00, la01, la02, la03, ma0, da0
+        plane_row la10, la11, la12, la13, ma1, da1
+        plane_row la20, la21, la22, la23, ma2, da2
+        plane_row lb00, lb01, lb02, lb03, mb0, db0
+        plane_row lb10, lb11, lb12, lb13, mb1, db1
+        plane_row lb20, lb21, lb22, lb23, mb2, db2
+        cross   ma0, ma1, ma2, mb0, mb1, mb2, c00, c01, c02, e12
+        cross   ma0, ma1, ma2, db0, db1, db2, c10, c11, c12, e12
+        cross   da0, da1, da2, mb0, mb1, mb2, e0, e1, e2, e12
+        ADDNV   [c10], [e0], [c10]
+        ADDNV   [c11], [e1], [c11]
+        ADDNV   [c12], [e2], [c12]
+        cross   da0, da1, da2, db0, db1, db2, c20, c21, c22, e12
+        .endm
+
+; N in e0-e2, N . o in e3.
+        .macro  towards_triple t, o, n
+        LINKV
+        MPYSV   [\o], triple_w, [\n]
+        SUBNV   \t, [\n], [\n]
+        .endm
+
+        .macro  plane_of_ray
+        towards_triple triple_x, lane_ox, e0
+        towards_triple triple_y, lane_oy, e1
+        towards_triple triple_z, lane_oz, e2
+        dot_vectors e0, e1, e2, lane_dx, lane_dy, lane_dz, e3, e12
+        MPYSV   [e3], [lane_dx], [e12]
+        SUBNV   [e0], [e12], [e0]
+        MPYSV   [e3], [lane_dy], [e12]
+        SUBNV   [e1], [e12], [e1]
+        MPYSV   [e3], [lane_dz], [e12]
+        SUBNV   [e2], [e12], [e2]
+        dot_vectors e0, e1, e2, lane_ox, lane_oy, lane_oz, e3, e12
+        .endm
+
+        .macro  plane_form qx, qy, qz, qw, f
+        dot_constant e0, e1, e2, \qx, \qy, \qz, \f, e12
+        LINKV
+        MPYSV   [e3], \qw, [e12]
+        SUBNV   [\f], [e12], [\f]
+        .endm
+
+; v in e4-e6 := A c
+        .macro  form_times c0, c1, c2
+        dot_vectors fss, fst, fus, \c0, \c1, \c2, e4, e12
+        dot_vectors fst, ftt, ftu, \c0, \c1, \c2, e5, e12
+        dot_vectors fus, ftu, fuu, \c0, \c1, \c2, e6, e12
+        .endm
+
+        .macro  implicit_quartic
+        plane_form qxss, qyss, qzss, qwss, fss
+        plane_form qxtt, qytt, qztt, qwtt, ftt
+        plane_form qxuu, qyuu, qzuu, qwuu, fuu
+        plane_form qxst, qyst, qzst, qwst, fst
+        plane_form qxtu, qytu, qztu, qwtu, ftu
+        plane_form qxus, qyus, qzus, qwus, fus
+        form_times c00, c01, c02
+        dot_vectors c00, c01, c02, e4, e5, e6, k0, e12
+        dot_vectors c10, c11, c12, e4, e5, e6, k1, e12
+        dot_vectors c20, c21, c22, e4, e5, e6, k2, e12
+        ADDNV   [k1], [k1], [k1]
+        ADDNV   [k2], [k2], [k2]
+        form_times c10, c11, c12
+        dot_vectors c10, c11, c12, e4, e5, e6, e7, e12
+        ADDNV   [k2], [e7], [k2]
+        dot_vectors c20, c21, c22, e4, e5, e6, k3, e12
+        ADDNV   [k3], [k3], [k3]
+        form_times c20, c21, c22
+        dot_vectors c20, c21, c22, e4, e5, e6, k4, e12
+        .endm
+
+        .macro  parameter_at c0, c1, c2, p
+        MPYSV   [\c2], [root0], [\p]
+        ADDNV   [\p], [\c1], [\p]
+        MPYSV   [\p], [root0], [\p]
+        ADDNV   [\p], [\c0], [\p]
+        .endm
+
+        .kernel steiner
+steiner_implicit:
+        load_record P_SHAPE, 6, sh0
+        SUBNV   [ox], sh0, [w8]
+        SUBNV   [oy], sh1, [w9]
+        SUBNV   [oz], sh2, [w10]
+        find_lanes w8, w9, w10, sh3, steiner_miss
+        take_lanes
+        set_more_lanes m
+        load_field P_TABLE, shape_at
+        IX      shape_at, 64 * PATCH_TABLE
+        ELEN    shape_at, PLANES_TABLE
+        SWAP    [shape_at], la00, [r0]
+        parameters_of_ray
+        plane_of_ray
+        IX      shape_at, 64 * PLANES_TABLE
+        ELEN    shape_at, FORMS_TABLE
+        SWAP    [shape_at], qxss, [r0]
+        implicit_quartic
+        load_record P_SHAPE + 6, 1, s9          ; resolution
+        RTOR    link_inner, lane_link
+        EX      s8, solve_quartic_all
+        call_quartic s8, k4, k3, k2, k1, k0, lane_low, lane_high, s9
+        RTOR    lane_link, link_inner
+        VTOV    big, [tin]
+        VTOV    minus_big, [tout]
+
+; Root by root: the lanes that have one more.
+implicit_root:
+        CMPLTV  r0, [root_count], [hits0]
+        CNTOB   [hits0], s2
+        IBXEQ   s2, r0, r0, steiner_done
+        IBXEQ   s2, r0, m, implicit_taken
+        RTOR    s2, m
+        keep    lane_at
+        keep    lane_along
+        keep    c00
+        keep    c01
+        keep    c02
+        keep    c10
+        keep    c11
+        keep    c12
+        keep    c20
+        keep    c21
+        keep    c22
+        keep    root0
+        keep    root1
+        keep    root2
+        keep    root3
+        keep    root_count
+        set_lanes m
+        set_more_lanes m
+implicit_taken:
+        parameter_at c00, c10, c20, e0
+        parameter_at c01, c11, c21, e1
+        parameter_at c02, c12, c22, e2
+        ADDNV   [e0], [e1], [e3]
+        ADDNV   [e3], [e2], [e3]
+        DIVSV   [e0], [e3], [e0]                ; s
+        DIVSV   [e1], [e3], [e1]                ; t
+        EX      s2, implicit_margins
+        ELEN    s2, 2
+        SWAP    [s2], s3, [r0]
+        CMPGEV  [e0], s3, [hits2]
+        CMPGEV  [e1], s3, [hits3]
+        ANDB    [hits2], [hits3], [hits2]
+        ADDNV   [e0], [e1], [e3]
+        CMPGEV  s4, [e3], [hits3]
+        ANDB    [hits2], [hits3], [hits2]
+        SUBNV   [root0], [lane_along], [e3]
+        VTOVX   [lane_at], [e3], [tin] ? [hits2]
+        VTOVX   [lane_at], [e0], [patch_s] ? [hits2]
+        VTOVX   [lane_at], [e1], [patch_t] ? [hits2]
+        next_root
+        VTOV    r0, [root_count] ? [hits2]
+        BIM     implicit_root
+        .endkernel

@@ -1,0 +1,331 @@
+/* What the host works out once per primitive: the singular values of small
+ * matrices, a quadric about its centre, what kind of surface a Steiner patch
+ * lies on. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "rt/moving_planes.h"
+#include "rt/shape_words.h"
+#include "rt/singular.h"
+#include "rt/steiner.h"
+#include "tests/random.h"
+
+static uint64_t random_state = RANDOM_SEED;
+
+static double between(double low, double high)
+{
+    return low + (high - low)
+                     * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
+}
+
+static void assert_close(double found, double expected, double within)
+{
+    if (!(fabs(found - expected) <= within))
+        fail_msg("%.17g is not %.17g", found, expected);
+}
+
+static void fill(struct singular *singular, size_t rows, size_t columns)
+{
+    singular->rows = rows;
+    singular->columns = columns;
+    for (size_t i = 0; i < rows; i++)
+        for (size_t j = 0; j < columns; j++)
+            singular->scaled[i][j] = between(-1, 1);
+}
+
+/* A V = U S: the columns of U S are square to each other and as long as the
+ * values say. */
+static void test_singular_values(void **state)
+{
+    (void)state;
+    for (size_t rows = 1; rows <= SINGULAR_MOST; rows++) {
+        struct singular before, after;
+
+        fill(&before, rows, 7);
+        after = before;
+        singular_decompose(&after);
+        assert_int_equal(singular_nullity(&after, 1e-12),
+                         rows < 7 ? 7 - rows : 0);
+        for (size_t j = 0; j < 7; j++)
+            for (size_t k = 0; k < 7; k++) {
+                double product = 0;
+
+                for (size_t i = 0; i < rows; i++) {
+                    double sum = 0;
+
+                    for (size_t l = 0; l < 7; l++)
+                        sum += before.scaled[i][l] * after.right[l][k];
+                    assert_close(after.scaled[i][k], sum, 1e-14);
+                    product += after.scaled[i][j] * after.scaled[i][k];
+                }
+                assert_close(product,
+                             j == k ? after.values[j] * after.values[j] : 0,
+                             1e-13);
+            }
+    }
+}
+
+static void test_least_squares(void **state)
+{
+    struct singular singular;
+    double x[7], b[4] = { 1, -2, .5, 3 };
+
+    (void)state;
+    fill(&singular, 4, 7);
+    struct singular matrix = singular;
+    singular_decompose(&singular);
+    singular_solve(&singular, 1e-12, b, x);
+    for (size_t i = 0; i < 4; i++) {
+        double sum = 0;
+
+        for (size_t j = 0; j < 7; j++)
+            sum += matrix.scaled[i][j] * x[j];
+        assert_close(sum, b[i], 1e-13);
+    }
+}
+
+static struct shape_words words_of(const struct primitive *primitive)
+{
+    struct shape_words words;
+
+    shape_words(primitive, &words);
+    return words;
+}
+
+static void set_quadric(struct primitive *primitive, const double terms[10])
+{
+    memset(primitive, 0, sizeof *primitive);
+    primitive->kind = PRIMITIVE_QUADRIC;
+    memcpy(primitive->shape.quadric.coefficients, terms,
+           QUADRIC_TERMS * sizeof *terms);
+}
+
+/* An ellipsoid about 1, 2, 3; a cylinder about the line x = 1, y = 2; a
+ * paraboloid. */
+static void test_centers_of_quadrics(void **state)
+{
+    static const double terms[3][10] = {
+        { 1, 4, 9, 0, 0, 0, -2, -16, -54, 97 },
+        { 1, 1, 0, 0, 0, 0, -2, -4, 0, 4 },
+        { 1, 1, 0, 0, 0, 0, 0, 0, -1, 0 },
+    };
+    static const double expected[3][13] = {
+        { 1, 2, 3, 1, 4, 9, 0, 0, 0, 0, 0, 0, -1 },
+        { 1, 2, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, -1 },
+        { 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, -.5, 0 },
+    };
+
+    (void)state;
+    for (size_t k = 0; k < 3; k++) {
+        struct primitive primitive;
+        struct shape_words words;
+
+        set_quadric(&primitive, terms[k]);
+        words = words_of(&primitive);
+        assert_int_equal(words.count, 13);
+        for (size_t i = 0; i < 13; i++)
+            assert_close(words.words[i], expected[k][i], 1e-13);
+    }
+}
+
+/* The quadric's value at a point is that of its words. */
+static void test_quadrics_keep_their_values(void **state)
+{
+    (void)state;
+    for (int try = 0; try < 100; try++) {
+        double terms[10], x[3], y[3], value, again;
+        struct primitive primitive;
+        struct shape_words words;
+        const double *w = words.words;
+
+        for (size_t i = 0; i < 10; i++)
+            terms[i] = try % 3 == 0 && i % 2 == 0 ? 0 : between(-1, 1);
+        set_quadric(&primitive, terms);
+        words = words_of(&primitive);
+        for (size_t i = 0; i < 3; i++) {
+            x[i] = between(-2, 2);
+            y[i] = x[i] - w[i];
+        }
+        value = terms[0] * x[0] * x[0] + terms[1] * x[1] * x[1]
+                + terms[2] * x[2] * x[2] + terms[3] * x[0] * x[1]
+                + terms[4] * x[0] * x[2] + terms[5] * x[1] * x[2]
+                + terms[6] * x[0] + terms[7] * x[1] + terms[8] * x[2]
+                + terms[9];
+        again = w[3] * y[0] * y[0] + w[4] * y[1] * y[1] + w[5] * y[2] * y[2]
+                + 2 * (w[6] * y[0] * y[1] + w[7] * y[0] * y[2]
+                       + w[8] * y[1] * y[2] + w[9] * y[0] + w[10] * y[1]
+                       + w[11] * y[2])
+                + w[12];
+        assert_close(again, value, 1e-9 * (1 + w[0] * w[0] + w[1] * w[1]
+                                           + w[2] * w[2]));
+    }
+}
+
+static const int factors[6][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 },
+                                   { 0, 1 }, { 1, 2 }, { 2, 0 } };
+
+static void point_at(const double points[6][4], const double p[3],
+                     double h[4])
+{
+    for (int c = 0; c < 4; c++) {
+        h[c] = 0;
+        for (int m = 0; m < 6; m++)
+            h[c] += (m < 3 ? 1 : 2) * points[m][c] * p[factors[m][0]]
+                    * p[factors[m][1]];
+    }
+}
+
+/* Every plane passes through its point, all pass through the triple point. */
+static void check_planes(const double points[6][4],
+                         const struct moving_planes *planes)
+{
+    for (int try = 0; try < 20; try++) {
+        double p[3], h[4];
+
+        for (int i = 0; i < 3; i++)
+            p[i] = between(-1, 1);
+        point_at(points, p, h);
+        for (int which = 0; which < 2; which++) {
+            double at = 0, triple = 0;
+
+            for (int i = 0; i < 3; i++)
+                for (int c = 0; c < 4; c++) {
+                    double l = planes->l[which][i][c];
+
+                    at += p[i] * l * h[c];
+                    triple += p[i] * l * planes->triple[c];
+                }
+            assert_close(at, 0, 1e-13);
+            assert_close(triple, 0, 1e-13);
+        }
+    }
+}
+
+static enum surface_type type_of(const double points[6][4])
+{
+    struct moving_planes planes;
+
+    moving_planes_find(points, &planes);
+    if (planes.type == SURFACE_STEINER)
+        check_planes(points, &planes);
+    return planes.type;
+}
+
+static void test_types_of_surfaces(void **state)
+{
+    /* (tu, su, st, s^2 + t^2 + u^2); a sphere by stereographic projection;
+     * a plane with curved edges */
+    static const double roman[6][4] = {
+        { 0, 0, 0, 1 }, { 0, 0, 0, 1 }, { 0, 0, 0, 1 },
+        { 0, 0, .5, 0 }, { .5, 0, 0, 0 }, { 0, .5, 0, 0 }
+    };
+    static const double sphere[6][4] = {
+        { 0, 0, 1, 1 }, { 0, 0, 1, 1 }, { 0, 0, -1, 1 },
+        { 0, 0, 0, 0 }, { 0, 1, 0, 0 }, { 1, 0, 0, 0 }
+    };
+    static const double plane[6][4] = {
+        { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0, 0, 1 },
+        { .7, .8, 0, 1 }, { -.2, .4, 0, 1 }, { .5, .1, 0, 1 }
+    };
+    double points[6][4];
+
+    (void)state;
+    assert_int_equal(type_of(roman), SURFACE_STEINER);
+    assert_int_equal(type_of(sphere), SURFACE_QUADRIC);
+    assert_int_equal(type_of(plane), SURFACE_PLANE);
+    for (int try = 0; try < 50; try++) {
+        for (int m = 0; m < 6; m++)
+            for (int c = 0; c < 4; c++)
+                points[m][c] = between(-1, 1);
+        assert_int_equal(type_of((const double (*)[4])points),
+                         SURFACE_STEINER);
+        memset(points[0], 0, sizeof points[0]); /* a base point */
+        assert_int_equal(type_of((const double (*)[4])points),
+                         SURFACE_CUBIC);
+    }
+}
+
+static void set_patch(struct primitive *primitive)
+{
+    memset(primitive, 0, sizeof *primitive);
+    primitive->kind = PRIMITIVE_STEINER_PATCH;
+    for (int i = 0; i < STEINER_POINTS; i++) {
+        for (int axis = 0; axis < 3; axis++)
+            primitive->shape.steiner_patch.points[i][axis] = between(-9, 9);
+        primitive->shape.steiner_patch.weights[i] = between(.5, 2);
+    }
+}
+
+static void test_kernels_of_patches(void **state)
+{
+    struct primitive patch;
+    struct shape_words words;
+
+    (void)state;
+    set_patch(&patch);
+    words = words_of(&patch);
+    assert_string_equal(words.kernel, "rational_steiner");
+    assert_string_equal(words.historical, "steiner_implicit");
+    assert_true(words.on_patch);
+    for (int i = 0; i < STEINER_POINTS; i++)
+        patch.shape.steiner_patch.weights[i] = 3;
+    words = words_of(&patch);
+    assert_string_equal(words.kernel, "steiner");
+    for (int i = 0; i < STEINER_POINTS; i++)
+        patch.shape.steiner_patch.points[i][1] = 2;
+    words = words_of(&patch);
+    assert_null(words.historical);
+    assert_int_equal(words.table_count, STEINER_TABLE);
+}
+
+/* Whichever corner comes first, H(0, 0), H(1, 0) and H(0, 1) are corners, the
+ * centre put back, and all of the patch lies in the bound. */
+static void test_polynomials_of_patches(void **state)
+{
+    (void)state;
+    for (int try = 0; try < 50; try++) {
+        struct primitive patch;
+        struct shape_words words;
+        const double *k = words.table;
+        int corners = 0;
+
+        set_patch(&patch);
+        words = words_of(&patch);
+        for (int i = 0; i < 3; i++) {
+            const double *corner = patch.shape.steiner_patch.points[i];
+            double distance = 0;
+
+            for (int axis = 0; axis < 3; axis++)
+                distance += fabs(k[axis] / k[18] + words.words[axis]
+                                 - corner[axis]);
+            corners += distance < 1e-12;
+            distance = 0;
+            for (int axis = 0; axis < 3; axis++)
+                distance += pow(corner[axis] - words.words[axis], 2);
+            assert_true(distance < words.words[3]);
+        }
+        assert_int_equal(corners, 1);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_singular_values),
+        cmocka_unit_test(test_least_squares),
+        cmocka_unit_test(test_centers_of_quadrics),
+        cmocka_unit_test(test_quadrics_keep_their_values),
+        cmocka_unit_test(test_types_of_surfaces),
+        cmocka_unit_test(test_kernels_of_patches),
+        cmocka_unit_test(test_polynomials_of_patches),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,175 @@
+/* Steiner patches: both forms of the tracer agree, and meet them where
+ * geometry says, also where a patch is a part of a quadric or of a plane, or
+ * the ray has a case of its own. */
+#include "tests/unit/traced_frame.h"
+
+static void add_patch(char *text, size_t size, double reach)
+{
+    add(text, size, "steiner_patch { ");
+    for (int i = 0; i < 6; i++) {
+        add(text, size, "%s", i > 0 ? ", " : "");
+        add_point(text, size, reach);
+    }
+    if (xorshift(&random_state) % 2)
+        for (int i = 0; i < 6; i++)
+            add(text, size, "%s %.6f", i > 0 ? "," : " weights",
+                between(.4, 2.5));
+}
+
+static void add_shape(char *text, size_t size)
+{
+    add_patch(text, size, 3.5);
+    add(text, size, " ");
+}
+
+static void test_random_scenes(void **state)
+{
+    (void)state;
+    check_random_scenes(add_shape, 10);
+}
+
+/* From far away, small: what is lost there would show here. */
+static void test_distant_patches(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        char text[4096] = HEAD "camera { location -1000*z look_at 0"
+                               " angle .2 }\n";
+
+        add_patch(text, sizeof text, 2);
+        add(text, sizeof text, "}");
+        free(plain_frame(text));
+    }
+}
+
+/* Looking along the second difference of every curve. */
+static void test_rays_along_the_differences(void **state)
+{
+    (void)state;
+    check_middle(STRAIGHT "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
+                 " <0, 2, 1>, <0, -1, 0>, <1, .5, 0>, <-1, .5, 0> }", 1,
+                 5 + 1 / 3.);
+    check_middle(STRAIGHT "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
+                 " <0, 2, 1>, <0, -1, 0>, <1, .5, 0>, <-1, .5, 0>"
+                 " weights 2, 2, 2, 2, 2, 2 }", 1, 5 + 1 / 3.);
+}
+
+/* Translation surfaces of two parabolas: whole planes of rays meet two curves
+ * s = const at once, in lines of pixels across the picture. */
+static void test_curves_in_planes_of_rays(void **state)
+{
+    static const char *const turns[] = { "", "rotate 120*z", "rotate 90*y",
+                                         "rotate <30, 0, 90>" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
+        char text[1024] = "";
+
+        add(text, sizeof text, "%ssteiner_patch { <2, 0, 1>, <0, 2, 1>, 0,"
+            " <1, 1, 0>, <0, 1, -1>, <1, 0, -1> translate <-.5, -.5, 0> %s }",
+            STRAIGHT, turns[i]);
+        struct words *words = plain_frame(text);
+
+        assert_true(hits(words) > 0);
+        free(words);
+    }
+}
+
+/* A piece of the unit sphere about <6, 6, -7> / 11, turned to the eye, by
+ * stereographic projection: its weights and points are polar forms. */
+#define PIECE \
+    "steiner_patch { <1, 0, 0>, <0, 1, 0>, <0, 0, -1>, <1, 1, -1>," \
+    " <0, 1, -1>, <1, 0, -1> weights 2, 2, 1, 1, 1, 1" \
+    " rotate 40.6*y rotate -33*x "
+
+static void test_quadrics(void **state)
+{
+    (void)state;
+    check_middle(AHEAD PIECE "}", 1, 4);
+    check_middle(AHEAD PIECE "rotate 180*y }", 1, 6);
+    free(plain_frame(AHEAD PIECE "rotate 20 } " PIECE "scale 2 }"));
+    /* a parabolic cylinder, a saddle */
+    free(plain_frame(STRAIGHT "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
+                     " <-2, 2, 1>, <0, -1, -1>, <0, .5, -1>, <-2, .5, 1> }"));
+    free(plain_frame(STRAIGHT
+                     "steiner_patch { <1, 0, 0>, <0, 1, 0>, <0, 0, 0>,"
+                     " <.5, .5, .5>, <0, .5, 0>, <.5, 0, 0> }"));
+}
+
+/* Flat ones, straight and with curved edges; seen along their plane. */
+#define FLAT \
+    "steiner_patch { <-1, -1, 0>, <1, -1, 0>, <0, 1, 0>, <0, -1, 0>," \
+    " <.5, 0, 0>, <-.5, 0, 0> "
+#define LEAF \
+    "steiner_patch { <-1, -1, 0>, <1, -1, 0>, <0, 1, 0>, <0, -1.5, 0>," \
+    " <1, .2, 0>, <-1, .2, 0> "
+
+static void test_planes(void **state)
+{
+    (void)state;
+    check_middle(STRAIGHT FLAT "}", 1, 5);
+    check_middle(STRAIGHT FLAT "translate -y }", 1, 5);
+    check_middle(STRAIGHT FLAT "rotate 180*y }", 1, 5);
+    check_middle(STRAIGHT FLAT "rotate 90*z }", 1, 5);
+    check_middle(STRAIGHT FLAT "rotate 120*z }", 1, 5);
+    check_middle(STRAIGHT FLAT "rotate 240*z }", 1, 5);
+    check_middle(STRAIGHT FLAT "weights 1, 2, 3, 1.5, 2.5, 2 }", 1, 5);
+    check_middle(STRAIGHT LEAF "}", 1, 5);
+    check_middle(STRAIGHT LEAF "rotate 75*x }", 1, 5);
+    check_middle(STRAIGHT FLAT "rotate 90*y translate x }", 0, 0);
+}
+
+/* Two patches share an edge: no ray of the seam gets through. */
+static void test_no_gap_at_an_edge(void **state)
+{
+    (void)state;
+    struct words *words = same_frame(
+        AHEAD "steiner_patch { <-9, -9, 0>, <9, -9, 0>, <0, 0, 1>,"
+        " <0, -5, .3>, <4, -5, 2>, <-5, -4, 1> }"
+        "steiner_patch { <-9, -9, 0>, <0, 0, 1>, <-9, 9, 0>,"
+        " <-5, -4, 1>, <-4, 5, .2>, <-6, 0, -.3> }"
+        "steiner_patch { <9, -9, 0>, <9, 9, 0>, <0, 0, 1>,"
+        " <6, 0, .3>, <5, 4, -1>, <4, -5, 2> }"
+        "steiner_patch { <9, 9, 0>, <-9, 9, 0>, <0, 0, 1>,"
+        " <0, 6, .3>, <-4, 5, .2>, <5, 4, -1> }");
+
+    assert_int_equal(hits(words), PIXELS);
+    free(words);
+}
+
+static void test_starts(void **state)
+{
+    (void)state;
+    check_middle(STRAIGHT FLAT "translate -5*z }", 0, 0);
+    check_middle(STRAIGHT FLAT "translate -4*z }", 1, 1);
+    check_middle(STRAIGHT FLAT "translate -6*z }", 0, 0);
+    check_middle(STRAIGHT FLAT "translate -.01*z scale 1000"
+                 " translate 6*z }", 1, 1);
+}
+
+static void test_the_way_of_1984(void **state)
+{
+    historical = true;
+    test_random_scenes(state);
+    test_quadrics(state);
+    test_planes(state);
+    test_starts(state);
+    historical = false;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random_scenes),
+        cmocka_unit_test(test_the_way_of_1984),
+        cmocka_unit_test(test_distant_patches),
+        cmocka_unit_test(test_rays_along_the_differences),
+        cmocka_unit_test(test_curves_in_planes_of_rays),
+        cmocka_unit_test(test_quadrics),
+        cmocka_unit_test(test_planes),
+        cmocka_unit_test(test_no_gap_at_an_edge),
+        cmocka_unit_test(test_starts),
+    };
+
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
