@@ -8,7 +8,7 @@
 
 #include "asm/complain.h"
 #include "asm/json.h"
-#include "rt/trace.h"
+#include "rt/speedup.h"
 
 struct cmd_arguments {
     const char *command;
@@ -16,6 +16,7 @@ struct cmd_arguments {
     const char *output, *json;  /* NULL: not wanted */
     const char *model;
     struct trace_options trace; /* its model is not yet set */
+    struct speedup_view view;
     bool mode_given, size_given, strict, half;
     const char **search;        /* folders for includes; NULL at the end */
 };

@@ -23,28 +23,6 @@ static const char *const programs[TRACE_MODES] = {
     [TRACE_VECTOR] = "roots_vector.s",
 };
 
-static const char *const rules[FALSI_RULES] = {
-    [FALSI_PAPER] = "paper",
-    [FALSI_ILLINOIS] = "illinois",
-    [FALSI_PEGASUS] = "pegasus",
-    [FALSI_ANDERSON_BJORCK] = "anderson-bjorck",
-};
-
-const char *falsi_name(enum falsi rule)
-{
-    return rules[rule];
-}
-
-bool falsi_named(const char *name, enum falsi *rule)
-{
-    for (int i = 0; i < FALSI_RULES; i++)
-        if (strcmp(name, rules[i]) == 0) {
-            *rule = (enum falsi)i;
-            return true;
-        }
-    return false;
-}
-
 static struct object *assemble(const struct roots_options *options,
                                c205_error *error)
 {
@@ -257,9 +235,7 @@ bool roots_read(const struct root_search *search,
 
 enum falsi roots_falsi(const struct root_search *search)
 {
-    const struct asm_symbol *symbol = object_symbol(search->program, "FALSI");
-
-    return symbol != NULL ? (enum falsi)symbol->value : FALSI_DEFAULT;
+    return falsi_of(search->program);
 }
 
 const c205 *roots_machine(const struct root_search *search)

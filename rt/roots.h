@@ -7,6 +7,7 @@
 #ifndef RT_ROOTS_H
 #define RT_ROOTS_H
 
+#include "rt/falsi.h"
 #include "rt/iterations.h"
 #include "rt/trace.h"
 
@@ -24,19 +25,6 @@ struct polynomial_roots {
     int count;                   /* or ROOTS_REFUSED */
     c205_word root[ROOTS_MOST];  /* ascending, each once */
 };
-
-/* How the kept end of a bracket is scaled: the numbers of FALSI in
- * rt/kernels/quartic_constants.s, which has the default. */
-enum falsi {
-    FALSI_DEFAULT = -1,
-    FALSI_PAPER,
-    FALSI_ILLINOIS,
-    FALSI_PEGASUS,
-    FALSI_ANDERSON_BJORCK,
-    FALSI_RULES
-};
-const char *falsi_name(enum falsi rule);
-bool falsi_named(const char *name, enum falsi *rule);
 
 struct roots_options {
     enum trace_mode mode;

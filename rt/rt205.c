@@ -13,6 +13,9 @@ const char cmd_program[] = "rt205";
     "  -H, --height N       pixels down (480; speedup: 250)\n"
 #define OPTION_QUEUE \
     "  --queue N            rays in the vector queue (2000)\n"
+#define OPTION_VIEW \
+    "  --distance D         from the eye to the middle of the shape (5)\n" \
+    "  --angle DEGREES      that the rays span across (37)\n"
 #define OPTION_MODEL \
     "  --model NAME|FILE    machine model (cyber205-2pipe)\n"
 #define OPTION_JSON \
@@ -26,7 +29,7 @@ static const struct command {
     size_t width, height;
     const char *summary, *help;
 } commands[] = {
-    { "render", cmd_render, "oWHMqmjsfI", true, 640, 480,
+    { "render", cmd_render, "oWHMqmjsfIp", true, 640, 480,
       "trace a scene, write a picture",
       "rt205 render SCENE -o PICTURE\n"
       "  -o, --output FILE    the picture: .png .jpg (8-bit sRGB), .exr .tif\n"
@@ -35,14 +38,19 @@ static const struct command {
       "  --mode MODE          scalar or vector (vector)\n"
       OPTION_QUEUE
       OPTION_MODEL
+      "  --historical         Steiner patches the way of 1984\n"
       "  --half               16-bit colours in an .exr\n"
       "  --strict             what would be replaced or left out is an error\n"
       "  -I, --include DIR    look for included files there as well\n"
       OPTION_JSON },
-    { "speedup", cmd_speedup, "WHqmj", false, 400, 250,
+    { "speedup", cmd_speedup, "WHDAqmj", false, 400, 250,
       "scalar against vector, kernel by kernel",
-      "rt205 speedup           100,000 rays against a sphere, a cylinder\n"
-      OPTION_SIZE OPTION_QUEUE OPTION_MODEL OPTION_JSON },
+      "rt205 speedup           100,000 rays against a sphere, a cylinder, a "
+      "Steiner\n"
+      "                        patch (the paper's Table 1) and more; what "
+      "the root\n"
+      "                        solver takes\n"
+      OPTION_SIZE OPTION_VIEW OPTION_QUEUE OPTION_MODEL OPTION_JSON },
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
@@ -51,12 +59,15 @@ static const struct option options[] = {
     { "width", required_argument, NULL, 'W' },
     { "height", required_argument, NULL, 'H' },
     { "mode", required_argument, NULL, 'M' },
+    { "distance", required_argument, NULL, 'D' },
+    { "angle", required_argument, NULL, 'A' },
     { "queue", required_argument, NULL, 'q' },
     { "model", required_argument, NULL, 'm' },
     { "json", required_argument, NULL, 'j' },
     { "include", required_argument, NULL, 'I' },
     { "strict", no_argument, NULL, 's' },
     { "half", no_argument, NULL, 'f' },
+    { "historical", no_argument, NULL, 'p' },
     { NULL, 0, NULL, 0 },
 };
 
@@ -70,6 +81,14 @@ static bool parse_count(const char *text, size_t most, size_t *count)
            && value <= most;
 }
 
+static bool parse_positive(const char *text, double below, double *value)
+{
+    char *end;
+
+    *value = strtod(text, &end);
+    return end != text && *end == '\0' && *value > 0 && *value < below;
+}
+
 static bool take(int letter, struct cmd_arguments *arguments)
 {
     switch (letter) {
@@ -78,12 +97,15 @@ static bool take(int letter, struct cmd_arguments *arguments)
     case 'j': arguments->json = optarg; return true;
     case 's': arguments->strict = true; return true;
     case 'f': arguments->half = true; return true;
+    case 'p': arguments->trace.historical = true; return true;
     case 'W':
         return parse_count(optarg, TRACE_PIXELS_MOST,
                            &arguments->trace.width);
     case 'H':
         return parse_count(optarg, TRACE_PIXELS_MOST,
                            &arguments->trace.height);
+    case 'D': return parse_positive(optarg, 1e6, &arguments->view.distance);
+    case 'A': return parse_positive(optarg, 180, &arguments->view.angle);
     case 'q':
         return parse_count(optarg, TRACE_QUEUE_MOST,
                            &arguments->trace.queue);
@@ -159,6 +181,7 @@ static int start(const struct command *command, int argc, char **argv)
                    .width = command->width,
                    .height = command->height,
                    .queue = TRACE_QUEUE },
+        .view = { .distance = 5, .angle = 37 },
     };
     int code = CMD_USAGE;
 

@@ -4,57 +4,114 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define VIEW \
-    "#version 3.7;\n" \
-    "global_settings { assumed_gamma 1 }\n" \
-    "camera { location <0, 0, -5> look_at 0 right 1.6*x up y angle 37 }\n"
+const char speedup_solver[] = "root_solver";
 
-/* Source of the times: Plunkett, Cychosz, Bailey 1984, Table 1. */
+/* Bulges towards the eye; a Steiner surface, not a simpler one. */
+#define PATCH \
+    "steiner_patch { <-1.6, -.9, .4>, <1.6, -.9, .4>, <0, 1, .3>," \
+    " <.1, -1.2, -.9>, <1, .4, -.6>, <-1, .3, -.5> }"
+
+/* Source of the times and of the share: Plunkett, Cychosz, Bailey 1984. */
 const struct speedup_subject speedup_subjects[] = {
-    { "sphere", VIEW "sphere { 0, 1 pigment { color rgb 1 } }\n",
-      { [TRACE_SCALAR] = 0.944, [TRACE_VECTOR] = 0.0279 },
-      33.81 },
-    { "cylinder",
-      VIEW "cylinder { <-1, -.6, .4>, <1, .6, -.4>, .75\n"
-           " pigment { color rgb 1 } }\n",
-      { [TRACE_SCALAR] = 2.729, [TRACE_VECTOR] = 0.1614 },
-      16.91 },
+    { .name = "sphere",
+      .shape = "sphere { 0, 1 }",
+      .from = { 0, 0, -1 },
+      .regions = { "call", "sphere" },
+      .paper = { { .944, .0279 }, 33.81, 0 } },
+    { .name = "cylinder",
+      .shape = "cylinder { <-1, -.6, .4>, <1, .6, -.4>, .75 }",
+      .from = { 0, 0, -1 },
+      .regions = { "call", "cylinder" },
+      .paper = { { 2.729, .1614 }, 16.91, 0 } },
+    { .name = "Steiner",
+      .shape = PATCH,
+      .from = { 0, 0, -1 },
+      .historical = true,
+      .regions = { "call", "steiner", speedup_solver },
+      .paper = { { 11.157, 1.047 }, 10.67, 65 } },
+    { .name = "Steiner, ours",
+      .shape = PATCH,
+      .from = { 0, 0, -1 },
+      .regions = { "call", "steiner", speedup_solver } },
+    { .name = "torus, ours",
+      .shape = "torus { .8, .35 }",
+      .from = { 0, .8, -.6 },
+      .regions = { "call", "torus", speedup_solver } },
 };
 const size_t speedup_subject_count =
     sizeof speedup_subjects / sizeof *speedup_subjects;
 
-static struct scene *read_subject(const struct speedup_subject *subject,
-                                  c205_error *error)
+static void print_scene(char *text, size_t size,
+                        const struct speedup_subject *subject,
+                        const struct speedup_view *view,
+                        const struct trace_options *options)
+{
+    snprintf(text, size,
+             "#version 3.7;\n"
+             "global_settings { assumed_gamma 1 }\n"
+             "camera { location <%.17g, %.17g, %.17g> look_at 0\n"
+             " right %.17g*x up y angle %.17g }\n"
+             "union { %s pigment { color rgb 1 } }\n",
+             view->distance * subject->from[0],
+             view->distance * subject->from[1],
+             view->distance * subject->from[2],
+             (double)options->width / (double)options->height, view->angle,
+             subject->shape);
+}
+
+static struct scene *read_scene(const struct speedup_subject *subject,
+                                const struct speedup_view *view,
+                                const struct trace_options *options,
+                                c205_error *error)
 {
     static const struct scene_options how = { .strict = true };
     struct reports reports = { 0, 0, NULL };
-    struct scene *scene = scene_read_text(subject->primitive, subject->scene,
-                                          &how, &reports);
+    struct scene *scene;
+    char text[1024];
 
+    print_scene(text, sizeof text, subject, view, options);
+    scene = scene_read_text(subject->name, text, &how, &reports);
     if (scene == NULL)
         snprintf(error->message, sizeof error->message, "%s: %s",
-                 subject->primitive,
+                 subject->name,
                  reports.count > 0 ? reports.items[0].message : "no memory");
     reports_free(&reports);
     return scene;
 }
 
-/* The clocks of the kernel and of calling it, by cause. */
-static void sum_accounts(const c205 *machine,
-                         const struct speedup_subject *subject,
-                         struct speedup_measure *measure)
+static const c205_account *find_account(const c205 *machine,
+                                        const char *region)
 {
-    for (size_t i = 0; i < c205_account_count(machine); i++) {
-        const c205_account *account = c205_account_at(machine, i);
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        if (strcmp(c205_account_at(machine, i)->name, region) == 0)
+            return c205_account_at(machine, i);
+    return NULL;
+}
 
-        if (strcmp(account->name, subject->primitive) != 0
-            && strcmp(account->name, "call") != 0)
-            continue;
+/* The clocks of the subject's regions, by cause and by region. */
+static bool sum_accounts(const c205 *machine,
+                         const struct speedup_subject *subject,
+                         struct speedup_measure *measure, c205_error *error)
+{
+    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++) {
+        const char *region = subject->regions[i];
+        const c205_account *account;
+
+        if (region == NULL)
+            break;
+        account = find_account(machine, region);
+        if (account == NULL) {
+            snprintf(error->message, sizeof error->message,
+                     "the program has no region %s", region);
+            return false;
+        }
         for (int cause = 0; cause < C205_CAUSES; cause++) {
             measure->clocks[cause] += account->clocks[cause];
-            measure->total += account->clocks[cause];
+            measure->regions[i] += account->clocks[cause];
         }
+        measure->total += measure->regions[i];
     }
+    return true;
 }
 
 static bool count_hits(const struct trace *trace,
@@ -73,22 +130,42 @@ static bool count_hits(const struct trace *trace,
     return true;
 }
 
+static bool watch(struct trace *trace, struct iterations *iterations,
+                  c205_error *error)
+{
+    if (trace_watch(trace, iterations))
+        return true;
+    snprintf(error->message, sizeof error->message,
+             "the root solver cannot be watched");
+    return false;
+}
+
+static bool run(struct trace *trace, const struct speedup_subject *subject,
+                struct speedup_measure *measure, c205_error *error)
+{
+    measure->falsi = trace_falsi(trace);
+    return watch(trace, &measure->iterations, error)
+           && trace_run(trace, error)
+           && sum_accounts(trace_machine(trace), subject, measure, error)
+           && count_hits(trace, measure, error)
+           && trace_checksum(trace, &measure->checksum, error);
+}
+
 bool speedup_measure(const struct speedup_subject *subject,
+                     const struct speedup_view *view,
                      const struct trace_options *options,
                      struct speedup_measure *measure, c205_error *error)
 {
-    struct scene *scene = read_subject(subject, error);
-    struct trace *trace = scene == NULL ? NULL
-                                        : trace_new(scene, options, error);
-    bool good = trace != NULL && trace_run(trace, error);
+    struct trace_options how = *options;
+    struct scene *scene = read_scene(subject, view, options, error);
+    struct trace *trace;
+    bool good;
 
+    how.historical = subject->historical;
+    trace = scene == NULL ? NULL : trace_new(scene, &how, error);
     memset(measure, 0, sizeof *measure);
     measure->rays = options->width * options->height;
-    if (good) {
-        sum_accounts(trace_machine(trace), subject, measure);
-        good = count_hits(trace, measure, error)
-               && trace_checksum(trace, &measure->checksum, error);
-    }
+    good = trace != NULL && run(trace, subject, measure, error);
     trace_free(trace);
     scene_free(scene);
     return good;

@@ -1,33 +1,57 @@
 /* speedup.h - the paper's Table 1 on the emulated machine.
  *
  * A frame of one primitive is traced in both forms; what counts are the
- * clocks of the primitive's kernel and of calling it: the regions named after
- * the primitive and "call".  Making the rays, choosing the nearest hit and
- * shading are left out, as in the paper.
+ * clocks of the primitive's kernel, of what it calls and of calling it: the
+ * regions that its subject names.  Making the rays, choosing the nearest hit
+ * and shading are left out, as in the paper.
  */
 #ifndef RT_SPEEDUP_H
 #define RT_SPEEDUP_H
 
 #include "rt/trace.h"
 
+enum { SPEEDUP_REGIONS_MOST = 4 };
+
+/* What the paper says of a subject.  0: nothing. */
+struct speedup_paper {
+    double seconds[TRACE_MODES]; /* CPU time for 100,000 rays, Table 1 */
+    double speedup;              /* as printed there */
+    double solver;               /* percent of the time in the root solver */
+};
+
 struct speedup_subject {
-    const char *primitive; /* also the kernel's region */
-    const char *scene;     /* its text */
-    double paper[TRACE_MODES]; /* CPU seconds for 100,000 rays, Table 1 */
-    double paper_speedup;      /* as printed there */
+    const char *name;   /* of the row */
+    const char *shape;  /* its text in the scene language */
+    double from[3];     /* the eye, seen from the origin; of length one */
+    bool historical;    /* by the paper's methods */
+    const char *regions[SPEEDUP_REGIONS_MOST]; /* NULL after the last */
+    struct speedup_paper paper;
 };
 
 extern const struct speedup_subject speedup_subjects[];
 extern const size_t speedup_subject_count;
+/* The region whose share the paper tells. */
+extern const char speedup_solver[];
+
+/* Where the eye is: it looks at the origin. */
+struct speedup_view {
+    double distance;
+    double angle; /* degrees, across the frame */
+};
 
 struct speedup_measure {
     uint64_t clocks[C205_CAUSES];
+    uint64_t regions[SPEEDUP_REGIONS_MOST]; /* clocks, as in the subject */
     uint64_t total;
     size_t rays, hits;
     uint64_t checksum; /* of the frame: equal in both forms */
+    enum falsi falsi;
+    struct iterations iterations; /* of the root solver */
 };
 
+/* False: the error says why. */
 bool speedup_measure(const struct speedup_subject *subject,
+                     const struct speedup_view *view,
                      const struct trace_options *options,
                      struct speedup_measure *measure, c205_error *error);
 

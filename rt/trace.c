@@ -7,6 +7,7 @@
 
 #include "rt/layout.h"
 #include "rt/program.h"
+#include "rt/roots.h"
 
 struct trace {
     struct trace_options options;
@@ -41,9 +42,15 @@ bool trace_mode_named(const char *name, enum trace_mode *mode)
 static struct object *assemble_form(const struct trace_options *options,
                                     c205_error *error)
 {
-    const struct asm_define defines[] = {
-        { "QUEUE", (int64_t)options->queue }, { NULL, 0 }
+    struct asm_define defines[] = {
+        { "QUEUE", (int64_t)options->queue },
+        { "HISTORICAL", 1 },
+        { "FALSI", FALSI_PAPER },
+        { NULL, 0 },
     };
+
+    if (!options->historical)
+        defines[1] = defines[3];
 
     return program_assemble(forms[options->mode].program, defines, error);
 }
@@ -88,6 +95,13 @@ void trace_free(struct trace *trace)
     c205_free(trace->machine);
     object_free(trace->program);
     free(trace);
+}
+
+bool trace_watch(struct trace *trace, struct iterations *iterations)
+{
+    return iterations_begin(iterations, trace->program,
+                            trace->options.mode == TRACE_VECTOR)
+           && c205_listen(trace->machine, iterations_listen, iterations);
 }
 
 /* Rays made so far, from the account of the routine that makes them. */
@@ -208,6 +222,11 @@ bool trace_checksum(const struct trace *trace, uint64_t *checksum,
             *checksum = add_to_checksum(*checksum, words, pixels);
     free(words);
     return true;
+}
+
+enum falsi trace_falsi(const struct trace *trace)
+{
+    return falsi_of(trace->program);
 }
 
 const c205 *trace_machine(const struct trace *trace)

@@ -7,7 +7,8 @@
 #ifndef RT_TRACE_H
 #define RT_TRACE_H
 
-#include "asm/assemble.h"
+#include "rt/falsi.h"
+#include "rt/iterations.h"
 #include "rt/picture.h"
 #include "rt/scene/scene.h"
 
@@ -31,6 +32,8 @@ struct trace_options {
     enum trace_mode mode;
     size_t width, height;    /* pixels */
     size_t queue;            /* rays; vector mode only */
+    bool historical;         /* the paper's way to Steiner patches: by their
+                                implicit quartic, with its falsi */
     const c205_model *model; /* must outlive the trace */
     /* Called now and then with the pixels done; returns false to stop.  NULL
      * if nobody wants to know. */
@@ -44,6 +47,9 @@ struct trace *trace_new(const struct scene *scene,
                         const struct trace_options *options,
                         c205_error *error);
 void trace_free(struct trace *trace);
+
+/* Count the steps of the root solver from now on; before the run. */
+bool trace_watch(struct trace *trace, struct iterations *iterations);
 
 /* False: a trap, or progress said to stop; the error says which. */
 bool trace_run(struct trace *trace, c205_error *error);
@@ -59,6 +65,8 @@ bool trace_read_words(const struct trace *trace, enum frame_channel channel,
  * with one checksum are the same bit for bit. */
 bool trace_checksum(const struct trace *trace, uint64_t *checksum,
                     c205_error *error);
+/* The rule of the root solver. */
+enum falsi trace_falsi(const struct trace *trace);
 const c205 *trace_machine(const struct trace *trace);
 
 #endif

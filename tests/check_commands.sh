@@ -354,6 +354,27 @@ ends 0 "$build/rt205" render replaced.pov -o c.png -W 40 -H 30
 tells err 'replaced.pov:2:'
 ends 1 "$build/rt205" render replaced.pov -o c.png -W 40 -H 30 --strict
 
+# the paper's table
+ends 0 "$build/rt205" speedup -W 40 -H 25 --queue 200 --json speedup.json
+for row in sphere cylinder Steiner torus; do
+    tells out "^$row.* vector "
+done
+tells out "root_solver"
+tells out "paper: %"
+for key in rays times shares steps passes causes; do
+    grep -q "\"$key\": \[" speedup.json
+    verdict $? "speedup.json has no $key"
+done
+ends 0 "$build/rt205" speedup -W 16 -H 10 --distance 9.5 --angle 20
+tells out "20 degrees .* 9.5"
+for wrong in "--distance 0" "--distance inf" "--angle 180" "--angle x"; do
+    # An option and its argument are words.
+    # shellcheck disable=SC2086
+    ends 2 "$build/rt205" speedup $wrong
+done
+ends 1 "$build/rt205" speedup --model nonsense
+ends 1 "$build/rt205" speedup -W 16 -H 10 --json missing/speedup.json
+
 # Ctrl-C in the middle of a long frame
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \
     >out 2>err &

@@ -1,6 +1,5 @@
 /* The tracer's two forms: the same frame, bit for bit, on scenes that no one
  * has chosen, and on rays for which the kernels have cases of their own. */
-#include "rt/speedup.h"
 #include "tests/unit/traced_frame.h"
 
 static void add_shape(char *text, size_t size)
@@ -147,29 +146,6 @@ static void test_numbers_beyond_doubles(void **state)
     }
 }
 
-/* Shapes of the language whose kernels are not written yet. */
-static void test_kinds_without_kernels(void **state)
-{
-    static const char *const shapes[] = {
-        "steiner_patch { x, y, z, x + y, y + z, z + x }",
-    };
-
-    (void)state;
-    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
-        char text[1024] = AHEAD;
-        struct trace_options options = { .width = 1, .height = 1,
-                                         .model = model };
-        c205_error error = { "" };
-
-        add(text, sizeof text, "%s", shapes[i]);
-        struct scene *scene = read_text(text);
-        assert_null(trace_new(scene, &options, &error));
-        assert_non_null(strstr(error.message, "line 5: '"));
-        assert_non_null(strstr(error.message, "cannot be traced yet"));
-        scene_free(scene);
-    }
-}
-
 static void test_empty_scene(void **state)
 {
     (void)state;
@@ -179,33 +155,6 @@ static void test_empty_scene(void **state)
     assert_float_equal(c205_to_double(words->channel[CHANNEL_GREEN][7]), .25,
                        0);
     free(words);
-}
-
-static void test_speedup_subjects(void **state)
-{
-    (void)state;
-    for (size_t i = 0; i < speedup_subject_count; i++) {
-        struct speedup_measure measures[TRACE_MODES];
-
-        for (int mode = 0; mode < TRACE_MODES; mode++) {
-            struct trace_options options = { .mode = (enum trace_mode)mode,
-                                             .width = 80,
-                                             .height = 50,
-                                             .queue = TRACE_QUEUE,
-                                             .model = model };
-            c205_error error = { "" };
-
-            if (!speedup_measure(&speedup_subjects[i], &options,
-                                 &measures[mode], &error))
-                fail_msg("%s", error.message);
-            assert_int_equal(measures[mode].rays, 4000);
-            assert_in_range(measures[mode].hits, 1000, 3000);
-        }
-        assert_true(measures[TRACE_SCALAR].checksum
-                    == measures[TRACE_VECTOR].checksum);
-        assert_true(measures[TRACE_SCALAR].total
-                    > 5 * measures[TRACE_VECTOR].total);
-    }
 }
 
 int main(void)
@@ -220,9 +169,7 @@ int main(void)
         cmocka_unit_test(test_flat_boxes),
         cmocka_unit_test(test_ray_almost_along_a_cylinder),
         cmocka_unit_test(test_numbers_beyond_doubles),
-        cmocka_unit_test(test_kinds_without_kernels),
         cmocka_unit_test(test_empty_scene),
-        cmocka_unit_test(test_speedup_subjects),
     };
 
     return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -1,0 +1,300 @@
+#include "rt/speedup_report.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/accounts.h"
+
+static const struct table_column rays[] = {
+    { "primitive", "primitive", TABLE_TEXT, 0 },
+    { "rays", "rays", TABLE_COUNT, 0 },
+    { "hits", "hits", TABLE_COUNT, 0 },
+    { "percent", "% hit", TABLE_NUMBER, 1 },
+    { "eye", "eye", TABLE_TEXT, 0 },
+    { "shape", "shape", TABLE_TEXT, 0 },
+};
+
+static const struct table_column times[] = {
+    { "primitive", "primitive", TABLE_TEXT, 0 },
+    { "form", "form", TABLE_TEXT, 0 },
+    { "clocks", "clocks", TABLE_COUNT, 0 },
+    { "clocks_per_ray", "clocks/ray", TABLE_NUMBER, 2 },
+    { "seconds", "seconds", TABLE_NUMBER, 4 },
+    { "paper_seconds", "paper: seconds", TABLE_NUMBER, 4 },
+    { "ratio", "ours/paper", TABLE_NUMBER, 2 },
+    { "speedup", "speedup", TABLE_NUMBER, 2 },
+    { "paper_speedup", "paper: speedup", TABLE_NUMBER, 2 },
+    { "speedup_ratio", "ours/paper", TABLE_NUMBER, 2 },
+};
+
+static const struct table_column shares[] = {
+    { "primitive", "primitive", TABLE_TEXT, 0 },
+    { "form", "form", TABLE_TEXT, 0 },
+    { "region", "region", TABLE_TEXT, 0 },
+    { "clocks", "clocks", TABLE_COUNT, 0 },
+    { "percent", "%", TABLE_NUMBER, 1 },
+    { "paper_percent", "paper: %", TABLE_NUMBER, 0 },
+};
+
+static const struct table_column steps[] = {
+    { "primitive", "primitive", TABLE_TEXT, 0 },
+    { "form", "form", TABLE_TEXT, 0 },
+    { "falsi", "falsi", TABLE_TEXT, 0 },
+    { "roots_of", "roots of", TABLE_TEXT, 0 },
+    { "brackets", "brackets", TABLE_COUNT, 0 },
+    { "steps", "steps", TABLE_COUNT, 0 },
+    { "steps_per_bracket", "steps/bracket", TABLE_NUMBER, 2 },
+    { "passes", "passes", TABLE_COUNT, 0 },
+    { "lanes_per_pass", "lanes/pass", TABLE_NUMBER, 1 },
+    { "active_percent", "% active", TABLE_NUMBER, 1 },
+};
+
+static const struct table_column passes[] = {
+    { "primitive", "primitive", TABLE_TEXT, 0 },
+    { "roots_of", "roots of", TABLE_TEXT, 0 },
+    { "pass", "pass", TABLE_COUNT, 0 },
+    { "active", "active", TABLE_COUNT, 0 },
+    { "brackets_percent", "% of brackets", TABLE_NUMBER, 1 },
+    { "lanes", "lanes", TABLE_COUNT, 0 },
+    { "active_percent", "% active", TABLE_NUMBER, 1 },
+};
+
+static const struct table_column causes[] = {
+    { "primitive", "primitive", TABLE_TEXT, 0 },
+    { "form", "form", TABLE_TEXT, 0 },
+    { "cause", "cause", TABLE_TEXT, 0 },
+    { "clocks", "clocks", TABLE_COUNT, 0 },
+    { "percent", "%", TABLE_NUMBER, 1 },
+};
+
+enum kind { RAYS, TIMES, SHARES, STEPS, PASSES, CAUSES, KINDS };
+
+#define COLUMNS(table) table, sizeof table / sizeof *table
+static const struct {
+    const char *key, *heading;
+    const struct table_column *columns;
+    size_t count;
+} kinds[KINDS] = {
+    [RAYS] = { "rays", "The rays:", COLUMNS(rays) },
+    [TIMES] = { "times", "The kernels and their calls:", COLUMNS(times) },
+    [SHARES] = { "shares", "Which part took it:", COLUMNS(shares) },
+    [STEPS] = { "steps", "Falsi in the root solver, to roots of the "
+                "derivative (knots) and of the quartic:", COLUMNS(steps) },
+    [PASSES] = { "passes", "The vector form, pass by pass:",
+                 COLUMNS(passes) },
+    [CAUSES] = { "causes", "Where the clocks went:", COLUMNS(causes) },
+};
+
+struct speedup_report {
+    const c205_model *model;
+    struct table *tables[KINDS];
+};
+
+struct speedup_report *speedup_report_new(const c205_model *model)
+{
+    struct speedup_report *report = calloc(1, sizeof *report);
+
+    if (report == NULL)
+        return NULL;
+    report->model = model;
+    for (int i = 0; i < KINDS; i++) {
+        report->tables[i] = table_new(kinds[i].columns, kinds[i].count);
+        if (report->tables[i] == NULL) {
+            speedup_report_free(report);
+            return NULL;
+        }
+    }
+    return report;
+}
+
+void speedup_report_free(struct speedup_report *report)
+{
+    if (report == NULL)
+        return;
+    for (int i = 0; i < KINDS; i++)
+        table_free(report->tables[i]);
+    free(report);
+}
+
+static double percent(uint64_t part, uint64_t whole)
+{
+    return 100.0 * (double)part / (double)whole;
+}
+
+static double quotient(uint64_t a, uint64_t b)
+{
+    return (double)a / (double)b;
+}
+
+/* Of what the paper does not tell a table shows nothing. */
+static double told(double figure)
+{
+    return figure > 0 ? figure : NAN;
+}
+
+static void add_rays(struct table *table,
+                     const struct speedup_subject *subject,
+                     const struct speedup_view *view,
+                     const struct speedup_measure *measure)
+{
+    char eye[64];
+
+    snprintf(eye, sizeof eye, "<%g, %g, %g>",
+             view->distance * subject->from[0],
+             view->distance * subject->from[1],
+             view->distance * subject->from[2]);
+    table_text(table, subject->name);
+    table_count(table, measure->rays);
+    table_count(table, measure->hits);
+    table_number(table, percent(measure->hits, measure->rays));
+    table_text(table, eye);
+    table_text(table, subject->shape);
+}
+
+static void add_name(struct table *table,
+                     const struct speedup_subject *subject, int mode)
+{
+    table_text(table, subject->name);
+    table_text(table, trace_mode_name((enum trace_mode)mode));
+}
+
+static void add_times(struct speedup_report *report,
+                      const struct speedup_subject *subject, int mode,
+                      const struct speedup_measure measures[TRACE_MODES])
+{
+    struct table *table = report->tables[TIMES];
+    const struct speedup_measure *measure = &measures[mode];
+    double seconds = accounts_seconds(report->model, measure->total);
+    double paper = told(subject->paper.seconds[mode]
+                        * (double)measure->rays / 1e5);
+    bool vector = mode == TRACE_VECTOR;
+    double speedup = vector ? quotient(measures[TRACE_SCALAR].total,
+                                       measure->total)
+                            : NAN;
+    double paper_speedup = vector ? told(subject->paper.speedup) : NAN;
+
+    add_name(table, subject, mode);
+    table_count(table, measure->total);
+    table_number(table, quotient(measure->total, measure->rays));
+    table_number(table, seconds);
+    table_number(table, paper);
+    table_number(table, seconds / paper);
+    table_number(table, speedup);
+    table_number(table, paper_speedup);
+    table_number(table, speedup / paper_speedup);
+}
+
+static void add_shares(struct table *table,
+                       const struct speedup_subject *subject, int mode,
+                       const struct speedup_measure *measure)
+{
+    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++) {
+        const char *region = subject->regions[i];
+
+        if (region == NULL)
+            break;
+        add_name(table, subject, mode);
+        table_text(table, region);
+        table_count(table, measure->regions[i]);
+        table_number(table, percent(measure->regions[i], measure->total));
+        table_number(table, strcmp(region, speedup_solver) == 0
+                                ? told(subject->paper.solver)
+                                : NAN);
+    }
+}
+
+static void add_steps(struct table *table,
+                      const struct speedup_subject *subject, int mode,
+                      const struct speedup_measure *measure)
+{
+    bool vector = mode == TRACE_VECTOR;
+
+    for (int i = 0; i < STAGES; i++) {
+        const struct stage_count *count = &measure->iterations.stage[i];
+
+        if (count->brackets == 0)
+            continue;
+        add_name(table, subject, mode);
+        table_text(table, falsi_name(measure->falsi));
+        table_text(table, stage_name((enum stage)i));
+        table_count(table, count->brackets);
+        table_count(table, count->steps);
+        table_number(table, quotient(count->steps, count->brackets));
+        table_count(table, count->passes);
+        table_number(table, quotient(count->lanes, count->passes));
+        table_number(table, vector ? percent(count->steps, count->lanes)
+                                   : NAN);
+    }
+}
+
+static void add_passes(struct table *table,
+                       const struct speedup_subject *subject,
+                       const struct speedup_measure *measure)
+{
+    for (int i = 0; i < STAGES; i++) {
+        const struct stage_count *count = &measure->iterations.stage[i];
+
+        for (size_t pass = 0;
+             pass < ITERATIONS_MOST && count->in_loop[pass] > 0; pass++) {
+            table_text(table, subject->name);
+            table_text(table, stage_name((enum stage)i));
+            table_count(table, pass + 1);
+            table_count(table, count->active[pass]);
+            table_number(table,
+                         percent(count->active[pass], count->brackets));
+            table_count(table, count->in_loop[pass]);
+            table_number(table, percent(count->active[pass],
+                                        count->in_loop[pass]));
+        }
+    }
+}
+
+static void add_causes(struct table *table,
+                       const struct speedup_subject *subject, int mode,
+                       const struct speedup_measure *measure)
+{
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
+        if (measure->clocks[cause] == 0)
+            continue;
+        add_name(table, subject, mode);
+        table_text(table, c205_cause_name((c205_cause)cause));
+        table_count(table, measure->clocks[cause]);
+        table_number(table,
+                     percent(measure->clocks[cause], measure->total));
+    }
+}
+
+void speedup_report_add(struct speedup_report *report,
+                        const struct speedup_subject *subject,
+                        const struct speedup_view *view,
+                        const struct speedup_measure measures[TRACE_MODES])
+{
+    struct table *const *tables = report->tables;
+
+    add_rays(tables[RAYS], subject, view, &measures[TRACE_VECTOR]);
+    for (int mode = 0; mode < TRACE_MODES; mode++) {
+        add_times(report, subject, mode, measures);
+        add_shares(tables[SHARES], subject, mode, &measures[mode]);
+        add_steps(tables[STEPS], subject, mode, &measures[mode]);
+        add_causes(tables[CAUSES], subject, mode, &measures[mode]);
+    }
+    add_passes(tables[PASSES], subject, &measures[TRACE_VECTOR]);
+}
+
+bool speedup_report_print(const struct speedup_report *report, FILE *file)
+{
+    for (int i = 0; i < KINDS; i++) {
+        fprintf(file, "\n%s\n\n", kinds[i].heading);
+        if (!table_print(report->tables[i], file))
+            return false;
+    }
+    return true;
+}
+
+void speedup_report_json(const struct speedup_report *report,
+                         struct json *json)
+{
+    for (int i = 0; i < KINDS; i++)
+        table_json(report->tables[i], json, kinds[i].key);
+}
