@@ -15,9 +15,9 @@ enum { STEINER_SHAPE = 7, STEINER_TABLE = 27 };
 /* Are all weights the same? */
 bool steiner_is_polynomial(const struct primitive *primitive);
 
-/* Centre 3, square of the bound; the |d x P|^2 that counts as nothing (rational:
- * its share of |P|^2); the share of |d x P|^2 that is nothing for B(s)^2; the
- * resolution of distances. */
+/* Centre 3, square of the bound; the |d x P|^2 that counts as nothing (of a
+ * rational patch, its share of |P|^2); the share of |d x P|^2 that is nothing
+ * for B(s)^2; the resolution of distances. */
 void steiner_shape(const struct primitive *primitive, double *shape);
 
 /* K0 .. K5, x y z of each; their w; a vector for planes of another kind: so

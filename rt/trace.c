@@ -7,7 +7,6 @@
 
 #include "rt/layout.h"
 #include "rt/program.h"
-#include "rt/roots.h"
 
 struct trace {
     struct trace_options options;

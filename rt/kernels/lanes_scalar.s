@@ -17,7 +17,7 @@ near_list:      .descriptor 5, near_input
                 .descriptor 5, near_roots
         .code
 
-        .macro  enter_solver shape_words, save=near_save, registers=LANE_REGISTERS
+        .macro  enter_solver words, save=near_save, registers=LANE_REGISTERS
         EX      image_at, kernel_image
         ELEN    image_at, 5
         EX      save_at, \save
@@ -29,7 +29,7 @@ near_list:      .descriptor 5, near_input
         SWAP    [a_ray], ox, [r0]
         RTOR    a_primitive, t0
         IX      t0, 64 * P_SHAPE
-        ELEN    t0, \shape_words
+        ELEN    t0, \words
         SWAP    [t0], sh0, [r0]
         RTOR    link, link_kept
         .endm

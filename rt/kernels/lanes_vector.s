@@ -8,8 +8,8 @@
 ;   |s| <= high = sqrt(bound^2 - o . o)
 ;
 ; and crossings count for  low < s <= high,  low = lower + along or, if that is
-; less, -high.  Where low is not below high the ray misses.  The others, m of n,
-; are compressed: the lanes.  They use the vectors of the shading, which has
+; less, -high.  Where low is not below high the ray misses.  The others, m of
+; n, are compressed: the lanes.  They use the vectors of the shading, which has
 ; not begun yet.
 ;
 ; Source: the project's notes on ray tracing, 0 and 1.1.

@@ -4,8 +4,7 @@
 ; FALSI says what becomes of the value at the end of the bracket that is kept,
 ; when the new point X falls on the side of the newest end B; A is the other
 ; end.  Chosen when the program is assembled; the default by measured clocks
-; (docs/quartic.md), PAPER where the paper's methods are asked for
-; (HISTORICAL).
+; (docs/quartic.md).
 ;
 ;   PAPER            f(A) is halved once A has been kept twice running.  The
 ;                    paper says no more than "Modified Regula Falsi"; this is
@@ -22,11 +21,7 @@
         .equ    PEGASUS, 2
         .equ    ANDERSON_BJORCK, 3
         .ifndef FALSI
-        .ifdef  HISTORICAL
-        .equ    FALSI, PAPER
-        .else
         .equ    FALSI, ILLINOIS
-        .endif
         .endif
 
 ; After so many steps of falsi the bracket is halved, so many times at most.

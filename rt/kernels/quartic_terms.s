@@ -4,8 +4,8 @@
 ;   Am(y, z) = (((B0 y + B1) y + ..) y + Bm,   Bj(z) = b0 z^j + .. + bj
 ;
 ; with x, y, z linear in the distance t from the ray's closest approach to the
-; origin: o + d t.  All are polynomials of t, formed by Horner's rule with o + d t
-; in place of a number.  POV-Ray's order of the 35 coefficients is the order in
+; origin: o + d t.  All are polynomials of t, formed by Horner's rule with
+; o + d t in place of a number.  POV-Ray's order of the 35 coefficients is the order in
 ; which this takes them: group by group A0 .. A4, in each B0, B1 ..
 ;
 ; Most quartics have few terms: what is 0 is left out.  seen_terms tells

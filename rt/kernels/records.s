@@ -35,7 +35,7 @@
                                 ;   quartic   farthest distance, resolution;
                                 ;             table: its 35 coefficients
                                 ;   steiner   centre 3, square of its bound,
-                                ;             what is parallel, what is nothing;
+                                ;             what is parallel, what nothing;
                                 ;             resolution of distances;
                                 ;             table: K0 .. K5, their weights,
                                 ;             another plane (steiner_vector.s)
@@ -88,6 +88,6 @@ k_tiny:         .word 1e-12     ; a ray that approaches less is parallel
 k_tmin:         .word 1e-6      ; a hit nearer than this is the ray's start
 k_checker:      .word 1e-10     ; added before floor, against ragged faces
         .equ    CONSTANTS, 8       ; so many in registers
-k_lower:        .word 1.000000000001e-6 ; tmin where it is scaled and back: what
-                                ; is beyond it there is beyond tmin here
+k_lower:        .word 1.000000000001e-6 ; tmin to be scaled: what is beyond it
+                                ; there is beyond tmin here
         .code

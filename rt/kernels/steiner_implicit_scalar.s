@@ -10,9 +10,11 @@
         .regs   r104, c00, c01, c02, c10, c11, c12, c20, c21, c22
         .regs   r113, nx, ny, nz, no
         .regs   r119, patch_s, patch_t
-        .regs   r121, la00, la01, la02, la03, la10, la11, la12, la13, la20, la21, la22
-        .regs   r132, la23, lb00, lb01, lb02, lb03, lb10, lb11, lb12, lb13, lb20, lb21
-        .regs   r143, lb22, lb23, triple_x, triple_y, triple_z, triple_w
+        .regs   r121, la00, la01, la02, la03, la10, la11, la12, la13
+        .regs   r129, la20, la21, la22, la23
+        .regs   r133, lb00, lb01, lb02, lb03, lb10, lb11, lb12, lb13
+        .regs   r141, lb20, lb21, lb22, lb23
+        .regs   r145, triple_x, triple_y, triple_z, triple_w
         .equ    PLANES_TABLE, 28
         .regs   r121, qxss, qxtt, qxuu, qxst, qxtu, qxus
         .regs   r127, qyss, qytt, qyuu, qyst, qytu, qyus

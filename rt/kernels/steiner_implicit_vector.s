@@ -31,8 +31,10 @@
 
 ; The rest of the table in two parts: L1, L2 by rows, T; then the forms
 ; Qx Qy Qz Qw, of each ss tt uu st tu us.
-        .regs   r40, la00, la01, la02, la03, la10, la11, la12, la13, la20, la21, la22, la23
-        .regs   r52, lb00, lb01, lb02, lb03, lb10, lb11, lb12, lb13, lb20, lb21, lb22, lb23
+        .regs   r40, la00, la01, la02, la03, la10, la11, la12, la13
+        .regs   r48, la20, la21, la22, la23
+        .regs   r52, lb00, lb01, lb02, lb03, lb10, lb11, lb12, lb13
+        .regs   r60, lb20, lb21, lb22, lb23
         .regs   r64, triple_x, triple_y, triple_z, triple_w
         .equ    PLANES_TABLE, 28
         .regs   r40, qxss, qxtt, qxuu, qxst, qxtu, qxus
@@ -43,7 +45,7 @@
 
         .regs   r233, ma0, ma1, ma2, da0, da1, da2, mb0, mb1, mb2, db0, db1
         .regs   r244, db2, c00, c01, c02, c10, c11, c12, c20, c21, c22
-        .regs   r233, fss, ftt, fuu, fst, ftu, fus      ; A, when these are done
+        .regs   r233, fss, ftt, fuu, fst, ftu, fus      ; A, after these
 
         .data
 implicit_margins:

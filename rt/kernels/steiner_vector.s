@@ -1,10 +1,11 @@
-; steiner_vector.s - a queue of rays meets a Steiner patch, a quadratic triangle
-; with six control points and weights, by the quartic in one of its parameters.
+; steiner_vector.s - a queue of rays meets a Steiner patch, a triangle of degree
+; two with six control points and weights, by the quartic in one of its
+; parameters.
 ;
 ; About the patch's centre, with four coordinates x y z w:
 ;
-;   H(s, t) = K0 + K1 s + K2 t + K3 s^2 + K4 s t + K5 t^2,  point = H.xyz / H.w,
-;   s >= 0, t >= 0, s + t <= 1
+;   H(s, t) = K0 + K1 s + K2 t + K3 s^2 + K4 s t + K5 t^2
+;   point = H.xyz / H.w,  s >= 0, t >= 0, s + t <= 1
 ;
 ; o = the ray's closest approach to the centre, d its direction.  Two planes
 ; through the ray, the first one along P too, cut the patch in conics of s, t:
@@ -18,9 +19,9 @@
 ;
 ; Eliminating t = -B0(s)/B(s) leaves  R(s) = A5 B0(s)^2 + B(s) G(s),
 ; G(s) = A0(s) B(s) - A(s) B0(s).  Where all Bernstein coefficients of R on
-; [0, 1] have one sign the ray misses.  Of the roots of R each that has its t in
-; the triangle is a crossing at the distance d . H.xyz / H.w; the nearest one
-; counts.
+; [0, 1] have one sign the ray misses.  Of the roots of R each that has its t
+; in the triangle is a crossing at the distance d . H.xyz / H.w; the nearest
+; one counts.
 ;
 ; d along P leaves no plane: any other will do, through a vector of the patch's
 ; table.  Where B(s) and B0(s) both are next to nothing the second conic is a

@@ -1,7 +1,7 @@
 ; torus_vector.s - a queue of rays meets a torus about the y axis.
 ;
-; Elliptical: R = major radius, p, n = half axes of the tube, away from the axis
-; and along it; rho = p^2/n^2, b0 = R^2 - p^2, a0 = 4 R^2:
+; Elliptical: R = major radius, p, n = half axes of the tube, away from the
+; axis and along it; rho = p^2/n^2, b0 = R^2 - p^2, a0 = 4 R^2:
 ;
 ;   (x^2 + z^2 + rho y^2 + b0)^2 = a0 (x^2 + z^2)
 ;

@@ -3,8 +3,8 @@
 ; Its kernel sees the queue's rays carried into that space by the matrix M
 ; (P_LOCAL):  O' = M O + m,  D' = M D / s,  s = |M D|.  The distances it finds
 ; are s times too long, and are multiplied by lscale = 1/s where the ray hit.
-; What counts there is beyond s tmin; a little more, so that what lies beyond it
-; lies beyond tmin here, too.
+; What counts there is beyond s tmin; a little more, so that what lies beyond
+; that lies beyond tmin here, too.
 ;
 ; In:  ox oy oz dx dy dz lower (world), n long; the primitive's record.
 ; Out: tin, tout (world); ox .. lower name the world's rays again.
