@@ -8,21 +8,24 @@
 
 #include "asm/complain.h"
 #include "asm/json.h"
+#include "rt/roots.h"
 #include "rt/speedup.h"
 
 struct cmd_arguments {
     const char *command;
-    const char *scene;          /* a file, or NULL */
+    const char *scene;          /* the file to work on, or NULL */
     const char *output, *json;  /* NULL: not wanted */
     const char *model;
     struct trace_options trace; /* its model is not yet set */
     struct speedup_view view;
     bool mode_given, size_given, strict, half;
+    bool first, compare;        /* of polynomials: --first, --falsi all */
+    enum falsi falsi;
     const char **search;        /* folders for includes; NULL at the end */
 };
 
 typedef int cmd_function(struct cmd_arguments *arguments);
-cmd_function cmd_render, cmd_speedup;
+cmd_function cmd_render, cmd_speedup, cmd_quartic;
 
 /* Let Ctrl-C ask a trace to stop, and show progress when stderr is a
  * terminal: a trace_options.progress function and its context. */

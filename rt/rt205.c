@@ -25,11 +25,11 @@ static const struct command {
     const char *name;
     cmd_function *function;
     const char *options; /* letters, see options[] */
-    bool wants_scene;
+    const char *wants; /* the file to name; NULL: none */
     size_t width, height;
     const char *summary, *help;
 } commands[] = {
-    { "render", cmd_render, "oWHMqmjsfIp", true, 640, 480,
+    { "render", cmd_render, "oWHMqmjsfIp", "a scene file", 640, 480,
       "trace a scene, write a picture",
       "rt205 render SCENE -o PICTURE\n"
       "  -o, --output FILE    the picture: .png .jpg (8-bit sRGB), .exr .tif\n"
@@ -43,7 +43,7 @@ static const struct command {
       "  --strict             what would be replaced or left out is an error\n"
       "  -I, --include DIR    look for included files there as well\n"
       OPTION_JSON },
-    { "speedup", cmd_speedup, "WHDAqmj", false, 400, 250,
+    { "speedup", cmd_speedup, "WHDAqmj", NULL, 400, 250,
       "scalar against vector, kernel by kernel",
       "rt205 speedup           100,000 rays against a sphere, a cylinder, a "
       "Steiner\n"
@@ -51,6 +51,21 @@ static const struct command {
       "the root\n"
       "                        solver takes\n"
       OPTION_SIZE OPTION_VIEW OPTION_QUEUE OPTION_MODEL OPTION_JSON },
+    { "quartic", cmd_quartic, "MqmjaRF", "a file of polynomials", 1, 1,
+      "the real roots of polynomials, and what they cost",
+      "rt205 quartic FILE.csv  lines c4,c3,c2,c1,c0 and perhaps a bound (0);\n"
+      "                        prints index: root root ..., the real roots\n"
+      "                        above the bound, nearest first; then the "
+      "clocks\n"
+      "  --all                all roots (this is what happens anyway)\n"
+      "  --first              the first root of each alone\n"
+      "  --mode MODE          scalar or vector (vector)\n"
+      "  --queue N            polynomials in the vector queue (2000)\n"
+      "  --falsi RULE         paper, illinois, pegasus, anderson-bjorck; or "
+      "all:\n"
+      "                       a table of their clocks instead of the roots\n"
+      OPTION_MODEL
+      OPTION_JSON },
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
@@ -68,6 +83,9 @@ static const struct option options[] = {
     { "strict", no_argument, NULL, 's' },
     { "half", no_argument, NULL, 'f' },
     { "historical", no_argument, NULL, 'p' },
+    { "all", no_argument, NULL, 'a' },
+    { "first", no_argument, NULL, 'R' },
+    { "falsi", required_argument, NULL, 'F' },
     { NULL, 0, NULL, 0 },
 };
 
@@ -98,6 +116,12 @@ static bool take(int letter, struct cmd_arguments *arguments)
     case 's': arguments->strict = true; return true;
     case 'f': arguments->half = true; return true;
     case 'p': arguments->trace.historical = true; return true;
+    case 'a': arguments->first = false; return true;
+    case 'R': arguments->first = true; return true;
+    case 'F':
+        arguments->compare = strcmp(optarg, "all") == 0;
+        return arguments->compare
+               || falsi_named(optarg, &arguments->falsi);
     case 'W':
         return parse_count(optarg, TRACE_PIXELS_MOST,
                            &arguments->trace.width);
@@ -150,15 +174,15 @@ static bool take_scene(const struct command *command, int argc, char **argv,
 {
     int given = argc - optind;
 
-    if (given > (command->wants_scene ? 1 : 0))
+    if (given > (command->wants != NULL ? 1 : 0))
         cmd_usage(command->name, "too many arguments: %s", argv[argc - 1]);
-    else if (command->wants_scene && given == 0)
-        cmd_usage(command->name, "name a scene file");
+    else if (command->wants != NULL && given == 0)
+        cmd_usage(command->name, "name %s", command->wants);
     else if (arguments->trace.width
              > TRACE_PIXELS_MOST / arguments->trace.height)
         cmd_usage(command->name, "at most %zu pixels", TRACE_PIXELS_MOST);
     else {
-        arguments->scene = command->wants_scene ? argv[optind] : NULL;
+        arguments->scene = command->wants != NULL ? argv[optind] : NULL;
         return true;
     }
     return false;
@@ -177,6 +201,7 @@ static int start(const struct command *command, int argc, char **argv)
     struct cmd_arguments arguments = {
         .command = command->name,
         .model = "cyber205-2pipe",
+        .falsi = FALSI_DEFAULT,
         .trace = { .mode = TRACE_VECTOR,
                    .width = command->width,
                    .height = command->height,

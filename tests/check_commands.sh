@@ -375,6 +375,26 @@ done
 ends 1 "$build/rt205" speedup --model nonsense
 ends 1 "$build/rt205" speedup -W 16 -H 10 --json missing/speedup.json
 
+# Polynomials: what is found, in both forms, and what is no polynomial.
+printf '1,-10,35,-50,24\n0,1,-6,11,-6,1.5\n1,0,0,0,1\n' >roots.csv
+for mode in scalar vector; do
+    ends 0 "$build/rt205" quartic roots.csv --mode $mode --json roots.json
+    grep -v '^#' out >roots.$mode
+    [ -s roots.json ]
+    verdict $? "roots.json is empty"
+done
+cmp -s roots.scalar roots.vector
+verdict $? "the roots of both forms are not the same"
+tells out '^1: [12].* [23]'
+tells out '^2:$'
+ends 0 "$build/rt205" quartic roots.csv --first --falsi illinois
+ends 0 "$build/rt205" quartic roots.csv --falsi all
+printf '1,2,x,4,5\n' >bad.csv
+ends 1 "$build/rt205" quartic bad.csv
+tells err 'bad.csv:1:5: error: expected a number'
+ends 1 "$build/rt205" quartic missing.csv
+ends 2 "$build/rt205" quartic
+ends 2 "$build/rt205" quartic roots.csv --falsi nonsense
 # Ctrl-C in the middle of a long frame
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \
     >out 2>err &

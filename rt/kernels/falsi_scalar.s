@@ -1,10 +1,10 @@
 ; falsi_scalar.s - the root of one polynomial between two ends at which its
 ; signs differ; see falsi_vector.s for the method.  A macro for each degree:
 ;
-;       refine  NAME, value
+;       refine  NAME, value, close
 ;
 ; makes the routine NAME, called by BSAVE q_link.  value x, fx is the macro
-; that evaluates the polynomial.
+; that evaluates the polynomial, close the closeness.
 ;
 ; In:  q_a, q_fa and q_b, q_fb, the ends and the values there; q_resolution.
 ; Out: q_answer.  Uses q_x, q_fx, q_w, q_s, q_d, q_t, q_u, q_steps.
@@ -33,7 +33,7 @@
         .endif
         .endm
 
-        .macro  refine name, value
+        .macro  refine name, value, close
 \name:
         ES      q_steps, 0
 \name\()_bracket:
@@ -41,8 +41,8 @@
         ABS     q_a, q_s
         ABS     q_b, q_d
         CFPGE   r0, q_t, \name\()_narrow
-        MPYS    q_s, q_sixteen, q_u
-        MPYS    q_d, q_sixteen, q_w
+        MPYS    q_s, q_wide, q_u
+        MPYS    q_d, q_wide, q_w
         CFPLT   q_u, q_d, \name\()_wide
         CFPLT   q_w, q_s, \name\()_wide
 \name\()_narrow:
@@ -53,7 +53,7 @@
 \name\()_step:
         SUBN    q_fb, q_fa, q_s
         ABS     q_b, q_d
-        MPYS    q_d, q_close, q_d
+        MPYS    q_d, \close, q_d
         DIVS    q_fb, q_s, q_s
         ADDN    q_d, q_resolution, q_d
 \name\()_move:
@@ -98,7 +98,7 @@
 
 \name\()_midpoint:
         ABS     q_b, q_d
-        MPYS    q_d, q_close, q_d
+        MPYS    q_d, \close, q_d
         RTOR    q_half, q_s
         ADDN    q_d, q_resolution, q_d
         BIM     \name\()_move

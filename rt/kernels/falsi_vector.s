@@ -1,15 +1,15 @@
 ; falsi_vector.s - the roots of many polynomials, each between two ends at
 ; which its signs differ.  A macro for each degree:
 ;
-;       refine  NAME, value, compress
+;       refine  NAME, value, compress, close
 ;
 ; makes the routine NAME, called by BSAVE q_link.  value x, fx is the macro
 ; that evaluates the polynomials, compress bits the one that compresses their
-; coefficients.
+; coefficients, close the closeness.
 ;
 ; The two ends are A and B, B the newer.  Sign of 0: +.
 ;
-; 1. While both ends lie on one side of zero and one is more than 16 times the
+; 1. While both ends lie on one side of zero and one is more than twice the
 ;    other, the bracket is halved in the exponent: X = sqrt(A B).
 ; 2. Steps of falsi: X = B - (B - A) f(B) / (f(B) - f(A)), but no nearer to B
 ;    than 7/8 D, where D = 2^-41 |B| + resolution.  If the sign has changed from
@@ -79,7 +79,7 @@
         .endif
         .endm
 
-        .macro  refine name, value, compress
+        .macro  refine name, value, compress, close
 \name:
         LTOR    q_at, q_loop
         RTOR    q_loop, q_active_count
@@ -92,8 +92,8 @@
 ; Wide brackets.
 \name\()_bracket:
         MPYSV   [q_a], [q_b], [q_w]
-        MPYSV   |[q_a]|, q_sixteen, [q_s]
-        MPYSV   |[q_b]|, q_sixteen, [q_d]
+        MPYSV   |[q_a]|, q_wide, [q_s]
+        MPYSV   |[q_b]|, q_wide, [q_d]
         CMPLTV  [q_s], |[q_b]|, [q_small]
         CMPLTV  [q_d], |[q_a]|, [q_bits]
         ORB     [q_small], [q_bits], [q_small]
@@ -131,7 +131,7 @@
         MPYSV   [q_w], q_half, [q_s]
 \name\()_move:
         LINKV
-        MPYSV   |[q_b]|, q_close, [q_d]
+        MPYSV   |[q_b]|, \close, [q_d]
         ADDNV   [q_d], q_resolution, [q_d]
         CMPLTV  |[q_s]|, [q_d], [q_small]
         CNTOB   [q_small], q_finished

@@ -21,22 +21,28 @@
         .equ    PEGASUS, 2
         .equ    ANDERSON_BJORCK, 3
         .ifndef FALSI
-        .equ    FALSI, ILLINOIS
+        .equ    FALSI, PEGASUS
         .endif
 
 ; After so many steps of falsi the bracket is halved, so many times at most.
         .equ    FALSI_STEPS, 20
         .equ    HALVINGS, 100
 
-        .equ    QUARTIC_CONSTANTS, 14
+        .equ    QUARTIC_CONSTANTS, 16
 
         .macro  quartic_constants
-        .word   1.0, 0.5, 1.5, 3.0, 4.0, 6.0, 16.0
+        .word   1.0, 0.5, 1.5, 3.0, 4.0, 6.0
+        .word   2.0                     ; wider than that a bracket is halved in
+                                        ; the exponent
         .word   X'FFA6 4000 0000 0000'  ; tolerance 2^-44: |f| as small beside
                                         ; the sum of |c_i| |t|^i is 0
         .word   X'FFA9 4000 0000 0000'  ; closeness 2^-41: so much of |t| may
                                         ; a bracket be long in the end
-        .word   0.875                   ; of it, the least step
+        .word   X'FFB6 4000 0000 0000'  ; 2^-28: that of a knot; it moves f by
+                                        ; 2^-56 of its terms at the most
+        .word   X'FFB8 4000 0000 0000'  ; 2^-26: a longer step of Newton's does
+                                        ; not polish a knot
+        .word   0.875                   ; of the closeness, the least step
         .word   1e30                    ; no root
         .word   1, FALSI_STEPS, FALSI_STEPS + HALVINGS  ; integers
         .endm

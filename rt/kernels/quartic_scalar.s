@@ -15,30 +15,30 @@
 ; Method and order of the operations as in quartic_vector.s, but what shows
 ; that an interval holds no root ends the work on it, and the first acceptable
 ; root all of it.
-; Registers: local ones as in linkage.s, r32-r103, saved and given back.
+; Registers: local ones as in linkage.s, r32-r100, saved and given back.
 
         .include "quartic_constants.s"
         .include "falsi_scalar.s"
 
         .regs   r32, q_one, q_half, q_three_halves, q_three, q_four, q_six
-        .regs   r38, q_sixteen, q_tolerance, q_close, q_least, q_none
-        .regs   r43, q_index_one, q_falsi_steps, q_all_steps
-        .regs   r46, q_coefficients, q_interval, q_roots    ; the arguments
-        .regs   r49, q_c4, q_c3, q_c2, q_c1, q_c0           ; of f
-        .regs   r54, q_low, q_high, q_resolution
-        .regs   r57, q_m4, q_m3, q_m2, q_m1, q_m0           ; their magnitudes
-        .regs   r62, q_s3, q_s2, q_s1                       ; of f'; q_c1
-        .regs   r65, q_n3, q_n2, q_n1                       ; magnitudes
-        .regs   r68, q_bend1, q_bend2                       ; f'' = 0
-        .regs   r70, q_left, q_left_slope, q_left_flat      ; f' there
-        .regs   r73, q_right_slope, q_right_flat
-        .regs   r75, q_knot, q_knot_f, q_knot_touch         ; f there
-        .regs   r78, q_next, q_next_f, q_next_touch
-        .regs   r81, q_a, q_fa, q_b, q_fb, q_x, q_fx        ; the bracket
-        .regs   r87, q_w, q_s, q_d, q_t, q_u                ; work
-        .regs   r92, q_answer, q_steps, q_kept, q_link, q_refine
-        .regs   r97, q_count, q_want
-        .equ    QUARTIC_REGISTERS, 67
+        .regs   r38, q_wide, q_tolerance, q_close, q_knot_close, q_polish
+        .regs   r43, q_least, q_none, q_index_one, q_falsi_steps, q_all_steps
+        .regs   r48, q_coefficients, q_interval, q_roots    ; the arguments
+        .regs   r51, q_c4, q_c3, q_c2, q_c1, q_c0           ; of f
+        .regs   r56, q_low, q_high, q_resolution
+        .regs   r59, q_m4, q_m3, q_m2, q_m1, q_m0           ; their magnitudes
+        .regs   r64, q_s3, q_s2, q_s1                       ; of f'; q_c1
+        .regs   r67, q_n3, q_n2, q_n1                       ; magnitudes
+        .regs   r70, q_bend1, q_bend2                       ; f'' = 0
+        .regs   r72, q_left, q_left_slope, q_left_flat      ; f' there
+        .regs   r75, q_right_slope, q_right_flat
+        .regs   r77, q_knot, q_knot_f, q_knot_touch         ; f there
+        .regs   r80, q_next, q_next_f, q_next_touch
+        .regs   r83, q_a, q_fa, q_b, q_fb, q_x, q_fx        ; the bracket
+        .regs   r89, q_w, q_s, q_d, q_t, q_u                ; work
+        .regs   r94, q_answer, q_steps, q_kept, q_link, q_refine
+        .regs   r99, q_count, q_want
+        .equ    QUARTIC_REGISTERS, 69
 
         .data
 solver_image:  quartic_constants
@@ -124,8 +124,33 @@ clamp_above\@:
 clamp_end\@:
         .endm
 
-; The root of f in (knot, next], if there is one; knot := next.
-        .macro  search_values
+; A double root made exact by one step of Newton's on f'; see quartic_vector.s.
+        .macro  polish
+        cubic_value q_next, q_w
+        MPYS    q_s3, q_three, q_s
+        ADDN    q_s2, q_s2, q_d
+        MPYS    q_s, q_next, q_s
+        ADDN    q_s, q_d, q_s
+        MPYS    q_s, q_next, q_s
+        ADDN    q_s, q_s1, q_s
+        DIVS    q_w, q_s, q_w
+        ABS     q_next, q_d
+        MPYS    q_d, q_polish, q_d
+        ADDN    q_d, q_resolution, q_d
+        SUBN    q_next, q_w, q_s
+        ABS     q_w, q_w
+        CFPGE   q_d, q_w, polish_short\@
+        BIM     polish_end\@
+polish_short\@:
+        CFPLE   q_s, q_knot, polish_end\@
+        CFPGT   q_s, q_high, polish_end\@
+        RTOR    q_s, q_answer
+polish_end\@:
+        .endm
+
+; The root of f in (knot, next], if there is one; knot := next.  at_knot = 0:
+; next is the end.
+        .macro  search_values at_knot
         CFPEQ   q_next, q_knot, search_none\@
         quartic_at q_next, q_next_f, q_next_touch
         IBXNE   q_next_touch, r0, r0, search_touch\@
@@ -142,7 +167,11 @@ clamp_end\@:
         BIM     search_move\@
 search_touch\@:
         IBXNE   q_knot_touch, r0, r0, search_move\@
-        STO     [q_roots, q_count], q_next
+        RTOR    q_next, q_answer
+        .if     \at_knot
+        polish
+        .endif
+        STO     [q_roots, q_count], q_answer
         IBXEQ   q_count, q_index_one, q_want, solver_end, q_count
 search_move\@:
         RTOR    q_next, q_knot
@@ -171,7 +200,7 @@ search_none\@:
         BSAVE   q_link, [q_refine]
         RTOR    q_answer, q_next
 search_knot\@:
-        search_values
+        search_values 1
 search_flat\@:
         RTOR    \right, q_left
         RTOR    q_right_slope, q_left_slope
@@ -253,13 +282,13 @@ solver_bends:
         search_slope q_bend2, 1
         search_slope q_high, 0
         RTOR    q_high, q_next
-        search_values
+        search_values 0
 solver_end:
         IX      q_roots, 64 * 4
         ADDN    q_count, r0, q_count
         STO     [q_roots], q_count
         leave   solver_save, QUARTIC_REGISTERS
 
-        refine  refine_quartic, quartic_value
-        refine  refine_cubic, cubic_value
+        refine  refine_quartic, quartic_value, q_close
+        refine  refine_cubic, cubic_value, q_knot_close
         .endkernel

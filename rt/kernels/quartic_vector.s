@@ -15,7 +15,7 @@
 ;       ascending; a place whose number is not below root_count holds nothing
 ;       to be relied on.  All as long as c4.
 ; Changed: s0-s9, r68, r69, r76-r79, r113-r115.  What else the solver needs,
-;       r118-r199, it saves and gives back.  The inputs are only read.
+;       r116-r199, it saves and gives back.  The inputs are only read.
 ;
 ; Method (the paper's: slope and curvature give the intervals in which a root
 ; can lie, modified regula falsi closes on it):
@@ -54,31 +54,31 @@
         .reg    root_count, r115
 
 ; Vectors, then bit vectors: the order of solver_bases.
-        .regs   r118, q_s3, q_s2, q_s1                      ; of f'; q_c1
-        .regs   r121, q_bend1, q_bend2                      ; f'' = 0
-        .regs   r123, q_place, q_position, q_count
-        .regs   r126, q_left_slope, q_right_slope
-        .regs   r128, q_knot, q_knot_f, q_next, q_next_f
-        .regs   r132, q_size, q_root
-        .regs   r134, q_k4, q_k3, q_k2, q_k1, q_k0          ; in the loop
-        .regs   r139, q_a, q_fa, q_b, q_fb, q_x, q_fx
-        .regs   r145, q_w, q_s, q_d, q_t, q_answer, q_at
+        .regs   r116, q_s3, q_s2, q_s1                      ; of f'; q_c1
+        .regs   r119, q_bend1, q_bend2                      ; f'' = 0
+        .regs   r121, q_place, q_position, q_count
+        .regs   r124, q_left_slope, q_right_slope
+        .regs   r126, q_knot, q_knot_f, q_next, q_next_f
+        .regs   r130, q_size, q_root
+        .regs   r132, q_k4, q_k3, q_k2, q_k1, q_k0          ; in the loop
+        .regs   r137, q_a, q_fa, q_b, q_fb, q_x, q_fx
+        .regs   r143, q_w, q_s, q_d, q_t, q_answer, q_at
         .equ    QUARTIC_VECTORS, 33
-        .regs   r151, q_alive, q_left_flat, q_right_flat, q_knot_touch
-        .regs   r155, q_next_touch, q_need, q_sign
-        .regs   r158, q_active, q_small, q_change, q_b_sign, q_x_sign, q_done
-        .regs   r164, q_bits, q_changed
+        .regs   r149, q_alive, q_left_flat, q_right_flat, q_knot_touch
+        .regs   r153, q_next_touch, q_need, q_sign
+        .regs   r156, q_active, q_small, q_change, q_b_sign, q_x_sign, q_done
+        .regs   r162, q_bits, q_changed
         .equ    QUARTIC_BITS, 15
 
 ; Constants, then what has no beginning.
-        .regs   r166, q_one, q_half, q_three_halves, q_three, q_four, q_six
-        .regs   r172, q_sixteen, q_tolerance, q_close, q_least, q_none
-        .regs   r177, q_index_one, q_falsi_steps, q_all_steps
+        .regs   r164, q_one, q_half, q_three_halves, q_three, q_four, q_six
+        .regs   r170, q_wide, q_tolerance, q_close, q_knot_close, q_polish
+        .regs   r175, q_least, q_none, q_index_one, q_falsi_steps, q_all_steps
         .regs   r180, q_c4, q_c3, q_c2, q_c1, q_c0, q_low, q_high
         .regs   r187, q_resolution, q_lanes, q_want, q_left, q_result
         .regs   r192, q_alive_count, q_active_count, q_finished, q_loop, q_steps
         .regs   r197, q_u, q_link, q_target
-        .equ    QUARTIC_REGISTERS, 82
+        .equ    QUARTIC_REGISTERS, 84
         .equ    QUARTIC_LOADED, QUARTIC_VECTORS + QUARTIC_BITS + QUARTIC_CONSTANTS
 
         .equ    QUARTIC_BIT_WORDS, (QUEUE + 63) / 64
@@ -288,8 +288,35 @@ give_first\@:
 give_none\@:
         .endm
 
-; The roots of f in (knot, next].
-        .macro  search_values
+; A knot at which f is 0 is a double root to the closeness of knots: one step of
+; Newton's on f' makes it exact, where that is short and stays in place.
+        .macro  polish
+        lengthen q_lanes, q_w
+        lengthen q_lanes, q_s
+        lengthen q_lanes, q_d
+        cubic_polynomial q_next, q_w, q_s3, q_s2, q_s1, q_c1
+        MPYSV   [q_s3], q_three, [q_s]
+        ADDNV   [q_s2], [q_s2], [q_d]
+        MPYSV   [q_s], [q_next], [q_s]
+        ADDNV   [q_s], [q_d], [q_s]
+        MPYSV   [q_s], [q_next], [q_s]
+        ADDNV   [q_s], [q_s1], [q_s]
+        DIVSV   [q_w], [q_s], [q_w]
+        LINKV
+        MPYSV   |[q_next]|, q_polish, [q_d]
+        ADDNV   [q_d], q_resolution, [q_d]
+        SUBNV   [q_next], [q_w], [q_s]
+        CMPGEV  [q_d], |[q_w]|, [q_bits]
+        ANDB    [q_sign], [q_bits], [q_sign]
+        CMPLTV  [q_knot], [q_s], [q_bits]
+        ANDB    [q_sign], [q_bits], [q_sign]
+        CMPGEV  [q_high], [q_s], [q_bits]
+        ANDB    [q_sign], [q_bits], [q_sign]
+        VTOV    [q_s], [q_root] ? [q_sign]
+        .endm
+
+; The roots of f in (knot, next]; at_knot = 0: next is the end.
+        .macro  search_values at_knot
         quartic_at q_next, q_next_f, q_next_touch
         signs_differ q_knot_f, q_next_f, q_need
         ANDB    [q_need], [q_alive], [q_need]
@@ -310,6 +337,12 @@ search_touch\@:
         ANDNB   [q_next_touch], [q_knot_touch], [q_sign]
         ANDB    [q_sign], [q_alive], [q_sign]
         ORB     [q_need], [q_sign], [q_need]
+        .if     \at_knot
+        count_lanes q_sign, search_found\@
+        lengthen q_lanes, q_bits
+        polish
+search_found\@:
+        .endif
         give_roots
         exchange q_next, q_knot
         exchange q_next_f, q_knot_f
@@ -346,7 +379,7 @@ search_flat\@:
         BIM     search_none\@
         .endif
 search_knots\@:
-        search_values
+        search_values 1
 search_none\@:
         exchange q_left_slope, q_right_slope
         exchange q_left_flat, q_right_flat
@@ -472,7 +505,7 @@ solver_alive:
         search_slope q_bend2, 1
         search_slope q_high, 0
         VTOV    [q_high], [q_next]
-        search_values
+        search_values 0
         IBXEQ   q_want, r0, q_index_one, solver_end
         VTOVX   [q_place], [q_count], [root_count]
 solver_end:
@@ -480,6 +513,6 @@ solver_end:
         SWAP    [q_save_at], q_s3, [r0]
         BIM     0, link_inner
 
-        refine  refine_quartic, quartic_value, quartic_compress
-        refine  refine_cubic, cubic_value, cubic_compress
+        refine  refine_quartic, quartic_value, quartic_compress, q_close
+        refine  refine_cubic, cubic_value, cubic_compress, q_knot_close
         .endkernel
