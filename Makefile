@@ -35,6 +35,7 @@ unit_tests = $(patsubst tests/unit/%.c,$(BUILD)/tests/unit/%,\
 oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_narrow \
 	$(BUILD)/tests/oracle/check_scene $(BUILD)/tests/oracle/check_random \
+	$(BUILD)/tests/oracle/check_quartic \
 	$(BUILD)/tests/oracle/digest
 fuzz_targets = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,\
 	$(wildcard tests/fuzz/fuzz_*.c))
@@ -46,13 +47,15 @@ test_packages = $(build_packages) libcmocka-dev libmpfr-dev libgmp-dev povray \
 	povray-includes clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
 # What check runs, and in what size: cases an operation, pairs of narrow words,
-# random programs, tries a row of the table, compilers.
+# random programs, polynomials of each kind, tries a row of the table,
+# compilers.
 check_parts = check-unit check-programs check-bugs check-isa check-arithmetic \
-	check-narrow check-random check-scenes check-commands check-install \
-	check-hosts wasm-check
+	check-narrow check-random check-quartic check-scenes check-commands \
+	check-install check-hosts wasm-check
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 15000
+POLYNOMIALS ?= 600
 TRIES ?= 300
 HOSTS ?= quick
 
@@ -175,6 +178,9 @@ check-narrow: $(BUILD)/tests/oracle/check_narrow
 check-random: $(BUILD)/tests/oracle/check_random
 	$< $(PROGRAMS)
 
+check-quartic: $(BUILD)/tests/oracle/check_quartic
+	$< $(POLYNOMIALS)
+
 # A part of check-unit, here with more tries.
 check-poison: $(BUILD)/tests/unit/test_poison
 	$< $(TRIES)
@@ -266,7 +272,7 @@ clean:
 	rm -rf $(BUILD)
 
 .PHONY: all demo check check-long check-unit check-programs check-bugs \
-	check-isa check-arithmetic check-narrow check-random check-planted \
+	check-isa check-arithmetic check-narrow check-random check-quartic check-planted \
 	check-scenes check-commands check-install check-hosts check-poison \
 	check-timing cover cover-tests wasm-check docs san bench fuzz \
 	fuzz-targets format lint install clean
