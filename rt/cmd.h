@@ -19,7 +19,7 @@ struct cmd_arguments {
     struct trace_options trace; /* its model is not yet set */
     struct speedup_view view;
     bool mode_given, size_given, strict, half;
-    bool first, compare;        /* of polynomials: --first, --falsi all */
+    bool first, compare; /* of polynomials: --first, --falsi all */
     enum falsi falsi;
     const char **search;        /* folders for includes; NULL at the end */
 };

@@ -79,10 +79,11 @@ static struct table *pass_table(const struct iterations *iterations)
             table_count(table, pass + 1);
             table_count(table, count->in_loop[pass]);
             table_count(table, count->active[pass]);
-            table_number(table, 100 * ratio(count->active[pass],
+            table_number(table, 100
+                                    * ratio(count->active[pass],
                                             count->in_loop[pass]));
-            table_number(table, 100 * ratio(count->active[pass],
-                                            count->brackets));
+            table_number(table,
+                         100 * ratio(count->active[pass], count->brackets));
         }
     }
     return table;
@@ -228,10 +229,11 @@ static size_t tell_roots(const struct cmd_arguments *arguments,
         json_array(json, "polynomials");
     for (size_t i = 0; i < polynomials->count; i++) {
         if (roots[i].count == ROOTS_REFUSED) {
-            fprintf(stderr, "%s:%zu:1: error: polynomial %zu: the sizes of "
+            fprintf(stderr,
+                    "%s:%zu:1: error: polynomial %zu: the sizes of "
                     "the coefficients are too far apart for the machine's "
-                    "exponents\n", arguments->scene, polynomials->lines[i],
-                    i);
+                    "exponents\n",
+                    arguments->scene, polynomials->lines[i], i);
             refused++;
             continue;
         }
@@ -256,9 +258,9 @@ static size_t count_roots(const struct polynomial_roots *roots, size_t count)
 
 /* ---- The search --------------------------------------------------------- */
 
-static struct roots_options search_options(
-    const struct cmd_arguments *arguments, enum trace_mode mode,
-    enum falsi falsi)
+static struct roots_options
+search_options(const struct cmd_arguments *arguments, enum trace_mode mode,
+               enum falsi falsi)
 {
     struct roots_options options = {
         .mode = mode,
@@ -296,8 +298,9 @@ static int solve(const struct cmd_arguments *arguments,
 {
     c205_error error = { "no memory" };
     struct iterations iterations;
-    const struct roots_options options = search_options(
-        arguments, arguments->trace.mode, arguments->falsi);
+    const struct roots_options options = search_options(arguments,
+                                                        arguments->trace.mode,
+                                                        arguments->falsi);
     struct root_search *found = search(polynomials, &options, &iterations,
                                        &error);
     struct polynomial_roots *roots = calloc(polynomials->count + 1,
@@ -334,11 +337,11 @@ static bool add_rule(struct table *table,
     uint64_t scalar = 0;
 
     for (int mode = 0; mode < TRACE_MODES; mode++) {
-        const struct roots_options options = search_options(
-            arguments, (enum trace_mode)mode, rule);
+        const struct roots_options options =
+            search_options(arguments, (enum trace_mode)mode, rule);
         struct iterations iterations;
-        struct root_search *found = search(polynomials, &options,
-                                           &iterations, error);
+        struct root_search *found = search(polynomials, &options, &iterations,
+                                           error);
         const struct stage_count *count = iterations.stage;
         uint64_t clocks;
 

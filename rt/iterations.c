@@ -59,10 +59,9 @@ static uint64_t result_of(const struct iterations *iterations,
                           const c205 *machine, const c205_event *event,
                           uint64_t scalar)
 {
-    return iterations->vector
-               ? (uint64_t)c205_to_integer(
-                     c205_register(machine, event->fields.t))
-               : scalar;
+    return iterations->vector ? (uint64_t)c205_to_integer(
+               c205_register(machine, event->fields.t))
+                              : scalar;
 }
 
 static void count_pass(struct iterations *iterations,

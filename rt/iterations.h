@@ -16,11 +16,11 @@ enum { ITERATIONS_MOST = 128 };
 
 /* Of one stage: roots of f' (knots), or of f. */
 struct stage_count {
-    uint64_t brackets;  /* that were refined */
-    uint64_t passes;    /* of the loop over all its lanes */
-    uint64_t steps;     /* of brackets that were not done */
-    uint64_t lanes;     /* in the loop, summed over the passes */
-    uint64_t halvings;  /* of exponents, of wide brackets, before that */
+    uint64_t brackets; /* that were refined */
+    uint64_t passes;   /* of the loop over all its lanes */
+    uint64_t steps;    /* of brackets that were not done */
+    uint64_t lanes;    /* in the loop, summed over the passes */
+    uint64_t halvings; /* of exponents, of wide brackets, before that */
     /* By pass of a refinement, from 0: active brackets, lanes in the loop. */
     uint64_t active[ITERATIONS_MOST], in_loop[ITERATIONS_MOST];
 };

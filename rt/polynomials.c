@@ -92,8 +92,9 @@ static bool take_number(struct line *line, c205_word *word)
 static bool take_comma(struct line *line)
 {
     if (line->at == line->end)
-        return bad(line, line->at, "expected a comma: a line holds "
-                                   "c4,c3,c2,c1,c0 and perhaps a bound");
+        return bad(line, line->at,
+                   "expected a comma: a line holds "
+                   "c4,c3,c2,c1,c0 and perhaps a bound");
     line->at++;
     return true;
 }

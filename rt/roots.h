@@ -22,8 +22,8 @@ enum {
     ROOTS_REFUSED = -1 /* a number of roots: see scaling_vector.s */
 };
 struct polynomial_roots {
-    int count;                   /* or ROOTS_REFUSED */
-    c205_word root[ROOTS_MOST];  /* ascending, each once */
+    int count;                  /* or ROOTS_REFUSED */
+    c205_word root[ROOTS_MOST]; /* ascending, each once */
 };
 
 struct roots_options {

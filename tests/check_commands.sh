@@ -98,7 +98,7 @@ for command in run asm dis isa model time; do
     ends 0 "$build/c205" $command --help
     ends 2 "$build/c205" $command --nonsense
 done
-for command in render speedup; do
+for command in render speedup quartic; do
     ends 0 "$build/rt205" $command --help
     ends 2 "$build/rt205" $command --nonsense
 done
@@ -325,6 +325,65 @@ ends 2 "$build/c205" run --restore late good.s trap.s
 # kernels are programs like any other
 ends 0 "$build/c205" asm "$kernels/frame_vector.s" --define QUEUE=2000
 ends 0 "$build/c205" asm "$kernels/frame_scalar.s"
+
+# polynomials
+cat >good.csv <<'END'
+c4,c3,c2,c1,c0,bound
+# four, the same above 2.5, none, two beyond doubles
+1,-10,35,-50,24
+ 1, -10, 35, -50, 24, 2.5
+
+1,0,0,0,1
+0,0,1e3000,-3e3000,2e3000,
+END
+printf '1,-10,35,-50,24\n1,2,3,4\n1,2,x,4,5\n1,2,3,4,5,6,7\n1,2,3,4,1e9000\n' \
+    >bad.csv
+printf '1,2,3,4,1e-9000\n1,2,3,4 5\n1,2,3,,5\ninf,0,0,0,1\n' >bad2.csv
+printf '1,1e4000,0,0,1\n0,0,0,1,-2\n' >far.csv
+for mode in scalar vector; do
+    ends 0 "$build/rt205" quartic good.csv --mode $mode
+    grep -v '^#' out >$mode.roots
+    tells out '^# 4 polynomials, 8 roots; '$mode
+    tells out '^# root_solver '
+done
+cmp -s scalar.roots vector.roots
+verdict $? "scalar and vector form find other roots"
+[ "$(cut -d: -f1 vector.roots | tr '\n' ' ')" = '0 1 2 3 ' ]
+verdict $? "not the numbers 0 to 3 before the roots"
+[ "$(sed -n 3p vector.roots)" = '2:' ]
+verdict $? "roots of t^4 + 1"
+ends 0 "$build/rt205" quartic good.csv --first --json roots.json
+[ "$(grep -v '^#' out | awk '{ n += NF - 1 } END { print n }')" -eq 3 ]
+verdict $? "not the first roots alone"
+grep -q '"texts"' roots.json
+verdict $? "no roots in roots.json"
+ends 0 "$build/rt205" quartic good.csv --falsi all
+tells out '^# anderson-bjorck *vector '
+ends 1 "$build/rt205" quartic bad.csv --json never.json
+tells err '^bad.csv:2:8: error: expected a comma'
+tells err '^bad.csv:3:5: error: expected a number'
+tells err '^bad.csv:4:12: error: more than six numbers'
+tells err '^bad.csv:5:9: error: larger than'
+[ ! -s out ] && [ ! -e never.json ]
+verdict $? "bad polynomials have roots"
+ends 1 "$build/rt205" quartic bad2.csv
+tells err '^bad2.csv:1:9: error: smaller than'
+tells err '^bad2.csv:2:9: error: expected a comma'
+tells err '^bad2.csv:3:7: error: expected a number'
+tells err '^bad2.csv:4:1: error: expected a number'
+ends 1 "$build/rt205" quartic far.csv
+tells err '^far.csv:1:1: error: polynomial 0: '
+tells out '^1: '
+ends 1 "$build/rt205" quartic missing.csv
+tells err 'missing.csv'
+ends 1 "$build/rt205" quartic good.csv --json missing/roots.json
+ends 1 "$build/rt205" quartic good.csv --model nonsense
+ends 2 "$build/rt205" quartic
+tells err 'name a file of polynomials'
+ends 2 "$build/rt205" quartic good.csv bad.csv
+ends 2 "$build/rt205" quartic good.csv --mode sideways
+ends 2 "$build/rt205" quartic good.csv --falsi nonsense
+ends 2 "$build/rt205" quartic good.csv --queue 0
 
 # pictures
 ends 0 "$build/rt205" render "$scene" -o a.png -W 40 -H 30 --json a.json

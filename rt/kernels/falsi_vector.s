@@ -12,8 +12,9 @@
 ; 1. While both ends lie on one side of zero and one is more than twice the
 ;    other, the bracket is halved in the exponent: X = sqrt(A B).
 ; 2. Steps of falsi: X = B - (B - A) f(B) / (f(B) - f(A)), but no nearer to B
-;    than 7/8 D, where D = 2^-41 |B| + resolution.  If the sign has changed from
-;    B to X, A := B; else f(A) is made smaller (quartic_constants.s).  B := X.
+;    than 7/8 D, where D = closeness |B| + resolution.  If the sign has changed
+;    from B to X, A := B; else f(A) is made smaller (quartic_constants.s).
+;    B := X.
 ; 3. Found when |B - A| <= D or f(B) = 0: the end with the lesser |f|.  So the
 ;    sign of f changes within D of every root.
 ; 4. What is not found after FALSI_STEPS such steps is halved, X = (A + B) / 2,

@@ -28,12 +28,12 @@
         .equ    FALSI_STEPS, 20
         .equ    HALVINGS, 100
 
-        .equ    QUARTIC_CONSTANTS, 16
+        .equ    QUARTIC_CONSTANTS, 15
 
         .macro  quartic_constants
-        .word   1.0, 0.5, 1.5, 3.0, 4.0, 6.0
-        .word   2.0                     ; wider than that a bracket is halved in
-                                        ; the exponent
+        .word   1.0, 0.5, 1.5, 3.0, 4.0
+        .word   2.0                     ; wider than that a bracket is halved
+                                        ; in the exponent
         .word   X'FFA6 4000 0000 0000'  ; tolerance 2^-44: |f| as small beside
                                         ; the sum of |c_i| |t|^i is 0
         .word   X'FFA9 4000 0000 0000'  ; closeness 2^-41: so much of |t| may

@@ -9,36 +9,36 @@
 ; found to 2^-41 of themselves or to the resolution, whichever is more (0: to
 ; 2^-41 of themselves, however small they are).
 ; ROOTS = up to four roots, ascending, and their number (5 words).
-; SOLVE_QUARTIC stops at the first; the place of a root that was not found holds 1e30 if it is
-; the first, and nothing to be relied on otherwise.
+; SOLVE_QUARTIC stops at the first.  Where none is found the first holds 1e30;
+; otherwise places beyond the number hold nothing to be relied on.
 ;
 ; Method and order of the operations as in quartic_vector.s, but what shows
 ; that an interval holds no root ends the work on it, and the first acceptable
 ; root all of it.
-; Registers: local ones as in linkage.s, r32-r100, saved and given back.
+; Registers: local ones as in linkage.s, r32-r99, saved and given back.
 
         .include "quartic_constants.s"
         .include "falsi_scalar.s"
 
-        .regs   r32, q_one, q_half, q_three_halves, q_three, q_four, q_six
-        .regs   r38, q_wide, q_tolerance, q_close, q_knot_close, q_polish
-        .regs   r43, q_least, q_none, q_index_one, q_falsi_steps, q_all_steps
-        .regs   r48, q_coefficients, q_interval, q_roots    ; the arguments
-        .regs   r51, q_c4, q_c3, q_c2, q_c1, q_c0           ; of f
-        .regs   r56, q_low, q_high, q_resolution
-        .regs   r59, q_m4, q_m3, q_m2, q_m1, q_m0           ; their magnitudes
-        .regs   r64, q_s3, q_s2, q_s1                       ; of f'; q_c1
-        .regs   r67, q_n3, q_n2, q_n1                       ; magnitudes
-        .regs   r70, q_bend1, q_bend2                       ; f'' = 0
-        .regs   r72, q_left, q_left_slope, q_left_flat      ; f' there
-        .regs   r75, q_right_slope, q_right_flat
-        .regs   r77, q_knot, q_knot_f, q_knot_touch         ; f there
-        .regs   r80, q_next, q_next_f, q_next_touch
-        .regs   r83, q_a, q_fa, q_b, q_fb, q_x, q_fx        ; the bracket
-        .regs   r89, q_w, q_s, q_d, q_t, q_u                ; work
-        .regs   r94, q_answer, q_steps, q_kept, q_link, q_refine
-        .regs   r99, q_count, q_want
-        .equ    QUARTIC_REGISTERS, 69
+        .regs   r32, q_one, q_half, q_three_halves, q_three, q_four
+        .regs   r37, q_wide, q_tolerance, q_close, q_knot_close, q_polish
+        .regs   r42, q_least, q_none, q_index_one, q_falsi_steps, q_all_steps
+        .regs   r47, q_coefficients, q_interval, q_roots    ; the arguments
+        .regs   r50, q_c4, q_c3, q_c2, q_c1, q_c0           ; of f
+        .regs   r55, q_low, q_high, q_resolution
+        .regs   r58, q_m4, q_m3, q_m2, q_m1, q_m0           ; their magnitudes
+        .regs   r63, q_s3, q_s2, q_s1                       ; of f'; q_c1
+        .regs   r66, q_n3, q_n2, q_n1                       ; magnitudes
+        .regs   r69, q_bend1, q_bend2                       ; f'' = 0
+        .regs   r71, q_left, q_left_slope, q_left_flat      ; f' there
+        .regs   r74, q_right_slope, q_right_flat
+        .regs   r76, q_knot, q_knot_f, q_knot_touch         ; f there
+        .regs   r79, q_next, q_next_f, q_next_touch
+        .regs   r82, q_a, q_fa, q_b, q_fb, q_x, q_fx        ; the bracket
+        .regs   r88, q_w, q_s, q_d, q_t, q_u                ; work
+        .regs   r93, q_answer, q_steps, q_kept, q_link, q_refine
+        .regs   r98, q_count, q_want
+        .equ    QUARTIC_REGISTERS, 68
 
         .data
 solver_image:  quartic_constants
@@ -240,7 +240,7 @@ solver_begin:
         ABS     q_s2, q_n2
         ABS     q_s1, q_n1
 
-        MPYS    q_c4, q_six, q_a        ; f''/2 = a t^2 + 2 b t + c2
+        MPYS    q_s3, q_three_halves, q_a ; f''/2 = a t^2 + 2 b t + c2
         MPYS    q_c3, q_three_halves, q_b
         MPYS    q_b, q_b, q_t
         MPYS    q_a, q_c2, q_u

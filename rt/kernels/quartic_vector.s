@@ -8,14 +8,14 @@
 ;       s7 = resolution, one number: roots are found to 2^-41 of themselves or
 ;       to the resolution, whichever is more (0: to 2^-41 of themselves,
 ;       however small they are).
-; Call: BSAVE link_inner, to solve_quartic for the first root of each polynomial, to
-;       solve_quartic_all for all.  (macro call_quartic)
+; Call: BSAVE link_inner, to solve_quartic for the first root of each polynomial,
+;       to solve_quartic_all for all (macro call_quartic).
 ; Out:  root0 = the least root, 1e30 where there is none; root_count = how many
-;       were found (numbers).  After solve_quartic_all also root1, root2, root3,
+;       were found, numbers.  After solve_quartic_all also root1, root2, root3,
 ;       ascending; a place whose number is not below root_count holds nothing
 ;       to be relied on.  All as long as c4.
 ; Changed: s0-s9, r68, r69, r76-r79, r113-r115.  What else the solver needs,
-;       r116-r199, it saves and gives back.  The inputs are only read.
+;       r116-r200, it saves and gives back.  The inputs are only read.
 ;
 ; Method (the paper's: slope and curvature give the intervals in which a root
 ; can lie, modified regula falsi closes on it):
@@ -28,8 +28,8 @@
 ;   roots    the roots of f between low, the knots and high, likewise
 ;
 ; interval by interval from low on, so that what comes after the first
-; acceptable root of a polynomial is not looked for.  Signs decide; 0 is +.  But
-; a value is 0 where |f(t)| <= 2^-44 sum |c_i| |t|^i, the noise of 47 bits:
+; acceptable root of a polynomial is not looked for.  Signs decide; 0 is +.
+; But a value is 0 where |f(t)| <= 2^-44 sum |c_i| |t|^i, the noise of 47 bits:
 ;
 ;   - a knot at which f is 0 is a root, double or triple, and the intervals at
 ;     both its sides have no other.  So is high; low would be, but is not above
@@ -38,11 +38,13 @@
 ;   - a bend at which f' is 0 is a knot, likewise.
 ;
 ; So double and triple roots come once, and a root at low does not come.
+; Knots need not be sharp: an error of 2^-28 moves f there by 2^-56 of its terms.
+; One that is a root is made sharp by a step of Newton's on f'.
 ;
 ; Lanes that have their root, or never had an interval, are compressed out when
 ; fewer than half are left; the refinement has a loop of its own
 ; (falsi_vector.s).
-; Source: the paper; shared notes on ray tracing, 3.
+; Source: the paper; the project's notes on ray tracing, 3.
 
         .include "quartic_constants.s"
         .include "falsi_vector.s"
@@ -59,27 +61,28 @@
         .regs   r121, q_place, q_position, q_count
         .regs   r124, q_left_slope, q_right_slope
         .regs   r126, q_knot, q_knot_f, q_next, q_next_f
-        .regs   r130, q_size, q_root
-        .regs   r132, q_k4, q_k3, q_k2, q_k1, q_k0          ; in the loop
-        .regs   r137, q_a, q_fa, q_b, q_fb, q_x, q_fx
-        .regs   r143, q_w, q_s, q_d, q_t, q_answer, q_at
-        .equ    QUARTIC_VECTORS, 33
-        .regs   r149, q_alive, q_left_flat, q_right_flat, q_knot_touch
-        .regs   r153, q_next_touch, q_need, q_sign
-        .regs   r156, q_active, q_small, q_change, q_b_sign, q_x_sign, q_done
-        .regs   r162, q_bits, q_changed
+        .regs   r130, q_size, q_root, q_most_value, q_most_slope
+        .regs   r134, q_k4, q_k3, q_k2, q_k1, q_k0          ; in the loop
+        .regs   r139, q_a, q_fa, q_b, q_fb, q_x, q_fx
+        .regs   r145, q_w, q_s, q_d, q_t, q_answer, q_at
+        .equ    QUARTIC_VECTORS, 35
+        .regs   r151, q_alive, q_left_flat, q_right_flat, q_knot_touch
+        .regs   r155, q_next_touch, q_need, q_sign
+        .regs   r158, q_active, q_small, q_change, q_b_sign, q_x_sign, q_done
+        .regs   r164, q_bits, q_changed
         .equ    QUARTIC_BITS, 15
 
 ; Constants, then what has no beginning.
-        .regs   r164, q_one, q_half, q_three_halves, q_three, q_four, q_six
-        .regs   r170, q_wide, q_tolerance, q_close, q_knot_close, q_polish
-        .regs   r175, q_least, q_none, q_index_one, q_falsi_steps, q_all_steps
-        .regs   r180, q_c4, q_c3, q_c2, q_c1, q_c0, q_low, q_high
-        .regs   r187, q_resolution, q_lanes, q_want, q_left, q_result
-        .regs   r192, q_alive_count, q_active_count, q_finished, q_loop, q_steps
-        .regs   r197, q_u, q_link, q_target
-        .equ    QUARTIC_REGISTERS, 84
-        .equ    QUARTIC_LOADED, QUARTIC_VECTORS + QUARTIC_BITS + QUARTIC_CONSTANTS
+        .regs   r166, q_one, q_half, q_three_halves, q_three, q_four
+        .regs   r171, q_wide, q_tolerance, q_close, q_knot_close, q_polish
+        .regs   r176, q_least, q_none, q_index_one, q_falsi_steps, q_all_steps
+        .regs   r181, q_c4, q_c3, q_c2, q_c1, q_c0, q_low, q_high
+        .regs   r188, q_resolution, q_lanes, q_want, q_left, q_result
+        .regs   r193, q_alive_count, q_active_count, q_finished, q_loop
+        .regs   r197, q_steps, q_u, q_link, q_target
+        .equ    QUARTIC_REGISTERS, 85
+        .equ    QUARTIC_DESCRIBED, QUARTIC_VECTORS + QUARTIC_BITS
+        .equ    QUARTIC_LOADED, QUARTIC_DESCRIBED + QUARTIC_CONSTANTS
 
         .equ    QUARTIC_BIT_WORDS, (QUEUE + 63) / 64
 
@@ -92,7 +95,7 @@ solver_bases:
         .descriptor 0, solver_bits + 64 * QUARTIC_BIT_WORDS * \+
         .endr
 solver_image:
-        .space  QUARTIC_VECTORS + QUARTIC_BITS
+        .space  QUARTIC_DESCRIBED
         quartic_constants
 solver_save:   .space QUARTIC_REGISTERS
 solver_bits:   .space QUARTIC_BIT_WORDS * QUARTIC_BITS
@@ -165,34 +168,48 @@ solver_roots:  .space QUEUE * 5
         cubic_compress \bits
         .endm
 
-; The value at x, and where it is 0 within the tolerance.
-        .macro  size_step x, c
-        MPYSV   |[\x]|, [q_size], [q_size]
-        ADDNV   |[\c]|, [q_size], [q_size]
+; The value at x, and where it is 0 within the tolerance.  The sum of the
+; magnitudes is no larger than at the end of the interval that is farther from
+; 0: where a value is not as small as that (most) it need not be formed.
+        .macro  quartic_size x, size
+        MPYSV   |[\x]|, |[q_c4]|, [\size]
+        ADDNV   |[q_c3]|, [\size], [\size]
+        size_step \x, \size, q_c2
+        size_step \x, \size, q_c1
+        size_step \x, \size, q_c0
+        MPYSV   [\size], q_tolerance, [\size]
         .endm
 
-        .macro  is_zero fx, zero
-        MPYSV   [q_size], q_tolerance, [q_size]
+        .macro  cubic_size x, size
+        MPYSV   |[\x]|, |[q_s3]|, [\size]
+        ADDNV   |[q_s2]|, [\size], [\size]
+        size_step \x, \size, q_s1
+        size_step \x, \size, q_c1
+        MPYSV   [\size], q_tolerance, [\size]
+        .endm
+
+        .macro  size_step x, size, c
+        MPYSV   |[\x]|, [\size], [\size]
+        ADDNV   |[\c]|, [\size], [\size]
+        .endm
+
+        .macro  is_zero x, fx, most, zero, sum
+        CMPGEV  [\most], |[\fx]|, [\zero]
+        ANDB    [\zero], [q_alive], [\zero]
+        count_lanes \zero, is_zero\@
+        \sum    \x, q_size
         CMPGEV  [q_size], |[\fx]|, [\zero]
+is_zero\@:
         .endm
 
         .macro  quartic_at x, fx, zero
         quartic_polynomial \x, \fx, q_c4, q_c3, q_c2, q_c1, q_c0
-        MPYSV   |[\x]|, |[q_c4]|, [q_size]
-        ADDNV   |[q_c3]|, [q_size], [q_size]
-        size_step \x, q_c2
-        size_step \x, q_c1
-        size_step \x, q_c0
-        is_zero \fx, \zero
+        is_zero \x, \fx, q_most_value, \zero, quartic_size
         .endm
 
         .macro  cubic_at x, fx, zero
         cubic_polynomial \x, \fx, q_s3, q_s2, q_s1, q_c1
-        MPYSV   |[\x]|, |[q_s3]|, [q_size]
-        ADDNV   |[q_s2]|, [q_size], [q_size]
-        size_step \x, q_s1
-        size_step \x, q_c1
-        is_zero \fx, \zero
+        is_zero \x, \fx, q_most_slope, \zero, cubic_size
         .endm
 
 ; Where the signs of two values differ; 0 counts as +.
@@ -288,8 +305,8 @@ give_first\@:
 give_none\@:
         .endm
 
-; A knot at which f is 0 is a double root to the closeness of knots: one step of
-; Newton's on f' makes it exact, where that is short and stays in place.
+; A knot at which f is 0 is a double root, but no sharper than knots are: a step
+; of Newton's on f' makes it so, where that is short and stays in place.
         .macro  polish
         lengthen q_lanes, q_w
         lengthen q_lanes, q_s
@@ -392,6 +409,8 @@ search_none\@:
         squeeze q_bend2
         squeeze q_left_slope
         squeeze q_knot
+        squeeze q_most_value
+        squeeze q_most_slope
         squeeze q_knot_f
         CPSB    [q_left_flat], [q_left_flat] ? [q_alive]
         CPSB    [q_knot_touch], [q_knot_touch] ? [q_alive]
@@ -410,9 +429,9 @@ solver_begin:
         LTOR    s0, s8
         SHIFTI  s8, 48, q_length
         EX      q_table_at, solver_bases
-        ELEN    q_table_at, QUARTIC_VECTORS + QUARTIC_BITS
+        ELEN    q_table_at, QUARTIC_DESCRIBED
         EX      q_image_at, solver_image
-        ELEN    q_image_at, QUARTIC_VECTORS + QUARTIC_BITS
+        ELEN    q_image_at, QUARTIC_DESCRIBED
         ORV     [q_table_at], q_length, [q_image_at]
         ELEN    q_image_at, QUARTIC_LOADED
         EX      q_save_at, solver_save
@@ -461,6 +480,8 @@ solver_begin:
         lengthen q_alive_count, q_left_slope
         lengthen q_alive_count, q_knot
         lengthen q_alive_count, q_knot_f
+        lengthen q_alive_count, q_most_value
+        lengthen q_alive_count, q_most_slope
         squeezed
 solver_alive:
         VTOV    [q_place], [q_position]
@@ -468,9 +489,14 @@ solver_alive:
         MPYSV   [q_c4], q_four, [q_s3]
         MPYSV   [q_c3], q_three, [q_s2]
         ADDNV   [q_c2], [q_c2], [q_s1]
+        ABSV    [q_low], [q_root]
+        CMPLTV  [q_root], |[q_high]|, [q_sign]
+        ABSV    [q_high], [q_root] ? [q_sign]
+        quartic_size q_root, q_most_value
+        cubic_size q_root, q_most_slope
 
 ; Bends: a = next, b = right_slope, b^2 = knot, a c = knot_f.
-        MPYSV   [q_c4], q_six, [q_next]
+        MPYSV   [q_s3], q_three_halves, [q_next]
         MPYSV   [q_c3], q_three_halves, [q_right_slope]
         MPYSV   [q_right_slope], [q_right_slope], [q_knot]
         MPYSV   [q_next], [q_c2], [q_knot_f]

@@ -25,7 +25,7 @@
 
 ; Vectors of the queue, then bit vectors: the order of roots_bases.
         .regs   r42, d4, d3, d2, d1, d0, x_low, size, far, near
-        .regs   r51, interval_low, interval_high, found, place, t0, t1, t2
+        .regs   r51, low, high, found, place, t0, t1, t2
         .regs   r58, e0, e1, e2, e3, e4, top, degree, k, largest
         .equ    ROOTS_VECTORS, 25
         .regs   r80, at_zero, refused, bits0
@@ -43,7 +43,9 @@ roots_bits_bases:
         .descriptor 0, roots_bits + 64 * ROOTS_BIT_WORDS * \+
         .endr
 roots_descriptors:
-        .space  ROOTS_VECTORS + ROOTS_BITS
+        .space  ROOTS_VECTORS
+roots_bits_at:
+        .space  ROOTS_BITS
 roots_bits:     .space ROOTS_BIT_WORDS * ROOTS_BITS
         .align  64
 roots_store:    .space QUEUE * ROOTS_VECTORS
@@ -137,7 +139,7 @@ roots_last:
         ELEN    s1, ROOTS_VECTORS + ROOTS_BITS
         ORV     [s0], s2, [s1]
         load_descriptors roots_descriptors, ROOTS_VECTORS, d4
-        load_descriptors roots_descriptors + 64 * ROOTS_VECTORS, ROOTS_BITS, at_zero
+        load_descriptors roots_bits_at, ROOTS_BITS, at_zero
         EX      s0, scale
         BSAVE   link, [s0]
         INTVLV  r0, index_one, [place]
@@ -146,25 +148,25 @@ roots_last:
         CMPLTV  [bound], r0, [bits0]    ; below zero
         CNTOB   [bits0], number
         IBXEQ   number, r0, r0, roots_above
-        VTOV    -[far], [interval_low]
-        CMPLTV  [interval_low], [x_low], [bits0]
-        VTOV    [x_low], [interval_low] ? [bits0]
-        VTOV    -[near], [interval_high]
-        call_quartic routine, d4, d3, d2, d1, d0, interval_low, interval_high, r0
+        VTOV    -[far], [low]
+        CMPLTV  [low], [x_low], [bits0]
+        VTOV    [x_low], [low] ? [bits0]
+        VTOV    -[near], [high]
+        call_quartic routine, d4, d3, d2, d1, d0, low, high, r0
         append_found roots_at_zero
 roots_at_zero:
         leave_out [x_low], [far]
         CMPLTV  [x_low], r0, [bits0]
         ANDB    [at_zero], [bits0], [bits0]
-        VTOV    r0, [interval_low]
-        append  interval_low
+        VTOV    r0, [low]
+        append  low
         leave_out [x_low], [far]
 
 roots_above:
-        VTOV    [near], [interval_low]
-        CMPLTV  [interval_low], [x_low], [bits0]
-        VTOV    [x_low], [interval_low] ? [bits0]
-        call_quartic routine, d4, d3, d2, d1, d0, interval_low, far, r0
+        VTOV    [near], [low]
+        CMPLTV  [low], [x_low], [bits0]
+        VTOV    [x_low], [low] ? [bits0]
+        call_quartic routine, d4, d3, d2, d1, d0, low, far, r0
         append_found roots_found
 roots_found:
         SUBN    r0, one, s0

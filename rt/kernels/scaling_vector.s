@@ -6,15 +6,15 @@
 ;   d_i = c_i 2^(k i - s),     k = floor((e_0 - e_p) / p),  s = e_p + k p
 ;
 ; where p is the degree and e_i the exponent of c_i: the first and the last are
-; of one size, d_p in [1, 2) and d_0 in [1, 16).  Only exponents are changed, so
+; of one size, d_p in [1, 2) and d_0 in [1, 16).  Only exponents are changed,
 ; nothing is lost.  With 2^M the size of the largest, all roots lie in
 ;
 ;   2^-(M+2) < |x| < 2^(M+2)        (Cauchy)
 ;
 ; A trailing zero is a root at 0; it is taken out first, with all of its kind,
-; by moving the coefficients down.  What is 2^20000 times below d_p is 0.  Where
-; M > 6900 or a root might lie beyond the machine's numbers the polynomial is
-; refused.
+; by moving the coefficients down.  What is 2^20000 times below d_p is 0.
+; Where M > 6900 or a root might lie beyond the machine's numbers the polynomial
+; is refused.
 ;
 ; In:  the planes at c4 .. c0 and bound.
 ; Out: [d4] .. [d0], [x_low] = the bound / 2^k, [size] = 2^k, [far] = 2^(M+2),

@@ -195,8 +195,7 @@ static void search_between(struct search *s, const struct exact_roots *knots,
     mpfr_clear(knot);
 }
 
-void exact_positive_roots(struct exact_roots *roots, mpfr_t *c,
-                          int degree)
+void exact_positive_roots(struct exact_roots *roots, mpfr_t *c, int degree)
 {
     struct exact_roots knots;
     struct search s;

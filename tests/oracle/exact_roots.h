@@ -27,8 +27,7 @@ void exact_init(struct exact_roots *roots);
 void exact_clear(struct exact_roots *roots);
 
 /* c has degree + 1 members; leading and trailing zeros do no harm. */
-void exact_positive_roots(struct exact_roots *roots, mpfr_t *c,
-                          int degree);
+void exact_positive_roots(struct exact_roots *roots, mpfr_t *c, int degree);
 
 /* f(x); and the sum of |c_i| x^i, x > 0. */
 void exact_value(mpfr_t value, mpfr_t *c, int degree, const mpfr_t x);

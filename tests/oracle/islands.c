@@ -19,8 +19,8 @@ void islands_clear(struct islands *islands)
 
 /* Where f = +-2^-ISLAND_BITS sum |c_i| x^i: roots of a polynomial whose
  * coefficients differ by that much. */
-static void find_shores(struct exact_roots *shores, mpfr_t *c,
-                        int degree, int sign)
+static void find_shores(struct exact_roots *shores, mpfr_t *c, int degree,
+                        int sign)
 {
     mpfr_t moved[EXACT_DEGREE + 1];
 
@@ -37,8 +37,7 @@ static void find_shores(struct exact_roots *shores, mpfr_t *c,
 }
 
 /* Is f 0, as far as can be told, between two shores? */
-static bool is_land(mpfr_t *c, int degree, const mpfr_t a,
-                    const mpfr_t b)
+static bool is_land(mpfr_t *c, int degree, const mpfr_t a, const mpfr_t b)
 {
     mpfr_t x, value, size;
     bool land;

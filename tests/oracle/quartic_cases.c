@@ -170,9 +170,8 @@ static void make_multiple(struct product *product, uint64_t *state)
     int64_t times = integer(state, 2, degree);
 
     while (product->degree < degree) {
-        double x = fineness != 0
-                       ? (double)integer(state, -40, 40) / fineness
-                       : 5 * signed_unit(state);
+        double x = fineness != 0 ? (double)integer(state, -40, 40) / fineness
+                                 : 5 * signed_unit(state);
 
         for (; times > 0 && product->degree < degree; times--)
             add_root(product, x);
@@ -185,8 +184,8 @@ static void make_spread(struct product *product, uint64_t *state)
     int degree = (int)integer(state, 2, DEGREE);
 
     while (product->degree < degree)
-        add_root(product, (unit(state) < 0.3 ? -1 : 1)
-                              * power_of_ten(state, -30, 30));
+        add_root(product,
+                 (unit(state) < 0.3 ? -1 : 1) * power_of_ten(state, -30, 30));
 }
 
 static void make_grazing(struct product *product, uint64_t *state)
@@ -271,7 +270,7 @@ static void make_coefficients(struct polynomial *polynomial,
     for (int i = 0; i <= DEGREE; i++)
         polynomial->c[i] = kind == QUARTIC_INTEGERS
                                ? c205_from_double(
-                                     (double)integer(state, -20, 20))
+                                   (double)integer(state, -20, 20))
                                : c205_from_double(signed_unit(state));
 }
 

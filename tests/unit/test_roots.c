@@ -49,12 +49,11 @@ static const struct known {
     { { "1", "-4", "6", "-4", "1" }, "1", "" },
     { { "1", "4", "6", "4", "1" }, "-5", "-1" },
     /* of any size */
-    { { "1e300", "-10e300", "35e300", "-50e300", "24e300" }, "0",
+    { { "1e300", "-10e300", "35e300", "-50e300", "24e300" }, "0", "1 2 3 4" },
+    { { "1e-300", "-10e-300", "35e-300", "-50e-300", "24e-300" },
+      "0",
       "1 2 3 4" },
-    { { "1e-300", "-10e-300", "35e-300", "-50e-300", "24e-300" }, "0",
-      "1 2 3 4" },
-    { { "1e8000", "-10e8000", "35e8000", "-50e8000", "24e8000" }, "3",
-      "4" },
+    { { "1e8000", "-10e8000", "35e8000", "-50e8000", "24e8000" }, "3", "4" },
     { { "1", "0", "0", "0", "-1e400" }, "0", "1e100" },
     { { "1", "0", "0", "0", "-1e-400" }, "-1", "-1e-100 1e-100" },
     { { "1e-300", "-1", "0", "0", "1e-300" }, "0", "1e-100 1e300" },
@@ -309,8 +308,8 @@ static void run_vector(struct lanes *lanes, const char *routine)
     for (unsigned j = 0; j < INPUTS - 1; j++) {
         for (unsigned i = 0; i < LANES; i++)
             plane[i] = lanes->in[i][j];
-        assert_true(c205_write(machine, inputs + 64 * LANES * j, plane,
-                               LANES));
+        assert_true(
+            c205_write(machine, inputs + 64 * LANES * j, plane, LANES));
     }
     assert_true(c205_write(machine, address_of(object, "resolution"),
                            &lanes->in[0][INPUTS - 1], 1));
@@ -326,8 +325,8 @@ static void run_vector(struct lanes *lanes, const char *routine)
         uint64_t at = c205_register(machine, number);
 
         assert_int_equal(at >> 48, LANES);
-        assert_true(c205_read(machine, at & UINT64_C(0xFFFFFFFFFFFF), plane,
-                              LANES));
+        assert_true(
+            c205_read(machine, at & UINT64_C(0xFFFFFFFFFFFF), plane, LANES));
         for (unsigned i = 0; i < LANES; i++)
             lanes->out[i][j] = plane[i];
     }
