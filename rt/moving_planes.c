@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "rt/scene/vector.h"
 #include "rt/singular.h"
 
 /* Values of the decomposition below this share of the greatest are 0. */
@@ -65,6 +66,20 @@ static void find_triple(struct moving_planes *planes)
         planes->triple[i] = singular.right[i][column];
 }
 
+/* L H(p), a row of coefficients of the parameters. */
+static void plane_at(const double points[6][4], const double l[3][4],
+                     const double p[3], double row[3])
+{
+    memset(row, 0, 3 * sizeof *row);
+    for (int m = 0; m < 6; m++) {
+        double share = p[factors[m][0]] * p[factors[m][1]];
+
+        for (int i = 0; i < 3; i++)
+            for (int c = 0; c < 4; c++)
+                row[i] += (m < 3 ? 1 : 2) * share * l[i][c] * points[m][c];
+    }
+}
+
 /* Do all points lie in one plane? */
 static bool is_flat(const double points[6][4])
 {
@@ -74,6 +89,27 @@ static bool is_flat(const double points[6][4])
         memcpy(singular.scaled[i], points[i], sizeof points[i]);
     singular_decompose(&singular);
     return singular_nullity(&singular, NOTHING) > 0;
+}
+
+/* Is p ~ (L1 H) x (L2 H)?  Not where two parameters share a point: where they
+ * all do, the surface is a quadric covered twice. */
+static bool is_simple(const double points[6][4],
+                      const struct moving_planes *planes)
+{
+    static const double places[][3] = { { .5, .3, .2 }, { .2, .5, .3 },
+                                        { .3, .2, .5 } };
+
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        double normals[2][3], across[3];
+
+        for (int which = 0; which < 2; which++)
+            plane_at(points, planes->l[which], places[i], normals[which]);
+        cross3(normals[0], normals[1], across);
+        if (length3(across)
+            > NOTHING * length3(normals[0]) * length3(normals[1]))
+            return true;
+    }
+    return false;
 }
 
 void moving_planes_find(const double points[6][4],
@@ -96,5 +132,8 @@ void moving_planes_find(const double points[6][4],
         for (size_t i = 0; i < 12; i++)
             planes->l[which][i / 4][i % 4] = singular.right[i][taken];
     }
-    find_triple(planes);
+    if (is_simple(points, planes))
+        find_triple(planes);
+    else
+        planes->type = SURFACE_QUADRIC;
 }

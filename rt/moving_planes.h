@@ -15,7 +15,7 @@ enum surface_type {
     SURFACE_PLANE,
     SURFACE_STEINER = 2, /* of the fourth degree, two moving planes */
     SURFACE_CUBIC = 3,   /* one base point, three of them */
-    SURFACE_QUADRIC = 4  /* two base points, four of them */
+    SURFACE_QUADRIC = 4  /* two base points, four of them; or twice covered */
 };
 
 struct moving_planes {

@@ -1,8 +1,8 @@
 #include "rt/shape_words.h"
 
-#include <math.h>
 #include <string.h>
 
+#include "rt/scene/vector.h"
 #include "rt/singular.h"
 #include "rt/steiner.h"
 
@@ -31,11 +31,6 @@ static size_t box_shape(const struct primitive *primitive, double *shape)
     return 12;
 }
 
-static double length3(const double *v)
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 /* Two unit vectors square to the unit vector w and to each other. */
 static void frame_about(const double *w, double *u, double *v)
 {
@@ -43,17 +38,12 @@ static void frame_about(const double *w, double *u, double *v)
     double length;
 
     axis[fabs(w[0]) < 0.5 ? 0 : fabs(w[1]) < 0.5 ? 1 : 2] = 1;
-    u[0] = axis[1] * w[2] - axis[2] * w[1];
-    u[1] = axis[2] * w[0] - axis[0] * w[2];
-    u[2] = axis[0] * w[1] - axis[1] * w[0];
+    cross3(axis, w, u);
     length = length3(u);
     for (size_t i = 0; i < 3; i++)
         u[i] /= length;
-    v[0] = w[1] * u[2] - w[2] * u[1];
-    v[1] = w[2] * u[0] - w[0] * u[2];
-    v[2] = w[0] * u[1] - w[1] * u[0];
+    cross3(w, u, v);
 }
-
 
 /* The middle of an axis and the frame u, v, w about it; its length. */
 static double put_axis(const double *base, const double *cap, double *shape)
@@ -262,6 +252,7 @@ struct kind {
     struct kernels kernels;
     bool (*is_special)(const struct primitive *primitive);
     struct kernels special;
+    const char *historical, *special_historical; /* the kernels of 1984 */
 };
 
 static const struct kind kinds[PRIMITIVE_KINDS] = {
@@ -297,27 +288,27 @@ static const struct kind kinds[PRIMITIVE_KINDS] = {
                                                "normal_rational_steiner" },
                                   .is_special = steiner_is_polynomial,
                                   .special = { "steiner",
-                                               "normal_steiner" } },
+                                               "normal_steiner" },
+                                  .historical = "rational_steiner_implicit",
+                                  .special_historical = "steiner_implicit" },
 };
 
 void shape_words(const struct primitive *primitive,
                  struct shape_words *shape)
 {
     const struct kind *kind = &kinds[primitive->kind];
-    const struct kernels *kernels = &kind->kernels;
+    bool special = kind->is_special != NULL && kind->is_special(primitive);
+    const struct kernels *kernels = special ? &kind->special : &kind->kernels;
 
-    if (kind->is_special != NULL && kind->is_special(primitive))
-        kernels = &kind->special;
     shape->count = kind->shape(primitive, shape->words);
     shape->table_count =
         kind->table == NULL ? 0 : kind->table(primitive, shape->table);
     shape->kernel = kernels->kernel;
     shape->normal = kernels->normal;
     shape->on_patch = primitive->kind == PRIMITIVE_STEINER_PATCH;
-    shape->historical = shape->table_count > STEINER_TABLE
-                            && shape->on_patch
-                        ? "steiner_implicit"
-                        : NULL;
+    shape->historical = shape->table_count <= STEINER_TABLE ? NULL
+                        : special ? kind->special_historical
+                                  : kind->historical;
     shape->transformed = primitive->transformed
                          && primitive->kind != PRIMITIVE_PLANE;
     if (shape->transformed && primitive->kind == PRIMITIVE_SPHERE

@@ -1,9 +1,9 @@
 #include "rt/steiner.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "rt/moving_planes.h"
+#include "rt/scene/vector.h"
 #include "rt/shape_words.h"
 
 /* Control points as x y z w, told from the centre, in the order of struct
@@ -28,16 +28,26 @@ bool steiner_is_polynomial(const struct primitive *primitive)
     return true;
 }
 
-static double length3(const double *v)
+/* The weights with those of the corners made one, which s, t, u each times a
+ * factor do: the patch stays what it is, and no part of it shrinks into a
+ * corner of the parameters.  Then told from the greatest. */
+static void read_weights(const struct primitive *primitive, double *weights)
 {
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
+    static const int ends[STEINER_POINTS][2] = {
+        { 0, 0 }, { 1, 1 }, { 2, 2 }, { 0, 1 }, { 1, 2 }, { 2, 0 }
+    };
+    const double *given = primitive->shape.steiner_patch.weights;
+    double greatest = 0;
 
-static void cross3(const double *a, const double *b, double *c)
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
+    for (int i = 0; i < STEINER_POINTS; i++) {
+        double first = given[ends[i][0]], second = given[ends[i][1]];
+
+        weights[i] = first == second ? given[i] / first
+                                     : given[i] / sqrt(first) / sqrt(second);
+        greatest = fmax(greatest, weights[i]);
+    }
+    for (int i = 0; i < STEINER_POINTS; i++)
+        weights[i] /= greatest;
 }
 
 /* With weights above 0 the patch lies in the hull of its control points. */
@@ -45,22 +55,20 @@ static void read_patch(const struct primitive *primitive,
                        struct patch *patch)
 {
     const double (*points)[3] = primitive->shape.steiner_patch.points;
-    const double *weights = primitive->shape.steiner_patch.weights;
-    double greatest = 0;
+    double weights[STEINER_POINTS];
 
     memset(patch, 0, sizeof *patch);
-    for (int i = 0; i < STEINER_POINTS; i++) {
-        greatest = fmax(greatest, weights[i]);
+    read_weights(primitive, weights);
+    for (int i = 0; i < STEINER_POINTS; i++)
         for (int axis = 0; axis < 3; axis++)
             patch->center[axis] += points[i][axis] / STEINER_POINTS;
-    }
     for (int i = 0; i < STEINER_POINTS; i++) {
         double *point = patch->point[i];
 
         for (int axis = 0; axis < 3; axis++)
             point[axis] = points[i][axis] - patch->center[axis];
         patch->bound = fmax(patch->bound, 1.001 * length3(point));
-        point[3] = weights[i] / greatest;
+        point[3] = weights[i];
         for (int axis = 0; axis < 3; axis++)
             point[axis] *= point[3];
     }
@@ -117,24 +125,39 @@ static void read_best(const struct primitive *primitive, struct patch *best,
     }
 }
 
-/* A ray along K5 or, of a patch without one, any ray: planes through it and
- * this vector still tell the curves s = const apart, for it is square to K2,
- * in the plane of K2 and the ray or the patch. */
+/* Square to K5: out of the first of the others that is not along it. */
+static bool square_to_last(const double (*k)[3], double *square)
+{
+    static const int order[] = { 2, 4, 1, 3, 0 };
+
+    for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
+        const double *of = k[order[i]];
+
+        cross3(of, k[5], square);
+        if (length3(square) > 1e-9 * length3(of) * length3(k[5]))
+            return true;
+    }
+    return false;
+}
+
+/* Planes through a ray along K5 and this vector tell the curves s = const
+ * apart: it is square to K5 and K2 or, where K2 is along K5, to K4.  Of a
+ * patch without K5 any ray wants it: it is square to K2, in the plane of the
+ * patch. */
 static void other_plane(const struct polynomials *polynomials,
                         double bound, double *other)
 {
-    const double (*k)[4] = polynomials->k;
-    double normal[3], length;
+    double k[6][3], normal[3], length;
 
-    cross3(k[2], k[5], normal);
-    if (length3(normal) <= 1e-9 * length3(k[2]) * length3(k[5])) {
+    for (int i = 0; i < 6; i++)
+        for (int axis = 0; axis < 3; axis++)
+            k[i][axis] = polynomials->k[i][axis] / bound;
+    if (!square_to_last((const double (*)[3])k, other)) {
         cross3(k[1], k[2], normal);
         cross3(k[2], normal, other);
-    } else {
-        memcpy(other, normal, sizeof normal);
     }
     if (length3(other) == 0)
-        memcpy(other, k[1], sizeof normal);
+        memcpy(other, length3(k[1]) > 0 ? k[1] : k[2], sizeof normal);
     length = length3(other);
     for (int i = 0; i < 3; i++)
         other[i] *= bound / length;

@@ -1,6 +1,6 @@
 /* steiner.h - what the kernels want of a Steiner patch.
  *
- * The patch is told from its centre, its weights from their greatest, and its
+ * The patch is told from its centre, its weights with equal corners, and its
  * three corners are taken in the order that suits the kernel: the second
  * difference of the edge from the second to the third is the greatest.
  * Formulas: rt/kernels/steiner_vector.s.

@@ -79,11 +79,11 @@ lane_store:     .space LANE_VECTORS * QUEUE
         .endm
 
 ; The first root of each lane's quartic k4 .. k0, with the scalar resolution,
-; is tin = tout of its ray.
-        .macro  solve_lanes resolution
+; is tin = tout of its ray; hits0 = the lanes that have one.
+        .macro  solve_lanes resolution, routine=solve_quartic
         RTOR    link_inner, lane_link
-        EX      s8, solve_quartic
-        call_quartic s8, k4, k3, k2, k1, k0, lane_low, lane_high, \resolution
+        EX      target, \routine
+        call_quartic target, k4, k3, k2, k1, k0, lane_low, lane_high, \resolution
         RTOR    lane_link, link_inner
         VTOV    big, [tin]
         VTOV    minus_big, [tout]

@@ -2,6 +2,7 @@
 ;
 ;       CALL SOLVE_QUARTIC (COEFFICIENTS, INTERVAL, ROOTS)
 ;       CALL SOLVE_QUARTIC_ALL (COEFFICIENTS, INTERVAL, ROOTS)
+;       CALL SOLVE_QUARTIC_UNTIL (COEFFICIENTS, INTERVAL, ROOTS)
 ;
 ; COEFFICIENTS = c4, c3, c2, c1, c0 (5 words) of c4 t^4 + ... + c0; leading
 ; zeros make a cubic, a quadratic and so on.
@@ -11,11 +12,17 @@
 ; ROOTS = up to four roots, ascending, and their number (5 words).
 ; SOLVE_QUARTIC stops at the first.  Where none is found the first holds 1e30;
 ; otherwise places beyond the number hold nothing to be relied on.
+; SOLVE_QUARTIC_UNTIL gives one root, the first that is acceptable.  The caller
+; has put the address of a routine into fourth, which is shown each root in
+; turn: q_answer, before the next one is sought.  It ends by BIM solver_accept
+; or, to have the next one, BIM 0, q_link, and may change r82-r92 (q_a .. q_u)
+; and what is not the solver's.
 ;
 ; Method and order of the operations as in quartic_vector.s, but what shows
 ; that an interval holds no root ends the work on it, and the first acceptable
 ; root all of it.
-; Registers: local ones as in linkage.s, r32-r99, saved and given back.
+; Registers: local ones as in linkage.s, r32-r98, saved and given back; third
+; and fourth are in use until the end.
 
         .include "quartic_constants.s"
         .include "falsi_scalar.s"
@@ -37,8 +44,9 @@
         .regs   r82, q_a, q_fa, q_b, q_fb, q_x, q_fx        ; the bracket
         .regs   r88, q_w, q_s, q_d, q_t, q_u                ; work
         .regs   r93, q_answer, q_steps, q_kept, q_link, q_refine
-        .regs   r98, q_count, q_want
-        .equ    QUARTIC_REGISTERS, 68
+        .reg    q_count, r98
+        .equ    QUARTIC_REGISTERS, 67
+        .regs   r253, q_want, q_accept          ; third, fourth
 
         .data
 solver_image:  quartic_constants
@@ -148,6 +156,17 @@ polish_short\@:
 polish_end\@:
         .endm
 
+; The answer is a root; if it is not the last one wanted, go to more.
+        .macro  take_root more
+        IBXNE   q_accept, r0, r0, take_shown\@
+        STO     [q_roots, q_count], q_answer
+        IBXEQ   q_count, q_index_one, q_want, solver_end, q_count
+        BIM     \more
+take_shown\@:
+        BSAVE   q_link, [q_accept]
+        BIM     \more
+        .endm
+
 ; The root of f in (knot, next], if there is one; knot := next.  at_knot = 0:
 ; next is the end.
         .macro  search_values at_knot
@@ -162,17 +181,14 @@ polish_end\@:
         RTOR    q_next_f, q_fb
         EX      q_refine, refine_quartic
         BSAVE   q_link, [q_refine]
-        STO     [q_roots, q_count], q_answer
-        IBXEQ   q_count, q_index_one, q_want, solver_end, q_count
-        BIM     search_move\@
+        take_root search_move\@
 search_touch\@:
         IBXNE   q_knot_touch, r0, r0, search_move\@
         RTOR    q_next, q_answer
         .if     \at_knot
         polish
         .endif
-        STO     [q_roots, q_count], q_answer
-        IBXEQ   q_count, q_index_one, q_want, solver_end, q_count
+        take_root search_move\@
 search_move\@:
         RTOR    q_next, q_knot
         RTOR    q_next_f, q_knot_f
@@ -209,17 +225,19 @@ search_flat\@:
 
         .kernel root_solver
 solve_quartic:
-        ES      third, 1
+        ES      q_want, 1
+        ES      q_accept, 0
         BIM     solver_begin
 solve_quartic_all:
-        ES      third, 4
+        ES      q_want, 4
+        ES      q_accept, 0
+solve_quartic_until:
 solver_begin:
         EX      image_at, solver_image
         ELEN    image_at, QUARTIC_CONSTANTS
         EX      save_at, solver_save
         ELEN    save_at, QUARTIC_REGISTERS
         SWAP    [image_at], q_one, [save_at]
-        RTOR    third, q_want
         ELEN    arguments, 3
         SWAP    [arguments], q_coefficients, [r0]
         SWAP    [q_coefficients], q_c4, [r0]
@@ -288,6 +306,10 @@ solver_end:
         ADDN    q_count, r0, q_count
         STO     [q_roots], q_count
         leave   solver_save, QUARTIC_REGISTERS
+solver_accept:
+        STO     [q_roots], q_answer
+        ES      q_count, 1
+        BIM     solver_end
 
         refine  refine_quartic, quartic_value, q_close
         refine  refine_cubic, cubic_value, q_knot_close

@@ -9,11 +9,17 @@
 ;       to the resolution, whichever is more (0: to 2^-41 of themselves,
 ;       however small they are).
 ; Call: BSAVE link_inner, to solve_quartic for the first root of each polynomial,
-;       to solve_quartic_all for all (macro call_quartic).
-; Out:  root0 = the least root, 1e30 where there is none; root_count = how many
-;       were found, numbers.  After solve_quartic_all also root1, root2, root3,
-;       ascending; a place whose number is not below root_count holds nothing
-;       to be relied on.  All as long as c4.
+;       to solve_quartic_all for all, to solve_quartic_until for the first that
+;       is acceptable (macro call_quartic).  For the last one s8 = the address
+;       of a routine, called by BSAVE s9 with the roots found in an interval,
+;       before the next interval is looked at: q_t = the roots, q_at = the
+;       places of their lanes, q_u = their number.  It gives q_bits = which are
+;       acceptable, and may change s0-s7, the vectors q_a .. q_d and the bit
+;       vector q_change (to be lengthened first) and what is not the solver's.
+; Out:  root0 = the root, the least of several, 1e30 where there is none;
+;       root_count = how many were found, numbers.  After solve_quartic_all
+;       also root1, root2, root3, ascending; a place whose number is not below
+;       root_count holds nothing to be relied on.  All as long as c4.
 ; Changed: s0-s9, r68, r69, r76-r79, r113-r115.  What else the solver needs,
 ;       r116-r200, it saves and gives back.  The inputs are only read.
 ;
@@ -288,15 +294,19 @@ is_zero\@:
         .macro  give_roots
         count_lanes q_need, give_none\@
         CPSV    [q_root], [q_t] ? [q_need]
-        IBXEQ   q_want, r0, q_index_one, give_first\@
+        IBXEQ   q_want, r0, q_index_one, give_one\@
         CPSV    [q_position], [q_at] ? [q_need]
         VTOVX   [q_at], [q_t], [root0]
         EX      q_target, QUEUE
         ADDXV   [q_position], q_target, [q_position] ? [q_need]
         ADDNV   [q_count], q_one, [q_count] ? [q_need]
         BIM     give_none\@
-give_first\@:
+give_one\@:
         CPSV    [q_place], [q_at] ? [q_need]
+        IBXEQ   s8, r0, r0, give_first\@
+        EX      q_target, solver_show
+        BSAVE   q_link, [q_target]
+give_first\@:
         VTOVX   [q_at], [q_t], [root0]
         VTOVX   [q_at], q_one, [root_count]
         SUBX    q_alive_count, q_u, q_alive_count
@@ -420,14 +430,16 @@ search_alive\@:
         .endm
 
         .kernel root_solver
-solve_quartic:
-        ES      s9, 1
-        BIM     solver_begin
 solve_quartic_all:
         ES      s9, 4
+        BIM     solver_begin
+solve_quartic:
+        ES      s8, 0
+solve_quartic_until:
+        ES      s9, 1
 solver_begin:
-        LTOR    s0, s8
-        SHIFTI  s8, 48, q_length
+        LTOR    s0, q_length
+        SHIFTI  q_length, 48, q_length
         EX      q_table_at, solver_bases
         ELEN    q_table_at, QUARTIC_DESCRIBED
         EX      q_image_at, solver_image
@@ -445,7 +457,7 @@ solver_begin:
         RTOR    s5, q_low
         RTOR    s6, q_high
         RTOR    s7, q_resolution
-        RTOR    s8, q_lanes
+        LTOR    q_c4, q_lanes
         RTOR    s9, q_want
         EX      root0, solver_roots
         ADDLEN  root0, q_lanes, root0
@@ -538,6 +550,17 @@ solver_end:
         ELEN    q_save_at, QUARTIC_REGISTERS
         SWAP    [q_save_at], q_s3, [r0]
         BIM     0, link_inner
+
+; The lanes of q_need have the roots q_t: only the acceptable ones are left.
+solver_show:
+        lengthen q_u, q_bits
+        BSAVE   s9, [s8]
+        MRGB    [q_bits], [q_bits], [q_sign] ? [q_need]
+        ANDB    [q_sign], [q_need], [q_need]
+        CPSV    [q_t], [q_t] ? [q_bits]
+        CPSV    [q_at], [q_at] ? [q_bits]
+        CNTOB   [q_bits], q_u
+        BIM     0, q_link
 
         refine  refine_quartic, quartic_value, quartic_compress, q_close
         refine  refine_cubic, cubic_value, cubic_compress, q_knot_close

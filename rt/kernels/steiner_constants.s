@@ -11,4 +11,9 @@ patch_numbers:  .word 0.25, 0.16666666666666667
                 .word X'FFAC 4000 0000 0000'    ; 2^-38: noise of Bernstein
                                                 ; coefficients
                 .word X'FFB4 4000 0000 0000'    ; 2^-30: Newton's last step
+implicit_numbers:
+                .word X'FFB3 8000 0000 0000'    ; -2^-30, as low
+                .word 1.000000000931322         ; 1 + 2^-30
+                .word X'FFBE 4000 0000 0000'    ; 2^-20: of bound^2, nothing
+                                                ; for N^2
         .code

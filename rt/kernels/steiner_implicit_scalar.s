@@ -2,9 +2,11 @@
 ; its surface.
 ;
 ;       CALL STEINER_IMPLICIT (RAY, PRIMITIVE, SEGMENT)
+;       CALL RATIONAL_STEINER_IMPLICIT (RAY, PRIMITIVE, SEGMENT)
 ;
 ; Arguments as in sphere_scalar.s, method as in steiner_implicit_vector.s,
-; what is written beside as in steiner_scalar.s.
+; what is written beside as in steiner_scalar.s.  The solver looks for no root
+; beyond the first acceptable one.
 
         .regs   r92, ma0, ma1, ma2, da0, da1, da2, mb0, mb1, mb2, db0, db1, db2
         .regs   r104, c00, c01, c02, c10, c11, c12, c20, c21, c22
@@ -22,14 +24,8 @@
         .regs   r139, qwss, qwtt, qwuu, qwst, qwtu, qwus
         .equ    FORMS_TABLE, 24
         .regs   r92, fss, ftt, fuu, fst, ftu, fus
-        .regs   r98, margin_low, margin_high, roots_left, root_at, root
+        .regs   r101, margin_low, margin_high, through
         .regs   r149, table_at
-
-        .data
-implicit_margins:
-        .word   X'FFB3 8000 0000 0000'  ; -2^-30
-        .word   1.000000000931322       ; 1 + 2^-30
-        .code
 
         .macro  plane_rows la00, la01, la02, la03, la10, la11, la12, la13, la20, la21, la22, la23, a0, a1, a2, d0, d1, d2
         dot_rows t0, t1, t2, \la00, \la01, \la02, \la10, \la11, \la12, \la20, \la21, \la22, \a0, \a1, \a2, t3, t4, t5, t6
@@ -87,7 +83,12 @@ implicit_margins:
         .endm
 
         .kernel steiner
+rational_steiner_implicit:
+        EX      target, rational_steiner
+        BIM     implicit_begin
 steiner_implicit:
+        EX      target, steiner
+implicit_begin:
         enter_solver 7, patch_save, PATCH_REGISTERS
         SUBN    ox, sh0, t5
         SUBN    oy, sh1, t6
@@ -109,10 +110,16 @@ steiner_implicit:
         ADDN    c10, e0, c10
         ADDN    c11, e1, c11
         ADDN    c12, e2, c12
+        EX      t3, implicit_numbers
+        ELEN    t3, 3
+        SWAP    [t3], margin_low, [r0]
         plane_of_ray
+        dot     nx, ny, nz, nx, ny, nz, e0, t3
+        MPYS    sh3, through, e1
         IX      table_at, 64 * PLANES_TABLE
         ELEN    table_at, FORMS_TABLE
         SWAP    [table_at], qxss, [r0]
+        CFPGE   e1, e0, implicit_through
         plane_forms qxss, qyss, qzss, qwss, qxtt, qytt, qztt, qwtt, qxuu, qyuu, qzuu, qwuu, fss, ftt, fuu
         plane_forms qxst, qyst, qzst, qwst, qxtu, qytu, qztu, qwtu, qxus, qyus, qzus, qwus, fst, ftu, fus
         form_times c00, c01, c02
@@ -129,42 +136,44 @@ steiner_implicit:
         EX      t3, near_input
         ELEN    t3, 8
         SWAP    [r0], k4, [t3]
-        call    solve_quartic_all, near_list
-        EX      t3, implicit_margins
-        ELEN    t3, 2
-        SWAP    [t3], margin_low, [r0]
-        EX      root_at, near_roots
-        IX      root_at, 64 * 4
-        LOD     [root_at], roots_left
-        EX      root_at, near_roots
-
-; Root by root.
-implicit_root:
-        CFPGE   r0, roots_left, steiner_miss
-        LOD     [root_at], root
-        IX      root_at, 64
-        SUBN    roots_left, one, roots_left
-        MPYS    c20, root, e0
-        MPYS    c21, root, e1
-        MPYS    c22, root, e2
-        ADDN    e0, c10, e0
-        ADDN    e1, c11, e1
-        ADDN    e2, c12, e2
-        MPYS    e0, root, e0
-        MPYS    e1, root, e1
-        MPYS    e2, root, e2
-        ADDN    e0, c00, e0
-        ADDN    e1, c01, e1
-        ADDN    e2, c02, e2
-        ADDN    e0, e1, e3
-        ADDN    e3, e2, e3
-        DIVS    e0, e3, patch_s
-        DIVS    e1, e3, patch_t
-        CFPLT   patch_s, margin_low, implicit_root
-        CFPLT   patch_t, margin_low, implicit_root
-        ADDN    patch_s, patch_t, e3
-        CFPLT   margin_high, e3, implicit_root
-        CFPNE   e3, e3, implicit_root           ; indefinite
-        SUBN    root, along, tin
+        EX      fourth, implicit_accept
+        call    solve_quartic_until, near_list
+        EX      t3, near_roots
+        LOD     [t3], tin
+        CFPGE   tin, big, steiner_miss
+        SUBN    tin, along, tin
         BIM     steiner_done
+
+; Through the triple point: the other kernel takes the arguments.
+implicit_through:
+        RTOR    link_kept, link
+        EX      save_at, patch_save
+        ELEN    save_at, PATCH_REGISTERS
+        SWAP    [save_at], r32, [r0]
+        BIM     0, target
+
+; Shown a root by the solver: are its parameters in the triangle?
+implicit_accept:
+        MPYS    c20, q_answer, q_a
+        MPYS    c21, q_answer, q_b
+        MPYS    c22, q_answer, q_x
+        ADDN    q_a, c10, q_a
+        ADDN    q_b, c11, q_b
+        ADDN    q_x, c12, q_x
+        MPYS    q_a, q_answer, q_a
+        MPYS    q_b, q_answer, q_b
+        MPYS    q_x, q_answer, q_x
+        ADDN    q_a, c00, q_a
+        ADDN    q_b, c01, q_b
+        ADDN    q_x, c02, q_x
+        ADDN    q_a, q_b, q_s
+        ADDN    q_s, q_x, q_s
+        DIVS    q_a, q_s, patch_s
+        DIVS    q_b, q_s, patch_t
+        CFPLT   patch_s, margin_low, implicit_refuse
+        CFPLT   patch_t, margin_low, implicit_refuse
+        ADDN    patch_s, patch_t, q_s
+        CFPGE   margin_high, q_s, solver_accept
+implicit_refuse:
+        BIM     0, q_link
         .endkernel

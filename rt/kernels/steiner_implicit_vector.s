@@ -18,9 +18,16 @@
 ;     + c2 A c2 tau^4 = 0
 ;
 ; times the distance of the triple point T from the plane: N is square to d and
-; points towards T.  (A ray through T itself is lost.)  Roots are taken in
-; their order; one whose parameters do not lie in the triangle, within 2^-30,
-; is no crossing.
+; points towards T.  The solver looks for the roots in their order and shows
+; each; one whose parameters do not lie in the triangle, within 2^-30, is no
+; crossing.
+;
+; The smaller N, the more of the quartic is noise, and for a ray through T it
+; is all 0.  Where |N|^2 <= 2^-20 bound^2 (T a vector of length one, in units of
+; the bound) the noise may be 2^-27 of it: such a ray goes the way of
+; steiner_vector.s.  It is counted, and costs nothing where there is none.
+;
+; steiner_implicit, rational_steiner_implicit: which way that is.
 ;
 ; In:  ox oy oz dx dy dz lower, n long; the primitive's record and the part
 ;      of its table behind PATCH_TABLE.
@@ -46,12 +53,27 @@
         .regs   r233, ma0, ma1, ma2, da0, da1, da2, mb0, mb1, mb2, db0, db1
         .regs   r244, db2, c00, c01, c02, c10, c11, c12, c20, c21, c22
         .regs   r233, fss, ftt, fuu, fst, ftu, fus      ; A, after these
+        .regs   r233, found_s, found_t                  ; after that
+
+        .reg    through_count, r189
+        .reg    other_kernel, r193
+        .reg    link_through, r199
 
         .data
-implicit_margins:
-        .word   X'FFB3 8000 0000 0000'  ; -2^-30
-        .word   1.000000000931322       ; 1 + 2^-30
+; Of the queue: 1 for a ray not through T, else 0; and what was found for it.
+through_store:  .space 4 * QUEUE
         .code
+
+        .macro  through_vectors
+        EX      s2, through_store
+        ADDLEN  s2, n, s2
+        RTOR    s2, s3
+        IX      s3, 64 * QUEUE
+        RTOR    s3, s4
+        IX      s4, 64 * QUEUE
+        RTOR    s4, s5
+        IX      s5, 64 * QUEUE
+        .endm
 
         .macro  plane_row l0, l1, l2, l3, at, by
         dot_constant lane_ox, lane_oy, lane_oz, \l0, \l1, \l2, \at, e12
@@ -132,15 +154,25 @@ implicit_margins:
         dot_vectors c20, c21, c22, e4, e5, e6, k4, e12
         .endm
 
+; p at the roots q_t of the lanes q_at.
         .macro  parameter_at c0, c1, c2, p
-        MPYSV   [\c2], [root0], [\p]
-        ADDNV   [\p], [\c1], [\p]
-        MPYSV   [\p], [root0], [\p]
-        ADDNV   [\p], [\c0], [\p]
+        lengthen q_u, \p
+        VXTOV   [q_at], [\c2], [\p]
+        MPYSV   [\p], [q_t], [\p]
+        VXTOV   [q_at], [\c1], [q_d]
+        ADDNV   [\p], [q_d], [\p]
+        MPYSV   [\p], [q_t], [\p]
+        VXTOV   [q_at], [\c0], [q_d]
+        ADDNV   [\p], [q_d], [\p]
         .endm
 
         .kernel steiner
+rational_steiner_implicit:
+        EX      other_kernel, rational_steiner
+        BIM     implicit_begin
 steiner_implicit:
+        EX      other_kernel, steiner
+implicit_begin:
         load_record P_SHAPE, 6, sh0
         SUBNV   [ox], sh0, [w8]
         SUBNV   [oy], sh1, [w9]
@@ -148,71 +180,76 @@ steiner_implicit:
         find_lanes w8, w9, w10, sh3, steiner_miss
         take_lanes
         set_more_lanes m
+        EX      s2, implicit_numbers + 64 * 2
+        LOD     [s2], s2
+        MPYS    sh3, s2, s2
         load_field P_TABLE, shape_at
         IX      shape_at, 64 * PATCH_TABLE
         ELEN    shape_at, PLANES_TABLE
         SWAP    [shape_at], la00, [r0]
         parameters_of_ray
         plane_of_ray
+        dot_vectors e0, e1, e2, e0, e1, e2, e4, e12
+        CMPGEV  s2, [e4], [hits0]
+        CNTOB   [hits0], through_count
+        IBXEQ   through_count, r0, r0, implicit_form
+        VTOV    [lane_low], [lane_high] ? [hits0]       ; no interval, no root
+implicit_form:
         IX      shape_at, 64 * PLANES_TABLE
         ELEN    shape_at, FORMS_TABLE
         SWAP    [shape_at], qxss, [r0]
         implicit_quartic
         load_record P_SHAPE + 6, 1, s9          ; resolution
-        RTOR    link_inner, lane_link
-        EX      s8, solve_quartic_all
-        call_quartic s8, k4, k3, k2, k1, k0, lane_low, lane_high, s9
-        RTOR    lane_link, link_inner
-        VTOV    big, [tin]
-        VTOV    minus_big, [tout]
+        EX      s8, implicit_accept
+        solve_lanes s9, solve_quartic_until
+        VTOVX   [lane_at], [found_s], [patch_s] ? [hits0]
+        VTOVX   [lane_at], [found_t], [patch_t] ? [hits0]
+        IBXNE   through_count, r0, r0, implicit_through
+        BIM     0, link_kernel
 
-; Root by root: the lanes that have one more.
-implicit_root:
-        CMPLTV  r0, [root_count], [hits0]
-        CNTOB   [hits0], s2
-        IBXEQ   s2, r0, r0, steiner_done
-        IBXEQ   s2, r0, m, implicit_taken
-        RTOR    s2, m
-        keep    lane_at
-        keep    lane_along
-        keep    c00
-        keep    c01
-        keep    c02
-        keep    c10
-        keep    c11
-        keep    c12
-        keep    c20
-        keep    c21
-        keep    c22
-        keep    root0
-        keep    root1
-        keep    root2
-        keep    root3
-        keep    root_count
-        set_lanes m
-        set_more_lanes m
-implicit_taken:
-        parameter_at c00, c10, c20, e0
-        parameter_at c01, c11, c21, e1
-        parameter_at c02, c12, c22, e2
-        ADDNV   [e0], [e1], [e3]
-        ADDNV   [e3], [e2], [e3]
-        DIVSV   [e0], [e3], [e0]                ; s
-        DIVSV   [e1], [e3], [e1]                ; t
-        EX      s2, implicit_margins
+; The whole queue goes the other way, and all but the rays through T get back
+; what they had.
+implicit_through:
+        through_vectors
+        CMPLTV  [lane_low], [lane_high], [hits0]
+        VTOV    one, [s2]
+        VTOVX   [lane_at], r0, [s2] ?! [hits0]
+        VTOV    [tin], [s3]
+        VTOV    [patch_s], [s4]
+        VTOV    [patch_t], [s5]
+        RTOR    link_kernel, link_through
+        BSAVE   link_kernel, [other_kernel]
+        RTOR    link_through, link_kernel
+        through_vectors
+        CMPEQV  [s2], one, [bits0]
+        VTOV    [s3], [tin] ? [bits0]
+        VTOV    [s4], [patch_s] ? [bits0]
+        VTOV    [s5], [patch_t] ? [bits0]
+        VTOV    minus_big, [tout]
+        BIM     steiner_done
+
+; Shown roots by the solver: which have parameters in the triangle?
+implicit_accept:
+        lengthen q_u, q_d
+        lengthen q_u, q_s
+        lengthen q_u, q_change
+        parameter_at c00, c10, c20, q_a
+        parameter_at c01, c11, c21, q_b
+        parameter_at c02, c12, c22, q_x
+        ADDNV   [q_a], [q_b], [q_s]
+        ADDNV   [q_s], [q_x], [q_s]
+        DIVSV   [q_a], [q_s], [q_a]             ; s
+        DIVSV   [q_b], [q_s], [q_b]             ; t
+        EX      s2, implicit_numbers
         ELEN    s2, 2
         SWAP    [s2], s3, [r0]
-        CMPGEV  [e0], s3, [hits2]
-        CMPGEV  [e1], s3, [hits3]
-        ANDB    [hits2], [hits3], [hits2]
-        ADDNV   [e0], [e1], [e3]
-        CMPGEV  s4, [e3], [hits3]
-        ANDB    [hits2], [hits3], [hits2]
-        SUBNV   [root0], [lane_along], [e3]
-        VTOVX   [lane_at], [e3], [tin] ? [hits2]
-        VTOVX   [lane_at], [e0], [patch_s] ? [hits2]
-        VTOVX   [lane_at], [e1], [patch_t] ? [hits2]
-        next_root
-        VTOV    r0, [root_count] ? [hits2]
-        BIM     implicit_root
+        CMPGEV  [q_a], s3, [q_bits]
+        CMPGEV  [q_b], s3, [q_change]
+        ANDB    [q_bits], [q_change], [q_bits]
+        ADDNV   [q_a], [q_b], [q_s]
+        CMPGEV  s4, [q_s], [q_change]
+        ANDB    [q_bits], [q_change], [q_bits]
+        VTOVX   [q_at], [q_a], [found_s] ? [q_bits]
+        VTOVX   [q_at], [q_b], [found_t] ? [q_bits]
+        BIM     0, s9
         .endkernel

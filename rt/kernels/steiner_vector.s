@@ -21,7 +21,8 @@
 ; G(s) = A0(s) B(s) - A(s) B0(s).  Where all Bernstein coefficients of R on
 ; [0, 1] have one sign the ray misses.  Of the roots of R each that has its t
 ; in the triangle is a crossing at the distance d . H.xyz / H.w; the nearest
-; one counts.
+; one counts.  The roots come in the order of s, not of the distance, so all of
+; them are looked for.
 ;
 ; d along P leaves no plane: any other will do, through a vector of the patch's
 ; table.  Where B(s) and B0(s) both are next to nothing the second conic is a

@@ -26,23 +26,26 @@ static struct homogeneous row_at(const struct primitive *patch, int i,
 }
 
 /* The three rows are the last triangle of de Casteljau's rule, which lies in
- * the tangent plane: are its corners off one line? */
+ * the tangent plane: are its corners off one line?  Told in its own size, for
+ * products of small edges may be beyond a double. */
 static bool is_regular(const struct primitive *patch, const double p[3])
 {
     const double least = 1e-12; /* of height to length */
     struct homogeneous rows[3];
-    double edges[2][3], normal[3], length;
+    double edges[2][3], normal[3], size = 0;
 
     for (int i = 0; i < 3; i++)
         rows[i] = row_at(patch, i, p);
-    for (int axis = 0; axis < 3; axis++) {
-        double last = rows[2].xyz[axis] / rows[2].w;
-        edges[0][axis] = rows[0].xyz[axis] / rows[0].w - last;
-        edges[1][axis] = rows[1].xyz[axis] / rows[1].w - last;
-    }
+    for (int i = 0; i < 2; i++)
+        for (int axis = 0; axis < 3; axis++) {
+            edges[i][axis] = rows[i].xyz[axis] / rows[i].w
+                             - rows[2].xyz[axis] / rows[2].w;
+            size = fmax(size, fabs(edges[i][axis]));
+        }
+    scale3(1 / size, edges[0]);
+    scale3(1 / size, edges[1]);
     cross3(edges[0], edges[1], normal);
-    length = fmax(length3(edges[0]), length3(edges[1]));
-    return length3(normal) > least * length * length;
+    return length3(normal) > least;
 }
 
 /* The rows' determinants are of degree three in s, t, u: they vanish

@@ -220,8 +220,8 @@ static enum surface_type type_of(const double points[6][4])
 
 static void test_types_of_surfaces(void **state)
 {
-    /* (tu, su, st, s^2 + t^2 + u^2); a sphere by stereographic projection;
-     * a plane with curved edges */
+    /* (tu, su, st, s^2 + t^2 + u^2); a sphere by stereographic projection; a
+     * cone with two parameters to each point; a plane with curved edges */
     static const double roman[6][4] = {
         { 0, 0, 0, 1 }, { 0, 0, 0, 1 }, { 0, 0, 0, 1 },
         { 0, 0, .5, 0 }, { .5, 0, 0, 0 }, { 0, .5, 0, 0 }
@@ -229,6 +229,10 @@ static void test_types_of_surfaces(void **state)
     static const double sphere[6][4] = {
         { 0, 0, 1, 1 }, { 0, 0, 1, 1 }, { 0, 0, -1, 1 },
         { 0, 0, 0, 0 }, { 0, 1, 0, 0 }, { 1, 0, 0, 0 }
+    };
+    static const double cone[6][4] = {
+        { 0, 0, 0, 1 }, { 1, 1, 0, 1 }, { 1, -1, 0, 1 },
+        { 0, 0, 0, 1 }, { 1.6, 0, -1, 1 }, { 0, 0, 0, 1 }
     };
     static const double plane[6][4] = {
         { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0, 0, 1 },
@@ -239,6 +243,7 @@ static void test_types_of_surfaces(void **state)
     (void)state;
     assert_int_equal(type_of(roman), SURFACE_STEINER);
     assert_int_equal(type_of(sphere), SURFACE_QUADRIC);
+    assert_int_equal(type_of(cone), SURFACE_QUADRIC);
     assert_int_equal(type_of(plane), SURFACE_PLANE);
     for (int try = 0; try < 50; try++) {
         for (int m = 0; m < 6; m++)
@@ -272,12 +277,13 @@ static void test_kernels_of_patches(void **state)
     set_patch(&patch);
     words = words_of(&patch);
     assert_string_equal(words.kernel, "rational_steiner");
-    assert_string_equal(words.historical, "steiner_implicit");
+    assert_string_equal(words.historical, "rational_steiner_implicit");
     assert_true(words.on_patch);
     for (int i = 0; i < STEINER_POINTS; i++)
         patch.shape.steiner_patch.weights[i] = 3;
     words = words_of(&patch);
     assert_string_equal(words.kernel, "steiner");
+    assert_string_equal(words.historical, "steiner_implicit");
     for (int i = 0; i < STEINER_POINTS; i++)
         patch.shape.steiner_patch.points[i][1] = 2;
     words = words_of(&patch);
@@ -315,6 +321,65 @@ static void test_polynomials_of_patches(void **state)
     }
 }
 
+/* Where the curves s = const all go one way, a plane through a ray that goes
+ * that way as well still wants a vector of another way. */
+static void test_other_planes(void **state)
+{
+    static const double straight[][STEINER_POINTS][3] = {
+        { { 0, 0, 1 }, { 2, 0, 0 }, { 0, 0, 0 },
+          { -.5, .5, 0 }, { -1, 0, 0 }, { .5, 0, 0 } },
+        { { -1, 0, 1 }, { 2, 0, 0 }, { 0, 0, 0 },
+          { -1, .5, 0 }, { -1, 0, 0 }, { 0, 0, 0 } },
+        { { 0, 2, 0 }, { 1, 4, 0 }, { 2, 2, 0 },
+          { 0, 2, 0 }, { 1, 4, 0 }, { 2, 2, 0 } },
+        { { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 },
+          { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof straight / sizeof *straight; i++) {
+        struct primitive patch;
+        struct shape_words words;
+        const double *last, *other;
+
+        set_patch(&patch);
+        for (int j = 0; j < STEINER_POINTS; j++)
+            patch.shape.steiner_patch.weights[j] = 1;
+        memcpy(patch.shape.steiner_patch.points, straight[i],
+               sizeof straight[i]);
+        words = words_of(&patch);
+        last = words.table + 15;
+        other = words.table + 24;
+        assert_close(other[0] * other[0] + other[1] * other[1]
+                         + other[2] * other[2],
+                     words.words[3], 1e-12);
+        assert_close(last[0] * other[0] + last[1] * other[1]
+                         + last[2] * other[2],
+                     0, 1e-12);
+    }
+}
+
+/* s, t, u each times a factor: other weights of the same patch. */
+static void test_weights_of_one_patch(void **state)
+{
+    static const double by[] = { 100, 1, .01 };
+    static const int ends[STEINER_POINTS][2] = {
+        { 0, 0 }, { 1, 1 }, { 2, 2 }, { 0, 1 }, { 1, 2 }, { 2, 0 }
+    };
+    struct primitive patch;
+    struct shape_words words, other;
+
+    (void)state;
+    set_patch(&patch);
+    words = words_of(&patch);
+    for (int i = 0; i < STEINER_POINTS; i++)
+        patch.shape.steiner_patch.weights[i] *= by[ends[i][0]]
+                                                * by[ends[i][1]];
+    other = words_of(&patch);
+    for (size_t i = 0; i < STEINER_TABLE; i++)
+        assert_close(other.table[i], words.table[i], 1e-12);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -325,6 +390,8 @@ int main(void)
         cmocka_unit_test(test_types_of_surfaces),
         cmocka_unit_test(test_kernels_of_patches),
         cmocka_unit_test(test_polynomials_of_patches),
+        cmocka_unit_test(test_other_planes),
+        cmocka_unit_test(test_weights_of_one_patch),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

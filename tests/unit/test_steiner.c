@@ -1,6 +1,7 @@
 /* Steiner patches: both forms of the tracer agree, and meet them where
  * geometry says, also where a patch is a part of a quadric or of a plane, or
  * the ray has a case of its own. */
+#define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
 static void add_patch(char *text, size_t size, double reach)
@@ -147,6 +148,32 @@ static void test_starts(void **state)
                  " translate 6*z }", 1, 1);
 }
 
+/* Of the Roman surface, its weights those of s^2 + t^2 + u^2. */
+#define ROMAN \
+    "steiner_patch { <1, 2, 2> / 6, <2, 1, 2> / 6, <2, 2, 1> / 6," \
+    " <.3, .3, .5>, <.5, .3, .3>, <.3, .5, .3>" \
+    " weights 6, 6, 6, 5, 5, 5 "
+/* Another piece, about one of the lines that meet in the triple point. */
+#define ROMAN_MIDDLE \
+    "steiner_patch { <-2, -5, 10> / 30, <-2, 10, -5> / 30," \
+    " <1, -5, -5> / 27, <2.5, 2.5, 2.5> / 21, <-.5, 2.5, -5> / 24," \
+    " <-.5, -5, 2.5> / 24 weights 30, 30, 27, 21, 24, 24 "
+#define DIAGONAL "rotate -45*y rotate 35.264389682754654*x "
+
+/* The middle ray goes through the surface's triple point, where the implicit
+ * quartic is all 0: past it to the patch, and to it. */
+static void test_the_triple_point(void **state)
+{
+    (void)state;
+    check_middle(STRAIGHT ROMAN DIAGONAL "}", 1, 5 + 1 / sqrt(3));
+    check_middle(STRAIGHT ROMAN DIAGONAL "rotate 180*y }", 1,
+                 5 - 1 / sqrt(3));
+    check_middle(STRAIGHT ROMAN DIAGONAL "scale 3 }", 1, 5 + sqrt(3));
+    check_middle(STRAIGHT ROMAN_MIDDLE "rotate <30, 40, 0> }", 1, 5);
+    free(plain_frame(AHEAD ROMAN_MIDDLE "rotate <30, 40, 0> }"));
+    free(plain_frame(AHEAD ROMAN DIAGONAL "translate <.3, .1, 0> }"));
+}
+
 static void test_the_way_of_1984(void **state)
 {
     historical = true;
@@ -154,6 +181,7 @@ static void test_the_way_of_1984(void **state)
     test_quadrics(state);
     test_planes(state);
     test_starts(state);
+    test_the_triple_point(state);
     historical = false;
 }
 
@@ -169,6 +197,7 @@ int main(void)
         cmocka_unit_test(test_planes),
         cmocka_unit_test(test_no_gap_at_an_edge),
         cmocka_unit_test(test_starts),
+        cmocka_unit_test(test_the_triple_point),
     };
 
     return cmocka_run_group_tests(tests, set_up, tear_down);

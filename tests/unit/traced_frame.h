@@ -21,7 +21,19 @@
 
 #include <cmocka.h>
 
-enum { WIDTH = 41, HEIGHT = 31, PIXELS = WIDTH * HEIGHT };
+/* Where a frame is dear a test may define SMALL_FRAMES.  STRAIGHT_AHEAD has a
+ * unit for each pixel. */
+#ifdef SMALL_FRAMES
+enum { WIDTH = 17, HEIGHT = 13 };
+#define STRAIGHT_AHEAD "direction 32*z right 17*x up 13*y"
+#define QUEUES { 1, WIDTH - 1, 2000 }
+#else
+enum { WIDTH = 41, HEIGHT = 31 };
+#define STRAIGHT_AHEAD "direction 64*z right 41*x up 31*y"
+#define QUEUES { 1, WIDTH - 1, WIDTH, 2000 }
+#endif
+
+enum { PIXELS = WIDTH * HEIGHT };
 
 struct words {
     c205_word channel[FRAME_CHANNELS][PIXELS];
@@ -71,7 +83,7 @@ static inline struct words *trace_words(const struct scene *scene,
 static inline struct words *same_frame_of(const struct scene *scene,
                                           const char *text)
 {
-    static const size_t queues[] = { 1, 40, 41, 2000 };
+    static const size_t queues[] = QUEUES;
     struct words *scalar = trace_words(scene, TRACE_SCALAR, 1);
 
     for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
@@ -218,7 +230,7 @@ static inline void check_random_scenes(void (*add_shape)(char *, size_t),
 
 /* Numbers chosen so that nothing is cut off: the middle ray is 0, 0, 1. */
 #define STRAIGHT \
-    HEAD "camera { location <0, 0, -5> direction 64*z right 41*x up 31*y }\n"
+    HEAD "camera { location <0, 0, -5> " STRAIGHT_AHEAD " }\n"
 
 static inline void check_middle_within(const char *text, int64_t id,
                                        double depth, double tolerance)
