@@ -20,12 +20,21 @@ struct cmd_arguments {
     struct speedup_view view;
     bool mode_given, size_given, strict, half;
     bool first, compare; /* of polynomials: --first, --falsi all */
+    bool passes; /* of the root solver, one by one, in the speedup table */
     enum falsi falsi;
     const char **search;        /* folders for includes; NULL at the end */
 };
 
 typedef int cmd_function(struct cmd_arguments *arguments);
 cmd_function cmd_render, cmd_speedup, cmd_quartic;
+
+/* What a command does with its model, which is found and set, and with the
+ * JSON file that the user asked for, NULL if none. */
+typedef int cmd_work(const struct cmd_arguments *arguments,
+                     struct json *json);
+/* Do that.  The file is kept if the work ends with CMD_DONE, else dropped.
+ * The exit code. */
+int cmd_with_machine(struct cmd_arguments *arguments, cmd_work *work);
 
 /* Let Ctrl-C ask a trace to stop, and show progress when stderr is a
  * terminal: a trace_options.progress function and its context. */

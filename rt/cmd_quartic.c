@@ -4,29 +4,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "asm/accounts.h"
 #include "asm/provenance.h"
 #include "rt/cmd.h"
 #include "rt/polynomials.h"
+#include "rt/quartic_costs.h"
 #include "rt/scene/report.h"
 
-static const struct table_column stages[] = {
-    { "stage", "stage", TABLE_TEXT, 0 },
-    { "brackets", "brackets", TABLE_COUNT, 0 },
-    { "steps_per_bracket", "steps/bracket", TABLE_NUMBER, 2 },
-    { "halvings_per_bracket", "halvings", TABLE_NUMBER, 2 },
-    { "passes", "passes", TABLE_COUNT, 0 },
-    { "in_loop", "in loop", TABLE_NUMBER, 1 },
-    { "active_percent", "% active", TABLE_NUMBER, 1 },
-};
-static const struct table_column passes[] = {
-    { "stage", "stage", TABLE_TEXT, 0 },
-    { "pass", "pass", TABLE_COUNT, 0 },
-    { "in_loop", "in loop", TABLE_COUNT, 0 },
-    { "active", "active", TABLE_COUNT, 0 },
-    { "active_percent", "% of the loop", TABLE_NUMBER, 1 },
-    { "all_percent", "% of all", TABLE_NUMBER, 1 },
-};
 static const struct table_column rules[] = {
     { "falsi", "falsi", TABLE_TEXT, 0 },
     { "form", "form", TABLE_TEXT, 0 },
@@ -38,148 +21,10 @@ static const struct table_column rules[] = {
     { "slope_passes", "slope: passes", TABLE_COUNT, 0 },
     { "value_passes", "value: passes", TABLE_COUNT, 0 },
 };
-#define COLUMNS(list) (sizeof(list) / sizeof *(list))
-
-/* ---- Results ------------------------------------------------------------ */
 
 static double ratio(uint64_t a, uint64_t b)
 {
     return b > 0 ? (double)a / (double)b : NAN;
-}
-
-static struct table *stage_table(const struct iterations *iterations)
-{
-    struct table *table = table_new(stages, COLUMNS(stages));
-
-    for (int i = 0; table != NULL && i < STAGES; i++) {
-        const struct stage_count *count = &iterations->stage[i];
-
-        table_text(table, stage_name((enum stage)i));
-        table_count(table, count->brackets);
-        table_number(table, ratio(count->steps, count->brackets));
-        table_number(table, ratio(count->halvings, count->brackets));
-        table_count(table, count->passes);
-        table_number(table, ratio(count->lanes, count->passes));
-        table_number(table, 100 * ratio(count->steps, count->lanes));
-    }
-    return table;
-}
-
-static struct table *pass_table(const struct iterations *iterations)
-{
-    struct table *table = table_new(passes, COLUMNS(passes));
-
-    for (int i = 0; table != NULL && i < STAGES; i++) {
-        const struct stage_count *count = &iterations->stage[i];
-
-        for (size_t pass = 0; pass < ITERATIONS_MOST; pass++) {
-            if (count->in_loop[pass] == 0)
-                continue;
-            table_text(table, stage_name((enum stage)i));
-            table_count(table, pass + 1);
-            table_count(table, count->in_loop[pass]);
-            table_count(table, count->active[pass]);
-            table_number(table, 100
-                                    * ratio(count->active[pass],
-                                            count->in_loop[pass]));
-            table_number(table,
-                         100 * ratio(count->active[pass], count->brackets));
-        }
-    }
-    return table;
-}
-
-/* Each line of the table behind a #. */
-static bool print_remarks(const struct table *table, const char *heading)
-{
-    char *text = NULL;
-    size_t length = 0;
-    FILE *stream = open_memstream(&text, &length);
-    bool good = stream != NULL && table_print(table, stream);
-    bool begins = true;
-
-    good = stream != NULL && fclose(stream) == 0 && good;
-    printf("#\n# %s\n#\n", heading);
-    for (size_t i = 0; good && i < length; i++) {
-        if (begins)
-            fputs(text[i] == '\n' ? "#" : "# ", stdout);
-        putchar(text[i]);
-        begins = text[i] == '\n';
-    }
-    free(text);
-    return good;
-}
-
-/* All that is printed and written after the roots. */
-struct costs {
-    const struct cmd_arguments *arguments;
-    const c205 *machine;
-    const char *falsi;
-    size_t polynomials, roots;
-    struct table *stages, *passes, *regions, *causes, *detail;
-};
-
-static bool print_costs(const struct costs *costs)
-{
-    const struct trace_options *trace = &costs->arguments->trace;
-    uint64_t clocks = c205_clock(costs->machine);
-
-    printf("# %zu polynomials, %zu roots; %s", costs->polynomials,
-           costs->roots, trace_mode_name(trace->mode));
-    if (trace->mode == TRACE_VECTOR)
-        printf(", a queue of %zu", trace->queue);
-    printf(", %s, falsi %s\n",
-           costs->arguments->first ? "first roots" : "all roots",
-           costs->falsi);
-    printf("# %llu clocks, %.8f s on the machine\n# ",
-           (unsigned long long)clocks,
-           accounts_seconds(trace->model, clocks));
-    provenance_print(trace->model);
-    return print_remarks(costs->regions, "Clocks by region:")
-           && print_remarks(costs->detail, "By cause:")
-           && print_remarks(costs->stages, "Refinement: knots (slope) and "
-                                           "roots (value), steps of falsi:")
-           && print_remarks(costs->passes, "Brackets still active, by pass:");
-}
-
-static void write_costs(const struct costs *costs, struct json *json)
-{
-    const struct trace_options *trace = &costs->arguments->trace;
-    uint64_t clocks = c205_clock(costs->machine);
-
-    json_text(json, "file", costs->arguments->scene);
-    json_text(json, "mode", trace_mode_name(trace->mode));
-    json_count(json, "queue", trace->queue);
-    json_truth(json, "first", costs->arguments->first);
-    json_text(json, "falsi", costs->falsi);
-    json_count(json, "clocks", clocks);
-    json_number(json, "seconds", accounts_seconds(trace->model, clocks));
-    provenance_json(trace->model, json);
-    table_json(costs->regions, json, "regions");
-    table_json(costs->detail, json, "causes");
-    table_json(costs->stages, json, "stages");
-    table_json(costs->passes, json, "passes");
-}
-
-static bool tell_costs(struct costs *costs,
-                       const struct iterations *iterations, struct json *json)
-{
-    bool good;
-
-    costs->stages = stage_table(iterations);
-    costs->passes = pass_table(iterations);
-    costs->regions = accounts_by_region(costs->machine);
-    costs->detail = accounts_by_cause(costs->machine);
-    good = costs->stages != NULL && costs->passes != NULL
-           && costs->regions != NULL && costs->detail != NULL
-           && print_costs(costs);
-    if (good && json != NULL)
-        write_costs(costs, json);
-    table_free(costs->stages);
-    table_free(costs->passes);
-    table_free(costs->regions);
-    table_free(costs->detail);
-    return good;
 }
 
 /* ---- Roots -------------------------------------------------------------- */
@@ -310,15 +155,17 @@ static int solve(const struct cmd_arguments *arguments,
     size_t refused = 0;
 
     if (good) {
-        struct costs costs = { .arguments = arguments,
-                               .machine = roots_machine(found),
-                               .falsi = falsi_name(roots_falsi(found)),
-                               .polynomials = polynomials->count,
-                               .roots = count_roots(roots,
-                                                    polynomials->count) };
+        const struct quartic_costs costs = {
+            .file = arguments->scene,
+            .options = &options,
+            .search = found,
+            .iterations = &iterations,
+            .polynomials = polynomials->count,
+            .roots = count_roots(roots, polynomials->count),
+        };
 
         refused = tell_roots(arguments, polynomials, roots, json);
-        good = tell_costs(&costs, &iterations, json);
+        good = quartic_costs_tell(&costs, json);
     }
     roots_free(found);
     free(roots);
@@ -369,7 +216,7 @@ static int compare_rules(const struct cmd_arguments *arguments,
                          struct json *json)
 {
     c205_error error = { "no memory" };
-    struct table *table = table_new(rules, COLUMNS(rules));
+    struct table *table = table_new(rules, sizeof rules / sizeof *rules);
     bool good = table != NULL;
 
     for (int rule = 0; good && rule < FALSI_RULES; rule++)
@@ -411,25 +258,5 @@ static int run(const struct cmd_arguments *arguments, struct json *json)
 
 int cmd_quartic(struct cmd_arguments *arguments)
 {
-    c205_error error;
-    struct json *json = NULL;
-    c205_model *model = c205_model_find(arguments->model, &error);
-    int code;
-
-    if (model == NULL)
-        return cmd_failed(arguments->command, "%s", error.message);
-    if (arguments->json != NULL
-        && (json = json_open(arguments->json, &error)) == NULL) {
-        c205_model_free(model);
-        return cmd_failed(arguments->command, "%s", error.message);
-    }
-    arguments->trace.model = model;
-    cmd_watch(&arguments->trace);
-    code = run(arguments, json);
-    if (json != NULL && code != CMD_DONE)
-        json_discard(json);
-    else if (json != NULL && !json_close(json, &error))
-        code = cmd_failed(arguments->command, "%s", error.message);
-    c205_model_free(model);
-    return code;
+    return cmd_with_machine(arguments, run);
 }

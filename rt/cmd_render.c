@@ -140,21 +140,13 @@ static int render(const struct cmd_arguments *arguments,
                 : cmd_failed(arguments->command, "%s", error.message);
 }
 
-static int render_with_model(struct cmd_arguments *arguments,
-                             struct json *json)
+static int render_scene(const struct cmd_arguments *arguments,
+                        struct json *json)
 {
-    c205_error error;
-    c205_model *model = c205_model_find(arguments->model, &error);
-    struct scene *scene;
-    int code;
+    struct scene *scene = read_scene(arguments);
+    int code = scene == NULL ? CMD_FAILED : render(arguments, scene, json);
 
-    if (model == NULL)
-        return cmd_failed(arguments->command, "%s", error.message);
-    arguments->trace.model = model;
-    scene = read_scene(arguments);
-    code = scene == NULL ? CMD_FAILED : render(arguments, scene, json);
     scene_free(scene);
-    c205_model_free(model);
     return code;
 }
 
@@ -178,20 +170,7 @@ static int check_files(const struct cmd_arguments *arguments)
 
 int cmd_render(struct cmd_arguments *arguments)
 {
-    struct json *json = NULL;
-    c205_error error;
     int code = check_files(arguments);
 
-    if (code != CMD_DONE)
-        return code;
-    if (arguments->json != NULL
-        && (json = json_open(arguments->json, &error)) == NULL)
-        return cmd_failed(arguments->command, "%s", error.message);
-    cmd_watch(&arguments->trace);
-    code = render_with_model(arguments, json);
-    if (json != NULL && code != CMD_DONE)
-        json_discard(json);
-    else if (json != NULL && !json_close(json, &error))
-        code = cmd_failed(arguments->command, "%s", error.message);
-    return code;
+    return code == CMD_DONE ? cmd_with_machine(arguments, render_scene) : code;
 }

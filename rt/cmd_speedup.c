@@ -67,7 +67,8 @@ static int speedup(const struct cmd_arguments *arguments, struct json *json)
     if (good)
         puts("In each row the scalar and the vector frame are equal, bit "
              "for bit.");
-    good = good && speedup_report_print(report, stdout);
+    good = good
+           && speedup_report_print(report, arguments->passes, stdout);
     if (good && json != NULL) {
         write_head(arguments, json);
         speedup_report_json(report, json);
@@ -79,25 +80,5 @@ static int speedup(const struct cmd_arguments *arguments, struct json *json)
 
 int cmd_speedup(struct cmd_arguments *arguments)
 {
-    c205_error error;
-    struct json *json = NULL;
-    c205_model *model = c205_model_find(arguments->model, &error);
-    int code;
-
-    if (model == NULL)
-        return cmd_failed(arguments->command, "%s", error.message);
-    if (arguments->json != NULL
-        && (json = json_open(arguments->json, &error)) == NULL) {
-        c205_model_free(model);
-        return cmd_failed(arguments->command, "%s", error.message);
-    }
-    arguments->trace.model = model;
-    cmd_watch(&arguments->trace);
-    code = speedup(arguments, json);
-    if (json != NULL && code != CMD_DONE)
-        json_discard(json);
-    else if (json != NULL && !json_close(json, &error))
-        code = cmd_failed(arguments->command, "%s", error.message);
-    c205_model_free(model);
-    return code;
+    return cmd_with_machine(arguments, speedup);
 }

@@ -26,12 +26,12 @@ struct stage_count {
 };
 
 struct iterations {
+    bool vector; /* the form of the program */
     struct stage_count stage[STAGES];
     /* Private. */
     struct stage_labels {
         uint64_t begin, wide, step, midpoint, left;
     } labels[STAGES];
-    bool vector;
     size_t pass;     /* of the refinement that goes on */
     uint64_t active; /* in it */
 };

@@ -181,6 +181,16 @@ static const char *cut_line(struct line *line, const char *text,
     return newline != NULL ? newline + 1 : end;
 }
 
+/* Spreadsheets write the mark of UTF-8 first. */
+static const char *skip_mark(const char *text, size_t length)
+{
+    static const char mark[] = { '\xEF', '\xBB', '\xBF' };
+    bool marked = length >= sizeof mark
+                  && memcmp(text, mark, sizeof mark) == 0;
+
+    return marked ? text + sizeof mark : text;
+}
+
 static bool read_lines(struct polynomials *polynomials, const char *path,
                        const char *text, size_t length,
                        struct reports *reports)
@@ -189,6 +199,7 @@ static bool read_lines(struct polynomials *polynomials, const char *path,
     const char *end = text + length;
     bool first = true;
 
+    text = skip_mark(text, length);
     while (text < end) {
         struct polynomial polynomial;
 

@@ -3,7 +3,8 @@
  * A line holds c4,c3,c2,c1,c0 and, if wanted, a bound, which is 0 otherwise:
  * decimal numbers between commas, of any size that the machine has.  Empty
  * lines and lines that begin with # are passed over; the first other line may
- * name the columns.
+ * name the columns.  Lines may end with CR LF; a mark of UTF-8
+ * may come first.
  */
 #ifndef RT_POLYNOMIALS_H
 #define RT_POLYNOMIALS_H

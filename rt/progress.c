@@ -1,4 +1,4 @@
-/* progress.c - a line on the terminal while a frame is traced, and Ctrl-C. */
+/* progress.c - a line on the terminal while the machine works, and Ctrl-C. */
 #include <signal.h>
 #include <stdio.h>
 #include <time.h>
@@ -29,30 +29,39 @@ static double seconds_since(const struct timespec *then)
 }
 
 /* Only for work of more than a second, a few times each second. */
-static void show(struct watch *watch, size_t done, size_t pixels)
+static void show(struct watch *watch, size_t done, size_t all)
 {
     double passed = seconds_since(&watch->begin);
-    double left = done > 0 ? passed * (double)(pixels - done) / (double)done
+    double left = done > 0 ? passed * (double)(all - done) / (double)done
                            : 0;
 
     if (passed < 1 || seconds_since(&watch->shown) < 0.2)
         return;
     clock_gettime(CLOCK_MONOTONIC, &watch->shown);
-    fprintf(stderr, "\r%3.0f %% traced, %.0f s left ",
-            100.0 * (double)done / (double)pixels, left);
+    fprintf(stderr, "\r%3.0f %% done, %.0f s left ",
+            100.0 * (double)done / (double)all, left);
     watch->line = true;
 }
 
-static bool watch_progress(void *context, size_t done, size_t pixels)
+static void hide(struct watch *watch)
+{
+    if (watch->line)
+        fputs("\r                              \r", stderr);
+    watch->line = false;
+}
+
+/* A command may run several programs, one after another: the time counts from
+ * the end of the last. */
+static bool watch_progress(void *context, size_t done, size_t all)
 {
     struct watch *watch = context;
 
-    if (watch->terminal && !interrupted)
-        show(watch, done, pixels);
-    if ((interrupted || done == pixels) && watch->line) {
-        fputs("\r                              \r", stderr);
-        watch->line = false;
-    }
+    if (interrupted || done == all)
+        hide(watch);
+    else if (watch->terminal)
+        show(watch, done, all);
+    if (done == all)
+        clock_gettime(CLOCK_MONOTONIC, &watch->begin);
     return !interrupted;
 }
 

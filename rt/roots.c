@@ -196,8 +196,12 @@ bool roots_run(struct root_search *search, c205_error *error)
                              : c205_clock(search->machine) + SLICE;
         c205_stop stop = c205_run(search->machine, limit);
 
-        if (stop.trap == C205_TRAP_NONE)
+        if (stop.trap == C205_TRAP_NONE) {
+            if (options->progress != NULL)
+                options->progress(options->context, search->count,
+                                  search->count);
             return true;
+        }
         if (stop.trap != C205_TRAP_CLOCK_LIMIT) {
             c205_describe_stop(search->machine, &stop, error);
             return false;

@@ -43,14 +43,16 @@ static const struct command {
       "  --strict             what would be replaced or left out is an error\n"
       "  -I, --include DIR    look for included files there as well\n"
       OPTION_JSON },
-    { "speedup", cmd_speedup, "WHDAqmj", NULL, 400, 250,
+    { "speedup", cmd_speedup, "WHDAqmjP", NULL, 400, 250,
       "scalar against vector, kernel by kernel",
       "rt205 speedup           100,000 rays against a sphere, a cylinder, a "
       "Steiner\n"
       "                        patch (the paper's Table 1) and more; what "
       "the root\n"
       "                        solver takes\n"
-      OPTION_SIZE OPTION_VIEW OPTION_QUEUE OPTION_MODEL OPTION_JSON },
+      OPTION_SIZE OPTION_VIEW OPTION_QUEUE
+      "  --passes             the root solver's vectors pass by pass as well\n"
+      OPTION_MODEL OPTION_JSON },
     { "quartic", cmd_quartic, "MqmjaRF", "a file of polynomials", 1, 1,
       "the real roots of polynomials, and what they cost",
       "rt205 quartic FILE.csv  lines c4,c3,c2,c1,c0 and perhaps a bound (0);\n"
@@ -84,6 +86,7 @@ static const struct option options[] = {
     { "half", no_argument, NULL, 'f' },
     { "historical", no_argument, NULL, 'p' },
     { "all", no_argument, NULL, 'a' },
+    { "passes", no_argument, NULL, 'P' },
     { "first", no_argument, NULL, 'R' },
     { "falsi", required_argument, NULL, 'F' },
     { NULL, 0, NULL, 0 },
@@ -118,6 +121,7 @@ static bool take(int letter, struct cmd_arguments *arguments)
     case 'p': arguments->trace.historical = true; return true;
     case 'a': arguments->first = false; return true;
     case 'R': arguments->first = true; return true;
+    case 'P': arguments->passes = true; return true;
     case 'F':
         arguments->compare = strcmp(optarg, "all") == 0;
         return arguments->compare
@@ -156,6 +160,8 @@ static bool parse_options(int argc, char **argv, const char *allowed,
            != -1) {
         const char *word = argv[optind - 1];
 
+        if (word == optarg)
+            word = argv[optind - 2];
         if (letter == ':')
             cmd_usage(argv[0], "%s needs an argument", word);
         else if (letter == '?' || strchr(allowed, letter) == NULL)

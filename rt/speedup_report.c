@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "asm/accounts.h"
+#include "rt/iterations_table.h"
 
 static const struct table_column rays[] = {
     { "primitive", "primitive", TABLE_TEXT, 0 },
@@ -41,23 +42,12 @@ static const struct table_column steps[] = {
     { "primitive", "primitive", TABLE_TEXT, 0 },
     { "form", "form", TABLE_TEXT, 0 },
     { "falsi", "falsi", TABLE_TEXT, 0 },
-    { "roots_of", "roots of", TABLE_TEXT, 0 },
-    { "brackets", "brackets", TABLE_COUNT, 0 },
-    { "steps", "steps", TABLE_COUNT, 0 },
-    { "steps_per_bracket", "steps/bracket", TABLE_NUMBER, 2 },
-    { "passes", "passes", TABLE_COUNT, 0 },
-    { "lanes_per_pass", "lanes/pass", TABLE_NUMBER, 1 },
-    { "active_percent", "% active", TABLE_NUMBER, 1 },
+    ITERATIONS_COLUMNS,
 };
 
 static const struct table_column passes[] = {
     { "primitive", "primitive", TABLE_TEXT, 0 },
-    { "roots_of", "roots of", TABLE_TEXT, 0 },
-    { "pass", "pass", TABLE_COUNT, 0 },
-    { "active", "active", TABLE_COUNT, 0 },
-    { "brackets_percent", "% of brackets", TABLE_NUMBER, 1 },
-    { "lanes", "lanes", TABLE_COUNT, 0 },
-    { "active_percent", "% active", TABLE_NUMBER, 1 },
+    ITERATIONS_PASS_COLUMNS,
 };
 
 static const struct table_column causes[] = {
@@ -208,23 +198,12 @@ static void add_steps(struct table *table,
                       const struct speedup_subject *subject, int mode,
                       const struct speedup_measure *measure)
 {
-    bool vector = mode == TRACE_VECTOR;
-
     for (int i = 0; i < STAGES; i++) {
-        const struct stage_count *count = &measure->iterations.stage[i];
-
-        if (count->brackets == 0)
+        if (measure->iterations.stage[i].brackets == 0)
             continue;
         add_name(table, subject, mode);
         table_text(table, falsi_name(measure->falsi));
-        table_text(table, stage_name((enum stage)i));
-        table_count(table, count->brackets);
-        table_count(table, count->steps);
-        table_number(table, quotient(count->steps, count->brackets));
-        table_count(table, count->passes);
-        table_number(table, quotient(count->lanes, count->passes));
-        table_number(table, vector ? percent(count->steps, count->lanes)
-                                   : NAN);
+        iterations_add(table, &measure->iterations, (enum stage)i);
     }
 }
 
@@ -232,20 +211,14 @@ static void add_passes(struct table *table,
                        const struct speedup_subject *subject,
                        const struct speedup_measure *measure)
 {
-    for (int i = 0; i < STAGES; i++) {
-        const struct stage_count *count = &measure->iterations.stage[i];
+    const struct iterations *iterations = &measure->iterations;
 
-        for (size_t pass = 0;
-             pass < ITERATIONS_MOST && count->in_loop[pass] > 0; pass++) {
+    for (int i = 0; i < STAGES; i++) {
+        size_t count = iterations_passes(iterations, (enum stage)i);
+
+        for (size_t pass = 0; pass < count; pass++) {
             table_text(table, subject->name);
-            table_text(table, stage_name((enum stage)i));
-            table_count(table, pass + 1);
-            table_count(table, count->active[pass]);
-            table_number(table,
-                         percent(count->active[pass], count->brackets));
-            table_count(table, count->in_loop[pass]);
-            table_number(table, percent(count->active[pass],
-                                        count->in_loop[pass]));
+            iterations_add_pass(table, iterations, (enum stage)i, pass);
         }
     }
 }
@@ -282,9 +255,12 @@ void speedup_report_add(struct speedup_report *report,
     add_passes(tables[PASSES], subject, &measures[TRACE_VECTOR]);
 }
 
-bool speedup_report_print(const struct speedup_report *report, FILE *file)
+bool speedup_report_print(const struct speedup_report *report,
+                          bool with_passes, FILE *file)
 {
     for (int i = 0; i < KINDS; i++) {
+        if (i == PASSES && !with_passes)
+            continue;
         fprintf(file, "\n%s\n\n", kinds[i].heading);
         if (!table_print(report->tables[i], file))
             return false;

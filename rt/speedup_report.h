@@ -20,8 +20,11 @@ void speedup_report_add(struct speedup_report *report,
                         const struct speedup_view *view,
                         const struct speedup_measure measures[TRACE_MODES]);
 
-/* False: memory ran out, or a write error. */
-bool speedup_report_print(const struct speedup_report *report, FILE *file);
+/* The table pass by pass, which is long, only if wanted.  False: memory ran
+ * out, or a write error. */
+bool speedup_report_print(const struct speedup_report *report,
+                          bool with_passes, FILE *file);
+/* All tables. */
 void speedup_report_json(const struct speedup_report *report,
                          struct json *json);
 

@@ -132,8 +132,11 @@ bool trace_run(struct trace *trace, c205_error *error)
                              : c205_clock(trace->machine) + SLICE;
         c205_stop stop = c205_run(trace->machine, limit);
 
-        if (stop.trap == C205_TRAP_NONE)
+        if (stop.trap == C205_TRAP_NONE) {
+            if (options->progress != NULL)
+                options->progress(options->context, pixels, pixels);
             return true;
+        }
         if (stop.trap != C205_TRAP_CLOCK_LIMIT) {
             c205_describe_stop(trace->machine, &stop, error);
             return false;

@@ -35,8 +35,8 @@ struct trace_options {
     bool historical;         /* the paper's way to Steiner patches: by their
                                 implicit quartic, with its falsi */
     const c205_model *model; /* must outlive the trace */
-    /* Called now and then with the pixels done; returns false to stop.  NULL
-     * if nobody wants to know. */
+    /* Called now and then with the pixels done, at the end with all of them;
+     * returns false to stop.  NULL if nobody wants to know. */
     bool (*progress)(void *context, size_t done, size_t pixels);
     void *context;
 };

@@ -357,8 +357,16 @@ ends 0 "$build/rt205" quartic good.csv --first --json roots.json
 verdict $? "not the first roots alone"
 grep -q '"texts"' roots.json
 verdict $? "no roots in roots.json"
+ends 0 "$build/rt205" quartic good.csv --falsi illinois
+tells out "falsi illinois$"
 ends 0 "$build/rt205" quartic good.csv --falsi all
 tells out '^# anderson-bjorck *vector '
+printf '\357\273\277c4,c3,c2,c1,c0\r\n0,0,0,1,-2' >sheet.csv
+ends 0 "$build/rt205" quartic sheet.csv
+tells out "^0: 2$"
+: >nothing.csv
+ends 0 "$build/rt205" quartic nothing.csv
+tells out "^# 0 polynomials, 0 roots"
 ends 1 "$build/rt205" quartic bad.csv --json never.json
 tells err '^bad.csv:2:8: error: expected a comma'
 tells err '^bad.csv:3:5: error: expected a number'
@@ -384,6 +392,8 @@ ends 2 "$build/rt205" quartic good.csv bad.csv
 ends 2 "$build/rt205" quartic good.csv --mode sideways
 ends 2 "$build/rt205" quartic good.csv --falsi nonsense
 ends 2 "$build/rt205" quartic good.csv --queue 0
+ends 2 "$build/rt205" quartic good.csv -W 3
+tells err "no such option: -W"
 
 # pictures
 ends 0 "$build/rt205" render "$scene" -o a.png -W 40 -H 30 --json a.json
@@ -420,12 +430,15 @@ for row in sphere cylinder Steiner torus; do
 done
 tells out "root_solver"
 tells out "paper: %"
+[ "$(grep -c "pass by pass" out)" -eq 0 ]
+verdict $? "the passes are printed though not asked for"
 for key in rays times shares steps passes causes; do
     grep -q "\"$key\": \[" speedup.json
     verdict $? "speedup.json has no $key"
 done
-ends 0 "$build/rt205" speedup -W 16 -H 10 --distance 9.5 --angle 20
+ends 0 "$build/rt205" speedup -W 16 -H 10 --distance 9.5 --angle 20 --passes
 tells out "20 degrees .* 9.5"
+tells out "pass by pass"
 for wrong in "--distance 0" "--distance inf" "--angle 180" "--angle x"; do
     # An option and its argument are words.
     # shellcheck disable=SC2086
@@ -434,26 +447,6 @@ done
 ends 1 "$build/rt205" speedup --model nonsense
 ends 1 "$build/rt205" speedup -W 16 -H 10 --json missing/speedup.json
 
-# Polynomials: what is found, in both forms, and what is no polynomial.
-printf '1,-10,35,-50,24\n0,1,-6,11,-6,1.5\n1,0,0,0,1\n' >roots.csv
-for mode in scalar vector; do
-    ends 0 "$build/rt205" quartic roots.csv --mode $mode --json roots.json
-    grep -v '^#' out >roots.$mode
-    [ -s roots.json ]
-    verdict $? "roots.json is empty"
-done
-cmp -s roots.scalar roots.vector
-verdict $? "the roots of both forms are not the same"
-tells out '^1: [12].* [23]'
-tells out '^2:$'
-ends 0 "$build/rt205" quartic roots.csv --first --falsi illinois
-ends 0 "$build/rt205" quartic roots.csv --falsi all
-printf '1,2,x,4,5\n' >bad.csv
-ends 1 "$build/rt205" quartic bad.csv
-tells err 'bad.csv:1:5: error: expected a number'
-ends 1 "$build/rt205" quartic missing.csv
-ends 2 "$build/rt205" quartic
-ends 2 "$build/rt205" quartic roots.csv --falsi nonsense
 # Ctrl-C in the middle of a long frame
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \
     >out 2>err &

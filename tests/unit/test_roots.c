@@ -11,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "rt/program.h"
 #include "rt/roots.h"
 #include "tests/random.h"
 #include "vm/text.h"
@@ -109,17 +110,22 @@ static void check_known(const struct known *expected,
     assert_int_equal(roots->count, count);
 }
 
+static void read_known(struct polynomial polynomials[KNOWN])
+{
+    for (size_t i = 0; i < KNOWN; i++) {
+        for (int j = 0; j < 5; j++)
+            polynomials[i].c[j] = number(known[i].c[j]);
+        polynomials[i].bound = number(known[i].bound);
+    }
+}
+
 static void test_known(void **state)
 {
     struct roots_options options = { .queue = 10, .model = model };
     struct polynomial polynomials[KNOWN];
 
     (void)state;
-    for (size_t i = 0; i < KNOWN; i++) {
-        for (int j = 0; j < 5; j++)
-            polynomials[i].c[j] = number(known[i].c[j]);
-        polynomials[i].bound = number(known[i].bound);
-    }
+    read_known(polynomials);
     for (int way = 0; way < 2 * 2 * FALSI_RULES; way++) {
         struct polynomial_roots *roots;
 
@@ -131,6 +137,60 @@ static void test_known(void **state)
             check_known(&known[i], &roots[i], options.first);
         free(roots);
     }
+}
+
+/* Ever more, and in the end all. */
+static bool note_progress(void *context, size_t done, size_t all)
+{
+    size_t *last = context;
+
+    assert_int_equal(all, KNOWN);
+    assert_in_range(done, *last, all);
+    *last = done;
+    return true;
+}
+
+static void test_progress(void **state)
+{
+    size_t last = 0;
+    struct roots_options options = { .queue = 1,
+                                     .model = model,
+                                     .progress = note_progress,
+                                     .context = &last };
+    struct polynomial polynomials[KNOWN];
+
+    (void)state;
+    read_known(polynomials);
+    for (int mode = 0; mode < TRACE_MODES; mode++) {
+        last = 0;
+        options.mode = (enum trace_mode)mode;
+        free(solve(polynomials, KNOWN, &options));
+        assert_int_equal(last, KNOWN);
+    }
+}
+
+/* The numbers of falsi.h are those of the kernels. */
+static void test_falsi(void **state)
+{
+    static const struct {
+        const char *name;
+        enum falsi rule;
+    } rules[FALSI_RULES] = { { "PAPER", FALSI_PAPER },
+                             { "ILLINOIS", FALSI_ILLINOIS },
+                             { "PEGASUS", FALSI_PEGASUS },
+                             { "ANDERSON_BJORCK", FALSI_ANDERSON_BJORCK } };
+    const struct asm_define defines[] = { { "QUEUE", 1 }, { NULL, 0 } };
+    c205_error error = { "" };
+    struct object *program = program_assemble("roots_vector.s", defines,
+                                              &error);
+
+    (void)state;
+    if (program == NULL)
+        fail_msg("%s", error.message);
+    for (int i = 0; i < FALSI_RULES; i++)
+        assert_int_equal(object_symbol(program, rules[i].name)->value,
+                         rules[i].rule);
+    object_free(program);
 }
 
 /* What no exponent of the machine can hold is refused, not guessed. */
@@ -413,6 +473,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_known),
+        cmocka_unit_test(test_progress),
+        cmocka_unit_test(test_falsi),
         cmocka_unit_test(test_refused),
         cmocka_unit_test(test_alone),
     };

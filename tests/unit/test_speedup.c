@@ -1,5 +1,5 @@
 /* test_speedup.c - the rows of rt205 speedup, in small frames. */
-#include "rt/speedup.h"
+#include "rt/speedup_report.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -168,6 +168,39 @@ static void test_errors(void **state)
     check_error(&subject, "sphere");
 }
 
+/* The passes are a table of their own, which comes if asked for. */
+static void check_print(const struct speedup_report *report, bool passes)
+{
+    char *text = NULL;
+    size_t length = 0;
+    FILE *stream = open_memstream(&text, &length);
+
+    assert_non_null(stream);
+    assert_true(speedup_report_print(report, passes, stream));
+    assert_int_equal(fclose(stream), 0);
+    assert_non_null(strstr(text, "paper: speedup"));
+    assert_int_equal(strstr(text, "pass by pass") != NULL, passes);
+    assert_int_equal(strstr(text, "% of brackets") != NULL, passes);
+    free(text);
+}
+
+static void test_report(void **state)
+{
+    struct speedup_report *report = speedup_report_new(model);
+
+    (void)state;
+    assert_non_null(report);
+    for (size_t i = 0; i < speedup_subject_count; i++) {
+        struct speedup_measure measures[TRACE_MODES];
+
+        measure(&speedup_subjects[i], &view, measures);
+        speedup_report_add(report, &speedup_subjects[i], &view, measures);
+    }
+    check_print(report, false);
+    check_print(report, true);
+    speedup_report_free(report);
+}
+
 static int set_up(void **state)
 {
     c205_error error;
@@ -192,6 +225,7 @@ int main(void)
         cmocka_unit_test(test_historical),
         cmocka_unit_test(test_view),
         cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_report),
     };
 
     return cmocka_run_group_tests(tests, set_up, tear_down);
