@@ -29,12 +29,11 @@ static inline lane sum_lower(c205_word a, c205_word b, int64_t t)
 {
     const c205_word l = larger(a, b);
     const int64_t e = exponent(l) - DIGITS;
-    const bool it_fits = fits(t, 2 * DIGITS);
+    const uint64_t places = excess(t, 2 * DIGITS);
 
     return odd_if(indefinite(l),
                   zero_if(is_zero(l),
-                          lower(it_fits ? e : e + 1,
-                                it_fits ? t : t >> 1)));
+                          lower(e + (int64_t)places, t >> places)));
 }
 
 static inline lane lane_add_lower(c205_word a, c205_word b)
@@ -187,7 +186,7 @@ static inline lane lane_extend(c205_word a)
 {
     const c205_word digits = (a & ~EXPONENT_MASK) >> 8;
     const lane result = {
-        (c205_word)(exponent(a) - MORE_DIGITS) << 48 | digits, 0
+        (c205_word)(exponent(a) - MORE_DIGITS) << 48 | digits, 0, 0
     };
 
     return special_product(a, a, result);

@@ -26,15 +26,13 @@ static inline lane lane_multiply_upper(c205_word a, c205_word b)
     return special_product(a, b, fitted(e, product(a, b, 1)));
 }
 
-/* The product of normalised operands lies in 2^92 .. 2^94, or below -2^92: of
- * its floor / 2^46 one place at most is too many, but for -2^47 x -2^47. */
+/* The product of normalised operands lies in 2^92 .. 2^94, or below -2^92. */
 static inline lane lane_multiply_significant(c205_word a, c205_word b)
 {
     const int64_t e = exponent(a) + exponent(b) + (WORD_DIGITS - 1);
     const int64_t p = product(a, b, 2);
-    const uint64_t too_long = (uint64_t)((INT64_C(1) << 48) - 1 - p);
     const lane result
-        = odd_if(unnormalised(a) | unnormalised(b) | too_long, fitted(e, p));
+        = odd_if(unnormalised(a) | unnormalised(b), fitted(e, p));
 
     return special_product(a, b, result);
 }

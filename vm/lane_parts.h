@@ -20,11 +20,14 @@
 #define EXPONENT_PLACE (64 - LANE_FORMAT.exponent_bits)
 #define EXPONENT_MASK (UINT64_MAX << EXPONENT_PLACE)
 
-/* A result, unless the first bit of odd is 1. */
+/* A result, unless the first bit of odd is 1; the first bit of zero is 1 where
+ * it is a machine zero. */
 typedef struct lane {
     c205_word word;
-    uint64_t odd;
+    uint64_t odd, zero;
 } lane;
+
+static const uint64_t first_bit = UINT64_C(1) << 63;
 
 /* ---- The parts of a word ------------------------------------------------ */
 
@@ -38,12 +41,17 @@ static inline int64_t coefficient(c205_word w)
     return format_coefficient(LANE_FORMAT, w);
 }
 
-/* c x 2^LANE_GUARD as it counts in arithmetic */
+/* c x 2^LANE_GUARD, also of machine zeros; as it counts in arithmetic */
 static inline int64_t guarded(c205_word w)
 {
     const int64_t digits = (int64_t)(w << LANE_FORMAT.exponent_bits);
 
-    return is_zero(w) ? 0 : digits >> (63 - DIGITS - LANE_GUARD);
+    return digits >> (63 - DIGITS - LANE_GUARD);
+}
+
+static inline int64_t guarded_value(c205_word w)
+{
+    return is_zero(w) ? 0 : guarded(w);
 }
 
 static inline uint64_t magnitude(int64_t c)
@@ -57,7 +65,7 @@ static inline uint64_t unnormalised(c205_word w)
 {
     const uint64_t digits = w << LANE_FORMAT.exponent_bits;
 
-    return ~(digits ^ digits << 1);
+    return digits ^ digits << 1 ^ first_bit;
 }
 
 static inline uint64_t out_of_range(int64_t e)
@@ -138,7 +146,7 @@ static inline c205_word integer(int64_t c)
 static inline lane number(int64_t e, int64_t c)
 {
     const lane result = {(c205_word)e << EXPONENT_PLACE | integer(c),
-                         out_of_range(e)};
+                         out_of_range(e), 0};
 
     return result;
 }
@@ -147,7 +155,8 @@ static inline lane number(int64_t e, int64_t c)
 static inline lane zero_if(bool it_is, lane otherwise)
 {
     const lane result = {it_is ? C205_MACHINE_ZERO : otherwise.word,
-                         it_is ? 0 : otherwise.odd};
+                         it_is ? 0 : otherwise.odd,
+                         it_is ? first_bit : otherwise.zero};
 
     return result;
 }
@@ -175,17 +184,19 @@ static inline lane normalised(int64_t e, int64_t t)
     return zero_if(t == 0, significant(e, t, DIGITS));
 }
 
-static inline bool fits(int64_t t, int digits)
+/* The bits of t beyond so many digits, as a number: 0, where it fits. */
+static inline uint64_t excess(int64_t t, int digits)
 {
-    return (uint64_t)(t + (INT64_C(1) << digits)) >> (digits + 1) == 0;
+    return (uint64_t)(t ^ t >> 63) >> digits;
 }
 
-/* t x 2^e, |t| <= 2^(DIGITS + 1), one place to the right if it must. */
+/* t x 2^e, |t| <= 2^(DIGITS + 1), to the right by as many places as it must.
+ * The first bits are not looked at: it may be shifted as a natural number. */
 static inline lane fitted(int64_t e, int64_t t)
 {
-    const bool it_fits = fits(t, DIGITS);
+    const uint64_t places = excess(t, DIGITS);
 
-    return number(it_fits ? e : e + 1, it_fits ? t : t >> 1);
+    return number(e + (int64_t)places, (int64_t)((uint64_t)t >> places));
 }
 
 /* What comes of special factors: machine zeros are the smallest words. */
@@ -197,18 +208,17 @@ static inline lane special_product(c205_word a, c205_word b, lane result)
 
 /* ---- Add, subtract ------------------------------------------------------ */
 
-/* Of exponents, in their place. */
-static inline uint64_t distance(c205_word a, c205_word b)
+/* Of the exponents of the larger and the smaller: nothing is borrowed below
+ * them. */
+static inline int64_t distance(c205_word l, c205_word s)
 {
-    return (larger(a, b) & EXPONENT_MASK) - (smaller(a, b) & EXPONENT_MASK);
+    return (int64_t)((l - (s & EXPONENT_MASK)) >> EXPONENT_PLACE);
 }
 
 /* c shifted right by a distance of exponents, but limit at the most. */
-static inline int64_t shifted(int64_t c, uint64_t places, uint64_t limit)
+static inline int64_t shifted(int64_t c, int64_t places, int64_t limit)
 {
-    const uint64_t most = limit << EXPONENT_PLACE;
-
-    return c >> ((places < most ? places : most) >> EXPONENT_PLACE);
+    return c >> (places < limit ? places : limit);
 }
 
 /* The sum, floored to LANE_GUARD bits below the larger operand's coefficient.
@@ -218,24 +228,23 @@ static inline int64_t shifted(int64_t c, uint64_t places, uint64_t limit)
  * there is. */
 static inline int64_t sum(c205_word a, c205_word b)
 {
-    return guarded(larger(a, b))
-           + shifted(guarded(smaller(a, b)), distance(a, b), 63);
+    const c205_word l = larger(a, b), s = smaller(a, b);
+
+    return guarded(l) + shifted(guarded_value(s), distance(l, s), 63);
 }
 
 /* The difference likewise.  A subtrahend is cut at the end of the register,
  * DIGITS down, before its sign changes. */
 static inline int64_t difference(c205_word a, c205_word b)
 {
-    const int reach = DIGITS - LANE_GUARD;
-    const uint64_t placed_reach = (uint64_t)reach << EXPONENT_PLACE;
-    const int64_t l = guarded(larger(a, b)), s = guarded(smaller(a, b));
-    const uint64_t places = distance(a, b);
-    const uint64_t beyond = places < placed_reach ? 0 : places - placed_reach;
-    const int64_t kept = shifted(s, beyond, 63);
+    const int64_t reach = DIGITS - LANE_GUARD;
+    const c205_word l = larger(a, b), s = smaller(a, b);
+    const int64_t places = distance(l, s), more = places - reach;
+    const int64_t kept = shifted(guarded_value(s), more > 0 ? more : 0, 63);
     const bool is_subtrahend = (int64_t)b <= (int64_t)a;
 
-    return (is_subtrahend ? l : -l)
-           + shifted(is_subtrahend ? -kept : kept, places, (uint64_t)reach);
+    return (is_subtrahend ? guarded(l) : -guarded(l))
+           + shifted(is_subtrahend ? -kept : kept, places, reach);
 }
 
 /* The exponent of an indefinite is out of range. */
@@ -251,11 +260,11 @@ static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
 static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
 {
     const c205_word l = larger(a, b);
-    const uint64_t too_short
-        = LANE_GUARD < DIGITS ? unnormalised(l) & ~zero(l) : 0;
+    const uint64_t too_short = LANE_GUARD < DIGITS ? unnormalised(l) : 0;
+    const lane result
+        = odd_if(too_short, normalised(exponent(l) - LANE_GUARD, t));
 
-    return odd_if(indefinite(l) | too_short,
-                  normalised(exponent(l) - LANE_GUARD, t));
+    return odd_if(indefinite(l), zero_if(is_zero(l), result));
 }
 
 static inline lane lane_add_upper(c205_word a, c205_word b)
@@ -302,14 +311,15 @@ static inline lane lane_average_difference(c205_word a, c205_word b)
 /* A negative exponent stands in a word as its distance from 0 does. */
 static inline int64_t without_fraction(int64_t c, c205_word a)
 {
-    return shifted(c, 0 - (a & EXPONENT_MASK), 63);
+    return shifted(c, (int64_t)((0 - (a & EXPONENT_MASK)) >> EXPONENT_PLACE),
+                   63);
 }
 
 static inline lane integer_part(c205_word a, int64_t part)
 {
     const c205_word whole = integer(part);
     const lane result = {exponent(a) >= 0 ? a : is_zero(a) ? a : whole,
-                         indefinite(a)};
+                         indefinite(a), zero(a)};
 
     return result;
 }
@@ -348,14 +358,15 @@ static inline lane lane_negate(c205_word a)
                                              : -c)));
 }
 
+/* A machine zero stays as it is, if its digits are those of no negative
+ * number. */
 static inline lane lane_absolute(c205_word a)
 {
-    const lane same = {a, indefinite(a)}, negated = lane_negate(a);
-    const bool is_negative = coefficient(a) < 0;
-    const lane result = {is_negative ? negated.word : same.word,
-                         is_negative ? negated.odd : same.odd};
+    const int64_t c = coefficient(a);
+    const lane zero_number = {c < 0 ? C205_MACHINE_ZERO : a, 0, first_bit};
+    const lane result = fitted(exponent(a), (int64_t)magnitude(c));
 
-    return result;
+    return odd_if(indefinite(a), is_zero(a) ? zero_number : result);
 }
 
 #endif

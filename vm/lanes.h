@@ -58,6 +58,9 @@ lanes_unary lanes_extend;
 
 lanes_unary lanes_copy;
 
+/* c[i] = word */
+void lanes_fill(c205_word *c, c205_word word, size_t n);
+
 /* c[i] = bit i of bits (as above) ? a[i] : c[i] */
 void lanes_store_masked(c205_word *c, const c205_word *a,
                         const uint64_t *bits, size_t n);

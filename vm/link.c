@@ -88,6 +88,17 @@ static c205_trap claim_pair(struct pair *pair)
     return C205_TRAP_NONE;
 }
 
+/* The sources of the first are read as well. */
+static c205_word *pair_space(struct pair *pair, size_t first, size_t n,
+                             c205_word *words)
+{
+    const struct vector *result = &pair->second.result;
+    return operands_overlap(&pair->first.a.vector, result)
+                   || operands_overlap(&pair->first.b.vector, result)
+               ? words
+               : result_space(&pair->second, first, n, words);
+}
+
 static c205_trap run_pair(struct pair *pair)
 {
     struct stream *one = &pair->first, *two = &pair->second;
@@ -101,11 +112,14 @@ static c205_trap run_pair(struct pair *pair)
                 source_read(&one->a, first, n),
                 source_read(&one->b, first, n), n, NULL);
         control_read(&two->control, first, n, permitted);
-        operate(machine, &pair->operation_second, words,
+        c205_word *c = pair_space(pair, first, n, words);
+        operate(machine, &pair->operation_second, c,
                 source_read(&two->a, first, n),
                 source_read(&two->b, first, n), n,
                 two->control.present ? permitted : NULL);
-        result_store(machine, &two->result, &two->control, first, words, n);
+        if (c == words)
+            result_store(machine, &two->result, &two->control, first, words,
+                         n);
     }
     return stream_end(two);
 }

@@ -87,7 +87,7 @@ bool c205_load(c205 *machine, const c205_program *program, c205_error *error)
 {
     clear_registers(machine);
     clear_progress(machine);
-    memory_free(&machine->memory);
+    memory_clear(&machine->memory);
     clock_reset(machine->clock);
     clock_forget_pages(machine->clock);
     machine->pc = program->entry & ADDRESS_MASK;

@@ -9,21 +9,40 @@ void memory_init(struct memory *memory)
     memory->code_changes = 1;
 }
 
-static void free_directory(struct page **pages)
+static void spare_pages(struct memory *memory, struct page **pages)
 {
-    for (size_t i = 0; i < DIRECTORY_PAGES; i++)
-        free(pages[i]);
+    for (size_t i = 0; i < DIRECTORY_PAGES; i++) {
+        if (!pages[i])
+            continue;
+        pages[i]->next = memory->spare;
+        memory->spare = pages[i];
+    }
     free(pages);
+}
+
+void memory_clear(struct memory *memory)
+{
+    for (size_t i = 0; i < DIRECTORIES; i++) {
+        if (memory->directory[i])
+            spare_pages(memory, memory->directory[i]);
+        memory->directory[i] = NULL;
+    }
+    memory->code_changes++;
+}
+
+static struct page *take_spare(struct memory *memory)
+{
+    struct page *page = memory->spare;
+    if (page)
+        memory->spare = page->next;
+    return page;
 }
 
 void memory_free(struct memory *memory)
 {
-    for (size_t i = 0; i < DIRECTORIES; i++) {
-        if (memory->directory[i])
-            free_directory(memory->directory[i]);
-        memory->directory[i] = NULL;
-    }
-    memory->code_changes++;
+    memory_clear(memory);
+    for (struct page *page; (page = take_spare(memory));)
+        free(page);
 }
 
 /* ---- Pages -------------------------------------------------------------- */
@@ -37,11 +56,17 @@ static struct page **page_place(struct memory *memory, uint64_t address)
                   : NULL;
 }
 
+static struct page *new_page(struct memory *memory)
+{
+    struct page *page = take_spare(memory);
+    return page ? memset(page, 0, sizeof *page) : calloc(1, sizeof *page);
+}
+
 static struct page *map_page(struct memory *memory, uint64_t address)
 {
     struct page **place = page_place(memory, address);
     if (place && !*place)
-        *place = calloc(1, sizeof **place);
+        *place = new_page(memory);
     return place ? *place : NULL;
 }
 
@@ -293,6 +318,13 @@ void memory_read_bits(const struct memory *memory, uint64_t address,
                       uint64_t *bits, size_t count)
 {
     unsigned skip = (unsigned)(address % WORD_BITS);
+    if (skip == 0 && count >= WORD_BITS) {
+        size_t words = count / WORD_BITS;
+        memory_read_words(memory, address, bits, words);
+        address += words * WORD_BITS;
+        bits += words;
+        count %= WORD_BITS;
+    }
     for (size_t n; count > 0; count -= n, address += n, bits++) {
         n = count < WORD_BITS ? count : WORD_BITS;
         *bits = word_at(memory, address) << skip;
@@ -315,7 +347,13 @@ static uint64_t bits_from(const uint64_t *bits, size_t place, size_t count)
 void memory_write_bits(struct memory *memory, uint64_t address,
                        const uint64_t *bits, size_t count)
 {
-    for (size_t place = 0, n; place < count; place += n, address += n) {
+    size_t begin = 0;
+    if (address % WORD_BITS == 0 && count >= WORD_BITS) {
+        memory_write_words(memory, address, bits, count / WORD_BITS);
+        begin = count - count % WORD_BITS;
+        address += begin;
+    }
+    for (size_t place = begin, n; place < count; place += n, address += n) {
         size_t skip = address % WORD_BITS, one = 1;
         n = WORD_BITS - skip < count - place ? WORD_BITS - skip
                                              : count - place;

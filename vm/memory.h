@@ -26,6 +26,7 @@ enum {
 #define PAGE_BITS (UINT64_C(1) << PAGE_SHIFT)
 
 struct page {
+    struct page *next; /* of the spare ones */
     c205_word word[C205_PAGE_WORDS];
     /* Which words hold decoded code: bit i % 64, counted from the right, of
      * code[i / 64]. */
@@ -36,6 +37,7 @@ struct page {
 
 struct memory {
     struct page **directory[DIRECTORIES];
+    struct page *spare; /* pages for the next that are mapped */
     uint64_t code_changes; /* how often a word that held decoded code was
                               written, and one; the decode cache looks at it */
 };
@@ -43,6 +45,8 @@ struct memory {
 /* The memory is a machine's, all zeros before. */
 void memory_init(struct memory *memory);
 /* Unmap everything; counts as a change of code. */
+void memory_clear(struct memory *memory);
+/* The same, and keep no page for later. */
 void memory_free(struct memory *memory);
 /* Pages mapped before keep their words and take the new access. */
 bool memory_map(struct memory *memory, uint64_t address, size_t words,

@@ -222,12 +222,25 @@ void vector_write(struct memory *memory, const struct vector *vector,
         memory_write_words(memory, address, words, n);
 }
 
+c205_word *vector_span(struct memory *memory, const struct vector *vector,
+                       size_t first, size_t n)
+{
+    size_t count = n;
+    if (vector->width != WORD_BITS)
+        return NULL;
+    c205_word *span =
+        memory_write_span(memory, vector_at(vector, first), &count);
+    return count == n ? span : NULL;
+}
+
 /* ---- Read --------------------------------------------------------------- */
 
 static const c205_word *padding_words(struct source *source, size_t n)
 {
-    for (; source->padded < n; source->padded++)
-        source->space[source->padded] = source->padding;
+    if (source->padded < n) {
+        lanes_fill(source->space, source->padding, n);
+        source->padded = n;
+    }
     return source->space;
 }
 
@@ -285,19 +298,31 @@ void control_read(const struct control *control, size_t first, size_t n,
 
 /* ---- Store -------------------------------------------------------------- */
 
+static void store_merged(struct memory *memory, const struct vector *result,
+                         size_t first, const c205_word *words,
+                         const uint64_t *permitted, size_t n)
+{
+    c205_word merged[CHUNK];
+    vector_read(memory, result, first, merged, n);
+    lanes_store_masked(merged, words, permitted, n);
+    vector_write(memory, result, first, merged, n);
+}
+
 void result_store(struct c205 *machine, const struct vector *result,
                   const struct control *control, size_t first,
                   const c205_word *words, size_t n)
 {
-    c205_word merged[CHUNK];
     uint64_t permitted[CHUNK_WORDS];
-    if (control->present) {
-        control_read(control, first, n, permitted);
-        vector_read(&machine->memory, result, first, merged, n);
-        lanes_store_masked(merged, words, permitted, n);
-        words = merged;
+    if (!control->present) {
+        vector_write(&machine->memory, result, first, words, n);
+        return;
     }
-    vector_write(&machine->memory, result, first, words, n);
+    control_read(control, first, n, permitted);
+    c205_word *span = vector_span(&machine->memory, result, first, n);
+    if (span)
+        lanes_store_masked(span, words, permitted, n);
+    else
+        store_merged(&machine->memory, result, first, words, permitted, n);
 }
 
 void result_store_bits(struct c205 *machine, const struct vector *result,
@@ -318,13 +343,18 @@ void result_store_bits(struct c205 *machine, const struct vector *result,
 
 /* ---- Elements and their bits -------------------------------------------- */
 
+/* Words of ones and of zeros are common. */
 size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits,
                       size_t n)
 {
     size_t count = 0;
     for (size_t i = 0; i < n; i += 64) {
-        size_t end = n - i < 64 ? n : i + 64;
         uint64_t rest = bits[i / 64];
+        size_t end = rest == 0 || rest == UINT64_MAX ? i : least(n, i + 64);
+        if (rest == UINT64_MAX) {
+            memcpy(c + count, a + i, 64 * sizeof *c);
+            count += 64;
+        }
         for (size_t j = i; j < end; j++, rest <<= 1) {
             c[count] = a[j];
             count += rest >> 63;
@@ -333,12 +363,23 @@ size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits,
     return count;
 }
 
+/* By pairs, then fours, then bytes, whose sum the product leaves in its first
+ * byte. */
+static size_t ones_in(uint64_t word)
+{
+    const uint64_t pairs = UINT64_MAX / 3, fours = UINT64_MAX / 5;
+    const uint64_t bytes = UINT64_MAX / 17, each = UINT64_MAX / 255;
+    word -= word >> 1 & pairs;
+    word = (word & fours) + (word >> 2 & fours);
+    word = (word + (word >> 4)) & bytes;
+    return word * each >> 56;
+}
+
 size_t count_ones(const uint64_t *bits, size_t n)
 {
     size_t count = 0;
     for (size_t i = 0; i < (n + 63) / 64; i++)
-        for (uint64_t rest = bits[i]; rest; rest &= rest - 1)
-            count++;
+        count += ones_in(bits[i]);
     return count;
 }
 
@@ -348,10 +389,4 @@ size_t first_one(const uint64_t *bits, size_t n)
     while (i < n && !bit_at(bits, i))
         i += bits[i / 64] ? 1 : 64;
     return i < n ? i : n;
-}
-
-void fill_words(c205_word *words, c205_word word, size_t n)
-{
-    for (size_t i = 0; i < n; i++)
-        words[i] = word;
 }

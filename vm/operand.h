@@ -99,6 +99,10 @@ void vector_read(const struct memory *memory, const struct vector *vector,
                  size_t first, c205_word *words, size_t n);
 void vector_write(struct memory *memory, const struct vector *vector,
                   size_t first, const c205_word *words, size_t n);
+/* Where n elements from the first on stand, to be written; NULL: they are no
+ * words, or not in one piece. */
+c205_word *vector_span(struct memory *memory, const struct vector *vector,
+                       size_t first, size_t n);
 /* Store n elements, under a control vector only those permitted. */
 void result_store(struct c205 *machine, const struct vector *result,
                   const struct control *control, size_t first,
@@ -114,7 +118,6 @@ size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits,
 size_t count_ones(const uint64_t *bits, size_t n);
 /* The place of the first one, or n. */
 size_t first_one(const uint64_t *bits, size_t n);
-void fill_words(c205_word *words, c205_word word, size_t n);
 
 static inline size_t least(size_t a, size_t b)
 {

@@ -16,7 +16,7 @@ static size_t search_for(struct stream *stream, c205_word word,
     c205_word wanted[CHUNK];
     uint64_t bits[CHUNK_WORDS];
     size_t first = 0, place = 0, n = scan_next(stream, 0);
-    fill_words(wanted, word, n);
+    lanes_fill(wanted, word, n);
     for (; n > 0 && place == first; n = scan_next(stream, first)) {
         comparison(bits, wanted, source_read(&stream->b, first, n), n);
         place += first_one(bits, n);

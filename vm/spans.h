@@ -30,39 +30,49 @@ static inline size_t lesser(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Word by word. */
-static inline void binary_exactly(arith_binary *exact, c205_word *c,
-                                  const c205_word *a, const c205_word *b,
-                                  size_t n, uint64_t *flags)
+/* Where the first bit of odd is 1, by the exact rule; the others are right,
+ * and raise the flag of their zeros. */
+static inline void binary_again(arith_binary *exact, c205_word *c,
+                                const c205_word *a, const c205_word *b,
+                                const uint64_t *odd, size_t n,
+                                uint64_t *flags)
 {
     for (size_t i = 0; i < n; i++)
-        c[i] = exact(a[i], b[i], flags);
+        if (odd[i] >> 63)
+            c[i] = exact(a[i], b[i], flags);
+        else if (word_is_machine_zero(c[i]))
+            *flags |= FLAG_MACHINE_ZERO;
 }
 
-static inline void unary_exactly(arith_unary *exact, c205_word *c,
-                                 const c205_word *a, size_t n,
-                                 uint64_t *flags)
+static inline void unary_again(arith_unary *exact, c205_word *c,
+                               const c205_word *a, const uint64_t *odd,
+                               size_t n, uint64_t *flags)
 {
     for (size_t i = 0; i < n; i++)
-        c[i] = exact(a[i], flags);
+        if (odd[i] >> 63)
+            c[i] = exact(a[i], flags);
+        else if (word_is_machine_zero(c[i]))
+            *flags |= FLAG_MACHINE_ZERO;
 }
 
-/* A span of lanes (lane_parts.h), block by block; a block with a lane that
- * was not right is done again by the exact rule. */
-enum { BLOCK = 128 };
+/* A span of lanes (lane_parts.h), block by block; in a block with a lane that
+ * was not right, that one is done again by the exact rule. */
+enum { BLOCK = 512 };
 #define SPAN(name, parameters, of_lane, exactly)                           \
     CLONED void name parameters                                            \
     {                                                                      \
+        uint64_t odd[BLOCK];                                               \
         for (size_t i = 0; i < n; i += BLOCK) {                            \
             const size_t end = i + lesser(n - i, BLOCK);                   \
-            uint64_t odd = 0, zeros = 0;                                   \
+            uint64_t odds = 0, zeros = 0;                                  \
             for (size_t j = i; j < end; j++) {                             \
                 const lane result = of_lane;                               \
-                odd |= result.odd;                                         \
-                zeros |= zero(result.word);                                \
+                odd[j - i] = result.odd;                                   \
+                odds |= result.odd;                                        \
+                zeros |= result.zero;                                      \
                 c[j] = result.word;                                        \
             }                                                              \
-            if (odd >> 63)                                                 \
+            if (odds >> 63)                                                \
                 exactly;                                                   \
             else if (zeros >> 63)                                          \
                 *flags |= FLAG_MACHINE_ZERO;                               \
@@ -70,16 +80,17 @@ enum { BLOCK = 128 };
     }
 #define BINARY_SPAN(name, lane_function, exact)                            \
     SPAN(name, BINARY_PARAMETERS, lane_function(a[j], b[j]),               \
-         binary_exactly(exact, c + i, a + i, b + i, end - i, flags))
+         binary_again(exact, c + i, a + i, b + i, odd, end - i, flags))
 #define UNARY_SPAN(name, lane_function, exact)                             \
     SPAN(name, UNARY_PARAMETERS, lane_function(a[j]),                      \
-         unary_exactly(exact, c + i, a + i, end - i, flags))
+         unary_again(exact, c + i, a + i, odd, end - i, flags))
 
-/* What is rare has no fast path. */
+/* What is rare has no fast path: word by word. */
 #define EXACT(name, exact)                                                 \
     void name BINARY_PARAMETERS                                            \
     {                                                                      \
-        binary_exactly(exact, c, a, b, n, flags);                          \
+        for (size_t i = 0; i < n; i++)                                     \
+            c[i] = exact(a[i], b[i], flags);                               \
     }
 
 #endif

@@ -136,20 +136,16 @@ void operate(struct c205 *machine, const struct operation *operation,
     machine->data_flags |= flags;
 }
 
-/* Where a chunk is made: in the result itself where that lies in one piece,
- * all of it is stored, and it is nothing that is read. */
-static c205_word *result_space(struct stream *stream, size_t first, size_t n,
-                               c205_word *words)
+c205_word *result_space(struct stream *stream, size_t first, size_t n,
+                        c205_word *words)
 {
-    size_t count = n;
-    if (stream->control.present || stream->result.width != WORD_BITS
+    if (stream->control.present
         || operands_overlap(&stream->a.vector, &stream->result)
         || operands_overlap(&stream->b.vector, &stream->result))
         return words;
-    c205_word *span =
-        memory_write_span(&stream->machine->memory,
-                          vector_at(&stream->result, first), &count);
-    return count == n ? span : words;
+    c205_word *span = vector_span(&stream->machine->memory, &stream->result,
+                                  first, n);
+    return span ? span : words;
 }
 
 static c205_trap run_stream(struct stream *stream,
@@ -356,11 +352,11 @@ static void evaluate(struct stream *stream, const struct horner *horner,
 {
     size_t count = stream->b.vector.length;
     c205_word products[CHUNK], coefficients[CHUNK];
-    fill_words(values,
+    lanes_fill(values,
                count > 0 ? *source_read(&stream->b, 0, 1)
                          : C205_MACHINE_ZERO, n);
     for (size_t i = 1; i < count; i++) {
-        fill_words(coefficients, *source_read(&stream->b, i, 1), n);
+        lanes_fill(coefficients, *source_read(&stream->b, i, 1), n);
         operate(stream->machine, &horner->times, products, values, a, n,
                 permitted);
         operate(stream->machine, &horner->plus, values, products,

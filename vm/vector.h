@@ -60,6 +60,11 @@ static inline c205_trap stream_end(struct stream *stream)
     return machine_end_turn(stream->machine, &stream->turn);
 }
 
+/* Where a chunk is made: in the result itself where that lies in one piece,
+ * all of it is stored, and it is nothing that is read; else words. */
+c205_word *result_space(struct stream *stream, size_t first, size_t n,
+                        c205_word *words);
+
 /* words := operation(a, b); data flags come from the elements permitted
  * (NULL: all). */
 void operate(struct c205 *machine, const struct operation *operation,

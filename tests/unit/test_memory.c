@@ -53,6 +53,28 @@ static void test_check(void **state)
     let_go(memory);
 }
 
+/* Pages that were unmapped come back without words, code or protection. */
+static void test_clear(void **state)
+{
+    (void)state;
+    struct memory *memory = memory_of(PAGE_BITS, 1);
+    c205_word word = 5;
+    c205_error error;
+    uint64_t fault;
+    assert_int_equal(memory_store(memory, PAGE_BITS, word), C205_TRAP_NONE);
+    memory_mark_code(memory, PAGE_BITS);
+    memory_clear(memory);
+    assert_int_equal(memory_check(memory, PAGE_BITS, 64, false, &fault),
+                     C205_TRAP_UNMAPPED_ADDRESS);
+    assert_true(memory_map(memory, 0, 1, C205_READ_WRITE, &error));
+    assert_int_equal(memory_load(memory, 0, &word), C205_TRAP_NONE);
+    assert_int_equal(word, 0);
+    assert_false(memory_page(memory, 0)->holds_code);
+    assert_int_equal(memory_check(memory, PAGE_BITS, 64, false, &fault),
+                     C205_TRAP_UNMAPPED_ADDRESS);
+    let_go(memory);
+}
+
 static void test_end_of_space(void **state)
 {
     (void)state;
@@ -140,6 +162,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_check),
+        cmocka_unit_test(test_clear),
         cmocka_unit_test(test_end_of_space),
         cmocka_unit_test(test_words_across_pages),
         cmocka_unit_test(test_bits),
