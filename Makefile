@@ -40,6 +40,7 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 fuzz_targets = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,\
 	$(wildcard tests/fuzz/fuzz_*.c))
 replays = $(subst /fuzz_,/replay_,$(fuzz_targets))
+# Of these bench_trace is called by bench_frame.sh.
 benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
 
 build_packages = build-essential pkg-config libopenimageio-dev
@@ -67,10 +68,10 @@ all: $(libraries) $(programs) $(adapter)
 demo:
 	@sh .ci/need $(build_packages)
 	@$(MAKE) --no-print-directory all
-	$(BUILD)/rt205 render scenes/bearing.pov -o $(BUILD)/bearing.png -W 640 -H 480
+	$(BUILD)/rt205 render scenes/bracket.pov -o $(BUILD)/bracket.png -W 640 -H 480
 	@echo
 	$(BUILD)/rt205 speedup
-	@echo "The picture is in $(BUILD)/bearing.png"
+	@echo "The picture is in $(BUILD)/bracket.png"
 
 check:
 	@sh .ci/need $(test_packages)
@@ -101,7 +102,7 @@ $(BUILD)/c205: $(call objects,$(c205_c)) $(BUILD)/asm/isa_example_texts.o \
 		$(filter-out %librt205.a,$(libraries))
 	$(CC) $(LDFLAGS) -o $@ $^ -lm
 $(BUILD)/rt205: $(call objects,$(rt205_c)) $(libraries)
-	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
+	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 $(adapter): rt/picture_oiio.cc
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) $$(pkg-config --cflags OpenImageIO) -shared -o $@ $< \
@@ -145,17 +146,17 @@ oracle_o = $(call objects,$(filter-out $(oracles:$(BUILD)/%=%.c),\
 $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(oracle_o) $(libraries)
-	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl
+	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
 $(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(libraries)
-	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm -ldl
+	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread
 $(fuzz_targets): $(BUILD)/tests/fuzz/fuzz_%: \
 		$(BUILD)/tests/fuzz/fuzz_%.o $(libraries)
-	$(CC) $(LDFLAGS) -fsanitize=fuzzer -o $@ $^ -lm -ldl
+	$(CC) $(LDFLAGS) -fsanitize=fuzzer -o $@ $^ -lm -ldl -lpthread
 $(replays): $(BUILD)/tests/fuzz/replay_%: $(BUILD)/tests/fuzz/fuzz_%.o \
 		$(BUILD)/tests/fuzz/replay.o $(libraries)
-	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
+	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 $(BUILD)/tests/bench_%: $(BUILD)/tests/bench_%.o $(libraries)
-	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
+	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 
 check-unit: $(unit_tests) $(adapter)
 	@code=0; for t in $(unit_tests); do $$t || code=1; done; exit $$code
@@ -201,6 +202,7 @@ check-hosts:
 
 check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
 	sh tests/check_scenes.sh $(BUILD)
+	sh tests/check_language.sh
 
 check-commands: $(programs) $(adapter)
 	sh tests/check_commands.sh $(BUILD)
@@ -236,13 +238,14 @@ cover-tests:
 		check-isa check-bugs check-commands check-arithmetic check-random
 
 bench: $(benches) $(programs) $(adapter)
-	@for b in $(benches); do $$b || exit 1; done
+	@for b in $(filter-out %_trace,$(benches)); do $$b || exit 1; done
 	sh tests/bench_frame.sh $(BUILD)
+	sh tests/bench_visible.sh $(BUILD)
 
 fuzz:
 	@sh .ci/need $(build_packages) clang libclang-rt-14-dev
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/fuzz CC=clang OPT=-O1 \
-		CFLAGS="-g -fsanitize=fuzzer-no-link,$(sanitizers) \
+		CFLAGS="-g -DREADING_MOST=1000000 -fsanitize=fuzzer-no-link,$(sanitizers) \
 			-fno-sanitize-recover=$(sanitizers)" \
 		LDFLAGS="-fsanitize=$(sanitizers)" fuzz-targets $(BUILD)/fuzz/c205
 	sh tests/fuzz/run.sh $(BUILD)/fuzz $(SECONDS)

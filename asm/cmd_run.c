@@ -53,20 +53,26 @@ static int show_accounts(const struct cmd_arguments *arguments,
                          struct json *json)
 {
     const c205_model *model = c205_machine_model(machine);
+    struct accounts accounts = { .model = model };
+    if (!accounts_add(&accounts, machine)) {
+        accounts_free(&accounts);
+        return cmd_failed(arguments->command, "no memory");
+    }
     if (json) {
         json_text(json, "program", program_name(arguments));
         provenance_json(model, json);
         stop_json(machine, stop, json);
     }
     printf("%" PRIu64 " clocks\n", c205_clock(machine));
-    int code = cmd_show(arguments->command, accounts_by_cause(machine),
+    int code = cmd_show(arguments->command, accounts_by_cause(&accounts),
                         json, "causes");
     if (code == CMD_DONE) {
         putchar('\n');
-        code = cmd_show(arguments->command, accounts_by_region(machine),
+        code = cmd_show(arguments->command, accounts_by_region(&accounts),
                         json, "regions");
     }
     provenance_print(model);
+    accounts_free(&accounts);
     return code;
 }
 

@@ -183,7 +183,7 @@ static bool add_rule(struct table *table,
 {
     uint64_t scalar = 0;
 
-    for (int mode = 0; mode < TRACE_MODES; mode++) {
+    for (int mode = 0; mode < TRACE_FORMS; mode++) {
         const struct roots_options options =
             search_options(arguments, (enum trace_mode)mode, rule);
         struct iterations iterations;
@@ -258,5 +258,8 @@ static int run(const struct cmd_arguments *arguments, struct json *json)
 
 int cmd_quartic(struct cmd_arguments *arguments)
 {
+    if (arguments->trace.mode >= TRACE_FORMS)
+        return cmd_usage(arguments->command,
+                         "polynomials are solved in scalar or in vector form");
     return cmd_with_machine(arguments, run);
 }

@@ -5,35 +5,18 @@
 #include "asm/accounts.h"
 #include "asm/provenance.h"
 #include "rt/cmd.h"
-#include "rt/scene/report.h"
-
-static struct scene *read_scene(const struct cmd_arguments *arguments)
-{
-    struct scene_options options = {
-        .width = (int)arguments->trace.width,
-        .height = (int)arguments->trace.height,
-        .strict = arguments->strict,
-        .search = arguments->search,
-    };
-    struct reports reports = { 0, 0, NULL };
-    struct scene *scene = scene_read(arguments->scene, &options, &reports);
-
-    reports_print(stderr, &reports);
-    reports_free(&reports);
-    return scene;
-}
 
 static bool write_picture(const struct cmd_arguments *arguments,
                           const struct trace *trace, c205_error *error)
 {
-    const c205 *machine = trace_machine(trace);
+    const struct accounts *accounts = trace_accounts(trace);
     struct frame frame = { 0 };
     struct picture_error why;
     char clocks[32];
     const struct picture_note notes[] = {
         { "Software", "rt205" },
         { "rt205:scene", arguments->scene },
-        { "rt205:model", c205_model_name(c205_machine_model(machine)) },
+        { "rt205:model", c205_model_name(accounts->model) },
         { "rt205:mode", trace_mode_name(arguments->trace.mode) },
         { "rt205:clocks", clocks },
         { NULL, NULL },
@@ -41,7 +24,7 @@ static bool write_picture(const struct cmd_arguments *arguments,
     bool good;
 
     snprintf(clocks, sizeof clocks, "%llu",
-             (unsigned long long)c205_clock(machine));
+             (unsigned long long)accounts->clocks);
     if (!trace_read(trace, &frame, error))
         return false;
     good = picture_write(arguments->output, &frame, notes, arguments->half,
@@ -68,7 +51,7 @@ static void print_result(const struct result *result)
 
     printf("%s: %zu x %zu, %s", result->arguments->scene, trace->width,
            trace->height, trace_mode_name(trace->mode));
-    if (trace->mode == TRACE_VECTOR)
+    if (trace->mode != TRACE_SCALAR)
         printf(", a queue of %zu", trace->queue);
     printf(": %llu clocks, %.4f s on the machine\n",
            (unsigned long long)result->clocks,
@@ -96,24 +79,21 @@ static void write_result(const struct result *result, struct json *json)
 }
 
 static bool tell(const struct cmd_arguments *arguments,
-                 const struct trace *trace, struct json *json,
-                 c205_error *error)
+                 const struct trace *trace, struct json *json)
 {
-    const c205 *machine = trace_machine(trace);
+    const struct accounts *accounts = trace_accounts(trace);
     struct result result = { .arguments = arguments,
-                             .model = c205_machine_model(machine),
-                             .clocks = c205_clock(machine),
-                             .regions = accounts_by_region(machine),
-                             .causes = accounts_of_run(machine),
-                             .detail = accounts_by_cause(machine) };
-    uint64_t checksum;
+                             .model = accounts->model,
+                             .clocks = accounts->clocks,
+                             .regions = accounts_by_region(accounts),
+                             .causes = accounts_of_run(accounts),
+                             .detail = accounts_by_cause(accounts) };
     bool good = result.regions != NULL && result.causes != NULL
-                && result.detail != NULL
-                && trace_checksum(trace, &checksum, error);
+                && result.detail != NULL;
 
     if (good) {
         snprintf(result.checksum, sizeof result.checksum, "%016llX",
-                 (unsigned long long)checksum);
+                 (unsigned long long)trace_checksum(trace));
         print_result(&result);
         good = table_print(result.regions, stdout) && putchar('\n') != EOF
                && table_print(result.causes, stdout);
@@ -126,15 +106,37 @@ static bool tell(const struct cmd_arguments *arguments,
     return good;
 }
 
+/* What is finished of a frame that did not come to its end stays in the file
+ * that --resume names. */
+static bool run(const struct cmd_arguments *arguments, struct trace *trace,
+                c205_error *error)
+{
+    const char *keep = arguments->resume;
+    c205_error why;
+
+    if (keep != NULL && !trace_keep(trace, keep, error))
+        return false;
+    if (trace_run(trace, &why))
+        return true;
+    snprintf(error->message, sizeof error->message, "%.120s%s%.100s",
+             why.message,
+             keep != NULL ? "; --resume goes on from " : "",
+             keep != NULL ? keep : "");
+    return false;
+}
+
 static int render(const struct cmd_arguments *arguments,
                   const struct scene *scene, struct json *json)
 {
     c205_error error = { "no memory" };
     struct trace *trace = trace_new(scene, &arguments->trace, &error);
-    bool good = trace != NULL && trace_run(trace, &error)
-                && write_picture(arguments, trace, &error)
-                && tell(arguments, trace, json, &error);
+    bool good = trace != NULL && run(arguments, trace, &error)
+                && write_picture(arguments, trace, &error);
 
+    if (good) {
+        trace_forget(trace);
+        good = tell(arguments, trace, json);
+    }
     trace_free(trace);
     return good ? CMD_DONE
                 : cmd_failed(arguments->command, "%s", error.message);
@@ -143,7 +145,7 @@ static int render(const struct cmd_arguments *arguments,
 static int render_scene(const struct cmd_arguments *arguments,
                         struct json *json)
 {
-    struct scene *scene = read_scene(arguments);
+    struct scene *scene = cmd_read_scene(arguments);
     int code = scene == NULL ? CMD_FAILED : render(arguments, scene, json);
 
     scene_free(scene);
@@ -161,6 +163,12 @@ static int check_files(const struct cmd_arguments *arguments)
     if (arguments->json != NULL
         && strcmp(arguments->json, arguments->output) == 0)
         return cmd_usage(arguments->command, "-o and --json name one file");
+    if (arguments->resume != NULL
+        && (strcmp(arguments->resume, arguments->output) == 0
+            || (arguments->json != NULL
+                && strcmp(arguments->resume, arguments->json) == 0)))
+        return cmd_usage(arguments->command,
+                         "--resume names a file of its own");
     if (!picture_check_path(arguments->output, &why))
         return cmd_failed(arguments->command, "%s", why.message);
     if (arguments->half && !picture_holds_half(arguments->output))

@@ -41,3 +41,26 @@ int cmd_with_machine(struct cmd_arguments *arguments, cmd_work *work)
     c205_model_free(model);
     return code;
 }
+
+static bool go_on(void *context)
+{
+    (void)context;
+    return !cmd_interrupted();
+}
+
+struct scene *cmd_read_scene(const struct cmd_arguments *arguments)
+{
+    struct scene_options options = {
+        .width = (int)arguments->trace.width,
+        .height = (int)arguments->trace.height,
+        .strict = arguments->strict,
+        .search = arguments->search,
+        .go_on = go_on,
+    };
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene = scene_read(arguments->scene, &options, &reports);
+
+    reports_print(stderr, &reports);
+    reports_free(&reports);
+    return scene;
+}

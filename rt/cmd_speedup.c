@@ -11,9 +11,9 @@ static bool measure_subject(const struct cmd_arguments *arguments,
                             c205_error *error)
 {
     struct trace_options options = arguments->trace;
-    struct speedup_measure measures[TRACE_MODES];
+    struct speedup_measure measures[TRACE_FORMS];
 
-    for (int mode = 0; mode < TRACE_MODES; mode++) {
+    for (int mode = 0; mode < TRACE_FORMS; mode++) {
         options.mode = (enum trace_mode)mode;
         if (!speedup_measure(subject, &arguments->view, &options,
                              &measures[mode], error))

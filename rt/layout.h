@@ -1,8 +1,6 @@
 /* layout.h - a scene as records in the machine's memory.
  *
- * The one place where scene numbers become the machine's own.  Where a field
- * lies is written once, in rt/kernels/records.s; it is found here by its name
- * among the program's symbols.
+ * The one place where scene numbers become the machine's own.
  */
 #ifndef RT_LAYOUT_H
 #define RT_LAYOUT_H
@@ -12,14 +10,15 @@
 
 /* Where the frame's planes lie, for reading them back. */
 struct frame_layout {
-    uint64_t address; /* FRAME_CHANNELS planes of width x height words */
-    size_t width, height;
+    uint64_t address; /* FRAME_CHANNELS planes of width x rows words */
+    size_t width, height;   /* of the whole frame, pixels */
+    size_t first_row, rows; /* of the band that is traced */
 };
 
 /* After c205_load: map and fill what the program reads, map the planes that
- * it writes. */
+ * it writes.  Without bounds every ray is tried against every primitive. */
 bool layout_scene(c205 *machine, const struct object *program,
-                  const struct scene *scene, struct frame_layout *frame,
-                  c205_error *error);
+                  const struct scene *scene, bool bounds,
+                  struct frame_layout *frame, c205_error *error);
 
 #endif

@@ -14,9 +14,15 @@ static void on_interrupt(int number)
     interrupted = 1;
 }
 
+bool cmd_interrupted(void)
+{
+    return interrupted;
+}
+
 struct watch {
     struct timespec begin, shown;
-    bool terminal, line;
+    bool terminal, line, counting;
+    size_t first; /* what was done when the counting began */
 };
 
 static double seconds_since(const struct timespec *then)
@@ -32,10 +38,11 @@ static double seconds_since(const struct timespec *then)
 static void show(struct watch *watch, size_t done, size_t all)
 {
     double passed = seconds_since(&watch->begin);
-    double left = done > 0 ? passed * (double)(all - done) / (double)done
-                           : 0;
+    size_t fresh = done > watch->first ? done - watch->first : 0;
+    double left = fresh > 0 ? passed * (double)(all - done) / (double)fresh
+                            : 0;
 
-    if (passed < 1 || seconds_since(&watch->shown) < 0.2)
+    if (passed < 1 || fresh == 0 || seconds_since(&watch->shown) < 0.2)
         return;
     clock_gettime(CLOCK_MONOTONIC, &watch->shown);
     fprintf(stderr, "\r%3.0f %% done, %.0f s left ",
@@ -50,18 +57,27 @@ static void hide(struct watch *watch)
     watch->line = false;
 }
 
-/* A command may run several programs, one after another: the time counts from
- * the end of the last. */
+static void begin_counting(struct watch *watch, size_t done)
+{
+    watch->counting = true;
+    watch->first = done;
+    clock_gettime(CLOCK_MONOTONIC, &watch->begin);
+}
+
+/* A command may run several programs, one after another, and a frame may have
+ * bands from another day: the time counts from the first word of each. */
 static bool watch_progress(void *context, size_t done, size_t all)
 {
     struct watch *watch = context;
 
+    if (!watch->counting)
+        begin_counting(watch, done);
     if (interrupted || done == all)
         hide(watch);
     else if (watch->terminal)
         show(watch, done, all);
     if (done == all)
-        clock_gettime(CLOCK_MONOTONIC, &watch->begin);
+        watch->counting = false;
     return !interrupted;
 }
 
@@ -72,8 +88,7 @@ void cmd_watch(struct trace_options *options)
 
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
-    clock_gettime(CLOCK_MONOTONIC, &watch.begin);
-    watch.shown = watch.begin;
+    clock_gettime(CLOCK_MONOTONIC, &watch.shown);
     watch.terminal = isatty(STDERR_FILENO) == 1;
     options->progress = watch_progress;
     options->context = &watch;

@@ -113,19 +113,20 @@ static bool tell_tables(struct table *const tables[TABLES],
 bool quartic_costs_tell(const struct quartic_costs *costs,
                         struct json *json)
 {
-    const c205 *machine = roots_machine(costs->search);
+    struct accounts accounts = { .model = costs->options->model };
+    bool good = accounts_add(&accounts, roots_machine(costs->search));
     struct table *tables[TABLES] = {
-        [REGIONS] = accounts_by_region(machine),
-        [CAUSES] = accounts_by_cause(machine),
+        [REGIONS] = accounts_by_region(&accounts),
+        [CAUSES] = accounts_by_cause(&accounts),
         [STEPS] = step_table(costs->iterations),
         [PASSES] = pass_table(costs->iterations),
     };
-    bool good;
 
     print_head(costs);
     if (json != NULL)
         write_head(costs, json);
-    good = tell_tables(tables, json);
+    good = good && tell_tables(tables, json);
+    accounts_free(&accounts);
     for (int i = 0; i < TABLES; i++)
         table_free(tables[i]);
     return good;

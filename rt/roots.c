@@ -18,7 +18,7 @@ struct root_search {
     uint64_t inputs, results; /* addresses of the first planes */
 };
 
-static const char *const programs[TRACE_MODES] = {
+static const char *const programs[TRACE_FORMS] = {
     [TRACE_SCALAR] = "roots_scalar.s",
     [TRACE_VECTOR] = "roots_vector.s",
 };

@@ -9,8 +9,8 @@
 const char cmd_program[] = "rt205";
 
 #define OPTION_SIZE \
-    "  -W, --width N        pixels across (640; speedup: 400)\n" \
-    "  -H, --height N       pixels down (480; speedup: 250)\n"
+    "  -W, --width N        pixels across (640; profile: 320, speedup: 400)\n" \
+    "  -H, --height N       pixels down (480; profile: 240, speedup: 250)\n"
 #define OPTION_QUEUE \
     "  --queue N            rays in the vector queue (2000)\n"
 #define OPTION_VIEW \
@@ -18,6 +18,15 @@ const char cmd_program[] = "rt205";
     "  --angle DEGREES      that the rays span across (37)\n"
 #define OPTION_MODEL \
     "  --model NAME|FILE    machine model (cyber205-2pipe)\n"
+#define OPTION_BOUNDS \
+    "  --historical         Steiner patches the way of 1984\n" \
+    "  --no-bounds          every ray goes against every primitive\n" \
+    "  --visible WAY        crossings of solids, vector form: stepping, every\n"
+#define OPTION_JOBS \
+    "  --jobs N             bands of the frame traced at a time (1)\n"
+#define OPTION_READ \
+    "  --strict             what would be replaced or left out is an error\n" \
+    "  -I, --include DIR    look for included files there as well\n"
 #define OPTION_JSON \
     "  --json FILE          write the results to a file as well\n"
 
@@ -29,19 +38,33 @@ static const struct command {
     size_t width, height;
     const char *summary, *help;
 } commands[] = {
-    { "render", cmd_render, "oWHMqmjsfIp", "a scene file", 640, 480,
+    { "render", cmd_render, "oWHMqmjsfIpJrBV", "a scene file", 640, 480,
       "trace a scene, write a picture",
       "rt205 render SCENE -o PICTURE\n"
       "  -o, --output FILE    the picture: .png .jpg (8-bit sRGB), .exr .tif\n"
       "                       (linear, with depth, normal and id)\n"
       OPTION_SIZE
-      "  --mode MODE          scalar or vector (vector)\n"
+      "  --mode MODE          scalar, kernels (as in 1984) or vector (vector)\n"
       OPTION_QUEUE
       OPTION_MODEL
-      "  --historical         Steiner patches the way of 1984\n"
+      OPTION_BOUNDS
+      OPTION_JOBS
+      "  --resume FILE        keep finished bands there; go on from those it has\n"
       "  --half               16-bit colours in an .exr\n"
-      "  --strict             what would be replaced or left out is an error\n"
-      "  -I, --include DIR    look for included files there as well\n"
+      OPTION_READ
+      OPTION_JSON },
+    { "profile", cmd_profile, "WHqmjsIpJBV", "a scene file", 320, 240,
+      "what each part of a frame costs, in three stages",
+      "rt205 profile SCENE     traces the frame three times: scalar; kernels, as\n"
+      "                        in 1984 (vector intersection, all else serial);\n"
+      "                        vector. The frames must be equal. Prints clocks\n"
+      "                        part by part, speedups, Amdahl's prediction\n"
+      OPTION_SIZE
+      OPTION_QUEUE
+      OPTION_MODEL
+      OPTION_BOUNDS
+      OPTION_JOBS
+      OPTION_READ
       OPTION_JSON },
     { "speedup", cmd_speedup, "WHDAqmjP", NULL, 400, 250,
       "scalar against vector, kernel by kernel",
@@ -85,6 +108,10 @@ static const struct option options[] = {
     { "strict", no_argument, NULL, 's' },
     { "half", no_argument, NULL, 'f' },
     { "historical", no_argument, NULL, 'p' },
+    { "no-bounds", no_argument, NULL, 'B' },
+    { "visible", required_argument, NULL, 'V' },
+    { "jobs", required_argument, NULL, 'J' },
+    { "resume", required_argument, NULL, 'r' },
     { "all", no_argument, NULL, 'a' },
     { "passes", no_argument, NULL, 'P' },
     { "first", no_argument, NULL, 'R' },
@@ -119,6 +146,12 @@ static bool take(int letter, struct cmd_arguments *arguments)
     case 's': arguments->strict = true; return true;
     case 'f': arguments->half = true; return true;
     case 'p': arguments->trace.historical = true; return true;
+    case 'B': arguments->trace.no_bounds = true; return true;
+    case 'V':
+        return visible_named(optarg, &arguments->trace.visible);
+    case 'r': arguments->resume = optarg; return true;
+    case 'J':
+        return parse_count(optarg, TRACE_JOBS_MOST, &arguments->trace.jobs);
     case 'a': arguments->first = false; return true;
     case 'R': arguments->first = true; return true;
     case 'P': arguments->passes = true; return true;
@@ -167,7 +200,7 @@ static bool parse_options(int argc, char **argv, const char *allowed,
         else if (letter == '?' || strchr(allowed, letter) == NULL)
             cmd_usage(argv[0], "no such option: %s", word);
         else if (!take(letter, arguments))
-            cmd_usage(argv[0], "wrong argument of an option: %s", optarg);
+            cmd_usage(argv[0], "%s: wrong argument: %s", word, optarg);
         else
             continue;
         return false;

@@ -172,7 +172,7 @@ static bool carry_sphere(const struct primitive *primitive, double *shape)
 }
 
 /* (x^2 + z^2 + rho y^2 + b0)^2 = a0 (x^2 + z^2) of the half axes p, n of the
- * tube, and a sphere about it that rounding cannot reach. */
+ * tube, and a sphere and two planes about it that rounding cannot reach. */
 static size_t torus_words(double major, double p, double n, double *shape)
 {
     double bound = 1.001 * (major + fmax(p, n));
@@ -186,7 +186,8 @@ static size_t torus_words(double major, double p, double n, double *shape)
     shape[6] = p * p;
     shape[7] = 8 * major * major;
     shape[8] = bound * ROOT_RESOLUTION;
-    return 9;
+    shape[9] = 1.001 * n;
+    return 10;
 }
 
 static size_t torus_shape(const struct primitive *primitive, double *shape)
@@ -241,8 +242,11 @@ static bool cone_is_open(const struct primitive *primitive)
     return primitive->shape.cone.open;
 }
 
+/* In a tree the kernel may be another, and an open shape has one more. */
 struct kernels {
     const char *kernel, *normal;
+    size_t segments;
+    const char *solid, *state;
 };
 
 /* Some kinds have two sorts: a condition, and the kernels where it holds. */
@@ -256,41 +260,61 @@ struct kind {
 };
 
 static const struct kind kinds[PRIMITIVE_KINDS] = {
-    [PRIMITIVE_SPHERE] = { .shape = sphere_shape,
-                           .kernels = { "sphere", "normal_sphere" } },
-    [PRIMITIVE_BOX] = { .shape = box_shape,
-                        .kernels = { "box", "normal_box" } },
-    [PRIMITIVE_CYLINDER] = { .shape = cylinder_shape,
-                             .kernels = { "cylinder", "normal_cylinder" },
-                             .is_special = cylinder_is_open,
-                             .special = { "open_cylinder",
-                                          "normal_open_cylinder" } },
-    [PRIMITIVE_PLANE] = { .shape = plane_shape,
-                          .kernels = { "plane", "normal_plane" } },
-    [PRIMITIVE_CONE] = { .shape = cone_shape,
-                         .kernels = { "cone", "normal_cone" },
-                         .is_special = cone_is_open,
-                         .special = { "open_cone", "normal_open_cone" } },
-    [PRIMITIVE_TORUS] = { .shape = torus_shape,
-                          .kernels = { "torus", "normal_torus" } },
-    [PRIMITIVE_ELLIPTICAL_TORUS] = { .shape = elliptical_torus_shape,
-                                     .kernels = { "elliptical_torus",
-                                                  "normal_torus" } },
-    [PRIMITIVE_QUADRIC] = { .shape = quadric_shape,
-                            .kernels = { "quadric", "normal_quadric" } },
-    [PRIMITIVE_QUARTIC] = { .shape = quartic_shape,
-                            .table = quartic_table,
-                            .kernels = { "quartic_surface",
-                                         "normal_quartic" } },
-    [PRIMITIVE_STEINER_PATCH] = { .shape = patch_shape,
-                                  .table = patch_table,
-                                  .kernels = { "rational_steiner",
-                                               "normal_rational_steiner" },
-                                  .is_special = steiner_is_polynomial,
-                                  .special = { "steiner",
-                                               "normal_steiner" },
-                                  .historical = "rational_steiner_implicit",
-                                  .special_historical = "steiner_implicit" },
+    [PRIMITIVE_SPHERE] = {
+        .shape = sphere_shape,
+        .kernels = { "sphere", "normal_sphere", 1, NULL, NULL },
+    },
+    [PRIMITIVE_BOX] = {
+        .shape = box_shape,
+        .kernels = { "box", "normal_box", 1, NULL, NULL },
+    },
+    [PRIMITIVE_CYLINDER] = {
+        .shape = cylinder_shape,
+        .kernels = { "cylinder", "normal_cylinder", 1, NULL, NULL },
+        .is_special = cylinder_is_open,
+        .special = { "open_cylinder", "normal_open_cylinder", 1, NULL,
+                     "cylinder" },
+    },
+    [PRIMITIVE_PLANE] = {
+        .shape = plane_shape,
+        .kernels = { "plane", "normal_plane", 1, NULL, NULL },
+    },
+    [PRIMITIVE_CONE] = {
+        .shape = cone_shape,
+        .kernels = { "cone", "normal_cone", 1, NULL, NULL },
+        .is_special = cone_is_open,
+        .special = { "open_cone", "normal_open_cone", 1, NULL, "cone" },
+    },
+    [PRIMITIVE_TORUS] = {
+        .shape = torus_shape,
+        .kernels = { "torus", "normal_torus", 2, "torus_solid", NULL },
+    },
+    [PRIMITIVE_ELLIPTICAL_TORUS] = {
+        .shape = elliptical_torus_shape,
+        .kernels = { "elliptical_torus", "normal_torus", 2,
+                     "elliptical_torus_solid", NULL },
+    },
+    [PRIMITIVE_QUADRIC] = {
+        .shape = quadric_shape,
+        .kernels = { "quadric", "normal_quadric", 2, "quadric_solid", NULL },
+    },
+    [PRIMITIVE_QUARTIC] = {
+        .shape = quartic_shape,
+        .table = quartic_table,
+        .kernels = { "quartic_surface", "normal_quartic", 3, "quartic_solid",
+                     NULL },
+    },
+    [PRIMITIVE_STEINER_PATCH] = {
+        .shape = patch_shape,
+        .table = patch_table,
+        .kernels = { "rational_steiner", "normal_rational_steiner", 0,
+                     "rational_steiner_crossings", NULL },
+        .is_special = steiner_is_polynomial,
+        .special = { "steiner", "normal_steiner", 0, "steiner_crossings",
+                     NULL },
+        .historical = "rational_steiner_implicit",
+        .special_historical = "steiner_implicit",
+    },
 };
 
 void shape_words(const struct primitive *primitive,
@@ -305,13 +329,30 @@ void shape_words(const struct primitive *primitive,
         kind->table == NULL ? 0 : kind->table(primitive, shape->table);
     shape->kernel = kernels->kernel;
     shape->normal = kernels->normal;
+    shape->solid = kernels->solid != NULL ? kernels->solid : kernels->kernel;
+    shape->state = kernels->state;
     shape->on_patch = primitive->kind == PRIMITIVE_STEINER_PATCH;
     shape->historical = shape->table_count <= STEINER_TABLE ? NULL
                         : special ? kind->special_historical
                                   : kind->historical;
+    shape->segments = kernels->segments;
+    shape->events = shape->on_patch ? PATCH_CROSSINGS : 2 * shape->segments;
     shape->transformed = primitive->transformed
                          && primitive->kind != PRIMITIVE_PLANE;
     if (shape->transformed && primitive->kind == PRIMITIVE_SPHERE
         && carry_sphere(primitive, shape->words))
         shape->transformed = false;
+}
+
+bool shape_is_finite(const struct primitive *primitive)
+{
+    struct shape_words shape;
+    bool finite = true;
+
+    shape_words(primitive, &shape);
+    for (size_t i = 0; i < shape.count; i++)
+        finite = finite && isfinite(shape.words[i]);
+    for (size_t i = 0; i < shape.table_count; i++)
+        finite = finite && isfinite(shape.table[i]);
+    return finite;
 }

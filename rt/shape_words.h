@@ -14,6 +14,10 @@
 
 enum { SHAPE_WORDS_MOST = 16, SHAPE_TABLE_MOST = 96 };
 
+/* The most crossings of a ray with a patch, of the fourth degree; records.s
+ * has the same. */
+enum { PATCH_CROSSINGS = 4 };
+
 struct shape_words {
     double words[SHAPE_WORDS_MOST];
     size_t count;
@@ -22,10 +26,19 @@ struct shape_words {
     bool transformed;            /* it stands in a space of its own */
     bool on_patch;               /* a hit has two parameters, too */
     const char *kernel, *normal; /* routines, in both forms of the program */
+    const char *solid;           /* for all crossings of a ray: the kernel that
+                                    is used in trees */
+    const char *state;           /* for the segments inside of the closed shape,
+                                    if it is open; or NULL */
+    size_t segments;             /* of a ray, inside, at the most */
+    size_t events;               /* crossings of a ray that can be seen */
     const char *historical;      /* the kernel of 1984, or NULL */
 };
 
 void shape_words(const struct primitive *primitive,
                  struct shape_words *shape);
+/* Whether all of that is finite: what squares and reciprocals make of a
+ * shape's numbers may be beyond a double. */
+bool shape_is_finite(const struct primitive *primitive);
 
 #endif

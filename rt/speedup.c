@@ -51,7 +51,7 @@ static void print_scene(char *text, size_t size,
              "global_settings { assumed_gamma 1 }\n"
              "camera { location <%.17g, %.17g, %.17g> look_at 0\n"
              " right %.17g*x up y angle %.17g }\n"
-             "union { %s pigment { color rgb 1 } }\n",
+             "object { %s pigment { color rgb 1 } }\n",
              view->distance * subject->from[0],
              view->distance * subject->from[1],
              view->distance * subject->from[2],
@@ -79,17 +79,8 @@ static struct scene *read_scene(const struct speedup_subject *subject,
     return scene;
 }
 
-static const c205_account *find_account(const c205 *machine,
-                                        const char *region)
-{
-    for (size_t i = 0; i < c205_account_count(machine); i++)
-        if (strcmp(c205_account_at(machine, i)->name, region) == 0)
-            return c205_account_at(machine, i);
-    return NULL;
-}
-
 /* The clocks of the subject's regions, by cause and by region. */
-static bool sum_accounts(const c205 *machine,
+static bool sum_accounts(const struct accounts *accounts,
                          const struct speedup_subject *subject,
                          struct speedup_measure *measure, c205_error *error)
 {
@@ -99,7 +90,7 @@ static bool sum_accounts(const c205 *machine,
 
         if (region == NULL)
             break;
-        account = find_account(machine, region);
+        account = accounts_find(accounts, region);
         if (account == NULL) {
             snprintf(error->message, sizeof error->message,
                      "the program has no region %s", region);
@@ -114,20 +105,14 @@ static bool sum_accounts(const c205 *machine,
     return true;
 }
 
-static bool count_hits(const struct trace *trace,
-                       struct speedup_measure *measure, c205_error *error)
+static size_t count_hits(const struct trace *trace, size_t rays)
 {
-    c205_word *words = malloc(measure->rays * sizeof *words);
+    const c205_word *words = trace_channel(trace, CHANNEL_ID);
+    size_t hits = 0;
 
-    if (words == NULL || !trace_read_words(trace, CHANNEL_ID, words)) {
-        snprintf(error->message, sizeof error->message, "no memory");
-        free(words);
-        return false;
-    }
-    for (size_t i = 0; i < measure->rays; i++)
-        measure->hits += c205_to_integer(words[i]) != 0;
-    free(words);
-    return true;
+    for (size_t i = 0; i < rays; i++)
+        hits += c205_to_integer(words[i]) != 0;
+    return hits;
 }
 
 static bool watch(struct trace *trace, struct iterations *iterations,
@@ -144,11 +129,12 @@ static bool run(struct trace *trace, const struct speedup_subject *subject,
                 struct speedup_measure *measure, c205_error *error)
 {
     measure->falsi = trace_falsi(trace);
-    return watch(trace, &measure->iterations, error)
-           && trace_run(trace, error)
-           && sum_accounts(trace_machine(trace), subject, measure, error)
-           && count_hits(trace, measure, error)
-           && trace_checksum(trace, &measure->checksum, error);
+    if (!watch(trace, &measure->iterations, error) || !trace_run(trace, error)
+        || !sum_accounts(trace_accounts(trace), subject, measure, error))
+        return false;
+    measure->hits = count_hits(trace, measure->rays);
+    measure->checksum = trace_checksum(trace);
+    return true;
 }
 
 bool speedup_measure(const struct speedup_subject *subject,
@@ -161,10 +147,12 @@ bool speedup_measure(const struct speedup_subject *subject,
     struct trace *trace;
     bool good;
 
-    how.historical = subject->historical;
-    trace = scene == NULL ? NULL : trace_new(scene, &how, error);
     memset(measure, 0, sizeof *measure);
     measure->rays = options->width * options->height;
+    how.historical = subject->historical;
+    how.no_bounds = true;
+    how.band = measure->rays;
+    trace = scene == NULL ? NULL : trace_new(scene, &how, error);
     good = trace != NULL && run(trace, subject, measure, error);
     trace_free(trace);
     scene_free(scene);

@@ -14,7 +14,7 @@ enum { SPEEDUP_REGIONS_MOST = 4 };
 
 /* What the paper says of a subject.  0: nothing. */
 struct speedup_paper {
-    double seconds[TRACE_MODES]; /* CPU time for 100,000 rays, Table 1 */
+    double seconds[TRACE_FORMS]; /* CPU time for 100,000 rays, Table 1 */
     double speedup;              /* as printed there */
     double solver;               /* percent of the time in the root solver */
 };

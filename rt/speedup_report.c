@@ -151,7 +151,7 @@ static void add_name(struct table *table,
 
 static void add_times(struct speedup_report *report,
                       const struct speedup_subject *subject, int mode,
-                      const struct speedup_measure measures[TRACE_MODES])
+                      const struct speedup_measure measures[TRACE_FORMS])
 {
     struct table *table = report->tables[TIMES];
     const struct speedup_measure *measure = &measures[mode];
@@ -241,12 +241,12 @@ static void add_causes(struct table *table,
 void speedup_report_add(struct speedup_report *report,
                         const struct speedup_subject *subject,
                         const struct speedup_view *view,
-                        const struct speedup_measure measures[TRACE_MODES])
+                        const struct speedup_measure measures[TRACE_FORMS])
 {
     struct table *const *tables = report->tables;
 
     add_rays(tables[RAYS], subject, view, &measures[TRACE_VECTOR]);
-    for (int mode = 0; mode < TRACE_MODES; mode++) {
+    for (int mode = 0; mode < TRACE_FORMS; mode++) {
         add_times(report, subject, mode, measures);
         add_shares(tables[SHARES], subject, mode, &measures[mode]);
         add_steps(tables[STEPS], subject, mode, &measures[mode]);

@@ -18,7 +18,7 @@ void speedup_report_free(struct speedup_report *report);
 void speedup_report_add(struct speedup_report *report,
                         const struct speedup_subject *subject,
                         const struct speedup_view *view,
-                        const struct speedup_measure measures[TRACE_MODES]);
+                        const struct speedup_measure measures[TRACE_FORMS]);
 
 /* The table pass by pass, which is long, only if wanted.  False: memory ran
  * out, or a write error. */

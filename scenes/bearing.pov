@@ -132,7 +132,6 @@ union {
         texture { Brass_Cage }
         translate (Housing_Radius - 0.02) * y
     }
-    no_shadow
 }
 
 plane {
@@ -143,5 +142,4 @@ plane {
         rotate 30 * y
     }
     finish { ambient 0.15 diffuse 0.6 }
-    no_shadow
 }

@@ -131,7 +131,6 @@ union {
     object { Wheel translate <1.5, 0.35, -0.85> }
     object { Wheel translate <-1.5, 0.35, -0.85> scale Mirror }
     object { Wheel translate <1.5, 0.35, -0.85> scale Mirror }
-    no_shadow
 }
 
 plane {
@@ -140,5 +139,4 @@ plane {
         checker color rgb <0.33, 0.34, 0.35>, color rgb <0.27, 0.28, 0.29>
     }
     finish { ambient 0.15 diffuse 0.7 }
-    no_shadow
 }

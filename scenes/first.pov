@@ -1,8 +1,7 @@
 // first.pov - one of each primitive on a checkered floor.
 //
-// The same file renders in POV-Ray 3.7.  No shadows are cast: the objects say
-// so with no_shadow, and the second light with shadowless (POV-Ray gives such
-// a light no highlights either).
+// The same file renders in POV-Ray 3.7.  The first light casts shadows, the
+// second is shadowless (POV-Ray gives such a light no highlights, either).
 #version 3.7;
 #include "colors.inc"
 global_settings { assumed_gamma 1.0 }
@@ -30,14 +29,12 @@ plane {
     y, 0
     pigment { Floor }
     finish { ambient 0.15 diffuse 0.7 }
-    no_shadow
 }
 
 sphere {
     <0, 1, 0.4>, 1
     pigment { color rgb <0.55, 0.05, 0.04> }
     finish { Glossy }
-    no_shadow
 }
 
 box {
@@ -46,14 +43,12 @@ box {
     finish { phong 0.4 phong_size 30 }
     rotate 28 * y
     translate <-2.05, 0, 0.5>
-    no_shadow
 }
 
 cylinder {
     <2, 0, 0.9>, <2, 1.9, 0.9>, 0.55
     pigment { color Gold * 0.9 }
     finish { Glossy }
-    no_shadow
 }
 
 // A lens: a ball of another shape, by a scale that differs along the axes.
@@ -64,5 +59,4 @@ sphere {
     translate <1.15, 0.27, -1.35>
     pigment { color rgb <0.08, 0.36, 0.12> }
     finish { Glossy }
-    no_shadow
 }

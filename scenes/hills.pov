@@ -22,7 +22,7 @@ light_source { <10, 5, -6>, color rgb <0.16, 0.2, 0.28> shadowless }
     finish { Matt }
 }
 
-plane { y, 0 pigment { color rgb <0.05, 0.2, 0.3> } finish { Paint } no_shadow }
+plane { y, 0 pigment { color rgb <0.05, 0.2, 0.3> } finish { Paint } }
 
 // A hill of height H whose foot is E wide and F deep:
 //     x^2 / E^2 + z^2 / F^2 + y / H = 1.
@@ -30,19 +30,16 @@ quadric {
     <1 / 9, 0, 1 / 4>, 0, <0, 1 / 1.7, 0>, -1
     translate <3, 0, 2>
     texture { Meadow }
-    no_shadow
 }
 quadric {
     <1 / 25, 0, 1 / 9>, 0, <0, 1 / 2.4, 0>, -1
     translate <-4.5, 0, 6>
     texture { Meadow pigment { color rgb <0.13, 0.24, 0.09> } }
-    no_shadow
 }
 quadric {
     <1 / 7, 0, 1 / 3>, <0, 0.05, 0>, <0, 1 / 0.6, 0>, -1
     translate <-3.4, 0, -2>
     texture { Meadow pigment { color rgb <0.3, 0.32, 0.1> } }
-    no_shadow
 }
 
 // The lighthouse: frustums, an open lampshade, a pointed roof.
@@ -64,7 +61,6 @@ union {
     finish { Paint }
     scale 1.15
     translate <2.6, 1.6, 1.8>
-    no_shadow
 }
 
 // Firs.
@@ -76,7 +72,6 @@ union {
     cone { 0.75 * y, 0.5, 1.5 * y, 0.06 pigment { Needles } }
     cone { 1.2 * y, 0.36, 2 * y, 0 pigment { Needles } }
     finish { Matt }
-    no_shadow
 }
 object { Fir translate <-3.9, 0.5, -2.1> }
 object { Fir scale 0.8 translate <-2.7, 0.45, -2.2> }
@@ -95,5 +90,4 @@ union {
     finish { ambient 0.14 diffuse 0.6 specular 0.5 roughness 0.03 }
     rotate <0, -24, 5>
     translate <-1.6, 4.3, 1>
-    no_shadow
 }

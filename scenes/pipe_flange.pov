@@ -111,7 +111,6 @@ union {
     object { Gauge rotate 30 * y translate <2.2, Pipe, 0> }
     object { Saddle translate 2.2 * x }
     object { Saddle translate -2.4 * x }
-    no_shadow
 }
 
 plane {
@@ -121,5 +120,4 @@ plane {
         scale 2
     }
     finish { Rough }
-    no_shadow
 }

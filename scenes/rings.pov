@@ -29,7 +29,6 @@ plane {
         scale 1.5
     }
     finish { ambient 0.15 diffuse 0.7 }
-    no_shadow
 }
 
 // The toy: each ring lies on the one below, and the peg is a cone.
@@ -50,7 +49,6 @@ union {
             pigment { color rgb <0.85, 0.25, 0.03> } }
     finish { Lacquer }
     translate <-0.9, 0, 0.9>
-    no_shadow
 }
 
 // Three links of a chain; the middle one stands.
@@ -63,7 +61,6 @@ union {
     finish { Metal }
     rotate 12 * y
     translate <-0.5, 0, -1.9>
-    no_shadow
 }
 
 // A band whose section is an ellipse, higher than it is thick.  Where there is
@@ -93,7 +90,6 @@ union {
     finish { Metal }
     rotate -25 * y
     translate <1.55, 0, -0.95>
-    no_shadow
 }
 
 // A tube thicker than its ring is wide: the sides meet in a dimple.
@@ -105,5 +101,4 @@ union {
     finish { Lacquer }
     rotate <-10, 0, -12>
     translate <2.15, 0.43, 1>
-    no_shadow
 }

@@ -36,7 +36,6 @@ quartic {
     translate <-1.45, 1.4, 0>
     pigment { color rgb <0.72, 0.24, 0.06> }
     finish { Glaze }
-    no_shadow
 }
 
 // 4 x^2 (x^2 + y^2 + z^2 + z) + y^2 (y^2 + z^2 - 1) = 0, its line of
@@ -53,7 +52,6 @@ quartic {
     translate <1.5, 1.42, 0>
     pigment { color rgb <0.05, 0.34, 0.45> }
     finish { Glaze }
-    no_shadow
 }
 
 #declare Plinth = union {
@@ -61,7 +59,6 @@ quartic {
     torus { 1.15, 0.11 translate 0.11 * y }
     pigment { color rgb <0.5, 0.48, 0.44> }
     finish { Stone }
-    no_shadow
 }
 object { Plinth translate <-1.45, 0, 0> }
 object { Plinth translate <1.5, 0, 0> }
@@ -72,5 +69,4 @@ plane {
         checker color rgb <0.2, 0.2, 0.22>, color rgb <0.13, 0.13, 0.16>
     }
     finish { Stone }
-    no_shadow
 }

@@ -78,7 +78,6 @@ union {
     scale 2.1
     rotate <-36, 28, 20>
     translate <-1.3, 1.3, 0>
-    no_shadow
 }
 
 // Nearer to the eye one quarter is left out: the inside is of two sheets that
@@ -94,7 +93,6 @@ union {
     rotate -60 * y
     scale 1.1
     translate <1.45, 1.3, 0>
-    no_shadow
 }
 
 plane {
@@ -103,5 +101,4 @@ plane {
         checker color rgb <0.45, 0.44, 0.42>, color rgb <0.38, 0.37, 0.36>
     }
     finish { ambient 0.15 diffuse 0.7 }
-    no_shadow
 }

@@ -98,7 +98,7 @@ for command in run asm dis isa model time; do
     ends 0 "$build/c205" $command --help
     ends 2 "$build/c205" $command --nonsense
 done
-for command in render speedup quartic; do
+for command in render profile speedup quartic; do
     ends 0 "$build/rt205" $command --help
     ends 2 "$build/rt205" $command --nonsense
 done
@@ -412,7 +412,7 @@ for ending in jpg exr tif; do
 done
 ends 1 "$build/rt205" render missing.pov -o a.png
 ends 1 "$build/rt205" render beyond.pov -o a.png
-tells err "line 2"
+tells err "beyond.pov:2:1"
 ends 1 "$build/rt205" render bad.pov -o a.png
 tells err 'bad.pov:2:'
 tells err 'bad.pov:3:'
@@ -458,6 +458,52 @@ verdict $? "an interrupted render does not end with 1"
 tells err 'stopped after'
 [ -z "$(find . -name '*long*')" ]
 verdict $? "an interrupted render left a file"
+
+# Finished bands are kept, and gone on from
+frame() { # OPTION ..: the checksum and the clocks of a frame
+    "$build/rt205" render "$scene" -o bands.png -W 640 -H 480 "$@" 2>err \
+        | grep -e checksum -e 'clocks,'
+}
+frame >whole
+frame --jobs 3 | cmp -s - whole
+verdict $? "three jobs make another frame, or other clocks"
+frame --resume bands.kept | cmp -s - whole
+verdict $? "bands that are kept make another frame, or other clocks"
+[ ! -e bands.kept ]
+verdict $? "a finished frame leaves its bands"
+"$build/rt205" render "$scene" -o bands.png -W 640 -H 480 --mode scalar \
+    --resume bands.kept >out 2>err &
+child=$!
+tries=0
+while [ "$(cat bands.kept 2>/dev/null | wc -c)" -lt 100 ] \
+    && [ $((tries += 1)) -lt 200 ]; do
+    sleep .1
+done
+kill -INT $child
+wait $child
+tells err 'goes on from bands.kept'
+frame --mode scalar >serial
+printf 'half a band' >>bands.kept
+frame --mode scalar --resume bands.kept | cmp -s - serial
+verdict $? "a frame that is gone on with differs from a whole one"
+printf 'no bands' >other.kept
+ends 1 "$build/rt205" render "$scene" -o bands.png --resume other.kept
+tells err 'does not hold bands'
+ends 2 "$build/rt205" render "$scene" -o bands.png --resume bands.png
+rm -f bands.png
+frame --resume ./bands.png | cmp -s - whole && [ -s bands.png ]
+verdict $? "a picture in the place of its bands is not kept"
+ends 2 "$build/rt205" render "$scene" -o bands.png --jobs 0
+tells err "--jobs: wrong argument: 0"
+
+# The three stages side by side
+ends 0 "$build/rt205" profile "$scene" -W 60 -H 45 --json profile.json
+tells out 'visible surface'
+tells out 'Amdahl'
+tells out "^vector *+ rest  *100.0 "
+tells profile.json '"kernels_clocks"'
+ends 2 "$build/rt205" profile "$scene" -o picture.png
+ends 2 "$build/rt205" quartic "$scene" --mode kernels
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -162,7 +162,7 @@
 \name\()_next:
         IBXLT   q_steps, q_index_one, q_falsi_steps, \name\()_step, q_steps
         IBXLT   q_steps, r0, q_all_steps, \name\()_midpoint
-        RTOR    q_active, q_done
+        ANDB    [q_active], [q_active], [q_done]
         RTOR    q_active_count, q_finished
 \name\()_found:
         CMPLTV  |[q_fa]|, |[q_fb]|, [q_bits]

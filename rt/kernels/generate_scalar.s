@@ -1,22 +1,22 @@
 ; generate_scalar.s - the ray of one pixel.
 ;
-;       CALL GENERATE (PIXEL, VIEW, RAY)
+;       CALL GENERATE_RAY (PIXEL, VIEW, RAY)
 ;
 ; PIXEL = column, row (2 words, normalised); VIEW as camera.s leaves it; RAY =
 ; O, D (6 words).  Formulas and order of the operations as in
 ; generate_vector.s.
 
-        .regs   r32, g_pixel, g_view, g_ray, g_index, g_column, g_row
-        .regs   r40, g_ox, g_oy, g_oz, g_dx, g_dy, g_dz, g_t, g_u
-        .regs   r48, g_lx, g_ly, g_lz, g_basex, g_basey, g_basez, g_colx
-        .regs   r55, g_coly, g_colz, g_rowx, g_rowy, g_rowz
-        .equ    GENERATE_REGISTERS, 28
+        .regs   r32, g_pixel, g_view, g_ray, g_column, g_row
+        .regs   r37, g_ox, g_oy, g_oz, g_dx, g_dy, g_dz, g_t, g_u
+        .regs   r45, g_lx, g_ly, g_lz, g_basex, g_basey, g_basez, g_colx
+        .regs   r52, g_coly, g_colz, g_rowx, g_rowy, g_rowz
+        .equ    GENERATE_REGISTERS, 25
 
         .data
 generate_save:  .space GENERATE_REGISTERS
         .code
         .kernel generate
-generate:
+generate_ray:
         EX      save_at, generate_save
         ELEN    save_at, GENERATE_REGISTERS
         SWAP    [r0], r32, [save_at]

@@ -3,11 +3,15 @@
 ; Pixel k of the frame lies in row floor(k / width) and column
 ; k - width row; its ray is  base + column per_column + row per_row  (see
 ; camera.s), brought to length one.  k / width is cut towards zero, never up,
-; so that its floor is the row for every k.
+; so that its floor is the row for every k.  They start at one point, which is
+; in aox aoy aoz all the time.
 ;
-; In:  pixel (the first k, an integer), n; view.
-; Out: wox woy woz wdx wdy wdz.
+; In:  position (the first k, from the band's first pixel on), n; view.
+; Out: adx ady adz.
 ; Source: camera.s for the formula; derived here for vectors of any length.
+
+        .regs   r233, basex, basey, basez, colx, coly, colz, rowx, rowy, rowz
+        .regs   r242, width, first_pixel
 
         .macro  direction base, col, row, d
         LINKV
@@ -20,19 +24,23 @@
 
         .kernel generate
 generate:
-        INTVLV  pixel, one_index, [w0]
+        set_near n
+        EX      s0, view + 64 * 3
+        ELEN    s0, VIEW_SIZE - 3
+        SWAP    [s0], basex, [r0]
+        load_word scene_width, width
+        load_word scene_first_pixel, first_pixel
+        ADDX    first_pixel, position, first_pixel
+        INTVLV  first_pixel, one_index, [w0]
         ADDNV   [w0], r0, [w0]
         DIVSV   [w0], width, [w1]
         FLRV    [w1], [w1]
         ADDNV   [w1], r0, [w1]
         MPYSV   [w1], width, [w2]
         SUBNV   [w0], [w2], [w0]
-        direction basex, colx, rowx, wdx
-        direction basey, coly, rowy, wdy
-        direction basez, colz, rowz, wdz
-        normalise wdx, wdy, wdz, w2, w3
-        VTOV    viewlx, [wox]
-        VTOV    viewly, [woy]
-        VTOV    viewlz, [woz]
-        BIM     0, link
+        direction basex, colx, rowx, adx
+        direction basey, coly, rowy, ady
+        direction basez, colz, rowz, adz
+        normalise adx, ady, adz, w2, w3
+        BIM     0, link_kernel
         .endkernel

@@ -9,8 +9,8 @@
 ;
 ; and crossings count for  low < s <= high,  low = lower + along or, if that is
 ; less, -high.  Where low is not below high the ray misses.  The others, m of
-; n, are compressed: the lanes.  They use the vectors of the shading, which has
-; not begun yet.
+; n, are compressed: the lanes.  They use the registers of the shading, which
+; loads them anew; their vectors are their own.
 ;
 ; Source: the project's notes on ray tracing, 0 and 1.1.
 
@@ -33,8 +33,18 @@ lane_bases:
         .endr
 lane_descriptors:
         .space  LANE_VECTORS
+lane_shade_bases:
+        .rept   SHADE_VECTORS - 4
+        .descriptor 0, lane_store + 64 * QUEUE * (LANE_VECTORS + \+)
+        .endr
+        .rept   4
+        .descriptor 0, lane_bits + 64 * QUEUE_BIT_WORDS * \+
+        .endr
+lane_shade_descriptors:
+        .space  SHADE_VECTORS
+lane_bits:      .space 4 * QUEUE_BIT_WORDS
         .align  64
-lane_store:     .space LANE_VECTORS * QUEUE
+lane_store:     .space (LANE_VECTORS + SHADE_VECTORS - 4) * QUEUE
         .code
 
         .macro  set_more_lanes count
@@ -43,7 +53,7 @@ lane_store:     .space LANE_VECTORS * QUEUE
 
 ; Lengths for count lanes.
         .macro  set_lanes count
-        set_lengths \count, m_high, shade_bases, shade_descriptors, SHADE_VECTORS, at
+        set_lengths \count, m_high, lane_shade_bases, lane_shade_descriptors, SHADE_VECTORS, at
         .endm
 
 ; From the origins x, told from the centre, and the scalar bound2 = bound^2:

@@ -8,12 +8,21 @@
 ; costs 200 to 300 clocks so, of which LINPACK shows 260 to 295 (D; see
 ; docs/timing.md).
 ;
+; A kernel is called with the address of another one in inner, for shapes that
+; stand in a space of their own (transform_scalar.s).
+;
 ; Registers: r7-r31 belong to the linkage and the main program; r32-r155 are
 ; local to each subroutine, as many as it says; r200-r238 are those of power,
 ; r240-r252 the main program's, r253 and r254 scratch.
 
-        .regs   r7, link, arguments, save_at, image_at, target
+        .regs   r7, link, arguments, save_at, image_at, target, inner
         .regs   r253, third, fourth               ; scratch, never saved
+
+; The main program's constants, in the order of records.s, and some more; all
+; subroutines may use them.
+        .regs   r18, m_one, m_half, m_two, m_big, m_minus_big, m_tiny, m_tmin
+        .regs   r25, m_checker_shift
+        .regs   r26, m_minus_one, m_index_one, m_index_minus_one, m_zero
 
 ; The local registers of the kernels, all alike: constants, arguments, the ray,
 ; the segment found, work, the shape.
@@ -32,12 +41,30 @@
 kernel_image:
         .word 1.0, 1e30, -1e30, 1e-12, 1
         .space KERNEL_REGISTERS_MOST - 5
+
+; The most crossings of a ray with a primitive.
+        .equ    CROSSINGS_MOST, 6
         .code
 
         .macro  call routine, list
         EX      arguments, \list
         EX      target, \routine
         BSAVE   link, [target]
+        .endm
+
+; Load number registers from first on from the words at label.
+        .macro  load_at label, number, first
+        EX      image_at, \label
+        ELEN    image_at, \number
+        SWAP    [image_at], \first, [r0]
+        .endm
+
+        .macro  load_main_constants
+        load_at constants, CONSTANTS, m_one
+        SUBN    r0, m_one, m_minus_one
+        ES      m_index_one, 1
+        ES      m_index_minus_one, -1
+        ADDN    r0, r0, m_zero
         .endm
 
 ; Save the first number local registers at save, load them from image.
@@ -74,44 +101,3 @@ kernel_image:
         leave   \save, \registers
         .endm
 
-; sum = x . u, in the order (x1 u1 + x0 u0) + x2 u2.  Results take five clocks,
-; so independent products stand before the sums that wait for them.
-        .macro  dot x0, x1, x2, u0, u1, u2, sum, work
-        MPYS    \x0, \u0, \sum
-        MPYS    \x1, \u1, \work
-        MPYS    \x2, \u2, third
-        ADDN    \work, \sum, \sum
-        ADDN    third, \sum, \sum
-        .endm
-
-; Three such sums at a time, a, b, c of x with the rows a, b, c: nothing waits.
-        .macro  dot_rows x0, x1, x2, a0, a1, a2, b0, b1, b2, c0, c1, c2, a, b, c, w0, w1, w2, w3
-        MPYS    \x0, \a0, \a
-        MPYS    \x0, \b0, \b
-        MPYS    \x0, \c0, \c
-        MPYS    \x1, \a1, \w0
-        MPYS    \x1, \b1, \w1
-        MPYS    \x1, \c1, \w2
-        MPYS    \x2, \a2, \w3
-        MPYS    \x2, \b2, third
-        MPYS    \x2, \c2, fourth
-        ADDN    \w0, \a, \a
-        ADDN    \w1, \b, \b
-        ADDN    \w2, \c, \c
-        ADDN    \w3, \a, \a
-        ADDN    third, \b, \b
-        ADDN    fourth, \c, \c
-        .endm
-
-        .macro  normalise_by unit, x0, x1, x2, length, work
-        dot     \x0, \x1, \x2, \x0, \x1, \x2, \length, \work
-        SQRT    \length, \length
-        DIVS    \unit, \length, \work
-        MPYS    \x0, \work, \x0
-        MPYS    \x1, \work, \x1
-        MPYS    \x2, \work, \x2
-        .endm
-
-        .macro  normalise x0, x1, x2, length, work
-        normalise_by one, \x0, \x1, \x2, \length, \work
-        .endm

@@ -1,45 +1,73 @@
-; nearest_vector.s - which primitive each ray of the queue meets first.
+; nearest_vector.s - what the rays of a queue meet first.
 ;
-; For each primitive its kernel gives the segment tin..tout; the hit is tin if
-; that lies ahead of the ray's start (> tmin), else tout.  It counts if it is
-; ahead and nearer than the best so far; the first primitive wins ties.  Of
-; a patch the parameters of the hit are kept, too.
+; Of a simple region the crossing is tin if that lies ahead of the ray's least
+; distance, else tout; it counts if it is ahead and before the ray's limit.  Of
+; the others the crossings are looked at in turn (visible_vector.s).
 ;
-; In:  the queue's rays; scene_primitives, scene_primitive_count.
-; Out: nearest (big: none), nearest_id (0: none); hit_s, hit_t on patches.
-; Source: the paper's queue, each primitive against all rays in turn.
+; find_nearest: In: the queue's rays.  Out: nearest (big: none), met (0: none);
+;   hit_s, hit_t on patches.
+; simple_met: In: tin, tout of the rays at hand, and for a ray to a light its
+;   limit; found, of the others.  Out: the same; for a ray to a light nearest =
+;   minus_big.
+; Source: the paper.
 
-        .kernel nearest
+; Where a hit goes: places, distances, primitives.
+        .regs   r107, taken_at, taken_distance, taken_met
+
+        .data
+taken_store:    .space 3 * QUEUE
+        .code
+
+        .macro  take_found vector, into, number, bits
+        EX      \into, taken_store + 64 * QUEUE * \number
+        CPSV    [\vector], [\into] ? [\bits]
+        .endm
+
+        .kernel visible
 find_nearest:
         VTOV    big, [nearest]
-        VTOV    r0, [nearest_id]
-        look_at_rays wox, woy, woz, wdx, wdy, wdz, wlower
-        EX      s0, scene_primitives
-        LOD     [s0], primitive
-        EX      s0, scene_primitive_count
-        LOD     [s0], primitives_left
-        IBXEQ   primitives_left, r0, r0, nearest_done
-nearest_next:
-        .endkernel
-        .kernel call
-        load_field P_KERNEL, target
-        BSAVE   link_kernel, [target]
-        .endkernel
-        .kernel nearest
-        CMPLTV  tmin, [tin], [bits0]
+        VTOV    r0, [met]
+        ES      shadows, 0
+        EX      found, found_nearest
+        BIM     walk_regions
+
+simple_met:
+        CMPLTV  [wlower], [tin], [bits0]
         MASKV   [tin], [tout], [w0] ? [bits0]
-        CMPLTV  tmin, [w0], [bits0]
-        CMPLTV  [w0], [nearest], [bits1]
+        CMPLTV  [wlower], [w0], [bits0]
+        CMPLTV  [w0], [near_limit], [bits1]
         ANDB    [bits0], [bits1], [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, walk_skip
         load_record P_ID, 2, identity
+        IBXEQ   near, r0, n, simple_all
+        take_found place, taken_at, 0, bits0
+        IBXNE   shadows, r0, r0, simple_shadow
+        store_field P_MET, one_index
+        take_found w0, taken_distance, 1, bits0
+        VTOVX   [taken_at], [taken_distance], [nearest]
+        VTOVX   [taken_at], identity, [met]
+        IBXEQ   on_patch, r0, r0, walk_skip
+        take_found patch_s, taken_distance, 1, bits0
+        VTOVX   [taken_at], [taken_distance], [hit_s]
+        take_found patch_t, taken_distance, 1, bits0
+        VTOVX   [taken_at], [taken_distance], [hit_t]
+        BIM     walk_skip
+simple_shadow:
+        VTOVX   [taken_at], minus_big, [nearest]
+        BIM     walk_skip
+
+; The rays at hand are all of the queue.
+simple_all:
+        IBXNE   shadows, r0, r0, simple_all_shadow
+        store_field P_MET, one_index
         VTOV    [w0], [nearest] ? [bits0]
-        VTOV    identity, [nearest_id] ? [bits0]
-        IBXEQ   on_patch, r0, r0, nearest_no_patch
+        VTOV    identity, [met] ? [bits0]
+        IBXEQ   on_patch, r0, r0, walk_skip
         VTOV    [patch_s], [hit_s] ? [bits0]
         VTOV    [patch_t], [hit_t] ? [bits0]
-nearest_no_patch:
-        IX      primitive, 64 * P_SIZE
-        IBXNE   primitives_left, minus_one_index, r0, nearest_next, primitives_left
-nearest_done:
-        BIM     0, link
+        BIM     walk_skip
+simple_all_shadow:
+        VTOV    minus_big, [nearest] ? [bits0]
+        BIM     walk_skip
         .endkernel

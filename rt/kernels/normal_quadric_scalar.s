@@ -60,7 +60,7 @@ normal_quadric:
         SUBN    qx, sh0, t0
         SUBN    qy, sh1, t1
         SUBN    qz, sh2, t2
-        quadric_rows t0, t1, t2, nx, ny, nz, t3, t4, t5, t6
+        matrix_rows t0, t1, t2, nx, ny, nz, t3, t4, t5, t6
         ADDN    nx, sh9, nx
         ADDN    ny, sh10, ny
         ADDN    nz, sh11, nz

@@ -89,7 +89,7 @@ normal_torus:
         .endm
 
 normal_quartic:
-        load_field P_TABLE, here
+        get_field P_TABLE, here
         RTOR    m_zero, nx
         RTOR    m_zero, ny
         RTOR    m_zero, nz
@@ -133,10 +133,10 @@ normal_quartic:
         .endm
 
         .macro  tangents words
-        load_field P_TABLE, here
+        get_field P_TABLE, here
         ELEN    here, \words
         SWAP    [here], hx0, [r0]
-        load_record P_PATCH_POINT, 2, here_s
+        get_record P_PATCH_POINT, 2, here_s
         ADDN    here_s, here_s, here_s2
         ADDN    here_t, here_t, here_t2
         tangent hx1, hy1, hz1, hx3, hy3, hz3, hx4, hy4, hz4, here_s2, here_t, t0, t1, t2
@@ -163,6 +163,6 @@ normal_rational_steiner:
 normal_steiner:
         tangents 18
 normal_patch:
-        cross   t0, t1, t2, t3, t4, t5, nx, ny, nz
+        cross_product t0, t1, t2, t3, t4, t5, nx, ny, nz
         BIM     gradient_normal
         .endkernel

@@ -1,26 +1,23 @@
 ; quadric_scalar.s - one ray meets a quadric.
 ;
 ;       CALL QUADRIC (RAY, PRIMITIVE, SEGMENT)
+;       CALL QUADRIC_SOLID (RAY, PRIMITIVE, SEGMENTS)
 ;
-; Arguments as in sphere_scalar.s, method as in quadric_vector.s.
-
-        .macro  quadric_rows x0, x1, x2, y0, y1, y2, w0, w1, w2, w3
-        dot_rows \x0, \x1, \x2, sh3, sh6, sh7, sh6, sh4, sh8, sh7, sh8, sh5, \y0, \y1, \y2, \w0, \w1, \w2, \w3
-        .endm
+; Arguments as in sphere_scalar.s, method as in quadric_vector.s.  SEGMENTS = the
+; ray's way inside, where the polynomial is below 0, two of them (4 words).
 
         .data
 quadric_save:   .space QUADRATIC_REGISTERS
         .code
-        .kernel quadric
-quadric:
-        enter_kernel quadric_save, QUADRATIC_REGISTERS, 13
+; a, b, c and in t2 b^2 - a c.
+        .macro  quadric_polynomial
         SUBN    ox, sh0, t0
         SUBN    oy, sh1, t1
         SUBN    oz, sh2, t2
         closest_approach t0, t1, t2, t0, t1, t2, shift, t3, t4
-        quadric_rows dx, dy, dz, t7, t8, t9, t3, t4, t5, t6
+        matrix_rows dx, dy, dz, t7, t8, t9, t3, t4, t5, t6
         dot     dx, dy, dz, t7, t8, t9, quad_a, t3
-        quadric_rows t0, t1, t2, t7, t8, t9, t3, t4, t5, t6
+        matrix_rows t0, t1, t2, t7, t8, t9, t3, t4, t5, t6
         ADDN    t7, sh9, t7
         ADDN    t8, sh10, t8
         ADDN    t9, sh11, t9
@@ -31,6 +28,12 @@ quadric:
         dot     t0, t1, t2, t7, t8, t9, quad_c, t3
         ADDN    quad_c, sh12, quad_c
         discriminant quad_a, quad_b, quad_c, t2, t0
+        .endm
+
+        .kernel quadric
+quadric:
+        enter_kernel quadric_save, QUADRATIC_REGISTERS, 13
+        quadric_polynomial
         CFPLT   t2, r0, quadric_miss
         quadratic_roots quad_a, quad_b, quad_c, t2, t0, t1, quadric_one, quadric_double
         sort_roots t0, t1
@@ -47,5 +50,53 @@ quadric_crossed:
 quadric_miss:
         RTOR    big, tin
         RTOR    minus_big, tout
+        leave_kernel quadric_save, QUADRATIC_REGISTERS
+
+; Two crossings: what is inside lies between them or, with a < 0, before the
+; first and behind the second.  One: before it where the polynomial rises.
+; None: all or nothing.
+quadric_solid:
+        enter_kernel quadric_save, QUADRATIC_REGISTERS, 13
+        quadric_polynomial
+        RTOR    big, t8
+        RTOR    minus_big, t9
+        CFPLT   t2, r0, solid_uncrossed
+        quadratic_roots quad_a, quad_b, quad_c, t2, t0, t1, solid_one, solid_double
+        sort_roots t0, t1
+solid_two:
+        move_back shift
+        CFPGE   quad_a, r0, solid_given
+        RTOR    tin, t7
+        RTOR    tout, t8
+        RTOR    big, t9
+        RTOR    minus_big, tin
+        RTOR    t7, tout
+        BIM     solid_given
+solid_double:
+        CFPEQ   quad_a, r0, solid_constant
+        DIVS    t2, quad_a, tin
+        RTOR    tin, tout
+        BIM     solid_two
+solid_one:
+        SUBN    t1, shift, t1
+        RTOR    minus_big, tin
+        RTOR    t1, tout
+        CFPGE   quad_b, r0, solid_given
+        RTOR    t1, tin
+        RTOR    big, tout
+        BIM     solid_given
+solid_constant:
+        RTOR    quad_c, quad_a
+solid_uncrossed:
+        RTOR    big, tin
+        RTOR    minus_big, tout
+        CFPGE   quad_a, r0, solid_given
+        RTOR    minus_big, tin
+        RTOR    big, tout
+solid_given:
+        ES      t7, 2
+        STO     [a_segment, t7], t8
+        IX      t7, 1
+        STO     [a_segment, t7], t9
         leave_kernel quadric_save, QUADRATIC_REGISTERS
         .endkernel

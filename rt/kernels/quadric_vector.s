@@ -12,8 +12,8 @@
 ; segment here but the two crossings, the lesser first; the nearest one ahead
 ; is then chosen as for all shapes.  One root (a = 0): tin = tout.
 ;
-; In:  ox oy oz dx dy dz, n long; the primitive's record.
-; Out: tin, tout; a miss is big, minus_big.
+; In:  ox oy oz dx dy dz, near long; the primitive's record.
+; Out: tin, tout; a miss is big, minus_big.  quadric_solid: two segments.
 ; Source: derived here; the project's notes on ray tracing, 4.2.
 
 ; y = A x for the matrix of the record.
@@ -23,8 +23,9 @@
         dot_constant \x0, \x1, \x2, sh7, sh8, sh5, \y2, \work
         .endm
 
-        .kernel quadric
-quadric:
+; The polynomial (a, b, c in w10, w11, w7) and its roots, from the closest
+; approach on: tin, tout where bits0 has ones.  [w9] = the shift of the origin.
+        .macro  quadric_polynomial
         load_record P_SHAPE, 13, sh0
         SUBNV   [ox], sh0, [w0]
         SUBNV   [oy], sh1, [w1]
@@ -46,16 +47,62 @@ quadric:
         quadratic_roots w10, w11, w7, w2, w0, w1
         ORB     [bits1], [bits2], [bits1]
         CNTOB   [bits1], s0
-        IBXEQ   s0, r0, r0, quadric_rooted
+        IBXEQ   s0, r0, r0, quadric_rooted\@
         CMPEQV  [w10], r0, [bits1]
         VTOV    [w0], [w1] ? [bits2]
         VTOV    [w1], [w0] ? [bits1]
         ANDB    [bits1], [bits2], [bits1]
         ANDNB   [bits0], [bits1], [bits0]       ; no root
-quadric_rooted:
+quadric_rooted\@:
         sort_roots w0, w1
+        .endm
+
+        .kernel quadric
+quadric:
+        quadric_polynomial
         VTOV    big, [tin] ?! [bits0]
         VTOV    minus_big, [tout] ?! [bits0]
         move_back w9
+        BIM     0, link_kernel
+
+; Two crossings: what is inside lies between them or, with a < 0, before the
+; first and behind the second.  One (a = 0): before it where the polynomial
+; rises.  None: all or nothing, as a or, with a = b = 0, c says.
+quadric_solid:
+        quadric_polynomial
+        SUBNV   [tin], [w9], [tin]
+        SUBNV   [tout], [w9], [tout]
+        VTOV    big, [tin2]
+        VTOV    minus_big, [tout2]
+        VTOV    big, [tin] ?! [bits0]
+        VTOV    minus_big, [tout] ?! [bits0]
+        CMPLTV  r0, [w10], [bits1]
+        CNTOB   [bits1], s0
+        IBXEQ   s0, r0, near, solid_given       ; a > 0 for all
+        CMPLTV  [w10], r0, [bits1]              ; a < 0
+        ANDB    [bits0], [bits1], [bits2]
+        VTOV    [tout], [tin2] ? [bits2]
+        VTOV    big, [tout2] ? [bits2]
+        VTOV    [tin], [tout] ? [bits2]
+        VTOV    minus_big, [tin] ? [bits2]
+        ANDNB   [bits1], [bits0], [bits2]
+        VTOV    minus_big, [tin] ? [bits2]
+        VTOV    big, [tout] ? [bits2]
+        CMPEQV  [w10], r0, [bits1]
+        CNTOB   [bits1], s0
+        IBXEQ   s0, r0, r0, solid_given
+        ANDB    [bits0], [bits1], [bits0]       ; a = 0: one crossing
+        ANDNB   [bits1], [bits0], [bits1]       ; .. none
+        CMPGEV  [w11], r0, [bits2]
+        ANDNB   [bits0], [bits2], [bits2]       ; falls
+        VTOV    big, [tout] ? [bits2]
+        CMPGEV  [w11], r0, [bits2]
+        ANDB    [bits0], [bits2], [bits2]       ; rises
+        VTOV    minus_big, [tin] ? [bits2]
+        CMPLTV  [w7], r0, [bits2]
+        ANDB    [bits1], [bits2], [bits2]       ; all
+        VTOV    minus_big, [tin] ? [bits2]
+        VTOV    big, [tout] ? [bits2]
+solid_given:
         BIM     0, link_kernel
         .endkernel

@@ -3,6 +3,7 @@
 ;       CALL SOLVE_QUARTIC (COEFFICIENTS, INTERVAL, ROOTS)
 ;       CALL SOLVE_QUARTIC_ALL (COEFFICIENTS, INTERVAL, ROOTS)
 ;       CALL SOLVE_QUARTIC_UNTIL (COEFFICIENTS, INTERVAL, ROOTS)
+;       CALL SOLVE_QUARTIC_SIGNS (COEFFICIENTS, INTERVAL, ROOTS)
 ;
 ; COEFFICIENTS = c4, c3, c2, c1, c0 (5 words) of c4 t^4 + ... + c0; leading
 ; zeros make a cubic, a quadratic and so on.
@@ -17,6 +18,8 @@
 ; turn: q_answer, before the next one is sought.  It ends by BIM solver_accept
 ; or, to have the next one, BIM 0, q_link, and may change r82-r92 (q_a .. q_u)
 ; and what is not the solver's.
+; SOLVE_QUARTIC_SIGNS gives all roots, by changes of sign alone; those of the
+; four places that are beyond the number hold 1e30.
 ;
 ; Method and order of the operations as in quartic_vector.s, but what shows
 ; that an interval holds no root ends the work on it, and the first acceptable
@@ -26,6 +29,7 @@
 
         .include "quartic_constants.s"
         .include "falsi_scalar.s"
+        .include "signs_scalar.s"
 
         .regs   r32, q_one, q_half, q_three_halves, q_three, q_four
         .regs   r37, q_wide, q_tolerance, q_close, q_knot_close, q_polish
@@ -167,6 +171,16 @@ take_shown\@:
         BIM     \more
         .endm
 
+; The answer lies between knot and next.
+        .macro  refine_value
+        RTOR    q_knot, q_a
+        RTOR    q_knot_f, q_fa
+        RTOR    q_next, q_b
+        RTOR    q_next_f, q_fb
+        EX      q_refine, refine_quartic
+        BSAVE   q_link, [q_refine]
+        .endm
+
 ; The root of f in (knot, next], if there is one; knot := next.  at_knot = 0:
 ; next is the end.
         .macro  search_values at_knot
@@ -175,12 +189,7 @@ take_shown\@:
         IBXNE   q_next_touch, r0, r0, search_touch\@
         IBXNE   q_knot_touch, r0, r0, search_move\@
         same_sign q_knot_f, q_next_f, search_move\@
-        RTOR    q_knot, q_a
-        RTOR    q_knot_f, q_fa
-        RTOR    q_next, q_b
-        RTOR    q_next_f, q_fb
-        EX      q_refine, refine_quartic
-        BSAVE   q_link, [q_refine]
+        refine_value
         take_root search_move\@
 search_touch\@:
         IBXNE   q_knot_touch, r0, r0, search_move\@
@@ -196,6 +205,17 @@ search_move\@:
 search_none\@:
         .endm
 
+; The next knot, between left and right.
+        .macro  refine_slope right
+        RTOR    q_left, q_a
+        RTOR    q_left_slope, q_fa
+        RTOR    \right, q_b
+        RTOR    q_right_slope, q_fb
+        EX      q_refine, refine_cubic
+        BSAVE   q_link, [q_refine]
+        RTOR    q_answer, q_next
+        .endm
+
 ; The root of f' in (left, right], if there is one, is the next knot.  A right
 ; end at which f' is 0 is one itself, if it is a bend.
         .macro  search_slope right, bend
@@ -208,19 +228,84 @@ search_none\@:
         .endif
         IBXNE   q_left_flat, r0, r0, search_flat\@
         same_sign q_left_slope, q_right_slope, search_flat\@
-        RTOR    q_left, q_a
-        RTOR    q_left_slope, q_fa
-        RTOR    \right, q_b
-        RTOR    q_right_slope, q_fb
-        EX      q_refine, refine_cubic
-        BSAVE   q_link, [q_refine]
-        RTOR    q_answer, q_next
+        refine_slope \right
 search_knot\@:
         search_values 1
 search_flat\@:
         RTOR    \right, q_left
         RTOR    q_right_slope, q_left_slope
         RTOR    q_right_flat, q_left_flat
+        .endm
+
+; The arguments; nothing found yet.
+        .macro  enter_search
+        EX      image_at, solver_image
+        ELEN    image_at, QUARTIC_CONSTANTS
+        EX      save_at, solver_save
+        ELEN    save_at, QUARTIC_REGISTERS
+        SWAP    [image_at], q_one, [save_at]
+        ELEN    arguments, 3
+        SWAP    [arguments], q_coefficients, [r0]
+        SWAP    [q_coefficients], q_c4, [r0]
+        SWAP    [q_interval], q_low, [r0]
+        ES      q_count, 0
+        STO     [q_roots], q_none
+        .endm
+
+; The derivative's coefficients.
+        .macro  derive
+        MPYS    q_c4, q_four, q_s3
+        MPYS    q_c3, q_three, q_s2
+        ADDN    q_c2, q_c2, q_s1
+        .endm
+
+; For what counts as 0.
+        .macro  find_magnitudes
+        ABS     q_c4, q_m4
+        ABS     q_c3, q_m3
+        ABS     q_c2, q_m2
+        ABS     q_c1, q_m1
+        ABS     q_c0, q_m0
+        ABS     q_s3, q_n3
+        ABS     q_s2, q_n2
+        ABS     q_s1, q_n1
+        .endm
+
+        .macro  find_bends
+        MPYS    q_s3, q_three_halves, q_a ; f''/2 = a t^2 + 2 b t + c2
+        MPYS    q_c3, q_three_halves, q_b
+        MPYS    q_b, q_b, q_t
+        MPYS    q_a, q_c2, q_u
+        SUBN    q_t, q_u, q_d
+        ABS     q_u, q_u
+        ADDN    q_t, q_u, q_t
+        MPYS    q_t, q_tolerance, q_t
+        ABS     q_d, q_u
+        RTOR    q_low, q_bend1
+        RTOR    q_low, q_bend2
+        CFPGE   q_t, q_u, one_bend\@
+        CFPLT   q_d, r0, bends\@
+        SQRT    q_d, q_s
+        CFPGE   q_b, r0, add_root\@
+        SUBN    r0, q_s, q_s
+add_root\@:
+        ADDN    q_b, q_s, q_s
+        SUBN    r0, q_s, q_s
+        DIVS    q_s, q_a, q_bend1
+        DIVS    q_c2, q_s, q_bend2
+        BIM     clamp\@
+one_bend\@:
+        SUBN    r0, q_b, q_s
+        DIVS    q_s, q_a, q_bend1
+        RTOR    q_bend1, q_bend2
+clamp\@:
+        clamp   q_bend1
+        clamp   q_bend2
+        CFPGE   q_bend2, q_bend1, bends\@
+        RTOR    q_bend1, q_t
+        RTOR    q_bend2, q_bend1
+        RTOR    q_t, q_bend2
+bends\@:
         .endm
 
         .kernel root_solver
@@ -233,65 +318,11 @@ solve_quartic_all:
         ES      q_accept, 0
 solve_quartic_until:
 solver_begin:
-        EX      image_at, solver_image
-        ELEN    image_at, QUARTIC_CONSTANTS
-        EX      save_at, solver_save
-        ELEN    save_at, QUARTIC_REGISTERS
-        SWAP    [image_at], q_one, [save_at]
-        ELEN    arguments, 3
-        SWAP    [arguments], q_coefficients, [r0]
-        SWAP    [q_coefficients], q_c4, [r0]
-        SWAP    [q_interval], q_low, [r0]
-        ES      q_count, 0
-        STO     [q_roots], q_none
+        enter_search
         CFPGE   q_low, q_high, solver_end
-
-        MPYS    q_c4, q_four, q_s3
-        MPYS    q_c3, q_three, q_s2
-        ADDN    q_c2, q_c2, q_s1
-        ABS     q_c4, q_m4
-        ABS     q_c3, q_m3
-        ABS     q_c2, q_m2
-        ABS     q_c1, q_m1
-        ABS     q_c0, q_m0
-        ABS     q_s3, q_n3
-        ABS     q_s2, q_n2
-        ABS     q_s1, q_n1
-
-        MPYS    q_s3, q_three_halves, q_a ; f''/2 = a t^2 + 2 b t + c2
-        MPYS    q_c3, q_three_halves, q_b
-        MPYS    q_b, q_b, q_t
-        MPYS    q_a, q_c2, q_u
-        SUBN    q_t, q_u, q_d
-        ABS     q_u, q_u
-        ADDN    q_t, q_u, q_t
-        MPYS    q_t, q_tolerance, q_t
-        ABS     q_d, q_u
-        RTOR    q_low, q_bend1
-        RTOR    q_low, q_bend2
-        CFPGE   q_t, q_u, solver_one_bend
-        CFPLT   q_d, r0, solver_bends
-        SQRT    q_d, q_s
-        CFPGE   q_b, r0, solver_add_root
-        SUBN    r0, q_s, q_s
-solver_add_root:
-        ADDN    q_b, q_s, q_s
-        SUBN    r0, q_s, q_s
-        DIVS    q_s, q_a, q_bend1
-        DIVS    q_c2, q_s, q_bend2
-        BIM     solver_clamp
-solver_one_bend:
-        SUBN    r0, q_b, q_s
-        DIVS    q_s, q_a, q_bend1
-        RTOR    q_bend1, q_bend2
-solver_clamp:
-        clamp   q_bend1
-        clamp   q_bend2
-        CFPGE   q_bend2, q_bend1, solver_bends
-        RTOR    q_bend1, q_t
-        RTOR    q_bend2, q_bend1
-        RTOR    q_t, q_bend2
-solver_bends:
+        derive
+        find_magnitudes
+        find_bends
         RTOR    q_low, q_left
         cubic_at q_low, q_left_slope, q_left_flat
         RTOR    q_low, q_knot
@@ -309,6 +340,19 @@ solver_end:
 solver_accept:
         STO     [q_roots], q_answer
         ES      q_count, 1
+        BIM     solver_end
+
+solve_quartic_signs:
+        enter_search
+        STO     [q_roots, q_index_one], q_none
+        ES      q_t, 2
+        STO     [q_roots, q_t], q_none
+        ES      q_t, 3
+        STO     [q_roots, q_t], q_none
+        CFPGE   q_low, q_high, solver_end
+        derive
+        find_bends
+        search_signs
         BIM     solver_end
 
         refine  refine_quartic, quartic_value, q_close

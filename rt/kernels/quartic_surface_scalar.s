@@ -1,8 +1,11 @@
 ; quartic_surface_scalar.s - one ray meets a quartic surface.
 ;
 ;       CALL QUARTIC_SURFACE (RAY, PRIMITIVE, SEGMENT)
+;       CALL QUARTIC_SOLID (RAY, PRIMITIVE, SEGMENTS)
 ;
 ; Arguments as in sphere_scalar.s, method as in quartic_surface_vector.s.
+; SEGMENTS = the ray's way inside, where the polynomial is below 0
+; (segments_scalar.s), three of them (6 words).
 
         .regs   r92, a0, a1, a2, a3, a4, b0, b1, b2, b3, b4
         .regs   r102, z20, z21, z22, z30, z31, z32, z33, z40, z41, z42, z43
@@ -174,9 +177,13 @@ times_none\@:
 at_least\@:
         .endm
 
-        .kernel quartic_surface
-quartic_surface:
-        enter_solver 2, surface_save, SURFACE_REGISTERS
+        .macro  horner_step k
+        MPYS    e0, near_low, e0
+        ADDN    e0, \k, e0
+        .endm
+
+; k4 .. k0 about the closest approach, and near_high, beyond which no root is.
+        .macro  surface_polynomial
         closest_approach ox, oy, oz, t0, t1, t2, along, t3, t4
         power_of_z
         ADDN    r0, r0, k0
@@ -190,8 +197,7 @@ quartic_surface:
         LOD     [a_primitive], table_at
         quartic_groups
         RTOR    e0, near_high
-        ADDN    lower, along, near_low
-        CFPEQ   k4, r0, surface_high
+        CFPEQ   k4, r0, surface_high\@
         ABS     k4, e1
         DIVS    one, e1, e1
         ABS     k3, e2
@@ -213,9 +219,16 @@ quartic_surface:
         SQRT    e5, e5
         at_least e5, near_high
         ADDN    near_high, near_high, near_high
-        CFPGE   e0, near_high, surface_high
+        CFPGE   e0, near_high, surface_high\@
         RTOR    e0, near_high
-surface_high:
+surface_high\@:
+        .endm
+
+        .kernel quartic_surface
+quartic_surface:
+        enter_solver 2, surface_save, SURFACE_REGISTERS
+        surface_polynomial
+        ADDN    lower, along, near_low
         SUBN    r0, near_high, t3
         CFPLT   t3, near_low, surface_ahead
         RTOR    t3, near_low
@@ -224,4 +237,21 @@ surface_ahead:
         leave_solver surface_save, SURFACE_REGISTERS
 surface_miss:
         miss_near surface_save, SURFACE_REGISTERS
+
+quartic_solid:
+        enter_solver 2, surface_save, SURFACE_REGISTERS
+        surface_polynomial
+        SUBN    r0, near_high, near_low
+        MPYS    k4, near_low, e0
+        ADDN    e0, k3, e0
+        horner_step k2
+        horner_step k1
+        horner_step k0
+        ES      e4, 0
+        CFPGE   e0, r0, surface_begins
+        ES      e4, 1
+surface_begins:
+        solve_all near_resolution
+        give_segments 6
+        leave_segments surface_save, SURFACE_REGISTERS
         .endkernel

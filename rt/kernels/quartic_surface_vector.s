@@ -11,8 +11,9 @@
 ; q the greatest of the terms before it: no root is beyond, for where q is less
 ; than |k1/k4|^(1/3) the last term is more.  Not beyond 1e7, as in POV-Ray.
 ;
-; In:  ox oy oz dx dy dz lower, n long; the primitive's record.
+; In:  ox oy oz dx dy dz lower, near long; the primitive's record.
 ; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
+;      quartic_solid: three segments (segments_vector.s).
 ; Source: derived here; the bound is Fujiwara's, made without cube roots.
 
         .reg    table_at, s1
@@ -172,9 +173,8 @@ times_none\@:
         VTOV    [\x], [\most] ? [bits0]
         .endm
 
-        .kernel quartic_surface
-quartic_surface:
-        set_lanes n
+        .macro  surface_polynomial
+        set_lanes near
         closest_approach ox, oy, oz, w0, w1, w2, w3, w4
         power_of_z
         VTOV    r0, [k0]
@@ -205,6 +205,11 @@ quartic_surface:
         VTOV    sh0, [w5] ? [bits0]
         CMPLTV  sh0, [w5], [bits0]
         VTOV    sh0, [w5] ? [bits0]
+        .endm
+
+        .kernel quartic_surface
+quartic_surface:
+        surface_polynomial
         ADDNV   [lower], [w3], [w6]
         CMPGEV  -[w6], [w5], [bits0]
         VTOV    -[w5], [w6] ? [bits0]
@@ -217,5 +222,46 @@ quartic_surface:
         CMPLTV  [root0], big, [bits0]
         SUBNV   [root0], [w3], [tin] ? [bits0]
         VTOV    [tin], [tout] ? [bits0]
+        BIM     0, link_kernel
+
+; The crossings in turn; minus_big before the first one where the ray begins
+; inside.
+        .macro  begin_inside crossing, before, to
+        MASKV   [\before], [\crossing], [\to] ? [hits2]
+        .endm
+
+        .macro  horner_low k
+        MPYSV   [e0], [w6], [e0]
+        ADDNV   [e0], [\k], [e0]
+        .endm
+
+quartic_solid:
+        surface_polynomial
+        SUBNV   r0, [w5], [w6]
+        MPYSV   [k4], [w6], [e0]
+        ADDNV   [e0], [k3], [e0]
+        horner_low k2
+        horner_low k1
+        horner_low k0
+        CMPLTV  [e0], r0, [hits2]
+        solve_all w6, w5, sh1
+        SUBNV   [root0], [w3], [root0]
+        SUBNV   [root1], [w3], [root1]
+        SUBNV   [root2], [w3], [root2]
+        SUBNV   [root3], [w3], [root3]
+        ADDNV   [root_count], one, [root_count] ? [hits2]
+        begin_inside root3, root2, e3
+        begin_inside root2, root1, e2
+        begin_inside root1, root0, e1
+        VTOV    minus_big, [root0] ? [hits2]
+        ADDN    one, two, s0
+        ADDN    two, two, s2
+        ADDN    s0, two, s3
+        entry_or_none root0, r0, tin
+        exit_or_none e1, one, tout
+        entry_or_none e2, two, tin2
+        exit_or_none e3, s0, tout2
+        entry_or_none root3, s2, tin3
+        exit_or_none root3, s3, tout3
         BIM     0, link_kernel
         .endkernel

@@ -10,7 +10,8 @@
 ;       however small they are).
 ; Call: BSAVE link_inner, to solve_quartic for the first root of each polynomial,
 ;       to solve_quartic_all for all, to solve_quartic_until for the first that
-;       is acceptable (macro call_quartic).  For the last one s8 = the address
+;       is acceptable, to solve_quartic_signs for all by changes of sign alone
+;       (macro call_quartic).  For solve_quartic_until s8 = the address
 ;       of a routine, called by BSAVE s9 with the roots found in an interval,
 ;       before the next interval is looked at: q_t = the roots, q_at = the
 ;       places of their lanes, q_u = their number.  It gives q_bits = which are
@@ -19,7 +20,8 @@
 ; Out:  root0 = the root, the least of several, 1e30 where there is none;
 ;       root_count = how many were found, numbers.  After solve_quartic_all
 ;       also root1, root2, root3, ascending; a place whose number is not below
-;       root_count holds nothing to be relied on.  All as long as c4.
+;       root_count holds nothing to be relied on; after solve_quartic_signs
+;       it holds 1e30.  All as long as c4.
 ; Changed: s0-s9, r68, r69, r76-r79, r113-r115.  What else the solver needs,
 ;       r116-r200, it saves and gives back.  The inputs are only read.
 ;
@@ -47,6 +49,8 @@
 ; Knots need not be sharp: an error of 2^-28 moves f there by 2^-56 of its terms.
 ; One that is a root is made sharp by a step of Newton's on f'.
 ;
+; Not so by signs alone (signs_vector.s).
+;
 ; Lanes that have their root, or never had an interval, are compressed out when
 ; fewer than half are left; the refinement has a loop of its own
 ; (falsi_vector.s).
@@ -54,6 +58,7 @@
 
         .include "quartic_constants.s"
         .include "falsi_vector.s"
+        .include "signs_vector.s"
 
 ; The caller's: r68, r69, r113, r114 are scratch here, nothing saved.
         .regs   r68, q_table_at, q_image_at
@@ -290,16 +295,21 @@ is_zero\@:
         IBXGE   q_u, r0, q_lanes, \wide
         .endm
 
-; The lanes of q_need have the root q_root.
-        .macro  give_roots
-        count_lanes q_need, give_none\@
-        CPSV    [q_root], [q_t] ? [q_need]
-        IBXEQ   q_want, r0, q_index_one, give_one\@
+; The next place of the lanes of q_need for the roots q_t.
+        .macro  give_place
         CPSV    [q_position], [q_at] ? [q_need]
         VTOVX   [q_at], [q_t], [root0]
         EX      q_target, QUEUE
         ADDXV   [q_position], q_target, [q_position] ? [q_need]
         ADDNV   [q_count], q_one, [q_count] ? [q_need]
+        .endm
+
+; The lanes of q_need have the root q_root.
+        .macro  give_roots
+        count_lanes q_need, give_none\@
+        CPSV    [q_root], [q_t] ? [q_need]
+        IBXEQ   q_want, r0, q_index_one, give_one\@
+        give_place
         BIM     give_none\@
 give_one\@:
         CPSV    [q_place], [q_at] ? [q_need]
@@ -342,15 +352,8 @@ give_none\@:
         VTOV    [q_s], [q_root] ? [q_sign]
         .endm
 
-; The roots of f in (knot, next]; at_knot = 0: next is the end.
-        .macro  search_values at_knot
-        quartic_at q_next, q_next_f, q_next_touch
-        signs_differ q_knot_f, q_next_f, q_need
-        ANDB    [q_need], [q_alive], [q_need]
-        ANDNB   [q_need], [q_knot_touch], [q_need]
-        ANDNB   [q_need], [q_next_touch], [q_need]
-        VTOV    [q_next], [q_root]
-        count_lanes q_need, search_touch\@
+; The lanes of q_need have their roots between knot and next.
+        .macro  refine_value
         take_bracket q_knot, q_knot_f, q_next, q_next_f, q_need
         take    q_k4, q_c4, q_need
         take    q_k3, q_c3, q_need
@@ -360,6 +363,18 @@ give_none\@:
         RTOR    q_root, q_result
         EX      q_target, refine_quartic
         BSAVE   q_link, [q_target]
+        .endm
+
+; The roots of f in (knot, next]; at_knot = 0: next is the end.
+        .macro  search_values at_knot
+        quartic_at q_next, q_next_f, q_next_touch
+        signs_differ q_knot_f, q_next_f, q_need
+        ANDB    [q_need], [q_alive], [q_need]
+        ANDNB   [q_need], [q_knot_touch], [q_need]
+        ANDNB   [q_need], [q_next_touch], [q_need]
+        VTOV    [q_next], [q_root]
+        count_lanes q_need, search_touch\@
+        refine_value
 search_touch\@:
         ANDNB   [q_next_touch], [q_knot_touch], [q_sign]
         ANDB    [q_sign], [q_alive], [q_sign]
@@ -376,6 +391,18 @@ search_found\@:
         exchange q_next_touch, q_knot_touch
         .endm
 
+; The lanes of q_need have their next knots between left and right.
+        .macro  refine_slope right
+        take_bracket q_left, q_left_slope, \right, q_right_slope, q_need
+        take    q_k3, q_s3, q_need
+        take    q_k2, q_s2, q_need
+        take    q_k1, q_s1, q_need
+        take    q_k0, q_c1, q_need
+        RTOR    q_next, q_result
+        EX      q_target, refine_cubic
+        BSAVE   q_link, [q_target]
+        .endm
+
 ; The roots of f' in (left, right] are the next knots.  A right end at which f'
 ; is 0 is one itself, if it is a bend.
         .macro  search_slope right, bend
@@ -389,14 +416,7 @@ search_found\@:
         VTOV    [\right], [q_next] ? [q_right_flat]
         .endif
         count_lanes q_need, search_flat\@
-        take_bracket q_left, q_left_slope, \right, q_right_slope, q_need
-        take    q_k3, q_s3, q_need
-        take    q_k2, q_s2, q_need
-        take    q_k1, q_s1, q_need
-        take    q_k0, q_c1, q_need
-        RTOR    q_next, q_result
-        EX      q_target, refine_cubic
-        BSAVE   q_link, [q_target]
+        refine_slope \right
         BIM     search_knots\@
 search_flat\@:
         .if     \bend
@@ -429,15 +449,9 @@ search_alive\@:
         RTOR    \right, q_left
         .endm
 
-        .kernel root_solver
-solve_quartic_all:
-        ES      s9, 4
-        BIM     solver_begin
-solve_quartic:
-        ES      s8, 0
-solve_quartic_until:
-        ES      s9, 1
-solver_begin:
+; The inputs, the lanes that have an interval, the derivative; none found yet:
+; so many places hold no root.
+        .macro  enter_search places
         LTOR    s0, q_length
         SHIFTI  q_length, 48, q_length
         EX      q_table_at, solver_bases
@@ -470,6 +484,11 @@ solver_begin:
         RTOR    root3, root_count
         IX      root_count, 64 * QUEUE
         VTOV    q_none, [root0]
+        .if     \places == 4
+        VTOV    q_none, [root1]
+        VTOV    q_none, [root2]
+        VTOV    q_none, [root3]
+        .endif
         VTOV    r0, [root_count]
         INTVLV  r0, q_index_one, [q_place]
         EX      q_target, solver_order
@@ -479,7 +498,7 @@ solver_begin:
         CMPLTV  [q_low], [q_high], [q_alive]
         CNTOB   [q_alive], q_alive_count
         IBXEQ   q_alive_count, r0, r0, solver_end
-        if_half_alive solver_alive
+        if_half_alive enter_alive\@
         squeeze_inputs
         squeeze_input q_low, 6
         lengthen q_alive_count, q_s3
@@ -495,19 +514,16 @@ solver_begin:
         lengthen q_alive_count, q_most_value
         lengthen q_alive_count, q_most_slope
         squeezed
-solver_alive:
+enter_alive\@:
         VTOV    [q_place], [q_position]
         VTOV    r0, [q_count]
         MPYSV   [q_c4], q_four, [q_s3]
         MPYSV   [q_c3], q_three, [q_s2]
         ADDNV   [q_c2], [q_c2], [q_s1]
-        ABSV    [q_low], [q_root]
-        CMPLTV  [q_root], |[q_high]|, [q_sign]
-        ABSV    [q_high], [q_root] ? [q_sign]
-        quartic_size q_root, q_most_value
-        cubic_size q_root, q_most_slope
+        .endm
 
-; Bends: a = next, b = right_slope, b^2 = knot, a c = knot_f.
+; a = next, b = right_slope, b^2 = knot, a c = knot_f.
+        .macro  find_bends
         MPYSV   [q_s3], q_three_halves, [q_next]
         MPYSV   [q_c3], q_three_halves, [q_right_slope]
         MPYSV   [q_right_slope], [q_right_slope], [q_knot]
@@ -534,7 +550,24 @@ solver_alive:
         VTOV    [q_bend1], [q_root]
         VTOV    [q_bend2], [q_bend1] ? [q_need]
         VTOV    [q_root], [q_bend2] ? [q_need]
+        .endm
 
+        .kernel root_solver
+solve_quartic_all:
+        ES      s9, 4
+        BIM     solver_begin
+solve_quartic:
+        ES      s8, 0
+solve_quartic_until:
+        ES      s9, 1
+solver_begin:
+        enter_search 1
+        ABSV    [q_low], [q_root]
+        CMPLTV  [q_root], |[q_high]|, [q_sign]
+        ABSV    [q_high], [q_root] ? [q_sign]
+        quartic_size q_root, q_most_value
+        cubic_size q_root, q_most_slope
+        find_bends
         RTOR    q_low, q_left
         cubic_at q_low, q_left_slope, q_left_flat
         VTOV    [q_low], [q_knot]
@@ -550,6 +583,12 @@ solver_end:
         ELEN    q_save_at, QUARTIC_REGISTERS
         SWAP    [q_save_at], q_s3, [r0]
         BIM     0, link_inner
+
+solve_quartic_signs:
+        enter_search 4
+        find_bends
+        search_signs
+        BIM     solver_end
 
 ; The lanes of q_need have the roots q_t: only the acceptable ones are left.
 solver_show:

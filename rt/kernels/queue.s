@@ -1,40 +1,64 @@
 ; queue.s - the ray queue, and how the vector program uses the registers.
 ;
 ; A queue holds QUEUE rays (2,000 in the paper); each quantity of a ray is a
-; vector of that length.  The vectors' descriptors stay in registers.  Their
-; addresses stand in a table with length zero; when a queue is shorter than
-; the last one, one vector OR puts the new length into the whole table and one
-; SWAP loads it: 2 instructions for all descriptors.
+; vector.  There are vectors of three lengths:
+;
+;   n     the rays of the queue
+;   near  the rays at hand, which come near the region that is looked at
+;   h, m  what was hit: all of it, the part of one primitive; lanes of a kernel
+;
+; The vectors' descriptors stay in registers.  Where many have one length their
+; addresses stand in a table with length zero; one vector OR puts the new length
+; into the whole table and one SWAP loads it: 2 instructions for all of them.
 ;
 ; The vector program calls its routines by BSAVE with everything in registers.
-; Three levels, each with its link register.
+; Three levels of kernels, each with its link register; what calls those has
+; links of its own.
 
         .regs   r1, link, link_kernel, link_inner
         .reg    n, r4              ; rays in the queue, an integer
-        .reg    n_high, r5         ; the same in the length field, address zero
+        .reg    near, r5           ; rays at hand
         .regs   r6, s0, s1, s2, s3, s4, s5, s6, s7, s8, s9    ; scratch
         .regs   r16, one, half, two, big, minus_big, tiny, tmin, checker_shift
-        .regs   r24, pixel, pixels, batch
-        .regs   r28, primitive, primitives_left, shape_at, target
-        .regs   r32, identity, on_patch
+        .regs   r24, level, position, h   ; of reflection; in its rays
+        .regs   r28, primitive, primitives_left, shape_at
+        .regs   r31, target, inner_kernel
         .regs   r34, light_at, lights_left
+        .regs   r36, region, regions_left, node_at, nodes_end
 
 ; Shape parameters and the matrix of the primitive at hand (see records.s).
         .regs   r40, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10
         .regs   r51, sh11, sh12, sh13, sh14, sh15
         .regs   r56, m00, m01, m02, m03, m10, m11, m12, m13, m20, m21, m22, m23
 
-; Queue vectors, all n long.
-        .regs   r70, hit_s, hit_t, patch_s, patch_t       ; on patches
-        .regs   r74, wlower, llower                       ; least distances
-        .regs   r80, wox, woy, woz, wdx, wdy, wdz         ; rays, world
-        .regs   r86, lox, loy, loz, ldx, ldy, ldz, lscale ; rays, own space
-        .regs   r93, tin, tout                            ; of the kernel
-        .regs   r95, nearest, nearest_id                  ; so far
-        .regs   r97, w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11
-        .regs   r109, bits0, bits1, bits2                 ; bit vectors
-        .reg    iota, r112                                 ; 0, 1, 2, ...
-        .equ    QUEUE_VECTORS, 43
+; Queue vectors, n long: the rays, the nearest hit so far or what else limits a
+; ray, the number of the primitive hit (0: none), parameters of hits on patches,
+; which rays come near a region.
+        .regs   r70, nearest, met, hit_s, hit_t
+        .regs   r170, aox, aoy, aoz, adx, ady, adz
+        .reg    near_bits, r112
+        .reg    from_one_point, r193    ; 1: all rays start at one point
+        .reg    shadows, r254           ; address of the light they go to, or 0
+        .reg    found, r255             ; the routine that takes what they hit
+
+; The rays at hand, near long: their limits, their places in the queue (not
+; when they are all of it), origins and directions, least distances.
+        .regs   r74, place, near_limit
+        .regs   r176, wox, woy, woz, wdx, wdy, wdz, wlower
+        .reg    space, r189             ; the space in which lox .. stand, or 0
+
+; Other vectors near long; the order of near_bases.
+        .regs   r80, lox, loy, loz, ldx, ldy, ldz, lscale ; rays, own space
+        .reg    llower, r87
+        .regs   r88, w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11
+        .regs   r100, patch_s, patch_t                    ; of the kernel
+        .regs   r102, bits0, bits1, bits2                 ; bit vectors
+        .equ    NEAR_VECTORS, 25
+
+; What a kernel finds: segments, the nearest first.
+        .regs   r105, tin, tout, tin2, tout2, tin3, tout3
+        .reg    segments_wanted, r199
+        .reg    iota, r111                                ; 0, 1, 2, ...
 
 ; The ray that a kernel looks at: world or own space.
         .regs   r116, ox, oy, oz, dx, dy, dz, lower
@@ -49,20 +73,18 @@
         RTOR    \least, lower
         .endm
 
-; The frame's planes, from the queue's first pixel on, n long.
+; Where the colours go, from the queue's first ray on, n long; of the first
+; level also the frame's other planes.
         .regs   r124, out_red, out_green, out_blue, out_depth, out_nx, out_ny
         .regs   r130, out_nz, out_id
-
-; What camera.s made, for generate_vector.s.
-        .regs   r170, viewlx, viewly, viewlz, basex, basey, basez, colx, coly
-        .regs   r178, colz, rowx, rowy, rowz
-        .reg    width, r182
 
 ; The integers 1 and -1, for counting, and the number -1.
         .regs   r183, one_index, minus_one_index
         .reg    minus_one, r192
+        .regs   r194, identity, on_patch
 
-; Vectors for shading the m rays that hit one primitive, all m long.
+; Vectors for shading, h or m long; the order of shade_bases.  Kernels have
+; lanes in these registers; who shades loads them anew.
         .reg    m, r134
         .reg    m_high, r135
         .regs   r136, at                                  ; their places in n
@@ -72,48 +94,44 @@
         .regs   r149, red, green, blue                    ; light so far
         .regs   r152, lx, ly, lz                          ; towards the light
         .regs   r155, facing                              ; direction . normal
+        .equ    HIT_VECTORS, 20
         .regs   r156, v0, v1, v2, v3, v4, v5, v6, v7
         .regs   r164, hits0, hits1, hits2, hits3        ; bit vectors
         .equ    SHADE_VECTORS, 32
 
-        .data
-queue_bases:
-        .rept 6
-        .descriptor 0, queue_store + 64 * QUEUE * \+
-        .endr
-        .rept 4
-        .descriptor 0, 0                ; r76-r79 are not of this table
-        .endr
-        .rept 29
-        .descriptor 0, queue_store + 64 * QUEUE * (6 + \+)
-        .endr
-        .descriptor 0, queue_bits
-        .descriptor 0, queue_bits + 64 * QUEUE_BIT_WORDS
-        .descriptor 0, queue_bits + 128 * QUEUE_BIT_WORDS
-        .descriptor 0, queue_store + 64 * QUEUE * 35
-queue_descriptors:
-        .space QUEUE_VECTORS
-
-shade_bases:
-        .rept 28
-        .descriptor 0, shade_store + 64 * QUEUE * \+
-        .endr
-        .descriptor 0, shade_bits
-        .descriptor 0, shade_bits + 64 * QUEUE_BIT_WORDS
-        .descriptor 0, shade_bits + 128 * QUEUE_BIT_WORDS
-        .descriptor 0, shade_bits + 192 * QUEUE_BIT_WORDS
-shade_descriptors:
-        .space SHADE_VECTORS
-
         .equ    QUEUE_BIT_WORDS, (QUEUE + 63) / 64
-queue_bits:     .space 3 * QUEUE_BIT_WORDS
-shade_bits:     .space 4 * QUEUE_BIT_WORDS
+
+        .data
+near_bases:
+        .rept   NEAR_VECTORS - 3
+        .descriptor 0, near_store + 64 * QUEUE * \+
+        .endr
+        .rept   3
+        .descriptor 0, near_bit_store + 64 * QUEUE_BIT_WORDS * \+
+        .endr
+near_descriptors:
+        .space NEAR_VECTORS
+near_bit_store: .space 3 * QUEUE_BIT_WORDS
+queue_bits:     .space QUEUE_BIT_WORDS
         .align 64
-queue_store:    .space 36 * QUEUE
-shade_store:    .space 28 * QUEUE
+near_store:     .space (NEAR_VECTORS - 3) * QUEUE
+found_store:    .space 2 * QUEUE        ; tin, tout, where they go nowhere else
+queue_store:    .space 10 * QUEUE       ; rays, nearest, met, hit_s, hit_t
+place_store:    .space 2 * QUEUE        ; place, near_limit
+world_store:    .space 6 * QUEUE        ; wox ..
+least_store:    .space QUEUE            ; as many times tmin
+least_shadow:   .space QUEUE            ; k_shadow
+count_store:    .space QUEUE            ; 0, 1, 2, ...
         .code
 
-; The queue's rays become n (an integer) long: all descriptors from s0 on.
+; A descriptor of count elements.
+        .macro  describe register, address, count
+        EX      \register, \address
+        ADDLEN  \register, \count, \register
+        .endm
+
+; All descriptors of a table become count (an integer) long: number registers
+; from first on.
         .macro  set_lengths count, high, bases, descriptors, number, first
         SHIFTI  \count, 48, \high
         EX      s0, \bases
@@ -122,6 +140,14 @@ shade_store:    .space 28 * QUEUE
         ELEN    s1, \number
         ORV     [s0], \high, [s1]
         SWAP    [s1], \first, [r0]
+        .endm
+
+; There are count rays at hand.
+        .macro  set_near count
+        IBXEQ   \count, r0, near, near_set\@
+        RTOR    \count, near
+        set_lengths near, s2, near_bases, near_descriptors, NEAR_VECTORS, lox
+near_set\@:
         .endm
 
 ; Load number words at offset of the primitive's record into registers.
@@ -136,6 +162,25 @@ shade_store:    .space 28 * QUEUE
         RTOR    primitive, shape_at
         IX      shape_at, 64 * (\offset)
         LOD     [shape_at], \register
+        .endm
+
+        .macro  store_field offset, register
+        RTOR    primitive, shape_at
+        IX      shape_at, 64 * (\offset)
+        STO     [shape_at], \register
+        .endm
+
+; A word of the program's data.
+        .macro  load_word label, register
+        EX      \register, \label
+        LOD     [\register], \register
+        .endm
+
+        .macro  add_to_counter label, count
+        EX      s0, \label
+        LOD     [s0], s1
+        ADDX    s1, \count, s1
+        STO     [s0], s1
         .endm
 
 ; [sum] = x . u for vectors x and a vector constant u in registers.

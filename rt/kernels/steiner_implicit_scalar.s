@@ -93,7 +93,7 @@ implicit_begin:
         SUBN    ox, sh0, t5
         SUBN    oy, sh1, t6
         SUBN    oz, sh2, t7
-        come_near t5, t6, t7, sh3, steiner_miss
+        come_near t5, t6, t7, sh3, implicit_miss
         RTOR    sh6, near_resolution
         RTOR    a_primitive, table_at
         IX      table_at, 64 * P_TABLE
@@ -103,10 +103,10 @@ implicit_begin:
         SWAP    [table_at], la00, [r0]
         plane_rows la00, la01, la02, la03, la10, la11, la12, la13, la20, la21, la22, la23, ma0, ma1, ma2, da0, da1, da2
         plane_rows lb00, lb01, lb02, lb03, lb10, lb11, lb12, lb13, lb20, lb21, lb22, lb23, mb0, mb1, mb2, db0, db1, db2
-        cross   ma0, ma1, ma2, mb0, mb1, mb2, c00, c01, c02
-        cross   ma0, ma1, ma2, db0, db1, db2, c10, c11, c12
-        cross   da0, da1, da2, mb0, mb1, mb2, e0, e1, e2
-        cross   da0, da1, da2, db0, db1, db2, c20, c21, c22
+        cross_product ma0, ma1, ma2, mb0, mb1, mb2, c00, c01, c02
+        cross_product ma0, ma1, ma2, db0, db1, db2, c10, c11, c12
+        cross_product da0, da1, da2, mb0, mb1, mb2, e0, e1, e2
+        cross_product da0, da1, da2, db0, db1, db2, c20, c21, c22
         ADDN    c10, e0, c10
         ADDN    c11, e1, c11
         ADDN    c12, e2, c12
@@ -140,9 +140,11 @@ implicit_begin:
         call    solve_quartic_until, near_list
         EX      t3, near_roots
         LOD     [t3], tin
-        CFPGE   tin, big, steiner_miss
+        CFPGE   tin, big, implicit_miss
         SUBN    tin, along, tin
         BIM     steiner_done
+implicit_miss:
+        miss_near patch_save, PATCH_REGISTERS
 
 ; Through the triple point: the other kernel takes the arguments.
 implicit_through:

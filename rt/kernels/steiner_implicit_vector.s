@@ -56,8 +56,8 @@
         .regs   r233, found_s, found_t                  ; after that
 
         .reg    through_count, r189
-        .reg    other_kernel, r193
-        .reg    link_through, r199
+        .reg    other_kernel, r196
+        .reg    link_through, r188
 
         .data
 ; Of the queue: 1 for a ray not through T, else 0; and what was found for it.
@@ -66,7 +66,7 @@ through_store:  .space 4 * QUEUE
 
         .macro  through_vectors
         EX      s2, through_store
-        ADDLEN  s2, n, s2
+        ADDLEN  s2, near, s2
         RTOR    s2, s3
         IX      s3, 64 * QUEUE
         RTOR    s3, s4
@@ -177,7 +177,7 @@ implicit_begin:
         SUBNV   [ox], sh0, [w8]
         SUBNV   [oy], sh1, [w9]
         SUBNV   [oz], sh2, [w10]
-        find_lanes w8, w9, w10, sh3, steiner_miss
+        find_lanes w8, w9, w10, sh3, implicit_miss
         take_lanes
         set_more_lanes m
         EX      s2, implicit_numbers + 64 * 2
@@ -206,6 +206,8 @@ implicit_form:
         VTOVX   [lane_at], [found_t], [patch_t] ? [hits0]
         IBXNE   through_count, r0, r0, implicit_through
         BIM     0, link_kernel
+implicit_miss:
+        miss_all
 
 ; The whole queue goes the other way, and all but the rays through T get back
 ; what they had.

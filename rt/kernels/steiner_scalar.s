@@ -2,9 +2,13 @@
 ;
 ;       CALL STEINER (RAY, PRIMITIVE, SEGMENT)
 ;       CALL RATIONAL_STEINER (RAY, PRIMITIVE, SEGMENT)
+;       CALL STEINER_CROSSINGS (RAY, PRIMITIVE, CROSSINGS)
+;       CALL RATIONAL_STEINER_CROSSINGS (RAY, PRIMITIVE, CROSSINGS)
 ;
 ; Arguments as in sphere_scalar.s, method as in steiner_vector.s.  Where on the
-; patch the ray meets it is written to the primitive's P_PATCH_POINT.
+; patch the ray meets it is written to the primitive's P_PATCH_POINT.  CROSSINGS
+; = all of them, in no order, then big (PATCH_CROSSINGS words); where they are
+; on the patch is written to P_PATCH_POINTS.
 
         .regs   r92, pa0, pa1, pa2, pa3, pa4, pa5, pb0, pb1, pb2, pb3, pb4
         .regs   r103, n1x, n1y, n1z, n2x, n2y, n2z
@@ -17,24 +21,13 @@
         .regs   r143, kw0, kw1, kw2, kw3, kw4, kw5
         .regs   r149, other_x, other_y, other_z
         .regs   r152, g0, g1, g2, g3
+        .regs   r64, crossings_wanted, crossings_left, point_at
         .equ    PATCH_TABLE, 27
         .equ    PATCH_REGISTERS, 124
 
         .data
 patch_save:     .space PATCH_REGISTERS
         .code
-
-        .macro  cross a0, a1, a2, b0, b1, b2, c0, c1, c2
-        MPYS    \a1, \b2, \c0
-        MPYS    \a2, \b0, \c1
-        MPYS    \a0, \b1, \c2
-        MPYS    \a2, \b1, t8
-        MPYS    \a0, \b2, t9
-        MPYS    \a1, \b0, third
-        SUBN    \c0, t8, \c0
-        SUBN    \c1, t9, \c1
-        SUBN    \c2, third, \c2
-        .endm
 
         .macro  conics rational
         dot     n1x, n1y, n1z, t0, t1, t2, e0, t3
@@ -81,16 +74,16 @@ patch_save:     .space PATCH_REGISTERS
         SUBN    kx5, e0, e0
         SUBN    ky5, e1, e1
         SUBN    kz5, e2, e2
-        cross   dx, dy, dz, e0, e1, e2, n2x, n2y, n2z
+        cross_product dx, dy, dz, e0, e1, e2, n2x, n2y, n2z
         dot     e0, e1, e2, e0, e1, e2, e3, t3
         MPYS    e3, sh4, e3
         .else
-        cross   dx, dy, dz, kx5, ky5, kz5, n2x, n2y, n2z
+        cross_product dx, dy, dz, kx5, ky5, kz5, n2x, n2y, n2z
         RTOR    sh4, e3
         .endif
         dot     n2x, n2y, n2z, n2x, n2y, n2z, spread, t3
         CFPLT   e3, spread, planes_found\@
-        cross   dx, dy, dz, other_x, other_y, other_z, n2x, n2y, n2z
+        cross_product dx, dy, dz, other_x, other_y, other_z, n2x, n2y, n2z
         dot     n2x, n2y, n2z, n2x, n2y, n2z, spread, t3
 planes_found\@:
         MPYS    spread, sh5, spread
@@ -101,7 +94,7 @@ planes_found\@:
         SUBN    n2x, t3, n2x
         SUBN    n2y, t4, n2y
         SUBN    n2z, t5, n2z
-        cross   n2x, n2y, n2z, dx, dy, dz, n1x, n1y, n1z
+        cross_product n2x, n2y, n2z, dx, dy, dz, n1x, n1y, n1z
         .endm
 
 ; k4 .. k0 = R, from G in g0-g3 and B0(s)^2 in e0-e4.
@@ -213,14 +206,13 @@ bernstein_end\@:
         ADDN    t6, \sum, \sum
         .endm
 
-        .macro  patch_candidate rational
-        CFPLT   candidate_t, patch_low, candidate_none\@
+; e3 := the distance of candidate_s, candidate_t from where the ray comes nearest;
+; to none if it is not on the patch or not ahead.
+        .macro  patch_distance rational, none
+        CFPLT   candidate_t, patch_low, \none
         ADDN    candidate_s, candidate_t, e3
         MPYS    candidate_s, candidate_s, e4
-        CFPGE   patch_high, e3, candidate_inside\@
-candidate_none\@:
-        BIM     0, patch_link
-candidate_inside\@:
+        CFPLT   patch_high, e3, \none
         MPYS    candidate_s, candidate_t, e5
         MPYS    candidate_t, candidate_t, e6
         patch_coordinate kx0, kx1, kx2, kx3, kx4, kx5, t7
@@ -231,12 +223,32 @@ candidate_inside\@:
         patch_coordinate kw0, kw1, kw2, kw3, kw4, kw5, t7
         DIVS    e3, t7, e3
         .endif
-        CFPGE   patch_least, e3, candidate_none\@
+        CFPGE   patch_least, e3, \none
         SUBN    e3, along, e3
+        .endm
+
+; The nearest is kept.
+        .macro  patch_candidate rational
+        patch_distance \rational, candidate_none\@
         CFPGE   e3, tin, candidate_none\@
         RTOR    e3, tin
         RTOR    candidate_s, patch_s
         RTOR    candidate_t, patch_t
+candidate_none\@:
+        BIM     0, patch_link
+        .endm
+
+; All are, as many as there is room for.
+        .macro  patch_crossing rational
+        patch_distance \rational, crossing_none\@
+        IBXEQ   crossings_left, r0, r0, crossing_none\@
+        IX      crossings_left, -1
+        STO     [a_segment], e3
+        STO     [point_at], candidate_s
+        STO     [point_at, index_one], candidate_t
+        IX      a_segment, 64
+        IX      point_at, 64 * 2
+crossing_none\@:
         BIM     0, patch_link
         .endm
 
@@ -281,8 +293,25 @@ candidate_inside\@:
         SUBN    candidate_t, e1, candidate_t
         .endm
 
-        .macro  steiner_ray rational
+        .macro  enter_patch routine, wanted
         enter_solver 6, patch_save, PATCH_REGISTERS
+        EX      candidate_routine, \routine
+        ES      crossings_wanted, \wanted
+        .endm
+
+; No crossings yet.
+        .macro  clear_crossings
+        RTOR    a_segment, point_at
+        .rept   PATCH_CROSSINGS
+        STO     [point_at], big
+        IX      point_at, 64
+        .endr
+        RTOR    a_primitive, point_at
+        IX      point_at, 64 * P_PATCH_POINTS
+        RTOR    crossings_wanted, crossings_left
+        .endm
+
+        .macro  steiner_ray rational
         SUBN    ox, sh0, t5
         SUBN    oy, sh1, t6
         SUBN    oz, sh2, t7
@@ -300,13 +329,23 @@ candidate_inside\@:
         .endm
 
         .kernel steiner
+rational_steiner_crossings:
+        enter_patch rational_crossing, PATCH_CROSSINGS
+        clear_crossings
+        BIM     steiner_rational
 rational_steiner:
+        enter_patch rational_candidate, 0
+steiner_rational:
         steiner_ray 1
-        EX      candidate_routine, rational_candidate
         BIM     steiner_eliminate
+steiner_crossings:
+        enter_patch polynomial_crossing, PATCH_CROSSINGS
+        clear_crossings
+        BIM     steiner_polynomial
 steiner:
+        enter_patch polynomial_candidate, 0
+steiner_polynomial:
         steiner_ray 0
-        EX      candidate_routine, polynomial_candidate
 steiner_eliminate:
         eliminate
         bernstein_signs steiner_miss
@@ -355,7 +394,10 @@ steiner_done:
         STO     [a_primitive, index_one], patch_t
         leave_solver patch_save, PATCH_REGISTERS
 steiner_miss:
+        IBXNE   crossings_wanted, r0, r0, steiner_given
         miss_near patch_save, PATCH_REGISTERS
+steiner_given:
+        leave_segments patch_save, PATCH_REGISTERS
 
 ; A pair of lines: t from the first conic.
 steiner_lines:
@@ -401,4 +443,8 @@ polynomial_candidate:
         patch_candidate 0
 rational_candidate:
         patch_candidate 1
+polynomial_crossing:
+        patch_crossing 0
+rational_crossing:
+        patch_crossing 1
         .endkernel

@@ -32,10 +32,17 @@
 ;
 ; steiner is for weights that are all one (Ki.w = 0 but for K0.w = 1),
 ; rational_steiner for all others.
+; steiner_crossings, rational_steiner_crossings give all of them, for Boolean
+; trees.
 ;
 ; In:  ox oy oz dx dy dz lower, n long; the primitive's record and table.
 ; Out: tin = tout = the nearest crossing; a miss is big, minus_big;
 ;      patch_s, patch_t where there is a crossing.
+; steiner_crossings, rational_steiner_crossings:
+; In:  also tin, PATCH_CROSSINGS vectors one after another; likewise patch_s and
+;      patch_t.
+; Out: in these the crossings ahead, in no order, and then big; their
+;      parameters.
 ; Source: the project's notes on ray tracing, 2.3, where it is derived.
 
 ; The patch's table.
@@ -252,7 +259,8 @@ planes_found\@:
         .endm
 
 ; Candidates [candidate_s], [candidate_t] in the lanes of hits2: those in the
-; triangle, beyond the least distance and nearer than tin take its place.
+; triangle and beyond the least distance, and in [e3] their distances; to none if
+; there are none.
         .macro  patch_coordinate k0, k1, k2, k3, k4, k5, sum
         LINKV
         MPYSV   [candidate_s], \k1, [\sum]
@@ -269,14 +277,14 @@ planes_found\@:
         ADDNV   [e12], [\sum], [\sum]
         .endm
 
-        .macro  patch_candidate rational
+        .macro  patch_distance rational, none
         CMPGEV  [candidate_t], patch_low, [hits3]
         ANDB    [hits2], [hits3], [hits2]
         ADDNV   [candidate_s], [candidate_t], [e3]
         CMPGEV  patch_high, [e3], [hits3]
         ANDB    [hits2], [hits3], [hits2]
         CNTOB   [hits2], s0
-        IBXEQ   s0, r0, r0, candidate_none\@
+        IBXEQ   s0, r0, r0, \none
         MPYSV   [candidate_s], [candidate_s], [e4]
         MPYSV   [candidate_s], [candidate_t], [e5]
         MPYSV   [candidate_t], [candidate_t], [e6]
@@ -291,6 +299,11 @@ planes_found\@:
         CMPLTV  [lane_low], [e3], [hits3]
         ANDB    [hits2], [hits3], [hits2]
         SUBNV   [e3], [lane_along], [e3]
+        .endm
+
+; Those nearer than tin take its place.
+        .macro  patch_candidate rational
+        patch_distance \rational, candidate_none\@
         VXTOV   [lane_at], [tin], [e4]
         CMPLTV  [e3], [e4], [hits3]
         ANDB    [hits2], [hits3], [hits2]
@@ -298,6 +311,22 @@ planes_found\@:
         VTOVX   [lane_at], [candidate_s], [patch_s] ? [hits2]
         VTOVX   [lane_at], [candidate_t], [patch_t] ? [hits2]
 candidate_none\@:
+        BIM     0, patch_link
+        .endm
+
+; All are put into the next of their ray's vectors, as far as there are any: then
+; lane_at is a place in the next.
+        .macro  patch_crossing rational
+        patch_distance \rational, crossing_none\@
+        EX      s0, PATCH_CROSSINGS * QUEUE
+        CMPLTV  [lane_at], s0, [hits3]
+        ANDB    [hits2], [hits3], [hits2]
+        VTOVX   [lane_at], [e3], [tin] ? [hits2]
+        VTOVX   [lane_at], [candidate_s], [patch_s] ? [hits2]
+        VTOVX   [lane_at], [candidate_t], [patch_t] ? [hits2]
+        EX      s0, QUEUE
+        ADDXV   [lane_at], s0, [lane_at] ? [hits2]
+crossing_none\@:
         BIM     0, patch_link
         .endm
 
@@ -352,6 +381,18 @@ candidate_none\@:
         SUBNV   [root_count], one, [root_count]
         .endm
 
+        .macro  clear_nearest
+        VTOV    big, [tin]
+        VTOV    minus_big, [tout]
+        .endm
+
+        .macro  clear_crossings
+        VTOV    big, [tin]
+        VTOV    big, [tout]
+        VTOV    big, [tin2]
+        VTOV    big, [tout2]
+        .endm
+
         .macro  steiner_lanes rational
         load_record P_SHAPE, 6, sh0
         SUBNV   [ox], sh0, [w8]
@@ -370,13 +411,25 @@ candidate_none\@:
         .endm
 
         .kernel steiner
+rational_steiner_crossings:
+        EX      candidate_routine, rational_crossing
+        clear_crossings
+        BIM     steiner_rational
 rational_steiner:
-        steiner_lanes 1
         EX      candidate_routine, rational_candidate
+        clear_nearest
+steiner_rational:
+        steiner_lanes 1
         BIM     steiner_eliminate
+steiner_crossings:
+        EX      candidate_routine, polynomial_crossing
+        clear_crossings
+        BIM     steiner_polynomial
 steiner:
-        steiner_lanes 0
         EX      candidate_routine, polynomial_candidate
+        clear_nearest
+steiner_polynomial:
+        steiner_lanes 0
 steiner_eliminate:
         eliminate
         bernstein_signs
@@ -395,8 +448,6 @@ steiner_eliminate:
         EX      s8, solve_quartic_all
         call_quartic s8, k4, k3, k2, k1, k0, e0, e1, s9
         RTOR    lane_link, link_inner
-        VTOV    big, [tin]
-        VTOV    minus_big, [tout]
 
 ; Root by root: the lanes that have one more.
 steiner_root:
@@ -453,11 +504,12 @@ steiner_next:
         next_root
         BIM     steiner_root
 steiner_done:
+        IBXNE   segments_wanted, r0, one_index, steiner_miss
         CMPLTV  [tin], big, [bits0]
         VTOV    [tin], [tout] ? [bits0]
         BIM     0, link_kernel
 steiner_miss:
-        miss_all
+        BIM     0, link_kernel
 
 ; A pair of lines, in the lanes of hits1: t from the first conic.
 steiner_lines:
@@ -497,4 +549,8 @@ polynomial_candidate:
         patch_candidate 0
 rational_candidate:
         patch_candidate 1
+polynomial_crossing:
+        patch_crossing 0
+rational_crossing:
+        patch_crossing 1
         .endkernel

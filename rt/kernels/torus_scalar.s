@@ -2,13 +2,28 @@
 ;
 ;       CALL TORUS (RAY, PRIMITIVE, SEGMENT)
 ;       CALL ELLIPTICAL_TORUS (RAY, PRIMITIVE, SEGMENT)
+;       CALL TORUS_SOLID (RAY, PRIMITIVE, SEGMENTS)
+;       CALL ELLIPTICAL_TORUS_SOLID (RAY, PRIMITIVE, SEGMENTS)
 ;
-; Arguments as in sphere_scalar.s, method as in torus_vector.s.
+; Arguments as in sphere_scalar.s, method as in torus_vector.s.  SEGMENTS = the
+; ray's way inside (segments_scalar.s), two of them (4 words).
 
-        .kernel torus
-torus:
-        enter_solver 9
-        come_near ox, oy, oz, sh4, torus_miss
+; To miss if the ray stays above the torus or below it.
+        .macro  leave_above miss
+        MPYS    near_low, dy, e0
+        MPYS    near_high, dy, e1
+        SUBN    r0, sh9, e2
+        ADDN    e0, t1, e0
+        ADDN    e1, t1, e1
+        CFPGE   sh9, e0, leave_below\@
+        CFPLT   sh9, e1, \miss
+leave_below\@:
+        CFPGE   e0, e2, leave_not\@
+        CFPLT   e1, e2, \miss
+leave_not\@:
+        .endm
+
+        .macro  torus_polynomial
         SUBN    near_o2, sh5, e0                ; k
         MPYS    dy, dy, e1
         MPYS    t1, dy, e3
@@ -23,12 +38,9 @@ torus:
         ADDN    r0, r0, k3
         RTOR    one, k4
         ADDN    e4, e0, k0
-        solve_near sh8, torus_miss
-        leave_solver
+        .endm
 
-elliptical_torus:
-        enter_solver 9
-        come_near ox, oy, oz, sh4, torus_miss
+        .macro  elliptical_polynomial
         MPYS    dx, dx, e0
         MPYS    dz, dz, t3
         MPYS    t0, dx, e1
@@ -65,8 +77,44 @@ elliptical_torus:
         SUBN    k1, t5, k1
         SUBN    k0, t6, k0
         SUBN    k2, t4, k2
+        .endm
+
+        .kernel torus
+torus:
+        enter_solver 10
+        come_near ox, oy, oz, sh4, torus_miss
+        leave_above torus_miss
+        torus_polynomial
+        solve_near sh8, torus_miss
+        leave_solver
+elliptical_torus:
+        enter_solver 10
+        come_near ox, oy, oz, sh4, torus_miss
+        leave_above torus_miss
+        elliptical_polynomial
         solve_near sh8, torus_miss
         leave_solver
 torus_miss:
         miss_near
+
+torus_solid:
+        enter_solver 10
+        come_anywhere ox, oy, oz, sh4, torus_passed
+        leave_above torus_passed
+        torus_polynomial
+        BIM     torus_segments
+elliptical_torus_solid:
+        enter_solver 10
+        come_anywhere ox, oy, oz, sh4, torus_passed
+        leave_above torus_passed
+        elliptical_polynomial
+torus_segments:
+        solve_all sh8
+        BIM     torus_solved
+torus_passed:
+        ADDN    r0, r0, e0
+torus_solved:
+        ES      e4, 0
+        give_segments 4
+        leave_segments
         .endkernel

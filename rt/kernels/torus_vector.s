@@ -19,15 +19,33 @@
 ;
 ;   s^4 + (2 k + a0 dy^2) s^2 + 2 a0 oy dy s + k^2 + a0 (oy^2 - r^2) = 0
 ;
-; In:  ox oy oz dx dy dz lower, n long; the primitive's record.
-; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
+; In:  ox oy oz dx dy dz lower, near long; the primitive's record.
+; Out: tin = tout = the nearest crossing; a miss is big, minus_big.  .._solid: two
+;      segments (segments_vector.s).
 ; Source: the project's notes on ray tracing, 1.1.
 
-        .kernel torus
-torus:
-        load_record P_SHAPE, 9, sh0
-        find_lanes ox, oy, oz, sh4, torus_miss
-        take_lanes
+; Rays that stay above the torus or below it, y > sh9 or y < -sh9 at both ends, are
+; left out.
+        .macro  leave_above miss
+        MPYSV   [w5], [dy], [w8]
+        ADDNV   [w8], [w1], [w8]
+        MPYSV   [w6], [dy], [w9]
+        ADDNV   [w9], [w1], [w9]
+        SUBN    r0, sh9, s0
+        CMPLTV  sh9, [w8], [bits1]
+        CMPLTV  sh9, [w9], [bits2]
+        ANDB    [bits1], [bits2], [bits1]
+        ANDNB   [bits0], [bits1], [bits0]
+        CMPLTV  [w8], s0, [bits1]
+        CMPLTV  [w9], s0, [bits2]
+        ANDB    [bits1], [bits2], [bits1]
+        ANDNB   [bits0], [bits1], [bits0]
+        CNTOB   [bits0], m
+        IBXEQ   m, r0, r0, \miss
+        .endm
+
+; The lanes' quartics.
+        .macro  torus_polynomial
         CPSV    [w7], [e0] ? [bits0]
         SUBNV   [e0], sh5, [e0]                 ; k
         MPYSV   [lane_dy], [lane_dy], [e1]
@@ -45,13 +63,9 @@ torus:
         ADDNV   [e1], [e2], [k0]
         VTOV    r0, [k3]
         VTOV    one, [k4]
-        solve_lanes sh8
-        BIM     0, link_kernel
+        .endm
 
-elliptical_torus:
-        load_record P_SHAPE, 9, sh0
-        find_lanes ox, oy, oz, sh4, torus_miss
-        take_lanes
+        .macro  elliptical_polynomial
         MPYSV   [lane_dx], [lane_dx], [e0]
         MPYSV   [lane_dz], [lane_dz], [e1]
         ADDNV   [e1], [e0], [e0]                ; f
@@ -91,8 +105,47 @@ elliptical_torus:
         MPYSV   [e5], [e5], [k0]
         MPYSV   [e2], sh2, [e6]
         SUBNV   [k0], [e6], [k0]
+        .endm
+
+        .kernel torus
+torus:
+        load_record P_SHAPE, 10, sh0
+        find_lanes ox, oy, oz, sh4, torus_miss
+        leave_above torus_miss
+        take_lanes
+        torus_polynomial
+        solve_lanes sh8
+        BIM     0, link_kernel
+
+elliptical_torus:
+        load_record P_SHAPE, 10, sh0
+        find_lanes ox, oy, oz, sh4, torus_miss
+        leave_above torus_miss
+        take_lanes
+        elliptical_polynomial
         solve_lanes sh8
         BIM     0, link_kernel
 torus_miss:
         miss_all
+
+torus_solid:
+        load_record P_SHAPE, 10, sh0
+        find_all_lanes ox, oy, oz, sh4, torus_passed
+        leave_above torus_passed
+        take_lanes
+        torus_polynomial
+        solve_segments sh8
+        BIM     0, link_kernel
+
+elliptical_torus_solid:
+        load_record P_SHAPE, 10, sh0
+        find_all_lanes ox, oy, oz, sh4, torus_passed
+        leave_above torus_passed
+        take_lanes
+        elliptical_polynomial
+        solve_segments sh8
+        BIM     0, link_kernel
+torus_passed:
+        no_segments
+        BIM     0, link_kernel
         .endkernel

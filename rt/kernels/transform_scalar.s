@@ -4,7 +4,9 @@
 ;
 ; Arguments as in sphere_scalar.s, method as in transform_vector.s.  The ray is
 ; carried over into own_ray, with its least distance, and the primitive's
-; kernel called with it.
+; kernel in its own space, whose address inner holds, called with it.  SEGMENT is
+; as long as it has crossings.  Neighbours in one space are met by a ray that is
+; carried over once: who takes a new ray clears own_space.
 
         .regs   r80, own_ox, own_oy, own_oz, own_dx, own_dy, own_dz
         .regs   r86, own_lower, own_scale, link_saved
@@ -12,11 +14,11 @@
 
         .data
 transform_save: .space TRANSFORM_REGISTERS
-own_ray:        .space 7
-own_segment:    .space 2
+own_ray:        .space 8                ; and 1/s
+own_space:      .word 0                 ; the space it is in; 0: none yet
+own_segment:    .space CROSSINGS_MOST
 own_arguments:
         .descriptor 6, own_ray
-own_primitive:
         .word 0
         .descriptor 2, own_segment
 
@@ -26,6 +28,15 @@ transformed:
         enter   kernel_image, transform_save, TRANSFORM_REGISTERS
         ELEN    arguments, 3
         SWAP    [arguments], a_ray, [r0]
+        RTOR    a_primitive, t0
+        IX      t0, 64 * P_SPACE
+        LOD     [t0], t4
+        EX      t5, own_space
+        LOD     [t5], t6
+        EX      t7, own_ray
+        ELEN    t7, 8
+        IBXEQ   t4, r0, t6, transform_carried
+        STO     [t5], t4
         SWAP    [a_ray], ox, [r0]
         RTOR    a_primitive, t0
         IX      t0, 64 * P_LOCAL
@@ -36,27 +47,40 @@ transformed:
         ADDN    own_oy, sh7, own_oy
         ADDN    own_oz, sh11, own_oz
         dot_rows dx, dy, dz, sh0, sh1, sh2, sh4, sh5, sh6, sh8, sh9, sh10, own_dx, own_dy, own_dz, t0, t1, t2, t3
-        EX      t1, k_lower
-        LOD     [t1], own_lower
-        normalise own_dx, own_dy, own_dz, t0, own_scale
-        EX      t1, own_ray
-        ELEN    t1, 7
+        ES      t1, 7
+        LOD     [a_ray, t1], own_lower
+        normalise_by one, own_dx, own_dy, own_dz, t0, own_scale
         MPYS    t0, own_lower, own_lower
-        SWAP    [r0], own_ox, [t1]
-        EX      t1, own_primitive
-        STO     [t1], a_primitive
-        IX      a_primitive, 64 * P_INNER
-        LOD     [a_primitive], target
-        RTOR    link, link_saved
+        SWAP    [r0], own_ox, [t7]
+        BIM     transform_call
+transform_carried:
+        ES      t1, 7
+        LOD     [t7, t1], own_scale
+transform_call:
         EX      arguments, own_arguments
+        STO     [arguments, index_one], a_primitive
+        RTOR    link, link_saved
+        RTOR    inner, target
         BSAVE   link, [target]
         RTOR    link_saved, link
+        LTOR    a_segment, t2
         EX      t1, own_segment
-        ELEN    t1, 2
-        SWAP    [t1], tin, [r0]
-        CFPLT   tout, tin, transform_missed
+transform_next:
+        LOD     [t1], tin
+        LOD     [t1, index_one], tout
+        ABS     tin, t3
+        ABS     tout, t4
+        CFPGE   t3, big, transform_leave
         MPYS    tin, own_scale, tin
+transform_leave:
+        CFPGE   t4, big, transform_store
         MPYS    tout, own_scale, tout
-transform_missed:
-        leave_kernel transform_save, TRANSFORM_REGISTERS
+transform_store:
+        STO     [a_segment], tin
+        STO     [a_segment, index_one], tout
+        IX      t1, 64 * 2
+        IX      a_segment, 64 * 2
+        IX      t2, -2
+        IBXGT   t2, r0, r0, transform_next
+        leave   transform_save, TRANSFORM_REGISTERS
         .endkernel

@@ -1,17 +1,27 @@
 ; transform_vector.s - a primitive that stands in a space of its own.
 ;
-; Its kernel sees the queue's rays carried into that space by the matrix M
+; Its kernel sees the rays at hand carried into that space by the matrix M
 ; (P_LOCAL):  O' = M O + m,  D' = M D / s,  s = |M D|.  The distances it finds
-; are s times too long, and are multiplied by lscale = 1/s where the ray hit.
-; What counts there is beyond s tmin; a little more, so that what lies beyond
-; that lies beyond tmin here, too.
+; are s times too long, and all that are numbers of a place (not big, not
+; minus_big) are multiplied by lscale = 1/s.  What counts there is beyond
+; s tmin; a little more, so that what lies beyond that lies beyond tmin here, too.
+; Neighbours in one space are met by rays that are carried over once.
 ;
-; In:  ox oy oz dx dy dz lower (world), n long; the primitive's record.
-; Out: tin, tout (world); ox .. lower name the world's rays again.
+; In:  wox .. wdz, near long; the primitive's record; inner_kernel;
+;      segments_wanted.
+; Out: tin, tout and so on (world).
 ; Source: textbook; D' is of length one again, as the kernels ask for.
+
+        .macro  scale_back t
+        CMPLTV  |[\t]|, big, [bits0]
+        MPYSV   [\t], [lscale], [\t] ? [bits0]
+        .endm
 
         .kernel transform
 transformed:
+        load_field P_SPACE, s9
+        IBXEQ   s9, r0, space, transformed_carried
+        RTOR    s9, space
         load_record P_LOCAL, 12, m00
         dot_constant wox, woy, woz, m00, m01, m02, lox, w0
         ADDNV   [lox], m03, [lox]
@@ -24,16 +34,32 @@ transformed:
         dot_constant wdx, wdy, wdz, m20, m21, m22, ldz, w0
         normalise ldx, ldy, ldz, w0, lscale
         EX      s0, k_lower
+        IBXEQ   shadows, r0, r0, transformed_least
+        EX      s0, k_shadow_lower
+transformed_least:
         LOD     [s0], s0
         MPYSV   [w0], s0, [llower]
+transformed_carried:
         look_at_rays lox, loy, loz, ldx, ldy, ldz, llower
         RTOR    link_kernel, link_inner
-        load_field P_INNER, target
-        BSAVE   link_kernel, [target]
+        BSAVE   link_kernel, [inner_kernel]
         RTOR    link_inner, link_kernel
+        IBXEQ   segments_wanted, r0, one_index, transformed_segment
+        scale_back tin
+        scale_back tout
+        scale_back tin2
+        scale_back tout2
+        ES      s0, 3
+        IBXLT   segments_wanted, r0, s0, transformed_done
+        scale_back tin3
+        scale_back tout3
+transformed_done:
+        BIM     0, link_kernel
+
+; One segment is a miss or has two ends, of whatever shape that can be carried.
+transformed_segment:
         CMPGEV  [tout], [tin], [bits0]
         MPYSV   [tin], [lscale], [tin] ? [bits0]
         MPYSV   [tout], [lscale], [tout] ? [bits0]
-        look_at_rays wox, woy, woz, wdx, wdy, wdz, wlower
         BIM     0, link_kernel
         .endkernel

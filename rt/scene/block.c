@@ -1,7 +1,6 @@
 /* block.c - reading blocks by their grammars, and getting over errors. */
 #include "rt/scene/block.h"
 
-#include "rt/scene/directive.h"
 #include "rt/scene/expression.h"
 
 #include <string.h>
@@ -32,12 +31,6 @@ struct block block_file(const struct reader *reader)
     return block;
 }
 
-static void read_directives(struct reader *reader)
-{
-    while (reader->token.kind == TOKEN_DIRECTIVE)
-        directive_read(reader);
-}
-
 bool block_open(struct reader *reader, struct block *block, int opening)
 {
     block->open = reader->token;
@@ -48,7 +41,6 @@ bool block_open(struct reader *reader, struct block *block, int opening)
         return false;
     reader_next(reader);
     block->level = reader->braces;
-    read_directives(reader);
     return true;
 }
 
@@ -85,7 +77,7 @@ static bool block_close(struct reader *reader, const struct block *block)
     return reader_fault(reader, &reader->token,
                         "expected '%c' for the '%c' of line %zu",
                         block->closing, block->open.sign,
-                        block->open.line);
+                        block->open.place.line);
 }
 
 /* To the next word of the grammar or directive, behind the next inner block,
@@ -96,7 +88,7 @@ static void recover(struct reader *reader, const struct block *block,
     while (!at_close(reader, block)) {
         const struct token *token = &reader->token;
         if (reader->braces == block->level
-            && (reader->closed || token->kind == TOKEN_DIRECTIVE
+            && (reader->closed || reader->directed
                 || grammar_find(grammar, token)
                 || (grammar->then && grammar_find(grammar->then, token))))
             break;
@@ -127,16 +119,16 @@ static bool read_item(struct reader *reader, const struct grammar **grammar,
 bool block_items(struct reader *reader, const struct block *block,
                  const struct grammar *grammar, void *subject, bool good)
 {
-    if (!good)
-        recover(reader, block, grammar);
-    while (!at_close(reader, block)) {
-        bool done = reader->token.kind == TOKEN_DIRECTIVE
-            ? directive_read(reader)
-            : read_item(reader, &grammar, subject);
-        if (!done) {
+    bool lost = !good;
+
+    for (;;) {
+        if (lost || reader->lost) {
             recover(reader, block, grammar);
-            good = false;
+            good = reader->lost = false;
         }
+        if (at_close(reader, block))
+            break;
+        lost = !read_item(reader, &grammar, subject);
     }
     return block_close(reader, block) && good;
 }

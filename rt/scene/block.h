@@ -43,7 +43,7 @@ const struct keyword *grammar_find(const struct grammar *grammar,
 
 /* What stands outside all braces, up to the end of the file. */
 struct block block_file(const struct reader *reader);
-/* '{' or '[', and the directives behind it. */
+/* '{' or '['. */
 bool block_open(struct reader *reader, struct block *block, int opening);
 /* A block that may begin with a name of the kind: its value replaces the
  * subject. */

@@ -15,6 +15,11 @@ bool is_expression_word(const struct token *token);
 /* Sums; comparisons, logic and ?: stand only in parentheses. */
 bool read_expression(struct reader *reader, struct numbers *value);
 bool read_number(struct reader *reader, double *value);
+/* What stands in brackets: comparisons, logic and ?: too. */
+bool read_full(struct reader *reader, struct numbers *value);
+bool read_full_number(struct reader *reader, double *value);
+/* Closer floats are equal, and a float closer to 0 is false. */
+#define EXPRESSION_SAME 1e-10
 /* A float stands for three equal components, two numbers have a zero third. */
 bool read_vector(struct reader *reader, double vector[3]);
 /* All five terms. */

@@ -8,6 +8,8 @@
 
 #include <string.h>
 
+#define WHOLE_MOST 2147483648. /* POV-Ray's whole numbers are below */
+
 static double degrees(double radians)
 {
     return radians * (180 / PI);
@@ -41,10 +43,13 @@ static void apply_mod(const struct numbers *a, size_t n, struct numbers *r)
     give(r, fmod(a[0].n[0], a[1].n[0]));
 }
 
+/* 0 to the power of 0 is an error, as in POV-Ray. */
 static void apply_pow(const struct numbers *a, size_t n, struct numbers *r)
 {
+    bool none = a[0].n[0] == 0 && a[1].n[0] == 0;
+
     (void)n;
-    give(r, pow(a[0].n[0], a[1].n[0]));
+    give(r, none ? (double)NAN : pow(a[0].n[0], a[1].n[0]));
 }
 
 static void apply_max(const struct numbers *a, size_t n, struct numbers *r)
@@ -59,6 +64,44 @@ static void apply_min(const struct numbers *a, size_t n, struct numbers *r)
     *r = a[0];
     for (size_t i = 1; i < n; i++)
         r->n[0] = fmin(r->n[0], a[i].n[0]);
+}
+
+/* The bits of whole numbers: what is behind the point is cut. */
+static long bits_of(const struct numbers *number)
+{
+    double value = number->n[0];
+
+    return value > -WHOLE_MOST && value < WHOLE_MOST ? (long)value : 0;
+}
+
+static void apply_bitwise_and(const struct numbers *a, size_t n,
+                             struct numbers *r)
+{
+    long bits = bits_of(&a[0]);
+
+    for (size_t i = 1; i < n; i++)
+        bits &= bits_of(&a[i]);
+    give(r, (double)bits);
+}
+
+static void apply_bitwise_or(const struct numbers *a, size_t n,
+                             struct numbers *r)
+{
+    long bits = bits_of(&a[0]);
+
+    for (size_t i = 1; i < n; i++)
+        bits |= bits_of(&a[i]);
+    give(r, (double)bits);
+}
+
+static void apply_bitwise_xor(const struct numbers *a, size_t n,
+                             struct numbers *r)
+{
+    long bits = bits_of(&a[0]);
+
+    for (size_t i = 1; i < n; i++)
+        bits ^= bits_of(&a[i]);
+    give(r, (double)bits);
 }
 
 /* select(A, B, C): B where A < 0, else C; with D: C only where A is 0. */
@@ -144,6 +187,9 @@ static const struct function functions[] = {
     { "atan", "f", NULL, atan },
     { "atan2", "ff", apply_atan2, NULL },
     { "atanh", "f", NULL, atanh },
+    { "bitwise_and", "ff+", apply_bitwise_and, NULL },
+    { "bitwise_or", "ff+", apply_bitwise_or, NULL },
+    { "bitwise_xor", "ff+", apply_bitwise_xor, NULL },
     { "ceil", "f", NULL, ceil },
     { "cos", "f", NULL, cos },
     { "cosh", "f", NULL, cosh },

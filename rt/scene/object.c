@@ -1,4 +1,4 @@
-/* object.c - lists of primitives and lights under construction. */
+/* object.c - solids, their primitives, and lights under construction. */
 #include "rt/scene/object.h"
 
 #include <stdlib.h>
@@ -36,6 +36,20 @@ static bool add_part(struct object *object, const struct part *part)
     return room;
 }
 
+static bool add_branch(struct object *object, enum tree_operation operation,
+                       size_t size)
+{
+    void *branches = object->branches;
+    bool room = array_room(&branches, &object->branch_room,
+                           object->branch_count, sizeof *object->branches);
+
+    object->branches = branches;
+    if (room)
+        object->branches[object->branch_count++] =
+            (struct branch){ operation, size };
+    return room;
+}
+
 bool object_add_primitive(struct object *object,
                           const struct primitive *primitive)
 {
@@ -43,7 +57,7 @@ bool object_add_primitive(struct object *object,
 
     memset(&part, 0, sizeof part);
     part.primitive = *primitive;
-    return add_part(object, &part);
+    return add_part(object, &part) && add_branch(object, TREE_LEAF, 1);
 }
 
 bool object_add_light(struct object *object, const struct light *light)
@@ -58,31 +72,112 @@ bool object_add_light(struct object *object, const struct light *light)
     return room;
 }
 
+static void inherit(struct part *part, const struct object *object)
+{
+    if (!part->textured && object->textured) {
+        part->primitive.pigment = object->texture.pigment;
+        part->primitive.finish = object->texture.finish;
+        part->textured = true;
+    }
+    if (!part->filled && object->filled) {
+        part->primitive.ior = object->ior;
+        part->filled = true;
+    }
+}
+
 bool object_add(struct object *object, const struct object *child)
 {
     for (size_t i = 0; i < child->part_count; i++) {
         struct part part = child->parts[i];
-        if (!part.textured && child->textured) {
-            part.primitive.pigment = child->texture.pigment;
-            part.primitive.finish = child->texture.finish;
-            part.textured = true;
-        }
+        inherit(&part, child);
         if (!add_part(object, &part))
             return false;
     }
+    for (size_t i = 0; i < child->branch_count; i++)
+        if (!add_branch(object, child->branches[i].operation,
+                        child->branches[i].size))
+            return false;
     for (size_t i = 0; i < child->light_count; i++)
         if (!object_add_light(object, &child->lights[i]))
             return false;
     return true;
 }
 
+/* A new root over all branches. */
+static bool add_root(struct object *object, enum tree_operation operation)
+{
+    size_t count = object->branch_count;
+
+    if (!add_branch(object, operation, 1))
+        return false;
+    memmove(object->branches + 1, object->branches,
+            count * sizeof *object->branches);
+    object->branches[0] = (struct branch){ operation, count + 1 };
+    return true;
+}
+
+static void remove_root(struct object *object)
+{
+    object->branch_count--;
+    memmove(object->branches, object->branches + 1,
+            object->branch_count * sizeof *object->branches);
+}
+
+bool object_join(struct object *object)
+{
+    bool meet = object->joining == JOIN_INTERSECTION
+        || object->joining == JOIN_DIFFERENCE;
+
+    return object->branch_count == 0
+        || object->branches[0].size == object->branch_count
+        || add_root(object, meet ? TREE_AND : TREE_OR);
+}
+
+bool object_invert(struct object *object)
+{
+    if (!object_join(object))
+        return false;
+    for (size_t i = 0; i < object->part_count; i++)
+        object->parts[i].primitive.inverted ^= true;
+    if (object->branch_count == 0)
+        return true;
+    if (object->branches[0].operation != TREE_NOT)
+        return add_root(object, TREE_NOT);
+    remove_root(object);
+    return true;
+}
+
+/* As in POV-Ray it counts on the whole of a solid only. */
+static void forget_no_shadow(struct object *object)
+{
+    for (size_t i = 0; i < object->part_count; i++)
+        object->parts[i].primitive.no_shadow = false;
+}
+
+bool object_add_child(struct object *object, struct object *child)
+{
+    bool first = object->child_count++ == 0;
+
+    if (object->joining == JOIN_DIFFERENCE && !first) {
+        if (!object_invert(child))
+            return false;
+    } else if (object->joining != JOIN_APART && !object_join(child)) {
+        return false;
+    }
+    if (object->joining != JOIN_APART)
+        forget_no_shadow(child);
+    return object_add(object, child);
+}
+
 bool object_copy(struct object *copy, const struct object *object)
 {
     struct object bare = *object;
 
-    bare.textured = false;
+    bare.textured = bare.filled = false;
     copy->textured = object->textured;
     copy->texture = object->texture;
+    copy->filled = object->filled;
+    copy->ior = object->ior;
     return object_add(copy, &bare);
 }
 
@@ -111,6 +206,7 @@ void object_move(struct object *object, const struct placement *step)
 void scene_object_free(struct object *object)
 {
     free(object->parts);
+    free(object->branches);
     free(object->lights);
     memset(object, 0, sizeof *object);
 }

@@ -1,10 +1,11 @@
 /* object.h - an object of a scene file while it is read.
  *
- * A union is a list of primitives from the start: what a union's transform
- * does to its children is what it does to each primitive.  Only the texture
- * waits: an object's own texture goes to those parts that have none, and only
- * when the object is part of another, since `object { NAME texture {...} }`
- * may still change it.
+ * An object is a row of solids, each a tree in preorder of which the parts, in
+ * their order, are the leaves.  A union is its children's solids from the
+ * start: what its transform does to its children is what it does to each
+ * primitive.  Only texture and interior wait: an object's own go to those
+ * parts that have none, and only when the object is part of another, since
+ * `object { NAME texture {...} }` may still change them.
  */
 #ifndef RT_SCENE_OBJECT_H
 #define RT_SCENE_OBJECT_H
@@ -17,17 +18,37 @@ struct texture {
 };
 
 struct part {
-    struct primitive primitive; /* pigment and finish once textured */
-    bool textured;
+    struct primitive primitive; /* pigment and finish once textured, ior once
+                                   filled */
+    bool textured, filled;
+};
+
+/* How the children of an object belong together: a union's stay apart. */
+enum joining {
+    JOIN_APART,
+    JOIN_MERGE,
+    JOIN_INTERSECTION,
+    JOIN_DIFFERENCE
+};
+
+struct branch {
+    enum tree_operation operation;
+    size_t size; /* branches from this one to the last below it */
 };
 
 struct object {
     size_t part_count, part_room;
     struct part *parts;
+    size_t branch_count, branch_room;
+    struct branch *branches;
     size_t light_count, light_room;
     struct light *lights;
+    enum joining joining;
+    size_t child_count; /* lights counted */
     bool textured;
     struct texture texture;
+    bool filled;
+    double ior;
 };
 
 void pigment_move(struct pigment *pigment, const struct placement *step);
@@ -36,8 +57,16 @@ void pigment_move(struct pigment *pigment, const struct placement *step);
 bool object_add_primitive(struct object *object,
                           const struct primitive *primitive);
 bool object_add_light(struct object *object, const struct light *light);
-/* Add the parts of another; those without a texture get its own, if any. */
+/* Add the solids of another; parts without texture or interior get its own, if
+ * any. */
 bool object_add(struct object *object, const struct object *child);
+/* The same as the object's joining says: one solid of the child's, or what is
+ * outside of it. */
+bool object_add_child(struct object *object, struct object *child);
+/* All solids become one. */
+bool object_join(struct object *object);
+/* The same, and what was outside becomes inside. */
+bool object_invert(struct object *object);
 bool object_copy(struct object *copy, const struct object *object);
 void object_move(struct object *object, const struct placement *step);
 void scene_object_free(struct object *object);

@@ -4,9 +4,10 @@
 
 #include <string.h>
 
-static const double black[3] = { 0, 0, 0 };
+static const double black[COLOR_TERMS];
 /* POV-Ray's checker without colours of its own. */
-static const double checker_colors[2][3] = { { 0, 0, 1 }, { 0, 1, 0 } };
+static const double checker_colors[2][COLOR_TERMS] = { { 0, 0, 1 },
+                                                       { 0, 1, 0 } };
 
 const struct keyword pattern_words_left_out[] = {
     { "agate_turb", item_left_out, 0 },
@@ -43,24 +44,22 @@ const struct keyword pattern_words_left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static void set_color(struct reader *reader, const struct token *at,
-                      const struct numbers *color, double rgb[3])
+static void set_color(struct pigment *pigment, int which,
+                      const double terms[COLOR_TERMS])
 {
-    memcpy(rgb, color->n, 3 * sizeof *rgb);
-    if (color->n[3] != 0 || color->n[4] != 0)
-        reader_report(reader, at,
-                      "'filter' and 'transmit' are not supported and "
-                      "left out");
+    memcpy(pigment->color[which], terms, 3 * sizeof *terms);
+    pigment->filter[which] = terms[3];
+    pigment->transmit[which] = terms[4];
 }
 
-static bool read_opaque(struct reader *reader, double rgb[3])
+static bool read_term(struct reader *reader, struct pigment *pigment,
+                      int which)
 {
-    struct token at = reader->token;
     struct numbers color;
 
     if (!read_color(reader, &color))
         return false;
-    set_color(reader, &at, &color, rgb);
+    set_color(pigment, which, color.n);
     return true;
 }
 
@@ -73,11 +72,12 @@ static bool read_color_word(struct reader *reader, void *subject,
     if (!read_color_after(reader, &item->at, &color))
         return false;
     pigment->kind = PIGMENT_COLOR;
-    set_color(reader, &item->at, &color, pigment->color[0]);
+    set_color(pigment, 0, color.n);
     return true;
 }
 
-static bool read_nested(struct reader *reader, double rgb[3])
+static bool read_nested(struct reader *reader, struct pigment *pattern,
+                        int which)
 {
     struct pigment pigment = reader->default_texture.pigment;
     struct token at = reader->token;
@@ -89,7 +89,10 @@ static bool read_nested(struct reader *reader, double rgb[3])
         reader_report(reader, &at,
                       "a pattern in a pattern is replaced by its first "
                       "colour");
-    memcpy(rgb, pigment.color[0], sizeof pigment.color[0]);
+    memcpy(pattern->color[which], pigment.color[0],
+           sizeof pigment.color[0]);
+    pattern->filter[which] = pigment.filter[0];
+    pattern->transmit[which] = pigment.transmit[0];
     return true;
 }
 
@@ -101,12 +104,13 @@ static bool read_checker(struct reader *reader, void *subject,
 
     (void)item;
     pigment->kind = PIGMENT_CHECKER;
-    memcpy(pigment->color, checker_colors, sizeof pigment->color);
+    set_color(pigment, 0, checker_colors[0]);
+    set_color(pigment, 1, checker_colors[1]);
     for (int i = 0; i < 2 && done; i++) {
         if (is_token(&reader->token, "pigment"))
-            done = read_nested(reader, pigment->color[i]);
+            done = read_nested(reader, pigment, i);
         else if (starts_color(reader))
-            done = read_opaque(reader, pigment->color[i]);
+            done = read_term(reader, pigment, i);
         if (i == 0)
             reader_comma(reader);
     }
@@ -118,7 +122,7 @@ static bool read_pattern(struct reader *reader, void *subject,
                          const struct item *item)
 {
     struct pigment *pigment = subject;
-    double other[3];
+    struct pigment other;
     bool first = true;
 
     reader_report(reader, &item->at,
@@ -126,11 +130,11 @@ static bool read_pattern(struct reader *reader, void *subject,
                   "its first colour is used",
                   item->keyword->word);
     pigment->kind = PIGMENT_COLOR;
-    memcpy(pigment->color[0], black, sizeof black);
+    set_color(pigment, 0, black);
     if (!starts_color(reader))
         skip_arguments(reader);
     for (; starts_color(reader); first = false) {
-        if (!read_opaque(reader, first ? pigment->color[0] : other))
+        if (!read_term(reader, first ? pigment : &other, 0))
             return false;
         reader_comma(reader);
     }
@@ -171,7 +175,7 @@ static bool color_body(struct reader *reader, const struct block *block,
                        void *subject)
 {
     struct pigment *pigment = subject;
-    bool good = read_opaque(reader, pigment->color[0]);
+    bool good = read_term(reader, pigment, 0);
 
     pigment->kind = PIGMENT_COLOR;
     return block_finish(reader, block) && good;
@@ -249,7 +253,7 @@ bool pigment_body(struct reader *reader, const struct block *block,
         reader_next(reader);
     } else if (starts_color(reader) && !is_color_word(&reader->token)) {
         pigment->kind = PIGMENT_COLOR;
-        done = read_opaque(reader, pigment->color[0]);
+        done = read_term(reader, pigment, 0);
     }
     return block_items(reader, block, &grammar, pigment, done);
 }

@@ -2,19 +2,37 @@
 #include "rt/scene/reader.h"
 
 #include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
-enum { MESSAGE_LONGEST = 300, TOKEN_LONGEST = 40 };
+enum { MESSAGE_LONGEST = 1000, TOKEN_LONGEST = 40, CALLS_TOLD = 3 };
 
-static bool same_place(const struct token *a, const struct token *b)
+static int short_length(const struct token *token)
 {
-    return a->source == b->source && a->offset == b->offset;
+    return token->length > TOKEN_LONGEST ? TOKEN_LONGEST : (int)token->length;
 }
 
-static void stop(struct reader *reader)
+/* Where the macros are called that lead to a token, the innermost first. */
+static void add_calls(const struct reader *reader, const struct token *at,
+                      char *message, size_t room)
 {
-    reader->stopped = true;
-    reader->token.kind = TOKEN_END;
+    const struct lexer *lexer = &reader->lexer;
+    size_t depth = at->depth < lexer->depth ? at->depth : lexer->depth;
+    size_t calls = 0;
+
+    for (; depth && calls < CALLS_TOLD; depth--) {
+        const struct frame *frame = &lexer->frames[depth - 1];
+        size_t length = strlen(message);
+        struct position position;
+        if (!frame->is_macro)
+            continue;
+        position = token_position(&frame->call);
+        snprintf(message + length, room - length,
+                 ", in '%.*s' called at %s:%zu:%zu",
+                 short_length(&frame->call), frame->call.text, position.file,
+                 position.line, position.column);
+        calls++;
+    }
 }
 
 static void add(struct reader *reader, bool error, const struct token *at,
@@ -26,11 +44,14 @@ static void add(struct reader *reader, bool error, const struct token *at,
     if (reader->stopped)
         return;
     vsnprintf(message, sizeof message, format, arguments);
+    add_calls(reader, at, message, sizeof message);
+    if (!error && reports_have(reader->reports, &position, message))
+        return;
     reports_add(reader->reports, error, &position, message);
-    if (reader->reports->count == REPORTS_MOST) {
+    if (reader->reports->count >= REPORTS_MOST) {
         reports_add(reader->reports, true, &position,
                     "too many reports: the rest of the scene is not read");
-        stop(reader);
+        reader_stop(reader);
     }
 }
 
@@ -39,9 +60,14 @@ bool reader_fault(struct reader *reader, const struct token *at,
 {
     va_list arguments;
 
-    if (same_place(&reader->fault, at))
-        return false;
-    reader->fault = *at;
+    for (size_t i = 0; i < reader->fault_count; i++)
+        if (reader->faults[i].source == at->source
+            && reader->faults[i].at == at->place.at)
+            return false;
+    if (reader->fault_count < REPORTS_MOST) {
+        reader->faults[reader->fault_count].source = at->source;
+        reader->faults[reader->fault_count++].at = at->place.at;
+    }
     va_start(arguments, format);
     add(reader, true, at, format, arguments);
     va_end(arguments);
@@ -59,11 +85,16 @@ void reader_report(struct reader *reader, const struct token *at,
     va_end(arguments);
 }
 
+bool reader_check(struct reader *reader, const struct token *at,
+                  const char *fault)
+{
+    return !fault || reader_fault(reader, at, "%s", fault);
+}
+
 bool reader_no_memory(struct reader *reader)
 {
     reader_fault(reader, &reader->token, "there is not enough memory");
-    stop(reader);
-    return false;
+    return reader_stop(reader);
 }
 
 static bool is_undeclared(const struct reader *reader)
@@ -83,39 +114,20 @@ bool reader_expected(struct reader *reader, const char *what)
     const char *more = token->length > TOKEN_LONGEST ? "..." : "";
     const char *note = is_undeclared(reader) ? ", which is not declared"
                                              : "";
-    int length = more[0] ? TOKEN_LONGEST : (int)token->length;
+    int length = short_length(token);
 
     if (value && value->kind == VALUE_FAULTY)
         return false;
     if (token->kind == TOKEN_END)
         return reader_fault(reader, token,
-                            "expected %s, found the end of the file", what);
+                            "expected %s, found the end of the %s", what,
+                            lexer_top(&reader->lexer)->is_macro ? "macro"
+                                                               : "file");
     if (token->kind == TOKEN_STRING)
         return reader_fault(reader, token, "expected %s, found a string",
                             what);
     return reader_fault(reader, token, "expected %s, found '%s%.*s%s'%s", what,
                         mark, length, token->text, more, note);
-}
-
-/* Bad bytes are reported here and left out, so that none is passed over. */
-void reader_next(struct reader *reader)
-{
-    size_t depth = reader->lexer.depth;
-
-    if (reader->stopped)
-        return;
-    reader->closed = reader_at_sign(reader, '}');
-    if (reader_at_sign(reader, '{'))
-        reader->braces++;
-    else if (reader->closed && reader->braces)
-        reader->braces--;
-    do {
-        reader->token = lexer_next(&reader->lexer);
-        if (reader->token.fault)
-            reader_fault(reader, &reader->token, "%s", reader->token.fault);
-    } while (reader->token.kind == TOKEN_BAD);
-    if (reader->lexer.depth < depth)
-        symbols_leave(&reader->symbols, reader->lexer.depth);
 }
 
 bool reader_at_sign(const struct reader *reader, int sign)
@@ -153,13 +165,22 @@ void reader_comma(struct reader *reader)
     reader_accept_sign(reader, ',');
 }
 
-const struct value *reader_value(const struct reader *reader)
+bool reader_look_up(struct reader *reader, struct token *token)
 {
-    const struct token *token = &reader->token;
-
-    return token->kind == TOKEN_WORD
+    struct symbol *symbol = token->kind == TOKEN_WORD
         ? symbols_find(&reader->symbols, token->text, token->length)
         : NULL;
+
+    if (!symbol)
+        return false;
+    token->reference = reference_to(symbol);
+    token->value = reference_value(&token->reference);
+    return token->value;
+}
+
+const struct value *reader_value(const struct reader *reader)
+{
+    return reader->token.value;
 }
 
 const struct value *reader_value_of(const struct reader *reader,

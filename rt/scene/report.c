@@ -45,12 +45,60 @@ void reports_add(struct reports *reports, bool error,
         return;
     if (length > LONGEST_LINE)
         length = LONGEST_LINE;
+    report->said = false;
     report->error = error;
     report->file = copy(position->file, strlen(position->file));
     report->line = position->line;
     report->column = position->column;
     report->message = copy(message, strlen(message));
     report->source = copy(position->source ? position->source : "", length);
+}
+
+bool reports_have(const struct reports *reports,
+                  const struct position *position, const char *message)
+{
+    for (size_t i = 0; i < reports->count; i++) {
+        const struct report *report = &reports->items[i];
+        if (report->line == position->line
+            && report->column == position->column && report->message
+            && report->file && !strcmp(report->message, message)
+            && !strcmp(report->file, position->file))
+            return true;
+    }
+    return false;
+}
+
+/* Another report for what is said; NULL: no memory. */
+static struct report *room_for_saying(struct reports *reports)
+{
+    struct report *report;
+
+    for (size_t i = 0; i < reports->count; i++)
+        if (reports->items[i].said)
+            return &reports->items[i];
+    report = room_for_one(reports);
+    if (report) {
+        memset(report, 0, sizeof *report);
+        report->said = true;
+    }
+    return report;
+}
+
+bool reports_say(struct reports *reports, const char *text)
+{
+    struct report *report = room_for_saying(reports);
+    size_t before = report && report->message ? strlen(report->message) : 0;
+    size_t length = strlen(text);
+    char *message;
+
+    if (!report || length > SAID_MOST - before)
+        return false;
+    message = realloc(report->message, before + length + 1);
+    if (!message)
+        return false;
+    memcpy(message + before, text, length + 1);
+    report->message = message;
+    return true;
 }
 
 void reports_free(struct reports *reports)
@@ -114,11 +162,23 @@ static void print_report(FILE *out, const struct report *report)
         print_source(out, report);
 }
 
+/* As it is, but for what a terminal takes as a command. */
+static void print_said(FILE *out, const char *text)
+{
+    for (; *text; text++)
+        if (*text == '\n' || *text == '\t')
+            putc(*text, out);
+        else
+            print_character(out, *text, 0);
+}
+
 void reports_print(FILE *out, const struct reports *reports)
 {
     for (size_t i = 0; i < reports->count; i++) {
         const struct report *report = &reports->items[i];
-        if (report->file && report->message && report->source)
+        if (report->said && report->message)
+            print_said(out, report->message);
+        else if (report->file && report->message && report->source)
             print_report(out, report);
     }
 }

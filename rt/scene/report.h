@@ -16,4 +16,12 @@ struct position {
 void reports_add(struct reports *reports, bool error,
                  const struct position *position, const char *message);
 
+/* Whether there is one of the place and the message. */
+bool reports_have(const struct reports *reports,
+                  const struct position *position, const char *message);
+/* Text that a scene says, after what it has said so far.  False: it is more
+ * than SAID_MOST bytes in all, or there is no memory. */
+enum { SAID_MOST = 1 << 16 };
+bool reports_say(struct reports *reports, const char *text);
+
 #endif

@@ -3,7 +3,9 @@
 
 #include "rt/scene/condition.h"
 #include "rt/scene/expression.h"
+#include "rt/scene/query.h"
 #include "rt/scene/statement.h"
+#include "rt/shape_words.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -21,34 +23,44 @@ const char *primitive_kind_name(enum primitive_kind kind)
     return names[kind];
 }
 
+bool pigment_is_clear(const struct pigment *pigment)
+{
+    int colors = pigment->kind == PIGMENT_CHECKER ? 2 : 1;
+
+    for (int i = 0; i < colors; i++)
+        if (pigment->filter[i] != 0 || pigment->transmit[i] != 0)
+            return true;
+    return false;
+}
+
 /* POV-Ray 3.7's own, in a scene of #version 3.7. */
 static const struct texture texture_default = {
-    { PIGMENT_COLOR,
-      { { 0, 0, 0 }, { 0, 0, 0 } },
-      { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } } },
-    { { .1, .1, .1 }, .6, 0, 40, 0, .05 },
+    .pigment = { .kind = PIGMENT_COLOR,
+                 .to_local = { { { 1, 0, 0, 0 },
+                                 { 0, 1, 0, 0 },
+                                 { 0, 0, 1, 0 } } } },
+    .finish = { .ambient = { .1, .1, .1 },
+                .diffuse = .6,
+                .phong_size = 40,
+                .roughness = .05 },
 };
 enum { TRACE_LEVEL_DEFAULT = 5 };
+#define LANGUAGE_VERSION 3.7
 
-static bool is_sound(const struct part *part)
+static bool check_part(struct reader *reader, struct part *part,
+                       const struct token *at)
 {
-    const struct primitive *primitive = &part->primitive;
+    struct primitive *primitive = &part->primitive;
     struct placement own = { primitive->to_world, primitive->to_local };
     struct placement pattern = { placement_none.to_world,
                                  primitive->pigment.to_local };
 
-    return placement_is_finite(&own) && placement_is_finite(&pattern);
-}
-
-/* Until shadows are cast, the first light that would do so is noted. */
-static void note_shadows(struct reader *reader, const struct object *object,
-                         const struct token *at)
-{
-    for (size_t i = 0; i < object->light_count && !reader->shadows; i++)
-        if (!object->lights[i].shadowless) {
-            reader->shadows = true;
-            reader->shadow_light = *at;
-        }
+    primitive->transformed = !placement_is_none(&own);
+    if (!placement_is_finite(&own) || !placement_is_finite(&pattern))
+        return reader_fault(reader, at, "a transform is out of range");
+    return shape_is_finite(primitive)
+        || reader_fault(reader, at, "the %s is too large or too small to be "
+                        "traced", primitive_kind_name(primitive->kind));
 }
 
 static bool add_to_world(struct reader *reader, struct object *object,
@@ -59,12 +71,11 @@ static bool add_to_world(struct reader *reader, struct object *object,
     if (!object->textured)
         object->texture = reader->default_texture;
     object->textured = true;
-    note_shadows(reader, object, at);
     if (!object_add(&reader->world, object))
         return reader_no_memory(reader);
     for (size_t i = first; i < reader->world.part_count; i++)
-        if (!is_sound(&reader->world.parts[i]))
-            return reader_fault(reader, at, "a transform is out of range");
+        if (!check_part(reader, &reader->world.parts[i], at))
+            return false;
     return true;
 }
 
@@ -141,18 +152,6 @@ const struct grammar file_grammar = {
     "a statement", { statements, left_out, other_shapes }, NULL
 };
 
-static void report_shadows(struct reader *reader)
-{
-    bool cast = false;
-
-    for (size_t i = 0; i < reader->world.part_count; i++)
-        cast = cast || !reader->world.parts[i].primitive.no_shadow;
-    if (reader->shadows && cast)
-        reader_report(reader, &reader->shadow_light,
-                      "shadows are not cast; 'shadowless' in the light or "
-                      "'no_shadow' in the objects says so");
-}
-
 static bool take_primitives(struct reader *reader)
 {
     const struct object *world = &reader->world;
@@ -162,14 +161,56 @@ static bool take_primitives(struct reader *reader)
                                sizeof *scene->primitives);
     if (!scene->primitives)
         return reader_no_memory(reader);
-    for (size_t i = 0; i < world->part_count; i++) {
-        struct primitive *primitive = &scene->primitives[i];
-        *primitive = world->parts[i].primitive;
-        struct placement placement = { primitive->to_world,
-                                       primitive->to_local };
-        primitive->transformed = !placement_is_none(&placement);
-    }
+    for (size_t i = 0; i < world->part_count; i++)
+        scene->primitives[i] = world->parts[i].primitive;
     scene->primitive_count = world->part_count;
+    return true;
+}
+
+/* The parts are the leaves, in their order. */
+static void fill_nodes(struct scene *scene, const struct object *world)
+{
+    size_t leaf = 0;
+
+    for (size_t i = 0; i < world->branch_count; i++) {
+        struct tree_node *node = &scene->nodes[i];
+        node->operation = world->branches[i].operation;
+        node->next = i + world->branches[i].size;
+        if (node->operation == TREE_LEAF)
+            node->primitive = leaf++;
+    }
+    scene->node_count = world->branch_count;
+}
+
+/* Each solid of the world is a region. */
+static void fill_regions(struct scene *scene)
+{
+    size_t leaf = 0;
+
+    for (size_t i = 0; i < scene->node_count;) {
+        struct region *region = &scene->regions[scene->region_count++];
+        region->first_primitive = leaf;
+        region->first_node = i;
+        region->node_count = scene->nodes[i].next - i;
+        region->line = scene->primitives[leaf].line;
+        for (; i < region->first_node + region->node_count; i++)
+            leaf += scene->nodes[i].operation == TREE_LEAF;
+        region->primitive_count = leaf - region->first_primitive;
+    }
+}
+
+static bool take_regions(struct reader *reader)
+{
+    struct scene *scene = reader->scene;
+
+    scene->nodes = calloc(reader->world.branch_count + 1,
+                          sizeof *scene->nodes);
+    scene->regions = calloc(scene->primitive_count + 1,
+                            sizeof *scene->regions);
+    if (!scene->nodes || !scene->regions)
+        return reader_no_memory(reader);
+    fill_nodes(scene, &reader->world);
+    fill_regions(scene);
     return true;
 }
 
@@ -180,7 +221,7 @@ static bool take_world(struct reader *reader)
     scene->light_count = reader->world.light_count;
     scene->lights = reader->world.lights;
     reader->world.lights = NULL;
-    return take_primitives(reader);
+    return take_primitives(reader) && take_regions(reader);
 }
 
 static struct scene *new_scene(void)
@@ -191,6 +232,7 @@ static struct scene *new_scene(void)
         return NULL;
     scene->camera = camera_default.camera;
     scene->max_trace_level = TRACE_LEVEL_DEFAULT;
+    scene->adc_bailout = 1.0 / 255;
     for (int i = 0; i < 3; i++)
         scene->ambient_light[i] = 1;
     return scene;
@@ -202,6 +244,8 @@ void scene_free(struct scene *scene)
         return;
     free(scene->lights);
     free(scene->primitives);
+    free(scene->nodes);
+    free(scene->regions);
     free(scene);
 }
 
@@ -214,7 +258,6 @@ static bool read_all(struct reader *reader, const struct source *source)
     file = block_file(reader);
     block_items(reader, &file, &file_grammar, NULL, true);
     conditions_close(reader);
-    report_shadows(reader);
     return take_world(reader);
 }
 
@@ -226,6 +269,8 @@ static struct scene *read_source(struct reader *reader,
 
     reader->scene = scene;
     reader->default_texture = texture_default;
+    reader->hold = (size_t)HOLD_NONE;
+    reader->version = LANGUAGE_VERSION;
     if (scene
         && (!read_all(reader, source) || reader->reports->errors > before)) {
         scene_free(scene);
@@ -233,6 +278,7 @@ static struct scene *read_source(struct reader *reader,
     }
     scene_object_free(&reader->world);
     symbols_free(&reader->symbols);
+    queries_free(reader);
     sources_free(reader->sources);
     return scene;
 }

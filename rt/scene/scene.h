@@ -34,9 +34,10 @@ struct light {
 };
 
 /* POV-Ray's finish; its defaults (3.7) are ambient .1, diffuse .6, the rest
- * 0, phong_size 40, roughness .05. */
+ * 0, phong_size 40, roughness .05, reflection black. */
 struct finish {
     double ambient[3];
+    double reflection[3];
     double diffuse;
     double phong, phong_size;
     double specular, roughness;
@@ -48,8 +49,12 @@ struct pigment {
     enum pigment_kind kind;
     double color[2][3];        /* checker: where floor(x)+floor(y)+floor(z)
                                   is even, and odd */
+    double filter[2];          /* the share of light that passes, coloured */
+    double transmit[2];        /* .. and as it is */
     struct transform to_local; /* from world points to the pattern's */
 };
+/* Light passes, for one of its colours at least. */
+bool pigment_is_clear(const struct pigment *pigment);
 
 enum primitive_kind {
     PRIMITIVE_SPHERE,
@@ -117,7 +122,30 @@ struct primitive {
     struct pigment pigment;
     struct finish finish;
     bool no_shadow;
+    double ior;                /* index of refraction of its inside; 1 */
+    bool inverted;             /* an odd number of complements stands above
+                                  it: its outward normal points to what is
+                                  solid */
     size_t line; /* where it is written, in the scene's main file */
+};
+
+/* A Boolean tree over primitives, its nodes in preorder: a node, then all that
+ * is below its first child, and so on.  A difference is the intersection of
+ * its first child with the complements of the others. */
+enum tree_operation { TREE_LEAF, TREE_AND, TREE_OR, TREE_NOT };
+
+struct tree_node {
+    enum tree_operation operation;
+    size_t next;      /* the node behind all that is below this one */
+    size_t primitive; /* of a leaf: which of the scene's */
+};
+
+/* What is traced as one thing: a primitive, or a Boolean tree of them.  A
+ * union that is not part of another solid is several regions. */
+struct region {
+    size_t first_primitive, primitive_count; /* its leaves, in order */
+    size_t first_node, node_count;           /* of the scene's nodes */
+    size_t line;
 };
 
 struct scene {
@@ -125,17 +153,24 @@ struct scene {
     double background[3];
     double ambient_light[3];
     double assumed_gamma; /* 0: not given */
-    int max_trace_level;
+    int max_trace_level;    /* rays in a chain of reflections, the first
+                               counted */
+    double adc_bailout;     /* rays that weigh less are not followed */
     size_t light_count;
     struct light *lights;
     size_t primitive_count;
-    struct primitive *primitives; /* unions are taken apart, in file order */
+    struct primitive *primitives; /* in file order */
+    size_t node_count;
+    struct tree_node *nodes;
+    size_t region_count;
+    struct region *regions;       /* in file order */
 };
 
 /* What the reader has to say of a file: an error (there is then no scene),
  * or a report of something that is replaced or left out. */
 struct report {
     bool error;
+    bool said; /* what #debug says: the message alone, as it is */
     char *file;
     size_t line, column; /* from 1 */
     char *message;
@@ -153,6 +188,10 @@ struct scene_options {
     bool strict;               /* every report is an error */
     const char *const *search; /* folders for #include; NULL-terminated, or
                                   NULL; the file's own folder comes first */
+    /* Asked now and then in a long reading: false ends it, with an error.  NULL:
+     * nobody is asked. */
+    bool (*go_on)(void *context);
+    void *context;
 };
 
 /* Read a scene file.  NULL when it has errors (all are in *reports) or cannot

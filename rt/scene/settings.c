@@ -46,6 +46,15 @@ static bool read_trace_level(struct reader *reader, void *subject,
     return true;
 }
 
+static bool read_bailout(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct scene *scene = subject;
+
+    (void)item;
+    return read_number(reader, &scene->adc_bailout);
+}
+
 static bool read_charset(struct reader *reader, void *subject,
                          const struct item *item)
 {
@@ -61,12 +70,12 @@ static const struct keyword words[] = {
     { "assumed_gamma", read_gamma, 0 },
     { "ambient_light", read_ambient_light, 0 },
     { "max_trace_level", read_trace_level, 0 },
+    { "adc_bailout", read_bailout, 0 },
     { "charset", read_charset, 0 },
     { NULL, NULL, 0 },
 };
 
 static const struct keyword left_out[] = {
-    { "adc_bailout", item_left_out, 0 },
     { "hf_gray_16", item_left_out, 0 },
     { "irid_wavelength", item_left_out, 0 },
     { "max_intersections", item_left_out, 0 },

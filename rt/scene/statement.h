@@ -23,6 +23,9 @@ bool transform_read(struct reader *reader, struct placement *placement);
 bool pigment_read(struct reader *reader, struct pigment *pigment);
 bool finish_read(struct reader *reader, struct finish *finish);
 bool texture_read(struct reader *reader, struct texture *texture);
+bool interior_read(struct reader *reader, double *ior);
+/* Texture and interior of an object, which may have no parts. */
+bool material_read(struct reader *reader, struct object *object);
 
 bool camera_read(struct reader *reader, const struct token *at,
                  struct camera_setting *setting);
@@ -40,7 +43,10 @@ enum shape {
     SHAPE_QUADRIC,
     SHAPE_QUARTIC,
     SHAPE_STEINER_PATCH,
-    SHAPE_UNION,
+    SHAPE_UNION, /* in the order of enum joining, up to the difference */
+    SHAPE_MERGE,
+    SHAPE_INTERSECTION,
+    SHAPE_DIFFERENCE,
     SHAPE_OBJECT,
     SHAPE_LIGHT
 };
@@ -53,7 +59,10 @@ enum shape {
     { "quadric", read, SHAPE_QUADRIC },                              \
     { "quartic", read, SHAPE_QUARTIC },                              \
     { "steiner_patch", read, SHAPE_STEINER_PATCH },                  \
-    { "union", read, SHAPE_UNION }, { "object", read, SHAPE_OBJECT }, \
+    { "union", read, SHAPE_UNION }, { "merge", read, SHAPE_MERGE },  \
+    { "intersection", read, SHAPE_INTERSECTION },                    \
+    { "difference", read, SHAPE_DIFFERENCE },                        \
+    { "object", read, SHAPE_OBJECT },                                \
     { "light_source", read, SHAPE_LIGHT }
 /* Into an empty object; the caller frees it also after an error. */
 bool shape_read(struct reader *reader, struct object *object,

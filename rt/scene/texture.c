@@ -13,6 +13,50 @@ static bool read_ambient(struct reader *reader, void *subject,
     return read_rgb(reader, finish->ambient);
 }
 
+/* What two colours, or these words, make of the angle is left out. */
+static const struct keyword reflection_left_out[] = {
+    { "exponent", item_left_out, 0 },
+    { "falloff", item_left_out, 0 },
+    { "fresnel", item_left_out, 0 },
+    { "metallic", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar reflection_grammar = {
+    "a word of reflection", { reflection_left_out }, NULL
+};
+
+static bool read_least_and_most(struct reader *reader, double least[3])
+{
+    struct token more;
+    double most[3];
+
+    if (!read_rgb(reader, least))
+        return false;
+    reader_comma(reader);
+    more = reader->token;
+    if (!starts_color(reader) && !starts_expression(reader))
+        return true;
+    reader_report(reader, &more,
+                  "the second colour of 'reflection' is left out");
+    return read_rgb(reader, most);
+}
+
+static bool read_reflection(struct reader *reader, void *subject,
+                            const struct item *item)
+{
+    struct finish *finish = subject;
+    struct block block;
+
+    (void)item;
+    if (!reader_at_sign(reader, '{'))
+        return read_rgb(reader, finish->reflection);
+    if (!block_open(reader, &block, '{'))
+        return false;
+    return block_items(reader, &block, &reflection_grammar, subject,
+                       read_least_and_most(reader, finish->reflection));
+}
+
 /* The keyword's detail is the member's offset. */
 static bool read_amount(struct reader *reader, void *subject,
                         const struct item *item)
@@ -50,6 +94,7 @@ static const struct keyword finish_words[] = {
     { "phong_size", read_amount, offsetof(struct finish, phong_size) },
     { "specular", read_amount, offsetof(struct finish, specular) },
     { "roughness", read_roughness, 0 },
+    { "reflection", read_reflection, 0 },
     { NULL, NULL, 0 },
 };
 
@@ -61,7 +106,6 @@ static const struct keyword finish_left_out[] = {
     { "fresnel", item_left_out, 0 },
     { "irid", item_left_out, 0 },
     { "metallic", item_left_out, 0 },
-    { "reflection", item_left_out, 0 },
     { "reflection_exponent", item_left_out, 0 },
     { "subsurface", item_left_out, 0 },
     { "use_alpha", item_left_out, 0 },

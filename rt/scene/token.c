@@ -7,19 +7,62 @@
 
 enum { NUMBER_LONGEST = 300 };
 
+struct frame *lexer_top(struct lexer *lexer)
+{
+    return &lexer->frames[lexer->depth - 1];
+}
+
+/* A frame in which all of the source comes next; NULL: too deep. */
+static struct frame *open_frame(struct lexer *lexer,
+                                const struct source *source)
+{
+    struct frame *frame = &lexer->frames[lexer->depth];
+
+    if (lexer->depth == FRAMES_MOST)
+        return NULL;
+    lexer->depth++;
+    memset(frame, 0, sizeof *frame);
+    frame->source = source;
+    frame->place.line = 1;
+    frame->end = source->length;
+    frame->serial = lexer->serial++;
+    return frame;
+}
+
 bool lexer_open(struct lexer *lexer, const struct source *source)
 {
     static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, at the start */
+    struct frame *frame;
 
-    if (lexer->depth == INCLUDE_DEPTH)
+    if (lexer->files == INCLUDE_DEPTH)
         return false;
-    lexer->open[lexer->depth].source = source;
-    lexer->open[lexer->depth].at =
-        strncmp(source->text, mark, strlen(mark)) ? 0 : strlen(mark);
-    lexer->open[lexer->depth].line = 1;
-    lexer->open[lexer->depth].line_at = 0;
-    lexer->depth++;
+    frame = open_frame(lexer, source);
+    if (!frame)
+        return false;
+    if (!strncmp(source->text, mark, strlen(mark)))
+        frame->place.at = strlen(mark);
+    lexer->files++;
     return true;
+}
+
+bool lexer_call(struct lexer *lexer, const struct source *source,
+                struct place place, size_t end, const struct token *call)
+{
+    struct frame *frame = open_frame(lexer, source);
+
+    if (!frame)
+        return false;
+    frame->place = place;
+    frame->end = end;
+    frame->is_macro = true;
+    frame->call = *call;
+    return true;
+}
+
+void lexer_close(struct lexer *lexer)
+{
+    lexer->files -= !lexer_top(lexer)->is_macro;
+    lexer->depth--;
 }
 
 static bool is_digit(char c)
@@ -41,28 +84,29 @@ static bool is_blank(char c)
 /* The byte that is `ahead` of the next; NUL beyond the end. */
 static char look(const struct lexer *lexer, size_t ahead)
 {
-    const struct source *source = lexer->open[lexer->depth - 1].source;
-    size_t at = lexer->open[lexer->depth - 1].at + ahead;
+    const struct frame *frame = &lexer->frames[lexer->depth - 1];
+    size_t at = frame->place.at + ahead;
 
-    return at < source->length ? source->text[at] : '\0';
+    return at < frame->end ? frame->source->text[at] : '\0';
 }
 
 static bool at_end(const struct lexer *lexer)
 {
-    return lexer->open[lexer->depth - 1].at
-        >= lexer->open[lexer->depth - 1].source->length;
+    const struct frame *frame = &lexer->frames[lexer->depth - 1];
+
+    return frame->place.at >= frame->end;
 }
 
 static void step(struct lexer *lexer, size_t count)
 {
-    size_t top = lexer->depth - 1;
+    struct place *place = &lexer_top(lexer)->place;
 
     for (; count && !at_end(lexer); count--) {
         char c = look(lexer, 0);
-        lexer->open[top].at++;
+        place->at++;
         if (c == '\n') {
-            lexer->open[top].line++;
-            lexer->open[top].line_at = lexer->open[top].at;
+            place->line++;
+            place->line_at = place->at;
         }
     }
 }
@@ -77,9 +121,9 @@ static bool at_comment(const struct lexer *lexer)
     return look(lexer, 0) == '/' && look(lexer, 1) == '*';
 }
 
-void lexer_skip_line(struct lexer *lexer)
+static void skip_line(struct lexer *lexer)
 {
-    while (lexer->depth && !at_end(lexer) && look(lexer, 0) != '\n')
+    while (!at_end(lexer) && look(lexer, 0) != '\n')
         step(lexer, 1);
 }
 
@@ -101,17 +145,16 @@ static bool skip_comment(struct lexer *lexer)
 
 static struct token here(const struct lexer *lexer, enum token_kind kind)
 {
-    size_t top = lexer->depth - 1;
+    const struct frame *frame = &lexer->frames[lexer->depth - 1];
     struct token token;
 
     memset(&token, 0, sizeof token);
     token.kind = kind;
-    token.source = lexer->open[top].source;
-    token.offset = lexer->open[top].at;
-    token.line = lexer->open[top].line;
-    token.line_at = lexer->open[top].line_at;
-    token.main_line = lexer->open[0].line;
-    token.text = token.source->text + token.offset;
+    token.source = frame->source;
+    token.place = frame->place;
+    token.depth = lexer->depth;
+    token.main_line = lexer->frames[0].place.line;
+    token.text = token.source->text + token.place.at;
     return token;
 }
 
@@ -191,7 +234,7 @@ static struct token read_string(struct lexer *lexer)
     }
     if (at_end(lexer))
         return bad(token, 1, "the string is not closed by '\"'");
-    token.length = lexer->open[lexer->depth - 1].at - token.offset - 1;
+    token.length = lexer_top(lexer)->place.at - token.place.at - 1;
     step(lexer, 1);
     return token;
 }
@@ -238,7 +281,7 @@ static bool skip_blank(struct lexer *lexer, struct token *opened)
         if (is_blank(look(lexer, 0))) {
             step(lexer, 1);
         } else if (at_line_comment(lexer)) {
-            lexer_skip_line(lexer);
+            skip_line(lexer);
         } else if (at_comment(lexer)) {
             *opened = here(lexer, TOKEN_BAD);
             if (!skip_comment(lexer))
@@ -257,11 +300,6 @@ struct token lexer_next(struct lexer *lexer)
 
     if (!skip_blank(lexer, &opened))
         return bad(opened, 2, "the comment is not closed by '*/'");
-    while (at_end(lexer) && lexer->depth > 1) {
-        lexer->depth--;
-        if (!skip_blank(lexer, &opened))
-            return bad(opened, 2, "the comment is not closed by '*/'");
-    }
     c = look(lexer, 0);
     if (at_end(lexer))
         return here(lexer, TOKEN_END);
@@ -274,10 +312,28 @@ struct token lexer_next(struct lexer *lexer)
     return c == '#' ? read_directive(lexer) : read_sign(lexer);
 }
 
+static bool has_text(const struct token *token, const char *word)
+{
+    return !strncmp(token->text, word, token->length)
+        && word[token->length] == '\0';
+}
+
 bool is_token(const struct token *token, const char *word)
 {
-    return token->kind == TOKEN_WORD && token->length == strlen(word)
-        && !memcmp(token->text, word, token->length);
+    return token->kind == TOKEN_WORD && has_text(token, word);
+}
+
+bool is_one_of(const struct token *token, const char *const *words)
+{
+    for (; *words; words++)
+        if (has_text(token, *words))
+            return true;
+    return false;
+}
+
+bool is_directive(const struct token *token, const char *const *words)
+{
+    return token->kind == TOKEN_DIRECTIVE && is_one_of(token, words);
 }
 
 bool token_is_sign(const struct token *token, int sign)
@@ -289,15 +345,16 @@ struct position token_position(const struct token *token)
 {
     const struct source *source = token->source;
     struct position position;
-    const char *line = source->text + token->line_at;
-    const char *end = memchr(line, '\n', source->length - token->line_at);
+    const char *line = source->text + token->place.line_at;
+    const char *end = memchr(line, '\n',
+                             source->length - token->place.line_at);
 
     position.file = source->name;
-    position.line = token->line;
-    position.column = token->offset - token->line_at + 1;
+    position.line = token->place.line;
+    position.column = token->place.at - token->place.line_at + 1;
     position.source = line;
     position.source_length = end ? (size_t)(end - line)
-                                 : source->length - token->line_at;
+                                 : source->length - token->place.line_at;
     if (position.source_length && line[position.source_length - 1] == '\r')
         position.source_length--;
     return position;

@@ -3,6 +3,7 @@
 #define RT_SCENE_VECTOR_H
 
 #include <math.h>
+#include <string.h>
 
 #define PI 3.14159265358979323846
 
@@ -14,6 +15,11 @@ static inline double dot3(const double a[3], const double b[3])
 static inline double length3(const double a[3])
 {
     return sqrt(dot3(a, a));
+}
+
+static inline void copy3(const double from[3], double to[3])
+{
+    memcpy(to, from, 3 * sizeof *to);
 }
 
 static inline void scale3(double by, double a[3])

@@ -9,7 +9,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static const struct scene_options options = { 640, 480, false, NULL };
+    static const struct scene_options options = { .width = 640,
+                                                  .height = 480 };
     struct reports reports = { 0, 0, NULL };
     FILE *out = fopen("/dev/null", "w");
     char *text = malloc(size + 1);

@@ -19,6 +19,7 @@ seed() { # TARGET FILE ..: files of one corpus, by names that do not clash
 seed asm "$root"/tests/programs/*.s "$root"/tests/programs/traps/*.s \
     "$root"/asm/examples/*.s "$root"/tests/bugs/asm/*
 seed scene "$root"/scenes/*.pov "$root"/tests/scenes/*.pov \
+    "$root"/tests/language/*.pov \
     "$root"/tests/bugs/scene/*
 seed object "$root"/tests/bugs/object/*
 seed machine "$root"/tests/programs/*.s "$root"/tests/bugs/machine/*

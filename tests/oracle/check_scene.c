@@ -5,8 +5,9 @@
  * FRAME.exr is what rt205 rendered of the scene, with 32-bit samples.  It is
  * compared with the plain tracer's frame, channel by channel; with --povray
  * POV-Ray's picture of the same file is compared with that of the plain
- * tracer, now with shadows, and with the frame ("both").  A FRAME.exr of "-" leaves the first comparison out.
- * Prints one line per comparison.  Exit code 1: one failed; 2: wrong usage.
+ * tracer, and with the frame ("both").  A FRAME.exr of "-" leaves the frame
+ * out.  Prints one line per comparison.  Exit code 1: one failed; 2: wrong
+ * usage.
  */
 #include "rt/picture.h"
 #include "rt/scene/scene.h"
@@ -113,7 +114,7 @@ static bool check_directly(const struct frame *povray, const char *path,
 }
 
 /* POV-Ray's picture, against the plain tracer's and against rt205's own if
- * there is one: the scenes of the tests cast no shadows. */
+ * there is one. */
 static bool check_povray(const struct frame *expected,
                          const struct request *request, const bool *inner)
 {
@@ -158,17 +159,17 @@ static struct scene *read_scene(const struct request *request)
     return scene;
 }
 
-static bool compare(const struct request *request, const struct scene *scene,
-                    bool shadows)
+static bool compare(const struct request *request, const struct scene *scene)
 {
     struct frame expected;
-    if (!plain_trace(scene, request->width, request->height, shadows,
-                     &expected))
+    if (!plain_trace(scene, request->width, request->height, &expected))
         return false;
     bool *const inner = inner_pixels(&expected);
-    const bool good = inner
-        && (shadows ? check_povray(&expected, request, inner)
-                    : check_frame(&expected, request->frame, inner));
+    bool good = inner != NULL;
+    if (good && request->frame)
+        good = check_frame(&expected, request->frame, inner);
+    if (inner && request->povray)
+        good &= check_povray(&expected, request, inner);
     free(inner);
     frame_free(&expected);
     return good;
@@ -183,11 +184,7 @@ int main(int count, char **words)
         return 2;
     }
     struct scene *const scene = read_scene(&request);
-    bool good = scene != NULL;
-    if (scene && request.frame)
-        good &= compare(&request, scene, false);
-    if (scene && request.povray)
-        good &= compare(&request, scene, true);
+    const bool good = scene != NULL && compare(&request, scene);
     scene_free(scene);
     return good ? 0 : 1;
 }

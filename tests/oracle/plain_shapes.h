@@ -9,6 +9,7 @@
 #include "rt/scene/scene.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 struct ray {
     double origin[3], direction[3]; /* any length but 0 */
@@ -27,6 +28,10 @@ typedef size_t cross_shape(const struct primitive *primitive,
                            const struct ray *ray,
                            struct crossing crossings[MOST_CROSSINGS]);
 cross_shape plain_crossings;
+
+/* Is a point of the primitive's own space inside of it?  A patch has no
+ * inside. */
+bool plain_encloses(const struct primitive *primitive, const double point[3]);
 
 /* plain_quartic.c, plain_steiner.c */
 cross_shape cross_torus;

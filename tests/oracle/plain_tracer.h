@@ -2,7 +2,8 @@
  *
  * Written from the geometry of the shapes and from POV-Ray's rules of
  * shading; it shares nothing with the kernels but struct scene.  One ray
- * through the centre of each pixel, every shape tried, no tricks.
+ * through the centre of each pixel and all that comes of it, every region
+ * tried, no tricks.
  *
  * The frame's channels: colour in linear light; depth, the distance along the
  * ray; the unit normal that faces the viewer; the number of the primitive,
@@ -14,9 +15,8 @@
 #include "rt/picture.h"
 #include "rt/scene/scene.h"
 
-/* shadows: lights are blocked as POV-Ray blocks them.  False when memory is
- * short; the caller frees the frame. */
+/* False when memory is short; the caller frees the frame. */
 bool plain_trace(const struct scene *scene, size_t width, size_t height,
-                 bool shadows, struct frame *frame);
+                 struct frame *frame);
 
 #endif

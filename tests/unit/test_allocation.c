@@ -336,9 +336,13 @@ static bool run_and_show(c205 *machine, FILE *out, c205_error *error)
 {
     struct printer printer = { stream_sink(out) };
     c205_listen(machine, printer_listen, &printer);
-    return run_to(machine, C205_NO_LIMIT, error)
-           && show(accounts_by_cause(machine), out, error)
-           && show(accounts_by_region(machine), out, error);
+    struct accounts accounts = { .model = model };
+    bool done = run_to(machine, C205_NO_LIMIT, error)
+                && (accounts_add(&accounts, machine) || no_memory(error))
+                && show(accounts_by_cause(&accounts), out, error)
+                && show(accounts_by_region(&accounts), out, error);
+    accounts_free(&accounts);
+    return done;
 }
 
 static c205 *loaded(const struct object *program, c205_error *error)

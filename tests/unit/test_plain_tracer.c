@@ -26,6 +26,7 @@ static struct primitive primitive_of(enum primitive_kind kind)
         .kind = kind,
         .to_world = identity,
         .to_local = identity,
+        .ior = 1,
         .pigment = { .color = { { 1, 1, 1 } }, .to_local = identity },
         .finish = { .diffuse = 1, .phong_size = 40, .roughness = .05 },
     };
@@ -68,19 +69,36 @@ static struct primitive floor_at(double height)
     return plane;
 }
 
+enum { MOST_PRIMITIVES = 3 };
+
+/* Each primitive a region of its own. */
+static void each_alone(struct scene *scene,
+                       struct region regions[MOST_PRIMITIVES])
+{
+    assert_true(scene->primitive_count <= MOST_PRIMITIVES);
+    scene->region_count = scene->primitive_count;
+    scene->regions = regions;
+    scene->max_trace_level = 1;
+    for (size_t i = 0; i < scene->region_count; i++)
+        regions[i] = (struct region) { .first_primitive = i,
+                                       .primitive_count = 1 };
+}
+
 struct sample {
     double values[FRAME_CHANNELS];
 };
 
 /* The one pixel that looks from a point in a direction. */
-static struct sample look(struct scene *scene, bool shadows, double x,
-                          double y, double z, double dx, double dy, double dz)
+static struct sample look(struct scene *scene, double x, double y, double z,
+                          double dx, double dy, double dz)
 {
+    struct region regions[MOST_PRIMITIVES];
     struct frame frame;
     struct sample sample;
+    each_alone(scene, regions);
     scene->camera = (struct camera) { .location = { x, y, z },
                                       .direction = { dx, dy, dz } };
-    assert_true(plain_trace(scene, 1, 1, shadows, &frame));
+    assert_true(plain_trace(scene, 1, 1, &frame));
     for (size_t i = 0; i < FRAME_CHANNELS; i++)
         sample.values[i] = frame.channel[i][0];
     frame_free(&frame);
@@ -115,11 +133,11 @@ static void test_sphere(void **state)
     (void)state;
     struct primitive sphere = unit_sphere();
     struct scene scene = { .primitive_count = 1, .primitives = &sphere };
-    assert_hit(look(&scene, false, 0, 0, -5, 0, 0, 1), 1, 4, 0, 0, -1);
-    assert_hit(look(&scene, false, .6, 0, -5, 0, 0, 9), 1, 4.2, .6, 0, -.8);
-    assert_hit(look(&scene, false, 0, 0, 0, 0, 3, 0), 1, 1, 0, -1, 0);
-    assert_miss(look(&scene, false, 0, 0, -5, 0, 0, -1));
-    assert_miss(look(&scene, false, 1.001, 0, -5, 0, 0, 1));
+    assert_hit(look(&scene, 0, 0, -5, 0, 0, 1), 1, 4, 0, 0, -1);
+    assert_hit(look(&scene, .6, 0, -5, 0, 0, 9), 1, 4.2, .6, 0, -.8);
+    assert_hit(look(&scene, 0, 0, 0, 0, 3, 0), 1, 1, 0, -1, 0);
+    assert_miss(look(&scene, 0, 0, -5, 0, 0, -1));
+    assert_miss(look(&scene, 1.001, 0, -5, 0, 0, 1));
 }
 
 static void test_box(void **state)
@@ -127,11 +145,11 @@ static void test_box(void **state)
     (void)state;
     struct primitive box = cube_to(2);
     struct scene scene = { .primitive_count = 1, .primitives = &box };
-    assert_hit(look(&scene, false, 0, 1, -5, 0, 0, 1), 1, 3, 0, 0, -1);
-    assert_hit(look(&scene, false, 1, 0, 0, 1, 0, 0), 1, 1, -1, 0, 0);
-    assert_hit(look(&scene, false, 5, 5, 0, -3, -4, 0), 1, 5, 1, 0, 0);
-    assert_miss(look(&scene, false, 0, 2.001, -5, 0, 0, 1));
-    assert_miss(look(&scene, false, 0, 5, -5, 0, 1, 1));
+    assert_hit(look(&scene, 0, 1, -5, 0, 0, 1), 1, 3, 0, 0, -1);
+    assert_hit(look(&scene, 1, 0, 0, 1, 0, 0), 1, 1, -1, 0, 0);
+    assert_hit(look(&scene, 5, 5, 0, -3, -4, 0), 1, 5, 1, 0, 0);
+    assert_miss(look(&scene, 0, 2.001, -5, 0, 0, 1));
+    assert_miss(look(&scene, 0, 5, -5, 0, 1, 1));
 }
 
 static void test_cylinder(void **state)
@@ -139,15 +157,15 @@ static void test_cylinder(void **state)
     (void)state;
     struct primitive closed = tube(false), open = tube(true);
     struct scene scene = { .primitive_count = 1, .primitives = &closed };
-    assert_hit(look(&scene, false, .5, 0, -5, 0, 0, 1), 1, 4, 0, 0, -1);
-    assert_hit(look(&scene, false, .6, 5, 0, 0, -1, 0), 1, 4.2, .6, .8, 0);
-    assert_hit(look(&scene, false, 0, 0, 0, 0, 0, 1), 1, 1, 0, 0, -1);
-    assert_miss(look(&scene, false, 1.5, 0, -5, 0, 0, 1));
-    assert_miss(look(&scene, false, 0, 5, 1.5, 0, -1, 0));
+    assert_hit(look(&scene, .5, 0, -5, 0, 0, 1), 1, 4, 0, 0, -1);
+    assert_hit(look(&scene, .6, 5, 0, 0, -1, 0), 1, 4.2, .6, .8, 0);
+    assert_hit(look(&scene, 0, 0, 0, 0, 0, 1), 1, 1, 0, 0, -1);
+    assert_miss(look(&scene, 1.5, 0, -5, 0, 0, 1));
+    assert_miss(look(&scene, 0, 5, 1.5, 0, -1, 0));
     scene.primitives = &open;
-    assert_miss(look(&scene, false, .5, 0, -5, 0, 0, 1));
-    assert_hit(look(&scene, false, 0, -2, -3, 0, 3, 4), 1, 5, 0, -1, 0);
-    assert_hit(look(&scene, false, 0, -.5, -2, 0, 3, 4), 1, 2.5, 0, -1, 0);
+    assert_miss(look(&scene, .5, 0, -5, 0, 0, 1));
+    assert_hit(look(&scene, 0, -2, -3, 0, 3, 4), 1, 5, 0, -1, 0);
+    assert_hit(look(&scene, 0, -.5, -2, 0, 3, 4), 1, 2.5, 0, -1, 0);
 }
 
 static void test_plane(void **state)
@@ -155,10 +173,10 @@ static void test_plane(void **state)
     (void)state;
     struct primitive plane = floor_at(-1);
     struct scene scene = { .primitive_count = 1, .primitives = &plane };
-    assert_hit(look(&scene, false, 0, 2, 0, 4, -3, 0), 1, 5, 0, 1, 0);
-    assert_hit(look(&scene, false, 0, -4, 0, 4, 3, 0), 1, 5, 0, -1, 0);
-    assert_miss(look(&scene, false, 0, 2, 0, 1, 0, 0));
-    assert_miss(look(&scene, false, 0, 2, 0, 0, 1, 0));
+    assert_hit(look(&scene, 0, 2, 0, 4, -3, 0), 1, 5, 0, 1, 0);
+    assert_hit(look(&scene, 0, -4, 0, 4, 3, 0), 1, 5, 0, -1, 0);
+    assert_miss(look(&scene, 0, 2, 0, 1, 0, 0));
+    assert_miss(look(&scene, 0, 2, 0, 0, 1, 0));
 }
 
 /* x / 2 + z in place of z: a slanted, flattened sphere at height 3.  Its top
@@ -171,9 +189,9 @@ static void test_transform(void **state)
     sphere.to_local = (struct transform) {
         { { 1, 0, 0, 0 }, { 0, 2, 0, -6 }, { .5, 0, 1, 0 } }
     };
-    assert_hit(look(&scene, false, 0, 9, 0, 0, -2, 0), 1, 5.5, 0, 1, 0);
+    assert_hit(look(&scene, 0, 9, 0, 0, -2, 0), 1, 5.5, 0, 1, 0);
     const double length = sqrt(1.25);
-    assert_hit(look(&scene, false, 0, 3, -9, 0, 0, 1), 1, 8, -.5 / length, 0,
+    assert_hit(look(&scene, 0, 3, -9, 0, 0, 1), 1, 8, -.5 / length, 0,
                -1 / length);
 }
 
@@ -183,9 +201,9 @@ static void test_nearest(void **state)
     struct primitive both[] = { cube_to(1), unit_sphere(), floor_at(5) };
     struct scene scene = { .primitive_count = 3, .primitives = both };
     both[1].shape.sphere.center[2] = -1;
-    assert_hit(look(&scene, false, 0, 0, -5, 0, 0, 1), 2, 3, 0, 0, -1);
-    assert_hit(look(&scene, false, 0, 0, 5, 0, 0, -1), 1, 4, 0, 0, 1);
-    assert_hit(look(&scene, false, 0, 9, 0, 0, -1, 0), 3, 4, 0, 1, 0);
+    assert_hit(look(&scene, 0, 0, -5, 0, 0, 1), 2, 3, 0, 0, -1);
+    assert_hit(look(&scene, 0, 0, 5, 0, 0, -1), 1, 4, 0, 0, 1);
+    assert_hit(look(&scene, 0, 9, 0, 0, -1, 0), 3, 4, 0, 1, 0);
 }
 
 /* --- the camera --------------------------------------------------------- */
@@ -193,6 +211,7 @@ static void test_nearest(void **state)
 static void test_pixel_centres(void **state)
 {
     (void)state;
+    struct region regions[MOST_PRIMITIVES];
     struct primitive plane = floor_at(0);
     struct frame frame;
     struct scene scene = {
@@ -200,7 +219,8 @@ static void test_pixel_centres(void **state)
         .primitive_count = 1,
         .primitives = &plane,
     };
-    assert_true(plain_trace(&scene, 4, 2, false, &frame));
+    each_alone(&scene, regions);
+    assert_true(plain_trace(&scene, 4, 2, &frame));
     for (size_t i = 0; i < 8; i++) {
         const double x = (double)(i % 4) - 1.5, z = i < 4 ? .5 : -.5;
         assert_close(frame.channel[CHANNEL_DEPTH][i],
@@ -237,9 +257,9 @@ static void set_stage(struct stage *stage)
     stage->primitives[0].pigment.color[0][0] = .8;
 }
 
-static double seen(struct stage *stage, bool shadows)
+static double seen(struct stage *stage)
 {
-    return red(look(&stage->scene, shadows, -3, 4, 0, 3, -4, 0));
+    return red(look(&stage->scene, -3, 4, 0, 3, -4, 0));
 }
 
 static void test_ambient_and_diffuse(void **state)
@@ -247,12 +267,12 @@ static void test_ambient_and_diffuse(void **state)
     (void)state;
     struct stage stage;
     set_stage(&stage);
-    assert_close(seen(&stage, false), .5 * .8 * .8);
+    assert_close(seen(&stage), .5 * .8 * .8);
     stage.primitives[0].finish.ambient[0] = .1;
-    assert_close(seen(&stage, false), .5 * .8 * .8 + .1 * 2 * .8);
+    assert_close(seen(&stage), .5 * .8 * .8 + .1 * 2 * .8);
     stage.light.position[1] = -4;
-    assert_close(seen(&stage, false), .1 * 2 * .8);
-    assert_close(red(look(&stage.scene, false, 0, 1, 0, 0, 1, 0)), .25);
+    assert_close(seen(&stage), .1 * 2 * .8);
+    assert_close(red(look(&stage.scene, 0, 1, 0, 0, 1, 0)), .25);
 }
 
 static void test_highlights(void **state)
@@ -263,14 +283,14 @@ static void test_highlights(void **state)
     struct finish *const finish = &stage.primitives[0].finish;
     finish->diffuse = 0;
     finish->phong = .5;
-    assert_close(seen(&stage, false), .5 * .5);
+    assert_close(seen(&stage), .5 * .5);
     finish->specular = .25;
-    assert_close(seen(&stage, false), .5 * (.5 + .25));
+    assert_close(seen(&stage), .5 * (.5 + .25));
     stage.light.position[0] = 0; /* cosine .8; half the angle for specular */
-    assert_close(seen(&stage, false),
+    assert_close(seen(&stage),
                  .5 * (.5 * pow(.8, 40) + .25 * pow(sqrt(.9), 20)));
     stage.light.shadowless = true;
-    assert_close(seen(&stage, false), 0);
+    assert_close(seen(&stage), 0);
 }
 
 static void test_shadows(void **state)
@@ -282,18 +302,18 @@ static void test_shadows(void **state)
     stage.primitives[1] = unit_sphere();
     stage.primitives[1].shape.sphere.center[0] = 1.5;
     stage.primitives[1].shape.sphere.center[1] = 2;
+    assert_close(seen(&stage), lit);
     stage.scene.primitive_count = 2;
-    assert_close(seen(&stage, false), lit);
-    assert_close(seen(&stage, true), 0);
+    assert_close(seen(&stage), 0);
     stage.light.shadowless = true;
-    assert_close(seen(&stage, true), lit);
+    assert_close(seen(&stage), lit);
     stage.light.shadowless = false;
     stage.primitives[1].no_shadow = true;
-    assert_close(seen(&stage, true), lit);
+    assert_close(seen(&stage), lit);
     stage.primitives[1].no_shadow = false;
     stage.light.position[0] = .75; /* before the sphere */
     stage.light.position[1] = 1;
-    assert_close(seen(&stage, true), lit);
+    assert_close(seen(&stage), lit);
 }
 
 static void test_checker(void **state)
@@ -309,7 +329,7 @@ static void test_checker(void **state)
         for (int z = -3; z < 4; z++) {
             const bool odd = (x + z) % 2 != 0;
             const struct sample sample =
-                look(&scene, false, 2 * x + 1, 1, z + .5, 0, -1, 0);
+                look(&scene, 2 * x + 1, 1, z + .5, 0, -1, 0);
             assert_true(fabs(red(sample) - !odd) < 1e-6);
         }
 }

@@ -64,11 +64,13 @@ static void compare_frame(const struct scene *scene, enum trace_mode mode)
                                      .queue = 30, .model = model };
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);
-    if (!trace)
+    c205 *machine = trace ? trace_machine(trace, &error) : NULL;
+    if (!machine)
         fail_msg("%s", error.message);
-    struct bytes begin = save(trace_machine(trace));
+    struct bytes begin = save(machine);
     compare_runs(&begin, 20011);
     free(begin.byte);
+    c205_free(machine);
     trace_free(trace);
 }
 

@@ -141,14 +141,14 @@ static void test_errors(void **state)
         { "#ifdef A sphere { 0, } #end", 8, "expected '('" },
         { "#ifdef (1) sphere { 0, } #end", 9, "expected a name" },
         { "#ifndef (A sphere { 0, } #end", 12, "expected ')'" },
-        { "#ifdef (A) #elseif (1) #end", 12, "'#elseif'" },
-        { "#ifndef (A) #elseif (1) #end", 13, "'#elseif'" },
-        { "sphere { 0, 1 } #else", 17, "no '#ifdef' for this '#else'" },
-        { "#ifndef (A) #end #end", 18, "no '#ifdef' for this '#end'" },
+        { "#ifdef (A) #elseif 1 #end", 20, "expected '('" },
+        { "#ifdef (A) #else #elseif (1) #end", 18, "this '#elseif'" },
+        { "sphere { 0, 1 } #else", 17, "no '#if' for this '#else'" },
+        { "#ifndef (A) #end #end", 18, "nothing for this '#end'" },
         { "#ifdef (A) #else #else #end", 18, "for this '#else'" },
         { "sphere { 0, 1 } #ifdef (A) #else", 17, "no '#end' closes" },
         { "#ifndef (A) sphere { 0, 1 }", 1, "closes this '#ifndef'" },
-        { "sphere { 0, #ifdef (A) 1 #end }", 13, "found '#ifdef'" },
+        { "sphere { 0, #ifdef (A) 1 #end }", 31, "expected a number" },
     };
 
     (void)state;
@@ -191,7 +191,8 @@ static void test_conditions(void **state)
         { "#ifdef (B) #macro M(x) #if (x) { #end #end #while (1) #end #else\n"
           "sphere { 0, 9 } #end", 9 },
         { "sphere { #ifdef (B) x, #end 0, 2 #ifdef (A) scale 5 #end }", 2 },
-        { "union { #ifdef (A) sphere { 0, 2 } #else box { 0, 1 } #end }", 2 },
+        { "union { #ifdef (A) sphere { 0, 2 } #else box { 0, 1 } #end "
+          "light_source { 0, 1 } }", 2 },
         { "#ifdef (B) #declare C = 1; #else #declare C = 2; #end\n"
           "sphere { 0, C }", 2 },
         { "#undef A #ifdef (A) sphere { 0, 1 } #end sphere { 0, 2 }", 2 },
@@ -213,13 +214,13 @@ static void test_many_conditions(void **state)
 {
     static const char open[] = "#ifndef (A) ";
     struct reports reports = { 0, 0, NULL };
-    char text[200 * sizeof open] = "";
+    char text[600 * sizeof open] = "";
 
     (void)state;
-    for (size_t i = 0; i < 150; i++)
+    for (size_t i = 0; i < 550; i++)
         strcat(text, open);
     assert_null(scene_read_text("test.pov", text, &options, &reports));
-    assert_non_null(strstr(reports.items[0].message, "more than 100"));
+    assert_non_null(strstr(reports.items[0].message, "more than 500"));
     reports_free(&reports);
 }
 

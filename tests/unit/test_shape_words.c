@@ -277,12 +277,14 @@ static void test_kernels_of_patches(void **state)
     set_patch(&patch);
     words = words_of(&patch);
     assert_string_equal(words.kernel, "rational_steiner");
+    assert_string_equal(words.solid, "rational_steiner_crossings");
     assert_string_equal(words.historical, "rational_steiner_implicit");
     assert_true(words.on_patch);
     for (int i = 0; i < STEINER_POINTS; i++)
         patch.shape.steiner_patch.weights[i] = 3;
     words = words_of(&patch);
     assert_string_equal(words.kernel, "steiner");
+    assert_string_equal(words.solid, "steiner_crossings");
     assert_string_equal(words.historical, "steiner_implicit");
     for (int i = 0; i < STEINER_POINTS; i++)
         patch.shape.steiner_patch.points[i][1] = 2;

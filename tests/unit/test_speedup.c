@@ -15,9 +15,9 @@ static const struct speedup_view view = { .distance = 5, .angle = 37 };
 
 static void measure(const struct speedup_subject *subject,
                     const struct speedup_view *from,
-                    struct speedup_measure measures[TRACE_MODES])
+                    struct speedup_measure measures[TRACE_FORMS])
 {
-    for (int mode = 0; mode < TRACE_MODES; mode++) {
+    for (int mode = 0; mode < TRACE_FORMS; mode++) {
         struct trace_options options = { .mode = (enum trace_mode)mode,
                                          .width = 80,
                                          .height = 50,
@@ -48,10 +48,10 @@ static void test_subjects(void **state)
 {
     (void)state;
     for (size_t i = 0; i < speedup_subject_count; i++) {
-        struct speedup_measure measures[TRACE_MODES];
+        struct speedup_measure measures[TRACE_FORMS];
 
         measure(&speedup_subjects[i], &view, measures);
-        for (int mode = 0; mode < TRACE_MODES; mode++) {
+        for (int mode = 0; mode < TRACE_FORMS; mode++) {
             check_sums(&measures[mode]);
             assert_int_equal(measures[mode].rays, 4000);
             assert_in_range(measures[mode].hits, 1000, 3000);
@@ -66,7 +66,7 @@ static void test_subjects(void **state)
 /* The solver's region has clocks where falsi has taken steps; the scalar form
  * takes one bracket at a time. */
 static void check_solver(const struct speedup_subject *subject,
-                         const struct speedup_measure measures[TRACE_MODES])
+                         const struct speedup_measure measures[TRACE_FORMS])
 {
     for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++) {
         const struct stage_count *count =
@@ -81,7 +81,7 @@ static void check_solver(const struct speedup_subject *subject,
         }
         assert_true(count[STAGE_VALUE].brackets
                     >= measures[TRACE_SCALAR].hits);
-        for (int mode = 0; mode < TRACE_MODES; mode++) {
+        for (int mode = 0; mode < TRACE_FORMS; mode++) {
             assert_true(measures[mode].regions[i] > 0);
             assert_int_equal(measures[mode].falsi == FALSI_PAPER,
                              subject->historical);
@@ -95,14 +95,14 @@ static void test_solvers(void **state)
     (void)state;
     for (size_t i = 0; i < speedup_subject_count; i++) {
         const struct speedup_subject *subject = &speedup_subjects[i];
-        struct speedup_measure measures[TRACE_MODES];
+        struct speedup_measure measures[TRACE_FORMS];
         bool solves = false;
 
         measure(subject, &view, measures);
         for (int k = 0; k < SPEEDUP_REGIONS_MOST; k++)
             solves |= subject->regions[k] != NULL
                       && strcmp(subject->regions[k], speedup_solver) == 0;
-        for (int mode = 0; mode < TRACE_MODES; mode++)
+        for (int mode = 0; mode < TRACE_FORMS; mode++)
             assert_int_equal(
                 measures[mode].iterations.stage[STAGE_VALUE].brackets > 0,
                 solves);
@@ -116,14 +116,14 @@ static void test_historical(void **state)
     (void)state;
     for (size_t i = 0; i < speedup_subject_count; i++) {
         struct speedup_subject subject = speedup_subjects[i];
-        struct speedup_measure then[TRACE_MODES], ours[TRACE_MODES];
+        struct speedup_measure then[TRACE_FORMS], ours[TRACE_FORMS];
 
         if (!subject.historical)
             continue;
         measure(&subject, &view, then);
         subject.historical = false;
         measure(&subject, &view, ours);
-        for (int mode = 0; mode < TRACE_MODES; mode++) {
+        for (int mode = 0; mode < TRACE_FORMS; mode++) {
             assert_int_equal(then[mode].hits, ours[mode].hits);
             assert_true(then[mode].regions[1] != ours[mode].regions[1]);
         }
@@ -135,7 +135,7 @@ static void test_view(void **state)
 {
     static const struct speedup_view far = { .distance = 20, .angle = 37 };
     static const struct speedup_view narrow = { .distance = 5, .angle = 5 };
-    struct speedup_measure measures[TRACE_MODES];
+    struct speedup_measure measures[TRACE_FORMS];
 
     (void)state;
     measure(&speedup_subjects[0], &far, measures);
@@ -191,7 +191,7 @@ static void test_report(void **state)
     (void)state;
     assert_non_null(report);
     for (size_t i = 0; i < speedup_subject_count; i++) {
-        struct speedup_measure measures[TRACE_MODES];
+        struct speedup_measure measures[TRACE_FORMS];
 
         measure(&speedup_subjects[i], &view, measures);
         speedup_report_add(report, &speedup_subjects[i], &view, measures);

@@ -21,12 +21,16 @@
 
 #include <cmocka.h>
 
-/* Where a frame is dear a test may define SMALL_FRAMES.  STRAIGHT_AHEAD has a
- * unit for each pixel. */
+/* Where a frame is dear a test may define SMALL_FRAMES, or MIDDLING_FRAMES.
+ * STRAIGHT_AHEAD has a unit for each pixel. */
 #ifdef SMALL_FRAMES
 enum { WIDTH = 17, HEIGHT = 13 };
 #define STRAIGHT_AHEAD "direction 32*z right 17*x up 13*y"
 #define QUEUES { 1, WIDTH - 1, 2000 }
+#elif defined MIDDLING_FRAMES
+enum { WIDTH = 31, HEIGHT = 23 };
+#define STRAIGHT_AHEAD "direction 48*z right 31*x up 23*y"
+#define QUEUES { 1, 40, 2000 }
 #else
 enum { WIDTH = 41, HEIGHT = 31 };
 #define STRAIGHT_AHEAD "direction 64*z right 41*x up 31*y"
@@ -41,11 +45,13 @@ struct words {
 
 static c205_model *model;
 static uint64_t random_state = RANDOM_SEED;
-static bool historical; /* as in trace_options */
+static bool historical, no_bounds; /* as in trace_options */
+static enum visible visible;       /* likewise */
+static bool reported; /* there may be reports about the scene */
 
 static inline struct scene *read_text(const char *text)
 {
-    static const struct scene_options options = { .strict = true };
+    const struct scene_options options = { .strict = !reported };
     struct reports reports = { 0, 0, NULL };
     struct scene *scene = scene_read_text("test", text, &options, &reports);
 
@@ -64,6 +70,8 @@ static inline struct words *trace_words(const struct scene *scene,
                                      .height = HEIGHT,
                                      .queue = queue,
                                      .historical = historical,
+                                     .visible = visible,
+                                     .no_bounds = no_bounds,
                                      .model = model };
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);
@@ -73,8 +81,8 @@ static inline struct words *trace_words(const struct scene *scene,
         fail_msg("%s", error.message);
     assert_non_null(words);
     for (int i = 0; i < FRAME_CHANNELS; i++)
-        assert_true(trace_read_words(trace, (enum frame_channel)i,
-                                     words->channel[i]));
+        memcpy(words->channel[i], trace_channel(trace, (enum frame_channel)i),
+               sizeof words->channel[i]);
     trace_free(trace);
     return words;
 }
@@ -113,12 +121,12 @@ static inline struct words *same_frame(const char *text)
     return words;
 }
 
-/* Depth, normal and primitive of a pixel: the first of these channels in
- * which it is not what the plain tracer sees, or FRAME_CHANNELS. */
+/* The first channel in which a pixel is not what the plain tracer sees, or
+ * FRAME_CHANNELS. */
 static inline int other_channel(const struct words *words,
                                 const struct frame *plain, size_t k)
 {
-    for (int channel = CHANNEL_DEPTH; channel < FRAME_CHANNELS; channel++) {
+    for (int channel = 0; channel < FRAME_CHANNELS; channel++) {
         c205_word word = words->channel[channel][k];
         double found = channel == CHANNEL_ID ? (double)c205_to_integer(word)
                                              : c205_to_double(word);
@@ -139,7 +147,7 @@ static inline struct words *plain_frame(const char *text)
     struct frame plain;
     size_t others = 0;
 
-    assert_true(plain_trace(scene, WIDTH, HEIGHT, false, &plain));
+    assert_true(plain_trace(scene, WIDTH, HEIGHT, &plain));
     for (size_t k = 0; k < PIXELS; k++) {
         int channel = other_channel(words, &plain, k);
 
@@ -152,6 +160,19 @@ static inline struct words *plain_frame(const char *text)
     scene_free(scene);
     return words;
 }
+
+static inline void check_paper_stage(const char *text,
+                                     const struct words *expected)
+{
+    struct scene *scene = read_text(text);
+    struct words *found = trace_words(scene, TRACE_KERNELS, WIDTH + 1);
+
+    if (memcmp(found, expected, sizeof *found) != 0)
+        fail_msg("the paper's stage gives another frame of\n%s", text);
+    free(found);
+    scene_free(scene);
+}
+
 static inline size_t hits(const struct words *words)
 {
     size_t count = 0;

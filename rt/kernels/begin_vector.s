@@ -1,0 +1,42 @@
+; begin_vector.s - what the queues need before the first one: constants in
+; registers, the camera, vectors that never change.  Called by link_walk.
+
+        .kernel frame
+begin_queues:
+        EX      s0, constants
+        ELEN    s0, CONSTANTS
+        SWAP    [s0], one, [r0]
+        EX      s0, power_constants
+        ELEN    s0, POWER_CONSTANTS
+        SWAP    [s0], p_fraction, [r0]
+        SUBN    r0, one, minus_one
+        ES      one_index, 1
+        ES      minus_one_index, -1
+        ES      near, 0
+        EX      target, camera
+        BSAVE   link, [target]
+        EX      s0, view
+        ELEN    s0, 3
+        SWAP    [s0], s1, [r0]
+        EX      s0, queue_origin
+        ELEN    s0, 3
+        SWAP    [r0], s1, [s0]
+        EX      s4, QUEUE
+        describe iota, count_store, s4
+        INTVLV  r0, one_index, [iota]
+        describe s5, queue_store, s4
+        EX      s6, 64 * QUEUE
+        VTOV    s1, [s5]
+        ADDX    s5, s6, s5
+        VTOV    s2, [s5]
+        ADDX    s5, s6, s5
+        VTOV    s3, [s5]
+        describe s5, least_store, s4
+        VTOV    tmin, [s5]
+        describe s5, least_shadow, s4
+        load_word k_shadow, s6
+        VTOV    s6, [s5]
+        describe s5, importance_one, s4
+        VTOV    one, [s5]
+        BIM     0, link_walk
+        .endkernel

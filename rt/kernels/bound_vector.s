@@ -1,0 +1,202 @@
+; bound_vector.s - which rays come near a bounding sphere, and those alone.
+;
+; With centre C, radius R, L = C - O:
+;
+;   b = L . D                         near:  L . L - b^2 <= R^2
+;                                            b + R > 0,  b - R < limit
+;
+; The sphere is larger than what it bounds, and what L.L - b^2 loses where the
+; sphere is small and far is given back: L.L counts for a little less.  So a
+; ray is never left out that hits.  Rays that start at one point have L, L.L in
+; common, and what lies behind them is left to their kernels.  So have the rays
+; of a queue that goes to a light P, a point told from P instead:
+;
+;   L = C - P,  b = L . D             near:  b < R,  limit + b + R > 0
+;
+; test_queue_bound: of all rays of the queue.  test_bound: of others, whose
+; limits may be nearer than the light: what lies behind them is then left to the
+; kernel.
+;
+; In:  ox .. dz, s8 = their number, s9 = the descriptor of their limits; the
+;      sphere in bound_x ..
+; Out: near_bits, as many; s0 = the count of its ones.
+; Source: derived here; the project's notes on ray tracing, 4.1.
+
+        .regs   r56, bound_x, bound_y, bound_z, bound_r, bound_r2
+        .regs   r233, bound_g0, bound_g1, bound_g2, bound_g3, bound_bits
+
+        .data
+bound_bit_store: .space QUEUE_BIT_WORDS
+queue_origin:   .space 3                ; where all rays start, if they do
+        .align  64
+bound_store:    .space 4 * QUEUE
+        .code
+
+        .macro  bound_axis center, o, d, product, square
+        SUBNV   \center, [\o], [bound_g0]
+        MPYSV   [bound_g0], [\d], [\product]
+        MPYSV   [bound_g0], [bound_g0], [\square]
+        .endm
+
+; The test's vectors, s8 long.
+        .macro  set_bound
+        describe bound_g0, bound_store, s8
+        RTOR    bound_g0, bound_g1
+        IX      bound_g1, 64 * QUEUE
+        RTOR    bound_g1, bound_g2
+        IX      bound_g2, 64 * QUEUE
+        RTOR    bound_g2, bound_g3
+        IX      bound_g3, 64 * QUEUE
+        describe bound_bits, bound_bit_store, s8
+        describe near_bits, queue_bits, s8
+        load_word bound_less, s7
+        .endm
+
+; The point that s0 has the address of is that of all rays.
+        .macro  bound_common
+        ELEN    s0, 3
+        SWAP    [s0], s3, [r0]
+        SUBN    bound_x, s3, s3
+        SUBN    bound_y, s4, s4
+        SUBN    bound_z, s5, s5
+        dot_constant dx, dy, dz, s3, s4, s5, bound_g1, bound_g0
+        MPYS    s3, s3, s3
+        MPYS    s4, s4, s4
+        MPYS    s5, s5, s5
+        ADDN    s3, s4, s3
+        ADDN    s3, s5, s3
+        MPYS    s3, s7, s3
+        SUBN    s3, bound_r2, s3
+        MPYSV   [bound_g1], [bound_g1], [bound_g0]
+        CMPGEV  [bound_g0], s3, [near_bits]
+        .endm
+
+        .kernel bound
+test_queue_bound:
+        IBXNE   shadows, r0, r0, bound_to_light
+test_bound:
+        IBXNE   shadows, r0, r0, bound_line_to_light
+        set_bound
+        IBXNE   from_one_point, r0, r0, bound_from_point
+        bound_axis bound_x, ox, dx, bound_g1, bound_g2
+        bound_axis bound_y, oy, dy, bound_g3, bound_g0
+        ADDNV   [bound_g3], [bound_g1], [bound_g1]
+        ADDNV   [bound_g0], [bound_g2], [bound_g2]
+        bound_axis bound_z, oz, dz, bound_g3, bound_g0
+        ADDNV   [bound_g3], [bound_g1], [bound_g1]
+        ADDNV   [bound_g0], [bound_g2], [bound_g2]
+        LINKV
+        MPYSV   [bound_g2], s7, [bound_g2]
+        SUBNV   [bound_g2], bound_r2, [bound_g2]
+        MPYSV   [bound_g1], [bound_g1], [bound_g0]
+        CMPGEV  [bound_g0], [bound_g2], [near_bits]
+        CNTOB   [near_bits], s0
+        IBXEQ   s0, r0, r0, bound_tested
+        SUBN    r0, bound_r, s6
+        CMPLTV  s6, [bound_g1], [bound_bits]
+        ANDB    [near_bits], [bound_bits], [near_bits]
+bound_range:
+        SUBNV   [bound_g1], bound_r, [bound_g0]
+        CMPLTV  [bound_g0], [s9], [bound_bits]
+        ANDB    [near_bits], [bound_bits], [near_bits]
+        CNTOB   [near_bits], s0
+bound_tested:
+        BIM     0, link_inner
+
+bound_from_point:
+        EX      s0, queue_origin
+        bound_common
+        BIM     bound_range
+
+bound_line_to_light:
+        set_bound
+        RTOR    shadows, s0
+        bound_common
+        CMPLTV  [bound_g1], bound_r, [bound_bits]
+        ANDB    [near_bits], [bound_bits], [near_bits]
+        CNTOB   [near_bits], s0
+        BIM     bound_tested
+
+bound_to_light:
+        set_bound
+        RTOR    shadows, s0
+        bound_common
+        CNTOB   [near_bits], s0
+        IBXEQ   s0, r0, r0, bound_tested
+        CMPLTV  [bound_g1], bound_r, [bound_bits]
+        ANDB    [near_bits], [bound_bits], [near_bits]
+        load_word k_shadow, s0
+        SUBN    r0, bound_r, s1
+        SUBN    s1, s0, s1
+        ADDNV   [bound_g1], [s9], [bound_g0]
+        CMPLTV  s1, [bound_g0], [bound_bits]
+        ANDB    [near_bits], [bound_bits], [near_bits]
+        CNTOB   [near_bits], s0
+        BIM     bound_tested
+
+; The rays at hand become all of the queue.
+take_all:
+        set_near n
+        RTOR    aox, wox
+        RTOR    aoy, woy
+        RTOR    aoz, woz
+        RTOR    adx, wdx
+        RTOR    ady, wdy
+        RTOR    adz, wdz
+        RTOR    nearest, near_limit
+        RTOR    iota, place
+        BIM     take_least
+
+; .. or those of near_bits, s9 of them.
+        .macro  take_near vector, into, store, number
+        EX      \into, \store + 64 * QUEUE * \number
+        CPSV    [\vector], [\into] ? [near_bits]
+        .endm
+
+        .macro  gather_near vector, into, store, number
+        describe \into, \store + 64 * QUEUE * \number, near
+        VXTOV   [place], [\vector], [\into]
+        .endm
+
+take_some:
+        set_near s9
+        SUBX    near, n, s9
+        take_near iota, place, place_store, 0
+        ADDX    near, near, s8
+        ADDX    s8, s8, s8
+        IBXLT   s8, r0, n, take_fewer
+        take_near nearest, near_limit, place_store, 1
+        take_near adx, wdx, world_store, 3
+        take_near ady, wdy, world_store, 4
+        take_near adz, wdz, world_store, 5
+        IBXNE   from_one_point, r0, r0, take_origin
+        take_near aox, wox, world_store, 0
+        take_near aoy, woy, world_store, 1
+        take_near aoz, woz, world_store, 2
+        BIM     take_least
+
+; Less than a quarter of the queue: gathered, for that is shorter.
+take_fewer:
+        gather_near nearest, near_limit, place_store, 1
+        gather_near adx, wdx, world_store, 3
+        gather_near ady, wdy, world_store, 4
+        gather_near adz, wdz, world_store, 5
+        IBXNE   from_one_point, r0, r0, take_origin
+        gather_near aox, wox, world_store, 0
+        gather_near aoy, woy, world_store, 1
+        gather_near aoz, woz, world_store, 2
+        BIM     take_least
+take_origin:
+        ADDLEN  aox, s9, wox
+        ADDLEN  aoy, s9, woy
+        ADDLEN  aoz, s9, woz
+take_least:
+        ES      space, 0
+take_lower:
+        EX      wlower, least_store
+        IBXEQ   shadows, r0, r0, take_lengthen
+        EX      wlower, least_shadow
+take_lengthen:
+        ADDLEN  wlower, near, wlower
+        BIM     0, link_inner
+        .endkernel

@@ -1,0 +1,191 @@
+; levels_scalar.s - one ray and all that comes of it, depth first.
+;
+; Part of the main program, called by trace_link: the ray is that of the first
+; level's record; its colour and normal stand there afterwards, what it hit in
+; first_distance, first_primitive (0: nothing).
+;
+; FORTRAN knows no recursion: each level of reflection has a record, with its
+; ray, its sample and the refracted ray that waits.  The reflected ray is
+; followed to its end and added to its parent's colour, then the refracted
+; one:  colour = colour + factor x its colour.  The lists of arguments with
+; which a level calls its subroutines stand in its record as well; they are
+; made once.
+
+        .equ    L_RAY, 0                ; O, D, least distance, to be scaled
+        .equ    L_WEIGHT, 8
+        .equ    L_FACTOR, 9             ; of its colour in the parent's
+        .equ    L_SAMPLE, 12            ; as SHADE gives it
+        .equ    L_FOLLOWED, 24          ; 1: a reflected ray, a refracted one
+        .equ    L_WAITING, 26           ; the refracted one
+        .equ    L_NEAREST, 38           ; lists of arguments
+        .equ    L_SHADE, 40
+        .equ    L_SPAWN, 44
+        .equ    LEVEL_SIZE, 64
+
+        .regs   r13, level, levels_left, first_level, trace_link
+        .regs   r240, first_distance, first_primitive, distance
+        .regs   r243, hit_primitive, main_at, main_t
+        .regs   r246, own_red, own_green, own_blue, main_red, main_green
+        .regs   r251, main_blue
+
+        .data
+hit:            .space 2                ; distance, primitive
+        .code
+
+        .macro  of_level offset
+        RTOR    level, main_at
+        IX      main_at, 64 * (\offset)
+        .endm
+
+        .macro  load_level offset, number, first
+        of_level \offset
+        ELEN    main_at, \number
+        SWAP    [main_at], \first, [r0]
+        .endm
+
+        .macro  store_level offset, number, first
+        of_level \offset
+        ELEN    main_at, \number
+        SWAP    [r0], \first, [main_at]
+        .endm
+
+        .macro  count_ray kind
+        EX      main_at, \kind
+        LOD     [main_at], main_t
+        IS      main_t, 1
+        STO     [main_at], main_t
+        .endm
+
+        .macro  call_level routine, list
+        RTOR    level, arguments
+        IX      arguments, 64 * \list
+        EX      target, \routine
+        BSAVE   link, [target]
+        .endm
+
+; An argument: number words from offset of the level's record on.
+        .macro  level_argument place, offset, number
+        RTOR    level, main_t
+        IX      main_t, 64 * (\offset)
+        ELEN    main_t, \number
+        of_level \place
+        STO     [main_at], main_t
+        .endm
+
+        .macro  hit_argument place, number
+        EX      main_t, hit
+        ELEN    main_t, \number
+        of_level \place
+        STO     [main_at], main_t
+        .endm
+
+; The lists of all levels, and the ray of the first.
+        .kernel frame
+levels_begin:
+        EX      main_at, scene_levels
+        LOD     [main_at], level
+        EX      main_at, scene_level_count
+        LOD     [main_at], levels_left
+        RTOR    level, first_level
+levels_next:
+        level_argument L_NEAREST, L_RAY, 6
+        hit_argument L_NEAREST + 1, 2
+        level_argument L_SHADE, L_RAY, 6
+        hit_argument L_SHADE + 2, 1
+        level_argument L_SHADE + 3, L_SAMPLE, SAMPLE_SIZE
+        level_argument L_SPAWN, L_RAY, 6
+        level_argument L_SPAWN + 2, L_SAMPLE + 3, SAMPLE_SIZE - 3
+        level_argument L_SPAWN + 3, L_WEIGHT, 1
+        level_argument L_SPAWN + 4, L_FOLLOWED, 2
+        level_argument L_SPAWN + 5, LEVEL_SIZE + L_RAY, CHILD_SIZE
+        level_argument L_SPAWN + 6, L_WAITING, CHILD_SIZE
+        IX      level, 64 * LEVEL_SIZE
+        IBXNE   levels_left, m_index_minus_one, r0, levels_next, levels_left
+        RTOR    first_level, level
+        of_level L_RAY + 6
+        EX      main_t, k_lower
+        LOD     [main_t], main_t
+        STO     [main_at], m_tmin
+        STO     [main_at, m_index_one], main_t
+        of_level L_WEIGHT
+        STO     [main_at], m_one
+        BIM     0, trace_link
+        .endkernel
+
+        .kernel frame
+trace:
+        RTOR    first_level, level
+        EX      main_at, scene_level_count
+        LOD     [main_at], levels_left
+        call_level nearest, L_NEAREST
+        load_at hit, 2, distance
+        RTOR    distance, first_distance
+        RTOR    hit_primitive, first_primitive
+        BIM     trace_met
+trace_next:
+        call_level nearest, L_NEAREST
+        load_at hit, 2, distance
+trace_met:
+        IBXEQ   hit_primitive, r0, r0, trace_background
+        of_level L_SHADE + 1
+        STO     [main_at], hit_primitive
+        call_level shade, L_SHADE
+        .endkernel
+        .kernel spawn
+        IBXEQ   levels_left, r0, m_index_one, trace_ended
+        RTOR    hit_primitive, main_at
+        IX      main_at, 64 * P_MIRROR
+        LOD     [main_at], main_t
+        LOD     [main_at, m_index_one], main_red
+        OR      main_t, main_red, main_t
+        IBXEQ   main_t, r0, r0, trace_ended
+        of_level L_SPAWN + 1
+        STO     [main_at], hit_primitive
+        call_level spawn, L_SPAWN
+        of_level L_FOLLOWED
+        LOD     [main_at], main_t
+        IBXEQ   main_t, r0, r0, trace_waiting
+        count_ray rays_reflected
+        BIM     trace_down
+trace_waiting:
+        of_level L_FOLLOWED + 1
+        LOD     [main_at], main_t
+        IBXEQ   main_t, r0, r0, trace_ended
+        STO     [main_at], r0
+        of_level L_WAITING
+        ELEN    main_at, CHILD_SIZE
+        RTOR    level, main_t
+        IX      main_t, 64 * (LEVEL_SIZE + L_RAY)
+        ELEN    main_t, CHILD_SIZE
+        SWAP    [main_at], r32, [r0]
+        SWAP    [r0], r32, [main_t]
+        count_ray rays_refracted
+trace_down:
+        IX      level, 64 * LEVEL_SIZE
+        ADDX    levels_left, m_index_minus_one, levels_left
+        BIM     trace_next
+        .endkernel
+
+        .kernel frame
+trace_background:
+        load_at scene_background, 3, own_red
+        store_level L_SAMPLE, 3, own_red
+        .endkernel
+        .kernel resolve
+trace_ended:
+        IBXEQ   level, r0, first_level, trace_done
+        load_level L_FACTOR, 6, own_red ; factor, colour
+        IX      level, -64 * LEVEL_SIZE
+        ADDX    levels_left, m_index_one, levels_left
+        MPYS    own_red, main_red, main_red
+        MPYS    own_green, main_green, main_green
+        MPYS    own_blue, main_blue, main_blue
+        load_level L_SAMPLE, 3, own_red
+        ADDN    own_red, main_red, own_red
+        ADDN    own_green, main_green, own_green
+        ADDN    own_blue, main_blue, own_blue
+        store_level L_SAMPLE, 3, own_red
+        BIM     trace_waiting
+trace_done:
+        BIM     0, trace_link
+        .endkernel

@@ -1,0 +1,179 @@
+; levels_vector.s - which rays are traced when: levels of reflection, their
+; lists, and how the colours of reflected and refracted rays come together.
+;
+; The rays of the first level are made of pixels, those of the others stand in
+; a list of their level, where the rays before put them (spawn_vector.s).  A
+; level is traced queue by queue.  A queue may make two rays of each of its own;
+; if the next level's list has no room for them that level goes first: its
+; list is traced to its end, and emptied.  When a level has no more rays the
+; next one is traced to its end; then the colours of its own are added to those
+; they came of (add_children).  So a level's state is where it stands in its
+; list; nothing is called twice over.
+;
+; In:  the scene; the frame.  Out: the frame's planes.
+; Source: the paper: spawned rays go back to the queue and are intersected when
+; it is full.
+
+; A level: how many rays its list has, how many of them are traced; then the
+; list, vector by vector.
+        .equ    LIST, 4 * QUEUE
+        .equ    LEVEL_COUNT, 0
+        .equ    LEVEL_POSITION, 1
+        .equ    LEVEL_LIST, 64
+        .equ    LIST_RAY, 0             ; origin 3, direction 3
+        .equ    LIST_WEIGHT, 6          ; 3, of the ray's colour
+        .equ    LIST_IMPORTANCE, 9      ; of the ray for its pixel
+        .equ    LIST_KIND, 10           ; 0 reflected, 1 refracted
+        .equ    LIST_PARENT, 11         ; its place in the level before
+        .equ    LIST_COLOR, 12          ; 3
+        .equ    LIST_VECTORS, 15
+        .equ    LEVEL_SIZE, LEVEL_LIST + LIST_VECTORS * LIST
+
+        .reg    next_level, r27         ; 0: there is none
+        .reg    link_levels, r33
+
+        .data
+levels_last:    .word 0                 ; address of the last level
+queue_importance: .word 0               ; descriptor: of the queue's rays
+        .align  64
+importance_one: .space QUEUE            ; that of the first level
+        .code
+
+; Address of vector number vector of a level's list.
+        .macro  list_vector level, vector, address
+        RTOR    \level, \address
+        IX      \address, 64 * (LEVEL_LIST + \vector * LIST)
+        .endm
+
+        .kernel frame
+trace_levels:
+        RTOR    link, link_levels
+        load_word scene_levels, level
+        load_word scene_level_count, s2
+        EX      s3, 64 * LEVEL_SIZE
+        RTOR    level, s4
+levels_clear:
+        STO     [s4], r0
+        STO     [s4, one_index], r0
+        EX      s5, levels_last
+        STO     [s5], s4
+        ADDX    s4, s3, s4
+        IBXNE   s2, minus_one_index, r0, levels_clear, s2
+        load_word scene_pixels, s0
+        STO     [level], s0
+
+levels_next:
+        LOD     [level], s1
+        LOD     [level, one_index], position
+        SUBX    s1, position, n
+        EX      s2, QUEUE
+        IBXLE   n, r0, s2, levels_short
+        RTOR    s2, n
+levels_short:
+        load_word levels_last, s3
+        ES      next_level, 0
+        IBXEQ   level, r0, s3, levels_trace
+        EX      s3, 64 * LEVEL_SIZE
+        ADDX    level, s3, next_level
+        LOD     [next_level], s4
+        IBXEQ   s4, r0, r0, levels_trace
+        IBXEQ   n, r0, r0, levels_down
+        ADDX    n, n, s5
+        ADDX    s4, s5, s5
+        EX      s6, LIST
+        IBXLE   s5, r0, s6, levels_trace
+levels_down:
+        RTOR    next_level, level
+        BIM     levels_next
+levels_trace:
+        load_word scene_levels, s0
+        IBXEQ   n, r0, r0, levels_up
+        EX      target, first_queue
+        IBXEQ   level, r0, s0, levels_queue
+        EX      target, list_queue
+levels_queue:
+        BSAVE   link, [target]
+        EX      target, find_nearest
+        BSAVE   link, [target]
+        EX      target, shade
+        BSAVE   link, [target]
+        LOD     [level, one_index], position
+        ADDX    position, n, position
+        STO     [level, one_index], position
+        BIM     levels_next
+levels_up:
+        IBXEQ   level, r0, s0, levels_done
+        EX      target, add_children
+        BSAVE   link, [target]
+        STO     [level], r0
+        STO     [level, one_index], r0
+        EX      s3, 64 * LEVEL_SIZE
+        SUBX    level, s3, level
+        BIM     levels_next
+levels_done:
+        BIM     0, link_levels
+
+; The next queue: its rays, its hits, where its colours go.
+        .macro  three_planes first, stride, a, b, c
+        ADDLEN  \first, n, \a
+        ADDX    \a, \stride, \b
+        ADDX    \b, \stride, \c
+        .endm
+
+        .macro  set_hits_of_queue
+        describe nearest, queue_store + 64 * QUEUE * 6, n
+        describe met, queue_store + 64 * QUEUE * 7, n
+        describe hit_s, queue_store + 64 * QUEUE * 8, n
+        describe hit_t, queue_store + 64 * QUEUE * 9, n
+        .endm
+
+first_queue:
+        RTOR    link, link_walk
+        set_hits_of_queue
+        add_to_counter rays_primary, n
+        load_word scene_frame, s2
+        load_word scene_pixels, s3
+        SHIFTI  s3, 6, s3
+        SHIFTI  position, 6, s4
+        ADDX    s2, s4, s2
+        three_planes s2, s3, out_red, out_green, out_blue
+        ADDX    out_blue, s3, out_depth
+        ADDX    out_depth, s3, out_nx
+        ADDX    out_nx, s3, out_ny
+        ADDX    out_ny, s3, out_nz
+        ADDX    out_nz, s3, out_id
+        EX      s3, 64 * QUEUE
+        EX      s2, queue_store
+        three_planes s2, s3, aox, aoy, aoz
+        ADDX    aoz, s3, adx
+        ADDX    adx, s3, ady
+        ADDX    ady, s3, adz
+        describe s2, importance_one, n
+        EX      s3, queue_importance
+        STO     [s3], s2
+        ES      from_one_point, 1
+        EX      target, generate
+        BSAVE   link_kernel, [target]
+        BIM     0, link_walk
+
+list_queue:
+        set_hits_of_queue
+        EX      s3, 64 * LIST
+        SHIFTI  position, 6, s4
+        list_vector level, LIST_RAY, s2
+        ADDX    s2, s4, s2
+        three_planes s2, s3, aox, aoy, aoz
+        ADDX    aoz, s3, adx
+        ADDX    adx, s3, ady
+        ADDX    ady, s3, adz
+        list_vector level, LIST_IMPORTANCE, s2
+        ADDX    s2, s4, s2
+        ADDLEN  s2, n, s2
+        EX      s5, queue_importance
+        STO     [s5], s2
+        list_vector level, LIST_COLOR, s2
+        ADDX    s2, s4, s2
+        three_planes s2, s3, out_red, out_green, out_blue
+        ES      from_one_point, 0
+        BIM     0, link
+        .endkernel

@@ -1,0 +1,65 @@
+; light_scalar.s - one light and one point: formulas as in light_vector.s.
+; Parts of the subroutines that shade, as macros.
+
+; Towards the light in lx ly lz, its distance, N . L; or to none if it shines
+; from behind.
+        .macro  towards_light none
+        SUBN    light_x, px, lx
+        SUBN    light_y, py, ly
+        SUBN    light_z, pz, lz
+        normalise_by m_one, lx, ly, lz, light_distance, t1
+        dot     nx, ny, nz, lx, ly, lz, ndotl, t0
+        CFPGE   r0, ndotl, \none
+        CFPNE   ndotl, ndotl, \none     ; indefinite: L = 0
+        .endm
+
+        .macro  add_light strength, light, channel
+        MPYS    \strength, \light, t1
+        ADDN    \channel, t1, \channel
+        .endm
+
+        .macro  add_highlight amount
+        MPYS    p_x, \amount, t0
+        add_light t0, light_r, red
+        add_light t0, light_g, green
+        add_light t0, light_b, blue
+        .endm
+
+        .macro  add_diffuse light, pigment, channel
+        MPYS    t0, \light, t1
+        MPYS    t1, \pigment, t1
+        ADDN    \channel, t1, \channel
+        .endm
+
+; Diffuse light and the highlights, added to red, green, blue.
+        .macro  shine
+        MPYS    ndotl, f_diffuse, t0
+        add_diffuse light_r, color0r, red
+        add_diffuse light_g, color0g, green
+        add_diffuse light_b, color0b, blue
+        CFPEQ   light_gleams, r0, shine_end\@
+        dot     dx, dy, dz, lx, ly, lz, ddotl, t0
+        CFPGE   r0, f_phong, shine_no_phong\@
+        MPYS    facing, m_two, t0
+        MPYS    t0, ndotl, t0
+        SUBN    ddotl, t0, p_x
+        CFPGE   r0, p_x, shine_no_phong\@
+        RTOR    f_size, exponent
+        EX      target, power
+        BSAVE   power_link, [target]
+        add_highlight f_phong
+shine_no_phong\@:
+        CFPGE   r0, f_specular, shine_end\@
+        MPYS    ddotl, m_two, t0
+        SUBN    m_two, t0, t1
+        SUBN    ndotl, facing, t0
+        SQRT    t1, t1
+        DIVS    t0, t1, p_x
+        CFPGE   r0, p_x, shine_end\@
+        CFPNE   p_x, p_x, shine_end\@   ; indefinite: L = D
+        RTOR    f_sharpness, exponent
+        EX      target, power
+        BSAVE   power_link, [target]
+        add_highlight f_specular
+shine_end\@:
+        .endm

@@ -1,0 +1,112 @@
+; nodes_scalar.s - the crossings of a ray with the primitives of a tree.
+;
+; The nodes stand in preorder.  What the ray does not come near is passed over
+; with all that is below it.  Of the others the kernels write into
+; scene_crossings; P_AT_HAND chains those that the ray meets, the first in span.
+;
+; Primitives that are needed narrow the span in which the tree can be seen
+; (span_scalar.s); where nothing is left of it the work ends.
+;
+; Part of the subroutines that walk, called by w_back.  The region's own bound
+; stands for that of the first node.
+;
+; In:  w_ray .., the region, w_limit.
+; Out: w_met = 1 if anything may be seen, then between w_least and w_end.
+
+        .data
+leaf_list:      .space 3
+        .code
+
+        .macro  load_node
+        RTOR    w_node, w_at
+        ELEN    w_at, NODE_LOADED
+        SWAP    [w_at], n_cx, [r0]
+        .endm
+
+        .macro  crossing_at slot, result
+        SHIFTI  \slot, 6, \result
+        ADDX    w_crossings, \result, \result
+        .endm
+
+; The leaf's kernel, with the third argument as l_crossing describes it.
+        .macro  call_leaf
+        EX      arguments, leaf_list
+        STO     [arguments], w_ray
+        STO     [arguments, m_index_one], n_primitive
+        IX      arguments, 64 * 2
+        STO     [arguments], l_crossing
+        EX      arguments, leaf_list
+        BSAVE   link, [target]
+        .endm
+
+        .kernel visible
+meet_tree:
+        EX      w_at, scene_crossings
+        LOD     [w_at], w_crossings
+        load_two_delta
+        EX      w_chain, span + 64 * 2
+        ES      w_met, 0
+        RTOR    w_lower, w_least
+        RTOR    w_limit, w_end
+        RTOR    w_nodes, w_node
+        load_node
+        BIM     meet_near
+        .endkernel
+        .kernel bound
+meet_node:
+        load_node
+        skip_far n_cx, n_cy, n_cz, n_radius, n_square, w_end, meet_far
+        .endkernel
+        .kernel call
+meet_near:
+        IBXNE   n_primitive, r0, r0, meet_leaf
+        IX      w_node, 64 * N_SIZE
+        IBXNE   w_node, r0, w_nodes_end, meet_node
+        BIM     meet_end
+meet_leaf:
+        RTOR    n_primitive, w_at
+        IX      w_at, 64 * P_STATE_KERNEL
+        ELEN    w_at, 7
+        SWAP    [w_at], l_state_kernel, [r0]
+        IBXEQ   l_state_kernel, r0, r0, meet_events
+        crossing_at l_first_state, l_crossing
+        ADDLEN  l_crossing, l_segments, l_crossing
+        ADDLEN  l_crossing, l_segments, l_crossing
+        RTOR    l_state_kernel, target
+        RTOR    l_state_inner, inner
+        call_leaf
+meet_events:
+        crossing_at l_first_event, l_crossing
+        ADDLEN  l_crossing, l_events, l_crossing
+        ELEN    n_primitive, 2
+        SWAP    [n_primitive], target, [r0]     ; and inner
+        call_leaf
+        .endkernel
+
+        .kernel visible
+        crossing_at l_first_state, l_crossing
+        LOD     [l_crossing], w_in
+        CFPGE   w_in, m_big, meet_missed
+        STO     [w_chain], n_primitive
+        RTOR    n_primitive, w_chain
+        IX      w_chain, 64 * P_AT_HAND
+        ES      w_met, 1
+        IBXEQ   n_needed, r0, r0, meet_next
+        IBXEQ   l_segments, r0, r0, meet_next
+        narrow_span l_crossing, l_segments, m_index_one, meet_nothing
+meet_next:
+        IBXNE   n_next, r0, w_nodes_end, meet_node, w_node
+meet_end:
+        STO     [w_chain], r0
+        BIM     0, w_back
+
+meet_far:
+        IBXNE   n_needed, r0, r0, meet_nothing
+        IBXNE   n_next, r0, w_nodes_end, meet_node, w_node
+        BIM     meet_end
+meet_missed:
+        IBXEQ   n_needed, r0, r0, meet_next
+meet_nothing:
+        ES      w_met, 0
+        BIM     0, w_back
+        .endkernel

@@ -1,0 +1,44 @@
+; passing_scalar.s - what a surface between a point and a light lets through.
+; Part of those that follow shadow rays.
+
+        .regs   r92, s_red, s_green, s_blue     ; what is left of the light
+        .regs   r95, s_clear, s_passing_r, s_passing_g, s_passing_b
+        .equ    PASSING_REGISTERS, 7
+
+        .data
+passing_point:  .space 3
+passing_list:   .descriptor 3, passing_point
+passing_primitive: .word 0
+                .descriptor 1, passing_cell
+passing_cell:   .space 1
+        .code
+
+; The crossing at w_in of the ray, of the primitive w_out: the light times the
+; colour that passes there, or to dark if none does.
+        .macro  pass_through dark
+        RTOR    w_out, w_at
+        IX      w_at, 64 * P_CLEAR
+        LOD     [w_at], s_clear
+        IBXEQ   s_clear, r0, r0, \dark
+        MPYS    w_in, w_dx, w_t0
+        MPYS    w_in, w_dy, w_t1
+        MPYS    w_in, w_dz, w_t2
+        ADDN    w_ox, w_t0, w_t0
+        ADDN    w_oy, w_t1, w_t1
+        ADDN    w_oz, w_t2, w_t2
+        EX      w_at, passing_point
+        ELEN    w_at, 3
+        SWAP    [r0], w_t0, [w_at]
+        EX      w_at, passing_primitive
+        STO     [w_at], w_out
+        call    pigment_cell, passing_list
+        EX      w_at, passing_cell
+        LOD     [w_at], w_t0
+        ADDX    w_out, w_t0, w_at
+        IX      w_at, 64 * P_PASSING
+        ELEN    w_at, 3
+        SWAP    [w_at], s_passing_r, [r0]
+        MPYS    s_red, s_passing_r, s_red
+        MPYS    s_green, s_passing_g, s_green
+        MPYS    s_blue, s_passing_b, s_blue
+        .endm

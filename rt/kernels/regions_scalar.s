@@ -1,0 +1,137 @@
+; regions_scalar.s - what one ray meets first.
+;
+;       CALL NEAREST (RAY, HIT)
+;
+; RAY = O, D, the least distance that counts, and the same enlarged, to be
+; scaled (8 words); HIT = distance (big: none), address of the primitive's
+; record (0: none).
+;
+; Region by region, in the order of the scene, the nearer wins, the first of
+; equals.  Of a simple region the hit is tin if it lies beyond the least
+; distance, else tout.  The crossings of a tree are collected
+; (nodes_scalar.s) and searched by VISIBLE.  Where a ray does not come near,
+; nothing more is done.
+; On a patch the parameters are left in the primitive's P_PATCH_POINT; in a tree
+; they are those of its first crossing at that distance.
+
+        .data
+nearest_save:   .space WALK_REGISTERS
+segment:        .space 2
+kernel_list:    .descriptor 6, 0
+kernel_primitive: .word 0
+                .descriptor 2, segment
+        .code
+
+        .macro  enter_walk save, registers, number
+        EX      save_at, \save
+        ELEN    save_at, \registers
+        SWAP    [r0], w_ray, [save_at]
+        EX      w_at, bound_less
+        LOD     [w_at], w_less
+        RTOR    link, w_link
+        ELEN    arguments, \number
+        SWAP    [arguments], w_ray, [r0]
+        RTOR    w_ray, w_at
+        ELEN    w_at, 7
+        SWAP    [w_at], w_ox, [r0]
+        EX      w_at, kernel_list
+        STO     [w_at], w_ray
+        EX      w_at, own_space
+        STO     [w_at], r0
+        EX      w_at, scene_regions
+        ELEN    w_at, 2
+        SWAP    [w_at], w_region, [r0]
+        .endm
+
+        .macro  leave_walk save, registers
+        RTOR    w_link, link
+        leave   \save, \registers
+        .endm
+
+; The next region, as long as there are any.
+        .macro  next_region again
+        IX      w_region, 64 * R_SIZE
+        IBXNE   w_regions_left, m_index_minus_one, r0, \again, w_regions_left
+        .endm
+
+        .macro  load_region
+        RTOR    w_region, w_at
+        ELEN    w_at, REGION_LOADED
+        SWAP    [w_at], w_cx, [r0]
+        .endm
+
+; The segment of a simple region: the crossing that counts in w_in, or to miss.
+        .macro  meet_simple miss
+        EX      w_at, kernel_primitive
+        STO     [w_at], w_first
+        ELEN    w_first, 2
+        SWAP    [w_first], target, [r0]         ; and inner
+        EX      arguments, kernel_list
+        BSAVE   link, [target]
+        EX      w_at, segment
+        ELEN    w_at, 2
+        SWAP    [w_at], w_in, [r0]
+        .endkernel
+        .kernel visible
+        CFPLT   w_lower, w_in, simple_ahead\@
+        RTOR    w_out, w_in
+        CFPGE   w_lower, w_in, \miss
+simple_ahead\@:
+        CFPGE   w_in, w_limit, \miss
+        .endm
+
+        .kernel visible
+nearest:
+        enter_walk nearest_save, WALK_REGISTERS, 2
+        RTOR    m_big, w_limit
+        ES      w_leaf, 0
+        IBXEQ   w_regions_left, r0, r0, nearest_done
+        .endkernel
+        .kernel bound
+nearest_region:
+        load_region
+        skip_far w_cx, w_cy, w_cz, w_radius, w_square, w_limit, nearest_skip
+        .endkernel
+        .kernel call
+        IBXEQ   w_simple, r0, r0, nearest_tree
+        meet_simple nearest_skip
+        RTOR    w_in, w_limit
+        RTOR    w_first, w_leaf
+        .endkernel
+        .kernel bound
+nearest_skip:
+        next_region nearest_region
+        .endkernel
+        .kernel visible
+nearest_done:
+        SWAP    [r0], w_limit, [w_argument]
+        leave_walk nearest_save, WALK_REGISTERS
+nearest_tree:
+        EX      target, meet_tree
+        BSAVE   w_back, [target]
+        IBXEQ   w_met, r0, r0, nearest_skip
+        next_visible w_least, nearest_skip
+        RTOR    w_in, w_limit
+        RTOR    w_out, w_leaf
+        RTOR    w_out, w_at
+        IX      w_at, 64 * P_ON_PATCH
+        LOD     [w_at], w_t0
+        IBXEQ   w_t0, r0, r0, nearest_skip
+        IX      w_out, 64 * P_FIRST_EVENT
+        LOD     [w_out], w_t0
+        crossing_at w_t0, w_t1
+        RTOR    w_leaf, w_at
+        IX      w_at, 64 * (P_PATCH_POINTS - 2)
+nearest_crossing:
+        LOD     [w_t1], w_t2
+        IX      w_t1, 64
+        IX      w_at, 64 * 2
+        CFPNE   w_t2, w_in, nearest_crossing
+        ELEN    w_at, 2
+        SWAP    [w_at], w_t0, [r0]              ; and w_t1
+        RTOR    w_leaf, w_at
+        IX      w_at, 64 * P_PATCH_POINT
+        ELEN    w_at, 2
+        SWAP    [r0], w_t0, [w_at]
+        BIM     nearest_skip
+        .endkernel

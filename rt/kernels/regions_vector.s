@@ -1,0 +1,87 @@
+; regions_vector.s - what the rays of a queue meet, region by region.
+;
+; A region is a primitive or a Boolean tree of them (records.s).  The rays that
+; come near it are compressed, unless they are most of the queue; its kernels
+; give the segments inside its primitives.
+;
+; What they mean is decided elsewhere: of a simple region by simple_met, of the
+; others by walk_tree; both go on at walk_skip.  The first region wins ties.
+;
+; In:  the queue's rays, their limits in nearest, shadows.
+; Source: the paper's queue, one thing against all rays in turn; the project's
+; notes on ray tracing, 4.1.
+
+; Of a region, while its bound is tested.
+        .regs   r61, region_simple, region_shadow, region_nodes
+        .regs   r64, region_nodes_end, region_first, region_count
+        .equ    REGION_WORDS, R_PRIMITIVES + 1
+
+        .reg    link_walk, r133
+
+; More rays than so many in FEW_OF are no few: compressing does not pay.
+        .equ    FEW, 3
+        .equ    FEW_OF, 4
+
+        .macro  if_few count, all, few
+        ES      s0, FEW_OF
+        MPYX    \count, s0, s0
+        ES      s1, FEW
+        MPYX    \all, s1, s1
+        IBXLT   s0, r0, s1, \few
+        .endm
+
+        .macro  call_kernel
+        ELEN    shape_at, 2
+        SWAP    [shape_at], target, [r0]        ; and inner_kernel
+        BSAVE   link_kernel, [target]
+        .endm
+
+        .kernel visible
+walk_regions:
+        RTOR    link, link_walk
+        load_word scene_regions, region
+        load_word scene_region_count, regions_left
+        IBXEQ   regions_left, r0, r0, walk_done
+        .endkernel
+
+        .kernel bound
+walk_next:
+        ELEN    region, REGION_WORDS
+        SWAP    [region], bound_x, [r0]
+        IBXEQ   shadows, r0, r0, walk_bound
+        IBXEQ   region_shadow, r0, r0, walk_skip
+walk_bound:
+        CFPGE   bound_r, big, walk_all
+        look_at_rays aox, aoy, aoz, adx, ady, adz, aox
+        RTOR    n, s8
+        RTOR    nearest, s9
+        EX      target, test_queue_bound
+        BSAVE   link_inner, [target]
+        IBXEQ   s0, r0, r0, walk_skip
+        RTOR    s0, s9
+        EX      target, take_some
+        if_few  s9, n, walk_take
+walk_all:
+        EX      target, take_all
+walk_take:
+        BSAVE   link_inner, [target]
+        IBXEQ   region_simple, r0, one_index, walk_simple
+        BIM     walk_nodes
+walk_skip:
+        IX      region, 64 * R_SIZE
+        IBXNE   regions_left, minus_one_index, r0, walk_next, regions_left
+walk_done:
+        BIM     0, link_walk
+
+walk_simple:
+        .endkernel
+        .kernel call
+        RTOR    region_first, primitive
+        look_at_rays wox, woy, woz, wdx, wdy, wdz, wlower
+        describe tin, found_store, near
+        describe tout, found_store + 64 * QUEUE, near
+        ES      segments_wanted, 1
+        RTOR    primitive, shape_at
+        call_kernel
+        BIM     simple_met
+        .endkernel

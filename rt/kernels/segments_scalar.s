@@ -1,0 +1,66 @@
+; segments_scalar.s - all of one ray's way inside a shape whose crossings the
+; root solver finds, for Boolean trees; see segments_vector.s.
+;
+; The crossings of the whole ray within the shape's bound, behind its start as
+; well as ahead, are taken in turn as in, out, in ..  Where the ray begins
+; inside, the first in is minus_big; where it ends inside, the last out is big.
+
+; As come_near, from end to end.
+        .macro  come_anywhere x0, x1, x2, bound2, miss
+        closest_approach \x0, \x1, \x2, t0, t1, t2, along, t3, t4
+        dot     t0, t1, t2, t0, t1, t2, near_o2, t4
+        SUBN    \bound2, near_o2, near_high
+        CFPGE   r0, near_high, \miss
+        SQRT    near_high, near_high
+        SUBN    r0, near_high, near_low
+        .endm
+
+; e0 := how many roots there are, a number; they stand from e1 on.
+        .macro  solve_all resolution
+        RTOR    \resolution, near_resolution
+        EX      t3, near_input
+        ELEN    t3, 8
+        SWAP    [r0], k4, [t3]
+        call    solve_quartic_signs, near_list
+        EX      e1, near_roots
+        ES      t3, 4
+        LOD     [e1, t3], e0
+        .endm
+
+; words crossings from a_segment on; e4 = 1: the ray begins inside.
+        .macro  give_segments words
+        ES      e3, \words
+        IBXEQ   e4, r0, r0, segments_root\@
+        STO     [a_segment], minus_big
+        IX      a_segment, 64
+        IX      e3, -1
+segments_root\@:
+        CFPGE   r0, e0, segments_end\@
+        LOD     [e1], t3
+        IX      e1, 64
+        SUBN    e0, one, e0
+        SUBN    t3, along, t3
+        STO     [a_segment], t3
+        IX      a_segment, 64
+        IX      e3, -1
+        BIM     segments_root\@
+segments_end\@:
+        AND     e3, index_one, e4
+        IBXEQ   e4, r0, r0, segments_even\@
+        STO     [a_segment], big
+        IX      a_segment, 64
+        IX      e3, -1
+segments_even\@:
+        IBXEQ   e3, r0, r0, segments_given\@
+        STO     [a_segment], big
+        STO     [a_segment, index_one], minus_big
+        IX      a_segment, 64 * 2
+        IX      e3, -2
+        BIM     segments_even\@
+segments_given\@:
+        .endm
+
+        .macro  leave_segments save=near_save, registers=LANE_REGISTERS
+        RTOR    link_kept, link
+        leave   \save, \registers
+        .endm

@@ -1,0 +1,72 @@
+; segments_vector.s - all of the rays' ways inside a shape whose crossings the
+; root solver finds, for Boolean trees.
+;
+; The crossings of the whole ray within the shape's bound, behind its start as
+; well as ahead, are taken in turn as in, out, in ..  Where the ray begins
+; inside, the first in is minus_big; where it ends inside, the last out is big.
+; Signs decide, so that elsewhere they pair up.
+; Source: derived here; the project's notes on ray tracing, 0 and 4.1.
+
+; As find_lanes, from end to end.
+        .macro  find_all_lanes x0, x1, x2, bound2, miss
+        closest_approach \x0, \x1, \x2, w0, w1, w2, w3, w4
+        dot_vectors w0, w1, w2, w0, w1, w2, w7, w4
+        SUBNV   \bound2, [w7], [w6]
+        CMPLTV  r0, [w6], [bits0]
+        SQRTV   [w6], [w6] ? [bits0]
+        SUBNV   r0, [w6], [w5]
+        CNTOB   [bits0], m
+        IBXEQ   m, r0, r0, \miss
+        .endm
+
+; All roots of each lane's quartic.
+        .macro  solve_all low, high, resolution
+        RTOR    link_inner, lane_link
+        EX      s8, solve_quartic_signs
+        call_quartic s8, k4, k3, k2, k1, k0, \low, \high, \resolution
+        RTOR    lane_link, link_inner
+        .endm
+
+; [value] = where a ray enters, or leaves: its crossing number number (a number)
+; of root_count; else no segment.
+        .macro  entry_or_none crossing, number, value
+        CMPLTV  \number, [root_count], [hits0]
+        MASKV   [\crossing], big, [\value] ? [hits0]
+        .endm
+
+        .macro  exit_or_none crossing, number, value
+        CMPLTV  \number, [root_count], [hits0]
+        MASKV   [\crossing], minus_big, [\value] ? [hits0]
+        CMPEQV  [root_count], \number, [hits0]
+        VTOV    big, [\value] ? [hits0]
+        .endm
+
+        .macro  lanes_enter root, number, t
+        SUBNV   [\root], [lane_along], [e0]
+        entry_or_none e0, \number, e1
+        VTOVX   [lane_at], [e1], [\t]
+        .endm
+
+        .macro  lanes_leave root, number, t
+        SUBNV   [\root], [lane_along], [e0]
+        exit_or_none e0, \number, e1
+        VTOVX   [lane_at], [e1], [\t]
+        .endm
+
+        .macro  no_segments
+        VTOV    big, [tin]
+        VTOV    minus_big, [tout]
+        VTOV    big, [tin2]
+        VTOV    minus_big, [tout2]
+        .endm
+
+; The two segments of each ray.
+        .macro  solve_segments resolution
+        solve_all lane_low, lane_high, \resolution
+        no_segments
+        lanes_enter root0, r0, tin
+        lanes_leave root1, one, tout
+        lanes_enter root2, two, tin2
+        ADDN    one, two, s0
+        lanes_leave root3, s0, tout2
+        .endm

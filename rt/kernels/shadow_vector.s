@@ -1,0 +1,179 @@
+; shadow_vector.s - what of a light's colour comes through to what a queue hit.
+;
+; From each point that faces the light a ray goes to it; what it meets farther
+; than k_shadow from both of them stops it.  These rays are a queue of their own
+; and are taken through the regions as any other: a ray that is stopped gets
+; a limit that nothing can be before, and is left out from there on.  In a
+; region of which parts are clear the crossings that can be seen are looked at
+; in turn: a clear primitive leaves of the light its passing colour at that
+; point, by channels, and the ray goes on from k_shadow behind it (POV-Ray's
+; rule).
+;
+; In:  hits3: the points that face the light, s8 of them; v0: distance from it;
+;      px .., lx ..; ndotl.
+; Out: ndotl = 0 in the dark; tinted = 1 and tint_r .. for all hits where
+;      something clear is in the way of any.
+; found_shadow: In: what walk_tree has found (visible_vector.s).  Out: nearest =
+;      minus_big of the rays that are stopped; the tints of the queue; in seen
+;      those that go no further.
+; Source: derived here; the distance is POV-Ray's SHADOW_TOLERANCE.
+
+        .data
+shadow_n:       .word 0                 ; what the shadows' queue is put over
+shadow_view:    .word 0
+        .align  64
+shadow_store:   .space 7 * QUEUE        ; points, directions, limits
+tint_store:     .space 3 * QUEUE        ; of the queue, then of all hits
+hit_tint_store: .space 3 * QUEUE
+        .code
+
+; Vector number of the shadows' queue, from one of the hits.
+        .macro  shadow_vector vector, into, number
+        EX      \into, shadow_store + 64 * QUEUE * \number
+        CPSV    [\vector], [\into] ? [hits3]
+        .endm
+
+; What came through, of all hits: numbers where nothing was in the way.
+        .macro  spread_tint tint, light, number
+        describe s0, tint_store + 64 * QUEUE * \number, n
+        describe \tint, hit_tint_store + 64 * QUEUE * \number, h
+        MRGV    [s0], \light, [\tint] ? [hits3]
+        .endm
+
+; Of tint number number the rays of taken_at: times what passes, a number or
+; a vector.
+        .macro  tint_channel number, passing
+        EX      s0, tint_store + 64 * QUEUE * \number
+        VXTOV   [taken_at], [s0], [v1]
+        MPYSV   [v1], \passing, [v1]
+        VTOVX   [taken_at], [v1], [s0]
+        .endm
+
+        .macro  tint_begin light, number
+        describe s0, tint_store + 64 * QUEUE * \number, n
+        VTOV    \light, [s0]
+        .endm
+
+; The points of the rays of taken_at at taken_distance.
+        .macro  seen_point o, d, p
+        VXTOV   [taken_at], [\d], [v0]
+        MPYSV   [taken_distance], [v0], [v1]
+        VXTOV   [taken_at], [\o], [\p]
+        ADDNV   [\p], [v1], [\p]
+        .endm
+
+        .kernel shadow
+cast_shadows:
+        RTOR    link, link_shadow
+        add_to_counter rays_shadow, s8
+        EX      s0, shadow_n
+        STO     [s0], n
+        EX      s0, shadow_view
+        STO     [s0], from_one_point
+        load_word k_shadow, s0
+        SUBNV   [v0], s0, [v0]
+        IBXNE   s8, r0, h, shadows_of_some
+        RTOR    px, aox
+        RTOR    py, aoy
+        RTOR    pz, aoz
+        RTOR    lx, adx
+        RTOR    ly, ady
+        RTOR    lz, adz
+        RTOR    v0, nearest
+        BIM     shadows_cast
+shadows_of_some:
+        shadow_vector px, aox, 0
+        shadow_vector py, aoy, 1
+        shadow_vector pz, aoz, 2
+        shadow_vector lx, adx, 3
+        shadow_vector ly, ady, 4
+        shadow_vector lz, adz, 5
+        shadow_vector v0, nearest, 6
+shadows_cast:
+        RTOR    s8, n
+        ES      from_one_point, 0
+        RTOR    light_at, shadows
+        EX      found, found_shadow
+        EX      target, walk_regions
+        BSAVE   link, [target]
+        load_light
+        EX      s0, shade_descriptors
+        ELEN    s0, SHADE_VECTORS
+        SWAP    [s0], at, [r0]
+        describe ndotl, NDOTL_STORE, h
+        describe near_bits, queue_bits, n
+        CMPNEV  [nearest], minus_big, [near_bits]
+        CNTOB   [near_bits], s0
+        IBXEQ   s0, r0, n, shadows_none
+        XORB    [hits0], [hits0], [hits0]
+        MRGB    [near_bits], [hits0], [hits1] ? [hits3]
+        VTOV    r0, [ndotl] ?! [hits1]
+shadows_none:
+        IBXEQ   tinted, r0, r0, shadows_done
+        spread_tint tint_r, light_r, 0
+        spread_tint tint_g, light_g, 1
+        spread_tint tint_b, light_b, 2
+shadows_done:
+        load_word shadow_n, n
+        load_word shadow_view, from_one_point
+        BIM     0, link_shadow
+
+; What shadow rays meet in a region.
+found_shadow:
+        RTOR    region, s0
+        IX      s0, 64 * R_SHADOW
+        LOD     [s0], s0
+        IBXNE   s0, r0, one_index, shadow_of_parts
+        take_found place, taken_at, 0, seen
+        VTOVX   [taken_at], minus_big, [nearest]
+        BIM     0, link_kernel
+shadow_of_parts:
+        leaves_begin
+shadow_leaf:
+        leaf_at_hand shadow_next
+        load_field P_ID, identity
+        CMPEQV  [event_met], identity, [bits0]
+        ANDB    [bits0], [seen], [bits0]
+        CNTOB   [bits0], m
+        IBXEQ   m, r0, r0, shadow_next
+        take_found place, taken_at, 0, bits0
+        load_field P_CLEAR, s0
+        IBXNE   s0, r0, r0, shadow_clear
+        VTOVX   [taken_at], minus_big, [nearest]
+        BIM     shadow_next
+shadow_clear:
+        XORB    [seen], [bits0], [seen]
+        take_found event, taken_distance, 1, bits0
+        load_word k_shadow, s0
+        ADDNV   [event], s0, [event] ? [bits0]
+        IBXNE   tinted, r0, r0, shadow_tinted
+        ES      tinted, 1
+        load_light
+        tint_begin light_r, 0
+        tint_begin light_g, 1
+        tint_begin light_b, 2
+shadow_tinted:
+        set_lanes m
+        load_record P_PASSING, 8, sh0
+        load_field P_CHECKER, s0
+        IBXNE   s0, r0, r0, shadow_checker
+        tint_channel 0, sh0
+        tint_channel 1, sh1
+        tint_channel 2, sh2
+        BIM     shadow_next
+shadow_checker:
+        seen_point aox, adx, px
+        seen_point aoy, ady, py
+        seen_point aoz, adz, pz
+        EX      target, find_checker
+        BSAVE   link_inner, [target]
+        MASKV   sh4, sh0, [cr] ? [hits3]
+        MASKV   sh5, sh1, [cg] ? [hits3]
+        MASKV   sh6, sh2, [cb] ? [hits3]
+        tint_channel 0, [cr]
+        tint_channel 1, [cg]
+        tint_channel 2, [cb]
+shadow_next:
+        leaves_next shadow_leaf
+        BIM     0, link_kernel
+        .endkernel

@@ -1,0 +1,46 @@
+; signs_scalar.s - all roots of one polynomial, by changes of sign alone; parts
+; of quartic_scalar.s.  Method as in signs_vector.s.
+
+        .reg    q_last, r78             ; root; nothing touches here
+
+; The root of f between knot and next, if there is one; knot := next.
+        .macro  search_value_signs
+        CFPEQ   q_next, q_knot, search_none\@
+        quartic_value q_next, q_next_f
+        same_sign q_knot_f, q_next_f, search_move\@
+        refine_value
+        CFPGE   q_answer, q_last, search_ascending\@
+        RTOR    q_last, q_answer
+search_ascending\@:
+        RTOR    q_answer, q_last
+        STO     [q_roots, q_count], q_answer
+        IX      q_count, 1
+search_move\@:
+        RTOR    q_next, q_knot
+        RTOR    q_next_f, q_knot_f
+search_none\@:
+        .endm
+
+; That of f' between left and right, if there is one, is the next knot.
+        .macro  search_slope_signs right
+        cubic_value \right, q_right_slope
+        same_sign q_left_slope, q_right_slope, search_flat\@
+        refine_slope \right
+        search_value_signs
+search_flat\@:
+        RTOR    \right, q_left
+        RTOR    q_right_slope, q_left_slope
+        .endm
+
+        .macro  search_signs
+        SUBN    r0, q_none, q_last
+        RTOR    q_low, q_left
+        cubic_value q_low, q_left_slope
+        RTOR    q_low, q_knot
+        quartic_value q_low, q_knot_f
+        search_slope_signs q_bend1
+        search_slope_signs q_bend2
+        search_slope_signs q_high
+        RTOR    q_high, q_next
+        search_value_signs
+        .endm

@@ -1,0 +1,128 @@
+; span_vector.s - the part of each ray at hand on which a region can be seen.
+;
+; Some primitives of a tree are needed: where a ray is outside one of them it is
+; outside of the tree (N_NEEDED).  So nothing can be seen before a ray enters
+; each of them, or behind it; surfaces nearer than delta count as one, which
+; leaves
+;
+;   in - 2 delta < E < out + 2 delta
+;
+; Rays of which nothing is left are done.  The others are compressed if they
+; are few, before the kernels of the other primitives meet them.
+;
+; In:  the segments of a primitive of the rays at hand, segments_wanted of them,
+;      in tin ..; leaf_needed.
+; Out: last, near_limit; the rays at hand.
+; Source: derived here.
+
+; What is known of the events of the rays at hand (visible_vector.s).
+        .regs   r233, event, last, event_met, before, after, active, seen
+        .reg    inside, r240            ; of one segment
+
+        .data
+event_bits:     .space 3 * QUEUE_BIT_WORDS
+        .align  64
+event_store:    .space 4 * QUEUE
+last_store:     .space QUEUE
+        .code
+
+        .macro  squeeze_world vector, number
+        EX      s3, world_store + 64 * QUEUE * \number
+        CPSV    [\vector], [s3] ? [active]
+        RTOR    s3, \vector
+        .endm
+
+        .macro  squeeze_own vector
+        CPSV    [\vector], [\vector] ? [active]
+        .endm
+
+; [later] = the later of two ends of segments.
+        .macro  later_end end, other, later
+        CMPLTV  [\other], [\end], [bits0]
+        MASKV   [\end], [\other], [\later] ? [bits0]
+        .endm
+
+        .kernel visible
+begin_span:
+        describe last, last_store, near
+        VTOV    [wlower], [last]
+        BIM     0, link_inner
+
+node_met:
+        IBXEQ   leaf_needed, r0, r0, node_next
+        load_word k_delta, s2
+        ADDN    s2, s2, s2
+        describe last, last_store, near
+        SUBNV   [tin], s2, [w0]
+        CMPLTV  [last], [w0], [bits0]
+        VTOV    [w0], [last] ? [bits0]
+        IBXEQ   segments_wanted, r0, one_index, node_limit
+        later_end tout2, tout, w1
+        RTOR    w1, tout
+        ES      s0, 2
+        IBXEQ   segments_wanted, r0, s0, node_limit
+        later_end tout3, tout, w1
+node_limit:
+        ADDNV   [tout], s2, [w0]
+        CMPLTV  [w0], [near_limit], [bits0]
+        describe s3, place_store + 64 * QUEUE, near
+        MASKV   [w0], [near_limit], [s3] ? [bits0]
+        RTOR    s3, near_limit
+        describe active, event_bits, near
+        CMPLTV  [last], [near_limit], [active]
+        CNTOB   [active], s9
+        IBXEQ   s9, r0, r0, walk_skip
+        if_few  s9, near, node_squeeze
+        BIM     node_next
+node_squeeze:
+        EX      target, squeeze_span
+        BSAVE   link_kernel, [target]
+        BIM     node_next
+
+; Few rays come near a primitive that is needed.
+needed_few:
+        RTOR    s0, s9
+        describe active, event_bits, near
+        ORB     [near_bits], [near_bits], [active]
+        describe last, last_store, near
+        EX      target, squeeze_span
+        BSAVE   link_kernel, [target]
+        BIM     node_near
+
+; The s9 rays of active alone remain at hand.
+squeeze_span:
+        CPSV    [last], [last] ? [active]
+        squeeze_world wdx, 3
+        squeeze_world wdy, 4
+        squeeze_world wdz, 5
+        IBXEQ   from_one_point, r0, r0, squeeze_origins
+        SUBX    s9, near, s3
+        ADDLEN  wox, s3, wox
+        ADDLEN  woy, s3, woy
+        ADDLEN  woz, s3, woz
+        BIM     squeeze_spaces
+squeeze_origins:
+        squeeze_world wox, 0
+        squeeze_world woy, 1
+        squeeze_world woz, 2
+squeeze_spaces:
+        IBXEQ   space, r0, r0, squeeze_crossings
+        squeeze_own lox
+        squeeze_own loy
+        squeeze_own loz
+        squeeze_own ldx
+        squeeze_own ldy
+        squeeze_own ldz
+        squeeze_own lscale
+        squeeze_own llower
+squeeze_crossings:
+        RTOR    region, s0
+        IX      s0, 64 * R_FIRST
+        ELEN    s0, 2
+        SWAP    [s0], first_leaf, [r0]
+        EX      target, squeeze_rays
+        BSAVE   link_inner, [target]
+        EX      target, take_lower
+        BSAVE   link_inner, [target]
+        BIM     0, link_kernel
+        .endkernel

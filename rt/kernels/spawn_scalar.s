@@ -1,0 +1,155 @@
+; spawn_scalar.s - the rays that come of a hit.
+;
+;       CALL SPAWN (RAY, PRIMITIVE, SURFACE, WEIGHT, FOLLOWED, REFLECTED,
+;                   REFRACTED)
+;
+; RAY = O, D (6 words); PRIMITIVE = the record of what it hit; SURFACE = of the
+; sample: normal turned against the ray, N . D, the same of the outward normal,
+; place of the colour, point (9); WEIGHT = that of the ray (1).
+; FOLLOWED = 1 or 0: there is a reflected ray, a refracted one (2, integers);
+; REFLECTED, REFRACTED = its O, D, least distance, the same to be scaled;
+; weight; the colour it is multiplied by (12 words).
+;
+; With c = -N . D:
+;
+;   reflected   D' = D - (2 N . D) N        times the reflection's colour
+;   refracted   k = 1 - e^2 (1 - c^2),  e = 1/ior where the ray enters, else
+;               ior;  D' = e D + (e c - sqrt(k)) N; where ior = 1 straight on
+;                                           times the colour that passes
+;
+; Where k < 0 all is reflected: the refracted ray goes where the reflected one
+; would, its colour is not changed, and there is no other reflected ray.
+; A weight is the ray's own times the greatest part of the colour; a ray that
+; weighs less than scene_bailout is not followed.  Where the outward N . D is
+; below 0 the ray enters, of an inverted shape it leaves.  Order of the
+; operations as in spawn_vector.s.
+; Source: Snell's law; the rules are POV-Ray's.
+
+        .regs   r32, sp_ray, sp_primitive, sp_surface, sp_weight_at
+        .regs   r36, sp_followed, sp_reflected_at, sp_refracted_at
+        .regs   r39, sp_dx, sp_dy, sp_dz
+        .regs   r42, sp_nx, sp_ny, sp_nz, sp_facing, sp_outward, sp_cell
+        .regs   r48, sp_ox, sp_oy, sp_oz        ; the new ray
+        .regs   r51, sp_x, sp_y, sp_z, sp_lower, sp_scaled, sp_weight
+        .regs   r57, sp_red, sp_green, sp_blue, sp_greatest
+        .equ    CHILD_SIZE, 12
+        .regs   r61, sp_inverted, sp_mirror, sp_clear, sp_index
+        .regs   r65, sp_reciprocal
+        .regs   r66, sp_own_weight, sp_least, sp_e, sp_k, sp_t0, sp_t1, sp_t2
+        .regs   r73, sp_flag, sp_at
+        .equ    SPAWN_REGISTERS, 43
+
+        .data
+spawn_save:     .space SPAWN_REGISTERS
+        .code
+
+        .macro  mirrored
+        MPYS    sp_facing, m_two, sp_k
+        MPYS    sp_k, sp_nx, sp_t0
+        MPYS    sp_k, sp_ny, sp_t1
+        MPYS    sp_k, sp_nz, sp_t2
+        SUBN    sp_dx, sp_t0, sp_x
+        SUBN    sp_dy, sp_t1, sp_y
+        SUBN    sp_dz, sp_t2, sp_z
+        .endm
+
+; The colour and its greatest part, from an offset of the record plus a place
+; on, and the weight.
+        .macro  weigh offset, place
+        ADDX    sp_primitive, \place, sp_at
+        IX      sp_at, 64 * (\offset)
+        ELEN    sp_at, 4
+        SWAP    [sp_at], sp_red, [r0]
+        MPYS    sp_own_weight, sp_greatest, sp_weight
+        .endm
+
+        .kernel spawn
+spawn:
+        EX      save_at, spawn_save
+        ELEN    save_at, SPAWN_REGISTERS
+        SWAP    [r0], r32, [save_at]
+        ELEN    arguments, 7
+        SWAP    [arguments], sp_ray, [r0]
+        IX      sp_ray, 64 * 3
+        ELEN    sp_ray, 3
+        SWAP    [sp_ray], sp_dx, [r0]
+        ELEN    sp_surface, 9
+        SWAP    [sp_surface], sp_nx, [r0]
+        RTOR    sp_primitive, sp_at
+        IX      sp_at, 64 * P_INVERTED
+        ELEN    sp_at, 5
+        SWAP    [sp_at], sp_inverted, [r0]
+        LOD     [sp_weight_at], sp_own_weight
+        EX      sp_at, scene_bailout
+        LOD     [sp_at], sp_least
+        EX      sp_at, k_lower
+        LOD     [sp_at], sp_scaled
+        RTOR    m_tmin, sp_lower
+        STO     [sp_followed], r0
+        STO     [sp_followed, m_index_one], r0
+
+        IBXEQ   sp_clear, r0, r0, spawn_reflected
+        weigh   P_PASSING, sp_cell
+        CFPLT   sp_greatest, r0, spawn_reflected
+        CFPGE   sp_weight, sp_least, spawn_through
+        ES      sp_clear, 0
+spawn_through:
+        RTOR    sp_dx, sp_x
+        RTOR    sp_dy, sp_y
+        RTOR    sp_dz, sp_z
+        CFPEQ   sp_index, m_one, spawn_refracted
+        ES      sp_flag, 0
+        CFPGE   sp_outward, r0, spawn_side
+        ES      sp_flag, 1
+spawn_side:
+        RTOR    sp_index, sp_e
+        IBXEQ   sp_flag, r0, sp_inverted, spawn_leaves
+        RTOR    sp_reciprocal, sp_e
+spawn_leaves:
+        SUBN    r0, sp_facing, sp_t0            ; c
+        MPYS    sp_e, sp_e, sp_k
+        MPYS    sp_t0, sp_t0, sp_t1
+        SUBN    m_one, sp_t1, sp_t1
+        MPYS    sp_k, sp_t1, sp_k
+        SUBN    m_one, sp_k, sp_k
+        CFPLT   sp_k, r0, spawn_total
+        MPYS    sp_e, sp_t0, sp_t0
+        SQRT    sp_k, sp_k
+        MPYS    sp_e, sp_dx, sp_x
+        MPYS    sp_e, sp_dy, sp_y
+        MPYS    sp_e, sp_dz, sp_z
+        SUBN    sp_t0, sp_k, sp_k
+        MPYS    sp_k, sp_nx, sp_t0
+        MPYS    sp_k, sp_ny, sp_t1
+        MPYS    sp_k, sp_nz, sp_t2
+        ADDN    sp_x, sp_t0, sp_x
+        ADDN    sp_y, sp_t1, sp_y
+        ADDN    sp_z, sp_t2, sp_z
+spawn_refracted:
+        IBXEQ   sp_clear, r0, r0, spawn_reflected
+        ELEN    sp_refracted_at, CHILD_SIZE
+        SWAP    [r0], sp_ox, [sp_refracted_at]
+        STO     [sp_followed, m_index_one], m_index_one
+
+spawn_reflected:
+        IBXEQ   sp_mirror, r0, r0, spawn_done
+        weigh   P_REFLECTION, r0
+        CFPLT   sp_weight, sp_least, spawn_done
+        mirrored
+        ELEN    sp_reflected_at, CHILD_SIZE
+        SWAP    [r0], sp_ox, [sp_reflected_at]
+        STO     [sp_followed], m_index_one
+spawn_done:
+        leave   spawn_save, SPAWN_REGISTERS
+
+spawn_total:
+        IBXEQ   sp_clear, r0, r0, spawn_done
+        mirrored
+        RTOR    m_one, sp_red
+        RTOR    m_one, sp_green
+        RTOR    m_one, sp_blue
+        ELEN    sp_refracted_at, CHILD_SIZE
+        SWAP    [r0], sp_ox, [sp_refracted_at]
+        STO     [sp_followed, m_index_one], m_index_one
+        leave   spawn_save, SPAWN_REGISTERS
+        .endkernel

@@ -1,0 +1,213 @@
+; spawn_vector.s - the rays that come of what a queue hit: reflected and
+; refracted ones, for the next level.
+;
+; At a point X with unit normal N turned against the ray D, facing = N.D:
+;
+;   reflected   D' = D - (2 facing) N       times the reflection's colour
+;   refracted   e = 1/ior where the ray enters, else ior;  cosine = -facing
+;               k = 1 - (e e) (1 - cosine cosine)
+;               D' = e D + (e cosine - sqrt(k)) N;  ior = 1: D' = D
+;                                           times the colour that passes
+;
+; A ray enters where the outward normal points against it; of an inverted
+; primitive where it does not.  Where k < 0 all is reflected: the refracted ray
+; goes where the reflected one would, its colour is not changed, and there is no
+; other reflected ray.  A ray is followed if its importance, its parent's times
+; the greatest part of the colour, is not below scene_bailout; what passes and
+; is marked as too dim (its greatest part below 0) is as if nothing passed.
+;
+; In:  a part of the hits, hits0: where its normal was turned; next_level.
+; Out: rays at the end of the next level's list: reflected, then refracted.
+; Source: Snell's law; the rules are POV-Ray's.
+
+        .regs   r233, spawn_inverted, spawn_mirror, spawn_clear, spawn_index
+        .regs   r237, spawn_reciprocal, spawn_r, spawn_g, spawn_b, spawn_most
+        .regs   r242, spawn_tail, spawn_stride, spawn_count, spawn_kind
+        .regs   r246, spawn_checker, link_spawn, spawn_into, spawn_total
+
+; The next vector of the list, from its end on: those of vector in hits1.
+        .macro  spawn_vector vector
+        RTOR    spawn_tail, spawn_into
+        CPSV    [\vector], [spawn_into] ? [hits1]
+        ADDX    spawn_tail, spawn_stride, spawn_tail
+        .endm
+
+        .macro  spawn_number number
+        ADDLEN  spawn_tail, spawn_count, spawn_into
+        VTOV    \number, [spawn_into]
+        ADDX    spawn_tail, spawn_stride, spawn_tail
+        .endm
+
+; [v5] = the importance of the part's rays, times a share, a number or a vector;
+; hits1 = where that is enough.
+        .macro  spawn_importance share
+        load_word queue_importance, s0
+        VXTOV   [at], [s0], [v4]
+        MPYSV   [v4], \share, [v5]
+        load_word scene_bailout, s0
+        CMPGEV  [v5], s0, [hits1]
+        .endm
+
+        .macro  reflect d, n, to
+        MPYSV   [v4], [\n], [v6]
+        SUBNV   [\d], [v6], [\to]
+        .endm
+
+; v1, v2, v3 = the reflected directions; uses v4, v6.
+        .macro  reflect_all
+        MPYSV   [facing], two, [v4]
+        reflect hdx, nx, v1
+        reflect hdy, ny, v2
+        reflect hdz, nz, v3
+        .endm
+
+        .macro  refract d, n, to
+        MPYSV   [v0], [\d], [v6]
+        MPYSV   [v7], [\n], [v4]
+        ADDNV   [v6], [v4], [\to] ?! [hits2]
+        .endm
+
+; A weight of the refracted rays: what passes, but all in total reflection.
+        .macro  spawn_weight even, odd
+        VTOV    \even, [v4]
+        VTOV    \odd, [v4] ? [hits3]
+        VTOV    one, [v4] ? [hits2]
+        spawn_vector v4
+        .endm
+
+        .kernel spawn
+spawn:
+        IBXEQ   next_level, r0, r0, spawn_nothing
+        load_record P_INVERTED, 9, spawn_inverted
+        ADDX    spawn_mirror, spawn_clear, s0
+        IBXEQ   s0, r0, r0, spawn_nothing
+        RTOR    link_kernel, link_spawn
+        ES      spawn_total, 0
+        IBXEQ   spawn_clear, r0, r0, spawn_reflected
+
+; What passes: sh8 .. sh11, in the odd cells of a checker, hits3, sh12 .. sh15.
+        load_record P_PASSING, 8, sh8
+        XORB    [hits3], [hits3], [hits3]
+        load_field P_CHECKER, spawn_checker
+        IBXEQ   spawn_checker, r0, r0, spawn_passing
+        EX      target, find_checker
+        BSAVE   link_inner, [target]
+        BIM     spawn_bend
+spawn_passing:
+        CFPGE   sh11, r0, spawn_bend
+        ES      spawn_clear, 0
+        BIM     spawn_reflected
+
+; v0 = e, v7 = k, hits2: total reflection.
+spawn_bend:
+        XORB    [hits2], [hits2], [hits2]
+        CFPEQ   spawn_index, one, spawn_reflected
+        CMPLTV  [facing], r0, [hits2]
+        ANDNB   [hits2], [hits0], [hits2]       ; enters
+        IBXEQ   spawn_inverted, r0, r0, spawn_enters
+        NANDB   [hits2], [hits2], [hits2]
+spawn_enters:
+        MASKV   spawn_reciprocal, spawn_index, [v0] ? [hits2]
+        MPYSV   [v0], [v0], [v7]
+        MPYSV   [facing], [facing], [v6]
+        SUBNV   one, [v6], [v6]
+        MPYSV   [v7], [v6], [v7]
+        SUBNV   one, [v7], [v7]
+        CMPLTV  [v7], r0, [hits2]
+        IBXEQ   spawn_checker, r0, r0, spawn_bent
+        MASKV   sh15, sh11, [v6] ? [hits3]
+        CMPGEV  [v6], r0, [hits1]               ; not too dim
+        ANDB    [hits2], [hits1], [hits2]
+spawn_bent:
+        CNTOB   [hits2], spawn_total
+
+spawn_reflected:
+        IBXEQ   spawn_mirror, r0, r0, spawn_refracted
+        spawn_importance spawn_most
+        IBXEQ   spawn_total, r0, r0, spawn_followed
+        ANDNB   [hits1], [hits2], [hits1]
+spawn_followed:
+        CNTOB   [hits1], spawn_count
+        IBXEQ   spawn_count, r0, r0, spawn_refracted
+        reflect_all
+        add_to_counter rays_reflected, spawn_count
+        EX      target, spawn_ray
+        BSAVE   link_kernel, [target]
+        spawn_number spawn_r
+        spawn_number spawn_g
+        spawn_number spawn_b
+        ES      spawn_kind, 0
+        EX      target, spawn_rest
+        BSAVE   link_kernel, [target]
+
+spawn_refracted:
+        IBXEQ   spawn_clear, r0, r0, spawn_done
+        MASKV   sh15, sh11, [v6] ? [hits3]
+        spawn_importance [v6]
+        CNTOB   [hits1], spawn_count
+        IBXEQ   spawn_count, r0, r0, spawn_done
+        CFPNE   spawn_index, one, spawn_refract
+        VTOV    [hdx], [v1]
+        VTOV    [hdy], [v2]
+        VTOV    [hdz], [v3]
+        BIM     spawn_through
+spawn_refract:
+        IBXEQ   spawn_total, r0, r0, spawn_none_total
+        reflect_all
+spawn_none_total:
+        SQRTV   [v7], [v7] ?! [hits2]
+        MPYSV   -[facing], [v0], [v6]
+        SUBNV   [v6], [v7], [v7]
+        refract hdx, nx, v1
+        refract hdy, ny, v2
+        refract hdz, nz, v3
+spawn_through:
+        add_to_counter rays_refracted, spawn_count
+        EX      target, spawn_ray
+        BSAVE   link_kernel, [target]
+        ADDX    spawn_checker, spawn_total, s0
+        IBXNE   s0, r0, r0, spawn_weights
+        spawn_number sh8
+        spawn_number sh9
+        spawn_number sh10
+        BIM     spawn_weighted
+spawn_weights:
+        spawn_weight sh8, sh12
+        spawn_weight sh9, sh13
+        spawn_weight sh10, sh14
+spawn_weighted:
+        ES      spawn_kind, 1
+        EX      target, spawn_rest
+        BSAVE   link_kernel, [target]
+spawn_done:
+        BIM     0, link_spawn
+spawn_nothing:
+        BIM     0, link_kernel
+
+; Point and direction, to the end of the list.
+spawn_ray:
+        LOD     [next_level], spawn_tail
+        SHIFTI  spawn_tail, 6, spawn_tail
+        list_vector next_level, LIST_RAY, s0
+        ADDX    s0, spawn_tail, spawn_tail
+        EX      spawn_stride, 64 * LIST
+        spawn_vector px
+        spawn_vector py
+        spawn_vector pz
+        spawn_vector v1
+        spawn_vector v2
+        spawn_vector v3
+        BIM     0, link_kernel
+
+; Importance, kind, place of the parent in its level.
+spawn_rest:
+        spawn_vector v5
+        spawn_number spawn_kind
+        RTOR    spawn_tail, s0
+        CPSV    [at], [s0] ? [hits1]
+        ADDXV   [s0], position, [s0]
+        LOD     [next_level], s0
+        ADDX    s0, spawn_count, s0
+        STO     [next_level], s0
+        BIM     0, link_kernel
+        .endkernel

@@ -1,0 +1,88 @@
+; surface_scalar.s - what is lit: a point of a primitive, its normal, its
+; pigment.  Parts of the subroutines that shade, as macros; the registers they
+; have in common.
+
+        .regs   r32, a_ray, a_primitive, a_distance, a_sample
+        .regs   r36, lights_left, light_at, normal_link, transformed_shape
+        .regs   r40, link_saved, here
+        .regs   r42, color0r, color0g, color0b, color1r, color1g, color1b
+        .regs   r48, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9
+        .regs   r58, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10
+        .regs   r69, sh11, sh12, sh13, sh14, sh15
+        .regs   r74, qx, qy, qz
+        .regs   r77, red, green, blue, nx, ny, nz       ; the sample: colour,
+        .regs   r83, facing, outward, cell              ; normal, N . D, .. of
+        .regs   r86, px, py, pz                         ; the outward normal,
+        .equ    SAMPLE_SIZE, 12                         ; place of the colour,
+        .regs   r89, lx, ly, lz                         ; point
+        .regs   r92, ndotl, ddotl, light_distance
+        .regs   r132, light_x, light_y, light_z, light_r, light_g, light_b
+        .regs   r138, light_gleams
+        .regs   r139, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
+        .regs   r144, f_size, f_specular, f_sharpness
+        .regs   r147, ox, oy, oz, dx, dy, dz
+        .equ    SHADE_REGISTERS, 121
+
+        .macro  point o, d, p
+        MPYS    t0, \d, t1
+        ADDN    \o, t1, \p
+        .endm
+
+        .macro  own_point k0, k1, k2, k3, q
+        dot     px, py, pz, \k0, \k1, \k2, \q, t0
+        ADDN    \q, \k3, \q
+        .endm
+
+; The point at the distance t0, the normal there in the world, turned against
+; the ray; facing = N . D, outward the same before it was turned.
+        .macro  find_surface
+        point   ox, dx, px
+        point   oy, dy, py
+        point   oz, dz, pz
+        RTOR    px, qx
+        RTOR    py, qy
+        RTOR    pz, qz
+        get_field P_TRANSFORMED, transformed_shape
+        IBXEQ   transformed_shape, r0, r0, surface_own\@
+        get_record P_LOCAL, 12, sh0
+        own_point sh0, sh1, sh2, sh3, qx
+        own_point sh4, sh5, sh6, sh7, qy
+        own_point sh8, sh9, sh10, sh11, qz
+surface_own\@:
+        get_field P_NORMAL, target
+        BSAVE   normal_link, [target]
+        IBXEQ   transformed_shape, r0, r0, surface_world\@
+        get_record P_LOCAL, 12, sh0
+        dot     nx, ny, nz, sh0, sh4, sh8, lx, t0
+        dot     nx, ny, nz, sh1, sh5, sh9, ly, t0
+        dot     nx, ny, nz, sh2, sh6, sh10, lz, t0
+        normalise_by m_one, lx, ly, lz, t0, t1
+        RTOR    lx, nx
+        RTOR    ly, ny
+        RTOR    lz, nz
+surface_world\@:
+        dot     nx, ny, nz, dx, dy, dz, facing, t0
+        RTOR    facing, outward
+        CFPGE   r0, facing, surface_turned\@
+        SUBN    r0, nx, nx
+        SUBN    r0, ny, ny
+        SUBN    r0, nz, nz
+        SUBN    r0, facing, facing
+surface_turned\@:
+        .endm
+
+; The pigment there, color0, and words of the finish; the colour begins with the
+; ambient light.
+        .macro  begin_colour words
+        get_record P_COLOR, 6, color0r
+        checker_cell pigment_found\@
+        IBXEQ   cell, r0, r0, pigment_found\@
+        RTOR    color1r, color0r
+        RTOR    color1g, color0g
+        RTOR    color1b, color0b
+pigment_found\@:
+        get_record P_FINISH, \words, f_ambientr
+        MPYS    color0r, f_ambientr, red
+        MPYS    color0g, f_ambientg, green
+        MPYS    color0b, f_ambientb, blue
+        .endm

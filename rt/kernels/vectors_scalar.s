@@ -1,0 +1,57 @@
+; vectors_scalar.s - three-dimensional vectors of the scalar program.  Results
+; take five clocks, so independent products stand before the sums that wait
+; for them.
+
+; sum = x . u, in the order (x1 u1 + x0 u0) + x2 u2.
+        .macro  dot x0, x1, x2, u0, u1, u2, sum, work
+        MPYS    \x0, \u0, \sum
+        MPYS    \x1, \u1, \work
+        MPYS    \x2, \u2, third
+        ADDN    \work, \sum, \sum
+        ADDN    third, \sum, \sum
+        .endm
+
+; Three such sums at a time, a, b, c of x with the rows a, b, c: nothing waits.
+        .macro  dot_rows x0, x1, x2, a0, a1, a2, b0, b1, b2, c0, c1, c2, a, b, c, w0, w1, w2, w3
+        MPYS    \x0, \a0, \a
+        MPYS    \x0, \b0, \b
+        MPYS    \x0, \c0, \c
+        MPYS    \x1, \a1, \w0
+        MPYS    \x1, \b1, \w1
+        MPYS    \x1, \c1, \w2
+        MPYS    \x2, \a2, \w3
+        MPYS    \x2, \b2, third
+        MPYS    \x2, \c2, fourth
+        ADDN    \w0, \a, \a
+        ADDN    \w1, \b, \b
+        ADDN    \w2, \c, \c
+        ADDN    \w3, \a, \a
+        ADDN    third, \b, \b
+        ADDN    fourth, \c, \c
+        .endm
+
+        .macro  normalise_by unit, x0, x1, x2, length, work
+        dot     \x0, \x1, \x2, \x0, \x1, \x2, \length, \work
+        SQRT    \length, \length
+        DIVS    \unit, \length, \work
+        MPYS    \x0, \work, \x0
+        MPYS    \x1, \work, \x1
+        MPYS    \x2, \work, \x2
+        .endm
+
+; y = A x for the symmetric matrix of a quadric's record.
+        .macro  matrix_rows x0, x1, x2, y0, y1, y2, w0, w1, w2, w3
+        dot_rows \x0, \x1, \x2, sh3, sh6, sh7, sh6, sh4, sh8, sh7, sh8, sh5, \y0, \y1, \y2, \w0, \w1, \w2, \w3
+        .endm
+
+        .macro  cross_product a0, a1, a2, b0, b1, b2, c0, c1, c2
+        MPYS    \a1, \b2, \c0
+        MPYS    \a2, \b0, \c1
+        MPYS    \a0, \b1, \c2
+        MPYS    \a2, \b1, t8
+        MPYS    \a0, \b2, t9
+        MPYS    \a1, \b0, third
+        SUBN    \c0, t8, \c0
+        SUBN    \c1, t9, \c1
+        SUBN    \c2, third, \c2
+        .endm

@@ -1,0 +1,74 @@
+; visible_every_vector.s - the crossings of a region that can be seen, all of
+; them: the other way, under VISIBLE = EVERY (visible_vector.s has the choice).
+;
+; Each crossing of each primitive is a column, over all rays at hand:
+;
+;   E is looked at where  least < E < limit
+;   seen = tree(before) xor tree(after), as of an event that is stepped to
+;   limit = E where seen
+;
+; So what is left in the end is the nearest, and the first column of equals.  No
+; ray is left out on the way; a column that no ray needs is.
+;
+; Two kinds of regions are stepped through in any case.  Of surfaces without
+; inside only the first of equal crossings counts, so that one must know what is
+; in front of a column.  And a shadow's ray that passes clear parts goes on
+; behind each of them.  Where all parts are opaque the nearest stops the light
+; as well as any.
+;
+; In:  as walk_tree.  Source: the project's notes on ray tracing, 4.1.
+
+; The primitive whose columns are looked at.
+        .regs   r144, column_primitive, columns_left, column_identity
+        .regs   r147, column_primitives_left
+
+        .kernel visible
+walk_every:
+        IBXEQ   shadows, r0, r0, every_solids
+        RTOR    region, s0
+        IX      s0, 64 * R_SHADOW
+        LOD     [s0], s0
+        IBXNE   s0, r0, one_index, tree_next
+every_solids:
+        leaves_begin
+every_inside:
+        leaf_at_hand every_inside_next
+        IBXEQ   leaf_segments, r0, r0, tree_next
+every_inside_next:
+        leaves_next every_inside
+        VTOV    [near_limit], [event]
+        VTOV    r0, [event_met]
+        leaves_begin
+every_leaf:
+        leaf_at_hand every_next
+        load_field P_ID, column_identity
+        find_slot leaf_first_event
+        RTOR    slot, column
+        RTOR    leaf_events, columns_left
+        RTOR    primitive, column_primitive
+        RTOR    primitives_left, column_primitives_left
+every_column:
+        CMPLTV  [last], [column], [bits0]
+        CMPLTV  [column], [event], [active]
+        ANDB    [bits0], [active], [active]
+        CNTOB   [active], s0
+        IBXEQ   s0, r0, r0, every_later
+        EX      target, find_seen
+        BSAVE   link_inner, [target]
+        IBXEQ   s0, r0, r0, every_later
+        VTOV    [column], [event] ? [seen]
+        VTOV    column_identity, [event_met] ? [seen]
+every_later:
+        EX      slot_size, 64 * CROSSING_SIZE
+        ADDX    column, slot_size, column
+        IBXNE   columns_left, minus_one_index, r0, every_column, columns_left
+        RTOR    column_primitive, primitive
+        RTOR    column_primitives_left, primitives_left
+every_next:
+        leaves_next every_leaf
+        CMPNEV  [event_met], r0, [seen]
+        CNTOB   [seen], s0
+        IBXEQ   s0, r0, r0, walk_skip
+        BSAVE   link_kernel, [found]
+        BIM     walk_skip
+        .endkernel

@@ -1,0 +1,206 @@
+; visible_scalar.s - the next crossing of a Boolean tree that can be seen.
+;
+;       CALL VISIBLE (REGION, CROSSINGS, SPAN, EVENT)
+;
+; REGION = its record; CROSSINGS = of one ray with all leaves: word
+; P_FIRST_STATE + 2 j of a leaf is where it enters its segment j, the next one
+; where it leaves, from P_FIRST_EVENT on stand the crossings that can be seen;
+; they are CROSSING_SIZE words apart; a miss is big, minus_big.  SPAN = last,
+; limit, the first leaf that the ray meets, from where P_AT_HAND goes on (3);
+; EVENT = the least visible distance with last < distance < limit, and its
+; primitive's record; none: big, 0 (2 words).
+;
+; An event at E is visible if the tree's value just before it is not that just
+; behind it.  A leaf with segments in_j .. out_j is
+;
+;   before:  some  in_j <  E - delta  and not  out_j <  E - delta
+;   behind:  some  in_j <= E + delta  and not  out_j <= E + delta
+;
+; one without inside is only behind its own event.  Surfaces nearer to each
+; other than delta are so one surface.  Both bits of a value stand in one word:
+; 2 before, 1 behind.  Events are taken one after another, the first slot of
+; equals, until one is visible.
+; Source: the project's notes on ray tracing, 4.1.
+
+        .regs   r32, v_region, v_crossings, v_span, v_event
+        .regs   r36, v_primitives, v_steps, v_step_count, v_result
+        .regs   r40, v_next, v_segments, v_events, v_first_state
+        .regs   r44, v_first_event, v_place
+        .regs   r46, v_last, v_limit, v_first
+        .regs   r49, v_distance, v_leaf
+        .regs   r51, v_primitive, v_left, v_at, v_crossing, v_in, v_out
+        .regs   r57, v_delta, v_before, v_behind, v_value, v_values
+        .regs   r62, t_operation, t_left, t_right, t_result
+        .regs   r66, v_index_two, v_index_three, v_stride
+        .equ    VISIBLE_REGISTERS, 37
+        .equ    STRIDE, 64 * CROSSING_SIZE
+
+        .data
+visible_save:   .space VISIBLE_REGISTERS
+visible_list:   .descriptor R_SIZE, 0
+visible_crossings: .word 0
+                .descriptor 3, span
+                .descriptor 2, event_found
+span:           .space 3
+event_found:    .space 2
+        .code
+
+; The next crossing of those that v_at tells.
+        .macro  next_crossing register
+        LOD     [v_at], \register
+        IX      v_at, STRIDE
+        .endm
+
+        .macro  crossings_from slot
+        .if     CROSSING_SIZE == 1
+        SHIFTI  \slot, 6, v_at
+        .else
+        MPYX    \slot, v_stride, v_at
+        .endif
+        ADDX    v_crossings, v_at, v_at
+        .endm
+
+        .macro  load_leaf
+        RTOR    v_primitive, v_at
+        IX      v_at, 64 * P_AT_HAND
+        ELEN    v_at, 6
+        SWAP    [v_at], v_next, [r0]
+        .endm
+
+        .macro  value_at number, register
+        SHIFTI  \number, 6, \register
+        ADDX    v_values, \register, \register
+        .endm
+
+; For those who walk through the regions (bound_scalar.s): the next crossing of
+; a tree beyond last and before w_end that can be seen, in w_in, its primitive
+; in w_out; or to none.
+        .macro  next_visible last, none
+        EX      w_at, span
+        STO     [w_at], \last
+        STO     [w_at, m_index_one], w_end
+        EX      w_at, visible_list
+        STO     [w_at], w_region
+        STO     [w_at, m_index_one], w_crossings
+        call    visible, visible_list
+        EX      w_at, event_found
+        ELEN    w_at, 2
+        SWAP    [w_at], w_in, [r0]
+        IBXEQ   w_out, r0, r0, \none
+        .endm
+
+        .kernel visible
+visible:
+        EX      save_at, visible_save
+        ELEN    save_at, VISIBLE_REGISTERS
+        SWAP    [r0], r32, [save_at]
+        ELEN    arguments, 4
+        SWAP    [arguments], v_region, [r0]
+        SWAP    [v_span], v_last, [r0]
+        IX      v_region, 64 * R_PRIMITIVES
+        ELEN    v_region, 4
+        SWAP    [v_region], v_primitives, [r0]
+        EX      v_at, k_delta
+        LOD     [v_at], v_delta
+        EX      v_at, scene_values
+        LOD     [v_at], v_values
+        ES      v_index_two, 2
+        ES      v_index_three, 3
+        .if     CROSSING_SIZE != 1
+        EX      v_stride, STRIDE
+        .endif
+        RTOR    v_values, v_at
+visible_clear:
+        STO     [v_at], r0
+        IX      v_at, 64
+        IBXNE   v_primitives, m_index_minus_one, r0, visible_clear, v_primitives
+
+; The next event.
+visible_step:
+        RTOR    v_limit, v_distance
+        ES      v_leaf, 0
+        RTOR    v_first, v_primitive
+visible_leaf:
+        load_leaf
+        crossings_from v_first_event
+visible_event:
+        next_crossing v_crossing
+        CFPGE   v_last, v_crossing, visible_not_this
+        CFPGE   v_crossing, v_distance, visible_not_this
+        RTOR    v_crossing, v_distance
+        RTOR    v_primitive, v_leaf
+visible_not_this:
+        IBXNE   v_events, m_index_minus_one, r0, visible_event, v_events
+        RTOR    v_next, v_primitive
+        IBXNE   v_primitive, r0, r0, visible_leaf
+        IBXEQ   v_leaf, r0, r0, visible_none
+
+; The leaves before and behind it.
+        SUBN    v_distance, v_delta, v_before
+        ADDN    v_distance, v_delta, v_behind
+        RTOR    v_first, v_primitive
+visible_state:
+        load_leaf
+        ES      v_value, 0
+        IBXEQ   v_segments, r0, r0, visible_surface
+        crossings_from v_first_state
+visible_segment:
+        next_crossing v_in
+        next_crossing v_out
+        CFPLT   v_behind, v_in, visible_next_segment
+        CFPGE   v_behind, v_out, visible_left
+        OR      v_value, m_index_one, v_value
+visible_left:
+        CFPGE   v_in, v_before, visible_next_segment
+        CFPLT   v_out, v_before, visible_next_segment
+        OR      v_value, v_index_two, v_value
+visible_next_segment:
+        IBXNE   v_segments, m_index_minus_one, r0, visible_segment, v_segments
+visible_store:
+        value_at v_place, v_at
+        STO     [v_at], v_value
+        RTOR    v_next, v_primitive
+        IBXNE   v_primitive, r0, r0, visible_state
+
+; The tree.
+        IBXEQ   v_step_count, r0, r0, visible_decide
+        RTOR    v_steps, v_at
+        RTOR    v_step_count, v_left
+visible_tree:
+        ELEN    v_at, T_SIZE
+        SWAP    [v_at], t_operation, [r0]
+        value_at t_left, t_left
+        value_at t_right, t_right
+        value_at t_result, t_result
+        LOD     [t_left], v_in
+        LOD     [t_right], v_out
+        IBXEQ   t_operation, r0, m_index_one, visible_or
+        IBXEQ   t_operation, r0, r0, visible_and
+        XOR     v_out, v_index_three, v_out
+visible_and:
+        AND     v_in, v_out, v_value
+        BIM     visible_stepped
+visible_or:
+        OR      v_in, v_out, v_value
+visible_stepped:
+        STO     [t_result], v_value
+        IX      v_at, 64 * T_SIZE
+        IBXNE   v_left, m_index_minus_one, r0, visible_tree, v_left
+visible_decide:
+        value_at v_result, v_at
+        LOD     [v_at], v_value
+        IBXEQ   v_value, r0, r0, visible_hidden
+        IBXNE   v_value, r0, v_index_three, visible_found
+visible_hidden:
+        RTOR    v_distance, v_last
+        BIM     visible_step
+visible_surface:
+        IBXNE   v_primitive, r0, v_leaf, visible_store
+        ES      v_value, 1
+        BIM     visible_store
+visible_none:
+        RTOR    m_big, v_distance
+visible_found:
+        SWAP    [r0], v_distance, [v_event]
+        leave   visible_save, VISIBLE_REGISTERS
+        .endkernel

@@ -1,0 +1,309 @@
+; visible_vector.s - the crossings of a region that can be seen.
+;
+; The crossings ahead are looked at in turn, of all rays at hand at a time:
+;
+;   E = the least crossing of a primitive with  last < E < limit, the first
+;       primitive of equals
+;   before(j) = in < E - delta and not out < E - delta, for any segment of
+;       primitive j
+;   after(j)  = in <= E + delta and not out <= E + delta, likewise
+;   seen = tree(before) xor tree(after)
+;
+; A surface without inside is only there behind its own crossing.  before and
+; after are bit vectors; the tree is evaluated by logical instructions on bit
+; strings, 64 rays a clock.  Both sides are looked at from delta away: surfaces
+; that coincide count as one.  Rays whose crossing is seen are resolved, and
+; those that have none; the others go on behind it (last = E).  When fewer than
+; half are left they are compressed with all their crossings.
+;
+; In:  region, its crossings, the rays at hand; found: a routine that takes
+;      what the rays of [seen] meet at [event] on the primitives [event_met],
+;      and leaves in [seen] those that go no further.
+;
+; VISIBLE says which crossings are looked at, chosen when the program is
+; assembled; the default by measured clocks (docs/solids.md):
+;
+;   STEPPING   the above
+;   EVERY      each crossing of each primitive (visible_every_vector.s)
+;
+; Source: the project's notes on ray tracing, 4.1: the before/after rule, event
+; stepping.
+
+        .equ    STEPPING, 1
+        .equ    EVERY, 2
+        .ifndef VISIBLE
+        .equ    VISIBLE, STEPPING
+        .endif
+
+        .regs   r107, step_at, steps_left, tree_value
+        .reg    column, r143            ; of events
+
+; A step of the tree, in the registers of a primitive's part in it.
+        .regs   r248, tree_operation, tree_left, tree_right, tree_result
+
+; Values, before and after an event.
+        .regs   r136, value, value_after, left, left_after, right, right_after
+        .reg    value_size, r142
+
+        .equ    VALUE_SIZE, 2 * QUEUE_BIT_WORDS
+
+; Vectors of the events of the rays at hand.
+        .macro  set_events
+        describe event, event_store, near
+        describe event_met, event_store + 64 * QUEUE, near
+        describe before, event_store + 64 * QUEUE * 2, near
+        describe after, event_store + 64 * QUEUE * 3, near
+        describe active, event_bits, near
+        describe seen, event_bits + 64 * QUEUE_BIT_WORDS, near
+        describe inside, event_bits + 64 * QUEUE_BIT_WORDS * 2, near
+        .endm
+
+; Value number number, before and after an event.
+        .macro  find_value number, value, value_after
+        EX      value_size, 64 * VALUE_SIZE
+        MPYX    \number, value_size, s1
+        load_word scene_values, \value
+        ADDX    \value, s1, \value
+        ADDLEN  \value, near, \value
+        RTOR    \value, \value_after
+        IX      \value_after, 64 * QUEUE_BIT_WORDS
+        .endm
+
+        .macro  both_values operation
+        \operation [left], [right], [value]
+        \operation [left_after], [right_after], [value_after]
+        .endm
+
+        .kernel visible
+walk_tree:
+        RTOR    region, s0
+        IX      s0, 64 * R_FIRST
+        ELEN    s0, 2
+        SWAP    [s0], first_leaf, [r0]          ; and leaf_count
+        set_events
+        describe last, last_store, near
+        .if     VISIBLE == EVERY
+        BIM     walk_every
+        .endif
+
+; The next event of each ray.
+tree_next:
+        VTOV    [near_limit], [event]
+        VTOV    r0, [event_met]
+        leaves_begin
+event_leaf:
+        leaf_at_hand event_none
+        load_field P_ID, identity
+        find_slot leaf_first_event
+        IBXEQ   leaf_segments, r0, r0, event_next
+        IBXEQ   leaf_first_state, r0, leaf_first_event, event_segment
+event_next:
+        CMPLTV  [last], [slot], [bits0]
+        CMPLTV  [slot], [event], [bits1]
+        ANDB    [bits0], [bits1], [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, event_later
+        VTOV    [slot], [event] ? [bits0]
+        VTOV    identity, [event_met] ? [bits0]
+event_later:
+        ADDX    slot, slot_size, slot
+        IBXNE   leaf_events, minus_one_index, r0, event_next, leaf_events
+        BIM     event_none
+
+; Of a segment the end behind which the ray is not yet.
+event_segment:
+        next_slot s2
+        CMPLTV  [last], [s2], [bits0]
+        MASKV   [s2], [slot], [w0] ? [bits0]
+        CMPLTV  [last], [w0], [bits0]
+        CMPLTV  [w0], [event], [bits1]
+        ANDB    [bits0], [bits1], [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, event_later_segment
+        VTOV    [w0], [event] ? [bits0]
+        VTOV    identity, [event_met] ? [bits0]
+event_later_segment:
+        ADDX    slot, slot_size, slot
+        IBXNE   leaf_segments, minus_one_index, r0, event_segment, leaf_segments
+event_none:
+        leaves_next event_leaf
+        CMPNEV  [event_met], r0, [active]
+        CNTOB   [active], s9
+        IBXEQ   s9, r0, r0, walk_skip
+        ADDX    s9, s9, s0
+        IBXGE   s0, r0, near, tree_values
+        CPSV    [event], [event] ? [active]
+        CPSV    [event_met], [event_met] ? [active]
+        EX      target, squeeze_rays
+        BSAVE   link_inner, [target]
+
+tree_values:
+        RTOR    event, column
+        EX      target, find_seen
+        BSAVE   link_inner, [target]
+        IBXEQ   s0, r0, r0, tree_go_on
+        BSAVE   link_kernel, [found]
+        ANDNB   [active], [seen], [active]
+        CNTOB   [active], s9
+        IBXEQ   s9, r0, r0, walk_skip
+        VTOV    big, [event] ? [seen]
+        BIM     tree_left_over
+tree_go_on:
+        CNTOB   [active], s9
+tree_left_over:
+        describe last, last_store, near
+        ADDX    s9, s9, s0
+        IBXLT   s0, r0, near, tree_squeeze
+        VTOV    [event], [last]
+        BIM     tree_next
+tree_squeeze:
+        CPSV    [event], [last] ? [active]
+        EX      target, squeeze_rays
+        BSAVE   link_inner, [target]
+        BIM     tree_next
+
+; What the rays are inside of, before and after the events of a column, one for
+; each ray.  In: column, active.  Out: seen, of active; s0 = the count of its
+; ones.
+find_seen:
+        load_word k_delta, s0
+        SUBNV   [column], s0, [before]
+        ADDNV   [column], s0, [after]
+        leaves_begin
+value_leaf:
+        SUBX    leaf_count, primitives_left, s2
+        find_value s2, value, value_after
+        XORB    [value], [value], [value]
+        XORB    [value_after], [value_after], [value_after]
+        leaf_at_hand value_next
+        IBXEQ   leaf_segments, r0, r0, value_patch
+        find_slot leaf_first_state
+value_segment:
+        CMPLTV  [slot], [before], [bits0]
+        CMPGEV  [after], [slot], [bits1]
+        ADDX    slot, slot_size, slot
+        CMPLTV  [slot], [before], [bits2]
+        CMPGEV  [after], [slot], [inside]
+        ADDX    slot, slot_size, slot
+        ANDNB   [bits0], [bits2], [bits0]
+        ANDNB   [bits1], [inside], [bits1]
+        ORB     [value], [bits0], [value]
+        ORB     [value_after], [bits1], [value_after]
+        IBXNE   leaf_segments, minus_one_index, r0, value_segment, leaf_segments
+        BIM     value_next
+value_patch:
+        load_field P_ID, identity
+        CMPEQV  [event_met], identity, [value_after]
+value_next:
+        leaves_next value_leaf
+
+; The tree.
+        RTOR    region, s0
+        IX      s0, 64 * R_STEPS
+        ELEN    s0, 3
+        SWAP    [s0], step_at, [r0]
+        IBXEQ   steps_left, r0, r0, tree_done
+tree_step:
+        ELEN    step_at, T_SIZE
+        SWAP    [step_at], tree_operation, [r0]
+        find_value tree_left, left, left_after
+        find_value tree_right, right, right_after
+        find_value tree_result, value, value_after
+        IBXEQ   tree_operation, r0, r0, tree_and
+        IBXEQ   tree_operation, r0, one_index, tree_or
+        both_values ANDNB
+        BIM     tree_stepped
+tree_and:
+        both_values ANDB
+        BIM     tree_stepped
+tree_or:
+        both_values ORB
+tree_stepped:
+        IX      step_at, 64 * T_SIZE
+        IBXNE   steps_left, minus_one_index, r0, tree_step, steps_left
+tree_done:
+        find_value tree_value, value, value_after
+        XORB    [value], [value_after], [seen]
+        ANDB    [seen], [active], [seen]
+        CNTOB   [seen], s0
+        BIM     0, link_inner
+
+; The s9 rays of active alone remain at hand.
+        .macro  squeeze_slots count, first
+        RTOR    \count, s2
+        find_slot \first
+squeeze_slot\@:
+        RTOR    slot, s3
+        CPSV    [s3], [s3] ? [active]
+        ADDX    slot, slot_size, slot
+        IBXNE   s2, minus_one_index, r0, squeeze_slot\@, s2
+        .endm
+
+squeeze_rays:
+        leaves_begin
+squeeze_leaf:
+        leaf_at_hand squeeze_next
+        IBXEQ   leaf_segments, r0, r0, squeeze_patch
+        ADDX    leaf_segments, leaf_segments, leaf_segments
+        squeeze_slots leaf_segments, leaf_first_state
+        IBXEQ   leaf_first_state, r0, leaf_first_event, squeeze_next
+        squeeze_slots leaf_events, leaf_first_event
+        BIM     squeeze_next
+squeeze_patch:
+        IBXNE   shadows, r0, r0, squeeze_patch_slots
+        ES      leaf_events, 3 * PATCH_CROSSINGS ; its parameters, too
+squeeze_patch_slots:
+        squeeze_slots leaf_events, leaf_first_event
+squeeze_next:
+        leaves_next squeeze_leaf
+        EX      s3, place_store
+        CPSV    [place], [s3] ? [active]
+        RTOR    s3, place
+        EX      s3, place_store + 64 * QUEUE
+        CPSV    [near_limit], [s3] ? [active]
+        RTOR    s3, near_limit
+        set_near s9
+        set_events
+        EQVB    [active], [active], [active]
+        BIM     0, link_inner
+
+; What the rays of a queue meet first.
+found_nearest:
+        take_found place, taken_at, 0, seen
+        take_found event, taken_distance, 1, seen
+        take_found event_met, taken_met, 2, seen
+        VTOVX   [taken_at], [taken_distance], [nearest]
+        VTOVX   [taken_at], [taken_met], [met]
+        LTOR    taken_met, s2
+        leaves_begin
+found_leaf:
+        leaf_at_hand found_next
+        load_field P_ID, identity
+        SELEQV  [taken_met], identity, s0
+        IBXEQ   s0, r0, s2, found_next          ; there is none
+        store_field P_MET, one_index
+        IBXNE   leaf_segments, r0, r0, found_next
+        CMPEQV  [event_met], identity, [bits0]
+        ANDB    [seen], [bits0], [bits0]
+        find_slot leaf_first_event
+        EX      s3, 64 * CROSSING_SIZE * PATCH_CROSSINGS
+found_crossing:
+        CMPEQV  [slot], [event], [bits1]
+        ANDB    [bits0], [bits1], [bits1]
+        CNTOB   [bits1], s0
+        IBXEQ   s0, r0, r0, found_other
+        ANDNB   [bits0], [bits1], [bits0]
+        take_found place, taken_at, 0, bits1
+        ADDX    slot, s3, s4
+        take_found s4, taken_distance, 1, bits1
+        VTOVX   [taken_at], [taken_distance], [hit_s]
+        ADDX    s4, s3, s4
+        take_found s4, taken_distance, 1, bits1
+        VTOVX   [taken_at], [taken_distance], [hit_t]
+found_other:
+        ADDX    slot, slot_size, slot
+        IBXNE   leaf_events, minus_one_index, r0, found_crossing, leaf_events
+found_next:
+        leaves_next found_leaf
+        BIM     0, link_kernel
+        .endkernel

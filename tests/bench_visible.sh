@@ -1,0 +1,88 @@
+#!/bin/sh
+# bench_visible.sh BUILD - what it costs to find the crossing that is seen, by
+# stepping and by looking at every crossing (rt/kernels/visible_vector.s).
+#
+# The machine's clocks, in thousands: of the region `visible` of the kernels
+# and of the whole frame.  Scenes of the tests, and solids made for this of 1
+# to 32 spheres: a box without spheres that stand across the view, without
+# spheres one behind the other, and what spheres have in common.
+set -eu
+build=$1
+width=160 height=120
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+ways="stepping every"
+
+spheres() { # COUNT LENGTH RADIUS AXIS: in a row about the origin
+    awk -v n="$1" -v length_of="$2" -v r="$3" -v axis="$4" 'BEGIN {
+        for (i = 0; i < n; i++)
+            printf "sphere { %.6f*%s, %.6f }\n",
+                length_of * ((i + .5) / n - .5), axis, r
+    }'
+}
+
+solid() { # KIND COUNT
+    case $1 in
+    across)
+        echo "difference { box { <-2, -.6, -.4>, <2, .6, .4> }"
+        spheres $(($2 - 1)) 4 .35 x
+        ;;
+    along)
+        echo "difference { box { <-1.2, -.9, -2>, <1.2, .9, 2> }"
+        spheres $(($2 - 1)) 4 .7 z
+        ;;
+    common)
+        echo "intersection {"
+        spheres "$2" .6 1.2 x
+        ;;
+    esac
+    echo "}"
+}
+
+write_solid() { # KIND COUNT
+    echo "camera { location <1, 1.5, -5> look_at 0 angle 45 }"
+    echo "light_source { <-4, 8, -9>, 1 }"
+    if [ "$2" -eq 1 ]; then
+        echo "sphere { 0, 1.2 pigment { color rgb .8 } }"
+    else
+        solid "$1" "$2" | sed '$ s/}/pigment { color rgb .8 } }/'
+    fi
+}
+
+clocks() { # SCENE WAY: of visible and of the frame, the frame's checksum
+    "$build/rt205" render "$1" -o "$work/picture.png" -W $width -H $height \
+        --visible "$2" 2>&1 | awk '
+        /clocks,/ { for (i = 2; i <= NF; i++)
+                        if ($i ~ /^clocks/) frame = $(i - 1) }
+        /^frame checksum/ { sum = $3 }
+        $1 == "visible" { visible = $6 }
+        END { print visible, frame, sum }'
+}
+
+compare() { # NAME SCENE
+    for way in $ways; do
+        clocks "$2" "$way"
+    done | awk -v name="$1" '
+        { visible[NR] = $1 / 1000; frame[NR] = $2 / 1000; sum[NR] = $3 }
+        END {
+            printf "%-30s", name
+            for (i = 1; i <= NR; i++) printf " %9.0f", visible[i]
+            for (i = 1; i <= NR; i++) printf " %9.0f", frame[i]
+            print ""
+            for (i = 2; i <= NR; i++)
+                if (sum[i] != sum[1]) { print "frames differ"; exit 1 }
+        }'
+}
+
+echo "thousands of clocks of a frame of $width x $height pixels"
+printf '%-30s %19s %19s\n' "" visible frame
+printf '%-30s %9s %9s %9s %9s\n' scene $ways $ways
+for scene in scenes/bench.pov tests/scenes/csg_*.pov; do
+    compare "$scene" "$scene"
+done
+for kind in across along common; do
+    for count in 1 2 4 8 16 32; do
+        write_solid $kind $count > "$work/solid.pov"
+        compare "$kind, $count" "$work/solid.pov"
+    done
+done

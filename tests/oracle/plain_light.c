@@ -1,0 +1,145 @@
+/* plain_light.c - see plain_light.h. */
+#include "tests/oracle/plain_light.h"
+
+/* POV-Ray 3.7's: lights more oblique than this, and patterns nearer than this
+ * to the next cell, count as at the limit; shadows need blockers this far from
+ * the point, from the light and, within one solid, from each other. */
+#define SMALL_ANGLE 1e-10
+#define SHADOW_DISTANCE 1e-3
+
+/* --- surfaces ----------------------------------------------------------- */
+
+/* Which of the two of a checker. */
+static int pigment_cell(const struct pigment *pigment, const double point[3])
+{
+    double local[3], sum = 0;
+    if (pigment->kind == PIGMENT_COLOR)
+        return 0;
+    to_other_space(&pigment->to_local, point, local);
+    for (int i = 0; i < 3; i++)
+        sum += floor(local[i] + SMALL_ANGLE);
+    return fmod(sum, 2) != 0;
+}
+
+static void passing_color(const struct pigment *pigment, int cell,
+                          double passing[3])
+{
+    for (int i = 0; i < 3; i++)
+        passing[i] = pigment->color[cell][i] * pigment->filter[cell]
+            + pigment->transmit[cell];
+}
+
+void plain_describe(const struct ray *ray, const struct plain_hit *hit,
+                    struct plain_surface *surface)
+{
+    const struct pigment *const pigment = &hit->primitive->pigment;
+    surface->ray = ray;
+    surface->finish = &hit->primitive->finish;
+    point_on(ray, hit->distance, surface->point);
+    copy(surface->normal, hit->normal);
+    const int cell = pigment_cell(pigment, surface->point);
+    passing_color(pigment, cell, surface->passing);
+    copy(surface->color, pigment->color[cell]);
+    scale_by(surface->color,
+             1 - pigment->filter[cell] - pigment->transmit[cell]);
+}
+
+/* phong: the eye's ray mirrored at the surface, against the light;
+ * specular: the direction halfway between eye and light, against the
+ * normal.  Neither takes the surface's colour, clear or not. */
+static double highlight(const struct finish *finish, const double eye[3],
+                        const double normal[3], const double to_light[3])
+{
+    double mirrored[3], halfway[3], sum = 0;
+    add_scaled(mirrored, eye, -2 * dot(eye, normal), normal);
+    add_scaled(halfway, to_light, -1, eye);
+    normalise(halfway);
+    const double phong = dot(mirrored, to_light);
+    const double specular = dot(halfway, normal);
+    if (finish->phong > 0 && phong > 0)
+        sum += finish->phong * pow(phong, finish->phong_size);
+    if (finish->specular > 0 && specular > 0)
+        sum += finish->specular * pow(specular, 1 / finish->roughness);
+    return sum;
+}
+
+/* --- shadows ------------------------------------------------------------ */
+
+static bool casts_shadow(const struct scene *scene,
+                         const struct region *region)
+{
+    for (size_t i = 0; i < region->primitive_count; i++)
+        if (!scene->primitives[region->first_primitive + i].no_shadow)
+            return true;
+    return false;
+}
+
+/* Each surface on the way takes its part, straight on, going in and coming
+ * out. */
+static void pass_region(const struct plain_tracer *tracer,
+                        const struct region *region, const struct ray *ray,
+                        double distance, double color[3])
+{
+    double last = SHADOW_DISTANCE;
+    struct plain_hit hit;
+    plain_cross_region(tracer->crossings, tracer->scene, region, ray);
+    while (plain_next_hit(tracer->crossings, last,
+                          distance - SHADOW_DISTANCE, &hit)) {
+        const struct pigment *const pigment = &hit.primitive->pigment;
+        double point[3], passing[3];
+        point_on(ray, hit.distance, point);
+        passing_color(pigment, pigment_cell(pigment, point), passing);
+        for (int i = 0; i < 3; i++)
+            color[i] *= passing[i];
+        last = hit.distance + SHADOW_DISTANCE;
+    }
+}
+
+static void pass_scene(const struct plain_tracer *tracer,
+                       const struct ray *ray, double distance,
+                       double color[3])
+{
+    const struct scene *const scene = tracer->scene;
+    for (size_t i = 0; i < scene->region_count; i++)
+        if (dot(color, color) > 0 && casts_shadow(scene, &scene->regions[i]))
+            pass_region(tracer, &scene->regions[i], ray, distance, color);
+}
+
+/* --- light -------------------------------------------------------------- */
+
+/* A light behind the surface gives nothing, and one without shadows has no
+ * highlights. */
+static void add_light(const struct plain_tracer *tracer,
+                      const struct light *light,
+                      const struct plain_surface *surface, double color[3])
+{
+    struct ray to_light;
+    double left[3];
+    copy(to_light.origin, surface->point);
+    add_scaled(to_light.direction, light->position, -1, surface->point);
+    const double distance = sqrt(dot(to_light.direction, to_light.direction));
+    scale_by(to_light.direction, 1 / distance);
+    const double cosine = dot(surface->normal, to_light.direction);
+    if (cosine < SMALL_ANGLE)
+        return;
+    copy(left, light->color);
+    if (!light->shadowless)
+        pass_scene(tracer, &to_light, distance, left);
+    const double bright = light->shadowless ? 0
+        : highlight(surface->finish, surface->ray->direction, surface->normal,
+                    to_light.direction);
+    for (int i = 0; i < 3; i++)
+        color[i] += left[i]
+            * (surface->finish->diffuse * cosine * surface->color[i] + bright);
+}
+
+void plain_shade(const struct plain_tracer *tracer,
+                 const struct plain_surface *surface, double color[3])
+{
+    const struct scene *const scene = tracer->scene;
+    for (int i = 0; i < 3; i++)
+        color[i] = surface->finish->ambient[i] * scene->ambient_light[i]
+            * surface->color[i];
+    for (size_t i = 0; i < scene->light_count; i++)
+        add_light(tracer, &scene->lights[i], surface, color);
+}

@@ -1,0 +1,31 @@
+/* plain_light.h - the plain tracer's surfaces and lights, by POV-Ray's rules.
+ */
+#ifndef PLAIN_LIGHT_H
+#define PLAIN_LIGHT_H
+
+#include "tests/oracle/plain_regions.h"
+
+/* A scene, and room for the crossings with any of its regions. */
+struct plain_tracer {
+    const struct scene *scene;
+    struct crossing_list *crossings;
+};
+
+/* What a ray sees where it hits something. */
+struct plain_surface {
+    const struct ray *ray;
+    const struct finish *finish;
+    double point[3], normal[3]; /* against the ray */
+    double color[3];            /* of what is opaque of it */
+    double passing[3];          /* what it lets through, per channel */
+};
+
+void plain_describe(const struct ray *ray, const struct plain_hit *hit,
+                    struct plain_surface *surface);
+
+/* The surface's colour without what comes through it or is mirrored: ambient,
+ * and what each light adds through what stands before it. */
+void plain_shade(const struct plain_tracer *tracer,
+                 const struct plain_surface *surface, double color[3]);
+
+#endif

@@ -1,0 +1,194 @@
+/* Bounding spheres: no point of a solid lies outside of its own, and they are
+ * not much greater than need be. */
+#include "tests/unit/scene_reading.h"
+
+#include "rt/bounds.h"
+#include "rt/scene/transform.h"
+#include "tests/oracle/plain_shapes.h"
+#include "tests/random.h"
+
+static uint64_t random_state = RANDOM_SEED;
+
+static double between(double low, double high)
+{
+    return low + (high - low)
+                     * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
+}
+
+static struct bound first_bound(const char *text)
+{
+    struct scene *scene = read(text);
+    struct bound *bounds = calloc(scene->node_count, sizeof *bounds);
+    struct bound first;
+
+    assert_true(bound_nodes(scene, bounds));
+    first = bounds[0];
+    free(bounds);
+    scene_free(scene);
+    return first;
+}
+
+/* Each with its centre and least radius, or none. */
+static void test_known(void **state)
+{
+    static const struct {
+        const char *text;
+        double center[3], radius;
+        double slack; /* the share that the radius may be greater */
+    } rows[] = {
+        { "sphere { <1, 2, 3>, 2 }", { 1, 2, 3 }, 2, .002 },
+        { "sphere { x, 1 scale <1, 3, 1> }", { 1, 0, 0 }, 3, .002 },
+        { "box { 0, <2, 4, 4> }", { 1, 2, 2 }, 3, .002 },
+        { "box { -1, 1 scale <2, 4, 4> rotate <20, 30, 40> translate x }",
+          { 1, 0, 0 }, 6, .002 },
+        { "cylinder { -4*y, 4*y, 3 }", { 0, 0, 0 }, 5, .02 },
+        { "cylinder { -y, y, 3 open scale <1, 4, 1> rotate 30 }",
+          { 0, 0, 0 }, 5, .02 },
+        { "cone { 0, 3, 4*y, 0 }", { 0, .875, 0 }, 3.125, .03 },
+        { "torus { 3, 1 rotate 33 }", { 0, 0, 0 }, 4, .002 },
+        { "torus { 3, 1 scale <1, 2, 1> }", { 0, 0, 0 }, 5, .002 },
+        { "elliptical_torus { 3, .5, 2 translate z }", { 0, 0, 1 }, 5, .002 },
+        { "steiner_patch { 0, 2*x, <1, 1, 0>, x, <1.5, .5, 0>,"
+          " <.5, .5, 0> }", { 1, 0, 0 }, 1, .03 },
+        { "plane { y, 1 }", { 0, 0, 0 }, BOUND_NONE, 0 },
+        { "quadric { 1, 0, 0, -1 }", { 0, 0, 0 }, BOUND_NONE, 0 },
+        { "sphere { 0, 1e100 }", { 0, 0, 0 }, BOUND_NONE, 0 },
+        { "box { -1e100, 1e100 }", { 0, 0, 0 }, BOUND_NONE, 0 },
+        { "merge { sphere { -3*x, 1 } sphere { 2*x, 2 } }", { 0, 0, 0 }, 4,
+          .002 },
+        { "merge { sphere { 0, 5 } sphere { 2*x, 2 } }", { 0, 0, 0 }, 5,
+          .002 },
+        { "merge { sphere { 0, 5 } plane { y, 2 } }", { 0, 0, 0 }, BOUND_NONE,
+          0 },
+        { "intersection { sphere { 0, 5 } plane { y, 2 } sphere { x, 2 } }",
+          { 1, 0, 0 }, 2, .002 },
+        { "difference { sphere { 0, 5 } sphere { x, 2 } }", { 0, 0, 0 }, 5,
+          .002 },
+        { "sphere { 0, 1 inverse }", { 0, 0, 0 }, BOUND_NONE, 0 },
+        { "intersection { plane { y, 1 } plane { x, 1 } }", { 0, 0, 0 },
+          BOUND_NONE, 0 },
+        { "intersection { merge { sphere { -3*x, 1 } sphere { 2*x, 2 } }"
+          " difference { box { -9, 9 } sphere { 0, 1 } } }", { 0, 0, 0 }, 4,
+          .002 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct bound bound = first_bound(rows[i].text);
+        double within = rows[i].slack * rows[i].radius;
+
+        for (int k = 0; k < 3; k++)
+            assert_close(bound.center[k], rows[i].center[k], within);
+        if (bound.radius < rows[i].radius
+            || bound.radius > rows[i].radius * (1 + rows[i].slack))
+            fail_msg("%s: radius %.9g, expected %.9g", rows[i].text,
+                     bound.radius, rows[i].radius);
+    }
+}
+
+/* Lines through a shape in its own space, and where the points that they cross
+ * it at stand in the world. */
+static size_t count_crossings(const struct primitive *primitive,
+                              const struct bound *bound)
+{
+    struct crossing crossings[MOST_CROSSINGS];
+    struct ray ray;
+    size_t count;
+
+    for (int i = 0; i < 3; i++) {
+        ray.origin[i] = between(-3, 3);
+        ray.direction[i] = between(-3, 3) - ray.origin[i];
+    }
+    count = plain_crossings(primitive, &ray, crossings);
+    for (size_t i = 0; i < count; i++) {
+        double point[3];
+
+        point_on(&ray, crossings[i].distance, point);
+        transform_point(&primitive->to_world, point);
+        add_scaled(point, point, -1, bound->center);
+        assert_true(sqrt(dot(point, point)) <= bound->radius);
+    }
+    return count;
+}
+
+static void test_crossings(void **state)
+{
+    static const char *const shapes[] = {
+        "sphere { <1, .5, 0>, 1.5", "box { <-1, 0, -2>, 1",
+        "cylinder { -x, <1, 2, .5>, .8", "cylinder { 0, .1*y, 3 open",
+        "cone { -x, 1.5, <0, 2, 1>, .2", "cone { 0, 0, z, 2 open",
+        "torus { 1.5, .4", "torus { .5, 1",
+        "elliptical_torus { 1.2, .3, 1", "elliptical_torus { 1.2, 1, .3",
+        ("steiner_patch { -2*x, 2*y, 2*x, <-2, 2, 1>, <2, 2, -1>, -2*y"
+         " weights 1, 2, 1, .5, 3, 1"),
+    };
+    enum { PLACES = 20, LINES = 200 };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(shapes) * PLACES; i++) {
+        size_t count = 0;
+        char text[400];
+
+        snprintf(text, sizeof text,
+                 "%s scale <%f, %f, %f> rotate <%f, %f, %f>"
+                 " matrix <1, %f, 0, 0, 1, %f, 0, 0, 1, %f, 9, -5> }",
+                 shapes[i % COUNT(shapes)], between(.2, 3), between(.2, 3),
+                 between(-3, -.2), between(0, 360), between(0, 360),
+                 between(0, 360), between(-2, 2), between(-2, 2),
+                 between(-9, 9));
+        struct scene *scene = read(text);
+        struct bound bound;
+
+        bound_primitive(scene->primitives, &bound);
+        assert_false(bound_is_none(&bound));
+        for (int line = 0; line < LINES; line++)
+            count += count_crossings(scene->primitives, &bound);
+        assert_true(count > 0);
+        scene_free(scene);
+    }
+}
+
+/* What is enclosed lies within, and no sphere about it is much smaller: that
+ * about any two of the parts is no greater. */
+static void test_enclose(void **state)
+{
+    enum { PARTS = 20, TRIES = 1000 };
+
+    (void)state;
+    for (int try = 0; try < TRIES; try++) {
+        struct bound parts[PARTS], whole;
+        size_t count = 1 + xorshift(&random_state) % PARTS;
+        double least = 0;
+
+        for (size_t i = 0; i < count; i++) {
+            for (int k = 0; k < 3; k++)
+                parts[i].center[k] = between(-5, 5);
+            parts[i].radius = between(0, 2);
+        }
+        bound_enclose(parts, count, &whole);
+        for (size_t i = 0; i < count; i++) {
+            double way[3];
+
+            add_scaled(way, parts[i].center, -1, whole.center);
+            assert_true(sqrt(dot(way, way)) + parts[i].radius
+                        <= whole.radius);
+            for (size_t j = 0; j < count; j++) {
+                add_scaled(way, parts[i].center, -1, parts[j].center);
+                least = fmax(least, (sqrt(dot(way, way)) + parts[i].radius
+                                     + parts[j].radius) / 2);
+            }
+        }
+        assert_true(whole.radius <= 1.25 * least);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_known),
+        cmocka_unit_test(test_crossings),
+        cmocka_unit_test(test_enclose),
+    };
+
+    return cmocka_run_group_tests_name("bounds", tests, NULL, NULL);
+}

@@ -1,0 +1,276 @@
+/* test_plain_rays.c - the plain tracer's mirrors, glass and shadows against
+ * what is worked out by hand.  What the rays find is told by colours: things
+ * shine by themselves, ambient light alone. */
+#include "tests/oracle/plain_shapes.h"
+#include "tests/oracle/plain_tracer.h"
+#include "tests/unit/scene_reading.h"
+
+#include <stdio.h>
+
+/* One ray through the middle of one pixel. */
+#define HEAD \
+    "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 10 } " \
+    "#default { finish { ambient 0 diffuse 0 } } "
+
+struct look {
+    double from[3], along[3];
+};
+
+static void see(const struct look *look, const char *text, double color[3])
+{
+    char whole[4096];
+    struct frame frame;
+    snprintf(whole, sizeof whole, HEAD "%s", text);
+    struct scene *const scene = read(whole);
+    scene->camera = (struct camera) { .location = { 0 } };
+    copy(scene->camera.location, look->from);
+    copy(scene->camera.direction, look->along);
+    assert_true(plain_trace(scene, 1, 1, &frame));
+    for (int i = 0; i < 3; i++)
+        color[i] = frame.channel[i][0];
+    frame_free(&frame);
+    scene_free(scene);
+}
+
+static void check(const struct look *look, const char *text, double red,
+                  double green, double blue)
+{
+    double color[3];
+    see(look, text, color);
+    if (!(fabs(color[0] - red) < CLOSE && fabs(color[1] - green) < CLOSE
+          && fabs(color[2] - blue) < CLOSE))
+        fail_msg("%s: %.15g %.15g %.15g", text, color[0], color[1], color[2]);
+}
+
+#define LAMP "finish { ambient 1 } "
+#define ZAHEAD { { 0, 0, -5 }, { 0, 0, 1 } }
+
+/* --- mirrors ------------------------------------------------------------- */
+
+/* A floor shows the lamp at <4, 3, 0> from <-4, 3, 0> at the origin, tinted by
+ * the mirror and by nothing else. */
+static void test_mirror_image(void **state)
+{
+    const struct look look = { { -4, 3, 0 }, { 4, -3, 0 } };
+    (void)state;
+    check(&look, "plane { y, 0 pigment { rgb 1 } "
+          "finish { reflection rgb <.9, .5, .2> } } "
+          "sphere { <4, 3, 0>, 1e-6 pigment { rgb .5 } " LAMP "}",
+          .45, .25, .1);
+    check(&look, "plane { y, 0 pigment { rgb <.1, .2, .3> } "
+          "finish { ambient 1 reflection .5 } } background { rgb .5 }",
+          .1 + .25, .2 + .25, .3 + .25);
+    check(&look, "plane { y, 0 finish { reflection .5 } } "
+          "sphere { <4, 3.00001, 0>, 1e-6 pigment { rgb .5 } " LAMP "}",
+          0, 0, 0);
+}
+
+/* The point of a ball where eye and lamp are mirror images of each other:
+ * there the normal is between them. */
+static void test_mirror_ball(void **state)
+{
+    const struct look look = { { -3, 4, 0 }, { 3, -3, 0 } };
+    (void)state;
+    check(&look, "sphere { 0, 1 finish { reflection 1 } } "
+          "sphere { <3, 4, 0>, 1e-6 pigment { rgb .7 } " LAMP "}", .7, .7, .7);
+}
+
+/* Two mirrors that face each other add up a geometric series, which the
+ * level or the limit of what counts ends. */
+static void check_series(int level, double bailout, int terms)
+{
+    static const struct look look = { { 0, 0, 1 }, { 0, 0, 1 } };
+    char text[512];
+    double sum = 0;
+    for (int i = 0; i < terms; i++)
+        sum += .1 * pow(.5, i);
+    snprintf(text, sizeof text, "global_settings { max_trace_level %d "
+             "adc_bailout %.17g } box { 0, <9, 9, 2> translate <-4, -4, 0> "
+             "pigment { rgb 1 } finish { ambient .1 reflection .5 } }",
+             level, bailout);
+    check(&look, text, sum, sum, sum);
+}
+
+static void test_levels(void **state)
+{
+    (void)state;
+    check_series(1, 0, 1);
+    check_series(2, 0, 2);
+    check_series(7, 0, 7);
+    check_series(20, .25, 3);     /* what weighs as much is followed */
+    check_series(20, .2500001, 2);
+    check_series(20, 1. / 255, 8);
+}
+
+/* --- glass --------------------------------------------------------------- */
+
+/* Where a ray that falls at 45 degrees on a slab of the index n leaves it:
+ * sin a / n is the sine within.  Behind the slab it goes on as before. */
+static void check_slab(double n, double depth)
+{
+    const struct look look = { { 0, 2, -2 }, { 0, -1, 1 } };
+    const double s = sqrt(.5) / n, shift = depth * s / sqrt(1 - s * s);
+    char text[512];
+    snprintf(text, sizeof text, "box { <-9, -9, 0>, <9, 9, %.17g> "
+             "pigment { rgbt 1 } interior { ior %.17g } } "
+             "sphere { <0, %.17g, %.17g>, 1e-6 pigment { rgb .8 } " LAMP "}",
+             depth, n, -shift - 1, depth + 1);
+    check(&look, text, .8, .8, .8);
+}
+
+static void test_snell(void **state)
+{
+    (void)state;
+    check_slab(1.5, .7);
+    check_slab(1.33, 2);
+    check_slab(2.4, .1);
+    check_slab(1, 1);
+    check_slab(.8, 1);
+}
+
+/* A ball of index n brings rays close to its axis together at
+ * n / (2 (n - 1)) radii from its centre. */
+static void test_ball_lens(void **state)
+{
+    const struct look look = { { 0, 1e-4, -5 }, { 0, 0, 1 } };
+    (void)state;
+    check(&look, "sphere { 0, 1 pigment { rgbt 1 } interior { ior 1.5 } } "
+          "sphere { 1.5*z, 1e-6 pigment { rgb .6 } " LAMP "}", .6, .6, .6);
+}
+
+/* From within glass, below y = 0, to a blue sky or, from 41.81 degrees on, back
+ * to the red ground: in full, and not by the mirror that the surface is as
+ * well. */
+static void check_from_below(double degrees, double red, double blue)
+{
+    const double angle = degrees * 3.14159265358979323846 / 180;
+    const struct look look = { { 0, -1, 0 }, { sin(angle), cos(angle), 0 } };
+    check(&look, "background { rgb z } plane { y, 0 pigment { rgbt .25 } "
+          "finish { reflection .5 } interior { ior 1.5 } } "
+          "plane { y, -9 pigment { rgb x } finish { ambient 1 } }", red, 0,
+          blue);
+}
+
+static void test_total_reflection(void **state)
+{
+    (void)state;
+    check_from_below(0, .5, .25);
+    check_from_below(41.8, .5, .25);
+    check_from_below(41.82, 1, 0);
+    check_from_below(80, 1, 0);
+}
+
+/* What passes, and what is left of the surface's own colour and its
+ * highlights. */
+static void test_what_passes(void **state)
+{
+    const struct look look = ZAHEAD;
+    (void)state;
+    check(&look, "background { rgb 1 } plane { -z, 0 "
+          "pigment { rgbft <.8, .5, .2, .5, .25> } }",
+          .65, .5, .35);
+    check(&look, "background { rgb 1 } plane { -z, 0 "
+          "pigment { rgbft <.8, .5, .2, .5, .25> } finish { ambient 1 } }",
+          .65 + .2, .5 + .125, .35 + .05);
+    check(&look, "background { rgb .5 } plane { -z, 0 "
+          "pigment { rgbt <.5, .5, .5, .5> } finish { reflection .25 } }",
+          .375, .375, .375);
+    check(&look, "light_source { -9*z, .5 } plane { -z, 0 "
+          "pigment { rgbt <.8, .8, .8, .75> } "
+          "finish { diffuse .5 specular .5 } }",
+          .3, .3, .3); /* .5 (.5 .8 .25 + .5) */
+    check(&look, "background { rgb 1 } plane { -z, 0 pigment { "
+          "checker rgbt <0, 0, 0, .5> rgb 0 translate -.5 } }", .5,
+          .5, .5);
+}
+
+/* Where less passes than counts, nothing is followed: by weight or by
+ * brightness. */
+static void test_too_dark(void **state)
+{
+    const struct look look = ZAHEAD;
+    const char *const text = "background { rgb 1 } "
+        "global_settings { adc_bailout .5 } plane { -z, 0 pigment { ";
+    static const struct {
+        const char *pigment;
+        double red, green;
+    } rows[] = {
+        { "rgbf <.9, .9, 0, 1> } }", .9, .9 },
+        { "rgbf <.9, 0, 0, 1> } }", 0, 0 }, /* brightness .267 */
+        { "rgbt <0, 0, 0, .5> } }", 0, 0 },
+    };
+    char whole[512];
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        snprintf(whole, sizeof whole, "%s%s", text, rows[i].pigment);
+        check(&look, whole, rows[i].red, rows[i].green, 0);
+    }
+}
+
+/* --- shadows ------------------------------------------------------------- */
+
+/* The floor below a light, and what hangs between. */
+static void check_shadow(const char *between, double red, double green)
+{
+    const struct look look = { { 1, 1, 0 }, { -1, -1, 0 } };
+    char text[1024];
+    snprintf(text, sizeof text, "light_source { 10*y, rgb <1, 1, 0> } "
+             "plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } } %s",
+             between);
+    check(&look, text, red, green, 0);
+}
+
+#define CLEAR "pigment { rgbf <.8, .5, .2, 1> } "
+
+static void test_shadows(void **state)
+{
+    (void)state;
+    check_shadow("", 1, 1);
+    check_shadow("sphere { 5*y, 1 }", 0, 0);
+    check_shadow("sphere { 5*y, 1 no_shadow }", 1, 1);
+    check_shadow("sphere { 15*y, 1 }", 1, 1);
+    check_shadow("plane { y, 9.9995 }", 1, 1);
+    check_shadow("plane { y, 9.998 }", 0, 0);
+    check_shadow("plane { y, 5 " CLEAR "}", .8, .5);
+    check_shadow("sphere { 5*y, 1 " CLEAR "}", .64, .25);
+    check_shadow("sphere { 5*y, 1 " CLEAR "interior { ior 1.5 } "
+                 "finish { reflection .5 } }", .64, .25);
+    check_shadow("sphere { 10*y, 1 " CLEAR "}", .8, .5);
+    check_shadow("sphere { 5*y, 1 " CLEAR "} plane { y, 2 }", 0, 0);
+    check_shadow("sphere { 5*y, 1 pigment { rgbf <0, 1, 0, 1> } }", 0, 1);
+}
+
+/* One skin where two surfaces are one. */
+static void test_shadows_of_solids(void **state)
+{
+    (void)state;
+    check_shadow("union { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR "}",
+                 .4096, .0625);
+    check_shadow("merge { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR "}",
+                 .64, .25);
+    check_shadow("difference { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR
+                 "}", .4096, .0625);
+    check_shadow("merge { sphere { 5*y, 1 } sphere { 5*y, 1 } " CLEAR "}",
+                 .64, .25);
+    check_shadow("merge { box { 4, 6 translate <-5, 0, -5> } box { <-1, 6, "
+                 "-1>, <1, 7, 1> } " CLEAR "}", .64, .25);
+    check_shadow("difference { sphere { 5*y, 1 " CLEAR "} "
+                 "box { <-1, 2, -1>, <1, 5, 1> } }", 0, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_mirror_image),
+        cmocka_unit_test(test_mirror_ball),
+        cmocka_unit_test(test_levels),
+        cmocka_unit_test(test_snell),
+        cmocka_unit_test(test_ball_lens),
+        cmocka_unit_test(test_total_reflection),
+        cmocka_unit_test(test_what_passes),
+        cmocka_unit_test(test_too_dark),
+        cmocka_unit_test(test_shadows),
+        cmocka_unit_test(test_shadows_of_solids),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,314 @@
+/* test_plain_solids.c - what the plain tracer takes for the surface of a
+ * solid: volumes in closed form, surfaces that coincide. */
+#include "tests/oracle/plain_regions.h"
+#include "tests/random.h"
+#include "tests/unit/scene_reading.h"
+
+#define PI 3.14159265358979323846
+
+/* The first region of a scene, and its crossings with a ray. */
+struct solid {
+    struct scene *scene;
+    struct crossing_list *crossings;
+};
+
+static struct solid solid_with(const char *text, size_t reports)
+{
+    struct solid solid = { read_with(text, reports), NULL };
+    solid.crossings = crossing_list_new(solid.scene);
+    assert_non_null(solid.crossings);
+    assert_int_equal(solid.scene->region_count, 1);
+    return solid;
+}
+
+static struct solid solid_of(const char *text)
+{
+    return solid_with(text, 0);
+}
+
+static void solid_free(struct solid *solid)
+{
+    crossing_list_free(solid->crossings);
+    scene_free(solid->scene);
+}
+
+/* How often the line enters or leaves, and how long it is inside.  Skins of
+ * two surfaces count once. */
+struct passage {
+    int events;
+    double length;
+};
+
+static struct passage pass(const struct solid *solid, const struct ray *ray)
+{
+    struct passage passage = { 0, 0 };
+    struct plain_hit hit;
+    double last = -1e6, entered = 0;
+    bool inside = false;
+    plain_cross_region(solid->crossings, solid->scene, solid->scene->regions,
+                       ray);
+    while (plain_next_hit(solid->crossings, last, 1e6, &hit)) {
+        assert_true(hit.entering != inside);
+        inside = hit.entering;
+        if (inside)
+            entered = hit.distance;
+        else
+            passage.length += hit.distance - entered;
+        last = hit.distance + 2 * PLAIN_DELTA;
+        passage.events++;
+    }
+    assert_false(inside);
+    return passage;
+}
+
+/* --- volumes ------------------------------------------------------------- */
+
+/* By parallel rays from a grid over -size .. size, in a slanted direction. */
+static double volume(const struct solid *solid, double size)
+{
+    const int steps = 200;
+    const double across[2][3] = { { 2. / 3, -1. / 3, 2. / 3 },
+                                  { 2. / 3, 2. / 3, -1. / 3 } };
+    double sum = 0;
+    for (int i = 0; i < steps; i++)
+        for (int j = 0; j < steps; j++) {
+            struct ray ray = { { 0 }, { -1. / 3, 2. / 3, 2. / 3 } };
+            const double u = (2 * i + 1. - steps) / steps * size;
+            const double v = (2 * j + 1. - steps) / steps * size;
+            add_scaled(ray.origin, ray.origin, u, across[0]);
+            add_scaled(ray.origin, ray.origin, v, across[1]);
+            sum += pass(solid, &ray).length;
+        }
+    return sum * 4 * size * size / steps / steps;
+}
+
+/* The grid's share of an error: two in a thousand. */
+static void check_volume(const char *text, double size, double expected)
+{
+    struct solid solid = solid_of(text);
+    const double found = volume(&solid, size);
+    if (!(fabs(found - expected) <= .002 * expected))
+        fail_msg("%s: volume %.6g, expected %.6g", text, found, expected);
+    solid_free(&solid);
+}
+
+static double lens(double r, double s, double d)
+{
+    const double depth = r + s - d;
+    return PI * depth * depth
+        * (d * d + 2 * d * (r + s) - 3 * (r - s) * (r - s)) / (12 * d);
+}
+
+static void test_round_solids(void **state)
+{
+    (void)state;
+    check_volume("intersection { cylinder { -2*x, 2*x, 1 } "
+                 "cylinder { -2*y, 2*y, 1 } }", 1.8, 16. / 3);
+    check_volume("intersection { cylinder { -2*x, 2*x, 1 } "
+                 "cylinder { -2*y, 2*y, 1 } cylinder { -2*z, 2*z, 1 } }",
+                 1.3, 8 * (2 - sqrt(2)));
+    check_volume("intersection { sphere { 0, 1 } sphere { .9*x, .8 } }", 1.2,
+                 lens(1, .8, .9));
+    check_volume("merge { sphere { 0, 1 } sphere { .9*x, .8 } }", 1.8,
+                 4 * PI / 3 * (1 + .512) - lens(1, .8, .9));
+    check_volume("difference { sphere { 0, 1 } sphere { .9*x, .8 } }", 1.2,
+                 4 * PI / 3 - lens(1, .8, .9));
+    check_volume("intersection { sphere { 0, 1 } "
+                 "cylinder { <.5, -2, 0>, <.5, 2, 0>, .5 } }", 1.2,
+                 2 * PI / 3 - 8. / 9);
+    check_volume("intersection { cylinder { 0, y, 1 } plane { <-1, 1, 0>, 0 } "
+                 "}", 1.5, 2. / 3);
+    check_volume("intersection { sphere { 0, 1 } plane { -y, -.5 } }", 1.2,
+                 PI * .25 * 2.5 / 3);
+}
+
+/* A ring of height 1, whatever the ball. */
+static void test_napkin_rings(void **state)
+{
+    (void)state;
+    check_volume("difference { sphere { 0, 1 } "
+                 "cylinder { -2*y, 2*y, sqrt(.75) } }", 1.1, PI / 6);
+    check_volume("difference { sphere { 0, 2 } "
+                 "cylinder { -3*y, 3*y, sqrt(3.75) open } }", 2.1, PI / 6);
+}
+
+static void test_other_solids(void **state)
+{
+    (void)state;
+    check_volume("difference { box { 0, 3 } box { <1, 1, -1>, <2, 2, 4> } "
+                 "box { <1, -1, 1>, <2, 4, 2> } box { <-1, 1, 1>, <4, 2, 2> } "
+                 "translate -1.5 }", 2.8, 20);
+    check_volume("intersection { box { -1, 1 } sphere { 0, 1 inverse } }",
+                 1.8, 8 - 4 * PI / 3);
+    check_volume("difference { torus { 1, .25 } plane { <1, 2, 3>, 0 } }",
+                 1.4, PI * PI / 16);
+    check_volume("intersection { elliptical_torus { 1, .2, .4 } "
+                 "plane { x, 0 } plane { z, 0 } }", 1.5, PI * PI * .08 / 2);
+    check_volume("intersection { cone { -y, 1, y, .5 } plane { z, 0 } }", 1.6,
+                 PI * 1.75 / 3);
+    check_volume("difference { quadric { <1, 4, 1>, 0, 0, -1 } "
+                 "plane { <1, 1, 0>, 0 } }", 1.2, PI / 3);
+    check_volume("intersection { plane { x, 0 } quartic { <1,0,0,0,0,0,0,0,0,"
+                 "0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,1,0,0,0,-1> } }",
+                 1.8, 4 * pow(tgamma(1.25), 3) / tgamma(1.75));
+    check_volume("intersection { box { -1, 1 } quadric { <-1, -1, 0>, 0, 0, "
+                 ".25 } }", 1.8, 8 - PI / 2);
+}
+
+/* De Morgan: what is in neither is out of both. */
+static void test_nested_solids(void **state)
+{
+    const double both = lens(1, .8, .9);
+    (void)state;
+    check_volume("difference { box { -3, 3 } "
+                 "union { sphere { 0, 1 } sphere { .9*x, .8 } } }", 5.2,
+                 216 - 4 * PI / 3 * 1.512 + both);
+    check_volume("intersection { box { -3, 3 } "
+                 "intersection { sphere { 0, 1 } sphere { .9*x, .8 } inverse "
+                 "} }", 5.2, 216 - both);
+    check_volume("difference { sphere { 0, 1 } difference { sphere { .9*x, .8 "
+                 "} box { -4, 4 scale <1, 1, .001> } } }", 1.2,
+                 4 * PI / 3 - both + .008 * PI * .36);
+}
+
+/* --- surfaces that coincide ----------------------------------------------- */
+
+static struct passage along(const char *text, double x, double y)
+{
+    struct solid solid = solid_of(text);
+    const struct ray ray = { { x, y, -5 }, { 0, 0, 1 } };
+    const struct passage passage = pass(&solid, &ray);
+    solid_free(&solid);
+    return passage;
+}
+
+static void test_coincident_faces(void **state)
+{
+    static const struct {
+        const char *text;
+        double x, y;
+        int events;
+        double length;
+    } rows[] = {
+        { "difference { box { -1, 1 } box { -1, 1 } }", .3, .2, 0, 0 },
+        { "intersection { box { -1, 1 } box { -1, 1 } }", .3, .2, 2, 2 },
+        { "merge { box { -1, 1 } box { -1, 1 } }", .3, .2, 2, 2 },
+        { "merge { box { -1, 1 } box { <-1, -1, 1>, <1, 1, 3> } }", .3, .2, 2,
+          4 },
+        { "intersection { box { -1, 1 } box { <-1, -1, 1>, <1, 1, 3> } }", .3,
+          .2, 0, 0 },
+        { "difference { box { -1, 1 } box { <-.5, -.5, -1>, <.5, .5, 1> } }",
+          .3, .2, 0, 0 },
+        { "difference { box { -1, 1 } box { <-.5, -.5, -1>, <.5, .5, 1> } }",
+          .6, .2, 2, 2 },
+        { "difference { box { -1, 1 } box { <-.5, -.5, -1>, <.5, .5, 0> } }",
+          .3, .2, 2, 1 },
+        { "difference { box { -1, 1 } box { -1.00000003, .99999998 } }", .3,
+          .2, 0, 0 }, /* closer than delta */
+        { "merge { box { -1, 1 } box { <-1, -1, 1.00000002>, <1, 1, 3> } }",
+          .3, .2, 2, 4 },
+        { "intersection { plane { z, 5e-8 } plane { -z, 0 } }", 0, 0, 0, 0 },
+        { "intersection { plane { z, 1e-6 } plane { -z, 0 } }", 0, 0, 2,
+          1e-6 },
+        { "difference { sphere { 0, 1 } sphere { 0, 1 } }", .3, .2, 0, 0 },
+        { "difference { torus { 1, .3 } torus { 1, .3 } }", .9, .1, 0, 0 },
+        { "intersection { sphere { -.5*z, .5 } sphere { .5*z, .5 } }", 0, 0,
+          0, 0 },
+        { "merge { sphere { -.5*z, .5 } sphere { .5*z, .5 } }", 0, 0, 2, 2 },
+    };
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        const struct passage is = along(rows[i].text, rows[i].x, rows[i].y);
+        if (is.events != rows[i].events
+            || !(fabs(is.length - rows[i].length) <= PLAIN_DELTA))
+            fail_msg("%s: %d events, inside for %.9g", rows[i].text,
+                     is.events, is.length);
+    }
+}
+
+/* Two boxes side by side, of which every ray sees the outside only. */
+static void test_joined_boxes(void **state)
+{
+    struct solid pair = solid_of("merge { box { -1, 1 } "
+                                 "box { <1, -1, -1>, <2, 1, 1> } "
+                                 "rotate <10, 20, 30> }");
+    struct solid whole = solid_of("box { -1, <2, 1, 1> rotate <10, 20, 30> }");
+    uint64_t random = RANDOM_SEED;
+    (void)state;
+    for (int i = 0; i < 2000; i++) {
+        struct ray ray;
+        for (int k = 0; k < 3; k++) {
+            ray.origin[k] = (double)(xorshift(&random) >> 11) * 0x1p-51 - 2;
+            ray.direction[k] = (double)(xorshift(&random) >> 11) * 0x1p-52 - 1;
+        }
+        normalise(ray.direction);
+        const struct passage a = pass(&pair, &ray), b = pass(&whole, &ray);
+        assert_int_equal(a.events, b.events);
+        assert_close(a.length, b.length, 1e-6);
+    }
+    solid_free(&pair);
+    solid_free(&whole);
+}
+
+/* --- surfaces without inside ---------------------------------------------- */
+
+static int seen_along(const char *text, double x, size_t reports)
+{
+    struct solid solid = solid_with(text, reports);
+    const struct ray ray = { { x, 0, -5 }, { 0, 0, 1 } };
+    struct plain_hit hit;
+    double last = -1e6;
+    int count = 0;
+    plain_cross_region(solid.crossings, solid.scene, solid.scene->regions,
+                       &ray);
+    for (; plain_next_hit(solid.crossings, last, 1e6, &hit); count++)
+        last = hit.distance;
+    solid_free(&solid);
+    return count;
+}
+
+/* A patch in z = 0, and an open cylinder from -1 to 1 about z. */
+#define PATCH "steiner_patch { <-2, -2, 0>, <2, -2, 0>, <0, 3, 0>, " \
+    "<0, -2, 0>, <1, .5, 0>, <-1, .5, 0> }"
+#define TUBE "cylinder { -z, z, .5 open }"
+#define BALL " sphere { 0, .5 }"
+
+static void test_open_surfaces(void **state)
+{
+    static const struct {
+        const char *text;
+        double x;
+        int count;
+        size_t reports; /* a patch cannot be cut as a solid can */
+    } rows[] = {
+        { PATCH, 0, 1, 0 },
+        { "merge { " PATCH BALL " }", 0, 2, 0 }, /* hidden in the ball */
+        { "merge { " PATCH BALL " }", .7, 1, 0 },
+        { "intersection { " PATCH BALL " }", 0, 1, 1 },
+        { "intersection { " PATCH BALL " }", .7, 0, 1 },
+        { "difference { " PATCH BALL " }", 0, 0, 1 },
+        { "difference { " PATCH BALL " }", .7, 1, 1 },
+        { "difference { box { -2, 2 } " TUBE " }", 0, 2, 0 }, /* no disks */
+        { "difference { box { <-2, -2, 0>, 2 } " TUBE " }", 0, 1, 0 },
+        { "intersection { box { <-2, -2, 0>, 2 } " TUBE " }", 0, 1, 0 },
+    };
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++)
+        if (seen_along(rows[i].text, rows[i].x, rows[i].reports)
+            != rows[i].count)
+            fail_msg("%s: not %d crossings", rows[i].text, rows[i].count);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_round_solids),
+        cmocka_unit_test(test_napkin_rings),
+        cmocka_unit_test(test_other_solids),
+        cmocka_unit_test(test_nested_solids),
+        cmocka_unit_test(test_coincident_faces),
+        cmocka_unit_test(test_joined_boxes),
+        cmocka_unit_test(test_open_surfaces),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

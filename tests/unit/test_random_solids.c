@@ -1,0 +1,143 @@
+/* Random solids of all shapes, half of them with faces that coincide: one
+ * frame of all stages, with bounds and without, and the plain tracer's.
+ *
+ *     test_random_solids [SCENES [SEED]]
+ */
+#define MIDDLING_FRAMES
+#include "tests/unit/random_solids.h"
+
+static size_t scene_count = 4; /* of each sort */
+static bool along; /* the eye looks along an axis: rays lie in faces and meet
+                      edges, where a rounding decides */
+
+static void add_view(char *text, size_t size)
+{
+    along = solids.gridded && below(2);
+    if (along)
+        add(text, size, "camera { location <0, 0, -%.2f> " STRAIGHT_AHEAD
+            " }\n", size_between(4, 6));
+    else
+        add(text, size, "camera { location <%.3f, %.3f, -5> look_at <%.3f, "
+            "%.3f, 0> angle 45 }\n", between(-2, 2), between(-2, 2),
+            between(-.2, .2), between(-.2, .2));
+}
+
+static void write_scene(char *text, size_t size)
+{
+    text[0] = '\0';
+    add(text, size, "#version 3.7; global_settings { assumed_gamma 1 "
+        "max_trace_level 4 }\nbackground { rgb <.2, .3, .5> }\n"
+        "light_source { <%.1f, 8, -7>, .7 }\n"
+        "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n",
+        between(-7, 7), between(2, 6));
+    add_view(text, size);
+    for (size_t i = 1 + below(2); i > 0; i--)
+        add_solid(text, size, 1 + below(2));
+}
+
+/* --- comparisons --------------------------------------------------------- */
+
+static void check_no_bounds(const struct scene *scene, const char *text,
+                            const struct words *expected)
+{
+    no_bounds = true;
+    struct words *found = same_frame_of(scene, text);
+    no_bounds = false;
+    for (int channel = 0; channel < FRAME_CHANNELS; channel++)
+        for (size_t k = 0; k < PIXELS; k++)
+            if (found->channel[channel][k] != expected->channel[channel][k])
+                fail_msg("channel %d, pixel %zu: other without bounds in\n%s",
+                         channel, k, text);
+    free(found);
+}
+
+/* Of surfaces in one place a rounding chooses the one that is seen, but not
+ * where it is. */
+static void check_depths(const struct scene *scene, const char *text,
+                         const struct words *words)
+{
+    size_t others = 0;
+    struct frame plain;
+
+    assert_true(plain_trace(scene, WIDTH, HEIGHT, &plain));
+    for (size_t k = 0; k < PIXELS; k++) {
+        double found = c205_to_double(words->channel[CHANNEL_DEPTH][k]);
+        double expected = plain.channel[CHANNEL_DEPTH][k];
+
+        others += !(fabs(found - expected) <= 1e-6 * (1 + expected));
+        if (others > PIXELS / 100)
+            fail_msg("pixel %zu: %.9f deep, not %.9f, in\n%s", k, found,
+                     expected, text);
+    }
+    frame_free(&plain);
+}
+
+static void check_scene(const char *text)
+{
+    struct scene *scene = read_text(text);
+    struct words *words = solids.gridded ? same_frame_of(scene, text)
+                                         : plain_frame(text);
+
+    if (solids.gridded && !along)
+        check_depths(scene, text, words);
+    check_paper_stage(text, words);
+    check_no_bounds(scene, text, words);
+    free(words);
+    scene_free(scene);
+}
+
+static void check_scenes(bool gridded, bool clear)
+{
+    static char text[1 << 18];
+
+    solids.gridded = gridded;
+    solids.clear = clear;
+    solids.patches = true;
+    for (size_t i = 0; i < scene_count; i++) {
+        write_scene(text, sizeof text);
+        check_scene(text);
+    }
+}
+
+/* --- tests --------------------------------------------------------------- */
+
+static void test_opaque(void **state)
+{
+    (void)state;
+    check_scenes(false, false);
+}
+
+static void test_clear(void **state)
+{
+    (void)state;
+    check_scenes(false, true);
+}
+
+static void test_coincident(void **state)
+{
+    (void)state;
+    check_scenes(true, false);
+}
+
+static void test_coincident_clear(void **state)
+{
+    (void)state;
+    check_scenes(true, true);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_opaque),
+        cmocka_unit_test(test_clear),
+        cmocka_unit_test(test_coincident),
+        cmocka_unit_test(test_coincident_clear),
+    };
+
+    reported = true; /* patches in intersections */
+    if (argc > 1)
+        scene_count = strtoul(argv[1], NULL, 10);
+    if (argc > 2)
+        random_state ^= strtoull(argv[2], NULL, 10) << 13;
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

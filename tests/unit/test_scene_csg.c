@@ -1,0 +1,385 @@
+/* test_scene_csg.c - the scene language: solids made of others, what passes
+ * through them and what they reflect. */
+#include "tests/unit/scene_reading.h"
+
+/* --- trees --------------------------------------------------------------- */
+
+/* A region as text: `&(a, b)`, `|(a, b)`, `!a`; a leaf by its place. */
+static size_t write_tree(const struct scene *scene, size_t i, FILE *out)
+{
+    static const char signs[] = { ' ', '&', '|', '!' };
+    const struct tree_node *node = &scene->nodes[i];
+
+    if (node->operation == TREE_LEAF) {
+        fprintf(out, "%zu", node->primitive);
+        return i + 1;
+    }
+    fprintf(out, "%c(", signs[node->operation]);
+    for (i++; i < node->next;) {
+        i = write_tree(scene, i, out);
+        fputs(i < node->next ? "," : ")", out);
+    }
+    return i;
+}
+
+static void check_regions(const char *text, size_t reports,
+                          const char *expected)
+{
+    struct scene *scene = read_with(text, reports);
+    size_t leaf = 0, node = 0, length;
+    char *found = NULL;
+    FILE *out = open_memstream(&found, &length);
+
+    for (size_t i = 0; i < scene->region_count; i++) {
+        const struct region *region = &scene->regions[i];
+        assert_int_equal(region->first_primitive, leaf);
+        assert_int_equal(region->first_node, node);
+        node = write_tree(scene, node, out);
+        fputc(' ', out);
+        assert_int_equal(region->first_node + region->node_count, node);
+        leaf += region->primitive_count;
+    }
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        fputc(scene->primitives[i].inverted ? '-' : '+', out);
+    fclose(out);
+    assert_int_equal(leaf, scene->primitive_count);
+    assert_int_equal(node, scene->node_count);
+    if (strcmp(found, expected) != 0)
+        fail_msg("%s: %s, expected %s", text, found, expected);
+    free(found);
+    scene_free(scene);
+}
+
+#define A "sphere { 0, 1 }"
+#define B "box { 0, 1 }"
+#define C "plane { y, 0 }"
+#define D "torus { 1, .2 }"
+
+static void test_trees(void **state)
+{
+    static const struct {
+        const char *text, *regions;
+        size_t reports;
+    } rows[] = {
+        { "", "", 0 },
+        { A B, "0 1 ++", 0 },
+        { "union { " A B " }", "0 1 ++", 0 },
+        { "intersection { " A B " }", "&(0,1) ++", 0 },
+        { "merge { " A B C " }", "|(0,1,2) +++", 0 },
+        { "difference { " A B C " }", "&(0,!(1),!(2)) +--", 0 },
+        { "sphere { 0, 1 inverse }", "!(0) -", 0 },
+        { "sphere { 0, 1 inverse inverse }", "0 +", 0 },
+        { "union { " A B " inverse }", "!(|(0,1)) --", 0 },
+        { "union { union { " A B " inverse } " C " inverse }",
+          "!(|(!(|(0,1)),2)) ++-", 0 },
+        { "union { merge { " A B " } " C D " }", "|(0,1) 2 3 ++++", 0 },
+        { "intersection { union { " A B " } " C " }", "&(|(0,1),2) +++", 0 },
+        { "merge { union { " A B " } " C " }", "|(|(0,1),2) +++", 0 },
+        { "difference { " A " union { " B C " } }", "&(0,!(|(1,2))) +--", 0 },
+        { "difference { " A " difference { " B C " } " D " }",
+          "&(0,!(&(1,!(2))),!(3)) +-+-", 0 },
+        { "difference { " A " box { 0, 1 inverse } }", "&(0,1) ++", 0 },
+        { "intersection { " A " }", "0 +", 1 },
+        { "intersection { }", "", 1 },
+        { "difference { " A " }", "0 +", 1 },
+        { "intersection { light_source { 0, 1 } " A " }", "0 +", 0 },
+        { "intersection { " A " union { light_source { 0, 1 } } }", "0 +", 1 },
+        { "#declare U = union { " A B " }\n"
+          "object { U } object { U inverse } merge { object { U } " C " }",
+          "0 1 !(|(2,3)) |(|(4,5),6) ++--+++", 0 },
+        { "#declare H = difference { " A B " scale 2 }\n"
+          "intersection { object { H inverse translate x } " C " }",
+          "&(!(&(0,!(1))),2) -++", 0 },
+        { "object { difference { " A B " } inverse }", "!(&(0,!(1))) -+", 0 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++)
+        check_regions(rows[i].text, rows[i].reports, rows[i].regions);
+}
+
+/* A transform of the whole moves all parts. */
+static void test_transforms(void **state)
+{
+    struct scene *scene = read(
+        "#declare H = difference { " A " box { 0, 1 translate x } scale 2 }\n"
+        "object { H translate <0, 3, 0> no_shadow }");
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_close(p[0].to_world.rows[0][0], 2, CLOSE);
+    assert_close(p[0].to_world.rows[1][3], 3, CLOSE);
+    assert_close(p[1].to_world.rows[0][3], 2, CLOSE);
+    assert_close(p[1].to_local.rows[0][3], -1, CLOSE);
+    assert_true(p[0].no_shadow && p[1].no_shadow);
+    scene_free(scene);
+}
+
+/* Of a solid the whole says it, of a union each part. */
+static void test_no_shadow(void **state)
+{
+    static const struct {
+        const char *text;
+        bool no_shadow[2];
+    } rows[] = {
+        { "union { sphere { 0, 1 no_shadow } " B " }", { true, false } },
+        { "union { " A B " no_shadow }", { true, true } },
+        { "merge { sphere { 0, 1 no_shadow } " B " }", { false, false } },
+        { "merge { sphere { 0, 1 no_shadow } " B " no_shadow }",
+          { true, true } },
+        { "intersection { sphere { 0, 1 no_shadow }"
+          " sphere { x, 1 no_shadow } }", { false, false } },
+        { "difference { union { sphere { 0, 1 no_shadow } " B " } " C " }",
+          { false, false } },
+        { "union { difference { " A C " no_shadow } " B " }", { true, true } },
+        { "union { merge { " A B " } " C " no_shadow }", { true, true } },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct scene *scene = read(rows[i].text);
+
+        for (int k = 0; k < 2; k++)
+            assert_int_equal(scene->primitives[k].no_shadow,
+                             rows[i].no_shadow[k]);
+        scene_free(scene);
+    }
+}
+
+/* --- inheritance --------------------------------------------------------- */
+
+static void test_textures(void **state)
+{
+    struct scene *scene = read(
+        "difference {\n"
+        "    sphere { 0, 1 pigment { rgb <1, 0, 0> } }\n"
+        "    union { " B C " pigment { rgb <0, 1, 0> } }\n"
+        "    intersection { " A D " }\n"
+        "    pigment { rgb <0, 0, 1> } finish { reflection .3 }\n"
+        "}");
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_vector(p[0].pigment.color[0], 1, 0, 0);
+    assert_vector(p[1].pigment.color[0], 0, 1, 0);
+    assert_vector(p[2].pigment.color[0], 0, 1, 0);
+    assert_vector(p[3].pigment.color[0], 0, 0, 1);
+    assert_vector(p[4].finish.reflection, .3, .3, .3);
+    assert_vector(p[1].finish.reflection, 0, 0, 0);
+    scene_free(scene);
+}
+
+static void test_interiors(void **state)
+{
+    struct scene *scene = read(
+        "#declare L = intersection {\n"
+        "    sphere { 0, 1 interior { ior 1.2 } }\n" B
+        "    interior { ior 1.5 }\n"
+        "}\n"
+        "object { L } object { L interior { ior 2 } }\n"
+        "union { " A " sphere { 0, 1 interior { } }\n"
+        "    material { texture { pigment { rgbf 1 } } interior { ior 3 } } }"
+        A);
+    static const double expected[] = { 1.2, 1.5, 1.2, 2, 3, 1, 1 };
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, COUNT(expected));
+    for (size_t i = 0; i < COUNT(expected); i++)
+        assert_close(scene->primitives[i].ior, expected[i], 0);
+    scene_free(scene);
+}
+
+/* By name, with more behind the name. */
+static void test_materials(void **state)
+{
+    struct scene *scene = read(
+        "#declare I = interior { ior 1.25 }\n"
+        "#declare J = interior { I }\n"
+        "#declare M = material { interior { J }\n"
+        "    texture { pigment { rgb <1, 0, 0> } } translate x }\n"
+        "#declare N = material { M interior { ior 1.5 } }\n"
+        "sphere { 0, 1 interior { J } }\n"
+        "sphere { 0, 1 material { M } }\n"
+        "sphere { 0, 1 material { N translate y } translate z }\n"
+        "sphere { 0, 1 pigment { rgb <0, 1, 0> }\n"
+        "    material { interior { J ior 1.75 } } }\n"
+        "union { " A " sphere { 0, 1 interior { } } material { N } }");
+    static const double iors[] = { 1.25, 1.25, 1.5, 1.75, 1.5, 1 };
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(iors); i++)
+        assert_close(p[i].ior, iors[i], 0);
+    assert_vector(p[0].pigment.color[0], 0, 0, 0);
+    assert_vector(p[1].pigment.color[0], 1, 0, 0);
+    assert_vector(p[3].pigment.color[0], 0, 1, 0);
+    assert_vector(p[4].pigment.color[0], 1, 0, 0);
+    for (int i = 0; i < 3; i++)
+        assert_close(p[2].pigment.to_local.rows[i][3], -1, CLOSE);
+    scene_free(scene);
+}
+
+/* --- surfaces ------------------------------------------------------------ */
+
+static void test_clear_pigments(void **state)
+{
+    static const struct {
+        const char *text;
+        double filter[2], transmit[2];
+    } rows[] = {
+        { "rgb 1", { 0, 0 }, { 0, 0 } },
+        { "rgbf <1, .5, .2, .7>", { .7, 0 }, { 0, 0 } },
+        { "rgbt <1, .5, .2, .7>", { 0, 0 }, { .7, 0 } },
+        { "color rgbft <1, .5, .2, .6, .3>", { .6, 0 }, { .3, 0 } },
+        { "rgb <1, 1, 1> filter .2 transmit .4", { .2, 0 }, { .4, 0 } },
+        { "Glass", { .9, 0 }, { .1, 0 } },
+        { "rgbf .5 rgb 1", { 0, 0 }, { 0, 0 } },
+        { "checker rgbf 1, rgbt <0, 0, 0, .5>", { 1, 0 }, { 0, .5 } },
+        { "checker pigment { Glass } color Glass", { .9, .9 }, { .1, .1 } },
+        { "rgbf 1 checker", { 0, 0 }, { 0, 0 } },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        char text[300];
+        snprintf(text, sizeof text,
+                 "#declare Glass = rgbft <1, 1, 1, .9, .1>;\n"
+                 "sphere { 0, 1 pigment { %s } }", rows[i].text);
+        struct scene *scene = read(text);
+        for (int k = 0; k < 2; k++) {
+            assert_close(scene->primitives->pigment.filter[k],
+                         rows[i].filter[k], 0);
+            assert_close(scene->primitives->pigment.transmit[k],
+                         rows[i].transmit[k], 0);
+        }
+        scene_free(scene);
+    }
+}
+
+static void test_reflections(void **state)
+{
+    static const struct {
+        const char *text;
+        double color[3];
+    } rows[] = {
+        { "", { 0, 0, 0 } },
+        { "reflection .25", { .25, .25, .25 } },
+        { "reflection rgb <.1, .2, .3>", { .1, .2, .3 } },
+        { "reflection { <.1, .2, .3> }", { .1, .2, .3 } },
+        { "reflection { color rgb .5 } phong 1", { .5, .5, .5 } },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        char text[200];
+        snprintf(text, sizeof text, "sphere { 0, 1 finish { %s } }",
+                 rows[i].text);
+        struct scene *scene = read(text);
+        const double *color = rows[i].color;
+        assert_vector(scene->primitives->finish.reflection, color[0],
+                      color[1], color[2]);
+        scene_free(scene);
+    }
+}
+
+static void test_settings(void **state)
+{
+    struct scene *plain = read(A);
+    struct scene *scene = read("global_settings { adc_bailout 1/100 "
+                               "max_trace_level 12 } " A);
+
+    (void)state;
+    assert_close(plain->adc_bailout, 1. / 255, 0);
+    assert_int_equal(plain->max_trace_level, 5);
+    assert_close(scene->adc_bailout, .01, CLOSE);
+    assert_int_equal(scene->max_trace_level, 12);
+    scene_free(plain);
+    scene_free(scene);
+}
+
+/* --- depth --------------------------------------------------------------- */
+
+/* The first error of a text. */
+static void check_error(const char *text, const char *message)
+{
+    struct reports reports = { 0, 0, NULL };
+
+    assert_null(scene_read_text("test.pov", text, &options, &reports));
+    assert_true(reports.errors > 0);
+    assert_non_null(strstr(reports.items->message, message));
+    reports_free(&reports);
+}
+
+static void test_deep_text(void **state)
+{
+    enum { DEEP = 10000 };
+    static const char level[] = "difference { " A " ";
+    char *text = malloc(DEEP * sizeof level + DEEP * 2);
+    char *end = text;
+
+    (void)state;
+    for (int i = 0; i < DEEP; i++)
+        end += sprintf(end, "%s", level);
+    end += sprintf(end, "%s", B);
+    for (int i = 0; i < DEEP; i++)
+        end += sprintf(end, " }");
+    check_error(text, "within each other");
+    free(text);
+}
+
+/* A union may be as large as a scene, one solid may not. */
+static void test_large_solids(void **state)
+{
+    char text[2000] = "#declare U = union { " A " " A " }";
+    char *end;
+
+    (void)state;
+    for (int i = 1; i < 14; i++)
+        strcat(text, "#declare U = union { object { U } object { U } }\n");
+    scene_free(read(text));
+    end = text + strlen(text);
+    strcpy(end, "object { U inverse }");
+    check_error(text, "more than 10000 primitives in one solid");
+    strcpy(end, "merge { object { U } " A " }");
+    check_error(text, "more than 10000 primitives in one solid");
+}
+
+/* Level upon level by name: copies are counted. */
+static void test_deep_names(void **state)
+{
+    enum { DEEP = 10000, LONGEST = 80 };
+    char *text = malloc(DEEP * LONGEST);
+    char *end = text + sprintf(text, "#declare H = " A " ");
+
+    (void)state;
+    for (int i = 0; i < DEEP; i++)
+        end += sprintf(end, "#declare H = difference { object { H } " A " } ");
+    check_error(text, "copies counted");
+    end = text + sprintf(text, "#declare H = " A " ");
+    for (int i = 0; i <= DEEP; i++)
+        end += sprintf(end, "#declare H = object { H inverse } ");
+    sprintf(end, "object { H }");
+    check_regions(text, 0, "!(0) -");
+    free(text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_trees),
+        cmocka_unit_test(test_transforms),
+        cmocka_unit_test(test_no_shadow),
+        cmocka_unit_test(test_textures),
+        cmocka_unit_test(test_interiors),
+        cmocka_unit_test(test_materials),
+        cmocka_unit_test(test_clear_pigments),
+        cmocka_unit_test(test_reflections),
+        cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_deep_text),
+        cmocka_unit_test(test_large_solids),
+        cmocka_unit_test(test_deep_names),
+    };
+
+    return cmocka_run_group_tests_name("constructive solids", tests, NULL,
+                                       NULL);
+}

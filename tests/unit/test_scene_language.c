@@ -1,0 +1,221 @@
+/* test_scene_language.c - the scene language: values, strings, arrays,
+ * conditions and loops, most of them against what POV-Ray prints. */
+#include "tests/unit/scene_reading.h"
+
+#include <stdio.h>
+
+static const char *said(const struct reports *reports)
+{
+    for (size_t i = 0; i < reports->count; i++)
+        if (reports->items[i].said)
+            return reports->items[i].message;
+    return "";
+}
+
+/* ---- Lists -------------------------------------------------------------- */
+
+static char *file_text(const char *path)
+{
+    FILE *file = fopen(path, "r");
+    char *text = calloc(1, 1 << 16);
+
+    assert_non_null(file);
+    assert_non_null(text);
+    text[fread(text, 1, (1 << 16) - 1, file)] = '\0';
+    fclose(file);
+    return text;
+}
+
+static void check_list(const char *name)
+{
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene;
+    char path[100], *expected;
+
+    snprintf(path, sizeof path, "tests/language/%s.pov", name);
+    scene = scene_read(path, &options, &reports);
+    snprintf(path, sizeof path, "tests/language/%s.txt", name);
+    expected = file_text(path);
+    if (!scene || reports.count != 1) {
+        reports_print(stderr, &reports);
+        fail_msg("%s.pov has something else to say", name);
+    }
+    assert_string_equal(said(&reports), expected);
+    scene_free(scene);
+    reports_free(&reports);
+    free(expected);
+}
+
+/* NAME.txt is what POV-Ray's #debug prints of NAME.pov. */
+static void test_lists(void **state)
+{
+    (void)state;
+    check_list("values");
+    check_list("strings");
+    check_list("flow");
+    check_list("macros");
+    check_list("arrays");
+}
+
+/* ---- Errors ------------------------------------------------------------- */
+
+/* Each text has this one error. */
+static void test_errors(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t column;
+        const char *message;
+    } rows[] = {
+        { "#if (1", 7, "expected ')'" },
+        { "#if 1 sphere { #end", 5, "expected '('" },
+        { "#if (x) sphere { #end", 6, "expected a number" },
+        { "#if (1) sphere { 0, 1 }", 1, "no '#end' closes this '#if'" },
+        { "#if (0) sphere { 0, 1 }", 1, "no '#end' closes this '#if'" },
+        { "#if (0) #else #else #end", 15, "no '#if' for this '#else'" },
+        { "#elseif (1)", 1, "no '#if' for this '#elseif'" },
+        { "#while (Foo) } #end", 9, "'Foo', which is not declared" },
+        { "#while (1) #break", 1, "no '#end' closes this '#while'" },
+        { "#while (1) #end", 1, "more than 1000000 turns" },
+        { "#declare I = 0; #while (I < 3) sphere { 0, Q } #end", 44, "'Q'" },
+        { "#while (1 #end ) #end", 11, "nothing for this '#end'" },
+        { "#for (I, 1, 2, 0) } #end", 16, "the step is 0" },
+        { "#for (I, 1) } #end", 11, "expected ','" },
+        { "#for (x, 1, 2) } #end", 7, "word of the language" },
+        { "#for (3, 1, 2) } #end", 7, "expected a name" },
+        { "#for (I, 1, 2) #local I = x; #end", 7, "not a number any more" },
+        { "#for (I, 0, 1) #else #end", 16, "no '#if' for this '#else'" },
+        { "#switch (1) #case (1)", 1, "closes this '#switch'" },
+        { "#switch (1) #case (x) } #end", 20, "expected a number" },
+        { "#switch (1) #range (1) } #end", 22, "expected ','" },
+        { "#switch (1) #else #case (1) #end", 19, "this '#case'" },
+        { "#case (1)", 1, "no '#switch' for this '#case'" },
+        { "#break", 1, "nothing to break off" },
+        { "#if (1) #break #end", 9, "nothing to break off" },
+        { "#declare A = \"a\"; sphere { 0, A }", 31, "found 'A'" },
+        { "sphere { 0, strlen(1) }", 20, "expected a string" },
+        { "#declare A = concat();", 21, "expected a string" },
+        { "#declare A = concat(\"a\" \"b\");", 25, "expected ')'" },
+        { "#declare A = \"a\\q\";", 14, "escape" },
+        { "#declare A = \"\\u00\";", 14, "escape" },
+        { "#declare A = str(1, 2);", 22, "expected ','" },
+        { "#declare A = str(1, 2e9, 0);", 19, "1000 at the most" },
+        { "#declare A = vstr(6, x, \"\", 0, 0);", 19, "2 to 5" },
+        { "#declare A = substr(\"abc\", 2, 3);", 26, "has 3 characters" },
+        { "#declare A = substr(\"abc\", 0, 1);", 26, "has 3 characters" },
+        { "#declare A = chr(0);", 18, "not a character" },
+        { "#declare A = (\"a\" + \"b\");", 19, "a comparison" },
+        { "#declare A = (\"a\" = 1);", 21, "expected a string" },
+        { "#declare A = rand(0);", 19, "no random stream" },
+        { "#declare A = seed(1e12);", 19, "not a seed" },
+        { "#declare A = vturbulence(1, 2, 3, x);", 14, "not supported" },
+        { "#declare A = trace(1, 2, 3);", 14, "not supported" },
+        { "#declare A = pow(0, 0);", 14, "not a finite number" },
+        { "#declare A = array[0];", 19, "no elements" },
+        { "#declare A = array[-1];", 20, "not between 0 and" },
+        { "#declare A = array[1e5][1e5];", 14, "100000 elements" },
+        { "#declare A = array[2] { 1, x }", 28, "of another kind" },
+        { "#declare A = array[2] { 1 };", 27, "expected a value" },
+        { "#declare A = array[1] { 1, 2 }", 28, "expected '}'" },
+        { "#declare A = array[2]; sphere { 0, A[2] }", 38, "between 0 and 1" },
+        { "#declare A = array[2]; sphere { 0, A[0] }", 36, "is not set" },
+        { "#declare A = array[2][2]; #declare A[1] = 3;", 41, "expected '['" },
+        { "#declare A = array[2] { 1, 2 } #declare A[0] = x;", 41,
+          "of another kind" },
+        { "#declare A = 1; sphere { 0, A[0] }", 30, "found '['" },
+        { "sphere { 0, dimensions(x) }", 24, "expected an array" },
+        { "#declare str = 1;", 10, "word of the language" },
+        { "#declare array = 1;", 10, "word of the language" },
+        { "#declare A = 3 sphere { 0, A }", 16, "expected ';'" },
+        { "#debug 3", 8, "expected a string" },
+        { "#include strlen(\"a\")", 10, "the name of a file" },
+        { "#include concat(\"no/\", \"such\")", 10, "no such file" },
+        { "#version x;", 10, "expected a number" },
+        { "#fopen A \"a\" read", 1, "'#fopen' is not supported" },
+        { "#error concat(\"a\", \"b\")", 1, "ab" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct reports reports = { 0, 0, NULL };
+        struct scene *scene = scene_read_text("test.pov", rows[i].text,
+                                              &options, &reports);
+        const struct report *report = reports.items;
+        if (scene || !report || !report->error
+            || report->column != rows[i].column
+            || !strstr(report->message, rows[i].message)) {
+            reports_print(stderr, &reports);
+            fail_msg("expected %zu: %s, of: %s", rows[i].column,
+                     rows[i].message, rows[i].text);
+        }
+        reports_free(&reports);
+    }
+}
+
+/* ---- What is said ------------------------------------------------------- */
+
+static void test_debug(void **state)
+{
+    static const char text[] =
+        "#debug \"one, \"\n#declare A = 2; #debug str(A, 0, 1)\n"
+        "#render \"\\n\" #statistics \"three\\n\" sphere { 0, 1 }";
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene = scene_read_text("test.pov", text, &strict,
+                                          &reports);
+
+    (void)state;
+    assert_non_null(scene);
+    assert_int_equal(reports.count, 1);
+    assert_int_equal(reports.errors, 0);
+    assert_string_equal(said(&reports), "one, 2.0\nthree\n");
+    scene_free(scene);
+    reports_free(&reports);
+}
+
+/* A report of one place and text is told once, however often it is met. */
+static void test_warnings(void **state)
+{
+    static const char text[] =
+        "#for (I, 1, 9)\n"
+        "    #warning \"same\"\n"
+        "    #warning concat(\"other \", str(div(I, 5), 0, 0))\n"
+        "#end";
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene = scene_read_text("test.pov", text, &options,
+                                          &reports);
+
+    (void)state;
+    assert_non_null(scene);
+    assert_int_equal(reports.count, 3);
+    assert_string_equal(reports.items[2].message, "other 1");
+    scene_free(scene);
+    reports_free(&reports);
+}
+
+static void test_too_much_said(void **state)
+{
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene = scene_read_text(
+        "test.pov", "#for (I, 1, 9999) #debug \"0123456789\" #end", &options,
+        &reports);
+
+    (void)state;
+    assert_non_null(scene);
+    assert_int_equal(reports.count, 2);
+    assert_non_null(strstr(reports.items[1].message, "are said"));
+    scene_free(scene);
+    reports_free(&reports);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_debug),
+        cmocka_unit_test(test_warnings),
+        cmocka_unit_test(test_too_much_said),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

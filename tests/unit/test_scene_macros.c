@@ -1,0 +1,219 @@
+/* test_scene_macros.c - the scene language: what macros and loops make, where
+ * their errors are told to be, and that nothing goes on for ever. */
+#include "tests/unit/scene_reading.h"
+
+#include <time.h>
+
+/* ---- What they make ----------------------------------------------------- */
+
+/* Texts and the radii of their spheres. */
+static void test_spheres(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t count;
+        double radii[4];
+    } rows[] = {
+        { "#for (I, 1, 3) sphere { 0, I } #end", 3, { 1, 2, 3 } },
+        { "union { #for (I, 1, 2) sphere { 0, I } #end scale 1 }", 2,
+          { 1, 2 } },
+        { "#macro S(R) sphere { 0, R } #end S(2) S(1 + 2)", 2, { 2, 3 } },
+        { "#macro S(R) sphere { 0, R } #end\n"
+          "#declare A = S(2); #declare B = union { S(4) object { A } }\n"
+          "object { B } object { A }", 3, { 4, 2, 2 } },
+        { "#macro R(N) N*10 #end sphere { 0, R(1) + R(2) }", 1, { 30 } },
+        { "#macro S(O) object { O } #end S(sphere { 0, 5 })", 1, { 5 } },
+        { "#declare O = sphere { 0, 5 } #macro S(O) object { O } #end S(O)",
+          1, { 5 } },
+        { "#macro S(R) #local O = sphere { 0, R } object { O } #end S(6)", 1,
+          { 6 } },
+        { "#macro S(R) #local O = sphere { 0, R } O #end object { S(6) }", 1,
+          { 6 } },
+        { "#macro S(T) sphere { 0, 1 texture { T } } #end\n"
+          "S(texture { pigment { rgb 1 } })", 1, { 1 } },
+        { "#macro S() sphere { 0, 1 } #undef S #end\n"
+          "#declare A = S(); object { A }", 1, { 1 } },
+        { "#macro B() union { #end #macro E() } #end\n"
+          "B() sphere { 0, 3 } sphere { 0, 4 } E()", 2, { 3, 4 } },
+        { "#macro Many(N) #if (N > 0) sphere { 0, N } Many(N - 1) #end #end\n"
+          "Many(4)", 4, { 4, 3, 2, 1 } },
+        { "#declare A = array[2] { sphere { 0, 1 }, sphere { 0, 2 } }\n"
+          "#declare A[0] = A[1] object { A[0] }", 1, { 2 } },
+        { "#macro S() #break sphere { 0, 1 } #end S() sphere { 0, 2 }", 1,
+          { 2 } },
+        { "#default { finish { ambient 0 } } #if (1) sphere { 0, 2 } #end", 1,
+          { 2 } },
+        { "#switch (2) #case (1) sphere { 0, 1 } #break #case (2)\n"
+          "sphere { 0, 2 } #end", 1, { 2 } },
+        { "#macro M(x2) sphere { 0, x2 } #end #for (I, 1, 2) M(I) #end", 2,
+          { 1, 2 } },
+        { "sphere { 0, #include concat(\"col\", \"ors.inc\") 1 }", 1, { 1 } },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct scene *scene = read(rows[i].text);
+        if (scene->primitive_count != rows[i].count)
+            fail_msg("%zu spheres of: %s", scene->primitive_count,
+                     rows[i].text);
+        for (size_t k = 0; k < rows[i].count; k++)
+            assert_close(scene->primitives[k].shape.sphere.radius,
+                         rows[i].radii[k], 0);
+        scene_free(scene);
+    }
+}
+
+/* A primitive's line is that of the call in the main file. */
+static void test_lines(void **state)
+{
+    struct scene *scene = read("#macro S(R)\n  sphere { 0, R }\n#end\n"
+                               "#macro T()\n  S(1)\n  S(2)\n#end\n\n"
+                               "S(3)\nT()\n");
+    static const size_t lines[] = { 9, 10, 10 };
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, COUNT(lines));
+    for (size_t i = 0; i < COUNT(lines); i++)
+        assert_int_equal(scene->primitives[i].line, lines[i]);
+    scene_free(scene);
+}
+
+/* ---- Errors ------------------------------------------------------------- */
+
+static void test_errors(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t line, column;
+        const char *message;
+    } rows[] = {
+        { "#macro S(R)\n sphere { 0, Q }\n#end\nS(1) S(2)", 2, 14,
+          "'Q', which is not declared, in 'S' called at test.pov:4:1" },
+        { "#macro A(N)\nsphere { 0, N }\n#end\n#macro B(N)\nA(N)\n#end\nB(x)",
+          2, 13, "in 'A' called at test.pov:5:1, in 'B' called at "
+                 "test.pov:7:1" },
+        { "#macro S(R)\n#error concat(\"no \", R)\n#end\nS(\"luck\")", 2, 1,
+          "no luck, in 'S' called at test.pov:4:1" },
+        { "#macro S(A, B) #end\nS(1)", 2, 4, "takes 2 arguments, found 1" },
+        { "#macro S(A) #end\nS(1, 2)", 2, 6, "expected ')'" },
+        { "#macro S(A) #end\nS(Nothing)", 2, 3, "'Nothing'" },
+        { "#macro S() #end\nsphere { 0, S }", 2, 15, "expected '('" },
+        { "#macro S() sphere { 0, 1 }", 1, 1, "closes this '#macro'" },
+        { "#macro (A) #end", 1, 8, "expected a name" },
+        { "#macro S #end", 1, 10, "expected '('" },
+        { "#macro S(1) } #end", 1, 10, "the name of a parameter" },
+        { "#macro S(x) } #end", 1, 10, "word of the language" },
+        { "#macro sphere() } #end", 1, 8, "word of the language" },
+        { "#macro S() #if (1) #end sphere { 0, 1 }", 1, 1, "'#macro'" },
+        { "#macro S() #end #end", 1, 17, "nothing for this '#end'" },
+        { "#macro R() R() #end\nR()", 1, 12, "200 macros and files" },
+        { "#macro R() R() R() #end\nR()", 1, 12, "200 macros and files" },
+        { "#macro R(A) R(A + 1) #end\nsphere { 0, R(1) }", 1, 13,
+          "200 macros and files" },
+        { "#macro R(A) R(R(A)) #end\nR(1)", 1, 15, "200" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct reports reports = { 0, 0, NULL };
+        struct scene *scene = scene_read_text("test.pov", rows[i].text,
+                                              &options, &reports);
+        const struct report *report = reports.items;
+        if (scene || reports.count != 1 || report->line != rows[i].line
+            || report->column != rows[i].column
+            || !strstr(report->message, rows[i].message)) {
+            reports_print(stderr, &reports);
+            fail_msg("expected %zu:%zu %s, of: %s", rows[i].line,
+                     rows[i].column, rows[i].message, rows[i].text);
+        }
+        reports_free(&reports);
+    }
+}
+
+/* ---- Bounds ------------------------------------------------------------- */
+
+/* Each ends, soon, and says why. */
+static void test_bounds(void **state)
+{
+    static const struct {
+        const char *text, *message;
+    } rows[] = {
+        { "#while (1) #while (1) #end #end", "turns" },
+        { "#while (1) #while (1) #break #end #end", "turns" },
+        { "#for (I, 1, 1e9) #for (K, 1, 1e5) #end #end", "too long to read" },
+        { "#for (I, 0, 1, 1e-300) #end", "turns" },
+        { "#for (I, 1e300, 1e301) #end", "turns" },
+        { "#macro M(N) #if (N) M(N - 1) M(N - 1) #end #end M(100)",
+          "too long to read" },
+        { "#declare S = \"a\"; #while (1) #declare S = concat(S, S); #end",
+          "the string is longer" },
+        { "#declare A = array[2]; #while (1) #declare A[0] = A; #end",
+          "arrays within each other" },
+        { "#declare A = array[5000];\n"
+          "#while (1) #declare B = A; #declare A = B; #end",
+          "too long to read" },
+        { "#declare S = sphere { 0, 1 } #while (1)\n"
+          "#declare S = union { object { S } object { S } } #end",
+          "primitives, copies counted" },
+        { "#declare A = array[2] { sphere { 0, 1 }, sphere { 0, 1 } }\n"
+          "#while (1) #declare B = A; #end", "primitives, copies counted" },
+        { "#while (1) #declare S = seed(1); #end", "random streams" },
+        { "#while (1) #if (file_exists(\"no\")) #end #end",
+          "files are read" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct reports reports = { 0, 0, NULL };
+        clock_t start = clock();
+        bool found = false;
+        assert_null(scene_read_text("test.pov", rows[i].text, &options,
+                                    &reports));
+        for (size_t k = 0; k < reports.count; k++)
+            found = found || strstr(reports.items[k].message,
+                                    rows[i].message);
+        if (!found)
+            reports_print(stderr, &reports);
+        if (!found || reports.count > 2)
+            fail_msg("no '%s', of: %s", rows[i].message, rows[i].text);
+        if (clock() - start > 60 * CLOCKS_PER_SEC)
+            fail_msg("too long: %s", rows[i].text);
+        reports_free(&reports);
+    }
+}
+
+/* The caller may end a long reading. */
+static bool end_at_once(void *context)
+{
+    ++*(size_t *)context;
+    return false;
+}
+
+static void test_stopped(void **state)
+{
+    size_t asked = 0;
+    const struct scene_options stopping = { .go_on = end_at_once,
+                                            .context = &asked };
+    struct reports reports = { 0, 0, NULL };
+
+    (void)state;
+    assert_null(scene_read_text("test.pov", "#while (1) #while (1) #end #end",
+                                &stopping, &reports));
+    assert_int_equal(asked, 1);
+    assert_int_equal(reports.count, 1);
+    assert_non_null(strstr(reports.items[0].message, "stopped"));
+    reports_free(&reports);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_spheres),
+        cmocka_unit_test(test_lines),
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_stopped),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

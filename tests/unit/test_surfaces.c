@@ -1,0 +1,105 @@
+/* Surfaces, and how many levels of rays come of them, as they stand in a
+ * machine's memory after a layout. */
+#include "tests/unit/laid_out.h"
+
+static void test_surfaces(void **state)
+{
+    static const char text[] =
+        "sphere { 0, 1 pigment { rgbft <.8, .4, .2, .5, .1> }\n"
+        "  finish { reflection <.1, .3, .2> } interior { ior 1.6 } }\n"
+        "sphere { 0, 1 pigment { checker rgb <1, .5, 0>, rgbt <0, 1, 1, .25> }"
+        " }\n"
+        "sphere { 0, 1 pigment { rgb .5 } }";
+    static const double passing[8] = { .5, .3, .2, .5, 0, 0, 0, -1 };
+    static const double checker[8] = { 0, 0, 0, -1, .25, .25, .25, .25 };
+    static const double colors[6] = { 1, .5, 0, 0, .75, .75 };
+    static const double reflection[4] = { .1, .3, .2, .3 };
+    static const double index[2] = { 1.6, .625 };
+    struct stage stage;
+
+    (void)state;
+    raise_curtain(&stage, text, true);
+    check_numbers(&stage, 0, "P_PASSING", passing, 8);
+    check_numbers(&stage, 0, "P_REFLECTION", reflection, 4);
+    check_numbers(&stage, 0, "P_INDEX", index, 2);
+    check_numbers(&stage, 1, "P_PASSING", checker, 8);
+    check_numbers(&stage, 1, "P_COLOR", colors, 6);
+    check_numbers(&stage, 2, "P_COLOR", (const double[]){ .5, .5, .5 }, 3);
+    for (size_t i = 0; i < 3; i++) {
+        assert_integer(primitive(&stage, i, "P_MIRROR"), i == 0);
+        assert_integer(primitive(&stage, i, "P_CLEAR"), i < 2);
+    }
+    drop_curtain(&stage);
+}
+
+/* As POV-Ray: the opacity is not held between 0 and 1, a colour weighs what it
+ * is by size, and what passes too dimly in all is not followed. */
+static void test_odd_surfaces(void **state)
+{
+    static const char text[] =
+        "sphere { 0, 1 pigment { rgbft <.5, 1, 0, .75, .75> } }\n"
+        "sphere { 0, 1 pigment { rgbt <.5, 1, 0, -.5> }\n"
+        "  finish { reflection <.25, -.5, 0> } }\n"
+        "sphere { 0, 1 pigment { rgbf <0, 0, .25, .125> } }\n"
+        "sphere { 0, 1 pigment { rgbf <0, 0, 1, .125> } }\n"
+        "sphere { 0, 1 pigment { rgbft <-1, 1, 0, 1, 0> } }";
+    static const double numbers[][4] = {
+        { 1.125, 1.5, .75, 1.5 }, { -.5, -.5, -.5, -1 },
+        { 0, 0, .03125, -1 }, { 0, 0, .125, .125 }, { -1, 1, 0, 1 },
+    };
+    struct stage stage;
+
+    (void)state;
+    raise_curtain(&stage, text, true);
+    check_numbers(&stage, 0, "P_COLOR", (const double[]){ -.25, -.5, 0 }, 3);
+    check_numbers(&stage, 1, "P_COLOR", (const double[]){ .75, 1.5, 0 }, 3);
+    check_numbers(&stage, 1, "P_REFLECTION",
+                  (const double[]){ .25, -.5, 0, .5 }, 4);
+    for (size_t i = 0; i < COUNT(numbers); i++)
+        check_numbers(&stage, i, "P_PASSING", numbers[i], 4);
+    drop_curtain(&stage);
+}
+
+static void test_levels(void **state)
+{
+    static const struct {
+        const char *text;
+        int levels;
+    } rows[] = {
+        { "sphere { 0, 1 }", 1 },
+        { "sphere { 0, 1 finish { reflection rgb <0, 0, .1> } }", 7 },
+        { "sphere { 0, 1 } sphere { 0, 1 pigment { rgbt <0, 0, 0, .1> } }",
+          7 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct stage stage;
+        char text[200];
+        c205_word word;
+
+        snprintf(text, sizeof text,
+                 "global_settings { max_trace_level 7 adc_bailout .125 } %s",
+                 rows[i].text);
+        raise_curtain(&stage, text, true);
+        assert_integer(scene_word(&stage, "scene_level_count"),
+                       rows[i].levels);
+        assert_number(scene_word(&stage, "scene_bailout"), .125);
+        assert_true(c205_read(stage.machine,
+                              scene_word(&stage, "scene_levels")
+                                  + 64 * 10 * (uint64_t)rows[i].levels - 64,
+                              &word, 1));
+        drop_curtain(&stage);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_surfaces),
+        cmocka_unit_test(test_odd_surfaces),
+        cmocka_unit_test(test_levels),
+    };
+
+    return cmocka_run_group_tests_name("surfaces", tests, set_up, tear_down);
+}

@@ -1,0 +1,116 @@
+/* Solids in solids, shadows, mirrors and glass: the tracer's three stages give
+ * one frame, the plain tracer's, on scenes that no one has chosen. */
+#define SMALL_FRAMES
+#include "tests/unit/random_solids.h"
+
+static void write_scene(char *text, size_t size, size_t count)
+{
+    text[0] = '\0';
+    add(text, size, "#version 3.7; global_settings { assumed_gamma 1 "
+        "max_trace_level %d }\nbackground { rgb <.2, .3, .5> }\n"
+        "camera { location <0, 1, -6> look_at 0 angle 50 }\n"
+        "light_source { <-6, 8, -7>, .7 }\n"
+        "light_source { <7, 3, -4>, rgb <.3, .2, .4> }\n"
+        "plane { y, -2.5 pigment { checker rgb .9 rgb .4 } }\n",
+        solids.clear ? 6 : 1);
+    for (size_t i = 0; i < count; i++) {
+        add(text, size, "intersection { sphere { 0, 1.6 ");
+        add_look(text, size);
+        add(text, size, "}\n");
+        add_solid(text, size, 2);
+        if (solids.clear)
+            add(text, size, "interior { ior %.2f } ", between(1, 1.6));
+        add(text, size, "translate <%.2f, %.2f, %.2f> }\n", between(-2, 2),
+            between(-1, 1), between(-1, 1));
+    }
+}
+
+/* --- tests --------------------------------------------------------------- */
+
+static void check_scenes(size_t scenes)
+{
+    static char text[65536];
+
+    for (size_t i = 0; i < scenes; i++) {
+        write_scene(text, sizeof text, 3);
+        struct words *words = plain_frame(text);
+        check_paper_stage(text, words);
+        free(words);
+    }
+}
+
+static void test_opaque(void **state)
+{
+    (void)state;
+    solids.clear = false;
+    check_scenes(10);
+}
+
+static void test_clear(void **state)
+{
+    (void)state;
+    solids.clear = true;
+    check_scenes(10);
+}
+
+/* Which crossings the vector form looks at changes nothing that is seen. */
+static void check_every(const char *text)
+{
+    static const size_t queues[] = QUEUES;
+    struct scene *scene = read_text(text);
+
+    for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
+        struct words *expected, *found;
+
+        visible = VISIBLE_STEPPING;
+        expected = trace_words(scene, TRACE_VECTOR, queues[i]);
+        visible = VISIBLE_EVERY;
+        found = trace_words(scene, TRACE_VECTOR, queues[i]);
+        visible = VISIBLE_DEFAULT;
+        if (memcmp(found, expected, sizeof *found) != 0)
+            fail_msg("queue %zu, every crossing: another frame of\n%s",
+                     queues[i], text);
+        free(found);
+        free(expected);
+    }
+    scene_free(scene);
+}
+
+/* Surfaces that coincide, exactly and nearly, and patches among solids. */
+static const char coincident[] =
+    HEAD "camera { location <0, 1, -6> look_at 0 angle 30 }\n"
+    "difference { box { -1, 1 } box { -1, <0, 1, 1> } "
+    "sphere { 0, .9 } sphere { 0, .9 } pigment { rgb .8 } }\n"
+    "difference { merge { cylinder { -y, y, .5 } cylinder { -y, y, .5 } "
+    "box { -.4, .4 } } plane { y, 1e-8 } translate 1.7*x }\n";
+static const char patches[] =
+    HEAD "camera { location <0, 1, -6> look_at 0 angle 30 }\n"
+    "#declare Leaf = steiner_patch { <-1.2, .6, -.8>, <0, .9, 1.2>, "
+    "<1.2, .3, -.7>, <-1, 1.6, .2>, <1, 1.4, .4>, <0, -.4, -1.2> }\n"
+    "merge { object { Leaf } sphere { .5*y, .5 } object { Leaf } "
+    "box { <-.5, 0, -.5>, <.5, .9, .5> } pigment { rgb .8 } }\n";
+
+static void test_every(void **state)
+{
+    static char text[65536];
+
+    (void)state;
+    check_every(coincident);
+    check_every(patches);
+    for (int i = 0; i < 8; i++) {
+        solids.clear = i % 2;
+        solids.gridded = i % 4 >= 2;
+        write_scene(text, sizeof text, 3);
+        check_every(text);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_opaque),
+        cmocka_unit_test(test_clear),
+        cmocka_unit_test(test_every),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
