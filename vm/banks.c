@@ -6,9 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool banks_init(struct banks *banks, size_t count, uint64_t busy)
+bool banks_init(struct banks *banks, size_t count, uint64_t access,
+                uint64_t busy)
 {
     banks->count = count;
+    banks->access = access;
     banks->busy = busy;
     banks->free_at = malloc(count * sizeof *banks->free_at);
     return banks->free_at;
@@ -36,6 +38,7 @@ uint64_t banks_conflicts(struct banks *banks, uint64_t table,
 {
     const double inverse = 1.0 / (double)banks->count;
     const uint64_t bank_count = banks->count, busy = banks->busy;
+    const uint64_t access = banks->access;
     uint64_t *const free_at = banks->free_at;
     uint64_t clock = 0;
     memset(free_at, 0, banks->count * sizeof *free_at);
@@ -45,7 +48,7 @@ uint64_t banks_conflicts(struct banks *banks, uint64_t table,
         uint64_t *const bank = &free_at[bank_of(word, bank_count, inverse)];
         clock = clock < *bank ? *bank : clock;
         *bank = clock + busy;
-        clock++;
+        clock += access;
     }
-    return clock - count;
+    return clock - count * access;
 }

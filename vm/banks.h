@@ -11,15 +11,17 @@
 
 struct banks {
     size_t count;
-    uint64_t busy;     /* clocks that an access keeps its bank busy */
-    uint64_t *free_at; /* the clock at which each takes the next access */
+    uint64_t access;   /* time of an access: a clock, in the clock's ticks */
+    uint64_t busy;     /* how long one keeps its bank busy */
+    uint64_t *free_at; /* when each takes the next access */
 };
 
-bool banks_init(struct banks *banks, size_t count, uint64_t busy);
+bool banks_init(struct banks *banks, size_t count, uint64_t access,
+                uint64_t busy);
 void banks_free(struct banks *banks);
 
-/* By how many clocks the accesses to table + step x index, in this order, take
- * longer than one clock each; all banks are free at the beginning. */
+/* By how much the accesses to table + step x index, in this order, take
+ * longer than one after the other; all banks are free at the beginning. */
 uint64_t banks_conflicts(struct banks *banks, uint64_t table,
                          unsigned step, const c205_word *indices,
                          size_t count);

@@ -180,8 +180,10 @@ c205_word c205_encode(const c205_insn *insn, const c205_fields *fields);
 /* ---- Machine models (vm/model.c) -----------------------------------------
  *
  * A model is a text file of lines "name value unit source # remark"; the
- * sources are the letters P S D R of the instruction table.  Three models are
- * built in: cyber205-1pipe, cyber205-2pipe, cyber205-4pipe.
+ * sources are the letters P S D R of the instruction table, and F: fitted.
+ * Built in are cyber205-1pipe, -2pipe and -4pipe, on which programs run, one
+ * that was fitted, cyber205-2pipe-fitted, and the projections cdc6600
+ * and cyber720, which only tell times.
  */
 typedef struct c205_model c205_model;
 
@@ -190,7 +192,7 @@ typedef struct c205_constant {
     const char *text;   /* the value as written */
     double value;       /* for display; the clock uses the exact decimal */
     const char *unit;   /* "clk", "clk/element", "clk*pipe/element", "ns" .. */
-    char source;        /* P S D R */
+    char source;        /* P S D R F */
     const char *remark;
 } c205_constant;
 
@@ -203,6 +205,8 @@ void c205_model_free(c205_model *model);
 
 const char *c205_model_name(const c205_model *model);
 const char *c205_model_title(const c205_model *model);
+/* The times of another machine, for a projection alone. */
+bool c205_model_is_projection(const c205_model *model);
 size_t c205_model_size(const c205_model *model);
 const c205_constant *c205_model_constant(const c205_model *model, size_t i);
 /* NULL: no such constant. */
@@ -385,6 +389,51 @@ void c205_reset_clock(c205 *machine);
 /* At most C205_LISTENERS; false when there are more. */
 enum { C205_LISTENERS = 8 };
 bool c205_listen(c205 *machine, c205_listener *listener, void *context);
+
+/* ---- The time of other machines (vm/projection.c) -------------------------
+ *
+ * A listener that charges each scalar instruction of a program that time which
+ * another machine would take for the same operation.
+ */
+typedef struct c205_projection c205_projection;
+
+/* The model must be a projection. */
+c205_projection *c205_projection_new(const c205_model *model,
+                                     c205_error *error);
+void c205_projection_free(c205_projection *projection);
+/* The listener; its context is the projection. */
+c205_listener c205_project;
+/* Clocks of that machine for a region, as numbered in the accounts. */
+uint64_t c205_projected_clocks(const c205_projection *projection,
+                               size_t region);
+/* False: there were vector instructions, or memory ran out. */
+bool c205_projection_holds(const c205_projection *projection,
+                           c205_error *error);
+
+/* ---- What if (vm/recording.c) --------------------------------------------
+ *
+ * A listener that keeps of a run what time is made from, and tells the time of
+ * the same run with other constants, by the machine's own clock or by a
+ * projection.  That is exact as long as the program does not read the clock.
+ */
+typedef struct c205_recording c205_recording;
+c205_recording *c205_recording_new(c205_error *error);
+void c205_recording_free(c205_recording *recording);
+/* The listener; its context is the recording, of one run from its beginning. */
+c205_listener c205_record;
+
+typedef struct c205_setting {
+    const char *name; /* of a constant */
+    double value;
+} c205_setting;
+
+/* The clocks of each region, as numbered in the accounts: of so many regions,
+ * 0 in those that did not run.  With these constants in place of the model's;
+ * time advances in ticks, of which a clock has so many (1: as the machine).
+ * By a projection: NaN in regions that have vector instructions. */
+bool c205_retime(const c205_recording *recording, const c205_model *model,
+                 const c205_setting *settings, size_t count, unsigned ticks,
+                 double *clocks, size_t regions, c205_error *error);
 
 /* ---- Saving and restoring (vm/save.c) ------------------------------------
  *

@@ -48,6 +48,7 @@ static bool make_parts(struct clock *clock, const c205_model *model)
     return pages_init(&clock->pages, model_count(model, CONSTANT_REGISTERS),
                       model_count(model, CONSTANT_REAL_PAGES))
            && banks_init(&clock->banks, model_count(model, CONSTANT_BANKS),
+                         model_ticks(model),
                          model_whole(model, CONSTANT_BANK_BUSY))
            && accounts_open(&clock->accounts, outside, 1);
 }

@@ -64,7 +64,8 @@ struct effect {
                                  control vector held back .. */
     uint64_t table;           /* .. counted from this address .. */
     unsigned table_step;      /* .. in steps of so many bits */
-    size_t swapped;           /* registers that SWAP moved */
+    size_t swapped;           /* registers that SWAP moved .. */
+    size_t saved;             /* .. so many of them to memory */
 };
 
 /* Recently decoded instructions, found by their address. */

@@ -33,6 +33,12 @@ static void clear_progress(struct c205 *machine)
 
 c205 *c205_new(const c205_model *model, c205_error *error)
 {
+    if (c205_model_is_projection(model)) {
+        snprintf(error->message, sizeof error->message,
+                 "%.100s is a projection, on which nothing runs",
+                 c205_model_name(model));
+        return NULL;
+    }
     struct c205 *machine = calloc(1, sizeof *machine);
     if (!machine) {
         no_memory(error);
@@ -130,6 +136,7 @@ static c205_event make_event(const struct c205 *machine,
 static void tell_instruction(struct c205 *machine,
                              const struct decoded *decoded, uint64_t before)
 {
+    machine->executed = decoded;
     bool request = machine->request != NO_REQUEST
                    && machine->request != REQUEST_EXIT;
     c205_event event = make_event(
@@ -243,7 +250,7 @@ static inline void clear_effect(struct effect *effect)
     effect->taken = false;
     effect->touch_count = 0;
     effect->indices = NULL;
-    effect->swapped = 0;
+    effect->swapped = effect->saved = 0;
 }
 
 /* A vector instruction may go on until the limit comes. */

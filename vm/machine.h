@@ -39,7 +39,8 @@ struct c205 {
     struct clock *clock;
     struct decode_cache *cache;
     const c205_model *model;
-    struct effect effect;     /* of the instruction being executed */
+    struct effect effect;     /* of the instruction being executed .. */
+    const struct decoded *executed; /* .. which listeners are told of */
     struct progress progress; /* of the one that was interrupted */
     size_t allowed;           /* elements of this one before the clock limit
                                  comes, SIZE_MAX: any number */

@@ -16,18 +16,21 @@ enum kind { WHOLE, DECIMAL, RATE };
     { "startup." #name, WHOLE, "clk", 1, MILLION }, \
     { "stream." #name, RATE, "", 0, MILLION }
 
-/* What every model has to say. */
+/* What a machine has to say, and behind it what a projection has. */
 static const struct rule {
     const char *name;
     enum kind kind;
     const char *unit;
     uint64_t least, most;
-} rules[CONSTANTS] = {
+} rules[CONSTANTS + PROJECTION_CONSTANTS] = {
 #define CONSTANT(id, name, kind, unit, least, most) \
     { name, kind, unit, least, most },
 #include "constants.def"
 #define TIMING(name, kind) kind(name),
 #include "insn.def"
+#define CONSTANT(id, name, kind, unit, least, most) \
+    { name, kind, unit, least, most },
+#include "projection.def"
 };
 
 static const char shared_rate[] = "clk*pipe/element";
@@ -40,6 +43,9 @@ struct c205_model {
     char *text;       /* cut into the strings that the constants point to */
     c205_model *like; /* whose constants it took over, or NULL */
     const char *title;
+    const struct rule *rules; /* that hold for it .. */
+    size_t count;             /* .. so many */
+    uint64_t ticks;           /* in which its times count, of a clock */
     struct {
         c205_constant shown;
         uint64_t millionths;
@@ -145,10 +151,11 @@ static bool check_unit(const struct reader *reader, const struct rule *rule,
                 rule->name, rate_units[0], rate_units[1], rate_units[2], unit);
 }
 
-static bool find_rule(const char *name, size_t *index)
+static bool find_rule(const c205_model *model, const char *name,
+                      size_t *index)
 {
-    for (*index = 0; *index < CONSTANTS; ++*index)
-        if (!strcmp(rules[*index].name, name))
+    for (*index = 0; *index < model->count; ++*index)
+        if (!strcmp(model->rules[*index].name, name))
             return true;
     return false;
 }
@@ -159,7 +166,7 @@ static bool read_constant(const struct reader *reader, const char *name,
 {
     c205_model *model = reader->model;
     size_t i;
-    if (!find_rule(name, &i))
+    if (!find_rule(model, name, &i))
         return fail(reader, "there is no constant '%.60s'", name);
     if (model->constant[i].line)
         return fail(reader, "%s is already given in line %u", name,
@@ -170,15 +177,15 @@ static bool read_constant(const struct reader *reader, const char *name,
     if (!read_millionths(text, &millionths))
         return fail(reader, "'%.20s' is not a number with at most six "
                             "decimals", text);
-    if (!check_value(reader, &rules[i], text, millionths) ||
-        !check_unit(reader, &rules[i], unit))
+    if (!check_value(reader, &model->rules[i], text, millionths) ||
+        !check_unit(reader, &model->rules[i], unit))
         return false;
-    if (strlen(source) != 1 || !strchr("PSDR", *source))
-        return fail(reader, "the source of %s must be P, S, D or R, not "
-                            "'%.20s'", name, source);
+    if (strlen(source) != 1 || !strchr("PSDRF", *source))
+        return fail(reader, "the source of %s must be P, S, D, R or F, "
+                            "not '%.20s'", name, source);
     if (*rest_of(line))
         return fail(reader, "'%.40s' is not expected here", rest_of(line));
-    c205_constant shown = { rules[i].name, text, (double)millionths / MILLION,
+    c205_constant shown = { model->rules[i].name, text, (double)millionths / MILLION,
                             unit, *source, rest_of(remark) };
     model->constant[i].shown = shown;
     model->constant[i].millionths = millionths;
@@ -191,6 +198,26 @@ static bool is_path(const char *name)
     size_t length = strlen(name);
     return strchr(name, '/') ||
            (length >= 6 && !strcmp(name + length - 6, ".model"));
+}
+
+static void take_rules(c205_model *model, bool projection)
+{
+    model->rules = projection ? rules + CONSTANTS : rules;
+    model->count = projection ? PROJECTION_CONSTANTS : CONSTANTS;
+}
+
+/* The times of another machine follow, with constants of their own. */
+static bool read_projection(const struct reader *reader, char *line)
+{
+    c205_model *model = reader->model;
+    if (*rest_of(line))
+        return fail(reader, "'%.40s' is not expected here", rest_of(line));
+    for (size_t i = 0; i < model->count; i++)
+        if (model->constant[i].shown.text)
+            return fail(reader, "'projection' must stand before the "
+                                "constants");
+    take_rules(model, true);
+    return true;
 }
 
 /* Take over all constants of a built-in model. */
@@ -206,7 +233,8 @@ static bool read_like(const struct reader *reader, char *line)
     model->like = c205_model_find(name, &why);
     if (!model->like)
         return fail(reader, "%.160s", why.message);
-    for (size_t i = 0; i < CONSTANTS; i++) {
+    take_rules(model, c205_model_is_projection(model->like));
+    for (size_t i = 0; i < model->count; i++) {
         if (model->constant[i].line)
             return fail(reader, "'like' must stand before the constants");
         model->constant[i] = model->like->constant[i];
@@ -237,6 +265,8 @@ static bool read_line(const struct reader *reader, char *line)
         return read_title(reader, line);
     if (!reader->model->title)
         return fail(reader, "a model begins with 'title TEXT'");
+    if (!strcmp(first, "projection"))
+        return read_projection(reader, line);
     if (!strcmp(first, "like"))
         return read_like(reader, line);
     return read_constant(reader, first, line, remark);
@@ -246,15 +276,18 @@ static bool check_complete(const struct reader *reader)
 {
     if (!reader->model->title)
         return fail(reader, "a model begins with 'title TEXT'");
-    for (size_t i = 0; i < CONSTANTS; i++)
-        if (!reader->model->constant[i].shown.text)
-            return fail(reader, "the constant %s is missing", rules[i].name);
+    const c205_model *model = reader->model;
+    for (size_t i = 0; i < model->count; i++)
+        if (!model->constant[i].shown.text)
+            return fail(reader, "the constant %s is missing",
+                        model->rules[i].name);
     return true;
 }
 
 static bool read_model(c205_model *model, c205_error *error)
 {
     struct reader reader = { model, 0, error };
+    take_rules(model, false);
     char *line = model->text;
     while (line) {
         char *end = strchr(line, '\n');
@@ -289,6 +322,7 @@ c205_model *c205_model_parse(const char *name, const char *text,
     error->message[0] = '\0';
     if (!model)
         return out_of_memory(error);
+    model->ticks = 1;
     model->name = copy_text(name);
     model->text = copy_text(text);
     if (!model->name || !model->text)
@@ -392,10 +426,14 @@ const char *c205_model_title(const c205_model *model)
     return model->title;
 }
 
+bool c205_model_is_projection(const c205_model *model)
+{
+    return model->rules != rules;
+}
+
 size_t c205_model_size(const c205_model *model)
 {
-    (void)model;
-    return CONSTANTS;
+    return model->count;
 }
 
 const c205_constant *c205_model_constant(const c205_model *model, size_t i)
@@ -407,7 +445,7 @@ const c205_constant *c205_model_lookup(const c205_model *model,
                                        const char *name)
 {
     size_t i;
-    return find_rule(name, &i) ? &model->constant[i].shown : NULL;
+    return find_rule(model, name, &i) ? &model->constant[i].shown : NULL;
 }
 
 uint64_t model_millionths(const c205_model *model, enum constant id)
@@ -439,4 +477,67 @@ struct rate model_half_rate(const c205_model *model, enum constant id)
     if (is_shared(model, id))
         rate.per *= model_whole(model, CONSTANT_HALF_RATE);
     return rate;
+}
+
+uint64_t model_ticks(const c205_model *model)
+{
+    return model->ticks;
+}
+
+/* ---- The same with other values, in ticks --------------------------------- */
+
+static bool is_time(const c205_constant *shown)
+{
+    return !strncmp(shown->unit, "clk", 3);
+}
+
+static bool set_value(c205_model *model, const c205_setting *setting,
+                      c205_error *error)
+{
+    size_t i;
+    if (!find_rule(model, setting->name, &i))
+        snprintf(error->message, sizeof error->message,
+                 "there is no constant '%.60s'", setting->name);
+    else if (!(setting->value >= (double)model->rules[i].least
+               && setting->value <= (double)model->rules[i].most))
+        snprintf(error->message, sizeof error->message,
+                 "%.60s cannot be %g", setting->name, setting->value);
+    else {
+        model->constant[i].millionths =
+            (uint64_t)(setting->value * MILLION + .5);
+        return true;
+    }
+    return false;
+}
+
+/* Whole numbers must be whole in ticks. */
+static void scale(c205_model *model, uint64_t ticks)
+{
+    model->ticks = ticks;
+    for (size_t i = 0; i < model->count; i++) {
+        uint64_t *millionths = &model->constant[i].millionths;
+        if (is_time(&model->constant[i].shown))
+            *millionths *= ticks;
+        if (model->rules[i].kind == WHOLE)
+            *millionths = (*millionths + MILLION / 2) / MILLION * MILLION;
+    }
+}
+
+c205_model *model_in_ticks(const c205_model *model,
+                           const c205_setting *settings, size_t count,
+                           uint64_t ticks, c205_error *error)
+{
+    c205_model *changed = malloc(sizeof *changed);
+    if (!changed)
+        return out_of_memory(error);
+    *changed = *model;
+    changed->name = changed->text = NULL;
+    changed->like = NULL;
+    for (size_t i = 0; i < count; i++)
+        if (!set_value(changed, &settings[i], error)) {
+            free(changed);
+            return NULL;
+        }
+    scale(changed, ticks);
+    return changed;
 }

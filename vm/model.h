@@ -1,8 +1,8 @@
 /* model.h - a machine model, for the clock.
  *
  * A model that was parsed is complete and in range: it has a value for every
- * row of constants.def and for every timing class, so that reading one cannot
- * fail.  Values are exact decimals, kept as integers in millionths: no figure
+ * row of constants.def and for every timing class, or, if it is a projection,
+ * for every row of projection.def, so that reading one cannot fail.  Values are exact decimals, kept as integers in millionths: no figure
  * of the clock ever passes through floating point.
  */
 #ifndef C205_MODEL_H
@@ -16,8 +16,22 @@ enum constant {
     TIMING_CONSTANTS, /* two for each timing class from here on */
     CONSTANTS = TIMING_CONSTANTS + 2 * C205_TIMINGS
 };
+/* Those of a projection, which is read by model_whole as well. */
+enum projection_constant {
+#define CONSTANT(id, name, kind, unit, least, most) PROJECTION_##id,
+#include "projection.def"
+    PROJECTION_CONSTANTS
+};
 
 enum { MILLION = 1000000, LOADS_MOST = 64 };
+
+/* The model with other values, and with all times in ticks, so many of them a
+ * clock: of one tick they need not be whole clocks.  It borrows the texts of
+ * the model, which must outlive it. */
+c205_model *model_in_ticks(const c205_model *model,
+                           const c205_setting *settings, size_t count,
+                           uint64_t ticks, c205_error *error);
+uint64_t model_ticks(const c205_model *model);
 
 /* In millionths of the constant's unit. */
 uint64_t model_millionths(const c205_model *model, enum constant id);

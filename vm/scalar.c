@@ -347,6 +347,7 @@ c205_trap execute_swap_registers(struct c205 *machine,
                       loaded);
     machine->slot[0] = 0;
     machine->effect.swapped = loaded + saved;
+    machine->effect.saved = saved;
     if (loaded > 0)
         machine_touch(machine, LOW(from), loaded * WORD_BITS);
     if (saved > 0)

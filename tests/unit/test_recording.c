@@ -1,0 +1,288 @@
+/* test_recording.c - recorded runs on other models, and projections. */
+#include "asm_helper.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "asm/accounts.h"
+
+enum { REGIONS = 8 };
+
+static c205_model *find(const char *name)
+{
+    c205_error error;
+    c205_model *model = c205_model_find(name, &error);
+    if (!model)
+        fail_msg("%s", error.message);
+    return model;
+}
+
+struct run {
+    c205_model *model;
+    struct object *object;
+    c205 *machine;
+    c205_recording *recording;
+};
+
+static void assert_runs(c205 *machine)
+{
+    c205_error error;
+    c205_stop stop = c205_run(machine, C205_NO_LIMIT);
+    c205_describe_stop(machine, &stop, &error);
+    if (stop.trap != C205_TRAP_NONE)
+        fail_msg("%s", error.message);
+}
+
+static void begin(struct run *run, c205_model *model, const char *path)
+{
+    static const char *const folders[] = { "rt/kernels", NULL };
+    struct asm_options options = { .search = folders };
+    struct asm_errors errors = { 0, NULL };
+    c205_error error;
+    run->model = model;
+    run->object = assemble_file(path, &options, &errors);
+    if (!run->object)
+        fail_msg("%s: %s", path, errors.items[0].message);
+    asm_errors_free(&errors);
+    run->machine = c205_new(model, &error);
+    run->recording = c205_recording_new(&error);
+    assert_non_null(run->machine);
+    assert_non_null(run->recording);
+    assert_true(c205_load(run->machine, &run->object->program, &error));
+}
+
+static void finish(struct run *run)
+{
+    c205_recording_free(run->recording);
+    c205_free(run->machine);
+    object_free(run->object);
+    c205_model_free(run->model);
+}
+
+/* A recording made on one model tells the clocks of a run on another. */
+static void compare(const char *path, const char *other,
+                    const c205_setting *settings, size_t count)
+{
+    struct run recorded, ran;
+    double clocks[REGIONS];
+    c205_error error;
+    begin(&recorded, find("cyber205-2pipe"), path);
+    assert_true(c205_listen(recorded.machine, c205_record,
+                            recorded.recording));
+    assert_runs(recorded.machine);
+    begin(&ran, find(other), path);
+    assert_runs(ran.machine);
+    assert_true(c205_retime(recorded.recording,
+                            settings ? recorded.model : ran.model, settings,
+                            count, 1, clocks, REGIONS, &error));
+    for (size_t i = 0; i < c205_account_count(ran.machine); i++)
+        assert_true(clocks[i]
+                    == (double)accounts_clocks(c205_account_at(ran.machine,
+                                                               i)));
+    finish(&recorded);
+    finish(&ran);
+}
+
+static void test_same_clocks(void **state)
+{
+    (void)state;
+    static const char *const paths[] = {
+        "asm/examples/sieve.s", "asm/examples/lookup.s",
+        "asm/examples/saxpy_linked.s", "rt/fit/programs/linpack.s",
+        "rt/fit/programs/gather.s", "rt/fit/programs/photons.s"
+    };
+    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
+        compare(paths[i], "cyber205-2pipe", NULL, 0);
+        compare(paths[i], "cyber205-4pipe", NULL, 0);
+    }
+}
+
+static void test_settings(void **state)
+{
+    (void)state;
+    static const c205_setting pipes[] = { { "machine.pipes", 4 } };
+    compare("rt/fit/programs/photons.s", "cyber205-4pipe", pipes, 1);
+}
+
+/* In a thousand ticks a clock, whole constants give the same clocks, but for
+ * what rounding up to whole clocks adds; and fractions lie between. */
+static void test_ticks(void **state)
+{
+    (void)state;
+    struct run run;
+    c205_error error;
+    double whole[REGIONS], fine[REGIONS], low[REGIONS], between[REGIONS];
+    c205_setting setting = { "latency.load", 15.5 };
+    begin(&run, find("cyber205-2pipe"), "rt/fit/programs/linpack.s");
+    assert_true(c205_listen(run.machine, c205_record, run.recording));
+    assert_runs(run.machine);
+    assert_true(c205_retime(run.recording, run.model, NULL, 0, 1, whole,
+                            REGIONS, &error));
+    assert_true(c205_retime(run.recording, run.model, NULL, 0, 1000, fine,
+                            REGIONS, &error));
+    assert_true(c205_retime(run.recording, run.model, &setting, 1, 1000,
+                            between, REGIONS, &error));
+    setting.value = 16;
+    assert_true(c205_retime(run.recording, run.model, &setting, 1, 1000, low,
+                            REGIONS, &error));
+    assert_true(fabs(whole[1] - fine[1]) < .003 * whole[1]);
+    assert_true(fabs(2 * between[1] - fine[1] - low[1]) < 1);
+    assert_true(fine[1] < between[1] && between[1] < low[1]);
+    finish(&run);
+}
+
+static void test_gather_in_ticks(void **state)
+{
+    (void)state;
+    struct run run;
+    c205_error error;
+    double whole[REGIONS], fine[REGIONS];
+    begin(&run, find("cyber205-2pipe"), "rt/fit/programs/gather.s");
+    assert_true(c205_listen(run.machine, c205_record, run.recording));
+    assert_runs(run.machine);
+    assert_true(c205_retime(run.recording, run.model, NULL, 0, 1, whole,
+                            REGIONS, &error));
+    assert_true(c205_retime(run.recording, run.model, NULL, 0, 100, fine,
+                            REGIONS, &error));
+    assert_true(whole[1] == fine[1]);
+    finish(&run);
+}
+
+static void test_errors(void **state)
+{
+    (void)state;
+    static const c205_setting unknown = { "latency.none", 1 };
+    static const c205_setting too_small = { "latency.load", -1 };
+    struct run run;
+    c205_error error;
+    double clocks[REGIONS];
+    c205_model *projection = find("cyber720");
+    begin(&run, find("cyber205-2pipe"), "asm/examples/dot.s");
+    c205_projection *charged = c205_projection_new(projection, &error);
+    assert_non_null(charged);
+    assert_true(c205_listen(run.machine, c205_record, run.recording));
+    assert_true(c205_listen(run.machine, c205_project, charged));
+    assert_runs(run.machine);
+    assert_false(c205_projection_holds(charged, &error));
+    assert_string_equal(error.message,
+                        "3 vector instructions, which cannot be projected");
+    c205_projection_free(charged);
+    assert_false(c205_retime(run.recording, run.model, &unknown, 1, 1, clocks,
+                             1, &error));
+    assert_string_equal(error.message, "there is no constant 'latency.none'");
+    assert_false(c205_retime(run.recording, run.model, &too_small, 1, 1,
+                             clocks, 1, &error));
+    assert_string_equal(error.message, "latency.load cannot be -1");
+    assert_true(c205_retime(run.recording, projection, NULL, 0, 1, clocks,
+                            REGIONS, &error));
+    assert_true(isnan(clocks[0]) || isnan(clocks[1]));
+    assert_null(c205_new(projection, &error));
+    assert_string_equal(error.message,
+                        "cyber720 is a projection, on which nothing runs");
+    assert_null(c205_projection_new(run.model, &error));
+    c205_model_free(projection);
+    finish(&run);
+}
+
+/* ---- Projections --------------------------------------------------------- */
+
+static const char chain[] =
+    "        .data\n"
+    "a:      .word 1.0, 2.0\n"
+    "save:   .space 2\n"
+    "        .code\n"
+    "        EX   r10, a\n"           /* single */
+    "        ELEN r10, 2\n"           /* single */
+    "        EX   r11, save\n"        /* single */
+    "        ELEN r11, 2\n"           /* single */
+    "        SWAP [r10], r20, [r11]\n" /* two loads, two stores */
+    "        MPYS r20, r21, r22\n"    /* multiply */
+    "        ADDN r22, r21, r23\n"    /* add */
+    "        ADDN r20, r21, r24\n"    /* add */
+    "        CFPLT r23, r24, next\n"  /* add, not taken: 4 and 3 */
+    "next:   EXIT\n";                 /* monitor */
+
+static double projected(const char *model_text)
+{
+    struct asm_errors errors = { 0, NULL };
+    struct object *object = assemble_text("chain", chain, NULL, &errors);
+    c205_model *model = find("cyber205-2pipe");
+    c205_error error;
+    c205_model *projection_model =
+        c205_model_parse("test", model_text, &error);
+    if (!object || !projection_model)
+        fail_msg("%s", object ? error.message : errors.items[0].message);
+    c205 *machine = c205_new(model, &error);
+    c205_projection *projection =
+        c205_projection_new(projection_model, &error);
+    assert_non_null(projection);
+    assert_true(c205_load(machine, &object->program, &error));
+    assert_true(c205_listen(machine, c205_project, projection));
+    assert_runs(machine);
+    assert_true(c205_projection_holds(projection, &error));
+    double clocks = (double)c205_projected_clocks(projection, 0);
+    assert_int_equal(c205_projected_clocks(projection, 5), 0);
+    c205_projection_free(projection);
+    c205_free(machine);
+    c205_model_free(projection_model);
+    c205_model_free(model);
+    object_free(object);
+    return clocks;
+}
+
+/* 4 x 2, 2 x 100, 2 x 1000, 30, 2 x 20 and 20 + 7, monitor 1. */
+static void test_serial(void **state)
+{
+    (void)state;
+    assert_true(projected("title t\nlike cyber720\n"
+                          "time.single 2 clk R\ntime.load 100 clk R\n"
+                          "time.store 1000 clk R\ntime.multiply 30 clk R\n"
+                          "time.add 20 clk R\nbranch.not_taken 7 clk R\n"
+                          "time.monitor 1 clk R\n")
+                == 8 + 200 + 2000 + 30 + 40 + 27 + 1);
+}
+
+/* On the 6600 with one increment unit and an adder.  EX issues at 0; ELEN
+ * waits for the unit and r10, 3 .. 6; EX r11 6 .. 9; ELEN 9 .. 12, issue ends
+ * at 10.  SWAP at 12: four addresses of 3, then the last store 10: 34.  MPYS
+ * 34 .. 44; ADDN waits in its unit for r22, 44 .. 52; the other one for the
+ * adder, 52 .. 60, issue ends at 53.  The branch waits for r24: 60 + 8 + 8 =
+ * 76; EXIT issues in one more. */
+static void test_scoreboard(void **state)
+{
+    (void)state;
+    assert_true(projected("title t\nlike cdc6600\nunits.single 1 units R\n")
+                == 77);
+}
+
+static void test_projection_models(void **state)
+{
+    (void)state;
+    c205_error error;
+    assert_null(c205_model_parse("t", "title t\nprojection\n"
+                                      "startup.vadd 3 clk R\n", &error));
+    assert_string_equal(error.message,
+                        "t:3: there is no constant 'startup.vadd'");
+    assert_null(c205_model_parse("t", "title t\nprojection here\n", &error));
+    assert_string_equal(error.message,
+                        "t:2: 'here' is not expected here");
+    assert_null(c205_model_parse("t", "title t\nlike cyber205-2pipe\n"
+                                      "projection\n", &error));
+    assert_string_equal(error.message, "t:3: 'projection' must stand before "
+                                       "the constants");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_same_clocks),
+        cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_ticks),
+        cmocka_unit_test(test_gather_in_ticks),
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_serial),
+        cmocka_unit_test(test_scoreboard),
+        cmocka_unit_test(test_projection_models),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
