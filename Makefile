@@ -1,6 +1,7 @@
 # make demo       installs what is missing, builds, renders a scene on the
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
+# make fit        fits the timing model and writes the fitted one
 # make all | docs | bench | san | fuzz | cover | check-long | wasm-check |
 #      format | lint | install | clean
 
@@ -25,6 +26,9 @@ asm_c = $(filter-out $(c205_c),$(wildcard asm/*.c))
 c205_c = asm/c205.c $(wildcard asm/cmd_*.c)
 rt_c = $(filter-out $(rt205_c),$(wildcard rt/*.c rt/scene/*.c))
 rt205_c = rt/rt205.c rt/progress.c $(wildcard rt/cmd_*.c)
+# What knows observations, and what fits them.
+observing_c = $(addprefix rt/fit/,csv.c run.c observations.c constants.c)
+fit205_c = $(filter-out $(observing_c),$(wildcard rt/fit/*.c))
 objects = $(patsubst %.c,$(BUILD)/%.o,$(1))
 
 libraries = $(BUILD)/librt205.a $(BUILD)/libc205asm.a $(BUILD)/libc205.a
@@ -44,14 +48,16 @@ replays = $(subst /fuzz_,/replay_,$(fuzz_targets))
 benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
 
 build_packages = build-essential pkg-config libopenimageio-dev
-test_packages = $(build_packages) libcmocka-dev libmpfr-dev libgmp-dev povray \
-	povray-includes clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
+fit_packages = libceres-dev
+test_packages = $(build_packages) $(fit_packages) libcmocka-dev \
+	libmpfr-dev libgmp-dev povray povray-includes clang lld llvm wasi-libc \
+	libclang-rt-14-dev-wasm32
 
 # What check runs, and in what size: cases an operation, pairs of narrow words,
 # random programs, polynomials of a kind, tries a row of the table, compilers.
 check_parts = check-unit check-programs check-bugs check-isa check-arithmetic \
 	check-narrow check-random check-quartic check-scenes check-commands \
-	check-install check-hosts wasm-check
+	check-install check-fit check-hosts wasm-check
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 15000
@@ -88,6 +94,12 @@ check-long:
 	@sh tests/run_all.sh "$(MAKE)" $(check_parts) check-poison check-timing \
 		check-planted san cover
 
+fit:
+	@sh .ci/need $(build_packages) $(fit_packages)
+	@$(MAKE) --no-print-directory $(BUILD)/fit205
+	$(BUILD)/fit205 --write vm/models/cyber205-2pipe-fitted.model \
+		--json $(BUILD)/fit.json
+
 # --- libraries and programs -------------------------------------------------
 
 $(BUILD)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
@@ -103,6 +115,12 @@ $(BUILD)/c205: $(call objects,$(c205_c)) $(BUILD)/asm/isa_example_texts.o \
 	$(CC) $(LDFLAGS) -o $@ $^ -lm
 $(BUILD)/rt205: $(call objects,$(rt205_c)) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
+$(BUILD)/fit205: $(call objects,$(fit205_c) $(observing_c)) \
+		$(BUILD)/rt/fit/ceres_fit.o $(libraries)
+	$(CXX) $(LDFLAGS) -o $@ $^ -lceres -lglog -lm -ldl -lpthread
+$(BUILD)/rt/fit/ceres_fit.o: rt/fit/ceres_fit.cc
+	@mkdir -p $(@D)
+	$(CXX) $(CXX_FLAGS) -isystem /usr/include/eigen3 -c -o $@ $<
 $(adapter): rt/picture_oiio.cc
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) $$(pkg-config --cflags OpenImageIO) -shared -o $@ $< \
@@ -147,6 +165,9 @@ $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(oracle_o) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
+$(BUILD)/tests/unit/test_fit: $(BUILD)/tests/unit/test_fit.o \
+		$(call objects,$(observing_c)) $(libraries)
+	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lm -ldl -lpthread
 $(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread
 $(fuzz_targets): $(BUILD)/tests/fuzz/fuzz_%: \
@@ -206,6 +227,9 @@ check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
 
 check-commands: $(programs) $(adapter)
 	sh tests/check_commands.sh $(BUILD)
+
+check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
+	sh tests/check_fit.sh $(BUILD)
 
 check-install: all
 	sh tests/check_install.sh $(BUILD) "$(MAKE)"
@@ -277,7 +301,7 @@ clean:
 .PHONY: all demo check check-long check-unit check-programs check-bugs \
 	check-isa check-arithmetic check-narrow check-random check-quartic \
 	check-planted check-scenes check-commands check-install check-hosts \
-	check-poison check-timing cover cover-tests wasm-check docs san bench fuzz \
-	fuzz-targets format lint install clean
+	check-poison check-timing check-fit fit cover cover-tests wasm-check docs \
+	san bench fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

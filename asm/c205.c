@@ -12,7 +12,8 @@ const char cmd_program[] = "c205";
 #define OPTION_JSON \
     "  --json FILE          write the results to a file as well\n"
 #define OPTION_DEFINE \
-    "  --define NAME=VALUE  an integer for the program text, as by .equ\n"
+    "  --define NAME=VALUE  an integer for the program text, as by .equ\n" \
+    "  -I, --include DIR    look for included files there as well\n"
 
 static const struct command {
     const char *name;
@@ -22,7 +23,7 @@ static const struct command {
     const char *summary;
     const char *help;
 } commands[] = {
-    { "run", cmd_run, "mjdlctsr", 0, SIZE_MAX,
+    { "run", cmd_run, "mjdIlctsr", 0, SIZE_MAX,
       "run a program and account for its clocks",
       "c205 run FILE           run a program, text or an object of c205 asm\n"
       "c205 run --check FILE.. run test programs; a line each, PASS or FAIL\n"
@@ -35,12 +36,12 @@ static const struct command {
       OPTION_DEFINE
       "  --trace              print each instruction as it is executed\n"
       OPTION_JSON },
-    { "asm", cmd_asm, "odL", 1, 1, "assemble a program",
+    { "asm", cmd_asm, "odIL", 1, 1, "assemble a program",
       "c205 asm FILE           look for errors\n"
       "  -o, --output FILE    write the object there\n"
       "  --listing            print the listing\n"
       OPTION_DEFINE },
-    { "dis", cmd_dis, "d", 1, 1, "a program as text again",
+    { "dis", cmd_dis, "dI", 1, 1, "a program as text again",
       "c205 dis FILE           an object of c205 asm, or a text\n"
       OPTION_DEFINE },
     { "isa", cmd_isa, "jnmM", 0, SIZE_MAX, "the instructions",

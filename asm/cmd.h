@@ -13,7 +13,7 @@
 #include "asm/table.h"
 
 #define CMD_DEFAULT_MODEL "cyber205-2pipe"
-enum { CMD_DEFINES = 64 };
+enum { CMD_DEFINES = 64, CMD_FOLDERS = 16 };
 
 struct cmd_arguments {
     const char *command;
@@ -23,6 +23,8 @@ struct cmd_arguments {
     bool check, trace, listing, names, points, markdown;
     size_t define_count;
     struct asm_define defines[CMD_DEFINES + 1]; /* the last has no name */
+    size_t folder_count;
+    const char *folders[CMD_FOLDERS + 1]; /* the last is NULL */
     size_t file_count;
     char **files; /* what is no option */
 };

@@ -15,6 +15,7 @@ static const struct option options[] = {
     { "json", required_argument, NULL, 'j' },
     { "output", required_argument, NULL, 'o' },
     { "define", required_argument, NULL, 'd' },
+    { "include", required_argument, NULL, 'I' },
     { "limit", required_argument, NULL, 'l' },
     { "check", no_argument, NULL, 'c' },
     { "trace", no_argument, NULL, 't' },
@@ -55,6 +56,15 @@ static bool parse_define(char *text, struct cmd_arguments *arguments)
     return true;
 }
 
+static bool add_folder(const char *folder, struct cmd_arguments *arguments)
+{
+    if (arguments->folder_count == CMD_FOLDERS) {
+        return false;
+    }
+    arguments->folders[arguments->folder_count++] = folder;
+    return true;
+}
+
 static bool take(int letter, struct cmd_arguments *arguments)
 {
     switch (letter) {
@@ -70,6 +80,7 @@ static bool take(int letter, struct cmd_arguments *arguments)
     case 'p': arguments->points = true; return true;
     case 'M': arguments->markdown = true; return true;
     case 'd': return parse_define(optarg, arguments);
+    case 'I': return add_folder(optarg, arguments);
     default: return parse_limit(optarg, &arguments->limit);
     }
 }
@@ -88,7 +99,7 @@ static bool parse_options(int argc, char **argv, const char *allowed,
 {
     int letter;
     opterr = 0;
-    while ((letter = getopt_long(argc, argv, ":o:", options, NULL)) != -1) {
+    while ((letter = getopt_long(argc, argv, ":o:I:", options, NULL)) != -1) {
         if (letter == ':') {
             cmd_usage(argv[0], "%s needs an argument", argv[optind - 1]);
             return false;

@@ -18,7 +18,8 @@ c205_model *cmd_find_model(const char *command, const char *name)
 struct object *cmd_read_program(const struct cmd_arguments *arguments,
                                 const char *path, const struct sink *report)
 {
-    struct asm_options options = { .defines = arguments->defines };
+    struct asm_options options = { .defines = arguments->defines,
+                                   .search = arguments->folders };
     struct asm_errors errors = { 0, NULL };
     c205_error error;
     struct object *object;

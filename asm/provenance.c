@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-static const char sources[] = "PSDR";
+static const char sources[] = "PSDRF";
 
 static size_t constants_from(const c205_model *model, char source)
 {
@@ -14,15 +14,32 @@ static size_t constants_from(const c205_model *model, char source)
     return count;
 }
 
+bool provenance_is_fitted(const c205_model *model)
+{
+    return constants_from(model, 'F') > 0;
+}
+
+const char *provenance_note(const c205_model *model)
+{
+    return provenance_is_fitted(model)
+               ? "Fitted figures: constants of the model (F) were fitted to "
+                 "the paper's Table 1 among others."
+               : "Unfitted figures: the model's constants are priors, not "
+                 "yet fitted to the paper.";
+}
+
 void provenance_print(const c205_model *model)
 {
-    printf("model %s: %zu constants, unfitted priors",
-           c205_model_name(model), c205_model_size(model));
+    bool fitted = provenance_is_fitted(model);
+    printf("model %s: %zu constants, %s", c205_model_name(model),
+           c205_model_size(model), fitted ? "fitted" : "unfitted priors");
     for (size_t i = 0; sources[i]; i++) {
-        printf("%s %zu %c", i ? "," : ":",
-               constants_from(model, sources[i]), sources[i]);
+        if (sources[i] != 'F' || fitted)
+            printf("%s %zu %c", i ? "," : ":",
+                   constants_from(model, sources[i]), sources[i]);
     }
-    puts(" (P primary source, S secondary, D derived, R recollected)");
+    printf(" (P primary source, S secondary, D derived, R recollected%s)\n",
+           fitted ? ", F fitted" : "");
 }
 
 void provenance_json(const c205_model *model, struct json *json)
@@ -31,7 +48,7 @@ void provenance_json(const c205_model *model, struct json *json)
     json_object(json, "model");
     json_text(json, "name", c205_model_name(model));
     json_text(json, "title", c205_model_title(model));
-    json_truth(json, "fitted", false);
+    json_truth(json, "fitted", provenance_is_fitted(model));
     json_object(json, "constants");
     for (size_t i = 0; sources[i]; i++) {
         key[0] = sources[i];

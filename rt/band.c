@@ -83,6 +83,14 @@ static bool run(const struct band_work *work, c205 *machine, size_t pixels,
     }
 }
 
+static bool project(c205_projection *const *projections, c205 *machine)
+{
+    for (; projections != NULL && *projections != NULL; projections++)
+        if (!c205_listen(machine, c205_project, *projections))
+            return false;
+    return true;
+}
+
 static bool listen(struct band_tracer *tracer, c205_error *error)
 {
     const struct band_work *work = tracer->work;
@@ -93,7 +101,8 @@ static bool listen(struct band_tracer *tracer, c205_error *error)
                            work->listener_context))
            && (!work->watch_vectors
                || c205_listen(tracer->machine, vector_use_listen,
-                              &tracer->vectors));
+                              &tracer->vectors))
+           && project(work->projections, tracer->machine);
 }
 
 static bool read_counters(const struct band_work *work, const c205 *machine,

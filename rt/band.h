@@ -29,6 +29,8 @@ struct band_work {
     bool watch_vectors;   /* fill in band.vectors */
     c205_listener *listener; /* on every machine, or NULL */
     void *listener_context;
+    c205_projection *const *projections; /* listen as well; NULL at the end, or
+                                            NULL */
     /* Called now and then with the pixels of this band that are begun; false:
      * stop.  NULL if nobody wants to know. */
     bool (*progress)(void *context, size_t pixels);

@@ -46,10 +46,9 @@ static void tell_head(const struct cmd_arguments *arguments,
 
     snprintf(text, sizeof text, "%016llX", (unsigned long long)checksum);
     printf("%s: %zu x %zu, a queue of %zu; frame checksum %s in all stages\n"
-           "Unfitted figures: the model's constants are priors, not yet "
-           "fitted to the paper.\n",
+           "%s\n",
            arguments->scene, options->width, options->height, options->queue,
-           text);
+           text, provenance_note(options->model));
     provenance_print(options->model);
     if (json == NULL)
         return;

@@ -35,12 +35,12 @@ static void print_head(const struct cmd_arguments *arguments)
 
     printf("%zu x %zu rays, %g degrees across from a distance of %g, in a "
            "queue of %zu; the kernel and its calls alone.\n"
-           "Unfitted figures: the model's constants are priors, not yet "
-           "fitted to the paper.\n"
+           "%s\n"
            "Paper: Plunkett, Cychosz and Bailey 1984, Table 1, CYBER 205, "
            "100,000 rays; scaled to the rays here.\n",
            trace->width, trace->height, arguments->view.angle,
-           arguments->view.distance, trace->queue);
+           arguments->view.distance, trace->queue,
+           provenance_note(trace->model));
     provenance_print(trace->model);
 }
 

@@ -5,6 +5,9 @@
 #include <string.h>
 
 const char speedup_solver[] = "root_solver";
+const char *const speedup_projections[SPEEDUP_PROJECTIONS] = {
+    "cyber720", "cdc6600"
+};
 
 /* Bent, so that many rays cross it twice; its surface is of degree four. */
 #define PATCH \
@@ -17,18 +20,18 @@ const struct speedup_subject speedup_subjects[] = {
       .shape = "sphere { 0, 1 }",
       .from = { 0, 0, -1 },
       .regions = { "call", "sphere" },
-      .paper = { { .944, .0279 }, 33.81, 0 } },
+      .paper = { { .944, .0279 }, 33.81, { { 13.1, 469 } }, 0 } },
     { .name = "cylinder",
       .shape = "cylinder { <-1, -.6, .4>, <1, .6, -.4>, .75 }",
       .from = { 0, 0, -1 },
       .regions = { "call", "cylinder" },
-      .paper = { { 2.729, .1614 }, 16.91, 0 } },
+      .paper = { { 2.729, .1614 }, 16.91, { { 51.48, 318 } }, 0 } },
     { .name = "Steiner",
       .shape = PATCH,
       .from = { .48, .6, -.64 },
       .historical = true,
       .regions = { "call", "steiner", speedup_solver },
-      .paper = { { 11.157, 1.047 }, 10.67, 65 } },
+      .paper = { { 11.157, 1.047 }, 10.67, { { 216.0, 206 } }, 65 } },
     { .name = "Steiner, ours",
       .shape = PATCH,
       .from = { .48, .6, -.64 },
@@ -105,6 +108,26 @@ static bool sum_accounts(const struct accounts *accounts,
     return true;
 }
 
+/* Seconds of the subject's regions on another machine. */
+static double projected_seconds(const struct trace *trace,
+                                const struct speedup_subject *subject,
+                                const c205_projection *projection,
+                                const c205_model *model)
+{
+    const struct accounts *accounts = trace_accounts(trace);
+    uint64_t clocks = 0;
+
+    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST && subject->regions[i] != NULL;
+         i++) {
+        const c205_account *account = accounts_find(accounts,
+                                                    subject->regions[i]);
+
+        clocks += c205_projected_clocks(projection,
+                                        (size_t)(account - accounts->items));
+    }
+    return accounts_seconds(model, clocks);
+}
+
 static size_t count_hits(const struct trace *trace, size_t rays)
 {
     const c205_word *words = trace_channel(trace, CHANNEL_ID);
@@ -137,23 +160,85 @@ static bool run(struct trace *trace, const struct speedup_subject *subject,
     return true;
 }
 
+/* The models and what is charged with them; NULLs in the vector form. */
+struct projecting {
+    c205_model *models[SPEEDUP_PROJECTIONS];
+    c205_projection *projections[SPEEDUP_PROJECTIONS + 1];
+};
+
+static bool begin_projecting(struct projecting *projecting,
+                             c205_error *error)
+{
+    memset(projecting, 0, sizeof *projecting);
+    for (size_t i = 0; i < SPEEDUP_PROJECTIONS; i++) {
+        c205_model *model = c205_model_find(speedup_projections[i], error);
+
+        projecting->models[i] = model;
+        if (model != NULL)
+            projecting->projections[i] = c205_projection_new(model, error);
+        if (projecting->projections[i] == NULL)
+            return false;
+    }
+    return true;
+}
+
+static void end_projecting(struct projecting *projecting)
+{
+    for (size_t i = 0; i < SPEEDUP_PROJECTIONS; i++) {
+        c205_projection_free(projecting->projections[i]);
+        c205_model_free(projecting->models[i]);
+    }
+}
+
+/* Run, and read what the projections have been charged. */
+static bool run_projected(struct trace *trace,
+                          const struct speedup_subject *subject,
+                          struct speedup_measure *measure, c205_error *error)
+{
+    struct projecting projecting;
+    bool good = begin_projecting(&projecting, error);
+
+    trace_project(trace, projecting.projections);
+    good = good && run(trace, subject, measure, error);
+    for (size_t i = 0; good && i < SPEEDUP_PROJECTIONS; i++)
+        measure->projected[i] = projected_seconds(
+            trace, subject, projecting.projections[i],
+            projecting.models[i]);
+    trace_project(trace, NULL);
+    end_projecting(&projecting);
+    return good;
+}
+
+struct trace *speedup_trace(const struct speedup_subject *subject,
+                            const struct speedup_view *view,
+                            const struct trace_options *options,
+                            struct scene **scene, c205_error *error)
+{
+    struct trace_options how = *options;
+
+    how.historical = subject->historical;
+    how.no_bounds = true;
+    how.band = options->width * options->height;
+    *scene = read_scene(subject, view, options, error);
+    return *scene == NULL ? NULL : trace_new(*scene, &how, error);
+}
+
 bool speedup_measure(const struct speedup_subject *subject,
                      const struct speedup_view *view,
                      const struct trace_options *options,
                      struct speedup_measure *measure, c205_error *error)
 {
-    struct trace_options how = *options;
-    struct scene *scene = read_scene(subject, view, options, error);
-    struct trace *trace;
+    struct scene *scene;
+    struct trace *trace = speedup_trace(subject, view, options, &scene,
+                                        error);
     bool good;
 
     memset(measure, 0, sizeof *measure);
     measure->rays = options->width * options->height;
-    how.historical = subject->historical;
-    how.no_bounds = true;
-    how.band = measure->rays;
-    trace = scene == NULL ? NULL : trace_new(scene, &how, error);
-    good = trace != NULL && run(trace, subject, measure, error);
+    good = trace != NULL
+           && (options->mode == TRACE_SCALAR
+                   ? run_projected(trace, subject, measure, error)
+                   : run(trace, subject, measure, error));
     trace_free(trace);
     scene_free(scene);
     return good;

@@ -12,10 +12,17 @@
 
 enum { SPEEDUP_REGIONS_MOST = 4 };
 
+/* The machines on which the scalar program is projected. */
+enum { SPEEDUP_PROJECTIONS = 2 };
+extern const char *const speedup_projections[SPEEDUP_PROJECTIONS];
+
 /* What the paper says of a subject.  0: nothing. */
 struct speedup_paper {
     double seconds[TRACE_FORMS]; /* CPU time for 100,000 rays, Table 1 */
     double speedup;              /* as printed there */
+    struct {
+        double seconds, speedup;
+    } projected[SPEEDUP_PROJECTIONS];
     double solver;               /* percent of the time in the root solver */
 };
 
@@ -43,11 +50,19 @@ struct speedup_measure {
     uint64_t clocks[C205_CAUSES];
     uint64_t regions[SPEEDUP_REGIONS_MOST]; /* clocks, as in the subject */
     uint64_t total;
+    double projected[SPEEDUP_PROJECTIONS]; /* seconds; of the scalar form */
     size_t rays, hits;
     uint64_t checksum; /* of the frame: equal in both forms */
     enum falsi falsi;
     struct iterations iterations; /* of the root solver */
 };
+
+/* The frame of a subject, before it runs: one band.  The caller frees it, then
+ * the scene.  NULL: the error says why; the scene may be NULL too. */
+struct trace *speedup_trace(const struct speedup_subject *subject,
+                            const struct speedup_view *view,
+                            const struct trace_options *options,
+                            struct scene **scene, c205_error *error);
 
 /* False: the error says why. */
 bool speedup_measure(const struct speedup_subject *subject,

@@ -29,6 +29,17 @@ static const struct table_column times[] = {
     { "speedup_ratio", "ours/paper", TABLE_NUMBER, 2 },
 };
 
+static const struct table_column projected[] = {
+    { "primitive", "primitive", TABLE_TEXT, 0 },
+    { "machine", "projected on", TABLE_TEXT, 0 },
+    { "seconds", "seconds", TABLE_NUMBER, 3 },
+    { "paper_seconds", "paper: seconds", TABLE_NUMBER, 3 },
+    { "ratio", "ours/paper", TABLE_NUMBER, 2 },
+    { "speedup", "205 vector faster", TABLE_NUMBER, 1 },
+    { "paper_speedup", "paper: faster", TABLE_NUMBER, 0 },
+    { "speedup_ratio", "ours/paper", TABLE_NUMBER, 2 },
+};
+
 static const struct table_column shares[] = {
     { "primitive", "primitive", TABLE_TEXT, 0 },
     { "form", "form", TABLE_TEXT, 0 },
@@ -58,7 +69,7 @@ static const struct table_column causes[] = {
     { "percent", "%", TABLE_NUMBER, 1 },
 };
 
-enum kind { RAYS, TIMES, SHARES, STEPS, PASSES, CAUSES, KINDS };
+enum kind { RAYS, TIMES, PROJECTED, SHARES, STEPS, PASSES, CAUSES, KINDS };
 
 #define COLUMNS(table) table, sizeof table / sizeof *table
 static const struct {
@@ -68,6 +79,9 @@ static const struct {
 } kinds[KINDS] = {
     [RAYS] = { "rays", "The rays:", COLUMNS(rays) },
     [TIMES] = { "times", "The kernels and their calls:", COLUMNS(times) },
+    [PROJECTED] = { "projected", "Projected: the instructions of the scalar "
+                    "program at another machine's times:",
+                    COLUMNS(projected) },
     [SHARES] = { "shares", "Which part took it:", COLUMNS(shares) },
     [STEPS] = { "steps", "Falsi in the root solver, to roots of the "
                 "derivative (knots) and of the quartic:", COLUMNS(steps) },
@@ -175,6 +189,32 @@ static void add_times(struct speedup_report *report,
     table_number(table, speedup / paper_speedup);
 }
 
+static void add_projected(struct speedup_report *report,
+                          const struct speedup_subject *subject,
+                          const struct speedup_measure measures[TRACE_FORMS])
+{
+    struct table *table = report->tables[PROJECTED];
+    const struct speedup_measure *scalar = &measures[TRACE_SCALAR];
+    double vector = accounts_seconds(report->model,
+                                     measures[TRACE_VECTOR].total);
+
+    for (int i = 0; i < SPEEDUP_PROJECTIONS; i++) {
+        double seconds = scalar->projected[i];
+        double paper = told(subject->paper.projected[i].seconds
+                            * (double)scalar->rays / 1e5);
+        double faster = told(subject->paper.projected[i].speedup);
+
+        table_text(table, subject->name);
+        table_text(table, speedup_projections[i]);
+        table_number(table, seconds);
+        table_number(table, paper);
+        table_number(table, seconds / paper);
+        table_number(table, seconds / vector);
+        table_number(table, faster);
+        table_number(table, seconds / vector / faster);
+    }
+}
+
 static void add_shares(struct table *table,
                        const struct speedup_subject *subject, int mode,
                        const struct speedup_measure *measure)
@@ -252,6 +292,7 @@ void speedup_report_add(struct speedup_report *report,
         add_steps(tables[STEPS], subject, mode, &measures[mode]);
         add_causes(tables[CAUSES], subject, mode, &measures[mode]);
     }
+    add_projected(report, subject, measures);
     add_passes(tables[PASSES], subject, &measures[TRACE_VECTOR]);
 }
 

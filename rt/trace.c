@@ -187,6 +187,11 @@ bool trace_watch(struct trace *trace, struct iterations *iterations)
                             trace->options.mode == TRACE_VECTOR);
 }
 
+void trace_project(struct trace *trace, c205_projection *const *projections)
+{
+    trace->work.projections = projections;
+}
+
 /* ---- Bands that are done ------------------------------------------------- */
 
 static bool add_band(struct trace *trace, const struct band *band)

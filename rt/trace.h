@@ -76,6 +76,10 @@ void trace_forget(struct trace *trace);
  * alone. */
 bool trace_watch(struct trace *trace, struct iterations *iterations);
 
+/* Charge all instructions to these projections as well, which end with NULL;
+ * before the run, for one job alone. */
+void trace_project(struct trace *trace, c205_projection *const *projections);
+
 /* False: a trap, or progress said to stop; the error says which. */
 bool trace_run(struct trace *trace, c205_error *error);
 

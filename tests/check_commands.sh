@@ -432,7 +432,7 @@ tells out "root_solver"
 tells out "paper: %"
 [ "$(grep -c "pass by pass" out)" -eq 0 ]
 verdict $? "the passes are printed though not asked for"
-for key in rays times shares steps passes causes; do
+for key in rays times projected shares steps passes causes; do
     grep -q "\"$key\": \[" speedup.json
     verdict $? "speedup.json has no $key"
 done

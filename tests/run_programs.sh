@@ -14,4 +14,5 @@ for name in $("$c205" isa --names); do
 done
 "$c205" run --check tests/programs/*.s tests/programs/traps/*.s \
     asm/examples/*.s || code=1
+"$c205" run --check -I rt/kernels rt/fit/programs/*.s || code=1
 exit $code

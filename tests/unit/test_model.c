@@ -28,13 +28,17 @@ static void test_built_in(void **state)
 {
     (void)state;
     static const double pipes[] = { 1, 2, 4 };
+    static const size_t order[] = { 1, 3, 4 };
     const char *const *names = c205_model_names();
+    assert_string_equal(names[0], "cdc6600");
+    assert_string_equal(names[5], "cyber720");
+    assert_string_equal(names[order[1] - 1], "cyber205-2pipe-fitted");
     for (size_t i = 0; i < 3; i++) {
         char expected[] = "cyber205-0pipe";
         c205_error error;
         expected[9] = (char)('0' + (int)pipes[i]);
-        assert_string_equal(names[i], expected);
-        c205_model *model = c205_model_find(names[i], &error);
+        assert_string_equal(names[order[i]], expected);
+        c205_model *model = c205_model_find(expected, &error);
         assert_non_null(model);
         assert_string_equal(c205_model_name(model), expected);
         assert_true(c205_model_lookup(model, "machine.pipes")->value ==
@@ -42,7 +46,7 @@ static void test_built_in(void **state)
         assert_true(c205_model_lookup(model, "startup.vadd")->value == 51);
         c205_model_free(model);
     }
-    assert_null(names[3]);
+    assert_null(names[6]);
 }
 
 /* Every constant has all its columns, and is found under its name. */
@@ -152,9 +156,9 @@ static void test_errors_in_constants(void **state)
         { "stream.vadd 1 clk R", "the unit of stream.vadd is "
           "clk*pipe/element, clk/element or clk/bit, not 'clk'" },
         { "machine.pipes 2 pipes",
-          "the source of machine.pipes must be P, S, D or R, not ''" },
+          "the source of machine.pipes must be P, S, D, R or F, not ''" },
         { "machine.pipes 2 pipes X # no such source",
-          "the source of machine.pipes must be P, S, D or R, not 'X'" },
+          "the source of machine.pipes must be P, S, D, R or F, not 'X'" },
         { "machine.pipes 2 pipes P more words",
           "'more words' is not expected here" }
     };

@@ -1,0 +1,234 @@
+/* test_fit.c - what the fit is made from: observations, free constants, and
+ * frames of fewer rays. */
+#include "rt/fit/constants.h"
+#include "rt/fit/observations.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static c205_model *model;
+
+static void assert_near(double value, double expected)
+{
+    if (!(fabs(value - expected) < 1e-6))
+        fail_msg("%.9g is not %.9g", value, expected);
+}
+
+static struct run_options small(void)
+{
+    struct run_options how = { .folder = "rt/fit/programs", .model = model };
+
+    for (int mode = 0; mode < TRACE_FORMS; mode++) {
+        how.width[mode] = 32;
+        how.height[mode] = 20;
+    }
+    return how;
+}
+
+/* A file of that text; the caller removes it. */
+static const char *file_of(const char *text)
+{
+    static const char path[] = "test_fit.csv";
+    FILE *file = fopen(path, "w");
+
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+    return path;
+}
+
+/* ---- Fewer rays --------------------------------------------------------- */
+
+static double clocks_of_rows(const struct run *run)
+{
+    bool chosen[RUN_REGIONS_MOST];
+    double clocks[RUN_REGIONS_MOST], sum = 0;
+    c205_error error = { "" };
+
+    assert_true(run_select(run, "", chosen, &error));
+    if (!run_time(run, model, NULL, 0, clocks, &error))
+        fail_msg("%s", error.message);
+    for (size_t i = 0; i < run->region_count; i++)
+        if (chosen[i])
+            sum += clocks[i];
+    return sum;
+}
+
+/* The scalar clocks of 640 rays, scaled, are within 1 percent of those of
+ * 100,000; the same frame of rt205 speedup shows the same clocks. */
+static void test_fewer_rays(void **state)
+{
+    static const struct speedup_view view = { .distance = 5, .angle = 37 };
+
+    (void)state;
+    for (size_t i = 0; i < speedup_subject_count; i++) {
+        const struct speedup_subject *subject = &speedup_subjects[i];
+        struct trace_options options = { .mode = TRACE_SCALAR,
+                                         .width = 400,
+                                         .height = 250,
+                                         .queue = TRACE_QUEUE,
+                                         .model = model };
+        struct run_options how = small();
+        struct speedup_measure all;
+        c205_error error = { "" };
+        char program[64];
+        struct run *run;
+        double scaled;
+
+        if (subject->paper.speedup == 0)
+            continue;
+        snprintf(program, sizeof program, "%s scalar", subject->name);
+        run = run_new(program, &how, &error);
+        if (run == NULL
+            || !speedup_measure(subject, &view, &options, &all, &error))
+            fail_msg("%s", error.message);
+        assert_int_equal(run->rays, 640);
+        scaled = clocks_of_rows(run) * 1e5 / 640;
+        if (fabs(scaled / (double)all.total - 1) > .01)
+            fail_msg("%s: %g clocks, scaled %g", program, (double)all.total,
+                     scaled);
+        run_free(run);
+    }
+}
+
+/* ---- Observations ------------------------------------------------------- */
+
+#define HEAD "name,program,machine,value,unit,uncertainty,source,use\n"
+
+/* What the machine shows of the only observation in a file. */
+static double predicted(const char *row)
+{
+    struct observations all = { 0 };
+    struct run_options how = small();
+    c205_error error = { "" };
+    char text[512];
+    double (*clocks)[RUN_REGIONS_MOST], value;
+
+    snprintf(text, sizeof text, HEAD "# a remark\n\n%s\n", row);
+    if (!observations_read(&all, file_of(text), &how, &error))
+        fail_msg("%s", error.message);
+    assert_int_equal(all.count, 1);
+    clocks = calloc(all.timing_count, sizeof *clocks);
+    assert_non_null(clocks);
+    for (size_t i = 0; i < all.timing_count; i++)
+        assert_true(run_time(all.timings[i].run, all.timings[i].model, NULL,
+                             0, clocks[i], &error));
+    value = observation_predict(&all, &all.items[0], clocks);
+    free(clocks);
+    observations_free(&all);
+    remove("test_fit.csv");
+    return value;
+}
+
+/* An addition alone takes 51 + n / 2 clocks of 20 ns on two pipes. */
+static void test_units(void **state)
+{
+    (void)state;
+    assert_near(predicted("a,vector_add.s:add LENGTH=0,"
+                                 "cyber205-2pipe,1,ns/TIMES,1,s,fit"),
+                       1020);
+    assert_near(predicted("a,vector_add.s:add LENGTH=100,"
+                                 "cyber205-2pipe,1,Mflop/s,1,\"a, b\",fit"),
+                       100 / (101 * .02));
+    assert_near(predicted("a,vector_add.s:add LENGTH=100,"
+                                 "cyber205-2pipe/cyber205-1pipe,1,ratio,1,"
+                                 "s,fit"),
+                       101 / 151.);
+    assert_near(predicted("a,vector_add.s:add/add LENGTH=3,"
+                                 "cyber205-2pipe,1,ratio,1,s,fit"),
+                       1);
+    assert_near(predicted("a,vector_add.s:add LENGTH=3,"
+                                 "cyber205-2pipe,1,%,1,s,fit"),
+                       100);
+}
+
+static void assert_refused(const char *text, const char *message)
+{
+    struct observations all = { 0 };
+    struct run_options how = small();
+    c205_error error = { "" };
+
+    assert_false(observations_read(&all, file_of(text), &how, &error));
+    assert_string_equal(error.message, message);
+    observations_free(&all);
+    remove("test_fit.csv");
+}
+
+static void test_refused(void **state)
+{
+    (void)state;
+    assert_refused("", "test_fit.csv:0: holds no table");
+    assert_refused("a,b,c,d,e,f,g,h\n",
+                   "test_fit.csv:1: other columns are expected");
+    assert_refused(HEAD "a,b\n", "test_fit.csv:2: fields are missing");
+    assert_refused(HEAD "a,b,c,d,e,f,g,h,i\n",
+                   "test_fit.csv:2: too many fields");
+    assert_refused(HEAD "a,b,c,d,e,f,g,h\n",
+                   "test_fit.csv:2: a positive number is expected");
+    assert_refused(HEAD "a,vector_add.s:sub,cyber205-2pipe,1,ratio,1,s,fit\n",
+                   "there is no region sub");
+    assert_refused(HEAD "a,vector_add.s,cyber205-9pipe,1,ratio,1,s,fit\n",
+                   "there is no machine model 'cyber205-9pipe'");
+    assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,miles,1,s,fit\n",
+                   "there is no unit miles");
+    assert_refused(HEAD "a,vector_add.s X,cyber205-2pipe,1,%,1,s,fit\n",
+                   "'X' does not define a constant");
+    assert_refused(HEAD "a,stride.s,cyber205-2pipe,1,Mflop/s,1,s,fit\n",
+                   "the program does not define FLOPS");
+}
+
+/* ---- Free constants ----------------------------------------------------- */
+
+static void test_constants(void **state)
+{
+    static struct constants constants;
+    c205_setting settings[SETTINGS_MOST];
+    double places[FREE_MOST] = { .5 };
+    c205_error error = { "" };
+    const struct free_constant *first = &constants.items[0];
+
+    (void)state;
+    if (!constants_read(&constants,
+                        file_of("name,machine,constants,source,least,most,"
+                                "why\n"
+                                "a,cyber205,latency.load swap.word,R,5,40,?\n"
+                                "b,cyber720,time.add,S,5,40,?\n"),
+                        &error))
+        fail_msg("%s", error.message);
+    assert_int_equal(constants.count, 2);
+    assert_true(constant_is_of(first, model));
+    assert_false(constant_is_of(&constants.items[1], model));
+    assert_near(constant_value(first, .5), 15 * 1.2);
+    assert_near(constant_place(first, 15 * 1.2), .5);
+    assert_int_equal(constants_settings(&constants, places, model, settings),
+                     2);
+    assert_string_equal(settings[1].name, "swap.word");
+    assert_near(settings[1].value, 1.2);
+    constants_free(&constants);
+    remove("test_fit.csv");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_units),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_constants),
+        cmocka_unit_test(test_fewer_rays),
+    };
+    c205_error error = { "" };
+    int failed;
+
+    model = c205_model_find("cyber205-2pipe", &error);
+    assert_non_null(model);
+    failed = cmocka_run_group_tests(tests, NULL, NULL);
+    c205_model_free(model);
+    return failed;
+}
