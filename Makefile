@@ -74,7 +74,7 @@ all: $(libraries) $(programs) $(adapter)
 demo:
 	@sh .ci/need $(build_packages)
 	@$(MAKE) --no-print-directory all
-	$(BUILD)/rt205 render scenes/bracket.pov -o $(BUILD)/bracket.png -W 640 -H 480
+	$(BUILD)/rt205 render scenes/bracket.pov -o $(BUILD)/bracket.png -W 600 -H 600
 	@echo
 	$(BUILD)/rt205 speedup
 	@echo "The picture is in $(BUILD)/bracket.png"
