@@ -28,31 +28,8 @@ frame:
 
         .include "camera.s"
         .include "begin_vector.s"
-        .include "bound_vector.s"
-        .include "regions_vector.s"
-        .include "nodes_vector.s"
-        .include "few_vector.s"
+        .include "intersect_vector.s"
         .include "levels_vector.s"
-        .include "slab_vector.s"
-        .include "sphere_vector.s"
-        .include "box_vector.s"
-        .include "quadratic_vector.s"
-        .include "cylinder_vector.s"
-        .include "cone_vector.s"
-        .include "quadric_vector.s"
-        .include "plane_vector.s"
-        .include "quartic_vector.s"
-        .include "lanes_vector.s"
-        .include "segments_vector.s"
-        .include "torus_vector.s"
-        .include "quartic_terms.s"
-        .include "quartic_surface_vector.s"
-        .include "steiner_constants.s"
-        .include "steiner_vector.s"
-        .ifdef  HISTORICAL
-        .include "steiner_implicit_vector.s"
-        .endif
-        .include "transform_vector.s"
 
 ; From here on registers have the names of the scalar program.
         .include "context_kernels.s"

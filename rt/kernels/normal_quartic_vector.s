@@ -58,32 +58,7 @@ normal_torus:
         VTOV    sh0, [v2]
         VTOV    r0, [v3]
         VTOV    r0, [v4]
-        .if     \words >= 3
-        gradient_row sh1
-        gradient_term sh2
-        gradient_group_row
-        .endif
-        .if     \words >= 6
-        gradient_row sh3
-        gradient_term sh4
-        gradient_term sh5
-        gradient_group_row
-        .endif
-        .if     \words >= 10
-        gradient_row sh6
-        gradient_term sh7
-        gradient_term sh8
-        gradient_term sh9
-        gradient_group_row
-        .endif
-        .if     \words >= 15
-        gradient_row sh10
-        gradient_term sh11
-        gradient_term sh12
-        gradient_term sh13
-        gradient_term sh14
-        gradient_group_row
-        .endif
+        gradient_rows \words
         gradient_step nx, qx, v5
         gradient_step v5, qx, v2
         gradient_step ny, qx, v3

@@ -89,3 +89,37 @@ group_none\@:
         quartic_group 3, 10
         quartic_group 4, 15
         .endm
+
+; The rows of a group behind its first word, for the gradient
+; (normal_quartic_scalar.s, normal_quartic_vector.s).  Each form brings
+;   gradient_row c         the row begins with c
+;   gradient_term c        its next coefficient
+;   gradient_group_row     the row is added to the group
+        .macro  gradient_rows words
+        .if     \words >= 3
+        gradient_row sh1
+        gradient_term sh2
+        gradient_group_row
+        .endif
+        .if     \words >= 6
+        gradient_row sh3
+        gradient_term sh4
+        gradient_term sh5
+        gradient_group_row
+        .endif
+        .if     \words >= 10
+        gradient_row sh6
+        gradient_term sh7
+        gradient_term sh8
+        gradient_term sh9
+        gradient_group_row
+        .endif
+        .if     \words >= 15
+        gradient_row sh10
+        gradient_term sh11
+        gradient_term sh12
+        gradient_term sh13
+        gradient_term sh14
+        gradient_group_row
+        .endif
+        .endm
