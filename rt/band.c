@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rt/program.h"
+
 static const struct {
     const char *name, *counter; /* in the program's data */
 } kinds[RAY_KINDS] = {
@@ -60,27 +62,28 @@ static size_t pixels_begun(const struct band_work *work, const c205 *machine,
     return 0;
 }
 
+struct telling {
+    const struct band_work *work;
+    size_t pixels;
+    void *context;
+};
+
+static bool tell_pixels(void *context, const c205 *machine)
+{
+    const struct telling *telling = context;
+    const struct band_work *work = telling->work;
+
+    return work->progress(telling->context,
+                          pixels_begun(work, machine, telling->pixels));
+}
+
 static bool run(const struct band_work *work, c205 *machine, size_t pixels,
                 void *context, bool *stopped, c205_error *error)
 {
-    enum { SLICE = 5000000 }; /* clocks between two looks at progress */
+    struct telling telling = { work, pixels, context };
 
-    for (;;) {
-        uint64_t limit = work->progress == NULL ? C205_NO_LIMIT
-                                                : c205_clock(machine) + SLICE;
-        c205_stop stop = c205_run(machine, limit);
-
-        if (stop.trap == C205_TRAP_NONE)
-            return true;
-        if (stop.trap != C205_TRAP_CLOCK_LIMIT) {
-            c205_describe_stop(machine, &stop, error);
-            return false;
-        }
-        if (!work->progress(context, pixels_begun(work, machine, pixels))) {
-            *stopped = true;
-            return false;
-        }
-    }
+    return program_run(machine, work->progress != NULL ? tell_pixels : NULL,
+                       &telling, stopped, error);
 }
 
 static bool project(c205_projection *const *projections, c205 *machine)
@@ -113,9 +116,8 @@ static bool read_counters(const struct band_work *work, const c205 *machine,
                                                         kinds[i].counter);
         c205_word word;
 
-        if (symbol == NULL)
-            continue;
-        if (!c205_read(machine, (uint64_t)symbol->value, &word, 1))
+        if (symbol == NULL
+            || !c205_read(machine, (uint64_t)symbol->value, &word, 1))
             return false;
         band->rays[i] = (uint64_t)c205_to_integer(word);
     }

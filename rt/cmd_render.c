@@ -1,6 +1,7 @@
 /* cmd_render.c - rt205 render: a scene in, a picture out, clocks told. */
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "asm/accounts.h"
 #include "asm/provenance.h"
@@ -152,6 +153,33 @@ static int render_scene(const struct cmd_arguments *arguments,
     return code;
 }
 
+/* The folder that a path names a file in, and the file's name there; false:
+ * there is no such folder. */
+static bool find_place(const char *path, struct stat *folder,
+                       const char **name)
+{
+    const char *slash = strrchr(path, '/');
+    char text[4096];
+    int length = slash == NULL ? 0 : (int)(slash - path) + 1;
+
+    *name = path + length;
+    if (length >= (int)sizeof text)
+        return false;
+    snprintf(text, sizeof text, "%.*s.", length, path);
+    return stat(text, folder) == 0;
+}
+
+/* However they are written; either may be NULL. */
+static bool is_one_file(const char *a, const char *b)
+{
+    struct stat in_a, in_b;
+    const char *name_a, *name_b;
+
+    return a != NULL && b != NULL && find_place(a, &in_a, &name_a)
+           && find_place(b, &in_b, &name_b) && in_a.st_dev == in_b.st_dev
+           && in_a.st_ino == in_b.st_ino && strcmp(name_a, name_b) == 0;
+}
+
 /* What is wrong with the files asked for: the exit code, CMD_DONE if
  * nothing. */
 static int check_files(const struct cmd_arguments *arguments)
@@ -160,13 +188,10 @@ static int check_files(const struct cmd_arguments *arguments)
 
     if (arguments->output == NULL)
         return cmd_usage(arguments->command, "name the picture with -o");
-    if (arguments->json != NULL
-        && strcmp(arguments->json, arguments->output) == 0)
+    if (is_one_file(arguments->json, arguments->output))
         return cmd_usage(arguments->command, "-o and --json name one file");
-    if (arguments->resume != NULL
-        && (strcmp(arguments->resume, arguments->output) == 0
-            || (arguments->json != NULL
-                && strcmp(arguments->resume, arguments->json) == 0)))
+    if (is_one_file(arguments->resume, arguments->output)
+        || is_one_file(arguments->resume, arguments->json))
         return cmd_usage(arguments->command,
                          "--resume names a file of its own");
     if (!picture_check_path(arguments->output, &why))

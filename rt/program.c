@@ -26,6 +26,30 @@ struct object *program_assemble(const char *kernel,
     return object;
 }
 
+bool program_run(c205 *machine,
+                 bool (*go_on)(void *context, const c205 *machine),
+                 void *context, bool *stopped, c205_error *error)
+{
+    enum { SLICE = 5000000 }; /* clocks between two questions */
+
+    for (;;) {
+        uint64_t limit = go_on == NULL ? C205_NO_LIMIT
+                                       : c205_clock(machine) + SLICE;
+        c205_stop stop = c205_run(machine, limit);
+
+        if (stop.trap == C205_TRAP_NONE)
+            return true;
+        if (stop.trap != C205_TRAP_CLOCK_LIMIT) {
+            c205_describe_stop(machine, &stop, error);
+            return false;
+        }
+        if (!go_on(context, machine)) {
+            *stopped = true;
+            return false;
+        }
+    }
+}
+
 uint64_t program_round_up(uint64_t address)
 {
     const uint64_t page = UINT64_C(64) * C205_PAGE_WORDS;

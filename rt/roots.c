@@ -185,35 +185,31 @@ static size_t done(const struct root_search *search)
     return low;
 }
 
-bool roots_run(struct root_search *search, c205_error *error)
+static bool tell_polynomials(void *context, const c205 *machine)
 {
-    enum { SLICE = 5000000 }; /* clocks between two looks at progress */
+    const struct root_search *search = context;
     const struct roots_options *options = &search->options;
 
-    for (;;) {
-        uint64_t limit = options->progress == NULL
-                             ? C205_NO_LIMIT
-                             : c205_clock(search->machine) + SLICE;
-        c205_stop stop = c205_run(search->machine, limit);
+    (void)machine;
+    return options->progress(options->context, done(search), search->count);
+}
 
-        if (stop.trap == C205_TRAP_NONE) {
-            if (options->progress != NULL)
-                options->progress(options->context, search->count,
-                                  search->count);
-            return true;
-        }
-        if (stop.trap != C205_TRAP_CLOCK_LIMIT) {
-            c205_describe_stop(search->machine, &stop, error);
-            return false;
-        }
-        if (!options->progress(options->context, done(search),
-                               search->count)) {
-            snprintf(error->message, sizeof error->message,
-                     "stopped after %zu of %zu polynomials", done(search),
-                     search->count);
-            return false;
-        }
-    }
+bool roots_run(struct root_search *search, c205_error *error)
+{
+    const struct roots_options *options = &search->options;
+    bool stopped = false;
+    bool good = program_run(search->machine,
+                            options->progress != NULL ? tell_polynomials
+                                                      : NULL,
+                            search, &stopped, error);
+
+    if (good && options->progress != NULL)
+        options->progress(options->context, search->count, search->count);
+    if (stopped)
+        snprintf(error->message, sizeof error->message,
+                 "stopped after %zu of %zu polynomials", done(search),
+                 search->count);
+    return good;
 }
 
 bool roots_read(const struct root_search *search,
