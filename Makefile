@@ -1,7 +1,7 @@
 # make demo       installs what is missing, builds, renders a scene on the
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
-# make fit        fits the timing model and writes the fitted one
+# make fit        fits the timing model, writes the fitted ones and isa.md
 # make all | docs | bench | san | fuzz | cover | check-long | wasm-check |
 #      format | lint | install | clean
 
@@ -24,7 +24,8 @@ CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 vm_c = $(wildcard vm/*.c)
 asm_c = $(filter-out $(c205_c),$(wildcard asm/*.c))
 c205_c = asm/c205.c $(wildcard asm/cmd_*.c)
-rt_c = $(filter-out $(rt205_c),$(wildcard rt/*.c rt/scene/*.c))
+rt_c = $(filter-out $(rt205_c),$(wildcard rt/*.c rt/scene/*.c rt/plot/*.c \
+	rt/sweep/*.c))
 rt205_c = rt/rt205.c rt/progress.c $(wildcard rt/cmd_*.c)
 # What knows observations, and what fits them.
 observing_c = $(addprefix rt/fit/,csv.c run.c observations.c constants.c)
@@ -50,8 +51,8 @@ benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
 build_packages = build-essential pkg-config libopenimageio-dev
 fit_packages = libceres-dev
 test_packages = $(build_packages) $(fit_packages) libcmocka-dev \
-	libmpfr-dev libgmp-dev povray povray-includes clang lld llvm wasi-libc \
-	libclang-rt-14-dev-wasm32
+	libmpfr-dev libgmp-dev povray povray-includes gnuplot-nox \
+	clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
 # What check runs, and in what size: cases an operation, pairs of narrow words,
 # random programs, polynomials of a kind, tries a row of the table, compilers.
@@ -64,6 +65,8 @@ PROGRAMS ?= 15000
 POLYNOMIALS ?= 600
 TRIES ?= 300
 HOSTS ?= quick
+# So many compilers, and unit tests, at a time.
+JOBS ?= 2
 
 sanitizers = address,undefined
 
@@ -81,6 +84,8 @@ demo:
 
 check:
 	@sh .ci/need $(test_packages)
+	-@$(MAKE) --no-print-directory -k -j $(JOBS) all $(BUILD)/fit205 \
+		$(unit_tests) $(oracles) $(replays)
 	@sh tests/run_all.sh "$(MAKE)" $(check_parts)
 
 check-long: export CASES = 10000000
@@ -97,8 +102,10 @@ check-long:
 fit:
 	@sh .ci/need $(build_packages) $(fit_packages)
 	@$(MAKE) --no-print-directory $(BUILD)/fit205
-	$(BUILD)/fit205 --write vm/models/cyber205-2pipe-fitted.model \
+	$(BUILD)/fit205 --write vm/models/cyber205-2pipe.model \
+		--write vm/models/cyber720.model \
 		--json $(BUILD)/fit.json
+	@$(MAKE) --no-print-directory docs # they tell the default model's times
 
 # --- libraries and programs -------------------------------------------------
 
@@ -106,9 +113,10 @@ $(BUILD)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o
 $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	$(BUILD)/rt/scene_texts.o
+# With q, not r: files of two folders may have one name.
 %.a:
 	@rm -f $@
-	$(AR) rcs $@ $^
+	$(AR) qcs $@ $^
 
 $(BUILD)/c205: $(call objects,$(c205_c)) $(BUILD)/asm/isa_example_texts.o \
 		$(filter-out %librt205.a,$(libraries))
@@ -180,7 +188,8 @@ $(BUILD)/tests/bench_%: $(BUILD)/tests/bench_%.o $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 
 check-unit: $(unit_tests) $(adapter)
-	@code=0; for t in $(unit_tests); do $$t || code=1; done; exit $$code
+	@printf '%s\n' $(unit_tests) | xargs -n 1 -P $(JOBS) sh -c \
+		'$$0 >$$0.log 2>&1; code=$$?; cat $$0.log; exit $$code'
 
 check-programs: $(BUILD)/c205
 	sh tests/run_programs.sh $(BUILD)/c205

@@ -7,13 +7,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "asm/sink.h"
 #include "asm/whole.h"
 
-enum { DEEPEST = 16, INDENT = 2, NUMBER_SIZE = 32 };
+enum { DEEPEST = 16, INDENT = 2 };
 
 struct json {
-    struct whole *whole;
-    FILE *file;
+    struct whole *whole; /* they get the text at the close; NULL: not */
+    FILE *stream;        /* wanted */
+    struct text_buffer text;
+    struct sink sink; /* to the text */
     unsigned depth;
     struct {
         char closing;
@@ -27,76 +30,108 @@ static void open_level(struct json *json, char opening, char closing)
     json->level[json->depth].closing = closing;
     json->level[json->depth].filled = false;
     json->depth++;
-    putc(opening, json->file);
+    sink_print(&json->sink, "%c", opening);
 }
 
 static void new_line(struct json *json)
 {
-    fprintf(json->file, "\n%*s", (int)json->depth * INDENT, "");
+    sink_print(&json->sink, "\n%*s", (int)json->depth * INDENT, "");
 }
 
 /* Bytes from 80 hex on are taken for UTF-8 and pass. */
-static void put_string(FILE *file, const char *text)
+static void put_string(const struct sink *sink, const char *text)
 {
-    putc('"', file);
+    sink_put(sink, "\"");
     for (; *text; text++) {
         unsigned char c = (unsigned char)*text;
         if (c == '"' || c == '\\') {
-            fprintf(file, "\\%c", c);
+            sink_print(sink, "\\%c", c);
         } else if (c < ' ') {
-            fprintf(file, "\\u%04x", c);
+            sink_print(sink, "\\u%04x", c);
         } else {
-            putc(c, file);
+            sink_print(sink, "%c", c);
         }
     }
-    putc('"', file);
+    sink_put(sink, "\"");
 }
 
 /* What comes before each value: comma, new line, key. */
 static void introduce(struct json *json, const char *key)
 {
     if (json->level[json->depth - 1].filled) {
-        putc(',', json->file);
+        sink_put(&json->sink, ",");
     }
     json->level[json->depth - 1].filled = true;
     new_line(json);
     if (key) {
-        put_string(json->file, key);
-        fputs(": ", json->file);
+        put_string(&json->sink, key);
+        sink_put(&json->sink, ": ");
     }
+}
+
+static bool no_memory(c205_error *error)
+{
+    snprintf(error->message, sizeof error->message, "no memory");
+    return false;
+}
+
+static struct json *json_new(FILE *stream, c205_error *error)
+{
+    struct json *json = calloc(1, sizeof *json);
+    if (!json) {
+        no_memory(error);
+        return NULL;
+    }
+    json->stream = stream;
+    json->sink = text_buffer_sink(&json->text);
+    open_level(json, '{', '}');
+    return json;
+}
+
+struct json *json_open_stream(FILE *stream, const char *path,
+                              c205_error *error)
+{
+    struct json *json = json_new(stream, error);
+    if (json && path && !(json->whole = whole_open(path, error))) {
+        json_discard(json);
+        return NULL;
+    }
+    return json;
 }
 
 struct json *json_open(const char *path, c205_error *error)
 {
-    struct whole *whole = whole_open(path, error);
-    if (!whole) {
-        return NULL;
-    }
-    struct json *json = calloc(1, sizeof *json);
-    if (!json) {
-        whole_discard(whole);
-        snprintf(error->message, sizeof error->message, "no memory");
-        return NULL;
-    }
-    json->whole = whole;
-    json->file = whole->file;
-    open_level(json, '{', '}');
-    return json;
+    return json_open_stream(NULL, path, error);
 }
 
 bool json_close(struct json *json, c205_error *error)
 {
     assert(json->depth == 1);
     json_end(json);
-    putc('\n', json->file);
-    struct whole *whole = json->whole;
-    free(json);
-    return whole_commit(whole, error);
+    sink_put(&json->sink, "\n");
+    if (json->text.failed) {
+        json_discard(json);
+        return no_memory(error);
+    }
+    bool good = true;
+    if (json->whole) {
+        fwrite(json->text.text, 1, json->text.length, json->whole->file);
+        good = whole_commit(json->whole, error);
+        json->whole = NULL;
+    }
+    if (good && json->stream) {
+        fwrite(json->text.text, 1, json->text.length, json->stream);
+    }
+    json_discard(json);
+    return good;
 }
 
 void json_discard(struct json *json)
 {
-    whole_discard(json->whole);
+    if (json->whole) {
+        whole_discard(json->whole);
+    }
+    text_buffer_free(&json->text);
     free(json);
 }
 
@@ -118,13 +153,21 @@ void json_end(struct json *json)
     if (json->level[json->depth].filled) {
         new_line(json);
     }
-    putc(json->level[json->depth].closing, json->file);
+    sink_print(&json->sink, "%c", json->level[json->depth].closing);
 }
 
 void json_text(struct json *json, const char *key, const char *text)
 {
     introduce(json, key);
-    put_string(json->file, text);
+    put_string(&json->sink, text);
+}
+
+void json_digits(char text[JSON_NUMBER_SIZE], double value)
+{
+    snprintf(text, JSON_NUMBER_SIZE, "%.15g", value);
+    if (strtod(text, NULL) != value) {
+        snprintf(text, JSON_NUMBER_SIZE, "%.17g", value);
+    }
 }
 
 void json_number(struct json *json, const char *key, double value)
@@ -133,29 +176,26 @@ void json_number(struct json *json, const char *key, double value)
         json_null(json, key);
         return;
     }
-    char text[NUMBER_SIZE];
-    snprintf(text, sizeof text, "%.15g", value);
-    if (strtod(text, NULL) != value) {
-        snprintf(text, sizeof text, "%.17g", value);
-    }
+    char text[JSON_NUMBER_SIZE];
+    json_digits(text, value);
     introduce(json, key);
-    fputs(text, json->file);
+    sink_put(&json->sink, text);
 }
 
 void json_count(struct json *json, const char *key, uint64_t value)
 {
     introduce(json, key);
-    fprintf(json->file, "%" PRIu64, value);
+    sink_print(&json->sink, "%" PRIu64, value);
 }
 
 void json_truth(struct json *json, const char *key, bool value)
 {
     introduce(json, key);
-    fputs(value ? "true" : "false", json->file);
+    sink_put(&json->sink, value ? "true" : "false");
 }
 
 void json_null(struct json *json, const char *key)
 {
     introduce(json, key);
-    fputs("null", json->file);
+    sink_put(&json->sink, "null");
 }

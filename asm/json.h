@@ -14,12 +14,20 @@
 #ifndef ASM_JSON_H
 #define ASM_JSON_H
 
+#include <stdio.h>
+
 #include "vm/c205.h"
+
+enum { JSON_NUMBER_SIZE = 32 };
 
 struct json;
 
 /* NULL: it cannot be written there.  The file appears, whole, at the close. */
 struct json *json_open(const char *path, c205_error *error);
+/* The same on a stream, at the close, and in a file too unless path is NULL.
+ * Write errors of the stream are left to its owner. */
+struct json *json_open_stream(FILE *stream, const char *path,
+                              c205_error *error);
 bool json_close(struct json *json, c205_error *error);
 void json_discard(struct json *json);
 
@@ -33,5 +41,8 @@ void json_number(struct json *json, const char *key, double value);
 void json_count(struct json *json, const char *key, uint64_t value);
 void json_truth(struct json *json, const char *key, bool value);
 void json_null(struct json *json, const char *key);
+
+/* The digits of a finite double, as many as bring it back: 0.1. */
+void json_digits(char text[JSON_NUMBER_SIZE], double value);
 
 #endif

@@ -65,6 +65,23 @@ struct whole *whole_open(const char *path, c205_error *error)
     return whole;
 }
 
+bool whole_check(const char *path, c205_error *error)
+{
+    if (is_special(path)) {
+        if (access(path, W_OK) == 0) {
+            return true;
+        }
+        tell(error, path, strerror(errno));
+        return false;
+    }
+    struct whole *whole = whole_open(path, error);
+    if (!whole) {
+        return false;
+    }
+    whole_discard(whole);
+    return true;
+}
+
 bool whole_commit(struct whole *whole, c205_error *error)
 {
     errno = 0;

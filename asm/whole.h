@@ -19,6 +19,8 @@ struct whole {
 
 /* NULL: it cannot be written there. */
 struct whole *whole_open(const char *path, c205_error *error);
+/* Whether it could, for who has long work to do before; nothing is left. */
+bool whole_check(const char *path, c205_error *error);
 /* Both free it.  A failed commit leaves the old file as it was. */
 bool whole_commit(struct whole *whole, c205_error *error);
 void whole_discard(struct whole *whole);

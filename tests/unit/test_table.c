@@ -1,4 +1,6 @@
-/* test_table.c - tables, JSON, and files that are written whole. */
+/* test_table.c - tables in all formats, JSON, and files that are written
+ * whole. */
+#include <float.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -12,6 +14,7 @@
 
 #include "asm/table.h"
 #include "asm/whole.h"
+#include "tests/unit/csv_reading.h"
 
 static const struct table_column columns[] = {
     { "name", "name", TABLE_TEXT, 0 },
@@ -107,6 +110,197 @@ static void table_as_json(void **state)
                 "      \"remark\": \"\"\n    }\n  ]\n}\n");
 }
 
+/* What a format would break on: its own marks, lines, numbers that are
+ * shorter in print. */
+static struct table *odd_table(void)
+{
+    static const char *const names[] = {
+        "a, b", "\"c\"", "# d", "e|f", "two\nlines", "\\ <g> *h* `i`"
+    };
+    struct table *table =
+        table_new(columns, sizeof columns / sizeof *columns);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        table_text(table, names[i]);
+        table_count(table, i);
+        table_number(table, i ? 1.0 / (double)i : NAN);
+        table_text(table, i ? "" : "so, \"so\"");
+    }
+    return table;
+}
+
+/* The caller frees the text. */
+static char *written(const struct table *table, enum table_format format)
+{
+    char *text = NULL;
+    size_t length = 0;
+    FILE *file = open_memstream(&text, &length);
+    assert_non_null(file);
+    assert_true(table_write(table, format, file));
+    assert_int_equal(fclose(file), 0);
+    return text;
+}
+
+static void expect_written(struct table *table, enum table_format format,
+                           const char *expected)
+{
+    char *text = written(table, format);
+    assert_string_equal(text, expected);
+    free(text);
+    table_free(table);
+}
+
+static void table_as_csv(void **state)
+{
+    (void)state;
+    expect_written(some_table(), TABLE_CSV,
+                   "name,clocks,percent,remark\n"
+                   "a,12345678,99.96,\"say \"\"so\"\"\"\n"
+                   "longer,7,,\n");
+}
+
+static void csv_comes_back(void **state)
+{
+    static struct csv_table back;
+    struct table *table = odd_table();
+    char *text = written(table, TABLE_CSV);
+    (void)state;
+    table_free(table);
+    assert_string_equal(csv_table(text, &back), "");
+    free(text);
+    assert_int_equal(back.rows, 7);
+    assert_int_equal(back.cells[0], 4);
+    assert_string_equal(back.cell[1][0], "a, b");
+    assert_string_equal(back.cell[1][2], "");
+    assert_string_equal(back.cell[1][3], "so, \"so\"");
+    assert_string_equal(back.cell[2][0], "\"c\"");
+    assert_string_equal(back.cell[3][0], "# d");
+    assert_string_equal(back.cell[5][0], "two\nlines");
+    assert_true(strtod(back.cell[4][2], NULL) == 1.0 / 3.0);
+}
+
+/* A line of text that begins with # would be passed over by its reader. */
+static void csv_has_no_remarks(void **state)
+{
+    struct table *table = odd_table();
+    char *text = written(table, TABLE_CSV);
+    (void)state;
+    assert_null(strstr(text, "\n#"));
+    free(text);
+    table_free(table);
+}
+
+static void table_as_markdown(void **state)
+{
+    (void)state;
+    expect_written(some_table(), TABLE_MARKDOWN,
+                   "| name   |   clocks |     % | remark   |\n"
+                   "|:-------|---------:|------:|:---------|\n"
+                   "| a      | 12345678 | 100.0 | say \"so\" |\n"
+                   "| longer |        7 |       |          |\n");
+}
+
+static size_t markdown_cells(const char *line)
+{
+    size_t bars = 0;
+    for (; *line && *line != '\n'; line++) {
+        if (*line == '\\') {
+            line++;
+        } else {
+            bars += *line == '|';
+        }
+    }
+    return bars - 1;
+}
+
+static void markdown_has_all_cells(void **state)
+{
+    struct table *table = odd_table();
+    char *text = written(table, TABLE_MARKDOWN);
+    size_t lines = 0;
+    (void)state;
+    for (const char *line = text; *line; line = strchr(line, '\n') + 1) {
+        assert_int_equal(markdown_cells(line), 4);
+        lines++;
+    }
+    assert_int_equal(lines, 8);
+    assert_non_null(strstr(text, "| e\\|f "));
+    assert_non_null(strstr(text, "| two lines "));
+    assert_non_null(strstr(text, "| \\\\ \\<g> \\*h\\* \\`i\\` |"));
+    free(text);
+    table_free(table);
+}
+
+static void signs_and_decimals(void **state)
+{
+    static const struct table_column column = { "e", "e", TABLE_NUMBER, 4 };
+    static const double values[] = { 1.06, -12, NAN };
+    (void)state;
+    struct table *table = table_new(&column, 1);
+    for (size_t i = 0; i < 3; i++) {
+        table_signed(table, values[i], 1);
+    }
+    char *text = written(table, TABLE_CSV);
+    assert_string_equal(text, "e\n1.06\n-12\n\n");
+    free(text);
+    expect_written(table, TABLE_PLAIN, "    e\n +1.1\n-12.0\n     \n");
+}
+
+/* No digit is cut off. */
+static void huge_numbers(void **state)
+{
+    static const struct table_column column = { "e", "e", TABLE_NUMBER, 1 };
+    (void)state;
+    struct table *table = table_new(&column, 1);
+    table_number(table, -1e300);
+    table_signed(table, DBL_MAX, 1);
+    char *text = written(table, TABLE_PLAIN);
+    char *number = text + strcspn(text, "\n");
+    assert_true(strtod(number, &number) == -1e300);
+    assert_true(strtod(number, &number) == DBL_MAX);
+    assert_string_equal(number, "\n");
+    free(text);
+    table_free(table);
+}
+
+static void headings(void **state)
+{
+    struct folder *folder = *state;
+    FILE *file = fopen(folder->path, "w");
+    table_heading("Rows", TABLE_PLAIN, file);
+    table_heading("Rows", TABLE_CSV, file);
+    table_heading("Rows", TABLE_MARKDOWN, file);
+    fclose(file);
+    expect_text(folder->path, "\nRows:\n\n\n# Rows\n\n## Rows\n\n");
+    assert_string_equal(table_remark(TABLE_PLAIN), "");
+    assert_string_equal(table_remark(TABLE_CSV), "# ");
+    assert_string_equal(table_remark(TABLE_MARKDOWN), "");
+}
+
+/* On a stream and in a file: the same. */
+static void json_on_stream(void **state)
+{
+    struct folder *folder = *state;
+    char *text = NULL;
+    size_t length = 0;
+    FILE *stream = open_memstream(&text, &length);
+    c205_error error;
+    struct json *json = json_open_stream(stream, folder->path, &error);
+    json_count(json, "one", 1);
+    assert_true(json_close(json, &error));
+    expect_text(folder->path, "{\n  \"one\": 1\n}\n");
+    json = json_open_stream(stream, NULL, &error);
+    json_count(json, "two", 2);
+    assert_true(json_close(json, &error));
+    json = json_open_stream(stream, folder->path, &error);
+    json_count(json, "three", 3);
+    json_discard(json);
+    expect_text(folder->path, "{\n  \"one\": 1\n}\n");
+    assert_null(json_open_stream(stream, "/nonexistent/file", &error));
+    fclose(stream);
+    assert_string_equal(text, "{\n  \"one\": 1\n}\n{\n  \"two\": 2\n}\n");
+    free(text);
+}
+
 static void json_values(void **state)
 {
     struct folder *folder = *state;
@@ -141,6 +335,8 @@ static void old_file_stays(void **state)
     expect_text(folder->path, "old");
     whole_discard(whole);
     expect_text(folder->path, "old");
+    assert_true(whole_check(folder->path, &error));
+    expect_text(folder->path, "old");
 }
 
 static void no_folder(void **state)
@@ -150,6 +346,11 @@ static void no_folder(void **state)
     assert_null(whole_open("/nonexistent/file", &error));
     assert_string_equal(error.message,
                         "/nonexistent/file: No such file or directory");
+    error.message[0] = '\0';
+    assert_false(whole_check("/nonexistent/file", &error));
+    assert_string_equal(error.message,
+                        "/nonexistent/file: No such file or directory");
+    assert_true(whole_check("/dev/full", &error));
 }
 
 /* A device must not be replaced by a file. */
@@ -171,6 +372,15 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(columns_line_up, set_up, tear_down),
         cmocka_unit_test_setup_teardown(table_as_json, set_up, tear_down),
+        cmocka_unit_test(table_as_csv),
+        cmocka_unit_test(csv_comes_back),
+        cmocka_unit_test(csv_has_no_remarks),
+        cmocka_unit_test(table_as_markdown),
+        cmocka_unit_test(markdown_has_all_cells),
+        cmocka_unit_test(signs_and_decimals),
+        cmocka_unit_test(huge_numbers),
+        cmocka_unit_test_setup_teardown(headings, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(json_on_stream, set_up, tear_down),
         cmocka_unit_test_setup_teardown(json_values, set_up, tear_down),
         cmocka_unit_test_setup_teardown(old_file_stays, set_up, tear_down),
         cmocka_unit_test(no_folder),

@@ -1,0 +1,492 @@
+/* test_plot.c - plots: their data, their scripts, and gnuplot. */
+#include "rt/plot/plot.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "asm/file.h"
+#include "rt/plot/axis.h"
+
+enum { QUEUE, STREAM, STARTUP, REMARK, COLUMNS };
+
+static const struct table_column columns[COLUMNS] = {
+    { "queue", "queue", TABLE_COUNT, 0 },
+    { "stream", "stream", TABLE_NUMBER, 1 },
+    { "startup", "start-up", TABLE_NUMBER, 1 },
+    { "remark", "remark", TABLE_TEXT, 0 },
+};
+
+static const struct plot_curve curves[] = {
+    { STREAM, "vector stream" },
+    { STARTUP, "vector start-up" },
+};
+
+static const char *const subtitles[] = { "model cyber205-2pipe",
+                                         "a_b & <c>, it's \"so\" \\" };
+
+static const struct plot_mark marks[] = { { 3, "best 3" },
+                                          { 3.5, "the paper's 3.5" },
+                                          { NAN, "nowhere" } };
+static const struct plot_mark levels[] = { { 12, "scalar" },
+                                           { NAN, "nothing" } };
+
+static const struct plot lines = {
+    .title = "Clocks per ray",
+    .subtitles = subtitles,
+    .subtitle_count = 2,
+    .x = { "rays in a queue", PLOT_LOG2 },
+    .y = { "clocks per ray", PLOT_LINEAR },
+    .x_column = QUEUE,
+    .curves = curves,
+    .curve_count = 2,
+    .marks = marks,
+    .mark_count = 3,
+    .levels = levels,
+    .level_count = 2,
+};
+
+/* --- a folder for a test ----------------------------------------------- */
+
+struct folder {
+    char name[64]; /* blanks and quotes in it */
+    char above[32];
+    struct table *table;
+};
+
+static void add_row(struct table *table, uint64_t queue, double stream,
+                    double startup)
+{
+    table_count(table, queue);
+    table_number(table, stream);
+    table_number(table, startup);
+    table_text(table, "some");
+}
+
+static int set_up(void **state)
+{
+    struct folder *folder = calloc(1, sizeof *folder);
+
+    *state = folder;
+    strcpy(folder->above, "/tmp/test_plot.XXXXXX");
+    if (!mkdtemp(folder->above))
+        return -1;
+    snprintf(folder->name, sizeof folder->name, "%s/it's a \"test\"",
+             folder->above);
+    folder->table = table_new(columns, COLUMNS);
+    add_row(folder->table, 1, 10, 100.0 / 3);
+    add_row(folder->table, 2, 10, 0.1);
+    add_row(folder->table, 4, NAN, 8);
+    add_row(folder->table, 8, INFINITY, 4);
+    return mkdir(folder->name, 0777);
+}
+
+static void path_of(const struct folder *folder, const char *name,
+                    char path[256])
+{
+    snprintf(path, 256, "%s/%s", folder->name, name);
+}
+
+static void remove_file(const struct folder *folder, const char *name)
+{
+    char path[256];
+
+    path_of(folder, name, path);
+    assert_int_equal(unlink(path), 0);
+}
+
+static void remove_plot(const struct folder *folder)
+{
+    remove_file(folder, "a b'c.svg");
+    remove_file(folder, "a b'c.dat");
+    remove_file(folder, "a b'c.gp");
+}
+
+/* A test removes what it made; nothing temporary may be left. */
+static int tear_down(void **state)
+{
+    struct folder *folder = *state;
+    int result = rmdir(folder->name) || rmdir(folder->above);
+
+    table_free(folder->table);
+    free(folder);
+    return result;
+}
+
+static char *text_of(const struct folder *folder, const char *name)
+{
+    char path[256], *text;
+    size_t length;
+    c205_error error = { "" };
+
+    path_of(folder, name, path);
+    text = file_read(path, &length, &error);
+    if (text == NULL)
+        fail_msg("%s: %s", path, error.message);
+    return text;
+}
+
+static bool write_plot(const struct plot *plot, const struct folder *folder,
+                       const char *name, c205_error *error)
+{
+    char path[256];
+
+    path_of(folder, name, path);
+    return plot_write(plot, folder->table, path, error);
+}
+
+static void draw(const struct plot *plot, const struct folder *folder)
+{
+    c205_error error = { "" };
+
+    if (!write_plot(plot, folder, "a b'c.svg", &error))
+        fail_msg("%s", error.message);
+}
+
+static void expect_error(const struct plot *plot, const struct folder *folder,
+                         const char *name, const char *part)
+{
+    c205_error error = { "" };
+
+    assert_false(write_plot(plot, folder, name, &error));
+    if (strstr(error.message, part) == NULL)
+        fail_msg("\"%s\" without \"%s\"", error.message, part);
+}
+
+/* --- plots ------------------------------------------------------------- */
+
+static void data_is_told(void **state)
+{
+    struct folder *folder = *state;
+    char *text;
+
+    draw(&lines, folder);
+    text = text_of(folder, "a b'c.dat");
+    assert_string_equal(text, "# Clocks per ray\n"
+                              "# model cyber205-2pipe\n"
+                              "# a_b & <c>, it's \"so\" \\\n"
+                              "# queue stream startup\n"
+                              "1 10 33.333333333333336\n"
+                              "2 10 0.1\n"
+                              "4 NaN 8\n"
+                              "8 NaN 4\n");
+    free(text);
+    remove_plot(folder);
+}
+
+static void expect_picture(const char *text)
+{
+    static const char end[] = "</svg>";
+    const char *last = strstr(text, end);
+
+    assert_non_null(strstr(text, "<svg"));
+    assert_non_null(last);
+    assert_int_equal(strspn(last + strlen(end), "\n"),
+                     strlen(last + strlen(end)));
+    assert_non_null(strstr(text, "Clocks per ray"));
+    assert_non_null(strstr(text, "a_b &amp; &lt;c"));
+    assert_non_null(strstr(text, "the paper's 3.5"));
+    assert_non_null(strstr(text, "vector start-up"));
+    assert_null(strstr(text, "nowhere"));
+    assert_null(strstr(text, "nothing"));
+}
+
+/* As a user does: gnuplot NAME.gp in its folder. */
+static void script_draws_again(void **state)
+{
+    struct folder *folder = *state;
+    char command[256], *first, *second;
+    const enum plot_form forms[] = { PLOT_LINES, PLOT_AREAS };
+
+    for (size_t i = 0; i < 2; i++) {
+        struct plot plot = lines;
+        plot.form = forms[i];
+        draw(&plot, folder);
+        first = text_of(folder, "a b'c.svg");
+        expect_picture(first);
+        remove_file(folder, "a b'c.svg");
+        snprintf(command, sizeof command,
+                 "cd %s/it*test* && gnuplot \"a b'c.gp\"", folder->above);
+        assert_int_equal(system(command), 0);
+        second = text_of(folder, "a b'c.svg");
+        assert_string_equal(first, second);
+        free(first);
+        free(second);
+        remove_plot(folder);
+    }
+}
+
+/* Names that gnuplot would take for commands, options or data of its own. */
+static void names_are_names(void **state)
+{
+    static const char *const names[] = { "<ls", "|cat", "-x", "~", "+", "`" };
+    static const char *const ends[] = { "svg", "dat", "gp" };
+    struct folder *folder = *state;
+    c205_error error = { "" };
+    char name[16];
+
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        snprintf(name, sizeof name, "%s.svg", names[i]);
+        if (!write_plot(&lines, folder, name, &error))
+            fail_msg("%s: %s", name, error.message);
+        for (size_t j = 0; j < 3; j++) {
+            snprintf(name, sizeof name, "%s.%s", names[i], ends[j]);
+            remove_file(folder, name);
+        }
+    }
+}
+
+static void bad_paths(void **state)
+{
+    struct folder *folder = *state;
+    c205_error error = { "" };
+    char path[256];
+
+    expect_error(&lines, folder, "plot.png", "ends in .svg");
+    expect_error(&lines, folder, ".svg", "ends in .svg");
+    expect_error(&lines, folder, "two\nlines.svg", "one line");
+    expect_error(&lines, folder, "none/plot.svg", "No such file");
+    path_of(folder, "none/plot.svg", path);
+    assert_false(plot_check_path(path, &error));
+    path_of(folder, "plot.svg", path);
+    assert_true(plot_check_path(path, &error));
+    assert_true(plot_check_path("plot.svg", &error));
+}
+
+/* Where one file cannot be written, none is. */
+static void name_is_taken(void **state)
+{
+    static const char *const names[] = { "plot.dat", "plot.gp", "plot.svg" };
+    struct folder *folder = *state;
+    char path[256];
+
+    for (size_t i = 0; i < 3; i++) {
+        path_of(folder, names[i], path);
+        assert_int_equal(mkdir(path, 0777), 0);
+        expect_error(&lines, folder, "plot.svg", "Is a directory");
+        assert_int_equal(rmdir(path), 0);
+    }
+}
+
+static void bad_values(void **state)
+{
+    struct folder *folder = *state;
+    const struct plot_curve remarks = { REMARK, "a text" };
+    const struct plot_mark zero = { 0, "zero" };
+    struct plot plot = lines;
+
+    plot.marks = &zero;
+    plot.mark_count = 1;
+    expect_error(&plot, folder, "x.svg", "zero: 0 is not on a logarithmic");
+    plot = lines;
+    plot.curves = &remarks;
+    plot.curve_count = 1;
+    expect_error(&plot, folder, "x.svg", "nothing to draw");
+    plot = lines;
+    add_row(folder->table, 16, 1, -2);
+    plot.form = PLOT_AREAS;
+    expect_error(&plot, folder, "x.svg", "startup: an area of -2");
+    plot.form = PLOT_LINES;
+    plot.y.scale = PLOT_LOG10;
+    expect_error(&plot, folder, "x.svg", "startup: -2 is not on");
+}
+
+/* --- gnuplot ----------------------------------------------------------- */
+
+static void expect_kept(const struct folder *folder)
+{
+    char *picture = text_of(folder, "a b'c.svg");
+
+    assert_string_equal(picture, "old");
+    free(picture);
+    remove_plot(folder);
+}
+
+static void write_file(const struct folder *folder, const char *name,
+                       const char *text)
+{
+    char path[256];
+    FILE *file;
+
+    path_of(folder, name, path);
+    file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+    assert_int_equal(chmod(path, 0777), 0);
+}
+
+/* With the folder's gnuplot, or none, and an old picture there. */
+static void expect_failure(const struct folder *folder, const char *part)
+{
+    char *path = strdup(getenv("PATH"));
+
+    write_file(folder, "a b'c.svg", "old");
+    setenv("PATH", folder->name, 1);
+    expect_error(&lines, folder, "a b'c.svg", part);
+    setenv("PATH", path, 1);
+    free(path);
+    expect_kept(folder);
+}
+
+static void gnuplot_is_missing(void **state)
+{
+    expect_failure(*state, "gnuplot-nox");
+}
+
+static void gnuplot_fails(void **state)
+{
+    struct folder *folder = *state;
+
+    write_file(folder, "gnuplot",
+               "#!/bin/sh\necho half; echo 'line 7: wrong' >&2; exit 3\n");
+    expect_failure(folder, "gnuplot: line 7: wrong");
+    write_file(folder, "gnuplot", "#!/bin/sh\nexit 0\n");
+    expect_failure(folder, "no picture");
+    write_file(folder, "gnuplot", "#!/bin/sh\necho half; kill -9 $$\n");
+    expect_failure(folder, "no picture");
+    remove_file(folder, "gnuplot");
+}
+
+/* --- marks and axes ---------------------------------------------------- */
+
+/* How high in the picture a mark's label stands, from 0 to 1. */
+static double height_of(const char *script, const char *label)
+{
+    const char *at = strstr(script, label);
+
+    assert_non_null(at);
+    at = strstr(at, "screen ");
+    assert_non_null(at);
+    return strtod(at + strlen("screen "), NULL);
+}
+
+static void marks_have_rows(void **state)
+{
+    const struct plot_mark many[] = { { 8, "far from the others" },
+                                      { 1.1, "near" },
+                                      { 1, "at one" } };
+    struct folder *folder = *state;
+    struct plot plot = lines;
+    char *script;
+
+    plot.marks = many;
+    plot.mark_count = 3;
+    draw(&plot, folder);
+    script = text_of(folder, "a b'c.gp");
+    assert_true(height_of(script, "'far") == height_of(script, "'near"));
+    assert_true(height_of(script, "'at one") > height_of(script, "'near"));
+    free(script);
+    remove_plot(folder);
+}
+
+/* The labels of an axis, with a blank behind each. */
+static void expect_labels(struct axis axis, const char *expected)
+{
+    struct axis_tic tics[AXIS_TICS];
+    size_t count = axis_tics(&axis, tics);
+    char text[256] = "";
+
+    for (size_t i = 0; i < count; i++)
+        if (tics[i].label[0] != '\0')
+            strcat(strcat(text, tics[i].label), " ");
+    assert_string_equal(text, expected);
+}
+
+static void axes_are_labelled(void **state)
+{
+    (void)state;
+    expect_labels((struct axis){ PLOT_LOG2, 1, 65536 },
+                  "1 4 16 64 256 1,024 4,096 16,384 65,536 ");
+    expect_labels((struct axis){ PLOT_LOG2, 0.25, 3 }, "0.25 0.5 1 2 ");
+    expect_labels((struct axis){ PLOT_LOG10, 10, 1000 },
+                  "10 20 50 100 200 500 1,000 ");
+    expect_labels((struct axis){ PLOT_LOG10, 0.01, 1e7 },
+                  "0.01 0.1 1 10 100 1,000 10,000 100,000 1,000,000 "
+                  "10,000,000 ");
+    expect_labels((struct axis){ PLOT_LOG10, 1200, 1800 },
+                  "1,200 1,300 1,400 1,500 1,600 1,700 1,800 ");
+    expect_labels((struct axis){ PLOT_LINEAR, -123456, 400000 },
+                  "-100,000 0 100,000 200,000 300,000 400,000 ");
+    expect_labels((struct axis){ PLOT_LINEAR, 0, 0.35 },
+                  "0 0.05 0.1 0.15 0.2 0.25 0.3 0.35 ");
+    expect_labels((struct axis){ PLOT_LINEAR, 0, 4e13 },
+                  "0 5e+12 1e+13 1.5e+13 2e+13 2.5e+13 3e+13 3.5e+13 "
+                  "4e+13 ");
+}
+
+/* Where y is cut off, its levels are still in, and the small print tells. */
+static void curves_are_cut(void **state)
+{
+    struct folder *folder = *state;
+    struct plot plot = lines;
+    char *script;
+
+    draw(&plot, folder);
+    script = text_of(folder, "a b'c.gp");
+    assert_non_null(strstr(script, "set yrange [0:35]"));
+    assert_null(strstr(script, "cut off"));
+    free(script);
+    plot.y_most = 5;
+    draw(&plot, folder);
+    script = text_of(folder, "a b'c.gp");
+    assert_non_null(strstr(script, "set yrange [0:12]"));
+    assert_non_null(strstr(script,
+                           "cut off at 12; the highest value is 33.3333"));
+    free(script);
+    remove_plot(folder);
+}
+
+static void expect_rounded(enum plot_scale scale, double value, double more,
+                           double low, double high)
+{
+    struct axis axis = axis_new(scale);
+
+    axis_reach(&axis, value);
+    axis_reach(&axis, more);
+    axis_widen(&axis);
+    axis_round(&axis);
+    assert_true(fabs(axis.low - low) <= 1e-12 * fabs(low));
+    assert_true(fabs(axis.high - high) <= 1e-12 * fabs(high));
+}
+
+static void axes_are_round(void **state)
+{
+    (void)state;
+    expect_rounded(PLOT_LINEAR, 410, 9012, 0, 10000);
+    expect_rounded(PLOT_LINEAR, -3, 4, -3, 4);
+    expect_rounded(PLOT_LINEAR, 0, 0, -1, 1);
+    expect_rounded(PLOT_LOG10, 410, 9012, 200, 10000);
+    expect_rounded(PLOT_LOG10, 1000, 1000, 100, 10000);
+    expect_rounded(PLOT_LOG2, 3, 1024, 2, 1024);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(data_is_told, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(script_draws_again, set_up,
+                                        tear_down),
+        cmocka_unit_test_setup_teardown(names_are_names, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(bad_paths, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(name_is_taken, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(bad_values, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(gnuplot_is_missing, set_up,
+                                        tear_down),
+        cmocka_unit_test_setup_teardown(gnuplot_fails, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(marks_have_rows, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(curves_are_cut, set_up, tear_down),
+        cmocka_unit_test(axes_are_labelled),
+        cmocka_unit_test(axes_are_round),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
