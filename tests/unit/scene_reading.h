@@ -57,4 +57,42 @@ static inline struct scene *read(const char *text)
     return read_with(text, 0);
 }
 
+/* A text is not read, for one error, at that place and with a message of which
+ * this is a part. */
+static inline void assert_error(const char *text,
+                                const struct scene_options *how, size_t line,
+                                size_t column, const char *message)
+{
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene = scene_read_text("test.pov", text, how, &reports);
+    const struct report *report = reports.items;
+
+    if (scene || reports.count != 1 || !report->error || report->line != line
+        || report->column != column || !strstr(report->message, message)) {
+        reports_print(stderr, &reports);
+        fail_msg("expected %zu:%zu %s, of: %s", line, column, message, text);
+    }
+    reports_free(&reports);
+}
+
+/* A text is not read; there are so many reports at the most, and one of them
+ * says so. */
+static inline void assert_refused(const char *text, size_t most,
+                                  const char *message)
+{
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene = scene_read_text("test.pov", text, &options,
+                                          &reports);
+    bool said = false;
+
+    for (size_t i = 0; i < reports.count; i++)
+        said = said || strstr(reports.items[i].message, message);
+    if (scene || !said || reports.count > most) {
+        reports_print(stderr, &reports);
+        fail_msg("%zu reports, not '%s', of: %.80s", reports.count, message,
+                 text);
+    }
+    reports_free(&reports);
+}
+
 #endif

@@ -1,14 +1,20 @@
 /* The stages side by side: all clocks belong to a part, the frames and the
- * rays are the same. */
+ * rays are the same, and the tables add up. */
 #include "tests/unit/traced_frame.h"
 
+#include "asm/file.h"
 #include "rt/profile.h"
+
+#include <unistd.h>
 
 #define SCENE AHEAD "light_source { <5, 9, -7>, 1 }" \
     "plane { y, -1 pigment { checker rgb 1, rgb .2 } }" \
     "sphere { 0, 1 pigment { rgb <1, .5, .2> } }"
 
-static struct trace *stage(const struct scene *scene, int i)
+static struct scene *scene;
+static struct trace *traces[TRACE_MODES];
+
+static struct trace *stage(int i)
 {
     struct trace_options options = { .mode = profile_stages[i],
                                      .width = WIDTH,
@@ -25,18 +31,18 @@ static struct trace *stage(const struct scene *scene, int i)
     return trace;
 }
 
+static double clocks_of_frame(int i)
+{
+    return (double)trace_accounts(traces[i])->clocks;
+}
+
 static void test_stages(void **state)
 {
-    struct scene *scene = read_text(SCENE);
-    struct trace *traces[TRACE_MODES];
-
     (void)state;
     for (int i = 0; i < TRACE_MODES; i++) {
-        const struct accounts *accounts;
+        const struct accounts *accounts = trace_accounts(traces[i]);
         enum profile_part part;
 
-        traces[i] = stage(scene, i);
-        accounts = trace_accounts(traces[i]);
         for (size_t k = 0; k < accounts->count; k++)
             assert_true(profile_part_of(accounts->items[k].name, &part));
         assert_true(trace_checksum(traces[i]) == trace_checksum(traces[0]));
@@ -45,16 +51,139 @@ static void test_stages(void **state)
                              trace_rays(traces[0], (enum ray_kind)kind));
     }
     assert_int_equal(trace_rays(traces[0], RAY_PRIMARY), WIDTH * HEIGHT);
+}
+
+/* ---- The tables ---------------------------------------------------------- */
+
+/* As JSON; the caller frees it. */
+static char *table_text_of(enum profile_table kind)
+{
+    char path[] = "/tmp/test_profile.XXXXXX", *text;
+    int file = mkstemp(path);
+    struct table *table =
+        profile_table(kind, (const struct trace *const *)traces);
+    c205_error error = { "" };
+    struct json *json;
+    size_t length;
+
+    assert_true(file >= 0 && close(file) == 0);
+    assert_non_null(table);
+    json = json_open(path, &error);
+    assert_non_null(json);
+    table_json(table, json, "rows");
+    assert_true(json_close(json, &error));
+    table_free(table);
+    text = file_read(path, &length, &error);
+    assert_non_null(text);
+    remove(path);
+    return text;
+}
+
+/* Of the row that begins there. */
+static double number_of(const char *row, const char *key)
+{
+    const char *at = strstr(row, key);
+
+    assert_non_null(at);
+    return strtod(strchr(at, ':') + 1, NULL);
+}
+
+/* Clocks of the stages. */
+struct clocks {
+    double of[TRACE_MODES];
+};
+
+static void add_row(const char *row, struct clocks *sum)
+{
+    static const char *const keys[TRACE_MODES] = {
+        "\"scalar_clocks\"", "\"kernels_clocks\"", "\"vector_clocks\""
+    };
+
+    for (int i = 0; i < TRACE_MODES; i++)
+        sum->of[i] += number_of(row, keys[i]);
+}
+
+static void assert_same_clocks(const struct clocks *a, const struct clocks *b)
+{
+    for (int i = 0; i < TRACE_MODES; i++)
+        assert_true(a->of[i] == b->of[i]);
+}
+
+/* All parts are the frame, all kernels the part that they belong to. */
+static void test_sums(void **state)
+{
+    static const char row[] = "\"part\": \"";
+    struct clocks parts = { { 0 } }, kernels = parts, intersect = parts;
+    struct clocks frame = parts, expected;
+    char *text = table_text_of(PROFILE_CLOCKS);
+    size_t rows = 0;
+
+    (void)state;
+    for (const char *at = text; (at = strstr(at, row)) != NULL; rows++) {
+        bool is_part = strncmp(strstr(at, "\"kernel\": "), "\"kernel\": \"\"",
+                               12) == 0;
+
+        at += strlen(row);
+        if (strncmp(at, "the frame", 9) == 0)
+            add_row(at, &frame);
+        else
+            add_row(at, is_part ? &parts : &kernels);
+        if (is_part && strncmp(at, "intersect", 9) == 0)
+            add_row(at, &intersect);
+    }
+    assert_true(rows > PROFILE_PARTS + 1);
+    for (int i = 0; i < TRACE_MODES; i++)
+        expected.of[i] = clocks_of_frame(i);
+    assert_same_clocks(&frame, &expected);
+    assert_same_clocks(&parts, &frame);
+    assert_same_clocks(&kernels, &intersect);
+    free(text);
+}
+
+/* With all parts in vector form Amdahl's law says what is measured. */
+static void test_amdahl(void **state)
+{
+    char *text = table_text_of(PROFILE_SPEEDUP);
+    const char *last = text;
+    double speedup = clocks_of_frame(0) / clocks_of_frame(2);
+
+    (void)state;
+    for (const char *at = text; (at = strstr(at, "\"stage\"")) != NULL; at++)
+        last = at;
+    assert_float_equal(number_of(last, "\"share_percent\""), 100, 1e-9);
+    assert_float_equal(number_of(last, "\"part_speedup\""), speedup, 1e-9);
+    assert_float_equal(number_of(last, "\"amdahl\""), speedup, 1e-9);
+    assert_float_equal(number_of(last, "\"measured\""), speedup, 1e-9);
+    free(text);
+}
+
+/* ---- All of them --------------------------------------------------------- */
+
+static int trace_stages(void **state)
+{
+    if (set_up(state) != 0)
+        return 1;
+    scene = read_text(SCENE);
+    for (int i = 0; i < TRACE_MODES; i++)
+        traces[i] = stage(i);
+    return 0;
+}
+
+static int free_stages(void **state)
+{
     for (int i = 0; i < TRACE_MODES; i++)
         trace_free(traces[i]);
     scene_free(scene);
+    return tear_down(state);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_stages),
+        cmocka_unit_test(test_sums),
+        cmocka_unit_test(test_amdahl),
     };
 
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, trace_stages, free_stages);
 }

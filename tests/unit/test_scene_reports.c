@@ -77,22 +77,9 @@ static void test_errors(void **state)
     };
 
     (void)state;
-    for (size_t i = 0; i < COUNT(rows); i++) {
-        struct reports reports = { 0, 0, NULL };
-        struct scene *scene = scene_read_text("test.pov", rows[i].text,
-                                              &options, &reports);
-        const struct report *report = reports.items;
-        bool same = !scene && reports.count == 1 && reports.errors == 1
-            && report->error && report->line == rows[i].line
-            && report->column == rows[i].column
-            && strstr(report->message, rows[i].message);
-        if (!same) {
-            reports_print(stderr, &reports);
-            fail_msg("expected %zu:%zu %s, of: %s", rows[i].line,
-                     rows[i].column, rows[i].message, rows[i].text);
-        }
-        reports_free(&reports);
-    }
+    for (size_t i = 0; i < COUNT(rows); i++)
+        assert_error(rows[i].text, &options, rows[i].line, rows[i].column,
+                     rows[i].message);
 }
 
 /* Each text has this one report; it is an error under strict. */
@@ -143,18 +130,9 @@ static void test_reports(void **state)
 
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct reports reports = { 0, 0, NULL };
         scene_free(read_with(rows[i].text, 1));
-        assert_null(scene_read_text("test.pov", rows[i].text, &strict,
-                                    &reports));
-        if (reports.count != 1 || reports.errors != 1
-            || reports.items->column != rows[i].column
-            || !strstr(reports.items->message, rows[i].message)) {
-            reports_print(stderr, &reports);
-            fail_msg("expected :%zu %s, of: %s", rows[i].column,
-                     rows[i].message, rows[i].text);
-        }
-        reports_free(&reports);
+        assert_error(rows[i].text, &strict, 1, rows[i].column,
+                     rows[i].message);
     }
 }
 
@@ -330,16 +308,7 @@ static void test_bounds(void **state)
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         char *text = repeated(rows[i].head, rows[i].part, 10000);
-        struct reports reports = { 0, 0, NULL };
-        bool found = false;
-        assert_null(scene_read_text("test.pov", text, &options, &reports));
-        assert_true(reports.count <= 201);
-        for (size_t k = 0; k < reports.count; k++)
-            found = found || strstr(reports.items[k].message,
-                                    rows[i].message);
-        if (!found)
-            fail_msg("no '%s'", rows[i].message);
-        reports_free(&reports);
+        assert_refused(text, 201, rows[i].message);
         free(text);
     }
 }

@@ -152,21 +152,9 @@ static void test_errors(void **state)
     };
 
     (void)state;
-    for (size_t i = 0; i < COUNT(rows); i++) {
-        struct reports reports = { 0, 0, NULL };
-        struct scene *scene = scene_read_text("test.pov", rows[i].text,
-                                              &options, &reports);
-        const struct report *report = reports.items;
-        bool same = !scene && reports.count == 1 && report->line == 1
-            && report->column == rows[i].column
-            && strstr(report->message, rows[i].message);
-        if (!same) {
-            reports_print(stderr, &reports);
-            fail_msg("expected :%zu %s, of: %s", rows[i].column,
-                     rows[i].message, rows[i].text);
-        }
-        reports_free(&reports);
-    }
+    for (size_t i = 0; i < COUNT(rows); i++)
+        assert_error(rows[i].text, &options, 1, rows[i].column,
+                     rows[i].message);
 }
 
 /* --- conditions ---------------------------------------------------------- */
@@ -213,15 +201,12 @@ static void test_conditions(void **state)
 static void test_many_conditions(void **state)
 {
     static const char open[] = "#ifndef (A) ";
-    struct reports reports = { 0, 0, NULL };
     char text[600 * sizeof open] = "";
 
     (void)state;
     for (size_t i = 0; i < 550; i++)
         strcat(text, open);
-    assert_null(scene_read_text("test.pov", text, &options, &reports));
-    assert_non_null(strstr(reports.items[0].message, "more than 500"));
-    reports_free(&reports);
+    assert_refused(text, 201, "more than 500");
 }
 
 int main(void)

@@ -1,0 +1,250 @@
+/* test_faces.c - faces that coincide, or nearly, and rays that run in a face:
+ * what docs/solids.md says of them.  All stages agree bit for bit, with bounds
+ * and without, whichever events the vector form looks at. */
+#define SMALL_FRAMES
+#include "tests/unit/traced_frame.h"
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+/* The middle ray is the z axis from -5 on; a lamp stands on it. */
+#define VIEW STRAIGHT "light_source { -4.5*z, .5 }\n"
+
+/* What the middle ray meets: a primitive, from 1 (0: none), and how far away
+ * it is. */
+struct sight {
+    const char *text;
+    int64_t id;
+    double depth;
+};
+
+static void check_other_ways(const struct scene *scene, const char *text,
+                             const struct words *expected)
+{
+    struct words *stepping, *every;
+
+    visible = VISIBLE_STEPPING;
+    stepping = trace_words(scene, TRACE_VECTOR, WIDTH);
+    visible = VISIBLE_EVERY;
+    every = trace_words(scene, TRACE_VECTOR, WIDTH);
+    visible = VISIBLE_DEFAULT;
+    if (memcmp(stepping, expected, sizeof *stepping) != 0
+        || memcmp(every, expected, sizeof *every) != 0)
+        fail_msg("another way to the nearest gives another frame of\n%s",
+                 text);
+    free(stepping);
+    free(every);
+}
+
+static struct words *frame_of_all(const char *text)
+{
+    struct scene *scene = read_text(text);
+    struct words *words = same_frame_of(scene, text);
+
+    check_other_ways(scene, text, words);
+    check_paper_stage(text, words);
+    scene_free(scene);
+    return words;
+}
+
+static void check_sight(const struct sight *sight)
+{
+    size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
+    struct words *bounded, *words;
+    char text[1024];
+
+    snprintf(text, sizeof text, VIEW "%s", sight->text);
+    bounded = frame_of_all(text);
+    no_bounds = true;
+    words = frame_of_all(text);
+    no_bounds = false;
+    if (memcmp(bounded, words, sizeof *words) != 0)
+        fail_msg("bounds change the frame of\n%s", text);
+    int64_t id = c205_to_integer(words->channel[CHANNEL_ID][middle]);
+    double depth = c205_to_double(words->channel[CHANNEL_DEPTH][middle]);
+    if (id != sight->id || !(fabs(depth - sight->depth) <= 1e-10))
+        fail_msg("%s: primitive %lld at %.12g", sight->text, (long long)id,
+                 depth);
+    free(bounded);
+    free(words);
+}
+
+static void check_sights(const struct sight *sights, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        check_sight(&sights[i]);
+}
+
+/* --- faces that coincide -------------------------------------------------- */
+
+/* Faces 5e-8 apart are one, at 2e-7 they are two: k_delta lies between. */
+static void test_coincident(void **state)
+{
+    static const struct sight sights[] = {
+        { "difference { box { -1, 1 } box { -1, 1 } }", 0, 0 },
+        { "difference { box { -1, 1 } box { -1, <1, 1, 0> } }", 2, 5 },
+        { "difference { box { -1, 1 } box { -1.00000005, <1, 1, 0> } }", 2,
+          5 },
+        { "difference { box { -1, 1 } box { -.99999995, <1, 1, 0> } }", 2,
+          5 },
+        { "difference { box { -1, 1 } box { -.9999998, <1, 1, 0> } }", 1, 4 },
+        { "difference { box { -1, 1 } box { -2, <1, 1, .99999995> } }", 0,
+          0 },
+        { "difference { box { -1, 1 } box { -2, <1, 1, .9999998> } }", 2,
+          5.9999998 },
+        { "intersection { box { -1, 1 } box { <-1, -1, 1>, 3 } }", 0, 0 },
+        { "intersection { box { -1, 1 } box { <-1, -1, .99999995>, 3 } }", 0,
+          0 },
+        { "intersection { box { -1, 1 } box { <-1, -1, .9999998>, 3 } }", 2,
+          5.9999998 },
+        { "difference { box { -3, 3 } merge { box { -6, <1, 1, 0> } "
+          "box { <-1, -1, 5e-8>, 1 } } }", 3, 6 },
+        { "difference { box { -3, 3 } merge { box { -6, <1, 1, 0> } "
+          "box { <-1, -1, 2e-7>, 1 } } }", 2, 5 },
+    };
+
+    (void)state;
+    check_sights(sights, COUNT(sights));
+}
+
+/* --- rays in faces -------------------------------------------------------- */
+
+/* Boxes above and below y = 0, from z = -1 to 1. */
+#define ABOVE "box { <-1, 0, -1>, 1 } "
+#define BELOW "box { -1, <1, 0, 1> } "
+
+static void test_alone(void **state)
+{
+    static const struct sight sights[] = {
+        { ABOVE, 1, 4 },
+        { BELOW, 1, 4 },
+        { "box { <0, 0, -1>, 1 }", 1, 4 }, /* an edge */
+        { "box { <-1, 1e-9, -1>, 1 }", 0, 0 },
+        { "box { -1, <1, -1e-9, 1> }", 0, 0 },
+        { "cylinder { -y, 0, 1 }", 1, 4 },
+        { "cylinder { <0, 1, -1>, <0, 1, 1>, 1 }", 1, 4 },
+        { "cone { -y, 1, 0, .5 }", 1, 4.5 },
+        { "plane { y, 0 }", 0, 0 }, /* entered nowhere */
+        { "plane { -y, 0 }", 0, 0 },
+    };
+
+    (void)state;
+    check_sights(sights, COUNT(sights));
+}
+
+/* The face belongs to both that share it. */
+static void test_intersection(void **state)
+{
+    static const struct sight sights[] = {
+        { "intersection { " ABOVE "box { <-1, -1, 0>, 2 } }", 2, 5 },
+        { "intersection { " ABOVE BELOW "}", 1, 4 },
+        { "intersection { " ABOVE "box { <-1, -1, -.5>, <1, 0, 2> } }", 2,
+          4.5 },
+        { "intersection { plane { y, 0 } box { -1, 1 } }", 2, 4 },
+        { "intersection { plane { -y, 0 } box { -1, 1 } }", 2, 4 },
+        { "intersection { plane { y, 0 } plane { -y, 0 } box { -1, 1 } }", 3,
+          4 },
+        { "intersection { plane { y, -1e-9 } box { -1, 1 } }", 0, 0 },
+        { "intersection { cylinder { -y, 0, 1 } box { -.5, 1 } }", 2, 4.5 },
+    };
+
+    (void)state;
+    check_sights(sights, COUNT(sights));
+}
+
+/* What is taken away takes its faces with it. */
+static void test_difference(void **state)
+{
+    static const struct sight sights[] = {
+        { "difference { " ABOVE "box { <-.5, -1, -2>, <.5, 1, .5> } }", 2,
+          5.5 },
+        { "difference { box { -1, 1 } box { <-.5, 0, -2>, <.5, 2, .5> } }", 2,
+          5.5 },
+        { "difference { box { -1, 1 } box { <-.5, -2, -2>, <.5, 0, .5> } }",
+          2, 5.5 },
+        { "difference { " ABOVE "box { <-1, -1, -2>, <1, 0, .5> } }", 2,
+          5.5 },
+        { "difference { " BELOW "box { <-.5, -1, -2>, <.5, 0, .5> } }", 2,
+          5.5 },
+        { "difference { " BELOW "box { <-.5, -1, 0>, <.5, 0, 2> } }", 1, 4 },
+        { "difference { " ABOVE BELOW "}", 0, 0 },
+        { "difference { box { -1, 1 } plane { y, 0 } }", 0, 0 },
+        { "difference { box { -1, 1 } plane { -y, 0 } }", 0, 0 },
+        { "difference { box { -1, 1 } plane { y, -1e-9 } }", 1, 4 },
+        { "intersection { box { -1, 1 } "
+          "box { <-.5, 0, -2>, <.5, 2, .5> inverse } }", 2, 5.5 },
+        { "difference { box { <-9, 0, -1>, 9 } merge { sphere { 5*x, .2 } "
+          "box { <-.5, -1, -2>, <.5, 0, .5> } } }", 3, 5.5 },
+    };
+
+    (void)state;
+    check_sights(sights, COUNT(sights));
+}
+
+static void test_merge(void **state)
+{
+    static const struct sight sights[] = {
+        { "merge { " ABOVE "box { <-1, -1, -2>, <1, 0, .5> } }", 2, 3 },
+        { "merge { " ABOVE "plane { y, 0 } }", 0, 0 }, /* all is inside */
+        { "difference { box { -2, 2 } merge { " ABOVE
+          "box { <-1, -1, -3>, <1, 0, -.5> } } }", 2, 6 },
+    };
+
+    (void)state;
+    check_sights(sights, COUNT(sights));
+}
+
+/* --- nearly parallel ------------------------------------------------------ */
+
+/* A box on a floor that falls, or rises, by so much along z: the ray is above
+ * it from z = 0 on, or up to there, if it crosses it at all. */
+#define SLANTED(slope) \
+    "box { <-1, 0, -2>, 2 matrix <1, 0, 0, 0, 1, 0, 0, " slope ", 1, " \
+    "0, 0, 0> } "
+
+/* Within k_tiny a ray is parallel, and where it starts decides. */
+static void test_nearly_parallel(void **state)
+{
+    static const struct sight sights[] = {
+        { SLANTED("1e-11"), 1, 3 },
+        { SLANTED("-1e-11"), 1, 5 },
+        { SLANTED("1e-13"), 1, 3 },
+        { SLANTED("-1e-13"), 0, 0 },
+        { "intersection { " SLANTED("1e-11") "plane { -z, -1 } }", 0, 0 },
+        { "intersection { " SLANTED("-1e-11") "plane { -z, -1 } }", 2, 6 },
+        { "intersection { " SLANTED("1e-13") "plane { -z, -1 } }", 2, 6 },
+        { "intersection { " SLANTED("-1e-13") "plane { -z, -1 } }", 0, 0 },
+        { "difference { box { <-.5, -1, -1>, 1 } " SLANTED("1e-11") "}", 2,
+          5 },
+        { "difference { box { <-.5, -1, -1>, 1 } " SLANTED("-1e-11") "}", 1,
+          4 },
+        { "difference { box { <-.5, -1, -1>, 1 } " SLANTED("1e-13") "}", 0,
+          0 },
+        { "difference { box { <-.5, -1, -1>, 1 } " SLANTED("-1e-13") "}", 1,
+          4 },
+        { "intersection { plane { <0, 1, 1e-11>, 0 } box { -1, 1 } }", 2, 4 },
+        { "intersection { plane { <0, 1, -1e-11>, 0 } box { -1, 1 } }", 1,
+          5 },
+        { "intersection { plane { <0, 1, 1e-13>, 0 } box { -1, 1 } }", 2, 4 },
+        { "intersection { plane { <0, 1, -1e-13>, 0 } box { -1, 1 } }", 0,
+          0 },
+        { "difference { box { -1, 1 } plane { <0, 1, 1e-11>, 0 } }", 2, 5 },
+        { "difference { box { -1, 1 } plane { <0, 1, 1e-13>, 0 } }", 0, 0 },
+    };
+
+    (void)state;
+    check_sights(sights, COUNT(sights));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_coincident),
+        cmocka_unit_test(test_alone),
+        cmocka_unit_test(test_intersection),
+        cmocka_unit_test(test_difference),
+        cmocka_unit_test(test_merge),
+        cmocka_unit_test(test_nearly_parallel),
+    };
+
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
