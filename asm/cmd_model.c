@@ -49,7 +49,7 @@ static int show_constants(const char *command, const c205_model *model,
         table_text(table, constant->remark);
     }
     printf("%s\n", c205_model_title(model));
-    provenance_print(model);
+    provenance_print(model, "");
     if (json) {
         provenance_json(model, json);
     }

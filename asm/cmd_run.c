@@ -71,7 +71,7 @@ static int show_accounts(const struct cmd_arguments *arguments,
         code = cmd_show(arguments->command, accounts_by_region(&accounts),
                         json, "regions");
     }
-    provenance_print(model);
+    provenance_print(model, "");
     accounts_free(&accounts);
     return code;
 }

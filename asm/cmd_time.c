@@ -110,7 +110,7 @@ static int show(const struct cmd_arguments *arguments,
     }
     int code = cmd_show(arguments->command, tables->speeds, json, "speeds");
     tables->speeds = NULL;
-    provenance_print(model);
+    provenance_print(model, "");
     return code;
 }
 

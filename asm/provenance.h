@@ -7,13 +7,14 @@
 /* Whether a fit has moved any of its constants (source F). */
 bool provenance_is_fitted(const c205_model *model);
 
-/* A sentence on that. */
-const char *provenance_note(const c205_model *model);
+/* What a model leaves out of the time: "this, that and that". */
+const char *provenance_left_out(const c205_model *model);
 
-/* "model cyber205-2pipe: 80 constants, unfitted priors: 3 P, 2 S .." on
- * stdout. */
-void provenance_print(const c205_model *model);
-/* The same as the member "model". */
+/* With every table: what its figures are, on which model, how near that came
+ * to published figures, what it leaves out, and from where its constants are.
+ * Lines on stdout, each behind a text of the caller's ("# ", say). */
+void provenance_print(const c205_model *model, const char *before);
+/* All of that as the member "model". */
 void provenance_json(const c205_model *model, struct json *json);
 
 #endif

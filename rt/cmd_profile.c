@@ -45,11 +45,10 @@ static void tell_head(const struct cmd_arguments *arguments,
     char text[17];
 
     snprintf(text, sizeof text, "%016llX", (unsigned long long)checksum);
-    printf("%s: %zu x %zu, a queue of %zu; frame checksum %s in all stages\n"
-           "%s\n",
+    printf("%s: %zu x %zu, a queue of %zu; frame checksum %s in all stages\n",
            arguments->scene, options->width, options->height, options->queue,
-           text, provenance_note(options->model));
-    provenance_print(options->model);
+           text);
+    provenance_print(options->model, "");
     if (json == NULL)
         return;
     json_text(json, "scene", arguments->scene);

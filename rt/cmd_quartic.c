@@ -223,10 +223,10 @@ static int compare_rules(const struct cmd_arguments *arguments,
         good = add_rule(table, arguments, polynomials, (enum falsi)rule,
                         &error);
     if (good) {
-        printf("# %zu polynomials, a queue of %zu, %s\n# ",
+        printf("# %zu polynomials, a queue of %zu, %s\n",
                polynomials->count, arguments->trace.queue,
                arguments->first ? "first roots" : "all roots");
-        provenance_print(arguments->trace.model);
+        provenance_print(arguments->trace.model, "# ");
         good = print_remarks(table, "The rules of falsi:");
     }
     if (good && json != NULL) {

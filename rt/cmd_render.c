@@ -1,7 +1,5 @@
 /* cmd_render.c - rt205 render: a scene in, a picture out, clocks told. */
 #include <stdio.h>
-#include <string.h>
-#include <sys/stat.h>
 
 #include "asm/accounts.h"
 #include "asm/provenance.h"
@@ -58,7 +56,7 @@ static void print_result(const struct result *result)
            (unsigned long long)result->clocks,
            accounts_seconds(result->model, result->clocks));
     printf("frame checksum %s\n", result->checksum);
-    provenance_print(result->model);
+    provenance_print(result->model, "");
 }
 
 static void write_result(const struct result *result, struct json *json)
@@ -90,7 +88,7 @@ static bool tell(const struct cmd_arguments *arguments,
                              .causes = accounts_of_run(accounts),
                              .detail = accounts_by_cause(accounts) };
     bool good = result.regions != NULL && result.causes != NULL
-                && result.detail != NULL;
+                && result.detail != NULL && table_is_whole(result.detail);
 
     if (good) {
         snprintf(result.checksum, sizeof result.checksum, "%016llX",
@@ -153,33 +151,6 @@ static int render_scene(const struct cmd_arguments *arguments,
     return code;
 }
 
-/* The folder that a path names a file in, and the file's name there; false:
- * there is no such folder. */
-static bool find_place(const char *path, struct stat *folder,
-                       const char **name)
-{
-    const char *slash = strrchr(path, '/');
-    char text[4096];
-    int length = slash == NULL ? 0 : (int)(slash - path) + 1;
-
-    *name = path + length;
-    if (length >= (int)sizeof text)
-        return false;
-    snprintf(text, sizeof text, "%.*s.", length, path);
-    return stat(text, folder) == 0;
-}
-
-/* However they are written; either may be NULL. */
-static bool is_one_file(const char *a, const char *b)
-{
-    struct stat in_a, in_b;
-    const char *name_a, *name_b;
-
-    return a != NULL && b != NULL && find_place(a, &in_a, &name_a)
-           && find_place(b, &in_b, &name_b) && in_a.st_dev == in_b.st_dev
-           && in_a.st_ino == in_b.st_ino && strcmp(name_a, name_b) == 0;
-}
-
 /* What is wrong with the files asked for: the exit code, CMD_DONE if
  * nothing. */
 static int check_files(const struct cmd_arguments *arguments)
@@ -188,10 +159,10 @@ static int check_files(const struct cmd_arguments *arguments)
 
     if (arguments->output == NULL)
         return cmd_usage(arguments->command, "name the picture with -o");
-    if (is_one_file(arguments->json, arguments->output))
+    if (cmd_is_one_file(arguments->json, arguments->output))
         return cmd_usage(arguments->command, "-o and --json name one file");
-    if (is_one_file(arguments->resume, arguments->output)
-        || is_one_file(arguments->resume, arguments->json))
+    if (cmd_is_one_file(arguments->resume, arguments->output)
+        || cmd_is_one_file(arguments->resume, arguments->json))
         return cmd_usage(arguments->command,
                          "--resume names a file of its own");
     if (!picture_check_path(arguments->output, &why))

@@ -77,10 +77,10 @@ static void print_head(const struct quartic_costs *costs)
         printf(", a queue of %zu", options->queue);
     printf(", %s, falsi %s\n", options->first ? "first roots" : "all roots",
            falsi_name(roots_falsi(costs->search)));
-    printf("# %llu clocks, %.8f s on the machine\n# ",
+    printf("# %llu clocks, %.8f s on the machine\n",
            (unsigned long long)clocks,
            accounts_seconds(options->model, clocks));
-    provenance_print(options->model);
+    provenance_print(options->model, "# ");
 }
 
 static void write_head(const struct quartic_costs *costs, struct json *json)

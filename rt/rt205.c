@@ -9,13 +9,15 @@
 const char cmd_program[] = "rt205";
 
 #define OPTION_SIZE \
-    "  -W, --width N        pixels across (640; profile: 320, speedup: 400)\n" \
-    "  -H, --height N       pixels down (480; profile: 240, speedup: 250)\n"
+    "  -W, --width N        pixels across (640; profile: 320, speedup: 400,\n" \
+    "                       sweep: 256)\n" \
+    "  -H, --height N       pixels down (480; profile: 240, speedup: 250,\n" \
+    "                       sweep: 256)\n"
 #define OPTION_QUEUE \
     "  --queue N            rays in the vector queue (2000)\n"
 #define OPTION_VIEW \
     "  --distance D         from the eye to the middle of the shape (5)\n" \
-    "  --angle DEGREES      that the rays span across (37)\n"
+    "  --angle DEGREES      that the rays span across (10; sweep hits: 37)\n"
 #define OPTION_MODEL \
     "  --model NAME|FILE    machine model (cyber205-2pipe)\n"
 #define OPTION_BOUNDS \
@@ -29,6 +31,9 @@ const char cmd_program[] = "rt205";
     "  -I, --include DIR    look for included files there as well\n"
 #define OPTION_JSON \
     "  --json FILE          write the results to a file as well\n"
+#define OPTION_FORMAT \
+    "  --format FORMAT      on stdout: text; csv; md, for GitHub; json, what\n" \
+    "                       --json writes, and nothing else (text)\n"
 
 static const struct command {
     const char *name;
@@ -66,16 +71,49 @@ static const struct command {
       OPTION_JOBS
       OPTION_READ
       OPTION_JSON },
-    { "speedup", cmd_speedup, "WHDAqmjP", NULL, 400, 250,
+    { "speedup", cmd_speedup, "WHDAqmjPT", NULL, 400, 250,
       "scalar against vector, kernel by kernel",
-      "rt205 speedup           100,000 rays against a sphere, a cylinder, a "
-      "Steiner\n"
-      "                        patch (the paper's Table 1) and more; what "
-      "the root\n"
+      "rt205 speedup           the paper's Table 1 beside ours: 100,000 rays "
+      "against\n"
+      "                        a sphere, a cylinder, a Steiner patch, and "
+      "more;\n"
+      "                        below it where the clocks went, and what the "
+      "root\n"
       "                        solver takes\n"
       OPTION_SIZE OPTION_VIEW OPTION_QUEUE
       "  --passes             the root solver's vectors pass by pass as well\n"
-      OPTION_MODEL OPTION_JSON },
+      OPTION_MODEL
+      "                       (the CYBER 720 is projected with cyber720, "
+      "but with\n"
+      "                       cyber720-prior where this one has no fitted "
+      "constant)\n"
+      OPTION_JSON OPTION_FORMAT },
+    { "sweep", cmd_sweep, "oWHDAqMmjspIJBVTN",
+      "what to sweep, then a scene file or a primitive", 256, 256,
+      "clocks per ray as one thing changes, as table and plot",
+      "rt205 sweep queue  SCENE|PRIMITIVE  lengths of the queue\n"
+      "rt205 sweep pipes  SCENE|PRIMITIVE  1, 2, 4 pipes; 64, 32 bits\n"
+      "rt205 sweep hits   PRIMITIVE        how many of the rays hit it\n"
+      "rt205 sweep length SCENE|PRIMITIVE  as many rays as the queue is long\n"
+      "                        where a queue costs less than scalar code\n"
+      "  a primitive: sphere, cylinder, Steiner, 'Steiner, ours', torus; its "
+      "kernel\n"
+      "  and calls count.  A scene: a name with a / or ending in .pov; all of "
+      "its\n"
+      "  frame counts.  Scalar and vector frames must be equal.\n"
+      "  -o, --output FILE    a plot, NAME.svg, by gnuplot; NAME.dat and "
+      "NAME.gp too\n"
+      "  --points N,N,..      these lengths (queue, length: 1, 2, 4 .. 65535, "
+      "2000)\n"
+      OPTION_SIZE OPTION_VIEW
+      "  --mode MODE          of the queues: kernels (as in 1984), vector "
+      "(vector)\n"
+      "  --queue N            rays in the queue (pipes, hits: 2000)\n"
+      OPTION_MODEL
+      OPTION_BOUNDS
+      OPTION_JOBS
+      OPTION_READ
+      OPTION_JSON OPTION_FORMAT },
     { "quartic", cmd_quartic, "MqmjaRF", "a file of polynomials", 1, 1,
       "the real roots of polynomials, and what they cost",
       "rt205 quartic FILE.csv  lines c4,c3,c2,c1,c0 and perhaps a bound (0);\n"
@@ -104,6 +142,7 @@ static const struct option options[] = {
     { "queue", required_argument, NULL, 'q' },
     { "model", required_argument, NULL, 'm' },
     { "json", required_argument, NULL, 'j' },
+    { "format", required_argument, NULL, 'T' },
     { "include", required_argument, NULL, 'I' },
     { "strict", no_argument, NULL, 's' },
     { "half", no_argument, NULL, 'f' },
@@ -113,6 +152,7 @@ static const struct option options[] = {
     { "jobs", required_argument, NULL, 'J' },
     { "resume", required_argument, NULL, 'r' },
     { "all", no_argument, NULL, 'a' },
+    { "points", required_argument, NULL, 'N' },
     { "passes", no_argument, NULL, 'P' },
     { "first", no_argument, NULL, 'R' },
     { "falsi", required_argument, NULL, 'F' },
@@ -137,12 +177,48 @@ static bool parse_positive(const char *text, double below, double *value)
     return end != text && *end == '\0' && *value > 0 && *value < below;
 }
 
+/* Numbers that rise, with commas between. */
+static bool parse_points(const char *text, struct cmd_arguments *arguments)
+{
+    size_t count = 0, last = 0;
+
+    do {
+        char *end;
+        unsigned long value = strtoul(text, &end, 10);
+
+        if (*text < '0' || *text > '9' || value <= last
+            || value > TRACE_QUEUE_MOST || count == SWEEP_LENGTHS_MOST
+            || (*end != ',' && *end != '\0'))
+            return false;
+        arguments->points[count++] = last = (size_t)value;
+        text = end;
+    } while (*text++ == ',');
+    arguments->point_count = count;
+    return true;
+}
+
+static bool format_named(const char *name, enum cmd_format *format)
+{
+    static const char *const names[] = { [FORMAT_TEXT] = "text",
+                                         [FORMAT_CSV] = "csv",
+                                         [FORMAT_MARKDOWN] = "md",
+                                         [FORMAT_JSON] = "json" };
+
+    for (int i = 0; i <= FORMAT_JSON; i++) {
+        *format = (enum cmd_format)i;
+        if (strcmp(names[i], name) == 0)
+            return true;
+    }
+    return false;
+}
+
 static bool take(int letter, struct cmd_arguments *arguments)
 {
     switch (letter) {
     case 'o': arguments->output = optarg; return true;
     case 'm': arguments->model = optarg; return true;
     case 'j': arguments->json = optarg; return true;
+    case 'T': return format_named(optarg, &arguments->format);
     case 's': arguments->strict = true; return true;
     case 'f': arguments->half = true; return true;
     case 'p': arguments->trace.historical = true; return true;
@@ -152,6 +228,7 @@ static bool take(int letter, struct cmd_arguments *arguments)
     case 'r': arguments->resume = optarg; return true;
     case 'J':
         return parse_count(optarg, TRACE_JOBS_MOST, &arguments->trace.jobs);
+    case 'N': return parse_points(optarg, arguments);
     case 'a': arguments->first = false; return true;
     case 'R': arguments->first = true; return true;
     case 'P': arguments->passes = true; return true;
@@ -200,7 +277,8 @@ static bool parse_options(int argc, char **argv, const char *allowed,
         else if (letter == '?' || strchr(allowed, letter) == NULL)
             cmd_usage(argv[0], "no such option: %s", word);
         else if (!take(letter, arguments))
-            cmd_usage(argv[0], "%s: wrong argument: %s", word, optarg);
+            cmd_usage(argv[0], "%s: wrong argument: %s%s", word, optarg,
+                      letter == 'T' ? " (text, csv, md or json)" : "");
         else
             continue;
         return false;
@@ -212,16 +290,19 @@ static bool take_scene(const struct command *command, int argc, char **argv,
                        struct cmd_arguments *arguments)
 {
     int given = argc - optind;
+    int wanted = command->wants == NULL ? 0
+                 : command->function == cmd_sweep ? 2 : 1;
 
-    if (given > (command->wants != NULL ? 1 : 0))
+    if (given > wanted)
         cmd_usage(command->name, "too many arguments: %s", argv[argc - 1]);
-    else if (command->wants != NULL && given == 0)
+    else if (given < wanted)
         cmd_usage(command->name, "name %s", command->wants);
     else if (arguments->trace.width
              > TRACE_PIXELS_MOST / arguments->trace.height)
         cmd_usage(command->name, "at most %zu pixels", TRACE_PIXELS_MOST);
     else {
-        arguments->scene = command->wants != NULL ? argv[optind] : NULL;
+        arguments->sweep = wanted == 2 ? argv[optind] : NULL;
+        arguments->scene = wanted > 0 ? argv[argc - 1] : NULL;
         return true;
     }
     return false;
@@ -245,7 +326,7 @@ static int start(const struct command *command, int argc, char **argv)
                    .width = command->width,
                    .height = command->height,
                    .queue = TRACE_QUEUE },
-        .view = { .distance = 5, .angle = 37 },
+        .view = { .distance = SPEEDUP_DISTANCE },
     };
     int code = CMD_USAGE;
 

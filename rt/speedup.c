@@ -4,10 +4,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "asm/provenance.h"
+
 const char speedup_solver[] = "root_solver";
 const char *const speedup_projections[SPEEDUP_PROJECTIONS] = {
-    "cyber720", "cdc6600"
+    [SPEEDUP_720] = "cyber720", [SPEEDUP_6600] = "cdc6600"
 };
+
+/* No constant of the 6600 has been fitted. */
+const char *speedup_projection_model(const c205_model *model,
+                                     enum speedup_projection machine)
+{
+    static const char *const priors[SPEEDUP_PROJECTIONS] = {
+        [SPEEDUP_720] = "cyber720-prior", [SPEEDUP_6600] = "cdc6600"
+    };
+
+    return provenance_is_fitted(model) ? speedup_projections[machine]
+                                       : priors[machine];
+}
 
 /* Bent, so that many rays cross it twice; its surface is of degree four. */
 #define PATCH \
@@ -37,7 +51,7 @@ const struct speedup_subject speedup_subjects[] = {
       .from = { .48, .6, -.64 },
       .regions = { "call", "steiner", speedup_solver } },
     { .name = "torus, ours",
-      .shape = "torus { .8, .35 }",
+      .shape = "torus { .8, .35 translate .8*z }", /* the tube in the middle */
       .from = { 0, .8, -.6 },
       .regions = { "call", "torus", speedup_solver } },
 };
@@ -52,12 +66,14 @@ static void print_scene(char *text, size_t size,
     snprintf(text, size,
              "#version 3.7;\n"
              "global_settings { assumed_gamma 1 }\n"
-             "camera { location <%.17g, %.17g, %.17g> look_at 0\n"
+             "camera { location <%.17g, %.17g, %.17g>"
+             " look_at <%.17g, %.17g, %.17g>\n"
              " right %.17g*x up y angle %.17g }\n"
              "object { %s pigment { color rgb 1 } }\n",
              view->distance * subject->from[0],
              view->distance * subject->from[1],
              view->distance * subject->from[2],
+             view->aim[0], view->aim[1], view->aim[2],
              (double)options->width / (double)options->height, view->angle,
              subject->shape);
 }
@@ -82,6 +98,17 @@ static struct scene *read_scene(const struct speedup_subject *subject,
     return scene;
 }
 
+const c205_account *speedup_account(const struct accounts *accounts,
+                                    const char *region, c205_error *error)
+{
+    const c205_account *account = accounts_find(accounts, region);
+
+    if (account == NULL)
+        snprintf(error->message, sizeof error->message,
+                 "the program has no region %s", region);
+    return account;
+}
+
 /* The clocks of the subject's regions, by cause and by region. */
 static bool sum_accounts(const struct accounts *accounts,
                          const struct speedup_subject *subject,
@@ -93,12 +120,9 @@ static bool sum_accounts(const struct accounts *accounts,
 
         if (region == NULL)
             break;
-        account = accounts_find(accounts, region);
-        if (account == NULL) {
-            snprintf(error->message, sizeof error->message,
-                     "the program has no region %s", region);
+        account = speedup_account(accounts, region, error);
+        if (account == NULL)
             return false;
-        }
         for (int cause = 0; cause < C205_CAUSES; cause++) {
             measure->clocks[cause] += account->clocks[cause];
             measure->regions[i] += account->clocks[cause];
@@ -128,16 +152,6 @@ static double projected_seconds(const struct trace *trace,
     return accounts_seconds(model, clocks);
 }
 
-static size_t count_hits(const struct trace *trace, size_t rays)
-{
-    const c205_word *words = trace_channel(trace, CHANNEL_ID);
-    size_t hits = 0;
-
-    for (size_t i = 0; i < rays; i++)
-        hits += c205_to_integer(words[i]) != 0;
-    return hits;
-}
-
 static bool watch(struct trace *trace, struct iterations *iterations,
                   c205_error *error)
 {
@@ -155,7 +169,7 @@ static bool run(struct trace *trace, const struct speedup_subject *subject,
     if (!watch(trace, &measure->iterations, error) || !trace_run(trace, error)
         || !sum_accounts(trace_accounts(trace), subject, measure, error))
         return false;
-    measure->hits = count_hits(trace, measure->rays);
+    measure->hits = trace_hits(trace);
     measure->checksum = trace_checksum(trace);
     return true;
 }
@@ -167,11 +181,13 @@ struct projecting {
 };
 
 static bool begin_projecting(struct projecting *projecting,
-                             c205_error *error)
+                             const c205_model *on, c205_error *error)
 {
     memset(projecting, 0, sizeof *projecting);
-    for (size_t i = 0; i < SPEEDUP_PROJECTIONS; i++) {
-        c205_model *model = c205_model_find(speedup_projections[i], error);
+    for (int i = 0; i < SPEEDUP_PROJECTIONS; i++) {
+        const char *name =
+            speedup_projection_model(on, (enum speedup_projection)i);
+        c205_model *model = c205_model_find(name, error);
 
         projecting->models[i] = model;
         if (model != NULL)
@@ -190,13 +206,13 @@ static void end_projecting(struct projecting *projecting)
     }
 }
 
-/* Run, and read what the projections have been charged. */
-static bool run_projected(struct trace *trace,
+/* Run on a model, and read what the projections have been charged. */
+static bool run_projected(struct trace *trace, const c205_model *model,
                           const struct speedup_subject *subject,
                           struct speedup_measure *measure, c205_error *error)
 {
     struct projecting projecting;
-    bool good = begin_projecting(&projecting, error);
+    bool good = begin_projecting(&projecting, model, error);
 
     trace_project(trace, projecting.projections);
     good = good && run(trace, subject, measure, error);
@@ -237,7 +253,8 @@ bool speedup_measure(const struct speedup_subject *subject,
     measure->rays = options->width * options->height;
     good = trace != NULL
            && (options->mode == TRACE_SCALAR
-                   ? run_projected(trace, subject, measure, error)
+                   ? run_projected(trace, options->model, subject, measure,
+                                   error)
                    : run(trace, subject, measure, error));
     trace_free(trace);
     scene_free(scene);

@@ -13,12 +13,19 @@
 enum { SPEEDUP_REGIONS_MOST = 4 };
 
 /* The machines on which the scalar program is projected. */
-enum { SPEEDUP_PROJECTIONS = 2 };
+enum speedup_projection { SPEEDUP_720, SPEEDUP_6600, SPEEDUP_PROJECTIONS };
 extern const char *const speedup_projections[SPEEDUP_PROJECTIONS];
+/* The name of the model that it is projected with: beside a machine whose
+ * constants are priors that of the priors, so that no row mixes the two. */
+const char *speedup_projection_model(const c205_model *model,
+                                     enum speedup_projection machine);
+
+/* Table 1 tells the times of so many rays. */
+enum { SPEEDUP_PAPER_RAYS = 100000 };
 
 /* What the paper says of a subject.  0: nothing. */
 struct speedup_paper {
-    double seconds[TRACE_FORMS]; /* CPU time for 100,000 rays, Table 1 */
+    double seconds[TRACE_FORMS]; /* CPU time of the rays, Table 1 */
     double speedup;              /* as printed there */
     struct {
         double seconds, speedup;
@@ -40,10 +47,16 @@ extern const size_t speedup_subject_count;
 /* The region whose share the paper tells. */
 extern const char speedup_solver[];
 
-/* Where the eye is: it looks at the origin. */
+/* The view of Table 1: so narrow that all rays hit, as the paper speaks of
+ * "100,000 rays intersecting a sphere and a cylinder primitive". */
+#define SPEEDUP_DISTANCE 5.0
+#define SPEEDUP_ANGLE 10.0
+
+/* Where the eye is and looks. */
 struct speedup_view {
-    double distance;
-    double angle; /* degrees, across the frame */
+    double distance; /* from the origin */
+    double angle;    /* degrees, across the frame */
+    double aim[3];   /* the point in the middle of the frame */
 };
 
 struct speedup_measure {
@@ -63,6 +76,11 @@ struct trace *speedup_trace(const struct speedup_subject *subject,
                             const struct speedup_view *view,
                             const struct trace_options *options,
                             struct scene **scene, c205_error *error);
+
+/* What a region of a subject took in its frame.  NULL: the error says that
+ * the program has none of that name. */
+const c205_account *speedup_account(const struct accounts *accounts,
+                                    const char *region, c205_error *error);
 
 /* False: the error says why. */
 bool speedup_measure(const struct speedup_subject *subject,

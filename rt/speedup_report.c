@@ -7,6 +7,17 @@
 #include "asm/accounts.h"
 #include "rt/iterations_table.h"
 
+/* Decimals as in the paper. */
+static const struct table_column table1[] = {
+    { "primitive", "primitive", TABLE_TEXT, 0 },
+    { "figures", "figures", TABLE_TEXT, 0 },
+    { "scalar", "205 scalar, s", TABLE_NUMBER, 3 },
+    { "vector", "205 vector, s", TABLE_NUMBER, 4 },
+    { "cyber720", "720, s", TABLE_NUMBER, 2 },
+    { "vector_over_scalar", "speedup over scalar", TABLE_NUMBER, 2 },
+    { "vector_over_720", "speedup over 720", TABLE_NUMBER, 0 },
+};
+
 static const struct table_column rays[] = {
     { "primitive", "primitive", TABLE_TEXT, 0 },
     { "rays", "rays", TABLE_COUNT, 0 },
@@ -21,23 +32,13 @@ static const struct table_column times[] = {
     { "form", "form", TABLE_TEXT, 0 },
     { "clocks", "clocks", TABLE_COUNT, 0 },
     { "clocks_per_ray", "clocks/ray", TABLE_NUMBER, 2 },
-    { "seconds", "seconds", TABLE_NUMBER, 4 },
-    { "paper_seconds", "paper: seconds", TABLE_NUMBER, 4 },
-    { "ratio", "ours/paper", TABLE_NUMBER, 2 },
-    { "speedup", "speedup", TABLE_NUMBER, 2 },
-    { "paper_speedup", "paper: speedup", TABLE_NUMBER, 2 },
-    { "speedup_ratio", "ours/paper", TABLE_NUMBER, 2 },
 };
 
 static const struct table_column projected[] = {
     { "primitive", "primitive", TABLE_TEXT, 0 },
     { "machine", "projected on", TABLE_TEXT, 0 },
     { "seconds", "seconds", TABLE_NUMBER, 3 },
-    { "paper_seconds", "paper: seconds", TABLE_NUMBER, 3 },
-    { "ratio", "ours/paper", TABLE_NUMBER, 2 },
     { "speedup", "205 vector faster", TABLE_NUMBER, 1 },
-    { "paper_speedup", "paper: faster", TABLE_NUMBER, 0 },
-    { "speedup_ratio", "ours/paper", TABLE_NUMBER, 2 },
 };
 
 static const struct table_column shares[] = {
@@ -69,7 +70,9 @@ static const struct table_column causes[] = {
     { "percent", "%", TABLE_NUMBER, 1 },
 };
 
-enum kind { RAYS, TIMES, PROJECTED, SHARES, STEPS, PASSES, CAUSES, KINDS };
+enum kind {
+    TABLE1, RAYS, TIMES, PROJECTED, SHARES, STEPS, PASSES, CAUSES, KINDS
+};
 
 #define COLUMNS(table) table, sizeof table / sizeof *table
 static const struct {
@@ -77,17 +80,19 @@ static const struct {
     const struct table_column *columns;
     size_t count;
 } kinds[KINDS] = {
-    [RAYS] = { "rays", "The rays:", COLUMNS(rays) },
-    [TIMES] = { "times", "The kernels and their calls:", COLUMNS(times) },
-    [PROJECTED] = { "projected", "Projected: the instructions of the scalar "
-                    "program at another machine's times:",
-                    COLUMNS(projected) },
-    [SHARES] = { "shares", "Which part took it:", COLUMNS(shares) },
+    [TABLE1] = { "table1", "Table 1, CPU seconds for 100,000 rays, and how "
+                 "much faster the 205's vector form is",
+                 COLUMNS(table1) },
+    [RAYS] = { "rays", "The rays", COLUMNS(rays) },
+    [TIMES] = { "times", "The kernels and their calls", COLUMNS(times) },
+    [PROJECTED] = { "projected", "A machine that Table 1 lacks, projected: "
+                    "CPU seconds for 100,000 rays", COLUMNS(projected) },
+    [SHARES] = { "shares", "Which part took it", COLUMNS(shares) },
     [STEPS] = { "steps", "Falsi in the root solver, to roots of the "
-                "derivative (knots) and of the quartic:", COLUMNS(steps) },
-    [PASSES] = { "passes", "The vector form, pass by pass:",
+                "derivative (knots) and of the quartic", COLUMNS(steps) },
+    [PASSES] = { "passes", "The vector form, pass by pass",
                  COLUMNS(passes) },
-    [CAUSES] = { "causes", "Where the clocks went:", COLUMNS(causes) },
+    [CAUSES] = { "causes", "Where the clocks went", COLUMNS(causes) },
 };
 
 struct speedup_report {
@@ -137,6 +142,72 @@ static double told(double figure)
     return figure > 0 ? figure : NAN;
 }
 
+/* Seconds as long as the paper's for so many rays. */
+static double scaled(double seconds, const struct speedup_measure *measure)
+{
+    return seconds * SPEEDUP_PAPER_RAYS / (double)measure->rays;
+}
+
+static double scaled_seconds(const struct speedup_report *report,
+                             const struct speedup_measure *measure)
+{
+    return scaled(accounts_seconds(report->model, measure->total), measure);
+}
+
+/* The figures of a line of Table 1, in the order of its columns. */
+enum { SCALAR_S, VECTOR_S, OTHER_S, OVER_SCALAR, OVER_OTHER, FIGURES };
+
+static void find_ours(const struct speedup_report *report,
+                      const struct speedup_measure measures[TRACE_FORMS],
+                      double figures[FIGURES])
+{
+    const struct speedup_measure *scalar = &measures[TRACE_SCALAR];
+
+    figures[SCALAR_S] = scaled_seconds(report, scalar);
+    figures[VECTOR_S] = scaled_seconds(report, &measures[TRACE_VECTOR]);
+    figures[OTHER_S] = scaled(scalar->projected[SPEEDUP_720], scalar);
+    figures[OVER_SCALAR] = figures[SCALAR_S] / figures[VECTOR_S];
+    figures[OVER_OTHER] = figures[OTHER_S] / figures[VECTOR_S];
+}
+
+static void find_paper(const struct speedup_paper *paper,
+                       double figures[FIGURES])
+{
+    figures[SCALAR_S] = paper->seconds[TRACE_SCALAR];
+    figures[VECTOR_S] = paper->seconds[TRACE_VECTOR];
+    figures[OTHER_S] = paper->projected[SPEEDUP_720].seconds;
+    figures[OVER_SCALAR] = paper->speedup;
+    figures[OVER_OTHER] = paper->projected[SPEEDUP_720].speedup;
+}
+
+static void add_figures(struct table *table, const char *primitive,
+                        const char *whose, const double figures[FIGURES])
+{
+    table_text(table, primitive);
+    table_text(table, whose);
+    for (int i = 0; i < FIGURES; i++)
+        table_number(table, figures[i]);
+}
+
+static void add_table1(struct speedup_report *report,
+                       const struct speedup_subject *subject,
+                       const struct speedup_measure measures[TRACE_FORMS])
+{
+    struct table *table = report->tables[TABLE1];
+    double ours[FIGURES], paper[FIGURES];
+
+    find_ours(report, measures, ours);
+    find_paper(&subject->paper, paper);
+    add_figures(table, subject->name, "ours", ours);
+    if (paper[SCALAR_S] == 0)
+        return;
+    add_figures(table, subject->name, "paper", paper);
+    table_text(table, subject->name);
+    table_text(table, "error %");
+    for (int i = 0; i < FIGURES; i++)
+        table_signed(table, 100 * (ours[i] / paper[i] - 1), 1);
+}
+
 static void add_rays(struct table *table,
                      const struct speedup_subject *subject,
                      const struct speedup_view *view,
@@ -163,56 +234,29 @@ static void add_name(struct table *table,
     table_text(table, trace_mode_name((enum trace_mode)mode));
 }
 
-static void add_times(struct speedup_report *report,
+static void add_times(struct table *table,
                       const struct speedup_subject *subject, int mode,
-                      const struct speedup_measure measures[TRACE_FORMS])
+                      const struct speedup_measure *measure)
 {
-    struct table *table = report->tables[TIMES];
-    const struct speedup_measure *measure = &measures[mode];
-    double seconds = accounts_seconds(report->model, measure->total);
-    double paper = told(subject->paper.seconds[mode]
-                        * (double)measure->rays / 1e5);
-    bool vector = mode == TRACE_VECTOR;
-    double speedup = vector ? quotient(measures[TRACE_SCALAR].total,
-                                       measure->total)
-                            : NAN;
-    double paper_speedup = vector ? told(subject->paper.speedup) : NAN;
-
     add_name(table, subject, mode);
     table_count(table, measure->total);
     table_number(table, quotient(measure->total, measure->rays));
-    table_number(table, seconds);
-    table_number(table, paper);
-    table_number(table, seconds / paper);
-    table_number(table, speedup);
-    table_number(table, paper_speedup);
-    table_number(table, speedup / paper_speedup);
 }
 
+/* The CYBER 720 is in Table 1. */
 static void add_projected(struct speedup_report *report,
                           const struct speedup_subject *subject,
                           const struct speedup_measure measures[TRACE_FORMS])
 {
     struct table *table = report->tables[PROJECTED];
     const struct speedup_measure *scalar = &measures[TRACE_SCALAR];
-    double vector = accounts_seconds(report->model,
-                                     measures[TRACE_VECTOR].total);
+    double seconds = scaled(scalar->projected[SPEEDUP_6600], scalar);
 
-    for (int i = 0; i < SPEEDUP_PROJECTIONS; i++) {
-        double seconds = scalar->projected[i];
-        double paper = told(subject->paper.projected[i].seconds
-                            * (double)scalar->rays / 1e5);
-        double faster = told(subject->paper.projected[i].speedup);
-
-        table_text(table, subject->name);
-        table_text(table, speedup_projections[i]);
-        table_number(table, seconds);
-        table_number(table, paper);
-        table_number(table, seconds / paper);
-        table_number(table, seconds / vector);
-        table_number(table, faster);
-        table_number(table, seconds / vector / faster);
-    }
+    table_text(table, subject->name);
+    table_text(table, speedup_projections[SPEEDUP_6600]);
+    table_number(table, seconds);
+    table_number(table, seconds / scaled_seconds(report,
+                                                 &measures[TRACE_VECTOR]));
 }
 
 static void add_shares(struct table *table,
@@ -285,9 +329,10 @@ void speedup_report_add(struct speedup_report *report,
 {
     struct table *const *tables = report->tables;
 
+    add_table1(report, subject, measures);
     add_rays(tables[RAYS], subject, view, &measures[TRACE_VECTOR]);
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
-        add_times(report, subject, mode, measures);
+        add_times(tables[TIMES], subject, mode, &measures[mode]);
         add_shares(tables[SHARES], subject, mode, &measures[mode]);
         add_steps(tables[STEPS], subject, mode, &measures[mode]);
         add_causes(tables[CAUSES], subject, mode, &measures[mode]);
@@ -296,22 +341,39 @@ void speedup_report_add(struct speedup_report *report,
     add_passes(tables[PASSES], subject, &measures[TRACE_VECTOR]);
 }
 
-bool speedup_report_print(const struct speedup_report *report,
-                          bool with_passes, FILE *file)
+static bool print_table(const struct speedup_report *report, enum kind kind,
+                        enum table_format format, FILE *file)
 {
-    for (int i = 0; i < KINDS; i++) {
+    table_heading(kinds[kind].heading, format, file);
+    return table_write(report->tables[kind], format, file);
+}
+
+bool speedup_report_table1(const struct speedup_report *report,
+                           enum table_format format, FILE *file)
+{
+    return print_table(report, TABLE1, format, file);
+}
+
+bool speedup_report_detail(const struct speedup_report *report,
+                           bool with_passes, enum table_format format,
+                           FILE *file)
+{
+    for (int i = TABLE1 + 1; i < KINDS; i++) {
         if (i == PASSES && !with_passes)
             continue;
-        fprintf(file, "\n%s\n\n", kinds[i].heading);
-        if (!table_print(report->tables[i], file))
+        if (!print_table(report, (enum kind)i, format, file))
             return false;
     }
     return true;
 }
 
-void speedup_report_json(const struct speedup_report *report,
+bool speedup_report_json(const struct speedup_report *report,
                          struct json *json)
 {
-    for (int i = 0; i < KINDS; i++)
+    for (int i = 0; i < KINDS; i++) {
+        if (!table_is_whole(report->tables[i]))
+            return false;
         table_json(report->tables[i], json, kinds[i].key);
+    }
+    return true;
 }

@@ -401,6 +401,16 @@ const c205_word *trace_channel(const struct trace *trace,
     return trace->words + (size_t)channel * pixels_of(trace);
 }
 
+size_t trace_hits(const struct trace *trace)
+{
+    const c205_word *ids = trace_channel(trace, CHANNEL_ID);
+    size_t hits = 0;
+
+    for (size_t i = 0; i < pixels_of(trace); i++)
+        hits += c205_to_integer(ids[i]) != 0;
+    return hits;
+}
+
 static void make_linear(double *samples, size_t count, double gamma)
 {
     for (size_t i = 0; i < count && gamma != 1; i++)

@@ -90,6 +90,8 @@ bool trace_read(const struct trace *trace, struct frame *frame,
 /* A channel's samples as the machine holds them, pixel by pixel. */
 const c205_word *trace_channel(const struct trace *trace,
                                enum frame_channel channel);
+/* Rays of the camera that hit something. */
+size_t trace_hits(const struct trace *trace);
 /* 64-bit FNV-1a over all words of the frame, channel by channel: two frames
  * with one checksum are the same bit for bit. */
 uint64_t trace_checksum(const struct trace *trace);

@@ -98,7 +98,7 @@ for command in run asm dis isa model time; do
     ends 0 "$build/c205" $command --help
     ends 2 "$build/c205" $command --nonsense
 done
-for command in render profile speedup quartic; do
+for command in render profile speedup sweep quartic; do
     ends 0 "$build/rt205" $command --help
     ends 2 "$build/rt205" $command --nonsense
 done
@@ -435,13 +435,50 @@ tells out "root_solver"
 tells out "paper: %"
 [ "$(grep -c "pass by pass" out)" -eq 0 ]
 verdict $? "the passes are printed though not asked for"
-for key in rays times projected shares steps passes causes; do
+tells out "^Table 1"
+for row in sphere cylinder Steiner; do
+    for figures in ours paper "error %"; do
+        tells out "^$row  *$figures "
+    done
+done
+for row in Steiner torus; do
+    tells out "^$row, ours  *ours "
+done
+tells out "Projected, .* on the model cyber720,$"
+for key in table1 projections rays times projected shares steps passes causes; do
     grep -q "\"$key\": \[" speedup.json
     verdict $? "speedup.json has no $key"
 done
 ends 0 "$build/rt205" speedup -W 16 -H 10 --distance 9.5 --angle 20 --passes
 tells out "20 degrees .* 9.5"
 tells out "pass by pass"
+ends 0 "$build/rt205" speedup -W 16 -H 10 --model cyber205-2pipe-prior
+tells out "on the model cyber205-2pipe-prior,$"
+tells out "on the model cyber720-prior,$"
+ends 0 "$build/rt205" speedup -W 16 -H 10 --json both.json --format json
+cmp -s out both.json
+verdict $? "the JSON on stdout is not that of the file"
+ends 0 "$build/rt205" speedup -W 16 -H 10 --json speedup.json
+cmp -s speedup.json both.json
+verdict $? "the JSON is not the same beside text"
+ends 0 "$build/rt205" speedup -W 16 -H 10 --format csv
+tells out "^# Table 1"
+tells out "^# Cycle-accounted, .* on the model cyber205-2pipe,$"
+tells out "^# Projected, .* on the model cyber720,$"
+tells out "^# .* frame are equal"
+tells out "^primitive,figures,scalar,"
+tells out "^\"Steiner, ours\",ours,"
+[ -z "$(sed "/^#/d; /^\$/d; /,/d" out)" ]
+verdict $? "CSV has lines that are neither rows nor remarks"
+ends 0 "$build/rt205" speedup -W 16 -H 10 --format md
+tells out "^## Table 1"
+tells out "^| sphere  *| error % |"
+tells out "on the model cyber720,$"
+tells out "frame are equal"
+ends 2 "$build/rt205" speedup --format xml
+tells err "text, csv, md or json"
+ends 2 "$build/rt205" render "$scene" -o x.png --format csv
+tells err "no such option: --format"
 for wrong in "--distance 0" "--distance inf" "--angle 180" "--angle x"; do
     # An option and its argument are words.
     # shellcheck disable=SC2086
@@ -449,6 +486,108 @@ for wrong in "--distance 0" "--distance inf" "--angle 180" "--angle x"; do
 done
 ends 1 "$build/rt205" speedup --model nonsense
 ends 1 "$build/rt205" speedup -W 16 -H 10 --json missing/speedup.json
+ends 1 "$build/rt205" speedup -W 16 -H 10 --json missing/x --format json
+[ ! -s out ]
+verdict $? "JSON on stdout though the work failed"
+
+ends 1 "$build/rt205" speedup --model cyber720
+tells err "cyber720 is a projection"
+[ ! -s out ]
+verdict $? "speedup prints something of a model on which nothing runs"
+
+# sweeps
+sweep() {
+    "$build/rt205" sweep "$@"
+}
+ends 0 sweep queue sphere -W 32 -H 32 --json queue.json
+tells out ", 10 degrees across from a distance of 5;"
+tells out "^ *1024  .*"
+tells out "^Best: a queue of 1024"
+tells out "on the model cyber205-2pipe,$"
+tells out "frame are equal"
+for key in points memory difference text causes; do
+    grep -q "\"$key\": \[" queue.json
+    verdict $? "queue.json has no $key"
+done
+grep -q '"angle": 10,' queue.json
+verdict $? "queue.json does not tell the angle"
+ends 0 sweep queue sphere -W 32 -H 32 --format json
+cmp -s out queue.json
+verdict $? "the JSON of a sweep on stdout is not that of the file"
+ends 0 sweep queue "$scene" -W 32 -H 24 --points 1,10,700 --mode kernels
+tells out "^  700 "
+tells out "kept until the visible surface is known"
+ends 0 sweep pipes steiner -W 16 -H 16 --format csv
+tells out "vector, a queue of 2000, 16 x 16 rays"
+tells out "^pipes,bits,hit_percent,"
+tells out "^4,32,"
+[ -z "$(sed "/^#/d; /^\$/d; /,/d" out)" ]
+verdict $? "the CSV of a sweep has lines that are neither rows nor remarks"
+ends 0 sweep hits torus -W 16 -H 16 --format md
+tells out ", 37 degrees across from a distance of 5;"
+tells out "^| *256 | *0 | *0.0 |"
+tells out "^| *256 | *256 | *100.0 |"
+ends 0 sweep length "$scene" --points 1,2,4,8,16,64
+tells out "^Crossover: from a length of"
+tells out "n-half"
+if command -v gnuplot >/dev/null; then
+    ends 0 sweep length sphere --points 1,2,4,8,64 -o "the plot.svg"
+    for ending in svg dat gp; do
+        [ -s "the plot.$ending" ]
+        verdict $? "a sweep leaves no .$ending"
+    done
+fi
+# Without gnuplot only the picture is missing.
+ends 1 env PATH=missing "$build/rt205" sweep length sphere --points 1,2,4 \
+    -o plain.svg --json plain.json
+tells err "gnuplot is not found"
+tells out "n-half"
+for file in plain.json plain.dat plain.gp; do
+    [ -s $file ]
+    verdict $? "no $file, where only gnuplot is missing"
+done
+[ ! -e plain.svg ]
+verdict $? "there is a picture though nothing drew it"
+grep -q '"width"' plain.json
+[ $? -eq 1 ]
+verdict $? "a sweep of lengths tells the width of no frame"
+ends 1 env PATH=missing "$build/rt205" sweep length sphere --points 1,2,4 \
+    -o plain.svg --format json
+cmp -s out plain.json
+verdict $? "the JSON on stdout is lost with the plot"
+ends 2 sweep
+ends 2 sweep queue
+tells err "name what to sweep, then"
+ends 2 sweep queue sphere cylinder
+tells err "too many arguments: cylinder"
+ends 2 sweep sideways sphere
+tells err "queue, pipes, hits or length"
+ends 2 sweep queue cube
+tells err "sphere, cylinder, Steiner, torus"
+ends 2 sweep hits "$scene"
+tells err "hits takes a primitive"
+ends 2 sweep pipes sphere --points 1,2
+tells err "are lengths"
+ends 2 sweep queue sphere --queue 100
+tells err "queue is for pipes and hits"
+ends 2 sweep queue sphere -W 8 -H 8 --points 65
+tells err "64 rays do not fill a queue of 65"
+ends 2 sweep queue sphere --mode scalar
+for points in 0 '1,' ',1' 2,1 1,1 1,65536 x 1,,2; do
+    ends 2 sweep queue sphere --points $points
+    tells err "points: wrong argument: $points"
+done
+ends 2 sweep pipes sphere -o both.svg --json ./both.dat
+ends 1 sweep pipes sphere -o missing/plot.svg
+ends 1 sweep pipes sphere -o plot.png
+ends 1 sweep pipes sphere --model nonsense
+ends 1 sweep pipes sphere --model cyber720
+tells err "cyber720 is a projection"
+ends 1 sweep hits sphere -W 8 -H 8 --distance 900
+tells err "sphere is too small in a frame"
+ends 1 sweep pipes ./bad.pov
+tells err 'bad.pov:3:'
+ends 1 sweep pipes ./missing.pov
 
 # Ctrl-C in the middle of a long frame
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \
@@ -461,6 +600,16 @@ verdict $? "an interrupted render does not end with 1"
 tells err 'stopped after'
 [ -z "$(find . -name '*long*')" ]
 verdict $? "an interrupted render left a file"
+
+# ... and of a sweep
+"$build/rt205" sweep queue steiner --json long.json >out 2>err &
+sleep 1
+kill -INT $!
+wait $!
+[ $? -eq 1 ]
+verdict $? "an interrupted sweep does not end with 1"
+[ ! -s out ] && [ ! -e long.json ]
+verdict $? "an interrupted sweep leaves results"
 
 # Finished bands are kept, and gone on from
 frame() { # OPTION ..: the checksum and the clocks of a frame

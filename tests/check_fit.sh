@@ -1,10 +1,10 @@
 #!/bin/sh
-# check_fit.sh BUILD - the fit at a reduced size: the same at each run, the
-# fitted model that is shipped comes out again, and it can be used.
+# check_fit.sh BUILD - the fit: the same at each run, the models that are shipped
+# come out again, and they can be used.
 set -eu
 build=$1
 here=$build/check-fit
-shipped=vm/models/cyber205-2pipe-fitted.model
+fitted="cyber205-2pipe cyber720"
 rm -rf "$here"
 mkdir -p "$here/a" "$here/b"
 
@@ -14,8 +14,8 @@ fail() {
 }
 
 fit() {
-    "$build/fit205" --brief -W 16 -H 10 --jobs "$1" \
-        --write "$2/cyber205-2pipe-fitted.model" --json "$2/fit.json" \
+    "$build/fit205" --brief --jobs "$1" --json "$2/fit.json" \
+        --write "$2/cyber205-2pipe.model" --write "$2/cyber720.model" \
         > "$2/report"
 }
 
@@ -23,39 +23,48 @@ fit 2 "$here/a"
 fit 1 "$here/b"
 diff -r "$here/a" "$here/b" || fail "two fits differ"
 
-# Names, values and units, without the remarks.
-constants() {
-    sed 's/#.*//' "$1" | awk 'NF == 4 && $4 == "F" { print $1, $2, $3 }'
-}
-
-# With fewer rays each constant comes out within 3 percent, or a clock.
-constants "$shipped" > "$here/shipped"
-constants "$here/a/cyber205-2pipe-fitted.model" > "$here/fitted"
-[ -s "$here/shipped" ] || fail "$shipped holds no fitted constants"
-paste -d ' ' "$here/shipped" "$here/fitted" | awk '
-    {
-        apart = $2 > $5 ? $2 - $5 : $5 - $2
-        allowed = .03 * $2
-        if ($3 == "clk" && allowed < 1)
-            allowed = 1
-        if ($1 != $4 || apart > allowed) {
-            print "shipped " $1 " " $2 ", fitted again " $4 " " $5
-            bad = 1
-        }
+# The error of a constant is what the data leave of its prior's width, times
+# what the cost shows the uncertainties to be too small by.
+awk -F "[:,]" '
+    /"cost":/ && !cost { cost = $2 }
+    /"observations":/ && !used { used = $2 }
+    /"width":/ { width = $2 }
+    /"standard_error":/ { error = $2 / width }
+    /"known":/ {
+        expected = sqrt((1 - $2 / 100) * 2 * cost / used)
+        wrong += (error - expected) ^ 2 > 1e-12
+        constants++
     }
-    END { exit bad }' || fail "the shipped model does not come out again"
+    END { exit wrong > 0 || !constants }' "$here/a/fit.json" ||
+    fail "an error is not what the cost and the prior make it"
 
-"$build/rt205" speedup --model "$here/a/cyber205-2pipe-fitted.model" \
-    -W 16 -H 10 > "$here/speedup"
-grep -q '^Fitted figures' "$here/speedup" ||
+for model in $fitted; do
+    diff "vm/models/$model.model" "$here/a/$model.model" ||
+        fail "the shipped model does not come out again; make fit writes it"
+    "$build/c205" model "$model" | grep -q '^fitted to [1-9]' ||
+        fail "c205 model does not say that $model is fitted"
+done
+"$build/rt205" speedup --model "$here/a/cyber205-2pipe.model" -W 16 -H 10 \
+    > "$here/speedup"
+grep -q '^fitted to [1-9]' "$here/speedup" ||
     fail "rt205 speedup does not say that the model is fitted"
-"$build/c205" model cyber205-2pipe-fitted > "$here/model" ||
-    fail "the shipped model is not built in"
+
+# What a model says of itself is what the machine shows on it.
+"$build/c205" run -I rt/kernels rt/fit/programs/photons.s |
+    awk 'NF == 8 && $1 == "scalar" { scalar = $6 }
+        NF == 8 && $1 == "vector" {
+            printf "photons %+.1f\n", 100 * (scalar / $6 / 16.5 - 1)
+        }' > "$here/photons"
+awk '$2 == "photons" { print $2, $5 }' "$here/a/cyber205-2pipe.model" |
+    diff - "$here/photons" || fail "the model does not tell its own error"
 
 "$build/fit205" --brief -W 16 -H 10 --hold-out 'cylinder vector' \
     > "$here/held"
 sed '1,/^Only compared/d' "$here/held" | grep -q '^cylinder vector ' ||
     fail "--hold-out does not hold out"
+"$build/fit205" --brief -W 16 -H 10 --hold-out 'cylinder vector' --angle 37 \
+    > "$here/wide"
+cmp -s "$here/wide" "$here/held" && fail "--angle makes no other view"
 for arguments in "--hold-out nothing" "--write $here/other.model" \
     "--data $here"; do
     # The arguments are words, so they are not quoted.
@@ -66,4 +75,31 @@ for arguments in "--hold-out nothing" "--write $here/other.model" \
     fi
     grep -q '^fit205: ' "$here/errors" || fail "$arguments: no message"
 done
-echo "check_fit: the fitted model comes out again"
+
+# What is wrong with the arguments is told, and before the fit is made.
+while read -r text arguments; do
+    code=0
+    # shellcheck disable=SC2086
+    "$build/fit205" $arguments > "$here/out" 2> "$here/errors" ||
+        code=$?
+    [ "$code" -eq 2 ] && grep -q -e "$text" "$here/errors" &&
+        [ ! -s "$here/out" ] || fail "fit205 $arguments: $code, not 2"
+done << 'END'
+extra extra
+--jobs --jobs 0
+--sideways --sideways
+--width --width
+END
+for arguments in "--json $here/missing/file" "--write $here/cyber720" \
+    "--write $here/missing/cyber720.model"; do
+    # shellcheck disable=SC2086
+    if timeout 30 "$build/fit205" $arguments > "$here/out" 2> "$here/errors"
+    then
+        fail "fit205 $arguments did not fail"
+    fi
+    grep -q '^fit205: ' "$here/errors" || fail "$arguments: told too late"
+done
+if "$build/fit205" --brief -W 16 -H 10 > /dev/full 2> "$here/errors"; then
+    fail "a report that cannot be written is no error"
+fi
+echo "check_fit: the fitted models come out again"

@@ -181,9 +181,10 @@ c205_word c205_encode(const c205_insn *insn, const c205_fields *fields);
  *
  * A model is a text file of lines "name value unit source # remark"; the
  * sources are the letters P S D R of the instruction table, and F: fitted.
- * Built in are cyber205-1pipe, -2pipe and -4pipe, on which programs run, one
- * that was fitted, cyber205-2pipe-fitted, and the projections cdc6600
- * and cyber720, which only tell times.
+ * Built in are cyber205-1pipe, -2pipe and -4pipe, on which programs run, and
+ * the projections cdc6600 and cyber720, which only tell times.  All but the
+ * 6600 were fitted; NAME-prior is what NAME was before.  NAME-32bit streams
+ * words at the rate of half words; cyber205-2pipe-small has small pages.
  */
 typedef struct c205_model c205_model;
 
@@ -196,6 +197,13 @@ typedef struct c205_constant {
     const char *remark;
 } c205_constant;
 
+/* How near a model comes to published figures, as its own text has it. */
+typedef struct c205_belief {
+    unsigned figures;  /* so many; 0: it has not been compared with any */
+    double largest;    /* the largest error, percent */
+    const char *worst; /* which figure's that is */
+} c205_belief;
+
 /* A built-in model, or a file if the name holds a '/' or ends in ".model".
  * The model is read once and not changed afterwards. */
 c205_model *c205_model_find(const char *name, c205_error *error);
@@ -205,6 +213,9 @@ void c205_model_free(c205_model *model);
 
 const char *c205_model_name(const c205_model *model);
 const char *c205_model_title(const c205_model *model);
+/* What it was fitted to; and with what it was only compared. */
+c205_belief c205_model_fitted(const c205_model *model);
+c205_belief c205_model_compared(const c205_model *model);
 /* The times of another machine, for a projection alone. */
 bool c205_model_is_projection(const c205_model *model);
 size_t c205_model_size(const c205_model *model);
@@ -212,6 +223,23 @@ const c205_constant *c205_model_constant(const c205_model *model, size_t i);
 /* NULL: no such constant. */
 const c205_constant *c205_model_lookup(const c205_model *model,
                                        const char *name);
+/* The model whose constants it took over, or NULL. */
+const c205_model *c205_model_like(const c205_model *model);
+
+typedef struct c205_setting {
+    const char *name; /* of a constant */
+    double value;     /* in its unit; six places after the point count */
+} c205_setting;
+
+/* The model with these constants in place of its own, their source R; of two
+ * settings of one constant the last counts.  Its name says what they are
+ * ("cyber205-2pipe with machine.pipes 4"), c205_model_like gives the model,
+ * and it was fitted to nothing and compared with nothing.  It borrows the
+ * texts of the model, which must outlive it.  NULL: there is no such constant,
+ * or it cannot have that value. */
+c205_model *c205_model_change(const c205_model *model,
+                              const c205_setting *settings, size_t count,
+                              c205_error *error);
 /* Names of the built-in models, NULL at the end. */
 const char *const *c205_model_names(void);
 
@@ -244,7 +272,7 @@ typedef struct c205 c205;
 
 enum { C205_REGISTERS = 256 };
 #define C205_NO_LIMIT UINT64_MAX
-#define C205_PAGE_WORDS 65536u /* large page (source P) */
+#define C205_PAGE_WORDS 65536u /* large page (source P); those of storage */
 #define C205_MAX_LENGTH 65535u /* of a vector (source P) */
 
 /* Why a clock passed; each clock has one cause. */
@@ -421,11 +449,6 @@ c205_recording *c205_recording_new(c205_error *error);
 void c205_recording_free(c205_recording *recording);
 /* The listener; its context is the recording, of one run from its beginning. */
 c205_listener c205_record;
-
-typedef struct c205_setting {
-    const char *name; /* of a constant */
-    double value;
-} c205_setting;
 
 /* The clocks of each region, as numbered in the accounts: of so many regions,
  * 0 in those that did not run.  With these constants in place of the model's;

@@ -45,8 +45,9 @@ static size_t model_count(const c205_model *model, enum constant id)
 static bool make_parts(struct clock *clock, const c205_model *model)
 {
     static const char *const outside[] = { "" };
-    return pages_init(&clock->pages, model_count(model, CONSTANT_REGISTERS),
-                      model_count(model, CONSTANT_REAL_PAGES))
+    return pages_init(&clock->pages, model_whole(model, CONSTANT_PAGE_WORDS),
+                      model_whole(model, CONSTANT_REAL_WORDS),
+                      model_count(model, CONSTANT_REGISTERS))
            && banks_init(&clock->banks, model_count(model, CONSTANT_BANKS),
                          model_ticks(model),
                          model_whole(model, CONSTANT_BANK_BUSY))

@@ -11,6 +11,8 @@ static const char wrong_account[] =
     "the accounts of the saved machine are wrong";
 static const char wrong_flight[] =
     "what the saved machine has in flight is wrong";
+static const char wrong_pages[] =
+    "the list of pages of the saved machine is wrong";
 
 /* ---- Accounts ------------------------------------------------------------ */
 
@@ -154,14 +156,40 @@ static void walk_stack(struct clock *clock, struct tape *tape)
     tape_word(tape, &clock->stack_high);
 }
 
+static void write_page_list(const struct pages *pages, struct tape *tape)
+{
+    const struct resident *resident = pages->resident;
+    size_t count = pages->count;
+    tape_size(tape, &count, pages->capacity);
+    for (uint32_t at = resident[0].newer; at; at = resident[at].newer) {
+        uint64_t page = resident[at].page;
+        tape_word(tape, &page);
+    }
+}
+
+/* No page stands in the list twice. */
+static void read_page_list(struct pages *pages, struct tape *tape)
+{
+    struct translation met = { 0, 0 };
+    size_t count = 0;
+    tape_size(tape, &count, pages->capacity);
+    pages_forget(pages);
+    for (size_t i = 0; i < count; i++) {
+        uint64_t page;
+        tape_word(tape, &page);
+        tape_require(tape, page <= ADDRESS_MASK >> pages->shift, wrong_pages);
+        pages_look_up(pages, page, &met);
+    }
+    tape_require(tape, met.faults == count, wrong_pages);
+}
+
+/* From the oldest page to the latest: as they were looked up. */
 static void walk_page_list(struct pages *pages, struct tape *tape)
 {
-    tape_size(tape, &pages->count, pages->capacity);
-    for (size_t i = 0; i < pages->count; i++) {
-        size_t page = pages->page[i];
-        tape_size(tape, &page, ADDRESS_MASK >> PAGE_SHIFT);
-        pages->page[i] = (uint32_t)page;
-    }
+    if (tape_is_read(tape))
+        read_page_list(pages, tape);
+    else
+        write_page_list(pages, tape);
 }
 
 void clock_walk(struct clock *clock, struct tape *tape)

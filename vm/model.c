@@ -1,13 +1,11 @@
 /* model.c - machine models: text files of constants, each with its source. */
-#include "model.h"
-#include "text.h"
+#include "model_parts.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum kind { WHOLE, DECIMAL, RATE };
 
 #define SCALAR(name) \
     { "latency." #name, WHOLE, "clk", 1, MILLION }, \
@@ -17,12 +15,7 @@ enum kind { WHOLE, DECIMAL, RATE };
     { "stream." #name, RATE, "", 0, MILLION }
 
 /* What a machine has to say, and behind it what a projection has. */
-static const struct rule {
-    const char *name;
-    enum kind kind;
-    const char *unit;
-    uint64_t least, most;
-} rules[CONSTANTS + PROJECTION_CONSTANTS] = {
+static const struct rule rules[CONSTANTS + PROJECTION_CONSTANTS] = {
 #define CONSTANT(id, name, kind, unit, least, most) \
     { name, kind, unit, least, most },
 #include "constants.def"
@@ -37,21 +30,6 @@ static const char shared_rate[] = "clk*pipe/element";
 static const char *const rate_units[] = { shared_rate, "clk/element",
                                           "clk/bit" };
 enum { RATE_UNITS = sizeof rate_units / sizeof rate_units[0] };
-
-struct c205_model {
-    char *name;
-    char *text;       /* cut into the strings that the constants point to */
-    c205_model *like; /* whose constants it took over, or NULL */
-    const char *title;
-    const struct rule *rules; /* that hold for it .. */
-    size_t count;             /* .. so many */
-    uint64_t ticks;           /* in which its times count, of a clock */
-    struct {
-        c205_constant shown;
-        uint64_t millionths;
-        unsigned line; /* where this text gives it; 0: it does not */
-    } constant[CONSTANTS];
-};
 
 struct reader {
     c205_model *model;
@@ -124,17 +102,65 @@ static bool read_millionths(const char *text, uint64_t *millionths)
     return true;
 }
 
+/* ---- What a constant may be ---------------------------------------------- */
+
+static bool refuse(c205_error *error, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(error->message, sizeof error->message, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+bool model_check_whole(const struct rule *rule, const char *text,
+                       uint64_t millionths, c205_error *error)
+{
+    bool whole = rule->kind == WHOLE || rule->kind == PAGE;
+    return !whole || millionths % MILLION == 0
+           || refuse(error, "%s must be a whole number, not %.20s",
+                     rule->name, text);
+}
+
+/* Small pages (source R), large pages (P). */
+static bool check_page(const struct rule *rule, const char *text,
+                       uint64_t millionths, c205_error *error)
+{
+    static const uint64_t sizes[] = { 512, 2048, 8192, C205_PAGE_WORDS };
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
+        if (millionths == sizes[i] * MILLION)
+            return true;
+    return refuse(error, "%s must be 512, 2048, 8192 or 65536, not %.20s",
+                  rule->name, text);
+}
+
+bool model_check_range(const struct rule *rule, const char *text,
+                       uint64_t millionths, c205_error *error)
+{
+    if (rule->kind == PAGE)
+        return check_page(rule, text, millionths, error);
+    return (millionths >= rule->least * MILLION
+            && millionths <= rule->most * MILLION)
+           || refuse(error, "%s must lie between %lu and %lu", rule->name,
+                     (unsigned long)rule->least, (unsigned long)rule->most);
+}
+
+bool model_check_together(const c205_model *model, c205_error *error)
+{
+    return c205_model_is_projection(model)
+           || model_whole(model, CONSTANT_WORD_RATE)
+                  <= model_whole(model, CONSTANT_HALF_RATE)
+           || refuse(error, "vector.word_rate must not be more than "
+                            "vector.half_rate");
+}
+
 static bool check_value(const struct reader *reader, const struct rule *rule,
                         const char *text, uint64_t millionths)
 {
-    if (rule->kind == WHOLE && millionths % MILLION)
-        return fail(reader, "%s must be a whole number, not %.20s",
-                    rule->name, text);
-    if (millionths < rule->least * MILLION ||
-        millionths > rule->most * MILLION)
-        return fail(reader, "%s must lie between %lu and %lu", rule->name,
-                    (unsigned long)rule->least, (unsigned long)rule->most);
-    return true;
+    c205_error why;
+    return (model_check_whole(rule, text, millionths, &why)
+            && model_check_range(rule, text, millionths, &why))
+           || fail(reader, "%s", why.message);
 }
 
 static bool check_unit(const struct reader *reader, const struct rule *rule,
@@ -151,8 +177,8 @@ static bool check_unit(const struct reader *reader, const struct rule *rule,
                 rule->name, rate_units[0], rate_units[1], rate_units[2], unit);
 }
 
-static bool find_rule(const c205_model *model, const char *name,
-                      size_t *index)
+bool model_find_rule(const c205_model *model, const char *name,
+                     size_t *index)
 {
     for (*index = 0; *index < model->count; ++*index)
         if (!strcmp(model->rules[*index].name, name))
@@ -166,7 +192,7 @@ static bool read_constant(const struct reader *reader, const char *name,
 {
     c205_model *model = reader->model;
     size_t i;
-    if (!find_rule(model, name, &i))
+    if (!model_find_rule(model, name, &i))
         return fail(reader, "there is no constant '%.60s'", name);
     if (model->constant[i].line)
         return fail(reader, "%s is already given in line %u", name,
@@ -185,19 +211,13 @@ static bool read_constant(const struct reader *reader, const char *name,
                             "not '%.20s'", name, source);
     if (*rest_of(line))
         return fail(reader, "'%.40s' is not expected here", rest_of(line));
-    c205_constant shown = { model->rules[i].name, text, (double)millionths / MILLION,
-                            unit, *source, rest_of(remark) };
+    c205_constant shown = { model->rules[i].name, text,
+                            (double)millionths / MILLION, unit, *source,
+                            rest_of(remark) };
     model->constant[i].shown = shown;
     model->constant[i].millionths = millionths;
     model->constant[i].line = reader->line;
     return true;
-}
-
-static bool is_path(const char *name)
-{
-    size_t length = strlen(name);
-    return strchr(name, '/') ||
-           (length >= 6 && !strcmp(name + length - 6, ".model"));
 }
 
 static void take_rules(c205_model *model, bool projection)
@@ -226,17 +246,22 @@ static bool read_like(const struct reader *reader, char *line)
     c205_model *model = reader->model;
     c205_error why;
     const char *name = rest_of(line);
-    if (is_path(name))
+    if (model_is_path(name))
         return fail(reader, "'like' names a built-in model");
     if (model->like)
         return fail(reader, "'like' stands here for the second time");
-    model->like = c205_model_find(name, &why);
+    model->own = c205_model_find(name, &why);
+    model->like = model->own;
     if (!model->like)
         return fail(reader, "%.160s", why.message);
-    take_rules(model, c205_model_is_projection(model->like));
-    for (size_t i = 0; i < model->count; i++) {
+    for (size_t i = 0; i < model->count; i++)
         if (model->constant[i].line)
             return fail(reader, "'like' must stand before the constants");
+    if (c205_model_is_projection(model)
+        && !c205_model_is_projection(model->like))
+        return fail(reader, "%.60s is no projection", name);
+    take_rules(model, c205_model_is_projection(model->like));
+    for (size_t i = 0; i < model->count; i++) {
         model->constant[i] = model->like->constant[i];
         model->constant[i].line = 0;
     }
@@ -249,6 +274,24 @@ static bool read_title(const struct reader *reader, char *line)
         return fail(reader, "'title' stands here for the second time");
     reader->model->title = rest_of(line);
     return true;
+}
+
+/* 13 figures, at most -56.1 % off: NAME */
+static bool read_belief(const struct reader *reader, const char *keyword,
+                        c205_belief *belief, char *line)
+{
+    int used = 0;
+    line = skip_blanks(line);
+    if (belief->figures)
+        return fail(reader, "'%s' stands here for the second time", keyword);
+    sscanf(line, "%6u figures, at most %lf %% off: %n", &belief->figures,
+           &belief->largest, &used);
+    belief->worst = rest_of(line + used);
+    return (used && *line != '-' && belief->figures
+            && fabs(belief->largest) < MILLION && *belief->worst)
+           || fail(reader,
+                   "after '%s' comes 'N figures, at most E %% off: NAME'",
+                   keyword);
 }
 
 static bool read_line(const struct reader *reader, char *line)
@@ -265,6 +308,10 @@ static bool read_line(const struct reader *reader, char *line)
         return read_title(reader, line);
     if (!reader->model->title)
         return fail(reader, "a model begins with 'title TEXT'");
+    if (!strcmp(first, "fitted"))
+        return read_belief(reader, first, &reader->model->fitted, line);
+    if (!strcmp(first, "compared"))
+        return read_belief(reader, first, &reader->model->compared, line);
     if (!strcmp(first, "projection"))
         return read_projection(reader, line);
     if (!strcmp(first, "like"))
@@ -281,7 +328,9 @@ static bool check_complete(const struct reader *reader)
         if (!model->constant[i].shown.text)
             return fail(reader, "the constant %s is missing",
                         model->rules[i].name);
-    return true;
+    c205_error why;
+    return model_check_together(model, &why)
+           || fail(reader, "%s", why.message);
 }
 
 static bool read_model(c205_model *model, c205_error *error)
@@ -301,7 +350,7 @@ static bool read_model(c205_model *model, c205_error *error)
     return check_complete(&reader);
 }
 
-static void *out_of_memory(c205_error *error)
+void *model_out_of_memory(c205_error *error)
 {
     snprintf(error->message, sizeof error->message,
              "no memory left for a machine model");
@@ -321,12 +370,12 @@ c205_model *c205_model_parse(const char *name, const char *text,
     c205_model *model = calloc(1, sizeof *model);
     error->message[0] = '\0';
     if (!model)
-        return out_of_memory(error);
+        return model_out_of_memory(error);
     model->ticks = 1;
     model->name = copy_text(name);
     model->text = copy_text(text);
     if (!model->name || !model->text)
-        out_of_memory(error);
+        model_out_of_memory(error);
     else if (read_model(model, error))
         return model;
     c205_model_free(model);
@@ -337,84 +386,13 @@ void c205_model_free(c205_model *model)
 {
     if (!model)
         return;
-    c205_model_free(model->like);
+    c205_model_free(model->own);
     free(model->text);
     free(model->name);
     free(model);
 }
 
-/* ---- Where models come from ---------------------------------------------- */
-
-static char *join_lines(const char *const *lines)
-{
-    size_t size = 1;
-    for (size_t i = 0; lines[i]; i++)
-        size += strlen(lines[i]);
-    char *text = malloc(size), *end = text;
-    if (!text)
-        return NULL;
-    for (size_t i = 0; lines[i]; i++) {
-        size_t length = strlen(lines[i]);
-        memcpy(end, lines[i], length);
-        end += length;
-    }
-    *end = '\0';
-    return text;
-}
-
-/* The whole of a file; NULL with a message. */
-static char *read_file(const char *path, c205_error *error)
-{
-    FILE *file = fopen(path, "rb");
-    size_t size = 0, room = 1 << 16;
-    char *text = file ? malloc(room) : NULL;
-    while (text) {
-        size += fread(text + size, 1, room - size - 1, file);
-        if (size + 1 < room)
-            break;
-        char *larger = realloc(text, room *= 2);
-        if (!larger)
-            free(text);
-        text = larger;
-    }
-    bool whole = text && !ferror(file) && !memchr(text, '\0', size);
-    if (file)
-        fclose(file);
-    if (whole)
-        return text[size] = '\0', text;
-    free(text);
-    snprintf(error->message, sizeof error->message,
-             "cannot read the machine model %.200s", path);
-    return NULL;
-}
-
-static char *built_in_text(const char *name, c205_error *error)
-{
-    for (size_t i = 0; model_texts_names[i]; i++)
-        if (!strcmp(model_texts_names[i], name)) {
-            char *text = join_lines(model_texts[i].lines);
-            return text ? text : out_of_memory(error);
-        }
-    snprintf(error->message, sizeof error->message,
-             "there is no machine model '%.100s'", name);
-    return NULL;
-}
-
-c205_model *c205_model_find(const char *name, c205_error *error)
-{
-    char *text = is_path(name) ? read_file(name, error)
-                               : built_in_text(name, error);
-    c205_model *model = text ? c205_model_parse(name, text, error) : NULL;
-    free(text);
-    return model;
-}
-
-const char *const *c205_model_names(void)
-{
-    return model_texts_names;
-}
-
-/* ---- What a model says ---------------------------------------------------- */
+/* ---- What a model says --------------------------------------------------- */
 
 const char *c205_model_name(const c205_model *model)
 {
@@ -424,6 +402,21 @@ const char *c205_model_name(const c205_model *model)
 const char *c205_model_title(const c205_model *model)
 {
     return model->title;
+}
+
+c205_belief c205_model_fitted(const c205_model *model)
+{
+    return model->fitted;
+}
+
+c205_belief c205_model_compared(const c205_model *model)
+{
+    return model->compared;
+}
+
+const c205_model *c205_model_like(const c205_model *model)
+{
+    return model->like;
 }
 
 bool c205_model_is_projection(const c205_model *model)
@@ -445,7 +438,7 @@ const c205_constant *c205_model_lookup(const c205_model *model,
                                        const char *name)
 {
     size_t i;
-    return find_rule(model, name, &i) ? &model->constant[i].shown : NULL;
+    return model_find_rule(model, name, &i) ? &model->constant[i].shown : NULL;
 }
 
 uint64_t model_millionths(const c205_model *model, enum constant id)
@@ -463,81 +456,28 @@ static bool is_shared(const c205_model *model, enum constant id)
     return !strcmp(model->constant[id].shown.unit, shared_rate);
 }
 
-struct rate model_rate(const c205_model *model, enum constant id)
+/* Of elements of which a pipe takes so many at once. */
+static struct rate rate_of(const c205_model *model, enum constant id,
+                           enum constant at_once)
 {
     struct rate rate = { model_millionths(model, id), MILLION };
     if (is_shared(model, id))
-        rate.per *= model_whole(model, CONSTANT_PIPES);
+        rate.per *= model_whole(model, CONSTANT_PIPES)
+                    * model_whole(model, at_once);
     return rate;
+}
+
+struct rate model_rate(const c205_model *model, enum constant id)
+{
+    return rate_of(model, id, CONSTANT_WORD_RATE);
 }
 
 struct rate model_half_rate(const c205_model *model, enum constant id)
 {
-    struct rate rate = model_rate(model, id);
-    if (is_shared(model, id))
-        rate.per *= model_whole(model, CONSTANT_HALF_RATE);
-    return rate;
+    return rate_of(model, id, CONSTANT_HALF_RATE);
 }
 
 uint64_t model_ticks(const c205_model *model)
 {
     return model->ticks;
-}
-
-/* ---- The same with other values, in ticks --------------------------------- */
-
-static bool is_time(const c205_constant *shown)
-{
-    return !strncmp(shown->unit, "clk", 3);
-}
-
-static bool set_value(c205_model *model, const c205_setting *setting,
-                      c205_error *error)
-{
-    size_t i;
-    if (!find_rule(model, setting->name, &i))
-        snprintf(error->message, sizeof error->message,
-                 "there is no constant '%.60s'", setting->name);
-    else if (!(setting->value >= (double)model->rules[i].least
-               && setting->value <= (double)model->rules[i].most))
-        snprintf(error->message, sizeof error->message,
-                 "%.60s cannot be %g", setting->name, setting->value);
-    else {
-        model->constant[i].millionths =
-            (uint64_t)(setting->value * MILLION + .5);
-        return true;
-    }
-    return false;
-}
-
-/* Whole numbers must be whole in ticks. */
-static void scale(c205_model *model, uint64_t ticks)
-{
-    model->ticks = ticks;
-    for (size_t i = 0; i < model->count; i++) {
-        uint64_t *millionths = &model->constant[i].millionths;
-        if (is_time(&model->constant[i].shown))
-            *millionths *= ticks;
-        if (model->rules[i].kind == WHOLE)
-            *millionths = (*millionths + MILLION / 2) / MILLION * MILLION;
-    }
-}
-
-c205_model *model_in_ticks(const c205_model *model,
-                           const c205_setting *settings, size_t count,
-                           uint64_t ticks, c205_error *error)
-{
-    c205_model *changed = malloc(sizeof *changed);
-    if (!changed)
-        return out_of_memory(error);
-    *changed = *model;
-    changed->name = changed->text = NULL;
-    changed->like = NULL;
-    for (size_t i = 0; i < count; i++)
-        if (!set_value(changed, &settings[i], error)) {
-            free(changed);
-            return NULL;
-        }
-    scale(changed, ticks);
-    return changed;
 }

@@ -2,8 +2,9 @@
  *
  * A model that was parsed is complete and in range: it has a value for every
  * row of constants.def and for every timing class, or, if it is a projection,
- * for every row of projection.def, so that reading one cannot fail.  Values are exact decimals, kept as integers in millionths: no figure
- * of the clock ever passes through floating point.
+ * for every row of projection.def, so that reading one cannot fail.  Values
+ * are exact decimals, kept as integers in millionths: no figure of the clock
+ * ever passes through floating point.
  */
 #ifndef C205_MODEL_H
 #define C205_MODEL_H
@@ -25,9 +26,8 @@ enum projection_constant {
 
 enum { MILLION = 1000000, LOADS_MOST = 64 };
 
-/* The model with other values, and with all times in ticks, so many of them a
- * clock: of one tick they need not be whole clocks.  It borrows the texts of
- * the model, which must outlive it. */
+/* As c205_model_change, and with all times in ticks, so many of them a clock:
+ * the values need not be whole then. */
 c205_model *model_in_ticks(const c205_model *model,
                            const c205_setting *settings, size_t count,
                            uint64_t ticks, c205_error *error);
@@ -39,12 +39,13 @@ uint64_t model_millionths(const c205_model *model, enum constant id);
 uint64_t model_whole(const c205_model *model, enum constant id);
 
 /* A rate per element (or bit) as a fraction: clocks = ceil(n x clocks / per).
- * Rates in "clk*pipe/element" are shared among the pipes. */
+ * Rates in "clk*pipe/element" are shared among the pipes, each of which takes
+ * vector.word_rate elements at once. */
 struct rate {
     uint64_t clocks, per;
 };
 struct rate model_rate(const c205_model *model, enum constant id);
-/* The same for elements of 32 bits; the pipes take so many more of them. */
+/* The same for elements of 32 bits: vector.half_rate at once. */
 struct rate model_half_rate(const c205_model *model, enum constant id);
 
 static inline enum constant latency_constant(c205_timing scalar)

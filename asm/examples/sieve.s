@@ -68,3 +68,4 @@ composite:
 
 ; Of these 1,030 for the first touch of the data's page:
 ; expect-clocks: 3190
+; (on cyber205-2pipe-prior: the fitted constants are not as round)

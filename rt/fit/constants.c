@@ -19,8 +19,8 @@ static const struct {
 static const struct {
     const char *machine, *model;
 } priors[] = {
-    { "cyber205", "cyber205-2pipe" },
-    { "cyber720", "cyber720" },
+    { "cyber205", "cyber205-2pipe-prior" },
+    { "cyber720", "cyber720-prior" },
     { "cdc6600", "cdc6600" },
 };
 

@@ -1,5 +1,6 @@
 #include "rt/fit/csv.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,11 +13,20 @@ static bool fail(const struct csv *csv, size_t line, const char *what,
     return false;
 }
 
+static bool fail_to_read(const struct csv *csv, c205_error *error)
+{
+    snprintf(error->message, sizeof error->message, "%.120s: %.100s",
+             csv->path, errno != 0 ? strerror(errno) : "cannot be read");
+    return false;
+}
+
 static bool read_text(struct csv *csv, c205_error *error)
 {
-    FILE *file = fopen(csv->path, "rb");
+    FILE *file;
     long size = -1;
 
+    errno = 0;
+    file = fopen(csv->path, "rb");
     if (file != NULL && fseek(file, 0, SEEK_END) == 0)
         size = ftell(file);
     if (size >= 0 && fseek(file, 0, SEEK_SET) == 0)
@@ -29,7 +39,7 @@ static bool read_text(struct csv *csv, c205_error *error)
     if (file != NULL)
         fclose(file);
     if (csv->text == NULL)
-        return fail(csv, 0, "cannot be read", error);
+        return fail_to_read(csv, error);
     return true;
 }
 

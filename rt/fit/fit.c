@@ -53,7 +53,8 @@ static bool time_one(const struct work *work, size_t i, c205_error *error)
     count = constants_settings(work->fit->constants, point->places,
                                timing->model, settings);
     point->timed[which] = run_time(timing->run, timing->model, settings,
-                                   count, point->clocks[which], error);
+                                   count, RUN_FINE, point->clocks[which],
+                                   error);
     return point->timed[which];
 }
 

@@ -1,11 +1,11 @@
 /* fit205.c - the command: the timing model fitted to what was published. */
 #include <getopt.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "asm/complain.h"
+#include "asm/whole.h"
 #include "rt/fit/goal.h"
 #include "rt/fit/report.h"
 #include "rt/fit/written.h"
@@ -20,9 +20,10 @@ static const char usage[] =
     "  --brief              the fit alone: nothing left out or doubled\n"
     "  -W, --width N        rays across a frame in scalar form (32)\n"
     "  -H, --height N       rays down (20)\n"
+    "  --angle DEGREES      that a frame's rays span across (10: all hit)\n"
     "  --jobs N             threads (2)\n"
-    "  --write FILE         the fitted model; its name begins with that\n"
-    "                       of the prior: cyber205-2pipe-fitted.model\n"
+    "  --write FILE         the fitted model; its name says of which priors:\n"
+    "                       cyber205-2pipe.model of cyber205-2pipe-prior\n"
     "  --json FILE          write the results to a file as well\n";
 
 enum { HELD_MOST = 32, WRITTEN_MOST = 8, PATH_SIZE = 512 };
@@ -31,7 +32,8 @@ struct arguments {
     const char *data, *json;
     const char *held[HELD_MOST], *written[WRITTEN_MOST];
     size_t held_count, written_count, width, height, jobs;
-    bool brief;
+    double angle;
+    bool brief, help;
 };
 
 static const struct option options[] = {
@@ -40,6 +42,7 @@ static const struct option options[] = {
     { "brief", no_argument, NULL, 'b' },
     { "width", required_argument, NULL, 'W' },
     { "height", required_argument, NULL, 'H' },
+    { "angle", required_argument, NULL, 'A' },
     { "jobs", required_argument, NULL, 'J' },
     { "write", required_argument, NULL, 'w' },
     { "json", required_argument, NULL, 'j' },
@@ -56,6 +59,14 @@ static bool take_count(const char *text, size_t most, size_t *count)
     return *text >= '1' && *text <= '9' && *end == '\0' && value <= most;
 }
 
+static bool take_angle(const char *text, double *degrees)
+{
+    char *end;
+
+    *degrees = strtod(text, &end);
+    return end != text && *end == '\0' && *degrees > 0 && *degrees < 180;
+}
+
 static bool add_name(const char **names, size_t *count, size_t most)
 {
     if (*count == most)
@@ -70,8 +81,10 @@ static bool take(int letter, struct arguments *arguments)
     case 'd': arguments->data = optarg; return true;
     case 'j': arguments->json = optarg; return true;
     case 'b': arguments->brief = true; return true;
+    case 'h': arguments->help = true; return true;
     case 'W': return take_count(optarg, 1000, &arguments->width);
     case 'H': return take_count(optarg, 1000, &arguments->height);
+    case 'A': return take_angle(optarg, &arguments->angle);
     case 'J': return take_count(optarg, 64, &arguments->jobs);
     case 'o':
         return add_name(arguments->held, &arguments->held_count, HELD_MOST);
@@ -80,6 +93,35 @@ static bool take(int letter, struct arguments *arguments)
                         WRITTEN_MOST);
     default: return false;
     }
+}
+
+static bool wrong(const char *what, const char *word, const char *more)
+{
+    fprintf(stderr, "%s: %s%s%s\n%s --help tells how it is used\n",
+            cmd_program, what, word, more, cmd_program);
+    return false;
+}
+
+/* False: what is wrong has been told. */
+static bool parse(int argc, char **argv, struct arguments *arguments)
+{
+    int letter;
+
+    opterr = 0;
+    while ((letter = getopt_long(argc, argv, ":W:H:", options, NULL)) != -1) {
+        const char *word = argv[optind - 1];
+
+        if (word == optarg)
+            word = argv[optind - 2];
+        if (letter == ':')
+            return wrong(word, " needs an argument", "");
+        if (letter == '?')
+            return wrong("no such option: ", word, "");
+        if (!take(letter, arguments))
+            return wrong(word, ": wrong argument: ", optarg);
+    }
+    return optind == argc || arguments->help
+           || wrong("too many arguments: ", argv[argc - 1], "");
 }
 
 /* ---- Reading ------------------------------------------------------------ */
@@ -97,13 +139,16 @@ static bool read_sources(const struct arguments *arguments,
     char path[PATH_SIZE], programs[PATH_SIZE];
     struct run_options how = { .folder = programs };
 
-    how.model = sources->model = c205_model_find("cyber205-2pipe", error);
+    how.model = sources->model = c205_model_find("cyber205-2pipe-prior",
+                                                 error);
     /* The vector form is short of instructions, and the queue must be full:
      * so it has all 100,000 rays. */
     how.width[TRACE_VECTOR] = 400;
     how.height[TRACE_VECTOR] = 250;
     how.width[TRACE_SCALAR] = arguments->width;
     how.height[TRACE_SCALAR] = arguments->height;
+    how.view.distance = SPEEDUP_DISTANCE;
+    how.view.angle = arguments->angle;
     snprintf(programs, sizeof programs, "%.400s/programs", arguments->data);
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         snprintf(path, sizeof path, "%.400s/observations/%s",
@@ -142,20 +187,22 @@ static bool write_models(const struct arguments *arguments,
                          const struct study *study, double *written,
                          c205_error *error)
 {
-    for (size_t i = 0; i < FIT_OBSERVATIONS_MOST; i++)
-        written[i] = NAN;
-    for (size_t i = 0; i < arguments->written_count; i++) {
-        double predicted[FIT_OBSERVATIONS_MOST];
+    bool good = arguments->written_count == 0
+                || written_predict(study, written, error);
 
-        if (!written_model(study, arguments->written[i], error)
-            || !written_predict(study, arguments->written[i], predicted,
-                                error))
+    for (size_t i = 0; good && i < arguments->written_count; i++)
+        good = written_model(study, written, arguments->written[i], error);
+    return good;
+}
+
+/* Whether all files can be, asked before a minute of work. */
+static bool check_files(const struct arguments *arguments,
+                        const struct study *study, c205_error *error)
+{
+    for (size_t i = 0; i < arguments->written_count; i++)
+        if (!written_check(study, arguments->written[i], error))
             return false;
-        for (size_t k = 0; k < study->fit.observations->count; k++)
-            if (!isnan(predicted[k]))
-                written[k] = predicted[k];
-    }
-    return true;
+    return arguments->json == NULL || whole_check(arguments->json, error);
 }
 
 static bool print(const struct arguments *arguments,
@@ -194,7 +241,17 @@ static bool work(const struct arguments *arguments, struct sources *sources,
     study->fit.jobs = arguments->jobs;
     return read_sources(arguments, sources, error)
            && hold_out(arguments, &sources->observations, study, error)
+           && check_files(arguments, study, error)
            && study_make(study, error) && print(arguments, study, error);
+}
+
+static bool is_printed(c205_error *error)
+{
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return true;
+    snprintf(error->message, sizeof error->message,
+             "standard output: write error");
+    return false;
 }
 
 int main(int argc, char **argv)
@@ -204,24 +261,21 @@ int main(int argc, char **argv)
     struct arguments arguments = { .data = "rt/fit",
                                    .width = 32,
                                    .height = 20,
+                                   .angle = SPEEDUP_ANGLE,
                                    .jobs = 2 };
     c205_error error = { "" };
-    bool good;
+    bool good = true;
 
-    for (int letter; (letter = getopt_long(argc, argv, "W:H:", options, NULL))
-                     != -1;) {
-        if (letter == 'h')
-            return fputs(usage, stdout) < 0 ? CMD_FAILED : CMD_DONE;
-        if (!take(letter, &arguments))
-            return fputs(usage, stderr), CMD_USAGE;
-    }
-    if (optind < argc)
-        return fputs(usage, stderr), CMD_USAGE;
-    good = work(&arguments, &sources, &study, &error);
+    if (!parse(argc, argv, &arguments))
+        return CMD_USAGE;
+    if (arguments.help)
+        fputs(usage, stdout);
+    else
+        good = work(&arguments, &sources, &study, &error);
     constants_free(&sources.constants);
     observations_free(&sources.observations);
     c205_model_free(sources.model);
-    if (good)
+    if (good && is_printed(&error))
         return CMD_DONE;
     fprintf(stderr, "%s: %s\n", cmd_program, error.message);
     return CMD_FAILED;

@@ -47,11 +47,25 @@ static const struct run *find_run(struct observations *all,
     return run;
 }
 
-static const c205_model *find_model(struct observations *all,
-                                    const char *name, c205_error *error)
+/* The model of a machine before any fit, if it has one of its own. */
+static void name_prior(const char *machine, char name[TEXT_MOST])
 {
+    const char *const *names = c205_model_names();
+
+    snprintf(name, TEXT_MOST, "%s" PRIOR_SUFFIX, machine);
+    while (*names != NULL && strcmp(*names, name) != 0)
+        names++;
+    if (*names == NULL)
+        snprintf(name, TEXT_MOST, "%s", machine);
+}
+
+static const c205_model *find_model(struct observations *all,
+                                    const char *machine, c205_error *error)
+{
+    char name[TEXT_MOST];
     c205_model **models, *model;
 
+    name_prior(machine, name);
     for (size_t i = 0; i < all->model_count; i++)
         if (strcmp(c205_model_name(all->models[i]), name) == 0)
             return all->models[i];

@@ -4,7 +4,8 @@
  * An observation is a line of a file in rt/fit/observations:
  *
  *   program   as run.h has it, ":REGION" or ":REGION/REGION" in it
- *   machine   a model, or two, MODEL/MODEL
+ *   machine   a model, or two, MODEL/MODEL; where there is a MODEL-prior, which
+ *             no fit has touched, it is that
  *   unit      s/100000   seconds for 100,000 rays
  *             ns/SYMBOL  nanoseconds, divided by that constant of the program
  *             Mflop/s    FLOPS of the program, by its time
@@ -22,6 +23,8 @@
 
 #include "rt/fit/csv.h"
 #include "rt/fit/run.h"
+
+#define PRIOR_SUFFIX "-prior"
 
 /* A program on a machine. */
 struct timing {

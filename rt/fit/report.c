@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "asm/provenance.h"
 #include "asm/table.h"
 
 static const struct table_column observed[] = {
@@ -317,6 +318,12 @@ static const struct part {
       COLUMNS(doubled), false, fill_doubled },
 };
 
+/* The machine's: what the first observation runs on. */
+static const c205_model *fitted_model(const struct study *study)
+{
+    return study->fit.observations->timings[0].model;
+}
+
 static void print_head(const struct study *study, FILE *file)
 {
     const struct fit_outcome *best = &study->best;
@@ -327,9 +334,11 @@ static void print_head(const struct study *study, FILE *file)
             "Residuals: relative errors of the machine's own clocks by their "
             "uncertainty, Cauchy\nloss from %g on; and the constants' "
             "distances from their priors, in widths: P 2 %%,\nD 5 %%, S 10 "
-            "%%, R 40 %%.  Cycle-accounted, not cycle-accurate.\n",
+            "%%, R 40 %%.\nCycle-accounted, not cycle-accurate.  Not modelled: "
+            "%s.\n",
             best->used, study->fit.constants->count, best->cost, best->steps,
-            best->converged ? "converged" : "not converged", FIT_LOSS);
+            best->converged ? "converged" : "not converged", FIT_LOSS,
+            provenance_left_out(fitted_model(study)));
 }
 
 static void write_head(const struct study *study, struct json *json)
@@ -338,6 +347,8 @@ static void write_head(const struct study *study, struct json *json)
     json_count(json, "steps", (uint64_t)study->best.steps);
     json_truth(json, "converged", study->best.converged);
     json_count(json, "observations", study->best.used);
+    json_text(json, "not_modelled",
+              provenance_left_out(fitted_model(study)));
 }
 
 static bool add_part(const struct study *study, const struct part *part,

@@ -6,8 +6,7 @@
 
 #include "vm/text.h"
 
-/* So fine that a tenth of a clock more shows in a derivative. */
-enum { TICKS = 1000, DEFINES_MOST = 8, WORDS_MOST = 256 };
+enum { DEFINES_MOST = 8, WORDS_MOST = 256 };
 
 static bool fail(c205_error *error, const char *what, const char *name)
 {
@@ -46,7 +45,6 @@ static c205 *frame_machine(struct run *run, enum trace_mode mode,
                            const struct run_options *options,
                            c205_error *error)
 {
-    static const struct speedup_view view = { .distance = 5, .angle = 37 };
     const struct trace_options how = { .mode = mode,
                                        .width = options->width[mode],
                                        .height = options->height[mode],
@@ -54,7 +52,8 @@ static c205 *frame_machine(struct run *run, enum trace_mode mode,
                                        .model = options->model };
 
     run->rays = how.width * how.height;
-    run->trace = speedup_trace(run->subject, &view, &how, &run->scene, error);
+    run->trace = speedup_trace(run->subject, &options->view, &how, &run->scene,
+                               error);
     return run->trace == NULL ? NULL : trace_machine(run->trace, error);
 }
 
@@ -218,9 +217,9 @@ bool run_select(const struct run *run, const char *name,
 }
 
 bool run_time(const struct run *run, const c205_model *model,
-              const c205_setting *settings, size_t count,
+              const c205_setting *settings, size_t count, unsigned ticks,
               double clocks[RUN_REGIONS_MOST], c205_error *error)
 {
-    return c205_retime(run->recording, model, settings, count, TICKS, clocks,
+    return c205_retime(run->recording, model, settings, count, ticks, clocks,
                        run->region_count, error);
 }

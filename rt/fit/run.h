@@ -11,10 +11,11 @@
 #include "asm/assemble.h"
 #include "rt/speedup.h"
 
-/* Where program texts lie, and the frames' size in each form. */
+/* Where program texts lie, the frames' size in each form, and their view. */
 struct run_options {
     const char *folder;
     size_t width[TRACE_FORMS], height[TRACE_FORMS];
+    struct speedup_view view;
     const c205_model *model; /* on which they run, once */
 };
 
@@ -46,9 +47,13 @@ bool run_symbol(const struct run *run, const char *name, double *value);
 bool run_select(const struct run *run, const char *name,
                 bool chosen[RUN_REGIONS_MOST], c205_error *error);
 
-/* Clocks of its regions, in ticks of a thousandth. */
+/* Ticks of a clock: 1 as the machine has it, or so many that a tenth of a clock
+ * more shows in a derivative. */
+enum { RUN_WHOLE = 1, RUN_FINE = 1000 };
+
+/* Clocks of its regions; time advances in ticks. */
 bool run_time(const struct run *run, const c205_model *model,
-              const c205_setting *settings, size_t count,
+              const c205_setting *settings, size_t count, unsigned ticks,
               double clocks[RUN_REGIONS_MOST], c205_error *error);
 
 #endif

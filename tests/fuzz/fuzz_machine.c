@@ -213,7 +213,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     c205 *machine;
 
     if (!model)
-        model = c205_model_find("cyber205-2pipe", &error);
+        model = c205_model_find("cyber205-2pipe-prior", &error);
     machine = model ? c205_new(model, &error) : NULL;
     for (size_t i = 0; i < CODE_WORDS && 8 * i + 8 <= size; i++)
         code[i] = word_of(data + 8 * i);

@@ -25,7 +25,7 @@ static void load_and_run(const c205_program *program)
     c205 *machine;
 
     if (!model)
-        model = c205_model_find("cyber205-2pipe", &error);
+        model = c205_model_find("cyber205-2pipe-prior", &error);
     machine = model ? c205_new(model, &error) : NULL;
     if (machine && c205_load(machine, program, &error)) {
         c205_stop stop = c205_run(machine, CLOCKS);

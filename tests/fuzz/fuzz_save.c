@@ -57,7 +57,7 @@ static c205 *restore(const uint8_t *data, size_t size)
     c205 *machine;
 
     if (!model)
-        model = c205_model_find("cyber205-2pipe", &error);
+        model = c205_model_find("cyber205-2pipe-prior", &error);
     if (!model)
         return NULL;
     machine = c205_restore(data, size, model, &error);

@@ -250,7 +250,7 @@ static int check(const struct arguments *arguments)
     uint64_t state = arguments->seed;
     unsigned long failed;
     c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
 
     if (model == NULL) {
         fprintf(stderr, "check_quartic: %s\n", error.message);

@@ -82,7 +82,7 @@ static void run_text(struct digest *digest, const c205_model *model,
 static void run_texts(struct digest *digest, char **paths)
 {
     c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
 
     if (!model)
         fail(error.message);

@@ -13,18 +13,28 @@ enum { PAGE_BITS = C205_PAGE_WORDS * WORD };
     ((uint64_t)(page)*PAGE_BITS + (uint64_t)(word)*WORD)
 
 const char *const random_models[] = {
-    "title two pipes\nlike cyber205-2pipe\n",
-    "title one pipe\nlike cyber205-1pipe\n",
-    "title four pipes\nlike cyber205-4pipe\n",
-    "title little memory\nlike cyber205-2pipe\n"
-    "memory.real_pages 3 pages R\ntranslation.registers 2 registers R\n",
-    "title odd times\nlike cyber205-4pipe\n"
-    "memory.real_pages 2 pages R\ntranslation.registers 1 registers R\n"
+    "title two pipes\nlike cyber205-2pipe-prior\n",
+    "title one pipe\nlike cyber205-1pipe-prior\n",
+    "title four pipes\nlike cyber205-4pipe-prior\n",
+    "title little memory\nlike cyber205-2pipe-prior\n"
+    "memory.real_words 196608 words R\ntranslation.registers 2 registers R\n",
+    "title odd times\nlike cyber205-4pipe-prior\n"
+    "memory.real_words 131072 words R\ntranslation.registers 1 registers R\n"
     "vector.overlap 70 clk R\nstream.vadd 1.7 clk*pipe/element R\n"
     "issue.interval 2 clk R\nmemory.loads_in_flight 2 loads R\n"
     "swap.word 0.3 clk/word R\nbusy.add 3 clk R\n"
     "branch.stack_words 4 words R\nbranch.not_taken 2 clk R\n"
     "vector.half_rate 3 results R\n",
+    "title small pages\nlike cyber205-2pipe-prior\n"
+    "page.words 512 words R\nmemory.real_words 20000 words R\n"
+    "translation.registers 5 registers R\n",
+    "title more registers than pages\nlike cyber205-4pipe-prior\n"
+    "page.words 8192 words R\nmemory.real_words 20000 words R\n"
+    "translation.registers 3 registers R\n",
+    "title less than a page\nlike cyber205-1pipe-prior\n"
+    "page.words 2048 words R\nmemory.real_words 100 words R\n"
+    "translation.registers 0 registers R\n"
+    "vector.word_rate 2 results R\nvector.half_rate 3 results R\n",
 };
 const size_t random_model_count = sizeof random_models
                                   / sizeof random_models[0];

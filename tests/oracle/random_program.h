@@ -31,7 +31,7 @@ struct random_program {
     bool plain_data; /* all numbers one, all bits ones: for shrinking */
 };
 
-/* Machine models worth running on: pipes, little memory. */
+/* Machine models worth running on: pipes, pages, little memory. */
 extern const char *const random_models[];
 extern const size_t random_model_count;
 

@@ -231,8 +231,22 @@ static void deliver(struct reference_clock *clock, const c205_insn *insn,
 /* ---- Pages ------------------------------------------------------------- */
 
 struct translation {
+    uint64_t page_bits, registers, real_pages;
     uint64_t misses, faults;
 };
+
+/* Real memory has room for a page at least. */
+static struct translation nothing_met(const struct reference_clock *clock)
+{
+    const uint64_t words = constant(clock, "page", "words");
+    const uint64_t pages = constant(clock, "memory", "real_words") / words;
+
+    return (struct translation){
+        .page_bits = words * WORD,
+        .registers = constant(clock, "translation", "registers"),
+        .real_pages = pages > 0 ? pages : 1,
+    };
+}
 
 /* The depth of a page in the list, which it leads from now on. */
 static size_t touch(struct reference_clock *clock, uint64_t page)
@@ -244,7 +258,8 @@ static size_t touch(struct reference_clock *clock, uint64_t page)
     const bool known = depth < clock->page_count;
     if (!known && clock->page_count < CLOCK_PAGES)
         clock->page_count++;
-    memmove(clock->pages + 1, clock->pages, depth * sizeof *clock->pages);
+    const size_t above = lesser(depth, CLOCK_PAGES - 1);
+    memmove(clock->pages + 1, clock->pages, above * sizeof *clock->pages);
     clock->pages[0] = page;
     return known ? depth : CLOCK_PAGES;
 }
@@ -254,26 +269,28 @@ static void look_up(struct reference_clock *clock, uint64_t page,
 {
     const size_t depth = touch(clock, page);
 
-    if (depth >= constant(clock, "translation", "registers"))
+    if (depth >= translation->registers || depth >= translation->real_pages)
         translation->misses++;
-    if (depth >= constant(clock, "memory", "real_pages"))
+    if (depth >= translation->real_pages)
         translation->faults++;
 }
 
 static struct translation translate(struct reference_clock *clock,
                                     const struct deed *deed)
 {
-    struct translation translation = { 0, 0 };
+    struct translation translation = nothing_met(clock);
+    const uint64_t page_bits = translation.page_bits;
 
     for (size_t i = 0; i < deed->extent_count; i++) {
         const struct extent *extent = deed->extents + i;
         const uint64_t last = extent->address + extent->bits - 1;
-        for (uint64_t page = plain_page_number(extent->address);
-             page <= plain_page_number(last); page++)
+        for (uint64_t page = plain_address(extent->address) / page_bits;
+             page <= plain_address(last) / page_bits; page++)
             look_up(clock, page, &translation);
     }
     for (size_t i = 0; i < deed->indexed_count; i++)
-        look_up(clock, plain_page_number(deed->indexed[i]), &translation);
+        look_up(clock, plain_address(deed->indexed[i]) / page_bits,
+                &translation);
     translation.misses *= constant(clock, "translation", "miss");
     translation.faults *= constant(clock, "page_fault", "clocks");
     return translation;
@@ -417,7 +434,7 @@ static uint64_t conflicts(const struct reference_clock *clock,
     return deed->indexed_count > 0 ? time - (deed->indexed_count - 1) : 0;
 }
 
-/* Of half words so many more where the pipes set the rate. */
+/* So many elements at once where the pipes set the rate. */
 static uint64_t stream(const struct reference_clock *clock,
                        c205_timing timing, bool halves, uint64_t elements)
 {
@@ -429,8 +446,9 @@ static uint64_t stream(const struct reference_clock *clock,
     rate = c205_model_lookup(clock->model, name);
     pipes = strstr(rate->unit, "pipe") ? constant(clock, "machine", "pipes")
                                        : 1;
-    if (halves && strstr(rate->unit, "pipe"))
-        pipes *= constant(clock, "vector", "half_rate");
+    if (strstr(rate->unit, "pipe"))
+        pipes *= constant(clock, "vector",
+                          halves ? "half_rate" : "word_rate");
     millionth = elements
                 * millionths(clock, "stream", c205_timing_name(timing));
     return (millionth + MILLION * pipes - 1) / (MILLION * pipes);

@@ -18,7 +18,7 @@ enum {
     CLOCK_REGIONS = 2,
     CLOCK_PHASES = 16,
     CLOCK_LOADS = 64,
-    CLOCK_PAGES = 64
+    CLOCK_PAGES = 64 /* more than any model has in memory or registers */
 };
 
 /* When something is there, and whom one waits for until then. */

@@ -150,7 +150,7 @@ static inline int set_up(void **state)
     c205_error error;
 
     (void)state;
-    model = c205_model_find("cyber205-2pipe", &error);
+    model = c205_model_find("cyber205-2pipe-prior", &error);
     return model == NULL;
 }
 

@@ -57,7 +57,7 @@ static inline struct little make_little(void)
     struct little little;
     c205_error error = { "" };
     begin(&little);
-    little.model = c205_model_find("cyber205-2pipe", &error);
+    little.model = c205_model_find("cyber205-2pipe-prior", &error);
     assert_non_null(little.model);
     little.machine = c205_new(little.model, &error);
     if (!little.machine)

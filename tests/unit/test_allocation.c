@@ -16,6 +16,8 @@
 #include "asm/object.h"
 #include "asm/print.h"
 #include "asm/state.h"
+#include "rt/speedup_report.h"
+#include "rt/sweep/kinds.h"
 
 void *__real_malloc(size_t size);
 void *__real_calloc(size_t count, size_t size);
@@ -155,7 +157,7 @@ static bool no_memory(c205_error *error)
 
 static bool find_models(FILE *out, c205_error *error)
 {
-    static const char text[] = "title Slow\nlike cyber205-2pipe\n"
+    static const char text[] = "title Slow\nlike cyber205-2pipe-prior\n"
                                "latency.load 99 clk R\n";
     c205_model *parsed = c205_model_parse("slow", text, error);
     c205_model *read =
@@ -438,6 +440,42 @@ static bool write_json(FILE *out, c205_error *error)
     return json_close(json, error);
 }
 
+static bool report_speedups(FILE *out, c205_error *error)
+{
+    static const struct speedup_view view = { .distance = 5, .angle = 37 };
+    static const struct speedup_measure measures[TRACE_FORMS] = {
+        { .total = 9, .rays = 1 }, { .total = 3, .rays = 1 }
+    };
+    struct speedup_report *report = speedup_report_new(model);
+    struct json *json = report ? json_open_stream(out, NULL, error) : NULL;
+    bool done = json != NULL;
+    for (size_t i = 0; report && i < speedup_subject_count; i++)
+        speedup_report_add(report, &speedup_subjects[i], &view, measures);
+    if (done && !speedup_report_json(report, json)) {
+        json_discard(json);
+        done = false;
+    } else if (done) {
+        done = json_close(json, error);
+    }
+    speedup_report_free(report);
+    return done || no_memory(error);
+}
+
+static bool report_pipes(FILE *out, c205_error *error)
+{
+    struct sweep_measure measures[6];
+    struct sweep sweep = { .measures = measures, .count = 6 };
+    struct sweep_report report = { .part_count = 0 };
+    for (size_t i = 0; i < 6; i++)
+        measures[i] = (struct sweep_measure){
+            .rays = 1, .forms = { { .total = 9 }, { .total = 3 } }
+        };
+    bool done = sweep_pipes.report(&sweep, &report, error)
+                && sweep_report_write(&report, TABLE_MARKDOWN, out);
+    sweep_report_free(&report);
+    return done || no_memory(error);
+}
+
 /* ---- The tests ----------------------------------------------------------- */
 
 #define TASKS(use) \
@@ -451,7 +489,9 @@ static bool write_json(FILE *out, c205_error *error)
     use(save_and_restore) \
     use(check_object) \
     use(measure_one) \
-    use(write_json)
+    use(write_json) \
+    use(report_speedups) \
+    use(report_pipes)
 
 #define TEST(task) \
     static void test_##task(void **state) \
@@ -474,7 +514,7 @@ static int prepare(void **state)
 {
     c205_error error = { "" };
     (void)state;
-    model = c205_model_find("cyber205-2pipe", &error);
+    model = c205_model_find("cyber205-2pipe-prior", &error);
     object = assembled(program_text, &error);
     fputs(error.message, stderr);
     return model && object ? 0 : -1;

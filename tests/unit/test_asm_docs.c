@@ -13,7 +13,7 @@ static const char fence[] = "```c205\n";
 static void run(const struct object *object, const char *name)
 {
     c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
     c205 *machine = model ? c205_new(model, &error) : NULL;
     struct text_buffer printed = { NULL, 0, 0, false };
     struct printer printer = { text_buffer_sink(&printed) };

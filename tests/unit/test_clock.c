@@ -1,115 +1,9 @@
 /* test_clock.c - what instructions cost, exactly, and to which causes.
  *
- * The clock is driven with decoded instructions and effects made by hand; no
- * machine runs.  Expected clocks follow from the formulas of docs/timing.md.
+ * Expected clocks follow from the formulas of docs/timing.md; those of pages:
+ * test_pages.c.
  */
-#include "vm/clock.h"
-#include "vm/memory.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-/* ---- A clock that is easy to drive --------------------------------------- */
-
-static struct clock *clock_of(const char *text)
-{
-    c205_error error;
-    c205_model *model = c205_model_parse("test", text, &error);
-    if (!model)
-        fail_msg("%s", error.message);
-    struct clock *clock = clock_new(model, &error);
-    assert_non_null(clock);
-    c205_model_free(model);
-    return clock;
-}
-
-static struct clock *two_pipes(void)
-{
-    return clock_of("title T\nlike cyber205-2pipe\n");
-}
-
-static uint64_t pc;
-
-/* The next instruction of the code: of region, with one or two sources and a
- * result (0: none). */
-static struct decoded insn(const char *name, unsigned r, unsigned s,
-                           unsigned t)
-{
-    struct decoded decoded;
-    memset(&decoded, 0, sizeof decoded);
-    decoded.insn = c205_insn_named(name, strlen(name));
-    assert_non_null(decoded.insn);
-    decoded.pc = pc;
-    decoded.next = pc + 32 * c205_format_halves(decoded.insn->format);
-    if (r)
-        decoded.source[decoded.source_count++] = (uint16_t)r;
-    if (s)
-        decoded.source[decoded.source_count++] = (uint16_t)s;
-    if (t)
-        decoded.result[decoded.result_count++] = (uint16_t)t;
-    return decoded;
-}
-
-static const struct effect no_effect;
-
-static void charge(struct clock *clock, struct decoded decoded,
-                   const struct effect *effect)
-{
-    clock_charge(clock, &decoded, effect);
-    pc = effect->taken ? effect->target : decoded.next;
-}
-
-static void scalar(struct clock *clock, const char *name, unsigned r,
-                   unsigned s, unsigned t)
-{
-    charge(clock, insn(name, r, s, t), &no_effect);
-}
-
-static void vector(struct clock *clock, const char *name, size_t elements)
-{
-    struct effect effect = no_effect;
-    effect.elements = elements;
-    charge(clock, insn(name, 1, 2, 0), &effect);
-}
-
-static void branch(struct clock *clock, const char *name, uint64_t target)
-{
-    struct effect effect = no_effect;
-    effect.taken = true;
-    effect.target = target;
-    charge(clock, insn(name, 0, 0, 0), &effect);
-}
-
-static void at_address(struct clock *clock, const char *name,
-                       uint64_t address)
-{
-    struct effect effect = no_effect;
-    effect.touch_count = 1;
-    effect.touch[0].address = address;
-    effect.touch[0].bits = 64;
-    charge(clock, insn(name, 1, 0, 9), &effect);
-}
-
-static uint64_t clocks_for(const struct clock *clock, c205_cause cause)
-{
-    uint64_t sum = 0;
-    for (size_t i = 0; i < clock_account_count(clock); i++)
-        sum += clock_account(clock, i)->clocks[cause];
-    return sum;
-}
-
-/* Drain and look at the total, then start anew. */
-static void assert_total(struct clock *clock, uint64_t expected)
-{
-    clock_drain(clock);
-    assert_int_equal(clock_now(clock), expected);
-    clock_reset(clock);
-}
+#include "tests/unit/clock_driver.h"
 
 /* ---- Vector instructions ------------------------------------------------- */
 
@@ -118,8 +12,9 @@ static void test_isolated_add(void **state)
     (void)state;
     static const size_t lengths[] = { 0, 1, 2, 3, 5, 100, 101, 65535 };
     static const char *const models[] = {
-        "title T\nlike cyber205-1pipe", "title T\nlike cyber205-2pipe",
-        "title T\nlike cyber205-4pipe"
+        "title T\nlike cyber205-1pipe-prior",
+        "title T\nlike cyber205-2pipe-prior",
+        "title T\nlike cyber205-4pipe-prior"
     };
     for (size_t m = 0; m < 3; m++) {
         struct clock *clock = clock_of(models[m]);
@@ -170,6 +65,34 @@ static void test_half_rate(void **state)
     clock_free(clock);
 }
 
+/* Words at the rate of half words, which go no faster; gathers and bit strings
+ * take what they took. */
+static void test_word_rate(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        uint8_t g;
+        uint64_t clocks;
+    } cases[] = {
+        { "ADDNV", 0, 51 + 251 }, { "ADDNV", C205_G_HALF, 51 + 251 },
+        { "DIVSV", 0, 80 + 814 }, { "LINKV", 0, 84 + 251 },
+        { "ANDB", 0, 40 + 16 },   { "VXTOV", 0, 69 + 1001 }
+    };
+    struct clock *clock = clock_of("title T\nlike cyber205-2pipe-prior\n"
+                                   "vector.word_rate 2 results R\n");
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct effect effect = no_effect;
+        struct decoded decoded = insn(cases[i].name, 1, 2, 0);
+        decoded.fields.g = cases[i].g;
+        effect.elements = 1001;
+        charge(clock, decoded, &effect);
+        clock_drain(clock);
+        assert_total(clock, cases[i].clocks);
+    }
+    clock_free(clock);
+}
+
 static uint64_t pair_clocks(struct clock *clock, size_t first, size_t second)
 {
     clock_reset(clock);
@@ -200,7 +123,7 @@ static void test_overlap(void **state)
 static void test_overlap_of_a_whole_startup(void **state)
 {
     (void)state;
-    struct clock *clock = clock_of("title T\nlike cyber205-2pipe\n"
+    struct clock *clock = clock_of("title T\nlike cyber205-2pipe-prior\n"
                                    "vector.overlap 1000 clk R\n");
     assert_int_equal(pair_clocks(clock, 1000, 100), 51 + 500 + 50);
     assert_int_equal(pair_clocks(clock, 20, 100), 51 + 10 + 101 - 10);
@@ -492,67 +415,6 @@ static void test_forward_branch(void **state)
     clock_free(clock);
 }
 
-/* ---- Pages --------------------------------------------------------------- */
-
-#define PAGE ((uint64_t)1 << PAGE_SHIFT)
-
-static const char four_pages[] =
-    "title T\nlike cyber205-2pipe\nmemory.real_pages 4 pages R\n"
-    "translation.registers 2 registers R\n";
-
-static void test_page_depths(void **state)
-{
-    (void)state;
-    static const struct {
-        uint64_t page;
-        unsigned misses, faults;
-    } cases[] = {
-        { 1, 1, 1 }, { 1, 0, 0 }, { 2, 1, 1 }, { 1, 0, 0 }, { 2, 0, 0 },
-        { 3, 1, 1 }, { 1, 1, 0 }, { 3, 0, 0 }, { 4, 1, 1 }, { 2, 1, 0 },
-        { 5, 1, 1 }, /* page 1, used least recently, leaves */
-        { 3, 1, 0 }, { 1, 1, 1 }, { 4, 1, 1 }
-    };
-    struct clock *clock = clock_of(four_pages);
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        at_address(clock, "LOD", cases[i].page * PAGE + 640);
-        assert_int_equal(clocks_for(clock, C205_TRANSLATION_MISS),
-                         30 * cases[i].misses);
-        assert_int_equal(clocks_for(clock, C205_PAGE_FAULT),
-                         1000 * cases[i].faults);
-        clock_reset(clock);
-    }
-    clock_forget_pages(clock);
-    at_address(clock, "STO", 4 * PAGE);
-    assert_int_equal(clocks_for(clock, C205_PAGE_FAULT), 1000);
-    clock_free(clock);
-}
-
-/* A vector across a page boundary; a gather from three pages. */
-static void test_vector_pages(void **state)
-{
-    (void)state;
-    static const c205_word indices[] = { 0, 65536, 1, 131072 };
-    struct clock *clock = two_pipes();
-    struct effect effect = no_effect;
-    effect.elements = 100;
-    effect.touch_count = 2;
-    effect.touch[0].address = 3 * PAGE - 64;
-    effect.touch[0].bits = 6400;
-    effect.touch[1].address = 9 * PAGE; /* an empty range */
-    charge(clock, insn("ADDNV", 1, 2, 0), &effect);
-    assert_total(clock, 51 + 2 * 1030 + 50);
-    effect = no_effect;
-    effect.elements = effect.index_count = 4;
-    effect.indices = indices;
-    effect.table = 3 * PAGE;
-    effect.table_step = 64;
-    charge(clock, insn("VXTOV", 1, 2, 0), &effect);
-    clock_drain(clock);
-    assert_int_equal(clocks_for(clock, C205_PAGE_FAULT), 2000);
-    assert_int_equal(clocks_for(clock, C205_TRANSLATION_MISS), 60);
-    clock_free(clock);
-}
-
 /* ---- Everything at once -------------------------------------------------- */
 
 static void random_instruction(struct clock *clock, c205_word *indices)
@@ -569,7 +431,7 @@ static void random_instruction(struct clock *clock, c205_word *indices)
     effect.swapped = random_bits() % 16;
     effect.touch_count = row->unit == C205_UNIT_VECTOR ? 3 : 1;
     for (unsigned i = 0; i < effect.touch_count; i++) {
-        effect.touch[i].address = random_bits() % (24 * PAGE);
+        effect.touch[i].address = random_bits() % (24 * PAGE_BITS);
         effect.touch[i].bits = 64 * (random_bits() % 100);
     }
     if (row->unit == C205_UNIT_VECTOR)
@@ -622,6 +484,7 @@ int main(void)
         cmocka_unit_test(test_isolated_add),
         cmocka_unit_test(test_formulas),
         cmocka_unit_test(test_half_rate),
+        cmocka_unit_test(test_word_rate),
         cmocka_unit_test(test_overlap),
         cmocka_unit_test(test_overlap_of_a_whole_startup),
         cmocka_unit_test(test_concurrent_scalar),
@@ -637,8 +500,6 @@ int main(void)
         cmocka_unit_test(test_branches),
         cmocka_unit_test(test_stack_size),
         cmocka_unit_test(test_forward_branch),
-        cmocka_unit_test(test_page_depths),
-        cmocka_unit_test(test_vector_pages),
         cmocka_unit_test(test_sum),
         cmocka_unit_test(test_cause_names)
     };

@@ -7,6 +7,7 @@
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,9 +22,14 @@ static void assert_near(double value, double expected)
         fail_msg("%.9g is not %.9g", value, expected);
 }
 
+static const struct speedup_view view = { .distance = SPEEDUP_DISTANCE,
+                                          .angle = SPEEDUP_ANGLE };
+
 static struct run_options small(void)
 {
-    struct run_options how = { .folder = "rt/fit/programs", .model = model };
+    struct run_options how = { .folder = "rt/fit/programs",
+                               .view = view,
+                               .model = model };
 
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
         how.width[mode] = 32;
@@ -53,7 +59,7 @@ static double clocks_of_rows(const struct run *run)
     c205_error error = { "" };
 
     assert_true(run_select(run, "", chosen, &error));
-    if (!run_time(run, model, NULL, 0, clocks, &error))
+    if (!run_time(run, model, NULL, 0, RUN_FINE, clocks, &error))
         fail_msg("%s", error.message);
     for (size_t i = 0; i < run->region_count; i++)
         if (chosen[i])
@@ -65,8 +71,6 @@ static double clocks_of_rows(const struct run *run)
  * 100,000; the same frame of rt205 speedup shows the same clocks. */
 static void test_fewer_rays(void **state)
 {
-    static const struct speedup_view view = { .distance = 5, .angle = 37 };
-
     (void)state;
     for (size_t i = 0; i < speedup_subject_count; i++) {
         const struct speedup_subject *subject = &speedup_subjects[i];
@@ -119,7 +123,7 @@ static double predicted(const char *row)
     assert_non_null(clocks);
     for (size_t i = 0; i < all.timing_count; i++)
         assert_true(run_time(all.timings[i].run, all.timings[i].model, NULL,
-                             0, clocks[i], &error));
+                             0, RUN_FINE, clocks[i], &error));
     value = observation_predict(&all, &all.items[0], clocks);
     free(clocks);
     observations_free(&all);
@@ -184,6 +188,92 @@ static void test_refused(void **state)
                    "the program does not define FLOPS");
 }
 
+/* ---- Photons ------------------------------------------------------------ */
+
+/* The numbers that the photons of photons.s draw, counted with the host's
+ * doubles and its own logarithm. */
+static double photon_draws(void)
+{
+    const uint64_t multiplier = UINT64_C(44485709377909);
+    const uint64_t modulus = UINT64_C(1) << 47;
+    uint64_t jump = 1, first = 1, seed;
+    double draws = 0;
+
+    for (int i = 0; i < 1024; i++)
+        jump = jump * multiplier % modulus;
+    for (int photon = 0; photon < 4000; photon++) {
+        double x = 0, mu = 1, u[3];
+
+        seed = first = first * jump % modulus;
+        do {
+            for (int i = 0; i < 3; i++) {
+                seed = seed * multiplier % modulus;
+                u[i] = (double)seed / (double)modulus;
+            }
+            x -= mu * log(u[0]);
+            mu = 2 * u[2] - 1;
+            draws += x < 0 || x >= 3 ? 1 : u[1] >= .9 ? 2 : 3;
+        } while (x >= 0 && x < 3 && u[1] < .9);
+    }
+    return draws;
+}
+
+static double region_clocks(const struct run *run, const char *region,
+                            const c205_setting *setting)
+{
+    bool chosen[RUN_REGIONS_MOST];
+    double clocks[RUN_REGIONS_MOST];
+    c205_error error = { "" };
+
+    assert_true(run_select(run, region, chosen, &error));
+    if (!run_time(run, model, setting, 1, RUN_FINE, clocks, &error))
+        fail_msg("%s", error.message);
+    for (size_t i = 0; i < run->region_count; i++)
+        if (chosen[i])
+            return clocks[i];
+    return 0;
+}
+
+/* How much longer a form takes when a SWAP does by a clock. */
+static double slower_swaps(const struct run *run, const char *form)
+{
+    static const c205_setting swaps[] = { { "latency.swap", 15 },
+                                          { "latency.swap", 16 } };
+
+    return region_clocks(run, form, &swaps[1])
+           - region_clocks(run, form, &swaps[0]);
+}
+
+static struct run *photons(const char *program)
+{
+    struct run_options how = small();
+    c205_error error = { "" };
+    struct run *run = run_new(program, &how, &error);
+
+    if (run == NULL)
+        fail_msg("%s", error.message);
+    return run;
+}
+
+/* With a function of its own the scalar form swaps registers twice for each
+ * number; nothing else does.  Rounding and the short logarithm move hardly a
+ * photon. */
+static void test_photons(void **state)
+{
+    struct run *run = photons("photons.s OWN_RANF=1");
+    double calls = slower_swaps(run, "scalar") / 2;
+
+    (void)state;
+    if (fabs(calls / photon_draws() - 1) > .001)
+        fail_msg("%g calls for %g numbers", calls, photon_draws());
+    assert_near(slower_swaps(run, "in_registers"), 0);
+    assert_near(slower_swaps(run, "vector"), 0);
+    run_free(run);
+    run = photons("photons.s");
+    assert_near(slower_swaps(run, "scalar"), 0);
+    run_free(run);
+}
+
 /* ---- Free constants ----------------------------------------------------- */
 
 static void test_constants(void **state)
@@ -220,6 +310,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_units),
         cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_photons),
         cmocka_unit_test(test_constants),
         cmocka_unit_test(test_fewer_rays),
     };

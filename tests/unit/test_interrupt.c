@@ -523,9 +523,9 @@ static int find_models(void **state)
 {
     c205_error error;
     (void)state;
-    model = c205_model_find("cyber205-2pipe", &error);
+    model = c205_model_find("cyber205-2pipe-prior", &error);
     slow = c205_model_parse("slow", "title one element a clock\n"
-                            "like cyber205-1pipe\n"
+                            "like cyber205-1pipe-prior\n"
                             "stream.vbits 1 clk/bit R\n"
                             "page_fault.clocks 1 clk R\n", &error);
     divided = calloc(c205_insn_count, sizeof *divided);

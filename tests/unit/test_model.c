@@ -1,6 +1,7 @@
 /* test_model.c - machine models: the built-in ones, and errors in others. */
 #include "vm/model.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -28,16 +29,21 @@ static void test_built_in(void **state)
 {
     (void)state;
     static const double pipes[] = { 1, 2, 4 };
-    static const size_t order[] = { 1, 3, 4 };
+    static const char *const expected_names[] = {
+        "cdc6600", "cyber205-1pipe-32bit", "cyber205-1pipe-prior",
+        "cyber205-1pipe", "cyber205-2pipe-32bit", "cyber205-2pipe-prior",
+        "cyber205-2pipe-small", "cyber205-2pipe", "cyber205-4pipe-32bit",
+        "cyber205-4pipe-prior", "cyber205-4pipe", "cyber720-prior",
+        "cyber720"
+    };
+    enum { NAMES = sizeof expected_names / sizeof expected_names[0] };
     const char *const *names = c205_model_names();
-    assert_string_equal(names[0], "cdc6600");
-    assert_string_equal(names[5], "cyber720");
-    assert_string_equal(names[order[1] - 1], "cyber205-2pipe-fitted");
+    for (size_t i = 0; i < NAMES; i++)
+        assert_string_equal(names[i], expected_names[i]);
     for (size_t i = 0; i < 3; i++) {
-        char expected[] = "cyber205-0pipe";
+        char expected[] = "cyber205-0pipe-prior";
         c205_error error;
         expected[9] = (char)('0' + (int)pipes[i]);
-        assert_string_equal(names[order[i]], expected);
         c205_model *model = c205_model_find(expected, &error);
         assert_non_null(model);
         assert_string_equal(c205_model_name(model), expected);
@@ -46,7 +52,38 @@ static void test_built_in(void **state)
         assert_true(c205_model_lookup(model, "startup.vadd")->value == 51);
         c205_model_free(model);
     }
-    assert_null(names[6]);
+    assert_null(names[NAMES]);
+}
+
+/* What each is like, and the one constant in which it differs. */
+static void test_variants(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *like, *constant;
+        double value;
+    } cases[] = {
+        { "cyber205-1pipe-32bit", "cyber205-1pipe", "vector.word_rate", 2 },
+        { "cyber205-2pipe-32bit", "cyber205-2pipe", "vector.word_rate", 2 },
+        { "cyber205-4pipe-32bit", "cyber205-4pipe", "vector.word_rate", 2 },
+        { "cyber205-2pipe-small", "cyber205-2pipe", "page.words", 512 }
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        c205_error error;
+        c205_model *model = c205_model_find(cases[i].name, &error);
+        assert_non_null(model);
+        const c205_model *like = c205_model_like(model);
+        assert_string_equal(c205_model_name(like), cases[i].like);
+        for (size_t k = 0; k < c205_model_size(model); k++) {
+            const c205_constant *constant = c205_model_constant(model, k);
+            if (!strcmp(constant->name, cases[i].constant))
+                assert_true(constant->value == cases[i].value);
+            else
+                assert_true(constant->value
+                            == c205_model_constant(like, k)->value);
+        }
+        c205_model_free(model);
+    }
 }
 
 /* Every constant has all its columns, and is found under its name. */
@@ -54,7 +91,7 @@ static void test_constants(void **state)
 {
     (void)state;
     c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
     assert_int_equal(c205_model_size(model), CONSTANTS);
     for (size_t i = 0; i < c205_model_size(model); i++) {
         const c205_constant *constant = c205_model_constant(model, i);
@@ -71,7 +108,7 @@ static void test_constants(void **state)
 static void test_exact_values(void **state)
 {
     (void)state;
-    c205_model *model = parsed("title test\nlike cyber205-4pipe\n"
+    c205_model *model = parsed("title test\nlike cyber205-4pipe-prior\n"
                                "clock.period 12.5 ns R\n"
                                "stream.vadd 0.000001 clk*pipe/element R\n"
                                "stream.vbits 2. clk/bit R\n");
@@ -98,7 +135,7 @@ static void test_like(void **state)
     (void)state;
     c205_model *model = parsed(
         "# a remark\n\n  title  A slower one  # remark\n"
-        "like cyber205-2pipe\r\n"
+        "like cyber205-2pipe-prior\r\n"
         "startup.vadd 100 clk R   # twice the wait\n");
     const c205_constant *startup = c205_model_lookup(model, "startup.vadd");
     assert_string_equal(c205_model_title(model), "A slower one");
@@ -109,6 +146,111 @@ static void test_like(void **state)
     c205_model_free(model);
 }
 
+/* ---- Changed models ------------------------------------------------------ */
+
+static void assert_constant(const c205_model *model, const char *name,
+                            const char *text, char source)
+{
+    const c205_constant *constant = c205_model_lookup(model, name);
+    assert_string_equal(constant->text, text);
+    assert_int_equal(constant->source, source);
+}
+
+static void test_change(void **state)
+{
+    (void)state;
+    static const c205_setting settings[] = {
+        { "machine.pipes", 4 }, { "page.words", 2048 },
+        { "stream.vadd", 1.25 }
+    };
+    c205_error error;
+    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    c205_model *changed = c205_model_change(model, settings, 3, &error);
+    assert_non_null(changed);
+    assert_string_equal(c205_model_name(changed),
+                        "cyber205-2pipe with machine.pipes 4, "
+                        "page.words 2048, stream.vadd 1.25");
+    assert_string_equal(c205_model_title(changed), c205_model_title(model));
+    assert_ptr_equal(c205_model_like(changed), model);
+    assert_true(c205_model_fitted(model).figures > 0);
+    assert_int_equal(c205_model_fitted(changed).figures, 0);
+    assert_int_equal(c205_model_compared(changed).figures, 0);
+    assert_constant(changed, "machine.pipes", "4", 'R');
+    assert_constant(changed, "page.words", "2048", 'R');
+    assert_constant(changed, "stream.vadd", "1.25", 'R');
+    assert_constant(changed, "latency.load", "15", 'R');
+    assert_constant(model, "machine.pipes", "2", 'P');
+    assert_int_equal(model_whole(changed, CONSTANT_PIPES), 4);
+    assert_int_equal(model_rate(changed, stream_constant(C205_TIMING_vadd)).per,
+                     4 * MILLION);
+    c205_model_free(changed);
+    c205_model_free(model);
+}
+
+/* A changed model may be changed; of nothing it is a copy; a projection too. */
+static void test_change_again(void **state)
+{
+    (void)state;
+    static const c205_setting first = { "machine.pipes", 4 };
+    static const c205_setting second = { "machine.pipes", 1 };
+    static const c205_setting third = { "time.add", 10 };
+    c205_model *model = parsed("title T\nlike cyber205-2pipe-prior\n");
+    c205_model *projection = parsed("title T\nlike cyber720-prior\n");
+    c205_error error;
+    c205_model *four = c205_model_change(model, &first, 1, &error);
+    c205_model *one = c205_model_change(four, &second, 1, &error);
+    c205_model *same = c205_model_change(one, NULL, 0, &error);
+    c205_model *other = c205_model_change(projection, &third, 1, &error);
+    assert_int_equal(model_whole(four, CONSTANT_PIPES), 4);
+    assert_string_equal(c205_model_name(same), "test with machine.pipes 4 "
+                                               "with machine.pipes 1");
+    assert_constant(same, "machine.pipes", "1", 'R');
+    assert_true(c205_model_is_projection(other));
+    assert_constant(other, "time.add", "10", 'R');
+    c205_model_free(other);
+    c205_model_free(same);
+    c205_model_free(one);
+    c205_model_free(four);
+    c205_model_free(projection);
+    c205_model_free(model);
+}
+
+static void test_errors_in_changes(void **state)
+{
+    (void)state;
+    static const struct {
+        c205_setting setting;
+        const char *message;
+    } cases[] = {
+        { { "warp", 9 }, "there is no constant 'warp'" },
+        { { "time.add", 9 }, "there is no constant 'time.add'" },
+        { { "machine.pipes", 0 }, "machine.pipes must lie between 1 and 64" },
+        { { "machine.pipes", -1 }, "machine.pipes must lie between 1 and 64" },
+        { { "machine.pipes", 1e300 },
+          "machine.pipes must lie between 1 and 64" },
+        { { "machine.pipes", NAN }, "machine.pipes must lie between 1 and 64" },
+        { { "machine.pipes", 1.5 },
+          "machine.pipes must be a whole number, not 1.5" },
+        { { "page.words", 1024 },
+          "page.words must be 512, 2048, 8192 or 65536, not 1024" },
+        { { "page.words", -3 },
+          "page.words must be 512, 2048, 8192 or 65536, not -3" },
+        { { "memory.real_words", 0 },
+          "memory.real_words must lie between 1 and 268435456" },
+        { { "vector.word_rate", 3 },
+          "vector.word_rate must not be more than vector.half_rate" }
+    };
+    c205_model *model = parsed("title T\nlike cyber205-2pipe-prior\n");
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        c205_error error = { "" };
+        assert_null(c205_model_change(model, &cases[i].setting, 1, &error));
+        assert_string_equal(error.message, cases[i].message);
+    }
+    c205_model_free(model);
+}
+
+/* ---- Errors in models ---------------------------------------------------- */
+
 static void test_errors(void **state)
 {
     (void)state;
@@ -117,16 +259,46 @@ static void test_errors(void **state)
                  "test:1: a model begins with 'title TEXT'");
     assert_fails("title T\ntitle T",
                  "test:2: 'title' stands here for the second time");
-    assert_fails("title T\nlike cyber205-2pipe\nlike cyber205-2pipe",
+    assert_fails("title T\nlike cyber205-2pipe-prior\n"
+                 "like cyber205-2pipe-prior",
                  "test:3: 'like' stands here for the second time");
     assert_fails("title T\nlike cray1",
                  "test:2: there is no machine model 'cray1'");
+    assert_fails("title T\nprojection\nlike cyber205-2pipe-prior",
+                 "test:3: cyber205-2pipe-prior is no projection");
     assert_fails("title T\nlike ./cyber205.model",
                  "test:2: 'like' names a built-in model");
-    assert_fails("title T\nmachine.pipes 2 pipes P\nlike cyber205-2pipe",
+    assert_fails("title T\nmachine.pipes 2 pipes P\nlike cyber205-2pipe-prior",
+                 "test:3: 'like' must stand before the constants");
+    assert_fails("title T\nstream.vlink 1 clk*pipe/element P\nlike cyber720",
                  "test:3: 'like' must stand before the constants");
     assert_fails("title T\nmachine.pipes 2 pipes P",
                  "test:2: the constant clock.period is missing");
+    assert_fails("title T\nlike cyber205-2pipe\n"
+                 "vector.word_rate 4 results R",
+                 "test:3: vector.word_rate must not be more than "
+                 "vector.half_rate");
+}
+
+static void test_errors_in_beliefs(void **state)
+{
+    (void)state;
+    static const char *const beliefs[] = {
+        "", "0 figures, at most 5 % off: x", "-3 figures, at most 5 % off: x",
+        "9999999 figures, at most 5 % off: x", "3 figures, at most 5 % off:",
+        "3 figures, at most nan % off: x", "3 figures, at most inf % off: x",
+        "3 figures, at most 1e300 % off: x", "3 figures, at most 5 off: x"
+    };
+    for (size_t i = 0; i < sizeof beliefs / sizeof beliefs[0]; i++) {
+        char text[200];
+        snprintf(text, sizeof text, "title T\nfitted %s\nlike cyber205-2pipe\n",
+                 beliefs[i]);
+        assert_fails(text, "test:2: after 'fitted' comes 'N figures, at most "
+                           "E % off: NAME'");
+    }
+    assert_fails("title T\ncompared 3 figures, at most 5 % off: x\n"
+                 "compared 3 figures, at most 5 % off: x\n",
+                 "test:3: 'compared' stands here for the second time");
 }
 
 static void test_errors_in_constants(void **state)
@@ -151,6 +323,12 @@ static void test_errors_in_constants(void **state)
           "machine.pipes must lie between 1 and 64" },
         { "machine.pipes 1.5 pipes P",
           "machine.pipes must be a whole number, not 1.5" },
+        { "page.words 1024 words R",
+          "page.words must be 512, 2048, 8192 or 65536, not 1024" },
+        { "page.words 512.5 words R",
+          "page.words must be a whole number, not 512.5" },
+        { "memory.real_words 300000000 words R",
+          "memory.real_words must lie between 1 and 268435456" },
         { "machine.pipes 2 clk P",
           "the unit of machine.pipes is pipes, not 'clk'" },
         { "stream.vadd 1 clk R", "the unit of stream.vadd is "
@@ -165,7 +343,7 @@ static void test_errors_in_constants(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         char text[200], message[200];
         unsigned line = strchr(cases[i].line, '\n') ? 4 : 3;
-        snprintf(text, sizeof text, "title T\nlike cyber205-2pipe\n%s\n",
+        snprintf(text, sizeof text, "title T\nlike cyber205-2pipe-prior\n%s\n",
                  cases[i].line);
         snprintf(message, sizeof message, "test:%u: %s", line,
                  cases[i].message);
@@ -180,7 +358,7 @@ static void test_files(void **state)
     c205_error error;
     FILE *file = fopen(path, "w");
     assert_non_null(file);
-    fputs("title From a file\nlike cyber205-1pipe\n", file);
+    fputs("title From a file\nlike cyber205-1pipe-prior\n", file);
     fclose(file);
     c205_model *model = c205_model_find(path, &error);
     remove(path);
@@ -190,7 +368,7 @@ static void test_files(void **state)
     c205_model_free(model);
     file = fopen(path, "w");
     assert_non_null(file);
-    fputs("title Long\nlike cyber205-1pipe\n", file);
+    fputs("title Long\nlike cyber205-1pipe-prior\n", file);
     for (int i = 0; i < 5000; i++)
         fputs("# a remark that takes some room\n", file);
     fputs("latency.load 99 clk R\n", file);
@@ -202,7 +380,8 @@ static void test_files(void **state)
     c205_model_free(model);
     assert_null(c205_model_find("no/such/file", &error));
     assert_string_equal(error.message,
-                        "cannot read the machine model no/such/file");
+                        "cannot read the machine model no/such/file: "
+                        "No such file or directory");
     assert_null(c205_model_find("/", &error));
     assert_null(c205_model_find("", &error));
     assert_string_equal(error.message, "there is no machine model ''");
@@ -212,10 +391,15 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_built_in),
+        cmocka_unit_test(test_variants),
         cmocka_unit_test(test_constants),
         cmocka_unit_test(test_exact_values),
         cmocka_unit_test(test_like),
+        cmocka_unit_test(test_change),
+        cmocka_unit_test(test_change_again),
+        cmocka_unit_test(test_errors_in_changes),
         cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_errors_in_beliefs),
         cmocka_unit_test(test_errors_in_constants),
         cmocka_unit_test(test_files)
     };

@@ -260,10 +260,10 @@ static void test_foreign(void **state)
     static const char text[] = "c205-object 1\nentry 400000\nend\n";
     struct bytes bytes = in_the_middle(1300);
     c205_error error;
-    c205_model *other = c205_model_find("cyber205-4pipe", &error);
+    c205_model *other = c205_model_find("cyber205-4pipe-prior", &error);
     (void)state;
     assert_non_null(other);
-    assert_refused(bytes.byte, bytes.count, other, "cyber205-2pipe");
+    assert_refused(bytes.byte, bytes.count, other, "cyber205-2pipe-prior");
     assert_refused(text, sizeof text, model, "not a saved machine");
     put_word(&bytes, 1, get_word(&bytes, 1) + 1);
     seal(&bytes);
@@ -277,7 +277,7 @@ static void test_same_constants(void **state)
 {
     c205_error error = { "" };
     c205_model *same = c205_model_parse(
-        "renamed", "title As before\nlike cyber205-2pipe\n"
+        "renamed", "title As before\nlike cyber205-2pipe-prior\n"
         "latency.load 15.0 clk P\n", &error);
     struct bytes bytes = in_the_middle(1300);
     (void)state;
@@ -308,7 +308,7 @@ static int find_model(void **state)
 {
     c205_error error;
     (void)state;
-    model = c205_model_find("cyber205-2pipe", &error);
+    model = c205_model_find("cyber205-2pipe-prior", &error);
     return model ? 0 : -1;
 }
 

@@ -532,7 +532,7 @@ int main(void)
     c205_error error;
     int failed;
 
-    model = c205_model_find("cyber205-2pipe", &error);
+    model = c205_model_find("cyber205-2pipe-prior", &error);
     if (model == NULL)
         return 2;
     failed = cmocka_run_group_tests(tests, NULL, NULL);

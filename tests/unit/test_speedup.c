@@ -1,6 +1,7 @@
 /* test_speedup.c - the rows of rt205 speedup, in small frames. */
 #include "rt/speedup_report.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +11,10 @@
 
 #include <cmocka.h>
 
+#include "tests/unit/csv_reading.h"
+
 static c205_model *model;
+static struct speedup_report *report; /* of all subjects */
 static const struct speedup_view view = { .distance = 5, .angle = 37 };
 
 static void measure(const struct speedup_subject *subject,
@@ -168,37 +172,253 @@ static void test_errors(void **state)
     check_error(&subject, "sphere");
 }
 
-/* The passes are a table of their own, which comes if asked for. */
-static void check_print(const struct speedup_report *report, bool passes)
+/* Of all subjects. */
+static struct speedup_report *report_all(void)
 {
-    char *text = NULL;
-    size_t length = 0;
-    FILE *stream = open_memstream(&text, &length);
+    struct speedup_report *all = speedup_report_new(model);
 
-    assert_non_null(stream);
-    assert_true(speedup_report_print(report, passes, stream));
-    assert_int_equal(fclose(stream), 0);
-    assert_non_null(strstr(text, "paper: speedup"));
-    assert_int_equal(strstr(text, "pass by pass") != NULL, passes);
-    assert_int_equal(strstr(text, "% of brackets") != NULL, passes);
-    free(text);
-}
-
-static void test_report(void **state)
-{
-    struct speedup_report *report = speedup_report_new(model);
-
-    (void)state;
-    assert_non_null(report);
-    for (size_t i = 0; i < speedup_subject_count; i++) {
+    for (size_t i = 0; all != NULL && i < speedup_subject_count; i++) {
         struct speedup_measure measures[TRACE_FORMS];
 
         measure(&speedup_subjects[i], &view, measures);
-        speedup_report_add(report, &speedup_subjects[i], &view, measures);
+        speedup_report_add(all, &speedup_subjects[i], &view, measures);
     }
-    check_print(report, false);
-    check_print(report, true);
-    speedup_report_free(report);
+    return all;
+}
+
+/* What was printed last. */
+static char text[1 << 17];
+
+static void print_table1(enum table_format format)
+{
+    FILE *stream = fmemopen(text, sizeof text, "w");
+
+    assert_non_null(stream);
+    assert_true(speedup_report_table1(report, format, stream));
+    assert_int_equal(fclose(stream), 0);
+}
+
+static void print_detail(bool passes, enum table_format format)
+{
+    FILE *stream = fmemopen(text, sizeof text, "w");
+
+    assert_non_null(stream);
+    assert_true(speedup_report_detail(report, passes, format, stream));
+    assert_int_equal(fclose(stream), 0);
+}
+
+/* The passes are a table of their own, which comes if asked for. */
+static void test_detail(void **state)
+{
+    (void)state;
+    for (int passes = 0; passes < 2; passes++) {
+        print_detail(passes, TABLE_PLAIN);
+        assert_non_null(strstr(text, "paper: %"));
+        assert_int_equal(strstr(text, "pass by pass") != NULL, passes);
+        assert_int_equal(strstr(text, "% of brackets") != NULL, passes);
+    }
+}
+
+/* ---- Table 1 ------------------------------------------------------------ */
+
+enum { FIGURES = 5 };
+
+/* As it is printed in the paper, digit by digit. */
+static const struct {
+    const char *primitive;
+    double figures[FIGURES];
+} printed[] = {
+    { "sphere", { .944, .0279, 13.1, 33.81, 469 } },
+    { "cylinder", { 2.729, .1614, 51.48, 16.91, 318 } },
+    { "Steiner", { 11.157, 1.047, 216.0, 10.67, 206 } },
+};
+
+/* Table 1, read back from its CSV; the heading is a remark. */
+static const struct csv_table *read_table1(void)
+{
+    static struct csv_table table;
+
+    print_table1(TABLE_CSV);
+    assert_int_equal(strncmp(text, "\n# Table 1", 10), 0);
+    assert_string_equal(csv_table(strchr(text + 1, '\n') + 1, &table), "");
+    assert_int_equal(table.cells[0], 2 + FIGURES);
+    return &table;
+}
+
+/* But for rounding. */
+static void assert_near(double a, double b)
+{
+    if (!(fabs(a - b) <= 1e-12 * fabs(b) + 1e-11))
+        fail_msg("%.17g is not %.17g", a, b);
+}
+
+static double figure(const struct csv_table *table, size_t row, int column)
+{
+    char *end;
+    const char *cell = table->cell[row][2 + column];
+    double value = strtod(cell, &end);
+
+    if (*cell == '\0' || *end != '\0')
+        fail_msg("no number: %s", cell);
+    return value;
+}
+
+/* The line of a primitive: 0 is none. */
+static size_t line_of(const struct csv_table *table, const char *primitive,
+                      const char *whose)
+{
+    for (size_t row = 1; row < table->rows; row++)
+        if (strcmp(table->cell[row][0], primitive) == 0
+            && strcmp(table->cell[row][1], whose) == 0)
+            return row;
+    return 0;
+}
+
+static void test_paper_lines(void **state)
+{
+    const struct csv_table *table = read_table1();
+
+    (void)state;
+    for (size_t i = 0; i < sizeof printed / sizeof *printed; i++) {
+        size_t ours = line_of(table, printed[i].primitive, "ours");
+        size_t paper = line_of(table, printed[i].primitive, "paper");
+        size_t error = line_of(table, printed[i].primitive, "error %");
+
+        assert_true(ours > 0 && paper > 0 && error > 0);
+        for (int k = 0; k < FIGURES; k++) {
+            double told = printed[i].figures[k];
+
+            assert_true(figure(table, paper, k) == told);
+            assert_near(figure(table, error, k),
+                        100 * (figure(table, ours, k) / told - 1));
+        }
+    }
+}
+
+/* Each subject has its line; no other than the paper's has more. */
+static void test_our_lines(void **state)
+{
+    const struct csv_table *table = read_table1();
+    size_t lines = 1 + speedup_subject_count
+                   + 2 * sizeof printed / sizeof *printed;
+
+    (void)state;
+    assert_int_equal(table->rows, lines);
+    for (size_t i = 0; i < speedup_subject_count; i++) {
+        size_t row = line_of(table, speedup_subjects[i].name, "ours");
+        double vector;
+
+        assert_true(row > 0);
+        vector = figure(table, row, 1);
+        assert_near(figure(table, row, 3), figure(table, row, 0) / vector);
+        assert_near(figure(table, row, 4), figure(table, row, 2) / vector);
+    }
+}
+
+/* Seconds are those of 100,000 rays, whatever was traced: 20 ns a clock. */
+static void test_scale(void **state)
+{
+    const struct csv_table *table = read_table1();
+    struct speedup_measure measures[TRACE_FORMS];
+
+    (void)state;
+    measure(&speedup_subjects[0], &view, measures);
+    for (int mode = 0; mode < TRACE_FORMS; mode++)
+        assert_near(figure(table, 1, mode),
+                    25 * 20e-9 * (double)measures[mode].total);
+    assert_near(figure(table, 1, 2),
+                25 * measures[TRACE_SCALAR].projected[SPEEDUP_720]);
+}
+
+/* Wide tables are read badly. */
+static void test_width(void **state)
+{
+    (void)state;
+    print_table1(TABLE_PLAIN);
+    for (const char *line = text; *line != '\0';) {
+        size_t length = strcspn(line, "\n");
+
+        assert_in_range(length, 0, 110);
+        line += length + 1;
+    }
+}
+
+/* ---- Formats ------------------------------------------------------------ */
+
+/* The shapes have commas. */
+static void test_csv(void **state)
+{
+    static struct csv_table table;
+    const char *rays;
+
+    (void)state;
+    print_detail(true, TABLE_CSV);
+    rays = strstr(text, "\n# The rays\n");
+    assert_non_null(rays);
+    csv_table(strchr(rays + 1, '\n') + 1, &table);
+    assert_int_equal(table.rows, 1 + speedup_subject_count);
+    for (size_t i = 0; i < speedup_subject_count; i++) {
+        assert_string_equal(table.cell[1 + i][0], speedup_subjects[i].name);
+        assert_string_equal(table.cell[1 + i][table.cells[0] - 1],
+                            speedup_subjects[i].shape);
+    }
+}
+
+static void test_markdown(void **state)
+{
+    const char *rule;
+
+    (void)state;
+    print_table1(TABLE_MARKDOWN);
+    rule = strstr(text, "\n|:-");
+    assert_int_equal(strncmp(text, "\n## Table 1", 11), 0);
+    assert_non_null(rule);
+    assert_non_null(strstr(rule, "-:|"));
+    assert_non_null(strstr(rule, "\n| sphere "));
+}
+
+/* ---- Projections -------------------------------------------------------- */
+
+static void check_projection(const char *name, const char *other)
+{
+    c205_error error;
+    c205_model *on = c205_model_find(name, &error);
+
+    assert_non_null(on);
+    assert_string_equal(speedup_projection_model(on, SPEEDUP_720), other);
+    assert_string_equal(speedup_projection_model(on, SPEEDUP_6600),
+                        "cdc6600");
+    c205_model_free(on);
+}
+
+/* Beside priors those of the 720, beside fitted constants its fitted ones. */
+static void test_projection_models(void **state)
+{
+    (void)state;
+    check_projection("cyber205-2pipe", "cyber720");
+    check_projection("cyber205-4pipe", "cyber720");
+    check_projection("cyber205-2pipe-prior", "cyber720-prior");
+    check_projection("cyber205-1pipe-prior", "cyber720-prior");
+}
+
+/* The scalar form does the same on both models of the 205, so what differs is
+ * the 720's. */
+static void test_projected(void **state)
+{
+    c205_model *priors = model;
+    c205_error error;
+    struct speedup_measure prior[TRACE_FORMS], fitted[TRACE_FORMS];
+
+    (void)state;
+    measure(&speedup_subjects[0], &view, prior);
+    model = c205_model_find("cyber205-2pipe", &error);
+    measure(&speedup_subjects[0], &view, fitted);
+    c205_model_free(model);
+    model = priors;
+    assert_true(prior[TRACE_SCALAR].projected[SPEEDUP_720]
+                != fitted[TRACE_SCALAR].projected[SPEEDUP_720]);
+    assert_true(prior[TRACE_SCALAR].projected[SPEEDUP_6600]
+                == fitted[TRACE_SCALAR].projected[SPEEDUP_6600]);
 }
 
 static int set_up(void **state)
@@ -206,13 +426,16 @@ static int set_up(void **state)
     c205_error error;
 
     (void)state;
-    model = c205_model_find("cyber205-2pipe", &error);
-    return model == NULL;
+    model = c205_model_find("cyber205-2pipe-prior", &error);
+    if (model != NULL)
+        report = report_all();
+    return report == NULL;
 }
 
 static int tear_down(void **state)
 {
     (void)state;
+    speedup_report_free(report);
     c205_model_free(model);
     return 0;
 }
@@ -225,7 +448,15 @@ int main(void)
         cmocka_unit_test(test_historical),
         cmocka_unit_test(test_view),
         cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_report),
+        cmocka_unit_test(test_detail),
+        cmocka_unit_test(test_paper_lines),
+        cmocka_unit_test(test_our_lines),
+        cmocka_unit_test(test_scale),
+        cmocka_unit_test(test_width),
+        cmocka_unit_test(test_csv),
+        cmocka_unit_test(test_markdown),
+        cmocka_unit_test(test_projection_models),
+        cmocka_unit_test(test_projected),
     };
 
     return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -17,7 +17,7 @@
 enum { MODELS = 3, USUAL_CASES = 20, BANKS_MOST = 64 };
 
 static const char *const model_names[MODELS] = {
-    "cyber205-1pipe", "cyber205-2pipe", "cyber205-4pipe"
+    "cyber205-1pipe-prior", "cyber205-2pipe-prior", "cyber205-4pipe-prior"
 };
 static struct little little[MODELS];
 static size_t cases = USUAL_CASES;

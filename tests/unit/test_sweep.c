@@ -1,0 +1,508 @@
+/* test_sweep.c - the sweeps of rt205 sweep, in small frames. */
+#include "rt/sweep/kinds.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static c205_model *model;
+static const size_t few[] = { 1, 16, 64, 200, 256 };
+
+static struct sweep sweep_of(const char *subject, size_t width,
+                             size_t height)
+{
+    struct sweep sweep = {
+        .base = { .trace = { .mode = TRACE_VECTOR,
+                             .width = width,
+                             .height = height,
+                             .queue = TRACE_QUEUE,
+                             .model = model },
+                  .view = { .distance = 5, .angle = 37 } },
+    };
+
+    for (size_t i = 0; i < speedup_subject_count; i++)
+        if (strcmp(speedup_subjects[i].name, subject) == 0)
+            sweep.subject = &speedup_subjects[i];
+    assert_non_null(sweep.subject);
+    return sweep;
+}
+
+static void run(const struct sweep_kind *kind, struct sweep *sweep)
+{
+    c205_error error = { "" };
+
+    if (!kind->measure(sweep, &error))
+        fail_msg("%s", error.message);
+}
+
+/* Each clock has one cause, in one group. */
+static void check_sums(const struct sweep_form *form)
+{
+    uint64_t causes = 0, groups = 0;
+
+    for (int i = 0; i < C205_CAUSES; i++)
+        causes += form->clocks[i];
+    for (int i = 0; i < SWEEP_GROUPS; i++)
+        groups += sweep_group_clocks(form, (enum sweep_group)i);
+    assert_true(causes == form->total);
+    assert_true(groups == form->total);
+    assert_true(form->total > 0);
+}
+
+static void check_all_sums(const struct sweep *sweep)
+{
+    for (size_t i = 0; i < sweep->count; i++)
+        for (int form = 0; form < SWEEP_FORMS; form++)
+            check_sums(&sweep->measures[i].forms[form]);
+}
+
+static uint64_t group(const struct sweep_measure *measure,
+                      enum sweep_group which)
+{
+    return sweep_group_clocks(&measure->forms[SWEEP_QUEUED], which);
+}
+
+/* ---- Queues -------------------------------------------------------------- */
+
+static void test_usual_lengths(void **state)
+{
+    struct sweep sweep = { .count = 0 };
+    size_t lengths[SWEEP_LENGTHS_MOST];
+    size_t count = sweep_lengths(&sweep, TRACE_QUEUE_MOST, lengths);
+    bool paper = false;
+
+    (void)state;
+    assert_int_equal(count, 18);
+    assert_int_equal(lengths[0], 1);
+    assert_int_equal(lengths[count - 1], 65535);
+    for (size_t i = 0; i < count; i++) {
+        assert_true(i == 0 || lengths[i] > lengths[i - 1]);
+        paper |= lengths[i] == 2000;
+    }
+    assert_true(paper);
+    assert_int_equal(sweep_lengths(&sweep, 1999, lengths), 11);
+    assert_int_equal(sweep_lengths(&sweep, 2000, lengths), 12);
+}
+
+/* The sweep measures what rt205 speedup measures. */
+static void test_queue(void **state)
+{
+    struct sweep sweep = sweep_of("cylinder", 16, 16);
+    struct sweep_point point;
+
+    (void)state;
+    sweep.lengths = few;
+    sweep.length_count = 5;
+    run(&sweep_queue, &sweep);
+    assert_int_equal(sweep.count, 5);
+    check_all_sums(&sweep);
+    for (size_t i = 0; i < sweep.count; i++) {
+        const struct sweep_measure *measure = &sweep.measures[i];
+        struct speedup_measure other;
+        c205_error error;
+
+        assert_true(sweep_cost(sweep_best(&sweep), SWEEP_QUEUED)
+                    <= sweep_cost(measure, SWEEP_QUEUED));
+        point = measure->point;
+        assert_int_equal(point.trace.queue, few[i]);
+        for (int form = 0; form < SWEEP_FORMS; form++) {
+            point.trace.mode = form == SWEEP_SCALAR ? TRACE_SCALAR
+                                                    : TRACE_VECTOR;
+            assert_true(speedup_measure(sweep.subject, &point.view,
+                                        &point.trace, &other, &error));
+            assert_true(other.total == measure->forms[form].total);
+            assert_int_equal(other.hits, measure->hits);
+        }
+    }
+    sweep_free(&sweep);
+}
+
+/* Fourteen balls in one solid: each ray's crossings of all of them are kept. */
+static struct scene *read_balls(void)
+{
+    static const struct scene_options how = { .strict = true };
+    struct reports reports = { 0, 0, NULL };
+    struct scene *scene;
+    char text[2048];
+    int length = snprintf(text, sizeof text, "#version 3.7;\n"
+                          "camera { location -9*z look_at 0 right x up y }\n"
+                          "light_source { <-5, 9, -9> 1 }\n"
+                          "difference { box { -2, 2 }\n");
+
+    for (int i = 0; i < 14; i++)
+        length += snprintf(text + length, sizeof text - (size_t)length,
+                           "sphere { <%d*.6-2, %d-1, -2>, .7 }\n", i % 7,
+                           i / 7 * 2);
+    snprintf(text + length, sizeof text - (size_t)length,
+             "pigment { color rgb 1 } }\n");
+    scene = scene_read_text("balls", text, &how, &reports);
+    assert_non_null(scene);
+    reports_free(&reports);
+    return scene;
+}
+
+/* Real memory of some thousand words: long queues cost page faults. */
+static void test_small_memory(void **state)
+{
+    static const c205_setting settings[] = {
+        { "page.words", 512 }, { "memory.real_words", 48 * 512 },
+        { "translation.miss", 0 }
+    };
+    static const size_t lengths[] = { 8, 64, 256, 2500, 4096 };
+    struct scene *scene = read_balls();
+    struct sweep sweep = sweep_of("sphere", 64, 64);
+    const struct sweep_measure *best, *longest;
+    c205_error error;
+    c205_model *small = c205_model_change(model, settings, 3, &error);
+    uint64_t more;
+
+    (void)state;
+    assert_non_null(small);
+    sweep.subject = NULL;
+    sweep.scene = scene;
+    sweep.base.trace.model = small;
+    sweep.base.trace.mode = TRACE_KERNELS;
+    sweep.lengths = lengths;
+    sweep.length_count = 5;
+    run(&sweep_queue, &sweep);
+    check_all_sums(&sweep);
+    best = sweep_best(&sweep);
+    longest = &sweep.measures[sweep.count - 1];
+    assert_true(best > sweep.measures && best < longest);
+    more = longest->forms[SWEEP_QUEUED].total
+           - best->forms[SWEEP_QUEUED].total;
+    assert_true(group(longest, SWEEP_FAULT) - group(best, SWEEP_FAULT)
+                > more / 2);
+    assert_true(group(longest, SWEEP_STARTUP) < group(best, SWEEP_STARTUP));
+    sweep_free(&sweep);
+    c205_model_free(small);
+    scene_free(scene);
+}
+
+/* What it says of two frames holds for a third; a tree's crossings count. */
+static void test_memory(void **state)
+{
+    struct scene *scene = read_balls();
+    struct sweep sweep = sweep_of("sphere", 64, 64);
+    struct sweep_memory memory;
+    struct sweep_point point;
+    c205_error error = { "" };
+    uint64_t words;
+    double expected;
+
+    (void)state;
+    sweep.subject = NULL;
+    sweep.scene = scene;
+    assert_true(sweep_memory(&sweep, &memory, &error));
+    assert_int_equal(memory.crossings, 2 * 15);
+    assert_true(memory.a_ray > 2 * 15);
+    point = sweep.base;
+    point.trace.width = point.trace.height = 96;
+    point.trace.queue = 96 * 96;
+    assert_true(sweep_touched(&sweep, &point, 512, &words, &error));
+    expected = memory.fixed + 96 * 96 * memory.a_ray;
+    assert_true(fabs((double)words / expected - 1) < .05);
+    assert_true(fabs(memory.fixed + memory.fills * memory.a_ray
+                     - memory.real) < 1);
+    sweep_free(&sweep);
+    scene_free(scene);
+}
+
+static void test_queue_report(void **state)
+{
+    struct sweep sweep = sweep_of("sphere", 64, 64);
+    struct sweep_report report = { .part_count = 0 };
+    const struct table *difference;
+    c205_error error = { "" };
+    double sum = 0;
+
+    (void)state;
+    run(&sweep_queue, &sweep);
+    assert_int_equal(sweep.count, 14);
+    assert_true(sweep_queue.report(&sweep, &report, &error));
+    assert_int_equal(table_rows(report.parts[0].table), sweep.count);
+    difference = report.parts[2].table;
+    assert_int_equal(table_rows(difference), SWEEP_GROUPS + 1);
+    for (size_t i = 0; i < SWEEP_GROUPS; i++)
+        sum += table_value(difference, i, 3);
+    assert_true(fabs(sum - table_value(difference, SWEEP_GROUPS, 3)) < 1e-9);
+    assert_true(table_value(difference, SWEEP_GROUPS, 3) >= 0);
+    assert_non_null(strstr(report.lines[0], "Best: a queue of"));
+    sweep_report_free(&report);
+    sweep_free(&sweep);
+}
+
+/* ---- Pipes --------------------------------------------------------------- */
+
+/* Twice the results a clock is half the stream, but for what runs under it;
+ * nothing else changes, and half words on n pipes are words on 2 n. */
+static void test_pipes(void **state)
+{
+    struct sweep sweep = sweep_of("sphere", 64, 64);
+    const struct sweep_measure *m;
+
+    (void)state;
+    sweep.base.trace.queue = 1024;
+    run(&sweep_pipes, &sweep);
+    assert_int_equal(sweep.count, 6);
+    check_all_sums(&sweep);
+    m = sweep.measures;
+    for (size_t i = 0; i < 6; i++) {
+        assert_true(m[i].forms[SWEEP_SCALAR].total
+                    == m[0].forms[SWEEP_SCALAR].total);
+        assert_true(group(&m[i], SWEEP_STARTUP)
+                    == group(&m[0], SWEEP_STARTUP));
+    }
+    for (size_t i = 0; i < 2; i++) {
+        double twice = 2 * (double)group(&m[i + 1], SWEEP_STREAM);
+
+        assert_true(fabs(twice / (double)group(&m[i], SWEEP_STREAM) - 1)
+                    < 1e-3);
+        assert_true(m[3 + i].forms[SWEEP_QUEUED].total
+                    == m[i + 1].forms[SWEEP_QUEUED].total);
+    }
+    assert_true(m[5].forms[SWEEP_QUEUED].total
+                < m[4].forms[SWEEP_QUEUED].total);
+    sweep_free(&sweep);
+}
+
+/* ---- Hits ---------------------------------------------------------------- */
+
+static void test_hits(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < speedup_subject_count; i++) {
+        struct sweep sweep = sweep_of(speedup_subjects[i].name, 16, 16);
+
+        run(&sweep_hits, &sweep);
+        assert_int_equal(sweep.count, 11);
+        check_all_sums(&sweep);
+        assert_int_equal(sweep.measures[0].hits, 0);
+        assert_int_equal(sweep.measures[10].hits, 256);
+        for (size_t k = 1; k < sweep.count; k++)
+            assert_true(sweep.measures[k].hits > sweep.measures[k - 1].hits);
+        sweep_free(&sweep);
+    }
+}
+
+/* However the frame lies. */
+static void test_hits_of_frames(void **state)
+{
+    static const size_t sizes[][2] = { { 40, 8 }, { 8, 40 } };
+
+    (void)state;
+    for (size_t i = 0; i < 2; i++) {
+        struct sweep sweep = sweep_of("cylinder", sizes[i][0], sizes[i][1]);
+
+        run(&sweep_hits, &sweep);
+        assert_int_equal(sweep.measures[0].hits, 0);
+        assert_int_equal(sweep.measures[10].hits, 320);
+        sweep_free(&sweep);
+    }
+}
+
+/* From far away, and from so near that the frame has no place beside it. */
+static void test_hits_out_of_view(void **state)
+{
+    struct sweep sweep = sweep_of("sphere", 16, 16);
+    c205_error error = { "" };
+
+    (void)state;
+    sweep.base.view.distance = 500;
+    assert_false(sweep_hits.measure(&sweep, &error));
+    assert_non_null(strstr(error.message, "too small"));
+    sweep.base.view.distance = 1.1;
+    assert_false(sweep_hits.measure(&sweep, &error));
+    assert_non_null(strstr(error.message, "too large"));
+    sweep_free(&sweep);
+}
+
+/* ---- Lengths ------------------------------------------------------------- */
+
+/* Cheaper from the crossover on, and not before. */
+static void check_crossover(const struct sweep *sweep,
+                            const struct sweep_lengths_found *found)
+{
+    const struct sweep_measure *before =
+        sweep_with_queue(sweep, found->crossover - 1);
+
+    assert_true(found->crossover > 1);
+    assert_non_null(before);
+    assert_true(before->forms[SWEEP_QUEUED].total
+                >= before->forms[SWEEP_SCALAR].total);
+    for (size_t n = found->crossover; n <= found->checked; n++) {
+        const struct sweep_measure *measure = sweep_with_queue(sweep, n);
+
+        assert_non_null(measure);
+        assert_true(measure->forms[SWEEP_QUEUED].total
+                    < measure->forms[SWEEP_SCALAR].total);
+    }
+    for (size_t i = 0; i < sweep->count; i++)
+        if (sweep->measures[i].rays > found->crossover)
+            assert_true(sweep_speedup(&sweep->measures[i]) > 1);
+    assert_true(found->checked >= 2 * found->crossover - 2);
+}
+
+static void test_length(void **state)
+{
+    static const char *const names[] = { "sphere", "cylinder", "Steiner",
+                                         "torus, ours" };
+    static const size_t lengths[] = { 1, 2, 4, 8, 16, 64, 256, 1024 };
+
+    (void)state;
+    for (size_t i = 0; i < 4; i++) {
+        struct sweep sweep = sweep_of(names[i], 1, 1);
+        struct sweep_lengths_found found;
+
+        sweep.lengths = lengths;
+        sweep.length_count = 8;
+        run(&sweep_length, &sweep);
+        check_all_sums(&sweep);
+        found = sweep_find_lengths(&sweep);
+        check_crossover(&sweep, &found);
+        assert_true(found.half_is_exact);
+        assert_true(sweep_speedup(sweep_with_queue(&sweep, found.half))
+                    >= found.best / 2);
+        assert_true(sweep_speedup(sweep_with_queue(&sweep, found.half - 1))
+                    < found.best / 2);
+        for (size_t k = 0; k < sweep.count; k++) {
+            assert_int_equal(sweep.measures[k].rays,
+                             sweep.measures[k].point.trace.queue);
+            assert_true(group(&sweep.measures[k], SWEEP_FAULT) == 0);
+        }
+        sweep_free(&sweep);
+    }
+}
+
+/* Where every length is one or the other there is no crossover between. */
+static void test_no_crossover(void **state)
+{
+    static const size_t shortest[] = { 1 }, longer[] = { 64, 128 };
+    struct sweep sweep = sweep_of("sphere", 1, 1);
+    struct sweep_lengths_found found;
+
+    (void)state;
+    sweep.lengths = shortest;
+    sweep.length_count = 1;
+    run(&sweep_length, &sweep);
+    assert_int_equal(sweep_find_lengths(&sweep).crossover, 0);
+    sweep_free(&sweep);
+    sweep = sweep_of("sphere", 1, 1);
+    sweep.lengths = longer;
+    sweep.length_count = 2;
+    run(&sweep_length, &sweep);
+    found = sweep_find_lengths(&sweep);
+    assert_int_equal(found.crossover, 64);
+    assert_int_equal(found.checked, 0);
+    assert_int_equal(found.half, 64);
+    assert_false(found.half_is_exact);
+    sweep_free(&sweep);
+}
+
+/* So long a queue, and how much faster it is. */
+static struct sweep_measure as_if(size_t length, uint64_t speedup)
+{
+    struct sweep_measure measure = { .rays = length };
+
+    measure.point.trace.queue = length;
+    measure.forms[SWEEP_SCALAR].total = speedup;
+    measure.forms[SWEEP_QUEUED].total = 3;
+    return measure;
+}
+
+/* Lengths side by side are no crossover when those before were left out. */
+static void test_left_out(void **state)
+{
+    struct sweep_measure measures[] = {
+        as_if(1, 1), as_if(400, 7), as_if(401, 7), as_if(900, 20),
+        as_if(901, 21), as_if(902, 22), as_if(8192, 42)
+    };
+    struct sweep sweep = { .measures = measures, .count = 7 };
+    struct sweep_lengths_found found = sweep_find_lengths(&sweep);
+
+    (void)state;
+    assert_int_equal(found.crossover, 400);
+    assert_int_equal(found.checked, 0);
+    assert_int_equal(found.half, 901);
+    assert_true(found.half_is_exact);
+    measures[1] = as_if(400, 2);
+    found = sweep_find_lengths(&sweep);
+    assert_int_equal(found.crossover, 401);
+    assert_int_equal(found.checked, 401);
+    measures[3] = as_if(900, 21);
+    assert_false(sweep_find_lengths(&sweep).half_is_exact);
+}
+
+/* ---- Progress ------------------------------------------------------------ */
+
+struct watcher {
+    size_t calls, stop_at, last;
+    bool fell, ended;
+};
+
+static bool watch(void *context, size_t done, size_t all)
+{
+    struct watcher *watcher = context;
+
+    watcher->fell |= done < watcher->last;
+    watcher->last = done;
+    watcher->ended |= done == all;
+    watcher->calls++;
+    return watcher->stop_at == 0 || watcher->calls < watcher->stop_at;
+}
+
+/* One rising progress of all frames, and a stop wherever it is asked for. */
+static void test_progress(void **state)
+{
+    (void)state;
+    for (size_t stop_at = 0; stop_at < 4; stop_at++) {
+        struct sweep sweep = sweep_of("sphere", 64, 64);
+        struct watcher watcher = { .stop_at = stop_at };
+        c205_error error = { "" };
+
+        sweep.lengths = few;
+        sweep.length_count = 5;
+        sweep.base.trace.progress = watch;
+        sweep.base.trace.context = &watcher;
+        assert_int_equal(sweep_queue.measure(&sweep, &error), stop_at == 0);
+        assert_int_equal(watcher.ended, stop_at == 0);
+        assert_false(watcher.fell);
+        if (stop_at > 0)
+            assert_non_null(strstr(error.message, "stopped"));
+        sweep_free(&sweep);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_usual_lengths),
+        cmocka_unit_test(test_queue),
+        cmocka_unit_test(test_small_memory),
+        cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_queue_report),
+        cmocka_unit_test(test_pipes),
+        cmocka_unit_test(test_hits),
+        cmocka_unit_test(test_hits_of_frames),
+        cmocka_unit_test(test_hits_out_of_view),
+        cmocka_unit_test(test_length),
+        cmocka_unit_test(test_no_crossover),
+        cmocka_unit_test(test_left_out),
+        cmocka_unit_test(test_progress),
+    };
+    c205_error error;
+    int failed;
+
+    model = c205_model_find("cyber205-2pipe", &error);
+    if (model == NULL)
+        return 1;
+    failed = cmocka_run_group_tests(tests, NULL, NULL);
+    c205_model_free(model);
+    return failed;
+}
