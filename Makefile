@@ -65,7 +65,7 @@ PROGRAMS ?= 15000
 POLYNOMIALS ?= 600
 TRIES ?= 300
 HOSTS ?= quick
-# So many compilers, and unit tests, at a time.
+# So many compilers, unit tests and scenes at a time.
 JOBS ?= 2
 
 sanitizers = address,undefined
@@ -231,7 +231,8 @@ check-hosts:
 	sh tests/check_hosts.sh $(BUILD) "$(MAKE)" $(HOSTS)
 
 check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
-	sh tests/check_scenes.sh $(BUILD)
+	@seq 0 $$(($(JOBS) - 1)) | \
+		xargs -n 1 -P $(JOBS) sh tests/check_scenes.sh $(BUILD) $(JOBS)
 	sh tests/check_language.sh
 
 check-commands: $(programs) $(adapter)

@@ -1,5 +1,6 @@
 #!/bin/sh
-# check_scenes.sh BUILD - every scene, small.
+# check_scenes.sh BUILD [OF SHARE] - every scene, small; or every OF-th from
+# the one of the number SHARE on.
 #
 # The three stages, with queues of any length, with and without bounding
 # volumes, give the same frame, bit for bit; the frame is the plain C tracer's,
@@ -7,12 +8,12 @@
 # check_scene states.  The way of 1984 to patches gives the plain tracer's frame,
 # too.
 set -u
-build=$1
+build=$1 of=${2:-1} share=${3:-0}
 width=120 height=90     # against the other tracers
 small="-W 60 -H 45"     # stage against stage
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-passed=0 failed=0
+passed=0 failed=0 number=0
 
 # Scenes with Steiner patches, which POV-Ray does not know.
 without_povray="scenes/car.pov scenes/steiner.pov tests/scenes/patches.pov
@@ -80,6 +81,8 @@ same_historical() { # SCENE
 
 for scene in scenes/*.pov tests/scenes/*.pov; do
     [ -e "$scene" ] || continue
+    number=$((number + 1))
+    [ $((number % of)) -eq "$share" ] || continue
     povray=--povray
     is_listed "$scene" "$without_povray $not_for_povray" && povray=
     same_frames "$scene"
