@@ -149,11 +149,9 @@ static int show(const struct cmd_arguments *arguments, struct json *json)
     if (tabular || !table) {
         return cmd_show(arguments->command, table, json, "instructions");
     }
-    if (json) {
-        table_json(table, json, "instructions");
-    }
+    bool good = !json || table_json(table, json, "instructions");
     table_free(table);
-    return CMD_DONE;
+    return good ? CMD_DONE : cmd_failed(arguments->command, "no memory");
 }
 
 static int markdown(const struct cmd_arguments *arguments)

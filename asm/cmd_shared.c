@@ -68,7 +68,7 @@ int cmd_show(const char *command, struct table *table, struct json *json,
 {
     bool good = table && table_print(table, stdout);
     if (good && json) {
-        table_json(table, json, key);
+        good = table_json(table, json, key);
     }
     table_free(table);
     return good ? CMD_DONE : cmd_failed(command, "no memory");

@@ -98,7 +98,9 @@ static int show(const struct cmd_arguments *arguments,
 {
     if (json) {
         provenance_json(model, json);
-        table_json(tables->points, json, "points");
+        if (!table_json(tables->points, json, "points")) {
+            return cmd_failed(arguments->command, "no memory");
+        }
     }
     if (arguments->points) {
         int code = cmd_show(arguments->command, tables->points, NULL, NULL);

@@ -380,10 +380,13 @@ static void cell_json(const struct cell *cell,
     }
 }
 
-void table_json(const struct table *table, struct json *json,
+bool table_json(const struct table *table, struct json *json,
                 const char *key)
 {
     size_t count = table->column_count;
+    if (!table_is_whole(table)) {
+        return false;
+    }
     json_array(json, key);
     for (size_t i = 0; i < table->cell_count; i++) {
         if (i % count == 0) {
@@ -395,4 +398,5 @@ void table_json(const struct table *table, struct json *json,
         }
     }
     json_end(json);
+    return true;
 }

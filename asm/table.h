@@ -60,8 +60,9 @@ bool table_write(const struct table *table, enum table_format format,
                  FILE *file);
 /* The same, plain. */
 bool table_print(const struct table *table, FILE *file);
-/* An array of objects, one a row. */
-void table_json(const struct table *table, struct json *json,
+/* An array of objects, one a row.  False, and nothing is written: memory ran
+ * out while it was filled. */
+bool table_json(const struct table *table, struct json *json,
                 const char *key);
 
 #endif

@@ -69,7 +69,7 @@ static bool tell_table(enum profile_table kind,
     printf("\n%s\n\n", profile_table_heading(kind));
     good = good && table_print(table, stdout);
     if (good && json != NULL)
-        table_json(table, json, profile_table_key(kind));
+        good = table_json(table, json, profile_table_key(kind));
     table_free(table);
     return good;
 }

@@ -231,7 +231,7 @@ static int compare_rules(const struct cmd_arguments *arguments,
     }
     if (good && json != NULL) {
         provenance_json(arguments->trace.model, json);
-        table_json(table, json, "rules");
+        good = table_json(table, json, "rules");
     }
     table_free(table);
     return good ? CMD_DONE

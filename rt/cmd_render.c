@@ -59,7 +59,7 @@ static void print_result(const struct result *result)
     provenance_print(result->model, "");
 }
 
-static void write_result(const struct result *result, struct json *json)
+static bool write_result(const struct result *result, struct json *json)
 {
     const struct trace_options *trace = &result->arguments->trace;
 
@@ -73,8 +73,8 @@ static void write_result(const struct result *result, struct json *json)
                 accounts_seconds(result->model, result->clocks));
     json_text(json, "checksum", result->checksum);
     provenance_json(result->model, json);
-    table_json(result->regions, json, "regions");
-    table_json(result->detail, json, "causes");
+    return table_json(result->regions, json, "regions")
+           && table_json(result->detail, json, "causes");
 }
 
 static bool tell(const struct cmd_arguments *arguments,
@@ -88,7 +88,7 @@ static bool tell(const struct cmd_arguments *arguments,
                              .causes = accounts_of_run(accounts),
                              .detail = accounts_by_cause(accounts) };
     bool good = result.regions != NULL && result.causes != NULL
-                && result.detail != NULL && table_is_whole(result.detail);
+                && result.detail != NULL;
 
     if (good) {
         snprintf(result.checksum, sizeof result.checksum, "%016llX",
@@ -98,7 +98,7 @@ static bool tell(const struct cmd_arguments *arguments,
                && table_print(result.causes, stdout);
     }
     if (good && json != NULL)
-        write_result(&result, json);
+        good = write_result(&result, json);
     table_free(result.regions);
     table_free(result.causes);
     table_free(result.detail);

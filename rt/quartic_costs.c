@@ -104,8 +104,8 @@ static bool tell_tables(struct table *const tables[TABLES],
     for (int i = 0; i < TABLES; i++) {
         if (tables[i] == NULL || !print_remarks(tables[i], names[i].heading))
             return false;
-        if (json != NULL)
-            table_json(tables[i], json, names[i].key);
+        if (json != NULL && !table_json(tables[i], json, names[i].key))
+            return false;
     }
     return true;
 }

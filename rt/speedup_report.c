@@ -370,10 +370,8 @@ bool speedup_report_detail(const struct speedup_report *report,
 bool speedup_report_json(const struct speedup_report *report,
                          struct json *json)
 {
-    for (int i = 0; i < KINDS; i++) {
-        if (!table_is_whole(report->tables[i]))
+    for (int i = 0; i < KINDS; i++)
+        if (!table_json(report->tables[i], json, kinds[i].key))
             return false;
-        table_json(report->tables[i], json, kinds[i].key);
-    }
     return true;
 }

@@ -363,7 +363,7 @@ static bool add_part(const struct study *study, const struct part *part,
     fprintf(file, "\n%s\n\n", part->heading);
     good = table_print(table, file);
     if (good && json != NULL)
-        table_json(table, json, part->key);
+        good = table_json(table, json, part->key);
     table_free(table);
     return good;
 }

@@ -149,9 +149,7 @@ static bool json_causes(const struct sweep *sweep, struct json *json)
     for (size_t i = 0; i < sweep->count; i++)
         for (int form = 0; form < SWEEP_FORMS; form++)
             add_causes(table, i + 1, &sweep->measures[i], form);
-    good = table_is_whole(table);
-    if (good)
-        table_json(table, json, "causes");
+    good = table_json(table, json, "causes");
     table_free(table);
     return good;
 }
@@ -159,11 +157,9 @@ static bool json_causes(const struct sweep *sweep, struct json *json)
 bool sweep_report_json(const struct sweep_report *report,
                        const struct sweep *sweep, struct json *json)
 {
-    for (size_t i = 0; i < report->part_count; i++) {
-        if (!table_is_whole(report->parts[i].table))
+    for (size_t i = 0; i < report->part_count; i++)
+        if (!table_json(report->parts[i].table, json, report->parts[i].key))
             return false;
-        table_json(report->parts[i].table, json, report->parts[i].key);
-    }
     json_array(json, "text");
     for (size_t i = 0; i < report->line_count; i++)
         json_text(json, NULL, report->lines[i]);
