@@ -23,7 +23,6 @@ static const struct table_column by_region[] = {
     { "seconds", "seconds", TABLE_NUMBER, 8 },
     { "percent", "%", TABLE_NUMBER, 1 },
 };
-#define COLUMNS(list) (sizeof(list) / sizeof *(list))
 
 double accounts_seconds(const c205_model *model, uint64_t clocks)
 {
@@ -152,7 +151,7 @@ static c205_account sum_of_accounts(const struct accounts *accounts)
 
 struct table *accounts_of_run(const struct accounts *accounts)
 {
-    struct table *table = table_new(by_cause, COLUMNS(by_cause));
+    struct table *table = table_new(TABLE_COLUMNS(by_cause));
     c205_account sum = sum_of_accounts(accounts);
     if (table) {
         add_causes(table, accounts, &sum, sum.name);
@@ -173,7 +172,7 @@ struct table *accounts_by_cause(const struct accounts *accounts)
 
 struct table *accounts_by_region(const struct accounts *accounts)
 {
-    struct table *table = table_new(by_region, COLUMNS(by_region));
+    struct table *table = table_new(TABLE_COLUMNS(by_region));
     for (size_t i = 0; table && i < accounts->count; i++) {
         const c205_account *account = &accounts->items[i];
         table_text(table, region_name(account));

@@ -14,11 +14,10 @@ static const struct table_column constant_columns[] = {
     { "source", "source", TABLE_TEXT, 0 },
     { "remark", "remark", TABLE_TEXT, 0 },
 };
-#define COLUMNS(list) (sizeof(list) / sizeof *(list))
 
 static int show_models(const char *command, struct json *json)
 {
-    struct table *table = table_new(model_columns, COLUMNS(model_columns));
+    struct table *table = table_new(TABLE_COLUMNS(model_columns));
     const char *const *names = c205_model_names();
     for (; table && *names; names++) {
         c205_model *model = cmd_find_model(command, *names);
@@ -38,7 +37,7 @@ static int show_constants(const char *command, const c205_model *model,
                           struct json *json)
 {
     struct table *table =
-        table_new(constant_columns, COLUMNS(constant_columns));
+        table_new(TABLE_COLUMNS(constant_columns));
     for (size_t i = 0; table && i < c205_model_size(model); i++) {
         const c205_constant *constant = c205_model_constant(model, i);
         char source[2] = { constant->source, '\0' };

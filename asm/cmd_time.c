@@ -19,7 +19,6 @@ static const struct table_column point_columns[] = {
     { "length", "length", TABLE_COUNT, 0 },
     { "clocks", "clocks", TABLE_COUNT, 0 },
 };
-#define COLUMNS(list) (sizeof(list) / sizeof *(list))
 
 struct tables {
     struct table *speeds, *points;
@@ -120,8 +119,8 @@ static int time_model(const struct cmd_arguments *arguments,
                       const c205_model *model, struct json *json)
 {
     struct tables tables = {
-        table_new(speed_columns, COLUMNS(speed_columns)),
-        table_new(point_columns, COLUMNS(point_columns)),
+        table_new(TABLE_COLUMNS(speed_columns)),
+        table_new(TABLE_COLUMNS(point_columns)),
     };
     int code = CMD_FAILED;
     if (!tables.speeds || !tables.points) {

@@ -36,17 +36,37 @@ const char *provenance_left_out(const c205_model *model)
     return c205_model_is_projection(model) ? left_out_projected : left_out;
 }
 
-/* Whether there is anything to say. */
+static const char unknown[] = "validated against no published figure";
+
+/* Whether there is anything to tell. */
+static bool tell_belief(const char *how, c205_belief belief,
+                        char line[PROVENANCE_LINE])
+{
+    snprintf(line, PROVENANCE_LINE,
+             "%s %u published figure%s, the largest error %+.1f %% (%.120s)",
+             how, belief.figures, belief.figures == 1 ? "" : "s",
+             belief.largest, belief.worst ? belief.worst : "");
+    return belief.figures > 0;
+}
+
+void provenance_line(const c205_model *model, char line[PROVENANCE_LINE])
+{
+    if (!tell_belief("fitted to", c205_model_fitted(model), line)
+        && !tell_belief("validated against", c205_model_compared(model),
+                        line)) {
+        snprintf(line, PROVENANCE_LINE, "%s", unknown);
+    }
+}
+
 static bool say_belief(const char *how, c205_belief belief,
                        const char *before)
 {
-    if (belief.figures > 0) {
-        printf(",\n%s%s %u published figure%s, the largest error %+.1f %% "
-               "(%s)",
-               before, how, belief.figures, belief.figures == 1 ? "" : "s",
-               belief.largest, belief.worst);
+    char line[PROVENANCE_LINE];
+    bool known = tell_belief(how, belief, line);
+    if (known) {
+        printf(",\n%s%s", before, line);
     }
-    return belief.figures > 0;
+    return known;
 }
 
 /* The fitted model that this one changes, or NULL: what is known of that does
@@ -65,7 +85,7 @@ static const c205_model *fitted_origin(const c205_model *model)
 static void say_origin(const c205_model *model, const char *before)
 {
     const c205_model *origin = fitted_origin(model);
-    printf(",\n%svalidated against no published figure", before);
+    printf(",\n%s%s", before, unknown);
     if (origin) {
         printf("; it changes %s", c205_model_name(origin));
         say_belief("which was fitted to", c205_model_fitted(origin), before);

@@ -7,6 +7,11 @@
 /* Whether a fit has moved any of its constants (source F). */
 bool provenance_is_fitted(const c205_model *model);
 
+/* In one line, where there is no room for more: how near a model came to what
+ * it was fitted to; or else compared with; or that nothing is known of that. */
+enum { PROVENANCE_LINE = 256 };
+void provenance_line(const c205_model *model, char line[PROVENANCE_LINE]);
+
 /* What a model leaves out of the time: "this, that and that". */
 const char *provenance_left_out(const c205_model *model);
 

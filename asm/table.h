@@ -24,6 +24,9 @@ struct table_column {
  * of their columns; CSV has the names and all the digits that JSON has. */
 enum table_format { TABLE_PLAIN, TABLE_CSV, TABLE_MARKDOWN };
 
+/* Columns that stand in an array, and their number. */
+#define TABLE_COLUMNS(list) list, sizeof list / sizeof *list
+
 struct table;
 
 /* The columns must outlive the table.  NULL: no memory. */

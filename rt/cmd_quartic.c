@@ -216,7 +216,7 @@ static int compare_rules(const struct cmd_arguments *arguments,
                          struct json *json)
 {
     c205_error error = { "no memory" };
-    struct table *table = table_new(rules, sizeof rules / sizeof *rules);
+    struct table *table = table_new(TABLE_COLUMNS(rules));
     bool good = table != NULL;
 
     for (int rule = 0; good && rule < FALSI_RULES; rule++)

@@ -167,24 +167,12 @@ static void write_head(const struct cmd_arguments *arguments,
     provenance_json(trace->model, json);
 }
 
-static void say_belief(const c205_model *model, char *text, size_t size)
-{
-    c205_belief belief = c205_model_fitted(model);
-
-    if (belief.figures == 0)
-        snprintf(text, size, "validated against no published figure");
-    else
-        snprintf(text, size, "fitted to %u published figures, the largest "
-                 "error %+.1f %% (%s)", belief.figures, belief.largest,
-                 belief.worst);
-}
-
 static bool draw(const struct cmd_arguments *arguments,
                  const struct sweep *sweep, const struct sweep_kind *kind,
                  const struct sweep_report *report, c205_error *error)
 {
     const c205_model *model = arguments->trace.model;
-    char title[160], on[160], belief[160];
+    char title[160], on[160], belief[PROVENANCE_LINE];
     const char *const subtitles[] = { on, belief };
     struct plot plot = report->plot;
 
@@ -194,7 +182,7 @@ static bool draw(const struct cmd_arguments *arguments,
     snprintf(on, sizeof on, "form %s; cycle-accounted, not cycle-accurate, "
              "on the model %.60s", trace_mode_name(arguments->trace.mode),
              c205_model_name(model));
-    say_belief(model, belief, sizeof belief);
+    provenance_line(model, belief);
     plot.title = title;
     plot.subtitles = subtitles;
     plot.subtitle_count = 2;

@@ -282,7 +282,6 @@ static void fill_rays(struct table *table,
 
 /* ---- The tables ---------------------------------------------------------- */
 
-#define COLUMNS(list) list, sizeof list / sizeof *list
 static const struct {
     const char *key, *heading;
     const struct table_column *columns;
@@ -290,14 +289,14 @@ static const struct {
     void (*fill)(struct table *, const struct trace *const[TRACE_MODES]);
 } tables[PROFILE_TABLES] = {
     [PROFILE_CLOCKS] = { "clocks", "Clocks part by part; x: how many times "
-                         "as fast as scalar:", COLUMNS(clock_columns),
+                         "as fast as scalar:", TABLE_COLUMNS(clock_columns),
                          fill_clocks },
     [PROFILE_SPEEDUP] = { "speedup", "The frame, and what Amdahl's law says "
                           "of it, vectorised part by part:",
-                          COLUMNS(speedup_columns), fill_speedup },
-    [PROFILE_VECTORS] = { "vectors", "Vectors:", COLUMNS(vector_columns),
+                          TABLE_COLUMNS(speedup_columns), fill_speedup },
+    [PROFILE_VECTORS] = { "vectors", "Vectors:", TABLE_COLUMNS(vector_columns),
                           fill_vectors },
-    [PROFILE_RAYS] = { "rays", "Rays by kind:", COLUMNS(ray_columns),
+    [PROFILE_RAYS] = { "rays", "Rays by kind:", TABLE_COLUMNS(ray_columns),
                        fill_rays },
 };
 

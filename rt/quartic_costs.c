@@ -12,7 +12,7 @@ static const struct table_column passes[] = { ITERATIONS_PASS_COLUMNS };
 
 static struct table *step_table(const struct iterations *iterations)
 {
-    struct table *table = table_new(steps, sizeof steps / sizeof *steps);
+    struct table *table = table_new(TABLE_COLUMNS(steps));
 
     for (int i = 0; table != NULL && i < STAGES; i++)
         iterations_add(table, iterations, (enum stage)i);
@@ -21,7 +21,7 @@ static struct table *step_table(const struct iterations *iterations)
 
 static struct table *pass_table(const struct iterations *iterations)
 {
-    struct table *table = table_new(passes, sizeof passes / sizeof *passes);
+    struct table *table = table_new(TABLE_COLUMNS(passes));
 
     for (int i = 0; table != NULL && i < STAGES; i++) {
         size_t count = iterations_passes(iterations, (enum stage)i);

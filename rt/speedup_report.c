@@ -74,7 +74,6 @@ enum kind {
     TABLE1, RAYS, TIMES, PROJECTED, SHARES, STEPS, PASSES, CAUSES, KINDS
 };
 
-#define COLUMNS(table) table, sizeof table / sizeof *table
 static const struct {
     const char *key, *heading;
     const struct table_column *columns;
@@ -82,17 +81,17 @@ static const struct {
 } kinds[KINDS] = {
     [TABLE1] = { "table1", "Table 1, CPU seconds for 100,000 rays, and how "
                  "much faster the 205's vector form is",
-                 COLUMNS(table1) },
-    [RAYS] = { "rays", "The rays", COLUMNS(rays) },
-    [TIMES] = { "times", "The kernels and their calls", COLUMNS(times) },
+                 TABLE_COLUMNS(table1) },
+    [RAYS] = { "rays", "The rays", TABLE_COLUMNS(rays) },
+    [TIMES] = { "times", "The kernels and their calls", TABLE_COLUMNS(times) },
     [PROJECTED] = { "projected", "A machine that Table 1 lacks, projected: "
-                    "CPU seconds for 100,000 rays", COLUMNS(projected) },
-    [SHARES] = { "shares", "Which part took it", COLUMNS(shares) },
+                    "CPU seconds for 100,000 rays", TABLE_COLUMNS(projected) },
+    [SHARES] = { "shares", "Which part took it", TABLE_COLUMNS(shares) },
     [STEPS] = { "steps", "Falsi in the root solver, to roots of the "
-                "derivative (knots) and of the quartic", COLUMNS(steps) },
+                "derivative (knots) and of the quartic", TABLE_COLUMNS(steps) },
     [PASSES] = { "passes", "The vector form, pass by pass",
-                 COLUMNS(passes) },
-    [CAUSES] = { "causes", "Where the clocks went", COLUMNS(causes) },
+                 TABLE_COLUMNS(passes) },
+    [CAUSES] = { "causes", "Where the clocks went", TABLE_COLUMNS(causes) },
 };
 
 struct speedup_report {

@@ -290,7 +290,6 @@ static void fill_without(const struct study *study, const double *written,
 
 /* ---- The whole ---------------------------------------------------------- */
 
-#define COLUMNS(table) table, sizeof table / sizeof *table
 static const struct part {
     const char *key, *heading;
     const struct table_column *columns;
@@ -299,23 +298,24 @@ static const struct part {
     void (*fill)(const struct study *study, const double *written,
                  struct table *table);
 } parts[] = {
-    { "fitted", "What was fitted:", COLUMNS(observed), true, fill_fitted },
-    { "held_out", "Only compared, or held out:", COLUMNS(observed), true,
+    { "fitted", "What was fitted:", TABLE_COLUMNS(observed), true,
+      fill_fitted },
+    { "held_out", "Only compared, or held out:", TABLE_COLUMNS(observed), true,
       fill_held },
-    { "speedups", "The speedups of Table 1:", COLUMNS(speedups), true,
+    { "speedups", "The speedups of Table 1:", TABLE_COLUMNS(speedups), true,
       fill_speedups },
-    { "constants", "The free constants:", COLUMNS(constants), true,
+    { "constants", "The free constants:", TABLE_COLUMNS(constants), true,
       fill_constants },
     { "missing", "Observed by predicted.  Alike on all machines: the program of"
       " 1984 did so much\nmore; in one form alone: that form, or its part of "
       "the model:",
-      COLUMNS(missing), true, fill_missing },
-    { "left_out", "Each row of Table 1 left out:", COLUMNS(left_out), false,
-      fill_left_out },
-    { "without", "All rows of a primitive left out:", COLUMNS(without), false,
-      fill_without },
+      TABLE_COLUMNS(missing), true, fill_missing },
+    { "left_out", "Each row of Table 1 left out:", TABLE_COLUMNS(left_out),
+      false, fill_left_out },
+    { "without", "All rows of a primitive left out:", TABLE_COLUMNS(without),
+      false, fill_without },
     { "doubled", "Priors doubled, in width and in value, one at a time:",
-      COLUMNS(doubled), false, fill_doubled },
+      TABLE_COLUMNS(doubled), false, fill_doubled },
 };
 
 /* The machine's: what the first observation runs on. */

@@ -275,8 +275,8 @@ static bool report_hits(struct sweep *sweep, struct sweep_report *report,
                         c205_error *error)
 {
     struct table *table = sweep_report_table(
-        report, "points", sweep_points_heading, point_columns,
-        sizeof point_columns / sizeof *point_columns);
+        report, "points", sweep_points_heading,
+        TABLE_COLUMNS(point_columns));
 
     snprintf(error->message, sizeof error->message, "no memory");
     if (table == NULL)

@@ -54,8 +54,6 @@ static const struct table_column limit_columns[] = {
     { "startup_percent", "% start-up", TABLE_NUMBER, 1 },
 };
 
-#define COLUMNS(list) list, sizeof list / sizeof *list
-
 static void add_machine(struct table *table, size_t machine)
 {
     table_count(table, machines[machine].pipes);
@@ -151,13 +149,13 @@ static bool report_pipes(struct sweep *sweep, struct sweep_report *report,
                          c205_error *error)
 {
     struct table *points = sweep_report_table(
-        report, "points", sweep_points_heading, COLUMNS(point_columns));
+        report, "points", sweep_points_heading, TABLE_COLUMNS(point_columns));
     struct table *limits = sweep_report_table(
         report, "limits", "In queues: how far start-up limits more pipes",
-        COLUMNS(limit_columns));
+        TABLE_COLUMNS(limit_columns));
     struct table *plotted = sweep_report_table(
         report, "plot", "Times as fast as one pipe with 64 bits",
-        COLUMNS(plot_columns));
+        TABLE_COLUMNS(plot_columns));
 
     snprintf(error->message, sizeof error->message, "no memory");
     if (points == NULL || limits == NULL || plotted == NULL)

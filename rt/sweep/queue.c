@@ -46,8 +46,6 @@ static const struct table_column difference_columns[] = {
     { "longest_more", "more", TABLE_NUMBER, 2 },
 };
 
-#define COLUMNS(list) list, sizeof list / sizeof *list
-
 static void fill_points(struct table *table, const struct sweep *sweep)
 {
     for (size_t i = 0; i < sweep->count; i++) {
@@ -244,12 +242,12 @@ static bool report_queue(struct sweep *sweep, struct sweep_report *report,
     if (!sweep_memory(sweep, &memory, error))
         return false;
     points = sweep_report_table(report, "points", sweep_points_heading,
-                                COLUMNS(point_columns));
+                                TABLE_COLUMNS(point_columns));
     words = sweep_report_table(report, "memory", "The memory of the program "
-                               "in queues", COLUMNS(memory_columns));
+                               "in queues", TABLE_COLUMNS(memory_columns));
     difference = sweep_report_table(report, "difference", "The best queue, "
                                     "the paper's, the longest",
-                                    COLUMNS(difference_columns));
+                                    TABLE_COLUMNS(difference_columns));
     snprintf(error->message, sizeof error->message, "no memory");
     if (points == NULL || words == NULL || difference == NULL)
         return false;

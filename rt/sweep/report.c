@@ -141,7 +141,7 @@ static void add_causes(struct table *table, size_t number,
 
 static bool json_causes(const struct sweep *sweep, struct json *json)
 {
-    struct table *table = table_new(causes, sizeof causes / sizeof *causes);
+    struct table *table = table_new(TABLE_COLUMNS(causes));
     bool good;
 
     if (table == NULL)

@@ -235,6 +235,33 @@ static void test_one_source(void **state)
     c205_model_free(model);
 }
 
+static void assert_line(const char *text, const char *expected)
+{
+    char line[PROVENANCE_LINE];
+    c205_model *model = parsed(text);
+
+    provenance_line(model, line);
+    assert_string_equal(line, expected);
+    c205_model_free(model);
+}
+
+/* What is told where there is room for one line. */
+static void test_line(void **state)
+{
+    (void)state;
+    assert_line("title T\nfitted 3 figures, at most -7.5 % off: a b\n"
+                "compared 1 figures, at most 2 % off: c\n"
+                "like cyber205-2pipe-prior\n",
+                "fitted to 3 published figures, the largest error -7.5 % "
+                "(a b)");
+    assert_line("title T\ncompared 1 figures, at most 2 % off: c\n"
+                "like cyber205-2pipe-prior\n",
+                "validated against 1 published figure, the largest error "
+                "+2.0 % (c)");
+    assert_line("title T\nlike cyber205-2pipe\n",
+                "validated against no published figure");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -244,6 +271,7 @@ int main(void)
         cmocka_unit_test(test_projection),
         cmocka_unit_test(test_sources),
         cmocka_unit_test(test_one_source),
+        cmocka_unit_test(test_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
