@@ -219,6 +219,41 @@ static void test_detail(void **state)
     }
 }
 
+/* A table of the detail, by its heading. */
+static void read_detail(const char *heading, struct csv_table *table)
+{
+    const char *at;
+
+    print_detail(false, TABLE_CSV);
+    at = strstr(text, heading);
+    assert_non_null(at);
+    csv_table(strchr(at, '\n') + 1, table);
+}
+
+/* The clocks of each form, by the rays that the table above tells. */
+static void test_times(void **state)
+{
+    static struct csv_table rays, times;
+
+    (void)state;
+    read_detail("# The rays\n", &rays);
+    read_detail("# The kernels and their calls\n", &times);
+    assert_int_equal(times.cells[0], 4);
+    assert_int_equal(times.rows, 1 + 2 * speedup_subject_count);
+    for (size_t i = 1; i < times.rows; i++) {
+        const char *subject = speedup_subjects[(i - 1) / 2].name;
+        double traced = strtod(rays.cell[(i - 1) / 2 + 1][1], NULL);
+
+        assert_string_equal(times.cell[i][0], subject);
+        assert_string_equal(times.cell[i][1], i % 2 ? "scalar" : "vector");
+        assert_true(traced > 0);
+        assert_true(fabs(strtod(times.cell[i][2], NULL) / traced
+                             / strtod(times.cell[i][3], NULL)
+                         - 1)
+                    < 1e-12);
+    }
+}
+
 /* ---- Table 1 ------------------------------------------------------------ */
 
 enum { FIGURES = 5 };
@@ -449,6 +484,7 @@ int main(void)
         cmocka_unit_test(test_view),
         cmocka_unit_test(test_errors),
         cmocka_unit_test(test_detail),
+        cmocka_unit_test(test_times),
         cmocka_unit_test(test_paper_lines),
         cmocka_unit_test(test_our_lines),
         cmocka_unit_test(test_scale),
