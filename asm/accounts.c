@@ -52,8 +52,8 @@ const c205_account *accounts_find(const struct accounts *accounts,
 
 static c205_account *new_account(struct accounts *accounts, const char *name)
 {
-    c205_account *items = realloc(accounts->items, (accounts->count + 1)
-                                                       * sizeof *items);
+    c205_account *items = realloc(accounts->items,
+                                  (accounts->count + 1) * sizeof *items);
     char *copy = malloc(strlen(name) + 1);
     if (items) {
         accounts->items = items;

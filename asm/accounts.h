@@ -10,7 +10,7 @@ struct accounts {
     const c205_model *model; /* of all of them */
     uint64_t clocks;         /* the sum of everything below */
     size_t count;
-    c205_account *items;     /* their names are this list's own */
+    c205_account *items; /* their names are this list's own */
 };
 
 /* Begin with { .model = ... }.  False: no memory. */

@@ -18,7 +18,7 @@ struct asm_error {
     char *file;
     size_t line, column; /* from 1; line 0: the file as a whole */
     char *message;
-    char *source;        /* the text of that line */
+    char *source; /* the text of that line */
 };
 
 /* Zero it to begin. */
@@ -31,7 +31,7 @@ struct asm_symbol {
     const char *name;
     int64_t value; /* labels: bit address */
     bool is_label;
-    bool is_word;  /* value holds the bits of a 205 word, not an integer */
+    bool is_word; /* value holds the bits of a 205 word, not an integer */
 };
 
 /* Where a statement's words lie, for listings, debuggers and profiles. */

@@ -16,10 +16,10 @@
 #include "asm/expect.h"
 
 /* Bounds, so that no text makes the assembler run away. */
-#define MAX_WORDS ((uint64_t)1 << 26)      /* of a program */
-#define MAX_EXPANSION ((uint64_t)1 << 26)  /* bytes made by .macro and .rept */
-#define MAX_LINE ((size_t)1 << 16)         /* bytes of one line */
-#define MAX_FRAMES 64u                     /* includes and macros in use */
+#define MAX_WORDS ((uint64_t)1 << 26)     /* of a program */
+#define MAX_EXPANSION ((uint64_t)1 << 26) /* bytes made by .macro and .rept */
+#define MAX_LINE ((size_t)1 << 16)        /* bytes of one line */
+#define MAX_FRAMES 64u                    /* includes and macros in use */
 #define MAX_CONDITIONS 64u
 #define MAX_EXPRESSION_DEPTH 200u
 #define MAX_ERRORS 200u
@@ -58,12 +58,12 @@ enum symbol_kind {
 };
 
 struct symbol {
-    struct symbol *next;        /* with the same hash */
+    struct symbol *next; /* with the same hash */
     const char *name;
     size_t length;
     enum symbol_kind kind;
-    struct value value;         /* register: its number */
-    const struct macro *macro;  /* of this name; macros have their own space */
+    struct value value;        /* register: its number */
+    const struct macro *macro; /* of this name; macros have their own space */
     const struct line *defined; /* NULL: given by the caller */
 };
 

@@ -29,41 +29,31 @@ static const struct command {
       "c205 run --check FILE.. run test programs; a line each, PASS or FAIL\n"
       "c205 run --restore STATE [FILE]\n"
       "                        go on with a program that was saved; a FILE\n"
-      "                        must be that program\n"
-      OPTION_MODEL
+      "                        must be that program\n" OPTION_MODEL
       "  --limit CLOCKS       stop the program after so many\n"
-      "  --save STATE         save the machine when the limit stops it\n"
-      OPTION_DEFINE
-      "  --trace              print each instruction as it is executed\n"
-      OPTION_JSON },
+      "  --save STATE         save the machine when the limit stops it\n" OPTION_DEFINE
+      "  --trace              print each instruction as it is executed\n" OPTION_JSON },
     { "asm", cmd_asm, "odIL", 1, 1, "assemble a program",
       "c205 asm FILE           look for errors\n"
       "  -o, --output FILE    write the object there\n"
-      "  --listing            print the listing\n"
-      OPTION_DEFINE },
+      "  --listing            print the listing\n" OPTION_DEFINE },
     { "dis", cmd_dis, "dI", 1, 1, "a program as text again",
-      "c205 dis FILE           an object of c205 asm, or a text\n"
-      OPTION_DEFINE },
+      "c205 dis FILE           an object of c205 asm, or a text\n" OPTION_DEFINE },
     { "isa", cmd_isa, "jnmM", 0, SIZE_MAX, "the instructions",
       "c205 isa                all instructions, one line each\n"
       "c205 isa MNEMONIC..     all that is known of these\n"
       "  --names              the mnemonics alone\n"
-      "  --markdown           the whole reference, docs/isa.md\n"
-      OPTION_MODEL
-      OPTION_JSON },
+      "  --markdown           the whole reference, docs/isa.md\n" OPTION_MODEL
+          OPTION_JSON },
     { "model", cmd_model, "j", 0, 1, "the machine models",
       "c205 model              the models that are built in\n"
-      "c205 model NAME|FILE    its constants, each with unit and source\n"
-      OPTION_JSON },
-    { "time", cmd_time, "mjp", 0, SIZE_MAX,
-      "measure the vector instructions",
+      "c205 model NAME|FILE    its constants, each with unit and source\n" OPTION_JSON },
+    { "time", cmd_time, "mjp", 0, SIZE_MAX, "measure the vector instructions",
       "c205 time [MNEMONIC..]  start-up, clocks per element, r-infinity and\n"
       "                        n-half of these, or of all; TRIAD is the\n"
       "                        linked triad B + s A; ,H behind a name: on\n"
-      "                        32-bit operands\n"
-      OPTION_MODEL
-      "  --points             print each measured point, too\n"
-      OPTION_JSON },
+      "                        32-bit operands\n" OPTION_MODEL
+      "  --points             print each measured point, too\n" OPTION_JSON },
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
@@ -72,8 +62,7 @@ static void print_summary(FILE *file)
     fputs("c205 COMMAND [OPTIONS] [FILES] - a CYBER 205 style machine\n",
           file);
     for (size_t i = 0; i < COMMANDS; i++) {
-        fprintf(file, "  %-6s %s\n", commands[i].name,
-                commands[i].summary);
+        fprintf(file, "  %-6s %s\n", commands[i].name, commands[i].summary);
     }
     fputs("c205 COMMAND --help tells more of each\n", file);
 }

@@ -48,8 +48,7 @@ c205_model *cmd_find_model(const char *command, const char *name);
 
 /* The JSON file that the user asked for, NULL if none.  False after telling
  * why it cannot be written. */
-bool cmd_open_json(const struct cmd_arguments *arguments,
-                   struct json **json);
+bool cmd_open_json(const struct cmd_arguments *arguments, struct json **json);
 /* Closes the file if code is CMD_DONE, drops it otherwise.  The code. */
 int cmd_end_json(const struct cmd_arguments *arguments, struct json *json,
                  int code);

@@ -41,8 +41,7 @@ static bool parse_define(char *text, struct cmd_arguments *arguments)
 {
     struct asm_define *define = &arguments->defines[arguments->define_count];
     char *equals = strchr(text, '='), *end;
-    if (!equals || equals == text
-        || arguments->define_count == CMD_DEFINES) {
+    if (!equals || equals == text || arguments->define_count == CMD_DEFINES) {
         return false;
     }
     errno = 0;

@@ -7,8 +7,8 @@ int cmd_asm(const struct cmd_arguments *arguments)
 {
     c205_error error;
     struct sink report = stream_sink(stderr);
-    struct object *object =
-        cmd_read_program(arguments, arguments->files[0], &report);
+    struct object *object = cmd_read_program(arguments, arguments->files[0],
+                                             &report);
     if (!object) {
         return CMD_FAILED;
     }
@@ -17,7 +17,8 @@ int cmd_asm(const struct cmd_arguments *arguments)
         struct sink sink = stream_sink(stdout);
         listing(object, &sink);
     }
-    if (arguments->output && !object_save(object, arguments->output, &error)) {
+    if (arguments->output
+        && !object_save(object, arguments->output, &error)) {
         code = cmd_failed(arguments->command, "%s", error.message);
     }
     object_free(object);

@@ -28,8 +28,7 @@ static bool meets(const struct object *object, c205 *machine,
         fail(findings, "the program expects nothing");
         return false;
     }
-    return expect_check(object, machine, stop, printed ? printed : "",
-                        &sink);
+    return expect_check(object, machine, stop, printed ? printed : "", &sink);
 }
 
 static bool try(const struct cmd_arguments *arguments, c205 *machine,
@@ -41,8 +40,8 @@ static bool try(const struct cmd_arguments *arguments, c205 *machine,
     bool good = object && c205_load(machine, &object->program, &error);
     if (good) {
         bool given = arguments->limit != C205_NO_LIMIT;
-        c205_stop stop =
-            c205_run(machine, given ? arguments->limit : patience);
+        c205_stop stop = c205_run(machine,
+                                  given ? arguments->limit : patience);
         good = meets(object, machine, &stop, findings);
     } else if (object) {
         fail(findings, error.message);
@@ -114,8 +113,7 @@ static int check_on(const struct cmd_arguments *arguments, c205 *machine)
 int cmd_check(const struct cmd_arguments *arguments)
 {
     c205_error error;
-    c205_model *model =
-        cmd_find_model(arguments->command, arguments->model);
+    c205_model *model = cmd_find_model(arguments->command, arguments->model);
     if (!model) {
         return CMD_FAILED;
     }

@@ -6,8 +6,8 @@ int cmd_dis(const struct cmd_arguments *arguments)
 {
     struct sink sink = stream_sink(stdout);
     struct sink report = stream_sink(stderr);
-    struct object *object =
-        cmd_read_program(arguments, arguments->files[0], &report);
+    struct object *object = cmd_read_program(arguments, arguments->files[0],
+                                             &report);
     if (!object) {
         return CMD_FAILED;
     }

@@ -24,9 +24,9 @@ static void describe_operands(const c205_insn *insn)
     struct isa_operand operand;
     const char *letter = NULL;
     while (isa_next_operand(insn, &letter, &operand)) {
-        printf("  %-11s %-3.*s %s\n", letter == insn->operands ?
-               "operands" : "", operand.length, operand.written,
-               operand.meaning ? operand.meaning : "");
+        printf("  %-11s %-3.*s %s\n",
+               letter == insn->operands ? "operands" : "", operand.length,
+               operand.written, operand.meaning ? operand.meaning : "");
     }
 }
 
@@ -82,7 +82,8 @@ static void describe(const c205_insn *insn)
     printf("  timing      %s.%s%s%s%s\n", vector ? "startup" : "latency",
            timing, vector ? ", stream." : "", vector ? timing : "",
            insn->flags & C205_INSN_HALF
-               ? "; with ,H by vector.half_rate where pipes share it" : "");
+               ? "; with ,H by vector.half_rate where pipes share it"
+               : "");
     printf("  provenance  %c, %s\n", insn->provenance,
            isa_provenance(insn->provenance));
     describe_example(insn);

@@ -14,7 +14,8 @@ static const struct entry {
 } entries[] = {
 #define FAMILY(title) { title },
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
-             flags, semantics, provenance, effect) { NULL },
+             flags, semantics, provenance, effect) \
+    { NULL },
 #include "vm/insn.def"
 };
 enum { ENTRIES = sizeof entries / sizeof *entries };
@@ -54,7 +55,7 @@ static const struct {
       "the page table: the project has no operating system; the host is the "
       "monitor",
       NO_SUCH_CODE "; a request that [EXIT](#exit) does not know: "
-      "`bad-request`" },
+                   "`bad-request`" },
     { "input and output",
       "the machine had none of its own: its channels led to other "
       "computers. Programs are loaded by the host and print through "
@@ -309,8 +310,7 @@ static bool put_insn(const c205_insn *insn, const c205_model *model)
            insn->mnemonic, toupper((unsigned char)insn->effect[0]),
            insn->effect + 1, code);
     put_written(insn);
-    printf("| format | [%s](#formats) `",
-           c205_format_name(insn->format));
+    printf("| format | [%s](#formats) `", c205_format_name(insn->format));
     put_cell(drawing);
     puts("` |");
     good = put_operands(insn);
@@ -353,7 +353,8 @@ static bool put_families(const char *command, const c205_model *model)
             continue;
         }
         if (!put_insn(insn, model)) {
-            cmd_failed(command, "%s has no example in asm/isa_examples, or "
+            cmd_failed(command,
+                       "%s has no example in asm/isa_examples, or "
                        "a letter or flag that is not explained",
                        insn->mnemonic);
             good = false;

@@ -23,8 +23,7 @@ static const struct operand_meaning {
     { 'w', "register, written", NULL },
     { 'm', "register, read as bits, then written", NULL },
     { 'k', "register, written with an index", NULL },
-    { 'F', "half register, read as a number; h0, h1 are machine zero",
-      NULL },
+    { 'F', "half register, read as a number; h0, h1 are machine zero", NULL },
     { 'I', "half register, read as bits; h0, h1 are 0", NULL },
     { 'W', "half register, written", NULL },
     { 'M', "half register, read as bits, then written", NULL },
@@ -137,8 +136,8 @@ static void probe_format(const c205_insn *insn, char owners[WORD_BITS])
     mark('G', (c205_word)insn->subop_mask << (WORD_BITS - 2 * BYTE_BITS),
          owners);
     for (size_t i = 0; i < BYTE_FIELDS; i++) {
-        unsigned char *byte =
-            (unsigned char *)&fields + byte_fields[i].offset;
+        unsigned char *byte = (unsigned char *)&fields
+                              + byte_fields[i].offset;
         *byte = 0xFF;
         mark(byte_fields[i].letter, c205_encode(insn, &fields) ^ empty,
              owners);
@@ -204,8 +203,9 @@ bool isa_next_operand(const c205_insn *insn, const char **letter,
     }
     operand->written += strspn(operand->written, between);
     operand->length = (int)strcspn(operand->written, between);
-    operand->meaning = operand_meaning(
-        **letter, is_in_brackets(insn, *operand->written));
+    operand->meaning = operand_meaning(**letter,
+                                       is_in_brackets(insn,
+                                                      *operand->written));
     return **letter != '\0';
 }
 
@@ -216,7 +216,8 @@ static bool has_operand(const c205_insn *insn, const char *letters)
 
 static bool is_vector(const c205_insn *insn)
 {
-    return insn->unit == C205_UNIT_VECTOR && has_operand(insn, "vulVbdDeqcox");
+    return insn->unit == C205_UNIT_VECTOR
+           && has_operand(insn, "vulVbdDeqcox");
 }
 
 static bool must_have_control(const c205_insn *insn)
@@ -263,13 +264,12 @@ const char *isa_length(const c205_insn *insn)
                    : "that of A, or of B if A is broadcast; C's is set";
     }
     if (has_operand(insn, "x")) {
-        return has_operand(insn, "d")
-                   ? "that of C, or of A if A is shorter"
-                   : "that of A";
+        return has_operand(insn, "d") ? "that of C, or of A if A is shorter"
+                                      : "that of A";
     }
     if (has_operand(insn, "dDe")) {
-        return strchr(c205_format_syntax(insn->format), 'C')
-                   ? "that of C" : "that of T";
+        return strchr(c205_format_syntax(insn->format), 'C') ? "that of C"
+                                                             : "that of T";
     }
     return has_operand(insn, "b") ? "that of R"
            : strchr(c205_format_syntax(insn->format), 'b')
@@ -323,9 +323,10 @@ static size_t list_fields(const c205_insn *insn, const char *letters,
     text[0] = '\0';
     while (isa_next_operand(insn, &letter, &operand)) {
         if (strchr(letters, *letter)) {
-            length += (size_t)snprintf(
-                text + length, ISA_FIELDS - length, "%s%c",
-                count ? ", " : "", toupper((unsigned char)*operand.written));
+            length += (size_t)snprintf(text + length, ISA_FIELDS - length,
+                                       "%s%c", count ? ", " : "",
+                                       toupper(
+                                           (unsigned char)*operand.written));
             count++;
         }
     }
@@ -339,9 +340,9 @@ static size_t put_group(const c205_insn *insn, const char *letters,
 {
     char fields[ISA_FIELDS];
     size_t count = list_fields(insn, letters, fields);
-    return count ? (size_t)snprintf(text, size, count > 1 ? more : one,
-                                    fields)
-                 : 0;
+    return count
+               ? (size_t)snprintf(text, size, count > 1 ? more : one, fields)
+               : 0;
 }
 
 static bool broadcasts(const c205_insn *insn)
@@ -453,8 +454,8 @@ const char *isa_specials(const c205_insn *insn)
         return "machine zero equals every zero; indefinite equals nothing, "
                "and is neither >= nor <";
     }
-    while (strncmp(insn->mnemonic, specials[i].stem,
-                   strlen(specials[i].stem)) != 0) {
+    while (strncmp(insn->mnemonic, specials[i].stem, strlen(specials[i].stem))
+           != 0) {
         i++;
     }
     return specials[i].text;

@@ -36,8 +36,7 @@ static int show_models(const char *command, struct json *json)
 static int show_constants(const char *command, const c205_model *model,
                           struct json *json)
 {
-    struct table *table =
-        table_new(TABLE_COLUMNS(constant_columns));
+    struct table *table = table_new(TABLE_COLUMNS(constant_columns));
     for (size_t i = 0; table && i < c205_model_size(model); i++) {
         const c205_constant *constant = c205_model_constant(model, i);
         char source[2] = { constant->source, '\0' };

@@ -18,8 +18,7 @@ static c205_word word_at(const c205 *machine, uint64_t address)
     return first == address ? pair[0] : pair[0] << 32 | pair[1] >> 32;
 }
 
-static void trace(void *context, const c205 *machine,
-                  const c205_event *event)
+static void trace(void *context, const c205 *machine, const c205_event *event)
 {
     char text[DISASSEMBLE_TEXT_SIZE];
     if (event->kind != C205_EVENT_INSTRUCTION
@@ -127,9 +126,8 @@ static int run(const struct cmd_arguments *arguments, c205 *machine)
     c205_stop stop = c205_run(machine, arguments->limit);
     int code = show_accounts(arguments, machine, &stop, json);
     code = cmd_end_json(arguments, json, code);
-    int verdict = arguments->save
-                      ? save(arguments, machine, &stop)
-                      : judge(arguments->command, machine, &stop);
+    int verdict = arguments->save ? save(arguments, machine, &stop)
+                                  : judge(arguments->command, machine, &stop);
     return code == CMD_DONE ? verdict : code;
 }
 
@@ -166,10 +164,9 @@ static int make_and_run(const struct cmd_arguments *arguments,
                         const c205_model *model, const struct object *object)
 {
     c205_error error;
-    c205 *machine =
-        arguments->restore
-            ? restore(arguments->restore, model, object, &error)
-            : load(model, object, &error);
+    c205 *machine = arguments->restore
+                        ? restore(arguments->restore, model, object, &error)
+                        : load(model, object, &error);
     if (!machine) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
@@ -185,8 +182,8 @@ static int read_and_run(const struct cmd_arguments *arguments,
     if (arguments->file_count == 0) {
         return make_and_run(arguments, model, NULL);
     }
-    struct object *object =
-        cmd_read_program(arguments, arguments->files[0], &report);
+    struct object *object = cmd_read_program(arguments, arguments->files[0],
+                                             &report);
     int code = object ? make_and_run(arguments, model, object) : CMD_FAILED;
     object_free(object);
     return code;
@@ -223,8 +220,7 @@ int cmd_run(const struct cmd_arguments *arguments)
     if (arguments->check) {
         return cmd_check(arguments);
     }
-    c205_model *model =
-        cmd_find_model(arguments->command, arguments->model);
+    c205_model *model = cmd_find_model(arguments->command, arguments->model);
     code = model ? read_and_run(arguments, model) : CMD_FAILED;
     c205_model_free(model);
     return code;

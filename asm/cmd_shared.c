@@ -39,8 +39,7 @@ struct object *cmd_read_program(const struct cmd_arguments *arguments,
     return object;
 }
 
-bool cmd_open_json(const struct cmd_arguments *arguments,
-                   struct json **json)
+bool cmd_open_json(const struct cmd_arguments *arguments, struct json **json)
 {
     c205_error error;
     *json = NULL;

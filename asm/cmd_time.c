@@ -143,8 +143,7 @@ int cmd_time(const struct cmd_arguments *arguments)
                              "no such vector instruction: %s", name);
         }
     }
-    c205_model *model =
-        cmd_find_model(arguments->command, arguments->model);
+    c205_model *model = cmd_find_model(arguments->command, arguments->model);
     int code = CMD_FAILED;
     if (model && cmd_open_json(arguments, &json)) {
         code = time_model(arguments, model, json);

@@ -38,12 +38,10 @@ static bool is_defined(struct cursor *cursor)
     size_t length;
     const struct symbol *symbol;
 
-    if (!expect_name(cursor, "a name", &name, &length)
-        || !expect_end(cursor))
+    if (!expect_name(cursor, "a name", &name, &length) || !expect_end(cursor))
         return false;
     symbol = symbol_find(cursor->assembler, name, length);
-    return symbol
-           && (symbol->kind != SYMBOL_UNDEFINED || symbol->macro);
+    return symbol && (symbol->kind != SYMBOL_UNDEFINED || symbol->macro);
 }
 
 static bool is_not_defined(struct cursor *cursor)
@@ -113,14 +111,12 @@ static const struct {
     void (*obey)(struct expander *, struct cursor *,
                  bool (*)(struct cursor *));
     bool (*test)(struct cursor *);
-} directives[] = {
-    { ".if", open, holds },
-    { ".ifdef", open, is_defined },
-    { ".ifndef", open, is_not_defined },
-    { ".elseif", go_on, holds },
-    { ".else", go_on, NULL },
-    { ".endif", close_one, NULL }
-};
+} directives[] = { { ".if", open, holds },
+                   { ".ifdef", open, is_defined },
+                   { ".ifndef", open, is_not_defined },
+                   { ".elseif", go_on, holds },
+                   { ".else", go_on, NULL },
+                   { ".endif", close_one, NULL } };
 enum { DIRECTIVES = sizeof directives / sizeof *directives };
 
 static size_t find(const struct token *token)

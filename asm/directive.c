@@ -178,8 +178,8 @@ static bool add_region(struct assembler *assembler, struct region region)
     struct region *regions;
 
     regions = arena_grow(assembler->arena, assembler->regions,
-                         assembler->region_count,
-                         &assembler->region_capacity, sizeof *regions);
+                         assembler->region_count, &assembler->region_capacity,
+                         sizeof *regions);
     if (!regions)
         return false;
     assembler->regions = regions;
@@ -302,8 +302,7 @@ static bool parse_elements(struct cursor *cursor, enum item_kind kind,
     if (!parse_head(cursor, WORD_HALVES * MAX_WORDS / halves, &length))
         return false;
     at = cursor->token.begin;
-    if (cursor_take(cursor, ',')
-        && !add_values(cursor, kind, halves, &given))
+    if (cursor_take(cursor, ',') && !add_values(cursor, kind, halves, &given))
         return false;
     *rest = (uint64_t)length - given;
     return given <= (uint64_t)length
@@ -419,8 +418,9 @@ static bool parse_error(struct cursor *cursor)
     size_t length;
     const char *text = expect_string(cursor, &length);
 
-    return text && report(cursor->assembler, cursor->line,
-                          cursor->line->begin, "%s", text);
+    return text
+           && report(cursor->assembler, cursor->line, cursor->line->begin,
+                     "%s", text);
 }
 
 const struct directive *find_directive(const struct token *token)

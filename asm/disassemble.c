@@ -136,9 +136,11 @@ static void walk(struct disassembler *disassembler,
         struct text_line line = { "", 0 };
         struct sink sink = text_line_sink(&line);
         uint64_t stop = next_stop(disassembler->program, segment, address);
-        unsigned halves = instruction_write(
-            word_at(segment, address), address,
-            stop - address < WORD_BITS ? 1 : 2, &disassembler->labels, &sink);
+        unsigned halves = instruction_write(word_at(segment, address),
+                                            address,
+                                            stop - address < WORD_BITS ? 1
+                                                                       : 2,
+                                            &disassembler->labels, &sink);
 
         visitor(disassembler, segment, address, halves, line.text);
         address += halves * HALF_BITS;

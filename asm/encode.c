@@ -30,12 +30,14 @@ static bool encode_target(struct assembler *assembler,
     if (target % HALF_BITS)
         return report(assembler, item->line, item->line->begin,
                       "expected a branch target on a half word, found"
-                      " address %" PRIX64, target);
+                      " address %" PRIX64,
+                      target);
     if (fields->immediate < INT16_MIN || fields->immediate > INT16_MAX)
         return report(assembler, item->line, item->line->begin,
                       "the branch target is %" PRId64 " half words away,"
                       " more than 16 bits can tell; give its address in"
-                      " registers [y, b]", fields->immediate);
+                      " registers [y, b]",
+                      fields->immediate);
     return true;
 }
 
@@ -78,8 +80,7 @@ static c205_word encode_descriptor(struct assembler *assembler,
 
     if (evaluate_range(assembler, item->line, item->of.values[0], 0,
                        C205_MAX_LENGTH, "a length", &length))
-        evaluate_address(assembler, item->line, item->of.values[1],
-                         &address);
+        evaluate_address(assembler, item->line, item->of.values[1], &address);
     return (c205_word)length << ADDRESS_BITS | address;
 }
 
@@ -172,8 +173,7 @@ static bool check_overlap(struct assembler *assembler)
 
 static bool is_zero_run(const struct item *item)
 {
-    return item->kind == ITEM_SPACE
-           && item->halves >= 2 * (uint64_t)ZERO_RUN;
+    return item->kind == ITEM_SPACE && item->halves >= 2 * (uint64_t)ZERO_RUN;
 }
 
 /* How many items from this one on belong to one segment: no word between
@@ -219,8 +219,7 @@ static bool add_segment(struct assembler *assembler, struct storage *storage,
     return true;
 }
 
-static bool add_segments(struct assembler *assembler,
-                         struct storage *storage)
+static bool add_segments(struct assembler *assembler, struct storage *storage)
 {
     size_t i, count;
 
@@ -311,9 +310,10 @@ static bool add_lines(struct assembler *assembler, struct storage *storage)
     for (i = 0; i < assembler->item_count; i = next) {
         struct item whole = items[i];
 
-        for (next = i + 1; next < assembler->item_count
-                           && items[next].line == whole.line
-                           && items[next].address == end_of(&whole); next++)
+        for (next = i + 1;
+             next < assembler->item_count && items[next].line == whole.line
+             && items[next].address == end_of(&whole);
+             next++)
             whole.halves += items[next].halves;
         if (!add_line(storage, &whole))
             return false;
@@ -392,8 +392,7 @@ static bool fill(struct assembler *assembler, struct storage *storage)
 {
     return check_overlap(assembler) && add_segments(assembler, storage)
            && add_regions(assembler, storage)
-           && add_symbols(assembler, storage)
-           && add_lines(assembler, storage)
+           && add_symbols(assembler, storage) && add_lines(assembler, storage)
            && add_expectations(assembler, storage);
 }
 

@@ -20,7 +20,8 @@ static struct frame *push(struct expander *expander, const struct line *line,
     struct frame *frame;
 
     if (expander->depth == MAX_FRAMES) {
-        halt(expander, line, "includes and macros are nested too deeply;"
+        halt(expander, line,
+             "includes and macros are nested too deeply;"
              " does one contain itself?");
         return NULL;
     }
@@ -146,8 +147,7 @@ static struct line *body_line(struct expander *expander, struct frame *frame,
 }
 
 /* The next line of the text on top; NULL at its end. */
-static struct line *read_line(struct expander *expander,
-                              enum purpose purpose)
+static struct line *read_line(struct expander *expander, enum purpose purpose)
 {
     struct frame *frame = &expander->frames[expander->depth - 1];
 
@@ -299,11 +299,11 @@ static directive *find_directive(const struct token *token)
     static const struct {
         const char *name;
         directive *obey;
-    } directives[] = {
-        { ".macro", define_macro }, { ".rept", repeat },
-        { ".include", include },    { ".endm", stray },
-        { ".endr", stray }
-    };
+    } directives[] = { { ".macro", define_macro },
+                       { ".rept", repeat },
+                       { ".include", include },
+                       { ".endm", stray },
+                       { ".endr", stray } };
     size_t i;
 
     for (i = 0; i < sizeof directives / sizeof *directives; i++)

@@ -14,15 +14,15 @@ enum frame_kind { FRAME_FILE, FRAME_MACRO, FRAME_REPEAT };
 
 struct frame {
     enum frame_kind kind;
-    const char *name;           /* FRAME_FILE .. */
+    const char *name; /* FRAME_FILE .. */
     const char *at, *end;
     size_t number;
-    const struct line *caller;  /* the others .. */
+    const struct line *caller; /* the others .. */
     const struct macro *body;
     size_t next;
     const struct span *arguments;
     uint64_t unique, count, repeats;
-    unsigned conditions;        /* open when it began */
+    unsigned conditions; /* open when it began */
 };
 
 struct condition {
@@ -41,8 +41,8 @@ struct expander {
     unsigned condition_depth;
     const struct line *pending; /* the rest of a line after its labels */
     uint64_t unique;
-    uint64_t expansion;         /* bytes made so far */
-    bool halted;                /* bounds passed: nothing more comes */
+    uint64_t expansion; /* bytes made so far */
+    bool halted;        /* bounds passed: nothing more comes */
     char scratch[MAX_LINE];
 };
 

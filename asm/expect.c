@@ -104,8 +104,7 @@ static bool check_half_register(struct outcome *outcome,
 static bool check_flags(struct outcome *outcome,
                         const struct asm_expectation *expectation)
 {
-    return compare(outcome, expectation, "data flags",
-                   expectation->words[0],
+    return compare(outcome, expectation, "data flags", expectation->words[0],
                    c205_data_flags(outcome->machine));
 }
 
@@ -116,8 +115,8 @@ static bool unmapped(const struct outcome *outcome,
                      uint64_t address)
 {
     say_where(outcome, expectation);
-    sink_print(outcome->report, "a value at %" PRIX64
-               ", found no memory there\n", address);
+    sink_print(outcome->report,
+               "a value at %" PRIX64 ", found no memory there\n", address);
     return false;
 }
 
@@ -147,7 +146,8 @@ static bool check_words(struct outcome *outcome,
         if (!c205_read(outcome->machine, address, &found, 1))
             return unmapped(outcome, expectation, address);
         good = compare_element(outcome, expectation, "word", i, address,
-                               found) && good;
+                               found)
+               && good;
     }
     return good;
 }
@@ -166,7 +166,8 @@ static bool check_halves(struct outcome *outcome,
                        &found, 1))
             return unmapped(outcome, expectation, address);
         good = compare_element(outcome, expectation, "half", i, address,
-                               half_of(found, address)) && good;
+                               half_of(found, address))
+               && good;
     }
     return good;
 }
@@ -188,8 +189,9 @@ static bool check_bits(struct outcome *outcome,
         if (wanted == found)
             continue;
         say_where(outcome, expectation);
-        sink_print(outcome->report, "bit %zu, at %" PRIX64
-                   ", = %u, found %u\n", i, address, wanted, found);
+        sink_print(outcome->report,
+                   "bit %zu, at %" PRIX64 ", = %u, found %u\n", i, address,
+                   wanted, found);
         return false;
     }
     return true;
@@ -273,9 +275,10 @@ static bool check_rest(const struct outcome *outcome,
 
     if (!*outcome->printed || !has(object, EXPECT_PRINT))
         return true;
-    sink_print(outcome->report, "expected nothing more printed, found "
-               "'%.*s'\n", length < 400 ? (int)length : 400,
-               outcome->printed);
+    sink_print(outcome->report,
+               "expected nothing more printed, found "
+               "'%.*s'\n",
+               length < 400 ? (int)length : 400, outcome->printed);
     return false;
 }
 
@@ -283,13 +286,17 @@ bool expect_check(const struct object *object, const c205 *machine,
                   const c205_stop *stop, const char *printed,
                   const struct sink *report)
 {
-    static bool (*const checks[EXPECT_KINDS])(
-        struct outcome *, const struct asm_expectation *) = {
+    static bool (*const checks[EXPECT_KINDS])(struct outcome *,
+                                              const struct asm_expectation
+                                                  *) = {
         [EXPECT_REGISTER] = check_register,
         [EXPECT_HALF_REGISTER] = check_half_register,
-        [EXPECT_WORDS] = check_words,         [EXPECT_HALVES] = check_halves,
-        [EXPECT_BITS] = check_bits,           [EXPECT_FLAGS] = check_flags,
-        [EXPECT_CLOCKS] = check_clocks,       [EXPECT_TRAP] = check_trap,
+        [EXPECT_WORDS] = check_words,
+        [EXPECT_HALVES] = check_halves,
+        [EXPECT_BITS] = check_bits,
+        [EXPECT_FLAGS] = check_flags,
+        [EXPECT_CLOCKS] = check_clocks,
+        [EXPECT_TRAP] = check_trap,
         [EXPECT_PRINT] = check_print
     };
     struct outcome outcome;

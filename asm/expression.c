@@ -20,14 +20,24 @@ struct expression {
 static const struct {
     int code;
     int level; /* binds tighter the higher it is */
-} precedences[] = {
-    { OPERATOR('|', '|'), 1 }, { OPERATOR('&', '&'), 2 }, { '|', 3 },
-    { '^', 4 }, { '&', 5 }, { OPERATOR('=', '='), 6 },
-    { OPERATOR('!', '='), 6 }, { '<', 7 }, { '>', 7 },
-    { OPERATOR('<', '='), 7 }, { OPERATOR('>', '='), 7 },
-    { OPERATOR('<', '<'), 8 }, { OPERATOR('>', '>'), 8 }, { '+', 9 },
-    { '-', 9 }, { '*', 10 }, { '/', 10 }, { '%', 10 }
-};
+} precedences[] = { { OPERATOR('|', '|'), 1 },
+                    { OPERATOR('&', '&'), 2 },
+                    { '|', 3 },
+                    { '^', 4 },
+                    { '&', 5 },
+                    { OPERATOR('=', '='), 6 },
+                    { OPERATOR('!', '='), 6 },
+                    { '<', 7 },
+                    { '>', 7 },
+                    { OPERATOR('<', '='), 7 },
+                    { OPERATOR('>', '='), 7 },
+                    { OPERATOR('<', '<'), 8 },
+                    { OPERATOR('>', '>'), 8 },
+                    { '+', 9 },
+                    { '-', 9 },
+                    { '*', 10 },
+                    { '/', 10 },
+                    { '%', 10 } };
 
 static int precedence(const struct cursor *cursor)
 {
@@ -68,8 +78,7 @@ static const char *shift(int code, int64_t a, int64_t b, uint64_t *result)
 }
 
 /* NULL, or what is wrong. */
-static const char *calculate(int code, int64_t a, int64_t b,
-                             uint64_t *result)
+static const char *calculate(int code, int64_t a, int64_t b, uint64_t *result)
 {
     uint64_t ua = (uint64_t)a, ub = (uint64_t)b;
 
@@ -111,9 +120,7 @@ static bool value_of_symbol(struct assembler *assembler,
 
     switch (symbol->kind) {
     case SYMBOL_LABEL:
-    case SYMBOL_CONSTANT:
-        *value = symbol->value;
-        return true;
+    case SYMBOL_CONSTANT: *value = symbol->value; return true;
     case SYMBOL_REGISTER:
     case SYMBOL_HALF_REGISTER:
         return report(assembler, line, expression->at,
@@ -133,7 +140,8 @@ static bool operand(struct assembler *assembler, const struct line *line,
     if (!evaluate(assembler, line, expression, &value))
         return false;
     if (value.kind == VALUE_FLOATING)
-        return report(assembler, line, expression->at, "expected an integer;"
+        return report(assembler, line, expression->at,
+                      "expected an integer;"
                       " a floating-point number stands alone");
     *integer = (int64_t)value.bits;
     return true;
@@ -171,14 +179,10 @@ bool evaluate(struct assembler *assembler, const struct line *line,
 
     value->kind = VALUE_INTEGER;
     switch (expression->operation) {
-    case VALUE:
-        *value = expression->value;
-        return true;
-    case SYMBOL:
-        return value_of_symbol(assembler, line, expression, value);
+    case VALUE: *value = expression->value; return true;
+    case SYMBOL: return value_of_symbol(assembler, line, expression, value);
     case BITS:
-        return evaluate_word(assembler, line, expression->left,
-                             &value->bits);
+        return evaluate_word(assembler, line, expression->left, &value->bits);
     case WORD:
         value->kind = VALUE_WORD;
         if (!operand(assembler, line, expression->left, &integer))
@@ -208,9 +212,10 @@ bool evaluate_range(struct assembler *assembler, const struct line *line,
     if (!evaluate_integer(assembler, line, expression, integer))
         return false;
     if (*integer < low || *integer > high)
-        return report(assembler, line, expression->at, "expected %s from %"
-                      PRId64 " to %" PRId64 ", found %" PRId64, what, low,
-                      high, *integer);
+        return report(assembler, line, expression->at,
+                      "expected %s from %" PRId64 " to %" PRId64
+                      ", found %" PRId64,
+                      what, low, high, *integer);
     return true;
 }
 
@@ -227,7 +232,8 @@ bool evaluate_word(struct assembler *assembler, const struct line *line,
         return true;
     integer = (int64_t)value.bits;
     if (integer < -((int64_t)1 << 47) || integer >= (int64_t)1 << 48)
-        return report(assembler, line, expression->at, "expected a value of"
+        return report(assembler, line, expression->at,
+                      "expected a value of"
                       " 48 bits; all 64 are written X'..' or word(..)");
     *word = c205_from_integer(integer);
     return true;
@@ -310,9 +316,8 @@ static void fold(struct expression *node)
     node->depth = 0;
 }
 
-static struct expression *join(struct cursor *cursor,
-                               struct expression *node, int code,
-                               const struct expression *left,
+static struct expression *join(struct cursor *cursor, struct expression *node,
+                               int code, const struct expression *left,
                                const struct expression *right)
 {
     if (!node)
@@ -500,8 +505,7 @@ static const struct expression *parse_chain(struct cursor *cursor, int level)
 }
 
 /* Operators of this level and above.  Every nesting passes here. */
-static const struct expression *parse_binary(struct cursor *cursor,
-                                             int level)
+static const struct expression *parse_binary(struct cursor *cursor, int level)
 {
     const struct expression *result;
 
@@ -535,6 +539,6 @@ bool parse_integer(struct cursor *cursor, int64_t low, int64_t high,
     const struct expression *expression = parse_expression(cursor);
 
     return expression
-           && evaluate_range(cursor->assembler, cursor->line, expression,
-                             low, high, what, integer);
+           && evaluate_range(cursor->assembler, cursor->line, expression, low,
+                             high, what, integer);
 }

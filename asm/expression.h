@@ -31,8 +31,7 @@ bool evaluate_word(struct assembler *assembler, const struct line *line,
 bool evaluate_half(struct assembler *assembler, const struct line *line,
                    const struct expression *expression, c205_word *half);
 bool evaluate_address(struct assembler *assembler, const struct line *line,
-                      const struct expression *expression,
-                      uint64_t *address);
+                      const struct expression *expression, uint64_t *address);
 
 /* Parse and evaluate with the symbols known so far. */
 bool parse_value(struct cursor *cursor, struct value *value);

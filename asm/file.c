@@ -19,7 +19,8 @@ static char *read_stream(FILE *file, size_t *length)
         if (*length < capacity - 1 && !ferror(file))
             break;
         larger = ferror(file) || capacity >= largest
-                     ? NULL : realloc(text, capacity *= 2);
+                     ? NULL
+                     : realloc(text, capacity *= 2);
         if (!larger)
             free(text);
         text = larger;

@@ -55,8 +55,8 @@ static bool tell_bit(struct writer *writer, uint8_t bit)
     return bit != 0;
 }
 
-static void write_second(struct writer *writer,
-                         const struct operand *operand, uint8_t first)
+static void write_second(struct writer *writer, const struct operand *operand,
+                         uint8_t first)
 {
     uint8_t second = 0;
 
@@ -72,8 +72,7 @@ static void write_second(struct writer *writer,
         sink_print(&writer->sink, ", r%u", second);
 }
 
-static void write_source(struct writer *writer,
-                         const struct operand *operand)
+static void write_source(struct writer *writer, const struct operand *operand)
 {
     bool negate = tell_bit(writer, operand->negate);
     bool magnitude = tell_bit(writer, operand->magnitude);
@@ -140,17 +139,10 @@ static void write_operand(struct writer *writer,
                           const struct operand *operand)
 {
     switch (operand->kind) {
-    case OPERAND_IMMEDIATE:
-        write_immediate(writer, operand);
-        break;
-    case OPERAND_TARGET:
-        write_target(writer);
-        break;
-    case OPERAND_CONTROL:
-        write_control(writer, operand);
-        break;
-    default:
-        write_source(writer, operand);
+    case OPERAND_IMMEDIATE: write_immediate(writer, operand); break;
+    case OPERAND_TARGET: write_target(writer); break;
+    case OPERAND_CONTROL: write_control(writer, operand); break;
+    default: write_source(writer, operand);
     }
 }
 
@@ -159,8 +151,7 @@ static bool is_absent(const struct writer *writer,
                       const struct operand *operand)
 {
     return operand->kind == OPERAND_CONTROL && operand->may_be_left_out
-           && writer->fields.z == 0
-           && !(writer->fields.g & C205_G_ZEROS);
+           && writer->fields.z == 0 && !(writer->fields.g & C205_G_ZEROS);
 }
 
 static bool write_instruction(struct writer *writer, const c205_insn *insn,
@@ -190,8 +181,7 @@ static bool write_instruction(struct writer *writer, const c205_insn *insn,
 }
 
 unsigned instruction_write(c205_word word, uint64_t address,
-                           unsigned available,
-                           const struct addresses *labels,
+                           unsigned available, const struct addresses *labels,
                            const struct sink *sink)
 {
     static const struct writer empty;

@@ -17,8 +17,7 @@ bool addresses_hold(const struct addresses *addresses, uint64_t address);
  * words may be used; the labels that exist are called L and the address in
  * hex.  Returns how many half words were used. */
 unsigned instruction_write(c205_word word, uint64_t address,
-                           unsigned available,
-                           const struct addresses *labels,
+                           unsigned available, const struct addresses *labels,
                            const struct sink *sink);
 /* The address that it branches to or enters; false: none. */
 bool instruction_address(c205_word word, uint64_t address, uint64_t *target);

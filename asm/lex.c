@@ -155,9 +155,8 @@ static void lex_string(struct token *token, const char *end)
 
 static void lex_operator(struct token *token, const char *end)
 {
-    static const char *const doubles[] = {
-        "<<", ">>", "<=", ">=", "==", "!=", "&&", "||"
-    };
+    static const char *const doubles[] = { "<<", ">>", "<=", ">=",
+                                           "==", "!=", "&&", "||" };
     const char *at = token->begin;
     size_t i;
 
@@ -332,8 +331,9 @@ bool token_is(const struct token *token, const char *text)
     size_t i, length = (size_t)(token->end - token->begin);
 
     for (i = 0; i < length; i++)
-        if (!text[i] || tolower((unsigned char)token->begin[i])
-                            != tolower((unsigned char)text[i]))
+        if (!text[i]
+            || tolower((unsigned char)token->begin[i])
+                   != tolower((unsigned char)text[i]))
             return false;
     return text[length] == '\0';
 }

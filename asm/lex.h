@@ -5,13 +5,13 @@
 #include "asm/assembler.h"
 
 enum token_kind {
-    TOKEN_END,       /* of the line; begin is at its comment if it has one */
+    TOKEN_END, /* of the line; begin is at its comment if it has one */
     TOKEN_NAME,
     TOKEN_DIRECTIVE, /* ".name" */
     TOKEN_NUMBER,    /* integer, floating or X'..', in value */
     TOKEN_STRING,
-    TOKEN_OPERATOR,  /* in code, see OPERATOR */
-    TOKEN_BAD        /* problem tells why */
+    TOKEN_OPERATOR, /* in code, see OPERATOR */
+    TOKEN_BAD       /* problem tells why */
 };
 
 /* The code of an operator of two characters; of one: the character. */

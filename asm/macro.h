@@ -22,10 +22,10 @@ struct macro {
 
 /* What the backslashes of a body stand for. */
 struct substitution {
-    const struct macro *macro;    /* NULL: no \name */
+    const struct macro *macro; /* NULL: no \name */
     const struct span *arguments;
-    const uint64_t *unique;       /* \@, or NULL */
-    const uint64_t *count;        /* \+, or NULL */
+    const uint64_t *unique; /* \@, or NULL */
+    const uint64_t *count;  /* \+, or NULL */
 };
 
 /* After .macro: NAME a, b=default, ... */

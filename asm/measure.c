@@ -93,7 +93,8 @@ bool measure_knows(const char *name)
 static enum operand_place operand_of(char letter)
 {
     switch (toupper((unsigned char)letter)) {
-    case 'A': case 'R': return A;
+    case 'A':
+    case 'R': return A;
     case 'B': return B;
     case 'Z': return Z;
     default: return C;
@@ -168,8 +169,7 @@ static int write_triad(bool half, char *text)
 
 /* The load waits until the vector unit is done, so that nothing of the end
  * hides under the instruction. */
-static void write_program(const struct subject *subject,
-                          char text[TEXT_SIZE])
+static void write_program(const struct subject *subject, char text[TEXT_SIZE])
 {
     char operands[TEXT_SIZE / 2] = "";
     int length;
@@ -209,16 +209,17 @@ static c205_word next_numbers(uint64_t *state, bool half)
 /* Indices of a table of one page. */
 static c205_word next_index(uint64_t *state)
 {
-    return c205_from_integer(
-        (int64_t)(next_bits(state) >> 18) % C205_PAGE_WORDS);
+    return c205_from_integer((int64_t)(next_bits(state) >> 18)
+                             % C205_PAGE_WORDS);
 }
 
 static c205_word next_word(const struct subject *subject,
                            enum operand_place operand, uint64_t *state)
 {
     const c205_insn *insn = subject->insn;
-    bool indexed = insn && (insn->format == C205_FORMAT_TABLE
-                            || insn->format == C205_FORMAT_SPREAD);
+    bool indexed = insn
+                   && (insn->format == C205_FORMAT_TABLE
+                       || insn->format == C205_FORMAT_SPREAD);
     if (operand == Z) {
         return next_bits(state);
     }
@@ -386,9 +387,9 @@ double measure_rate(const struct measurement *measurement,
 {
     const c205_constant *period = c205_model_lookup(model, "clock.period");
     unsigned results = measurement->flops ? measurement->flops : 1;
-    return period ? 1000.0 * results
-                        / (measurement->per_element * period->value)
-                  : NAN;
+    return period
+               ? 1000.0 * results / (measurement->per_element * period->value)
+               : NAN;
 }
 
 double measure_half_length(const struct measurement *measurement)

@@ -15,8 +15,8 @@
 static void put_name(const struct sink *sink, const char *name)
 {
     for (; *name; name++)
-        sink->put(sink->context,
-                  iscntrl((unsigned char)*name) ? "?" : name, 1);
+        sink->put(sink->context, iscntrl((unsigned char)*name) ? "?" : name,
+                  1);
     sink_put(sink, "\n");
 }
 

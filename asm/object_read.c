@@ -8,8 +8,8 @@
 
 struct reader {
     struct storage *storage;
-    const char *at, *end;            /* of what is not read yet */
-    const char *field, *line_end;    /* of the line being read */
+    const char *at, *end;         /* of what is not read yet */
+    const char *field, *line_end; /* of the line being read */
     size_t line;
     uint64_t words;
     const char *problem;
@@ -240,10 +240,10 @@ static size_t words_of(const struct asm_expectation *expectation)
 static bool check_count(struct reader *reader,
                         const struct asm_expectation *expectation)
 {
-    static const size_t counts[EXPECT_KINDS] = {
-        [EXPECT_REGISTER] = 1, [EXPECT_HALF_REGISTER] = 1,
-        [EXPECT_FLAGS] = 1, [EXPECT_CLOCKS] = 1
-    };
+    static const size_t counts[EXPECT_KINDS] = { [EXPECT_REGISTER] = 1,
+                                                 [EXPECT_HALF_REGISTER] = 1,
+                                                 [EXPECT_FLAGS] = 1,
+                                                 [EXPECT_CLOCKS] = 1 };
 
     return expectation->kind == EXPECT_WORDS
            || expectation->kind == EXPECT_HALVES
@@ -280,12 +280,10 @@ static bool read_line(struct reader *reader)
     static const struct {
         const char *keyword;
         bool (*read)(struct reader *);
-    } kinds[] = {
-        { "entry", read_entry },     { "segment", read_segment },
-        { "zeros", read_zeros },     { "region", read_region },
-        { "label", read_label },     { "integer", read_integer },
-        { "word", read_word },       { "expect", read_expectation }
-    };
+    } kinds[] = { { "entry", read_entry }, { "segment", read_segment },
+                  { "zeros", read_zeros }, { "region", read_region },
+                  { "label", read_label }, { "integer", read_integer },
+                  { "word", read_word },   { "expect", read_expectation } };
     size_t i;
 
     for (i = 0; i < sizeof kinds / sizeof *kinds; i++)
@@ -310,8 +308,7 @@ static bool read_all(struct reader *reader)
     return false;
 }
 
-struct object *object_read(const char *text, size_t length,
-                           c205_error *error)
+struct object *object_read(const char *text, size_t length, c205_error *error)
 {
     struct reader reader = { NULL, NULL, NULL, NULL, NULL, 0, 0, NULL };
 
@@ -323,8 +320,8 @@ struct object *object_read(const char *text, size_t length,
         return &reader.storage->object;
     }
     snprintf(error->message, sizeof error->message, "line %zu: %s",
-             reader.line, reader.problem ? reader.problem
-                                         : "the host has no memory left");
+             reader.line,
+             reader.problem ? reader.problem : "the host has no memory left");
     if (reader.storage)
         object_free(&reader.storage->object);
     return NULL;

@@ -13,8 +13,9 @@ bool parse_any_register(struct cursor *cursor, struct register_name *found)
         return expected(cursor, "a register");
     length = (size_t)(token->end - token->begin);
     symbol = symbol_find(cursor->assembler, token->begin, length);
-    if (symbol && (symbol->kind == SYMBOL_REGISTER
-                   || symbol->kind == SYMBOL_HALF_REGISTER)) {
+    if (symbol
+        && (symbol->kind == SYMBOL_REGISTER
+            || symbol->kind == SYMBOL_HALF_REGISTER)) {
         found->half = symbol->kind == SYMBOL_HALF_REGISTER;
         found->number = (uint8_t)symbol->value.bits;
     } else if (!register_named(token->begin, length, found)) {
@@ -39,7 +40,8 @@ static bool parse_sized(struct cursor *cursor, bool half, uint8_t *number)
                   half ? "expected a half register, h0 .. h255, found the"
                          " whole register r%u"
                        : "expected a whole register, r0 .. r255, found the"
-                         " half register h%u", found.number);
+                         " half register h%u",
+                  found.number);
 }
 
 bool parse_register(struct cursor *cursor, uint8_t *number)
@@ -69,7 +71,8 @@ static bool parse_second(struct cursor *cursor, const struct operand *operand,
     if (first < C205_REGISTERS - 1 && second != first + 1)
         return report(cursor->assembler, cursor->line, at,
                       "expected r%u: the offset of a result is in the"
-                      " register after it", first + 1u);
+                      " register after it",
+                      first + 1u);
     return true;
 }
 
@@ -84,8 +87,7 @@ static bool parse_bracket(struct cursor *cursor,
 }
 
 static bool parse_unsigned(struct cursor *cursor,
-                           const struct operand *operand,
-                           c205_fields *fields)
+                           const struct operand *operand, c205_fields *fields)
 {
     if (operand->kind == OPERAND_BRACKET
         || (operand->kind == OPERAND_SOURCE && cursor_at(cursor, '[')))
@@ -166,12 +168,10 @@ static bool parse_operand(struct cursor *cursor,
     case OPERAND_IMMEDIATE:
         instruction->value = parse_expression(cursor);
         return instruction->value != NULL;
-    case OPERAND_TARGET:
-        return parse_target(cursor, instruction);
+    case OPERAND_TARGET: return parse_target(cursor, instruction);
     case OPERAND_CONTROL:
         return parse_control(cursor, operand, &instruction->fields);
-    default:
-        return parse_signed(cursor, operand, &instruction->fields);
+    default: return parse_signed(cursor, operand, &instruction->fields);
     }
 }
 

@@ -114,8 +114,8 @@ void printer_listen(void *context, const c205 *machine,
 {
     static void (*const requests[])(const struct printer *, const c205 *,
                                     c205_word) = {
-        NULL, print_number, print_integer, print_hex, print_text,
-        print_newline, print_vector, print_bits
+        NULL,       print_number,  print_integer, print_hex,
+        print_text, print_newline, print_vector,  print_bits
     };
     const struct printer *printer = context;
 

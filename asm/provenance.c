@@ -6,9 +6,12 @@
 static const struct {
     char letter;
     const char *name;
-} sources[] = { { 'P', "from a primary source" }, { 'S', "secondary" },
-                { 'D', "derived" }, { 'R', "reconstructed" },
-                { 'F', "fitted" }, { 0, NULL } };
+} sources[] = { { 'P', "from a primary source" },
+                { 'S', "secondary" },
+                { 'D', "derived" },
+                { 'R', "reconstructed" },
+                { 'F', "fitted" },
+                { 0, NULL } };
 
 static size_t constants_from(const c205_model *model, char source)
 {
@@ -105,8 +108,7 @@ static void print_belief(const c205_model *model, const char *before)
     if (!said) {
         say_origin(model, before);
     }
-    printf(".\n%sNot modelled: %s.\n", before,
-           provenance_left_out(model));
+    printf(".\n%sNot modelled: %s.\n", before, provenance_left_out(model));
 }
 
 static void print_sources(const c205_model *model, const char *before)

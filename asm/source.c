@@ -17,9 +17,9 @@ static bool join_lines(struct assembler *assembler, const struct text *text,
     for (line = text->lines; *line; line++)
         sink_put(&sink, *line);
     source->name = text->name;
-    source->text = buffer.failed ? NULL : arena_text(assembler->arena,
-                                                     buffer.text,
-                                                     buffer.length);
+    source->text = buffer.failed ? NULL
+                                 : arena_text(assembler->arena, buffer.text,
+                                              buffer.length);
     if (source->text)
         source->end = source->text + buffer.length;
     text_buffer_free(&buffer);
@@ -66,8 +66,7 @@ static bool read_source(struct assembler *assembler, const char *path,
 
 /* folder is not NUL-terminated. */
 static bool read_from(struct assembler *assembler, const char *folder,
-                      size_t length, const char *name,
-                      struct source *source)
+                      size_t length, const char *name, struct source *source)
 {
     char path[4096];
     const char *slash = length && folder[length - 1] != '/' ? "/" : "";

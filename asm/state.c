@@ -40,21 +40,21 @@ bool state_save(const c205 *machine, const char *path, c205_error *error)
     if (c205_save(machine, put, &output, &reason)) {
         return whole_commit(whole, error);
     }
-    tell(error, path, output.left < sizeof(c205_word)
-                          ? "a machine of this size cannot be saved"
-                          : reason.message);
+    tell(error, path,
+         output.left < sizeof(c205_word)
+             ? "a machine of this size cannot be saved"
+             : reason.message);
     whole_discard(whole);
     return false;
 }
 
-c205 *state_load(const char *path, const c205_model *model,
-                 c205_error *error)
+c205 *state_load(const char *path, const c205_model *model, c205_error *error)
 {
     size_t length;
     c205_error reason = { "" };
     char *bytes = file_read(path, &length, &reason);
-    c205 *machine =
-        bytes ? c205_restore(bytes, length, model, &reason) : NULL;
+    c205 *machine = bytes ? c205_restore(bytes, length, model, &reason)
+                          : NULL;
     if (!machine) {
         tell(error, path, reason.message);
     }

@@ -70,8 +70,7 @@ struct asm_symbol *storage_add_symbol(struct storage *storage)
 struct asm_line *storage_add_line(struct storage *storage)
 {
     struct object *object = &storage->object;
-    struct asm_line *grown = grow(storage, object->lines,
-                                  &object->line_count,
+    struct asm_line *grown = grow(storage, object->lines, &object->line_count,
                                   &storage->line_capacity, sizeof *grown);
 
     if (!grown)

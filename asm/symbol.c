@@ -20,8 +20,9 @@ struct symbol *symbol_find(const struct assembler *assembler,
     struct symbol *symbol;
 
     symbol = assembler->symbols.buckets[hash(name, length)];
-    while (symbol && (symbol->length != length
-                      || memcmp(symbol->name, name, length) != 0))
+    while (symbol
+           && (symbol->length != length
+               || memcmp(symbol->name, name, length) != 0))
         symbol = symbol->next;
     return symbol;
 }

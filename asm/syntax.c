@@ -28,23 +28,22 @@ static const struct format_rule {
     int64_t low, high;
     size_t left_out;
     bool needs_vector;
-} format_rules[] = {
-    { C205_FORMAT_SHIFT, -64, 63, 0, false },
-    { C205_FORMAT_REQUEST, 0, 255, 3, false },
-    { C205_FORMAT_I16, -32768, 65535, 0, false },
-    { C205_FORMAT_I24, -((int64_t)1 << 23), ((int64_t)1 << 24) - 1, 0,
-      false },
-    { C205_FORMAT_I48, -((int64_t)1 << 47), ((int64_t)1 << 48) - 1, 0,
-      false },
-    { C205_FORMAT_JUMP, 0, ((int64_t)1 << 48) - 1, 1, false },
-    { C205_FORMAT_ALTER, 0, 15, 0, false },
-    { C205_FORMAT_ALTERB, 0, 15, 0, false },
-    { C205_FORMAT_ALTERF, 0, 15, 0, false },
-    { C205_FORMAT_INDEX, 0, 0, 1, false },
-    { C205_FORMAT_REDUCE, 0, 0, 0, true },
-    { C205_FORMAT_REDUCE2, 0, 0, 0, true },
-    { C205_FORMAT_SIEVE, 0, 0, 0, true }
-};
+} format_rules[] = { { C205_FORMAT_SHIFT, -64, 63, 0, false },
+                     { C205_FORMAT_REQUEST, 0, 255, 3, false },
+                     { C205_FORMAT_I16, -32768, 65535, 0, false },
+                     { C205_FORMAT_I24, -((int64_t)1 << 23),
+                       ((int64_t)1 << 24) - 1, 0, false },
+                     { C205_FORMAT_I48, -((int64_t)1 << 47),
+                       ((int64_t)1 << 48) - 1, 0, false },
+                     { C205_FORMAT_JUMP, 0, ((int64_t)1 << 48) - 1, 1,
+                       false },
+                     { C205_FORMAT_ALTER, 0, 15, 0, false },
+                     { C205_FORMAT_ALTERB, 0, 15, 0, false },
+                     { C205_FORMAT_ALTERF, 0, 15, 0, false },
+                     { C205_FORMAT_INDEX, 0, 0, 1, false },
+                     { C205_FORMAT_REDUCE, 0, 0, 0, true },
+                     { C205_FORMAT_REDUCE2, 0, 0, 0, true },
+                     { C205_FORMAT_SIEVE, 0, 0, 0, true } };
 
 static const struct format_rule *find_rule(c205_format format)
 {

@@ -9,12 +9,12 @@
 #include "vm/c205.h"
 
 enum operand_kind {
-    OPERAND_REGISTER,  /* R */
-    OPERAND_BRACKET,   /* [R] */
-    OPERAND_SOURCE,    /* [A] or R, which is broadcast */
+    OPERAND_REGISTER, /* R */
+    OPERAND_BRACKET,  /* [R] */
+    OPERAND_SOURCE,   /* [A] or R, which is broadcast */
     OPERAND_IMMEDIATE,
     OPERAND_TARGET,
-    OPERAND_CONTROL    /* ? [Z] or ?! [Z] */
+    OPERAND_CONTROL /* ? [Z] or ?! [Z] */
 };
 
 /* The register after a comma inside brackets is the one after the first. */

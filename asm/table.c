@@ -129,8 +129,8 @@ const char *table_key(const struct table *table, size_t column)
 
 double table_value(const struct table *table, size_t row, size_t column)
 {
-    const struct cell *cell =
-        &table->cells[row * table->column_count + column];
+    const struct cell
+        *cell = &table->cells[row * table->column_count + column];
     enum table_kind kind = table->columns[column].kind;
     if (cell->empty || kind == TABLE_TEXT) {
         return NAN;
@@ -152,8 +152,7 @@ static size_t width_of(const struct table *table, size_t column,
                        measure_text *length_of)
 {
     size_t width = length_of(table->columns[column].heading);
-    for (size_t i = column; i < table->cell_count;
-         i += table->column_count) {
+    for (size_t i = column; i < table->cell_count; i += table->column_count) {
         size_t length = length_of(table->cells[i].text);
         width = length > width ? length : width;
     }
@@ -170,8 +169,8 @@ static size_t *widths_of(const struct table *table, measure_text *length_of)
     return widths;
 }
 
-static void plain_cell(const struct table *table, size_t column,
-                       size_t width, const char *text, FILE *file)
+static void plain_cell(const struct table *table, size_t column, size_t width,
+                       const char *text, FILE *file)
 {
     bool last = column + 1 == table->column_count;
     if (table->columns[column].kind != TABLE_TEXT) {
@@ -197,8 +196,8 @@ static bool write_plain(const struct table *table, FILE *file)
         plain_cell(table, i, widths[i], table->columns[i].heading, file);
     }
     for (size_t i = 0; i < table->cell_count; i++) {
-        plain_cell(table, i % count, widths[i % count],
-                   table->cells[i].text, file);
+        plain_cell(table, i % count, widths[i % count], table->cells[i].text,
+                   file);
     }
     free(widths);
     return true;
@@ -380,8 +379,7 @@ static void cell_json(const struct cell *cell,
     }
 }
 
-bool table_json(const struct table *table, struct json *json,
-                const char *key)
+bool table_json(const struct table *table, struct json *json, const char *key)
 {
     size_t count = table->column_count;
     if (!table_is_whole(table)) {

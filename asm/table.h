@@ -17,7 +17,7 @@ struct table_column {
     const char *key;     /* in JSON */
     const char *heading; /* in print */
     enum table_kind kind;
-    int decimals;        /* of a number, in print */
+    int decimals; /* of a number, in print */
 };
 
 /* How a table is written.  Plain and Markdown show numbers with the decimals

@@ -4,9 +4,8 @@
 
 #include "asm/statement.h"
 
-static const struct expression **add_value(struct cursor *cursor,
-                                           struct wish *wish,
-                                           size_t *capacity)
+static const struct expression **
+add_value(struct cursor *cursor, struct wish *wish, size_t *capacity)
 {
     const struct expression **values;
 
@@ -41,8 +40,7 @@ static bool parse_place(struct cursor *cursor, struct wish *wish)
 /* [label] = 1, 2, 3 */
 static bool parse_memory(struct cursor *cursor, struct wish *wish)
 {
-    return parse_place(cursor, wish)
-           && expect_operator(cursor, '=', "'='")
+    return parse_place(cursor, wish) && expect_operator(cursor, '=', "'='")
            && parse_values(cursor, wish);
 }
 
@@ -97,8 +95,7 @@ static bool parse_bits(struct cursor *cursor, struct wish *wish)
 
 static bool parse_one(struct cursor *cursor, struct wish *wish)
 {
-    wish->values = arena_take(cursor->assembler->arena,
-                              sizeof *wish->values);
+    wish->values = arena_take(cursor->assembler->arena, sizeof *wish->values);
     wish->count = 1;
     return wish->values
            && (wish->values[0] = parse_expression(cursor)) != NULL
@@ -151,15 +148,13 @@ static bool parse_named(struct cursor *cursor, const char *name,
         const char *name;
         enum expectation_kind kind;
         bool (*parse)(struct cursor *, struct wish *);
-    } wishes[] = {
-        { "expect", EXPECT_REGISTER, parse_expect },
-        { "expect-halves", EXPECT_HALVES, parse_memory },
-        { "expect-bits", EXPECT_BITS, parse_bits },
-        { "expect-flags", EXPECT_FLAGS, parse_one },
-        { "expect-clocks", EXPECT_CLOCKS, parse_one },
-        { "expect-trap", EXPECT_TRAP, parse_trap },
-        { "expect-print", EXPECT_PRINT, parse_rest }
-    };
+    } wishes[] = { { "expect", EXPECT_REGISTER, parse_expect },
+                   { "expect-halves", EXPECT_HALVES, parse_memory },
+                   { "expect-bits", EXPECT_BITS, parse_bits },
+                   { "expect-flags", EXPECT_FLAGS, parse_one },
+                   { "expect-clocks", EXPECT_CLOCKS, parse_one },
+                   { "expect-trap", EXPECT_TRAP, parse_trap },
+                   { "expect-print", EXPECT_PRINT, parse_rest } };
     static const struct wish empty;
     struct line *line = arena_take(cursor->assembler->arena, sizeof *line);
     size_t i;

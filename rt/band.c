@@ -39,8 +39,7 @@ c205 *band_machine(const struct band_work *work, size_t first_row,
 {
     c205 *machine = c205_new(work->model, error);
 
-    if (machine != NULL
-        && load(work, machine, first_row, rows, layout, error))
+    if (machine && load(work, machine, first_row, rows, layout, error))
         return machine;
     c205_free(machine);
     return NULL;
@@ -82,13 +81,13 @@ static bool run(const struct band_work *work, c205 *machine, size_t pixels,
 {
     struct telling telling = { work, pixels, context };
 
-    return program_run(machine, work->progress != NULL ? tell_pixels : NULL,
-                       &telling, stopped, error);
+    return program_run(machine, work->progress ? tell_pixels : NULL, &telling,
+                       stopped, error);
 }
 
 static bool project(c205_projection *const *projections, c205 *machine)
 {
-    for (; projections != NULL && *projections != NULL; projections++)
+    for (; projections && *projections != NULL; projections++)
         if (!c205_listen(machine, c205_project, *projections))
             return false;
     return true;
@@ -99,7 +98,7 @@ static bool listen(struct band_tracer *tracer, c205_error *error)
     const struct band_work *work = tracer->work;
 
     snprintf(error->message, sizeof error->message, "too many listeners");
-    return (work->listener == NULL
+    return (!work->listener
             || c205_listen(tracer->machine, work->listener,
                            work->listener_context))
            && (!work->watch_vectors
@@ -116,8 +115,7 @@ static bool read_counters(const struct band_work *work, const c205 *machine,
                                                         kinds[i].counter);
         c205_word word;
 
-        if (symbol == NULL
-            || !c205_read(machine, (uint64_t)symbol->value, &word, 1))
+        if (!symbol || !c205_read(machine, (uint64_t)symbol->value, &word, 1))
             return false;
         band->rays[i] = (uint64_t)c205_to_integer(word);
     }
@@ -142,10 +140,10 @@ static bool collect(const struct band_work *work, const c205 *machine,
 /* The machine that traced the last band, or a new one. */
 static bool ready(struct band_tracer *tracer, c205_error *error)
 {
-    if (tracer->machine != NULL)
+    if (tracer->machine)
         return true;
     tracer->machine = c205_new(tracer->work->model, error);
-    return tracer->machine != NULL && listen(tracer, error);
+    return tracer->machine && listen(tracer, error);
 }
 
 bool band_trace(struct band_tracer *tracer, struct band *band,

@@ -14,8 +14,13 @@
 #include "rt/vector_use.h"
 
 /* Rays by kind, as the program counts them. */
-enum ray_kind { RAY_PRIMARY, RAY_REFLECTED, RAY_REFRACTED, RAY_SHADOW,
-                RAY_KINDS };
+enum ray_kind {
+    RAY_PRIMARY,
+    RAY_REFLECTED,
+    RAY_REFRACTED,
+    RAY_SHADOW,
+    RAY_KINDS
+};
 const char *ray_kind_name(enum ray_kind kind);
 
 /* What a band is traced from; all of it outlives the work. */
@@ -29,7 +34,8 @@ struct band_work {
     bool watch_vectors;   /* fill in band.vectors */
     c205_listener *listener; /* on every machine, or NULL */
     void *listener_context;
-    c205_projection *const *projections; /* listen as well; NULL at the end, or
+    c205_projection *const
+        *projections; /* listen as well; NULL at the end, or
                                             NULL */
     /* Called now and then with the pixels of this band that are begun; false:
      * stop.  NULL if nobody wants to know. */

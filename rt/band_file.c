@@ -33,7 +33,7 @@ static void put(struct words *words, uint64_t word)
         size_t room = words->room > 0 ? 2 * words->room : 1024;
         uint64_t *items = realloc(words->items, room * sizeof *items);
 
-        if (items == NULL) {
+        if (!items) {
             words->failed = true;
             return;
         }
@@ -141,7 +141,7 @@ static bool take_samples(struct words *words, struct band *band, size_t width)
         return false;
     count = FRAME_CHANNELS * band->rows * width;
     band->words = count == left ? malloc(count * sizeof *band->words) : NULL;
-    if (band->words == NULL)
+    if (!band->words)
         return false;
     memcpy(band->words, words->items + words->at,
            count * sizeof *band->words);
@@ -183,15 +183,16 @@ static bool read_words(FILE *stream, struct words *words)
         put(words, word);
     }
     return !words->failed && read_word(stream, &word)
-           && word == checksum_words(CHECKSUM_BEGIN, words->items,
-                                     words->count);
+           && word
+                  == checksum_words(CHECKSUM_BEGIN, words->items,
+                                    words->count);
 }
 
 static bool grow(struct band **bands, size_t count)
 {
     struct band *grown = realloc(*bands, (count + 1) * sizeof **bands);
 
-    if (grown == NULL)
+    if (!grown)
         return false;
     *bands = grown;
     memset(&grown[count], 0, sizeof *grown);
@@ -250,16 +251,16 @@ static bool write_head(FILE *stream, uint64_t key, size_t width)
 }
 
 static bool begin(struct band_file *file, uint64_t key, size_t width,
-                  const c205_model *model, struct band **bands,
-                  size_t *count, c205_error *error)
+                  const c205_model *model, struct band **bands, size_t *count,
+                  c205_error *error)
 {
     bool fresh;
 
     file->stream = fopen(file->path, "r+b");
-    fresh = file->stream == NULL && errno == ENOENT;
+    fresh = !file->stream && errno == ENOENT;
     if (fresh)
         file->stream = fopen(file->path, "w+b");
-    if (file->stream == NULL) {
+    if (!file->stream) {
         snprintf(error->message, sizeof error->message, "%s",
                  strerror(errno));
         return false;
@@ -281,7 +282,7 @@ struct band_file *band_file_open(const char *path, uint64_t key, size_t width,
 
     *bands = NULL;
     *count = 0;
-    if (file != NULL && copy != NULL) {
+    if (file && copy) {
         file->path = strcpy(copy, path);
         file->width = width;
         if (begin(file, key, width, model, bands, count, &why))
@@ -293,7 +294,7 @@ struct band_file *band_file_open(const char *path, uint64_t key, size_t width,
         band_free(&(*bands)[--*count]);
     free(*bands);
     *bands = NULL;
-    if (file != NULL && file->stream != NULL)
+    if (file && file->stream)
         fclose(file->stream);
     free(copy);
     free(file);
@@ -310,9 +311,10 @@ bool band_file_add(struct band_file *file, const struct band *band,
     good = !words.failed && write_word(file->stream, words.count);
     for (size_t i = 0; good && i < words.count; i++)
         good = write_word(file->stream, words.items[i]);
-    good = good && write_word(file->stream,
-                              checksum_words(CHECKSUM_BEGIN, words.items,
-                                             words.count))
+    good = good
+           && write_word(file->stream,
+                         checksum_words(CHECKSUM_BEGIN, words.items,
+                                        words.count))
            && fflush(file->stream) == 0;
     if (!good)
         snprintf(error->message, sizeof error->message,
@@ -334,7 +336,7 @@ static bool is_there(const struct band_file *file)
 
 void band_file_close(struct band_file *file, bool remove_it)
 {
-    if (file == NULL)
+    if (!file)
         return;
     remove_it = remove_it && is_there(file);
     fclose(file->stream);

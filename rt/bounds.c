@@ -148,7 +148,7 @@ static void add_rings(struct hull *hull, const struct primitive *primitive,
 
 static void box_hull(const struct primitive *primitive, struct hull *hull)
 {
-    const double (*corner)[3] = primitive->shape.box.corner;
+    const double(*corner)[3] = primitive->shape.box.corner;
 
     for (int i = 0; i < 8; i++) {
         const double point[3] = { corner[i & 1][0], corner[i >> 1 & 1][1],
@@ -254,10 +254,10 @@ void bound_primitive(const struct primitive *primitive, struct bound *bound)
     struct hull hull = { .count = 0 };
 
     *bound = bound_none;
-    if (kinds[primitive->kind].hull != NULL) {
+    if (kinds[primitive->kind].hull) {
         kinds[primitive->kind].hull(primitive, &hull);
         bound_enclose(hull.points, hull.count, bound);
-    } else if (kinds[primitive->kind].reach != NULL) {
+    } else if (kinds[primitive->kind].reach) {
         bound->radius = kinds[primitive->kind].reach(primitive,
                                                      bound->center);
         transform_point(&primitive->to_world, bound->center);
@@ -299,15 +299,9 @@ static void bound_node(const struct scene *scene, size_t node,
         bound_primitive(&scene->primitives[scene->nodes[node].primitive],
                         &bounds[node]);
         break;
-    case TREE_AND:
-        bounds[node] = least_of(children, count);
-        break;
-    case TREE_OR:
-        bound_enclose(children, count, &bounds[node]);
-        break;
-    case TREE_NOT:
-        bounds[node] = bound_none;
-        break;
+    case TREE_AND: bounds[node] = least_of(children, count); break;
+    case TREE_OR: bound_enclose(children, count, &bounds[node]); break;
+    case TREE_NOT: bounds[node] = bound_none; break;
     }
 }
 
@@ -317,7 +311,7 @@ bool bound_nodes(const struct scene *scene, struct bound *bounds)
     struct bound *children = malloc((scene->node_count + 1)
                                     * sizeof *children);
 
-    if (children == NULL)
+    if (!children)
         return false;
     for (size_t node = scene->node_count; node-- > 0;)
         bound_node(scene, node, bounds, children);

@@ -23,22 +23,22 @@ enum cmd_format {
 
 struct cmd_arguments {
     const char *command;
-    const char *sweep;          /* what is swept, or NULL */
-    const char *scene;          /* the file to work on, or NULL; of a sweep
+    const char *sweep;         /* what is swept, or NULL */
+    const char *scene;         /* the file to work on, or NULL; of a sweep
                                    perhaps a primitive */
-    const char *output, *json;  /* NULL: not wanted */
-    const char *resume;         /* keeps finished bands, or NULL */
+    const char *output, *json; /* NULL: not wanted */
+    const char *resume;        /* keeps finished bands, or NULL */
     const char *model;
     enum cmd_format format;
-    struct trace_options trace; /* its model is not yet set */
-    struct speedup_view view; /* angle 0: not given */
+    struct trace_options trace;        /* its model is not yet set */
+    struct speedup_view view;          /* angle 0: not given */
     size_t points[SWEEP_LENGTHS_MOST]; /* lengths of the queue, rising */
     size_t point_count;
     bool strict, half;
     bool first, compare; /* of polynomials: --first, --falsi all */
     bool passes; /* of the root solver, one by one, in the speedup table */
     enum falsi falsi;
-    const char **search;        /* folders for includes; NULL at the end */
+    const char **search; /* folders for includes; NULL at the end */
 };
 
 typedef int cmd_function(struct cmd_arguments *arguments);

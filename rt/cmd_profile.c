@@ -7,8 +7,7 @@
 
 static bool trace_stages(const struct cmd_arguments *arguments,
                          const struct scene *scene,
-                         struct trace *traces[TRACE_MODES],
-                         c205_error *error)
+                         struct trace *traces[TRACE_MODES], c205_error *error)
 {
     struct trace_options options = arguments->trace;
 
@@ -16,7 +15,7 @@ static bool trace_stages(const struct cmd_arguments *arguments,
     for (int i = 0; i < TRACE_MODES; i++) {
         options.mode = profile_stages[i];
         traces[i] = trace_new(scene, &options, error);
-        if (traces[i] == NULL || !trace_run(traces[i], error))
+        if (!traces[i] || !trace_run(traces[i], error))
             return false;
     }
     return true;
@@ -49,7 +48,7 @@ static void tell_head(const struct cmd_arguments *arguments,
            arguments->scene, options->width, options->height, options->queue,
            text);
     provenance_print(options->model, "");
-    if (json == NULL)
+    if (!json)
         return;
     json_text(json, "scene", arguments->scene);
     json_count(json, "width", options->width);
@@ -68,7 +67,7 @@ static bool tell_table(enum profile_table kind,
 
     printf("\n%s\n\n", profile_table_heading(kind));
     good = good && table_print(table, stdout);
-    if (good && json != NULL)
+    if (good && json)
         good = table_json(table, json, profile_table_key(kind));
     table_free(table);
     return good;
@@ -99,7 +98,7 @@ static int profile(const struct cmd_arguments *arguments, struct json *json)
 
     for (int i = 0; i < TRACE_MODES; i++)
         trace_free(traces[i]);
-    if (scene == NULL)
+    if (!scene)
         return CMD_FAILED;
     scene_free(scene);
     return good ? CMD_DONE

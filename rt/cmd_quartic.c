@@ -70,7 +70,7 @@ static size_t tell_roots(const struct cmd_arguments *arguments,
 {
     size_t refused = 0;
 
-    if (json != NULL)
+    if (json)
         json_array(json, "polynomials");
     for (size_t i = 0; i < polynomials->count; i++) {
         if (roots[i].count == ROOTS_REFUSED) {
@@ -83,10 +83,10 @@ static size_t tell_roots(const struct cmd_arguments *arguments,
             continue;
         }
         print_roots(i, &roots[i]);
-        if (json != NULL)
+        if (json)
             write_roots(i, &roots[i], json);
     }
-    if (json != NULL)
+    if (json)
         json_end(json);
     return refused;
 }
@@ -127,7 +127,7 @@ static struct root_search *search(const struct polynomials *polynomials,
     struct root_search *found = roots_new(polynomials->items,
                                           polynomials->count, options, error);
 
-    if (found == NULL)
+    if (!found)
         return NULL;
     if (!roots_watch(found, iterations))
         snprintf(error->message, sizeof error->message,
@@ -150,8 +150,7 @@ static int solve(const struct cmd_arguments *arguments,
                                        &error);
     struct polynomial_roots *roots = calloc(polynomials->count + 1,
                                             sizeof *roots);
-    bool good = found != NULL && roots != NULL
-                && roots_read(found, roots, &error);
+    bool good = found && roots && roots_read(found, roots, &error);
     size_t refused = 0;
 
     if (good) {
@@ -192,7 +191,7 @@ static bool add_rule(struct table *table,
         const struct stage_count *count = iterations.stage;
         uint64_t clocks;
 
-        if (found == NULL)
+        if (!found)
             return false;
         clocks = c205_clock(roots_machine(found));
         roots_free(found);
@@ -223,13 +222,13 @@ static int compare_rules(const struct cmd_arguments *arguments,
         good = add_rule(table, arguments, polynomials, (enum falsi)rule,
                         &error);
     if (good) {
-        printf("# %zu polynomials, a queue of %zu, %s\n",
-               polynomials->count, arguments->trace.queue,
+        printf("# %zu polynomials, a queue of %zu, %s\n", polynomials->count,
+               arguments->trace.queue,
                arguments->first ? "first roots" : "all roots");
         provenance_print(arguments->trace.model, "# ");
         good = print_remarks(table, "The rules of falsi:");
     }
-    if (good && json != NULL) {
+    if (good && json) {
         provenance_json(arguments->trace.model, json);
         good = table_json(table, json, "rules");
     }
@@ -259,7 +258,8 @@ static int run(const struct cmd_arguments *arguments, struct json *json)
 int cmd_quartic(struct cmd_arguments *arguments)
 {
     if (arguments->trace.mode >= TRACE_FORMS)
-        return cmd_usage(arguments->command,
-                         "polynomials are solved in scalar or in vector form");
+        return cmd_usage(
+            arguments->command,
+            "polynomials are solved in scalar or in vector form");
     return cmd_with_machine(arguments, run);
 }

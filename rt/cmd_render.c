@@ -87,8 +87,7 @@ static bool tell(const struct cmd_arguments *arguments,
                              .regions = accounts_by_region(accounts),
                              .causes = accounts_of_run(accounts),
                              .detail = accounts_by_cause(accounts) };
-    bool good = result.regions != NULL && result.causes != NULL
-                && result.detail != NULL;
+    bool good = result.regions && result.causes && result.detail;
 
     if (good) {
         snprintf(result.checksum, sizeof result.checksum, "%016llX",
@@ -97,7 +96,7 @@ static bool tell(const struct cmd_arguments *arguments,
         good = table_print(result.regions, stdout) && putchar('\n') != EOF
                && table_print(result.causes, stdout);
     }
-    if (good && json != NULL)
+    if (good && json)
         good = write_result(&result, json);
     table_free(result.regions);
     table_free(result.causes);
@@ -113,14 +112,13 @@ static bool run(const struct cmd_arguments *arguments, struct trace *trace,
     const char *keep = arguments->resume;
     c205_error why;
 
-    if (keep != NULL && !trace_keep(trace, keep, error))
+    if (keep && !trace_keep(trace, keep, error))
         return false;
     if (trace_run(trace, &why))
         return true;
     snprintf(error->message, sizeof error->message, "%.120s%s%.100s",
-             why.message,
-             keep != NULL ? "; --resume goes on from " : "",
-             keep != NULL ? keep : "");
+             why.message, keep ? "; --resume goes on from " : "",
+             keep ? keep : "");
     return false;
 }
 
@@ -129,7 +127,7 @@ static int render(const struct cmd_arguments *arguments,
 {
     c205_error error = { "no memory" };
     struct trace *trace = trace_new(scene, &arguments->trace, &error);
-    bool good = trace != NULL && run(arguments, trace, &error)
+    bool good = trace && run(arguments, trace, &error)
                 && write_picture(arguments, trace, &error);
 
     if (good) {
@@ -145,7 +143,7 @@ static int render_scene(const struct cmd_arguments *arguments,
                         struct json *json)
 {
     struct scene *scene = cmd_read_scene(arguments);
-    int code = scene == NULL ? CMD_FAILED : render(arguments, scene, json);
+    int code = !scene ? CMD_FAILED : render(arguments, scene, json);
 
     scene_free(scene);
     return code;
@@ -157,7 +155,7 @@ static int check_files(const struct cmd_arguments *arguments)
 {
     struct picture_error why;
 
-    if (arguments->output == NULL)
+    if (!arguments->output)
         return cmd_usage(arguments->command, "name the picture with -o");
     if (cmd_is_one_file(arguments->json, arguments->output))
         return cmd_usage(arguments->command, "-o and --json name one file");
@@ -176,5 +174,6 @@ int cmd_render(struct cmd_arguments *arguments)
 {
     int code = check_files(arguments);
 
-    return code == CMD_DONE ? cmd_with_machine(arguments, render_scene) : code;
+    return code == CMD_DONE ? cmd_with_machine(arguments, render_scene)
+                            : code;
 }

@@ -11,7 +11,7 @@ static bool open_json(const struct cmd_arguments *arguments,
     *json = NULL;
     if (arguments->format == FORMAT_JSON)
         *json = json_open_stream(stdout, arguments->json, error);
-    else if (arguments->json != NULL)
+    else if (arguments->json)
         *json = json_open(arguments->json, error);
     else
         return true;
@@ -24,9 +24,9 @@ static int end_json(const struct cmd_arguments *arguments, struct json *json,
     bool whole = code == CMD_DONE || code == CMD_UNDRAWN;
     c205_error error;
 
-    if (json != NULL && !whole)
+    if (json && !whole)
         json_discard(json);
-    else if (json != NULL && !json_close(json, &error))
+    else if (json && !json_close(json, &error))
         return cmd_failed(arguments->command, "%s", error.message);
     return code == CMD_UNDRAWN ? CMD_FAILED : code;
 }
@@ -38,7 +38,7 @@ int cmd_with_machine(struct cmd_arguments *arguments, cmd_work *work)
     c205_model *model = c205_model_find(arguments->model, &error);
     int code;
 
-    if (model == NULL)
+    if (!model)
         return cmd_failed(arguments->command, "%s", error.message);
     if (c205_model_is_projection(model)) {
         code = cmd_failed(arguments->command,
@@ -85,7 +85,7 @@ static bool find_place(const char *path, struct stat *folder,
 {
     const char *slash = strrchr(path, '/');
     char text[4096];
-    int length = slash == NULL ? 0 : (int)(slash - path) + 1;
+    int length = !slash ? 0 : (int)(slash - path) + 1;
 
     *name = path + length;
     if (length >= (int)sizeof text)
@@ -99,7 +99,7 @@ bool cmd_is_one_file(const char *a, const char *b)
     struct stat in_a, in_b;
     const char *name_a, *name_b;
 
-    return a != NULL && b != NULL && find_place(a, &in_a, &name_a)
+    return a && b && find_place(a, &in_a, &name_a)
            && find_place(b, &in_b, &name_b) && in_a.st_dev == in_b.st_dev
            && in_a.st_ino == in_b.st_ino && strcmp(name_a, name_b) == 0;
 }

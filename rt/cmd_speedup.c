@@ -7,8 +7,7 @@
 
 static bool measure_subject(const struct cmd_arguments *arguments,
                             const struct speedup_subject *subject,
-                            struct speedup_report *report,
-                            c205_error *error)
+                            struct speedup_report *report, c205_error *error)
 {
     struct trace_options options = arguments->trace;
     struct speedup_measure measures[TRACE_FORMS];
@@ -55,13 +54,14 @@ static bool tell_projections(const struct cmd_arguments *arguments,
                              struct json *json, c205_error *error)
 {
     for (int i = 0; i < SPEEDUP_PROJECTIONS; i++) {
-        const char *name = speedup_projection_model(
-            arguments->trace.model, (enum speedup_projection)i);
+        const char *name = speedup_projection_model(arguments->trace.model,
+                                                    (enum speedup_projection)
+                                                        i);
         c205_model *model = c205_model_find(name, error);
 
-        if (model == NULL)
+        if (!model)
             return false;
-        if (json != NULL) {
+        if (json) {
             json_object(json, NULL);
             provenance_json(model, json);
             json_end(json);
@@ -84,7 +84,8 @@ static bool print(const struct cmd_arguments *arguments,
     if (!speedup_report_table1(report, format, stdout))
         return false;
     printf("\n%sIn each row the scalar and the vector frame are equal, bit "
-           "for bit.\n", remark);
+           "for bit.\n",
+           remark);
     provenance_print(arguments->trace.model, remark);
     return tell_projections(arguments, NULL, error)
            && speedup_report_detail(report, arguments->passes, format,
@@ -92,8 +93,8 @@ static bool print(const struct cmd_arguments *arguments,
 }
 
 static bool write_json(const struct cmd_arguments *arguments,
-                       const struct speedup_report *report,
-                       struct json *json, c205_error *error)
+                       const struct speedup_report *report, struct json *json,
+                       c205_error *error)
 {
     bool good;
 
@@ -119,15 +120,15 @@ static bool measure_all(const struct cmd_arguments *arguments,
 
 static int speedup(const struct cmd_arguments *arguments, struct json *json)
 {
-    struct speedup_report *report =
-        speedup_report_new(arguments->trace.model);
+    struct speedup_report *report = speedup_report_new(
+        arguments->trace.model);
     bool prints = arguments->format != FORMAT_JSON;
     c205_error error = { "no memory" };
     bool good;
 
-    good = report != NULL && measure_all(arguments, report, &error)
+    good = report && measure_all(arguments, report, &error)
            && (!prints || print(arguments, report, &error))
-           && (json == NULL || write_json(arguments, report, json, &error));
+           && (!json || write_json(arguments, report, json, &error));
     speedup_report_free(report);
     return good ? CMD_DONE
                 : cmd_failed(arguments->command, "%s", error.message);

@@ -59,10 +59,13 @@ static int check_subject(const struct cmd_arguments *arguments,
     const char *name = arguments->scene;
 
     if (kind->primitive_only && names_scene(name))
-        return cmd_usage(arguments->command, "%s takes a primitive: what a "
-                         "scene's rays hit is its own", kind->name);
-    if (!names_scene(name) && subject_named(name) == NULL)
-        return cmd_usage(arguments->command, "%s: no primitive of Table 1 "
+        return cmd_usage(arguments->command,
+                         "%s takes a primitive: what a "
+                         "scene's rays hit is its own",
+                         kind->name);
+    if (!names_scene(name) && !subject_named(name))
+        return cmd_usage(arguments->command,
+                         "%s: no primitive of Table 1 "
                          "(sphere, cylinder, Steiner, torus), and no .pov",
                          name);
     return CMD_DONE;
@@ -74,7 +77,7 @@ static int check_files(const struct cmd_arguments *arguments)
     static const char *const endings[] = { "svg", "dat", "gp" };
     c205_error error;
 
-    if (arguments->output == NULL)
+    if (!arguments->output)
         return CMD_DONE;
     if (!plot_check_path(arguments->output, &error))
         return cmd_failed(arguments->command, "%s", error.message);
@@ -96,7 +99,7 @@ static int check(const struct cmd_arguments *arguments)
     const struct sweep_kind *kind = sweep_kind_named(arguments->sweep);
     int code;
 
-    if (kind == NULL)
+    if (!kind)
         return cmd_usage(arguments->command,
                          "%s: sweep queue, pipes, hits or length",
                          arguments->sweep);
@@ -125,20 +128,21 @@ static void print_head(const struct cmd_arguments *arguments,
     const char *remark = table_remark((enum table_format)arguments->format);
 
     printf("%s%s of %s, %s", remark, kind->name,
-           sweep->subject != NULL ? sweep->subject->name : arguments->scene,
+           sweep->subject ? sweep->subject->name : arguments->scene,
            trace_mode_name(trace->mode));
     if (!kind->takes_lengths)
         printf(", a queue of %zu", trace->queue);
     if (has_frame(kind))
         printf(", %zu x %zu rays", trace->width, trace->height);
-    if (sweep->subject != NULL)
+    if (sweep->subject)
         printf(", %g degrees across from a distance of %g;\n%sthe kernel and "
-               "its calls alone.\n", sweep->base.view.angle,
-               sweep->base.view.distance, remark);
+               "its calls alone.\n",
+               sweep->base.view.angle, sweep->base.view.distance, remark);
     else
         printf(";\n%sthe whole frame.\n", remark);
     printf("%sAt each point the scalar and the other frame are equal, bit "
-           "for bit.\n", remark);
+           "for bit.\n",
+           remark);
     provenance_print(trace->model, remark);
 }
 
@@ -150,9 +154,8 @@ static void write_head(const struct cmd_arguments *arguments,
     const struct trace_options *trace = &arguments->trace;
 
     json_text(json, "sweep", kind->name);
-    json_text(json, sweep->subject != NULL ? "primitive" : "scene",
-              sweep->subject != NULL ? sweep->subject->name
-                                     : arguments->scene);
+    json_text(json, sweep->subject ? "primitive" : "scene",
+              sweep->subject ? sweep->subject->name : arguments->scene);
     json_text(json, "mode", trace_mode_name(trace->mode));
     if (!kind->takes_lengths)
         json_count(json, "queue", trace->queue);
@@ -160,7 +163,7 @@ static void write_head(const struct cmd_arguments *arguments,
         json_count(json, "width", trace->width);
         json_count(json, "height", trace->height);
     }
-    if (sweep->subject != NULL) {
+    if (sweep->subject) {
         json_number(json, "distance", sweep->base.view.distance);
         json_number(json, "angle", sweep->base.view.angle);
     }
@@ -177,11 +180,11 @@ static bool draw(const struct cmd_arguments *arguments,
     struct plot plot = report->plot;
 
     snprintf(title, sizeof title, "%s: %.100s", kind->title,
-             sweep->subject != NULL ? sweep->subject->name
-                                    : arguments->scene);
-    snprintf(on, sizeof on, "form %s; cycle-accounted, not cycle-accurate, "
-             "on the model %.60s", trace_mode_name(arguments->trace.mode),
-             c205_model_name(model));
+             sweep->subject ? sweep->subject->name : arguments->scene);
+    snprintf(on, sizeof on,
+             "form %s; cycle-accounted, not cycle-accurate, "
+             "on the model %.60s",
+             trace_mode_name(arguments->trace.mode), c205_model_name(model));
     provenance_line(model, belief);
     plot.title = title;
     plot.subtitles = subtitles;
@@ -204,7 +207,7 @@ static bool tell(const struct cmd_arguments *arguments,
                                   (enum table_format)arguments->format,
                                   stdout);
     }
-    if (good && json != NULL) {
+    if (good && json) {
         write_head(arguments, sweep, kind, json);
         good = sweep_report_json(report, sweep, json);
     }
@@ -216,7 +219,7 @@ static struct sweep sweep_of(const struct cmd_arguments *arguments,
                              const struct sweep_kind *kind)
 {
     struct sweep sweep = {
-        .subject = scene == NULL ? subject_named(arguments->scene) : NULL,
+        .subject = !scene ? subject_named(arguments->scene) : NULL,
         .scene = scene,
         .base = { .trace = arguments->trace, .view = arguments->view },
         .lengths = arguments->points,
@@ -241,7 +244,7 @@ static int sweep_target(const struct cmd_arguments *arguments,
         || !kind->report(&sweep, &report, &error)
         || !tell(arguments, &sweep, kind, &report, json, &error))
         code = CMD_FAILED;
-    else if (arguments->output != NULL
+    else if (arguments->output
              && !draw(arguments, &sweep, kind, &report, &error))
         code = CMD_UNDRAWN;
     if (code != CMD_DONE)
@@ -259,8 +262,7 @@ static int sweep(const struct cmd_arguments *arguments, struct json *json)
     if (!names_scene(arguments->scene))
         return sweep_target(arguments, NULL, json);
     scene = cmd_read_scene(arguments);
-    code = scene == NULL ? CMD_FAILED
-                         : sweep_target(arguments, scene, json);
+    code = !scene ? CMD_FAILED : sweep_target(arguments, scene, json);
     scene_free(scene);
     return code;
 }

@@ -28,5 +28,5 @@ enum falsi falsi_of(const struct object *program)
 {
     const struct asm_symbol *symbol = object_symbol(program, "FALSI");
 
-    return symbol != NULL ? (enum falsi)symbol->value : FALSI_DEFAULT;
+    return symbol ? (enum falsi)symbol->value : FALSI_DEFAULT;
 }

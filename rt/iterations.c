@@ -23,7 +23,7 @@ static bool find(const struct object *program, const char *routine,
 
     snprintf(name, sizeof name, "%s%s", routine, suffix);
     symbol = object_symbol(program, name);
-    *address = symbol != NULL ? (uint64_t)symbol->value : 0;
+    *address = symbol ? (uint64_t)symbol->value : 0;
     return symbol != NULL;
 }
 

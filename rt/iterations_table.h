@@ -10,6 +10,7 @@
 #include "asm/table.h"
 #include "rt/iterations.h"
 
+/* clang-format off */
 #define ITERATIONS_COLUMNS \
     { "roots_of", "roots of", TABLE_TEXT, 0 }, \
     { "brackets", "brackets", TABLE_COUNT, 0 }, \
@@ -19,7 +20,9 @@
     { "passes", "passes", TABLE_COUNT, 0 }, \
     { "lanes_per_pass", "lanes/pass", TABLE_NUMBER, 1 }, \
     { "active_percent", "% active", TABLE_NUMBER, 1 }
+/* clang-format on */
 
+/* clang-format off */
 #define ITERATIONS_PASS_COLUMNS \
     { "roots_of", "roots of", TABLE_TEXT, 0 }, \
     { "pass", "pass", TABLE_COUNT, 0 }, \
@@ -27,6 +30,7 @@
     { "brackets_percent", "% of brackets", TABLE_NUMBER, 1 }, \
     { "lanes", "lanes", TABLE_COUNT, 0 }, \
     { "active_percent", "% active", TABLE_NUMBER, 1 }
+/* clang-format on */
 
 /* Of a stage: the cells of ITERATIONS_COLUMNS. */
 void iterations_add(struct table *table, const struct iterations *iterations,

@@ -19,14 +19,14 @@ static void put_shape(struct record *record,
 
     shape_words(primitive, &shape);
     kernel = plan->simple ? shape.kernel : shape.solid;
-    if (plan->simple && shape.historical != NULL
-        && object_symbol(record->layout->program, shape.historical) != NULL)
+    if (plan->simple && shape.historical
+        && object_symbol(record->layout->program, shape.historical))
         kernel = shape.historical;
     record_routine(record, "P_KERNEL",
                    shape.transformed ? "transformed" : kernel);
     record_routine(record, "P_INNER", kernel);
     record_routine(record, "P_NORMAL", shape.normal);
-    if (!plan->simple && shape.state != NULL) {
+    if (!plan->simple && shape.state) {
         record_routine(record, "P_STATE_KERNEL",
                        shape.transformed ? "transformed" : shape.state);
         record_routine(record, "P_STATE_INNER", shape.state);
@@ -52,8 +52,8 @@ static size_t space_of(const struct scene *scene, size_t i)
     const struct transform *space = &scene->primitives[i].to_local;
 
     while (i > 0
-           && memcmp(space, &scene->primitives[i - 1].to_local,
-                     sizeof *space) == 0)
+           && memcmp(space, &scene->primitives[i - 1].to_local, sizeof *space)
+                  == 0)
         i--;
     return i + 1;
 }
@@ -152,7 +152,7 @@ static void layout_solids(struct layout *layout, const struct scene *scene,
                                      sizeof *plans);
     size_t crossings;
 
-    if (plans == NULL) {
+    if (!plans) {
         layout_fail(layout, "no memory");
         return;
     }
@@ -235,7 +235,8 @@ static void layout_frame(struct layout *layout, struct frame_layout *frame)
     put_numbers(words, band, 2);
     layout_words(layout, layout_symbol(layout, "scene_band"), words, 2);
     layout_word(layout, "scene_first_pixel",
-                c205_from_integer((int64_t)(frame->first_row * frame->width)));
+                c205_from_integer(
+                    (int64_t)(frame->first_row * frame->width)));
     layout_word(layout, "scene_pixels", c205_from_integer((int64_t)pixels));
     frame->address = layout_reserve(layout, pixels * FRAME_CHANNELS);
     layout_word(layout, "scene_frame", frame->address);

@@ -10,7 +10,7 @@
 
 /* Where the frame's planes lie, for reading them back. */
 struct frame_layout {
-    uint64_t address; /* FRAME_CHANNELS planes of width x rows words */
+    uint64_t address;       /* FRAME_CHANNELS planes of width x rows words */
     size_t width, height;   /* of the whole frame, pixels */
     size_t first_row, rows; /* of the band that is traced */
 };

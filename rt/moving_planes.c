@@ -35,8 +35,8 @@ static void set_up(const double points[6][4], struct singular *equations)
             size_t row = cubic_monomial(i, factors[m][0], factors[m][1]);
 
             for (int c = 0; c < 4; c++)
-                equations->scaled[row][4 * i + c] +=
-                    (m < 3 ? 1 : 2) * points[m][c];
+                equations->scaled[row][4 * i + c] += (m < 3 ? 1 : 2)
+                                                     * points[m][c];
         }
 }
 
@@ -96,7 +96,8 @@ static bool is_flat(const double points[6][4])
 static bool is_simple(const double points[6][4],
                       const struct moving_planes *planes)
 {
-    static const double places[][3] = { { .5, .3, .2 }, { .2, .5, .3 },
+    static const double places[][3] = { { .5, .3, .2 },
+                                        { .2, .5, .3 },
                                         { .3, .2, .5 } };
 
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {

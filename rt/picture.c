@@ -130,8 +130,9 @@ static void separate(const struct picture_image *image,
     for (size_t i = 0; i < frame->width * frame->height; i++)
         for (size_t channel = 0; channel < image->channels; channel++) {
             const double value = (double)*sample++;
-            frame->channel[channel][i] =
-                image->srgb && is_color(channel) ? srgb_decode(value) : value;
+            frame->channel[channel][i] = image->srgb && is_color(channel)
+                                             ? srgb_decode(value)
+                                             : value;
         }
 }
 
@@ -172,9 +173,8 @@ static const struct picture_adapter *adapter(struct picture_error *error)
     char beside[4096] = ".", installed[sizeof beside + sizeof FROM_BIN];
     program_folder(beside, sizeof beside);
     snprintf(installed, sizeof installed, "%s%s", beside, FROM_BIN);
-    const char *const folders[] = {
-        getenv("RT205_LIBDIR"), beside, installed
-    };
+    const char *const folders[] = { getenv("RT205_LIBDIR"), beside,
+                                    installed };
     fail(error, "pictures: no %s in %s or %s", PICTURE_ADAPTER_FILE, beside,
          installed);
     for (size_t i = 0; !loaded && i < sizeof folders / sizeof *folders; i++)
@@ -191,7 +191,8 @@ static char *folder_of(const char *path)
     const char *slash = strrchr(path, '/');
     if (!slash)
         return strdup(".");
-    return slash == path ? strdup("/") : strndup(path, (size_t)(slash - path));
+    return slash == path ? strdup("/")
+                         : strndup(path, (size_t)(slash - path));
 }
 
 static bool check_folder(const char *folder, struct picture_error *error)
@@ -208,8 +209,10 @@ static bool check_folder(const char *folder, struct picture_error *error)
 
 static bool fail_ending(const char *path, struct picture_error *error)
 {
-    return fail(error, "%s: the ending of a picture is .png, .jpg, .exr "
-                "or .tif", path);
+    return fail(error,
+                "%s: the ending of a picture is .png, .jpg, .exr "
+                "or .tif",
+                path);
 }
 
 bool picture_holds_half(const char *path)
@@ -242,7 +245,7 @@ static bool write_bytes(const char *path, const struct picture_file *file,
     if (!stream)
         return fail(error, "%s: %s", path, strerror(errno));
     bool good = fwrite(file->bytes, 1, file->size, stream) == file->size
-        && fflush(stream) == 0 && fsync(fileno(stream)) == 0;
+                && fflush(stream) == 0 && fsync(fileno(stream)) == 0;
     int cause = errno;
     if (fclose(stream) != 0 && good) {
         good = false;
@@ -289,8 +292,9 @@ static bool encode_and_write(const char *path,
 static void choose_formats(struct picture_image *image, bool half)
 {
     for (size_t channel = 0; channel < image->channels; channel++)
-        image->format[channel] = image->srgb ? SAMPLE_BYTE
-            : half && is_color(channel) ? SAMPLE_HALF : SAMPLE_FLOAT;
+        image->format[channel] = image->srgb                 ? SAMPLE_BYTE
+                                 : half && is_color(channel) ? SAMPLE_HALF
+                                                             : SAMPLE_FLOAT;
 }
 
 bool picture_write(const char *path, const struct frame *frame,
@@ -343,5 +347,5 @@ bool picture_read_note(const char *path, const char *name, char *text,
     if (!files)
         return false;
     return files->read_note(path, name, text, size, &cause)
-        || fail(error, "%s: %s", path, cause.message);
+           || fail(error, "%s: %s", path, cause.message);
 }

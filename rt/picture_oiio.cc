@@ -20,7 +20,8 @@ extern "C" {
 extern const struct picture_adapter rt205_picture_adapter;
 }
 
-namespace {
+namespace
+{
 
 // Kinds of file that have a date get this one, the year of the paper:
 // otherwise the library writes the time of day.
@@ -30,7 +31,7 @@ const char fixed_date[] = "1984:01:01 00:00:00";
 const char jpeg_compression[] = "jpeg:98";
 const char jpeg_subsampling[] = "4:4:4";
 
-void require(bool good, const std::string& message)
+void require(bool good, const std::string &message)
 {
     if (!good)
         throw std::runtime_error(message);
@@ -43,7 +44,7 @@ template <class Body> bool guarded(picture_error *error, Body body)
         OIIO::attribute("threads", 1);
         body();
         return true;
-    } catch (const std::exception& caught) {
+    } catch (const std::exception &caught) {
         std::snprintf(error->message, sizeof error->message, "%s",
                       caught.what());
     } catch (...) {
@@ -56,16 +57,13 @@ template <class Body> bool guarded(picture_error *error, Body body)
 OIIO::TypeDesc type_of(sample_format format)
 {
     switch (format) {
-    case SAMPLE_BYTE:
-        return OIIO::TypeDesc::UINT8;
-    case SAMPLE_HALF:
-        return OIIO::TypeDesc::HALF;
-    default:
-        return OIIO::TypeDesc::FLOAT;
+    case SAMPLE_BYTE: return OIIO::TypeDesc::UINT8;
+    case SAMPLE_HALF: return OIIO::TypeDesc::HALF;
+    default: return OIIO::TypeDesc::FLOAT;
     }
 }
 
-void annotate(OIIO::ImageSpec& spec, const picture_note *notes)
+void annotate(OIIO::ImageSpec &spec, const picture_note *notes)
 {
     std::string description;
     for (; notes && notes->name; notes++) {
@@ -77,7 +75,7 @@ void annotate(OIIO::ImageSpec& spec, const picture_note *notes)
     spec.attribute("DateTime", fixed_date);
 }
 
-OIIO::ImageSpec spec_of(const picture_image& image)
+OIIO::ImageSpec spec_of(const picture_image &image)
 {
     const int channels = static_cast<int>(image.channels);
     OIIO::ImageSpec spec(static_cast<int>(image.width),
@@ -93,7 +91,7 @@ OIIO::ImageSpec spec_of(const picture_image& image)
     return spec;
 }
 
-void hand_over(const std::vector<unsigned char>& bytes, picture_file& file)
+void hand_over(const std::vector<unsigned char> &bytes, picture_file &file)
 {
     file.size = bytes.size();
     file.bytes = static_cast<unsigned char *>(std::malloc(file.size));
@@ -131,7 +129,7 @@ std::unique_ptr<OIIO::ImageInput> opened(const char *path)
 
 // Which of the file's channels has the name; TIFF keeps no names, so a file
 // with just as many channels as are asked for has them in their order.
-int place_of(const OIIO::ImageSpec& spec, const picture_image& image,
+int place_of(const OIIO::ImageSpec &spec, const picture_image &image,
              size_t channel)
 {
     const int place = spec.channelindex(image.names[channel]);
@@ -140,8 +138,8 @@ int place_of(const OIIO::ImageSpec& spec, const picture_image& image,
     return place;
 }
 
-void pick(const OIIO::ImageSpec& spec, const std::vector<float>& file,
-          picture_image& image)
+void pick(const OIIO::ImageSpec &spec, const std::vector<float> &file,
+          picture_image &image)
 {
     const size_t stride = static_cast<size_t>(spec.nchannels);
     const size_t pixels = image.width * image.height;
@@ -159,7 +157,7 @@ bool read(const char *path, picture_image *image, picture_error *error)
     image->samples = nullptr;
     const bool good = guarded(error, [&] {
         auto input = opened(path);
-        const OIIO::ImageSpec& spec = input->spec();
+        const OIIO::ImageSpec &spec = input->spec();
         image->width = static_cast<size_t>(spec.width);
         image->height = static_cast<size_t>(spec.height);
         image->srgb = spec.get_string_attribute("oiio:ColorSpace") == "sRGB";

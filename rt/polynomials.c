@@ -61,8 +61,8 @@ static bool has_value(const char *text, const char *end)
     const char *digits = hexadecimal ? "123456789abcdefABCDEF" : "123456789";
     const char *exponent = hexadecimal ? "pP" : "eE";
 
-    for (; text < end && strchr(exponent, *text) == NULL; text++)
-        if (strchr(digits, *text) != NULL)
+    for (; text < end && !strchr(exponent, *text); text++)
+        if (strchr(digits, *text))
             return true;
     return false;
 }
@@ -152,11 +152,11 @@ static bool add(struct polynomials *polynomials, size_t line,
                                            room * sizeof *items);
         size_t *lines;
 
-        if (items == NULL)
+        if (!items)
             return false;
         polynomials->items = items;
         lines = realloc(polynomials->lines, room * sizeof *lines);
-        if (lines == NULL)
+        if (!lines)
             return false;
         polynomials->lines = lines;
         polynomials->room = room;
@@ -174,11 +174,11 @@ static const char *cut_line(struct line *line, const char *text,
 
     line->number++;
     line->text = line->at = text;
-    line->end = newline != NULL ? newline : end;
-    while (line->end > text && strchr("\r \t", line->end[-1]) != NULL)
+    line->end = newline ? newline : end;
+    while (line->end > text && strchr("\r \t", line->end[-1]))
         line->end--;
     skip_blanks(line);
-    return newline != NULL ? newline + 1 : end;
+    return newline ? newline + 1 : end;
 }
 
 /* Spreadsheets write the mark of UTF-8 first. */
@@ -223,7 +223,7 @@ bool polynomials_read(struct polynomials *polynomials, const char *path,
     char *text = file_read(path, &length, &error);
     bool good;
 
-    if (text == NULL)
+    if (!text)
         return failed(reports, path, error.message);
     good = read_lines(polynomials, path, text, length, reports);
     free(text);

@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-const enum trace_mode profile_stages[TRACE_MODES] = {
-    TRACE_SCALAR, TRACE_KERNELS, TRACE_VECTOR
-};
+const enum trace_mode profile_stages[TRACE_MODES] = { TRACE_SCALAR,
+                                                      TRACE_KERNELS,
+                                                      TRACE_VECTOR };
 enum { SERIAL }; /* the first of them, which the others are compared with */
 
 static const char *const part_names[PROFILE_PARTS] = {
@@ -73,7 +73,7 @@ static uint64_t clocks_of_region(const struct trace *trace,
     const c205_account *account = accounts_find(trace_accounts(trace),
                                                 region);
 
-    return account != NULL ? accounts_clocks(account) : 0;
+    return account ? accounts_clocks(account) : 0;
 }
 
 static uint64_t clocks_of_part(const struct trace *trace,
@@ -126,8 +126,8 @@ static void add_clocks(struct table *table,
         table_count(table, clocks[i]);
         table_number(table, accounts_seconds(trace_accounts(traces[i])->model,
                                              clocks[i]));
-        table_number(table, 100 * ratio(clocks[i],
-                                        clocks_of_frame(traces[i])));
+        table_number(table,
+                     100 * ratio(clocks[i], clocks_of_frame(traces[i])));
         if (i != SERIAL)
             table_number(table, ratio(clocks[SERIAL], clocks[i]));
     }
@@ -190,7 +190,8 @@ static const struct {
     enum profile_part parts[PROFILE_PARTS];
 } vectorised[] = {
     { 1, 2, { PART_INTERSECT, PART_REST } },
-    { 2, PROFILE_PARTS,
+    { 2,
+      PROFILE_PARTS,
       { PART_INTERSECT, PART_VISIBLE, PART_SHADE, PART_SPAWN, PART_GENERATE,
         PART_REST } },
 };
@@ -222,9 +223,9 @@ static void add_amdahl(struct table *table,
         table_number(table, ratio(serial, now));
         table_number(table, ratio(frame, frame - serial + now));
         table_number(table, ratio(frame, frame - serial));
-        table_number(table, last ? ratio(frame,
-                                         clocks_of_frame(traces[stage]))
-                                 : NAN);
+        table_number(table, last
+                                ? ratio(frame, clocks_of_frame(traces[stage]))
+                                : NAN);
     }
 }
 
@@ -275,8 +276,8 @@ static void fill_rays(struct table *table,
 
         table_text(table, ray_kind_name((enum ray_kind)kind));
         table_count(table, count);
-        table_number(table, ratio(count, trace_rays(traces[SERIAL],
-                                                    RAY_PRIMARY)));
+        table_number(table,
+                     ratio(count, trace_rays(traces[SERIAL], RAY_PRIMARY)));
     }
 }
 
@@ -288,14 +289,16 @@ static const struct {
     size_t count;
     void (*fill)(struct table *, const struct trace *const[TRACE_MODES]);
 } tables[PROFILE_TABLES] = {
-    [PROFILE_CLOCKS] = { "clocks", "Clocks part by part; x: how many times "
-                         "as fast as scalar:", TABLE_COLUMNS(clock_columns),
-                         fill_clocks },
-    [PROFILE_SPEEDUP] = { "speedup", "The frame, and what Amdahl's law says "
+    [PROFILE_CLOCKS] = { "clocks",
+                         "Clocks part by part; x: how many times "
+                         "as fast as scalar:",
+                         TABLE_COLUMNS(clock_columns), fill_clocks },
+    [PROFILE_SPEEDUP] = { "speedup",
+                          "The frame, and what Amdahl's law says "
                           "of it, vectorised part by part:",
                           TABLE_COLUMNS(speedup_columns), fill_speedup },
-    [PROFILE_VECTORS] = { "vectors", "Vectors:", TABLE_COLUMNS(vector_columns),
-                          fill_vectors },
+    [PROFILE_VECTORS] = { "vectors", "Vectors:",
+                          TABLE_COLUMNS(vector_columns), fill_vectors },
     [PROFILE_RAYS] = { "rays", "Rays by kind:", TABLE_COLUMNS(ray_columns),
                        fill_rays },
 };
@@ -313,10 +316,9 @@ const char *profile_table_heading(enum profile_table kind)
 struct table *profile_table(enum profile_table kind,
                             const struct trace *const traces[TRACE_MODES])
 {
-    struct table *table = table_new(tables[kind].columns,
-                                    tables[kind].count);
+    struct table *table = table_new(tables[kind].columns, tables[kind].count);
 
-    if (table != NULL)
+    if (table)
         tables[kind].fill(table, traces);
     return table;
 }

@@ -16,11 +16,11 @@ struct object *program_assemble(const char *kernel,
 
     snprintf(start, sizeof start, "        .include \"%s\"\n", kernel);
     object = assemble_text(kernel, start, &how, &errors);
-    if (object == NULL && errors.count > 0)
+    if (!object && errors.count > 0)
         snprintf(error->message, sizeof error->message, "%s:%zu: %s",
                  errors.items[0].file, errors.items[0].line,
                  errors.items[0].message);
-    else if (object == NULL)
+    else if (!object)
         snprintf(error->message, sizeof error->message, "no memory");
     asm_errors_free(&errors);
     return object;
@@ -33,8 +33,7 @@ bool program_run(c205 *machine,
     enum { SLICE = 5000000 }; /* clocks between two questions */
 
     for (;;) {
-        uint64_t limit = go_on == NULL ? C205_NO_LIMIT
-                                       : c205_clock(machine) + SLICE;
+        uint64_t limit = !go_on ? C205_NO_LIMIT : c205_clock(machine) + SLICE;
         c205_stop stop = c205_run(machine, limit);
 
         if (stop.trap == C205_TRAP_NONE)

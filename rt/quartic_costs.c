@@ -14,7 +14,7 @@ static struct table *step_table(const struct iterations *iterations)
 {
     struct table *table = table_new(TABLE_COLUMNS(steps));
 
-    for (int i = 0; table != NULL && i < STAGES; i++)
+    for (int i = 0; table && i < STAGES; i++)
         iterations_add(table, iterations, (enum stage)i);
     return table;
 }
@@ -23,7 +23,7 @@ static struct table *pass_table(const struct iterations *iterations)
 {
     struct table *table = table_new(TABLE_COLUMNS(passes));
 
-    for (int i = 0; table != NULL && i < STAGES; i++) {
+    for (int i = 0; table && i < STAGES; i++) {
         size_t count = iterations_passes(iterations, (enum stage)i);
 
         for (size_t pass = 0; pass < count; pass++)
@@ -37,10 +37,10 @@ bool print_remarks(const struct table *table, const char *heading)
     char *text = NULL;
     size_t length = 0;
     FILE *stream = open_memstream(&text, &length);
-    bool good = stream != NULL && table_print(table, stream);
+    bool good = stream && table_print(table, stream);
     bool begins = true;
 
-    good = stream != NULL && fclose(stream) == 0 && good;
+    good = stream && fclose(stream) == 0 && good;
     printf("#\n# %s\n#\n", heading);
     for (size_t i = 0; good && i < length; i++) {
         if (begins)
@@ -98,20 +98,18 @@ static void write_head(const struct quartic_costs *costs, struct json *json)
     provenance_json(options->model, json);
 }
 
-static bool tell_tables(struct table *const tables[TABLES],
-                        struct json *json)
+static bool tell_tables(struct table *const tables[TABLES], struct json *json)
 {
     for (int i = 0; i < TABLES; i++) {
-        if (tables[i] == NULL || !print_remarks(tables[i], names[i].heading))
+        if (!tables[i] || !print_remarks(tables[i], names[i].heading))
             return false;
-        if (json != NULL && !table_json(tables[i], json, names[i].key))
+        if (json && !table_json(tables[i], json, names[i].key))
             return false;
     }
     return true;
 }
 
-bool quartic_costs_tell(const struct quartic_costs *costs,
-                        struct json *json)
+bool quartic_costs_tell(const struct quartic_costs *costs, struct json *json)
 {
     struct accounts accounts = { .model = costs->options->model };
     bool good = accounts_add(&accounts, roots_machine(costs->search));
@@ -123,7 +121,7 @@ bool quartic_costs_tell(const struct quartic_costs *costs,
     };
 
     print_head(costs);
-    if (json != NULL)
+    if (json)
         write_head(costs, json);
     good = good && tell_tables(tables, json);
     accounts_free(&accounts);

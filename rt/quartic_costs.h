@@ -20,8 +20,7 @@ struct quartic_costs {
 };
 
 /* Print, and add to the JSON file if there is one.  False: memory ran out. */
-bool quartic_costs_tell(const struct quartic_costs *costs,
-                        struct json *json);
+bool quartic_costs_tell(const struct quartic_costs *costs, struct json *json);
 
 /* A heading and the table, each line behind a #.  False: likewise. */
 bool print_remarks(const struct table *table, const char *heading);

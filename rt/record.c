@@ -25,7 +25,7 @@ uint64_t layout_symbol(struct layout *layout, const char *name)
 {
     const struct asm_symbol *found = object_symbol(layout->program, name);
 
-    if (found != NULL)
+    if (found)
         return (uint64_t)found->value;
     layout_fail(layout, "the program has no symbol %s", name);
     return 0;
@@ -65,7 +65,7 @@ void record_begin(struct record *record, struct layout *layout,
     record->size = (size_t)layout_symbol(layout, size);
     record->words = calloc(record->size + 1, sizeof *record->words);
     record->line = 0;
-    if (record->words == NULL)
+    if (!record->words)
         layout_fail(layout, "no memory");
     record->address = layout_reserve(layout, count * record->size + more);
     record->table = record->address + UINT64_C(64) * count * record->size;
@@ -87,13 +87,12 @@ void record_end(struct record *record)
     record->words = NULL;
 }
 
-c205_word *record_field(struct record *record, const char *name,
-                        size_t count)
+c205_word *record_field(struct record *record, const char *name, size_t count)
 {
     static c205_word nowhere[32];
     uint64_t offset = layout_symbol(record->layout, name);
 
-    if (record->words != NULL && offset + count <= record->size)
+    if (record->words && offset + count <= record->size)
         return record->words + offset;
     layout_fail(record->layout, "field %s does not fit its record", name);
     return nowhere;
@@ -112,8 +111,10 @@ static void check_finite(struct record *record, const double *values,
 {
     for (size_t i = 0; i < count; i++)
         if (!isfinite(values[i]))
-            layout_fail(record->layout, "the object of line %zu is too large "
-                        "or too small to be traced", record->line);
+            layout_fail(record->layout,
+                        "the object of line %zu is too large "
+                        "or too small to be traced",
+                        record->line);
 }
 
 void record_numbers(struct record *record, const char *name,
@@ -128,8 +129,7 @@ void record_integer(struct record *record, const char *name, size_t value)
     *record_field(record, name, 1) = c205_from_integer((int64_t)value);
 }
 
-void record_address(struct record *record, const char *name,
-                    uint64_t address)
+void record_address(struct record *record, const char *name, uint64_t address)
 {
     *record_field(record, name, 1) = address;
 }

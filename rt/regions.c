@@ -8,8 +8,8 @@
 
 static bool is_simple(const struct scene *scene, const struct region *region)
 {
-    const struct primitive *first =
-        &scene->primitives[region->first_primitive];
+    const struct primitive
+        *first = &scene->primitives[region->first_primitive];
 
     return region->primitive_count == 1 && !pigment_is_clear(&first->pigment);
 }
@@ -25,7 +25,7 @@ static size_t place_leaf(const struct primitive *primitive, size_t next,
     plan->first_state = next;
     plan->first_event = next;
     next += 2 * shape.segments;
-    if (shape.state != NULL || shape.on_patch) {
+    if (shape.state || shape.on_patch) {
         plan->first_event = next;
         next += shape.events;
     }
@@ -153,9 +153,7 @@ static void evaluate(struct evaluation *evaluation, const struct scene *scene,
         top->complement = false;
         evaluation->depth++;
         break;
-    case TREE_NOT:
-        top[-1].complement = !top[-1].complement;
-        break;
+    case TREE_NOT: top[-1].complement = !top[-1].complement; break;
     case TREE_AND:
     case TREE_OR:
         join(evaluation, count_children(scene, node),
@@ -175,7 +173,7 @@ bool plan_tree(const struct scene *scene, const struct region *region,
     plan->value_count = region->primitive_count;
     evaluation.stack = calloc(region->node_count + 1,
                               sizeof *evaluation.stack);
-    if (evaluation.stack == NULL)
+    if (!evaluation.stack)
         return false;
     for (size_t i = region->node_count; i-- > 0;)
         evaluate(&evaluation, scene, region, region->first_node + i);
@@ -189,9 +187,9 @@ bool plan_tree(const struct scene *scene, const struct region *region,
 /* What the records of a scene's regions refer to. */
 struct places {
     const struct scene *scene;
-    struct bound *bounds;  /* of the nodes */
-    bool *needed;          /* without which their trees have no value */
-    size_t *kept;          /* how many nodes before each are no complements */
+    struct bound *bounds; /* of the nodes */
+    bool *needed;         /* without which their trees have no value */
+    size_t *kept;         /* how many nodes before each are no complements */
     struct tree_step *steps;
     uint64_t primitives, nodes; /* addresses of the first */
     size_t primitive_size, node_size;
@@ -205,8 +203,7 @@ static uint64_t primitive_at(const struct places *places, size_t i)
 
 static uint64_t node_at(const struct places *places, size_t i)
 {
-    return places->nodes
-           + UINT64_C(64) * places->node_size * places->kept[i];
+    return places->nodes + UINT64_C(64) * places->node_size * places->kept[i];
 }
 
 /* The parts of an intersection are needed where it is; complements are not
@@ -271,8 +268,8 @@ static void layout_nodes(struct layout *layout, struct places *places)
 static size_t shadow_of(const struct scene *scene,
                         const struct region *region)
 {
-    const struct primitive *first =
-        &scene->primitives[region->first_primitive];
+    const struct primitive
+        *first = &scene->primitives[region->first_primitive];
     bool casts = false, clear = false;
 
     for (size_t i = 0; i < region->primitive_count; i++) {
@@ -371,8 +368,8 @@ void layout_regions(struct layout *layout, const struct scene *scene,
         .primitive_size = (size_t)layout_symbol(layout, "P_SIZE"),
     };
 
-    if (places.bounds == NULL || places.needed == NULL || places.kept == NULL
-        || places.steps == NULL || !fill_bounds(&places, bounds)) {
+    if (!places.bounds || !places.needed || !places.kept || !places.steps
+        || !fill_bounds(&places, bounds)) {
         layout_fail(layout, "no memory");
     } else {
         count_nodes(&places);

@@ -48,7 +48,7 @@ static bool write_symbol(struct root_search *search, const char *name,
 {
     const struct asm_symbol *symbol = object_symbol(search->program, name);
 
-    if (symbol != NULL
+    if (symbol
         && c205_write(search->machine, (uint64_t)symbol->value, &word, 1))
         return true;
     snprintf(error->message, sizeof error->message,
@@ -123,7 +123,7 @@ static bool prepare(struct root_search *search,
                     const struct polynomial *polynomials, c205_error *error)
 {
     search->program = assemble(&search->options, error);
-    if (search->program == NULL)
+    if (!search->program)
         return false;
     search->machine = c205_new(search->options.model, error);
     return search->machine != NULL
@@ -138,7 +138,7 @@ struct root_search *roots_new(const struct polynomial *polynomials,
 {
     struct root_search *search = calloc(1, sizeof *search);
 
-    if (search == NULL) {
+    if (!search) {
         fail(error, "no memory");
         return NULL;
     }
@@ -152,7 +152,7 @@ struct root_search *roots_new(const struct polynomial *polynomials,
 
 void roots_free(struct root_search *search)
 {
-    if (search == NULL)
+    if (!search)
         return;
     c205_free(search->machine);
     object_free(search->program);
@@ -199,11 +199,10 @@ bool roots_run(struct root_search *search, c205_error *error)
     const struct roots_options *options = &search->options;
     bool stopped = false;
     bool good = program_run(search->machine,
-                            options->progress != NULL ? tell_polynomials
-                                                      : NULL,
+                            options->progress ? tell_polynomials : NULL,
                             search, &stopped, error);
 
-    if (good && options->progress != NULL)
+    if (good && options->progress)
         options->progress(options->context, search->count, search->count);
     if (stopped)
         snprintf(error->message, sizeof error->message,

@@ -18,8 +18,7 @@ const char cmd_program[] = "rt205";
 #define OPTION_VIEW \
     "  --distance D         from the eye to the middle of the shape (5)\n" \
     "  --angle DEGREES      that the rays span across (10; sweep hits: 37)\n"
-#define OPTION_MODEL \
-    "  --model NAME|FILE    machine model (cyber205-2pipe)\n"
+#define OPTION_MODEL "  --model NAME|FILE    machine model (cyber205-2pipe)\n"
 #define OPTION_BOUNDS \
     "  --historical         Steiner patches the way of 1984\n" \
     "  --no-bounds          every ray goes against every primitive\n" \
@@ -39,7 +38,7 @@ static const struct command {
     const char *name;
     cmd_function *function;
     const char *options; /* letters, see options[] */
-    const char *wants; /* the file to name; NULL: none */
+    const char *wants;   /* the file to name; NULL: none */
     size_t width, height;
     const char *summary, *help;
 } commands[] = {
@@ -47,30 +46,20 @@ static const struct command {
       "trace a scene, write a picture",
       "rt205 render SCENE -o PICTURE\n"
       "  -o, --output FILE    the picture: .png .jpg (8-bit sRGB), .exr .tif\n"
-      "                       (linear, with depth, normal and id)\n"
-      OPTION_SIZE
-      "  --mode MODE          scalar, kernels (as in 1984) or vector (vector)\n"
-      OPTION_QUEUE
-      OPTION_MODEL
-      OPTION_BOUNDS
-      OPTION_JOBS
+      "                       (linear, with depth, normal and id)\n" OPTION_SIZE
+      "  --mode MODE          scalar, kernels (as in 1984) or vector (vector)\n" OPTION_QUEUE
+          OPTION_MODEL OPTION_BOUNDS OPTION_JOBS
       "  --resume FILE        keep finished bands there; go on from those it has\n"
-      "  --half               16-bit colours in an .exr\n"
-      OPTION_READ
-      OPTION_JSON },
+      "  --half               16-bit colours in an .exr\n" OPTION_READ
+          OPTION_JSON },
     { "profile", cmd_profile, "WHqmjsIpJBV", "a scene file", 320, 240,
       "what each part of a frame costs, in three stages",
       "rt205 profile SCENE     traces the frame three times: scalar; kernels, as\n"
       "                        in 1984 (vector intersection, all else serial);\n"
       "                        vector. The frames must be equal. Prints clocks\n"
-      "                        part by part, speedups, Amdahl's prediction\n"
-      OPTION_SIZE
-      OPTION_QUEUE
-      OPTION_MODEL
-      OPTION_BOUNDS
-      OPTION_JOBS
-      OPTION_READ
-      OPTION_JSON },
+      "                        part by part, speedups, Amdahl's prediction\n" OPTION_SIZE
+          OPTION_QUEUE OPTION_MODEL OPTION_BOUNDS OPTION_JOBS OPTION_READ
+              OPTION_JSON },
     { "speedup", cmd_speedup, "WHDAqmjPT", NULL, 400, 250,
       "scalar against vector, kernel by kernel",
       "rt205 speedup           the paper's Table 1 beside ours: 100,000 rays "
@@ -79,15 +68,13 @@ static const struct command {
       "more;\n"
       "                        below it where the clocks went, and what the "
       "root\n"
-      "                        solver takes\n"
-      OPTION_SIZE OPTION_VIEW OPTION_QUEUE
-      "  --passes             the root solver's vectors pass by pass as well\n"
-      OPTION_MODEL
+      "                        solver takes\n" OPTION_SIZE OPTION_VIEW
+          OPTION_QUEUE
+      "  --passes             the root solver's vectors pass by pass as well\n" OPTION_MODEL
       "                       (the CYBER 720 is projected with cyber720, "
       "but with\n"
       "                       cyber720-prior where this one has no fitted "
-      "constant)\n"
-      OPTION_JSON OPTION_FORMAT },
+      "constant)\n" OPTION_JSON OPTION_FORMAT },
     { "sweep", cmd_sweep, "oWHDAqMmjspIJBVTN",
       "what to sweep, then a scene file or a primitive", 256, 256,
       "clocks per ray as one thing changes, as table and plot",
@@ -104,16 +91,11 @@ static const struct command {
       "  -o, --output FILE    a plot, NAME.svg, by gnuplot; NAME.dat and "
       "NAME.gp too\n"
       "  --points N,N,..      these lengths (queue, length: 1, 2, 4 .. 65535, "
-      "2000)\n"
-      OPTION_SIZE OPTION_VIEW
+      "2000)\n" OPTION_SIZE OPTION_VIEW
       "  --mode MODE          of the queues: kernels (as in 1984), vector "
       "(vector)\n"
-      "  --queue N            rays in the queue (pipes, hits: 2000)\n"
-      OPTION_MODEL
-      OPTION_BOUNDS
-      OPTION_JOBS
-      OPTION_READ
-      OPTION_JSON OPTION_FORMAT },
+      "  --queue N            rays in the queue (pipes, hits: 2000)\n" OPTION_MODEL
+          OPTION_BOUNDS OPTION_JOBS OPTION_READ OPTION_JSON OPTION_FORMAT },
     { "quartic", cmd_quartic, "MqmjaRF", "a file of polynomials", 1, 1,
       "the real roots of polynomials, and what they cost",
       "rt205 quartic FILE.csv  lines c4,c3,c2,c1,c0 and perhaps a bound (0);\n"
@@ -126,9 +108,8 @@ static const struct command {
       "  --queue N            polynomials in the vector queue (2000)\n"
       "  --falsi RULE         paper, illinois, pegasus, anderson-bjorck; or "
       "all:\n"
-      "                       a table of their clocks instead of the roots\n"
-      OPTION_MODEL
-      OPTION_JSON },
+      "                       a table of their clocks instead of the roots\n" OPTION_MODEL
+          OPTION_JSON },
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
@@ -223,8 +204,7 @@ static bool take(int letter, struct cmd_arguments *arguments)
     case 'f': arguments->half = true; return true;
     case 'p': arguments->trace.historical = true; return true;
     case 'B': arguments->trace.no_bounds = true; return true;
-    case 'V':
-        return visible_named(optarg, &arguments->trace.visible);
+    case 'V': return visible_named(optarg, &arguments->trace.visible);
     case 'r': arguments->resume = optarg; return true;
     case 'J':
         return parse_count(optarg, TRACE_JOBS_MOST, &arguments->trace.jobs);
@@ -234,8 +214,7 @@ static bool take(int letter, struct cmd_arguments *arguments)
     case 'P': arguments->passes = true; return true;
     case 'F':
         arguments->compare = strcmp(optarg, "all") == 0;
-        return arguments->compare
-               || falsi_named(optarg, &arguments->falsi);
+        return arguments->compare || falsi_named(optarg, &arguments->falsi);
     case 'W':
         return parse_count(optarg, TRACE_PIXELS_MOST,
                            &arguments->trace.width);
@@ -245,14 +224,12 @@ static bool take(int letter, struct cmd_arguments *arguments)
     case 'D': return parse_positive(optarg, 1e6, &arguments->view.distance);
     case 'A': return parse_positive(optarg, 180, &arguments->view.angle);
     case 'q':
-        return parse_count(optarg, TRACE_QUEUE_MOST,
-                           &arguments->trace.queue);
-    case 'M':
-        return trace_mode_named(optarg, &arguments->trace.mode);
+        return parse_count(optarg, TRACE_QUEUE_MOST, &arguments->trace.queue);
+    case 'M': return trace_mode_named(optarg, &arguments->trace.mode);
     default: {
         const char **end = arguments->search;
 
-        while (*end != NULL)
+        while (*end)
             end++;
         *end = optarg;
         return true;
@@ -274,7 +251,7 @@ static bool parse_options(int argc, char **argv, const char *allowed,
             word = argv[optind - 2];
         if (letter == ':')
             cmd_usage(argv[0], "%s needs an argument", word);
-        else if (letter == '?' || strchr(allowed, letter) == NULL)
+        else if (letter == '?' || !strchr(allowed, letter))
             cmd_usage(argv[0], "no such option: %s", word);
         else if (!take(letter, arguments))
             cmd_usage(argv[0], "%s: wrong argument: %s%s", word, optarg,
@@ -290,8 +267,7 @@ static bool take_scene(const struct command *command, int argc, char **argv,
                        struct cmd_arguments *arguments)
 {
     int given = argc - optind;
-    int wanted = command->wants == NULL ? 0
-                 : command->function == cmd_sweep ? 2 : 1;
+    int wanted = !command->wants ? 0 : command->function == cmd_sweep ? 2 : 1;
 
     if (given > wanted)
         cmd_usage(command->name, "too many arguments: %s", argv[argc - 1]);
@@ -336,7 +312,7 @@ static int start(const struct command *command, int argc, char **argv)
         return CMD_DONE;
     }
     arguments.search = calloc((size_t)argc + 1, sizeof *arguments.search);
-    if (arguments.search == NULL)
+    if (!arguments.search)
         return cmd_failed(command->name, "no memory");
     if (parse_options(argc, argv, command->options, &arguments)
         && take_scene(command, argc, argv, &arguments))
@@ -355,7 +331,8 @@ static int finish(const char *name, int code)
 static void print_summary(FILE *file)
 {
     fputs("rt205 COMMAND [OPTIONS] - a ray tracer on a CYBER 205 style "
-          "machine\n", file);
+          "machine\n",
+          file);
     for (size_t i = 0; i < COMMANDS; i++)
         fprintf(file, "  %-8s %s\n", commands[i].name, commands[i].summary);
     fputs("rt205 COMMAND --help tells more of each\n", file);

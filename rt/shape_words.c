@@ -62,8 +62,7 @@ static double put_axis(const double *base, const double *cap, double *shape)
     return length;
 }
 
-static size_t cylinder_shape(const struct primitive *primitive,
-                             double *shape)
+static size_t cylinder_shape(const struct primitive *primitive, double *shape)
 {
     double r = primitive->shape.cylinder.radius;
     double length = put_axis(primitive->shape.cylinder.base,
@@ -132,8 +131,7 @@ static size_t plane_shape(const struct primitive *primitive, double *shape)
     double length;
 
     for (size_t i = 0; i < 3; i++)
-        shape[i] = normal[0] * back->rows[0][i]
-                   + normal[1] * back->rows[1][i]
+        shape[i] = normal[0] * back->rows[0][i] + normal[1] * back->rows[1][i]
                    + normal[2] * back->rows[2][i];
     shape[3] = primitive->shape.plane.distance;
     for (size_t i = 0; i < 3; i++)
@@ -148,9 +146,9 @@ static size_t plane_shape(const struct primitive *primitive, double *shape)
  * into the world here. */
 static bool carry_sphere(const struct primitive *primitive, double *shape)
 {
-    const double (*rows)[4] = primitive->to_world.rows;
-    double scale = length3((const double[]){ rows[0][0], rows[1][0],
-                                             rows[2][0] });
+    const double(*rows)[4] = primitive->to_world.rows;
+    double scale = length3(
+        (const double[]){ rows[0][0], rows[1][0], rows[2][0] });
     const double *center = primitive->shape.sphere.center;
     double r = primitive->shape.sphere.radius * scale;
 
@@ -317,19 +315,18 @@ static const struct kind kinds[PRIMITIVE_KINDS] = {
     },
 };
 
-void shape_words(const struct primitive *primitive,
-                 struct shape_words *shape)
+void shape_words(const struct primitive *primitive, struct shape_words *shape)
 {
     const struct kind *kind = &kinds[primitive->kind];
-    bool special = kind->is_special != NULL && kind->is_special(primitive);
+    bool special = kind->is_special && kind->is_special(primitive);
     const struct kernels *kernels = special ? &kind->special : &kind->kernels;
 
     shape->count = kind->shape(primitive, shape->words);
-    shape->table_count =
-        kind->table == NULL ? 0 : kind->table(primitive, shape->table);
+    shape->table_count = !kind->table ? 0
+                                      : kind->table(primitive, shape->table);
     shape->kernel = kernels->kernel;
     shape->normal = kernels->normal;
-    shape->solid = kernels->solid != NULL ? kernels->solid : kernels->kernel;
+    shape->solid = kernels->solid ? kernels->solid : kernels->kernel;
     shape->state = kernels->state;
     shape->on_patch = primitive->kind == PRIMITIVE_STEINER_PATCH;
     shape->historical = shape->table_count <= STEINER_TABLE ? NULL

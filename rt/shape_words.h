@@ -26,13 +26,13 @@ struct shape_words {
     bool transformed;            /* it stands in a space of its own */
     bool on_patch;               /* a hit has two parameters, too */
     const char *kernel, *normal; /* routines, in both forms of the program */
-    const char *solid;           /* for all crossings of a ray: the kernel that
+    const char *solid;      /* for all crossings of a ray: the kernel that
                                     is used in trees */
-    const char *state;           /* for the segments inside of the closed shape,
+    const char *state;      /* for the segments inside of the closed shape,
                                     if it is open; or NULL */
-    size_t segments;             /* of a ray, inside, at the most */
-    size_t events;               /* crossings of a ray that can be seen */
-    const char *historical;      /* the kernel of 1984, or NULL */
+    size_t segments;        /* of a ray, inside, at the most */
+    size_t events;          /* crossings of a ray that can be seen */
+    const char *historical; /* the kernel of 1984, or NULL */
 };
 
 void shape_words(const struct primitive *primitive,

@@ -51,12 +51,13 @@ const struct speedup_subject speedup_subjects[] = {
       .from = { .48, .6, -.64 },
       .regions = { "call", "steiner", speedup_solver } },
     { .name = "torus, ours",
-      .shape = "torus { .8, .35 translate .8*z }", /* the tube in the middle */
+      .shape =
+          "torus { .8, .35 translate .8*z }", /* the tube in the middle */
       .from = { 0, .8, -.6 },
       .regions = { "call", "torus", speedup_solver } },
 };
-const size_t speedup_subject_count =
-    sizeof speedup_subjects / sizeof *speedup_subjects;
+const size_t speedup_subject_count = sizeof speedup_subjects
+                                     / sizeof *speedup_subjects;
 
 static void print_scene(char *text, size_t size,
                         const struct speedup_subject *subject,
@@ -72,10 +73,9 @@ static void print_scene(char *text, size_t size,
              "object { %s pigment { color rgb 1 } }\n",
              view->distance * subject->from[0],
              view->distance * subject->from[1],
-             view->distance * subject->from[2],
-             view->aim[0], view->aim[1], view->aim[2],
-             (double)options->width / (double)options->height, view->angle,
-             subject->shape);
+             view->distance * subject->from[2], view->aim[0], view->aim[1],
+             view->aim[2], (double)options->width / (double)options->height,
+             view->angle, subject->shape);
 }
 
 static struct scene *read_scene(const struct speedup_subject *subject,
@@ -90,7 +90,7 @@ static struct scene *read_scene(const struct speedup_subject *subject,
 
     print_scene(text, sizeof text, subject, view, options);
     scene = scene_read_text(subject->name, text, &how, &reports);
-    if (scene == NULL)
+    if (!scene)
         snprintf(error->message, sizeof error->message, "%s: %s",
                  subject->name,
                  reports.count > 0 ? reports.items[0].message : "no memory");
@@ -103,7 +103,7 @@ const c205_account *speedup_account(const struct accounts *accounts,
 {
     const c205_account *account = accounts_find(accounts, region);
 
-    if (account == NULL)
+    if (!account)
         snprintf(error->message, sizeof error->message,
                  "the program has no region %s", region);
     return account;
@@ -118,10 +118,10 @@ static bool sum_accounts(const struct accounts *accounts,
         const char *region = subject->regions[i];
         const c205_account *account;
 
-        if (region == NULL)
+        if (!region)
             break;
         account = speedup_account(accounts, region, error);
-        if (account == NULL)
+        if (!account)
             return false;
         for (int cause = 0; cause < C205_CAUSES; cause++) {
             measure->clocks[cause] += account->clocks[cause];
@@ -141,8 +141,7 @@ static double projected_seconds(const struct trace *trace,
     const struct accounts *accounts = trace_accounts(trace);
     uint64_t clocks = 0;
 
-    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST && subject->regions[i] != NULL;
-         i++) {
+    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST && subject->regions[i]; i++) {
         const c205_account *account = accounts_find(accounts,
                                                     subject->regions[i]);
 
@@ -185,14 +184,15 @@ static bool begin_projecting(struct projecting *projecting,
 {
     memset(projecting, 0, sizeof *projecting);
     for (int i = 0; i < SPEEDUP_PROJECTIONS; i++) {
-        const char *name =
-            speedup_projection_model(on, (enum speedup_projection)i);
+        const char *name = speedup_projection_model(on,
+                                                    (enum speedup_projection)
+                                                        i);
         c205_model *model = c205_model_find(name, error);
 
         projecting->models[i] = model;
-        if (model != NULL)
+        if (model)
             projecting->projections[i] = c205_projection_new(model, error);
-        if (projecting->projections[i] == NULL)
+        if (!projecting->projections[i])
             return false;
     }
     return true;
@@ -217,9 +217,9 @@ static bool run_projected(struct trace *trace, const c205_model *model,
     trace_project(trace, projecting.projections);
     good = good && run(trace, subject, measure, error);
     for (size_t i = 0; good && i < SPEEDUP_PROJECTIONS; i++)
-        measure->projected[i] = projected_seconds(
-            trace, subject, projecting.projections[i],
-            projecting.models[i]);
+        measure->projected[i] = projected_seconds(trace, subject,
+                                                  projecting.projections[i],
+                                                  projecting.models[i]);
     trace_project(trace, NULL);
     end_projecting(&projecting);
     return good;
@@ -236,7 +236,7 @@ struct trace *speedup_trace(const struct speedup_subject *subject,
     how.no_bounds = true;
     how.band = options->width * options->height;
     *scene = read_scene(subject, view, options, error);
-    return *scene == NULL ? NULL : trace_new(*scene, &how, error);
+    return !*scene ? NULL : trace_new(*scene, &how, error);
 }
 
 bool speedup_measure(const struct speedup_subject *subject,

@@ -30,14 +30,14 @@ struct speedup_paper {
     struct {
         double seconds, speedup;
     } projected[SPEEDUP_PROJECTIONS];
-    double solver;               /* percent of the time in the root solver */
+    double solver; /* percent of the time in the root solver */
 };
 
 struct speedup_subject {
-    const char *name;   /* of the row */
-    const char *shape;  /* its text in the scene language */
-    double from[3];     /* the eye, seen from the origin; of length one */
-    bool historical;    /* by the paper's methods */
+    const char *name;  /* of the row */
+    const char *shape; /* its text in the scene language */
+    double from[3];    /* the eye, seen from the origin; of length one */
+    bool historical;   /* by the paper's methods */
     const char *regions[SPEEDUP_REGIONS_MOST]; /* NULL after the last */
     struct speedup_paper paper;
 };

@@ -71,7 +71,15 @@ static const struct table_column causes[] = {
 };
 
 enum kind {
-    TABLE1, RAYS, TIMES, PROJECTED, SHARES, STEPS, PASSES, CAUSES, KINDS
+    TABLE1,
+    RAYS,
+    TIMES,
+    PROJECTED,
+    SHARES,
+    STEPS,
+    PASSES,
+    CAUSES,
+    KINDS
 };
 
 static const struct {
@@ -79,16 +87,22 @@ static const struct {
     const struct table_column *columns;
     size_t count;
 } kinds[KINDS] = {
-    [TABLE1] = { "table1", "Table 1, CPU seconds for 100,000 rays, and how "
+    [TABLE1] = { "table1",
+                 "Table 1, CPU seconds for 100,000 rays, and how "
                  "much faster the 205's vector form is",
                  TABLE_COLUMNS(table1) },
     [RAYS] = { "rays", "The rays", TABLE_COLUMNS(rays) },
-    [TIMES] = { "times", "The kernels and their calls", TABLE_COLUMNS(times) },
-    [PROJECTED] = { "projected", "A machine that Table 1 lacks, projected: "
-                    "CPU seconds for 100,000 rays", TABLE_COLUMNS(projected) },
+    [TIMES] = { "times", "The kernels and their calls",
+                TABLE_COLUMNS(times) },
+    [PROJECTED] = { "projected",
+                    "A machine that Table 1 lacks, projected: "
+                    "CPU seconds for 100,000 rays",
+                    TABLE_COLUMNS(projected) },
     [SHARES] = { "shares", "Which part took it", TABLE_COLUMNS(shares) },
-    [STEPS] = { "steps", "Falsi in the root solver, to roots of the "
-                "derivative (knots) and of the quartic", TABLE_COLUMNS(steps) },
+    [STEPS] = { "steps",
+                "Falsi in the root solver, to roots of the "
+                "derivative (knots) and of the quartic",
+                TABLE_COLUMNS(steps) },
     [PASSES] = { "passes", "The vector form, pass by pass",
                  TABLE_COLUMNS(passes) },
     [CAUSES] = { "causes", "Where the clocks went", TABLE_COLUMNS(causes) },
@@ -103,12 +117,12 @@ struct speedup_report *speedup_report_new(const c205_model *model)
 {
     struct speedup_report *report = calloc(1, sizeof *report);
 
-    if (report == NULL)
+    if (!report)
         return NULL;
     report->model = model;
     for (int i = 0; i < KINDS; i++) {
         report->tables[i] = table_new(kinds[i].columns, kinds[i].count);
-        if (report->tables[i] == NULL) {
+        if (!report->tables[i]) {
             speedup_report_free(report);
             return NULL;
         }
@@ -118,7 +132,7 @@ struct speedup_report *speedup_report_new(const c205_model *model)
 
 void speedup_report_free(struct speedup_report *report)
 {
-    if (report == NULL)
+    if (!report)
         return;
     for (int i = 0; i < KINDS; i++)
         table_free(report->tables[i]);
@@ -254,8 +268,8 @@ static void add_projected(struct speedup_report *report,
     table_text(table, subject->name);
     table_text(table, speedup_projections[SPEEDUP_6600]);
     table_number(table, seconds);
-    table_number(table, seconds / scaled_seconds(report,
-                                                 &measures[TRACE_VECTOR]));
+    table_number(table,
+                 seconds / scaled_seconds(report, &measures[TRACE_VECTOR]));
 }
 
 static void add_shares(struct table *table,
@@ -265,7 +279,7 @@ static void add_shares(struct table *table,
     for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++) {
         const char *region = subject->regions[i];
 
-        if (region == NULL)
+        if (!region)
             break;
         add_name(table, subject, mode);
         table_text(table, region);
@@ -316,8 +330,7 @@ static void add_causes(struct table *table,
         add_name(table, subject, mode);
         table_text(table, c205_cause_name((c205_cause)cause));
         table_count(table, measure->clocks[cause]);
-        table_number(table,
-                     percent(measure->clocks[cause], measure->total));
+        table_number(table, percent(measure->clocks[cause], measure->total));
     }
 }
 

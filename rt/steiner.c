@@ -51,10 +51,9 @@ static void read_weights(const struct primitive *primitive, double *weights)
 }
 
 /* With weights above 0 the patch lies in the hull of its control points. */
-static void read_patch(const struct primitive *primitive,
-                       struct patch *patch)
+static void read_patch(const struct primitive *primitive, struct patch *patch)
 {
-    const double (*points)[3] = primitive->shape.steiner_patch.points;
+    const double(*points)[3] = primitive->shape.steiner_patch.points;
     double weights[STEINER_POINTS];
 
     memset(patch, 0, sizeof *patch);
@@ -93,7 +92,7 @@ static void form_polynomials(const struct patch *patch,
     const double *ss = patch->point[0], *tt = patch->point[1];
     const double *uu = patch->point[2], *st = patch->point[3];
     const double *tu = patch->point[4], *us = patch->point[5];
-    double (*k)[4] = polynomials->k;
+    double(*k)[4] = polynomials->k;
 
     for (int i = 0; i < 4; i++) {
         k[0][i] = uu[i];
@@ -144,15 +143,15 @@ static bool square_to_last(const double (*k)[3], double *square)
  * apart: it is square to K5 and K2 or, where K2 is along K5, to K4.  Of a
  * patch without K5 any ray wants it: it is square to K2, in the plane of the
  * patch. */
-static void other_plane(const struct polynomials *polynomials,
-                        double bound, double *other)
+static void other_plane(const struct polynomials *polynomials, double bound,
+                        double *other)
 {
     double k[6][3], normal[3], length;
 
     for (int i = 0; i < 6; i++)
         for (int axis = 0; axis < 3; axis++)
             k[i][axis] = polynomials->k[i][axis] / bound;
-    if (!square_to_last((const double (*)[3])k, other)) {
+    if (!square_to_last((const double(*)[3])k, other)) {
         cross3(k[1], k[2], normal);
         cross3(k[2], normal, other);
     }
@@ -188,7 +187,7 @@ static size_t put_implicit(const struct patch *patch, double *table)
     for (int i = 0; i < STEINER_POINTS; i++)
         for (int c = 0; c < 4; c++)
             scaled[i][c] = patch->point[i][c] / (c < 3 ? patch->bound : 1);
-    moving_planes_find((const double (*)[4])scaled, &planes);
+    moving_planes_find((const double(*)[4])scaled, &planes);
     if (planes.type != SURFACE_STEINER)
         return 0;
     for (int row = 0; row < 6; row++)

@@ -14,12 +14,12 @@ struct trace {
     struct trace_options options;
     struct object *program;
     struct band_work work;
-    double gamma;      /* of the scene's colours */
+    double gamma; /* of the scene's colours */
 
-    size_t band_rows;  /* of each band but perhaps the last */
+    size_t band_rows; /* of each band but perhaps the last */
     size_t band_count;
-    bool *taken;       /* bands that are done or being done */
-    c205_word *words;  /* FRAME_CHANNELS planes, as far as they are done */
+    bool *taken;      /* bands that are done or being done */
+    c205_word *words; /* FRAME_CHANNELS planes, as far as they are done */
     size_t rows_done;
     struct accounts accounts;
     uint64_t rays[RAY_KINDS];
@@ -31,14 +31,14 @@ struct trace {
     struct job *jobs;
     size_t job_count;
     bool stop;
-    c205_error error;  /* why it stopped */
+    c205_error error; /* why it stopped */
 };
 
 /* One thread's work: a band at a time. */
 struct job {
     struct trace *trace;
     pthread_t thread;
-    size_t pixels;     /* of its band that are begun */
+    size_t pixels; /* of its band that are begun */
 };
 
 static const struct form {
@@ -123,17 +123,17 @@ static bool prepare(struct trace *trace, c205_error *error)
 
     trace->work.program = trace->program = assemble_form(&trace->options,
                                                          error);
-    if (trace->program == NULL)
+    if (!trace->program)
         return false;
     machine = trace_machine(trace, error);
-    if (machine == NULL)
+    if (!machine)
         return false;
     c205_free(machine);
     snprintf(error->message, sizeof error->message,
              "no memory for the frame");
     trace->taken = calloc(trace->band_count, sizeof *trace->taken);
     trace->words = calloc(FRAME_CHANNELS * pixels, sizeof *trace->words);
-    return trace->taken != NULL && trace->words != NULL;
+    return trace->taken && trace->words;
 }
 
 struct trace *trace_new(const struct scene *scene,
@@ -142,7 +142,7 @@ struct trace *trace_new(const struct scene *scene,
 {
     struct trace *trace = calloc(1, sizeof *trace);
 
-    if (trace == NULL) {
+    if (!trace) {
         snprintf(error->message, sizeof error->message, "no memory");
         return NULL;
     }
@@ -168,7 +168,7 @@ struct trace *trace_new(const struct scene *scene,
 
 void trace_free(struct trace *trace)
 {
-    if (trace == NULL)
+    if (!trace)
         return;
     band_file_close(trace->file, false);
     pthread_mutex_destroy(&trace->lock);
@@ -228,17 +228,17 @@ static bool add_kept(struct trace *trace, const struct band *band)
 bool trace_keep(struct trace *trace, const char *path, c205_error *error)
 {
     c205 *machine = trace_machine(trace, error);
-    uint64_t key = machine != NULL ? band_file_key(machine) : 0;
+    uint64_t key = machine ? band_file_key(machine) : 0;
     struct band *bands;
     size_t count;
     bool good = true;
 
     c205_free(machine);
-    if (machine == NULL)
+    if (!machine)
         return false;
     trace->file = band_file_open(path, key, trace->options.width,
                                  trace->options.model, &bands, &count, error);
-    if (trace->file == NULL)
+    if (!trace->file)
         return false;
     for (size_t i = 0; i < count; i++) {
         good = good && add_kept(trace, &bands[i]);
@@ -320,7 +320,7 @@ static void finish_band(struct job *job, const struct band *band)
     pthread_mutex_lock(&trace->lock);
     job->pixels = 0;
     if (!add_band(trace, band)
-        || (trace->file != NULL && !band_file_add(trace->file, band, &why)))
+        || (trace->file && !band_file_add(trace->file, band, &why)))
         stop_with(trace, &why);
     pthread_mutex_unlock(&trace->lock);
 }
@@ -356,7 +356,8 @@ static void do_jobs(struct trace *trace)
 
     while (begun < trace->job_count
            && pthread_create(&trace->jobs[begun].thread, NULL, do_job,
-                             &trace->jobs[begun]) == 0)
+                             &trace->jobs[begun])
+                  == 0)
         begun++;
     do_job(&trace->jobs[0]);
     for (size_t i = 1; i < begun; i++)
@@ -371,18 +372,18 @@ bool trace_run(struct trace *trace, c205_error *error)
     trace->job_count = jobs < trace->band_count ? jobs : trace->band_count;
     trace->jobs = calloc(trace->job_count, sizeof *trace->jobs);
     snprintf(error->message, sizeof error->message, "no memory");
-    if (trace->jobs == NULL)
+    if (!trace->jobs)
         return false;
     for (size_t i = 0; i < trace->job_count; i++)
         trace->jobs[i].trace = trace;
-    trace->work.progress = options->progress != NULL ? tell_progress : NULL;
+    trace->work.progress = options->progress ? tell_progress : NULL;
     do_jobs(trace);
     free(trace->jobs);
     trace->jobs = NULL;
     trace->job_count = 0;
     if (trace->stop)
         *error = trace->error;
-    else if (options->progress != NULL)
+    else if (options->progress)
         options->progress(options->context, options->width * options->height,
                           options->width * options->height);
     return !trace->stop;

@@ -15,9 +15,9 @@
 #include "rt/visible.h"
 
 enum trace_mode {
-    TRACE_SCALAR,  /* one ray after another */
-    TRACE_VECTOR,  /* a queue of rays at a time */
-    TRACE_FORMS,   /* of a kernel there are these two */
+    TRACE_SCALAR,                /* one ray after another */
+    TRACE_VECTOR,                /* a queue of rays at a time */
+    TRACE_FORMS,                 /* of a kernel there are these two */
     TRACE_KERNELS = TRACE_FORMS, /* the paper's: a queue of rays is met with
                                     each primitive in vector form, all else is
                                     done ray by ray */

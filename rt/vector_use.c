@@ -70,7 +70,7 @@ void vector_use_listen(void *use, const c205 *machine,
         return;
     sum->instructions++;
     sum->elements += event->elements;
-    if (event->fields.z != 0 && strchr(event->insn->operands, 'z') != NULL)
+    if (event->fields.z != 0 && strchr(event->insn->operands, 'z'))
         count_controlled(sum, machine, event);
 }
 

@@ -84,53 +84,53 @@ typedef struct tasks {
     task *lanes, *halves, *doubles;
 } tasks;
 
-#define TASKS(name, of_words, of_halves, of_doubles)                       \
-    static void name##_lanes(void)                                         \
-    {                                                                      \
-        uint64_t flags = 0;                                                \
-        of_words;                                                          \
-    }                                                                      \
-    static void name##_halves(void)                                        \
-    {                                                                      \
-        uint64_t flags = 0;                                                \
-        of_halves;                                                         \
-    }                                                                      \
-    static void name##_doubles(void)                                       \
-    {                                                                      \
-        for (size_t i = 0; i < LENGTH; i++)                                \
-            z[i] = of_doubles;                                             \
-    }                                                                      \
-    static const tasks name = {name##_lanes, name##_halves, name##_doubles};
+#define TASKS(name, of_words, of_halves, of_doubles) \
+    static void name##_lanes(void) \
+    { \
+        uint64_t flags = 0; \
+        of_words; \
+    } \
+    static void name##_halves(void) \
+    { \
+        uint64_t flags = 0; \
+        of_halves; \
+    } \
+    static void name##_doubles(void) \
+    { \
+        for (size_t i = 0; i < LENGTH; i++) \
+            z[i] = of_doubles; \
+    } \
+    static const tasks name = { name##_lanes, name##_halves, name##_doubles };
 
-#define BINARY(name, operation, of_doubles)                                \
-    TASKS(name, lanes_##operation(c, a, b, LENGTH, &flags),                \
-          halves_##operation(c, half_a, half_b, LENGTH, &flags),           \
-          of_doubles)
-#define UNARY(name, operation, of_doubles)                                 \
-    TASKS(name, lanes_##operation(c, a, LENGTH, &flags),                   \
+#define BINARY(name, operation, of_doubles) \
+    TASKS(name, lanes_##operation(c, a, b, LENGTH, &flags), \
+          halves_##operation(c, half_a, half_b, LENGTH, &flags), of_doubles)
+#define UNARY(name, operation, of_doubles) \
+    TASKS(name, lanes_##operation(c, a, LENGTH, &flags), \
           halves_##operation(c, half_a, LENGTH, &flags), of_doubles)
 
 BINARY(add, add_normalised, x[i] + y[i])
 BINARY(subtract, subtract_normalised, x[i] - y[i])
 BINARY(add_upper, add_upper, x[i] + y[i])
 BINARY(multiply, multiply_significant, x[i] * y[i])
-TASKS(less, lanes_less(c, a, b, LENGTH); (void)flags,
-      halves_less(c, half_a, half_b, LENGTH); (void)flags, x[i] < y[i])
+TASKS(less, lanes_less(c, a, b, LENGTH);
+      (void)flags, halves_less(c, half_a, half_b, LENGTH);
+      (void)flags, x[i] < y[i])
 UNARY(truncate, truncate, trunc(x[i]))
-TASKS(sum, c[0] = C205_ONE; lanes_sum(c, a, LENGTH, &flags),
-      c[0] = C205_HALF_ONE; halves_sum(c, half_a, LENGTH, &flags),
-      z[0] = z[0] + x[i])
+TASKS(sum, c[0] = C205_ONE;
+      lanes_sum(c, a, LENGTH, &flags), c[0] = C205_HALF_ONE;
+      halves_sum(c, half_a, LENGTH, &flags), z[0] = z[0] + x[i])
 BINARY(divide, divide_significant, x[i] / y[i])
 UNARY(square_root, square_root, sqrt(x[i]))
 TASKS(convert, lanes_extend(c, half_a, LENGTH, &flags),
       lanes_contract(c, a, LENGTH, &flags), (double)(float)x[i])
 
-#define EACH_WORD(name, operation)                                         \
-    static void name(void)                                                 \
-    {                                                                      \
-        uint64_t flags = 0;                                                \
-        for (size_t i = 0; i < LENGTH; i++)                                \
-            c[i] = operation;                                              \
+#define EACH_WORD(name, operation) \
+    static void name(void) \
+    { \
+        uint64_t flags = 0; \
+        for (size_t i = 0; i < LENGTH; i++) \
+            c[i] = operation; \
     }
 EACH_WORD(add_words, arith_add_normalised(a[i], b[i], &flags))
 EACH_WORD(multiply_words, arith_multiply_significant(a[i], b[i], &flags))
@@ -141,7 +141,7 @@ static void report(const char *name, const tasks *spans, task *words)
 {
     printf("%-24s %8.2f %8.2f", name, nanoseconds(spans->lanes),
            nanoseconds(spans->halves));
-    if (words != NULL)
+    if (words)
         printf(" %8.2f", nanoseconds(words));
     else
         printf(" %8s", "");

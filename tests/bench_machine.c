@@ -178,11 +178,12 @@ static void add_row(struct table *table, const struct bench *bench,
     double rate = (double)c205_clock(machine) / seconds;
     bool vector = bench->doubles != NULL;
     table_text(table, bench->name);
-    table_number(table, vector ? seconds / (double)account->elements * 1e9
-                               : NAN);
+    table_number(table,
+                 vector ? seconds / (double)account->elements * 1e9 : NAN);
     table_number(table, vector ? time_doubles(bench->doubles) * 1e9 : NAN);
-    table_number(table, vector ? NAN : (double)account->instructions
-                                           / seconds / 1e6);
+    table_number(table, vector
+                            ? NAN
+                            : (double)account->instructions / seconds / 1e6);
     table_number(table, rate / 1e6);
     table_number(table, rate * period / 1e9);
 }
@@ -192,8 +193,8 @@ static void run_bench(struct table *table, const struct bench *bench,
 {
     struct asm_errors errors = { 0, NULL };
     struct sink messages = stream_sink(stderr);
-    struct object *object =
-        assemble_text(bench->name, bench->program, NULL, &errors);
+    struct object *object = assemble_text(bench->name, bench->program, NULL,
+                                          &errors);
     if (!object) {
         asm_errors_print(&errors, &messages);
         stop("the program has errors");
@@ -208,8 +209,8 @@ int main(void)
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
     c205 *machine = model ? c205_new(model, &error) : NULL;
-    struct table *table =
-        table_new(columns, sizeof columns / sizeof *columns);
+    struct table *table = table_new(columns,
+                                    sizeof columns / sizeof *columns);
     if (!machine || !table) {
         stop(machine ? "no memory" : error.message);
     }

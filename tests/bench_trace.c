@@ -20,7 +20,7 @@ static struct scene *read_scene(const char *path, size_t width, size_t height)
     struct reports reports = { 0, 0, NULL };
     struct scene *scene = scene_read(path, &options, &reports);
 
-    if (scene == NULL)
+    if (!scene)
         reports_print(stderr, &reports);
     reports_free(&reports);
     return scene;
@@ -33,7 +33,7 @@ static double time_trace(const struct scene *scene,
 {
     struct trace *trace = trace_new(scene, options, error);
     const clock_t begin = clock();
-    const bool good = trace != NULL && trace_run(trace, error);
+    const bool good = trace && trace_run(trace, error);
     const clock_t end = clock();
 
     trace_free(trace);
@@ -60,7 +60,8 @@ static bool print_best(const struct scene *scene,
 int main(int count, char **words)
 {
     struct trace_options options = { .mode = TRACE_VECTOR,
-                                     .queue = TRACE_QUEUE, .jobs = 1 };
+                                     .queue = TRACE_QUEUE,
+                                     .jobs = 1 };
     c205_error error;
     c205_model *model;
     struct scene *scene;
@@ -74,10 +75,9 @@ int main(int count, char **words)
     options.height = strtoul(words[3], NULL, 10);
     options.model = model = c205_model_find("cyber205-2pipe", &error);
     scene = read_scene(words[1], options.width, options.height);
-    if (model == NULL)
+    if (!model)
         fprintf(stderr, "bench_trace: %s\n", error.message);
-    good = model != NULL && scene != NULL
-           && print_best(scene, &options, atoi(words[4]));
+    good = model && scene && print_best(scene, &options, atoi(words[4]));
     scene_free(scene);
     c205_model_free(model);
     return good ? 0 : 1;

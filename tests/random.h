@@ -23,9 +23,8 @@ static inline int64_t xorshift_between(uint64_t *state, int64_t low,
 }
 
 /* A normalised word of a format with an exponent of the given range. */
-static inline c205_word xorshift_normalised_of(word_format f,
-                                               uint64_t *state, int32_t low,
-                                               int32_t high)
+static inline c205_word xorshift_normalised_of(word_format f, uint64_t *state,
+                                               int32_t low, int32_t high)
 {
     const int32_t exponent = (int32_t)xorshift_between(state, low, high);
     const uint64_t random = xorshift(state);
@@ -37,8 +36,8 @@ static inline c205_word xorshift_normalised_of(word_format f,
 
 /* An unnormalised number: up to all significant bits but one. */
 static inline c205_word xorshift_unnormalised_of(word_format f,
-                                                 uint64_t *state,
-                                                 int32_t low, int32_t high)
+                                                 uint64_t *state, int32_t low,
+                                                 int32_t high)
 {
     const int32_t exponent = (int32_t)xorshift_between(state, low, high);
     const int places = (int)xorshift_between(state, 64 - f.digits, 63);

@@ -12,7 +12,7 @@ struct accounts {
     size_t count;
     c205_account *account;
     c205_account *kept; /* room for a copy */
-    char *names; /* one after the other, each ending with '\0' */
+    char *names;        /* one after the other, each ending with '\0' */
 };
 
 /* Accounts for these regions, all zero, in place of the former ones.  False:

@@ -41,19 +41,19 @@ typedef c205_word arith_shifted(c205_word a, int64_t count);
  * shift: left circular for 0 up to the width less one, right with the sign
  * extended for -1 down to the negative width; other counts: modulo the
  * width above, as the negative width below. */
-#define ARITH_FUNCTIONS(of)                                                \
-    arith_binary of(add_upper), of(add_lower), of(add_normalised);         \
-    arith_binary of(subtract_upper), of(subtract_lower),                   \
-        of(subtract_normalised);                                           \
-    arith_binary of(multiply_upper), of(multiply_lower),                   \
-        of(multiply_significant);                                          \
-    arith_binary of(divide_upper), of(divide_significant);                 \
-    arith_binary of(average), of(average_difference);                      \
-    arith_binary of(adjust_significance), of(adjust_exponent), of(pack);   \
-    arith_unary of(square_root);                                           \
-    arith_unary of(truncate), of(floor), of(ceiling);                      \
-    arith_unary of(absolute), of(negate), of(exponent);                    \
-    arith_relation of(equal), of(not_equal), of(not_less), of(less);       \
+#define ARITH_FUNCTIONS(of) \
+    arith_binary of(add_upper), of(add_lower), of(add_normalised); \
+    arith_binary of(subtract_upper), of(subtract_lower), \
+        of(subtract_normalised); \
+    arith_binary of(multiply_upper), of(multiply_lower), \
+        of(multiply_significant); \
+    arith_binary of(divide_upper), of(divide_significant); \
+    arith_binary of(average), of(average_difference); \
+    arith_binary of(adjust_significance), of(adjust_exponent), of(pack); \
+    arith_unary of(square_root); \
+    arith_unary of(truncate), of(floor), of(ceiling); \
+    arith_unary of(absolute), of(negate), of(exponent); \
+    arith_relation of(equal), of(not_equal), of(not_less), of(less); \
     arith_shifted of(shift)
 
 #define ARITH_OF_WORDS(name) arith_##name

@@ -32,9 +32,8 @@ static inline size_t bank_of(uint64_t word, uint64_t count, double inverse)
     return (size_t)bank;
 }
 
-uint64_t banks_conflicts(struct banks *banks, uint64_t table,
-                         unsigned step, const c205_word *indices,
-                         size_t count)
+uint64_t banks_conflicts(struct banks *banks, uint64_t table, unsigned step,
+                         const c205_word *indices, size_t count)
 {
     const double inverse = 1.0 / (double)banks->count;
     const uint64_t bank_count = banks->count, busy = banks->busy;

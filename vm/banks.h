@@ -22,8 +22,7 @@ void banks_free(struct banks *banks);
 
 /* By how much the accesses to table + step x index, in this order, take
  * longer than one after the other; all banks are free at the beginning. */
-uint64_t banks_conflicts(struct banks *banks, uint64_t table,
-                         unsigned step, const c205_word *indices,
-                         size_t count);
+uint64_t banks_conflicts(struct banks *banks, uint64_t table, unsigned step,
+                         const c205_word *indices, size_t count);
 
 #endif

@@ -81,7 +81,7 @@ static uint32_t divide(big *number, uint32_t divisor)
 {
     uint64_t remainder = 0;
 
-    for (size_t i = number->count; i-- > 0; ) {
+    for (size_t i = number->count; i-- > 0;) {
         remainder = remainder << LIMB_BITS | number->limb[i];
         number->limb[i] = (uint32_t)(remainder / divisor);
         remainder %= divisor;

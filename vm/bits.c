@@ -113,8 +113,8 @@ static void merge_bits(struct choice *choice, size_t first, size_t n,
     read_string(choice->machine, &choice->a, choice->next_a, count, a);
     read_string(choice->machine, &choice->b, choice->next_b, n - count, b);
     for (size_t i = 0; i < n; i++)
-        set_bit(bits, i, bit_at(from_a, i) ? bit_at(a, at_a++)
-                                           : bit_at(b, at_b++));
+        set_bit(bits, i,
+                bit_at(from_a, i) ? bit_at(a, at_a++) : bit_at(b, at_b++));
     choice->next_a += count;
     choice->next_b += n - count;
 }
@@ -223,9 +223,9 @@ static c205_trap claim_sieve(struct sieve *sieve, bool ahead)
     sieve->kept = least(machine->progress.count[0], turn->first);
     sieve->c.length = sieve->n;
     if (ahead)
-        sieve->c.length =
-            sieve->kept
-            + keep_bits(sieve, turn->first, turn->n - turn->first, kept);
+        sieve->c.length = sieve->kept
+                          + keep_bits(sieve, turn->first,
+                                      turn->n - turn->first, kept);
     trap = claim_vector(machine, &sieve->c, sieve->c.length, true);
     machine->effect.touch_count = touches;
     return trap;
@@ -253,8 +253,8 @@ c205_trap execute_bits_compress(struct c205 *machine,
                                 const struct decoded *decoded)
 {
     struct sieve sieve = { .machine = machine };
-    c205_trap trap =
-        describe_string(&sieve.a, machine, decoded->a, decoded->x);
+    c205_trap trap = describe_string(&sieve.a, machine, decoded->a,
+                                     decoded->x);
     if (trap == C205_TRAP_NONE)
         trap = describe_result(&sieve.c, &sieve.control, machine, decoded);
     if (trap != C205_TRAP_NONE)
@@ -272,8 +272,8 @@ c205_trap execute_bits_compress(struct c205 *machine,
     if (sieve.kept > 0)
         machine_touch(machine, sieve.c.address, sieve.kept);
     machine->effect.elements = sieve.n;
-    machine->slot[decoded->result[0]] =
-        with_length(machine->slot[decoded->c], sieve.kept);
+    machine->slot[decoded->result[0]] = with_length(machine->slot[decoded->c],
+                                                    sieve.kept);
     return C205_TRAP_NONE;
 }
 
@@ -331,8 +331,7 @@ static c205_trap count_string(struct c205 *machine,
                               const struct decoded *decoded, count *counted)
 {
     struct vector string = describe_bits(machine->slot[decoded->a]);
-    struct turn turn =
-        machine_turn(machine, string.length, machine->allowed);
+    struct turn turn = machine_turn(machine, string.length, machine->allowed);
     uint64_t bits[STRING_WORDS];
     c205_trap trap = claim_vector(machine, &string, string.length, false);
     if (trap == C205_TRAP_NONE)

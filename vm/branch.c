@@ -148,8 +148,8 @@ c205_trap execute_alter_memory_bit(struct c205 *machine,
                                    const struct decoded *decoded)
 {
     struct memory *memory = &machine->memory;
-    uint64_t address =
-        LOW(machine->slot[decoded->a] + machine->slot[decoded->b]);
+    uint64_t address = LOW(machine->slot[decoded->a]
+                           + machine->slot[decoded->b]);
     uint64_t place = address - address % WORD_BITS;
     bool alters = decoded->fields.immediate & ALTERATION_MASK;
     c205_word word = 0;
@@ -172,8 +172,9 @@ static c205_trap go_to_near(struct c205 *machine,
 {
     const c205_fields *fields = &decoded->fields;
     if (fields->g & C205_G_RELATIVE)
-        return go_to(machine, decoded->pc + (uint64_t)fields->immediate
-                                                * INSTRUCTION_STEP);
+        return go_to(machine,
+                     decoded->pc
+                         + (uint64_t)fields->immediate * INSTRUCTION_STEP);
     return go_to(machine,
                  machine->slot[decoded->y] + machine->slot[decoded->b]);
 }

@@ -124,15 +124,15 @@ typedef enum c205_timing {
 #define C205_INSN_HALF 32u
 
 /* Bits of the G byte, as values of that byte. */
-#define C205_G_HALF 0x80u        /* 32-bit operands */
-#define C205_G_ZEROS 0x40u       /* control vector acts on zeros */
-#define C205_G_OFFSET 0x20u      /* C+1 holds the offset of C and Z */
+#define C205_G_HALF 0x80u   /* 32-bit operands */
+#define C205_G_ZEROS 0x40u  /* control vector acts on zeros */
+#define C205_G_OFFSET 0x20u /* C+1 holds the offset of C and Z */
 #define C205_G_BROADCAST_A 0x10u
 #define C205_G_BROADCAST_B 0x08u
-#define C205_G_NEGATE_A 0x04u    /* after the magnitude, if both */
+#define C205_G_NEGATE_A 0x04u /* after the magnitude, if both */
 #define C205_G_MAGNITUDE_A 0x02u
 #define C205_G_MAGNITUDE_B 0x01u
-#define C205_G_RELATIVE 0x40u    /* in B0-B5 */
+#define C205_G_RELATIVE 0x40u /* in B0-B5 */
 
 typedef struct c205_insn {
     const char *mnemonic;
@@ -189,11 +189,11 @@ c205_word c205_encode(const c205_insn *insn, const c205_fields *fields);
 typedef struct c205_model c205_model;
 
 typedef struct c205_constant {
-    const char *name;   /* "startup.vadd" */
-    const char *text;   /* the value as written */
-    double value;       /* for display; the clock uses the exact decimal */
-    const char *unit;   /* "clk", "clk/element", "clk*pipe/element", "ns" .. */
-    char source;        /* P S D R F */
+    const char *name; /* "startup.vadd" */
+    const char *text; /* the value as written */
+    double value;     /* for display; the clock uses the exact decimal */
+    const char *unit; /* "clk", "clk/element", "clk*pipe/element", "ns" .. */
+    char source;      /* P S D R F */
     const char *remark;
 } c205_constant;
 
@@ -295,33 +295,33 @@ typedef enum c205_trap {
     C205_TRAP_NONE,
     C205_TRAP_UNDEFINED_INSTRUCTION, /* no such opcode or G bits */
     C205_TRAP_UNMAPPED_ADDRESS,
-    C205_TRAP_PROTECTED_ADDRESS,     /* write to memory that is read-only */
-    C205_TRAP_BAD_DESCRIPTOR,        /* negative offset, missing vector .. */
-    C205_TRAP_MISALIGNED_OPERAND,    /* word vector not on a word, ... */
-    C205_TRAP_BAD_LINK,              /* the pair after LINKV cannot be linked */
-    C205_TRAP_BAD_REQUEST,           /* the monitor knows no such request */
+    C205_TRAP_PROTECTED_ADDRESS,  /* write to memory that is read-only */
+    C205_TRAP_BAD_DESCRIPTOR,     /* negative offset, missing vector .. */
+    C205_TRAP_MISALIGNED_OPERAND, /* word vector not on a word, ... */
+    C205_TRAP_BAD_LINK,           /* the pair after LINKV cannot be linked */
+    C205_TRAP_BAD_REQUEST,        /* the monitor knows no such request */
     C205_TRAP_CLOCK_LIMIT,
-    C205_TRAP_NO_MEMORY,             /* the host has none left */
+    C205_TRAP_NO_MEMORY, /* the host has none left */
     C205_TRAPS
 } c205_trap;
 const char *c205_trap_name(c205_trap trap); /* "undefined-instruction" .. */
 
 /* How a run ended. */
 typedef struct c205_stop {
-    c205_trap trap;       /* NONE: the program ended itself with EXIT */
-    uint64_t pc;          /* bit address of the instruction that stopped */
-    uint64_t address;     /* the operand address at fault, or 0 */
+    c205_trap trap;        /* NONE: the program ended itself with EXIT */
+    uint64_t pc;           /* bit address of the instruction that stopped */
+    uint64_t address;      /* the operand address at fault, or 0 */
     const c205_insn *insn; /* NULL: undefined */
-    int64_t status;       /* operand R of EXIT */
+    int64_t status;        /* operand R of EXIT */
 } c205_stop;
 
 typedef struct c205_account {
     const char *name; /* region; "" is all code outside regions */
     uint64_t clocks[C205_CAUSES];
-    uint64_t instructions;        /* all that were issued */
+    uint64_t instructions; /* all that were issued */
     uint64_t vector_instructions;
-    uint64_t elements;            /* of vector results or scanned operands */
-    uint64_t entries;             /* times control came in from elsewhere */
+    uint64_t elements; /* of vector results or scanned operands */
+    uint64_t entries;  /* times control came in from elsewhere */
 } c205_account;
 
 /* What a listener is told: one event after each instruction. */
@@ -337,14 +337,14 @@ typedef struct c205_event {
     uint64_t pc;
     const c205_insn *insn;
     c205_fields fields;
-    size_t region;     /* index into the accounts */
-    uint64_t issued;   /* the clock at which it issued */
-    uint64_t clocks;   /* by how much it moved the clock */
-    size_t elements;   /* vector length, 0 for scalar instructions */
-    bool taken;        /* branches */
+    size_t region;   /* index into the accounts */
+    uint64_t issued; /* the clock at which it issued */
+    uint64_t clocks; /* by how much it moved the clock */
+    size_t elements; /* vector length, 0 for scalar instructions */
+    bool taken;      /* branches */
     /* C205_EVENT_REQUEST */
     unsigned request;
-    c205_word r, s;    /* its operands */
+    c205_word r, s; /* its operands */
     c205_trap trap;
 } c205_event;
 

@@ -28,8 +28,8 @@ static void wait_through_phases(struct clock *clock, uint64_t until)
         const struct phase *phase = &clock->phase[i];
         uint64_t end = phase->end < until ? phase->end : until;
         if (clock->now < end) {
-            clock->accounts.account[phase->region].clocks[phase->cause] +=
-                end - clock->now;
+            clock->accounts.account[phase->region]
+                .clocks[phase->cause] += end - clock->now;
             clock->now = end;
         }
     }
@@ -101,9 +101,8 @@ static struct translation translate(struct clock *clock,
         pages_touch(&clock->pages, effect->touch[i].address,
                     effect->touch[i].bits, &met);
     if (effect->indices)
-        pages_touch_indexed(&clock->pages, effect->table,
-                            effect->table_step, effect->indices,
-                            effect->index_count, &met);
+        pages_touch_indexed(&clock->pages, effect->table, effect->table_step,
+                            effect->indices, effect->index_count, &met);
     return met;
 }
 
@@ -115,8 +114,7 @@ static void reach_memory(struct clock *clock, const struct effect *effect)
     struct translation met = translate(clock, effect);
     if (met.misses == 0)
         return;
-    spend(clock, met.misses * clock->translation_miss,
-          C205_TRANSLATION_MISS);
+    spend(clock, met.misses * clock->translation_miss, C205_TRANSLATION_MISS);
     spend(clock, met.faults * clock->page_fault, C205_PAGE_FAULT);
 }
 
@@ -262,9 +260,10 @@ static void add_phases(struct clock *clock, const struct timing *timing,
               C205_TRANSLATION_MISS);
     add_phase(clock, met.faults * clock->page_fault, C205_PAGE_FAULT);
     if (effect->indices)
-        add_phase(clock, banks_conflicts(&clock->banks, effect->table,
-                                         effect->table_step, effect->indices,
-                                         effect->index_count),
+        add_phase(clock,
+                  banks_conflicts(&clock->banks, effect->table,
+                                  effect->table_step, effect->indices,
+                                  effect->index_count),
                   C205_BANK_CONFLICT);
     add_phase(clock, stream, C205_VECTOR_STREAM);
 }
@@ -314,21 +313,15 @@ void clock_charge(struct clock *clock, const struct decoded *decoded,
     clock->account->instructions++;
     wait_for_registers(clock, decoded);
     switch (decoded->insn->unit) {
-    case C205_UNIT_VECTOR:
-        charge_vector(clock, decoded, effect);
-        break;
-    case C205_UNIT_MEMORY:
-        charge_memory(clock, decoded, effect);
-        break;
+    case C205_UNIT_VECTOR: charge_vector(clock, decoded, effect); break;
+    case C205_UNIT_MEMORY: charge_memory(clock, decoded, effect); break;
     case C205_UNIT_BRANCH:
         if (decoded->insn->timing == C205_TIMING_monitor)
             charge_monitor(clock, decoded);
         else
             charge_branch(clock, decoded, effect);
         break;
-    default:
-        issue(clock, decoded, C205_OPERAND_WAIT);
-        break;
+    default: issue(clock, decoded, C205_OPERAND_WAIT); break;
     }
 }
 

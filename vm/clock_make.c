@@ -29,8 +29,8 @@ static void read_constants(struct clock *clock, const c205_model *model)
     clock->overlap = model_whole(model, CONSTANT_OVERLAP);
     clock->branch_taken = model_whole(model, CONSTANT_BRANCH_TAKEN);
     clock->branch_not_taken = model_whole(model, CONSTANT_BRANCH_NOT_TAKEN);
-    clock->branch_out_of_stack =
-        model_whole(model, CONSTANT_BRANCH_OUT_OF_STACK);
+    clock->branch_out_of_stack = model_whole(model,
+                                             CONSTANT_BRANCH_OUT_OF_STACK);
     clock->translation_miss = model_whole(model, CONSTANT_TRANSLATION_MISS);
     clock->page_fault = model_whole(model, CONSTANT_PAGE_FAULT);
     clock->swap_word = model_rate(model, CONSTANT_SWAP_WORD);

@@ -11,8 +11,8 @@
 
 /* A timing class, its constants taken from the model. */
 struct timing {
-    uint64_t latency, busy; /* scalar */
-    uint64_t startup;       /* vector .. */
+    uint64_t latency, busy;          /* scalar */
+    uint64_t startup;                /* vector .. */
     struct rate stream, half_stream; /* of words, of half words */
 };
 
@@ -31,8 +31,8 @@ enum { FOR_VECTOR = C205_CAUSES };
 
 struct clock {
     uint64_t now;
-    bool ahead;            /* now and the accounts show a later time than .. */
-    uint64_t kept_now;     /* .. this, with the accounts kept, from which the
+    bool ahead;        /* now and the accounts show a later time than .. */
+    uint64_t kept_now; /* .. this, with the accounts kept, from which the
                               clock goes on */
     c205_account *account; /* of the region in which the program is */
     size_t region;
@@ -43,12 +43,12 @@ struct clock {
     uint64_t loads_done;   /* all loads are */
     uint64_t free_at[C205_UNITS];
     uint64_t load_end[LOADS_MOST]; /* of the last loads_in_flight loads */
-    size_t load;           /* the oldest of them */
+    size_t load;                   /* the oldest of them */
 
     struct phase phase[PHASES];
     size_t phase_count;
-    uint64_t vector_end;   /* the end of the last phase .. */
-    uint64_t vector_tail;  /* .. and how much of it may hide a start-up */
+    uint64_t vector_end;  /* the end of the last phase .. */
+    uint64_t vector_tail; /* .. and how much of it may hide a start-up */
 
     uint64_t next;                  /* address, if control runs straight on */
     uint64_t stack_low, stack_high; /* words in the instruction stack */

@@ -42,8 +42,10 @@ static void walk_accounts(struct clock *clock, struct tape *tape)
         walk_account(&clock->accounts.account[i], tape);
     walk_region(clock, tape);
     tape_word(tape, &clock->now);
-    tape_require(tape, accounts_sum(&clock->accounts) == clock->now
-                           && clock->now <= LATEST, wrong_account);
+    tape_require(tape,
+                 accounts_sum(&clock->accounts) == clock->now
+                     && clock->now <= LATEST,
+                 wrong_account);
 }
 
 /* What has been charged, where more than that is shown. */
@@ -59,7 +61,8 @@ static void walk_charged(struct clock *clock, struct tape *tape)
     tape_word(tape, &clock->kept_now);
     tape_require(tape,
                  accounts_sum_kept(&clock->accounts) == clock->kept_now
-                     && clock->kept_now <= clock->now, wrong_account);
+                     && clock->kept_now <= clock->now,
+                 wrong_account);
 }
 
 static uint64_t charged(const struct clock *clock)
@@ -97,8 +100,7 @@ static void walk_scoreboard(struct clock *clock, struct tape *tape)
     tape_size(tape, &clock->load, (size_t)clock->loads_in_flight - 1);
 }
 
-static void walk_phase(struct phase *phase, size_t regions,
-                       struct tape *tape)
+static void walk_phase(struct phase *phase, size_t regions, struct tape *tape)
 {
     size_t cause = phase->cause;
     walk_time(&phase->end, tape);
@@ -112,8 +114,7 @@ static void walk_phase(struct phase *phase, size_t regions,
 static bool phases_are_sound(const struct clock *clock)
 {
     if (clock->phase_count == 0)
-        return clock->vector_end <= charged(clock)
-               && clock->vector_tail == 0;
+        return clock->vector_end <= charged(clock) && clock->vector_tail == 0;
     const struct phase *last = &clock->phase[clock->phase_count - 1];
     if (last->end != clock->vector_end
         || clock->vector_tail > clock->vector_end)
@@ -129,8 +130,7 @@ static bool phases_are_sound(const struct clock *clock)
 static bool results_are_sound(const struct clock *clock)
 {
     for (size_t i = 0; i < SLOTS; i++)
-        if (clock->awaits[i] == FOR_VECTOR
-            && clock->ready[i] > charged(clock)
+        if (clock->awaits[i] == FOR_VECTOR && clock->ready[i] > charged(clock)
             && clock->ready[i] > clock->vector_end)
             return false;
     return true;

@@ -8,7 +8,8 @@
 
 static semantics *const functions[] = {
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
-             flags, function, provenance, effect) execute_##function,
+             flags, function, provenance, effect) \
+    execute_##function,
 #include "insn.def"
 };
 
@@ -106,8 +107,7 @@ static c205_trap check_coding(const c205_insn *insn, c205_word word,
 {
     if (c205_encode(insn, fields) != word
         || fields->g & ~possible_g(insn, fields)
-        || (insn->flags & C205_INSN_INDEX
-            && fields->c + 1 == C205_REGISTERS))
+        || (insn->flags & C205_INSN_INDEX && fields->c + 1 == C205_REGISTERS))
         return C205_TRAP_UNDEFINED_INSTRUCTION;
     if (has_letter(c205_format_syntax(insn->format), "!") && !fields->z)
         return C205_TRAP_BAD_DESCRIPTOR;
@@ -220,8 +220,7 @@ static void bind(struct decoded *decoded, char field, char letter)
             decoded->b = slot_of(decoded, f->b, 'i', false);
         }
         break;
-    default: /* an immediate */
-        break;
+    default: /* an immediate */ break;
     }
 }
 
@@ -270,8 +269,9 @@ static c205_trap decode(struct c205 *machine, uint64_t pc,
 c205_trap decode_at(struct c205 *machine, uint64_t pc,
                     const struct decoded **decoded)
 {
-    const struct decoded *cached =
-        decode_cached(machine->cache, machine->memory.code_changes, pc);
+    const struct decoded *cached = decode_cached(machine->cache,
+                                                 machine->memory.code_changes,
+                                                 pc);
     c205_trap trap = C205_TRAP_NONE;
     if (!cached) {
         struct decoded *entry =
@@ -285,9 +285,9 @@ c205_trap decode_at(struct c205 *machine, uint64_t pc,
 
 c205_trap decode_pair(struct c205 *machine, const struct decoded *prefix)
 {
-    struct decoded *entry =
-        &machine->cache->entry[prefix->pc / INSTRUCTION_STEP
-                               % DECODE_ENTRIES];
+    struct decoded
+        *entry = &machine->cache
+                      ->entry[prefix->pc / INSTRUCTION_STEP % DECODE_ENTRIES];
     uint64_t pc = (prefix->pc + INSTRUCTION_STEP) & ADDRESS_MASK;
     for (size_t i = 0; i < 2; i++) {
         c205_trap trap = decode_at(machine, pc, &entry->linked[i]);

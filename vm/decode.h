@@ -9,11 +9,7 @@
 /* The register file has two slots more than the machine has registers: where
  * register 0 is read as a number, the decoder names SLOT_MACHINE_ZERO; where
  * it is written, SLOT_SINK.  So no instruction looks for register 0. */
-enum {
-    SLOT_MACHINE_ZERO = C205_REGISTERS,
-    SLOT_SINK,
-    SLOTS
-};
+enum { SLOT_MACHINE_ZERO = C205_REGISTERS, SLOT_SINK, SLOTS };
 
 struct c205;
 struct decoded;
@@ -25,7 +21,7 @@ enum { OPERAND_A, OPERAND_B, OPERAND_C, OPERANDS };
 
 struct decoded {
     uint64_t pc;
-    uint64_t version;        /* memory.code_changes when it was decoded */
+    uint64_t version; /* memory.code_changes when it was decoded */
     semantics *execute;
     const c205_insn *insn;
     uint64_t next;           /* address of the instruction after; for LINKV,
@@ -53,9 +49,9 @@ enum { EFFECT_TOUCHES = 6 };
 /* Filled by the semantics, read by the clock and the events.  Semantics know
  * no time: they say what happened, not what it costs. */
 struct effect {
-    size_t elements;    /* vector length: results made or operands scanned */
-    bool taken;         /* a branch that was taken .. */
-    uint64_t target;    /* .. and where it went */
+    size_t elements; /* vector length: results made or operands scanned */
+    bool taken;      /* a branch that was taken .. */
+    uint64_t target; /* .. and where it went */
     unsigned touch_count;
     struct touch touch[EFFECT_TOUCHES];
     const c205_word *indices; /* gather, scatter: the indices that were used,
@@ -77,8 +73,8 @@ struct decode_cache {
 static inline const struct decoded *
 decode_cached(const struct decode_cache *cache, uint64_t version, uint64_t pc)
 {
-    const struct decoded *entry =
-        &cache->entry[pc / INSTRUCTION_STEP % DECODE_ENTRIES];
+    const struct decoded
+        *entry = &cache->entry[pc / INSTRUCTION_STEP % DECODE_ENTRIES];
     return entry->pc == pc && entry->version == version ? entry : NULL;
 }
 

@@ -8,9 +8,9 @@ struct transfer {
     struct stream stream;
     bool gather;
     struct vector table; /* its length is not known */
-    c205_word *indices; /* those permitted, one behind the other */
-    size_t count;       /* how many */
-    size_t used;        /* so many of them before this turn */
+    c205_word *indices;  /* those permitted, one behind the other */
+    size_t count;        /* how many */
+    size_t used;         /* so many of them before this turn */
 };
 
 static uint64_t table_address(const struct transfer *transfer,
@@ -35,9 +35,9 @@ static void collect_indices(struct transfer *transfer)
          first += n) {
         n = least(stream->n - first, CHUNK);
         control_read(&stream->control, first, n, permitted);
-        transfer->count += compress_words(
-            transfer->indices + transfer->count,
-            source_read(&stream->a, first, n), permitted, n);
+        transfer->count += compress_words(transfer->indices + transfer->count,
+                                          source_read(&stream->a, first, n),
+                                          permitted, n);
     }
 }
 
@@ -88,8 +88,8 @@ static c205_trap check_table(struct transfer *transfer)
         uint64_t address = table_address(transfer, transfer->indices[i]);
         if (address >> PAGE_SHIFT != checked)
             trap = memory_check(&machine->memory, address,
-                                transfer->table.width,
-                                !transfer->gather, &machine->fault);
+                                transfer->table.width, !transfer->gather,
+                                &machine->fault);
         checked = address >> PAGE_SHIFT;
     }
     return trap;
@@ -153,8 +153,9 @@ static c205_trap transfer_chunks(struct transfer *transfer)
          first += n) {
         n = stream_next(stream, first);
         control_read(&stream->control, first, n, permitted);
-        (transfer->gather ? gather_chunk : scatter_chunk)(
-            transfer, first, n, permitted, &next_index);
+        (transfer->gather ? gather_chunk : scatter_chunk)(transfer, first, n,
+                                                          permitted,
+                                                          &next_index);
     }
     transfer->count = (size_t)(next_index - transfer->indices);
     return stream_end(stream);
@@ -202,8 +203,7 @@ static void put_back(struct transfer *transfer, const struct undo *undo,
     struct memory *memory = &transfer->stream.machine->memory;
     for (; transfer->count > count; transfer->count--)
         store_element(memory, undo->address[transfer->count - 1],
-                      transfer->table.width,
-                      undo->old[transfer->count - 1]);
+                      transfer->table.width, undo->old[transfer->count - 1]);
 }
 
 /* All elements are tried, so that one that traps does so before any is done;

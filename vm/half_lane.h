@@ -71,8 +71,8 @@ static inline lane lane_multiply_upper(c205_word a, c205_word b)
 
 static inline lane lane_multiply_lower(c205_word a, c205_word b)
 {
-    return special_product(
-        a, b, lower(exponent(a) + exponent(b), product(a, b)));
+    return special_product(a, b,
+                           lower(exponent(a) + exponent(b), product(a, b)));
 }
 
 static inline lane lane_multiply_significant(c205_word a, c205_word b)

@@ -16,10 +16,12 @@ enum {
 };
 
 const c205_insn c205_insns[] = {
+/* clang-format off */
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
              flags, semantics, provenance, effect) \
     { #mnemonic, opcode, subop, mask, flags, C205_FORMAT_##format, \
       C205_UNIT_##unit, C205_TIMING_##timing, operands, effect, provenance },
+/* clang-format on */
 #include "insn.def"
 };
 const size_t c205_insn_count = sizeof c205_insns / sizeof c205_insns[0];
@@ -127,7 +129,7 @@ static const struct place {
     { 'c', 0, offsetof(c205_fields, c) },
     { 'r', 48, offsetof(c205_fields, r) },
     { 's', 40, offsetof(c205_fields, s) },
-    { 't', 32, offsetof(c205_fields, t) }
+    { 't', 32, offsetof(c205_fields, t) },
 };
 enum { PLACES = sizeof places / sizeof places[0], OPCODE_SHIFT = 56 };
 

@@ -31,8 +31,8 @@ static inline lane lane_multiply_significant(c205_word a, c205_word b)
 {
     const int64_t e = exponent(a) + exponent(b) + (WORD_DIGITS - 1);
     const int64_t p = product(a, b, 2);
-    const lane result
-        = odd_if(unnormalised(a) | unnormalised(b), fitted(e, p));
+    const lane result = odd_if(unnormalised(a) | unnormalised(b),
+                               fitted(e, p));
 
     return special_product(a, b, result);
 }
@@ -46,10 +46,9 @@ static inline int64_t quotient(int64_t ca, int64_t cb)
 {
     const uint64_t dividend = magnitude(ca), divisor = magnitude(cb);
     const double scale = (double)(INT64_C(1) << WORD_DIGITS);
-    const uint64_t nearest
-        = to_nearest(to_double(dividend) * scale / to_double(divisor));
-    const uint64_t remainder
-        = (dividend << WORD_DIGITS) - nearest * divisor;
+    const uint64_t nearest = to_nearest(to_double(dividend) * scale
+                                        / to_double(divisor));
+    const uint64_t remainder = (dividend << WORD_DIGITS) - nearest * divisor;
     const int64_t q = (int64_t)(nearest - (remainder >> 63));
 
     return (ca ^ cb) < 0 ? -q : q;

@@ -115,8 +115,8 @@ enum { LENGTH = 51 };
 static inline uint64_t room(int64_t t)
 {
     enum { BIAS = 1023 };
-    const uint64_t bits
-        = bits_of_double(to_double((uint64_t)(t ^ t >> 63) << 1 | 1));
+    const uint64_t bits = bits_of_double(
+        to_double((uint64_t)(t ^ t >> 63) << 1 | 1));
 
     return (((uint64_t)(BIAS + LENGTH + 1) << 52) - 1 - bits) >> 52;
 }
@@ -145,8 +145,8 @@ static inline c205_word integer(int64_t c)
 
 static inline lane number(int64_t e, int64_t c)
 {
-    const lane result = {(c205_word)e << EXPONENT_PLACE | integer(c),
-                         out_of_range(e), 0};
+    const lane result = { (c205_word)e << EXPONENT_PLACE | integer(c),
+                          out_of_range(e), 0 };
 
     return result;
 }
@@ -154,9 +154,9 @@ static inline lane number(int64_t e, int64_t c)
 /* A machine zero is as good a result as any. */
 static inline lane zero_if(bool it_is, lane otherwise)
 {
-    const lane result = {it_is ? C205_MACHINE_ZERO : otherwise.word,
-                         it_is ? 0 : otherwise.odd,
-                         it_is ? first_bit : otherwise.zero};
+    const lane result = { it_is ? C205_MACHINE_ZERO : otherwise.word,
+                          it_is ? 0 : otherwise.odd,
+                          it_is ? first_bit : otherwise.zero };
 
     return result;
 }
@@ -261,8 +261,8 @@ static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
 {
     const c205_word l = larger(a, b);
     const uint64_t too_short = LANE_GUARD < DIGITS ? unnormalised(l) : 0;
-    const lane result
-        = odd_if(too_short, normalised(exponent(l) - LANE_GUARD, t));
+    const lane result = odd_if(too_short,
+                               normalised(exponent(l) - LANE_GUARD, t));
 
     return odd_if(indefinite(l), zero_if(is_zero(l), result));
 }
@@ -318,8 +318,10 @@ static inline int64_t without_fraction(int64_t c, c205_word a)
 static inline lane integer_part(c205_word a, int64_t part)
 {
     const c205_word whole = integer(part);
-    const lane result = {exponent(a) >= 0 ? a : is_zero(a) ? a : whole,
-                         indefinite(a), zero(a)};
+    const lane result = { exponent(a) >= 0 ? a
+                          : is_zero(a)     ? a
+                                           : whole,
+                          indefinite(a), zero(a) };
 
     return result;
 }
@@ -351,11 +353,10 @@ static inline lane lane_negate(c205_word a)
     const int64_t moved = too_short ? e - 1 : e;
 
     return odd_if(indefinite(a),
-                  zero_if(is_zero(a),
-                          number(too_long ? e + 1 : moved,
-                                 too_long    ? half
-                                 : too_short ? -2 * half
-                                             : -c)));
+                  zero_if(is_zero(a), number(too_long ? e + 1 : moved,
+                                             too_long    ? half
+                                             : too_short ? -2 * half
+                                                         : -c)));
 }
 
 /* A machine zero stays as it is, if its digits are those of no negative
@@ -363,7 +364,7 @@ static inline lane lane_negate(c205_word a)
 static inline lane lane_absolute(c205_word a)
 {
     const int64_t c = coefficient(a);
-    const lane zero_number = {c < 0 ? C205_MACHINE_ZERO : a, 0, first_bit};
+    const lane zero_number = { c < 0 ? C205_MACHINE_ZERO : a, 0, first_bit };
     const lane result = fitted(exponent(a), (int64_t)magnitude(c));
 
     return odd_if(indefinite(a), is_zero(a) ? zero_number : result);

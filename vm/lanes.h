@@ -28,21 +28,21 @@ typedef void lanes_reduction(c205_word *accumulator, const c205_word *a,
 /* The functions of one size; of(name) is what a name is there.  add_index,
  * subtract_index: the coefficient's bits of a + b, a - b, the exponent's from
  * a. */
-#define LANES_FUNCTIONS(of)                                                \
-    lanes_binary of(add_upper), of(add_lower), of(add_normalised);         \
-    lanes_binary of(subtract_upper), of(subtract_lower),                   \
-        of(subtract_normalised);                                           \
-    lanes_binary of(multiply_upper), of(multiply_lower),                   \
-        of(multiply_significant);                                          \
-    lanes_binary of(divide_upper), of(divide_significant);                 \
-    lanes_binary of(average), of(average_difference);                      \
-    lanes_binary of(xor), of(and), of(or), of(nand), of(nor), of(or_not),  \
-        of(and_not), of(equivalence), of(shift);                           \
-    lanes_binary of(adjust_significance), of(adjust_exponent), of(pack);   \
-    lanes_binary of(add_index), of(subtract_index);                        \
-    lanes_unary of(square_root), of(truncate), of(floor), of(ceiling),     \
-        of(absolute), of(negate), of(exponent);                            \
-    lanes_compare of(equal), of(not_equal), of(not_less), of(less);        \
+#define LANES_FUNCTIONS(of) \
+    lanes_binary of(add_upper), of(add_lower), of(add_normalised); \
+    lanes_binary of(subtract_upper), of(subtract_lower), \
+        of(subtract_normalised); \
+    lanes_binary of(multiply_upper), of(multiply_lower), \
+        of(multiply_significant); \
+    lanes_binary of(divide_upper), of(divide_significant); \
+    lanes_binary of(average), of(average_difference); \
+    lanes_binary of(xor), of(and), of(or), of(nand), of(nor), of(or_not), \
+        of(and_not), of(equivalence), of(shift); \
+    lanes_binary of(adjust_significance), of(adjust_exponent), of(pack); \
+    lanes_binary of(add_index), of(subtract_index); \
+    lanes_unary of(square_root), of(truncate), of(floor), of(ceiling), \
+        of(absolute), of(negate), of(exponent); \
+    lanes_compare of(equal), of(not_equal), of(not_less), of(less); \
     lanes_reduction of(sum), of(product)
 
 #define LANES_OF_WORDS(name) lanes_##name

@@ -36,8 +36,8 @@ static bool may_be_linked(const struct decoded *first,
     bool a = is_linked_a(first, second), b = is_linked_b(first, second);
     bool same_size = !((first->fields.g ^ second->fields.g) & C205_G_HALF);
     return same_size && first->fields.z == 0
-           && !(first->fields.g & C205_G_OFFSET)
-           && (a || b) && !(a && second->fields.x) && !(b && second->fields.y)
+           && !(first->fields.g & C205_G_OFFSET) && (a || b)
+           && !(a && second->fields.x) && !(b && second->fields.y)
            && read_paths(first, second) <= 2;
 }
 
@@ -58,8 +58,7 @@ static void hand_over(struct source *source, const c205_word *words)
 static c205_trap describe_pair(struct pair *pair, struct c205 *machine,
                                const struct decoded *const *linked)
 {
-    c205_trap trap =
-        stream_describe(&pair->first, machine, linked[0]);
+    c205_trap trap = stream_describe(&pair->first, machine, linked[0]);
     if (trap == C205_TRAP_NONE)
         trap = stream_describe(&pair->second, machine, linked[1]);
     if (trap == C205_TRAP_NONE && pair->first.n != pair->second.n)
@@ -83,8 +82,7 @@ static c205_trap claim_pair(struct pair *pair)
         return trap;
     size_t chunk = pair->second.chunk;
     chunk = operand_lead(&pair->first.a.vector, result, chunk);
-    pair->second.chunk =
-        operand_lead(&pair->first.b.vector, result, chunk);
+    pair->second.chunk = operand_lead(&pair->first.b.vector, result, chunk);
     return C205_TRAP_NONE;
 }
 

@@ -84,8 +84,8 @@ static bool load_segment(struct c205 *machine, const c205_segment *segment,
                     C205_READ_WRITE, error))
         return false;
     if (segment->words)
-        memory_write_words(&machine->memory, segment->address,
-                           segment->words, segment->length);
+        memory_write_words(&machine->memory, segment->address, segment->words,
+                           segment->length);
     return true;
 }
 
@@ -107,8 +107,8 @@ bool c205_load(c205 *machine, const c205_program *program, c205_error *error)
 c205_word *machine_scratch(struct c205 *machine, enum scratch which)
 {
     if (!machine->scratch[which])
-        machine->scratch[which] =
-            malloc((C205_MAX_LENGTH + 1) * sizeof **machine->scratch);
+        machine->scratch[which] = malloc((C205_MAX_LENGTH + 1)
+                                         * sizeof **machine->scratch);
     return machine->scratch[which];
 }
 
@@ -122,8 +122,8 @@ static void tell_listeners(const struct c205 *machine,
                                   event);
 }
 
-static c205_event make_event(const struct c205 *machine,
-                             c205_event_kind kind, uint64_t before)
+static c205_event make_event(const struct c205 *machine, c205_event_kind kind,
+                             uint64_t before)
 {
     c205_event event;
     memset(&event, 0, sizeof event);
@@ -139,9 +139,10 @@ static void tell_instruction(struct c205 *machine,
     machine->executed = decoded;
     bool request = machine->request != NO_REQUEST
                    && machine->request != REQUEST_EXIT;
-    c205_event event = make_event(
-        machine, request ? C205_EVENT_REQUEST : C205_EVENT_INSTRUCTION,
-        before);
+    c205_event event = make_event(machine,
+                                  request ? C205_EVENT_REQUEST
+                                          : C205_EVENT_INSTRUCTION,
+                                  before);
     event.pc = decoded->pc;
     event.insn = decoded->insn;
     event.fields = decoded->fields;
@@ -160,8 +161,10 @@ static void tell_instruction(struct c205 *machine,
 static bool stop_run(struct c205 *machine, const c205_stop *stop,
                      uint64_t before)
 {
-    c205_event event = make_event(
-        machine, stop->trap ? C205_EVENT_TRAP : C205_EVENT_STOP, before);
+    c205_event event = make_event(machine,
+                                  stop->trap ? C205_EVENT_TRAP
+                                             : C205_EVENT_STOP,
+                                  before);
     event.pc = stop->pc;
     event.insn = stop->insn;
     event.region = machine_region(machine, stop->pc);
@@ -263,11 +266,11 @@ static void limit_elements(struct c205 *machine,
 }
 
 /* One instruction; false: *stop tells why there is no next one. */
-static inline bool step(struct c205 *machine, uint64_t limit,
-                        c205_stop *stop)
+static inline bool step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 {
-    const struct decoded *decoded = decode_cached(
-        machine->cache, machine->memory.code_changes, machine->pc);
+    const struct decoded
+        *decoded = decode_cached(machine->cache, machine->memory.code_changes,
+                                 machine->pc);
     uint64_t before = clock_now(machine->clock);
     c205_trap trap = C205_TRAP_NONE;
     if (before >= limit)
@@ -283,8 +286,8 @@ static inline bool step(struct c205 *machine, uint64_t limit,
     if (trap != C205_TRAP_NONE)
         return stop_within(machine, trap, decoded, limit, stop);
     clock_charge(machine->clock, decoded, &machine->effect);
-    machine->pc =
-        machine->effect.taken ? machine->effect.target : decoded->next;
+    machine->pc = machine->effect.taken ? machine->effect.target
+                                        : decoded->next;
     return !machine->eventful || attend(machine, decoded, before, stop);
 }
 
@@ -381,12 +384,10 @@ bool c205_map(c205 *machine, uint64_t address, size_t words,
     return memory_map(&machine->memory, address, words, access, error);
 }
 
-static bool host_may_copy(const c205 *machine, uint64_t address,
-                          size_t count)
+static bool host_may_copy(const c205 *machine, uint64_t address, size_t count)
 {
     uint64_t fault;
-    return address % WORD_BITS == 0
-           && (uint64_t)count <= ADDRESS_SPACE_WORDS
+    return address % WORD_BITS == 0 && (uint64_t)count <= ADDRESS_SPACE_WORDS
            && memory_check(&machine->memory, address,
                            (uint64_t)count * WORD_BITS, false, &fault)
                   == C205_TRAP_NONE;

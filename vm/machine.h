@@ -33,27 +33,27 @@ struct c205 {
     c205_word slot[SLOTS]; /* slot[0] is always 0 */
     uint64_t pc;
     uint64_t data_flags;
-    uint64_t timer;           /* the clock at which the job interval timer
+    uint64_t timer;   /* the clock at which the job interval timer
                                  runs out, or 0: it is off */
-    uint64_t program;         /* hash of what was loaded, or 0 */
+    uint64_t program; /* hash of what was loaded, or 0 */
     struct clock *clock;
     struct decode_cache *cache;
     const c205_model *model;
-    struct effect effect;     /* of the instruction being executed .. */
+    struct effect effect;           /* of the instruction being executed .. */
     const struct decoded *executed; /* .. which listeners are told of */
-    struct progress progress; /* of the one that was interrupted */
-    size_t allowed;           /* elements of this one before the clock limit
+    struct progress progress;       /* of the one that was interrupted */
+    size_t allowed;      /* elements of this one before the clock limit
                                  comes, SIZE_MAX: any number */
-    uint64_t resumed_at;      /* the clock shown when the run began */
-    uint64_t fault;           /* operand address of a trap */
-    unsigned request;         /* that EXIT just made, or NO_REQUEST */
-    bool eventful;            /* EXIT was executed, or somebody listens */
+    uint64_t resumed_at; /* the clock shown when the run began */
+    uint64_t fault;      /* operand address of a trap */
+    unsigned request;    /* that EXIT just made, or NO_REQUEST */
+    bool eventful;       /* EXIT was executed, or somebody listens */
     unsigned listener_count;
     struct {
         c205_listener *call;
         void *context;
     } listener[C205_LISTENERS];
-    size_t range_count;       /* code ranges of regions, by address */
+    size_t range_count; /* code ranges of regions, by address */
     struct region_range *ranges;
     c205_word *scratch[SCRATCHES]; /* allocated when first wanted */
     struct memory memory;
@@ -63,7 +63,7 @@ struct c205 {
  * have their bits where the address is. */
 enum { LENGTH_SHIFT = 48 };
 #define HIGH(word) ((word) & ~ADDRESS_MASK)
-#define LOW(word) ((word) & ADDRESS_MASK)
+#define LOW(word) ((word)&ADDRESS_MASK)
 
 static inline c205_word with_length(c205_word descriptor, size_t length)
 {

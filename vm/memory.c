@@ -274,8 +274,8 @@ void memory_read_halves(const struct memory *memory, uint64_t address,
     for (size_t n; count > 0; count -= n, halves += n) {
         unsigned shift = shift_at(address);
         size_t words = (count + shift / HALF_BITS + 1) / WORD_HALVES;
-        const c205_word *span =
-            memory_read_span(memory, address - shift, &words);
+        const c205_word *span = memory_read_span(memory, address - shift,
+                                                 &words);
         n = halves_in(words, address, count);
         for (size_t i = 0, at = shift / HALF_BITS; i < n; i++, at++)
             halves[i] = half_of(span[at / WORD_HALVES],
@@ -293,9 +293,9 @@ void memory_write_halves(struct memory *memory, uint64_t address,
         c205_word *span = memory_write_span(memory, address - shift, &words);
         n = halves_in(words, address, count);
         for (size_t i = 0, at = shift / HALF_BITS; i < n; i++, at++)
-            span[at / WORD_HALVES] =
-                with_half(span[at / WORD_HALVES],
-                          at % WORD_HALVES * HALF_BITS, halves[i]);
+            span[at / WORD_HALVES] = with_half(span[at / WORD_HALVES],
+                                               at % WORD_HALVES * HALF_BITS,
+                                               halves[i]);
         address += n * HALF_BITS;
     }
 }

@@ -37,7 +37,7 @@ struct page {
 
 struct memory {
     struct page **directory[DIRECTORIES];
-    struct page *spare; /* pages for the next that are mapped */
+    struct page *spare;    /* pages for the next that are mapped */
     uint64_t code_changes; /* how often a word that held decoded code was
                               written, and one; the decode cache looks at it */
 };
@@ -99,7 +99,8 @@ static inline struct page *memory_page(const struct memory *memory,
                                        uint64_t address)
 {
     struct page **pages = memory->directory[address >> DIRECTORY_SHIFT];
-    return pages ? pages[address >> PAGE_SHIFT & (DIRECTORY_PAGES - 1)] : NULL;
+    return pages ? pages[address >> PAGE_SHIFT & (DIRECTORY_PAGES - 1)]
+                 : NULL;
 }
 
 static inline size_t memory_word_index(uint64_t address)

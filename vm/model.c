@@ -9,10 +9,14 @@
 
 #define SCALAR(name) \
     { "latency." #name, WHOLE, "clk", 1, MILLION }, \
-    { "busy." #name, WHOLE, "clk", 1, MILLION }
+    { \
+        "busy." #name, WHOLE, "clk", 1, MILLION \
+    }
 #define VECTOR(name) \
     { "startup." #name, WHOLE, "clk", 1, MILLION }, \
-    { "stream." #name, RATE, "", 0, MILLION }
+    { \
+        "stream." #name, RATE, "", 0, MILLION \
+    }
 
 /* What a machine has to say, and behind it what a projection has. */
 static const struct rule rules[CONSTANTS + PROJECTION_CONSTANTS] = {
@@ -167,18 +171,18 @@ static bool check_unit(const struct reader *reader, const struct rule *rule,
                        const char *unit)
 {
     if (rule->kind != RATE)
-        return !strcmp(unit, rule->unit) ||
-               fail(reader, "the unit of %s is %s, not '%.20s'", rule->name,
-                    rule->unit, unit);
+        return !strcmp(unit, rule->unit)
+               || fail(reader, "the unit of %s is %s, not '%.20s'",
+                       rule->name, rule->unit, unit);
     for (size_t i = 0; i < RATE_UNITS; i++)
         if (!strcmp(unit, rate_units[i]))
             return true;
     return fail(reader, "the unit of %s is %s, %s or %s, not '%.20s'",
-                rule->name, rate_units[0], rate_units[1], rate_units[2], unit);
+                rule->name, rate_units[0], rate_units[1], rate_units[2],
+                unit);
 }
 
-bool model_find_rule(const c205_model *model, const char *name,
-                     size_t *index)
+bool model_find_rule(const c205_model *model, const char *name, size_t *index)
 {
     for (*index = 0; *index < model->count; ++*index)
         if (!strcmp(model->rules[*index].name, name))
@@ -201,18 +205,25 @@ static bool read_constant(const struct reader *reader, const char *name,
     const char *source = next_word(&line);
     uint64_t millionths;
     if (!read_millionths(text, &millionths))
-        return fail(reader, "'%.20s' is not a number with at most six "
-                            "decimals", text);
-    if (!check_value(reader, &model->rules[i], text, millionths) ||
-        !check_unit(reader, &model->rules[i], unit))
+        return fail(reader,
+                    "'%.20s' is not a number with at most six "
+                    "decimals",
+                    text);
+    if (!check_value(reader, &model->rules[i], text, millionths)
+        || !check_unit(reader, &model->rules[i], unit))
         return false;
     if (strlen(source) != 1 || !strchr("PSDRF", *source))
-        return fail(reader, "the source of %s must be P, S, D, R or F, "
-                            "not '%.20s'", name, source);
+        return fail(reader,
+                    "the source of %s must be P, S, D, R or F, "
+                    "not '%.20s'",
+                    name, source);
     if (*rest_of(line))
         return fail(reader, "'%.40s' is not expected here", rest_of(line));
-    c205_constant shown = { model->rules[i].name, text,
-                            (double)millionths / MILLION, unit, *source,
+    c205_constant shown = { model->rules[i].name,
+                            text,
+                            (double)millionths / MILLION,
+                            unit,
+                            *source,
                             rest_of(remark) };
     model->constant[i].shown = shown;
     model->constant[i].millionths = millionths;
@@ -438,7 +449,8 @@ const c205_constant *c205_model_lookup(const c205_model *model,
                                        const char *name)
 {
     size_t i;
-    return model_find_rule(model, name, &i) ? &model->constant[i].shown : NULL;
+    return model_find_rule(model, name, &i) ? &model->constant[i].shown
+                                            : NULL;
 }
 
 uint64_t model_millionths(const c205_model *model, enum constant id)

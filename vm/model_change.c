@@ -121,8 +121,8 @@ static c205_model *change(const c205_model *model,
         return model_out_of_memory(error);
     bool good = true;
     for (size_t i = 0; good && i < count; i++)
-        good = set_value(changed, &settings[i], whole,
-                         value_text(changed, i), error);
+        good = set_value(changed, &settings[i], whole, value_text(changed, i),
+                         error);
     good = good && model_check_together(changed, error);
     if (good && name_change(changed, settings, count))
         return changed;

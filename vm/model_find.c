@@ -10,8 +10,8 @@
 bool model_is_path(const char *name)
 {
     size_t length = strlen(name);
-    return strchr(name, '/') ||
-           (length >= 6 && !strcmp(name + length - 6, ".model"));
+    return strchr(name, '/')
+           || (length >= 6 && !strcmp(name + length - 6, ".model"));
 }
 
 static char *join_lines(const char *const *lines)
@@ -75,7 +75,7 @@ static char *built_in_text(const char *name, c205_error *error)
 c205_model *c205_model_find(const char *name, c205_error *error)
 {
     char *text = model_is_path(name) ? read_file(name, error)
-                               : built_in_text(name, error);
+                                     : built_in_text(name, error);
     c205_model *model = text ? c205_model_parse(name, text, error) : NULL;
     free(text);
     return model;

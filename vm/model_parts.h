@@ -18,9 +18,9 @@ struct rule {
 
 struct c205_model {
     char *name;
-    char *text;       /* cut into the strings that the constants point to */
+    char *text; /* cut into the strings that the constants point to */
     const c205_model *like; /* whose constants it took over, or NULL .. */
-    c205_model *own;  /* .. the same, if it goes with this model */
+    c205_model *own;        /* .. the same, if it goes with this model */
     const char *title;
     c205_belief fitted, compared;
     const struct rule *rules; /* that hold for it .. */

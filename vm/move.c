@@ -26,8 +26,8 @@ c205_trap execute_vector_reverse(struct c205 *machine,
     for (size_t first = stream.turn.first, n; first < stream.turn.end;
          first += n) {
         n = stream_next(&stream, first);
-        reverse_words(words,
-                      source_read(&stream.a, stream.n - first - n, n), n);
+        reverse_words(words, source_read(&stream.a, stream.n - first - n, n),
+                      n);
         result_store(machine, &stream.result, &stream.control, first, words,
                      n);
     }
@@ -60,10 +60,10 @@ static void merge_words(struct choice *choice, size_t first, size_t n,
                         const uint64_t *from_a, c205_word *words)
 {
     size_t count = count_ones(from_a, n);
-    const c205_word *a =
-        source_read(&choice->stream.a, choice->next_a, count);
-    const c205_word *b =
-        source_read(&choice->stream.b, choice->next_b, n - count);
+    const c205_word *a = source_read(&choice->stream.a, choice->next_a,
+                                     count);
+    const c205_word *b = source_read(&choice->stream.b, choice->next_b,
+                                     n - count);
     (void)first;
     for (size_t i = 0; i < n; i++)
         words[i] = bit_at(from_a, i) ? *a++ : *b++;
@@ -222,8 +222,8 @@ static c205_trap finish_sieve(struct sieve *sieve,
     if (sieve->kept > 0)
         machine_touch(machine, sieve->stream.result.address,
                       (uint64_t)sieve->kept * sieve->stream.result.width);
-    machine->slot[decoded->result[0]] =
-        with_length(machine->slot[decoded->c], sieve->kept);
+    machine->slot[decoded->result[0]] = with_length(machine->slot[decoded->c],
+                                                    sieve->kept);
     return C205_TRAP_NONE;
 }
 

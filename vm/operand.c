@@ -21,9 +21,8 @@ static c205_trap advance(struct vector *vector, c205_word offset)
         return C205_TRAP_BAD_DESCRIPTOR;
     vector->address += (uint64_t)elements * vector->width;
     vector->address &= ADDRESS_MASK;
-    vector->length -= (uint64_t)elements < vector->length
-                          ? (size_t)elements
-                          : vector->length;
+    vector->length -= (uint64_t)elements < vector->length ? (size_t)elements
+                                                          : vector->length;
     return C205_TRAP_NONE;
 }
 
@@ -79,10 +78,10 @@ static c205_trap describe_source(struct source *source,
         source->sign = 0;
     if (source->broadcast) {
         source->vector = describe(0, width);
-        source->padding =
-            width == HALF_BITS
-                ? machine_half(machine, slot, decoded->shift[operand])
-                : machine->slot[slot];
+        source->padding = width == HALF_BITS
+                              ? machine_half(machine, slot,
+                                             decoded->shift[operand])
+                              : machine->slot[slot];
         control_sign(source, &source->padding, 1);
         return C205_TRAP_NONE;
     }
@@ -228,8 +227,8 @@ c205_word *vector_span(struct memory *memory, const struct vector *vector,
     size_t count = n;
     if (vector->width != WORD_BITS)
         return NULL;
-    c205_word *span =
-        memory_write_span(memory, vector_at(vector, first), &count);
+    c205_word *span = memory_write_span(memory, vector_at(vector, first),
+                                        &count);
     return count == n ? span : NULL;
 }
 
@@ -277,8 +276,8 @@ const c205_word *source_read(struct source *source, size_t first, size_t n)
     if (source->sign || source->vector.width != WORD_BITS
         || n > source->vector.length - first)
         return filled_space(source, first, n);
-    span = memory_read_span(source->memory,
-                            vector_at(&source->vector, first), &count);
+    span = memory_read_span(source->memory, vector_at(&source->vector, first),
+                            &count);
     return count == n ? span : filled_space(source, first, n);
 }
 
@@ -287,8 +286,8 @@ void control_read(const struct control *control, size_t first, size_t n,
 {
     size_t words = (n + 63) / 64;
     if (control->present)
-        memory_read_bits(control->memory,
-                         vector_at(&control->vector, first), permitted, n);
+        memory_read_bits(control->memory, vector_at(&control->vector, first),
+                         permitted, n);
     for (size_t i = 0; i < words; i++)
         permitted[i] = control->present ? permitted[i] ^ control->blocked
                                         : UINT64_MAX;

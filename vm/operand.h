@@ -32,9 +32,9 @@ struct source {
     const c205_word *handed; /* the chunk, where a linked instruction made
                                 it; NULL: read memory */
     c205_word padding;
-    uint8_t sign;            /* bits C205_G_NEGATE_A, C205_G_MAGNITUDE_A */
+    uint8_t sign; /* bits C205_G_NEGATE_A, C205_G_MAGNITUDE_A */
     bool broadcast;
-    size_t padded;           /* words of space that are padding */
+    size_t padded; /* words of space that are padding */
     c205_word space[CHUNK];
 };
 
@@ -84,7 +84,8 @@ size_t operand_lead(const struct vector *read, const struct vector *written,
 bool operands_overlap(const struct vector *one, const struct vector *other);
 /* May all of one be read before the other is stored, whose elements come from
  * the same place or from further on? */
-bool operand_is_ahead(const struct vector *read, const struct vector *written);
+bool operand_is_ahead(const struct vector *read,
+                      const struct vector *written);
 
 /* ---- Read and store ----------------------------------------------------- */
 

@@ -18,8 +18,8 @@ static unsigned power_of_two(uint64_t number)
     return power;
 }
 
-bool pages_init(struct pages *pages, uint64_t page_words,
-                uint64_t real_words, size_t registers)
+bool pages_init(struct pages *pages, uint64_t page_words, uint64_t real_words,
+                size_t registers)
 {
     uint64_t capacity = real_words / page_words;
     pages->shift = power_of_two(page_words * WORD_BITS);
@@ -177,9 +177,8 @@ void pages_touch(struct pages *pages, uint64_t address, uint64_t bits,
         touch(pages, page << pages->shift, met);
 }
 
-void pages_touch_indexed(struct pages *pages, uint64_t table,
-                         unsigned step, const c205_word *indices,
-                         size_t count,
+void pages_touch_indexed(struct pages *pages, uint64_t table, unsigned step,
+                         const c205_word *indices, size_t count,
                          struct translation *met)
 {
     for (size_t i = 0; i < count; i++)

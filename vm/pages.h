@@ -28,15 +28,15 @@ struct resident {
 };
 
 struct pages {
-    unsigned shift;          /* bits of address within a page */
+    unsigned shift; /* bits of address within a page */
     unsigned hash_bits;
-    size_t registers;        /* so many of the latest pages are known .. */
-    size_t capacity;         /* .. and so many are in real memory */
-    size_t known, count;     /* how many are by now */
-    uint32_t edge;           /* the oldest that is known; 0: none is */
-    uint64_t latest;         /* the page that is known to be in front */
+    size_t registers;    /* so many of the latest pages are known .. */
+    size_t capacity;     /* .. and so many are in real memory */
+    size_t known, count; /* how many are by now */
+    uint32_t edge;       /* the oldest that is known; 0: none is */
+    uint64_t latest;     /* the page that is known to be in front */
     struct resident *resident;
-    uint32_t *hashed;        /* the first page of each hash, or 0 */
+    uint32_t *hashed; /* the first page of each hash, or 0 */
 };
 
 /* What looking up some pages has met with.  A page fault is a miss too: the
@@ -47,8 +47,8 @@ struct translation {
 
 /* For pages of a power of two of words; real memory holds as many as have
  * room in it, and one at least.  False: the host has no memory left. */
-bool pages_init(struct pages *pages, uint64_t page_words,
-                uint64_t real_words, size_t registers);
+bool pages_init(struct pages *pages, uint64_t page_words, uint64_t real_words,
+                size_t registers);
 void pages_free(struct pages *pages);
 void pages_forget(struct pages *pages);
 
@@ -60,9 +60,8 @@ void pages_look_up(struct pages *pages, uint64_t page,
 void pages_touch(struct pages *pages, uint64_t address, uint64_t bits,
                  struct translation *met);
 /* The pages of table + step x index for a list of indices. */
-void pages_touch_indexed(struct pages *pages, uint64_t table,
-                         unsigned step, const c205_word *indices,
-                         size_t count,
+void pages_touch_indexed(struct pages *pages, uint64_t table, unsigned step,
+                         const c205_word *indices, size_t count,
                          struct translation *met);
 
 #endif

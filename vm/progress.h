@@ -24,12 +24,12 @@ struct progress {
                          many were kept; search: how many comparisons were
                          made; maximum, minimum, select: the place found */
     bool found;
-    c205_word word;   /* reductions: the result so far; an interval: the next
+    c205_word word;  /* reductions: the result so far; an interval: the next
                          element .. */
-    uint64_t flags;   /* .. and its data flags */
-    size_t kept;      /* words in SCRATCH_KEPT: the indices of a gather or
+    uint64_t flags;  /* .. and its data flags */
+    size_t kept;     /* words in SCRATCH_KEPT: the indices of a gather or
                          scatter, the order vectors of a sparse operation */
-    unsigned halves;  /* of the instruction, .. */
+    unsigned halves; /* of the instruction, .. */
     uint32_t half[PACKAGE_HALVES]; /* .. these */
 };
 

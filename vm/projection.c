@@ -8,14 +8,19 @@
 
 /* The kinds of units, and the most of a kind. */
 enum unit_kind {
-    UNITS_SINGLE, UNITS_ADD, UNITS_MULTIPLY, UNITS_DIVIDE, UNITS_LOGICAL,
+    UNITS_SINGLE,
+    UNITS_ADD,
+    UNITS_MULTIPLY,
+    UNITS_DIVIDE,
+    UNITS_LOGICAL,
     UNIT_KINDS
 };
 enum { UNITS_MOST = 4 };
 
 /* What each timing class takes; classes of the vector unit take nothing, as
  * there is no such thing. */
-static const struct class {
+static const struct class
+{
     bool known;
     enum projection_constant time;
     enum unit_kind units;
@@ -26,7 +31,7 @@ static const struct class {
 };
 
 struct c205_projection {
-    uint64_t now;                 /* until then all has been charged */
+    uint64_t now; /* until then all has been charged */
     uint64_t time[C205_TIMINGS];
     uint64_t taken, not_taken, out_of_stack, interval;
     uint64_t stack_bits;
@@ -34,15 +39,15 @@ struct c205_projection {
 
     size_t units[UNIT_KINDS];
     uint64_t free_at[UNIT_KINDS][UNITS_MOST];
-    uint64_t ready[SLOTS];        /* when a register has its value .. */
-    uint64_t read[SLOTS];         /* .. and when the last reader has read */
-    uint64_t done;                /* all that is in flight */
+    uint64_t ready[SLOTS]; /* when a register has its value .. */
+    uint64_t read[SLOTS];  /* .. and when the last reader has read */
+    uint64_t done;         /* all that is in flight */
 
-    size_t regions;               /* so many have room */
+    size_t regions; /* so many have room */
     struct share {
         uint64_t clocks;
-        uint64_t strangers;       /* vector instructions */
-    } *shares;                    /* of each region */
+        uint64_t strangers; /* vector instructions */
+    } * shares;             /* of each region */
     bool no_memory;
 };
 
@@ -68,11 +73,10 @@ static void read_constants(c205_projection *projection,
         projection->units[i] = (size_t)whole(model, units[i]);
     projection->taken = whole(model, PROJECTION_TAKEN);
     projection->not_taken = whole(model, PROJECTION_NOT_TAKEN);
-    projection->out_of_stack =
-        whole(model, PROJECTION_OUT_OF_STACK);
+    projection->out_of_stack = whole(model, PROJECTION_OUT_OF_STACK);
     projection->interval = whole(model, PROJECTION_INTERVAL);
-    projection->stack_bits =
-        whole(model, PROJECTION_STACK_HALVES) * INSTRUCTION_STEP;
+    projection->stack_bits = whole(model, PROJECTION_STACK_HALVES)
+                             * INSTRUCTION_STEP;
     projection->overlap = whole(model, PROJECTION_OVERLAP_UNITS);
 }
 
@@ -285,8 +289,7 @@ uint64_t projection_strangers(const c205_projection *projection,
                                         : 0;
 }
 
-bool projection_complete(const c205_projection *projection,
-                         c205_error *error)
+bool projection_complete(const c205_projection *projection, c205_error *error)
 {
     if (projection->no_memory)
         snprintf(error->message, sizeof error->message,

@@ -113,8 +113,8 @@ static uint32_t keep(c205_recording *recording, const struct decoded *decoded)
 static uint32_t number_of(c205_recording *recording,
                           const struct decoded *decoded)
 {
-    uint32_t *found =
-        &recording->finder[decoded->pc / INSTRUCTION_STEP % FINDERS];
+    uint32_t *found = &recording
+                           ->finder[decoded->pc / INSTRUCTION_STEP % FINDERS];
     if (*found) {
         const struct decoded *kept = &recording->kept[*found - 1]->decoded;
         if (kept->pc == decoded->pc && kept->version == decoded->version)
@@ -217,8 +217,8 @@ static void play(const c205_recording *recording, const struct player *player)
     memset(&effect, 0, sizeof effect);
     while (at < end) {
         uint64_t head = *at;
-        const struct decoded *decoded =
-            &recording->kept[(uint32_t)head - 1]->decoded;
+        const struct decoded *decoded = &recording->kept[(uint32_t)head - 1]
+                                             ->decoded;
         at = read_effect(at + 1, head, &effect);
         if (player->clock)
             clock_charge(player->clock, decoded, &effect);
@@ -284,8 +284,8 @@ bool c205_retime(const c205_recording *recording, const c205_model *model,
                  const c205_setting *settings, size_t count, unsigned ticks,
                  double *clocks, size_t regions, c205_error *error)
 {
-    c205_model *changed =
-        model_in_ticks(model, settings, count, ticks, error);
+    c205_model *changed = model_in_ticks(model, settings, count, ticks,
+                                         error);
     bool good = changed;
     if (good && recording->no_memory) {
         snprintf(error->message, sizeof error->message,

@@ -25,8 +25,8 @@ struct some {
 };
 
 static size_t take_permitted(const struct stream *stream, size_t first,
-                             size_t n, struct some *some,
-                             const c205_word **a, const c205_word **b)
+                             size_t n, struct some *some, const c205_word **a,
+                             const c205_word **b)
 {
     uint64_t permitted[CHUNK_WORDS];
     if (!stream->control.present)
@@ -55,8 +55,9 @@ static c205_trap run_reduction(struct stream *stream,
          first += n) {
         n = stream_next(stream, first);
         const c205_word *a = source_read(&stream->a, first, n);
-        const c205_word *b =
-            reduction->pair ? source_read(&stream->b, first, n) : a;
+        const c205_word *b = reduction->pair
+                                 ? source_read(&stream->b, first, n)
+                                 : a;
         size_t count = take_permitted(stream, first, n, &some, &a, &b);
         if (reduction->pair) {
             reduction->pair(pairs, a, b, count, flags);
@@ -94,10 +95,10 @@ c205_trap execute_vector_sum(struct c205 *machine,
 c205_trap execute_vector_product(struct c205 *machine,
                                  const struct decoded *decoded)
 {
-    const struct reduction product = {
-        decoded->width[OPERAND_A] == HALF_BITS ? C205_HALF_ONE : C205_ONE,
-        NULL, SIZED(decoded, product)
-    };
+    const struct reduction product = { decoded->width[OPERAND_A] == HALF_BITS
+                                           ? C205_HALF_ONE
+                                           : C205_ONE,
+                                       NULL, SIZED(decoded, product) };
     return reduce(machine, decoded, &product);
 }
 
@@ -166,8 +167,9 @@ static c205_trap extreme(struct c205 *machine, const struct decoded *decoded,
                          bool greatest)
 {
     bool half = decoded->width[OPERAND_A] == HALF_BITS;
-    struct best best = { C205_INDEFINITE, 0, false, false, greatest,
-                         half ? half_less : arith_less };
+    struct best best = { C205_INDEFINITE, 0,
+                         false,           false,
+                         greatest,        half ? half_less : arith_less };
     struct stream stream;
     uint64_t permitted[CHUNK_WORDS];
     c205_trap trap = open_sources(&stream, machine, decoded);

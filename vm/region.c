@@ -6,8 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char no_memory[] =
-    "no memory left for the regions of a program";
+static const char no_memory[] = "no memory left for the regions of a program";
 
 static int by_address(const void *left, const void *right)
 {
@@ -108,8 +107,8 @@ static const char wrong_regions[] =
     "the regions of the saved machine are wrong";
 
 /* Each region has its account, the first one is for all other code. */
-static void walk_names(struct c205 *machine, const char **names,
-                       size_t count, struct tape *tape)
+static void walk_names(struct c205 *machine, const char **names, size_t count,
+                       struct tape *tape)
 {
     for (size_t i = 0; i < count; i++) {
         if (!tape_is_read(tape))

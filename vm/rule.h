@@ -92,9 +92,8 @@ static bool wide_is_zero(wide w)
 static wide wide_negate(wide w)
 {
     const int64_t borrow = w.lo != 0;
-    const wide negated = {
-        -w.hi - borrow, -w.lo & MAX_COEFFICIENT, w.exponent
-    };
+    const wide negated = { -w.hi - borrow, -w.lo & MAX_COEFFICIENT,
+                           w.exponent };
 
     return negated;
 }
@@ -115,8 +114,7 @@ static int64_t wide_floor(wide w, int32_t places)
         return w.hi >> (up < -63 ? 63 : -up);
     if (places >= 0)
         return word_shift_left(w.hi, up) + (w.lo >> places);
-    return word_shift_left(word_shift_left(w.hi, DIGITS) + w.lo,
-                           -places);
+    return word_shift_left(word_shift_left(w.hi, DIGITS) + w.lo, -places);
 }
 
 /* Cut to a word by a shift right, or brought to it by a shift left. */
@@ -152,7 +150,7 @@ static c205_word wide_lower(wide w, uint64_t *flags)
  * lost. */
 static wide aligned(int64_t c, int32_t places)
 {
-    wide w = {c >> 63, 0, 0};
+    wide w = { c >> 63, 0, 0 };
 
     if (places < DIGITS) {
         w.hi = c >> places;
@@ -257,8 +255,7 @@ c205_word RULE(subtract_lower)(c205_word a, c205_word b, uint64_t *flags)
     return add_lower(a, b, true, flags);
 }
 
-c205_word RULE(subtract_normalised)(c205_word a, c205_word b,
-                                    uint64_t *flags)
+c205_word RULE(subtract_normalised)(c205_word a, c205_word b, uint64_t *flags)
 {
     return add_normalised(a, b, true, flags);
 }
@@ -275,8 +272,7 @@ c205_word RULE(average)(c205_word a, c205_word b, uint64_t *flags)
     return halve(RULE(add_normalised)(a, b, flags), flags);
 }
 
-c205_word RULE(average_difference)(c205_word a, c205_word b,
-                                   uint64_t *flags)
+c205_word RULE(average_difference)(c205_word a, c205_word b, uint64_t *flags)
 {
     return halve(RULE(subtract_normalised)(a, b, flags), flags);
 }
@@ -295,11 +291,9 @@ static wide product(c205_word a, c205_word b)
     const int64_t b1 = cb >> half, b0 = cb & mask;
     const int64_t low = a0 * b0;
     const int64_t middle = a1 * b0 + a0 * b1 + (low >> half);
-    const wide w = {
-        a1 * b1 * 2 + (middle >> (half - 1)),
-        (middle & mask >> 1) << half | (low & mask),
-        exponent_of(a) + exponent_of(b)
-    };
+    const wide w = { a1 * b1 * 2 + (middle >> (half - 1)),
+                     (middle & mask >> 1) << half | (low & mask),
+                     exponent_of(a) + exponent_of(b) };
 
     return w;
 }
@@ -364,9 +358,9 @@ static wide quotient(c205_word a, c205_word b)
     const int64_t ca = coefficient_of(a), cb = coefficient_of(b);
     const int64_t dividend = ca < 0 ? -ca : ca, divisor = cb < 0 ? -cb : cb;
     int64_t remainder = dividend % divisor;
-    wide w = {dividend / divisor, 0, 0};
+    wide w = { dividend / divisor, 0, 0 };
 
-    for (int32_t left = DIGITS; left > 0; ) {
+    for (int32_t left = DIGITS; left > 0;) {
         const int32_t places = left < 16 ? left : 16;
         remainder <<= places;
         w.lo = w.lo << places | remainder / divisor;
@@ -403,8 +397,7 @@ c205_word RULE(divide_upper)(c205_word a, c205_word b, uint64_t *flags)
     return wide_cut(w, excess > 0 ? excess : 0, flags);
 }
 
-c205_word RULE(divide_significant)(c205_word a, c205_word b,
-                                   uint64_t *flags)
+c205_word RULE(divide_significant)(c205_word a, c205_word b, uint64_t *flags)
 {
     c205_word special;
 
@@ -439,8 +432,8 @@ c205_word RULE(square_root)(c205_word a, uint64_t *flags)
     const int32_t places = DIGITS - word_significant_bits(c);
     const int32_t exponent = exponent_of(a) - places;
     const int32_t k = exponent % 2 == 0 ? DIGITS - 1 : DIGITS;
-    return ranged((exponent - k) / 2 + places,
-                  root(c << places, k) >> places, flags);
+    return ranged((exponent - k) / 2 + places, root(c << places, k) >> places,
+                  flags);
 }
 
 /* ---- Parts of a number, sign ------------------------------------------- */
@@ -525,8 +518,7 @@ static int32_t room(int64_t c)
 }
 
 /* With another exponent, the coefficient shifted to suit. */
-static c205_word with_exponent(c205_word a, int64_t exponent,
-                               uint64_t *flags)
+static c205_word with_exponent(c205_word a, int64_t exponent, uint64_t *flags)
 {
     const int64_t c = coefficient_of(a), left = exponent_of(a) - exponent;
 
@@ -542,8 +534,7 @@ static c205_word with_exponent(c205_word a, int64_t exponent,
                   : indefinite(FLAG_EXPONENT_OVERFLOW, flags);
 }
 
-c205_word RULE(adjust_significance)(c205_word a, c205_word b,
-                                    uint64_t *flags)
+c205_word RULE(adjust_significance)(c205_word a, c205_word b, uint64_t *flags)
 {
     const int64_t wanted = coefficient_of(b);
     const int64_t most = room(coefficient_of(a));

@@ -118,8 +118,9 @@ static void walk_memory(struct memory *memory, struct tape *tape)
         if (!tape_is_read(tape))
             address = memory_next_page(memory, address);
         tape_word(tape, &address);
-        tape_require(tape, address >= least && address <= ADDRESS_MASK + 1
-                               && address % PAGE_BITS == 0,
+        tape_require(tape,
+                     address >= least && address <= ADDRESS_MASK + 1
+                         && address % PAGE_BITS == 0,
                      "the memory of the saved machine is damaged");
         if (address > ADDRESS_MASK)
             break;
@@ -149,9 +150,10 @@ static void walk_model(const c205_model *model, struct tape *tape)
     char other[sizeof tape->error->message];
     tape_text(tape, &name);
     tape_word(tape, &hash);
-    snprintf(other, sizeof other, "the machine was saved on the model %.60s, "
-             "whose constants are not those of %.60s", name,
-             c205_model_name(model));
+    snprintf(other, sizeof other,
+             "the machine was saved on the model %.60s, "
+             "whose constants are not those of %.60s",
+             name, c205_model_name(model));
     tape_require(tape, hash == constants, other);
 }
 

@@ -39,7 +39,7 @@ TO_T(length_to_register, a >> LENGTH_SHIFT)
 TO_T(move_register, a)
 TO_T(add_index, HIGH(a) | LOW(a + b))
 TO_T(subtract_index, HIGH(a) | LOW(a - b))
-TO_T(multiply_index, LOW(a * b))
+TO_T(multiply_index, LOW((a) * (b)))
 
 /* ---- Special registers ------------------------------------------------- */
 
@@ -113,8 +113,10 @@ TWO_OPERANDS(pack)
 #define TO_HALF(name, value) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
     { \
-        const c205_word a = machine_half(machine, d->a, d->shift[OPERAND_A]); \
-        const c205_word b = machine_half(machine, d->b, d->shift[OPERAND_B]); \
+        const c205_word a = machine_half(machine, d->a, \
+                                         d->shift[OPERAND_A]); \
+        const c205_word b = machine_half(machine, d->b, \
+                                         d->shift[OPERAND_B]); \
         (void)a, (void)b; \
         machine_deliver(machine, d, value); \
         return C205_TRAP_NONE; \
@@ -195,7 +197,7 @@ c205_trap execute_increase_half(struct c205 *machine,
 TO_T(shift_immediate, arith_shift(a, d->fields.immediate))
 TO_T(shift_register, arith_shift(a, c205_to_integer(b)))
 TO_T(exclusive_or, a ^ b)
-TO_T(and, a & b)
+TO_T(and, (a) & (b))
 TO_T(or, a | b)
 
 /* ---- Fields of bits ---------------------------------------------------- */
@@ -226,8 +228,8 @@ c205_trap execute_insert_bits(struct c205 *machine,
     if (trap != C205_TRAP_NONE)
         return trap;
     bits = machine->slot[decoded->a] & field.ones;
-    machine->slot[decoded->result[0]] =
-        (word & ~(field.ones << field.right)) | bits << field.right;
+    machine->slot[decoded->result[0]] = (word & ~(field.ones << field.right))
+                                        | bits << field.right;
     return C205_TRAP_NONE;
 }
 
@@ -237,8 +239,8 @@ c205_trap execute_extract_bits(struct c205 *machine,
     struct field field;
     c205_trap trap = describe_field(machine->slot[decoded->b], &field);
     if (trap == C205_TRAP_NONE)
-        machine->slot[decoded->c] =
-            machine->slot[decoded->a] >> field.right & field.ones;
+        machine->slot[decoded->c] = machine->slot[decoded->a] >> field.right
+                                    & field.ones;
     return trap;
 }
 
@@ -333,7 +335,8 @@ c205_trap execute_swap_registers(struct c205 *machine,
                                  const struct decoded *decoded)
 {
     unsigned first = decoded->fields.s;
-    c205_word from = machine->slot[decoded->a], to = machine->slot[decoded->c];
+    c205_word from = machine->slot[decoded->a],
+              to = machine->slot[decoded->c];
     size_t loaded = (size_t)(from >> LENGTH_SHIFT);
     size_t saved = (size_t)(to >> LENGTH_SHIFT);
     c205_trap trap = check_swap(machine, from, first, false);

@@ -10,18 +10,18 @@ enum { BITS = 64 /* of a word */ };
 /* ---- Words as bits, which set no flags ---------------------------------- */
 
 /* x and y are the words, f their format. */
-#define LOGICAL_SPAN(name, format, result)                                 \
-    CLONED void name BINARY_PARAMETERS                                     \
-    {                                                                      \
-        const word_format f = format;                                      \
-        (void)flags;                                                       \
-        for (size_t i = 0; i < n; i++) {                                   \
-            const c205_word x = a[i], y = b[i];                            \
-            c[i] = (result) & format_mask(f);                              \
-        }                                                                  \
+#define LOGICAL_SPAN(name, format, result) \
+    CLONED void name BINARY_PARAMETERS \
+    { \
+        const word_format f = format; \
+        (void)flags; \
+        for (size_t i = 0; i < n; i++) { \
+            const c205_word x = a[i], y = b[i]; \
+            c[i] = (result)&format_mask(f); \
+        } \
     }
-#define LOGICAL(name, result)                                              \
-    LOGICAL_SPAN(lanes_##name, whole_words, result)                        \
+#define LOGICAL(name, result) \
+    LOGICAL_SPAN(lanes_##name, whole_words, result) \
     LOGICAL_SPAN(halves_##name, half_words, result)
 
 /* The high bits of the one, the coefficient of the other. */
@@ -34,9 +34,9 @@ static inline c205_word with_coefficient(word_format f, c205_word high,
 }
 
 LOGICAL(xor, x ^ y)
-LOGICAL(and, x & y)
+LOGICAL(and, (x) & (y))
 LOGICAL(or, x | y)
-LOGICAL(nand, ~(x & y))
+LOGICAL(nand, ~((x) & (y)))
 LOGICAL(nor, ~(x | y))
 LOGICAL(or_not, x | ~y)
 LOGICAL(and_not, x & ~y)
@@ -46,12 +46,12 @@ LOGICAL(pack, format_pack(f, x, y))
 LOGICAL(add_index, with_coefficient(f, x, x + y))
 LOGICAL(subtract_index, with_coefficient(f, x, x - y))
 
-#define EXPONENT(name, format)                                             \
-    CLONED void name UNARY_PARAMETERS                                      \
-    {                                                                      \
-        (void)flags;                                                       \
-        for (size_t i = 0; i < n; i++)                                     \
-            c[i] = format_make(format, 0, format_exponent(format, a[i]));  \
+#define EXPONENT(name, format) \
+    CLONED void name UNARY_PARAMETERS \
+    { \
+        (void)flags; \
+        for (size_t i = 0; i < n; i++) \
+            c[i] = format_make(format, 0, format_exponent(format, a[i])); \
     }
 EXPONENT(lanes_exponent, whole_words)
 EXPONENT(halves_exponent, half_words)
@@ -106,14 +106,14 @@ static inline uint64_t less_number(word_format f, c205_word x, c205_word y)
 #define NOT_LESS(f, x, y) ~LESS(f, x, y)
 
 /* The places of a word's bits. */
-#define PLACES(i)                                                          \
-    FIRST >> (i), FIRST >> (i + 1), FIRST >> (i + 2), FIRST >> (i + 3),    \
-        FIRST >> (i + 4), FIRST >> (i + 5), FIRST >> (i + 6),              \
+#define PLACES(i) \
+    FIRST >> (i), FIRST >> (i + 1), FIRST >> (i + 2), FIRST >> (i + 3), \
+        FIRST >> (i + 4), FIRST >> (i + 5), FIRST >> (i + 6), \
         FIRST >> (i + 7)
 #define FIRST (UINT64_C(1) << (BITS - 1))
-static const uint64_t places[BITS] = {PLACES(0),  PLACES(8),  PLACES(16),
-                                      PLACES(24), PLACES(32), PLACES(40),
-                                      PLACES(48), PLACES(56)};
+static const uint64_t places[BITS] = { PLACES(0),  PLACES(8),  PLACES(16),
+                                       PLACES(24), PLACES(32), PLACES(40),
+                                       PLACES(48), PLACES(56) };
 
 /* The first bit to all places. */
 static inline uint64_t copied(uint64_t bit)
@@ -123,42 +123,42 @@ static inline uint64_t copied(uint64_t bit)
 
 /* The bits of a block by a relation of ranks, which holds for no indefinite;
  * or where it does not hold. */
-#define BY_RANK(format, relation, inverse)                                 \
-    for (size_t j = 0; j < length; j++) {                                  \
-        const c205_word x = a[i + j], y = b[i + j];                        \
-        const uint64_t holds                                               \
-            = (uint64_t)(format_rank(format, x)                            \
-                         relation format_rank(format, y))                  \
-              & ~indefinite(larger(x, y)) >> 63;                           \
-        word |= (holds ^ inverse) << (BITS - 1 - j);                       \
+#define BY_RANK(format, relation, inverse) \
+    for (size_t j = 0; j < length; j++) { \
+        const c205_word x = a[i + j], y = b[i + j]; \
+        const uint64_t holds = (uint64_t)(format_rank(format, x) \
+                                              relation format_rank(format, \
+                                                                   y)) \
+                               & ~indefinite(larger(x, y)) >> 63; \
+        word |= (holds ^ inverse) << (BITS - 1 - j); \
     }
 
 /* Block by block; a block with a word that is neither a normalised number nor
  * a machine zero is done again by rank. */
-#define COMPARE_SPAN(name, format, is, relation, inverse)                  \
+#define COMPARE_SPAN(name, format, is, relation, inverse) \
     CLONED void name(uint64_t *restrict bits, const c205_word *restrict a, \
-                     const c205_word *restrict b, size_t n)                \
-    {                                                                      \
-        for (size_t i = 0; i < n; i += BITS) {                             \
-            const size_t length = lesser(n - i, BITS);                     \
-            uint64_t word = 0, odd = 0;                                    \
-            c205_word most = LEAST_NUMBER;                                 \
-            for (size_t j = 0; j < length; j++) {                          \
-                const c205_word x = zero_as_number(a[i + j]);              \
-                const c205_word y = zero_as_number(b[i + j]);              \
-                word |= copied(is(format, x, y)) & places[j];              \
-                odd |= unnormalised(format, x) | unnormalised(format, y);  \
-                most = larger(most, larger(x, y));                         \
-            }                                                              \
-            if ((odd | indefinite(most)) >> 63) {                          \
-                word = 0;                                                  \
-                BY_RANK(format, relation, inverse)                         \
-            }                                                              \
-            bits[i / BITS] = word;                                         \
-        }                                                                  \
+                     const c205_word *restrict b, size_t n) \
+    { \
+        for (size_t i = 0; i < n; i += BITS) { \
+            const size_t length = lesser(n - i, BITS); \
+            uint64_t word = 0, odd = 0; \
+            c205_word most = LEAST_NUMBER; \
+            for (size_t j = 0; j < length; j++) { \
+                const c205_word x = zero_as_number(a[i + j]); \
+                const c205_word y = zero_as_number(b[i + j]); \
+                word |= copied(is(format, x, y)) & places[j]; \
+                odd |= unnormalised(format, x) | unnormalised(format, y); \
+                most = larger(most, larger(x, y)); \
+            } \
+            if ((odd | indefinite(most)) >> 63) { \
+                word = 0; \
+                BY_RANK(format, relation, inverse) \
+            } \
+            bits[i / BITS] = word; \
+        } \
     }
-#define COMPARE(name, is, relation, inverse)                               \
-    COMPARE_SPAN(lanes_##name, whole_words, is, relation, inverse)         \
+#define COMPARE(name, is, relation, inverse) \
+    COMPARE_SPAN(lanes_##name, whole_words, is, relation, inverse) \
     COMPARE_SPAN(halves_##name, half_words, is, relation, inverse)
 
 COMPARE(equal, EQUAL, ==, 0)
@@ -195,14 +195,14 @@ CLONED void lanes_store_masked(c205_word *restrict c,
 
 /* ---- Reductions --------------------------------------------------------- */
 
-#define REDUCTION(name, exact)                                             \
-    void name(c205_word *accumulator, const c205_word *a, size_t n,        \
-              uint64_t *flags)                                             \
-    {                                                                      \
-        c205_word result = *accumulator;                                   \
-        for (size_t i = 0; i < n; i++)                                     \
-            result = exact(result, a[i], flags);                           \
-        *accumulator = result;                                             \
+#define REDUCTION(name, exact) \
+    void name(c205_word *accumulator, const c205_word *a, size_t n, \
+              uint64_t *flags) \
+    { \
+        c205_word result = *accumulator; \
+        for (size_t i = 0; i < n; i++) \
+            result = exact(result, a[i], flags); \
+        *accumulator = result; \
     }
 REDUCTION(lanes_sum, arith_add_normalised)
 REDUCTION(lanes_product, arith_multiply_significant)

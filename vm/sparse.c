@@ -77,9 +77,8 @@ static void combine_orders(struct sparse *sparse, enum presence presence)
 {
     const struct order *x = &sparse->x, *y = &sparse->y;
     struct order *z = &sparse->z;
-    z->vector.length = x->vector.length > y->vector.length
-                           ? x->vector.length
-                           : y->vector.length;
+    z->vector.length = x->vector.length > y->vector.length ? x->vector.length
+                                                           : y->vector.length;
     for (size_t i = 0; i < ORDER_WORDS; i++)
         z->bits[i] = presence == EITHER ? x->bits[i] | y->bits[i]
                                         : x->bits[i] & y->bits[i];
@@ -245,8 +244,8 @@ static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,
     c205_trap trap = open_sparse(&sparse, machine, decoded, presence);
     if (trap != C205_TRAP_NONE)
         return trap;
-    machine->effect.elements =
-        longest(sparse.x.ones, sparse.y.ones, sparse.z.ones);
+    machine->effect.elements = longest(sparse.x.ones, sparse.y.ones,
+                                       sparse.z.ones);
     trap = begin_turn(&sparse);
     if (trap == C205_TRAP_NONE)
         trap = run_sparse(&sparse, &operation);

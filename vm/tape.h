@@ -20,7 +20,7 @@ struct tape {
     void *context;
     const unsigned char *bytes; /* what is left of a tape that is read */
     size_t left;
-    uint64_t hash;      /* of all words so far */
+    uint64_t hash; /* of all words so far */
     bool failed;
     c205_error *error;
 };

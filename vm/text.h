@@ -7,10 +7,10 @@ struct text {
     const char *const *lines; /* with their newlines; NULL at the end */
 };
 
-extern const struct text model_texts[];   /* vm/models */
+extern const struct text model_texts[];       /* vm/models */
 extern const char *const model_texts_names[]; /* without ".model" */
-extern const struct text library_texts[]; /* asm/lib */
-extern const struct text kernel_texts[];  /* rt/kernels */
+extern const struct text library_texts[];     /* asm/lib */
+extern const struct text kernel_texts[];      /* rt/kernels */
 extern const struct text isa_example_texts[]; /* asm/isa_examples */
 
 #endif

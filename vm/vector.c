@@ -29,8 +29,7 @@ c205_trap stream_take_length(struct stream *stream,
     return C205_TRAP_NONE;
 }
 
-c205_trap stream_describe_sources(struct stream *stream,
-                                  struct c205 *machine,
+c205_trap stream_describe_sources(struct stream *stream, struct c205 *machine,
                                   const struct decoded *decoded)
 {
     stream->machine = machine;
@@ -158,14 +157,15 @@ static c205_trap run_stream(struct stream *stream,
         n = stream_next(stream, first);
         c205_word *c = result_space(stream, first, n, words);
         const c205_word *a = source_read(&stream->a, first, n);
-        const c205_word *b =
-            operation->binary ? source_read(&stream->b, first, n) : NULL;
+        const c205_word *b = operation->binary
+                                 ? source_read(&stream->b, first, n)
+                                 : NULL;
         control_read(&stream->control, first, n, permitted);
         operate(stream->machine, operation, c, a, b, n,
                 stream->control.present ? permitted : NULL);
         if (c == words)
             result_store(stream->machine, &stream->result, &stream->control,
-                     first, words, n);
+                         first, words, n);
     }
     return stream_end(stream);
 }
@@ -183,17 +183,20 @@ static c205_trap elementwise(struct c205 *machine,
 /* Each of these has its function in lanes.h. */
 #define LINKABLE(each) \
     each(add_upper) each(add_lower) each(add_normalised) \
-    each(subtract_upper) each(subtract_lower) each(subtract_normalised) \
-    each(multiply_upper) each(multiply_lower) each(multiply_significant)
+        each(subtract_upper) each(subtract_lower) each(subtract_normalised) \
+            each(multiply_upper) each(multiply_lower) \
+                each(multiply_significant)
 #define BINARY(each) \
-    LINKABLE(each) each(divide_upper) each(divide_significant) \
-    each(average) each(average_difference) each(shift) each(xor) each(and) \
-    each(or) each(nand) each(nor) each(or_not) each(and_not) \
-    each(equivalence) each(adjust_significance) each(adjust_exponent) \
-    each(pack) each(add_index) each(subtract_index)
+    LINKABLE(each) \
+    each(divide_upper) each(divide_significant) each(average) \
+        each(average_difference) each(shift) each(xor) each(and) each(or) \
+            each(nand) each(nor) each(or_not) each(and_not) \
+                each(equivalence) each(adjust_significance) \
+                    each(adjust_exponent) each(pack) each(add_index) \
+                        each(subtract_index)
 #define UNARY(each) \
     each(truncate) each(floor) each(ceiling) each(square_root) \
-    each(absolute) each(exponent)
+        each(absolute) each(exponent)
 
 #define EXECUTE_BINARY(name) \
     c205_trap execute_vector_##name(struct c205 *machine, \
@@ -253,8 +256,8 @@ static c205_trap neighbours(struct c205 *machine,
     if (trap != C205_TRAP_NONE)
         return trap;
     if (stream.a.vector.length > 0) {
-        stream.a.vector.address =
-            vector_at(&stream.a.vector, 1) & ADDRESS_MASK;
+        stream.a.vector.address = vector_at(&stream.a.vector, 1)
+                                  & ADDRESS_MASK;
         stream.a.vector.length--;
     }
     trap = stream_claim(&stream);
@@ -264,8 +267,7 @@ static c205_trap neighbours(struct c205 *machine,
 c205_trap execute_vector_delta(struct c205 *machine,
                                const struct decoded *decoded)
 {
-    return neighbours(machine, decoded,
-                      SIZED(decoded, subtract_normalised));
+    return neighbours(machine, decoded, SIZED(decoded, subtract_normalised));
 }
 
 c205_trap execute_vector_adjacent_mean(struct c205 *machine,
@@ -294,9 +296,9 @@ static void make_interval(struct c205 *machine,
         if (bit_at(permitted, i))
             machine->data_flags |= progression->raised;
         progression->raised = 0;
-        progression->value =
-            progression->add(progression->value, progression->step,
-                             &progression->raised);
+        progression->value = progression->add(progression->value,
+                                              progression->step,
+                                              &progression->raised);
     }
 }
 
@@ -304,10 +306,10 @@ static c205_trap run_interval(struct stream *stream)
 {
     struct progress *progress = &stream->machine->progress;
     bool half = stream->result.width == HALF_BITS;
-    struct progression progression = {
-        half ? half_add_upper : arith_add_upper, stream->a.padding,
-        stream->b.padding, 0
-    };
+    struct progression progression = { half ? half_add_upper
+                                            : arith_add_upper,
+                                       stream->a.padding, stream->b.padding,
+                                       0 };
     c205_word words[CHUNK];
     uint64_t permitted[CHUNK_WORDS];
     if (stream->turn.first > 0) {
@@ -353,8 +355,8 @@ static void evaluate(struct stream *stream, const struct horner *horner,
     size_t count = stream->b.vector.length;
     c205_word products[CHUNK], coefficients[CHUNK];
     lanes_fill(values,
-               count > 0 ? *source_read(&stream->b, 0, 1)
-                         : C205_MACHINE_ZERO, n);
+               count > 0 ? *source_read(&stream->b, 0, 1) : C205_MACHINE_ZERO,
+               n);
     for (size_t i = 1; i < count; i++) {
         lanes_fill(coefficients, *source_read(&stream->b, i, 1), n);
         operate(stream->machine, &horner->times, products, values, a, n,
@@ -367,10 +369,9 @@ static void evaluate(struct stream *stream, const struct horner *horner,
 c205_trap execute_vector_polynomial(struct c205 *machine,
                                     const struct decoded *decoded)
 {
-    const struct horner horner = {
-        { NULL, SIZED(decoded, multiply_significant) },
-        { NULL, SIZED(decoded, add_normalised) }
-    };
+    const struct horner horner = { { NULL,
+                                     SIZED(decoded, multiply_significant) },
+                                   { NULL, SIZED(decoded, add_normalised) } };
     struct stream stream;
     c205_word words[CHUNK];
     uint64_t permitted[CHUNK_WORDS];
@@ -386,8 +387,8 @@ c205_trap execute_vector_polynomial(struct c205 *machine,
          first += n) {
         n = stream_next(&stream, first);
         control_read(&stream.control, first, n, permitted);
-        evaluate(&stream, &horner, words, source_read(&stream.a, first, n),
-                 n, stream.control.present ? permitted : NULL);
+        evaluate(&stream, &horner, words, source_read(&stream.a, first, n), n,
+                 stream.control.present ? permitted : NULL);
         result_store(machine, &stream.result, &stream.control, first, words,
                      n);
     }

@@ -11,10 +11,10 @@ struct stream {
     struct source a, b;
     struct control control;
     struct vector result;
-    size_t n;     /* elements */
+    size_t n;         /* elements */
     struct turn turn; /* those of them that are gone through this time */
-    size_t chunk; /* at most so many at once */
-    bool scans_b; /* all of B is read for each element of A */
+    size_t chunk;     /* at most so many at once */
+    bool scans_b;     /* all of B is read for each element of A */
 };
 
 /* What is done with the elements: one of the two. */
@@ -31,8 +31,7 @@ struct operation {
 c205_trap stream_describe(struct stream *stream, struct c205 *machine,
                           const struct decoded *decoded);
 /* The same for results that are registers: n is the length of a source. */
-c205_trap stream_describe_sources(struct stream *stream,
-                                  struct c205 *machine,
+c205_trap stream_describe_sources(struct stream *stream, struct c205 *machine,
                                   const struct decoded *decoded);
 /* n := the length of A, or that of B where A is broadcast. */
 c205_trap stream_take_length(struct stream *stream,

@@ -176,8 +176,7 @@ static bool scale(big *number, int32_t power, int32_t *exponent)
         big_multiply_power_of_5(number, power);
     } else {
         /* 5^p < 2^(7p/3), and so the quotient keeps over 64 bits */
-        const int32_t room
-            = 64 + -power / 3 * 7 + 7 - big_bit_length(number);
+        const int32_t room = 64 + -power / 3 * 7 + 7 - big_bit_length(number);
         const int32_t places = room > 0 ? room : 0;
         big_shift_left(number, places);
         *exponent -= places;
@@ -207,13 +206,12 @@ static c205_word word_of_decimal(word_format f, decimal *d)
                exponent + excess);
 }
 
-static c205_word from_text(word_format f, const char *text,
-                           const char **end)
+static c205_word from_text(word_format f, const char *text, const char **end)
 {
-    decimal d = {.negative = *text == '-'};
-    const char *p
-        = take_digits(&d, *text == '-' || *text == '+' ? text + 1 : text);
-    if (p == NULL) {
+    decimal d = { .negative = *text == '-' };
+    const char *p = take_digits(&d, *text == '-' || *text == '+' ? text + 1
+                                                                 : text);
+    if (!p) {
         *end = text;
         return C205_MACHINE_ZERO;
     }
@@ -275,7 +273,7 @@ static digits shortest(word_format f, int64_t c, int32_t exponent)
     /* 18 or 19 digits: log10(2) is 0.30103 */
     const int32_t twos = exponent + f.digits - 1;
     const int32_t log10 = (int32_t)floor(twos * 0.30103);
-    digits d = {0, log10 - 17};
+    digits d = { 0, log10 - 17 };
     uint64_t from = count_units(near, exponent, d.power, !negative);
     uint64_t to = count_units(far, exponent, d.power, !negative);
 
@@ -294,9 +292,8 @@ static void write_decimal(char *text, bool negative, digits d)
 {
     enum { LEAST = -4, GREATEST = 16 };
     char number[24];
-    const int length
-        = snprintf(number, sizeof number, "%llu",
-                   (unsigned long long)d.number);
+    const int length = snprintf(number, sizeof number, "%llu",
+                                (unsigned long long)d.number);
     const int places = length + d.power; /* before the point */
     const char *sign = negative ? "-" : "";
     const char *point = length > 1 ? "." : "";
@@ -315,8 +312,7 @@ static void write_decimal(char *text, bool negative, digits d)
                  "000000000000000");
 }
 
-static void to_text(word_format f, c205_word word,
-                    char text[C205_TEXT_SIZE])
+static void to_text(word_format f, c205_word word, char text[C205_TEXT_SIZE])
 {
     const int64_t c = format_value_coefficient(f, word);
     const int32_t places = f.digits - word_significant_bits(c);

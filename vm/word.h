@@ -23,8 +23,8 @@ typedef struct word_format {
                        the most */
 } word_format;
 
-static const word_format whole_words = {16, 47}; /* 64 bits */
-static const word_format half_words = {8, 23};   /* 32 bits */
+static const word_format whole_words = { 16, 47 }; /* 64 bits */
+static const word_format half_words = { 8, 23 };   /* 32 bits */
 
 /* Those of 64 bits, as constants. */
 enum {
@@ -208,8 +208,8 @@ static inline c205_word format_shift(word_format f, c205_word a,
     const int32_t width = format_width(f);
     const uint64_t left = (uint64_t)count % (uint64_t)width;
     const c205_word around = a >> (((uint64_t)width - left) & 63);
-    const c205_word right
-        = (c205_word)((int64_t)a >> (count < -63 ? 63 : -count & 63));
+    const c205_word right = (c205_word)((int64_t)a
+                                        >> (count < -63 ? 63 : -count & 63));
 
     return (count < 0 ? right : a << left | around) & format_mask(f);
 }

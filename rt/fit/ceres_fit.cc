@@ -12,7 +12,8 @@
 #include <ceres/ceres.h>
 #include <glog/logging.h>
 
-namespace {
+namespace
+{
 
 void require(bool good, const char *message)
 {
@@ -21,9 +22,10 @@ void require(bool good, const char *message)
 }
 
 // What the problem's own function has told of one point.
-class Evaluation : public ceres::EvaluationCallback {
-public:
-    Evaluation(const ceres_problem& problem, const double *values)
+class Evaluation : public ceres::EvaluationCallback
+{
+  public:
+    Evaluation(const ceres_problem &problem, const double *values)
         : problem_(problem), values_(values), residuals_(problem.residuals),
           derivatives_(problem.residuals * problem.values)
     {
@@ -33,27 +35,38 @@ public:
     {
         good_ = problem_.evaluate(problem_.context, values_,
                                   residuals_.data(),
-                                  derivatives ? derivatives_.data() : nullptr);
+                                  derivatives ? derivatives_.data()
+                                              : nullptr);
     }
 
-    bool good() const { return good_; }
-    size_t values() const { return problem_.values; }
-    double residual(size_t i) const { return residuals_[i]; }
+    bool good() const
+    {
+        return good_;
+    }
+    size_t values() const
+    {
+        return problem_.values;
+    }
+    double residual(size_t i) const
+    {
+        return residuals_[i];
+    }
     const double *derivatives(size_t i) const
     {
         return &derivatives_[i * problem_.values];
     }
 
-private:
-    const ceres_problem& problem_;
+  private:
+    const ceres_problem &problem_;
     const double *values_;
     std::vector<double> residuals_, derivatives_;
     bool good_ = false;
 };
 
-class Residual : public ceres::CostFunction {
-public:
-    Residual(const Evaluation& evaluation, size_t i)
+class Residual : public ceres::CostFunction
+{
+  public:
+    Residual(const Evaluation &evaluation, size_t i)
         : evaluation_(evaluation), i_(i)
     {
         set_num_residuals(1);
@@ -71,13 +84,13 @@ public:
         return evaluation_.good();
     }
 
-private:
-    const Evaluation& evaluation_;
+  private:
+    const Evaluation &evaluation_;
     size_t i_;
 };
 
-void add_residuals(ceres::Problem& problem, const ceres_problem& given,
-                   const Evaluation& evaluation, double *values)
+void add_residuals(ceres::Problem &problem, const ceres_problem &given,
+                   const Evaluation &evaluation, double *values)
 {
     for (size_t i = 0; i < given.residuals; i++) {
         const double loss = given.losses[i];
@@ -88,7 +101,7 @@ void add_residuals(ceres::Problem& problem, const ceres_problem& given,
     }
 }
 
-void set_bounds(ceres::Problem& problem, const ceres_problem& given,
+void set_bounds(ceres::Problem &problem, const ceres_problem &given,
                 double *values)
 {
     for (size_t i = 0; i < given.values; i++) {
@@ -100,7 +113,7 @@ void set_bounds(ceres::Problem& problem, const ceres_problem& given,
     }
 }
 
-bool find_covariance(ceres::Problem& problem, const double *values,
+bool find_covariance(ceres::Problem &problem, const double *values,
                      double *covariance)
 {
     ceres::Covariance::Options options;
@@ -112,7 +125,7 @@ bool find_covariance(ceres::Problem& problem, const double *values,
            && found.GetCovarianceBlock(values, values, covariance);
 }
 
-void fit(const ceres_problem& given, double *values, ceres_outcome& outcome)
+void fit(const ceres_problem &given, double *values, ceres_outcome &outcome)
 {
     require(given.values > 0 && given.residuals > 0, "nothing to fit");
     Evaluation evaluation(given, values);
@@ -137,8 +150,7 @@ void fit(const ceres_problem& given, double *values, ceres_outcome& outcome)
     outcome.converged = summary.termination_type == ceres::CONVERGENCE;
     std::snprintf(outcome.message, sizeof outcome.message, "%s",
                   summary.message.c_str());
-    outcome.determined = find_covariance(problem, values,
-                                         outcome.covariance);
+    outcome.determined = find_covariance(problem, values, outcome.covariance);
 }
 
 void quiet()
@@ -152,7 +164,7 @@ void quiet()
     begun = true;
 }
 
-}
+} // namespace
 
 extern "C" bool ceres_fit(const ceres_problem *problem, double *values,
                           ceres_outcome *outcome)
@@ -161,7 +173,7 @@ extern "C" bool ceres_fit(const ceres_problem *problem, double *values,
         quiet();
         fit(*problem, values, *outcome);
         return true;
-    } catch (const std::exception& caught) {
+    } catch (const std::exception &caught) {
         std::snprintf(outcome->message, sizeof outcome->message, "%s",
                       caught.what());
     } catch (...) {

@@ -5,9 +5,9 @@
 #include <string.h>
 
 enum { NAME, MACHINE, MEMBERS, SOURCE, LEAST, MOST, WHY, FIELDS };
-static const char *const columns[FIELDS] = {
-    "name", "machine", "constants", "source", "least", "most", "why"
-};
+static const char *const columns[FIELDS] = { "name",   "machine", "constants",
+                                             "source", "least",   "most",
+                                             "why" };
 
 /* How far a prior can be trusted, relative, by its source. */
 static const struct {
@@ -42,7 +42,7 @@ static bool add_member(struct free_constant *constant, const char *name,
     snprintf(constant->members[i].name, sizeof constant->members[i].name,
              "%.*s", (int)length, name);
     found = c205_model_lookup(model, constant->members[i].name);
-    if (found == NULL)
+    if (!found)
         return fail(error, "there is no constant %s",
                     constant->members[i].name);
     constant->members[i].prior = found->value;
@@ -96,7 +96,7 @@ static bool read_row(struct constants *constants, const struct csv_row *row,
     const c205_model *prior = prior_of(constants, row->fields[MACHINE],
                                        error);
 
-    if (prior == NULL)
+    if (!prior)
         return false;
     if (constants->count++ == FREE_MOST)
         return fail(error, "%s: too many constants", constants->file.path);
@@ -115,7 +115,7 @@ bool constants_read(struct constants *constants, const char *path,
     memset(constants, 0, sizeof *constants);
     for (size_t i = 0; i < FREE_MACHINES; i++) {
         constants->priors[i] = c205_model_find(priors[i].model, error);
-        if (constants->priors[i] == NULL)
+        if (!constants->priors[i])
             return false;
     }
     if (!csv_read(&constants->file, path, columns, FIELDS, error))
@@ -152,7 +152,8 @@ bool constant_is_of(const struct free_constant *constant,
                     const c205_model *model)
 {
     return strncmp(c205_model_name(model), constant->machine,
-                   strlen(constant->machine)) == 0;
+                   strlen(constant->machine))
+           == 0;
 }
 
 size_t constants_settings(const struct constants *constants,
@@ -165,12 +166,11 @@ size_t constants_settings(const struct constants *constants,
         const struct free_constant *constant = &constants->items[i];
         double factor = factor_at(constant, places[i]);
 
-        for (size_t k = 0; constant_is_of(constant, model)
-                           && k < constant->member_count;
+        for (size_t k = 0;
+             constant_is_of(constant, model) && k < constant->member_count;
              k++)
             settings[count++] = (c205_setting){
-                constant->members[k].name,
-                constant->members[k].prior * factor
+                constant->members[k].name, constant->members[k].prior * factor
             };
     }
     return count;

@@ -14,9 +14,9 @@ enum { FREE_MOST = 24, MEMBERS_MOST = 24 };
 struct free_constant {
     const char *name, *machine; /* what the names of its models begin with */
     char source;
-    double width;               /* of the prior, relative */
-    double prior;               /* of the first member, in its unit */
-    double least, most;         /* likewise */
+    double width;       /* of the prior, relative */
+    double prior;       /* of the first member, in its unit */
+    double least, most; /* likewise */
     const char *unit;
     size_t member_count;
     struct {

@@ -27,18 +27,18 @@ static bool read_text(struct csv *csv, c205_error *error)
 
     errno = 0;
     file = fopen(csv->path, "rb");
-    if (file != NULL && fseek(file, 0, SEEK_END) == 0)
+    if (file && fseek(file, 0, SEEK_END) == 0)
         size = ftell(file);
     if (size >= 0 && fseek(file, 0, SEEK_SET) == 0)
         csv->text = calloc((size_t)size + 1, 1);
-    if (csv->text != NULL
+    if (csv->text
         && fread(csv->text, 1, (size_t)size, file) != (size_t)size) {
         free(csv->text);
         csv->text = NULL;
     }
-    if (file != NULL)
+    if (file)
         fclose(file);
-    if (csv->text == NULL)
+    if (!csv->text)
         return fail_to_read(csv, error);
     return true;
 }
@@ -51,7 +51,7 @@ static char *next_field(char **line)
     if (*field == '"') {
         field++;
         end = strchr(field, '"');
-        if (end == NULL)
+        if (!end)
             end = field + strlen(field);
         else
             *end++ = '\0';
@@ -68,11 +68,11 @@ static bool cut(struct csv *csv, char *line, size_t number, char **fields,
                 c205_error *error)
 {
     for (size_t i = 0; i < csv->columns; i++) {
-        if (line == NULL)
+        if (!line)
             return fail(csv, number, "fields are missing", error);
         fields[i] = next_field(&line);
     }
-    return line == NULL || fail(csv, number, "too many fields", error);
+    return !line || fail(csv, number, "too many fields", error);
 }
 
 static bool add_row(struct csv *csv, char *line, size_t number,
@@ -82,9 +82,9 @@ static bool add_row(struct csv *csv, char *line, size_t number,
                                    (csv->count + 1) * sizeof *rows);
     char **fields = calloc(csv->columns, sizeof *fields);
 
-    if (rows != NULL)
+    if (rows)
         csv->rows = rows;
-    if (rows == NULL || fields == NULL) {
+    if (!rows || !fields) {
         free(fields);
         return fail(csv, number, "no memory", error);
     }
@@ -110,7 +110,7 @@ static bool read_rows(struct csv *csv, c205_error *error)
 
     for (char *line = csv->text, *next; line != NULL; line = next) {
         next = strchr(line, '\n');
-        if (next != NULL)
+        if (next)
             *next++ = '\0';
         number++;
         if (*line != '\0' && *line != '#'
@@ -125,7 +125,7 @@ bool csv_read(struct csv *csv, const char *path, const char *const *columns,
 {
     *csv = (struct csv){ .columns = count };
     csv->path = malloc(strlen(path) + 1);
-    if (csv->path == NULL) {
+    if (!csv->path) {
         snprintf(error->message, sizeof error->message, "no memory");
         return false;
     }

@@ -20,7 +20,7 @@ double fit_error(const struct observation *observation, double predicted)
 
 struct point {
     double places[FREE_MOST];
-    size_t moved;  /* the only constant that differs from the first point;
+    size_t moved; /* the only constant that differs from the first point;
                       FREE_MOST: it is the first */
     bool timed[FIT_TIMINGS_MOST];
     double clocks[FIT_TIMINGS_MOST][RUN_REGIONS_MOST];
@@ -47,8 +47,7 @@ static bool time_one(const struct work *work, size_t i, c205_error *error)
     size_t count;
 
     if (!work->needed[which] || point->timed[which]
-        || (point->moved < FREE_MOST
-            && work->fit->idle[which][point->moved]))
+        || (point->moved < FREE_MOST && work->fit->idle[which][point->moved]))
         return true;
     count = constants_settings(work->fit->constants, point->places,
                                timing->model, settings);
@@ -108,8 +107,7 @@ static void fill_in(const struct fit *fit, struct point *points, size_t count)
 }
 
 static bool time_points(const struct fit *fit, const bool *needed,
-                        struct point *points, size_t count,
-                        c205_error *error)
+                        struct point *points, size_t count, c205_error *error)
 {
     struct work work = { .fit = fit,
                          .needed = needed,
@@ -130,9 +128,9 @@ static struct point *points_at(const struct fit *fit, const double *places,
     size_t constants = fit->constants->count;
     struct point *points = calloc(1 + constants, sizeof *points);
 
-    if (points == NULL)
+    if (!points)
         snprintf(error->message, sizeof error->message, "no memory");
-    for (size_t i = 0; points != NULL && i < 1 + constants; i++) {
+    for (size_t i = 0; points && i < 1 + constants; i++) {
         memcpy(points[i].places, places, constants * sizeof *places);
         points[i].moved = i == 0 ? FREE_MOST : i - 1;
         if (i > 0)
@@ -179,8 +177,9 @@ static void find_residuals(const struct asked *asked, struct point *points,
     for (size_t i = 0; i < asked->use_count; i++)
         residuals[i] = residual_at(asked, i, &points[0]);
     for (size_t i = 0; i < asked->fit->constants->count; i++)
-        residuals[asked->use_count + i] =
-            (points[0].places[i] - change->center[i]) / width_of(asked, i);
+        residuals[asked->use_count + i] = (points[0].places[i]
+                                           - change->center[i])
+                                          / width_of(asked, i);
 }
 
 static void find_derivatives(const struct asked *asked, struct point *points,
@@ -191,10 +190,11 @@ static void find_derivatives(const struct asked *asked, struct point *points,
 
     for (size_t i = 0; i < asked->use_count; i++)
         for (size_t k = 0; k < constants; k++)
-            derivatives[i * constants + k] =
-                (residual_at(asked, i, &points[k + 1])
-                 - residual_at(asked, i, &points[0]))
-                / STEP;
+            derivatives[i * constants + k] = (residual_at(asked, i,
+                                                          &points[k + 1])
+                                              - residual_at(asked, i,
+                                                            &points[0]))
+                                             / STEP;
     memset(prior, 0, constants * constants * sizeof *prior);
     for (size_t i = 0; i < constants; i++)
         prior[i * constants + i] = 1 / width_of(asked, i);
@@ -209,18 +209,19 @@ static bool evaluate(void *context, const double *places, double *residuals,
                                      &asked->error);
     bool good;
 
-    if (points != NULL
+    if (points
         && memcmp(asked->last.places, points[0].places,
-                  sizeof points[0].places) == 0)
+                  sizeof points[0].places)
+               == 0)
         points[0] = asked->last;
     good = points != NULL
            && time_points(asked->fit, asked->needed, points,
-                          derivatives != NULL ? count : 1, &asked->error);
+                          derivatives ? count : 1, &asked->error);
     if (good)
         asked->last = points[0];
     if (good)
         find_residuals(asked, points, residuals);
-    if (good && derivatives != NULL)
+    if (good && derivatives)
         find_derivatives(asked, points, derivatives);
     free(points);
     return good;
@@ -238,7 +239,7 @@ bool fit_predict(const struct fit *fit, const double *places,
     bool good;
 
     memset(needed, true, sizeof needed);
-    good = points != NULL && time_points(fit, needed, points, 1, error);
+    good = points && time_points(fit, needed, points, 1, error);
     for (size_t i = 0; good && i < all->count; i++)
         predicted[i] = observation_predict(all, &all->items[i],
                                            points[0].clocks);
@@ -250,8 +251,7 @@ bool fit_predict(const struct fit *fit, const double *places,
 static void find_idle(struct fit *fit, const struct point *points, size_t k)
 {
     for (size_t i = 0; i < fit->observations->timing_count; i++)
-        fit->idle[i][k] = memcmp(points[0].clocks[i],
-                                 points[k + 1].clocks[i],
+        fit->idle[i][k] = memcmp(points[0].clocks[i], points[k + 1].clocks[i],
                                  sizeof points[0].clocks[i])
                           == 0;
 }
@@ -263,13 +263,13 @@ static void set_strangers_idle(struct fit *fit)
 
     for (size_t i = 0; i < all->timing_count; i++)
         for (size_t k = 0; k < fit->constants->count; k++)
-            fit->idle[i][k] =
-                !constant_is_of(&fit->constants->items[k],
-                                all->timings[i].model);
+            fit->idle[i][k] = !constant_is_of(&fit->constants->items[k],
+                                              all->timings[i].model);
 }
 
 /* Timings of observations that may be fitted. */
-static void find_needed(const struct fit *fit, const struct fit_change *change,
+static void find_needed(const struct fit *fit,
+                        const struct fit_change *change,
                         bool needed[FIT_TIMINGS_MOST])
 {
     const struct observations *all = fit->observations;
@@ -299,9 +299,9 @@ bool fit_begin(struct fit *fit, c205_error *error)
     set_strangers_idle(fit);
     find_needed(fit, &none, needed);
     points = points_at(fit, priors, &count, error);
-    for (size_t k = 0; points != NULL && k < fit->constants->count; k++)
+    for (size_t k = 0; points && k < fit->constants->count; k++)
         points[k + 1].places[k] = 1;
-    good = points != NULL && time_points(fit, needed, points, count, error);
+    good = points && time_points(fit, needed, points, count, error);
     for (size_t k = 0; good && k < fit->constants->count; k++)
         find_idle(fit, points, k);
     free(points);
@@ -346,8 +346,8 @@ bool fit_solve(const struct fit *fit, const struct fit_change *change,
     double losses[FIT_OBSERVATIONS_MOST + FREE_MOST] = { 0 };
     double covariance[FREE_MOST * FREE_MOST];
     struct ceres_outcome found = { .covariance = covariance };
-    struct ceres_problem problem = { constants, 0, least, most, losses,
-                                     evaluate, &asked };
+    struct ceres_problem problem = { constants, 0,        least, most,
+                                     losses,    evaluate, &asked };
 
     choose(&asked);
     find_needed(fit, change, asked.needed);

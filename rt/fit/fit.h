@@ -27,17 +27,17 @@ struct fit {
 /* What is other than in the fit proper. */
 struct fit_change {
     bool held[FIT_OBSERVATIONS_MOST]; /* observations left out */
-    double wider[FREE_MOST];          /* priors' widths times this; 0: as is */
-    double center[FREE_MOST];         /* priors moved, in widths */
+    double wider[FREE_MOST];  /* priors' widths times this; 0: as is */
+    double center[FREE_MOST]; /* priors moved, in widths */
 };
 
 struct fit_outcome {
-    double places[FREE_MOST];   /* of the constants, in prior widths */
-    double errors[FREE_MOST];   /* standard, likewise; NaN: undetermined */
+    double places[FREE_MOST];     /* of the constants, in prior widths */
+    double errors[FREE_MOST];     /* standard, likewise; NaN: undetermined */
     double raw_errors[FREE_MOST]; /* as if all uncertainties were right */
     double predicted[FIT_OBSERVATIONS_MOST];
     double cost;
-    size_t used;                /* observations */
+    size_t used; /* observations */
     int steps;
     bool converged;
 };

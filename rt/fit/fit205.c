@@ -151,9 +151,9 @@ static bool read_sources(const struct arguments *arguments,
     how.view.angle = arguments->angle;
     snprintf(programs, sizeof programs, "%.400s/programs", arguments->data);
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        snprintf(path, sizeof path, "%.400s/observations/%s",
-                 arguments->data, files[i]);
-        if (how.model == NULL
+        snprintf(path, sizeof path, "%.400s/observations/%s", arguments->data,
+                 files[i]);
+        if (!how.model
             || !observations_read(&sources->observations, path, &how, error))
             return false;
     }
@@ -202,7 +202,7 @@ static bool check_files(const struct arguments *arguments,
     for (size_t i = 0; i < arguments->written_count; i++)
         if (!written_check(study, arguments->written[i], error))
             return false;
-    return arguments->json == NULL || whole_check(arguments->json, error);
+    return !arguments->json || whole_check(arguments->json, error);
 }
 
 static bool print(const struct arguments *arguments,
@@ -214,20 +214,19 @@ static bool print(const struct arguments *arguments,
 
     if (!write_models(arguments, study, written, error))
         return false;
-    if (arguments->json != NULL) {
+    if (arguments->json) {
         json = json_open(arguments->json, error);
-        if (json == NULL)
+        if (!json)
             return false;
     }
     snprintf(error->message, sizeof error->message,
              "the report cannot be written");
-    good = report_print(study,
-                        arguments->written_count > 0 ? written : NULL,
+    good = report_print(study, arguments->written_count > 0 ? written : NULL,
                         stdout, json);
     goal_print(study, stdout);
-    if (json != NULL && good)
+    if (json && good)
         return json_close(json, error);
-    if (json != NULL)
+    if (json)
         json_discard(json);
     return good;
 }
@@ -241,8 +240,8 @@ static bool work(const struct arguments *arguments, struct sources *sources,
     study->fit.jobs = arguments->jobs;
     return read_sources(arguments, sources, error)
            && hold_out(arguments, &sources->observations, study, error)
-           && check_files(arguments, study, error)
-           && study_make(study, error) && print(arguments, study, error);
+           && check_files(arguments, study, error) && study_make(study, error)
+           && print(arguments, study, error);
 }
 
 static bool is_printed(c205_error *error)

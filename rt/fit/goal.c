@@ -70,11 +70,11 @@ static void print_constants(const struct study *study, FILE *file)
 void goal_print(const struct study *study, FILE *file)
 {
     fprintf(file, "\nThe goal:\n\n");
-    print_rows(study, study->best.predicted, TIMES_WITHIN,
-               "Times of Table 1", file);
+    print_rows(study, study->best.predicted, TIMES_WITHIN, "Times of Table 1",
+               file);
     print_speedups(study, file);
     if (!study->brief)
-        print_rows(study, study->left_out, LEFT_OUT_WITHIN,
-                   "Rows left out", file);
+        print_rows(study, study->left_out, LEFT_OUT_WITHIN, "Rows left out",
+                   file);
     print_constants(study, file);
 }

@@ -4,11 +4,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NAME, PROGRAM, MACHINE, VALUE, UNIT, UNCERTAINTY, SOURCE, USE, FIELDS };
-static const char *const columns[FIELDS] = {
-    "name", "program", "machine", "value", "unit", "uncertainty", "source",
-    "use"
+enum {
+    NAME,
+    PROGRAM,
+    MACHINE,
+    VALUE,
+    UNIT,
+    UNCERTAINTY,
+    SOURCE,
+    USE,
+    FIELDS
 };
+static const char *const columns[FIELDS] = { "name",    "program",
+                                             "machine", "value",
+                                             "unit",    "uncertainty",
+                                             "source",  "use" };
 
 enum { TEXT_MOST = 128 };
 
@@ -38,11 +48,11 @@ static const struct run *find_run(struct observations *all,
             return all->runs[i];
     fail(error, "%s", "no memory");
     runs = grown(all->runs, all->run_count, sizeof *runs);
-    if (runs == NULL)
+    if (!runs)
         return NULL;
     all->runs = runs;
     run = run_new(program, options, error);
-    if (run != NULL)
+    if (run)
         runs[all->run_count++] = run;
     return run;
 }
@@ -53,9 +63,9 @@ static void name_prior(const char *machine, char name[TEXT_MOST])
     const char *const *names = c205_model_names();
 
     snprintf(name, TEXT_MOST, "%s" PRIOR_SUFFIX, machine);
-    while (*names != NULL && strcmp(*names, name) != 0)
+    while (*names && strcmp(*names, name) != 0)
         names++;
-    if (*names == NULL)
+    if (!*names)
         snprintf(name, TEXT_MOST, "%s", machine);
 }
 
@@ -71,11 +81,11 @@ static const c205_model *find_model(struct observations *all,
             return all->models[i];
     fail(error, "%s", "no memory");
     models = grown(all->models, all->model_count, sizeof *models);
-    if (models == NULL)
+    if (!models)
         return NULL;
     all->models = models;
     model = c205_model_find(name, error);
-    if (model != NULL)
+    if (model)
         models[all->model_count++] = model;
     return model;
 }
@@ -91,7 +101,7 @@ static bool find_timing(struct observations *all, const struct run *run,
             && all->timings[*found].model == model)
             return true;
     timings = grown(all->timings, all->timing_count, sizeof *timings);
-    if (timings == NULL)
+    if (!timings)
         return fail(error, "%s", "no memory");
     all->timings = timings;
     timings[all->timing_count++] = (struct timing){ run, model };
@@ -106,7 +116,7 @@ static void split(char *text, const char **second)
     char *slash = strchr(text, '/');
 
     *second = "";
-    if (slash != NULL) {
+    if (slash) {
         *slash = '\0';
         *second = slash + 1;
     }
@@ -117,8 +127,8 @@ static void take_regions(const char *text, char program[TEXT_MOST],
                          char regions[TEXT_MOST])
 {
     const char *colon = strchr(text, ':');
-    size_t begin = colon == NULL ? strlen(text) : (size_t)(colon - text);
-    size_t length = colon == NULL ? 0 : strcspn(colon, " ");
+    size_t begin = !colon ? strlen(text) : (size_t)(colon - text);
+    size_t length = !colon ? 0 : strcspn(colon, " ");
 
     snprintf(program, TEXT_MOST, "%.*s%s", (int)begin, text,
              text + begin + length);
@@ -133,8 +143,7 @@ static bool add_term(struct observations *all, struct observation *item,
     struct term *term = &item->terms[item->term_count++];
     const c205_model *model = find_model(all, machine, error);
 
-    return model != NULL
-           && find_timing(all, run, model, &term->timing, error)
+    return model && find_timing(all, run, model, &term->timing, error)
            && run_select(run, region, term->chosen, error);
 }
 
@@ -151,8 +160,7 @@ static bool add_terms(struct observations *all, struct observation *item,
     split(regions, &region);
     split(machines, &machine);
     *run = find_run(all, program, options, error);
-    if (*run == NULL
-        || !add_term(all, item, *run, regions, machines, error))
+    if (!*run || !add_term(all, item, *run, regions, machines, error))
         return false;
     if (*region == '\0' && *machine == '\0' && !share)
         return true;
@@ -183,10 +191,10 @@ static bool set_unit(struct observation *item, const struct run *run,
 
         if (strcmp(unit->name, item->unit) != 0)
             continue;
-        if (unit->symbol != NULL && !run_symbol(run, unit->symbol, &count))
+        if (unit->symbol && !run_symbol(run, unit->symbol, &count))
             return fail(error, "the program does not define %s",
                         unit->symbol);
-        if (unit->symbol == NULL && item->term_count == 1)
+        if (!unit->symbol && item->term_count == 1)
             count = (double)run->rays;
         item->rate = unit->rate;
         item->factor = unit->rate ? unit->factor * count
@@ -206,7 +214,7 @@ static bool read_row(struct observations *all, const struct csv *file,
     struct observation *item;
     const struct run *run;
 
-    if (items == NULL)
+    if (!items)
         return fail(error, "%s", "no memory");
     all->items = items;
     item = &items[all->count++];
@@ -229,7 +237,7 @@ bool observations_read(struct observations *all, const char *path,
     struct csv *files = grown(all->files, all->file_count, sizeof *files);
     struct csv *file;
 
-    if (files == NULL)
+    if (!files)
         return fail(error, "%s", "no memory");
     all->files = files;
     file = &files[all->file_count++];

@@ -42,7 +42,7 @@ struct observation {
     const char *name, *program, *machine, *unit, *source;
     double value, uncertainty;
     bool fit;
-    bool rate;     /* factor / seconds; else factor x seconds */
+    bool rate; /* factor / seconds; else factor x seconds */
     double factor;
     size_t term_count; /* of two: the first by the second */
     struct term terms[2];

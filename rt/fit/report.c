@@ -83,9 +83,7 @@ static void add_observation(const struct study *study, size_t i,
     table_number(table, study->best.predicted[i]);
     table_number(table, 100 * error);
     table_number(table, error / item->uncertainty);
-    table_number(table, written == NULL
-                            ? NAN
-                            : 100 * fit_error(item, written[i]));
+    table_number(table, !written ? NAN : 100 * fit_error(item, written[i]));
 }
 
 static void fill_fitted(const struct study *study, const double *written,
@@ -164,8 +162,7 @@ static void fill_missing(const struct study *study, const double *written,
 static void add_constant(const struct study *study, size_t i,
                          struct table *table)
 {
-    const struct free_constant *constant =
-        &study->fit.constants->items[i];
+    const struct free_constant *constant = &study->fit.constants->items[i];
     const struct fit_outcome *best = &study->best;
     const char source[2] = { constant->source, '\0' };
     double width = constant->prior * constant->width;
@@ -208,8 +205,7 @@ static void fill_left_out(const struct study *study, const double *written,
             continue;
         table_text(table, item->name);
         table_number(table, item->value);
-        table_number(table,
-                     100 * fit_error(item, study->best.predicted[i]));
+        table_number(table, 100 * fit_error(item, study->best.predicted[i]));
         table_number(table, study->left_out[i]);
         table_number(table, 100 * fit_error(item, study->left_out[i]));
     }
@@ -238,8 +234,8 @@ static void fill_doubled(const struct study *study, const double *written,
 {
     (void)written;
     for (size_t i = 0; i < study->fit.constants->count; i++) {
-        const struct free_constant *constant =
-            &study->fit.constants->items[i];
+        const struct free_constant *constant = &study->fit.constants
+                                                    ->items[i];
         double change;
         size_t row = most_changed(study, &study->moved[i], &change);
 
@@ -282,9 +278,10 @@ static void fill_without(const struct study *study, const double *written,
             table_text(table, item->name);
             table_number(table,
                          100 * fit_error(item, study->best.predicted[i]));
-            table_number(
-                table,
-                100 * fit_error(item, study->without[k].predicted[i]));
+            table_number(table,
+                         100
+                             * fit_error(item,
+                                         study->without[k].predicted[i]));
         }
 }
 
@@ -300,13 +297,14 @@ static const struct part {
 } parts[] = {
     { "fitted", "What was fitted:", TABLE_COLUMNS(observed), true,
       fill_fitted },
-    { "held_out", "Only compared, or held out:", TABLE_COLUMNS(observed), true,
-      fill_held },
+    { "held_out", "Only compared, or held out:", TABLE_COLUMNS(observed),
+      true, fill_held },
     { "speedups", "The speedups of Table 1:", TABLE_COLUMNS(speedups), true,
       fill_speedups },
     { "constants", "The free constants:", TABLE_COLUMNS(constants), true,
       fill_constants },
-    { "missing", "Observed by predicted.  Alike on all machines: the program of"
+    { "missing",
+      "Observed by predicted.  Alike on all machines: the program of"
       " 1984 did so much\nmore; in one form alone: that form, or its part of "
       "the model:",
       TABLE_COLUMNS(missing), true, fill_missing },
@@ -328,17 +326,18 @@ static void print_head(const struct study *study, FILE *file)
 {
     const struct fit_outcome *best = &study->best;
 
-    fprintf(file,
-            "%zu observations, %zu free constants; cost %.3f after %d steps, "
-            "%s.\n"
-            "Residuals: relative errors of the machine's own clocks by their "
-            "uncertainty, Cauchy\nloss from %g on; and the constants' "
-            "distances from their priors, in widths: P 2 %%,\nD 5 %%, S 10 "
-            "%%, R 40 %%.\nCycle-accounted, not cycle-accurate.  Not modelled: "
-            "%s.\n",
-            best->used, study->fit.constants->count, best->cost, best->steps,
-            best->converged ? "converged" : "not converged", FIT_LOSS,
-            provenance_left_out(fitted_model(study)));
+    fprintf(
+        file,
+        "%zu observations, %zu free constants; cost %.3f after %d steps, "
+        "%s.\n"
+        "Residuals: relative errors of the machine's own clocks by their "
+        "uncertainty, Cauchy\nloss from %g on; and the constants' "
+        "distances from their priors, in widths: P 2 %%,\nD 5 %%, S 10 "
+        "%%, R 40 %%.\nCycle-accounted, not cycle-accurate.  Not modelled: "
+        "%s.\n",
+        best->used, study->fit.constants->count, best->cost, best->steps,
+        best->converged ? "converged" : "not converged", FIT_LOSS,
+        provenance_left_out(fitted_model(study)));
 }
 
 static void write_head(const struct study *study, struct json *json)
@@ -347,8 +346,7 @@ static void write_head(const struct study *study, struct json *json)
     json_count(json, "steps", (uint64_t)study->best.steps);
     json_truth(json, "converged", study->best.converged);
     json_count(json, "observations", study->best.used);
-    json_text(json, "not_modelled",
-              provenance_left_out(fitted_model(study)));
+    json_text(json, "not_modelled", provenance_left_out(fitted_model(study)));
 }
 
 static bool add_part(const struct study *study, const struct part *part,
@@ -357,22 +355,22 @@ static bool add_part(const struct study *study, const struct part *part,
     struct table *table = table_new(part->columns, part->count);
     bool good;
 
-    if (table == NULL)
+    if (!table)
         return false;
     part->fill(study, written, table);
     fprintf(file, "\n%s\n\n", part->heading);
     good = table_print(table, file);
-    if (good && json != NULL)
+    if (good && json)
         good = table_json(table, json, part->key);
     table_free(table);
     return good;
 }
 
-bool report_print(const struct study *study, const double *written, FILE *file,
-                  struct json *json)
+bool report_print(const struct study *study, const double *written,
+                  FILE *file, struct json *json)
 {
     print_head(study, file);
-    if (json != NULL)
+    if (json)
         write_head(study, json);
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
         if ((parts[i].always || !study->brief)

@@ -10,7 +10,7 @@
 
 /* False: no memory, or a write error.  json may be NULL; written is what the
  * model file predicts, or NULL. */
-bool report_print(const struct study *study, const double *written, FILE *file,
-                  struct json *json);
+bool report_print(const struct study *study, const double *written,
+                  FILE *file, struct json *json);
 
 #endif

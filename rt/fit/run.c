@@ -18,7 +18,7 @@ static char *copied(const char *text)
 {
     char *copy = malloc(strlen(text) + 1);
 
-    return copy == NULL ? NULL : strcpy(copy, text);
+    return !copy ? NULL : strcpy(copy, text);
 }
 
 /* ---- Frames ------------------------------------------------------------- */
@@ -52,9 +52,9 @@ static c205 *frame_machine(struct run *run, enum trace_mode mode,
                                        .model = options->model };
 
     run->rays = how.width * how.height;
-    run->trace = speedup_trace(run->subject, &options->view, &how, &run->scene,
-                               error);
-    return run->trace == NULL ? NULL : trace_machine(run->trace, error);
+    run->trace = speedup_trace(run->subject, &options->view, &how,
+                               &run->scene, error);
+    return !run->trace ? NULL : trace_machine(run->trace, error);
 }
 
 /* ---- Program texts ------------------------------------------------------ */
@@ -70,7 +70,7 @@ static bool cut_words(char *words, struct asm_define *defines,
     for (char *word; (word = strtok(NULL, " ")) != NULL;) {
         char *value = strchr(word, '=');
 
-        if (value == NULL || count + 1 == DEFINES_MOST)
+        if (!value || count + 1 == DEFINES_MOST)
             return fail(error, "'%.60s' does not define a constant", word);
         *value++ = '\0';
         defines[count++] = (struct asm_define){ word, atoll(value) };
@@ -93,9 +93,9 @@ static bool assemble(struct run *run, const struct run_options *options,
         return false;
     snprintf(path, sizeof path, "%.200s/%s", options->folder, words);
     run->object = assemble_file(path, &how, &errors);
-    if (run->object == NULL)
-        fail(error, "%.200s", errors.count > 0 ? errors.items[0].message
-                                               : "no memory");
+    if (!run->object)
+        fail(error, "%.200s",
+             errors.count > 0 ? errors.items[0].message : "no memory");
     asm_errors_free(&errors);
     return run->object != NULL;
 }
@@ -107,8 +107,7 @@ static c205 *text_machine(struct run *run, const struct run_options *options,
                         ? c205_new(options->model, error)
                         : NULL;
 
-    if (machine != NULL
-        && !c205_load(machine, &run->object->program, error)) {
+    if (machine && !c205_load(machine, &run->object->program, error)) {
         c205_free(machine);
         machine = NULL;
     }
@@ -125,7 +124,7 @@ static bool name_regions(struct run *run, const c205 *machine,
         return fail(error, "%s: too many regions", run->program);
     for (size_t i = 0; i < run->region_count; i++) {
         run->regions[i] = copied(c205_account_at(machine, i)->name);
-        if (run->regions[i] == NULL)
+        if (!run->regions[i])
             return fail(error, "%s: no memory", run->program);
     }
     return true;
@@ -136,7 +135,7 @@ static bool record(struct run *run, c205 *machine, c205_error *error)
     c205_stop stop;
 
     run->recording = c205_recording_new(error);
-    if (run->recording == NULL || !name_regions(run, machine, error)
+    if (!run->recording || !name_regions(run, machine, error)
         || !c205_listen(machine, c205_record, run->recording))
         return false;
     stop = c205_run(machine, C205_NO_LIMIT);
@@ -155,11 +154,11 @@ struct run *run_new(const char *program, const struct run_options *options,
     bool good;
 
     fail(error, "%s", "no memory");
-    if (run != NULL && (run->program = copied(program)) != NULL)
+    if (run && (run->program = copied(program)) != NULL)
         machine = find_subject(run, &mode)
                       ? frame_machine(run, mode, options, error)
                       : text_machine(run, options, error);
-    good = machine != NULL && record(run, machine, error);
+    good = machine && record(run, machine, error);
     c205_free(machine);
     if (good)
         return run;
@@ -169,7 +168,7 @@ struct run *run_new(const char *program, const struct run_options *options,
 
 void run_free(struct run *run)
 {
-    if (run == NULL)
+    if (!run)
         return;
     for (size_t i = 0; i < run->region_count; i++)
         free(run->regions[i]);
@@ -183,10 +182,11 @@ void run_free(struct run *run)
 
 bool run_symbol(const struct run *run, const char *name, double *value)
 {
-    const struct asm_symbol *symbol =
-        run->object == NULL ? NULL : object_symbol(run->object, name);
+    const struct asm_symbol *symbol = !run->object
+                                          ? NULL
+                                          : object_symbol(run->object, name);
 
-    if (symbol == NULL || symbol->is_word)
+    if (!symbol || symbol->is_word)
         return false;
     *value = (double)symbol->value;
     return true;
@@ -194,10 +194,10 @@ bool run_symbol(const struct run *run, const char *name, double *value)
 
 static bool is_timed(const struct run *run, const char *region)
 {
-    if (run->subject == NULL)
+    if (!run->subject)
         return *region != '\0';
     for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++)
-        if (run->subject->regions[i] != NULL
+        if (run->subject->regions[i]
             && strcmp(run->subject->regions[i], region) == 0)
             return true;
     return false;
@@ -210,7 +210,7 @@ bool run_select(const struct run *run, const char *name,
 
     for (size_t i = 0; i < run->region_count; i++) {
         chosen[i] = *name != '\0' ? strcmp(run->regions[i], name) == 0
-                                   : is_timed(run, run->regions[i]);
+                                  : is_timed(run, run->regions[i]);
         found = found || chosen[i];
     }
     return found || fail(error, "there is no region %.60s", name);

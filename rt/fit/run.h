@@ -23,10 +23,10 @@ enum { RUN_REGIONS_MOST = 128 };
 
 struct run {
     char *program;
-    size_t rays;            /* of a frame; 0: it is none */
+    size_t rays;                           /* of a frame; 0: it is none */
     const struct speedup_subject *subject; /* of a frame */
-    struct object *object;  /* of a program text */
-    struct trace *trace;    /* of a frame */
+    struct object *object;                 /* of a program text */
+    struct trace *trace;                   /* of a frame */
     struct scene *scene;
     c205_recording *recording;
     size_t region_count;

@@ -29,7 +29,7 @@ static void find_subjects(struct study *study)
                                                            &all->items[i]);
         size_t k = 0;
 
-        if (!study_is_fitted(study, i) || subject == NULL)
+        if (!study_is_fitted(study, i) || !subject)
             continue;
         while (k < study->subject_count && study->subjects[k] != subject)
             k++;

@@ -10,8 +10,8 @@ enum { STUDY_SUBJECTS_MOST = 8 };
 
 struct study {
     struct fit fit;
-    struct fit_change held;  /* what the user holds out, of all fits */
-    bool brief;              /* the fit alone was made */
+    struct fit_change held; /* what the user holds out, of all fits */
+    bool brief;             /* the fit alone was made */
     double at_prior[FIT_OBSERVATIONS_MOST];
     struct fit_outcome best;
     /* A fit without each row of Table 1: what it predicts for that row. */

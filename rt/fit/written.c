@@ -14,7 +14,7 @@ static const c205_model *prior_of(const struct observations *all,
                                   const char *path, c205_error *error)
 {
     const char *slash = strrchr(path, '/');
-    const char *file = slash != NULL ? slash + 1 : path;
+    const char *file = slash ? slash + 1 : path;
     size_t length = strcspn(file, ".");
 
     if (strcmp(file + length, ".model") != 0) {
@@ -81,8 +81,8 @@ bool written_predict(const struct study *study,
                      c205_error *error)
 {
     const struct observations *all = study->fit.observations;
-    double (*clocks)[RUN_REGIONS_MOST] = calloc(all->timing_count,
-                                                sizeof *clocks);
+    double(*clocks)[RUN_REGIONS_MOST] = calloc(all->timing_count,
+                                               sizeof *clocks);
     bool good = clocks != NULL;
 
     if (!good)
@@ -119,7 +119,8 @@ static bool is_of(const struct observations *all,
         size_t timing = item->terms[i].timing;
 
         if (strncmp(c205_model_name(all->timings[timing].model), name,
-                    machine_length(name) + 1) == 0)
+                    machine_length(name) + 1)
+            == 0)
             return true;
     }
     return false;
@@ -160,10 +161,11 @@ static void write_head(const struct study *study, const c205_model *model,
     fprintf(file, "title %.*s: fitted\n", (int)strcspn(title, ":"), title);
     write_belief(study, model, predicted, true, file);
     write_belief(study, model, predicted, false, file);
-    fprintf(file,
-            "# Written by fit205 (docs/timing.md): %zu observations, %zu free "
-            "constants,\n# cost %.2f.\n",
-            study->best.used, study->fit.constants->count, study->best.cost);
+    fprintf(
+        file,
+        "# Written by fit205 (docs/timing.md): %zu observations, %zu free "
+        "constants,\n# cost %.2f.\n",
+        study->best.used, study->fit.constants->count, study->best.cost);
     for (size_t i = 0; i < all->count; i++)
         if (is_of(all, &all->items[i], model))
             fprintf(file, "#   %-16s %10.4f %-12s %+6.1f %%%s\n",
@@ -189,11 +191,11 @@ bool written_model(const struct study *study,
                    const char *path, c205_error *error)
 {
     const c205_model *model = prior_of(study->fit.observations, path, error);
-    struct whole *whole = model == NULL ? NULL : whole_open(path, error);
+    struct whole *whole = !model ? NULL : whole_open(path, error);
     c205_setting settings[SETTINGS_MOST];
     size_t count;
 
-    if (whole == NULL)
+    if (!whole)
         return false;
     write_head(study, model, predicted, whole->file);
     count = written_settings(study, model, settings);

@@ -169,8 +169,7 @@ static void add_decades(struct tics *tics, const struct axis *axis)
     for (double n = floor(log10(axis->low)); n <= log10(axis->high); n++)
         for (size_t i = 0; i < sizeof digits / sizeof *digits; i++) {
             double at = digits[i] * pow(10, n);
-            if (at >= axis->low * (1 - 1e-9)
-                && at <= axis->high * (1 + 1e-9))
+            if (at >= axis->low * (1 - 1e-9) && at <= axis->high * (1 + 1e-9))
                 add(tics, at, true);
         }
 }

@@ -43,7 +43,7 @@ static char *text_of(const char *format, ...)
     length = vsnprintf(NULL, 0, format, arguments);
     va_end(arguments);
     text = length < 0 ? NULL : malloc((size_t)length + 1);
-    if (text != NULL) {
+    if (text) {
         va_start(arguments, format);
         vsnprintf(text, (size_t)length + 1, format, arguments);
         va_end(arguments);
@@ -71,7 +71,7 @@ static bool check_folder(const char *path, c205_error *error)
     char *folder = folder_of(path);
     int code = 0;
 
-    if (folder == NULL)
+    if (!folder)
         code = ENOMEM;
     else if (access(folder, W_OK | X_OK) != 0)
         code = errno;
@@ -98,7 +98,7 @@ static struct whole *open_beside(const char *path, const char *end,
     char *beside = text_of("%.*s%s", (int)strlen(path) - ENDING, path, end);
     struct whole *whole = beside ? whole_open(beside, error) : NULL;
 
-    if (beside == NULL)
+    if (!beside)
         fail(error, "%.180s: no memory", path);
     free(beside);
     return whole;
@@ -132,7 +132,7 @@ static bool commit(struct whole **whole, c205_error *error)
 
 static void discard(struct whole *whole)
 {
-    if (whole != NULL)
+    if (whole)
         whole_discard(whole);
 }
 

@@ -136,8 +136,8 @@ static void place_flags(const struct plot *plot, const struct axis *x,
         double width = LETTER + width_of(mark->label);
         double begin = fmin(line, WIDTH - EDGE - width);
         if (isfinite(mark->at))
-            flags[count++] =
-                (struct flag){ mark, line, begin, begin + width, 0 };
+            flags[count++] = (struct flag){ mark, line, begin, begin + width,
+                                            0 };
     }
     qsort(flags, count, sizeof *flags, from_right);
     for (size_t i = 0; i < count; i++)
@@ -158,7 +158,7 @@ static bool lay_out(const struct plot *plot, const struct plot_axes *axes,
     int rows = 0;
 
     layout->flags = calloc(plot->mark_count + 1, sizeof *layout->flags);
-    if (layout->flags == NULL)
+    if (!layout->flags)
         return false;
     layout->left = BESIDE + widest_label(&axes->y);
     layout->right = WIDTH - key_width(plot);
@@ -188,8 +188,10 @@ static void write_picture(const char *stem, FILE *file)
     fputs("# Draws the picture from the numbers beside it, in whose folder\n"
           "# gnuplot is to run.\n"
           "reset\n"
-          "set encoding utf8\n", file);
-    fprintf(file, "set terminal svg size %d,%d noenhanced \\\n"
+          "set encoding utf8\n",
+          file);
+    fprintf(file,
+            "set terminal svg size %d,%d noenhanced \\\n"
             "    font 'sans-serif,12' background rgb 'white'\n",
             WIDTH, HEIGHT);
     fputs("if (!exists('piped')) set output ", file);
@@ -212,8 +214,10 @@ static void write_small_print(const char *text, double left, double height,
 {
     fputs("set label ", file);
     put_quoted(text, file);
-    fprintf(file, " at screen %.4f, screen %.4f font ',11' \\\n"
-            "    textcolor rgb '#555555'\n", across(left), up(height));
+    fprintf(file,
+            " at screen %.4f, screen %.4f font ',11' \\\n"
+            "    textcolor rgb '#555555'\n",
+            across(left), up(height));
 }
 
 static void tell_cut_off(const struct plot_axes *axes, double left,
@@ -253,8 +257,8 @@ static void write_range(char name, const struct axis *axis, FILE *file)
 
     if (axis->scale != PLOT_LINEAR)
         fprintf(file, "set logscale %c %d\n", name, (int)axis->scale);
-    fprintf(file, "set %crange [%.12g:%.12g]\n", name,
-            axis->low * (1 - more), axis->high * (1 + more));
+    fprintf(file, "set %crange [%.12g:%.12g]\n", name, axis->low * (1 - more),
+            axis->high * (1 + more));
 }
 
 static void write_axis(char name, const char *title, const struct axis *axis,
@@ -270,9 +274,8 @@ static void write_axis(char name, const char *title, const struct axis *axis,
     write_range(name, axis, file);
     fprintf(file, "set %ctics nomirror (", name);
     for (size_t i = 0; i < count; i++)
-        fprintf(file, "%s'%s' %.12g%s", i ? ", \\\n    " : "",
-                tics[i].label, tics[i].at,
-                tics[i].label[0] != '\0' ? "" : " 1");
+        fprintf(file, "%s'%s' %.12g%s", i ? ", \\\n    " : "", tics[i].label,
+                tics[i].at, tics[i].label[0] != '\0' ? "" : " 1");
     fputs(")\n", file);
 }
 
@@ -281,9 +284,11 @@ static void write_flag(const struct flag *flag, double top, FILE *file)
     double height = top + LINE * (flag->row + 0.5);
     bool moved = flag->begin < flag->line;
 
-    fprintf(file, "set arrow from first %.12g, graph 0 to first %.12g, "
+    fprintf(file,
+            "set arrow from first %.12g, graph 0 to first %.12g, "
             "screen %.4f \\\n    nohead front "
-            "linecolor rgb '#444444'\n", flag->mark->at, flag->mark->at,
+            "linecolor rgb '#444444'\n",
+            flag->mark->at, flag->mark->at,
             up(height + (moved ? -0.5 : 0.4) * LINE));
     fputs("set label ", file);
     put_quoted(flag->mark->label, file);
@@ -300,11 +305,13 @@ static void write_frame(const struct plot *plot, const struct layout *layout,
 {
     bool areas = plot->form == PLOT_AREAS;
 
-    fprintf(file, "\nset border 3 linecolor rgb '#555555'\n"
+    fprintf(file,
+            "\nset border 3 linecolor rgb '#555555'\n"
             "set tics out scale 0.5\n"
             "set grid %s linetype 1 linewidth 0.5 linecolor rgb '%s'\n",
             areas ? "front" : "back", areas ? "#A0FFFFFF" : "#DDDDDD");
-    fprintf(file, "set key at screen %.4f, screen %.4f left top Left "
+    fprintf(file,
+            "set key at screen %.4f, screen %.4f left top Left "
             "reverse%s \\\n    samplen 2 spacing 1.3\n",
             across(layout->right), up(layout->top), areas ? " invert" : "");
 }
@@ -312,18 +319,21 @@ static void write_frame(const struct plot *plot, const struct layout *layout,
 /* The sum of the curves before this one to the sum with it. */
 static void write_area(size_t i, FILE *file)
 {
-    fprintf(file, "numbers using 1:(sum [c=2:%zu] column(c)):"
+    fprintf(file,
+            "numbers using 1:(sum [c=2:%zu] column(c)):"
             "(sum [c=2:%zu] column(c)) \\\n    with filledcurves "
-            "fillstyle solid linecolor rgb '%s'", i + 1, i + 2,
-            colors[i % COLORS]);
+            "fillstyle solid linecolor rgb '%s'",
+            i + 1, i + 2, colors[i % COLORS]);
 }
 
 /* Curves of the same colour, if so many, differ in their points. */
 static void write_line(size_t i, FILE *file)
 {
-    fprintf(file, "numbers using 1:%zu with linespoints linewidth 2 \\\n"
-            "    pointtype %zu pointsize 0.5 linecolor rgb '%s'", i + 2,
-            1 + (6 + 2 * (i % 4) + i / COLORS) % 15, colors[i % COLORS]);
+    fprintf(file,
+            "numbers using 1:%zu with linespoints linewidth 2 \\\n"
+            "    pointtype %zu pointsize 0.5 linecolor rgb '%s'",
+            i + 2, 1 + (6 + 2 * (i % 4) + i / COLORS) % 15,
+            colors[i % COLORS]);
 }
 
 static void write_curves(const struct plot *plot, FILE *file)
@@ -341,7 +351,8 @@ static void write_curves(const struct plot *plot, FILE *file)
     for (size_t i = 0; i < plot->level_count; i++) {
         if (!isfinite(plot->levels[i].at))
             continue;
-        fprintf(file, ", \\\n%.12g with lines linewidth 1.5 dashtype %zu "
+        fprintf(file,
+                ", \\\n%.12g with lines linewidth 1.5 dashtype %zu "
                 "linecolor rgb '#000000' \\\n    title ",
                 plot->levels[i].at, 2 + i % 4);
         put_quoted(plot->levels[i].label, file);

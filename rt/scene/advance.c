@@ -20,8 +20,8 @@ static bool is_stopped(struct reader *reader, size_t bytes)
     size_t period = ASKED_EACH;
 
     return options && options->go_on
-        && reader->bytes / period != (reader->bytes + bytes) / period
-        && !options->go_on(options->context);
+           && reader->bytes / period != (reader->bytes + bytes) / period
+           && !options->go_on(options->context);
 }
 
 bool reader_spend(struct reader *reader, size_t bytes)
@@ -56,8 +56,8 @@ void reader_step(struct reader *reader)
         reader->token = lexer_next(&reader->lexer);
         if (reader->token.fault)
             reader_fault(reader, &reader->token, "%s", reader->token.fault);
-        if (!reader_spend(reader, top->place.at - reader->before.at
-                                      + TOKEN_COST))
+        if (!reader_spend(reader,
+                          top->place.at - reader->before.at + TOKEN_COST))
             return;
         if (reader->token.kind != TOKEN_BAD)
             return;

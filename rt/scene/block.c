@@ -62,9 +62,9 @@ bool block_open_from(struct reader *reader, struct block *block,
 static bool at_close(const struct reader *reader, const struct block *block)
 {
     return reader->token.kind == TOKEN_END
-        || (block->closing && reader->braces == block->level
-            && (reader_at_sign(reader, block->closing)
-                || reader_at_sign(reader, '}')));
+           || (block->closing && reader->braces == block->level
+               && (reader_at_sign(reader, block->closing)
+                   || reader_at_sign(reader, '}')));
 }
 
 static bool block_close(struct reader *reader, const struct block *block)
@@ -139,7 +139,7 @@ bool block_read(struct reader *reader, const struct grammar *grammar,
     struct block block;
 
     return block_open(reader, &block, '{')
-        && block_items(reader, &block, grammar, subject, true);
+           && block_items(reader, &block, grammar, subject, true);
 }
 
 bool block_finish(struct reader *reader, const struct block *block)

@@ -50,8 +50,8 @@ static bool read_angle(struct reader *reader, void *subject,
     if (!read_number(reader, &reading->angle))
         return false;
     return (reading->angle >= 0 && reading->angle < 180)
-        || reader_fault(reader, &item->at,
-                        "the angle is not between 0 and 180 degrees");
+           || reader_fault(reader, &item->at,
+                           "the angle is not between 0 and 180 degrees");
 }
 
 static bool read_perspective(struct reader *reader, void *subject,
@@ -75,9 +75,11 @@ static bool read_step(struct reader *reader, void *subject,
     return true;
 }
 
+/* clang-format off */
 #define OF_CAMERA(name) \
     { #name, read_vector_of, \
       offsetof(struct camera_reading, setting.camera.name) }
+/* clang-format on */
 
 static const struct keyword words[] = {
     OF_CAMERA(location),
@@ -93,14 +95,10 @@ static const struct keyword words[] = {
 };
 
 static const struct keyword left_out[] = {
-    { "aperture", item_left_out, 0 },
-    { "blur_samples", item_left_out, 0 },
-    { "bokeh", item_left_out, 0 },
-    { "confidence", item_left_out, 0 },
-    { "focal_point", item_left_out, 0 },
-    { "normal", item_left_out, 0 },
-    { "variance", item_left_out, 0 },
-    { NULL, NULL, 0 },
+    { "aperture", item_left_out, 0 },    { "blur_samples", item_left_out, 0 },
+    { "bokeh", item_left_out, 0 },       { "confidence", item_left_out, 0 },
+    { "focal_point", item_left_out, 0 }, { "normal", item_left_out, 0 },
+    { "variance", item_left_out, 0 },    { NULL, NULL, 0 },
 };
 
 static const struct keyword unsupported[] = {
@@ -115,9 +113,9 @@ static const struct keyword unsupported[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = {
-    "a word of camera", { words, left_out, unsupported }, NULL
-};
+static const struct grammar grammar = { "a word of camera",
+                                        { words, left_out, unsupported },
+                                        NULL };
 
 static void set_length(double vector[3], double length)
 {
@@ -183,14 +181,15 @@ static bool is_sound(const struct camera *camera)
     double volume = handedness(camera);
 
     return isfinite(volume) && volume != 0
-        && isfinite(dot3(camera->location, camera->location));
+           && isfinite(dot3(camera->location, camera->location));
 }
 
 bool camera_read(struct reader *reader, const struct token *at,
                  struct camera_setting *setting)
 {
-    struct camera_reading reading = { *setting, 0, { 0, 0, 0 }, false,
-                                      placement_none };
+    struct camera_reading reading = {
+        *setting, 0, { 0, 0, 0 }, false, placement_none
+    };
     struct camera *camera = &reading.setting.camera;
     struct block block;
 
@@ -204,6 +203,6 @@ bool camera_read(struct reader *reader, const struct token *at,
     apply_placement(camera, &reading.placement.to_world);
     *setting = reading.setting;
     return is_sound(camera)
-        || reader_fault(reader, at,
-                        "direction, right and up span no picture");
+           || reader_fault(reader, at,
+                           "direction, right and up span no picture");
 }

@@ -53,8 +53,8 @@ static bool read_bounds(struct reader *reader, bool range, double *lowest,
         return reader_expected(reader, "'('");
     reader_next(reader);
     return read_full_number(reader, lowest) && reader_expect_sign(reader, ',')
-        && read_full_number(reader, highest)
-        && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+           && read_full_number(reader, highest)
+           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
 }
 
 bool switch_case(struct reader *reader, void *subject,

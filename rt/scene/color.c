@@ -56,7 +56,7 @@ bool starts_color(const struct reader *reader)
     const struct value *value = reader_value_of(reader, VALUE_NUMBERS);
 
     return is_color_word(&reader->token)
-        || (value && value->is.numbers.count == COLOR_TERMS);
+           || (value && value->is.numbers.count == COLOR_TERMS);
 }
 
 /* IEC 61966-2-1, then to the scene's own gamma. */
@@ -82,15 +82,14 @@ static bool read_ordered(struct reader *reader, const struct order *order,
         return true;
     }
     if (given.count > order->count)
-        return reader_fault(reader, &at,
-                            "'%s' takes %d components, found %d", order->word,
-                            order->count, given.count);
+        return reader_fault(reader, &at, "'%s' takes %d components, found %d",
+                            order->word, order->count, given.count);
     numbers_widen(&given, order->count);
     for (int i = 0; i < order->count; i++) {
         bool convert = order->srgb && order->terms[i] <= BLUE;
-        color->n[order->terms[i]] = convert
-            ? from_srgb(given.n[i], reader->scene->assumed_gamma)
-            : given.n[i];
+        color->n[order->terms[i]] =
+            convert ? from_srgb(given.n[i], reader->scene->assumed_gamma)
+                    : given.n[i];
     }
     return true;
 }
@@ -132,7 +131,7 @@ bool read_color_after(struct reader *reader, const struct token *word,
         || !read_terms(reader, color))
         return false;
     return numbers_are_finite(color)
-        || reader_fault(reader, word, "the colour is not finite");
+           || reader_fault(reader, word, "the colour is not finite");
 }
 
 bool read_color(struct reader *reader, struct numbers *color)

@@ -45,9 +45,9 @@ struct condition *condition_top(struct reader *reader)
     size_t count = reader->condition_count;
 
     return count > reader->sealed
-            && reader->conditions[count - 1].frame == serial
-        ? &reader->conditions[count - 1]
-        : NULL;
+                   && reader->conditions[count - 1].frame == serial
+               ? &reader->conditions[count - 1]
+               : NULL;
 }
 
 struct condition *condition_push(struct reader *reader,
@@ -117,7 +117,7 @@ static bool read_brackets(struct reader *reader, double *value)
         return reader_expected(reader, "'('");
     reader_next(reader);
     return read_full_number(reader, value)
-        && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
 }
 
 bool condition_read(struct reader *reader, double *value)
@@ -197,7 +197,7 @@ static bool read_name(struct reader *reader, double *defined)
     reader_step(reader);
     sealed = condition_seal(reader);
     done = read_defined(reader, defined)
-        && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
     condition_unseal(reader, sealed);
     return done;
 }
@@ -286,7 +286,8 @@ bool condition_break(struct reader *reader, void *subject,
     (void)subject;
     if (!condition)
         return end_macro(reader, &item->at);
-    inner = (size_t)(&reader->conditions[reader->condition_count] - condition);
+    inner = (size_t)(&reader->conditions[reader->condition_count]
+                     - condition);
     reader->condition_count -= inner;
     if (!condition_skip(reader, &condition->at, skip_to_end, inner))
         return false;

@@ -155,8 +155,8 @@ static bool read_numbers(struct reader *reader, struct value *value)
 {
     value->kind = VALUE_NUMBERS;
     return is_color_word(&reader->token)
-        ? read_color(reader, &value->is.numbers)
-        : read_expression(reader, &value->is.numbers);
+               ? read_color(reader, &value->is.numbers)
+               : read_expression(reader, &value->is.numbers);
 }
 
 static bool read_statement(struct reader *reader, struct value *value)
@@ -195,9 +195,9 @@ bool value_read(struct reader *reader, struct value *value)
 bool is_reserved(const struct token *token)
 {
     return is_expression_word(token) || is_color_word(token)
-        || is_string_word(token) || is_token(token, "array")
-        || grammar_find(&file_grammar, token)
-        || grammar_find(&modifier_grammar, token);
+           || is_string_word(token) || is_token(token, "array")
+           || grammar_find(&file_grammar, token)
+           || grammar_find(&modifier_grammar, token);
 }
 
 bool name_expected(struct reader *reader, const struct token *token)
@@ -254,9 +254,9 @@ static const char *assign(struct reader *reader, const struct target *target,
 
     if (target->is_element)
         return reference_assign(&name->reference, value);
-    symbol = target->local
-        ? symbols_find_at(symbols, target->level, name->text, name->length)
-        : symbols_find(symbols, name->text, name->length);
+    symbol = target->local ? symbols_find_at(symbols, target->level,
+                                             name->text, name->length)
+                           : symbols_find(symbols, name->text, name->length);
     if (!symbol)
         return symbols_add(symbols, target->local ? target->level : 0,
                            name->text, name->length, value);
@@ -303,7 +303,7 @@ static bool declare_value(struct reader *reader, struct target *target)
 {
     struct value value;
     bool done = reader_expect_sign(reader, '=')
-        && read_right_side(reader, target->level, &value);
+                && read_right_side(reader, target->level, &value);
     const char *fault;
 
     if (!done)

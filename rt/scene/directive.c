@@ -72,9 +72,9 @@ static bool open_file(struct reader *reader, const struct token *at,
     opened = lexer_open(&reader->lexer, source);
     reader_step(reader);
     return opened
-        || reader_fault(reader, at,
-                        "more than %d files include each other",
-                        INCLUDE_DEPTH);
+           || reader_fault(reader, at,
+                           "more than %d files include each other",
+                           INCLUDE_DEPTH);
 }
 
 static bool read_include(struct reader *reader, void *subject,
@@ -142,17 +142,14 @@ static bool default_finish(struct reader *reader, void *subject,
 }
 
 static const struct keyword default_words[] = {
-    { "texture", default_texture, 0 },
-    { "pigment", default_pigment, 0 },
-    { "finish", default_finish, 0 },
-    { "camera", item_left_out, 0 },
-    { "normal", item_left_out, 0 },
-    { NULL, NULL, 0 },
+    { "texture", default_texture, 0 }, { "pigment", default_pigment, 0 },
+    { "finish", default_finish, 0 },   { "camera", item_left_out, 0 },
+    { "normal", item_left_out, 0 },    { NULL, NULL, 0 },
 };
 
-static const struct grammar default_grammar = {
-    "texture, pigment or finish", { default_words }, NULL
-};
+static const struct grammar default_grammar = { "texture, pigment or finish",
+                                                { default_words },
+                                                NULL };
 
 static bool read_default(struct reader *reader, void *subject,
                          const struct item *item)

@@ -24,8 +24,8 @@ static bool read_size(struct reader *reader, double most, size_t *size)
     if (!read_number(reader, &value))
         return false;
     if (value < 0 || value >= most + 1)
-        return reader_fault(reader, &at,
-                            "%g is not between 0 and %.0f", value, most);
+        return reader_fault(reader, &at, "%g is not between 0 and %.0f",
+                            value, most);
     *size = (size_t)value;
     return reader_at_sign(reader, ']') || reader_expected(reader, "']'");
 }
@@ -63,8 +63,9 @@ static bool read_hop(struct reader *reader, struct token *name)
     struct reference *reference = &name->reference;
 
     if (reference->hops == ARRAY_NESTING_MOST)
-        return reader_fault(reader, name, "more than %d arrays within each "
-                                          "other",
+        return reader_fault(reader, name,
+                            "more than %d arrays within each "
+                            "other",
                             ARRAY_NESTING_MOST);
     if (!read_indices(reader, name->value->is.array,
                       &reference->element[reference->hops]))
@@ -133,8 +134,9 @@ static bool read_cell(struct reader *reader, struct array *array,
     if (value.kind == VALUE_ARRAY
         && array_nesting(value.is.array) == ARRAY_NESTING_MOST) {
         value_free(&value);
-        return reader_fault(reader, &at, "more than %d arrays within each "
-                                         "other",
+        return reader_fault(reader, &at,
+                            "more than %d arrays within each "
+                            "other",
                             ARRAY_NESTING_MOST);
     }
     return reader_check(reader, &at, array_set(array, (*element)++, &value));
@@ -188,6 +190,6 @@ bool array_read(struct reader *reader, struct value *value)
                             CELLS_MOST);
     value->kind = VALUE_ARRAY;
     return reader_spend(reader, value->is.array->count * TOKEN_COST)
-        && (!reader_at_sign(reader, '{')
-            || read_row(reader, value->is.array, 0, &element));
+           && (!reader_at_sign(reader, '{')
+               || read_row(reader, value->is.array, 0, &element));
 }

@@ -28,9 +28,9 @@
 static bool accept_prefix(struct reader *reader, char *prefix)
 {
     *prefix = reader->token.kind == TOKEN_SIGN
-            && reader->token.sign < SIGN_UNEQUAL
-        ? (char)reader->token.sign
-        : '\0';
+                      && reader->token.sign < SIGN_UNEQUAL
+                  ? (char)reader->token.sign
+                  : '\0';
     if (!*prefix || !strchr("+-!", *prefix))
         return false;
     reader_next(reader);
@@ -171,8 +171,8 @@ static bool read_comparison(struct reader *reader, const struct level *level,
     if (!string_read_within(reader, &left))
         return false;
     done = is_sign_of(reader, level)
-        ? compare_strings(reader, left, value)
-        : reader_expected(reader, "a comparison");
+               ? compare_strings(reader, left, value)
+               : reader_expected(reader, "a comparison");
     free(left);
     return done;
 }
@@ -211,7 +211,7 @@ bool read_full(struct reader *reader, struct numbers *value)
     if (!operand_float(reader, &at, value) || !reader_enter(reader))
         return false;
     done = read_full(reader, value) && reader_expect_sign(reader, ':')
-        && read_full(reader, &other);
+           && read_full(reader, &other);
     reader_leave(reader);
     if (done && !first)
         *value = other;

@@ -75,7 +75,7 @@ static long bits_of(const struct numbers *number)
 }
 
 static void apply_bitwise_and(const struct numbers *a, size_t n,
-                             struct numbers *r)
+                              struct numbers *r)
 {
     long bits = bits_of(&a[0]);
 
@@ -95,7 +95,7 @@ static void apply_bitwise_or(const struct numbers *a, size_t n,
 }
 
 static void apply_bitwise_xor(const struct numbers *a, size_t n,
-                             struct numbers *r)
+                              struct numbers *r)
 {
     long bits = bits_of(&a[0]);
 
@@ -132,7 +132,8 @@ static void apply_vdot(const struct numbers *a, size_t n, struct numbers *r)
     give(r, dot3(a[0].n, a[1].n));
 }
 
-static void apply_vlength(const struct numbers *a, size_t n, struct numbers *r)
+static void apply_vlength(const struct numbers *a, size_t n,
+                          struct numbers *r)
 {
     (void)n;
     give(r, length3(a[0].n));
@@ -150,7 +151,8 @@ static void apply_vnormalize(const struct numbers *a, size_t n,
         scale3(1 / length, r->n);
 }
 
-static void apply_vrotate(const struct numbers *a, size_t n, struct numbers *r)
+static void apply_vrotate(const struct numbers *a, size_t n,
+                          struct numbers *r)
 {
     struct placement rotation = placement_rotation(a[1].n);
 

@@ -9,8 +9,7 @@ static bool read_ior(struct reader *reader, void *subject,
 
     if (!read_number(reader, ior))
         return false;
-    return *ior > 0
-        || reader_fault(reader, &item->at, "ior is not above 0");
+    return *ior > 0 || reader_fault(reader, &item->at, "ior is not above 0");
 }
 
 static const struct keyword words[] = {
@@ -30,14 +29,14 @@ static const struct keyword left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = {
-    "a word of interior", { words, left_out }, NULL
-};
+static const struct grammar grammar = { "a word of interior",
+                                        { words, left_out },
+                                        NULL };
 
 bool interior_read(struct reader *reader, double *ior)
 {
     struct block block;
 
     return block_open_from(reader, &block, VALUE_INTERIOR, ior, sizeof *ior)
-        && block_items(reader, &block, &grammar, ior, true);
+           && block_items(reader, &block, &grammar, ior, true);
 }

@@ -61,9 +61,9 @@ static const struct keyword unsupported[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = {
-    "a word of light_source", { words, left_out, unsupported }, NULL
-};
+static const struct grammar grammar = { "a word of light_source",
+                                        { words, left_out, unsupported },
+                                        NULL };
 
 static bool read_point(struct reader *reader, struct object *object)
 {

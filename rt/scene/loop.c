@@ -15,8 +15,8 @@ static bool leave_out(struct reader *reader, const struct token *at)
 static bool same_frame(struct reader *reader, const struct condition *loop)
 {
     return lexer_top(&reader->lexer)->serial == loop->frame
-        || reader_fault(reader, &loop->at,
-                        "the condition does not end where it begins");
+           || reader_fault(reader, &loop->at,
+                           "the condition does not end where it begins");
 }
 
 /* The token is the last one before the body. */
@@ -108,7 +108,7 @@ static bool read_step(struct reader *reader, double *step)
         return true;
     at = reader->token;
     return read_full_number(reader, step)
-        && (*step != 0 || reader_fault(reader, &at, "the step is 0"));
+           && (*step != 0 || reader_fault(reader, &at, "the step is 0"));
 }
 
 /* "(" name, start, end [, step] ")"; the last stays the token. */
@@ -123,10 +123,10 @@ static bool read_head(struct reader *reader, struct condition *loop,
         return false;
     reader_step(reader);
     return reader_expect_sign(reader, ',') && read_full_number(reader, start)
-        && reader_expect_sign(reader, ',')
-        && read_full_number(reader, &loop->end)
-        && read_step(reader, &loop->step)
-        && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+           && reader_expect_sign(reader, ',')
+           && read_full_number(reader, &loop->end)
+           && read_step(reader, &loop->step)
+           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
 }
 
 bool loop_for(struct reader *reader, void *subject, const struct item *item)
@@ -141,7 +141,7 @@ bool loop_for(struct reader *reader, void *subject, const struct item *item)
         return leave_out(reader, &item->at);
     sealed = condition_seal(reader);
     good = read_head(reader, loop, &start) && same_frame(reader, loop)
-        && set_variable(reader, &loop->name, start);
+           && set_variable(reader, &loop->name, start);
     condition_unseal(reader, sealed);
     loop->again = lexer_top(&reader->lexer)->place;
     return turn(reader, loop, good, good && !is_past(loop, start));
@@ -151,7 +151,7 @@ static bool next_turn(struct reader *reader, struct condition *loop)
 {
     double value = 0;
     bool good = get_variable(reader, &loop->name, &value)
-        && set_variable(reader, &loop->name, value + loop->step);
+                && set_variable(reader, &loop->name, value + loop->step);
 
     return good && !is_past(loop, value + loop->step);
 }

@@ -143,8 +143,7 @@ static bool read_arguments(struct reader *reader, struct call *call)
         call->count++;
         if (!read_argument(reader, &call->arguments[call->count - 1]))
             return false;
-        if (!reader_at_sign(reader, ')')
-            && !reader_expect_sign(reader, ','))
+        if (!reader_at_sign(reader, ')') && !reader_expect_sign(reader, ','))
             return false;
     }
     return reader_at_sign(reader, ')') || reader_expected(reader, "')'");
@@ -203,9 +202,9 @@ static void call_free(struct call *call)
 static struct call *new_call(const struct reader *reader)
 {
     const struct macro *macro = reader->token.value->is.macro;
-    struct call *call = calloc(1, sizeof *call
-                                      + macro->count
-                                            * sizeof *call->arguments);
+    struct call *call = calloc(1,
+                               sizeof *call
+                                   + macro->count * sizeof *call->arguments);
 
     if (call) {
         call->macro = *macro;

@@ -45,8 +45,8 @@ static bool add_branch(struct object *object, enum tree_operation operation,
 
     object->branches = branches;
     if (room)
-        object->branches[object->branch_count++] =
-            (struct branch){ operation, size };
+        object->branches[object->branch_count++] = (struct branch){ operation,
+                                                                    size };
     return room;
 }
 
@@ -126,11 +126,11 @@ static void remove_root(struct object *object)
 bool object_join(struct object *object)
 {
     bool meet = object->joining == JOIN_INTERSECTION
-        || object->joining == JOIN_DIFFERENCE;
+                || object->joining == JOIN_DIFFERENCE;
 
     return object->branch_count == 0
-        || object->branches[0].size == object->branch_count
-        || add_root(object, meet ? TREE_AND : TREE_OR);
+           || object->branches[0].size == object->branch_count
+           || add_root(object, meet ? TREE_AND : TREE_OR);
 }
 
 bool object_invert(struct object *object)
@@ -185,10 +185,10 @@ static void part_move(struct part *part, const struct placement *step)
 {
     struct primitive *primitive = &part->primitive;
 
-    primitive->to_world =
-        transform_then(&primitive->to_world, &step->to_world);
-    primitive->to_local =
-        transform_then(&step->to_local, &primitive->to_local);
+    primitive->to_world = transform_then(&primitive->to_world,
+                                         &step->to_world);
+    primitive->to_local = transform_then(&step->to_local,
+                                         &primitive->to_local);
     if (part->textured)
         pigment_move(&primitive->pigment, step);
 }

@@ -24,12 +24,7 @@ struct part {
 };
 
 /* How the children of an object belong together: a union's stay apart. */
-enum joining {
-    JOIN_APART,
-    JOIN_MERGE,
-    JOIN_INTERSECTION,
-    JOIN_DIFFERENCE
-};
+enum joining { JOIN_APART, JOIN_MERGE, JOIN_INTERSECTION, JOIN_DIFFERENCE };
 
 struct branch {
     enum tree_operation operation;

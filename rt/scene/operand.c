@@ -11,26 +11,16 @@ static const struct constant {
     const char *name;
     struct numbers value;
 } constants[] = {
-    { "clock", { 1, { 0 } } },
-    { "clock_delta", { 1, { 0 } } },
-    { "clock_on", { 1, { 0 } } },
-    { "false", { 1, { 0 } } },
-    { "final_clock", { 1, { 0 } } },
-    { "final_frame", { 1, { 0 } } },
-    { "frame_number", { 1, { 0 } } },
-    { "initial_clock", { 1, { 0 } } },
-    { "initial_frame", { 1, { 0 } } },
-    { "no", { 1, { 0 } } },
-    { "off", { 1, { 0 } } },
-    { "on", { 1, { 1 } } },
-    { "pi", { 1, { PI } } },
-    { "t", { 4, { 0, 0, 0, 1 } } },
-    { "true", { 1, { 1 } } },
-    { "u", { 2, { 1, 0 } } },
-    { "v", { 2, { 0, 1 } } },
-    { "x", { 3, { 1, 0, 0 } } },
-    { "y", { 3, { 0, 1, 0 } } },
-    { "yes", { 1, { 1 } } },
+    { "clock", { 1, { 0 } } },         { "clock_delta", { 1, { 0 } } },
+    { "clock_on", { 1, { 0 } } },      { "false", { 1, { 0 } } },
+    { "final_clock", { 1, { 0 } } },   { "final_frame", { 1, { 0 } } },
+    { "frame_number", { 1, { 0 } } },  { "initial_clock", { 1, { 0 } } },
+    { "initial_frame", { 1, { 0 } } }, { "no", { 1, { 0 } } },
+    { "off", { 1, { 0 } } },           { "on", { 1, { 1 } } },
+    { "pi", { 1, { PI } } },           { "t", { 4, { 0, 0, 0, 1 } } },
+    { "true", { 1, { 1 } } },          { "u", { 2, { 1, 0 } } },
+    { "v", { 2, { 0, 1 } } },          { "x", { 3, { 1, 0, 0 } } },
+    { "y", { 3, { 0, 1, 0 } } },       { "yes", { 1, { 1 } } },
     { "z", { 3, { 0, 0, 1 } } },
 };
 
@@ -50,8 +40,8 @@ static bool is_picture_size(const struct token *token)
 bool is_expression_word(const struct token *token)
 {
     return constant_find(token) || function_find(token)
-        || is_picture_size(token) || is_query_word(token)
-        || is_token(token, "version");
+           || is_picture_size(token) || is_query_word(token)
+           || is_token(token, "version");
 }
 
 bool starts_expression(const struct reader *reader)
@@ -60,13 +50,14 @@ bool starts_expression(const struct reader *reader)
 
     if (token->kind == TOKEN_SIGN)
         return token->sign && token->sign < SIGN_UNEQUAL
-            && strchr("(<+-!", token->sign);
+               && strchr("(<+-!", token->sign);
     return token->kind == TOKEN_NUMBER
-        || reader_value_of(reader, VALUE_NUMBERS) || is_expression_word(token);
+           || reader_value_of(reader, VALUE_NUMBERS)
+           || is_expression_word(token);
 }
 
 bool operand_found_vector(struct reader *reader, const struct token *at,
-                         const char *expected, const struct numbers *value)
+                          const char *expected, const struct numbers *value)
 {
     return reader_fault(reader, at, "expected %s, found %d components",
                         expected, value->count);
@@ -74,17 +65,17 @@ bool operand_found_vector(struct reader *reader, const struct token *at,
 
 /* Neither overflow nor the argument outside of a function's domain. */
 bool operand_finite(struct reader *reader, const struct token *at,
-                         const struct numbers *value)
+                    const struct numbers *value)
 {
     return numbers_are_finite(value)
-        || reader_fault(reader, at, "the value is not a finite number");
+           || reader_fault(reader, at, "the value is not a finite number");
 }
 
 bool operand_float(struct reader *reader, const struct token *at,
-                        const struct numbers *value)
+                   const struct numbers *value)
 {
     return value->count == 1
-        || operand_found_vector(reader, at, "a number", value);
+           || operand_found_vector(reader, at, "a number", value);
 }
 
 /* "<" is read already. */
@@ -181,7 +172,7 @@ static bool read_query(struct reader *reader, struct numbers *value)
 
     *value = numbers_of(0);
     return query_read(reader, &value->n[0])
-        && operand_finite(reader, &at, value);
+           && operand_finite(reader, &at, value);
 }
 
 static bool take(struct reader *reader, struct numbers taken,
@@ -244,8 +235,8 @@ static bool read_component(struct reader *reader, struct numbers *value)
         const char *name;
         int index;
     } components[] = {
-        { "x", 0 },   { "y", 1 },     { "z", 2 },    { "u", 0 },
-        { "v", 1 },   { "t", 3 },     { "red", 0 },  { "green", 1 },
+        { "x", 0 },    { "y", 1 },      { "z", 2 },        { "u", 0 },
+        { "v", 1 },    { "t", 3 },      { "red", 0 },      { "green", 1 },
         { "blue", 2 }, { "filter", 3 }, { "transmit", 4 },
     };
     size_t i = 0, count = sizeof components / sizeof *components;

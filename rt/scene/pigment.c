@@ -89,8 +89,7 @@ static bool read_nested(struct reader *reader, struct pigment *pattern,
         reader_report(reader, &at,
                       "a pattern in a pattern is replaced by its first "
                       "colour");
-    memcpy(pattern->color[which], pigment.color[0],
-           sizeof pigment.color[0]);
+    memcpy(pattern->color[which], pigment.color[0], sizeof pigment.color[0]);
     pattern->filter[which] = pigment.filter[0];
     pattern->transmit[which] = pigment.transmit[0];
     return true;
@@ -142,7 +141,8 @@ static bool read_pattern(struct reader *reader, void *subject,
 }
 
 /* In the oldest form of maps an entry has two numbers. */
-static bool read_entry(struct reader *reader, body_reader *body, void *subject)
+static bool read_entry(struct reader *reader, body_reader *body,
+                       void *subject)
 {
     struct block entry;
     bool good = true;
@@ -207,22 +207,14 @@ static bool read_step(struct reader *reader, void *subject,
 }
 
 static const struct keyword color_words[] = {
-    { "color", read_color_word, 0 },
-    { "colour", read_color_word, 0 },
-    { "rgb", read_color_word, 0 },
-    { "rgbf", read_color_word, 0 },
-    { "rgbt", read_color_word, 0 },
-    { "rgbft", read_color_word, 0 },
-    { "srgb", read_color_word, 0 },
-    { "srgbf", read_color_word, 0 },
-    { "srgbt", read_color_word, 0 },
-    { "srgbft", read_color_word, 0 },
-    { "red", read_color_word, 0 },
-    { "green", read_color_word, 0 },
-    { "blue", read_color_word, 0 },
-    { "filter", read_color_word, 0 },
-    { "transmit", read_color_word, 0 },
-    { NULL, NULL, 0 },
+    { "color", read_color_word, 0 },    { "colour", read_color_word, 0 },
+    { "rgb", read_color_word, 0 },      { "rgbf", read_color_word, 0 },
+    { "rgbt", read_color_word, 0 },     { "rgbft", read_color_word, 0 },
+    { "srgb", read_color_word, 0 },     { "srgbf", read_color_word, 0 },
+    { "srgbt", read_color_word, 0 },    { "srgbft", read_color_word, 0 },
+    { "red", read_color_word, 0 },      { "green", read_color_word, 0 },
+    { "blue", read_color_word, 0 },     { "filter", read_color_word, 0 },
+    { "transmit", read_color_word, 0 }, { NULL, NULL, 0 },
 };
 
 static const struct keyword words[] = {
@@ -263,5 +255,5 @@ bool pigment_read(struct reader *reader, struct pigment *pigment)
     struct block block;
 
     return block_open(reader, &block, '{')
-        && pigment_body(reader, &block, pigment);
+           && pigment_body(reader, &block, pigment);
 }

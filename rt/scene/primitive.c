@@ -60,7 +60,7 @@ static bool read_cylinder(struct reader *reader, struct primitive *primitive)
         return false;
     primitive->shape.cylinder.open = reader_accept(reader, "open");
     return base[0] != cap[0] || base[1] != cap[1] || base[2] != cap[2]
-        || reader_fault(reader, &at, "both ends of the axis are the same");
+           || reader_fault(reader, &at, "both ends of the axis are the same");
 }
 
 /* The distance is along the normal of length one. */
@@ -92,7 +92,7 @@ static bool read_end(struct reader *reader, double end[3], double *radius)
     if (!read_number(reader, radius))
         return false;
     return *radius >= 0
-        || reader_fault(reader, &at, "a radius of a cone is below 0");
+           || reader_fault(reader, &at, "a radius of a cone is below 0");
 }
 
 /* As in POV-Ray. */
@@ -125,7 +125,8 @@ static bool read_cone(struct reader *reader, struct primitive *primitive)
         return false;
     primitive->shape.cone.open = reader_accept(reader, "open");
     if (base[0] == cap[0] && base[1] == cap[1] && base[2] == cap[2])
-        return reader_fault(reader, &at, "both ends of the axis are the same");
+        return reader_fault(reader, &at,
+                            "both ends of the axis are the same");
     if (*base_radius == 0 && *cap_radius == 0)
         return reader_fault(reader, &at, "both radii of the cone are 0");
     if (*base_radius == *cap_radius)
@@ -143,14 +144,15 @@ static bool read_size(struct reader *reader, const char *what, double *size)
     if (!read_number(reader, size))
         return false;
     return *size > 0
-        || reader_fault(reader, &at, "the %s is not above 0", what);
+           || reader_fault(reader, &at, "the %s is not above 0", what);
 }
 
 static bool read_torus(struct reader *reader, struct primitive *primitive)
 {
     primitive->kind = PRIMITIVE_TORUS;
     return read_size(reader, "major radius", &primitive->shape.torus.major)
-        && read_size(reader, "minor radius", &primitive->shape.torus.minor);
+           && read_size(reader, "minor radius",
+                        &primitive->shape.torus.minor);
 }
 
 static bool read_elliptical_torus(struct reader *reader,
@@ -159,10 +161,10 @@ static bool read_elliptical_torus(struct reader *reader,
     primitive->kind = PRIMITIVE_ELLIPTICAL_TORUS;
     return read_size(reader, "major radius",
                      &primitive->shape.elliptical_torus.major)
-        && read_size(reader, "tube's radial half axis",
-                     &primitive->shape.elliptical_torus.radial)
-        && read_size(reader, "tube's axial half axis",
-                     &primitive->shape.elliptical_torus.axial);
+           && read_size(reader, "tube's radial half axis",
+                        &primitive->shape.elliptical_torus.radial)
+           && read_size(reader, "tube's axial half axis",
+                        &primitive->shape.elliptical_torus.axial);
 }
 
 /* A surface needs a coefficient besides the last, the constant. */
@@ -188,7 +190,7 @@ static bool read_quadric(struct reader *reader, struct primitive *primitive)
         reader_comma(reader);
     }
     return read_number(reader, coefficients + 9)
-        && check_surface(reader, &at, coefficients, QUADRIC_TERMS);
+           && check_surface(reader, &at, coefficients, QUADRIC_TERMS);
 }
 
 /* All of <..> are read, that their number can be told. */
@@ -222,7 +224,7 @@ static bool read_quartic(struct reader *reader, struct primitive *primitive)
 
     primitive->kind = PRIMITIVE_QUARTIC;
     return read_coefficients(reader, coefficients, QUARTIC_TERMS)
-        && check_surface(reader, &at, coefficients, QUARTIC_TERMS);
+           && check_surface(reader, &at, coefficients, QUARTIC_TERMS);
 }
 
 static bool read_weights(struct reader *reader, double *weights)
@@ -236,7 +238,7 @@ static bool read_weights(struct reader *reader, double *weights)
 static bool read_steiner_patch(struct reader *reader,
                                struct primitive *primitive)
 {
-    double (*points)[3] = primitive->shape.steiner_patch.points;
+    double(*points)[3] = primitive->shape.steiner_patch.points;
     double *weights = primitive->shape.steiner_patch.weights;
     struct token at = reader->token;
 
@@ -250,7 +252,7 @@ static bool read_steiner_patch(struct reader *reader,
     if (reader_accept(reader, "weights") && !read_weights(reader, weights))
         return false;
     return patch_has_area(primitive)
-        || reader_fault(reader, &at, "the patch has no area");
+           || reader_fault(reader, &at, "the patch has no area");
 }
 
 typedef bool primitive_reader(struct reader *reader,

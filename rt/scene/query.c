@@ -93,7 +93,7 @@ static bool read_file_exists(struct reader *reader, double *value)
     }
     *value = source_include(&reader->sources, name, at.source,
                             reader->options ? reader->options->search : NULL)
-        != NULL;
+             != NULL;
     free(name);
     return true;
 }
@@ -158,8 +158,8 @@ static bool read_dimension_size(struct reader *reader, double *value)
         || !read_full_number(reader, &dimension))
         return false;
     *value = dimension >= 1 && dimension < (double)count + 1
-        ? (double)sizes[(size_t)dimension - 1]
-        : 0;
+                 ? (double)sizes[(size_t)dimension - 1]
+                 : 0;
     return true;
 }
 
@@ -261,7 +261,7 @@ static bool read_brackets(struct reader *reader, const struct query *query,
     else
         reader_next(reader);
     return query->read(reader, value)
-        && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
 }
 
 bool query_read(struct reader *reader, double *value)

@@ -102,8 +102,8 @@ static bool is_undeclared(const struct reader *reader)
     const struct token *token = &reader->token;
 
     return token->kind == TOKEN_WORD && token->length < TOKEN_LONGEST
-        && !reader_value(reader) && token->text[0] >= 'A'
-        && token->text[0] <= 'Z';
+           && !reader_value(reader) && token->text[0] >= 'A'
+           && token->text[0] <= 'Z';
 }
 
 bool reader_expected(struct reader *reader, const char *what)
@@ -112,8 +112,7 @@ bool reader_expected(struct reader *reader, const char *what)
     const struct value *value = reader_value(reader);
     const char *mark = token->kind == TOKEN_DIRECTIVE ? "#" : "";
     const char *more = token->length > TOKEN_LONGEST ? "..." : "";
-    const char *note = is_undeclared(reader) ? ", which is not declared"
-                                             : "";
+    const char *note = is_undeclared(reader) ? ", which is not declared" : "";
     int length = short_length(token);
 
     if (value && value->kind == VALUE_FAULTY)
@@ -122,12 +121,12 @@ bool reader_expected(struct reader *reader, const char *what)
         return reader_fault(reader, token,
                             "expected %s, found the end of the %s", what,
                             lexer_top(&reader->lexer)->is_macro ? "macro"
-                                                               : "file");
+                                                                : "file");
     if (token->kind == TOKEN_STRING)
         return reader_fault(reader, token, "expected %s, found a string",
                             what);
-    return reader_fault(reader, token, "expected %s, found '%s%.*s%s'%s", what,
-                        mark, length, token->text, more, note);
+    return reader_fault(reader, token, "expected %s, found '%s%.*s%s'%s",
+                        what, mark, length, token->text, more, note);
 }
 
 bool reader_at_sign(const struct reader *reader, int sign)
@@ -168,8 +167,9 @@ void reader_comma(struct reader *reader)
 bool reader_look_up(struct reader *reader, struct token *token)
 {
     struct symbol *symbol = token->kind == TOKEN_WORD
-        ? symbols_find(&reader->symbols, token->text, token->length)
-        : NULL;
+                                ? symbols_find(&reader->symbols, token->text,
+                                               token->length)
+                                : NULL;
 
     if (!symbol)
         return false;

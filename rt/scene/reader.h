@@ -15,9 +15,9 @@ enum {
     PRIMITIVES_MOST = 200000, /* made in all, copies counted */
     SOLID_MOST = 10000,       /* primitives in one tree */
     REPORTS_MOST = 200,
-    CONDITIONS_MOST = 500,    /* within each other */
-    TURNS_MOST = 1000000,     /* of one loop */
-    SEEDS_MOST = 10000        /* of random numbers */
+    CONDITIONS_MOST = 500, /* within each other */
+    TURNS_MOST = 1000000,  /* of one loop */
+    SEEDS_MOST = 10000     /* of random numbers */
 };
 
 /* Bytes of text that may be read, some more counted for each token; what a
@@ -37,35 +37,35 @@ enum condition_kind {
 struct condition {
     enum condition_kind kind;
     struct token at;
-    size_t frame;       /* its serial number */
+    size_t frame; /* its serial number */
     bool in_else;
     struct place again; /* of a loop: where each turn begins */
     size_t turns, errors;
-    struct token name;  /* of #for */
+    struct token name; /* of #for */
     double end, step;
-    double value;       /* of #switch */
-    bool chosen;        /* .. a case is */
+    double value; /* of #switch */
+    bool chosen;  /* .. a case is */
 };
 
 struct reader {
     struct lexer lexer;
     struct source *sources;
     size_t includes;
-    size_t bytes; /* read */
-    struct token token; /* the next to be read, */
+    size_t bytes;        /* read */
+    struct token token;  /* the next to be read, */
     struct place before; /* .. behind the one before it */
-    size_t braces;      /* open before it */
-    bool closed;        /* the one before is a closing brace */
-    bool directed;      /* .. or a directive that was read well, */
-    bool lost;          /* .. or one that was not */
-    size_t hold;        /* of a directive's value: the braces around it */
+    size_t braces;       /* open before it */
+    bool closed;         /* the one before is a closing brace */
+    bool directed;       /* .. or a directive that was read well, */
+    bool lost;           /* .. or one that was not */
+    size_t hold;         /* of a directive's value: the braces around it */
     size_t nesting;
     size_t condition_count, sealed; /* the latter of them cannot be closed */
     struct condition conditions[CONDITIONS_MOST];
-    size_t cells;            /* of all arrays */
-    uint32_t *seeds;         /* of the streams of random numbers */
+    size_t cells;    /* of all arrays */
+    uint32_t *seeds; /* of the streams of random numbers */
     size_t seed_count, seed_room;
-    double version;          /* by #version */
+    double version; /* by #version */
 
     struct symbols symbols;
     struct texture default_texture;
@@ -81,7 +81,7 @@ struct reader {
         size_t at;
     } faults[REPORTS_MOST]; /* where errors are */
     size_t fault_count;
-    bool stopped;       /* too many reports, or no memory */
+    bool stopped; /* too many reports, or no memory */
 };
 
 /* To the next token of a statement: directives are carried out and macros

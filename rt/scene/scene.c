@@ -14,10 +14,9 @@
 const char *primitive_kind_name(enum primitive_kind kind)
 {
     static const char *const names[PRIMITIVE_KINDS] = {
-        "sphere",  "box",     "cylinder",
-        "plane",   "cone",    "torus",
-        "elliptical_torus", "quadric", "quartic",
-        "steiner_patch"
+        "sphere",  "box",          "cylinder",         "plane",
+        "cone",    "torus",        "elliptical_torus", "quadric",
+        "quartic", "steiner_patch"
     };
 
     return names[kind];
@@ -59,8 +58,10 @@ static bool check_part(struct reader *reader, struct part *part,
     if (!placement_is_finite(&own) || !placement_is_finite(&pattern))
         return reader_fault(reader, at, "a transform is out of range");
     return shape_is_finite(primitive)
-        || reader_fault(reader, at, "the %s is too large or too small to be "
-                        "traced", primitive_kind_name(primitive->kind));
+           || reader_fault(reader, at,
+                           "the %s is too large or too small to be "
+                           "traced",
+                           primitive_kind_name(primitive->kind));
 }
 
 static bool add_to_world(struct reader *reader, struct object *object,
@@ -88,7 +89,7 @@ static bool read_object(struct reader *reader, void *subject,
     (void)subject;
     memset(&object, 0, sizeof object);
     done = shape_read(reader, &object, item)
-        && add_to_world(reader, &object, &item->at);
+           && add_to_world(reader, &object, &item->at);
     scene_object_free(&object);
     return done;
 }
@@ -140,17 +141,14 @@ static const struct keyword statements[] = {
 };
 
 static const struct keyword left_out[] = {
-    { "atmosphere", item_left_out, 0 },
-    { "fog", item_left_out, 0 },
-    { "media", item_left_out, 0 },
-    { "rainbow", item_left_out, 0 },
-    { "sky_sphere", item_left_out, 0 },
-    { NULL, NULL, 0 },
+    { "atmosphere", item_left_out, 0 }, { "fog", item_left_out, 0 },
+    { "media", item_left_out, 0 },      { "rainbow", item_left_out, 0 },
+    { "sky_sphere", item_left_out, 0 }, { NULL, NULL, 0 },
 };
 
-const struct grammar file_grammar = {
-    "a statement", { statements, left_out, other_shapes }, NULL
-};
+const struct grammar file_grammar = { "a statement",
+                                      { statements, left_out, other_shapes },
+                                      NULL };
 
 static bool take_primitives(struct reader *reader)
 {
@@ -303,9 +301,8 @@ static struct scene *read_from(const char *name, const char *text,
     if (reader) {
         reader->options = options;
         reader->reports = reports;
-        source = text
-            ? source_add(&reader->sources, name, text, strlen(text))
-            : source_load(&reader->sources, name);
+        source = text ? source_add(&reader->sources, name, text, strlen(text))
+                      : source_load(&reader->sources, name);
     }
     if (source)
         scene = read_source(reader, source);
@@ -315,7 +312,8 @@ static struct scene *read_from(const char *name, const char *text,
     return scene;
 }
 
-struct scene *scene_read(const char *path, const struct scene_options *options,
+struct scene *scene_read(const char *path,
+                         const struct scene_options *options,
                          struct reports *reports)
 {
     return read_from(path, NULL, options, reports);

@@ -122,11 +122,11 @@ struct primitive {
     struct pigment pigment;
     struct finish finish;
     bool no_shadow;
-    double ior;                /* index of refraction of its inside; 1 */
-    bool inverted;             /* an odd number of complements stands above
+    double ior;    /* index of refraction of its inside; 1 */
+    bool inverted; /* an odd number of complements stands above
                                   it: its outward normal points to what is
                                   solid */
-    size_t line; /* where it is written, in the scene's main file */
+    size_t line;   /* where it is written, in the scene's main file */
 };
 
 /* A Boolean tree over primitives, its nodes in preorder: a node, then all that
@@ -153,9 +153,9 @@ struct scene {
     double background[3];
     double ambient_light[3];
     double assumed_gamma; /* 0: not given */
-    int max_trace_level;    /* rays in a chain of reflections, the first
+    int max_trace_level;  /* rays in a chain of reflections, the first
                                counted */
-    double adc_bailout;     /* rays that weigh less are not followed */
+    double adc_bailout;   /* rays that weigh less are not followed */
     size_t light_count;
     struct light *lights;
     size_t primitive_count;
@@ -163,7 +163,7 @@ struct scene {
     size_t node_count;
     struct tree_node *nodes;
     size_t region_count;
-    struct region *regions;       /* in file order */
+    struct region *regions; /* in file order */
 };
 
 /* What the reader has to say of a file: an error (there is then no scene),
@@ -174,7 +174,7 @@ struct report {
     char *file;
     size_t line, column; /* from 1 */
     char *message;
-    char *source;        /* the text of that line */
+    char *source; /* the text of that line */
 };
 
 struct reports {
@@ -196,7 +196,8 @@ struct scene_options {
 
 /* Read a scene file.  NULL when it has errors (all are in *reports) or cannot
  * be read.  The caller frees both. */
-struct scene *scene_read(const char *path, const struct scene_options *options,
+struct scene *scene_read(const char *path,
+                         const struct scene_options *options,
                          struct reports *reports);
 /* The same from text; name stands for the file in reports. */
 struct scene *scene_read_text(const char *name, const char *text,

@@ -17,7 +17,7 @@ static bool read_gamma(struct reader *reader, void *subject,
     if (!read_number(reader, &scene->assumed_gamma))
         return false;
     return scene->assumed_gamma > 0
-        || reader_fault(reader, &item->at, "assumed_gamma is not above 0");
+           || reader_fault(reader, &item->at, "assumed_gamma is not above 0");
 }
 
 static bool read_ambient_light(struct reader *reader, void *subject,
@@ -88,9 +88,9 @@ static const struct keyword left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = {
-    "a word of global_settings", { words, left_out }, NULL
-};
+static const struct grammar grammar = { "a word of global_settings",
+                                        { words, left_out },
+                                        NULL };
 
 bool settings_read(struct reader *reader, struct scene *scene)
 {

@@ -9,9 +9,9 @@ static bool count_primitives(struct reader *reader, size_t more,
 {
     reader->primitives_made += more;
     return reader->primitives_made <= PRIMITIVES_MOST
-        || reader_fault(reader, at,
-                        "more than %d primitives, copies counted",
-                        PRIMITIVES_MOST);
+           || reader_fault(reader, at,
+                           "more than %d primitives, copies counted",
+                           PRIMITIVES_MOST);
 }
 
 bool shape_copy(struct reader *reader, struct object *copy,
@@ -35,7 +35,7 @@ static bool add_primitive(struct reader *reader, struct object *object,
     if (!count_primitives(reader, 1, at))
         return false;
     return object_add_primitive(object, primitive)
-        || reader_no_memory(reader);
+           || reader_no_memory(reader);
 }
 
 /* A texture laid over another hides it. */
@@ -97,15 +97,15 @@ static bool check_solid(struct reader *reader, const struct object *object,
                         const struct token *at)
 {
     return object->part_count <= SOLID_MOST
-        || reader_fault(reader, at,
-                        "more than %d primitives in one solid", SOLID_MOST);
+           || reader_fault(reader, at, "more than %d primitives in one solid",
+                           SOLID_MOST);
 }
 
 static bool read_inverse(struct reader *reader, void *subject,
                          const struct item *item)
 {
     return check_solid(reader, subject, &item->at)
-        && (object_invert(subject) || reader_no_memory(reader));
+           && (object_invert(subject) || reader_no_memory(reader));
 }
 
 static bool read_step(struct reader *reader, void *subject,
@@ -162,9 +162,9 @@ static const struct keyword material_words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar material_grammar = {
-    "a word of material", { material_words }, NULL
-};
+static const struct grammar material_grammar = { "a word of material",
+                                                 { material_words },
+                                                 NULL };
 
 static void take_material(struct object *object,
                           const struct object *material)
@@ -237,11 +237,10 @@ static const struct keyword modifiers_unsupported[] = {
     { NULL, NULL, 0 },
 };
 
-const struct grammar modifier_grammar = {
-    "a word that changes the object",
-    { modifiers, modifiers_left_out, modifiers_unsupported },
-    NULL
-};
+const struct grammar modifier_grammar = { "a word that changes the object",
+                                          { modifiers, modifiers_left_out,
+                                            modifiers_unsupported },
+                                          NULL };
 
 /* As POV-Ray does. */
 static void report_patches(struct reader *reader, const struct object *child,
@@ -301,8 +300,8 @@ static bool read_base(struct reader *reader, struct object *object)
         return reader_expected(reader, "the name of an object, or an object");
     reader_next(reader);
     return item.keyword->read == read_child
-        ? shape_read(reader, object, &item)
-        : item.keyword->read(reader, object, &item);
+               ? shape_read(reader, object, &item)
+               : item.keyword->read(reader, object, &item);
 }
 
 static bool is_joined(enum shape shape)
@@ -323,7 +322,7 @@ static bool read_first(struct reader *reader, struct object *object,
     if (shape == SHAPE_OBJECT)
         return read_base(reader, object);
     return primitive_read(reader, shape, &primitive)
-        && add_primitive(reader, object, &primitive, &item->at);
+           && add_primitive(reader, object, &primitive, &item->at);
 }
 
 /* All of a union, merge, intersection or difference is read. */
@@ -337,7 +336,7 @@ static bool finish_joined(struct reader *reader, struct object *object,
     if (object->joining == JOIN_APART)
         return true;
     return check_solid(reader, object, &item->at)
-        && (object_join(object) || reader_no_memory(reader));
+           && (object_join(object) || reader_no_memory(reader));
 }
 
 bool shape_read(struct reader *reader, struct object *object,

@@ -18,8 +18,8 @@ static char *copy(const char *text, size_t length)
 }
 
 /* Takes the text over. */
-static struct source *adopt(struct source **list, const char *name, char *text,
-                            size_t length)
+static struct source *adopt(struct source **list, const char *name,
+                            char *text, size_t length)
 {
     struct source *source = malloc(sizeof *source);
     char *own_name = copy(name, strlen(name));

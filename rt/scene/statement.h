@@ -9,11 +9,19 @@
 #include "rt/scene/block.h"
 
 /* translate, rotate, scale, matrix, transform: rows of a grammar's table. */
-enum step { STEP_TRANSLATE, STEP_ROTATE, STEP_SCALE, STEP_MATRIX, STEP_NAMED };
-#define STEP_WORDS(read)                                             \
-    { "translate", read, STEP_TRANSLATE },                           \
-    { "rotate", read, STEP_ROTATE }, { "scale", read, STEP_SCALE },  \
+enum step {
+    STEP_TRANSLATE,
+    STEP_ROTATE,
+    STEP_SCALE,
+    STEP_MATRIX,
+    STEP_NAMED
+};
+/* clang-format off */
+#define STEP_WORDS(read) \
+    { "translate", read, STEP_TRANSLATE }, \
+    { "rotate", read, STEP_ROTATE }, { "scale", read, STEP_SCALE }, \
     { "matrix", read, STEP_MATRIX }, { "transform", read, STEP_NAMED }
+/* clang-format on */
 bool step_read(struct reader *reader, const struct item *item,
                struct placement *step);
 /* The block of transform { ... }. */
@@ -50,20 +58,22 @@ enum shape {
     SHAPE_OBJECT,
     SHAPE_LIGHT
 };
-#define SHAPE_WORDS(read)                                            \
-    { "sphere", read, SHAPE_SPHERE }, { "box", read, SHAPE_BOX },    \
-    { "cylinder", read, SHAPE_CYLINDER },                            \
-    { "plane", read, SHAPE_PLANE }, { "cone", read, SHAPE_CONE },    \
-    { "torus", read, SHAPE_TORUS },                                  \
-    { "elliptical_torus", read, SHAPE_ELLIPTICAL_TORUS },            \
-    { "quadric", read, SHAPE_QUADRIC },                              \
-    { "quartic", read, SHAPE_QUARTIC },                              \
-    { "steiner_patch", read, SHAPE_STEINER_PATCH },                  \
-    { "union", read, SHAPE_UNION }, { "merge", read, SHAPE_MERGE },  \
-    { "intersection", read, SHAPE_INTERSECTION },                    \
-    { "difference", read, SHAPE_DIFFERENCE },                        \
-    { "object", read, SHAPE_OBJECT },                                \
+/* clang-format off */
+#define SHAPE_WORDS(read) \
+    { "sphere", read, SHAPE_SPHERE }, { "box", read, SHAPE_BOX }, \
+    { "cylinder", read, SHAPE_CYLINDER }, \
+    { "plane", read, SHAPE_PLANE }, { "cone", read, SHAPE_CONE }, \
+    { "torus", read, SHAPE_TORUS }, \
+    { "elliptical_torus", read, SHAPE_ELLIPTICAL_TORUS }, \
+    { "quadric", read, SHAPE_QUADRIC }, \
+    { "quartic", read, SHAPE_QUARTIC }, \
+    { "steiner_patch", read, SHAPE_STEINER_PATCH }, \
+    { "union", read, SHAPE_UNION }, { "merge", read, SHAPE_MERGE }, \
+    { "intersection", read, SHAPE_INTERSECTION }, \
+    { "difference", read, SHAPE_DIFFERENCE }, \
+    { "object", read, SHAPE_OBJECT }, \
     { "light_source", read, SHAPE_LIGHT }
+/* clang-format on */
 /* Into an empty object; the caller frees it also after an error. */
 bool shape_read(struct reader *reader, struct object *object,
                 const struct item *item);

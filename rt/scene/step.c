@@ -36,7 +36,7 @@ static bool read_matrix(struct reader *reader, const struct item *item,
     if (!reader_expect_sign(reader, '>'))
         return false;
     return placement_matrix(values, step)
-        || reader_fault(reader, &item->at, "the matrix has no inverse");
+           || reader_fault(reader, &item->at, "the matrix has no inverse");
 }
 
 static bool read_named(struct reader *reader, struct placement *step)
@@ -119,6 +119,6 @@ bool transform_read(struct reader *reader, struct placement *placement)
     *placement = reading.inverse ? placement_inverse(&reading.placement)
                                  : reading.placement;
     return placement_is_finite(placement)
-        || reader_fault(reader, &block.open,
-                        "the transform is out of range");
+           || reader_fault(reader, &block.open,
+                           "the transform is out of range");
 }

@@ -206,8 +206,7 @@ static bool read_vstr(struct reader *reader, struct text_buffer *buffer)
     int width, digits;
     bool done;
 
-    if (!read_full_number(reader, &count)
-        || !reader_expect_sign(reader, ',')
+    if (!read_full_number(reader, &count) || !reader_expect_sign(reader, ',')
         || !read_full(reader, &vector) || !reader_expect_sign(reader, ',')
         || !string_read(reader, &between))
         return false;
@@ -325,7 +324,7 @@ bool is_string_word(const struct token *token)
 bool starts_string(const struct reader *reader)
 {
     return reader->token.kind == TOKEN_STRING || find(&reader->token)
-        || reader_value_of(reader, VALUE_STRING);
+           || reader_value_of(reader, VALUE_STRING);
 }
 
 /* Up to the closing bracket, which stays the token. */
@@ -339,8 +338,9 @@ static bool read_call(struct reader *reader,
     if (reader_enter(reader)) {
         reader_next(reader);
         done = reader_expect_sign(reader, '(')
-            && function->read(reader, buffer)
-            && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+               && function->read(reader, buffer)
+               && (reader_at_sign(reader, ')')
+                   || reader_expected(reader, "')'"));
         reader_leave(reader);
     }
     reader_release(reader, hold);

@@ -61,8 +61,8 @@ static struct value **walk(struct value **value, const size_t *element,
         struct array *array = (*value)->is.array;
 
         value = (*value)->kind == VALUE_ARRAY && element[i] < array->count
-            ? &array->cell[element[i]]
-            : NULL;
+                    ? &array->cell[element[i]]
+                    : NULL;
     }
     return value;
 }
@@ -141,8 +141,8 @@ static const char *assign_element(const struct reference *reference,
     size_t last = reference->hops - 1;
     struct value **found = walk(&own, reference->element, last);
     struct array *array = found && *found && (*found)->kind == VALUE_ARRAY
-        ? (*found)->is.array
-        : NULL;
+                              ? (*found)->is.array
+                              : NULL;
     const char *fault = NULL;
 
     if (!array || reference->element[last] >= array->count)
@@ -185,8 +185,8 @@ const char *symbols_refer(struct symbols *symbols, size_t level,
 /* Out of its bucket; the row of locals is left to the caller. */
 static void unlink_symbol(struct symbols *symbols, struct symbol *symbol)
 {
-    struct symbol **link =
-        &symbols->buckets[bucket_of(symbol->name, symbol->length)];
+    struct symbol *
+        *link = &symbols->buckets[bucket_of(symbol->name, symbol->length)];
 
     while (*link != symbol)
         link = &(*link)->next;
@@ -194,8 +194,7 @@ static void unlink_symbol(struct symbols *symbols, struct symbol *symbol)
     symbol_release(symbol);
 }
 
-bool symbols_remove(struct symbols *symbols, const char *name,
-                    size_t length)
+bool symbols_remove(struct symbols *symbols, const char *name, size_t length)
 {
     struct symbol *symbol = symbols_find(symbols, name, length);
     struct symbol **link = &symbols->locals;

@@ -32,8 +32,7 @@ const struct value *reference_value(const struct reference *reference);
 const char *reference_assign(const struct reference *reference,
                              struct value *value);
 const char *symbols_add(struct symbols *symbols, size_t level,
-                        const char *name, size_t length,
-                        struct value *value);
+                        const char *name, size_t length, struct value *value);
 /* A new symbol that stands for another. */
 const char *symbols_refer(struct symbols *symbols, size_t level,
                           const char *name, size_t length,
@@ -43,8 +42,7 @@ const char *symbols_refer(struct symbols *symbols, size_t level,
 void symbol_hold(struct symbol *symbol);
 void symbol_release(struct symbol *symbol);
 /* Forget the innermost symbol of a name; false: there is none. */
-bool symbols_remove(struct symbols *symbols, const char *name,
-                    size_t length);
+bool symbols_remove(struct symbols *symbols, const char *name, size_t length);
 /* Forget all names of the levels above. */
 void symbols_leave(struct symbols *symbols, size_t level);
 void symbols_free(struct symbols *symbols);

@@ -22,9 +22,9 @@ static const struct keyword reflection_left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar reflection_grammar = {
-    "a word of reflection", { reflection_left_out }, NULL
-};
+static const struct grammar reflection_grammar = { "a word of reflection",
+                                                   { reflection_left_out },
+                                                   NULL };
 
 static bool read_least_and_most(struct reader *reader, double least[3])
 {
@@ -84,7 +84,7 @@ static bool read_roughness(struct reader *reader, void *subject,
     if (!read_number(reader, &finish->roughness))
         return false;
     return finish->roughness > 0
-        || reader_fault(reader, &item->at, "roughness is not above 0");
+           || reader_fault(reader, &item->at, "roughness is not above 0");
 }
 
 static const struct keyword finish_words[] = {
@@ -122,7 +122,7 @@ bool finish_read(struct reader *reader, struct finish *finish)
 
     return block_open_from(reader, &block, VALUE_FINISH, finish,
                            sizeof *finish)
-        && block_items(reader, &block, &finish_grammar, finish, true);
+           && block_items(reader, &block, &finish_grammar, finish, true);
 }
 
 static bool read_pigment(struct reader *reader, void *subject,
@@ -222,5 +222,5 @@ bool texture_read(struct reader *reader, struct texture *texture)
     struct block block;
 
     return block_open(reader, &block, '{')
-        && texture_body(reader, &block, texture);
+           && texture_body(reader, &block, texture);
 }

@@ -78,7 +78,7 @@ static bool is_letter(char c)
 static bool is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f'
-        || c == '\v';
+           || c == '\v';
 }
 
 /* The byte that is `ahead` of the next; NUL beyond the end. */
@@ -264,9 +264,9 @@ static struct token read_sign(struct lexer *lexer)
     token.sign = (unsigned char)c;
     if (look(lexer, 1) == '=' && c && strchr("!<>", c)) {
         token.length = 2;
-        token.sign = c == '!' ? SIGN_UNEQUAL
-            : c == '<'        ? SIGN_NOT_ABOVE
-                              : SIGN_NOT_BELOW;
+        token.sign = c == '!'   ? SIGN_UNEQUAL
+                     : c == '<' ? SIGN_NOT_ABOVE
+                                : SIGN_NOT_BELOW;
     }
     step(lexer, token.length);
     if (!c || !strchr("{}()<>[],;=+-*/.?:&|!", c))
@@ -315,7 +315,7 @@ struct token lexer_next(struct lexer *lexer)
 static bool has_text(const struct token *token, const char *word)
 {
     return !strncmp(token->text, word, token->length)
-        && word[token->length] == '\0';
+           && word[token->length] == '\0';
 }
 
 bool is_token(const struct token *token, const char *word)

@@ -6,7 +6,9 @@
 #include <math.h>
 #include <string.h>
 
+/* clang-format off */
 #define IDENTITY { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } }
+/* clang-format on */
 
 const struct placement placement_none = { IDENTITY, IDENTITY };
 

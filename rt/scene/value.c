@@ -6,10 +6,9 @@
 #include <string.h>
 
 static const char *const kind_names[] = {
-    "a number",    "a pigment", "a finish",  "a texture",
-    "an interior", "a material", "a transform", "a camera",
-    "an object",   "a string",  "an array",  "a macro",
-    "nothing",
+    "a number",   "a pigment",   "a finish", "a texture", "an interior",
+    "a material", "a transform", "a camera", "an object", "a string",
+    "an array",   "a macro",     "nothing",
 };
 
 const char *value_kind_name(enum value_kind kind)

@@ -33,7 +33,7 @@ static bool find_square(struct scout *scout)
 {
     size_t *sides = calloc(SIDE * SIDE, sizeof *sides);
 
-    if (sides == NULL)
+    if (!sides)
         return false;
     for (size_t i = 0; i < SIDE * SIDE; i++) {
         size_t row = i / SIDE, column = i % SIDE;
@@ -69,7 +69,7 @@ static bool read_hits(const struct trace *trace, struct scout *scout)
     const c205_word *words = trace_channel(trace, CHANNEL_ID);
 
     scout->hit = malloc(SIDE * SIDE * sizeof *scout->hit);
-    for (size_t i = 0; scout->hit != NULL && i < SIDE * SIDE; i++)
+    for (size_t i = 0; scout->hit && i < SIDE * SIDE; i++)
         scout->hit[i] = c205_to_integer(words[i]) != 0;
     return scout->hit != NULL;
 }
@@ -86,7 +86,7 @@ static bool send_scout(const struct sweep *sweep, struct scout *scout,
     point.trace.mode = TRACE_VECTOR;
     trace = speedup_trace(sweep->subject, &point.view, &point.trace, &scene,
                           error);
-    good = trace != NULL && trace_run(trace, error);
+    good = trace && trace_run(trace, error);
     if (good) {
         snprintf(error->message, sizeof error->message, "no memory");
         good = read_hits(trace, scout) && find_square(scout);
@@ -191,8 +191,8 @@ static struct speedup_view look(const struct sweep *sweep,
     normalise(right);
     cross(forward, right, up);
     middle = (double)scout->side / 2;
-    x = half * (2 * ((double)scout->column + middle + (double)shift) / SIDE
-                - 1);
+    x = half
+        * (2 * ((double)scout->column + middle + (double)shift) / SIDE - 1);
     y = half * (1 - 2 * ((double)scout->row + middle) / SIDE);
     for (int i = 0; i < 3; i++)
         view.aim[i] = view.distance * (x * right[i] + y * up[i]);
@@ -246,12 +246,14 @@ static void say(struct sweep_report *report, const struct sweep *sweep)
     const struct sweep_measure *none = sweep->measures;
     const struct sweep_measure *all = none + sweep->count - 1;
 
-    sweep_report_line(report, "From %.1f %% to %.1f %% of hits a ray of the "
+    sweep_report_line(report,
+                      "From %.1f %% to %.1f %% of hits a ray of the "
                       "scalar form costs %.2f times as much,",
                       sweep_hit_percent(none), sweep_hit_percent(all),
                       sweep_cost(all, SWEEP_SCALAR)
                           / sweep_cost(none, SWEEP_SCALAR));
-    sweep_report_line(report, "one in a queue %.2f times; the speedup goes "
+    sweep_report_line(report,
+                      "one in a queue %.2f times; the speedup goes "
                       "from %.2f to %.2f.",
                       sweep_cost(all, SWEEP_QUEUED)
                           / sweep_cost(none, SWEEP_QUEUED),
@@ -274,12 +276,12 @@ static void draw(struct sweep_report *report, const struct table *table)
 static bool report_hits(struct sweep *sweep, struct sweep_report *report,
                         c205_error *error)
 {
-    struct table *table = sweep_report_table(
-        report, "points", sweep_points_heading,
-        TABLE_COLUMNS(point_columns));
+    struct table *table = sweep_report_table(report, "points",
+                                             sweep_points_heading,
+                                             TABLE_COLUMNS(point_columns));
 
     snprintf(error->message, sizeof error->message, "no memory");
-    if (table == NULL)
+    if (!table)
         return false;
     for (size_t i = 0; i < sweep->count; i++) {
         table_count(table, sweep->measures[i].rays);

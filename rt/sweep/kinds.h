@@ -6,10 +6,10 @@
 
 struct sweep_kind {
     const char *name;
-    const char *title;   /* of a plot: "TITLE: target" */
-    double angle;        /* of a primitive's view, unless the user's */
+    const char *title; /* of a plot: "TITLE: target" */
+    double angle;      /* of a primitive's view, unless the user's */
     bool primitive_only;
-    bool takes_lengths;  /* sweep.lengths */
+    bool takes_lengths; /* sweep.lengths */
     /* Run the points.  False: the error says why. */
     bool (*measure)(struct sweep *sweep, c205_error *error);
     /* What they show.  False: no memory, or the error says why. */
@@ -35,11 +35,11 @@ size_t sweep_lengths(const struct sweep *sweep, size_t most,
 /* Words of memory that a queue takes, from what frames that are one queue
  * touch, in the smallest pages. */
 struct sweep_memory {
-    double a_ray, fixed;      /* words */
-    size_t crossings;         /* of a ray, kept for the visible surface: words
+    double a_ray, fixed; /* words */
+    size_t crossings;    /* of a ray, kept for the visible surface: words
                                  of a_ray, in scenes of solids */
-    double real;              /* words of real memory */
-    double fills;             /* rays of the queue that fills it */
+    double real;         /* words of real memory */
+    double fills;        /* rays of the queue that fills it */
 };
 bool sweep_memory(struct sweep *sweep, struct sweep_memory *memory,
                   c205_error *error);

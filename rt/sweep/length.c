@@ -20,7 +20,7 @@ static bool run_lengths(struct sweep *sweep, const size_t *lengths,
     bool good;
 
     snprintf(error->message, sizeof error->message, "no memory");
-    if (points == NULL)
+    if (!points)
         return false;
     for (size_t i = 0; i < count; i++) {
         points[i] = sweep->base;
@@ -80,10 +80,10 @@ static bool run_between(struct sweep *sweep, size_t first, size_t last,
     bool good;
 
     snprintf(error->message, sizeof error->message, "no memory");
-    for (size_t n = first; lengths != NULL && n <= last; n++)
-        if (sweep_with_queue(sweep, n) == NULL)
+    for (size_t n = first; lengths && n <= last; n++)
+        if (!sweep_with_queue(sweep, n))
             lengths[count++] = n;
-    good = lengths != NULL && run_lengths(sweep, lengths, count, error);
+    good = lengths && run_lengths(sweep, lengths, count, error);
     free(lengths);
     sort(sweep);
     return good;
@@ -163,7 +163,7 @@ static size_t checked_from(const struct sweep *sweep, size_t i)
 /* Was the length before it measured, so that nothing is missed between? */
 static bool is_exact(const struct sweep *sweep, size_t length)
 {
-    return length == 1 || sweep_with_queue(sweep, length - 1) != NULL;
+    return length == 1 || sweep_with_queue(sweep, length - 1);
 }
 
 struct sweep_lengths_found sweep_find_lengths(const struct sweep *sweep)
@@ -176,8 +176,8 @@ struct sweep_lengths_found sweep_find_lengths(const struct sweep *sweep)
         if (is_exact(sweep, found.crossover))
             found.checked = checked_from(sweep, crossover);
     }
-    found.half = length_of(&sweep->measures[first_with(sweep,
-                                                       found.best / 2)]);
+    found.half = length_of(
+        &sweep->measures[first_with(sweep, found.best / 2)]);
     found.half_is_exact = is_exact(sweep, found.half);
     return found;
 }
@@ -226,34 +226,41 @@ static void say(struct sweep_report *report, const struct sweep *sweep,
 {
     if (found->crossover == 0)
         sweep_report_line(report, "The scalar form is cheaper at the longest "
-                          "of these lengths.");
+                                  "of these lengths.");
     else if (found->crossover == length_of(&sweep->measures[0]))
         sweep_report_line(report, "Queues are cheaper from the shortest of "
-                          "these lengths on.");
+                                  "these lengths on.");
     else if (found->checked > 0)
-        sweep_report_line(report, "Crossover: from a length of %zu on queues "
+        sweep_report_line(report,
+                          "Crossover: from a length of %zu on queues "
                           "are cheaper; every length up to %zu was tried.",
                           found->crossover, found->checked);
     else
         sweep_report_line(report, "Crossover: at a length of %zu or before.",
                           found->crossover);
-    sweep_report_line(report, "The best speedup is %.2f; half of it is "
-                      "reached at a length of %zu%s (n-half).", found->best,
-                      found->half, or_before(found->half_is_exact));
+    sweep_report_line(report,
+                      "The best speedup is %.2f; half of it is "
+                      "reached at a length of %zu%s (n-half).",
+                      found->best, found->half,
+                      or_before(found->half_is_exact));
 }
 
 static void draw(struct sweep_report *report,
                  const struct sweep_lengths_found *found)
 {
     report->plotted = report->parts[0].table;
-    report->plot.x = (struct plot_axis){ "rays in the queue, as many as there "
-                                         "are", PLOT_LOG2 };
+    report->plot.x = (struct plot_axis){
+        "rays in the queue, as many as there "
+        "are",
+        PLOT_LOG2
+    };
     report->plot.y = (struct plot_axis){ "times as fast as scalar",
                                          PLOT_LINEAR };
     sweep_report_curve(report, 1 + SWEEP_COLUMN_SPEEDUP, "speedup");
     if (found->crossover > 0)
-        sweep_report_mark(report, (double)found->crossover, "crossover: %zu%s",
-                          found->crossover, or_before(found->checked > 0));
+        sweep_report_mark(report, (double)found->crossover,
+                          "crossover: %zu%s", found->crossover,
+                          or_before(found->checked > 0));
     sweep_report_mark(report, (double)found->half, "n-half: %zu%s",
                       found->half, or_before(found->half_is_exact));
     sweep_report_level(report, 1, "scalar form");
@@ -264,12 +271,12 @@ static bool report_length(struct sweep *sweep, struct sweep_report *report,
                           c205_error *error)
 {
     struct sweep_lengths_found found = sweep_find_lengths(sweep);
-    struct table *table = sweep_report_table(
-        report, "points", sweep_points_heading,
-        TABLE_COLUMNS(point_columns));
+    struct table *table = sweep_report_table(report, "points",
+                                             sweep_points_heading,
+                                             TABLE_COLUMNS(point_columns));
 
     snprintf(error->message, sizeof error->message, "no memory");
-    if (table == NULL)
+    if (!table)
         return false;
     fill(table, sweep, &found);
     say(report, sweep, &found);

@@ -30,7 +30,7 @@ static bool count_crossings(const struct scene *scene, size_t *crossings,
                                      sizeof *plans);
 
     strcpy(error->message, "no memory");
-    if (plans != NULL)
+    if (plans)
         *crossings = plan_leaves(scene, plans);
     free(plans);
     return plans != NULL;
@@ -52,7 +52,8 @@ bool sweep_memory(struct sweep *sweep, struct sweep_memory *memory,
     memory->a_ray = (many - few) / (3 * rays);
     memory->fixed = few - rays * memory->a_ray;
     memory->real = c205_model_lookup(sweep->base.trace.model,
-                                     "memory.real_words")->value;
+                                     "memory.real_words")
+                       ->value;
     memory->fills = (memory->real - memory->fixed) / memory->a_ray;
     return true;
 }

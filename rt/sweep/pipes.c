@@ -29,7 +29,7 @@ static bool measure(struct sweep *sweep, c205_error *error)
 
         points[i] = sweep->base;
         points[i].trace.model = sweep_model(sweep, settings, 2, error);
-        if (points[i].trace.model == NULL)
+        if (!points[i].trace.model)
             return false;
     }
     return sweep_run(sweep, points, MACHINES, error);
@@ -75,8 +75,8 @@ static double faster_than(const struct sweep *sweep, size_t than,
 /* If only the stream of one pipe became so many times as fast. */
 static double amdahl(const struct sweep *sweep, double times)
 {
-    const struct sweep_form *one =
-        &sweep->measures[ONE_PIPE].forms[SWEEP_QUEUED];
+    const struct sweep_form *one = &sweep->measures[ONE_PIPE]
+                                        .forms[SWEEP_QUEUED];
     double all = (double)one->total;
     double stream = (double)sweep_group_clocks(one, SWEEP_STREAM);
 
@@ -86,8 +86,8 @@ static double amdahl(const struct sweep *sweep, double times)
 static void add_limit(struct table *table, const struct sweep *sweep,
                       size_t machine)
 {
-    const struct sweep_form *form =
-        &sweep->measures[machine].forms[SWEEP_QUEUED];
+    const struct sweep_form *form = &sweep->measures[machine]
+                                         .forms[SWEEP_QUEUED];
 
     add_machine(table, machine);
     table_count(table, results_a_clock(machine));
@@ -114,8 +114,8 @@ static void fill_plot(struct table *table, const struct sweep *sweep)
     for (size_t i = 0; i < PER_SIZE; i++) {
         table_count(table, machines[i].pipes);
         for (size_t size = 0; size < SIZES; size++)
-            table_number(table, faster_than(sweep, ONE_PIPE,
-                                            size * PER_SIZE + i));
+            table_number(table,
+                         faster_than(sweep, ONE_PIPE, size * PER_SIZE + i));
         for (size_t size = 0; size < SIZES; size++)
             table_number(table, results_a_clock(size * PER_SIZE + i));
     }
@@ -135,30 +135,36 @@ static void say(struct sweep_report *report, const struct sweep *sweep)
 {
     size_t last = MACHINES - 1;
 
-    sweep_report_line(report, "%u pipes with 32 bits have %u times the "
+    sweep_report_line(report,
+                      "%u pipes with 32 bits have %u times the "
                       "results a clock of one with 64, and are %.2f",
                       machines[last].pipes, results_a_clock(last),
                       faster_than(sweep, ONE_PIPE, last));
     sweep_report_line(report, "times as fast: start-up, scalar code and the "
-                      "streams of gathers gain nothing.");
-    sweep_report_line(report, "If streams took no time at all it would be "
-                      "%.2f times.", amdahl(sweep, INFINITY));
+                              "streams of gathers gain nothing.");
+    sweep_report_line(report,
+                      "If streams took no time at all it would be "
+                      "%.2f times.",
+                      amdahl(sweep, INFINITY));
 }
 
 static bool report_pipes(struct sweep *sweep, struct sweep_report *report,
                          c205_error *error)
 {
-    struct table *points = sweep_report_table(
-        report, "points", sweep_points_heading, TABLE_COLUMNS(point_columns));
-    struct table *limits = sweep_report_table(
-        report, "limits", "In queues: how far start-up limits more pipes",
-        TABLE_COLUMNS(limit_columns));
-    struct table *plotted = sweep_report_table(
-        report, "plot", "Times as fast as one pipe with 64 bits",
-        TABLE_COLUMNS(plot_columns));
+    struct table *points = sweep_report_table(report, "points",
+                                              sweep_points_heading,
+                                              TABLE_COLUMNS(point_columns));
+    struct table *limits =
+        sweep_report_table(report, "limits",
+                           "In queues: how far start-up limits more pipes",
+                           TABLE_COLUMNS(limit_columns));
+    struct table *plotted =
+        sweep_report_table(report, "plot",
+                           "Times as fast as one pipe with 64 bits",
+                           TABLE_COLUMNS(plot_columns));
 
     snprintf(error->message, sizeof error->message, "no memory");
-    if (points == NULL || limits == NULL || plotted == NULL)
+    if (!points || !limits || !plotted)
         return false;
     for (size_t i = 0; i < sweep->count; i++) {
         add_machine(points, i);

@@ -65,8 +65,10 @@ static void fill_memory(struct table *table,
 {
     add_memory(table, "touched for each ray of the queue", memory->a_ray);
     if (solids)
-        add_memory(table, "of these for crossings, kept until the visible "
-                   "surface is known", (double)memory->crossings);
+        add_memory(table,
+                   "of these for crossings, kept until the visible "
+                   "surface is known",
+                   (double)memory->crossings);
     add_memory(table, "touched whatever the queue", memory->fixed);
     add_memory(table, "real memory", memory->real);
 }
@@ -80,7 +82,7 @@ static double group_cost(const struct sweep_measure *measure, int group)
 {
     const struct sweep_form *form;
 
-    if (measure == NULL)
+    if (!measure)
         return NAN;
     form = &measure->forms[SWEEP_QUEUED];
     return sweep_per_ray(measure,
@@ -119,8 +121,10 @@ static size_t queue_of(const struct sweep_measure *measure)
 static double percent_above(const struct sweep_measure *measure,
                             const struct sweep_measure *best)
 {
-    return 100 * (sweep_cost(measure, SWEEP_QUEUED)
-                  / sweep_cost(best, SWEEP_QUEUED) - 1);
+    return 100
+           * (sweep_cost(measure, SWEEP_QUEUED)
+                  / sweep_cost(best, SWEEP_QUEUED)
+              - 1);
 }
 
 /* What rises most on the way from one queue to another. */
@@ -142,12 +146,13 @@ static void say_other(struct sweep_report *report, const char *what,
 {
     enum sweep_group most;
 
-    if (other == NULL || other == best)
+    if (!other || other == best)
         return;
     most = rises_most(best, other);
-    sweep_report_line(report, "%s %zu: %.2f, %.1f %% more; what rises most is "
-                      "%s (%+.2f).", what, queue_of(other),
-                      sweep_cost(other, SWEEP_QUEUED),
+    sweep_report_line(report,
+                      "%s %zu: %.2f, %.1f %% more; what rises most is "
+                      "%s (%+.2f).",
+                      what, queue_of(other), sweep_cost(other, SWEEP_QUEUED),
                       percent_above(other, best), sweep_group_name(most),
                       group_cost(other, most) - group_cost(best, most));
 }
@@ -172,16 +177,19 @@ static void say_memory(struct sweep_report *report,
 {
     if (memory->fills < 1)
         sweep_report_line(report, "Real memory is too small for a queue of "
-                          "any length.");
+                                  "any length.");
     else if (memory->fills < TRACE_QUEUE_MOST)
-        sweep_report_line(report, "A queue of %.0f fills real memory; the "
+        sweep_report_line(report,
+                          "A queue of %.0f fills real memory; the "
                           "paper's %d and the rest take %.0f %% of it.",
                           memory->fills, TRACE_QUEUE,
                           100 * (memory->fixed + TRACE_QUEUE * memory->a_ray)
                               / memory->real);
     else
-        sweep_report_line(report, "The longest queue of all, %d, fits in "
-                          "real memory.", TRACE_QUEUE_MOST);
+        sweep_report_line(report,
+                          "The longest queue of all, %d, fits in "
+                          "real memory.",
+                          TRACE_QUEUE_MOST);
 }
 
 static void say(struct sweep_report *report, const struct sweep *sweep,
@@ -198,8 +206,8 @@ static void say(struct sweep_report *report, const struct sweep *sweep,
 
 /* From the bottom on; what falls and what rises is on top. */
 static const enum sweep_group drawn[SWEEP_GROUPS] = {
-    SWEEP_STREAM, SWEEP_CONFLICT, SWEEP_SERIAL,
-    SWEEP_STARTUP, SWEEP_MISS, SWEEP_FAULT
+    SWEEP_STREAM,  SWEEP_CONFLICT, SWEEP_SERIAL,
+    SWEEP_STARTUP, SWEEP_MISS,     SWEEP_FAULT
 };
 
 /* Beyond so many times the best a queue is out of the picture, which shows
@@ -221,7 +229,7 @@ static void draw(struct sweep_report *report, const struct trio *trio)
                            sweep_group_name(drawn[i]));
     sweep_report_mark(report, (double)queue_of(best), "best: %zu",
                       queue_of(best));
-    if (trio->paper != NULL && trio->paper != best)
+    if (trio->paper && trio->paper != best)
         sweep_report_mark(report, (double)queue_of(trio->paper),
                           "the paper's %zu", queue_of(trio->paper));
     if (scalar < report->plot.y_most)
@@ -243,13 +251,16 @@ static bool report_queue(struct sweep *sweep, struct sweep_report *report,
         return false;
     points = sweep_report_table(report, "points", sweep_points_heading,
                                 TABLE_COLUMNS(point_columns));
-    words = sweep_report_table(report, "memory", "The memory of the program "
-                               "in queues", TABLE_COLUMNS(memory_columns));
-    difference = sweep_report_table(report, "difference", "The best queue, "
+    words = sweep_report_table(report, "memory",
+                               "The memory of the program "
+                               "in queues",
+                               TABLE_COLUMNS(memory_columns));
+    difference = sweep_report_table(report, "difference",
+                                    "The best queue, "
                                     "the paper's, the longest",
                                     TABLE_COLUMNS(difference_columns));
     snprintf(error->message, sizeof error->message, "no memory");
-    if (points == NULL || words == NULL || difference == NULL)
+    if (!points || !words || !difference)
         return false;
     fill_points(points, sweep);
     fill_memory(words, &memory, sweep->scene != NULL);

@@ -6,8 +6,7 @@
 const char sweep_points_heading[] =
     "Clocks per ray: scalar; in queues, and what made those";
 
-void sweep_add_cells(struct table *table,
-                     const struct sweep_measure *measure)
+void sweep_add_cells(struct table *table, const struct sweep_measure *measure)
 {
     const struct sweep_form *queued = &measure->forms[SWEEP_QUEUED];
 
@@ -18,8 +17,9 @@ void sweep_add_cells(struct table *table,
     for (int group = 0; group < SWEEP_GROUPS; group++)
         table_number(table,
                      sweep_per_ray(measure,
-                                   sweep_group_clocks(
-                                       queued, (enum sweep_group)group)));
+                                   sweep_group_clocks(queued,
+                                                      (enum sweep_group)
+                                                          group)));
 }
 
 void sweep_report_free(struct sweep_report *report)
@@ -28,16 +28,17 @@ void sweep_report_free(struct sweep_report *report)
         table_free(report->parts[i].table);
 }
 
-struct table *sweep_report_table(struct sweep_report *report,
-                                 const char *key, const char *heading,
+struct table *sweep_report_table(struct sweep_report *report, const char *key,
+                                 const char *heading,
                                  const struct table_column *columns,
                                  size_t count)
 {
     struct table *table = table_new(columns, count);
 
-    if (table != NULL)
-        report->parts[report->part_count++] =
-            (struct sweep_part){ key, heading, table };
+    if (table)
+        report->parts[report->part_count++] = (struct sweep_part){ key,
+                                                                   heading,
+                                                                   table };
     return table;
 }
 
@@ -56,8 +57,8 @@ void sweep_report_line(struct sweep_report *report, const char *format, ...)
 void sweep_report_curve(struct sweep_report *report, size_t column,
                         const char *title)
 {
-    report->curves[report->plot.curve_count++] =
-        (struct plot_curve){ column, title };
+    report->curves[report->plot.curve_count++] = (struct plot_curve){ column,
+                                                                      title };
     report->plot.curves = report->curves;
 }
 
@@ -76,8 +77,8 @@ void sweep_report_mark(struct sweep_report *report, double x,
     va_list arguments;
 
     va_start(arguments, format);
-    report->marks[report->plot.mark_count++] =
-        label_mark(report, x, format, arguments);
+    report->marks[report->plot.mark_count++] = label_mark(report, x, format,
+                                                          arguments);
     va_end(arguments);
     report->plot.marks = report->marks;
 }
@@ -88,8 +89,8 @@ void sweep_report_level(struct sweep_report *report, double y,
     va_list arguments;
 
     va_start(arguments, format);
-    report->levels[report->plot.level_count++] =
-        label_mark(report, y, format, arguments);
+    report->levels[report->plot.level_count++] = label_mark(report, y, format,
+                                                            arguments);
     va_end(arguments);
     report->plot.levels = report->levels;
 }
@@ -131,9 +132,9 @@ static void add_causes(struct table *table, size_t number,
             continue;
         table_count(table, number);
         table_count(table, trace->queue);
-        table_text(table, trace_mode_name(form == SWEEP_SCALAR
-                                              ? TRACE_SCALAR
-                                              : trace->mode));
+        table_text(table,
+                   trace_mode_name(form == SWEEP_SCALAR ? TRACE_SCALAR
+                                                        : trace->mode));
         table_text(table, c205_cause_name((c205_cause)cause));
         table_count(table, clocks);
     }
@@ -144,7 +145,7 @@ static bool json_causes(const struct sweep *sweep, struct json *json)
     struct table *table = table_new(TABLE_COLUMNS(causes));
     bool good;
 
-    if (table == NULL)
+    if (!table)
         return false;
     for (size_t i = 0; i < sweep->count; i++)
         for (int form = 0; form < SWEEP_FORMS; form++)

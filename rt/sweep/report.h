@@ -25,7 +25,8 @@ struct sweep_part {
 };
 
 struct sweep_report {
-    struct sweep_part parts[SWEEP_PARTS_MOST]; /* the first is of all points */
+    struct sweep_part
+        parts[SWEEP_PARTS_MOST]; /* the first is of all points */
     size_t part_count;
     char lines[SWEEP_LINES_MOST][SWEEP_LINE_SIZE];
     size_t line_count;
@@ -41,6 +42,7 @@ struct sweep_report {
 };
 
 /* Columns of every table of points, behind those that tell them apart. */
+/* clang-format off */
 #define SWEEP_COLUMNS \
     { "hit_percent", "% hit", TABLE_NUMBER, 1 }, \
     { "scalar", "scalar", TABLE_NUMBER, 2 }, \
@@ -52,6 +54,7 @@ struct sweep_report {
     { "conflict", "conflict", TABLE_NUMBER, 2 }, \
     { "miss", "miss", TABLE_NUMBER, 2 }, \
     { "fault", "page fault", TABLE_NUMBER, 2 }
+/* clang-format on */
 /* Where they are, from the first of them on. */
 enum sweep_column {
     SWEEP_COLUMN_HITS,
@@ -67,8 +70,8 @@ void sweep_add_cells(struct table *table,
 
 void sweep_report_free(struct sweep_report *report);
 /* A new table of the report, which keeps it.  NULL: no memory. */
-struct table *sweep_report_table(struct sweep_report *report,
-                                 const char *key, const char *heading,
+struct table *sweep_report_table(struct sweep_report *report, const char *key,
+                                 const char *heading,
                                  const struct table_column *columns,
                                  size_t count);
 void sweep_report_line(struct sweep_report *report, const char *format, ...);

@@ -15,14 +15,13 @@ static struct trace *open_trace(const struct sweep *sweep,
                                 struct scene **scene, c205_error *error)
 {
     *scene = NULL;
-    if (sweep->subject != NULL)
+    if (sweep->subject)
         return speedup_trace(sweep->subject, &point->view, &point->trace,
                              scene, error);
     return trace_new(sweep->scene, &point->trace, error);
 }
 
-static void add_account(struct sweep_form *form,
-                        const c205_account *account)
+static void add_account(struct sweep_form *form, const c205_account *account)
 {
     for (int cause = 0; cause < C205_CAUSES; cause++) {
         form->clocks[cause] += account->clocks[cause];
@@ -40,12 +39,12 @@ static bool add_subject(const struct accounts *accounts,
                         const struct speedup_subject *subject,
                         struct sweep_form *form, c205_error *error)
 {
-    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST && subject->regions[i] != NULL;
-         i++) {
-        const c205_account *account =
-            speedup_account(accounts, subject->regions[i], error);
+    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST && subject->regions[i]; i++) {
+        const c205_account *account = speedup_account(accounts,
+                                                      subject->regions[i],
+                                                      error);
 
-        if (account == NULL)
+        if (!account)
             return false;
         add_account(form, account);
     }
@@ -66,7 +65,7 @@ static bool read_form(const struct sweep *sweep, const struct trace *trace,
     struct sweep_form *into = &measure->forms[form];
 
     *into = (struct sweep_form){ .total = 0 };
-    if (sweep->subject == NULL)
+    if (!sweep->subject)
         add_all(accounts, into);
     else if (!add_subject(accounts, sweep->subject, into, error))
         return false;
@@ -103,9 +102,8 @@ static bool tell(void *context, size_t done, size_t pixels)
 }
 
 /* The same point for the trace of one form. */
-static struct sweep_point point_of_form(struct sweep *sweep,
-                                        const struct sweep_point *point,
-                                        int form)
+static struct sweep_point
+point_of_form(struct sweep *sweep, const struct sweep_point *point, int form)
 {
     struct sweep_point how = *point;
 
@@ -113,7 +111,7 @@ static struct sweep_point point_of_form(struct sweep *sweep,
         how.trace.mode = TRACE_SCALAR;
         how.trace.band = 0;
     }
-    if (sweep->base.trace.progress != NULL) {
+    if (sweep->base.trace.progress) {
         how.trace.progress = tell;
         how.trace.context = sweep;
     }
@@ -129,7 +127,7 @@ static bool measure_form(struct sweep *sweep, int form,
     bool good;
 
     sweep->doing = weight_of(&measure->point, form);
-    good = trace != NULL && trace_run(trace, error)
+    good = trace && trace_run(trace, error)
            && read_form(sweep, trace, form, measure, error);
     sweep->done += sweep->doing;
     trace_free(trace);
@@ -158,11 +156,11 @@ static const struct sweep_point *last_point(const struct sweep *sweep)
 static bool needs_scalar(const struct sweep_point *last,
                          const struct sweep_point *point)
 {
-    return last == NULL || !are_one_in_scalar_form(last, point);
+    return !last || !are_one_in_scalar_form(last, point);
 }
 
-static bool measure_scalar(struct sweep *sweep,
-                           struct sweep_measure *measure, c205_error *error)
+static bool measure_scalar(struct sweep *sweep, struct sweep_measure *measure,
+                           c205_error *error)
 {
     const struct sweep_measure *last;
 
@@ -198,12 +196,12 @@ static bool measure_point(struct sweep *sweep,
 
 static bool make_room(struct sweep *sweep, size_t more, c205_error *error)
 {
-    struct sweep_measure *measures =
-        realloc(sweep->measures,
-                (sweep->count + more) * sizeof *measures);
+    struct sweep_measure *measures = realloc(sweep->measures,
+                                             (sweep->count + more)
+                                                 * sizeof *measures);
 
     snprintf(error->message, sizeof error->message, "no memory");
-    if (measures != NULL)
+    if (measures)
         sweep->measures = measures;
     return measures != NULL;
 }
@@ -235,7 +233,7 @@ bool sweep_run(struct sweep *sweep, const struct sweep_point *points,
             return false;
         sweep->count++;
     }
-    if (to->progress != NULL)
+    if (to->progress)
         to->progress(to->context, sweep->to_do, sweep->to_do);
     return true;
 }
@@ -244,16 +242,16 @@ const c205_model *sweep_model(struct sweep *sweep,
                               const c205_setting *settings, size_t count,
                               c205_error *error)
 {
-    c205_model **models = realloc(sweep->models, (sweep->model_count + 1)
-                                                     * sizeof(*models));
+    c205_model **models = realloc(sweep->models,
+                                  (sweep->model_count + 1) * sizeof(*models));
 
     snprintf(error->message, sizeof error->message, "no memory");
-    if (models == NULL)
+    if (!models)
         return NULL;
     sweep->models = models;
-    models[sweep->model_count] =
-        c205_model_change(sweep->base.trace.model, settings, count, error);
-    if (models[sweep->model_count] == NULL)
+    models[sweep->model_count] = c205_model_change(sweep->base.trace.model,
+                                                   settings, count, error);
+    if (!models[sweep->model_count])
         return NULL;
     return models[sweep->model_count++];
 }
@@ -282,9 +280,9 @@ bool sweep_touched(struct sweep *sweep, const struct sweep_point *point,
     bool good;
 
     how.trace.model = sweep_model(sweep, settings, 3, error);
-    if (how.trace.model != NULL)
+    if (how.trace.model)
         trace = open_trace(sweep, &how, &scene, error);
-    good = trace != NULL && trace_run(trace, error);
+    good = trace && trace_run(trace, error);
     if (good)
         add_all(trace_accounts(trace), &form);
     *words = form.clocks[C205_PAGE_FAULT] * page_words;
@@ -296,12 +294,9 @@ bool sweep_touched(struct sweep *sweep, const struct sweep_point *point,
 /* ---- Of a measure -------------------------------------------------------- */
 
 static const char *const group_names[SWEEP_GROUPS] = {
-    [SWEEP_SERIAL] = "scalar code",
-    [SWEEP_STARTUP] = "start-up",
-    [SWEEP_STREAM] = "stream",
-    [SWEEP_CONFLICT] = "bank conflict",
-    [SWEEP_MISS] = "translation miss",
-    [SWEEP_FAULT] = "page fault",
+    [SWEEP_SERIAL] = "scalar code",    [SWEEP_STARTUP] = "start-up",
+    [SWEEP_STREAM] = "stream",         [SWEEP_CONFLICT] = "bank conflict",
+    [SWEEP_MISS] = "translation miss", [SWEEP_FAULT] = "page fault",
 };
 
 const char *sweep_group_name(enum sweep_group group)

@@ -40,11 +40,11 @@ struct sweep {
     struct sweep_point base; /* what the user asked for; points vary it */
     const size_t *lengths;   /* the queues that the user asked for, rising; */
     size_t length_count;     /* 0: the usual ones */
-    bool pages_in_place;     /* misses and faults are left out of the clocks */
+    bool pages_in_place; /* misses and faults are left out of the clocks */
 
     struct sweep_measure *measures;
     size_t count;
-    c205_model **models;     /* that the points need */
+    c205_model **models; /* that the points need */
     size_t model_count;
     size_t done, doing, to_do; /* of a run, for its progress */
 };

@@ -53,23 +53,21 @@ static c205_word word_of(const uint8_t *bytes)
         fields.g &= (uint8_t)~insn->subop_mask;
         fields.g |= insn->subop;
         word = c205_encode(insn, &fields)
-               | (c205_format_halves(insn->format) == 1
-                  ? word & UINT32_MAX : 0);
+               | (c205_format_halves(insn->format) == 1 ? word & UINT32_MAX
+                                                        : 0);
     }
     return word;
 }
 
 static void load(c205 *machine, const c205_word *code)
 {
-    static const c205_word some[DATA_WORDS] = {
-        C205_ONE, C205_MACHINE_ZERO, C205_INDEFINITE, 1, UINT64_MAX
-    };
-    const c205_segment segments[] = {
-        { CODE, CODE_WORDS, code }, { DATA, DATA_WORDS, some }
-    };
-    const c205_region region = {
-        "half", CODE, CODE + CODE_WORDS * WORD_BITS / 2
-    };
+    static const c205_word some[DATA_WORDS] = { C205_ONE, C205_MACHINE_ZERO,
+                                                C205_INDEFINITE, 1,
+                                                UINT64_MAX };
+    const c205_segment segments[] = { { CODE, CODE_WORDS, code },
+                                      { DATA, DATA_WORDS, some } };
+    const c205_region region = { "half", CODE,
+                                 CODE + CODE_WORDS * WORD_BITS / 2 };
     const c205_program program = { CODE, 2, segments, 1, &region };
     c205_error error;
 

@@ -61,7 +61,7 @@ static c205 *restore(const uint8_t *data, size_t size)
     if (!model)
         return NULL;
     machine = c205_restore(data, size, model, &error);
-    must(machine != NULL || error.message[0] != '\0');
+    must(machine || error.message[0] != '\0');
     return machine;
 }
 

@@ -46,7 +46,7 @@ static struct outcome expect(oracle_rule *rule,
 
 static struct outcome apply(scalar_rule *rule, c205_word a, c205_word b)
 {
-    struct outcome outcome = {.flags = EARLIER_FLAG};
+    struct outcome outcome = { .flags = EARLIER_FLAG };
 
     outcome.word = rule(a, b, &outcome.flags);
     return outcome;
@@ -57,8 +57,8 @@ static void show_mismatch(const char *room, const char *name, c205_word a,
                           struct outcome got)
 {
     printf("%s %s %016" PRIX64 " %016" PRIX64 "\n", room, name, a, b);
-    printf("    expected %016" PRIX64 " flags %06" PRIX64 "\n",
-           expected.word, expected.flags);
+    printf("    expected %016" PRIX64 " flags %06" PRIX64 "\n", expected.word,
+           expected.flags);
     printf("    got      %016" PRIX64 " flags %06" PRIX64 "\n", got.word,
            got.flags);
 }
@@ -78,7 +78,7 @@ static bool check_scalars(const struct operation *operation,
         const struct outcome expected = expect(operation->expected,
                                                operation->format, a, b);
         span->expected[i] = expected;
-        if (operation->scalar == NULL)
+        if (!operation->scalar)
             continue;
         const struct outcome got = apply(operation->scalar, a, b);
         if (!same(expected, got)) {
@@ -98,7 +98,7 @@ static bool check_span(const struct operation *operation, struct span *span)
     span->c[span->n] = guard;
     operation->span(span->c, span->a, span->b, span->n, &flags);
     for (size_t i = 0; i < span->n; i++) {
-        const struct outcome got = {span->c[i], span->expected[i].flags};
+        const struct outcome got = { span->c[i], span->expected[i].flags };
         expected_flags |= span->expected[i].flags;
         if (!same(span->expected[i], got)) {
             show_mismatch("span", operation->name, span->a[i], span->b[i],
@@ -124,8 +124,8 @@ static size_t span_length(uint64_t *random)
     return (size_t)random_between(random, 1, longest);
 }
 
-static bool check_operation(const struct operation *operation,
-                            uint64_t seed, size_t cases)
+static bool check_operation(const struct operation *operation, uint64_t seed,
+                            size_t cases)
 {
     static struct span span;
     struct operands operands = operands_begin(operation->format, seed);
@@ -136,8 +136,7 @@ static bool check_operation(const struct operation *operation,
         if (span.n > cases - done)
             span.n = cases - done;
         operands_next(&operands, span.a, span.b, span.n);
-        if (!check_scalars(operation, &span)
-            || !check_span(operation, &span))
+        if (!check_scalars(operation, &span) || !check_span(operation, &span))
             return false;
     }
     return true;
@@ -155,7 +154,7 @@ static bool check_reduction(const struct reduction *reduction, uint64_t seed,
     for (size_t done = 0; done < cases; done += span.n) {
         span.n = span_length(&random);
         operands_next(&operands, span.a, span.b, span.n);
-        struct outcome expected = {span.b[0], EARLIER_FLAG};
+        struct outcome expected = { span.b[0], EARLIER_FLAG };
         struct outcome got = expected;
         for (size_t i = 0; i < span.n; i++)
             expected.word = reduction->step(reduction->format, expected.word,
@@ -212,7 +211,7 @@ struct run {
 
 static bool wanted(const struct run *run, const char *name)
 {
-    return run->only == NULL || strcmp(run->only, name) == 0;
+    return !run->only || strcmp(run->only, name) == 0;
 }
 
 static void count(struct run *run, const char *name, size_t cases, bool pass)
@@ -257,9 +256,9 @@ static bool read_number(const char *text, uint64_t *number)
 static bool read_arguments(struct run *run, int argc, char **argv)
 {
     static const struct option options[] = {
-        {"seed", required_argument, NULL, 's'},
-        {"operation", required_argument, NULL, 'o'},
-        {NULL, 0, NULL, 0},
+        { "seed", required_argument, NULL, 's' },
+        { "operation", required_argument, NULL, 'o' },
+        { NULL, 0, NULL, 0 },
     };
     uint64_t number;
 
@@ -279,7 +278,7 @@ static bool read_arguments(struct run *run, int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    struct run run = {.seed = 205, .cases = 1000000};
+    struct run run = { .seed = 205, .cases = 1000000 };
 
     if (!read_arguments(&run, argc, argv)) {
         fprintf(stderr, "usage: check_arithmetic [--seed N] "

@@ -52,9 +52,8 @@ static int64_t usual_power(uint64_t *random)
     static const int64_t ends[] = { 134, -90 };
     const int64_t end = ends[random_bits(random) % 2];
 
-    return random_bits(random) % 4 == 0
-               ? end + random_between(random, -3, 3)
-               : random_between(random, -60, 60);
+    return random_bits(random) % 4 == 0 ? end + random_between(random, -3, 3)
+                                        : random_between(random, -60, 60);
 }
 
 /* Any double; every other one of usual size, every third with few bits. */
@@ -93,8 +92,8 @@ static c205_word word_near_doubles(const struct oracle_format *format,
     const long bits = format->width - format->digits - 1;
     const c205_word digits = random_word(format, random) << bits >> bits;
     const int64_t low = format->exponent_min, high = format->exponent_max;
-    const int64_t exponent = random_between(
-        random, low < -1200 ? -1200 : low, high > 1100 ? 1100 : high);
+    const int64_t exponent = random_between(random, low < -1200 ? -1200 : low,
+                                            high > 1100 ? 1100 : high);
 
     return random_bits(random) % 4 == 0
                ? random_word(format, random)
@@ -168,8 +167,8 @@ static const char *chosen(uint64_t *random, const char *const *texts,
 static void random_digits(const struct converters *as, uint64_t *random,
                           char digits[DIGITS + 2], long *exponent)
 {
-    const size_t wanted = (size_t)random_between(
-        random, 1, random_bits(random) % 2 ? 20 : DIGITS);
+    const size_t wanted = (size_t)
+        random_between(random, 1, random_bits(random) % 2 ? 20 : DIGITS);
     const mpfr_rnd_t way = random_bits(random) % 2 ? MPFR_RNDU : MPFR_RNDD;
     mpfr_t value;
 
@@ -190,10 +189,10 @@ static void random_digits(const struct converters *as, uint64_t *random,
 static void random_text(const struct converters *as, uint64_t *random,
                         char text[TEXT])
 {
-    static const char *const signs[] = {"", "", "+", "-", "-"};
-    static const char *const heads[] = {"", "", "", "0", "000"};
-    static const char *const marks[] = {"e", "E"};
-    static const char *const tails[] = {"", "", ")", ",3", " 1", "e", "E+"};
+    static const char *const signs[] = { "", "", "+", "-", "-" };
+    static const char *const heads[] = { "", "", "", "0", "000" };
+    static const char *const marks[] = { "e", "E" };
+    static const char *const tails[] = { "", "", ")", ",3", " 1", "e", "E+" };
     char digits[DIGITS + 2], power[32] = "";
     long exponent;
 
@@ -216,18 +215,58 @@ static void odd_text(const struct converters *as, uint64_t *random,
                      char text[TEXT])
 {
     static const char *const texts[] = {
-        "", "-", "+", ".", "-.", "e5", ".e5", "+-1", "--1", "x", "0", "-0",
-        "0.0", "-.0e5", "1e999999999999999999999", "-1e99999999999999999999",
-        "1e-99999999999999999999", "-1e-99999999999999999999",
-        "0e999999999999999999999", "1.2.3", "5e+", "5e-x", "7.", ".7",
-        "1e9000", "-1e9000", "1e-9000", "1e8645", "1e8646", "1e-8617",
-        "1e-8618", "140737488355327", "140737488355328", "-140737488355328",
-        "-140737488355329", "140737488355328.99999999999999999999999999",
+        "",
+        "-",
+        "+",
+        ".",
+        "-.",
+        "e5",
+        ".e5",
+        "+-1",
+        "--1",
+        "x",
+        "0",
+        "-0",
+        "0.0",
+        "-.0e5",
+        "1e999999999999999999999",
+        "-1e99999999999999999999",
+        "1e-99999999999999999999",
+        "-1e-99999999999999999999",
+        "0e999999999999999999999",
+        "1.2.3",
+        "5e+",
+        "5e-x",
+        "7.",
+        ".7",
+        "1e9000",
+        "-1e9000",
+        "1e-9000",
+        "1e8645",
+        "1e8646",
+        "1e-8617",
+        "1e-8618",
+        "140737488355327",
+        "140737488355328",
+        "-140737488355328",
+        "-140737488355329",
+        "140737488355328.99999999999999999999999999",
         "-140737488355328.00000000000000000000000000000000000000000000001",
         /* the ends of the half words */
-        "8388607", "8388608", "-8388608", "-8388609", "8388608.99999999",
-        "21778069e33", "21778071e33", "21778072e33", "-21778071e33",
-        "-21778072e33", "8e-28", "8077e-31", "8078e-31", "-8e-28",
+        "8388607",
+        "8388608",
+        "-8388608",
+        "-8388609",
+        "8388608.99999999",
+        "21778069e33",
+        "21778071e33",
+        "21778072e33",
+        "-21778071e33",
+        "-21778072e33",
+        "8e-28",
+        "8077e-31",
+        "8078e-31",
+        "-8e-28",
     };
 
     (void)as;

@@ -228,7 +228,7 @@ static void check_everything(struct run *run)
     every_word(&every);
     for (size_t i = 0; i < OPERATION_COUNT; i++) {
         const struct operation *operation = operations + i;
-        if (run->only != NULL && strcmp(run->only, operation->name) != 0)
+        if (run->only && strcmp(run->only, operation->name) != 0)
             continue;
         const size_t cases = operation->unary ? every.n
                                               : run->words.n * run->words.n;

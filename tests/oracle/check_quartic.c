@@ -49,7 +49,7 @@ static void *allocate(size_t count, size_t size)
 {
     void *room = calloc(count, size);
 
-    if (room == NULL) {
+    if (!room) {
         fputs("check_quartic: no memory\n", stderr);
         exit(2);
     }
@@ -64,7 +64,7 @@ static void solve(struct polynomial_roots *roots,
     struct root_search *search = roots_new(polynomials, count, options,
                                            &error);
 
-    if (search == NULL || !roots_run(search, &error)
+    if (!search || !roots_run(search, &error)
         || !roots_read(search, roots, &error)) {
         fprintf(stderr, "check_quartic: %s\n", error.message);
         exit(2);
@@ -227,7 +227,7 @@ static unsigned long check_all(const struct polynomial *polynomials,
         const char *why = quartic_rule(&half, &polynomials[i], &roots[i],
                                        &tallies[i % QUARTIC_KINDS]);
 
-        if (why != NULL)
+        if (why)
             show(&polynomials[i], &roots[i], why);
     }
     half_clear(&half);
@@ -252,7 +252,7 @@ static int check(const struct arguments *arguments)
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
 
-    if (model == NULL) {
+    if (!model) {
         fprintf(stderr, "check_quartic: %s\n", error.message);
         return 2;
     }
@@ -279,8 +279,7 @@ int main(int argc, char **argv)
         return 2;
     }
     oracle_begin();
-    code = arguments.print != NULL ? print_kind(&arguments)
-                                   : check(&arguments);
+    code = arguments.print ? print_kind(&arguments) : check(&arguments);
     oracle_end();
     mpfr_free_cache();
     return code;

@@ -60,8 +60,9 @@ static bool report(const char *who, const struct comparison *comparison,
                    const struct frame *expected, const struct frame *found,
                    const bool *inner)
 {
-    const struct picture_difference is =
-        compare_pictures(comparison, expected, found, inner);
+    const struct picture_difference is = compare_pictures(comparison,
+                                                          expected, found,
+                                                          inner);
     const bool good = within(comparison, &is);
     printf("%-6s %-6s mean %8.2e  greatest %8.2e at %zu, %zu  "
            "beyond %.2e: %zu of %zu  %s\n",
@@ -108,7 +109,7 @@ static bool check_directly(const struct frame *povray, const char *path,
         return false;
     }
     const bool good = same_size("both", povray, &frame)
-        && report("both", &with_povray, povray, &frame, inner);
+                      && report("both", &with_povray, povray, &frame, inner);
     frame_free(&frame);
     return good;
 }
@@ -121,12 +122,13 @@ static bool check_povray(const struct frame *expected,
     const char *path = request->scene;
     struct picture_error error;
     struct frame found;
-    if (!run_povray(path, expected->width, expected->height, &found, &error)) {
+    if (!run_povray(path, expected->width, expected->height, &found,
+                    &error)) {
         fprintf(stderr, "%s\n", error.message);
         return false;
     }
     bool good = same_size("povray", expected, &found)
-        && report("povray", &with_povray, expected, &found, inner);
+                && report("povray", &with_povray, expected, &found, inner);
     if (good && request->frame)
         good = check_directly(&found, request->frame, inner);
     frame_free(&found);
@@ -137,7 +139,8 @@ static bool check_povray(const struct frame *expected,
 
 static bool parse(int count, char **words, struct request *request)
 {
-    if (count < 5 || count > 6 || (count == 6 && strcmp(words[5], "--povray")))
+    if (count < 5 || count > 6
+        || (count == 6 && strcmp(words[5], "--povray")))
         return false;
     request->scene = words[1];
     request->width = strtoul(words[2], NULL, 10);
@@ -149,9 +152,8 @@ static bool parse(int count, char **words, struct request *request)
 
 static struct scene *read_scene(const struct request *request)
 {
-    const struct scene_options options = {
-        .width = (int)request->width, .height = (int)request->height
-    };
+    const struct scene_options options = { .width = (int)request->width,
+                                           .height = (int)request->height };
     struct reports reports = { 0 };
     struct scene *scene = scene_read(request->scene, &options, &reports);
     reports_print(stderr, &reports);
@@ -180,11 +182,11 @@ int main(int count, char **words)
     struct request request;
     if (!parse(count, words, &request)) {
         fprintf(stderr, "usage: check_scene SCENE.pov WIDTH HEIGHT "
-                "FRAME.exr [--povray]\n");
+                        "FRAME.exr [--povray]\n");
         return 2;
     }
     struct scene *const scene = read_scene(&request);
-    const bool good = scene != NULL && compare(&request, scene);
+    const bool good = scene && compare(&request, scene);
     scene_free(scene);
     return good ? 0 : 1;
 }

@@ -52,10 +52,10 @@ static double add_pixel(const struct comparison *comparison,
     return greatest;
 }
 
-struct picture_difference compare_pictures(const struct comparison *comparison,
-                                           const struct frame *expected,
-                                           const struct frame *found,
-                                           const bool *inner)
+struct picture_difference
+compare_pictures(const struct comparison *comparison,
+                 const struct frame *expected, const struct frame *found,
+                 const bool *inner)
 {
     struct picture_difference result = { 0 };
     double sum = 0;
@@ -64,8 +64,8 @@ struct picture_difference compare_pictures(const struct comparison *comparison,
             result.ignored++;
             continue;
         }
-        const double greatest =
-            add_pixel(comparison, expected, found, i, &sum);
+        const double greatest = add_pixel(comparison, expected, found, i,
+                                          &sum);
         result.compared++;
         result.beyond += greatest > comparison->tolerance;
         if (greatest > result.greatest) {
@@ -84,6 +84,6 @@ bool within(const struct comparison *comparison,
             const struct picture_difference *difference)
 {
     return difference->compared > 0
-        && (double)difference->beyond
-            <= comparison->share * (double)difference->compared;
+           && (double)difference->beyond
+                  <= comparison->share * (double)difference->compared;
 }

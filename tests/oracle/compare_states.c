@@ -337,7 +337,7 @@ static void compare_other_ways(struct trial *trial)
     const char *way = disagreeing_way(trial->program,
                                       trial->reference.ended ? &hash : NULL);
 
-    if (way != NULL)
+    if (way)
         differ(trial, "%s ends in another state", way);
 }
 

@@ -69,8 +69,7 @@ static void run_text(struct digest *digest, const c205_model *model,
     c205 *machine = c205_new(model, &error);
 
     asm_errors_print(&errors, &sink);
-    if (!object || !machine
-        || !c205_load(machine, &object->program, &error))
+    if (!object || !machine || !c205_load(machine, &object->program, &error))
         fail(error.message);
     c205_run(machine, CLOCKS);
     take(digest, machine, path);
@@ -98,8 +97,9 @@ static void run_on(c205 *machine)
 {
     for (int i = 0; i < TRAPS_MOST; i++) {
         const c205_stop stop = c205_run(machine, CLOCKS);
-        const unsigned halves =
-            stop.insn ? c205_format_halves(stop.insn->format) : 1;
+        const unsigned halves = stop.insn
+                                    ? c205_format_halves(stop.insn->format)
+                                    : 1;
         if (stop.trap == C205_TRAP_NONE || stop.trap == C205_TRAP_CLOCK_LIMIT)
             break;
         c205_set_pc(machine, stop.pc + HALF_WORD * halves);

@@ -74,7 +74,7 @@ static c205 *copy_machine(const c205 *machine)
     save(machine, keep_bytes, &kept);
     copy = c205_restore(kept.bytes, kept.count, c205_machine_model(machine),
                         &error);
-    if (copy == NULL)
+    if (!copy)
         random_machine_fail(error.message);
     free(kept.bytes);
     return copy;

@@ -26,7 +26,7 @@ static void passing_color(const struct pigment *pigment, int cell,
 {
     for (int i = 0; i < 3; i++)
         passing[i] = pigment->color[cell][i] * pigment->filter[cell]
-            + pigment->transmit[cell];
+                     + pigment->transmit[cell];
 }
 
 void plain_describe(const struct ray *ray, const struct plain_hit *hit,
@@ -83,8 +83,8 @@ static void pass_region(const struct plain_tracer *tracer,
     double last = SHADOW_DISTANCE;
     struct plain_hit hit;
     plain_cross_region(tracer->crossings, tracer->scene, region, ray);
-    while (plain_next_hit(tracer->crossings, last,
-                          distance - SHADOW_DISTANCE, &hit)) {
+    while (plain_next_hit(tracer->crossings, last, distance - SHADOW_DISTANCE,
+                          &hit)) {
         const struct pigment *const pigment = &hit.primitive->pigment;
         double point[3], passing[3];
         point_on(ray, hit.distance, point);
@@ -125,12 +125,16 @@ static void add_light(const struct plain_tracer *tracer,
     copy(left, light->color);
     if (!light->shadowless)
         pass_scene(tracer, &to_light, distance, left);
-    const double bright = light->shadowless ? 0
-        : highlight(surface->finish, surface->ray->direction, surface->normal,
-                    to_light.direction);
+    const double bright = light->shadowless
+                              ? 0
+                              : highlight(surface->finish,
+                                          surface->ray->direction,
+                                          surface->normal,
+                                          to_light.direction);
     for (int i = 0; i < 3; i++)
         color[i] += left[i]
-            * (surface->finish->diffuse * cosine * surface->color[i] + bright);
+                    * (surface->finish->diffuse * cosine * surface->color[i]
+                       + bright);
 }
 
 void plain_shade(const struct plain_tracer *tracer,
@@ -139,7 +143,7 @@ void plain_shade(const struct plain_tracer *tracer,
     const struct scene *const scene = tracer->scene;
     for (int i = 0; i < 3; i++)
         color[i] = surface->finish->ambient[i] * scene->ambient_light[i]
-            * surface->color[i];
+                   * surface->color[i];
     for (size_t i = 0; i < scene->light_count; i++)
         add_light(tracer, &scene->lights[i], surface, color);
 }

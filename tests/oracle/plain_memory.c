@@ -17,7 +17,7 @@ void *plain_room(void *items, size_t count, size_t size)
 {
     void *room = realloc(items, count * size);
 
-    if (room == NULL) {
+    if (!room) {
         fprintf(stderr, "no memory left\n");
         exit(2);
     }
@@ -132,7 +132,7 @@ static struct plain_page *page_of(const struct plain_memory *memory,
 static void map_page(struct plain_memory *memory, uint64_t address,
                      c205_access access)
 {
-    if (page_of(memory, address) == NULL) {
+    if (!page_of(memory, address)) {
         memory->pages = plain_room(memory->pages, memory->page_count + 1,
                                    sizeof *memory->pages);
         memory->pages[memory->page_count++].number = plain_page_number(
@@ -160,7 +160,7 @@ bool plain_is_writable(const struct plain_memory *memory, uint64_t address)
 {
     const struct plain_page *page = page_of(memory, address);
 
-    return page != NULL && page->access == C205_READ_WRITE;
+    return page && page->access == C205_READ_WRITE;
 }
 
 /* ---- Begin and end ----------------------------------------------------- */

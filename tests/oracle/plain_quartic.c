@@ -28,8 +28,8 @@ static struct centred_line centre(const struct ray *ray)
     line.start = -along / square;
     line.step = 1 / sqrtl(square);
     for (int i = 0; i < 3; i++) {
-        line.coordinate[i].c[0] =
-            ray->origin[i] + line.start * ray->direction[i];
+        line.coordinate[i].c[0] = ray->origin[i]
+                                  + line.start * ray->direction[i];
         line.coordinate[i].c[1] = ray->direction[i] * line.step;
     }
     return line;
@@ -60,8 +60,7 @@ static size_t cross_surface(const struct along *surface,
     long double roots[HIGHEST_DEGREE];
     const size_t count = plain_roots(surface->c, HIGHEST_DEGREE, roots);
     for (size_t i = 0; i < count; i++)
-        crossings[i].distance =
-            (double)(line->start + roots[i] * line->step);
+        crossings[i].distance = (double)(line->start + roots[i] * line->step);
     return count;
 }
 
@@ -99,7 +98,8 @@ static void torus_normal(const struct torus *torus, const double point[3],
     const double ratio = torus->radial / torus->axial;
     const double across = point[0] * point[0] + point[2] * point[2];
     const double sum = across + ratio * ratio * point[1] * point[1]
-        + torus->major * torus->major - torus->radial * torus->radial;
+                       + torus->major * torus->major
+                       - torus->radial * torus->radial;
     normal[0] = point[0] * (sum - 2 * torus->major * torus->major);
     normal[1] = point[1] * ratio * ratio * sum;
     normal[2] = point[2] * (sum - 2 * torus->major * torus->major);
@@ -191,8 +191,8 @@ static void quartic_normal(const double *coefficients, const double point[3],
     for (int axis = 0; axis < 3; axis++) {
         normal[axis] = 0;
         for (int i = 0; i < QUARTIC_TERMS; i++)
-            normal[axis] +=
-                coefficients[i] * term_slope(powers[i], axis, point);
+            normal[axis] += coefficients[i]
+                            * term_slope(powers[i], axis, point);
     }
 }
 

@@ -27,7 +27,7 @@ static void turn(const struct transform *transform, const double in[3],
 }
 
 void to_other_space(const struct transform *transform, const double in[3],
-                     double out[3])
+                    double out[3])
 {
     turn(transform, in, out);
     for (int i = 0; i < 3; i++)
@@ -40,7 +40,7 @@ static void normal_to_world(const struct transform *to_local,
 {
     for (int i = 0; i < 3; i++)
         out[i] = to_local->rows[0][i] * in[0] + to_local->rows[1][i] * in[1]
-            + to_local->rows[2][i] * in[2];
+                 + to_local->rows[2][i] * in[2];
     normalise(out);
 }
 
@@ -53,7 +53,8 @@ struct crossing_list *crossing_list_new(const struct scene *scene)
     for (size_t i = 0; i < scene->region_count; i++)
         if (scene->regions[i].primitive_count > most)
             most = scene->regions[i].primitive_count;
-    list = malloc(sizeof *list + most * MOST_CROSSINGS * sizeof *list->places);
+    list = malloc(sizeof *list
+                  + most * MOST_CROSSINGS * sizeof *list->places);
     return list;
 }
 
@@ -86,8 +87,7 @@ static void cross_primitive(struct crossing_list *list,
     }
 }
 
-void plain_cross_region(struct crossing_list *list,
-                        const struct scene *scene,
+void plain_cross_region(struct crossing_list *list, const struct scene *scene,
                         const struct region *region, const struct ray *ray)
 {
     list->scene = scene;
@@ -115,7 +115,8 @@ static bool is_inside(const struct probe *probe,
     double local[3];
     to_other_space(&primitive->to_local, probe->point, local);
     return primitive->kind == PRIMITIVE_STEINER_PATCH
-        ? primitive == probe->behind : plain_encloses(primitive, local);
+               ? primitive == probe->behind
+               : plain_encloses(primitive, local);
 }
 
 static bool value_of(const struct probe *probe, size_t at)
@@ -141,8 +142,8 @@ static bool is_solid(const struct crossing_list *list, double distance,
     const struct primitive *const first =
         &list->scene->primitives[list->region->first_primitive];
     return list->region->primitive_count > 1
-        ? value_of(&probe, list->region->first_node)
-        : is_inside(&probe, first) != first->inverted;
+               ? value_of(&probe, list->region->first_node)
+               : is_inside(&probe, first) != first->inverted;
 }
 
 /* --- what is seen ------------------------------------------------------- */
@@ -156,7 +157,8 @@ static void describe(const struct place *place, bool solid_behind,
     normal_to_world(&place->primitive->to_local, place->normal, hit->normal);
     const double along = dot(hit->normal, direction);
     hit->entering = place->primitive->kind == PRIMITIVE_STEINER_PATCH
-        ? (along < 0) != place->primitive->inverted : solid_behind;
+                        ? (along < 0) != place->primitive->inverted
+                        : solid_behind;
     if (along > 0)
         scale_by(hit->normal, -1);
 }
@@ -167,8 +169,8 @@ static bool look_at(const struct crossing_list *list,
 {
     const double distance = place->distance;
     const bool before = is_solid(list, distance - PLAIN_DELTA, NULL);
-    const bool after =
-        is_solid(list, distance + PLAIN_DELTA, place->primitive);
+    const bool after = is_solid(list, distance + PLAIN_DELTA,
+                                place->primitive);
     if (before == after && list->region->primitive_count > 1)
         return false;
     describe(place, after, list->ray->direction, hit);

@@ -25,8 +25,7 @@ struct crossing_list *crossing_list_new(const struct scene *scene);
 void crossing_list_free(struct crossing_list *list);
 
 /* All crossings of the line with the region's primitives. */
-void plain_cross_region(struct crossing_list *list,
-                        const struct scene *scene,
+void plain_cross_region(struct crossing_list *list, const struct scene *scene,
                         const struct region *region, const struct ray *ray);
 
 /* The nearest of them that can be seen beyond `last` and before `limit`; false

@@ -21,10 +21,9 @@ static size_t cross_sphere(const struct primitive *primitive,
     const double radius = primitive->shape.sphere.radius;
     double from[3], roots[2], point[3];
     add_scaled(from, ray->origin, -1, center);
-    const size_t count =
-        quadratic(dot(ray->direction, ray->direction),
-                  dot(from, ray->direction),
-                  dot(from, from) - radius * radius, roots);
+    const size_t count = quadratic(dot(ray->direction, ray->direction),
+                                   dot(from, ray->direction),
+                                   dot(from, from) - radius * radius, roots);
     for (size_t i = 0; i < count; i++) {
         crossings[i].distance = roots[i];
         point_on(ray, roots[i], point);
@@ -33,9 +32,10 @@ static size_t cross_sphere(const struct primitive *primitive,
     return count;
 }
 
-static void face_crossing(struct crossing *crossing, double distance, int axis)
+static void face_crossing(struct crossing *crossing, double distance,
+                          int axis)
 {
-    *crossing = (struct crossing) { .distance = distance };
+    *crossing = (struct crossing){ .distance = distance };
     crossing->normal[axis] = 1;
 }
 
@@ -45,7 +45,7 @@ static size_t cross_box(const struct primitive *primitive,
                         const struct ray *ray,
                         struct crossing crossings[MOST_CROSSINGS])
 {
-    const double (*const corner)[3] = primitive->shape.box.corner;
+    const double(*const corner)[3] = primitive->shape.box.corner;
     crossings[0].distance = -INFINITY;
     crossings[1].distance = INFINITY;
     for (int axis = 0; axis < 3; axis++) {
@@ -145,7 +145,8 @@ static size_t cross_cylinder(const struct primitive *primitive,
     view.slope = 0;
     const size_t count = cross_wall(&view, crossings);
     return primitive->shape.cylinder.open
-        ? count : count + cross_disks(&view, &crossings[count]);
+               ? count
+               : count + cross_disks(&view, &crossings[count]);
 }
 
 static size_t cross_cone(const struct primitive *primitive,
@@ -157,10 +158,11 @@ static size_t cross_cone(const struct primitive *primitive,
                &view);
     view.radius = primitive->shape.cone.base_radius;
     view.slope = (primitive->shape.cone.cap_radius - view.radius)
-        / view.length;
+                 / view.length;
     const size_t count = cross_wall(&view, crossings);
     return primitive->shape.cone.open
-        ? count : count + cross_disks(&view, &crossings[count]);
+               ? count
+               : count + cross_disks(&view, &crossings[count]);
 }
 
 static size_t cross_plane(const struct primitive *primitive,
@@ -171,15 +173,17 @@ static size_t cross_plane(const struct primitive *primitive,
     const double along = dot(normal, ray->direction);
     if (along == 0)
         return 0;
-    crossings[0].distance =
-        (primitive->shape.plane.distance - dot(normal, ray->origin)) / along;
+    crossings[0].distance = (primitive->shape.plane.distance
+                             - dot(normal, ray->origin))
+                            / along;
     copy(crossings[0].normal, normal);
     return 1;
 }
 
 /* A quadric's gradient at a point; without its linear part in a direction. */
-static void quadric_gradient(const double c[QUADRIC_TERMS], const double at[3],
-                             double linear, double gradient[3])
+static void quadric_gradient(const double c[QUADRIC_TERMS],
+                             const double at[3], double linear,
+                             double gradient[3])
 {
     const double x = at[0], y = at[1], z = at[2];
     gradient[0] = 2 * c[0] * x + c[3] * y + c[4] * z + linear * c[6];
@@ -200,8 +204,8 @@ static size_t cross_quadric(const struct primitive *primitive,
     quadric_gradient(c, ray->origin, 1, at);
     const double b = dot(at, ray->direction) / 2;
     quadric_gradient(c, ray->origin, 2, at);
-    const size_t count =
-        quadratic(a, b, dot(at, ray->origin) / 2 + c[9], roots);
+    const size_t count = quadratic(a, b, dot(at, ray->origin) / 2 + c[9],
+                                   roots);
     for (size_t i = 0; i < count; i++) {
         crossings[i].distance = roots[i];
         point_on(ray, roots[i], point);

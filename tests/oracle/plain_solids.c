@@ -15,7 +15,7 @@ static bool in_sphere(const struct primitive *primitive,
 
 static bool in_box(const struct primitive *primitive, const double point[3])
 {
-    const double (*const corner)[3] = primitive->shape.box.corner;
+    const double(*const corner)[3] = primitive->shape.box.corner;
     for (int i = 0; i < 3; i++)
         if (!(point[i] > corner[0][i] && point[i] < corner[1][i]))
             return false;
@@ -25,7 +25,7 @@ static bool in_box(const struct primitive *primitive, const double point[3])
 static bool in_plane(const struct primitive *primitive, const double point[3])
 {
     return dot(primitive->shape.plane.normal, point)
-        < primitive->shape.plane.distance;
+           < primitive->shape.plane.distance;
 }
 
 /* Between the ends' planes, and nearer to the axis than its radius there. */
@@ -71,7 +71,7 @@ static bool in_ellipses(double major, double radial, double axial,
     const double here = (across - major) / radial;
     const double beyond = (across + major) / radial;
     return here * here + along * along < 1
-        && beyond * beyond + along * along > 1;
+           && beyond * beyond + along * along > 1;
 }
 
 static bool in_torus(const struct primitive *primitive, const double point[3])
@@ -94,7 +94,9 @@ static bool in_quadric(const struct primitive *primitive,
     const double *const c = primitive->shape.quadric.coefficients;
     const double x = point[0], y = point[1], z = point[2];
     return x * (c[0] * x + c[3] * y + c[4] * z + c[6])
-        + y * (c[1] * y + c[5] * z + c[7]) + z * (c[2] * z + c[8]) + c[9] < 0;
+               + y * (c[1] * y + c[5] * z + c[7]) + z * (c[2] * z + c[8])
+               + c[9]
+           < 0;
 }
 
 static double raised(double value, int exponent)
@@ -114,7 +116,7 @@ static bool in_quartic(const struct primitive *primitive,
         for (int y = 4 - x; y >= 0; y--)
             for (int z = 4 - x - y; z >= 0; z--)
                 sum += *c++ * raised(point[0], x) * raised(point[1], y)
-                    * raised(point[2], z);
+                       * raised(point[2], z);
     return sum < 0;
 }
 
@@ -133,5 +135,5 @@ bool plain_encloses(const struct primitive *primitive, const double point[3])
     };
     encloses *const inside = table[primitive->kind];
 
-    return inside != NULL && inside(primitive, point);
+    return inside && inside(primitive, point);
 }

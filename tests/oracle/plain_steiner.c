@@ -84,12 +84,11 @@ static struct conic conic_of(const struct primitive *primitive,
 {
     struct conic conic;
     for (int k = 0; k < STEINER_POINTS; k++) {
-        const double *const point =
-            primitive->shape.steiner_patch.points[k];
+        const double *const point = primitive->shape.steiner_patch.points[k];
         conic.c[k] = 0;
         for (int i = 0; i < 3; i++)
             conic.c[k] += (long double)normal[i]
-                * ((long double)point[i] - ray->origin[i]);
+                          * ((long double)point[i] - ray->origin[i]);
         conic.c[k] *= primitive->shape.steiner_patch.weights[k];
     }
     return conic;
@@ -115,9 +114,9 @@ static void note(struct search *search, const struct place *place)
 static void linearise(const struct conic *conic, const struct place *at,
                       long double terms[3])
 {
-    static const struct place corner[3] = {
-        { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } }
-    };
+    static const struct place corner[3] = { { { 1, 0, 0 } },
+                                            { { 0, 1, 0 } },
+                                            { { 0, 0, 1 } } };
     const long double last = polar(conic, at, &corner[2]);
     terms[0] = polar(conic, at, at);
     terms[1] = 2 * (polar(conic, at, &corner[0]) - last);
@@ -145,8 +144,7 @@ static void refine(struct search *search, struct place place)
     }
 }
 
-static bool one_sign(const struct conic *conic,
-                     const struct place corners[3])
+static bool one_sign(const struct conic *conic, const struct place corners[3])
 {
     int above = 0, below = 0;
     for (int k = 0; k < STEINER_POINTS; k++) {
@@ -236,7 +234,7 @@ static struct crossing crossing_at(const struct primitive *primitive,
     scale_by(sum.xyz, 1 / sum.w);
     add_scaled(from, sum.xyz, -1, ray->origin);
     crossing.distance = dot(from, ray->direction)
-        / dot(ray->direction, ray->direction);
+                        / dot(ray->direction, ray->direction);
     tangent(&rows[0], &rows[2], sum.xyz, tangents[0]);
     tangent(&rows[1], &rows[2], sum.xyz, tangents[1]);
     cross_product(tangents[0], tangents[1], crossing.normal);
@@ -247,9 +245,9 @@ size_t cross_steiner_patch(const struct primitive *primitive,
                            const struct ray *ray,
                            struct crossing crossings[MOST_CROSSINGS])
 {
-    static const struct place corners[3] = {
-        { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } }
-    };
+    static const struct place corners[3] = { { { 1, 0, 0 } },
+                                             { { 0, 1, 0 } },
+                                             { { 0, 0, 1 } } };
     struct search search = { .count = 0 };
     double normals[2][3];
     plane_normals(ray, normals);

@@ -26,7 +26,7 @@ static void find_nearest(const struct plain_tracer *tracer,
                          const struct ray *ray, struct plain_hit *hit)
 {
     const struct scene *const scene = tracer->scene;
-    *hit = (struct plain_hit) { .primitive = NULL, .distance = INFINITY };
+    *hit = (struct plain_hit){ .primitive = NULL, .distance = INFINITY };
     for (size_t i = 0; i < scene->region_count; i++) {
         plain_cross_region(tracer->crossings, scene, &scene->regions[i], ray);
         plain_next_hit(tracer->crossings, NEAREST_HIT, hit->distance, hit);
@@ -98,7 +98,7 @@ static bool refract(const struct plain_surface *surface, double ratio,
 static bool is_clear(const struct scene *scene, const double passing[3])
 {
     return .297 * passing[0] + .589 * passing[1] + .114 * passing[2]
-        > scene->adc_bailout;
+           > scene->adc_bailout;
 }
 
 /* What is totally reflected keeps all of its colour, and the surface is then
@@ -112,8 +112,8 @@ static void branch(const struct branching *from, const struct plain_hit *hit)
     const double index = hit->primitive->ior;
     const bool clear = is_clear(from->tracer->scene, passing);
     double mirrored[3], refracted[3];
-    const bool leaves =
-        refract(surface, hit->entering ? 1 / index : index, refracted);
+    const bool leaves = refract(surface, hit->entering ? 1 / index : index,
+                                refracted);
     mirror(surface, mirrored);
     if (clear && !leaves) {
         follow(from, mirrored, greatest(passing), all);
@@ -149,7 +149,7 @@ static struct ray camera_ray(const struct camera *camera, double u, double v)
     for (int i = 0; i < 3; i++) {
         ray.origin[i] = camera->location[i];
         ray.direction[i] = camera->direction[i] + u * camera->right[i]
-            + v * camera->up[i];
+                           + v * camera->up[i];
     }
     normalise(ray.direction);
     return ray;
@@ -166,8 +166,9 @@ static void store(const struct scene *scene, const struct frame *frame,
                   size_t pixel, const double color[3],
                   const struct plain_hit *hit)
 {
-    const double id =
-        hit->primitive ? (double)(hit->primitive - scene->primitives + 1) : 0;
+    const double id = hit->primitive
+                          ? (double)(hit->primitive - scene->primitives + 1)
+                          : 0;
     for (size_t i = 0; i < 3; i++) {
         frame->channel[CHANNEL_RED + i][pixel] = as_light(scene, color[i]);
         frame->channel[CHANNEL_NORMAL_X + i][pixel] = hit->normal[i];

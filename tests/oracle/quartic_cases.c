@@ -294,7 +294,7 @@ void quartic_case(struct polynomial *polynomial, enum quartic_kind kind,
         bound = (double)integer(state, -30, 30) / 4;
         add_root(&product, bound);
     }
-    if (products[kind] != NULL) {
+    if (products[kind]) {
         products[kind](&product, state);
         cut(polynomial, &product, signed_unit(state),
             kind == QUARTIC_SCALED ? (long)integer(state, -4000, 4000) : 0);

@@ -198,7 +198,7 @@ static const char *check_island(struct half *half,
     facts = find_facts(half);
     found = count_found(half);
     why = check_count(half, island, &facts, found);
-    if (why != NULL)
+    if (why)
         return why;
     tally->roots += (unsigned long)facts.above;
     tally->at_bound += facts.bounded && facts.above > found;
@@ -225,7 +225,7 @@ static const char *check_half(struct half *half, struct tally *tally)
     for (size_t i = 0; i < half->islands.count; i++) {
         const char *why = check_island(half, &half->islands.island[i], tally);
 
-        if (why != NULL)
+        if (why)
             return why;
         on_islands += count_found(half);
     }
@@ -268,7 +268,7 @@ const char *quartic_rule(struct half *half,
     const char *why = check_order(polynomial, roots);
 
     tally->polynomials++;
-    for (int side = -1; why == NULL && side <= 1; side += 2) {
+    for (int side = -1; !why && side <= 1; side += 2) {
         half_take(half, polynomial, roots, side);
         why = check_half(half, tally);
     }

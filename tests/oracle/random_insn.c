@@ -253,7 +253,7 @@ static void draw_registers(uint64_t *random, const c205_insn *insn,
     for (const char *p = syntax; *p; p++) {
         uint8_t *field = field_of(fields, *p);
         char role;
-        if (field == NULL || (p > syntax && p[-1] == '+'))
+        if (!field || (p > syntax && p[-1] == '+'))
             continue;
         role = role_of(random, insn, *p, fields->g);
         *field = (uint8_t)(role == '0' ? 0 : draw_register(random, role));

@@ -24,10 +24,10 @@ static void make_machine(size_t i)
     c205_error error;
 
     models[i] = c205_model_parse("random", random_models[i], &error);
-    if (models[i] == NULL)
+    if (!models[i])
         random_machine_fail(error.message);
     machines[i] = c205_new(models[i], &error);
-    if (machines[i] == NULL)
+    if (!machines[i])
         random_machine_fail(error.message);
 }
 
@@ -112,5 +112,5 @@ unsigned random_insn_halves(const c205 *machine, uint64_t address)
         return 0;
     word <<= address % WORD;
     insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
-    return insn == NULL ? 1 : c205_format_halves(insn->format);
+    return !insn ? 1 : c205_format_halves(insn->format);
 }

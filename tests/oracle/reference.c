@@ -223,7 +223,7 @@ static bool fetch(struct reference *reference)
     if (certain_fault(reference))
         return false;
     insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
-    if (insn == NULL) {
+    if (!insn) {
         add_fault(reference, C205_TRAP_UNDEFINED_INSTRUCTION, *pc, true);
         return false;
     }

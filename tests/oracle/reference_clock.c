@@ -187,7 +187,7 @@ static char written_field(const c205_insn *insn)
 {
     const char *letters = insn->operands;
 
-    if (strpbrk(letters, "wmkcoWM") == NULL)
+    if (!strpbrk(letters, "wmkcoWM"))
         return '\0';
     if (insn->format == C205_FORMAT_ALTER)
         return 'A';

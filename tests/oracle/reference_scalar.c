@@ -322,5 +322,5 @@ static const bool written_out[] = {
 
 bool reference_knows(const c205_insn *insn)
 {
-    return reference_rule(insn) != NULL || written_out[reference_which(insn)];
+    return reference_rule(insn) || written_out[reference_which(insn)];
 }

@@ -91,8 +91,8 @@ bool run_povray(const char *scene, size_t width, size_t height,
     if (child == 0)
         become_povray(scene, width, height, &place);
     const bool good = child > 0 && succeeded(child)
-        ? picture_read(place.picture, frame, error)
-        : fail_with_log(&place, error);
+                          ? picture_read(place.picture, frame, error)
+                          : fail_with_log(&place, error);
     close_workplace(&place);
     return good;
 }

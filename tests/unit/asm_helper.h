@@ -28,8 +28,7 @@ static inline struct object *good(const char *text)
 }
 
 /* The word at an address, 0 where there is none. */
-static inline c205_word word_of(const c205_program *program,
-                                uint64_t address)
+static inline c205_word word_of(const c205_program *program, uint64_t address)
 {
     size_t i;
 

@@ -26,7 +26,7 @@ static inline const char *csv_cell(const char *text, char *cell)
     size_t length = 0;
 
     text += quoted;
-    while (*text != '\0' && (quoted || strchr(",\n", *text) == NULL)) {
+    while (*text != '\0' && (quoted || !strchr(",\n", *text))) {
         if (quoted && *text == '"' && *++text != '"')
             break;
         assert_true(length + 1 < CSV_CELL);

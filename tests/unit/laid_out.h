@@ -13,14 +13,38 @@ static c205_model *model;
 
 /* A program that has the records and, as places only, the kernels. */
 static const char *const kernels[] = {
-    "transformed", "sphere", "box", "cylinder", "open_cylinder", "plane",
-    "cone", "open_cone", "torus", "torus_solid", "elliptical_torus",
-    "elliptical_torus_solid", "quadric", "quadric_solid", "quartic_surface",
-    "quartic_solid", "steiner", "rational_steiner", "steiner_crossings",
-    "rational_steiner_crossings", "normal_sphere",
-    "normal_box", "normal_cylinder", "normal_open_cylinder", "normal_plane",
-    "normal_cone", "normal_open_cone", "normal_torus", "normal_quadric",
-    "normal_quartic", "normal_steiner", "normal_rational_steiner",
+    "transformed",
+    "sphere",
+    "box",
+    "cylinder",
+    "open_cylinder",
+    "plane",
+    "cone",
+    "open_cone",
+    "torus",
+    "torus_solid",
+    "elliptical_torus",
+    "elliptical_torus_solid",
+    "quadric",
+    "quadric_solid",
+    "quartic_surface",
+    "quartic_solid",
+    "steiner",
+    "rational_steiner",
+    "steiner_crossings",
+    "rational_steiner_crossings",
+    "normal_sphere",
+    "normal_box",
+    "normal_cylinder",
+    "normal_open_cylinder",
+    "normal_plane",
+    "normal_cone",
+    "normal_open_cone",
+    "normal_torus",
+    "normal_quadric",
+    "normal_quartic",
+    "normal_steiner",
+    "normal_rational_steiner",
 };
 
 struct stage {
@@ -35,18 +59,19 @@ static inline struct object *stage_program(void)
     struct asm_options how = { .texts = texts };
     struct asm_errors errors = { 0, NULL };
     char text[4000];
-    char *end = text + sprintf(text, "        .equ CROSSING_SIZE, 2\n"
-                                     "        .equ VALUE_SIZE, 3\n"
-                                     "        .equ LEVEL_SIZE, 10\n"
-                                     "        .include \"records.s\"\n"
-                                     "        .entry first\nfirst:  EXIT\n"
-                                     "        .data\n");
+    char *end = text
+                + sprintf(text, "        .equ CROSSING_SIZE, 2\n"
+                                "        .equ VALUE_SIZE, 3\n"
+                                "        .equ LEVEL_SIZE, 10\n"
+                                "        .include \"records.s\"\n"
+                                "        .entry first\nfirst:  EXIT\n"
+                                "        .data\n");
     struct object *program;
 
     for (size_t i = 0; i < COUNT(kernels); i++)
         end += sprintf(end, "%s: .word 0\n", kernels[i]);
     program = assemble_text("stage", text, &how, &errors);
-    if (program == NULL)
+    if (!program)
         fail_msg("%s", errors.items[0].message);
     return program;
 }
@@ -60,7 +85,7 @@ static inline void raise_curtain(struct stage *stage, const char *text,
     stage->scene = read(text);
     stage->program = stage_program();
     stage->machine = c205_new(model, &error);
-    if (stage->machine == NULL
+    if (!stage->machine
         || !c205_load(stage->machine, &stage->program->program, &error)
         || !layout_scene(stage->machine, stage->program, stage->scene, bounds,
                          &frame, &error))
@@ -78,7 +103,7 @@ static inline uint64_t symbol(const struct stage *stage, const char *name)
 {
     const struct asm_symbol *found = object_symbol(stage->program, name);
 
-    if (found == NULL)
+    if (!found)
         fail_msg("no symbol %s", name);
     return (uint64_t)found->value;
 }
@@ -91,7 +116,8 @@ static inline c205_word word_at(const struct stage *stage, uint64_t address)
     return word;
 }
 
-static inline c205_word scene_word(const struct stage *stage, const char *name)
+static inline c205_word scene_word(const struct stage *stage,
+                                   const char *name)
 {
     return word_at(stage, symbol(stage, name));
 }
@@ -151,7 +177,7 @@ static inline int set_up(void **state)
 
     (void)state;
     model = c205_model_find("cyber205-2pipe-prior", &error);
-    return model == NULL;
+    return !model;
 }
 
 static inline int tear_down(void **state)

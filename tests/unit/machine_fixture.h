@@ -74,10 +74,8 @@ static inline void free_little(struct little *little)
 /* Load code, and data_words of zeros at DATA. */
 static inline void load(struct little *little, size_t data_words)
 {
-    c205_segment segments[] = {
-        { CODE, CODE_WORDS, little->code },
-        { DATA, data_words, NULL }
-    };
+    c205_segment segments[] = { { CODE, CODE_WORDS, little->code },
+                                { DATA, data_words, NULL } };
     c205_program program = { CODE, 2, segments, 0, NULL };
     c205_error error = { "" };
     if (!c205_load(little->machine, &program, &error))
@@ -89,8 +87,7 @@ static inline c205_stop run(struct little *little)
     return c205_run(little->machine, 1000000000);
 }
 
-static inline void set(struct little *little, unsigned number,
-                       c205_word word)
+static inline void set(struct little *little, unsigned number, c205_word word)
 {
     c205_set_register(little->machine, number, word);
 }
@@ -105,8 +102,7 @@ static inline c205_word descriptor(uint64_t address, size_t length)
     return (c205_word)length << 48 | address;
 }
 
-static inline c205_word word_at(const struct little *little,
-                                uint64_t address)
+static inline c205_word word_at(const struct little *little, uint64_t address)
 {
     c205_word word = 0;
     assert_true(c205_read(little->machine, address, &word, 1));

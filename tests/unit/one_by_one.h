@@ -70,7 +70,7 @@ struct insn {
     const c205_insn *row;
     c205_fields f;
     struct operand a, b, c, z;
-    unsigned order; /* the register of Z */
+    unsigned order;          /* the register of Z */
     const c205_word *handed; /* by the first of a linked pair, .. */
     bool handed_a, handed_b; /* .. as what */
 };
@@ -103,14 +103,15 @@ static c205_word element_a(struct insn *i, int64_t n)
     if (i->handed_a)
         word = *i->handed;
     else if (i->f.g & C205_G_BROADCAST_A
-        || i->row->format == C205_FORMAT_SCALARS)
+             || i->row->format == C205_FORMAT_SCALARS)
         word = scalar(i, i->f.a);
     else if (n < i->a.length)
         word = *place(i->o, i->a.address + (uint64_t)n * 64);
     else
         return padding(i->row);
     return controlled ? sign(word, i->f.g & C205_G_MAGNITUDE_A,
-                             i->f.g & C205_G_NEGATE_A) : word;
+                             i->f.g & C205_G_NEGATE_A)
+                      : word;
 }
 
 static c205_word element_b(struct insn *i, int64_t n)
@@ -120,7 +121,7 @@ static c205_word element_b(struct insn *i, int64_t n)
     if (i->handed_b)
         word = *i->handed;
     else if (i->f.g & C205_G_BROADCAST_B
-        || i->row->format == C205_FORMAT_SCALARS)
+             || i->row->format == C205_FORMAT_SCALARS)
         word = scalar(i, i->f.b);
     else if (n < i->b.length)
         word = *place(i->o, i->b.address + (uint64_t)n * 64);
@@ -131,8 +132,7 @@ static c205_word element_b(struct insn *i, int64_t n)
 
 static bool one_of_z(struct insn *i, int64_t n)
 {
-    return bit(i->o, i->z.address + (uint64_t)n)
-           != !!(i->f.g & C205_G_ZEROS);
+    return bit(i->o, i->z.address + (uint64_t)n) != !!(i->f.g & C205_G_ZEROS);
 }
 
 static bool permitted(struct insn *i, int64_t n)
@@ -193,33 +193,31 @@ static const struct {
     one *one;
     two *two;
     relation *relation;
-} simple[] = {
-    { "ADDNV", NULL, arith_add_normalised, NULL },
-    { "SUBLV", NULL, arith_subtract_lower, NULL },
-    { "MPYSV", NULL, arith_multiply_significant, NULL },
-    { "DIVUV", NULL, arith_divide_upper, NULL },
-    { "ADJSV", NULL, arith_adjust_significance, NULL },
-    { "ADJEV", NULL, arith_adjust_exponent, NULL },
-    { "PACKV", NULL, arith_pack, NULL },
-    { "ADDXV", NULL, add_index, NULL },
-    { "AVGDV", NULL, arith_average_difference, NULL },
-    { "SHIFTV", NULL, shifted, NULL },
-    { "ANDNV", NULL, and_not, NULL },
-    { "VTOV", copy, NULL, NULL },
-    { "SQRTV", arith_square_root, NULL, NULL },
-    { "FLRV", arith_floor, NULL, NULL },
-    { "CLGV", arith_ceiling, NULL, NULL },
-    { "CMPGEV", NULL, NULL, arith_not_less },
-    { "CMPNEV", NULL, NULL, arith_not_equal },
-    { "SELLTV", NULL, NULL, arith_less },
-    { "SELEQV", NULL, NULL, arith_equal },
-    { "SUBUS", NULL, arith_subtract_upper, NULL },
-    { "ADDNS", NULL, arith_add_normalised, NULL },
-    { "MPYSS", NULL, arith_multiply_significant, NULL },
-    { "DIVUS", NULL, arith_divide_upper, NULL },
-    { "SCHEQV", NULL, NULL, arith_equal },
-    { "SCHGEV", NULL, NULL, arith_not_less }
-};
+} simple[] = { { "ADDNV", NULL, arith_add_normalised, NULL },
+               { "SUBLV", NULL, arith_subtract_lower, NULL },
+               { "MPYSV", NULL, arith_multiply_significant, NULL },
+               { "DIVUV", NULL, arith_divide_upper, NULL },
+               { "ADJSV", NULL, arith_adjust_significance, NULL },
+               { "ADJEV", NULL, arith_adjust_exponent, NULL },
+               { "PACKV", NULL, arith_pack, NULL },
+               { "ADDXV", NULL, add_index, NULL },
+               { "AVGDV", NULL, arith_average_difference, NULL },
+               { "SHIFTV", NULL, shifted, NULL },
+               { "ANDNV", NULL, and_not, NULL },
+               { "VTOV", copy, NULL, NULL },
+               { "SQRTV", arith_square_root, NULL, NULL },
+               { "FLRV", arith_floor, NULL, NULL },
+               { "CLGV", arith_ceiling, NULL, NULL },
+               { "CMPGEV", NULL, NULL, arith_not_less },
+               { "CMPNEV", NULL, NULL, arith_not_equal },
+               { "SELLTV", NULL, NULL, arith_less },
+               { "SELEQV", NULL, NULL, arith_equal },
+               { "SUBUS", NULL, arith_subtract_upper, NULL },
+               { "ADDNS", NULL, arith_add_normalised, NULL },
+               { "MPYSS", NULL, arith_multiply_significant, NULL },
+               { "DIVUS", NULL, arith_divide_upper, NULL },
+               { "SCHEQV", NULL, NULL, arith_equal },
+               { "SCHGEV", NULL, NULL, arith_not_less } };
 enum { SIMPLE = sizeof simple / sizeof simple[0] };
 
 static void do_simple(struct insn *i, size_t which)
@@ -362,10 +360,10 @@ static void do_sparse(struct insn *i, size_t which)
     for (int64_t k = 0; k < n; k++)
         set_bit(i->o, i->z.address + (uint64_t)k,
                 both ? in_a[k] && in_b[k] : in_a[k] || in_b[k]);
-    i->o->reg[i->f.c] =
-        descriptor(i->o->reg[i->f.c] & 0xFFFFFFFFFFFF, (size_t)kept);
-    i->o->reg[i->order] =
-        descriptor(i->o->reg[i->order] & 0xFFFFFFFFFFFF, (size_t)n);
+    i->o->reg[i->f.c] = descriptor(i->o->reg[i->f.c] & 0xFFFFFFFFFFFF,
+                                   (size_t)kept);
+    i->o->reg[i->order] = descriptor(i->o->reg[i->order] & 0xFFFFFFFFFFFF,
+                                     (size_t)n);
 }
 
 static void do_search(struct insn *i, size_t which)
@@ -401,8 +399,8 @@ static void do_mask(struct insn *i)
 {
     for (int64_t n = 0; n < i->c.length; n++) {
         c205_word a = element_a(i, n), b = element_b(i, n);
-        *place(i->o, i->c.address + (uint64_t)n * 64) =
-            one_of_z(i, n) ? a : b;
+        *place(i->o, i->c.address + (uint64_t)n * 64) = one_of_z(i, n) ? a
+                                                                       : b;
     }
 }
 
@@ -419,8 +417,7 @@ static void do_merge(struct insn *i)
 static void do_compress(struct insn *i)
 {
     bool arithmetic = i->row->opcode == 0xCF;
-    int64_t kept = 0, n, length = arithmetic ? source_length(i)
-                                             : i->z.length;
+    int64_t kept = 0, n, length = arithmetic ? source_length(i) : i->z.length;
     for (n = 0; n < length; n++) {
         c205_word a = element_a(i, n);
         bool keep = arithmetic ? arith_not_less(a, element_b(i, n))
@@ -430,8 +427,8 @@ static void do_compress(struct insn *i)
         if (arithmetic)
             set_bit(i->o, i->z.address + (uint64_t)n, keep);
     }
-    i->o->reg[i->f.c] =
-        descriptor(i->o->reg[i->f.c] & 0xFFFFFFFFFFFF, (size_t)kept);
+    i->o->reg[i->f.c] = descriptor(i->o->reg[i->f.c] & 0xFFFFFFFFFFFF,
+                                   (size_t)kept);
 }
 
 static void do_gather(struct insn *i)
@@ -468,7 +465,8 @@ static bool bit_b(struct insn *i, int64_t n)
 static void do_strings(struct insn *i)
 {
     for (int64_t n = 0; n < i->c.length; n++)
-        set_bit(i->o, i->c.address + (uint64_t)n, bit_a(i, n) && !bit_b(i, n));
+        set_bit(i->o, i->c.address + (uint64_t)n,
+                bit_a(i, n) && !bit_b(i, n));
 }
 
 static void do_mask_bits(struct insn *i)
@@ -494,25 +492,23 @@ static void do_compress_bits(struct insn *i)
         if (one_of_z(i, n))
             set_bit(i->o, i->c.address + (uint64_t)kept++, a);
     }
-    i->o->reg[i->f.c] =
-        descriptor(i->o->reg[i->f.c] & 0xFFFFFFFFFFFF, (size_t)kept);
+    i->o->reg[i->f.c] = descriptor(i->o->reg[i->f.c] & 0xFFFFFFFFFFFF,
+                                   (size_t)kept);
 }
 
 static const struct {
     const char *name;
     void (*go)(struct insn *i);
-} special[] = {
-    { "SUMV", do_reduction },   { "PRODV", do_reduction },
-    { "DOTV", do_reduction },   { "MAXV", do_extreme },
-    { "MINV", do_extreme },     { "DELTAV", do_delta },
-    { "ADJMV", do_adjacent_mean }, { "POLYV", do_polynomial },
-    { "INTVLV", do_interval },  { "VREVV", do_reverse },
-    { "MASKV", do_mask },       { "MRGV", do_merge },
-    { "CPSV", do_compress },    { "ACPSV", do_compress },
-    { "VXTOV", do_gather },     { "VTOVX", do_scatter },
-    { "ANDNB", do_strings },    { "MASKB", do_mask_bits },
-    { "MRGB", do_merge_bits },  { "CPSB", do_compress_bits }
-};
+} special[] = { { "SUMV", do_reduction },      { "PRODV", do_reduction },
+                { "DOTV", do_reduction },      { "MAXV", do_extreme },
+                { "MINV", do_extreme },        { "DELTAV", do_delta },
+                { "ADJMV", do_adjacent_mean }, { "POLYV", do_polynomial },
+                { "INTVLV", do_interval },     { "VREVV", do_reverse },
+                { "MASKV", do_mask },          { "MRGV", do_merge },
+                { "CPSV", do_compress },       { "ACPSV", do_compress },
+                { "VXTOV", do_gather },        { "VTOVX", do_scatter },
+                { "ANDNB", do_strings },       { "MASKB", do_mask_bits },
+                { "MRGB", do_merge_bits },     { "CPSB", do_compress_bits } };
 enum { SPECIAL = sizeof special / sizeof special[0] };
 
 static bool is_string(const c205_insn *row)
@@ -529,8 +525,7 @@ static struct insn describe(struct other *o, const c205_insn *row,
     const char *syntax = c205_format_syntax(row->format);
     bool strings = is_string(row);
     int64_t width = strings ? 1 : 64, offset = 0;
-    char letter =
-        row->operands[strcspn(row->operands, "deqco")];
+    char letter = row->operands[strcspn(row->operands, "deqco")];
     memset(&i, 0, sizeof i);
     i.o = o;
     i.row = row;

@@ -15,9 +15,14 @@ enum role { ROLE_A, ROLE_B, ROLE_C, ROLE_X, ROLE_Y, ROLE_Z, ROLES };
 static inline int role_of_letter(char letter)
 {
     switch (letter) {
-    case 'A': case 'a': case 'R': return ROLE_A;
-    case 'B': case 'b': case 'S': return ROLE_B;
-    case 'C': case 'T': return ROLE_C;
+    case 'A':
+    case 'a':
+    case 'R': return ROLE_A;
+    case 'B':
+    case 'b':
+    case 'S': return ROLE_B;
+    case 'C':
+    case 'T': return ROLE_C;
     case 'X': return ROLE_X;
     case 'Y': return ROLE_Y;
     case 'Z': return ROLE_Z;

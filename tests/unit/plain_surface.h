@@ -28,8 +28,7 @@ static inline void assert_near(double found, double expected, double within)
 
 static inline double between(uint64_t *random, double low, double high)
 {
-    return low
-        + (high - low) * (double)(xorshift(random) >> 11) * 0x1p-53;
+    return low + (high - low) * (double)(xorshift(random) >> 11) * 0x1p-53;
 }
 
 static inline void random_direction(uint64_t *random, double direction[3])
@@ -59,8 +58,8 @@ static inline struct nearest shoot(const struct surface *surface,
     struct nearest nearest = { INFINITY, { 0 } };
     for (size_t i = 0; i < surface->count; i++) {
         struct crossing crossings[MOST_CROSSINGS];
-        const size_t count =
-            plain_crossings(&surface->parts[i], ray, crossings);
+        const size_t count = plain_crossings(&surface->parts[i], ray,
+                                             crossings);
         assert_true(count <= MOST_CROSSINGS);
         for (size_t k = 0; k < count; k++)
             if (crossings[k].distance > START
@@ -123,8 +122,7 @@ static inline double inside(const struct surface *surface,
                             const struct ray *ray)
 {
     struct crossing crossings[MOST_CROSSINGS];
-    const size_t count =
-        plain_crossings(&surface->parts[0], ray, crossings);
+    const size_t count = plain_crossings(&surface->parts[0], ray, crossings);
     double sum = 0;
     assert_int_equal(count % 2, 0);
     qsort(crossings, count, sizeof *crossings, compare_distances);

@@ -11,7 +11,7 @@
 #include "tests/unit/traced_frame.h"
 
 static struct {
-    bool clear;   /* some parts are; their solids, too, are mirrors */
+    bool clear; /* some parts are; their solids, too, are mirrors */
     bool gridded;
     bool patches; /* where they are not reported, unless reports may be */
 } solids;
@@ -131,26 +131,27 @@ static inline void add_elliptical_torus(char *text, size_t size)
 
 static inline void add_quartic(char *text, size_t size)
 {
-    add(text, size, "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,"
-        "0,0,0,0,0,0,0,1,0,0,%.4f,-%.4f> ", place_between(-.3, .3),
-        size_between(.4, 1));
+    add(text, size,
+        "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,"
+        "0,0,0,0,0,0,0,1,0,0,%.4f,-%.4f> ",
+        place_between(-.3, .3), size_between(.4, 1));
 }
 
 static inline void add_patch(char *text, size_t size)
 {
-    add(text, size, "steiner_patch { <-1, 0, 0>, <0, 2, 0>, <1, 0, 0>, "
+    add(text, size,
+        "steiner_patch { <-1, 0, 0>, <0, 2, 0>, <1, 0, 0>, "
         "<-1, 1, -%.4f>, <1, 1, %.4f>, <0, -.5, -%.4f> ",
         size_between(.2, 1), place_between(-1, 1), size_between(.2, 1));
     if (below(2))
-        add(text, size, "weights 1, 1, 1, %.2f, .5, 1 ",
-            size_between(.5, 2));
+        add(text, size, "weights 1, 1, 1, %.2f, .5, 1 ", size_between(.5, 2));
 }
 
 static inline void add_leaf(char *text, size_t size)
 {
     static void (*const add_shape[])(char *, size_t) = {
-        add_ball, add_box, add_cylinder, add_cone, add_plane, add_quadric,
-        add_torus, add_elliptical_torus, add_quartic, add_patch
+        add_ball,    add_box,   add_cylinder,         add_cone,    add_plane,
+        add_quadric, add_torus, add_elliptical_torus, add_quartic, add_patch
     };
     size_t kinds = sizeof add_shape / sizeof *add_shape - !solids.patches;
 
@@ -197,8 +198,9 @@ static inline void add_solid(char *text, size_t size, size_t depth)
         const char *word;
         bool meets; /* a patch in it is reported */
     } joined[] = {
-        { "difference", true }, { "difference", true },
-        { "intersection", true }, { "merge", false }, { "union", false },
+        { "difference", true },   { "difference", true },
+        { "intersection", true }, { "merge", false },
+        { "union", false },
     };
     size_t which = below(sizeof joined / sizeof *joined);
     bool patches = solids.patches;

@@ -18,9 +18,9 @@
 #define PRINTED 1e-6 /* POV-Ray's six places */
 
 static const struct scene_options options = { .width = 640, .height = 480 };
-static const struct scene_options strict = {
-    .width = 640, .height = 480, .strict = true
-};
+static const struct scene_options strict = { .width = 640,
+                                             .height = 480,
+                                             .strict = true };
 
 static inline void assert_close(double a, double b, double within)
 {

@@ -31,18 +31,18 @@ void __wrap_free(void *old);
 /* ---- The host ------------------------------------------------------------ */
 
 static struct {
-    size_t calls;   /* allocations asked for since .. */
-    size_t fails;   /* .. this one of them fails; 0: none does */
-    bool for_good;  /* and so do all after it */
-    long living;    /* given and not taken back */
+    size_t calls;  /* allocations asked for since .. */
+    size_t fails;  /* .. this one of them fails; 0: none does */
+    bool for_good; /* and so do all after it */
+    long living;   /* given and not taken back */
 } host;
 
 static bool refuses(void)
 {
     host.calls++;
-    bool refused = host.fails && (host.calls == host.fails
-                                  || (host.for_good
-                                      && host.calls > host.fails));
+    bool refused = host.fails
+                   && (host.calls == host.fails
+                       || (host.for_good && host.calls > host.fails));
     if (refused)
         errno = ENOMEM;
     return refused;
@@ -160,9 +160,10 @@ static bool find_models(FILE *out, c205_error *error)
     static const char text[] = "title Slow\nlike cyber205-2pipe-prior\n"
                                "latency.load 99 clk R\n";
     c205_model *parsed = c205_model_parse("slow", text, error);
-    c205_model *read =
-        parsed ? c205_model_find("vm/models/cyber205-2pipe.model", error)
-               : NULL;
+    c205_model *read = parsed
+                           ? c205_model_find("vm/models/cyber205-2pipe.model",
+                                             error)
+                           : NULL;
     if (read)
         fprintf(out, "%s, %s\n", c205_model_title(parsed),
                 c205_model_title(read));
@@ -289,9 +290,10 @@ static bool assemble_long(FILE *out, c205_error *error)
 /* A text with errors is refused, whatever else happens. */
 static bool assemble_wrong(FILE *out, c205_error *error)
 {
-    struct object *made =
-        assembled("        NOPE\n        ADDN r1, nowhere, r3\n"
-                  "        .if 1\n        .include \"missing.s\"\n", error);
+    struct object
+        *made = assembled("        NOPE\n        ADDN r1, nowhere, r3\n"
+                          "        .if 1\n        .include \"missing.s\"\n",
+                          error);
     fputs("refused", out);
     assert_null(made);
     return true;
@@ -302,9 +304,9 @@ static bool read_object(FILE *out, c205_error *error)
     struct text_buffer buffer = { NULL, 0, 0, false };
     struct sink text = text_buffer_sink(&buffer), sink = stream_sink(out);
     object_write(object, &text);
-    struct object *copy =
-        buffer.failed ? (no_memory(error), NULL)
-                      : object_read(buffer.text, buffer.length, error);
+    struct object *copy = buffer.failed ? (no_memory(error), NULL)
+                                        : object_read(buffer.text,
+                                                      buffer.length, error);
     if (copy)
         object_write(copy, &sink);
     text_buffer_free(&buffer);
@@ -369,8 +371,8 @@ static bool run_object(FILE *out, c205_error *error)
 static bool run_example(FILE *out, c205_error *error)
 {
     struct asm_errors errors = { 0, NULL };
-    struct object *made =
-        assemble_file("asm/examples/lookup.s", NULL, &errors);
+    struct object *made = assemble_file("asm/examples/lookup.s", NULL,
+                                        &errors);
     c205 *machine = NULL;
     if (made)
         machine = loaded(made, error);
@@ -422,8 +424,8 @@ static bool check_object(FILE *out, c205_error *error)
         c205_stop stop = c205_run(machine, C205_NO_LIMIT);
         done = stop.trap != C205_TRAP_NO_MEMORY && !printed.failed;
         if (done)
-            assert_true(expect_check(object, machine, &stop, printed.text,
-                                     &report));
+            assert_true(
+                expect_check(object, machine, &stop, printed.text, &report));
     }
     text_buffer_free(&printed);
     c205_free(machine);
@@ -479,19 +481,10 @@ static bool report_pipes(FILE *out, c205_error *error)
 /* ---- The tests ----------------------------------------------------------- */
 
 #define TASKS(use) \
-    use(find_models) \
-    use(assemble_one) \
-    use(assemble_wrong) \
-    use(read_object) \
-    use(disassemble_object) \
-    use(run_object) \
-    use(run_example) \
-    use(save_and_restore) \
-    use(check_object) \
-    use(measure_one) \
-    use(write_json) \
-    use(report_speedups) \
-    use(report_pipes)
+    use(find_models) use(assemble_one) use(assemble_wrong) use(read_object) \
+        use(disassemble_object) use(run_object) use(run_example) \
+            use(save_and_restore) use(check_object) use(measure_one) \
+                use(write_json) use(report_speedups) use(report_pipes)
 
 #define TEST(task) \
     static void test_##task(void **state) \
@@ -531,8 +524,7 @@ static int tidy(void **state)
 int main(void)
 {
 #define LISTED(task) cmocka_unit_test(test_##task),
-    const struct CMUnitTest tests[] = {
-        TASKS(LISTED) cmocka_unit_test(test_any_block)
-    };
+    const struct CMUnitTest tests[] = { TASKS(LISTED) cmocka_unit_test(
+        test_any_block) };
     return cmocka_run_group_tests_name("allocation", tests, prepare, tidy);
 }

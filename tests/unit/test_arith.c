@@ -10,13 +10,13 @@
 enum { TOP = WORD_EXPONENT_MAX, BOTTOM = WORD_EXPONENT_MIN, ROUNDS = 20000 };
 
 /* word_make as a constant. */
-#define W(exponent, coefficient)                                           \
-    ((c205_word)(int64_t)(exponent) << 48                                  \
-     | ((c205_word)(coefficient) & WORD_COEFFICIENT_MASK))
+#define W(exponent, coefficient) \
+    ((c205_word)(int64_t)(exponent) << 48 \
+     | ((c205_word)(coefficient)&WORD_COEFFICIENT_MASK))
 
-#define BINARY(op, a, b, expected, flags)                                  \
+#define BINARY(op, a, b, expected, flags) \
     BINARY_GIVES(arith_##op, a, b, expected, flags)
-#define UNARY(op, a, expected, flags)                                      \
+#define UNARY(op, a, expected, flags) \
     UNARY_GIVES(arith_##op, a, expected, flags)
 
 /* ---- Add, subtract ------------------------------------------------------ */
@@ -24,9 +24,10 @@ enum { TOP = WORD_EXPONENT_MAX, BOTTOM = WORD_EXPONENT_MIN, ROUNDS = 20000 };
 static void test_add_special(void **state)
 {
     static arith_binary *const sums[] = {
-        arith_add_upper, arith_add_lower, arith_add_normalised,
-        arith_subtract_upper, arith_subtract_lower,
-        arith_subtract_normalised, arith_average, arith_average_difference,
+        arith_add_upper,      arith_add_lower,
+        arith_add_normalised, arith_subtract_upper,
+        arith_subtract_lower, arith_subtract_normalised,
+        arith_average,        arith_average_difference,
     };
 
     (void)state;
@@ -38,7 +39,8 @@ static void test_add_special(void **state)
         assert_int_equal(flags, INDEFINITE_FLAG);
         flags = 0;
         assert_int_equal(sums[i](MZ + 7, UINT64_C(0x8FFF000000000001),
-                                 &flags), MZ);
+                                 &flags),
+                         MZ);
         assert_int_equal(flags, ZERO_FLAG);
     }
 }
@@ -175,8 +177,7 @@ static void test_multiply_significant(void **state)
     BINARY(multiply_significant, W(3, 0), C205_ONE, MZ, ZERO_FLAG);
     BINARY(multiply_significant, W(TOP, HALF), W(-45, HALF), IND,
            OVERFLOW_FLAGS);
-    BINARY(multiply_significant, W(TOP, HALF), W(-46, HALF), W(TOP, HALF),
-           0);
+    BINARY(multiply_significant, W(TOP, HALF), W(-46, HALF), W(TOP, HALF), 0);
     BINARY(multiply_significant, W(BOTTOM, HALF), W(-47, HALF), MZ,
            ZERO_FLAG);
 }
@@ -250,8 +251,7 @@ static void test_square_root(void **state)
     UNARY(square_root, MZ + 1, MZ, ZERO_FLAG);
     UNARY(square_root, MZ | UINT64_C(0xFFFFFFFFFFFF), MZ, ZERO_FLAG);
     UNARY(square_root, W(0, -1), IND, ROOT_FLAGS);
-    UNARY(square_root, IND | UINT64_C(0xFFFFFFFFFFFF), IND,
-          INDEFINITE_FLAG);
+    UNARY(square_root, IND | UINT64_C(0xFFFFFFFFFFFF), IND, INDEFINITE_FLAG);
     UNARY(square_root, W(BOTTOM, HALF), W(BOTTOM / 2 - 23, HALF), 0);
 }
 
@@ -311,19 +311,19 @@ static void test_exponent(void **state)
 
 /* Rising values; those of one row are equal. */
 static const c205_word ladder[][4] = {
-    {W(TOP, MIN), W(TOP, MIN), W(TOP, MIN), W(TOP, MIN)},
-    {W(1, MIN), W(1, MIN), W(1, MIN), W(1, MIN)},
-    {W(0, MIN), W(1, -HALF), W(47, -1), W(46, -2)},
-    {W(0, -2), W(1, -1), W(-46, MIN), W(-45, -HALF)},
-    {W(BOTTOM, -1), W(BOTTOM, -1), W(BOTTOM, -1), W(BOTTOM, -1)},
-    {MZ, W(TOP, 0), W(BOTTOM, 0), MZ | UINT64_C(0xFFFFFFFFFFFF)},
-    {W(BOTTOM, 1), W(BOTTOM, 1), W(BOTTOM, 1), W(BOTTOM, 1)},
-    {W(BOTTOM, HALF), W(BOTTOM + 46, 1), W(BOTTOM + 45, 2),
-     W(BOTTOM, HALF)},
-    {C205_ONE, W(0, 1), W(-1, 2), W(-45, HALF / 2)},
-    {W(-46, HALF + 1), W(-46, HALF + 1), W(-46, HALF + 1),
-     W(-46, HALF + 1)},
-    {W(TOP, MAX), W(TOP, MAX), W(TOP, MAX), W(TOP, MAX)},
+    { W(TOP, MIN), W(TOP, MIN), W(TOP, MIN), W(TOP, MIN) },
+    { W(1, MIN), W(1, MIN), W(1, MIN), W(1, MIN) },
+    { W(0, MIN), W(1, -HALF), W(47, -1), W(46, -2) },
+    { W(0, -2), W(1, -1), W(-46, MIN), W(-45, -HALF) },
+    { W(BOTTOM, -1), W(BOTTOM, -1), W(BOTTOM, -1), W(BOTTOM, -1) },
+    { MZ, W(TOP, 0), W(BOTTOM, 0), MZ | UINT64_C(0xFFFFFFFFFFFF) },
+    { W(BOTTOM, 1), W(BOTTOM, 1), W(BOTTOM, 1), W(BOTTOM, 1) },
+    { W(BOTTOM, HALF), W(BOTTOM + 46, 1), W(BOTTOM + 45, 2),
+      W(BOTTOM, HALF) },
+    { C205_ONE, W(0, 1), W(-1, 2), W(-45, HALF / 2) },
+    { W(-46, HALF + 1), W(-46, HALF + 1), W(-46, HALF + 1),
+      W(-46, HALF + 1) },
+    { W(TOP, MAX), W(TOP, MAX), W(TOP, MAX), W(TOP, MAX) },
 };
 
 static void compare_steps(size_t i, size_t j)
@@ -349,7 +349,7 @@ static void test_compare(void **state)
 
 static void test_compare_indefinite(void **state)
 {
-    const c205_word others[] = {IND, C205_ONE, MZ, W(TOP, MIN)};
+    const c205_word others[] = { IND, C205_ONE, MZ, W(TOP, MIN) };
 
     (void)state;
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
@@ -424,12 +424,13 @@ static void test_roots_and_squares(void **state)
 
     (void)state;
     for (int i = 0; i < ROUNDS; i++) {
-        const c205_word a = arith_absolute(
-            xorshift_normalised(&seed, -99, 99), &flags);
+        const c205_word a = arith_absolute(xorshift_normalised(&seed, -99,
+                                                               99),
+                                           &flags);
         const c205_word r = arith_square_root(a, &flags);
         const c205_word square = arith_multiply_significant(r, r, &flags);
-        const c205_word next
-            = arith_multiply_significant(r + 1, r + 1, &flags);
+        const c205_word next = arith_multiply_significant(r + 1, r + 1,
+                                                          &flags);
         assert_true(word_is_normalised(r));
         assert_true(arith_not_less(a, square));
         assert_true(arith_not_less(next, a));

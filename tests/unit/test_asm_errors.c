@@ -60,7 +60,8 @@ static void test_expressions(void **state)
         { " .word X'12\n", 1, 8, "ends with '" },
         { " .word 99999999999999999999\n", 1, 8, "63 bits" },
         { " .word -1000000000000000000000000000000000000000000000000000000000"
-          "000000000000000000000000000000.0\n", 1, 8, "78 characters" },
+          "000000000000000000000000000000.0\n",
+          1, 8, "78 characters" },
     };
 
     (void)state;
@@ -234,8 +235,8 @@ static void test_names_of_the_command(void **state)
     struct asm_errors errors = { 0, NULL };
 
     (void)state;
-    assert_null(assemble_text("test.s", " EXIT\nN: EXIT\n", &options,
-                              &errors));
+    assert_null(
+        assemble_text("test.s", " EXIT\nN: EXIT\n", &options, &errors));
     check_one(&errors, "N", 2, 1, "defined by the command already");
     asm_errors_free(&errors);
 }
@@ -271,14 +272,34 @@ static void test_operators(void **state)
         const char *expression;
         int64_t value;
     } cases[] = {
-        { "1 >= 1", 1 }, { "1 >= 2", 0 }, { "1 != 2", 1 }, { "2 != 2", 0 },
-        { "1 <= 0", 0 }, { "1 < 2", 1 }, { "2 > 1", 1 }, { "1 == 1", 1 },
-        { "!1", 0 }, { "!0", 1 }, { "-(5)", -5 }, { "~5", -6 },
-        { "7 % 4", 3 }, { "7 / 2", 3 }, { "1 && 0", 0 }, { "2 && 3", 1 },
-        { "0 || 0", 0 }, { "0 || 5", 1 }, { "1 || 1 / 0", 1 },
-        { "0 && 1 / 0", 0 }, { "1 ^ 3", 2 }, { "3 | 4", 7 }, { "6 & 3", 2 },
-        { "1 << 5", 32 }, { "64 >> 5", 2 }, { "2 + 3 * 4", 14 },
-        { "length(\"abc\")", 3 }, { "bits(word(77))", 77 },
+        { "1 >= 1", 1 },
+        { "1 >= 2", 0 },
+        { "1 != 2", 1 },
+        { "2 != 2", 0 },
+        { "1 <= 0", 0 },
+        { "1 < 2", 1 },
+        { "2 > 1", 1 },
+        { "1 == 1", 1 },
+        { "!1", 0 },
+        { "!0", 1 },
+        { "-(5)", -5 },
+        { "~5", -6 },
+        { "7 % 4", 3 },
+        { "7 / 2", 3 },
+        { "1 && 0", 0 },
+        { "2 && 3", 1 },
+        { "0 || 0", 0 },
+        { "0 || 5", 1 },
+        { "1 || 1 / 0", 1 },
+        { "0 && 1 / 0", 0 },
+        { "1 ^ 3", 2 },
+        { "3 | 4", 7 },
+        { "6 & 3", 2 },
+        { "1 << 5", 32 },
+        { "64 >> 5", 2 },
+        { "2 + 3 * 4", 14 },
+        { "length(\"abc\")", 3 },
+        { "bits(word(77))", 77 },
     };
 
     (void)state;
@@ -298,17 +319,16 @@ static void test_operators(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_expressions),
-        cmocka_unit_test(test_directives),
-        cmocka_unit_test(test_expansion),
-        cmocka_unit_test(test_instructions),
-        cmocka_unit_test(test_expectations),
-        cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_line_ends),
-        cmocka_unit_test(test_names_of_the_command),
-        cmocka_unit_test(test_search_folders),
-        cmocka_unit_test(test_operators)
-    };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_expressions),
+                                        cmocka_unit_test(test_directives),
+                                        cmocka_unit_test(test_expansion),
+                                        cmocka_unit_test(test_instructions),
+                                        cmocka_unit_test(test_expectations),
+                                        cmocka_unit_test(test_bounds),
+                                        cmocka_unit_test(test_line_ends),
+                                        cmocka_unit_test(
+                                            test_names_of_the_command),
+                                        cmocka_unit_test(test_search_folders),
+                                        cmocka_unit_test(test_operators) };
     return cmocka_run_group_tests_name("asm errors", tests, NULL, NULL);
 }

@@ -8,8 +8,10 @@ static c205_word value(const char *expression)
     struct object *object;
     c205_word word;
 
-    snprintf(text, sizeof text, " .equ N, 7\n .equ F, 2.5\n .data\n"
-             "here: .word %s\nthere:\n", expression);
+    snprintf(text, sizeof text,
+             " .equ N, 7\n .equ F, 2.5\n .data\n"
+             "here: .word %s\nthere:\n",
+             expression);
     object = good(text);
     word = word_of(&object->program, 0x800000);
     object_free(object);
@@ -21,22 +23,41 @@ static void test_integers(void **state)
     static const struct {
         const char *text;
         int64_t value;
-    } cases[] = {
-        { "10", 10 }, { "0x1F", 31 }, { "-1", -1 }, { "1 + 2 * 3", 7 },
-        { "(1 + 2) * 3", 9 }, { "7 - 2 - 1", 4 }, { "-7 / 2", -3 },
-        { "-7 % 4", -3 }, { "1 << 4 + 1", 32 }, { "-8 >> 1", -4 },
-        { "1 < 2", 1 }, { "2 <= 1", 0 }, { "3 > 2 == 1", 1 },
-        { "5 & 3 == 3", 1 }, { "5 & 6 ^ 1 | 8", 13 }, { "~0 & 0xFF", 255 },
-        { "!5", 0 }, { "!!5", 1 }, { "- -5", 5 }, { "-~4", 5 },
-        { "0 && 1 / 0", 0 }, { "1 || 1 / 0", 1 }, { "1 && 0", 0 },
-        { "N * N", 49 }, { "here", 0x800000 }, { "there - here", 64 },
-        { ".", 0x800000 }, { ". + 64 == there", 1 },
-        { "X'0F' + 1", 16 }, { "bits(1.0) >> 48 & 0xFFFF", 0xFFD2 },
-        { "bits(-1)", 0xFFFFFFFFFFFF }, { "length(\"a\\nb\\x41\")", 4 },
-        { "0x7FFFFFFFFFFF + 1", 0x800000000000 },
-        { "9223372036854775807 == -(-9223372036854775807)", 1 },
-        { "1 << 63 >> 63", -1 }
-    };
+    } cases[] = { { "10", 10 },
+                  { "0x1F", 31 },
+                  { "-1", -1 },
+                  { "1 + 2 * 3", 7 },
+                  { "(1 + 2) * 3", 9 },
+                  { "7 - 2 - 1", 4 },
+                  { "-7 / 2", -3 },
+                  { "-7 % 4", -3 },
+                  { "1 << 4 + 1", 32 },
+                  { "-8 >> 1", -4 },
+                  { "1 < 2", 1 },
+                  { "2 <= 1", 0 },
+                  { "3 > 2 == 1", 1 },
+                  { "5 & 3 == 3", 1 },
+                  { "5 & 6 ^ 1 | 8", 13 },
+                  { "~0 & 0xFF", 255 },
+                  { "!5", 0 },
+                  { "!!5", 1 },
+                  { "- -5", 5 },
+                  { "-~4", 5 },
+                  { "0 && 1 / 0", 0 },
+                  { "1 || 1 / 0", 1 },
+                  { "1 && 0", 0 },
+                  { "N * N", 49 },
+                  { "here", 0x800000 },
+                  { "there - here", 64 },
+                  { ".", 0x800000 },
+                  { ". + 64 == there", 1 },
+                  { "X'0F' + 1", 16 },
+                  { "bits(1.0) >> 48 & 0xFFFF", 0xFFD2 },
+                  { "bits(-1)", 0xFFFFFFFFFFFF },
+                  { "length(\"a\\nb\\x41\")", 4 },
+                  { "0x7FFFFFFFFFFF + 1", 0x800000000000 },
+                  { "9223372036854775807 == -(-9223372036854775807)", 1 },
+                  { "1 << 63 >> 63", -1 } };
     size_t i;
 
     (void)state;
@@ -110,9 +131,8 @@ static void test_errors(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_integers), cmocka_unit_test(test_words),
-        cmocka_unit_test(test_errors)
-    };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_integers),
+                                        cmocka_unit_test(test_words),
+                                        cmocka_unit_test(test_errors) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

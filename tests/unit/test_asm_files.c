@@ -93,26 +93,25 @@ static void test_sources(void **state)
     check_folder("tests/programs");
 }
 
-static const char sample[] =
-    " .include \"print.s\"\n"
-    " .equ n, 5\n .equ half, 0.5\n"
-    " .kernel \"a \\\"b\\\\\"\n"
-    "start: print_text \"hello\", r5\n"
-    " IBXLT r1, r2, r3, start, r1\n"
-    " .endkernel\n"
-    " .half X'FFFF FFFF'\n"
-    " .data\n"
-    "v: .word 1, 2, 3, 4, 5, 0, 0, 0, 0, 0, 0, 6\n"
-    " .space 100\n"
-    "; expect: r5 = -1.5\n"
-    "; expect: h5 = -1.5\n"
-    "; expect: [v] = 1, 2\n"
-    "; expect-halves: [v] = 1, 2.5\n"
-    "; expect-bits: [v] = 1 0\n"
-    "; expect-flags: X'20'\n"
-    "; expect-clocks: 100\n"
-    "; expect-trap: bad-descriptor\n"
-    "; expect-print: a line\n";
+static const char sample[] = " .include \"print.s\"\n"
+                             " .equ n, 5\n .equ half, 0.5\n"
+                             " .kernel \"a \\\"b\\\\\"\n"
+                             "start: print_text \"hello\", r5\n"
+                             " IBXLT r1, r2, r3, start, r1\n"
+                             " .endkernel\n"
+                             " .half X'FFFF FFFF'\n"
+                             " .data\n"
+                             "v: .word 1, 2, 3, 4, 5, 0, 0, 0, 0, 0, 0, 6\n"
+                             " .space 100\n"
+                             "; expect: r5 = -1.5\n"
+                             "; expect: h5 = -1.5\n"
+                             "; expect: [v] = 1, 2\n"
+                             "; expect-halves: [v] = 1, 2.5\n"
+                             "; expect-bits: [v] = 1 0\n"
+                             "; expect-flags: X'20'\n"
+                             "; expect-clocks: 100\n"
+                             "; expect-trap: bad-descriptor\n"
+                             "; expect-print: a line\n";
 
 static void test_sample(void **state)
 {
@@ -164,9 +163,10 @@ static void test_any_bits(void **state)
         words[i] = xorshift(&seed);
         if (i % 3) /* opcodes that are defined */
             words[i] = words[i] << 8 >> 8
-                       | (c205_word)c205_insns[xorshift(&seed)
-                                               % c205_insn_count].opcode
-                         << 56;
+                       | (c205_word)
+                                 c205_insns[xorshift(&seed) % c205_insn_count]
+                                     .opcode
+                             << 56;
     }
     segment.words = words;
     object.program.entry = 0x400060;
@@ -230,8 +230,10 @@ static void test_refused_files(void **state)
     check_refused("c205-object 1\nzeros 40 99999999\nend\n", "too large");
     check_refused("c205-object 1\nzeros FFFFFFFFFFC0 2\nend\n",
                   "the last address");
-    check_refused("c205-object 1\nzeros 0 40000000\nzeros 200000000 40000000\n"
-                  "end\n", "too many words");
+    check_refused(
+        "c205-object 1\nzeros 0 40000000\nzeros 200000000 40000000\n"
+        "end\n",
+        "too many words");
     check_refused("c205-object 1\nregion 40 40 x\nend\n", "after it begins");
     check_refused("c205-object 1\nexpect half 0 0 0 1 x\nend\n",
                   "number of words");
@@ -243,8 +245,10 @@ static void test_refused_files(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sources), cmocka_unit_test(test_sample),
-        cmocka_unit_test(test_saved), cmocka_unit_test(test_any_bits),
+        cmocka_unit_test(test_sources),
+        cmocka_unit_test(test_sample),
+        cmocka_unit_test(test_saved),
+        cmocka_unit_test(test_any_bits),
         cmocka_unit_test(test_broken_files),
         cmocka_unit_test(test_refused_files)
     };

@@ -144,10 +144,12 @@ static void test_errors(void **state)
         { "BIM -1", 5, "from 0 to" },
         { "IBXLT a, x, z, 0x700000, c", 1, "half words away" },
         { "IBXLT a, x, z, 0x400010, c", 1, "on a half word" },
-        { "ADDN a, h, c", 9, "a whole register, r0 .. r255, found the half"
-                             " register h50" },
-        { "ADDNH h, i, a", 13, "a half register, h0 .. h255, found the whole"
-                               " register r16" },
+        { "ADDN a, h, c", 9,
+          "a whole register, r0 .. r255, found the half"
+          " register h50" },
+        { "ADDNH h, i, a", 13,
+          "a half register, h0 .. h255, found the whole"
+          " register r16" },
         { "ADDNH h, i, h256", 13, "a register" },
         { "ADDNV [a], h, [c]", 12, "a whole register" },
         { "ADDNV,H [a], b, [c]", 14, "a half register" },
@@ -288,10 +290,10 @@ static void test_refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_encodings), cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_round_trip), cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_refused)
-    };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_encodings),
+                                        cmocka_unit_test(test_errors),
+                                        cmocka_unit_test(test_round_trip),
+                                        cmocka_unit_test(test_sizes),
+                                        cmocka_unit_test(test_refused) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

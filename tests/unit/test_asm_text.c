@@ -14,18 +14,17 @@ static c205_word first_word(const char *text, uint64_t address)
 
 static void test_data(void **state)
 {
-    struct object *object = good(
-        " .data\n"
-        " .half 1\n"
-        "label:\n"
-        "same: .word 5\n"
-        " .vector v, 3, 1.0\n"
-        " .bitvector b, 70, \"1\", \"0 1\"\n"
-        " .text \"12345678\\x39\"\n"
-        " .descriptor 3, v\n"
-        " .space 2\n"
-        "end:\n"
-        " .half -1, 0xFFFFFFFF\n");
+    struct object *object = good(" .data\n"
+                                 " .half 1\n"
+                                 "label:\n"
+                                 "same: .word 5\n"
+                                 " .vector v, 3, 1.0\n"
+                                 " .bitvector b, 70, \"1\", \"0 1\"\n"
+                                 " .text \"12345678\\x39\"\n"
+                                 " .descriptor 3, v\n"
+                                 " .space 2\n"
+                                 "end:\n"
+                                 " .half -1, 0xFFFFFFFF\n");
     const c205_program *program = &object->program;
 
     (void)state;
@@ -76,19 +75,18 @@ static void test_half_words(void **state)
 
 static void test_places(void **state)
 {
-    struct object *object = good(
-        " .include \"core.s\"\n"
-        " EXIT\n"
-        " .data\n"
-        " .word 1\n"
-        " .code\n"
-        " .align 64\n"
-        "here: ES r1, 2\n"
-        " .org 0x10000020\n"
-        " ES r1, 3\n"
-        " .org 0x20000000\n"
-        " .space 1000\n"
-        " .entry here\n");
+    struct object *object = good(" .include \"core.s\"\n"
+                                 " EXIT\n"
+                                 " .data\n"
+                                 " .word 1\n"
+                                 " .code\n"
+                                 " .align 64\n"
+                                 "here: ES r1, 2\n"
+                                 " .org 0x10000020\n"
+                                 " ES r1, 3\n"
+                                 " .org 0x20000000\n"
+                                 " .space 1000\n"
+                                 " .entry here\n");
     const c205_program *program = &object->program;
 
     (void)state;
@@ -133,19 +131,29 @@ static void test_macros(void **state)
 {
     (void)state;
     assert_int_equal(first_word(" .macro put a, b=7\n .word \\a + \\b\n"
-                                " .endm\n .data\n put 5\n", DATA), 12);
+                                " .endm\n .data\n put 5\n",
+                                DATA),
+                     12);
     assert_int_equal(first_word(" .macro put a, b=7\n .word \\a + \\b\n"
-                                " .endm\n .data\n put 5, 1\n", DATA), 6);
+                                " .endm\n .data\n put 5, 1\n",
+                                DATA),
+                     6);
     assert_int_equal(first_word(" .macro put a\n x\\a\\()0: .word x\\a\\()0\n"
-                                " .endm\n .data\n put 3\n", DATA), DATA);
+                                " .endm\n .data\n put 3\n",
+                                DATA),
+                     DATA);
     assert_int_equal(first_word(" .macro two\n l\\@: .word l\\@\n .endm\n"
-                                " .data\n two\n two\n", DATA + 64),
+                                " .data\n two\n two\n",
+                                DATA + 64),
                      DATA + 64);
     assert_int_equal(first_word(" .macro out n\n .macro in m\n"
                                 " .word \\m * \\n\n .endm\n .endm\n"
-                                " .data\n out 6\n in 7\n", DATA), 42);
+                                " .data\n out 6\n in 7\n",
+                                DATA),
+                     42);
     assert_int_equal(first_word(" .macro text s\n .text \\s\n .endm\n .data\n"
-                                " text \"a,\\x62\"\n", DATA),
+                                " text \"a,\\x62\"\n",
+                                DATA),
                      0x612C620000000000);
 }
 
@@ -154,7 +162,8 @@ static void test_macro_in_brackets(void **state)
     (void)state;
     assert_int_equal(first_word(" .macro add a, b\n"
                                 " ADDNV \\a, \\b, [r3]\n .endm\n"
-                                "l: add [r1, r9], r2 ; a comment\n", CODE),
+                                "l: add [r1, r9], r2 ; a comment\n",
+                                CODE),
                      0x8208090100020003);
 }
 
@@ -166,12 +175,15 @@ static void test_repetition(void **state)
 
     (void)state;
     assert_int_equal(first_word(" .data\n .rept 3\n .word \\+\n .endr\n",
-                                DATA + 128), 2);
+                                DATA + 128),
+                     2);
     assert_int_equal(first_word(nested, DATA + 2 * 64), 2);
     assert_int_equal(first_word(nested, DATA + 3 * 64), 10);
     assert_int_equal(first_word(nested, DATA + 7 * 64), 11);
     assert_int_equal(first_word(" .data\n .rept 0\n .word 1\n .endr\n"
-                                " .word 2\n", DATA), 2);
+                                " .word 2\n",
+                                DATA),
+                     2);
 }
 
 static void test_conditions(void **state)
@@ -200,11 +212,15 @@ static void test_registers_are_named_anew(void **state)
 {
     (void)state;
     assert_int_equal(first_word(" .reg x, r1\n .reg x, r2\n RTOR x, r3\n",
-                                CODE), 0x7802000300000000);
+                                CODE),
+                     0x7802000300000000);
     assert_int_equal(first_word(" .reg x, r1\n .regs h8, y, x\n"
-                                " RTORH y, x\n", CODE), 0x5808000900000000);
+                                " RTORH y, x\n",
+                                CODE),
+                     0x5808000900000000);
     assert_int_equal(first_word(" .reg x, h1\n .reg x, r9\n RTOR x, r3\n",
-                                CODE), 0x7809000300000000);
+                                CODE),
+                     0x7809000300000000);
 }
 
 struct failure {
@@ -219,8 +235,7 @@ static void check_failure(const struct failure *failure)
     struct object *object = assemble_text("test.s", failure->text, NULL,
                                           &errors);
 
-    if (object || errors.count != 1
-        || errors.items[0].line != failure->line
+    if (object || errors.count != 1 || errors.items[0].line != failure->line
         || !strstr(errors.items[0].message, failure->message))
         fail_msg("%s\n%zu errors: %zu: %s", failure->text, errors.count,
                  errors.count ? errors.items[0].line : 0,
@@ -345,12 +360,15 @@ static void test_missing_file(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_data), cmocka_unit_test(test_half_words),
+        cmocka_unit_test(test_data),
+        cmocka_unit_test(test_half_words),
         cmocka_unit_test(test_places),
         cmocka_unit_test(test_entry_is_the_first_instruction),
-        cmocka_unit_test(test_regions), cmocka_unit_test(test_macros),
+        cmocka_unit_test(test_regions),
+        cmocka_unit_test(test_macros),
         cmocka_unit_test(test_macro_in_brackets),
-        cmocka_unit_test(test_repetition), cmocka_unit_test(test_conditions),
+        cmocka_unit_test(test_repetition),
+        cmocka_unit_test(test_conditions),
         cmocka_unit_test(test_registers_are_named_anew),
         cmocka_unit_test(test_errors),
         cmocka_unit_test(test_all_errors_with_carets),

@@ -24,8 +24,10 @@ static char path[] = "/tmp/test_band_file.XXXXXX";
 static struct band band_from(size_t first_row)
 {
     struct band band = { .first_row = first_row, .rows = ROWS };
-    c205_account account = { .name = "shade", .instructions = first_row + 1,
-                             .vector_instructions = 2, .elements = 3,
+    c205_account account = { .name = "shade",
+                             .instructions = first_row + 1,
+                             .vector_instructions = 2,
+                             .elements = 3,
                              .entries = 4 };
 
     band.words = malloc(SAMPLES * sizeof *band.words);
@@ -84,7 +86,7 @@ static void expect_and_add(size_t expected, bool add)
     struct band_file *file = band_file_open(path, KEY, WIDTH, model, &bands,
                                             &count, &error);
 
-    if (file == NULL)
+    if (!file)
         fail_msg("%s", error.message);
     assert_int_equal(count, expected);
     for (size_t i = 0; i < count; i++) {
@@ -129,8 +131,8 @@ static void refuse(uint64_t key, size_t width, const char *message)
     size_t count;
     c205_error error = { "" };
 
-    assert_null(band_file_open(path, key, width, model, &bands, &count,
-                               &error));
+    assert_null(
+        band_file_open(path, key, width, model, &bands, &count, &error));
     assert_null(bands);
     assert_non_null(strstr(error.message, message));
 }
@@ -208,7 +210,7 @@ static int set_up(void **state)
     strcpy(path + strlen(path) - 6, "XXXXXX");
     file = mkstemp(path);
     model = c205_model_find("cyber205-2pipe", &error);
-    return file < 0 || close(file) != 0 || remove(path) != 0 || model == NULL;
+    return file < 0 || close(file) != 0 || remove(path) != 0 || !model;
 }
 
 static int tear_down(void **state)

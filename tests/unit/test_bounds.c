@@ -11,8 +11,8 @@ static uint64_t random_state = RANDOM_SEED;
 
 static double between(double low, double high)
 {
-    return low + (high - low)
-                     * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
+    return low
+           + (high - low) * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
 }
 
 static struct bound first_bound(const char *text)
@@ -40,35 +40,56 @@ static void test_known(void **state)
         { "sphere { x, 1 scale <1, 3, 1> }", { 1, 0, 0 }, 3, .002 },
         { "box { 0, <2, 4, 4> }", { 1, 2, 2 }, 3, .002 },
         { "box { -1, 1 scale <2, 4, 4> rotate <20, 30, 40> translate x }",
-          { 1, 0, 0 }, 6, .002 },
+          { 1, 0, 0 },
+          6,
+          .002 },
         { "cylinder { -4*y, 4*y, 3 }", { 0, 0, 0 }, 5, .02 },
         { "cylinder { -y, y, 3 open scale <1, 4, 1> rotate 30 }",
-          { 0, 0, 0 }, 5, .02 },
+          { 0, 0, 0 },
+          5,
+          .02 },
         { "cone { 0, 3, 4*y, 0 }", { 0, .875, 0 }, 3.125, .03 },
         { "torus { 3, 1 rotate 33 }", { 0, 0, 0 }, 4, .002 },
         { "torus { 3, 1 scale <1, 2, 1> }", { 0, 0, 0 }, 5, .002 },
         { "elliptical_torus { 3, .5, 2 translate z }", { 0, 0, 1 }, 5, .002 },
         { "steiner_patch { 0, 2*x, <1, 1, 0>, x, <1.5, .5, 0>,"
-          " <.5, .5, 0> }", { 1, 0, 0 }, 1, .03 },
+          " <.5, .5, 0> }",
+          { 1, 0, 0 },
+          1,
+          .03 },
         { "plane { y, 1 }", { 0, 0, 0 }, BOUND_NONE, 0 },
         { "quadric { 1, 0, 0, -1 }", { 0, 0, 0 }, BOUND_NONE, 0 },
         { "sphere { 0, 1e100 }", { 0, 0, 0 }, BOUND_NONE, 0 },
         { "box { -1e100, 1e100 }", { 0, 0, 0 }, BOUND_NONE, 0 },
-        { "merge { sphere { -3*x, 1 } sphere { 2*x, 2 } }", { 0, 0, 0 }, 4,
+        { "merge { sphere { -3*x, 1 } sphere { 2*x, 2 } }",
+          { 0, 0, 0 },
+          4,
           .002 },
-        { "merge { sphere { 0, 5 } sphere { 2*x, 2 } }", { 0, 0, 0 }, 5,
+        { "merge { sphere { 0, 5 } sphere { 2*x, 2 } }",
+          { 0, 0, 0 },
+          5,
           .002 },
-        { "merge { sphere { 0, 5 } plane { y, 2 } }", { 0, 0, 0 }, BOUND_NONE,
+        { "merge { sphere { 0, 5 } plane { y, 2 } }",
+          { 0, 0, 0 },
+          BOUND_NONE,
           0 },
         { "intersection { sphere { 0, 5 } plane { y, 2 } sphere { x, 2 } }",
-          { 1, 0, 0 }, 2, .002 },
-        { "difference { sphere { 0, 5 } sphere { x, 2 } }", { 0, 0, 0 }, 5,
+          { 1, 0, 0 },
+          2,
+          .002 },
+        { "difference { sphere { 0, 5 } sphere { x, 2 } }",
+          { 0, 0, 0 },
+          5,
           .002 },
         { "sphere { 0, 1 inverse }", { 0, 0, 0 }, BOUND_NONE, 0 },
-        { "intersection { plane { y, 1 } plane { x, 1 } }", { 0, 0, 0 },
-          BOUND_NONE, 0 },
+        { "intersection { plane { y, 1 } plane { x, 1 } }",
+          { 0, 0, 0 },
+          BOUND_NONE,
+          0 },
         { "intersection { merge { sphere { -3*x, 1 } sphere { 2*x, 2 } }"
-          " difference { box { -9, 9 } sphere { 0, 1 } } }", { 0, 0, 0 }, 4,
+          " difference { box { -9, 9 } sphere { 0, 1 } } }",
+          { 0, 0, 0 },
+          4,
           .002 },
     };
 
@@ -114,11 +135,16 @@ static size_t count_crossings(const struct primitive *primitive,
 static void test_crossings(void **state)
 {
     static const char *const shapes[] = {
-        "sphere { <1, .5, 0>, 1.5", "box { <-1, 0, -2>, 1",
-        "cylinder { -x, <1, 2, .5>, .8", "cylinder { 0, .1*y, 3 open",
-        "cone { -x, 1.5, <0, 2, 1>, .2", "cone { 0, 0, z, 2 open",
-        "torus { 1.5, .4", "torus { .5, 1",
-        "elliptical_torus { 1.2, .3, 1", "elliptical_torus { 1.2, 1, .3",
+        "sphere { <1, .5, 0>, 1.5",
+        "box { <-1, 0, -2>, 1",
+        "cylinder { -x, <1, 2, .5>, .8",
+        "cylinder { 0, .1*y, 3 open",
+        "cone { -x, 1.5, <0, 2, 1>, .2",
+        "cone { 0, 0, z, 2 open",
+        "torus { 1.5, .4",
+        "torus { .5, 1",
+        "elliptical_torus { 1.2, .3, 1",
+        "elliptical_torus { 1.2, 1, .3",
         ("steiner_patch { -2*x, 2*y, 2*x, <-2, 2, 1>, <2, 2, -1>, -2*y"
          " weights 1, 2, 1, .5, 3, 1"),
     };
@@ -175,7 +201,8 @@ static void test_enclose(void **state)
             for (size_t j = 0; j < count; j++) {
                 add_scaled(way, parts[i].center, -1, parts[j].center);
                 least = fmax(least, (sqrt(dot(way, way)) + parts[i].radius
-                                     + parts[j].radius) / 2);
+                                     + parts[j].radius)
+                                        / 2);
             }
         }
         assert_true(whole.radius <= 1.25 * least);

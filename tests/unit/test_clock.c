@@ -39,14 +39,14 @@ static void test_formulas(void **state)
     static const struct {
         const char *name;
         uint64_t clocks;
-    } cases[] = {
-        { "MPYSV", 51 + 501 }, { "DIVSV", 80 + 1627 }, { "SQRTV", 80 + 1627 },
-        { "ORV", 51 + 501 }, { "CMPGEV", 51 + 501 }, { "VTOV", 51 + 501 },
-        { "SUMV", 96 + 501 }, { "PRODV", 96 + 501 }, { "DOTV", 116 + 501 },
-        { "MAXV", 95 + 501 }, { "SELGEV", 95 + 501 }, { "CPSV", 55 + 501 },
-        { "VXTOV", 69 + 1001 }, { "VTOVX", 71 + 1001 }, { "ANDB", 40 + 16 },
-        { "LINKV", 84 + 501 }
-    };
+    } cases[] = { { "MPYSV", 51 + 501 },  { "DIVSV", 80 + 1627 },
+                  { "SQRTV", 80 + 1627 }, { "ORV", 51 + 501 },
+                  { "CMPGEV", 51 + 501 }, { "VTOV", 51 + 501 },
+                  { "SUMV", 96 + 501 },   { "PRODV", 96 + 501 },
+                  { "DOTV", 116 + 501 },  { "MAXV", 95 + 501 },
+                  { "SELGEV", 95 + 501 }, { "CPSV", 55 + 501 },
+                  { "VXTOV", 69 + 1001 }, { "VTOVX", 71 + 1001 },
+                  { "ANDB", 40 + 16 },    { "LINKV", 84 + 501 } };
     struct clock *clock = two_pipes();
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         vector(clock, cases[i].name, 1001);
@@ -194,8 +194,8 @@ static uint64_t gather_clocks(struct clock *clock, const c205_word *indices,
     effect.table_step = 64;
     charge(clock, insn("VXTOV", 1, 2, 0), &effect);
     clock_drain(clock);
-    return clocks_for(clock, C205_BANK_CONFLICT) +
-           clocks_for(clock, C205_VECTOR_STREAM);
+    return clocks_for(clock, C205_BANK_CONFLICT)
+           + clocks_for(clock, C205_VECTOR_STREAM);
 }
 
 static uint64_t random_state = 1;
@@ -252,10 +252,9 @@ static void test_latencies(void **state)
     static const struct {
         const char *name;
         uint64_t latency;
-    } cases[] = {
-        { "ADDX", 1 }, { "ADDN", 5 }, { "MPYS", 5 }, { "DIVS", 54 },
-        { "SQRT", 54 }, { "XOR", 3 }, { "MPYX", 5 }, { "ABS", 5 }
-    };
+    } cases[] = { { "ADDX", 1 },  { "ADDN", 5 },  { "MPYS", 5 },
+                  { "DIVS", 54 }, { "SQRT", 54 }, { "XOR", 3 },
+                  { "MPYX", 5 },  { "ABS", 5 } };
     struct clock *clock = two_pipes();
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         for (unsigned reg = 10; reg < 20; reg++)
@@ -392,8 +391,7 @@ static void test_stack_size(void **state)
         for (unsigned half = 0; half < 199; half++)
             scalar(clock, "ES", 0, 0, 9);
         branch(clock, "BEQ", 0x40000 + (99 - back) * 64);
-        assert_int_equal(clocks_for(clock, C205_BRANCH),
-                         back <= 63 ? 8 : 16);
+        assert_int_equal(clocks_for(clock, C205_BRANCH), back <= 63 ? 8 : 16);
         clock_reset(clock);
     }
     clock_free(clock);
@@ -465,8 +463,9 @@ static void test_sum(void **state)
             clock_drain(clock);
     }
     clock_drain(clock);
-    assert_int_equal(clock_account(clock, 0)->instructions +
-                     clock_account(clock, 1)->instructions, 20000);
+    assert_int_equal(clock_account(clock, 0)->instructions
+                         + clock_account(clock, 1)->instructions,
+                     20000);
     clock_free(clock);
 }
 

@@ -97,9 +97,11 @@ static void test_coincident(void **state)
         { "intersection { box { -1, 1 } box { <-1, -1, .9999998>, 3 } }", 2,
           5.9999998 },
         { "difference { box { -3, 3 } merge { box { -6, <1, 1, 0> } "
-          "box { <-1, -1, 5e-8>, 1 } } }", 3, 6 },
+          "box { <-1, -1, 5e-8>, 1 } } }",
+          3, 6 },
         { "difference { box { -3, 3 } merge { box { -6, <1, 1, 0> } "
-          "box { <-1, -1, 2e-7>, 1 } } }", 2, 5 },
+          "box { <-1, -1, 2e-7>, 1 } } }",
+          2, 5 },
     };
 
     (void)state;
@@ -171,9 +173,11 @@ static void test_difference(void **state)
         { "difference { box { -1, 1 } plane { -y, 0 } }", 0, 0 },
         { "difference { box { -1, 1 } plane { y, -1e-9 } }", 1, 4 },
         { "intersection { box { -1, 1 } "
-          "box { <-.5, 0, -2>, <.5, 2, .5> inverse } }", 2, 5.5 },
+          "box { <-.5, 0, -2>, <.5, 2, .5> inverse } }",
+          2, 5.5 },
         { "difference { box { <-9, 0, -1>, 9 } merge { sphere { 5*x, .2 } "
-          "box { <-.5, -1, -2>, <.5, 0, .5> } } }", 3, 5.5 },
+          "box { <-.5, -1, -2>, <.5, 0, .5> } } }",
+          3, 5.5 },
     };
 
     (void)state;
@@ -186,7 +190,8 @@ static void test_merge(void **state)
         { "merge { " ABOVE "box { <-1, -1, -2>, <1, 0, .5> } }", 2, 3 },
         { "merge { " ABOVE "plane { y, 0 } }", 0, 0 }, /* all is inside */
         { "difference { box { -2, 2 } merge { " ABOVE
-          "box { <-1, -1, -3>, <1, 0, -.5> } } }", 2, 6 },
+          "box { <-1, -1, -3>, <1, 0, -.5> } } }",
+          2, 6 },
     };
 
     (void)state;

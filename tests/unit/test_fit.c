@@ -90,8 +90,7 @@ static void test_fewer_rays(void **state)
             continue;
         snprintf(program, sizeof program, "%s scalar", subject->name);
         run = run_new(program, &how, &error);
-        if (run == NULL
-            || !speedup_measure(subject, &view, &options, &all, &error))
+        if (!run || !speedup_measure(subject, &view, &options, &all, &error))
             fail_msg("%s", error.message);
         assert_int_equal(run->rays, 640);
         scaled = clocks_of_rows(run) * 1e5 / 640;
@@ -113,7 +112,7 @@ static double predicted(const char *row)
     struct run_options how = small();
     c205_error error = { "" };
     char text[512];
-    double (*clocks)[RUN_REGIONS_MOST], value;
+    double(*clocks)[RUN_REGIONS_MOST], value;
 
     snprintf(text, sizeof text, HEAD "# a remark\n\n%s\n", row);
     if (!observations_read(&all, file_of(text), &how, &error))
@@ -136,21 +135,21 @@ static void test_units(void **state)
 {
     (void)state;
     assert_near(predicted("a,vector_add.s:add LENGTH=0,"
-                                 "cyber205-2pipe,1,ns/TIMES,1,s,fit"),
-                       1020);
+                          "cyber205-2pipe,1,ns/TIMES,1,s,fit"),
+                1020);
     assert_near(predicted("a,vector_add.s:add LENGTH=100,"
-                                 "cyber205-2pipe,1,Mflop/s,1,\"a, b\",fit"),
-                       100 / (101 * .02));
+                          "cyber205-2pipe,1,Mflop/s,1,\"a, b\",fit"),
+                100 / (101 * .02));
     assert_near(predicted("a,vector_add.s:add LENGTH=100,"
-                                 "cyber205-2pipe/cyber205-1pipe,1,ratio,1,"
-                                 "s,fit"),
-                       101 / 151.);
+                          "cyber205-2pipe/cyber205-1pipe,1,ratio,1,"
+                          "s,fit"),
+                101 / 151.);
     assert_near(predicted("a,vector_add.s:add/add LENGTH=3,"
-                                 "cyber205-2pipe,1,ratio,1,s,fit"),
-                       1);
+                          "cyber205-2pipe,1,ratio,1,s,fit"),
+                1);
     assert_near(predicted("a,vector_add.s:add LENGTH=3,"
-                                 "cyber205-2pipe,1,%,1,s,fit"),
-                       100);
+                          "cyber205-2pipe,1,%,1,s,fit"),
+                100);
 }
 
 static void assert_refused(const char *text, const char *message)
@@ -250,7 +249,7 @@ static struct run *photons(const char *program)
     c205_error error = { "" };
     struct run *run = run_new(program, &how, &error);
 
-    if (run == NULL)
+    if (!run)
         fail_msg("%s", error.message);
     return run;
 }
@@ -308,10 +307,8 @@ static void test_constants(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_units),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_photons),
-        cmocka_unit_test(test_constants),
+        cmocka_unit_test(test_units),      cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_photons),    cmocka_unit_test(test_constants),
         cmocka_unit_test(test_fewer_rays),
     };
     c205_error error = { "" };

@@ -15,17 +15,17 @@ enum {
 };
 
 /* A half word. */
-#define H(exponent, coefficient)                                           \
-    ((c205_word)(int64_t)(exponent) << 56                                  \
-     | ((c205_word)(coefficient) & 0xFFFFFF) << 32)
+#define H(exponent, coefficient) \
+    ((c205_word)(int64_t)(exponent) << 56 \
+     | ((c205_word)(coefficient)&0xFFFFFF) << 32)
 /* A word. */
 #define W(exponent, coefficient) word_make(exponent, coefficient)
 /* Coefficients in words that are special for their exponents. */
 #define ANY H(0, 0x923456)
 
-#define BINARY(op, a, b, expected, flags)                                  \
+#define BINARY(op, a, b, expected, flags) \
     BINARY_GIVES(half_##op, a, b, expected, flags)
-#define UNARY(op, a, expected, flags)                                      \
+#define UNARY(op, a, expected, flags) \
     UNARY_GIVES(half_##op, a, expected, flags)
 
 static void test_format(void **state)
@@ -47,9 +47,10 @@ static void test_format(void **state)
 static void test_add_special(void **state)
 {
     static arith_binary *const sums[] = {
-        half_add_upper, half_add_lower, half_add_normalised,
-        half_subtract_upper, half_subtract_lower, half_subtract_normalised,
-        half_average, half_average_difference,
+        half_add_upper,      half_add_lower,
+        half_add_normalised, half_subtract_upper,
+        half_subtract_lower, half_subtract_normalised,
+        half_average,        half_average_difference,
     };
 
     (void)state;
@@ -150,8 +151,7 @@ static void test_multiply_significant(void **state)
     BINARY(multiply_significant, H(3, 0), ONE, MZ, ZERO_FLAG);
     BINARY(multiply_significant, H(TOP, HALF), H(-21, HALF), IND,
            OVERFLOW_FLAGS);
-    BINARY(multiply_significant, H(TOP, HALF), H(-22, HALF), H(TOP, HALF),
-           0);
+    BINARY(multiply_significant, H(TOP, HALF), H(-22, HALF), H(TOP, HALF), 0);
     BINARY(multiply_significant, H(BOTTOM, HALF), H(-23, HALF), MZ,
            ZERO_FLAG);
 }
@@ -271,16 +271,18 @@ static void test_adjust(void **state)
 
 /* Rising values; those of one row are equal. */
 static const c205_word ladder[][4] = {
-    {H(TOP, MIN), H(TOP, MIN), H(TOP, MIN), H(TOP, MIN)},
-    {H(0, MIN), H(1, -HALF), H(23, -1), H(22, -2)},
-    {H(0, -2), H(1, -1), H(-22, MIN), H(-21, -HALF)},
-    {H(BOTTOM, -1), H(BOTTOM, -1), H(BOTTOM, -1), H(BOTTOM, -1)},
-    {MZ, H(TOP, 0), H(BOTTOM, 0), H(-113, -1)},
-    {H(BOTTOM, 1), H(BOTTOM, 1), H(BOTTOM, 1), H(BOTTOM, 1)},
-    {H(BOTTOM, HALF), H(BOTTOM + 22, 1), H(BOTTOM + 21, 2), H(BOTTOM, HALF)},
-    {ONE, H(0, 1), H(-1, 2), H(-21, HALF / 2)},
-    {H(-22, HALF + 1), H(-22, HALF + 1), H(-22, HALF + 1), H(-22, HALF + 1)},
-    {H(TOP, MAX), H(TOP, MAX), H(TOP, MAX), H(TOP, MAX)},
+    { H(TOP, MIN), H(TOP, MIN), H(TOP, MIN), H(TOP, MIN) },
+    { H(0, MIN), H(1, -HALF), H(23, -1), H(22, -2) },
+    { H(0, -2), H(1, -1), H(-22, MIN), H(-21, -HALF) },
+    { H(BOTTOM, -1), H(BOTTOM, -1), H(BOTTOM, -1), H(BOTTOM, -1) },
+    { MZ, H(TOP, 0), H(BOTTOM, 0), H(-113, -1) },
+    { H(BOTTOM, 1), H(BOTTOM, 1), H(BOTTOM, 1), H(BOTTOM, 1) },
+    { H(BOTTOM, HALF), H(BOTTOM + 22, 1), H(BOTTOM + 21, 2),
+      H(BOTTOM, HALF) },
+    { ONE, H(0, 1), H(-1, 2), H(-21, HALF / 2) },
+    { H(-22, HALF + 1), H(-22, HALF + 1), H(-22, HALF + 1),
+      H(-22, HALF + 1) },
+    { H(TOP, MAX), H(TOP, MAX), H(TOP, MAX), H(TOP, MAX) },
 };
 
 static void compare_steps(size_t i, size_t j)
@@ -386,8 +388,8 @@ static void test_extended_come_back(void **state)
 
     (void)state;
     for (int i = 0; i < ROUNDS; i++) {
-        const c205_word a
-            = xorshift_unnormalised_of(half_words, &seed, BOTTOM, TOP);
+        const c205_word a = xorshift_unnormalised_of(half_words, &seed,
+                                                     BOTTOM, TOP);
         const c205_word word = extended(a);
         assert_int_equal(arith_contract(word, &flags), a);
         assert_int_equal(arith_contract_rounded(word, &flags), a);
@@ -403,10 +405,12 @@ static void test_half_results_are_cut(void **state)
 
     (void)state;
     for (int i = 0; i < ROUNDS; i++) {
-        const c205_word a = half_absolute(
-            xorshift_normalised_of(half_words, &seed, -40, 30), &flags);
-        const c205_word b
-            = xorshift_normalised_of(half_words, &seed, -40, 30);
+        const c205_word a = half_absolute(xorshift_normalised_of(half_words,
+                                                                 &seed, -40,
+                                                                 30),
+                                          &flags);
+        const c205_word b = xorshift_normalised_of(half_words, &seed, -40,
+                                                   30);
         const c205_word x = extended(a), y = extended(b);
         const c205_word sum = arith_add_normalised(x, y, &flags);
         const c205_word product = arith_multiply_significant(x, y, &flags);

@@ -11,8 +11,8 @@
 /* A different value in every field, and the sign set in the immediate. */
 static c205_fields distinct_fields(const c205_insn *insn)
 {
-    c205_fields fields = { 0, 0x81, 0x12, 0x23, 0x34, 0x45, 0x56, 0x67,
-                           0xAB, 0xBC, 0xCD, 0 };
+    c205_fields fields = { 0,    0x81, 0x12, 0x23, 0x34, 0x45,
+                           0x56, 0x67, 0xAB, 0xBC, 0xCD, 0 };
     fields.f = insn->opcode;
     fields.g = (uint8_t)((fields.g & ~insn->subop_mask) | insn->subop);
     if (insn->format == C205_FORMAT_REQUEST)
@@ -113,8 +113,7 @@ static void test_names(void **state)
     assert_null(c205_insn_named("", 0));
     for (size_t i = 0; i < c205_insn_count; i++) {
         const char *name = c205_insns[i].mnemonic;
-        assert_ptr_equal(c205_insn_named(name, strlen(name)),
-                         &c205_insns[i]);
+        assert_ptr_equal(c205_insn_named(name, strlen(name)), &c205_insns[i]);
     }
 }
 

@@ -92,8 +92,7 @@ static void compare_row(const c205_insn *insn)
     snprintf(path + end, sizeof path - end, ".s");
     compare_file(path);
     if (!divided[insn - c205_insns])
-        fail_msg("%s was never interrupted between elements",
-                 insn->mnemonic);
+        fail_msg("%s was never interrupted between elements", insn->mnemonic);
 }
 
 static void test_rows(void **state)
@@ -107,7 +106,7 @@ static void test_rows(void **state)
 static void test_examples(void **state)
 {
     static const char *const paths[] = {
-        "asm/examples/dot.s", "asm/examples/horner.s",
+        "asm/examples/dot.s",          "asm/examples/horner.s",
         "asm/examples/interval_sum.s", "asm/examples/lookup.s",
         "asm/examples/saxpy_linked.s", "asm/examples/saxpy_vector.s",
         "asm/examples/sieve.s"
@@ -524,10 +523,12 @@ static int find_models(void **state)
     c205_error error;
     (void)state;
     model = c205_model_find("cyber205-2pipe-prior", &error);
-    slow = c205_model_parse("slow", "title one element a clock\n"
+    slow = c205_model_parse("slow",
+                            "title one element a clock\n"
                             "like cyber205-1pipe-prior\n"
                             "stream.vbits 1 clk/bit R\n"
-                            "page_fault.clocks 1 clk R\n", &error);
+                            "page_fault.clocks 1 clk R\n",
+                            &error);
     divided = calloc(c205_insn_count, sizeof *divided);
     return model && slow && divided ? 0 : -1;
 }

@@ -12,7 +12,7 @@
 
 enum {
     LENGTH_MAX = 257,
-    SLACK = 3, /* words behind a span, which must stay as they are */
+    SLACK = 3,  /* words behind a span, which must stay as they are */
     PLACES = 8, /* words of the longest vectors of hosts */
     SPAN = LENGTH_MAX + SLACK + PLACES,
     BITS = (LENGTH_MAX + 63) / 64 + SLACK,
@@ -26,7 +26,11 @@ enum {
 
 /* Both sides of the edges: of the special exponents, of exponents and
  * coefficients, of integers; and one. */
-enum { EXPONENTS = 10, COEFFICIENTS = 8, SPECIALS = EXPONENTS * COEFFICIENTS };
+enum {
+    EXPONENTS = 10,
+    COEFFICIENTS = 8,
+    SPECIALS = EXPONENTS * COEFFICIENTS
+};
 
 static c205_word special_at(word_format f, size_t i)
 {
@@ -34,10 +38,10 @@ static c205_word special_at(word_format f, size_t i)
     const int32_t bottom = format_exponent_min(f);
     const int32_t end = 1 << (f.exponent_bits - 1);
     const int64_t half = INT64_C(1) << (f.digits - 1);
-    const int32_t exponents[EXPONENTS] = {
-        -end, bottom - 1, top + 1, end - 1, bottom, top, 0, -1,
-        1 - f.digits, -f.digits
-    };
+    const int32_t exponents[EXPONENTS] = { -end,     bottom - 1, top + 1,
+                                           end - 1,  bottom,     top,
+                                           0,        -1,         1 - f.digits,
+                                           -f.digits };
     const int64_t coefficients[COEFFICIENTS] = {
         0, 1, -1, half, -half, 2 * half - 1, -2 * half, -half - 1
     };
@@ -101,8 +105,8 @@ static c205_word sparse(word_format f, uint64_t *seed)
 {
     const c205_word word = around(f, seed);
     const int64_t c = format_coefficient(f, word);
-    const int64_t kept
-        = -(INT64_C(1) << xorshift_between(seed, 0, f.digits - 1));
+    const int64_t kept = -(INT64_C(1)
+                           << xorshift_between(seed, 0, f.digits - 1));
 
     return format_make(f, format_exponent(f, word),
                        c < 0 ? c | ~kept : c & kept);
@@ -148,27 +152,25 @@ static void fill(c205_word *words, size_t n, supply *next, word_format f,
 /* ---- The operations ----------------------------------------------------- */
 
 /* What arith.h has no functions for. */
-#define BINARY_OF_WORDS(name, result)                                      \
-    static c205_word arith_##name(c205_word a, c205_word b,                \
-                                  uint64_t *flags)                         \
-    {                                                                      \
-        (void)flags;                                                       \
-        return result;                                                     \
+#define BINARY_OF_WORDS(name, result) \
+    static c205_word arith_##name(c205_word a, c205_word b, uint64_t *flags) \
+    { \
+        (void)flags; \
+        return result; \
     }
-#define BINARY_OF_HALVES(name, result)                                     \
-    static c205_word half_##name(c205_word a, c205_word b,                 \
-                                 uint64_t *flags)                          \
-    {                                                                      \
-        (void)flags;                                                       \
-        return (result) >> 32 << 32;                                       \
+#define BINARY_OF_HALVES(name, result) \
+    static c205_word half_##name(c205_word a, c205_word b, uint64_t *flags) \
+    { \
+        (void)flags; \
+        return (result) >> 32 << 32; \
     }
-#define LOGICAL(name, result)                                              \
-    BINARY_OF_WORDS(name, result)                                          \
+#define LOGICAL(name, result) \
+    BINARY_OF_WORDS(name, result) \
     BINARY_OF_HALVES(name, result)
 LOGICAL(xor, a ^ b)
-LOGICAL(and, a & b)
+LOGICAL(and, (a) & (b))
 LOGICAL(or, a | b)
-LOGICAL(nand, ~(a & b))
+LOGICAL(nand, ~((a) & (b)))
 LOGICAL(nor, ~(a | b))
 LOGICAL(or_not, a | ~b)
 LOGICAL(and_not, a & ~b)
@@ -214,35 +216,46 @@ typedef struct operations {
     comparison comparisons[COMPARISONS];
 } operations;
 
+/* clang-format off */
 #define WORDS(name) {"lanes_" #name, lanes_##name, arith_##name}
+/* clang-format on */
+/* clang-format off */
 #define HALVES(name) {"halves_" #name, halves_##name, half_##name}
+/* clang-format on */
 
-#define BINARY_ROWS(row)                                                   \
-    row(add_upper), row(add_lower), row(add_normalised),                   \
-    row(subtract_upper), row(subtract_lower), row(subtract_normalised),    \
-    row(multiply_upper), row(multiply_lower), row(multiply_significant),   \
-    row(divide_upper), row(divide_significant), row(average),              \
-    row(average_difference), row(adjust_significance),                     \
-    row(adjust_exponent), row(pack), row(add_index), row(subtract_index),  \
-    row(xor), row(and), row(or), row(nand), row(nor), row(or_not),         \
+/* clang-format off */
+#define BINARY_ROWS(row) \
+    row(add_upper), row(add_lower), row(add_normalised), \
+    row(subtract_upper), row(subtract_lower), row(subtract_normalised), \
+    row(multiply_upper), row(multiply_lower), row(multiply_significant), \
+    row(divide_upper), row(divide_significant), row(average), \
+    row(average_difference), row(adjust_significance), \
+    row(adjust_exponent), row(pack), row(add_index), row(subtract_index), \
+    row(xor), row(and), row(or), row(nand), row(nor), row(or_not), \
     row(and_not), row(equivalence)
-#define UNARY_ROWS(row)                                                    \
-    row(square_root), row(truncate), row(floor), row(ceiling),             \
+/* clang-format on */
+/* clang-format off */
+#define UNARY_ROWS(row) \
+    row(square_root), row(truncate), row(floor), row(ceiling), \
     row(absolute), row(negate), row(exponent)
-#define COMPARISON_ROWS(row)                                               \
+/* clang-format on */
+/* clang-format off */
+#define COMPARISON_ROWS(row) \
     row(equal), row(not_equal), row(not_less), row(less)
+/* clang-format on */
 
 /* The conversions stand with the size that they take. */
 static const operations sizes[] = {
-    {{16, 47},
-     {BINARY_ROWS(WORDS), {"lanes_shift", lanes_shift, arith_shift_by}},
-     {UNARY_ROWS(WORDS), WORDS(contract), WORDS(contract_rounded),
-      WORDS(copy)},
-     {COMPARISON_ROWS(WORDS)}},
-    {{8, 23},
-     {BINARY_ROWS(HALVES), {"halves_shift", halves_shift, half_shift_by}},
-     {UNARY_ROWS(HALVES), WORDS(extend)},
-     {COMPARISON_ROWS(HALVES)}},
+    { { 16, 47 },
+      { BINARY_ROWS(WORDS), { "lanes_shift", lanes_shift, arith_shift_by } },
+      { UNARY_ROWS(WORDS), WORDS(contract), WORDS(contract_rounded),
+        WORDS(copy) },
+      { COMPARISON_ROWS(WORDS) } },
+    { { 8, 23 },
+      { BINARY_ROWS(HALVES),
+        { "halves_shift", halves_shift, half_shift_by } },
+      { UNARY_ROWS(HALVES), WORDS(extend) },
+      { COMPARISON_ROWS(HALVES) } },
 };
 
 /* ---- Spans against words ------------------------------------------------ */
@@ -263,14 +276,14 @@ static void check_binary(const binary *op, const c205_word *a,
         const c205_word exact = op->exact(a[i], b[i], &exact_flags);
         if (c[i] != exact)
             fail_msg("%s(%016llX, %016llX) = %016llX, not %016llX; "
-                     "lane %zu of %zu", op->name, (unsigned long long)a[i],
+                     "lane %zu of %zu",
+                     op->name, (unsigned long long)a[i],
                      (unsigned long long)b[i], (unsigned long long)c[i],
                      (unsigned long long)exact, i, n);
     }
     if (flags != exact_flags)
         fail_msg("%s, length %zu: flags %llX, not %llX", op->name, n,
-                 (unsigned long long)flags,
-                 (unsigned long long)exact_flags);
+                 (unsigned long long)flags, (unsigned long long)exact_flags);
     for (size_t i = 0; i < SLACK; i++)
         assert_int_equal(c[n + i], UINT64_C(0x5A5A5A5A5A5A5A5A));
 }
@@ -282,7 +295,7 @@ static void check_unary(const unary *op, const c205_word *a, size_t n,
     c205_word *c = room + place;
     uint64_t flags = other_flags, exact_flags = other_flags;
 
-    if (op->name == NULL)
+    if (!op->name)
         return;
     memset(c, 0x5A, (n + SLACK) * sizeof *c);
     op->span(c, a, n, &flags);
@@ -327,8 +340,8 @@ static void check_pairs(const operations *size, const c205_word *a,
         check_comparison(&size->comparisons[i], a, b, compared);
 }
 
-static void check_unaries(const operations *size, const c205_word *a, size_t n,
-                          size_t place)
+static void check_unaries(const operations *size, const c205_word *a,
+                          size_t n, size_t place)
 {
     for (size_t i = 0; i < UNARIES; i++)
         check_unary(&size->unaries[i], a, n, place);

@@ -1,7 +1,9 @@
 /* test_machine.c - fetch, decode, registers, branches, traps, events. */
 #include "machine_fixture.h"
 
+/* clang-format off */
 #define F(...) (c205_fields){ __VA_ARGS__ }
+/* clang-format on */
 
 /* Run what was added, and an EXIT behind it. */
 static c205_stop finish(struct little *little)
@@ -169,10 +171,11 @@ static void test_near_branches(void **state)
     (void)state;
     struct little little = make_little();
     uint64_t top = add(&little, "IS", F(.r = 9, .immediate = 1));
-    add(&little, "IBXLT", F(.g = C205_G_RELATIVE, .a = 1, .x = 2, .z = 3,
-                            .c = 1, .immediate = -1));
-    add(&little, "CFPGT", F(.g = C205_G_RELATIVE | 0x80, .a = 4, .z = 0,
-                            .immediate = 3));
+    add(&little, "IBXLT",
+        F(.g = C205_G_RELATIVE, .a = 1, .x = 2, .z = 3, .c = 1,
+          .immediate = -1));
+    add(&little, "CFPGT",
+        F(.g = C205_G_RELATIVE | 0x80, .a = 4, .z = 0, .immediate = 3));
     add(&little, "ES", F(.r = 9, .immediate = -1)); /* skipped */
     add(&little, "EXIT", F(.r = 0));
     load(&little, 1);
@@ -319,14 +322,15 @@ static void test_operand_traps(void **state)
     expect_trap(&l, misaligned, odd, "BSAVE", F(.r = 1, .t = 2));
     expect_trap(&l, misaligned, odd, "ADDNV", F(.a = 1, .b = 2, .c = 1));
     expect_trap(&l, unmapped, out, "ADDNV", F(.a = 1, .b = 1, .c = 3));
-    expect_trap(&l, unmapped, out, "ADDNV", F(.a = 1, .b = 1, .z = 3, .c = 1));
+    expect_trap(&l, unmapped, out, "ADDNV",
+                F(.a = 1, .b = 1, .z = 3, .c = 1));
     expect_trap(&l, bad, 0, "ADDNV", F(.a = 1, .x = 4, .b = 1, .c = 1));
     expect_trap(&l, bad, 0, "MASKV", F(.a = 1, .b = 1, .c = 1));
-    expect_trap(&l, bad, 0, "SUMV", F(.g = C205_G_BROADCAST_A, .a = 1,
-                                      .c = 5));
-    expect_trap(&l, bad, 0, "DOTV", F(.g = C205_G_BROADCAST_A
-                                           | C205_G_BROADCAST_B,
-                                      .a = 1, .b = 1, .c = 5));
+    expect_trap(&l, bad, 0, "SUMV",
+                F(.g = C205_G_BROADCAST_A, .a = 1, .c = 5));
+    expect_trap(&l, bad, 0, "DOTV",
+                F(.g = C205_G_BROADCAST_A | C205_G_BROADCAST_B, .a = 1,
+                  .b = 1, .c = 5));
     expect_trap(&l, bad, DATA, "SWAP", F(.r = 1, .s = 253));
     expect_trap(&l, unmapped, out, "SWAP", F(.r = 1, .s = 10, .t = 3));
     expect_trap(&l, "bad-request", 0, "EXIT", F(.immediate = 8));
@@ -455,11 +459,9 @@ static void test_regions(void **state)
 {
     (void)state;
     struct little little = make_little();
-    c205_region regions[] = {
-        { "late", CODE + 64, CODE + 96 },
-        { "early", CODE, CODE + 32 },
-        { "late", CODE + 128, CODE + 160 }
-    };
+    c205_region regions[] = { { "late", CODE + 64, CODE + 96 },
+                              { "early", CODE, CODE + 32 },
+                              { "late", CODE + 128, CODE + 160 } };
     c205_segment segment = { CODE, CODE_WORDS, little.code };
     c205_program program = { CODE, 1, &segment, 3, regions };
     c205_error error = { "" };

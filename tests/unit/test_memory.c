@@ -37,19 +37,21 @@ static void test_check(void **state)
     assert_int_equal(memory_check(memory, 0, 0, true, &fault),
                      C205_TRAP_NONE);
     assert_int_equal(memory_check(memory, PAGE_BITS, 2 * PAGE_BITS, true,
-                                  &fault), C205_TRAP_NONE);
+                                  &fault),
+                     C205_TRAP_NONE);
     assert_int_equal(fault, 1);
-    assert_int_equal(memory_check(memory, PAGE_BITS + 1, 2 * PAGE_BITS,
-                                  false, &fault),
+    assert_int_equal(memory_check(memory, PAGE_BITS + 1, 2 * PAGE_BITS, false,
+                                  &fault),
                      C205_TRAP_UNMAPPED_ADDRESS);
     assert_int_equal(fault, 3 * PAGE_BITS);
-    assert_true(memory_map(memory, 2 * PAGE_BITS, 1, C205_READ_ONLY,
-                           &error));
+    assert_true(memory_map(memory, 2 * PAGE_BITS, 1, C205_READ_ONLY, &error));
     assert_int_equal(memory_check(memory, PAGE_BITS, PAGE_BITS + 1, true,
-                                  &fault), C205_TRAP_PROTECTED_ADDRESS);
+                                  &fault),
+                     C205_TRAP_PROTECTED_ADDRESS);
     assert_int_equal(fault, 2 * PAGE_BITS);
     assert_int_equal(memory_check(memory, PAGE_BITS, PAGE_BITS + 1, false,
-                                  &fault), C205_TRAP_NONE);
+                                  &fault),
+                     C205_TRAP_NONE);
     let_go(memory);
 }
 
@@ -127,8 +129,8 @@ static void test_bits(void **state)
             memory_read_bits(memory, address, back, count);
             for (size_t i = 0; i < (count + 63) / 64 * 64; i++)
                 assert_int_equal(back[i / 64] >> (63 - i % 64) & 1,
-                                 i < count && bits[i / 64] >> (63 - i % 64)
-                                                  & 1);
+                                 i < count
+                                     && bits[i / 64] >> (63 - i % 64) & 1);
             memory_read_bits(memory, address - 1, &edge[0], 1);
             memory_read_bits(memory, address + count, &edge[1], 1);
             assert_int_equal(edge[0] >> 63 & edge[1] >> 63, 1);
@@ -160,13 +162,12 @@ static void test_code_marks(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_check),
-        cmocka_unit_test(test_clear),
-        cmocka_unit_test(test_end_of_space),
-        cmocka_unit_test(test_words_across_pages),
-        cmocka_unit_test(test_bits),
-        cmocka_unit_test(test_code_marks)
-    };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_check),
+                                        cmocka_unit_test(test_clear),
+                                        cmocka_unit_test(test_end_of_space),
+                                        cmocka_unit_test(
+                                            test_words_across_pages),
+                                        cmocka_unit_test(test_bits),
+                                        cmocka_unit_test(test_code_marks) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

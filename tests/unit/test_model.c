@@ -29,13 +29,19 @@ static void test_built_in(void **state)
 {
     (void)state;
     static const double pipes[] = { 1, 2, 4 };
-    static const char *const expected_names[] = {
-        "cdc6600", "cyber205-1pipe-32bit", "cyber205-1pipe-prior",
-        "cyber205-1pipe", "cyber205-2pipe-32bit", "cyber205-2pipe-prior",
-        "cyber205-2pipe-small", "cyber205-2pipe", "cyber205-4pipe-32bit",
-        "cyber205-4pipe-prior", "cyber205-4pipe", "cyber720-prior",
-        "cyber720"
-    };
+    static const char *const expected_names[] = { "cdc6600",
+                                                  "cyber205-1pipe-32bit",
+                                                  "cyber205-1pipe-prior",
+                                                  "cyber205-1pipe",
+                                                  "cyber205-2pipe-32bit",
+                                                  "cyber205-2pipe-prior",
+                                                  "cyber205-2pipe-small",
+                                                  "cyber205-2pipe",
+                                                  "cyber205-4pipe-32bit",
+                                                  "cyber205-4pipe-prior",
+                                                  "cyber205-4pipe",
+                                                  "cyber720-prior",
+                                                  "cyber720" };
     enum { NAMES = sizeof expected_names / sizeof expected_names[0] };
     const char *const *names = c205_model_names();
     for (size_t i = 0; i < NAMES; i++)
@@ -47,8 +53,8 @@ static void test_built_in(void **state)
         c205_model *model = c205_model_find(expected, &error);
         assert_non_null(model);
         assert_string_equal(c205_model_name(model), expected);
-        assert_true(c205_model_lookup(model, "machine.pipes")->value ==
-                    pipes[i]);
+        assert_true(c205_model_lookup(model, "machine.pipes")->value
+                    == pipes[i]);
         assert_true(c205_model_lookup(model, "startup.vadd")->value == 51);
         c205_model_free(model);
     }
@@ -115,17 +121,16 @@ static void test_exact_values(void **state)
     assert_int_equal(model_millionths(model, CONSTANT_CLOCK_PERIOD),
                      12500000);
     assert_int_equal(model_whole(model, CONSTANT_PIPES), 4);
-    struct rate rate =
-        model_rate(model, stream_constant(C205_TIMING_vadd));
+    struct rate rate = model_rate(model, stream_constant(C205_TIMING_vadd));
     assert_int_equal(rate.clocks, 1);
     assert_int_equal(rate.per, 4 * MILLION);
     rate = model_rate(model, stream_constant(C205_TIMING_vbits));
     assert_int_equal(rate.clocks, 2 * MILLION);
     assert_int_equal(rate.per, MILLION);
-    assert_int_equal(
-        model_whole(model, latency_constant(C205_TIMING_sqrt)), 54);
-    assert_int_equal(
-        model_whole(model, startup_constant(C205_TIMING_vlink)), 84);
+    assert_int_equal(model_whole(model, latency_constant(C205_TIMING_sqrt)),
+                     54);
+    assert_int_equal(model_whole(model, startup_constant(C205_TIMING_vlink)),
+                     84);
     c205_model_free(model);
 }
 
@@ -159,10 +164,9 @@ static void assert_constant(const c205_model *model, const char *name,
 static void test_change(void **state)
 {
     (void)state;
-    static const c205_setting settings[] = {
-        { "machine.pipes", 4 }, { "page.words", 2048 },
-        { "stream.vadd", 1.25 }
-    };
+    static const c205_setting settings[] = { { "machine.pipes", 4 },
+                                             { "page.words", 2048 },
+                                             { "stream.vadd", 1.25 } };
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
     c205_model *changed = c205_model_change(model, settings, 3, &error);
@@ -181,7 +185,8 @@ static void test_change(void **state)
     assert_constant(changed, "latency.load", "15", 'R');
     assert_constant(model, "machine.pipes", "2", 'P');
     assert_int_equal(model_whole(changed, CONSTANT_PIPES), 4);
-    assert_int_equal(model_rate(changed, stream_constant(C205_TIMING_vadd)).per,
+    assert_int_equal(model_rate(changed, stream_constant(C205_TIMING_vadd))
+                         .per,
                      4 * MILLION);
     c205_model_free(changed);
     c205_model_free(model);
@@ -225,10 +230,12 @@ static void test_errors_in_changes(void **state)
         { { "warp", 9 }, "there is no constant 'warp'" },
         { { "time.add", 9 }, "there is no constant 'time.add'" },
         { { "machine.pipes", 0 }, "machine.pipes must lie between 1 and 64" },
-        { { "machine.pipes", -1 }, "machine.pipes must lie between 1 and 64" },
+        { { "machine.pipes", -1 },
+          "machine.pipes must lie between 1 and 64" },
         { { "machine.pipes", 1e300 },
           "machine.pipes must lie between 1 and 64" },
-        { { "machine.pipes", NAN }, "machine.pipes must lie between 1 and 64" },
+        { { "machine.pipes", NAN },
+          "machine.pipes must lie between 1 and 64" },
         { { "machine.pipes", 1.5 },
           "machine.pipes must be a whole number, not 1.5" },
         { { "page.words", 1024 },
@@ -268,8 +275,9 @@ static void test_errors(void **state)
                  "test:3: cyber205-2pipe-prior is no projection");
     assert_fails("title T\nlike ./cyber205.model",
                  "test:2: 'like' names a built-in model");
-    assert_fails("title T\nmachine.pipes 2 pipes P\nlike cyber205-2pipe-prior",
-                 "test:3: 'like' must stand before the constants");
+    assert_fails(
+        "title T\nmachine.pipes 2 pipes P\nlike cyber205-2pipe-prior",
+        "test:3: 'like' must stand before the constants");
     assert_fails("title T\nstream.vlink 1 clk*pipe/element P\nlike cyber720",
                  "test:3: 'like' must stand before the constants");
     assert_fails("title T\nmachine.pipes 2 pipes P",
@@ -284,15 +292,20 @@ static void test_errors_in_beliefs(void **state)
 {
     (void)state;
     static const char *const beliefs[] = {
-        "", "0 figures, at most 5 % off: x", "-3 figures, at most 5 % off: x",
-        "9999999 figures, at most 5 % off: x", "3 figures, at most 5 % off:",
-        "3 figures, at most nan % off: x", "3 figures, at most inf % off: x",
-        "3 figures, at most 1e300 % off: x", "3 figures, at most 5 off: x"
+        "",
+        "0 figures, at most 5 % off: x",
+        "-3 figures, at most 5 % off: x",
+        "9999999 figures, at most 5 % off: x",
+        "3 figures, at most 5 % off:",
+        "3 figures, at most nan % off: x",
+        "3 figures, at most inf % off: x",
+        "3 figures, at most 1e300 % off: x",
+        "3 figures, at most 5 off: x"
     };
     for (size_t i = 0; i < sizeof beliefs / sizeof beliefs[0]; i++) {
         char text[200];
-        snprintf(text, sizeof text, "title T\nfitted %s\nlike cyber205-2pipe\n",
-                 beliefs[i]);
+        snprintf(text, sizeof text,
+                 "title T\nfitted %s\nlike cyber205-2pipe\n", beliefs[i]);
         assert_fails(text, "test:2: after 'fitted' comes 'N figures, at most "
                            "E % off: NAME'");
     }
@@ -331,7 +344,8 @@ static void test_errors_in_constants(void **state)
           "memory.real_words must lie between 1 and 268435456" },
         { "machine.pipes 2 clk P",
           "the unit of machine.pipes is pipes, not 'clk'" },
-        { "stream.vadd 1 clk R", "the unit of stream.vadd is "
+        { "stream.vadd 1 clk R",
+          "the unit of stream.vadd is "
           "clk*pipe/element, clk/element or clk/bit, not 'clk'" },
         { "machine.pipes 2 pipes",
           "the source of machine.pipes must be P, S, D, R or F, not ''" },
@@ -343,8 +357,8 @@ static void test_errors_in_constants(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         char text[200], message[200];
         unsigned line = strchr(cases[i].line, '\n') ? 4 : 3;
-        snprintf(text, sizeof text, "title T\nlike cyber205-2pipe-prior\n%s\n",
-                 cases[i].line);
+        snprintf(text, sizeof text,
+                 "title T\nlike cyber205-2pipe-prior\n%s\n", cases[i].line);
         snprintf(message, sizeof message, "test:%u: %s", line,
                  cases[i].message);
         assert_fails(text, message);

@@ -66,9 +66,9 @@ static void test_depths(void **state)
         uint64_t page;
         unsigned misses, faults;
     } cases[] = {
-        { 1, 1, 1 }, { 1, 0, 0 }, { 2, 1, 1 }, { 1, 0, 0 }, { 2, 0, 0 },
-        { 3, 1, 1 }, { 1, 1, 0 }, { 3, 0, 0 }, { 4, 1, 1 }, { 2, 1, 0 },
-        { 5, 1, 1 }, /* page 1, used least recently, leaves */
+        { 1, 1, 1 }, { 1, 0, 0 }, { 2, 1, 1 }, { 1, 0, 0 },
+        { 2, 0, 0 }, { 3, 1, 1 }, { 1, 1, 0 }, { 3, 0, 0 },
+        { 4, 1, 1 }, { 2, 1, 0 }, { 5, 1, 1 }, /* page 1, used least recently, leaves */
         { 3, 1, 0 }, { 1, 1, 1 }, { 4, 1, 1 }
     };
     struct clock *clock = pages_of(65536, 4 * 65536, 2);
@@ -159,7 +159,8 @@ static void test_misses_without_faults(void **state)
     assert_met(clock, 15, 0);
     add_vectors(clock, operands, 512 * 5);
     assert_met(clock, 0, 0);
-    add_vectors(clock, operands, 512 * 6); /* the 17th page drives out the .. */
+    add_vectors(clock, operands,
+                512 * 6); /* the 17th page drives out the .. */
     assert_met(clock, 2 + 6, 0);
     add_vectors(clock, operands, 512 * 6); /* .. next, and so on */
     assert_met(clock, 18, 0);

@@ -42,9 +42,9 @@ static void test_holes_in_solids(void **state)
     check_stages(CUT "intersection { " BENT ABOUT "} " AWAY " }");
     check_stages(CUT "intersection { " BENT WEIGHTS ABOUT "} " AWAY " }");
     check_stages(CUT "intersection { " AWAY " merge { box { -9, -8 } " BENT
-                 "} " ABOUT "} }");
+                     "} " ABOUT "} }");
     check_stages(CUT "difference { " BENT ABOUT "} " AWAY " sphere { 0, .6 }"
-                 " }");
+                     " }");
 }
 
 static void test_shadows_and_glass(void **state)
@@ -53,12 +53,13 @@ static void test_shadows_and_glass(void **state)
     check_stages(SHEETS BENT GLASS ABOUT "}");
     check_stages(SHEETS BENT WEIGHTS GLASS ABOUT "}");
     check_stages(SHEETS "merge { " BENT GLASS "} sphere { .5*y, .3 " GLASS
-                 "} " ABOUT "}");
+                        "} " ABOUT "}");
     /* few of the rays at hand come near it */
-    check_stages(SHEETS "merge { " BENT GLASS "scale .3 } sphere { -2*z, .3 "
-                 GLASS "} torus { 2, .1 rotate 60*x } " ABOUT "}");
+    check_stages(SHEETS "merge { " BENT GLASS
+                        "scale .3 } sphere { -2*z, .3 " GLASS
+                        "} torus { 2, .1 rotate 60*x } " ABOUT "}");
     check_stages(SHEETS "intersection { " BENT WEIGHTS "} sphere { 0, 1.2 }"
-                 " no_shadow " ABOUT "}");
+                        " no_shadow " ABOUT "}");
 }
 
 /* Rays in planes of curves s = const, which they meet twice. */
@@ -71,9 +72,11 @@ static void test_pairs_of_lines(void **state)
     for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
         char text[1024] = "";
 
-        add(text, sizeof text, "%sintersection { plane { -z, .3 }"
+        add(text, sizeof text,
+            "%sintersection { plane { -z, .3 }"
             " steiner_patch { <2, 0, 1>, <0, 2, 1>, 0, <1, 1, 0>, <0, 1, -1>,"
-            " <1, 0, -1> translate <-.5, -.5, 0> %s } }", STRAIGHT, turns[i]);
+            " <1, 0, -1> translate <-.5, -.5, 0> %s } }",
+            STRAIGHT, turns[i]);
         check_stages(text);
     }
 }
@@ -97,10 +100,10 @@ static void test_random_patches(void **state)
 {
     (void)state;
     for (int i = 0; i < 6; i++) {
-        char text[4096] =
-            HEAD "light_source { <3, 9, -6>, .5 }\n"
-                 "camera { location <0, 1, -7> look_at 0 angle 50 }\n"
-                 "plane { z, 4 pigment { checker rgb .9 rgb .4 } }\n";
+        char text[4096] = HEAD
+            "light_source { <3, 9, -6>, .5 }\n"
+            "camera { location <0, 1, -7> look_at 0 angle 50 }\n"
+            "plane { z, 4 pigment { checker rgb .9 rgb .4 } }\n";
 
         for (int k = 0; k < 2; k++) {
             add(text, sizeof text, "intersection { ");

@@ -117,8 +117,8 @@ static void compare(const struct round_trip *trip, const struct frame *frame,
         const double raw = frame->channel[channel][i];
         const double value = color && trip->clip ? clipped(raw) : raw;
         const double kept = channel < trip->channels ? value : 0;
-        const double allowed = (color ? trip->relative : 0x1p-24)
-            * fabs(kept) + (color ? trip->absolute : 0);
+        const double allowed = (color ? trip->relative : 0x1p-24) * fabs(kept)
+                               + (color ? trip->absolute : 0);
         if (fabs(back->channel[channel][i] - kept) > allowed)
             fail_msg("%s, channel %zu, pixel %zu: %g is %g", trip->name,
                      channel, i, kept, back->channel[channel][i]);
@@ -153,10 +153,11 @@ static void test_half_is_smaller(void **state)
     struct frame frame = sample_frame();
     struct picture_error error;
     struct stat half, whole;
-    assert_true(picture_write(in_folder("h.exr"), &frame, NULL, true, &error));
+    assert_true(
+        picture_write(in_folder("h.exr"), &frame, NULL, true, &error));
     assert_int_equal(stat(in_folder("h.exr"), &half), 0);
-    assert_true(picture_write(in_folder("f.exr"), &frame, NULL, false,
-                              &error));
+    assert_true(
+        picture_write(in_folder("f.exr"), &frame, NULL, false, &error));
     assert_int_equal(stat(in_folder("f.exr"), &whole), 0);
     assert_true(half.st_size < whole.st_size);
     frame_free(&frame);
@@ -174,8 +175,8 @@ static void test_bytes_are_srgb(void **state)
     for (size_t i = 0; i < 4; i++)
         for (size_t channel = 0; channel <= CHANNEL_BLUE; channel++)
             frame.channel[channel][i] = in[i];
-    assert_true(picture_write(in_folder("g.png"), &frame, NULL, false,
-                              &error));
+    assert_true(
+        picture_write(in_folder("g.png"), &frame, NULL, false, &error));
     assert_true(picture_read(in_folder("g.png"), &back, &error));
     for (size_t i = 0; i < 4; i++)
         assert_true(fabs(back.channel[CHANNEL_GREEN][i] - out[i]) < 1e-6);
@@ -187,8 +188,7 @@ struct note_place {
     const char *file, *name, *text;
 };
 
-static const char described[] =
-    "c205:scene: gear.pov\nc205:clocks: 123456\n";
+static const char described[] = "c205:scene: gear.pov\nc205:clocks: 123456\n";
 
 static const struct note_place note_places[] = {
     { "n.png", "c205:clocks", "123456" },

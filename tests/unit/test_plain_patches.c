@@ -40,7 +40,7 @@ static void test_roman_from_the_triple_point(void **state)
         const double l = ray.direction[0], m = ray.direction[1],
                      n = ray.direction[2];
         const double t = l * m * n
-            / (l * l * m * m + m * m * n * n + n * n * l * l);
+                         / (l * l * m * m + m * m * n * n + n * n * l * l);
         if (fabs(t) < 1e-4) /* near to a double line */
             continue;
         const double found = shoot(&roman, &ray).distance;
@@ -65,15 +65,21 @@ static void test_roman_volume(void **state)
 typedef double four_forms[4][STEINER_POINTS];
 
 static const four_forms roman_forms = {
-    { 0, 0, 0, 0, .5, 0 }, { 0, 0, 0, 0, 0, .5 }, { 0, 0, 0, .5, 0, 0 },
+    { 0, 0, 0, 0, .5, 0 },
+    { 0, 0, 0, 0, 0, .5 },
+    { 0, 0, 0, .5, 0, 0 },
     { 1, 1, 1, 0, 0, 0 },
 };
 static const four_forms sphere_forms = {
-    { 0, 0, 0, 0, 0, 1 }, { 0, 0, 0, 0, 1, 0 }, { 1, 1, -1, 0, 0, 0 },
+    { 0, 0, 0, 0, 0, 1 },
+    { 0, 0, 0, 0, 1, 0 },
+    { 1, 1, -1, 0, 0, 0 },
     { 1, 1, 1, 0, 0, 0 },
 };
 static const four_forms cross_cap_forms = {
-    { 0, 0, 0, 0, .5, 0 }, { 0, 0, 0, 1, 0, 0 }, { 1, -1, 0, 0, 0, 0 },
+    { 0, 0, 0, 0, .5, 0 },
+    { 0, 0, 0, 1, 0, 0 },
+    { 1, -1, 0, 0, 0, 0 },
     { 1, 1, 1, 0, 0, 0 },
 };
 
@@ -105,8 +111,9 @@ static void put_patch(struct primitive *patch, const four_forms forms,
         assert_true(w > 0);
         patch->shape.steiner_patch.weights[k] = w;
         for (int i = 0; i < 3; i++)
-            patch->shape.steiner_patch.points[k][i] =
-                polar_value(forms[i], a, b) / w;
+            patch->shape.steiner_patch.points[k][i] = polar_value(forms[i], a,
+                                                                  b)
+                                                      / w;
     }
 }
 
@@ -130,7 +137,7 @@ static struct surface whole(const four_forms forms)
                 corners[i][1] *= octant & 2 ? -1 : 1;
             }
             put_patch(&surface.parts[surface.count++], forms,
-                      (const double (*)[3])corners);
+                      (const double(*)[3])corners);
         }
     return surface;
 }
@@ -171,8 +178,8 @@ static void point_of(const struct primitive *patch, const double p[3],
     double weight = 0, sum[3] = { 0 };
     for (int k = 0; k < STEINER_POINTS; k++) {
         const int i = pairs[k][0], j = pairs[k][1];
-        const double share = patch->shape.steiner_patch.weights[k]
-            * p[i] * p[j] * (i == j ? 1 : 2);
+        const double share = patch->shape.steiner_patch.weights[k] * p[i]
+                             * p[j] * (i == j ? 1 : 2);
         add_scaled(sum, sum, share, patch->shape.steiner_patch.points[k]);
         weight += share;
     }
@@ -182,8 +189,7 @@ static void point_of(const struct primitive *patch, const double p[3],
 
 /* A ray from anywhere to a point of the patch meets it there, and at no
  * other of its crossings does it leave the patch. */
-static void assert_round_trip(uint64_t *random,
-                              const struct primitive *patch)
+static void assert_round_trip(uint64_t *random, const struct primitive *patch)
 {
     const double s = between(random, 0, 1);
     const double t = between(random, 0, 1 - s);

@@ -22,7 +22,7 @@ static void see(const struct look *look, const char *text, double color[3])
     struct frame frame;
     snprintf(whole, sizeof whole, HEAD "%s", text);
     struct scene *const scene = read(whole);
-    scene->camera = (struct camera) { .location = { 0 } };
+    scene->camera = (struct camera){ .location = { 0 } };
     copy(scene->camera.location, look->from);
     copy(scene->camera.direction, look->along);
     assert_true(plain_trace(scene, 1, 1, &frame));
@@ -43,7 +43,9 @@ static void check(const struct look *look, const char *text, double red,
 }
 
 #define LAMP "finish { ambient 1 } "
+/* clang-format off */
 #define ZAHEAD { { 0, 0, -5 }, { 0, 0, 1 } }
+/* clang-format on */
 
 /* --- mirrors ------------------------------------------------------------- */
 
@@ -53,14 +55,17 @@ static void test_mirror_image(void **state)
 {
     const struct look look = { { -4, 3, 0 }, { 4, -3, 0 } };
     (void)state;
-    check(&look, "plane { y, 0 pigment { rgb 1 } "
+    check(&look,
+          "plane { y, 0 pigment { rgb 1 } "
           "finish { reflection rgb <.9, .5, .2> } } "
           "sphere { <4, 3, 0>, 1e-6 pigment { rgb .5 } " LAMP "}",
           .45, .25, .1);
-    check(&look, "plane { y, 0 pigment { rgb <.1, .2, .3> } "
+    check(&look,
+          "plane { y, 0 pigment { rgb <.1, .2, .3> } "
           "finish { ambient 1 reflection .5 } } background { rgb .5 }",
           .1 + .25, .2 + .25, .3 + .25);
-    check(&look, "plane { y, 0 finish { reflection .5 } } "
+    check(&look,
+          "plane { y, 0 finish { reflection .5 } } "
           "sphere { <4, 3.00001, 0>, 1e-6 pigment { rgb .5 } " LAMP "}",
           0, 0, 0);
 }
@@ -71,8 +76,10 @@ static void test_mirror_ball(void **state)
 {
     const struct look look = { { -3, 4, 0 }, { 3, -3, 0 } };
     (void)state;
-    check(&look, "sphere { 0, 1 finish { reflection 1 } } "
-          "sphere { <3, 4, 0>, 1e-6 pigment { rgb .7 } " LAMP "}", .7, .7, .7);
+    check(&look,
+          "sphere { 0, 1 finish { reflection 1 } } "
+          "sphere { <3, 4, 0>, 1e-6 pigment { rgb .7 } " LAMP "}",
+          .7, .7, .7);
 }
 
 /* Two mirrors that face each other add up a geometric series, which the
@@ -84,7 +91,8 @@ static void check_series(int level, double bailout, int terms)
     double sum = 0;
     for (int i = 0; i < terms; i++)
         sum += .1 * pow(.5, i);
-    snprintf(text, sizeof text, "global_settings { max_trace_level %d "
+    snprintf(text, sizeof text,
+             "global_settings { max_trace_level %d "
              "adc_bailout %.17g } box { 0, <9, 9, 2> translate <-4, -4, 0> "
              "pigment { rgb 1 } finish { ambient .1 reflection .5 } }",
              level, bailout);
@@ -97,7 +105,7 @@ static void test_levels(void **state)
     check_series(1, 0, 1);
     check_series(2, 0, 2);
     check_series(7, 0, 7);
-    check_series(20, .25, 3);     /* what weighs as much is followed */
+    check_series(20, .25, 3); /* what weighs as much is followed */
     check_series(20, .2500001, 2);
     check_series(20, 1. / 255, 8);
 }
@@ -111,7 +119,8 @@ static void check_slab(double n, double depth)
     const struct look look = { { 0, 2, -2 }, { 0, -1, 1 } };
     const double s = sqrt(.5) / n, shift = depth * s / sqrt(1 - s * s);
     char text[512];
-    snprintf(text, sizeof text, "box { <-9, -9, 0>, <9, 9, %.17g> "
+    snprintf(text, sizeof text,
+             "box { <-9, -9, 0>, <9, 9, %.17g> "
              "pigment { rgbt 1 } interior { ior %.17g } } "
              "sphere { <0, %.17g, %.17g>, 1e-6 pigment { rgb .8 } " LAMP "}",
              depth, n, -shift - 1, depth + 1);
@@ -134,8 +143,10 @@ static void test_ball_lens(void **state)
 {
     const struct look look = { { 0, 1e-4, -5 }, { 0, 0, 1 } };
     (void)state;
-    check(&look, "sphere { 0, 1 pigment { rgbt 1 } interior { ior 1.5 } } "
-          "sphere { 1.5*z, 1e-6 pigment { rgb .6 } " LAMP "}", .6, .6, .6);
+    check(&look,
+          "sphere { 0, 1 pigment { rgbt 1 } interior { ior 1.5 } } "
+          "sphere { 1.5*z, 1e-6 pigment { rgb .6 } " LAMP "}",
+          .6, .6, .6);
 }
 
 /* From within glass, below y = 0, to a blue sky or, from 41.81 degrees on, back
@@ -145,10 +156,11 @@ static void check_from_below(double degrees, double red, double blue)
 {
     const double angle = degrees * 3.14159265358979323846 / 180;
     const struct look look = { { 0, -1, 0 }, { sin(angle), cos(angle), 0 } };
-    check(&look, "background { rgb z } plane { y, 0 pigment { rgbt .25 } "
+    check(&look,
+          "background { rgb z } plane { y, 0 pigment { rgbt .25 } "
           "finish { reflection .5 } interior { ior 1.5 } } "
-          "plane { y, -9 pigment { rgb x } finish { ambient 1 } }", red, 0,
-          blue);
+          "plane { y, -9 pigment { rgb x } finish { ambient 1 } }",
+          red, 0, blue);
 }
 
 static void test_total_reflection(void **state)
@@ -166,22 +178,27 @@ static void test_what_passes(void **state)
 {
     const struct look look = ZAHEAD;
     (void)state;
-    check(&look, "background { rgb 1 } plane { -z, 0 "
+    check(&look,
+          "background { rgb 1 } plane { -z, 0 "
           "pigment { rgbft <.8, .5, .2, .5, .25> } }",
           .65, .5, .35);
-    check(&look, "background { rgb 1 } plane { -z, 0 "
+    check(&look,
+          "background { rgb 1 } plane { -z, 0 "
           "pigment { rgbft <.8, .5, .2, .5, .25> } finish { ambient 1 } }",
           .65 + .2, .5 + .125, .35 + .05);
-    check(&look, "background { rgb .5 } plane { -z, 0 "
+    check(&look,
+          "background { rgb .5 } plane { -z, 0 "
           "pigment { rgbt <.5, .5, .5, .5> } finish { reflection .25 } }",
           .375, .375, .375);
-    check(&look, "light_source { -9*z, .5 } plane { -z, 0 "
+    check(&look,
+          "light_source { -9*z, .5 } plane { -z, 0 "
           "pigment { rgbt <.8, .8, .8, .75> } "
           "finish { diffuse .5 specular .5 } }",
           .3, .3, .3); /* .5 (.5 .8 .25 + .5) */
-    check(&look, "background { rgb 1 } plane { -z, 0 pigment { "
-          "checker rgbt <0, 0, 0, .5> rgb 0 translate -.5 } }", .5,
-          .5, .5);
+    check(&look,
+          "background { rgb 1 } plane { -z, 0 pigment { "
+          "checker rgbt <0, 0, 0, .5> rgb 0 translate -.5 } }",
+          .5, .5, .5);
 }
 
 /* Where less passes than counts, nothing is followed: by weight or by
@@ -189,7 +206,8 @@ static void test_what_passes(void **state)
 static void test_too_dark(void **state)
 {
     const struct look look = ZAHEAD;
-    const char *const text = "background { rgb 1 } "
+    const char *const text =
+        "background { rgb 1 } "
         "global_settings { adc_bailout .5 } plane { -z, 0 pigment { ";
     static const struct {
         const char *pigment;
@@ -214,7 +232,8 @@ static void check_shadow(const char *between, double red, double green)
 {
     const struct look look = { { 1, 1, 0 }, { -1, -1, 0 } };
     char text[1024];
-    snprintf(text, sizeof text, "light_source { 10*y, rgb <1, 1, 0> } "
+    snprintf(text, sizeof text,
+             "light_source { 10*y, rgb <1, 1, 0> } "
              "plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } } %s",
              between);
     check(&look, text, red, green, 0);
@@ -234,7 +253,8 @@ static void test_shadows(void **state)
     check_shadow("plane { y, 5 " CLEAR "}", .8, .5);
     check_shadow("sphere { 5*y, 1 " CLEAR "}", .64, .25);
     check_shadow("sphere { 5*y, 1 " CLEAR "interior { ior 1.5 } "
-                 "finish { reflection .5 } }", .64, .25);
+                 "finish { reflection .5 } }",
+                 .64, .25);
     check_shadow("sphere { 10*y, 1 " CLEAR "}", .8, .5);
     check_shadow("sphere { 5*y, 1 " CLEAR "} plane { y, 2 }", 0, 0);
     check_shadow("sphere { 5*y, 1 pigment { rgbf <0, 1, 0, 1> } }", 0, 1);
@@ -249,13 +269,16 @@ static void test_shadows_of_solids(void **state)
     check_shadow("merge { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR "}",
                  .64, .25);
     check_shadow("difference { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR
-                 "}", .4096, .0625);
+                 "}",
+                 .4096, .0625);
     check_shadow("merge { sphere { 5*y, 1 } sphere { 5*y, 1 } " CLEAR "}",
                  .64, .25);
     check_shadow("merge { box { 4, 6 translate <-5, 0, -5> } box { <-1, 6, "
-                 "-1>, <1, 7, 1> } " CLEAR "}", .64, .25);
+                 "-1>, <1, 7, 1> } " CLEAR "}",
+                 .64, .25);
     check_shadow("difference { sphere { 5*y, 1 " CLEAR "} "
-                 "box { <-1, 2, -1>, <1, 5, 1> } }", 0, 0);
+                 "box { <-1, 2, -1>, <1, 5, 1> } }",
+                 0, 0);
 }
 
 int main(void)

@@ -73,8 +73,7 @@ static void test_quadrics(void **state)
     const double h = sqrt(.5), t = sqrt(1. / 3);
     const struct expectation bowl[] = {
         { { .5, 9, 0 }, { 0, -1, 0 }, 8.75, { -h, h, 0 } }, /* one crossing */
-        { { 9, 4, 0 }, { -1, 0, 0 }, 7,
-          { 4 / sqrt(17), -1 / sqrt(17), 0 } },
+        { { 9, 4, 0 }, { -1, 0, 0 }, 7, { 4 / sqrt(17), -1 / sqrt(17), 0 } },
         { { 9, -1, 0 }, { -1, 0, 0 }, 0, { 0 } },
     };
     const struct expectation z_is_xy_and_2[] = {
@@ -126,8 +125,7 @@ static void test_torus(void **state)
     };
     /* Where the tube passes the axis: the outer side and the inner. */
     const struct expectation lemon[] = {
-        { { .1, 9, 0 }, { 0, -1, 0 }, 9 - sqrt(.84),
-          { -.4, sqrt(.84), 0 } },
+        { { .1, 9, 0 }, { 0, -1, 0 }, 9 - sqrt(.84), { -.4, sqrt(.84), 0 } },
         { { .1, 0, 0 }, { 0, 1, 0 }, .8, { -.6, -.8, 0 } },
     };
     struct surface surface = torus(2, .5);
@@ -206,7 +204,7 @@ static void test_roots(void **state)
             bool found = false;
             for (size_t j = 0; j < count; j++)
                 found = found
-                    || fabsl(roots[j] / rows[i].roots[k] - 1) < 1e-14L;
+                        || fabsl(roots[j] / rows[i].roots[k] - 1) < 1e-14L;
             assert_true(found);
         }
     }

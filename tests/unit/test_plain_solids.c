@@ -96,14 +96,15 @@ static double lens(double r, double s, double d)
 {
     const double depth = r + s - d;
     return PI * depth * depth
-        * (d * d + 2 * d * (r + s) - 3 * (r - s) * (r - s)) / (12 * d);
+           * (d * d + 2 * d * (r + s) - 3 * (r - s) * (r - s)) / (12 * d);
 }
 
 static void test_round_solids(void **state)
 {
     (void)state;
     check_volume("intersection { cylinder { -2*x, 2*x, 1 } "
-                 "cylinder { -2*y, 2*y, 1 } }", 1.8, 16. / 3);
+                 "cylinder { -2*y, 2*y, 1 } }",
+                 1.8, 16. / 3);
     check_volume("intersection { cylinder { -2*x, 2*x, 1 } "
                  "cylinder { -2*y, 2*y, 1 } cylinder { -2*z, 2*z, 1 } }",
                  1.3, 8 * (2 - sqrt(2)));
@@ -114,10 +115,12 @@ static void test_round_solids(void **state)
     check_volume("difference { sphere { 0, 1 } sphere { .9*x, .8 } }", 1.2,
                  4 * PI / 3 - lens(1, .8, .9));
     check_volume("intersection { sphere { 0, 1 } "
-                 "cylinder { <.5, -2, 0>, <.5, 2, 0>, .5 } }", 1.2,
-                 2 * PI / 3 - 8. / 9);
-    check_volume("intersection { cylinder { 0, y, 1 } plane { <-1, 1, 0>, 0 } "
-                 "}", 1.5, 2. / 3);
+                 "cylinder { <.5, -2, 0>, <.5, 2, 0>, .5 } }",
+                 1.2, 2 * PI / 3 - 8. / 9);
+    check_volume(
+        "intersection { cylinder { 0, y, 1 } plane { <-1, 1, 0>, 0 } "
+        "}",
+        1.5, 2. / 3);
     check_volume("intersection { sphere { 0, 1 } plane { -y, -.5 } }", 1.2,
                  PI * .25 * 2.5 / 3);
 }
@@ -127,32 +130,39 @@ static void test_napkin_rings(void **state)
 {
     (void)state;
     check_volume("difference { sphere { 0, 1 } "
-                 "cylinder { -2*y, 2*y, sqrt(.75) } }", 1.1, PI / 6);
+                 "cylinder { -2*y, 2*y, sqrt(.75) } }",
+                 1.1, PI / 6);
     check_volume("difference { sphere { 0, 2 } "
-                 "cylinder { -3*y, 3*y, sqrt(3.75) open } }", 2.1, PI / 6);
+                 "cylinder { -3*y, 3*y, sqrt(3.75) open } }",
+                 2.1, PI / 6);
 }
 
 static void test_other_solids(void **state)
 {
     (void)state;
-    check_volume("difference { box { 0, 3 } box { <1, 1, -1>, <2, 2, 4> } "
-                 "box { <1, -1, 1>, <2, 4, 2> } box { <-1, 1, 1>, <4, 2, 2> } "
-                 "translate -1.5 }", 2.8, 20);
+    check_volume(
+        "difference { box { 0, 3 } box { <1, 1, -1>, <2, 2, 4> } "
+        "box { <1, -1, 1>, <2, 4, 2> } box { <-1, 1, 1>, <4, 2, 2> } "
+        "translate -1.5 }",
+        2.8, 20);
     check_volume("intersection { box { -1, 1 } sphere { 0, 1 inverse } }",
                  1.8, 8 - 4 * PI / 3);
     check_volume("difference { torus { 1, .25 } plane { <1, 2, 3>, 0 } }",
                  1.4, PI * PI / 16);
     check_volume("intersection { elliptical_torus { 1, .2, .4 } "
-                 "plane { x, 0 } plane { z, 0 } }", 1.5, PI * PI * .08 / 2);
+                 "plane { x, 0 } plane { z, 0 } }",
+                 1.5, PI * PI * .08 / 2);
     check_volume("intersection { cone { -y, 1, y, .5 } plane { z, 0 } }", 1.6,
                  PI * 1.75 / 3);
     check_volume("difference { quadric { <1, 4, 1>, 0, 0, -1 } "
-                 "plane { <1, 1, 0>, 0 } }", 1.2, PI / 3);
+                 "plane { <1, 1, 0>, 0 } }",
+                 1.2, PI / 3);
     check_volume("intersection { plane { x, 0 } quartic { <1,0,0,0,0,0,0,0,0,"
                  "0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,1,0,0,0,-1> } }",
                  1.8, 4 * pow(tgamma(1.25), 3) / tgamma(1.75));
     check_volume("intersection { box { -1, 1 } quadric { <-1, -1, 0>, 0, 0, "
-                 ".25 } }", 1.8, 8 - PI / 2);
+                 ".25 } }",
+                 1.8, 8 - PI / 2);
 }
 
 /* De Morgan: what is in neither is out of both. */
@@ -161,14 +171,16 @@ static void test_nested_solids(void **state)
     const double both = lens(1, .8, .9);
     (void)state;
     check_volume("difference { box { -3, 3 } "
-                 "union { sphere { 0, 1 } sphere { .9*x, .8 } } }", 5.2,
-                 216 - 4 * PI / 3 * 1.512 + both);
+                 "union { sphere { 0, 1 } sphere { .9*x, .8 } } }",
+                 5.2, 216 - 4 * PI / 3 * 1.512 + both);
     check_volume("intersection { box { -3, 3 } "
                  "intersection { sphere { 0, 1 } sphere { .9*x, .8 } inverse "
-                 "} }", 5.2, 216 - both);
-    check_volume("difference { sphere { 0, 1 } difference { sphere { .9*x, .8 "
-                 "} box { -4, 4 scale <1, 1, .001> } } }", 1.2,
-                 4 * PI / 3 - both + .008 * PI * .36);
+                 "} }",
+                 5.2, 216 - both);
+    check_volume(
+        "difference { sphere { 0, 1 } difference { sphere { .9*x, .8 "
+        "} box { -4, 4 scale <1, 1, .001> } } }",
+        1.2, 4 * PI / 3 - both + .008 * PI * .36);
 }
 
 /* --- surfaces that coincide ----------------------------------------------- */
@@ -232,14 +244,16 @@ static void test_joined_boxes(void **state)
     struct solid pair = solid_of("merge { box { -1, 1 } "
                                  "box { <1, -1, -1>, <2, 1, 1> } "
                                  "rotate <10, 20, 30> }");
-    struct solid whole = solid_of("box { -1, <2, 1, 1> rotate <10, 20, 30> }");
+    struct solid whole = solid_of(
+        "box { -1, <2, 1, 1> rotate <10, 20, 30> }");
     uint64_t random = RANDOM_SEED;
     (void)state;
     for (int i = 0; i < 2000; i++) {
         struct ray ray;
         for (int k = 0; k < 3; k++) {
             ray.origin[k] = (double)(xorshift(&random) >> 11) * 0x1p-51 - 2;
-            ray.direction[k] = (double)(xorshift(&random) >> 11) * 0x1p-52 - 1;
+            ray.direction[k] = (double)(xorshift(&random) >> 11) * 0x1p-52
+                               - 1;
         }
         normalise(ray.direction);
         const struct passage a = pass(&pair, &ray), b = pass(&whole, &ray);
@@ -268,7 +282,8 @@ static int seen_along(const char *text, double x, size_t reports)
 }
 
 /* A patch in z = 0, and an open cylinder from -1 to 1 about z. */
-#define PATCH "steiner_patch { <-2, -2, 0>, <2, -2, 0>, <0, 3, 0>, " \
+#define PATCH \
+    "steiner_patch { <-2, -2, 0>, <2, -2, 0>, <0, 3, 0>, " \
     "<0, -2, 0>, <1, .5, 0>, <-1, .5, 0> }"
 #define TUBE "cylinder { -z, z, .5 open }"
 #define BALL " sphere { 0, .5 }"

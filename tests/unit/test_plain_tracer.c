@@ -22,7 +22,7 @@ static const struct transform identity = {
 /* Only diffuse; white. */
 static struct primitive primitive_of(enum primitive_kind kind)
 {
-    return (struct primitive) {
+    return (struct primitive){
         .kind = kind,
         .to_world = identity,
         .to_local = identity,
@@ -80,8 +80,8 @@ static void each_alone(struct scene *scene,
     scene->regions = regions;
     scene->max_trace_level = 1;
     for (size_t i = 0; i < scene->region_count; i++)
-        regions[i] = (struct region) { .first_primitive = i,
-                                       .primitive_count = 1 };
+        regions[i] = (struct region){ .first_primitive = i,
+                                      .primitive_count = 1 };
 }
 
 struct sample {
@@ -96,8 +96,8 @@ static struct sample look(struct scene *scene, double x, double y, double z,
     struct frame frame;
     struct sample sample;
     each_alone(scene, regions);
-    scene->camera = (struct camera) { .location = { x, y, z },
-                                      .direction = { dx, dy, dz } };
+    scene->camera = (struct camera){ .location = { x, y, z },
+                                     .direction = { dx, dy, dz } };
     assert_true(plain_trace(scene, 1, 1, &frame));
     for (size_t i = 0; i < FRAME_CHANNELS; i++)
         sample.values[i] = frame.channel[i][0];
@@ -186,7 +186,7 @@ static void test_transform(void **state)
     (void)state;
     struct primitive sphere = unit_sphere();
     struct scene scene = { .primitive_count = 1, .primitives = &sphere };
-    sphere.to_local = (struct transform) {
+    sphere.to_local = (struct transform){
         { { 1, 0, 0, 0 }, { 0, 2, 0, -6 }, { .5, 0, 1, 0 } }
     };
     assert_hit(look(&scene, 0, 9, 0, 0, -2, 0), 1, 5.5, 0, 1, 0);
@@ -246,11 +246,13 @@ struct stage {
 
 static void set_stage(struct stage *stage)
 {
-    *stage = (struct stage) {
+    *stage = (struct stage){
         .primitives = { floor_at(0) },
         .light = { .position = { 3, 4, 0 }, .color = { .5, 1, 1 } },
-        .scene = { .ambient_light = { 2, 1, 1 }, .background = { .25, 0, 0 },
-                   .light_count = 1, .primitive_count = 1 },
+        .scene = { .ambient_light = { 2, 1, 1 },
+                   .background = { .25, 0, 0 },
+                   .light_count = 1,
+                   .primitive_count = 1 },
     };
     stage->scene.lights = &stage->light;
     stage->scene.primitives = stage->primitives;
@@ -321,15 +323,17 @@ static void test_checker(void **state)
     (void)state;
     struct primitive plane = floor_at(0);
     struct light light = { .position = { 0, 1e9, 0 }, .color = { 1, 1, 1 } };
-    struct scene scene = { .light_count = 1, .lights = &light,
-                           .primitive_count = 1, .primitives = &plane };
+    struct scene scene = { .light_count = 1,
+                           .lights = &light,
+                           .primitive_count = 1,
+                           .primitives = &plane };
     plane.pigment.kind = PIGMENT_CHECKER;
     plane.pigment.to_local.rows[0][0] = .5; /* squares 2 wide in x */
     for (int x = -3; x < 4; x++)
         for (int z = -3; z < 4; z++) {
             const bool odd = (x + z) % 2 != 0;
-            const struct sample sample =
-                look(&scene, 2 * x + 1, 1, z + .5, 0, -1, 0);
+            const struct sample sample = look(&scene, 2 * x + 1, 1, z + .5, 0,
+                                              -1, 0);
             assert_true(fabs(red(sample) - !odd) < 1e-6);
         }
 }
@@ -340,8 +344,8 @@ static void test_compare(void **state)
 {
     (void)state;
     struct frame a, b;
-    const struct comparison all = { "colour", CHANNEL_RED, 3, 1, false, .1,
-                                    .05 };
+    const struct comparison all = { "colour", CHANNEL_RED, 3,  1,
+                                    false,    .1,          .05 };
     assert_true(frame_allocate(&a, 8, 5) && frame_allocate(&b, 8, 5));
     for (size_t i = 0; i < 40; i++)
         a.channel[CHANNEL_ID][i] = i % 8 < 4;

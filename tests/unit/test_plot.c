@@ -129,7 +129,7 @@ static char *text_of(const struct folder *folder, const char *name)
 
     path_of(folder, name, path);
     text = file_read(path, &length, &error);
-    if (text == NULL)
+    if (!text)
         fail_msg("%s: %s", path, error.message);
     return text;
 }
@@ -157,7 +157,7 @@ static void expect_error(const struct plot *plot, const struct folder *folder,
     c205_error error = { "" };
 
     assert_false(write_plot(plot, folder, name, &error));
-    if (strstr(error.message, part) == NULL)
+    if (!strstr(error.message, part))
         fail_msg("\"%s\" without \"%s\"", error.message, part);
 }
 
@@ -439,8 +439,8 @@ static void curves_are_cut(void **state)
     draw(&plot, folder);
     script = text_of(folder, "a b'c.gp");
     assert_non_null(strstr(script, "set yrange [0:12]"));
-    assert_non_null(strstr(script,
-                           "cut off at 12; the highest value is 33.3333"));
+    assert_non_null(
+        strstr(script, "cut off at 12; the highest value is 33.3333"));
     free(script);
     remove_plot(folder);
 }

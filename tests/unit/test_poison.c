@@ -175,10 +175,9 @@ static void mark_registers(struct vector_case *one)
 
 static c205_word poison(uint64_t *random)
 {
-    static const c205_word kinds[] = {
-        C205_INDEFINITE, C205_MACHINE_ZERO, UINT64_MAX, 0,
-        UINT64_C(0x6FFF7FFFFFFFFFFF)
-    };
+    static const c205_word kinds[] = { C205_INDEFINITE, C205_MACHINE_ZERO,
+                                       UINT64_MAX, 0,
+                                       UINT64_C(0x6FFF7FFFFFFFFFFF) };
     const size_t kind = draw(random, 0, 9);
 
     return kind < 5 ? kinds[kind] : random_bits(random);
@@ -204,8 +203,8 @@ static void fill(struct image *before, const struct vector_case *one,
 
 static void take(struct little *little, struct image *image)
 {
-    assert_true(c205_read(little->machine, DATA, image->memory,
-                          MEMORY_WORDS));
+    assert_true(
+        c205_read(little->machine, DATA, image->memory, MEMORY_WORDS));
     for (unsigned i = 0; i < C205_REGISTERS; i++)
         image->reg[i] = get(little, i);
     image->flags = c205_data_flags(little->machine);
@@ -218,8 +217,8 @@ static void run_image(struct little *little, const char *name,
     c205_stop stop;
 
     load(little, MEMORY_WORDS);
-    assert_true(c205_write(little->machine, DATA, before->memory,
-                           MEMORY_WORDS));
+    assert_true(
+        c205_write(little->machine, DATA, before->memory, MEMORY_WORDS));
     for (unsigned i = 0; i < C205_REGISTERS; i++)
         set(little, i, before->reg[i]);
     stop = run(little);
@@ -254,8 +253,7 @@ static void check_survivors(const char *name, const struct image *before,
 
 static void check_results(const char *name, const struct image *one,
                           const struct image *other,
-                          const struct bits_of *written,
-                          bool with_clock)
+                          const struct bits_of *written, bool with_clock)
 {
     check_words(name, "unlike word", one->memory, other->memory,
                 written->memory, 0, MEMORY_WORDS);
@@ -356,12 +354,11 @@ static void draw_pair(uint64_t *random)
     half = one.fields.g & C205_G_HALF;
     memset(&other, 0, sizeof other);
     other.row = draw_linked(random);
-    other.fields = (c205_fields){
-        .g = (uint8_t)(C205_G_BROADCAST_B | half),
-        .a = role_register[ROLE_X], .b = half ? role_half[ROLE_Y]
-                                              : role_register[ROLE_Y],
-        .c = role_register[ROLE_A]
-    };
+    other.fields = (c205_fields){ .g = (uint8_t)(C205_G_BROADCAST_B | half),
+                                  .a = role_register[ROLE_X],
+                                  .b = half ? role_half[ROLE_Y]
+                                            : role_register[ROLE_Y],
+                                  .c = role_register[ROLE_A] };
     if (half)
         define_half(&one, role_half[ROLE_Y], draw_half(random));
     else
@@ -405,10 +402,8 @@ static void test_pairs(void **state)
 
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_pairs)
-    };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_rows),
+                                        cmocka_unit_test(test_pairs) };
     if (argc > 1)
         cases = strtoul(argv[1], NULL, 0);
     return cmocka_run_group_tests_name("poison", tests, NULL, NULL);

@@ -7,9 +7,10 @@
 
 #include <unistd.h>
 
-#define SCENE AHEAD "light_source { <5, 9, -7>, 1 }" \
-    "plane { y, -1 pigment { checker rgb 1, rgb .2 } }" \
-    "sphere { 0, 1 pigment { rgb <1, .5, .2> } }"
+#define SCENE \
+    AHEAD "light_source { <5, 9, -7>, 1 }" \
+          "plane { y, -1 pigment { checker rgb 1, rgb .2 } }" \
+          "sphere { 0, 1 pigment { rgb <1, .5, .2> } }"
 
 static struct scene *scene;
 static struct trace *traces[TRACE_MODES];
@@ -26,7 +27,7 @@ static struct trace *stage(int i)
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);
 
-    if (trace == NULL || !trace_run(trace, &error))
+    if (!trace || !trace_run(trace, &error))
         fail_msg("%s", error.message);
     return trace;
 }
@@ -60,8 +61,8 @@ static char *table_text_of(enum profile_table kind)
 {
     char path[] = "/tmp/test_profile.XXXXXX", *text;
     int file = mkstemp(path);
-    struct table *table =
-        profile_table(kind, (const struct trace *const *)traces);
+    struct table *table = profile_table(kind,
+                                        (const struct trace *const *)traces);
     c205_error error = { "" };
     struct json *json;
     size_t length;
@@ -95,9 +96,9 @@ struct clocks {
 
 static void add_row(const char *row, struct clocks *sum)
 {
-    static const char *const keys[TRACE_MODES] = {
-        "\"scalar_clocks\"", "\"kernels_clocks\"", "\"vector_clocks\""
-    };
+    static const char *const keys[TRACE_MODES] = { "\"scalar_clocks\"",
+                                                   "\"kernels_clocks\"",
+                                                   "\"vector_clocks\"" };
 
     for (int i = 0; i < TRACE_MODES; i++)
         sum->of[i] += number_of(row, keys[i]);
@@ -121,7 +122,8 @@ static void test_sums(void **state)
     (void)state;
     for (const char *at = text; (at = strstr(at, row)) != NULL; rows++) {
         bool is_part = strncmp(strstr(at, "\"kernel\": "), "\"kernel\": \"\"",
-                               12) == 0;
+                               12)
+                       == 0;
 
         at += strlen(row);
         if (strncmp(at, "the frame", 9) == 0)

@@ -189,8 +189,10 @@ static void test_sources(void **state)
     static const struct {
         char letter;
         const char *name;
-    } sources[] = { { 'P', "from a primary source" }, { 'S', "secondary" },
-                    { 'D', "derived" }, { 'R', "reconstructed" },
+    } sources[] = { { 'P', "from a primary source" },
+                    { 'S', "secondary" },
+                    { 'D', "derived" },
+                    { 'R', "reconstructed" },
                     { 'F', "fitted" } };
     (void)state;
     c205_model *model = parsed(compared_model);
@@ -265,12 +267,9 @@ static void test_line(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_belief),
-        cmocka_unit_test(test_no_figure),
-        cmocka_unit_test(test_changed),
-        cmocka_unit_test(test_projection),
-        cmocka_unit_test(test_sources),
-        cmocka_unit_test(test_one_source),
+        cmocka_unit_test(test_belief),  cmocka_unit_test(test_no_figure),
+        cmocka_unit_test(test_changed), cmocka_unit_test(test_projection),
+        cmocka_unit_test(test_sources), cmocka_unit_test(test_one_source),
         cmocka_unit_test(test_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

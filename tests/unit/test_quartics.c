@@ -60,7 +60,8 @@ static void test_tori(void **state)
     check_middle(AHEAD "torus { .5, 1 rotate 90*x }", 1, 5 - sqrt(.75));
     check_middle(AHEAD "elliptical_torus { 1, .5, .1 }", 1, 3.5);
     check_middle(AHEAD "elliptical_torus { 1, .5, .1 rotate 90*x"
-                 " translate x }", 1, 4.9);
+                       " translate x }",
+                 1, 4.9);
 }
 
 /* From the middle of the tube, from its surface, from the hole. */
@@ -70,8 +71,7 @@ static void test_starts(void **state)
     check_middle(AHEAD "torus { 1, .5 translate <0, 0, -4> }", 1, .5);
     check_middle(AHEAD "torus { 1, .5 translate <0, 0, -3.5> }", 1, 1);
     check_middle(AHEAD "torus { 1, .5 translate <0, 0, -5> }", 1, .5);
-    check_middle(AHEAD "torus { 1, .5 scale 2 translate <0, 0, -2> }", 1,
-                 2);
+    check_middle(AHEAD "torus { 1, .5 scale 2 translate <0, 0, -2> }", 1, 2);
     check_middle(AHEAD "torus { 1, .5 translate <0, 0, -7> }", 0, 0);
 }
 
@@ -81,18 +81,23 @@ static void test_least_distance(void **state)
 {
     (void)state;
     check_middle(AHEAD "torus { 1, .5 scale 1000"
-                 " translate (1500 - 5 + 2e-6)*z }", 1, 2e-6);
+                       " translate (1500 - 5 + 2e-6)*z }",
+                 1, 2e-6);
     check_middle(AHEAD "torus { 1, .5 scale 1000"
-                 " translate (1500 - 5 + .5e-6)*z }", 1, 1000 + .5e-6);
+                       " translate (1500 - 5 + .5e-6)*z }",
+                 1, 1000 + .5e-6);
     check_middle(AHEAD "torus { 1, .5 scale .001"
-                 " translate (.0015 - 5 + 2e-6)*z }", 1, 2e-6);
+                       " translate (.0015 - 5 + 2e-6)*z }",
+                 1, 2e-6);
     check_middle(AHEAD "torus { 1, .5 scale .001"
-                 " translate (.0015 - 5 + .5e-6)*z }", 1, .0010005);
+                       " translate (.0015 - 5 + .5e-6)*z }",
+                 1, .0010005);
 }
 
 /* Coefficients in POV-Ray's order, of which only a few are not 0. */
-#define Z4 "<0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, " \
-           "0,0,0,0,0, 1,"
+#define Z4 \
+    "<0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, " \
+    "0,0,0,0,0, 1,"
 
 static void test_quartic_surfaces(void **state)
 {
@@ -102,9 +107,11 @@ static void test_quartic_surfaces(void **state)
     check_middle(AHEAD "quartic { " Z4 "0,-5,0,4> translate -5*z }", 1, 1);
     check_middle(AHEAD "quartic { " Z4 "0,0,0,1> }", 0, 0);
     check_middle(AHEAD "quartic { <0,0,0,1,0, 0,0,0,0,0, 0,0,0,0,0,"
-                 " 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,1,-3> }", 1, 8);
+                       " 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,1,-3> }",
+                 1, 8);
     check_middle(AHEAD "quartic { <0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0,"
-                 " 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,1,0,0,-8> }", 1, 7);
+                       " 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,1,0,0,-8> }",
+                 1, 7);
 }
 
 int main(void)

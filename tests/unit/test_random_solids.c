@@ -14,18 +14,22 @@ static void add_view(char *text, size_t size)
 {
     along = solids.gridded && below(2);
     if (along)
-        add(text, size, "camera { location <0, 0, -%.2f> " STRAIGHT_AHEAD
-            " }\n", size_between(4, 6));
+        add(text, size,
+            "camera { location <0, 0, -%.2f> " STRAIGHT_AHEAD " }\n",
+            size_between(4, 6));
     else
-        add(text, size, "camera { location <%.3f, %.3f, -5> look_at <%.3f, "
-            "%.3f, 0> angle 45 }\n", between(-2, 2), between(-2, 2),
-            between(-.2, .2), between(-.2, .2));
+        add(text, size,
+            "camera { location <%.3f, %.3f, -5> look_at <%.3f, "
+            "%.3f, 0> angle 45 }\n",
+            between(-2, 2), between(-2, 2), between(-.2, .2),
+            between(-.2, .2));
 }
 
 static void write_scene(char *text, size_t size)
 {
     text[0] = '\0';
-    add(text, size, "#version 3.7; global_settings { assumed_gamma 1 "
+    add(text, size,
+        "#version 3.7; global_settings { assumed_gamma 1 "
         "max_trace_level 4 }\nbackground { rgb <.2, .3, .5> }\n"
         "light_source { <%.1f, 8, -7>, .7 }\n"
         "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n",

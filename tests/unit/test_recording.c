@@ -77,9 +77,9 @@ static void assert_retimes(const struct run *recorded, const struct run *ran,
     assert_true(c205_retime(recorded->recording, model, settings, count, 1,
                             clocks, REGIONS, &error));
     for (size_t i = 0; i < c205_account_count(ran->machine); i++)
-        assert_true(clocks[i]
-                    == (double)accounts_clocks(c205_account_at(ran->machine,
-                                                               i)));
+        assert_true(
+            clocks[i]
+            == (double)accounts_clocks(c205_account_at(ran->machine, i)));
 }
 
 /* A recording made on one model tells the clocks of a run on another. */
@@ -100,9 +100,9 @@ static void test_same_clocks(void **state)
 {
     (void)state;
     static const char *const paths[] = {
-        "asm/examples/sieve.s", "asm/examples/lookup.s",
+        "asm/examples/sieve.s",        "asm/examples/lookup.s",
         "asm/examples/saxpy_linked.s", "rt/fit/programs/linpack.s",
-        "rt/fit/programs/gather.s", "rt/fit/programs/photons.s"
+        "rt/fit/programs/gather.s",    "rt/fit/programs/photons.s"
     };
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
         compare(paths[i], "cyber205-2pipe-prior", NULL, 0);
@@ -144,10 +144,9 @@ static void test_pages(void **state)
     static const c205_setting little[] = { { "page.words", 2048 },
                                            { "memory.real_words", 9000 },
                                            { "translation.registers", 2 } };
-    static const char *const paths[] = {
-        "rt/fit/programs/linpack.s", "rt/fit/programs/gather.s",
-        "rt/fit/programs/photons.s"
-    };
+    static const char *const paths[] = { "rt/fit/programs/linpack.s",
+                                         "rt/fit/programs/gather.s",
+                                         "rt/fit/programs/photons.s" };
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
         compare_pages(paths[i], small, 1);
         compare_pages(paths[i], little, 3);
@@ -242,16 +241,16 @@ static const char chain[] =
     "a:      .word 1.0, 2.0\n"
     "save:   .space 2\n"
     "        .code\n"
-    "        EX   r10, a\n"           /* single */
-    "        ELEN r10, 2\n"           /* single */
-    "        EX   r11, save\n"        /* single */
-    "        ELEN r11, 2\n"           /* single */
+    "        EX   r10, a\n"            /* single */
+    "        ELEN r10, 2\n"            /* single */
+    "        EX   r11, save\n"         /* single */
+    "        ELEN r11, 2\n"            /* single */
     "        SWAP [r10], r20, [r11]\n" /* two loads, two stores */
-    "        MPYS r20, r21, r22\n"    /* multiply */
-    "        ADDN r22, r21, r23\n"    /* add */
-    "        ADDN r20, r21, r24\n"    /* add */
-    "        CFPLT r23, r24, next\n"  /* add, not taken: 4 and 3 */
-    "next:   EXIT\n";                 /* monitor */
+    "        MPYS r20, r21, r22\n"     /* multiply */
+    "        ADDN r22, r21, r23\n"     /* add */
+    "        ADDN r20, r21, r24\n"     /* add */
+    "        CFPLT r23, r24, next\n"   /* add, not taken: 4 and 3 */
+    "next:   EXIT\n";                  /* monitor */
 
 static double projected(const char *model_text)
 {
@@ -259,13 +258,13 @@ static double projected(const char *model_text)
     struct object *object = assemble_text("chain", chain, NULL, &errors);
     c205_model *model = find("cyber205-2pipe-prior");
     c205_error error;
-    c205_model *projection_model =
-        c205_model_parse("test", model_text, &error);
+    c205_model *projection_model = c205_model_parse("test", model_text,
+                                                    &error);
     if (!object || !projection_model)
         fail_msg("%s", object ? error.message : errors.items[0].message);
     c205 *machine = c205_new(model, &error);
-    c205_projection *projection =
-        c205_projection_new(projection_model, &error);
+    c205_projection *projection = c205_projection_new(projection_model,
+                                                      &error);
     assert_non_null(projection);
     assert_true(c205_load(machine, &object->program, &error));
     assert_true(c205_listen(machine, c205_project, projection));
@@ -310,15 +309,18 @@ static void test_projection_models(void **state)
 {
     (void)state;
     c205_error error;
-    assert_null(c205_model_parse("t", "title t\nprojection\n"
-                                      "startup.vadd 3 clk R\n", &error));
+    assert_null(c205_model_parse("t",
+                                 "title t\nprojection\n"
+                                 "startup.vadd 3 clk R\n",
+                                 &error));
     assert_string_equal(error.message,
                         "t:3: there is no constant 'startup.vadd'");
     assert_null(c205_model_parse("t", "title t\nprojection here\n", &error));
-    assert_string_equal(error.message,
-                        "t:2: 'here' is not expected here");
-    assert_null(c205_model_parse("t", "title t\nlike cyber205-2pipe-prior\n"
-                                      "projection\n", &error));
+    assert_string_equal(error.message, "t:2: 'here' is not expected here");
+    assert_null(c205_model_parse("t",
+                                 "title t\nlike cyber205-2pipe-prior\n"
+                                 "projection\n",
+                                 &error));
     assert_string_equal(error.message, "t:3: 'projection' must stand before "
                                        "the constants");
 }

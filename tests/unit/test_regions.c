@@ -29,7 +29,8 @@ static const struct shape_row {
       "elliptical_torus_solid", NULL, 2, 4, 0 },
     { "quadric { 1, 0, 0, -1", "quadric", "quadric_solid", NULL, 2, 4, 0 },
     { "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,"
-      "1,0,0,0,-1>", "quartic_surface", "quartic_solid", NULL, 3, 6, 0 },
+      "1,0,0,0,-1>",
+      "quartic_surface", "quartic_solid", NULL, 3, 6, 0 },
     { PATCH, "steiner", "steiner_crossings", NULL, 0, 4, 0 },
     { PATCH "weights 1,2,1,1,1,1", "rational_steiner",
       "rational_steiner_crossings", NULL, 0, 4, 0 },
@@ -39,10 +40,10 @@ static void check_kernel(const struct stage *stage, size_t i,
                          const char *kernel, const char *inner,
                          const char *expected)
 {
-    bool turned = expected != NULL && stage->scene->primitives[i].transformed
-        && stage->scene->primitives[i].kind != PRIMITIVE_PLANE;
+    bool turned = expected && stage->scene->primitives[i].transformed
+                  && stage->scene->primitives[i].kind != PRIMITIVE_PLANE;
 
-    if (expected == NULL)
+    if (!expected)
         assert_int_equal(primitive(stage, i, kernel), 0);
     else if (primitive(stage, i, inner) != symbol(stage, expected)
              || primitive(stage, i, kernel)
@@ -128,13 +129,15 @@ static void test_regions(void **state)
     struct stage stage;
 
     (void)state;
-    raise_curtain(&stage,
-                  "sphere { 0, 1 } box { 0, 1 no_shadow }\n"
-                  "plane { y, 0 pigment { checker rgb 1, rgbf 1 } }\n"
-                  "merge { sphere { 0, 1 } box { 0, 1 no_shadow } }\n"
-                  "merge { sphere { 0, 1 } box { 0, 1 } pigment { rgbt 1 } }\n"
-                  "merge { sphere { 0, 1 } box { 0, 1 } no_shadow }\n"
-                  "sphere { 0, 1 inverse }", true);
+    raise_curtain(
+        &stage,
+        "sphere { 0, 1 } box { 0, 1 no_shadow }\n"
+        "plane { y, 0 pigment { checker rgb 1, rgbf 1 } }\n"
+        "merge { sphere { 0, 1 } box { 0, 1 no_shadow } }\n"
+        "merge { sphere { 0, 1 } box { 0, 1 } pigment { rgbt 1 } }\n"
+        "merge { sphere { 0, 1 } box { 0, 1 } no_shadow }\n"
+        "sphere { 0, 1 inverse }",
+        true);
     assert_integer(scene_word(&stage, "scene_region_count"), COUNT(rows));
     for (size_t i = 0; i < COUNT(rows); i++) {
         size_t first = (size_t)rows[i].first;
@@ -159,9 +162,9 @@ static void test_nodes(void **state)
         size_t next;
         double radius;
     } rows[] = {
-        { 0, 0, 8, 2.5 }, { 0, 0, 4, 4 }, { 1, 0, 3, 2 },
-        { 1, 1, 4, 2 },   { 0, 2, 7, 9 }, { 1, 2, 6, 9 },
-        { 1, 3, 7, BOUND_NONE },          { 1, 4, 8, 2.5 },
+        { 0, 0, 8, 2.5 },        { 0, 0, 4, 4 },   { 1, 0, 3, 2 },
+        { 1, 1, 4, 2 },          { 0, 2, 7, 9 },   { 1, 2, 6, 9 },
+        { 1, 3, 7, BOUND_NONE }, { 1, 4, 8, 2.5 },
     };
     static const char text[] =
         "intersection { merge { sphere { -2*x, 2 } sphere { 2*x, 2 } }\n"
@@ -179,8 +182,8 @@ static void test_nodes(void **state)
         size_t first = (size_t)rows[i].first;
         uint64_t leaf = field_of(&stage, nodes, "N_SIZE", i, "N_PRIMITIVE");
         uint64_t bound = symbol(&stage, "N_BOUND") + 3;
-        double radius = c205_to_double(word_at(&stage, nodes + size * i
-                                                           + 64 * bound));
+        double radius = c205_to_double(
+            word_at(&stage, nodes + size * i + 64 * bound));
 
         assert_int_equal(leaf,
                          rows[i].leaf ? primitive_at(&stage, first) : 0);
@@ -224,8 +227,10 @@ static void test_bounds(void **state)
     uint64_t bound;
 
     (void)state;
-    raise_curtain(&stage, "difference { sphere { <1, 2, 3>, 2 } box { 0, 9 }"
-                          " inverse }", true);
+    raise_curtain(&stage,
+                  "difference { sphere { <1, 2, 3>, 2 } box { 0, 9 }"
+                  " inverse }",
+                  true);
     bound = scene_word(&stage, "scene_regions")
             + 64 * symbol(&stage, "R_BOUND");
     for (int i = 0; i < 3; i++)
@@ -253,8 +258,9 @@ static char *add_solid(char *end, size_t most)
         for (size_t i = 0; i < children; i++)
             end = add_solid(end, most / children);
     }
-    return end + sprintf(end, "%s } ",
-                         xorshift(&random_state) % 4 ? "" : " inverse");
+    return end
+           + sprintf(end, "%s } ",
+                     xorshift(&random_state) % 4 ? "" : " inverse");
 }
 
 /* The value of a node where the i-th primitive's is bit i. */
@@ -269,7 +275,7 @@ static bool tree_value(const struct scene *scene, size_t node, size_t first,
     for (size_t child = node + 1; child < tree->next;
          child = scene->nodes[child].next) {
         bool other = tree_value(scene, child, first, bits);
-        value = tree->operation == TREE_AND ? value && other
+        value = tree->operation == TREE_AND  ? value && other
                 : tree->operation == TREE_OR ? value || other
                                              : !other;
     }
@@ -296,12 +302,11 @@ static bool steps_value(const struct stage *stage, size_t i, uint64_t bits)
             assert_true(step[part] >= 0 && step[part] < 200);
         }
         assert_true(step[3] >= leaves); /* the primitives' stay */
-        values[step[3]] = step[0] == STEP_AND ? values[step[1]]
-                                                    && values[step[2]]
-                          : step[0] == STEP_OR ? values[step[1]]
-                                                     || values[step[2]]
-                                               : values[step[1]]
-                                                     && !values[step[2]];
+        values[step[3]] = step[0] == STEP_AND
+                              ? values[step[1]] && values[step[2]]
+                          : step[0] == STEP_OR
+                              ? values[step[1]] || values[step[2]]
+                              : values[step[1]] && !values[step[2]];
     }
     return values[c205_to_integer(region(stage, i, "R_RESULT"))];
 }
@@ -348,7 +353,8 @@ static void test_values(void **state)
         { "merge { box { 0, 1 } intersection { box { 0, 1 } box { 0, 1 } } }",
           4 },
         { "merge { intersection { box { 0, 1 } box { 0, 1 } }"
-          " intersection { box { 0, 1 } box { 0, 1 } } }", 6 },
+          " intersection { box { 0, 1 } box { 0, 1 } } }",
+          6 },
     };
 
     (void)state;

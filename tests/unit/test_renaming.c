@@ -16,7 +16,7 @@ enum {
     USUAL_PROGRAMS = 2000,
     STEPS = 200,
     TWO = 2,
-    PAIR = 2, /* instructions behind a prefix */
+    PAIR = 2,       /* instructions behind a prefix */
     IN_HALVES = 128 /* registers that have half registers */
 };
 
@@ -122,10 +122,9 @@ static c205_word rename_insn(const struct renaming *renaming,
                              const c205_insn *row, c205_word word)
 {
     c205_fields old = c205_decode(row, word), fields = old;
-    uint8_t *const names[] = {
-        &fields.x, &fields.a, &fields.y, &fields.b, &fields.z,
-        &fields.c, &fields.r, &fields.s, &fields.t
-    };
+    uint8_t *const names[] = { &fields.x, &fields.a, &fields.y,
+                               &fields.b, &fields.z, &fields.c,
+                               &fields.r, &fields.s, &fields.t };
 
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
         *names[i] = renaming->new_name[*names[i]];
@@ -137,14 +136,16 @@ static c205_word rename_insn(const struct renaming *renaming,
     return c205_encode(row, &fields);
 }
 
-static struct random_program rename_program(
-    const struct renaming *renaming, const struct random_program *program)
+static struct random_program
+rename_program(const struct renaming *renaming,
+               const struct random_program *program)
 {
     struct random_program renamed = *program;
 
     for (size_t i = 0; i < program->insn_count; i++)
-        renamed.insns[i].word = rename_insn(
-            renaming, row_of(&program->insns[i]), program->insns[i].word);
+        renamed.insns[i].word = rename_insn(renaming,
+                                            row_of(&program->insns[i]),
+                                            program->insns[i].word);
     for (unsigned r = 0; r < C205_REGISTERS; r++)
         renamed.registers[renaming->new_name[r]] = program->registers[r];
     return renamed;

@@ -40,11 +40,11 @@ static void assert_same_clocks(const char *name, const c205 *machine,
 {
     double clocks[REGIONS];
     c205_error error;
-    assert_true(c205_retime(recording, model, NULL, 0, 1, clocks, REGIONS,
-                            &error));
+    assert_true(
+        c205_retime(recording, model, NULL, 0, 1, clocks, REGIONS, &error));
     for (size_t i = 0; i < c205_account_count(machine); i++) {
-        double expected =
-            (double)accounts_clocks(c205_account_at(machine, i));
+        double expected = (double)accounts_clocks(
+            c205_account_at(machine, i));
         if (clocks[i] != expected)
             fail_msg("%s on %s: %g clocks in region %zu, played again %g",
                      name, c205_model_name(model), expected, i, clocks[i]);
@@ -59,8 +59,8 @@ static void assert_same_projected(const char *name,
 {
     double clocks[REGIONS];
     c205_error error;
-    assert_true(c205_retime(recording, model, NULL, 0, 1, clocks, REGIONS,
-                            &error));
+    assert_true(
+        c205_retime(recording, model, NULL, 0, 1, clocks, REGIONS, &error));
     for (size_t i = 0; i < REGIONS; i++) {
         double expected = (double)c205_projected_clocks(projection, i);
         if (!isnan(clocks[i]) && clocks[i] != expected)
@@ -198,20 +198,20 @@ static const char operations[] =
     "        .data\n"
     "a:      .word 4.0\n"
     "        .code\n"
-    "        EX   r10, a\n"           /* single */
-    "        LOD  [r10], r11\n"       /* load */
-    "        SQRT r11, r12\n"         /* sqrt */
-    "        DIVS r11, r12, r13\n"    /* divide */
-    "        MPYX r10, r0, r14\n"     /* multiply */
-    "        AND  r10, r11, r15\n"    /* logical */
-    "        STO  [r10], r13\n"       /* store */
+    "        EX   r10, a\n"            /* single */
+    "        LOD  [r10], r11\n"        /* load */
+    "        SQRT r11, r12\n"          /* sqrt */
+    "        DIVS r11, r12, r13\n"     /* divide */
+    "        MPYX r10, r0, r14\n"      /* multiply */
+    "        AND  r10, r11, r15\n"     /* logical */
+    "        STO  [r10], r13\n"        /* store */
     "        IBXEQ r0, r0, r0, over\n" /* single, taken ahead */
     "        ES   r16, 1\n"
-    "over:   ES   r16, 0\n"           /* single */
-    "        ES   r17, 1\n"           /* single */
+    "over:   ES   r16, 0\n"                     /* single */
+    "        ES   r17, 1\n"                     /* single */
     "again:  IBXEQ r16, r17, r17, again, r16\n" /* twice single, taken back,
                                                    not taken */
-    "        EXIT\n";                 /* monitor */
+    "        EXIT\n";                           /* monitor */
 
 static const char powers[] =
     "title t\nlike cyber720-prior\n"

@@ -72,7 +72,7 @@ static struct polynomial_roots *solve(const struct polynomial *polynomials,
     struct polynomial_roots *roots = calloc(count, sizeof *roots);
 
     assert_non_null(roots);
-    if (search == NULL || !roots_run(search, &error)
+    if (!search || !roots_run(search, &error)
         || !roots_read(search, roots, &error))
         fail_msg("%s", error.message);
     roots_free(search);
@@ -183,7 +183,7 @@ static void test_falsi(void **state)
                                               &error);
 
     (void)state;
-    if (program == NULL)
+    if (!program)
         fail_msg("%s", error.message);
     for (int i = 0; i < FALSI_RULES; i++)
         assert_int_equal(object_symbol(program, rules[i].name)->value,
@@ -230,7 +230,7 @@ int main(void)
     int failed;
 
     model = c205_model_find("cyber205-2pipe-prior", &error);
-    if (model == NULL)
+    if (!model)
         return 2;
     failed = cmocka_run_group_tests(tests, NULL, NULL);
     c205_model_free(model);

@@ -47,10 +47,10 @@ static void compare_program(const char *path, uint64_t clocks)
 static void test_programs(void **state)
 {
     static const char *const paths[] = {
-        "asm/examples/horner.s", "asm/examples/interval_sum.s",
-        "asm/examples/lookup.s", "asm/examples/saxpy_linked.s",
+        "asm/examples/horner.s",       "asm/examples/interval_sum.s",
+        "asm/examples/lookup.s",       "asm/examples/saxpy_linked.s",
         "asm/examples/saxpy_scalar.s", "asm/examples/saxpy_vector.s",
-        "asm/examples/sieve.s", "tests/programs/swap.s"
+        "asm/examples/sieve.s",        "tests/programs/swap.s"
     };
     (void)state;
     compare_program("asm/examples/dot.s", 1);
@@ -60,8 +60,9 @@ static void test_programs(void **state)
 
 static void compare_frame(const struct scene *scene, enum trace_mode mode)
 {
-    struct trace_options options = { .mode = mode, .width = 8, .height = 6,
-                                     .queue = 30, .model = model };
+    struct trace_options options = {
+        .mode = mode, .width = 8, .height = 6, .queue = 30, .model = model
+    };
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);
     c205 *machine = trace ? trace_machine(trace, &error) : NULL;
@@ -83,7 +84,8 @@ static void test_kernels(void **state)
         "#version 3.7; camera { location <0, 1, -4> look_at 0 }"
         "light_source { <5, 9, -7>, 1 }"
         "plane { y, -1 pigment { rgb .5 } finish { reflection .3 } }"
-        "sphere { 0, 1 pigment { rgb <1, .5, .2> } }", &options, &reports);
+        "sphere { 0, 1 pigment { rgb <1, .5, .2> } }",
+        &options, &reports);
     (void)state;
     assert_non_null(scene);
     compare_frame(scene, TRACE_SCALAR);
@@ -107,7 +109,8 @@ static void test_access(void **state)
     assert_true(c205_read(machine, address, &word, 1));
     assert_int_equal(word, 205);
     assert_int_equal(memory_check(&machine->memory, address, 64, true,
-                                  &fault), C205_TRAP_PROTECTED_ADDRESS);
+                                  &fault),
+                     C205_TRAP_PROTECTED_ADDRESS);
     c205_free(machine);
 }
 
@@ -276,9 +279,11 @@ static void test_foreign(void **state)
 static void test_same_constants(void **state)
 {
     c205_error error = { "" };
-    c205_model *same = c205_model_parse(
-        "renamed", "title As before\nlike cyber205-2pipe-prior\n"
-        "latency.load 15.0 clk P\n", &error);
+    c205_model *same =
+        c205_model_parse("renamed",
+                         "title As before\nlike cyber205-2pipe-prior\n"
+                         "latency.load 15.0 clk P\n",
+                         &error);
     struct bytes bytes = in_the_middle(1300);
     (void)state;
     assert_non_null(same);

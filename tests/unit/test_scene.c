@@ -122,7 +122,8 @@ static void test_rotations(void **state)
         { "vrotate(V, <0, 30, 0>)", { 2.366025, 2.000000, 2.098076 } },
         { "vrotate(V, <0, 0, 30>)", { -0.133975, 2.232051, 3.000000 } },
         { "vrotate(V, <10, 20, 30>)", { 1.067425, 2.289059, 2.760581 } },
-        { "vaxis_rotate(V, <1, 1, 0>, 30)", { 2.127647, 0.872353, 2.951630 } },
+        { "vaxis_rotate(V, <1, 1, 0>, 30)",
+          { 2.127647, 0.872353, 2.951630 } },
         { "vcross(V, <4, 5, 7>)", { -1, 5, -3 } },
         { "2*V/<4, 5, 6>", { .5, .8, 1 } },
         { "V + 1", { 2, 3, 4 } },
@@ -131,8 +132,8 @@ static void test_rotations(void **state)
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[200];
-        snprintf(text, sizeof text,
-                 "#declare V = <1, 2 3>; sphere { %s 1 }", rows[i].text);
+        snprintf(text, sizeof text, "#declare V = <1, 2 3>; sphere { %s 1 }",
+                 rows[i].text);
         struct scene *scene = read(text);
         for (int k = 0; k < 3; k++)
             assert_close(scene->primitives->shape.sphere.center[k],
@@ -208,12 +209,11 @@ static void test_camera(void **state)
 
 static void test_primitives(void **state)
 {
-    struct scene *scene = read(
-        "sphere { <1, 2, 3>, -2 }\n"
-        "box { <1, -1, 1>, <-1, 1, -2> }\n"
-        "cylinder { 0, 2*y, .5 open }\n"
-        "cylinder { 0, 2*y, .5 no_shadow }\n"
-        "plane { <0, 3, 4>, 2 }\n");
+    struct scene *scene = read("sphere { <1, 2, 3>, -2 }\n"
+                               "box { <1, -1, 1>, <-1, 1, -2> }\n"
+                               "cylinder { 0, 2*y, .5 open }\n"
+                               "cylinder { 0, 2*y, .5 no_shadow }\n"
+                               "plane { <0, 3, 4>, 2 }\n");
     const struct primitive *p = scene->primitives;
 
     (void)state;
@@ -413,8 +413,8 @@ static void test_settings(void **state)
 static void test_our_scenes(void **state)
 {
     static const char *const paths[] = {
-        "scenes/first.pov",  "scenes/bearing.pov", "scenes/pipe_flange.pov",
-        "scenes/rings.pov",  "scenes/hills.pov",   "scenes/roman.pov",
+        "scenes/first.pov",   "scenes/bearing.pov", "scenes/pipe_flange.pov",
+        "scenes/rings.pov",   "scenes/hills.pov",   "scenes/roman.pov",
         "scenes/steiner.pov", "scenes/car.pov"
     };
 

@@ -83,7 +83,8 @@ static void test_trees(void **state)
         { "intersection { }", "", 1 },
         { "difference { " A " }", "0 +", 1 },
         { "intersection { light_source { 0, 1 } " A " }", "0 +", 0 },
-        { "intersection { " A " union { light_source { 0, 1 } } }", "0 +", 1 },
+        { "intersection { " A " union { light_source { 0, 1 } } }", "0 +",
+          1 },
         { "#declare U = union { " A B " }\n"
           "object { U } object { U inverse } merge { object { U } " C " }",
           "0 1 !(|(2,3)) |(|(4,5),6) ++--+++", 0 },
@@ -101,9 +102,9 @@ static void test_trees(void **state)
 /* A transform of the whole moves all parts. */
 static void test_transforms(void **state)
 {
-    struct scene *scene = read(
-        "#declare H = difference { " A " box { 0, 1 translate x } scale 2 }\n"
-        "object { H translate <0, 3, 0> no_shadow }");
+    struct scene *scene = read("#declare H = difference { " A
+                               " box { 0, 1 translate x } scale 2 }\n"
+                               "object { H translate <0, 3, 0> no_shadow }");
     const struct primitive *p = scene->primitives;
 
     (void)state;
@@ -128,10 +129,12 @@ static void test_no_shadow(void **state)
         { "merge { sphere { 0, 1 no_shadow } " B " no_shadow }",
           { true, true } },
         { "intersection { sphere { 0, 1 no_shadow }"
-          " sphere { x, 1 no_shadow } }", { false, false } },
+          " sphere { x, 1 no_shadow } }",
+          { false, false } },
         { "difference { union { sphere { 0, 1 no_shadow } " B " } " C " }",
           { false, false } },
-        { "union { difference { " A C " no_shadow } " B " }", { true, true } },
+        { "union { difference { " A C " no_shadow } " B " }",
+          { true, true } },
         { "union { merge { " A B " } " C " no_shadow }", { true, true } },
     };
 
@@ -178,8 +181,7 @@ static void test_interiors(void **state)
         "}\n"
         "object { L } object { L interior { ior 2 } }\n"
         "union { " A " sphere { 0, 1 interior { } }\n"
-        "    material { texture { pigment { rgbf 1 } } interior { ior 3 } } }"
-        A);
+        "    material { texture { pigment { rgbf 1 } } interior { ior 3 } } }" A);
     static const double expected[] = { 1.2, 1.5, 1.2, 2, 3, 1, 1 };
 
     (void)state;
@@ -244,7 +246,8 @@ static void test_clear_pigments(void **state)
         char text[300];
         snprintf(text, sizeof text,
                  "#declare Glass = rgbft <1, 1, 1, .9, .1>;\n"
-                 "sphere { 0, 1 pigment { %s } }", rows[i].text);
+                 "sphere { 0, 1 pigment { %s } }",
+                 rows[i].text);
         struct scene *scene = read(text);
         for (int k = 0; k < 2; k++) {
             assert_close(scene->primitives->pigment.filter[k],
@@ -353,7 +356,8 @@ static void test_deep_names(void **state)
 
     (void)state;
     for (int i = 0; i < DEEP; i++)
-        end += sprintf(end, "#declare H = difference { object { H } " A " } ");
+        end += sprintf(end,
+                       "#declare H = difference { object { H } " A " } ");
     check_error(text, "copies counted");
     end = text + sprintf(text, "#declare H = " A " ");
     for (int i = 0; i <= DEEP; i++)

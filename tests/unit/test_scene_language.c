@@ -117,9 +117,11 @@ static void test_errors(void **state)
         { "#declare A = array[2] { 1, x }", 28, "of another kind" },
         { "#declare A = array[2] { 1 }", 27, "expected a value" },
         { "#declare A = array[1] { 1, 2 }", 28, "expected '}'" },
-        { "#declare A = array[2]; #declare A[2] = 1;", 35, "between 0 and 1" },
+        { "#declare A = array[2]; #declare A[2] = 1;", 35,
+          "between 0 and 1" },
         { "#declare A = array[2]; sphere { 0, A[0] }", 36, "is not set" },
-        { "#declare A = array[2][2]; #declare A[1] = 3;", 41, "expected '['" },
+        { "#declare A = array[2][2]; #declare A[1] = 3;", 41,
+          "expected '['" },
         { "#declare A = array[2] { 1, 2 } #declare A[0] = x;", 41,
           "of another kind" },
         { "#declare A = 1; sphere { 0, A[0] }", 30, "found '['" },
@@ -186,9 +188,10 @@ static void test_warnings(void **state)
 static void test_too_much_said(void **state)
 {
     struct reports reports = { 0, 0, NULL };
-    struct scene *scene = scene_read_text(
-        "test.pov", "#for (I, 1, 9999) #debug \"0123456789\" #end", &options,
-        &reports);
+    struct scene *scene =
+        scene_read_text("test.pov",
+                        "#for (I, 1, 9999) #debug \"0123456789\" #end",
+                        &options, &reports);
 
     (void)state;
     assert_non_null(scene);
@@ -201,10 +204,8 @@ static void test_too_much_said(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_debug),
-        cmocka_unit_test(test_warnings),
+        cmocka_unit_test(test_lists),         cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_debug),         cmocka_unit_test(test_warnings),
         cmocka_unit_test(test_too_much_said),
     };
 

@@ -15,37 +15,58 @@ static void test_spheres(void **state)
         double radii[4];
     } rows[] = {
         { "#for (I, 1, 3) sphere { 0, I } #end", 3, { 1, 2, 3 } },
-        { "union { #for (I, 1, 2) sphere { 0, I } #end scale 1 }", 2,
+        { "union { #for (I, 1, 2) sphere { 0, I } #end scale 1 }",
+          2,
           { 1, 2 } },
         { "#macro S(R) sphere { 0, R } #end S(2) S(1 + 2)", 2, { 2, 3 } },
         { "#macro S(R) sphere { 0, R } #end\n"
           "#declare A = S(2); #declare B = union { S(4) object { A } }\n"
-          "object { B } object { A }", 3, { 4, 2, 2 } },
+          "object { B } object { A }",
+          3,
+          { 4, 2, 2 } },
         { "#macro R(N) N*10 #end sphere { 0, R(1) + R(2) }", 1, { 30 } },
         { "#macro S(O) object { O } #end S(sphere { 0, 5 })", 1, { 5 } },
         { "#declare O = sphere { 0, 5 } #macro S(O) object { O } #end S(O)",
-          1, { 5 } },
-        { "#macro S(R) #local O = sphere { 0, R } object { O } #end S(6)", 1,
+          1,
+          { 5 } },
+        { "#macro S(R) #local O = sphere { 0, R } object { O } #end S(6)",
+          1,
           { 6 } },
-        { "#macro S(R) #local O = sphere { 0, R } O #end object { S(6) }", 1,
+        { "#macro S(R) #local O = sphere { 0, R } O #end object { S(6) }",
+          1,
           { 6 } },
         { "#macro S(T) sphere { 0, 1 texture { T } } #end\n"
-          "S(texture { pigment { rgb 1 } })", 1, { 1 } },
+          "S(texture { pigment { rgb 1 } })",
+          1,
+          { 1 } },
         { "#macro S() sphere { 0, 1 } #undef S #end\n"
-          "#declare A = S(); object { A }", 1, { 1 } },
+          "#declare A = S(); object { A }",
+          1,
+          { 1 } },
         { "#macro B() union { #end #macro E() } #end\n"
-          "B() sphere { 0, 3 } sphere { 0, 4 } E()", 2, { 3, 4 } },
+          "B() sphere { 0, 3 } sphere { 0, 4 } E()",
+          2,
+          { 3, 4 } },
         { "#macro Many(N) #if (N > 0) sphere { 0, N } Many(N - 1) #end #end\n"
-          "Many(4)", 4, { 4, 3, 2, 1 } },
+          "Many(4)",
+          4,
+          { 4, 3, 2, 1 } },
         { "#declare A = array[2] { sphere { 0, 1 }, sphere { 0, 2 } }\n"
-          "#declare A[0] = A[1] object { A[0] }", 1, { 2 } },
-        { "#macro S() #break sphere { 0, 1 } #end S() sphere { 0, 2 }", 1,
+          "#declare A[0] = A[1] object { A[0] }",
+          1,
           { 2 } },
-        { "#default { finish { ambient 0 } } #if (1) sphere { 0, 2 } #end", 1,
+        { "#macro S() #break sphere { 0, 1 } #end S() sphere { 0, 2 }",
+          1,
+          { 2 } },
+        { "#default { finish { ambient 0 } } #if (1) sphere { 0, 2 } #end",
+          1,
           { 2 } },
         { "#switch (2) #case (1) sphere { 0, 1 } #break #case (2)\n"
-          "sphere { 0, 2 } #end", 1, { 2 } },
-        { "#macro M(x2) sphere { 0, x2 } #end #for (I, 1, 2) M(I) #end", 2,
+          "sphere { 0, 2 } #end",
+          1,
+          { 2 } },
+        { "#macro M(x2) sphere { 0, x2 } #end #for (I, 1, 2) M(I) #end",
+          2,
           { 1, 2 } },
         { "sphere { 0, #include concat(\"col\", \"ors.inc\") 1 }", 1, { 1 } },
     };
@@ -90,8 +111,9 @@ static void test_errors(void **state)
         { "#macro S(R)\n sphere { 0, Q }\n#end\nS(1) S(2)", 2, 14,
           "'Q', which is not declared, in 'S' called at test.pov:4:1" },
         { "#macro A(N)\nsphere { 0, N }\n#end\n#macro B(N)\nA(N)\n#end\nB(x)",
-          2, 13, "in 'A' called at test.pov:5:1, in 'B' called at "
-                 "test.pov:7:1" },
+          2, 13,
+          "in 'A' called at test.pov:5:1, in 'B' called at "
+          "test.pov:7:1" },
         { "#macro S(R)\n#error concat(\"no \", R)\n#end\nS(\"luck\")", 2, 1,
           "no luck, in 'S' called at test.pov:4:1" },
         { "#macro S(A, B) #end\nS(1)", 2, 4, "takes 2 arguments, found 1" },
@@ -145,7 +167,8 @@ static void test_bounds(void **state)
           "#declare S = union { object { S } object { S } } #end",
           "primitives, copies counted" },
         { "#declare A = array[2] { sphere { 0, 1 }, sphere { 0, 1 } }\n"
-          "#while (1) #declare B = A; #end", "primitives, copies counted" },
+          "#while (1) #declare B = A; #end",
+          "primitives, copies counted" },
         { "#while (1) #declare S = seed(1); #end", "random streams" },
         { "#while (1) #if (file_exists(\"no\")) #end #end",
           "files are read" },
@@ -187,10 +210,8 @@ static void test_stopped(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_spheres),
-        cmocka_unit_test(test_lines),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_spheres), cmocka_unit_test(test_lines),
+        cmocka_unit_test(test_errors),  cmocka_unit_test(test_bounds),
         cmocka_unit_test(test_stopped),
     };
 

@@ -11,7 +11,8 @@ static void test_errors(void **state)
         const char *message; /* a part of it */
     } rows[] = {
         { "blob { }", 1, 1, "'blob' is not supported" },
-        { "union { sphere { 0, 1 }\n lathe { 0, 1, y, 0 } }", 2, 2, "'lathe'" },
+        { "union { sphere { 0, 1 }\n lathe { 0, 1, y, 0 } }", 2, 2,
+          "'lathe'" },
         { "difference { sphere { 0 1 } mesh { } }", 1, 29, "'mesh'" },
         { "sphere { 0, 1 interior { ior 0 } }", 1, 26, "ior is not above 0" },
         { "merge { sphere { 0 1 } inverse sphere { 0 1 } }", 1, 32,
@@ -103,7 +104,8 @@ static void test_reports(void **state)
         { "sphere { 0 1 } merge { light_source { 0, 1 } }", 16,
           "in this 'merge'" },
         { "difference { sphere { 0, 1 }"
-          " steiner_patch { x, y, z, 0, 0, 0 } }", 30, "no inside" },
+          " steiner_patch { x, y, z, 0, 0, 0 } }",
+          30, "no inside" },
         { "sphere { 0, 1 pigment { rgb 1 } texture { pigment { rgbt 1 } } }",
           33, "layers" },
         { "sphere { 0, 1 finish { brilliance 2 phong 1 } }", 24,
@@ -243,8 +245,9 @@ static void test_includes(void **state)
     assert_non_null(mkdtemp(folder));
     write_file(folder, "main.pov",
                "\n#include \"part.inc\"\nsphere { 0, R }\n");
-    write_file(folder, "part.inc", "#local L = 2;\n#declare R = L + 1;\n"
-                                   "\n\nbox { -1, L }");
+    write_file(folder, "part.inc",
+               "#local L = 2;\n#declare R = L + 1;\n"
+               "\n\nbox { -1, L }");
     write_file(folder, "loop.inc", "#include \"loop.inc\"\n");
     snprintf(path, sizeof path, "%s/main.pov", folder);
     scene = scene_read(path, &options, &reports);
@@ -267,7 +270,9 @@ static void test_includes(void **state)
     reports_free(&reports);
 
     const char *const search[] = { folder, NULL };
-    const struct scene_options searching = { 4, 3, false, search, NULL, NULL };
+    const struct scene_options searching = {
+        4, 3, false, search, NULL, NULL
+    };
     scene = scene_read_text("x.pov", "#include \"part.inc\"", &searching,
                             &reports);
     assert_non_null(scene);

@@ -6,10 +6,9 @@
 
 static void test_cones(void **state)
 {
-    struct scene *scene = read(
-        "cone { <1, 2, 3>, 2, 5*y, 0 }\n"
-        "cone { 0, 0, x, .5 open no_shadow scale 2 }\n"
-        "cone { -x, 1.5, x, 1.5 open }\n");
+    struct scene *scene = read("cone { <1, 2, 3>, 2, 5*y, 0 }\n"
+                               "cone { 0, 0, x, .5 open no_shadow scale 2 }\n"
+                               "cone { -x, 1.5, x, 1.5 open }\n");
     const struct primitive *p = scene->primitives;
 
     (void)state;
@@ -32,10 +31,9 @@ static void test_cones(void **state)
 
 static void test_tori(void **state)
 {
-    struct scene *scene = read(
-        "torus { 2, .5 sturm rotate 90*x }\n"
-        "torus { .5 1 sturm off pigment { rgb 1 } }\n"
-        "elliptical_torus { 3, .4, .2 }\n");
+    struct scene *scene = read("torus { 2, .5 sturm rotate 90*x }\n"
+                               "torus { .5 1 sturm off pigment { rgb 1 } }\n"
+                               "elliptical_torus { 3, .4, .2 }\n");
     const struct primitive *p = scene->primitives;
 
     (void)state;
@@ -125,9 +123,11 @@ static void test_errors(void **state)
         { "quartic { 1, 2, 3 }", 11, "expected '<'" },
         { "quartic { <1, 2, y> }", 18, "found 3" },
         { "quartic { <0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,"
-          "0,0,0,0,0,0,0,0,0,0,1> }", 11, "35 coefficients, found 36" },
+          "0,0,0,0,0,0,0,0,0,0,1> }",
+          11, "35 coefficients, found 36" },
         { "quartic { <0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,"
-          "0,0,0,0,0,0,0,0,0,1> }", 11, "are 0" },
+          "0,0,0,0,0,0,0,0,0,1> }",
+          11, "are 0" },
         { "steiner_patch { x, y, z, 0, 0 }", 31, "expected a number" },
         { "steiner_patch { x, y, z, 0, 0, 0 weights 1, 1, 1, 1, 1 }", 56,
           "expected a number" },
@@ -177,12 +177,15 @@ static void test_conditions(void **state)
         { "#ifdef (B) #ifdef (A) { #else { #end { #else sphere { 0, 8 } #end",
           8 },
         { "#ifdef (B) #macro M(x) #if (x) { #end #end #while (1) #end #else\n"
-          "sphere { 0, 9 } #end", 9 },
+          "sphere { 0, 9 } #end",
+          9 },
         { "sphere { #ifdef (B) x, #end 0, 2 #ifdef (A) scale 5 #end }", 2 },
         { "union { #ifdef (A) sphere { 0, 2 } #else box { 0, 1 } #end "
-          "light_source { 0, 1 } }", 2 },
+          "light_source { 0, 1 } }",
+          2 },
         { "#ifdef (B) #declare C = 1; #else #declare C = 2; #end\n"
-          "sphere { 0, C }", 2 },
+          "sphere { 0, C }",
+          2 },
         { "#undef A #ifdef (A) sphere { 0, 1 } #end sphere { 0, 2 }", 2 },
     };
 

@@ -21,8 +21,8 @@ static uint64_t random_state = RANDOM_SEED;
 
 static double between(double low, double high)
 {
-    return low + (high - low)
-                     * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
+    return low
+           + (high - low) * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
 }
 
 static void assert_close(double found, double expected, double within)
@@ -159,12 +159,13 @@ static void test_quadrics_keep_their_values(void **state)
                 + terms[6] * x[0] + terms[7] * x[1] + terms[8] * x[2]
                 + terms[9];
         again = w[3] * y[0] * y[0] + w[4] * y[1] * y[1] + w[5] * y[2] * y[2]
-                + 2 * (w[6] * y[0] * y[1] + w[7] * y[0] * y[2]
-                       + w[8] * y[1] * y[2] + w[9] * y[0] + w[10] * y[1]
-                       + w[11] * y[2])
+                + 2
+                      * (w[6] * y[0] * y[1] + w[7] * y[0] * y[2]
+                         + w[8] * y[1] * y[2] + w[9] * y[0] + w[10] * y[1]
+                         + w[11] * y[2])
                 + w[12];
-        assert_close(again, value, 1e-9 * (1 + w[0] * w[0] + w[1] * w[1]
-                                           + w[2] * w[2]));
+        assert_close(again, value,
+                     1e-9 * (1 + w[0] * w[0] + w[1] * w[1] + w[2] * w[2]));
     }
 }
 
@@ -222,22 +223,18 @@ static void test_types_of_surfaces(void **state)
 {
     /* (tu, su, st, s^2 + t^2 + u^2); a sphere by stereographic projection; a
      * cone with two parameters to each point; a plane with curved edges */
-    static const double roman[6][4] = {
-        { 0, 0, 0, 1 }, { 0, 0, 0, 1 }, { 0, 0, 0, 1 },
-        { 0, 0, .5, 0 }, { .5, 0, 0, 0 }, { 0, .5, 0, 0 }
-    };
-    static const double sphere[6][4] = {
-        { 0, 0, 1, 1 }, { 0, 0, 1, 1 }, { 0, 0, -1, 1 },
-        { 0, 0, 0, 0 }, { 0, 1, 0, 0 }, { 1, 0, 0, 0 }
-    };
-    static const double cone[6][4] = {
-        { 0, 0, 0, 1 }, { 1, 1, 0, 1 }, { 1, -1, 0, 1 },
-        { 0, 0, 0, 1 }, { 1.6, 0, -1, 1 }, { 0, 0, 0, 1 }
-    };
-    static const double plane[6][4] = {
-        { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0, 0, 1 },
-        { .7, .8, 0, 1 }, { -.2, .4, 0, 1 }, { .5, .1, 0, 1 }
-    };
+    static const double roman[6][4] = { { 0, 0, 0, 1 },  { 0, 0, 0, 1 },
+                                        { 0, 0, 0, 1 },  { 0, 0, .5, 0 },
+                                        { .5, 0, 0, 0 }, { 0, .5, 0, 0 } };
+    static const double sphere[6][4] = { { 0, 0, 1, 1 },  { 0, 0, 1, 1 },
+                                         { 0, 0, -1, 1 }, { 0, 0, 0, 0 },
+                                         { 0, 1, 0, 0 },  { 1, 0, 0, 0 } };
+    static const double cone[6][4] = { { 0, 0, 0, 1 },    { 1, 1, 0, 1 },
+                                       { 1, -1, 0, 1 },   { 0, 0, 0, 1 },
+                                       { 1.6, 0, -1, 1 }, { 0, 0, 0, 1 } };
+    static const double plane[6][4] = { { 1, 0, 0, 1 },    { 0, 1, 0, 1 },
+                                        { 0, 0, 0, 1 },    { .7, .8, 0, 1 },
+                                        { -.2, .4, 0, 1 }, { .5, .1, 0, 1 } };
     double points[6][4];
 
     (void)state;
@@ -249,11 +246,10 @@ static void test_types_of_surfaces(void **state)
         for (int m = 0; m < 6; m++)
             for (int c = 0; c < 4; c++)
                 points[m][c] = between(-1, 1);
-        assert_int_equal(type_of((const double (*)[4])points),
+        assert_int_equal(type_of((const double(*)[4])points),
                          SURFACE_STEINER);
         memset(points[0], 0, sizeof points[0]); /* a base point */
-        assert_int_equal(type_of((const double (*)[4])points),
-                         SURFACE_CUBIC);
+        assert_int_equal(type_of((const double(*)[4])points), SURFACE_CUBIC);
     }
 }
 
@@ -328,14 +324,30 @@ static void test_polynomials_of_patches(void **state)
 static void test_other_planes(void **state)
 {
     static const double straight[][STEINER_POINTS][3] = {
-        { { 0, 0, 1 }, { 2, 0, 0 }, { 0, 0, 0 },
-          { -.5, .5, 0 }, { -1, 0, 0 }, { .5, 0, 0 } },
-        { { -1, 0, 1 }, { 2, 0, 0 }, { 0, 0, 0 },
-          { -1, .5, 0 }, { -1, 0, 0 }, { 0, 0, 0 } },
-        { { 0, 2, 0 }, { 1, 4, 0 }, { 2, 2, 0 },
-          { 0, 2, 0 }, { 1, 4, 0 }, { 2, 2, 0 } },
-        { { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 },
-          { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
+        { { 0, 0, 1 },
+          { 2, 0, 0 },
+          { 0, 0, 0 },
+          { -.5, .5, 0 },
+          { -1, 0, 0 },
+          { .5, 0, 0 } },
+        { { -1, 0, 1 },
+          { 2, 0, 0 },
+          { 0, 0, 0 },
+          { -1, .5, 0 },
+          { -1, 0, 0 },
+          { 0, 0, 0 } },
+        { { 0, 2, 0 },
+          { 1, 4, 0 },
+          { 2, 2, 0 },
+          { 0, 2, 0 },
+          { 1, 4, 0 },
+          { 2, 2, 0 } },
+        { { 0, 0, 0 },
+          { 2, 0, 0 },
+          { 0, 2, 0 },
+          { 1, 0, 0 },
+          { 1, 1, 0 },
+          { 0, 1, 0 } },
     };
 
     (void)state;

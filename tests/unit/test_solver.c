@@ -533,7 +533,7 @@ int main(void)
     int failed;
 
     model = c205_model_find("cyber205-2pipe-prior", &error);
-    if (model == NULL)
+    if (!model)
         return 2;
     failed = cmocka_run_group_tests(tests, NULL, NULL);
     c205_model_free(model);

@@ -73,10 +73,10 @@ static void check_solver(const struct speedup_subject *subject,
                          const struct speedup_measure measures[TRACE_FORMS])
 {
     for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++) {
-        const struct stage_count *count =
-            measures[TRACE_SCALAR].iterations.stage;
+        const struct stage_count *count = measures[TRACE_SCALAR]
+                                              .iterations.stage;
 
-        if (subject->regions[i] == NULL
+        if (!subject->regions[i]
             || strcmp(subject->regions[i], speedup_solver) != 0)
             continue;
         for (int stage = 0; stage < STAGES; stage++) {
@@ -107,9 +107,11 @@ static void test_solvers(void **state)
             solves |= subject->regions[k] != NULL
                       && strcmp(subject->regions[k], speedup_solver) == 0;
         for (int mode = 0; mode < TRACE_FORMS; mode++)
-            assert_int_equal(
-                measures[mode].iterations.stage[STAGE_VALUE].brackets > 0,
-                solves);
+            assert_int_equal(measures[mode]
+                                     .iterations.stage[STAGE_VALUE]
+                                     .brackets
+                                 > 0,
+                             solves);
         check_solver(subject, measures);
     }
 }
@@ -151,13 +153,14 @@ static void test_view(void **state)
 static void check_error(const struct speedup_subject *subject,
                         const char *message)
 {
-    struct trace_options options = { .width = 4, .height = 4, .queue = 4,
-                                     .model = model };
+    struct trace_options options = {
+        .width = 4, .height = 4, .queue = 4, .model = model
+    };
     struct speedup_measure measured;
     c205_error error = { "" };
 
-    assert_false(speedup_measure(subject, &view, &options, &measured,
-                                 &error));
+    assert_false(
+        speedup_measure(subject, &view, &options, &measured, &error));
     assert_non_null(strstr(error.message, message));
 }
 
@@ -177,7 +180,7 @@ static struct speedup_report *report_all(void)
 {
     struct speedup_report *all = speedup_report_new(model);
 
-    for (size_t i = 0; all != NULL && i < speedup_subject_count; i++) {
+    for (size_t i = 0; all && i < speedup_subject_count; i++) {
         struct speedup_measure measures[TRACE_FORMS];
 
         measure(&speedup_subjects[i], &view, measures);
@@ -462,9 +465,9 @@ static int set_up(void **state)
 
     (void)state;
     model = c205_model_find("cyber205-2pipe-prior", &error);
-    if (model != NULL)
+    if (model)
         report = report_all();
-    return report == NULL;
+    return !report;
 }
 
 static int tear_down(void **state)

@@ -48,11 +48,12 @@ static void test_rays_along_the_differences(void **state)
 {
     (void)state;
     check_middle(STRAIGHT "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
-                 " <0, 2, 1>, <0, -1, 0>, <1, .5, 0>, <-1, .5, 0> }", 1,
-                 5 + 1 / 3.);
+                          " <0, 2, 1>, <0, -1, 0>, <1, .5, 0>, <-1, .5, 0> }",
+                 1, 5 + 1 / 3.);
     check_middle(STRAIGHT "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
-                 " <0, 2, 1>, <0, -1, 0>, <1, .5, 0>, <-1, .5, 0>"
-                 " weights 2, 2, 2, 2, 2, 2 }", 1, 5 + 1 / 3.);
+                          " <0, 2, 1>, <0, -1, 0>, <1, .5, 0>, <-1, .5, 0>"
+                          " weights 2, 2, 2, 2, 2, 2 }",
+                 1, 5 + 1 / 3.);
 }
 
 /* Translation surfaces of two parabolas: whole planes of rays meet two curves
@@ -66,7 +67,8 @@ static void test_curves_in_planes_of_rays(void **state)
     for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
         char text[1024] = "";
 
-        add(text, sizeof text, "%ssteiner_patch { <2, 0, 1>, <0, 2, 1>, 0,"
+        add(text, sizeof text,
+            "%ssteiner_patch { <2, 0, 1>, <0, 2, 1>, 0,"
             " <1, 1, 0>, <0, 1, -1>, <1, 0, -1> translate <-.5, -.5, 0> %s }",
             STRAIGHT, turns[i]);
         struct words *words = plain_frame(text);
@@ -90,7 +92,8 @@ static void test_quadrics(void **state)
     check_middle(AHEAD PIECE "rotate 180*y }", 1, 6);
     free(plain_frame(AHEAD PIECE "rotate 20 } " PIECE "scale 2 }"));
     /* a parabolic cylinder, a saddle */
-    free(plain_frame(STRAIGHT "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
+    free(plain_frame(STRAIGHT
+                     "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
                      " <-2, 2, 1>, <0, -1, -1>, <0, .5, -1>, <-2, .5, 1> }"));
     free(plain_frame(STRAIGHT
                      "steiner_patch { <1, 0, 0>, <0, 1, 0>, <0, 0, 0>,"
@@ -126,13 +129,13 @@ static void test_no_gap_at_an_edge(void **state)
     (void)state;
     struct words *words = same_frame(
         AHEAD "steiner_patch { <-9, -9, 0>, <9, -9, 0>, <0, 0, 1>,"
-        " <0, -5, .3>, <4, -5, 2>, <-5, -4, 1> }"
-        "steiner_patch { <-9, -9, 0>, <0, 0, 1>, <-9, 9, 0>,"
-        " <-5, -4, 1>, <-4, 5, .2>, <-6, 0, -.3> }"
-        "steiner_patch { <9, -9, 0>, <9, 9, 0>, <0, 0, 1>,"
-        " <6, 0, .3>, <5, 4, -1>, <4, -5, 2> }"
-        "steiner_patch { <9, 9, 0>, <-9, 9, 0>, <0, 0, 1>,"
-        " <0, 6, .3>, <-4, 5, .2>, <5, 4, -1> }");
+              " <0, -5, .3>, <4, -5, 2>, <-5, -4, 1> }"
+              "steiner_patch { <-9, -9, 0>, <0, 0, 1>, <-9, 9, 0>,"
+              " <-5, -4, 1>, <-4, 5, .2>, <-6, 0, -.3> }"
+              "steiner_patch { <9, -9, 0>, <9, 9, 0>, <0, 0, 1>,"
+              " <6, 0, .3>, <5, 4, -1>, <4, -5, 2> }"
+              "steiner_patch { <9, 9, 0>, <-9, 9, 0>, <0, 0, 1>,"
+              " <0, 6, .3>, <-4, 5, .2>, <5, 4, -1> }");
 
     assert_int_equal(hits(words), PIXELS);
     free(words);
@@ -145,7 +148,8 @@ static void test_starts(void **state)
     check_middle(STRAIGHT FLAT "translate -4*z }", 1, 1);
     check_middle(STRAIGHT FLAT "translate -6*z }", 0, 0);
     check_middle(STRAIGHT FLAT "translate -.01*z scale 1000"
-                 " translate 6*z }", 1, 1);
+                               " translate 6*z }",
+                 1, 1);
 }
 
 /* Of the Roman surface, its weights those of s^2 + t^2 + u^2. */

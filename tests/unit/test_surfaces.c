@@ -44,8 +44,8 @@ static void test_odd_surfaces(void **state)
         "sphere { 0, 1 pigment { rgbf <0, 0, 1, .125> } }\n"
         "sphere { 0, 1 pigment { rgbft <-1, 1, 0, 1, 0> } }";
     static const double numbers[][4] = {
-        { 1.125, 1.5, .75, 1.5 }, { -.5, -.5, -.5, -1 },
-        { 0, 0, .03125, -1 }, { 0, 0, .125, .125 }, { -1, 1, 0, 1 },
+        { 1.125, 1.5, .75, 1.5 }, { -.5, -.5, -.5, -1 }, { 0, 0, .03125, -1 },
+        { 0, 0, .125, .125 },     { -1, 1, 0, 1 },
     };
     struct stage stage;
 

@@ -14,8 +14,7 @@
 static c205_model *model;
 static const size_t few[] = { 1, 16, 64, 200, 256 };
 
-static struct sweep sweep_of(const char *subject, size_t width,
-                             size_t height)
+static struct sweep sweep_of(const char *subject, size_t width, size_t height)
 {
     struct sweep sweep = {
         .base = { .trace = { .mode = TRACE_VECTOR,
@@ -130,7 +129,8 @@ static struct scene *read_balls(void)
     struct reports reports = { 0, 0, NULL };
     struct scene *scene;
     char text[2048];
-    int length = snprintf(text, sizeof text, "#version 3.7;\n"
+    int length = snprintf(text, sizeof text,
+                          "#version 3.7;\n"
                           "camera { location -9*z look_at 0 right x up y }\n"
                           "light_source { <-5, 9, -9> 1 }\n"
                           "difference { box { -2, 2 }\n");
@@ -150,10 +150,10 @@ static struct scene *read_balls(void)
 /* Real memory of some thousand words: long queues cost page faults. */
 static void test_small_memory(void **state)
 {
-    static const c205_setting settings[] = {
-        { "page.words", 512 }, { "memory.real_words", 48 * 512 },
-        { "translation.miss", 0 }
-    };
+    static const c205_setting settings[] = { { "page.words", 512 },
+                                             { "memory.real_words",
+                                               48 * 512 },
+                                             { "translation.miss", 0 } };
     static const size_t lengths[] = { 8, 64, 256, 2500, 4096 };
     struct scene *scene = read_balls();
     struct sweep sweep = sweep_of("sphere", 64, 64);
@@ -208,8 +208,8 @@ static void test_memory(void **state)
     assert_true(sweep_touched(&sweep, &point, 512, &words, &error));
     expected = memory.fixed + 96 * 96 * memory.a_ray;
     assert_true(fabs((double)words / expected - 1) < .05);
-    assert_true(fabs(memory.fixed + memory.fills * memory.a_ray
-                     - memory.real) < 1);
+    assert_true(fabs(memory.fixed + memory.fills * memory.a_ray - memory.real)
+                < 1);
     sweep_free(&sweep);
     scene_free(scene);
 }
@@ -329,8 +329,9 @@ static void test_hits_out_of_view(void **state)
 static void check_crossover(const struct sweep *sweep,
                             const struct sweep_lengths_found *found)
 {
-    const struct sweep_measure *before =
-        sweep_with_queue(sweep, found->crossover - 1);
+    const struct sweep_measure *before = sweep_with_queue(sweep,
+                                                          found->crossover
+                                                              - 1);
 
     assert_true(found->crossover > 1);
     assert_non_null(before);
@@ -419,10 +420,10 @@ static struct sweep_measure as_if(size_t length, uint64_t speedup)
 /* Lengths side by side are no crossover when those before were left out. */
 static void test_left_out(void **state)
 {
-    struct sweep_measure measures[] = {
-        as_if(1, 1), as_if(400, 7), as_if(401, 7), as_if(900, 20),
-        as_if(901, 21), as_if(902, 22), as_if(8192, 42)
-    };
+    struct sweep_measure measures[] = { as_if(1, 1),    as_if(400, 7),
+                                        as_if(401, 7),  as_if(900, 20),
+                                        as_if(901, 21), as_if(902, 22),
+                                        as_if(8192, 42) };
     struct sweep sweep = { .measures = measures, .count = 7 };
     struct sweep_lengths_found found = sweep_find_lengths(&sweep);
 
@@ -500,7 +501,7 @@ int main(void)
     int failed;
 
     model = c205_model_find("cyber205-2pipe", &error);
-    if (model == NULL)
+    if (!model)
         return 1;
     failed = cmocka_run_group_tests(tests, NULL, NULL);
     c205_model_free(model);

@@ -62,8 +62,8 @@ static void expect_text(const char *path, const char *expected)
 
 static struct table *some_table(void)
 {
-    struct table *table =
-        table_new(columns, sizeof columns / sizeof *columns);
+    struct table *table = table_new(columns,
+                                    sizeof columns / sizeof *columns);
     table_text(table, "a");
     table_count(table, 12345678);
     table_number(table, 99.96);
@@ -98,27 +98,26 @@ static void table_as_json(void **state)
     table_json(table, json, "rows");
     assert_true(json_close(json, &error));
     table_free(table);
-    expect_text(folder->path,
-                "{\n  \"rows\": [\n"
-                "    {\n      \"name\": \"a\",\n"
-                "      \"clocks\": 12345678,\n"
-                "      \"percent\": 99.96,\n"
-                "      \"remark\": \"say \\\"so\\\"\"\n    },\n"
-                "    {\n      \"name\": \"longer\",\n"
-                "      \"clocks\": 7,\n"
-                "      \"percent\": null,\n"
-                "      \"remark\": \"\"\n    }\n  ]\n}\n");
+    expect_text(folder->path, "{\n  \"rows\": [\n"
+                              "    {\n      \"name\": \"a\",\n"
+                              "      \"clocks\": 12345678,\n"
+                              "      \"percent\": 99.96,\n"
+                              "      \"remark\": \"say \\\"so\\\"\"\n    },\n"
+                              "    {\n      \"name\": \"longer\",\n"
+                              "      \"clocks\": 7,\n"
+                              "      \"percent\": null,\n"
+                              "      \"remark\": \"\"\n    }\n  ]\n}\n");
 }
 
 /* What a format would break on: its own marks, lines, numbers that are
  * shorter in print. */
 static struct table *odd_table(void)
 {
-    static const char *const names[] = {
-        "a, b", "\"c\"", "# d", "e|f", "two\nlines", "\\ <g> *h* `i`"
-    };
-    struct table *table =
-        table_new(columns, sizeof columns / sizeof *columns);
+    static const char *const names[] = { "a, b",       "\"c\"",
+                                         "# d",        "e|f",
+                                         "two\nlines", "\\ <g> *h* `i`" };
+    struct table *table = table_new(columns,
+                                    sizeof columns / sizeof *columns);
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         table_text(table, names[i]);
         table_count(table, i);

@@ -16,9 +16,9 @@
 
 enum { MODELS = 3, USUAL_CASES = 20, BANKS_MOST = 64 };
 
-static const char *const model_names[MODELS] = {
-    "cyber205-1pipe-prior", "cyber205-2pipe-prior", "cyber205-4pipe-prior"
-};
+static const char *const model_names[MODELS] = { "cyber205-1pipe-prior",
+                                                 "cyber205-2pipe-prior",
+                                                 "cyber205-4pipe-prior" };
 static struct little little[MODELS];
 static size_t cases = USUAL_CASES;
 
@@ -121,12 +121,10 @@ static relation *relation_of(const c205_insn *row, unsigned g)
     static const struct {
         const char *name;
         relation *relation, *of_halves;
-    } searches[] = {
-        { "SCHEQV", arith_equal, half_equal },
-        { "SCHNEV", arith_not_equal, half_not_equal },
-        { "SCHGEV", arith_not_less, half_not_less },
-        { "SCHLTV", arith_less, half_less }
-    };
+    } searches[] = { { "SCHEQV", arith_equal, half_equal },
+                     { "SCHNEV", arith_not_equal, half_not_equal },
+                     { "SCHGEV", arith_not_less, half_not_less },
+                     { "SCHLTV", arith_less, half_less } };
 
     for (size_t i = 0; i < sizeof searches / sizeof searches[0]; i++)
         if (is_one_of(row, searches[i].name))
@@ -229,7 +227,8 @@ static uint64_t conflicts(const struct vector_case *one,
     for (size_t i = 0; has_indices(one->row) && i < one->n; i++) {
         const uint64_t word = (one->vector[table].address
                                + one->memory[list / WORD + i]
-                                     * one->vector[table].width) / WORD;
+                                     * one->vector[table].width)
+                              / WORD;
         if (!is_permitted(one, i))
             continue;
         t = t + 1 > free_at[word % banks] ? t + 1 : free_at[word % banks];
@@ -280,12 +279,15 @@ static void draw_plain(struct vector_case *one, const c205_insn *row,
 {
     do
         draw_case(one, row, random, LENGTH);
-    while (one->fields.g & (C205_G_OFFSET | C205_G_BROADCAST_A
-                            | C205_G_BROADCAST_B)
-           || one->fields.x != (row->format == C205_FORMAT_SPARSE
-                                    ? role_register[ROLE_X] : 0)
-           || one->fields.y != (row->format == C205_FORMAT_SPARSE
-                                    ? role_register[ROLE_Y] : 0));
+    while (
+        one->fields.g
+            & (C205_G_OFFSET | C205_G_BROADCAST_A | C205_G_BROADCAST_B)
+        || one->fields.x
+               != (row->format == C205_FORMAT_SPARSE ? role_register[ROLE_X]
+                                                     : 0)
+        || one->fields.y
+               != (row->format == C205_FORMAT_SPARSE ? role_register[ROLE_Y]
+                                                     : 0));
 }
 
 static void check_fewer_pipes(const struct vector_case *one,
@@ -396,7 +398,8 @@ static const struct {
     { "A linked pair is one instruction: 3 + 84 + 1030 + 50.",
       "EX r10, x\n ELEN r10, 100\n RTOR r10, r11\n LINKV\n"
       " MPYSV [r10], r12, [r11]\n ADDNV [r11], [r10], [r11]\n EXIT\n"
-      " .data\nx: .space 100\n", 3 + 84 + 1030 + 50 },
+      " .data\nx: .space 100\n",
+      3 + 84 + 1030 + 50 },
     { "Each waits for the one before: at 0, 5, 10; ready at 15.",
       "ADDN r10, r11, r12\n ADDN r12, r11, r13\n ADDN r13, r11, r14\n EXIT",
       15 },
@@ -408,7 +411,8 @@ static const struct {
     { "EX at 0; the page is in at 1 + 1030, when LOD issues; 15 until it is "
       "there, then 5 for the addition.",
       "EX r10, x\n LOD [r10], r11\n ADDN r11, r11, r12\n EXIT\n"
-      " .data\nx: .word 1.0\n", 1 + 1030 + 15 + 5 },
+      " .data\nx: .word 1.0\n",
+      1 + 1030 + 15 + 5 },
     { "ES at 0 and 1; DBNZ at 2: taken, 8 more; at 11: taken; at 20 not; "
       "EXIT at 21.",
       "ES r10, 3\n EX r11, loop\nloop: DBNZ r10, [r11]\n EXIT",
@@ -427,7 +431,8 @@ static const struct {
     { "The vector sum of no elements takes its start-up of 96, in whose shade "
       "the chain of two additions is done; what needs the sum waits for it.",
       "SUMV [r10], r20\n ADDN r12, r13, r14\n ADDN r14, r13, r15\n"
-      " ADDN r20, r13, r16\n EXIT", 96 + 5 },
+      " ADDN r20, r13, r16\n EXIT",
+      96 + 5 },
 };
 
 static uint64_t clocks_of(const char *text)

@@ -69,7 +69,8 @@ static void test_open_cylinder_shows_its_inside(void **state)
 {
     (void)state;
     check_middle(AHEAD "cylinder { <0, .7, 0>, <0, 3, 0>, 1 open"
-                       " rotate -30*x }", 0, 0);
+                       " rotate -30*x }",
+                 0, 0);
     check_middle(AHEAD "cylinder { -y, y, 1 open }", 1, 4);
     check_middle(AHEAD "cylinder { -y, y, 1 open rotate 45*x translate -y }",
                  1, 5 + 1 - sqrt(2));
@@ -88,12 +89,14 @@ static void test_nearest_of_equals_is_the_first(void **state)
 static void test_no_way_to_the_light(void **state)
 {
     (void)state;
-    check_middle(STRAIGHT "light_source { -z, rgb 1 } box { -1, 1 " GLOSSY,
-                 1, 4);
+    check_middle(STRAIGHT "light_source { -z, rgb 1 } box { -1, 1 " GLOSSY, 1,
+                 4);
     check_middle(STRAIGHT "light_source { <0, 1e-9, 10>, rgb 1 }"
-                 "box { -1, <1, 0, 1> " GLOSSY, 1, 4);
+                          "box { -1, <1, 0, 1> " GLOSSY,
+                 1, 4);
     check_middle(STRAIGHT "light_source { <0, 0, -5>, rgb 1 }"
-                 "sphere { 0, 1 scale <1, 1, 1e-20> " GLOSSY, 1, 5);
+                          "sphere { 0, 1 scale <1, 1, 1e-20> " GLOSSY,
+                 1, 5);
 }
 
 static void check_normal_z(const char *text, double expected)
@@ -101,9 +104,9 @@ static void check_normal_z(const char *text, double expected)
     struct words *words = same_frame(text);
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
 
-    assert_float_equal(
-        c205_to_double(words->channel[CHANNEL_NORMAL_Z][middle]), expected,
-        1e-12);
+    assert_float_equal(c205_to_double(
+                           words->channel[CHANNEL_NORMAL_Z][middle]),
+                       expected, 1e-12);
     free(words);
 }
 
@@ -112,7 +115,8 @@ static void test_flat_boxes(void **state)
     (void)state;
     check_normal_z(AHEAD "box { <-1, -1, 2>, <1, 1, 2> }", -1);
     check_normal_z(AHEAD "box { <-1, -1, 0>, <1, 1, 0>"
-                   " rotate 60*x translate <.1, .3, 9> }", -.5);
+                         " rotate 60*x translate <.1, .3, 9> }",
+                   -.5);
     check_normal_z(AHEAD "box { <-1, -1, 1000>, <1, 1, 1000 + 1e-9> }", -1);
 }
 
@@ -121,15 +125,17 @@ static void test_ray_almost_along_a_cylinder(void **state)
 {
     (void)state;
     check_middle_within(STRAIGHT "cylinder { <-1.1e-5, 0, -100>,"
-                        " <9e-6, 0, 100>, 5e-7 open }", 1, 10, 1e-5);
+                                 " <9e-6, 0, 100>, 5e-7 open }",
+                        1, 10, 1e-5);
 }
 
 /* Its reciprocal is no double. */
 static void test_numbers_beyond_doubles(void **state)
 {
     struct scene *scene = read_text(AHEAD "sphere { 0, 1\n"
-                                    "interior { ior 1e-310 } }");
-    struct trace_options options = { .width = 1, .height = 1,
+                                          "interior { ior 1e-310 } }");
+    struct trace_options options = { .width = 1,
+                                     .height = 1,
                                      .model = model };
     c205_error error = { "" };
 

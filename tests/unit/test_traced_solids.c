@@ -6,7 +6,8 @@
 static void write_scene(char *text, size_t size, size_t count)
 {
     text[0] = '\0';
-    add(text, size, "#version 3.7; global_settings { assumed_gamma 1 "
+    add(text, size,
+        "#version 3.7; global_settings { assumed_gamma 1 "
         "max_trace_level %d }\nbackground { rgb <.2, .3, .5> }\n"
         "camera { location <0, 1, -6> look_at 0 angle 50 }\n"
         "light_source { <-6, 8, -7>, .7 }\n"
@@ -77,14 +78,14 @@ static void check_every(const char *text)
 }
 
 /* Surfaces that coincide, exactly and nearly, and patches among solids. */
-static const char coincident[] =
-    HEAD "camera { location <0, 1, -6> look_at 0 angle 30 }\n"
+static const char coincident[] = HEAD
+    "camera { location <0, 1, -6> look_at 0 angle 30 }\n"
     "difference { box { -1, 1 } box { -1, <0, 1, 1> } "
     "sphere { 0, .9 } sphere { 0, .9 } pigment { rgb .8 } }\n"
     "difference { merge { cylinder { -y, y, .5 } cylinder { -y, y, .5 } "
     "box { -.4, .4 } } plane { y, 1e-8 } translate 1.7*x }\n";
-static const char patches[] =
-    HEAD "camera { location <0, 1, -6> look_at 0 angle 30 }\n"
+static const char patches[] = HEAD
+    "camera { location <0, 1, -6> look_at 0 angle 30 }\n"
     "#declare Leaf = steiner_patch { <-1.2, .6, -.8>, <0, .9, 1.2>, "
     "<1.2, .3, -.7>, <-1, 1.6, .2>, <1, 1.4, .4>, <0, -.4, -1.2> }\n"
     "merge { object { Leaf } sphere { .5*y, .5 } object { Leaf } "

@@ -156,8 +156,8 @@ static void fill(struct bench *bench, size_t longest)
     o->trap = false;
     o->flags = c205_data_flags(bench->little.machine);
     memcpy(o->before, place(o, ACTIVE_BEGIN), sizeof o->before);
-    assert_true(c205_write(bench->little.machine, ACTIVE_BEGIN, o->before,
-                           ACTIVE));
+    assert_true(
+        c205_write(bench->little.machine, ACTIVE_BEGIN, o->before, ACTIVE));
     for (unsigned r = 1; r < 256; r++)
         set(&bench->little, r, o->reg[r]);
 }
@@ -230,7 +230,7 @@ static void random_pair(c205_fields f[2])
 {
     bool as_a = below(2), as_b = !as_a || below(4) == 0;
     f[0].z = 0;
-    f[0].g &= (uint8_t)~(C205_G_OFFSET | C205_G_ZEROS);
+    f[0].g &= (uint8_t) ~(C205_G_OFFSET | C205_G_ZEROS);
     if (below(2)) {
         f[0].g |= C205_G_BROADCAST_A;
         f[0].x = 0;
@@ -272,8 +272,8 @@ static void one_pair(struct bench *bench, size_t longest)
         add(&bench->little, rows[i]->mnemonic, f[i]);
     write_code(bench);
     fill(bench, longest);
-    o->reg[HANDED] =
-        descriptor(64, (size_t)describe(o, rows[1], f[1]).c.length);
+    o->reg[HANDED] = descriptor(64,
+                                (size_t)describe(o, rows[1], f[1]).c.length);
     set(&bench->little, HANDED, o->reg[HANDED]);
     uint64_t flags = o->flags;
     memcpy(registers, o->reg, sizeof registers);
@@ -316,10 +316,8 @@ static void test_linked_pairs(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_elementwise),
-        cmocka_unit_test(test_others),
-        cmocka_unit_test(test_linked_pairs)
-    };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_elementwise),
+                                        cmocka_unit_test(test_others),
+                                        cmocka_unit_test(test_linked_pairs) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

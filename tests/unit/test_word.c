@@ -29,16 +29,16 @@ static c205_word read_all(const char *text)
 
 /* Machine notes, section 1. */
 static const known table[] = {
-    {"1", UINT64_C(0xFFD2400000000000)},
-    {"2", UINT64_C(0xFFD3400000000000)},
-    {"0.5", UINT64_C(0xFFD1400000000000)},
-    {"3", UINT64_C(0xFFD3600000000000)},
-    {"10", UINT64_C(0xFFD5500000000000)},
-    {"100", UINT64_C(0xFFD8640000000000)},
-    {"0.1", UINT64_C(0xFFCE666666666666)},
-    {"-1.5", UINT64_C(0xFFD2A00000000000)},
-    {"-1", UINT64_C(0xFFD1800000000000)},
-    {"0", C205_MACHINE_ZERO},
+    { "1", UINT64_C(0xFFD2400000000000) },
+    { "2", UINT64_C(0xFFD3400000000000) },
+    { "0.5", UINT64_C(0xFFD1400000000000) },
+    { "3", UINT64_C(0xFFD3600000000000) },
+    { "10", UINT64_C(0xFFD5500000000000) },
+    { "100", UINT64_C(0xFFD8640000000000) },
+    { "0.1", UINT64_C(0xFFCE666666666666) },
+    { "-1.5", UINT64_C(0xFFD2A00000000000) },
+    { "-1", UINT64_C(0xFFD1800000000000) },
+    { "0", C205_MACHINE_ZERO },
 };
 
 static void test_known_words(void **state)
@@ -131,10 +131,10 @@ static void test_where_text_ends(void **state)
         int used;
         const char *same;
     } cases[] = {
-        {"12.5e-1x", 7, "1.25"}, {"1e", 1, "1"},      {"1e+", 1, "1"},
-        {"1.5.5", 3, "1.5"},     {".5", 2, "0.5"},    {"5.", 2, "5"},
-        {"+7,", 2, "7"},         {"-7 8", 2, "-7"},   {"1E2", 3, "100"},
-        {"007", 3, "7"},         {"1e-0", 4, "1"},    {"0x10", 1, "0"},
+        { "12.5e-1x", 7, "1.25" }, { "1e", 1, "1" },    { "1e+", 1, "1" },
+        { "1.5.5", 3, "1.5" },     { ".5", 2, "0.5" },  { "5.", 2, "5" },
+        { "+7,", 2, "7" },         { "-7 8", 2, "-7" }, { "1E2", 3, "100" },
+        { "007", 3, "7" },         { "1e-0", 4, "1" },  { "0x10", 1, "0" },
     };
 
     (void)state;
@@ -148,8 +148,8 @@ static void test_where_text_ends(void **state)
 
 static void test_no_number(void **state)
 {
-    static const char *const texts[] = {"", "-", "+", ".", "-.", "e5", " 1",
-                                        "x"};
+    static const char *const texts[] = { "",   "-",  "+",  ".",
+                                         "-.", "e5", " 1", "x" };
 
     (void)state;
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
@@ -189,8 +189,7 @@ static void test_absurd_exponents(void **state)
 {
     (void)state;
     assert_int_equal(read_all("1e999999999999999999999"), C205_INDEFINITE);
-    assert_int_equal(read_all("1e-999999999999999999999"),
-                     C205_MACHINE_ZERO);
+    assert_int_equal(read_all("1e-999999999999999999999"), C205_MACHINE_ZERO);
     assert_int_equal(read_all("0e999999999999999999999"), C205_MACHINE_ZERO);
 }
 
@@ -254,8 +253,8 @@ static void test_text_comes_back(void **state)
     for (int i = 0; i < ROUNDS; i++)
         round_trip(xorshift_normalised(&seed, -200, 110));
     for (int i = 0; i < 40; i++)
-        round_trip(xorshift_normalised(&seed, WORD_EXPONENT_MIN,
-                                       WORD_EXPONENT_MAX));
+        round_trip(
+            xorshift_normalised(&seed, WORD_EXPONENT_MIN, WORD_EXPONENT_MAX));
     for (int32_t e = -120; e < 60; e++) {
         round_trip(word_make(e, INT64_C(1) << 46));
         round_trip(word_make(e, WORD_COEFFICIENT_MIN));
@@ -291,9 +290,15 @@ static void test_text_is_shortest(void **state)
 static void test_layout_of_text(void **state)
 {
     static const known cases[] = {
-        {"0.00001", 0},  {"1e-6", 0},   {"123456", 0}, {"-0.25", 0},
-        {"1e16", 0},     {"1.5e16", 0}, {"1000000000000000", 0},
-        {"12.5", 0},     {"-1e-20", 0},
+        { "0.00001", 0 },
+        { "1e-6", 0 },
+        { "123456", 0 },
+        { "-0.25", 0 },
+        { "1e16", 0 },
+        { "1.5e16", 0 },
+        { "1000000000000000", 0 },
+        { "12.5", 0 },
+        { "-1e-20", 0 },
     };
 
     (void)state;
@@ -352,14 +357,14 @@ static c205_word read_half(const char *text)
 }
 
 static const known halves[] = {
-    {"1", C205_HALF_ONE},
-    {"0.5", UINT64_C(0xE940000000000000)},
-    {"10", UINT64_C(0xED50000000000000)},
-    {"100", UINT64_C(0xF064000000000000)},
-    {"0.1", UINT64_C(0xE666666600000000)},
-    {"-1.5", UINT64_C(0xEAA0000000000000)},
-    {"-1", UINT64_C(0xE980000000000000)},
-    {"0", C205_MACHINE_ZERO},
+    { "1", C205_HALF_ONE },
+    { "0.5", UINT64_C(0xE940000000000000) },
+    { "10", UINT64_C(0xED50000000000000) },
+    { "100", UINT64_C(0xF064000000000000) },
+    { "0.1", UINT64_C(0xE666666600000000) },
+    { "-1.5", UINT64_C(0xEAA0000000000000) },
+    { "-1", UINT64_C(0xE980000000000000) },
+    { "0", C205_MACHINE_ZERO },
 };
 
 static void test_known_halves(void **state)
@@ -370,9 +375,8 @@ static void test_known_halves(void **state)
         assert_int_equal(read_half(halves[i].text), halves[i].word);
         c205_half_to_text(halves[i].word, text);
         assert_string_equal(text, halves[i].text);
-        assert_int_equal(
-            c205_half_from_double(strtod(halves[i].text, NULL)),
-            halves[i].word);
+        assert_int_equal(c205_half_from_double(strtod(halves[i].text, NULL)),
+                         halves[i].word);
     }
 }
 
@@ -381,8 +385,7 @@ static void test_half_doubles(void **state)
     (void)state;
     assert_int_equal(c205_half_from_double(-0.1),
                      UINT64_C(0xE699999900000000));
-    assert_int_equal(c205_half_from_double(1 + ldexp(1, -23)),
-                     C205_HALF_ONE);
+    assert_int_equal(c205_half_from_double(1 + ldexp(1, -23)), C205_HALF_ONE);
     assert_int_equal(c205_half_from_double(-1 - ldexp(1, -52)),
                      UINT64_C(0xEABFFFFF00000000));
     assert_int_equal(c205_half_from_double(ldexp(1, 134)), C205_INDEFINITE);
@@ -390,8 +393,7 @@ static void test_half_doubles(void **state)
                      UINT64_C(0x6F40000000000000));
     assert_int_equal(c205_half_from_double(ldexp(1, -90)),
                      UINT64_C(0x9040000000000000));
-    assert_int_equal(c205_half_from_double(ldexp(1, -91)),
-                     C205_MACHINE_ZERO);
+    assert_int_equal(c205_half_from_double(ldexp(1, -91)), C205_MACHINE_ZERO);
     assert_int_equal(c205_half_from_double(NAN), C205_INDEFINITE);
     assert_true(isnan(c205_half_to_double(UINT64_C(0x7ABCDEF000000000))));
     assert_true(c205_half_to_double(UINT64_C(0x8FBCDEF000000000)) == 0);
@@ -409,8 +411,7 @@ static void test_half_text(void **state)
     assert_int_equal(read_half("2.17780714829400617e40"), C205_INDEFINITE);
     assert_int_equal(read_half("8.0779356694631609e-28"),
                      UINT64_C(0x9040000000000000));
-    assert_int_equal(read_half("8.0779356694631608e-28"),
-                     C205_MACHINE_ZERO);
+    assert_int_equal(read_half("8.0779356694631608e-28"), C205_MACHINE_ZERO);
     assert_int_equal(read_half("1e9999"), C205_INDEFINITE);
     c205_half_to_text(UINT64_C(0x0100000300000000), text);
     assert_string_equal(text, "6");
@@ -428,9 +429,11 @@ static void test_halves_come_back(void **state)
     (void)state;
     for (int i = 0; i < ROUNDS; i++) {
         char text[C205_TEXT_SIZE], exact[200];
-        const c205_word half = xorshift_normalised_of(
-            half_words, &seed, format_exponent_min(half_words),
-            format_exponent_max(half_words));
+        const c205_word half = xorshift_normalised_of(half_words, &seed,
+                                                      format_exponent_min(
+                                                          half_words),
+                                                      format_exponent_max(
+                                                          half_words));
         const double value = c205_half_to_double(half);
         c205_half_to_text(half, text);
         assert_int_equal(read_half(text), half);

@@ -26,15 +26,21 @@
 #ifdef SMALL_FRAMES
 enum { WIDTH = 17, HEIGHT = 13 };
 #define STRAIGHT_AHEAD "direction 32*z right 17*x up 13*y"
+/* clang-format off */
 #define QUEUES { 1, WIDTH - 1, 2000 }
+/* clang-format on */
 #elif defined MIDDLING_FRAMES
 enum { WIDTH = 31, HEIGHT = 23 };
 #define STRAIGHT_AHEAD "direction 48*z right 31*x up 23*y"
+/* clang-format off */
 #define QUEUES { 1, 40, 2000 }
+/* clang-format on */
 #else
 enum { WIDTH = 41, HEIGHT = 31 };
 #define STRAIGHT_AHEAD "direction 64*z right 41*x up 31*y"
+/* clang-format off */
 #define QUEUES { 1, WIDTH - 1, WIDTH, 2000 }
+/* clang-format on */
 #endif
 
 enum { PIXELS = WIDTH * HEIGHT };
@@ -47,7 +53,7 @@ static c205_model *model;
 static uint64_t random_state = RANDOM_SEED;
 static bool historical, no_bounds; /* as in trace_options */
 static enum visible visible;       /* likewise */
-static bool reported; /* there may be reports about the scene */
+static bool reported;              /* there may be reports about the scene */
 
 static inline struct scene *read_text(const char *text)
 {
@@ -55,7 +61,7 @@ static inline struct scene *read_text(const char *text)
     struct reports reports = { 0, 0, NULL };
     struct scene *scene = scene_read_text("test", text, &options, &reports);
 
-    if (scene == NULL)
+    if (!scene)
         reports_print(stderr, &reports);
     assert_non_null(scene);
     reports_free(&reports);
@@ -63,7 +69,7 @@ static inline struct scene *read_text(const char *text)
 }
 
 static inline struct words *trace_words(const struct scene *scene,
-                                 enum trace_mode mode, size_t queue)
+                                        enum trace_mode mode, size_t queue)
 {
     struct trace_options options = { .mode = mode,
                                      .width = WIDTH,
@@ -77,7 +83,7 @@ static inline struct words *trace_words(const struct scene *scene,
     struct trace *trace = trace_new(scene, &options, &error);
     struct words *words = malloc(sizeof *words);
 
-    if (trace == NULL || !trace_run(trace, &error))
+    if (!trace || !trace_run(trace, &error))
         fail_msg("%s", error.message);
     assert_non_null(words);
     for (int i = 0; i < FRAME_CHANNELS; i++)
@@ -154,7 +160,8 @@ static inline struct words *plain_frame(const char *text)
         others += channel != FRAME_CHANNELS;
         if (others > 3 * PIXELS / 1000)
             fail_msg("channel %d, pixel %zu: not what the plain tracer sees "
-                     "in\n%s", channel, k, text);
+                     "in\n%s",
+                     channel, k, text);
     }
     frame_free(&plain);
     scene_free(scene);
@@ -189,8 +196,8 @@ static inline size_t hits(const struct words *words)
 
 static inline double between(double low, double high)
 {
-    return low + (high - low)
-                     * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
+    return low
+           + (high - low) * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
 }
 
 static inline void add(char *text, size_t size, const char *format, ...)
@@ -214,7 +221,8 @@ static inline void add_surface(char *text, size_t size)
     add(text, size, "pigment { %s rgb <%.3f, %.3f, %.3f> } ",
         xorshift(&random_state) % 2 ? "checker" : "color", between(0, 1),
         between(0, 1), between(0, 1));
-    add(text, size, "finish { phong %.2f phong_size %.1f specular %.2f "
+    add(text, size,
+        "finish { phong %.2f phong_size %.1f specular %.2f "
         "roughness %.3f } ",
         xorshift(&random_state) % 2 ? between(0, 1) : 0, between(1, 200),
         xorshift(&random_state) % 2 ? between(0, 1) : 0, between(.005, .2));
@@ -246,12 +254,10 @@ static inline void check_random_scenes(void (*add_shape)(char *, size_t),
 }
 
 /* The middle column and row of the picture look straight ahead. */
-#define AHEAD \
-    HEAD "camera { location <0, 0, -5> direction z right x up y }\n"
+#define AHEAD HEAD "camera { location <0, 0, -5> direction z right x up y }\n"
 
 /* Numbers chosen so that nothing is cut off: the middle ray is 0, 0, 1. */
-#define STRAIGHT \
-    HEAD "camera { location <0, 0, -5> " STRAIGHT_AHEAD " }\n"
+#define STRAIGHT HEAD "camera { location <0, 0, -5> " STRAIGHT_AHEAD " }\n"
 
 static inline void check_middle_within(const char *text, int64_t id,
                                        double depth, double tolerance)
@@ -259,8 +265,7 @@ static inline void check_middle_within(const char *text, int64_t id,
     struct words *words = same_frame(text);
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
 
-    assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][middle]),
-                     id);
+    assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][middle]), id);
     assert_float_equal(c205_to_double(words->channel[CHANNEL_DEPTH][middle]),
                        depth, tolerance);
     free(words);
@@ -277,7 +282,7 @@ static inline int set_up(void **state)
 
     (void)state;
     model = c205_model_find("cyber205-2pipe-prior", &error);
-    return model == NULL;
+    return !model;
 }
 
 static inline int tear_down(void **state)

@@ -20,8 +20,8 @@ enum {
     HALF = 32,
     ZONE_WORDS = 1024,
     MEMORY_WORDS = (ROLES + 1) * ZONE_WORDS, /* one zone is nobody's */
-    LEAD = 40,      /* words of a zone before its operand */
-    LENGTH = 700,   /* the longest operand */
+    LEAD = 40,    /* words of a zone before its operand */
+    LENGTH = 700, /* the longest operand */
     OFFSET_MOST = 9
 };
 
@@ -79,7 +79,8 @@ static inline unsigned width_of(const struct vector_case *one, enum role role)
 
 /* ---- Bits --------------------------------------------------------------- */
 
-static inline void mark(struct bits_of *bits, uint64_t address, uint64_t count)
+static inline void mark(struct bits_of *bits, uint64_t address,
+                        uint64_t count)
 {
     for (uint64_t at = address - DATA; count > 0; at++, count--)
         bits->memory[at / WORD] |= UINT64_C(1) << (WORD - 1 - at % WORD);
@@ -199,8 +200,7 @@ static inline void place_vector(struct vector_case *one, enum role role,
 {
     struct extent_of *vector = &one->vector[role];
     const size_t start = WORD / (vector->width = width_of(one, role));
-    const uint64_t zone = DATA
-                          + (uint64_t)(role * ZONE_WORDS + LEAD) * WORD
+    const uint64_t zone = DATA + (uint64_t)(role * ZONE_WORDS + LEAD) * WORD
                           + draw(random, 0, start - 1) * vector->width;
     const bool counts = length_matters(one, role);
 
@@ -239,8 +239,8 @@ static inline void place_scalar(struct vector_case *one, enum role role,
     const char letter = letter_of(one->row, role);
 
     if (letter == 'i') /* the groups of a repeated mask */
-        define(one, role_register[role],
-               (c205_word)draw(random, 1, 20), ADDRESS_BITS);
+        define(one, role_register[role], (c205_word)draw(random, 1, 20),
+               ADDRESS_BITS);
     else if (is_half(one, role) && letter != 'w')
         define_half(one, role_half[role], draw_half(random));
     else if (letter && !strchr("wk", letter))
@@ -269,7 +269,8 @@ static inline size_t source_offset(struct vector_case *one, uint64_t *random,
     if (!may || draw(random, 0, 3) > 0)
         return 0;
     return draw_offset(one, random,
-                       role == ROLE_A ? &one->fields.x : &one->fields.y, role);
+                       role == ROLE_A ? &one->fields.x : &one->fields.y,
+                       role);
 }
 
 static inline size_t source_length(uint64_t *random, size_t n)
@@ -382,8 +383,8 @@ static inline size_t elements_of(const struct vector_case *one)
         return v[ROLE_X].length > v[ROLE_Y].length ? v[ROLE_X].length
                                                    : v[ROLE_Y].length;
     case C205_FORMAT_TABLE:
-        return one->scalar[ROLE_A] || v[ROLE_A].length > n
-                   ? n : v[ROLE_A].length;
+        return one->scalar[ROLE_A] || v[ROLE_A].length > n ? n
+                                                           : v[ROLE_A].length;
     default: return n;
     }
 }
@@ -403,8 +404,8 @@ static inline void place_operand(struct vector_case *one, enum role role,
     if (one->scalar[role])
         place_scalar(one, role, random);
     else
-        place_vector(one, role, random,
-                     exact ? n : source_length(random, n), offset);
+        place_vector(one, role, random, exact ? n : source_length(random, n),
+                     offset);
 }
 
 static inline void place_operands(struct vector_case *one, uint64_t *random,
@@ -414,11 +415,13 @@ static inline void place_operands(struct vector_case *one, uint64_t *random,
 
     for (int role = ROLE_A; role <= ROLE_B; role++) {
         offset = is_scalar(one->row, one->fields.g, (enum role)role)
-                     ? 0 : source_offset(one, random, (enum role)role);
+                     ? 0
+                     : source_offset(one, random, (enum role)role);
         place_operand(one, (enum role)role, random, n, offset);
     }
     offset = one->fields.g & C205_G_OFFSET & reference_bits_of_g(one->row)
-                 ? draw_offset(one, random, &(uint8_t){ 0 }, ROLE_C) : 0;
+                 ? draw_offset(one, random, &(uint8_t){ 0 }, ROLE_C)
+                 : 0;
     for (int role = ROLE_C; role < ROLES; role++)
         place_operand(one, (enum role)role, random, n,
                       role == ROLE_C || role == ROLE_Z ? offset : 0);
