@@ -20,19 +20,22 @@ C_FLAGS = -std=c99 -D_POSIX_C_SOURCE=200809L $(C_WARN) -ffp-contract=off \
 	$(OPT) $(CFLAGS) -I. -MMD -MP
 CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 
-# Rooms: vm stands on the ground, asm on vm, rt on both.
-vm_c = $(wildcard vm/*.c)
-asm_c = $(filter-out $(c205_c),$(wildcard asm/*.c))
-c205_c = asm/c205.c $(wildcard asm/cmd_*.c)
-rt_c = $(filter-out $(rt205_c),$(wildcard rt/*.c rt/scene/*.c rt/plot/*.c \
-	rt/sweep/*.c))
-rt205_c = rt/rt205.c rt/progress.c $(wildcard rt/cmd_*.c)
+# Rooms: vm stands on the ground, base on vm, asm on base, rt on asm.
+c_of = $(foreach room,$(1),$(wildcard $(room)/*.c))
+vm_c = $(call c_of,vm vm/number vm/time)
+base_c = $(call c_of,base)
+asm_c = $(call c_of,asm)
+c205_c = $(call c_of,asm/command)
+rt_c = $(call c_of,$(addprefix rt/,scene scene/language shapes layout trace \
+	picture roots study study/sweep study/plot))
+rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # What knows observations, and what fits them.
-observing_c = $(addprefix rt/fit/,csv.c run.c observations.c constants.c)
-fit205_c = $(filter-out $(observing_c),$(wildcard rt/fit/*.c))
+observing_c = $(addprefix rt/study/fit/,csv.c run.c observations.c constants.c)
+fit205_c = rt/command/fit205.c \
+	$(filter-out $(observing_c),$(call c_of,rt/study/fit))
 objects = $(patsubst %.c,$(BUILD)/%.o,$(1))
 
-libraries = $(BUILD)/librt205.a $(BUILD)/libc205asm.a $(BUILD)/libc205.a
+libraries = $(addprefix $(BUILD)/,librt205.a libc205asm.a libbase.a libc205.a)
 programs = $(BUILD)/c205 $(BUILD)/rt205
 adapter = $(BUILD)/rt205_oiio.so
 unit_tests = $(patsubst tests/unit/%.c,$(BUILD)/tests/unit/%,\
@@ -110,6 +113,7 @@ fit:
 # --- libraries and programs -------------------------------------------------
 
 $(BUILD)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
+$(BUILD)/libbase.a: $(call objects,$(base_c))
 $(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o
 $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	$(BUILD)/rt/scene_texts.o
@@ -124,25 +128,30 @@ $(BUILD)/c205: $(call objects,$(c205_c)) $(BUILD)/asm/isa_example_texts.o \
 $(BUILD)/rt205: $(call objects,$(rt205_c)) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 $(BUILD)/fit205: $(call objects,$(fit205_c) $(observing_c)) \
-		$(BUILD)/rt/fit/ceres_fit.o $(libraries)
+		$(BUILD)/rt/study/fit/ceres_fit.o $(libraries)
 	$(CXX) $(LDFLAGS) -o $@ $^ -lceres -lglog -lm -ldl -lpthread
-$(BUILD)/rt/fit/ceres_fit.o: rt/fit/ceres_fit.cc
+$(BUILD)/rt/study/fit/ceres_fit.o: rt/study/fit/ceres_fit.cc
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) -isystem /usr/include/eigen3 -c -o $@ $<
-$(adapter): rt/picture_oiio.cc
+$(adapter): rt/picture/picture_oiio.cc
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) $$(pkg-config --cflags OpenImageIO) -shared -o $@ $< \
 		$$(pkg-config --libs OpenImageIO)
 
 # Texts that the programs carry with them.
+$(BUILD)/vm/model_texts.c: texts_in = vm/models
 $(BUILD)/vm/model_texts.c: $(wildcard vm/models/*.model)
+$(BUILD)/asm/library_texts.c: texts_in = asm/lib
 $(BUILD)/asm/library_texts.c: $(wildcard asm/lib/*.s)
+$(BUILD)/asm/isa_example_texts.c: texts_in = asm/isa_examples
 $(BUILD)/asm/isa_example_texts.c: $(wildcard asm/isa_examples/*.s)
-$(BUILD)/rt/kernel_texts.c: $(wildcard rt/kernels/*.s)
-$(BUILD)/rt/scene_texts.c: $(wildcard rt/scene/*.inc)
+$(BUILD)/rt/kernel_texts.c: texts_in = rt/kernels
+$(BUILD)/rt/kernel_texts.c: $(wildcard rt/kernels/*/*.s)
+$(BUILD)/rt/scene_texts.c: texts_in = rt/scene/language
+$(BUILD)/rt/scene_texts.c: $(wildcard rt/scene/language/*.inc)
 $(BUILD)/%_texts.c: vm/embed.sh
 	@mkdir -p $(@D)
-	sh vm/embed.sh $(@F:.c=) $(filter-out vm/embed.sh,$^) > $@.new
+	sh vm/embed.sh $(@F:.c=) $(texts_in) $(filter-out vm/embed.sh,$^) > $@.new
 	@mv $@.new $@
 
 $(BUILD)/%.o: %.c
@@ -152,7 +161,8 @@ $(BUILD)/%.o: $(BUILD)/%.c
 	$(CC) $(C_FLAGS) -c -o $@ $<
 
 # Loops that choose between doubles only vectorise when neither can trap.
-$(BUILD)/vm/lanes.o $(BUILD)/vm/halves.o $(BUILD)/vm/spans.o: \
+$(BUILD)/vm/number/lanes.o $(BUILD)/vm/number/halves.o \
+	$(BUILD)/vm/number/spans.o: \
 	C_FLAGS += -fno-trapping-math
 
 # The reference of the instructions.
@@ -256,7 +266,7 @@ san:
 		LDFLAGS="-fsanitize=$(sanitizers)" \
 		check-unit check-programs check-bugs
 
-# Lines and branches of vm and asm that the tests run.
+# Lines and branches of vm, base and asm that the tests run.
 cover: export LLVM_PROFILE_FILE = $(abspath $(BUILD))/cover/profile/%m.profraw
 cover:
 	@sh .ci/need $(test_packages) libclang-rt-14-dev
@@ -297,7 +307,7 @@ lint:
 	clang-format --dry-run --Werror $(formatted)
 	cppcheck --quiet --std=c99 --enable=warning,performance \
 		--suppressions-list=.ci/cppcheck.suppressions --error-exitcode=1 \
-		-I. vm asm rt
+		-I. vm base asm rt
 
 install: all
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib \

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "asm/expand.h"
-#include "asm/file.h"
+#include "base/file.h"
 
 static bool define(struct assembler *assembler)
 {

@@ -9,7 +9,7 @@
 #ifndef ASM_ASSEMBLE_H
 #define ASM_ASSEMBLE_H
 
-#include "asm/sink.h"
+#include "base/sink.h"
 #include "vm/c205.h"
 
 struct text;

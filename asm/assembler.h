@@ -11,7 +11,7 @@
 #ifndef ASM_ASSEMBLER_H
 #define ASM_ASSEMBLER_H
 
-#include "asm/arena.h"
+#include "base/arena.h"
 #include "asm/assemble.h"
 #include "asm/expect.h"
 

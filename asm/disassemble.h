@@ -8,7 +8,7 @@
 #ifndef ASM_DISASSEMBLE_H
 #define ASM_DISASSEMBLE_H
 
-#include "asm/sink.h"
+#include "base/sink.h"
 #include "vm/c205.h"
 
 /* False: the host has no memory left. */

@@ -2,7 +2,7 @@
 #ifndef ASM_INSTRUCTION_TEXT_H
 #define ASM_INSTRUCTION_TEXT_H
 
-#include "asm/sink.h"
+#include "base/sink.h"
 #include "vm/c205.h"
 
 /* Addresses, in order. */

@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "asm/expect.h"
-#include "asm/file.h"
-#include "asm/whole.h"
+#include "base/file.h"
+#include "base/whole.h"
 
 /* A name ends its line, so it holds no line's end itself. */
 static void put_name(const struct sink *sink, const char *name)

@@ -10,7 +10,7 @@
 #ifndef ASM_PRINT_H
 #define ASM_PRINT_H
 
-#include "asm/sink.h"
+#include "base/sink.h"
 #include "vm/c205.h"
 
 struct printer {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/file.h"
+#include "base/file.h"
 #include "vm/text.h"
 
 static bool join_lines(struct assembler *assembler, const struct text *text,

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "asm/file.h"
-#include "asm/whole.h"
+#include "base/file.h"
+#include "base/whole.h"
 
 static void tell(c205_error *error, const char *path, const char *why)
 {

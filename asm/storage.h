@@ -2,7 +2,7 @@
 #ifndef ASM_STORAGE_H
 #define ASM_STORAGE_H
 
-#include "asm/arena.h"
+#include "base/arena.h"
 #include "asm/assemble.h"
 #include "asm/expect.h"
 

@@ -1,7 +1,7 @@
 /* bench_lanes.c - host nanoseconds per element of the machine's arithmetic,
  * on words and half words, beside the same loop in plain doubles. */
 #include "tests/random.h"
-#include "vm/lanes.h"
+#include "vm/number/lanes.h"
 
 #include <math.h>
 #include <stdio.h>

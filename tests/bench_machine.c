@@ -7,7 +7,7 @@
 #include <time.h>
 
 #include "asm/assemble.h"
-#include "asm/table.h"
+#include "base/table.h"
 
 enum { LENGTH = 2000, TRIALS = 7, DOUBLE_REPEATS = 20000 };
 

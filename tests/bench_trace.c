@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "rt/scene/report.h"
-#include "rt/trace.h"
+#include "rt/scene/language/report.h"
+#include "rt/trace/trace.h"
 
 static struct scene *read_scene(const char *path, size_t width, size_t height)
 {

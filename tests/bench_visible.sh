@@ -1,6 +1,6 @@
 #!/bin/sh
 # bench_visible.sh BUILD - what it costs to find the crossing that is seen, by
-# stepping and by looking at every crossing (rt/kernels/visible_vector.s).
+# stepping and by looking at every crossing (rt/kernels/solids/visible_vector.s).
 #
 # The machine's clocks, in thousands: of the region `visible` of the kernels
 # and of the whole frame.  Scenes of the tests, and solids made for this of 1

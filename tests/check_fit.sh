@@ -50,7 +50,7 @@ grep -q '^fitted to [1-9]' "$here/speedup" ||
     fail "rt205 speedup does not say that the model is fitted"
 
 # What a model says of itself is what the machine shows on it.
-"$build/c205" run -I rt/kernels rt/fit/programs/photons.s |
+"$build/c205" run -I rt/kernels rt/study/fit/programs/photons.s |
     awk 'NF == 8 && $1 == "scalar" { scalar = $6 }
         NF == 8 && $1 == "vector" {
             printf "photons %+.1f\n", 100 * (scalar / $6 / 16.5 - 1)

@@ -1,6 +1,6 @@
 #!/bin/sh
-# cover.sh BUILD - what the tests ran of vm/ and asm/, from the profiles that
-# BUILD/profile holds: a table of files, and the totals, which must reach 95 %
+# cover.sh BUILD - what the tests ran of vm/, base/ and asm/, from the
+# profiles that BUILD/profile holds: a table of files, and the totals, which must reach 95 %
 # of the lines and 85 % of the branches (each condition both ways).
 # BUILD/uncovered.txt gets the lines that did not run.
 set -eu
@@ -8,9 +8,9 @@ build=$1
 lines_least=95 branches_least=85
 
 llvm-profdata merge -o "$build/profile.data" "$build"/profile/*.profraw
-llvm-cov report "$build/c205" -instr-profile "$build/profile.data" vm asm \
+llvm-cov report "$build/c205" -instr-profile "$build/profile.data" vm base asm \
     >"$build/report.txt"
-llvm-cov show "$build/c205" -instr-profile "$build/profile.data" vm asm |
+llvm-cov show "$build/c205" -instr-profile "$build/profile.data" vm base asm |
     awk '/^[^ ].*:$/ { file = $0 } /^ *[0-9]+\| +0\|/ { print file $0 }' |
     sed "s|^$PWD/||" >"$build/uncovered.txt"
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_RANDOM_H
 #define TESTS_RANDOM_H
 
-#include "vm/word.h"
+#include "vm/number/word.h"
 
 #define RANDOM_SEED UINT64_C(0x205205205205205)
 

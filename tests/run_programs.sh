@@ -15,5 +15,5 @@ for name in $("$c205" isa --names); do
 done
 "$c205" run --check --model "$model" tests/programs/*.s tests/programs/traps/*.s \
     asm/examples/*.s || code=1
-"$c205" run --check --model "$model" -I rt/kernels rt/fit/programs/*.s || code=1
+"$c205" run --check --model "$model" -I rt/kernels rt/study/fit/programs/*.s || code=1
 exit $code

@@ -1,7 +1,7 @@
 /* bits.c - strings of bits.  They are read and stored as 64 bits a word, so
  * the loops of lanes.h do for them too.
  */
-#include "operand.h"
+#include "vm/operand.h"
 
 enum { STRING_BITS = C205_MAX_LENGTH + 1, STRING_WORDS = STRING_BITS / 64 };
 

@@ -1,5 +1,5 @@
 /* branch.c - branches, and requests to the monitor. */
-#include "machine.h"
+#include "vm/machine.h"
 
 static c205_trap go_to(struct c205 *machine, uint64_t target)
 {

@@ -30,7 +30,7 @@ typedef struct c205_error {
     char message[256]; /* one sentence, no newline; empty: no error */
 } c205_error;
 
-/* ---- Numbers (vm/word.c) ------------------------------------------------
+/* ---- Numbers (vm/number/word.c) ------------------------------------------------
  *
  * A word is 64 bits; bit 0 is the leftmost.  As a number it is
  *
@@ -71,7 +71,7 @@ void c205_to_text(c205_word word, char text[C205_TEXT_SIZE]);
 /* "FFD2 4000 0000 0000" */
 void c205_to_hex(c205_word word, char text[C205_TEXT_SIZE]);
 
-/* ---- Half words (vm/word.c) ----------------------------------------------
+/* ---- Half words (vm/number/word.c) ----------------------------------------------
  *
  * A half word is 32 bits:
  *
@@ -177,7 +177,7 @@ typedef struct c205_fields {
 c205_fields c205_decode(const c205_insn *insn, c205_word word);
 c205_word c205_encode(const c205_insn *insn, const c205_fields *fields);
 
-/* ---- Machine models (vm/model.c) -----------------------------------------
+/* ---- Machine models (vm/time/model.c) -----------------------------------------
  *
  * A model is a text file of lines "name value unit source # remark"; the
  * sources are the letters P S D R of the instruction table, and F: fitted.
@@ -418,7 +418,7 @@ void c205_reset_clock(c205 *machine);
 enum { C205_LISTENERS = 8 };
 bool c205_listen(c205 *machine, c205_listener *listener, void *context);
 
-/* ---- The time of other machines (vm/projection.c) -------------------------
+/* ---- The time of other machines (vm/time/projection.c) -------------------------
  *
  * A listener that charges each scalar instruction of a program that time which
  * another machine would take for the same operation.
@@ -438,7 +438,7 @@ uint64_t c205_projected_clocks(const c205_projection *projection,
 bool c205_projection_holds(const c205_projection *projection,
                            c205_error *error);
 
-/* ---- What if (vm/recording.c) --------------------------------------------
+/* ---- What if (vm/time/recording.c) --------------------------------------------
  *
  * A listener that keeps of a run what time is made from, and tells the time of
  * the same run with other constants, by the machine's own clock or by a

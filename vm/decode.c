@@ -1,7 +1,7 @@
 /* decode.c - from the word of an instruction to slots and sources, by the
  * syntax and the operand letters of its row in insn.def.
  */
-#include "machine.h"
+#include "vm/machine.h"
 
 #include <ctype.h>
 #include <string.h>
@@ -10,7 +10,7 @@ static semantics *const functions[] = {
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
              flags, function, provenance, effect) \
     execute_##function,
-#include "insn.def"
+#include "vm/insn.def"
 };
 
 /* ---- Fetch -------------------------------------------------------------- */

@@ -4,7 +4,7 @@
 #ifndef C205_DECODE_H
 #define C205_DECODE_H
 
-#include "c205.h"
+#include "vm/c205.h"
 
 /* The register file has two slots more than the machine has registers: where
  * register 0 is read as a number, the decoder names SLOT_MACHINE_ZERO; where

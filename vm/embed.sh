@@ -1,5 +1,6 @@
 #!/bin/sh
-# embed.sh NAME FILE ... - text files as C, on stdout:
+# embed.sh NAME FOLDER FILE ... - text files as C, on stdout, each by its path
+# within the folder:
 #
 #   struct text { const char *name; const char *const *lines; };
 #   const struct text NAME[] = { ..., { NULL, NULL } };
@@ -9,7 +10,8 @@
 # C99 promises no more than 4,095 characters in one string.
 set -eu
 table=$1
-shift
+folder=$2
+shift 2
 printf '/* made by vm/embed.sh */\n#include "vm/text.h"\n'
 n=0
 for file in "$@"; do
@@ -21,13 +23,13 @@ done
 printf 'const struct text %s[] = {\n' "$table"
 n=0
 for file in "$@"; do
-    printf '    { "%s", lines%d },\n' "${file##*/}" "$n"
+    printf '    { "%s", lines%d },\n' "${file#"$folder"/}" "$n"
     n=$((n + 1))
 done
 printf '    { 0, 0 }\n};\n'
 printf 'const char *const %s_names[] = {\n' "$table"
 for file in "$@"; do
-    stem=${file##*/}
+    stem=${file#"$folder"/}
     printf '    "%s",\n' "${stem%.*}"
 done
 printf '    0\n};\n'

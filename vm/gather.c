@@ -1,6 +1,6 @@
 /* gather.c - gather and scatter: elements by the addresses of an index list.
  */
-#include "vector.h"
+#include "vm/vector.h"
 
 /* A is the index list; its elements count words from a base on.  Gather
  * moves from there to the result C, scatter from the source B to there. */

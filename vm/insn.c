@@ -1,7 +1,7 @@
 /* insn.c - the instruction table expanded, and instruction words taken apart
  * and put together.
  */
-#include "c205.h"
+#include "vm/c205.h"
 
 #include <string.h>
 
@@ -22,7 +22,7 @@ const c205_insn c205_insns[] = {
     { #mnemonic, opcode, subop, mask, flags, C205_FORMAT_##format, \
       C205_UNIT_##unit, C205_TIMING_##timing, operands, effect, provenance },
 /* clang-format on */
-#include "insn.def"
+#include "vm/insn.def"
 };
 const size_t c205_insn_count = sizeof c205_insns / sizeof c205_insns[0];
 
@@ -31,7 +31,7 @@ static const struct {
     unsigned halves;
 } formats[C205_FORMATS] = {
 #define FORMAT(name, halves, syntax) { #name, syntax, halves },
-#include "insn.def"
+#include "vm/insn.def"
 };
 
 enum timing_kind { SCALAR, VECTOR };
@@ -40,7 +40,7 @@ static const struct {
     enum timing_kind kind;
 } timings[C205_TIMINGS] = {
 #define TIMING(name, kind) { #name, kind },
-#include "insn.def"
+#include "vm/insn.def"
 };
 
 static const char *const unit_names[C205_UNITS] = {

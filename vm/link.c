@@ -3,7 +3,7 @@
  * The first one's result goes to the second without passing through memory,
  * which has two read paths: of the three other sources two may be vectors.
  */
-#include "vector.h"
+#include "vm/vector.h"
 
 static bool is_linked_a(const struct decoded *first,
                         const struct decoded *second)

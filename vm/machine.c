@@ -1,4 +1,4 @@
-#include "machine.h"
+#include "vm/machine.h"
 
 #include <stdio.h>
 #include <stdlib.h>

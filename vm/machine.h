@@ -2,11 +2,11 @@
 #ifndef C205_MACHINE_H
 #define C205_MACHINE_H
 
-#include "arith.h"
-#include "clock.h"
-#include "decode.h"
-#include "memory.h"
-#include "progress.h"
+#include "vm/number/arith.h"
+#include "vm/time/clock.h"
+#include "vm/decode.h"
+#include "vm/memory.h"
+#include "vm/progress.h"
 
 /* Code from begin to end belongs to a region of the accounts. */
 struct region_range {
@@ -168,7 +168,7 @@ static inline c205_trap machine_fault(struct c205 *machine, c205_trap trap,
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
              flags, function, provenance, effect) \
     semantics execute_##function;
-#include "insn.def"
+#include "vm/insn.def"
 
 /* Set the regions of a program (vm/region.c). */
 bool machine_set_regions(struct c205 *machine, const c205_program *program,

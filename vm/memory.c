@@ -1,4 +1,4 @@
-#include "memory.h"
+#include "vm/memory.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -8,7 +8,7 @@
 #ifndef C205_MEMORY_H
 #define C205_MEMORY_H
 
-#include "c205.h"
+#include "vm/c205.h"
 
 #define ADDRESS_MASK UINT64_C(0xFFFFFFFFFFFF)
 enum {

@@ -1,7 +1,7 @@
 /* move.c - vector instructions that move elements to other places in a
  * vector: reverse, mask, merge, compress.
  */
-#include "vector.h"
+#include "vm/vector.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "operand.h"
+#include "vm/operand.h"
 
 #include <string.h>
 

@@ -12,8 +12,8 @@
 #ifndef C205_OPERAND_H
 #define C205_OPERAND_H
 
-#include "lanes.h"
-#include "machine.h"
+#include "vm/number/lanes.h"
+#include "vm/machine.h"
 
 enum { CHUNK = 512, CHUNK_WORDS = CHUNK / 64 };
 

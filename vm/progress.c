@@ -1,7 +1,7 @@
-#include "progress.h"
+#include "vm/progress.h"
 
-#include "memory.h"
-#include "tape.h"
+#include "vm/memory.h"
+#include "vm/tape.h"
 
 /* The longest search makes so many comparisons. */
 #define MOST_COMPARED ((size_t)C205_MAX_LENGTH * C205_MAX_LENGTH)

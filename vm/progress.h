@@ -11,7 +11,7 @@
 #ifndef C205_PROGRESS_H
 #define C205_PROGRESS_H
 
-#include "decode.h"
+#include "vm/decode.h"
 
 /* A linked pair: a short prefix and two long instructions. */
 enum { PACKAGE_HALVES = 5 };

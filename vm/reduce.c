@@ -1,5 +1,5 @@
 /* reduce.c - vectors to one number in a register. */
-#include "vector.h"
+#include "vm/vector.h"
 
 static c205_trap open_sources(struct stream *stream, struct c205 *machine,
                               const struct decoded *decoded)

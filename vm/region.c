@@ -1,6 +1,6 @@
 /* region.c - which region of the accounts an instruction belongs to. */
-#include "machine.h"
-#include "tape.h"
+#include "vm/machine.h"
+#include "vm/tape.h"
 
 #include <stdio.h>
 #include <stdlib.h>

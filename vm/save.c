@@ -1,8 +1,8 @@
 /* save.c - a whole machine, saved and restored. */
-#include "hash.h"
-#include "machine.h"
-#include "model.h"
-#include "tape.h"
+#include "vm/hash.h"
+#include "vm/machine.h"
+#include "vm/time/model.h"
+#include "vm/tape.h"
 
 #include <stdio.h>
 

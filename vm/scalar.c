@@ -1,7 +1,7 @@
 /* scalar.c - arithmetic on registers, and loads, stores and the register
  * swap.  Register 0 needs no care: see SLOT_MACHINE_ZERO and SLOT_SINK.
  */
-#include "machine.h"
+#include "vm/machine.h"
 
 #include <string.h>
 

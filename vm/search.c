@@ -1,7 +1,7 @@
 /* search.c - for each element of one vector, where in another it first
  * compares.
  */
-#include "vector.h"
+#include "vm/vector.h"
 
 /* How many words of B are compared at once. */
 static size_t scan_next(const struct stream *stream, size_t first)

@@ -5,7 +5,7 @@
  * The order vectors are read as a whole before an element is stored, and that
  * of the result is stored as a whole after the last.
  */
-#include "vector.h"
+#include "vm/vector.h"
 
 enum { ORDER_BITS = C205_MAX_LENGTH + 1, ORDER_WORDS = ORDER_BITS / 64 };
 

@@ -1,7 +1,7 @@
 /* tape.c - see tape.h. */
-#include "tape.h"
+#include "vm/tape.h"
 
-#include "hash.h"
+#include "vm/hash.h"
 
 #include <stdio.h>
 #include <string.h>

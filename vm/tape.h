@@ -13,7 +13,7 @@
 #ifndef C205_TAPE_H
 #define C205_TAPE_H
 
-#include "c205.h"
+#include "vm/c205.h"
 
 struct tape {
     c205_writer *write; /* NULL: the tape is read */

@@ -1,5 +1,5 @@
 /* vector.c - vector instructions that work element by element. */
-#include "vector.h"
+#include "vm/vector.h"
 
 /* ---- Streams ----------------------------------------------------------- */
 

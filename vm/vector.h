@@ -4,7 +4,7 @@
 #ifndef C205_VECTOR_H
 #define C205_VECTOR_H
 
-#include "operand.h"
+#include "vm/operand.h"
 
 struct stream {
     struct c205 *machine;

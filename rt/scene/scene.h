@@ -1,6 +1,6 @@
 /* scene.h - a scene as the scene language describes it, in world units.
  *
- * Doubles stand here at the edge: rt/layout.c turns them into the machine's
+ * Doubles stand here at the edge: rt/layout/layout.c turns them into the machine's
  * own numbers.  Axes are left-handed as in POV-Ray: x right, y up, z away.
  * Colours are linear RGB as the file gives them.
  */
@@ -9,7 +9,6 @@
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdio.h>
 
 /* x' = rows[i][0..2] . x + rows[i][3] */
 struct transform {
@@ -165,47 +164,6 @@ struct scene {
     size_t region_count;
     struct region *regions; /* in file order */
 };
-
-/* What the reader has to say of a file: an error (there is then no scene),
- * or a report of something that is replaced or left out. */
-struct report {
-    bool error;
-    bool said; /* what #debug says: the message alone, as it is */
-    char *file;
-    size_t line, column; /* from 1 */
-    char *message;
-    char *source; /* the text of that line */
-};
-
-struct reports {
-    size_t count, errors;
-    struct report *items;
-};
-
-struct scene_options {
-    int width, height;         /* of the picture in pixels: image_width and
-                                  image_height; 0: these are errors */
-    bool strict;               /* every report is an error */
-    const char *const *search; /* folders for #include; NULL-terminated, or
-                                  NULL; the file's own folder comes first */
-    /* Asked now and then in a long reading: false ends it, with an error.  NULL:
-     * nobody is asked. */
-    bool (*go_on)(void *context);
-    void *context;
-};
-
-/* Read a scene file.  NULL when it has errors (all are in *reports) or cannot
- * be read.  The caller frees both. */
-struct scene *scene_read(const char *path,
-                         const struct scene_options *options,
-                         struct reports *reports);
-/* The same from text; name stands for the file in reports. */
-struct scene *scene_read_text(const char *name, const char *text,
-                              const struct scene_options *options,
-                              struct reports *reports);
 void scene_free(struct scene *scene);
-void reports_free(struct reports *reports);
-/* file:line:column: error: message, the source line, a caret below it. */
-void reports_print(FILE *out, const struct reports *reports);
 
 #endif

@@ -1,5 +1,5 @@
 /* fuzz_scene.c - any bytes as a scene: read, printed, freed. */
-#include "rt/scene/scene.h"
+#include "rt/scene/language/scene_read.h"
 
 #include <stdint.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
  *
  * Written from docs/arithmetic.md alone, with integers of any length (GMP)
  * and, where the rule speaks of real values, MPFR.  It shares nothing with
- * vm/arith.c but the names of the flags.  Slow and plain, not thread safe.
+ * vm/number/arith.c but the names of the flags.  Slow and plain, not thread safe.
  *
  * Every rule has one signature: an operation of one operand ignores b, a
  * comparison gives 1 or 0, a shift takes its count from b as an integer.
@@ -12,7 +12,7 @@
 #ifndef ARITHMETIC_ORACLE_H
 #define ARITHMETIC_ORACLE_H
 
-#include "vm/arith.h"
+#include "vm/number/arith.h"
 
 #include <mpfr.h>
 

@@ -10,7 +10,7 @@
 #include "check_conversions.h"
 #include "operands.h"
 #include "operations.h"
-#include "vm/lanes.h"
+#include "vm/number/lanes.h"
 
 #include <errno.h>
 #include <getopt.h>

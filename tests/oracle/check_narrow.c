@@ -3,7 +3,7 @@
  *
  *     check_narrow [--operation NAME] [some | all]
  *
- * vm/rule.h is one text for words of any format; here it is compiled for
+ * vm/number/rule.h is one text for words of any format; here it is compiled for
  * words of 6 + 8 bits and meets every word, or every pair of them.  Without
  * "all" some exponents are left out, but no coefficient.  What is right is
  * said by narrow_oracle.c; that itself is compared with the oracle of the

@@ -9,8 +9,8 @@
  * out.  Prints one line per comparison.  Exit code 1: one failed; 2: wrong
  * usage.
  */
-#include "rt/picture.h"
-#include "rt/scene/scene.h"
+#include "rt/picture/picture.h"
+#include "rt/scene/language/scene_read.h"
 #include "tests/oracle/compare_pictures.h"
 #include "tests/oracle/plain_tracer.h"
 #include "tests/oracle/run_povray.h"

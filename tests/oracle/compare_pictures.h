@@ -6,7 +6,7 @@
 #ifndef COMPARE_PICTURES_H
 #define COMPARE_PICTURES_H
 
-#include "rt/picture.h"
+#include "rt/picture/picture.h"
 
 /* What is compared, and what is allowed. */
 struct comparison {

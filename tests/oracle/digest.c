@@ -9,7 +9,7 @@
  * With -v a line for each program as well.
  */
 #include "asm/assemble.h"
-#include "asm/sink.h"
+#include "base/sink.h"
 #include "tests/oracle/random_program.h"
 #include "vm/hash.h"
 

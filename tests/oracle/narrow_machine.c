@@ -1,10 +1,10 @@
 #include "narrow_machine.h"
 #include "narrow_oracle.h"
-#include "vm/word.h"
+#include "vm/number/word.h"
 
 static const word_format narrow_words = { NARROW_EXPONENT_BITS,
                                           NARROW_DIGITS };
 
 #define RULE_FORMAT narrow_words
 #define RULE(name) ARITH_OF_NARROW(name)
-#include "vm/rule.h"
+#include "vm/number/rule.h"

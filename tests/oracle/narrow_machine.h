@@ -3,7 +3,7 @@
 #ifndef NARROW_MACHINE_H
 #define NARROW_MACHINE_H
 
-#include "vm/arith.h"
+#include "vm/number/arith.h"
 
 #define ARITH_OF_NARROW(name) narrow_##name
 ARITH_FUNCTIONS(ARITH_OF_NARROW);

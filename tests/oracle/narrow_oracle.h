@@ -7,7 +7,7 @@
 #ifndef NARROW_ORACLE_H
 #define NARROW_ORACLE_H
 
-#include "vm/arith.h"
+#include "vm/number/arith.h"
 
 enum {
     NARROW_EXPONENT_BITS = 6,

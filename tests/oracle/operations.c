@@ -1,6 +1,6 @@
 #include "operations.h"
 
-#include "vm/lanes.h"
+#include "vm/number/lanes.h"
 
 #include <string.h>
 

@@ -12,7 +12,7 @@
 #ifndef PLAIN_TRACER_H
 #define PLAIN_TRACER_H
 
-#include "rt/picture.h"
+#include "rt/picture/picture.h"
 #include "rt/scene/scene.h"
 
 /* False when memory is short; the caller frees the frame. */

@@ -2,7 +2,7 @@
 #ifndef QUARTIC_CASES_H
 #define QUARTIC_CASES_H
 
-#include "rt/roots.h"
+#include "rt/roots/roots.h"
 
 enum quartic_kind {
     QUARTIC_COEFFICIENTS, /* by chance */

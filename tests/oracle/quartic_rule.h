@@ -20,7 +20,7 @@
 #define QUARTIC_RULE_H
 
 #include "islands.h"
-#include "rt/roots.h"
+#include "rt/roots/roots.h"
 
 /* Results of many polynomials. */
 struct tally {

@@ -2,7 +2,7 @@
 #ifndef RUN_POVRAY_H
 #define RUN_POVRAY_H
 
-#include "rt/picture.h"
+#include "rt/picture/picture.h"
 
 /* Without antialiasing, as linear light between 0 and 1 in steps of 1/65535;
  * colours only.  Its files stay in a temporary folder that is removed.  The

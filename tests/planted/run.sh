@@ -61,7 +61,7 @@ try() {
 }
 
 mkdir -p "$place/source"
-cp -R Makefile .ci vm asm rt tests "$place/source"
+cp -R Makefile .ci vm base asm rt tests "$place/source"
 build || { cat "$place/make.txt"; exit 1; }
 if ! "$place/source/build/tests/oracle/check_random" 500; then
     echo "planted: they differ without a bug"

@@ -4,7 +4,7 @@
 #ifndef CLOCK_DRIVER_H
 #define CLOCK_DRIVER_H
 
-#include "vm/clock.h"
+#include "vm/time/clock.h"
 #include "vm/memory.h"
 
 #include <setjmp.h>

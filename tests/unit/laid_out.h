@@ -5,8 +5,8 @@
 
 #include "tests/unit/scene_reading.h"
 
-#include "rt/layout.h"
-#include "rt/program.h"
+#include "rt/layout/layout.h"
+#include "rt/layout/program.h"
 #include "vm/text.h"
 
 static c205_model *model;
@@ -63,7 +63,7 @@ static inline struct object *stage_program(void)
                 + sprintf(text, "        .equ CROSSING_SIZE, 2\n"
                                 "        .equ VALUE_SIZE, 3\n"
                                 "        .equ LEVEL_SIZE, 10\n"
-                                "        .include \"records.s\"\n"
+                                "        .include \"frame/records.s\"\n"
                                 "        .entry first\nfirst:  EXIT\n"
                                 "        .data\n");
     struct object *program;

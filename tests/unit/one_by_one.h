@@ -7,7 +7,7 @@
 
 #include "machine_fixture.h"
 
-#include "vm/arith.h"
+#include "vm/number/arith.h"
 
 enum {
     PAGES = 2,

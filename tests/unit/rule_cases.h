@@ -2,7 +2,7 @@
 #ifndef TESTS_RULE_CASES_H
 #define TESTS_RULE_CASES_H
 
-#include "vm/arith.h"
+#include "vm/number/arith.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -2,7 +2,7 @@
 #ifndef TESTS_SCENE_READING_H
 #define TESTS_SCENE_READING_H
 
-#include "rt/scene/scene.h"
+#include "rt/scene/language/scene_read.h"
 
 #include <math.h>
 #include <setjmp.h>

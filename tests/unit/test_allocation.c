@@ -8,7 +8,7 @@
 #include <errno.h>
 #include <unistd.h>
 
-#include "asm/accounts.h"
+#include "base/accounts.h"
 #include "asm/disassemble.h"
 #include "asm/expect.h"
 #include "asm/listing.h"
@@ -16,8 +16,8 @@
 #include "asm/object.h"
 #include "asm/print.h"
 #include "asm/state.h"
-#include "rt/speedup_report.h"
-#include "rt/sweep/kinds.h"
+#include "rt/study/speedup_report.h"
+#include "rt/study/sweep/kinds.h"
 
 void *__real_malloc(size_t size);
 void *__real_calloc(size_t count, size_t size);

@@ -5,7 +5,7 @@
 #include <dirent.h>
 
 #include "asm/expect.h"
-#include "asm/file.h"
+#include "base/file.h"
 #include "asm/print.h"
 
 static const char fence[] = "```c205\n";

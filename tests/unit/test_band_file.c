@@ -1,6 +1,6 @@
 /* test_band_file.c - bands that are kept come back as they were, or not at
  * all: what is harmed, cut off or of another frame is not taken. */
-#include "rt/band_file.h"
+#include "rt/trace/band_file.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -2,7 +2,7 @@
  * not much greater than need be. */
 #include "tests/unit/scene_reading.h"
 
-#include "rt/bounds.h"
+#include "rt/layout/bounds.h"
 #include "rt/scene/transform.h"
 #include "tests/oracle/plain_shapes.h"
 #include "tests/random.h"

@@ -1,7 +1,7 @@
 /* test_fit.c - what the fit is made from: observations, free constants, and
  * frames of fewer rays. */
-#include "rt/fit/constants.h"
-#include "rt/fit/observations.h"
+#include "rt/study/fit/constants.h"
+#include "rt/study/fit/observations.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -27,7 +27,7 @@ static const struct speedup_view view = { .distance = SPEEDUP_DISTANCE,
 
 static struct run_options small(void)
 {
-    struct run_options how = { .folder = "rt/fit/programs",
+    struct run_options how = { .folder = "rt/study/fit/programs",
                                .view = view,
                                .model = model };
 

@@ -1,7 +1,7 @@
 /* test_lanes.c - spans against the rule for one word: the same bits, the same
  * flags, for every length and place, for words and half words. */
 #include "tests/random.h"
-#include "vm/lanes.h"
+#include "vm/number/lanes.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* test_model.c - machine models: the built-in ones, and errors in others. */
-#include "vm/model.h"
+#include "vm/time/model.h"
 
 #include <math.h>
 #include <setjmp.h>

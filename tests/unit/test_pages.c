@@ -7,7 +7,7 @@
 #include "tests/unit/clock_driver.h"
 
 #include "tests/random.h"
-#include "vm/pages.h"
+#include "vm/time/pages.h"
 #include "vm/tape.h"
 
 enum { WORD = 64, MISS = 30, FAULT = 1000 };

@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "rt/picture.h"
+#include "rt/picture/picture.h"
 
 #include <dirent.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* test_plot.c - plots: their data, their scripts, and gnuplot. */
-#include "rt/plot/plot.h"
+#include "rt/study/plot/plot.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,8 +13,8 @@
 
 #include <cmocka.h>
 
-#include "asm/file.h"
-#include "rt/plot/axis.h"
+#include "base/file.h"
+#include "rt/study/plot/axis.h"
 
 enum { QUEUE, STREAM, STARTUP, REMARK, COLUMNS };
 

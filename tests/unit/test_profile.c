@@ -2,8 +2,8 @@
  * rays are the same, and the tables add up. */
 #include "tests/unit/traced_frame.h"
 
-#include "asm/file.h"
-#include "rt/profile.h"
+#include "base/file.h"
+#include "rt/study/profile.h"
 
 #include <unistd.h>
 

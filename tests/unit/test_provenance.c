@@ -1,6 +1,6 @@
 /* test_provenance.c - what is told of the model with every table: where its
  * constants are from, and how near it came to published figures. */
-#include "asm/provenance.h"
+#include "base/provenance.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "asm/file.h"
+#include "base/file.h"
 
 #define MOVED "latency.add 8 clk F\nlatency.load 20 clk F\n"
 

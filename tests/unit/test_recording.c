@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "asm/accounts.h"
+#include "base/accounts.h"
 
 enum { REGIONS = 8 };
 
@@ -100,9 +100,9 @@ static void test_same_clocks(void **state)
 {
     (void)state;
     static const char *const paths[] = {
-        "asm/examples/sieve.s",        "asm/examples/lookup.s",
-        "asm/examples/saxpy_linked.s", "rt/fit/programs/linpack.s",
-        "rt/fit/programs/gather.s",    "rt/fit/programs/photons.s"
+        "asm/examples/sieve.s",           "asm/examples/lookup.s",
+        "asm/examples/saxpy_linked.s",    "rt/study/fit/programs/linpack.s",
+        "rt/study/fit/programs/gather.s", "rt/study/fit/programs/photons.s"
     };
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
         compare(paths[i], "cyber205-2pipe-prior", NULL, 0);
@@ -114,7 +114,8 @@ static void test_settings(void **state)
 {
     (void)state;
     static const c205_setting pipes[] = { { "machine.pipes", 4 } };
-    compare("rt/fit/programs/photons.s", "cyber205-4pipe-prior", pipes, 1);
+    compare("rt/study/fit/programs/photons.s", "cyber205-4pipe-prior", pipes,
+            1);
 }
 
 /* Other pages, as settings and as a changed model, against a machine that has
@@ -144,9 +145,9 @@ static void test_pages(void **state)
     static const c205_setting little[] = { { "page.words", 2048 },
                                            { "memory.real_words", 9000 },
                                            { "translation.registers", 2 } };
-    static const char *const paths[] = { "rt/fit/programs/linpack.s",
-                                         "rt/fit/programs/gather.s",
-                                         "rt/fit/programs/photons.s" };
+    static const char *const paths[] = { "rt/study/fit/programs/linpack.s",
+                                         "rt/study/fit/programs/gather.s",
+                                         "rt/study/fit/programs/photons.s" };
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
         compare_pages(paths[i], small, 1);
         compare_pages(paths[i], little, 3);
@@ -162,7 +163,8 @@ static void test_ticks(void **state)
     c205_error error;
     double whole[REGIONS], fine[REGIONS], low[REGIONS], between[REGIONS];
     c205_setting setting = { "latency.load", 15.5 };
-    begin(&run, find("cyber205-2pipe-prior"), "rt/fit/programs/linpack.s");
+    begin(&run, find("cyber205-2pipe-prior"),
+          "rt/study/fit/programs/linpack.s");
     assert_true(c205_listen(run.machine, c205_record, run.recording));
     assert_runs(run.machine);
     assert_true(c205_retime(run.recording, run.model, NULL, 0, 1, whole,
@@ -186,7 +188,8 @@ static void test_gather_in_ticks(void **state)
     struct run run;
     c205_error error;
     double whole[REGIONS], fine[REGIONS];
-    begin(&run, find("cyber205-2pipe-prior"), "rt/fit/programs/gather.s");
+    begin(&run, find("cyber205-2pipe-prior"),
+          "rt/study/fit/programs/gather.s");
     assert_true(c205_listen(run.machine, c205_record, run.recording));
     assert_runs(run.machine);
     assert_true(c205_retime(run.recording, run.model, NULL, 0, 1, whole,

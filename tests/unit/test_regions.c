@@ -2,7 +2,7 @@
  * layout. */
 #include "tests/unit/laid_out.h"
 
-#include "rt/regions.h"
+#include "rt/layout/regions.h"
 #include "tests/random.h"
 
 static uint64_t random_state = RANDOM_SEED;

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "asm/accounts.h"
+#include "base/accounts.h"
 
 enum { REGIONS = 16, PROJECTIONS = 2 };
 

@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "rt/program.h"
-#include "rt/roots.h"
+#include "rt/layout/program.h"
+#include "rt/roots/roots.h"
 #include "vm/text.h"
 
 static c205_model *model;
@@ -179,7 +179,7 @@ static void test_falsi(void **state)
                              { "ANDERSON_BJORCK", FALSI_ANDERSON_BJORCK } };
     const struct asm_define defines[] = { { "QUEUE", 1 }, { NULL, 0 } };
     c205_error error = { "" };
-    struct object *program = program_assemble("roots_vector.s", defines,
+    struct object *program = program_assemble("roots/roots_vector.s", defines,
                                               &error);
 
     (void)state;

@@ -2,7 +2,8 @@
  * and nothing but a whole saved machine is taken for one. */
 #include "tests/unit/saved_machine.h"
 
-#include "rt/trace.h"
+#include "rt/trace/trace.h"
+#include "rt/scene/language/scene_read.h"
 #include "tests/random.h"
 #include "vm/hash.h"
 #include "vm/machine.h"

@@ -2,7 +2,7 @@
  * POV-Ray were printed by POV-Ray 3.7 for the same text. */
 #include "tests/unit/scene_reading.h"
 
-#include "asm/file.h"
+#include "base/file.h"
 
 static void map(const struct transform *transform, const double from[3],
                 double to[3])

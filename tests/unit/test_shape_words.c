@@ -11,10 +11,10 @@
 
 #include <cmocka.h>
 
-#include "rt/moving_planes.h"
-#include "rt/shape_words.h"
-#include "rt/singular.h"
-#include "rt/steiner.h"
+#include "rt/shapes/moving_planes.h"
+#include "rt/shapes/shape_words.h"
+#include "rt/shapes/singular.h"
+#include "rt/shapes/steiner.h"
 #include "tests/random.h"
 
 static uint64_t random_state = RANDOM_SEED;

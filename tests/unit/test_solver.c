@@ -10,9 +10,9 @@
 
 #include <cmocka.h>
 
-#include "rt/program.h"
+#include "rt/layout/program.h"
 #include "tests/random.h"
-#include "vm/arith.h"
+#include "vm/number/arith.h"
 #include "vm/text.h"
 
 static c205_model *model;
@@ -27,8 +27,8 @@ struct lanes {
 };
 
 static const char vector_program[] =
-    "        .include \"queue.s\"\n"
-    "        .include \"quartic_vector.s\"\n"
+    "        .include \"frame/queue.s\"\n"
+    "        .include \"roots/quartic_vector.s\"\n"
     "        .data\n"
     "inputs:     .space 7 * QUEUE\n"
     "resolution: .space 1\n"
@@ -54,8 +54,8 @@ static const char vector_program[] =
     "solve:  BIM     ROUTINE\n";
 
 static const char scalar_program[] =
-    "        .include \"linkage.s\"\n"
-    "        .include \"quartic_scalar.s\"\n"
+    "        .include \"frame/linkage.s\"\n"
+    "        .include \"roots/quartic_scalar.s\"\n"
     "        .data\n"
     "handed: .space 8\n"
     "given:  .space 5\n"

@@ -1,5 +1,5 @@
 /* test_speedup.c - the rows of rt205 speedup, in small frames. */
-#include "rt/speedup_report.h"
+#include "rt/study/speedup_report.h"
 
 #include <math.h>
 #include <setjmp.h>

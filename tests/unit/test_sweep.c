@@ -1,5 +1,6 @@
 /* test_sweep.c - the sweeps of rt205 sweep, in small frames. */
-#include "rt/sweep/kinds.h"
+#include "rt/study/sweep/kinds.h"
+#include "rt/scene/language/scene_read.h"
 
 #include <math.h>
 #include <setjmp.h>

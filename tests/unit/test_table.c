@@ -12,8 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "asm/table.h"
-#include "asm/whole.h"
+#include "base/table.h"
+#include "base/whole.h"
 #include "tests/unit/csv_reading.h"
 
 static const struct table_column columns[] = {

@@ -10,7 +10,7 @@
 #include "tests/unit/vector_case.h"
 
 #include "tests/oracle/random_program.h"
-#include "vm/arith.h"
+#include "vm/number/arith.h"
 
 #include <math.h>
 

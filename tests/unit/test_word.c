@@ -1,6 +1,6 @@
 /* test_word.c - words from and to doubles, integers, text. */
 #include "tests/random.h"
-#include "vm/word.h"
+#include "vm/number/word.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -6,7 +6,8 @@
 #ifndef TESTS_TRACED_FRAME_H
 #define TESTS_TRACED_FRAME_H
 
-#include "rt/trace.h"
+#include "rt/trace/trace.h"
+#include "rt/scene/language/scene_read.h"
 #include "tests/oracle/plain_tracer.h"
 #include "tests/random.h"
 

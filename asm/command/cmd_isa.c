@@ -1,0 +1,189 @@
+/* cmd_isa.c - c205 isa: the instruction table, for the reader. */
+#include <string.h>
+
+#include "asm/command/cmd_isa.h"
+#include "asm/syntax.h"
+
+static const struct table_column columns[] = {
+    { "mnemonic", "name", TABLE_TEXT, 0 },
+    { "code", "code", TABLE_TEXT, 0 },
+    { "half", ",H", TABLE_TEXT, 0 },
+    { "operands", "operands", TABLE_TEXT, 0 },
+    { "format", "format", TABLE_TEXT, 0 },
+    { "unit", "unit", TABLE_TEXT, 0 },
+    { "timing", "timing", TABLE_TEXT, 0 },
+    { "provenance", "source", TABLE_TEXT, 0 },
+    { "effect", "effect", TABLE_TEXT, 0 },
+};
+enum { COLUMNS = sizeof columns / sizeof *columns };
+
+/* ---- One instruction ---------------------------------------------------- */
+
+static void describe_operands(const c205_insn *insn)
+{
+    struct isa_operand operand;
+    const char *letter = NULL;
+    while (isa_next_operand(insn, &letter, &operand)) {
+        printf("  %-11s %-3.*s %s\n",
+               letter == insn->operands ? "operands" : "", operand.length,
+               operand.written, operand.meaning ? operand.meaning : "");
+    }
+}
+
+static void describe_rule(const char *name, const char *text)
+{
+    if (*text) {
+        printf("  %-11s %s\n", name, text);
+    }
+}
+
+static void describe_rules(const c205_insn *insn)
+{
+    char half[ISA_HALF];
+    isa_half(insn, half);
+    describe_rule("length", isa_length(insn));
+    describe_rule("padding", isa_padding(insn));
+    describe_rule("control", isa_control(insn));
+    describe_rule("specials", isa_specials(insn));
+    describe_rule("with ,H", half);
+    for (unsigned flag = 1; flag <= insn->flags; flag <<= 1) {
+        if (insn->flags & flag & ~ISA_TOLD && isa_flag(insn, flag)) {
+            describe_rule("note", isa_flag(insn, flag));
+        }
+    }
+}
+
+static void describe_example(const c205_insn *insn)
+{
+    const char *const *line = isa_example(insn);
+    puts("  example");
+    for (; line && *line; line++) {
+        printf("    %s", *line);
+    }
+}
+
+static void describe(const c205_insn *insn)
+{
+    const char *syntax = c205_format_syntax(insn->format);
+    const char *timing = c205_timing_name(insn->timing);
+    bool vector = c205_timing_is_vector(insn->timing);
+    char code[ISA_CODE], drawing[ISA_DRAWING];
+    isa_code(insn, code);
+    isa_drawing(insn, drawing);
+    printf("%s   %s\n", insn->mnemonic, insn->effect);
+    printf("  written     %s%s%s%s\n", insn->mnemonic,
+           insn->flags & C205_INSN_HALF ? "[" SYNTAX_HALF "]" : "",
+           *syntax ? " " : "", syntax);
+    printf("  code        %s\n", code);
+    printf("  word        %s\n", drawing);
+    describe_operands(insn);
+    describe_rules(insn);
+    printf("  unit        %s\n", c205_unit_name(insn->unit));
+    printf("  timing      %s.%s%s%s%s\n", vector ? "startup" : "latency",
+           timing, vector ? ", stream." : "", vector ? timing : "",
+           insn->flags & C205_INSN_HALF
+               ? "; with ,H by vector.half_rate where pipes share it"
+               : "");
+    printf("  provenance  %c, %s\n", insn->provenance,
+           isa_provenance(insn->provenance));
+    describe_example(insn);
+    putchar('\n');
+}
+
+static void add_row(struct table *table, const c205_insn *insn)
+{
+    char code[ISA_CODE], provenance[2] = { insn->provenance, '\0' };
+    isa_code(insn, code);
+    table_text(table, insn->mnemonic);
+    table_text(table, code);
+    table_text(table, insn->flags & C205_INSN_HALF ? "H" : "");
+    table_text(table, c205_format_syntax(insn->format));
+    table_text(table, c205_format_name(insn->format));
+    table_text(table, c205_unit_name(insn->unit));
+    table_text(table, c205_timing_name(insn->timing));
+    table_text(table, provenance);
+    table_text(table, insn->effect);
+}
+
+/* With the qualifier of 32-bit operands, where a row has it, or without. */
+static const c205_insn *row_named(const char *name)
+{
+    size_t length = strcspn(name, ",");
+    const c205_insn *insn = c205_insn_named(name, length);
+    const char *qualifier = name + length;
+    bool half = !strcmp(qualifier, ",H") || !strcmp(qualifier, ",h");
+    if (!*qualifier || (insn && half && insn->flags & C205_INSN_HALF)) {
+        return insn;
+    }
+    return NULL;
+}
+
+static bool chosen(const struct cmd_arguments *arguments,
+                   const c205_insn *insn)
+{
+    for (size_t i = 0; i < arguments->file_count; i++) {
+        if (row_named(arguments->files[i]) == insn) {
+            return true;
+        }
+    }
+    return arguments->file_count == 0;
+}
+
+/* A table of all; of those that were named, all that is known; or the names
+ * alone.  The JSON file has the rows of the table in each case. */
+static int show(const struct cmd_arguments *arguments, struct json *json)
+{
+    struct table *table = table_new(columns, COLUMNS);
+    bool tabular = arguments->file_count == 0 && !arguments->names;
+    for (size_t i = 0; table && i < c205_insn_count; i++) {
+        const c205_insn *insn = &c205_insns[i];
+        if (!chosen(arguments, insn)) {
+            continue;
+        }
+        add_row(table, insn);
+        if (arguments->names) {
+            puts(insn->mnemonic);
+        } else if (!tabular) {
+            describe(insn);
+        }
+    }
+    if (tabular || !table) {
+        return cmd_show(arguments->command, table, json, "instructions");
+    }
+    bool good = !json || table_json(table, json, "instructions");
+    table_free(table);
+    return good ? CMD_DONE : cmd_failed(arguments->command, "no memory");
+}
+
+static int markdown(const struct cmd_arguments *arguments)
+{
+    c205_model *model;
+    int code;
+    if (arguments->file_count > 0 || arguments->names || arguments->json) {
+        return cmd_usage(arguments->command, "--markdown stands alone");
+    }
+    model = cmd_find_model(arguments->command, arguments->model);
+    code = model ? isa_page(arguments->command, model) : CMD_FAILED;
+    c205_model_free(model);
+    return code;
+}
+
+int cmd_isa(const struct cmd_arguments *arguments)
+{
+    struct json *json;
+    if (arguments->markdown) {
+        return markdown(arguments);
+    }
+    for (size_t i = 0; i < arguments->file_count; i++) {
+        const char *name = arguments->files[i];
+        if (!row_named(name)) {
+            return cmd_usage(arguments->command, "no such instruction: %s",
+                             name);
+        }
+    }
+    if (!cmd_open_json(arguments, &json)) {
+        return CMD_FAILED;
+    }
+    int code = show(arguments, json);
+    return cmd_end_json(arguments, json, code);
+}

@@ -1,0 +1,441 @@
+/* cmd_isa_page.c - the reference of the instructions in Markdown, made from
+ * insn.def, the machine model and the examples: docs/isa.md.
+ */
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/command/cmd_isa.h"
+#include "asm/syntax.h"
+
+/* The rows of insn.def and the headings among them. */
+static const struct entry {
+    const char *family; /* NULL: the next row */
+} entries[] = {
+#define FAMILY(title) { title },
+#define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
+             flags, semantics, provenance, effect) \
+    { NULL },
+#include "vm/insn.def"
+};
+enum { ENTRIES = sizeof entries / sizeof *entries };
+
+static const struct {
+    unsigned bit;
+    const char *text, *where;
+} g_bits[] = {
+    { C205_G_HALF, "32-bit operands, written `,H`", "rows with `,H`" },
+    { C205_G_ZEROS, "the control vector acts where it has zeros",
+      "Z among the operands, and not 0" },
+    { C205_G_OFFSET, "register C+1 holds an offset of C and Z",
+      "the result is a vector" },
+    { C205_G_BROADCAST_A, "A is one number, broadcast",
+      "a among the operands, no offset X" },
+    { C205_G_BROADCAST_B, "B is one number, broadcast",
+      "b among the operands, no offset Y" },
+    { C205_G_NEGATE_A, "A negated, after the magnitude",
+      "rows with sign control" },
+    { C205_G_MAGNITUDE_A, "the magnitude of A", "rows with sign control" },
+    { C205_G_MAGNITUDE_B, "the magnitude of B",
+      "rows with sign control and a source B" },
+};
+enum { G_BITS = sizeof g_bits / sizeof *g_bits };
+
+static const struct {
+    const char *what, *why, *instead;
+} left_out[] = {
+#define NO_SUCH_CODE "its codes: `undefined-instruction`"
+    { "strings of bytes and of decimal digits",
+      "packed decimal arithmetic, editing, search and translation of bytes: "
+      "COBOL's part of the machine. No numerical program needs them, and "
+      "nothing that could be read tells their rules",
+      NO_SUCH_CODE },
+    { "monitor mode",
+      "exchange of the register file, keys and locks, the instructions for "
+      "the page table: the project has no operating system; the host is the "
+      "monitor",
+      NO_SUCH_CODE "; a request that [EXIT](#exit) does not know: "
+                   "`bad-request`" },
+    { "input and output",
+      "the machine had none of its own: its channels led to other "
+      "computers. Programs are loaded by the host and print through "
+      "[EXIT](#exit)",
+      NO_SUCH_CODE },
+    { "interrupts of a program",
+      "automatic branches on the data flags, by their masks, and that of "
+      "the job interval timer: where they branch to, and what they save, "
+      "nothing that could be read tells",
+      "the flags, bit 36 of the timer among them, wait until the program "
+      "looks at them: [LSDFR](#lsdfr), [BADF](#badf)" },
+    { "32-bit strings of bits, 32-bit branches on a distance",
+      "a string of bits has no size of its own, and the branches B0-B5 "
+      "compare whole registers only (R)",
+      "bit 80 of G in a string: `undefined-instruction`" },
+};
+enum { LEFT_OUT = sizeof left_out / sizeof *left_out };
+
+/* ---- Markdown ----------------------------------------------------------- */
+
+/* A bar would end the cell. */
+static void put_cell(const char *text)
+{
+    for (; *text; text++) {
+        if (*text == '|') {
+            putchar('\\');
+        }
+        putchar(*text);
+    }
+}
+
+static void put_row(const char *name, const char *text)
+{
+    if (*text) {
+        printf("| %s | ", name);
+        put_cell(text);
+        puts(" |");
+    }
+}
+
+static void put_lower(const char *text)
+{
+    for (; *text; text++) {
+        putchar(tolower((unsigned char)*text));
+    }
+}
+
+/* "[ADDNV](#addnv)" */
+static void put_link(const char *text)
+{
+    printf("[%s](#", text);
+    put_lower(text);
+    putchar(')');
+}
+
+/* ---- The formats -------------------------------------------------------- */
+
+static const c205_insn *first_of(c205_format format)
+{
+    size_t i = 0;
+    while (i < c205_insn_count && c205_insns[i].format != format) {
+        i++;
+    }
+    return i < c205_insn_count ? &c205_insns[i] : NULL;
+}
+
+static void put_formats(void)
+{
+    char drawing[ISA_DRAWING];
+    puts("## Formats\n\n"
+         "Each field with its width in bits, from bit 0 on the left: F the "
+         "operation code, I an\n"
+         "immediate or the distance of a branch, - nothing, the others as "
+         "the operands are named.\n"
+         "In the operands capital letters are register fields; `[X]` is a "
+         "descriptor or an address,\n"
+         "`+X` an offset that may be left out; `a` and `b` are sources "
+         "written `[a]`, `[a, x]` with an\n"
+         "offset, or as a bare register; `?Z` may be left out, `!Z` may "
+         "not. The operands of a\n"
+         "row tell which registers are half ones, `h0` .. `h255`; behind "
+         "a mnemonic `,H` (bit 80 of G)\n"
+         "makes them 32 bits long, where the row has it.\n");
+    for (int format = 0; format < C205_FORMATS; format++) {
+        const c205_insn *insn = first_of((c205_format)format);
+        if (insn) {
+            isa_drawing(insn, drawing);
+            printf(*insn->operands ? "    %-9s  %-57s  %s\n"
+                                   : "    %-9s  %s%s\n",
+                   c205_format_name(insn->format), drawing,
+                   c205_format_syntax(insn->format));
+        }
+    }
+}
+
+static void put_g_bits(void)
+{
+    puts("\n## The bits of G\n\n| G | meaning | allowed in |\n|---|---|---|");
+    for (size_t i = 0; i < G_BITS; i++) {
+        printf("| %02X | %s | %s |\n", g_bits[i].bit, g_bits[i].text,
+               g_bits[i].where);
+    }
+    printf("\nWhere the code is written `9D.02`, the bits after the point "
+           "are bits of G that belong to\n"
+           "the operation. In the branches B0-B5, %02X makes the target a "
+           "distance from the branch;\n"
+           "without it the target is (Y) + (B). Any other bit is the trap "
+           "`undefined-instruction`.\n\n"
+           "I4 of the formats ALTER .. lies in the low half of G. Its high "
+           "two bits: branch never,\n"
+           "always, on a one, on a zero; its low two: leave the bit, change "
+           "it, make it zero, make it\n"
+           "one.\n",
+           C205_G_RELATIVE);
+}
+
+/* ---- One instruction ---------------------------------------------------- */
+
+static const c205_constant *constant(const c205_model *model,
+                                     const char *kind, const char *timing)
+{
+    char name[C205_TEXT_SIZE];
+    snprintf(name, sizeof name, "%s.%s", kind, timing);
+    return c205_model_lookup(model, name);
+}
+
+/* Its stream, per element; one that the pipes share is faster for half
+ * words. */
+static double per_element(const c205_model *model,
+                          const c205_constant *stream, bool half)
+{
+    const c205_constant *pipes = c205_model_lookup(model, "machine.pipes");
+    const c205_constant *rate = c205_model_lookup(model, "vector.half_rate");
+    bool shared = strstr(stream->unit, "*pipe") != NULL;
+    double clocks = stream->value;
+    if (shared && pipes) {
+        clocks /= pipes->value;
+    }
+    return shared && half && rate ? clocks / rate->value : clocks;
+}
+
+static void put_stream(const c205_insn *insn, const c205_model *model,
+                       const c205_constant *startup,
+                       const c205_constant *stream)
+{
+    const char *clocked = isa_clocked(insn);
+    printf(": %s + %g n clocks%s%s", startup->text,
+           per_element(model, stream, false), *clocked ? ", " : "", clocked);
+    if (insn->flags & C205_INSN_HALF) {
+        printf("; with `,H` %s + %g n", startup->text,
+               per_element(model, stream, true));
+    }
+}
+
+/* What a taken branch loses after its issue clock, what a swap takes. */
+static void put_latency(const c205_insn *insn, const c205_model *model,
+                        const c205_constant *latency,
+                        const c205_constant *busy)
+{
+    const c205_constant *near = constant(model, "branch", "taken");
+    const c205_constant *far = constant(model, "branch", "out_of_stack");
+    const c205_constant *word = constant(model, "swap", "word");
+    if (insn->timing == C205_TIMING_branch && near && far) {
+        printf(": taken %s clocks lost, %s out of the stack", near->text,
+               far->text);
+    } else if (insn->timing == C205_TIMING_swap && word) {
+        printf(": %s clocks + %s for each word loaded or saved",
+               latency->text, word->text);
+    } else {
+        printf(": result after %s clk, unit free after %s", latency->text,
+               busy->text);
+    }
+}
+
+/* The closed formula of a vector instruction, the constants of a scalar
+ * one. */
+static void put_time(const c205_insn *insn, const c205_model *model)
+{
+    const char *timing = c205_timing_name(insn->timing);
+    bool vector = c205_timing_is_vector(insn->timing);
+    const c205_constant *first, *second;
+    first = constant(model, vector ? "startup" : "latency", timing);
+    second = constant(model, vector ? "stream" : "busy", timing);
+    printf("| time | unit `%s`, class `%s`", c205_unit_name(insn->unit),
+           timing);
+    if (first && second) {
+        (vector ? put_stream : put_latency)(insn, model, first, second);
+    }
+    puts(" |");
+}
+
+static bool put_operands(const c205_insn *insn)
+{
+    struct isa_operand operand;
+    const char *letter = NULL;
+    bool good = true;
+    while (isa_next_operand(insn, &letter, &operand)) {
+        printf("| %.*s | ", operand.length, operand.written);
+        put_cell(operand.meaning ? operand.meaning : "?");
+        puts(" |");
+        good = good && operand.meaning;
+    }
+    return good;
+}
+
+/* Which flags have a line of their own: short sources have had theirs. */
+static bool put_flags(const c205_insn *insn)
+{
+    bool good = true;
+    for (unsigned flag = 1; flag <= insn->flags; flag <<= 1) {
+        const char *note = isa_flag(insn, flag);
+        if (insn->flags & flag & ~ISA_TOLD) {
+            put_row("note", note ? note : "?");
+            good = good && note;
+        }
+    }
+    return good;
+}
+
+static void put_written(const c205_insn *insn)
+{
+    const char *syntax = c205_format_syntax(insn->format);
+    const char *half = insn->flags & C205_INSN_HALF ? "[" SYNTAX_HALF "]"
+                                                    : "";
+    printf("| written | `%s%s%s%s` |\n", insn->mnemonic, half,
+           *syntax ? " " : "", syntax);
+}
+
+static bool put_example(const c205_insn *insn)
+{
+    const char *const *line = isa_example(insn);
+    if (!line) {
+        return false;
+    }
+    puts("\n```c205");
+    for (; *line; line++) {
+        fputs(*line, stdout);
+    }
+    puts("```");
+    return true;
+}
+
+/* False: something is not explained, or there is no example. */
+static bool put_insn(const c205_insn *insn, const c205_model *model)
+{
+    char code[ISA_CODE], drawing[ISA_DRAWING], half[ISA_HALF];
+    bool good;
+    isa_code(insn, code);
+    isa_drawing(insn, drawing);
+    isa_half(insn, half);
+    printf("\n### %s\n\n%c%s.\n\n| | |\n|---|---|\n| code | %s |\n",
+           insn->mnemonic, toupper((unsigned char)insn->effect[0]),
+           insn->effect + 1, code);
+    put_written(insn);
+    printf("| format | [%s](#formats) `", c205_format_name(insn->format));
+    put_cell(drawing);
+    puts("` |");
+    good = put_operands(insn);
+    put_row("length", isa_length(insn));
+    put_row("short source", isa_padding(insn));
+    put_row("control vector", isa_control(insn));
+    put_row("special values", isa_specials(insn));
+    put_row("with `,H`", half);
+    good = put_flags(insn) && good;
+    put_time(insn, model);
+    printf("| source | %c: %s |\n", insn->provenance,
+           isa_provenance(insn->provenance));
+    return put_example(insn) && good;
+}
+
+/* ---- The page ----------------------------------------------------------- */
+
+static void put_contents(void)
+{
+    const c205_insn *insn = c205_insns;
+    for (size_t i = 0; i < ENTRIES; i++) {
+        if (entries[i].family) {
+            printf("\n- %s:", entries[i].family);
+        } else {
+            putchar(' ');
+            put_link(insn->mnemonic);
+            insn++;
+        }
+    }
+    puts("\n");
+}
+
+static bool put_families(const char *command, const c205_model *model)
+{
+    const c205_insn *insn = c205_insns;
+    bool good = true;
+    for (size_t i = 0; i < ENTRIES; i++) {
+        if (entries[i].family) {
+            printf("\n## %s\n", entries[i].family);
+            continue;
+        }
+        if (!put_insn(insn, model)) {
+            cmd_failed(command,
+                       "%s has no example in asm/isa_examples, or "
+                       "a letter or flag that is not explained",
+                       insn->mnemonic);
+            good = false;
+        }
+        insn++;
+    }
+    return good;
+}
+
+static bool is_defined(unsigned opcode)
+{
+    bool found = false;
+    for (size_t i = 0; i < c205_insn_count; i++) {
+        found = found || c205_insns[i].opcode == opcode;
+    }
+    return found;
+}
+
+/* "00-08, 0A-1D, .." */
+static void put_free_codes(void)
+{
+    const char *between = "";
+    for (unsigned code = 0; code <= UINT8_MAX; code++) {
+        unsigned first = code;
+        while (code <= UINT8_MAX && !is_defined(code)) {
+            code++;
+        }
+        if (code > first) {
+            printf("%s%02X", between, first);
+            between = ", ";
+        }
+        if (code > first + 1) {
+            printf("-%02X", code - 1);
+        }
+    }
+}
+
+static void put_left_out(void)
+{
+    puts("\n## What is left out\n\n"
+         "An instruction that is not in the table is the trap "
+         "`undefined-instruction`, so that no program\nruns on past one:\n\n"
+         "```c205\n"
+         "        .entry  start\n"
+         "start:  .half   0xF8000000, 0           ; once a byte string\n"
+         "; expect-trap: undefined-instruction\n"
+         "```\n\n"
+         "| left out | why | a program that tries it |\n|---|---|---|");
+    for (size_t i = 0; i < LEFT_OUT; i++) {
+        printf("| %s | %s | %s |\n", left_out[i].what, left_out[i].why,
+               left_out[i].instead);
+    }
+    printf("\nCodes without a row: ");
+    put_free_codes();
+    puts(".");
+}
+
+int isa_page(const char *command, const c205_model *model)
+{
+    bool good;
+    puts("# The instructions\n\n"
+         "<!-- made from vm/insn.def and asm/isa_examples by "
+         "make docs -->\n");
+    printf("All %zu of them, in the order of their table. What holds for "
+           "many is told in\n"
+           "[machine.md](machine.md), the arithmetic bit by bit in "
+           "[arithmetic.md](arithmetic.md),\n"
+           "the clock in [timing.md](timing.md). The clocks here are those "
+           "of the model `%s`,\n"
+           "n the number of elements (of bits in a bit string), rounded up. "
+           "Special values\n"
+           "are told of where they have rules; everywhere a result above the "
+           "range is indefinite\n"
+           "(flags 42 and 46), one below it machine zero (flag 43). Each "
+           "example is assembled,\n"
+           "run and checked by the tests.\n",
+           c205_insn_count, c205_model_name(model));
+    put_contents();
+    put_formats();
+    put_g_bits();
+    good = put_families(command, model);
+    put_left_out();
+    return good ? CMD_DONE : CMD_FAILED;
+}

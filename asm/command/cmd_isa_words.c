@@ -1,0 +1,482 @@
+/* cmd_isa_words.c - see cmd_isa.h. */
+#include <ctype.h>
+#include <stddef.h>
+#include <string.h>
+
+#include "asm/command/cmd_isa.h"
+
+/* What the letters of insn.def mean. */
+struct meaning {
+    char letter;
+    const char *text;
+};
+
+/* Where a source is in brackets always, it is no register. */
+static const struct operand_meaning {
+    char letter;
+    const char *text, *in_brackets;
+} operand_meanings[] = {
+#define OR_REGISTER " in brackets, or a register, broadcast"
+#define OR_HALF " in brackets, or a half register, broadcast"
+    { 'f', "register, read as a number; r0 is machine zero", NULL },
+    { 'i', "register, read as bits, an index or an address; r0 is 0", NULL },
+    { 'w', "register, written", NULL },
+    { 'm', "register, read as bits, then written", NULL },
+    { 'k', "register, written with an index", NULL },
+    { 'F', "half register, read as a number; h0, h1 are machine zero", NULL },
+    { 'I', "half register, read as bits; h0, h1 are 0", NULL },
+    { 'W', "half register, written", NULL },
+    { 'M', "half register, read as bits, then written", NULL },
+    { 'v', "vector of numbers" OR_REGISTER, "vector of numbers" },
+    { 'u', "vector of words" OR_REGISTER, "vector of words" },
+    { 'l', "vector of indices", NULL },
+    { 'V', "vector of 32-bit numbers" OR_HALF, "vector of 32-bit numbers" },
+    { 'b', "bit vector, read", NULL },
+    { 'd', "vector of words, written", NULL },
+    { 'D', "vector of half words, written", NULL },
+    { 'q', "vector of indices, written", NULL },
+    { 'e', "bit vector, written", NULL },
+    { 'c', "vector, written; the machine sets its length", NULL },
+    { 'o', "bit vector, written; the machine sets its length", NULL },
+    { 'x', "address of a table; its length is not used", NULL },
+    { 'n', "immediate", NULL },
+    { 't', "branch target, a label", NULL },
+    { 'z', "control vector: ? where it has ones, ?! zeros", NULL },
+};
+enum { MEANINGS = sizeof operand_meanings / sizeof *operand_meanings };
+
+static const struct meaning provenances[] = {
+    { 'P', "read in a primary source" },
+    { 'S', "read in a secondary source" },
+    { 'D', "derived" },
+    { 'R', "reconstructed from recollection" },
+    { '\0', NULL },
+};
+
+static const struct {
+    unsigned flag;
+    const char *text;
+} flag_notes[] = {
+    { C205_INSN_SIGN, "sign control: -A, |A|, -|A|" },
+    { C205_INSN_LINK, "may stand after the link prefix" },
+    { C205_INSN_INDEX, "the register after the result gets an index" },
+};
+enum { FLAG_NOTES = sizeof flag_notes / sizeof *flag_notes };
+
+static const char *meaning_of(const struct meaning *meanings, char letter)
+{
+    while (meanings->letter && meanings->letter != letter) {
+        meanings++;
+    }
+    return meanings->text;
+}
+
+const char *isa_provenance(char letter)
+{
+    return meaning_of(provenances, letter);
+}
+
+const char *isa_flag(const c205_insn *insn, unsigned flag)
+{
+    size_t i = 0;
+    if (flag == C205_INSN_SIGN
+        && strpbrk(c205_format_syntax(insn->format), "bB")) {
+        return "sign control: -A, |A|, -|A|, |B|";
+    }
+    while (i < FLAG_NOTES && flag_notes[i].flag != flag) {
+        i++;
+    }
+    return i < FLAG_NOTES ? flag_notes[i].text : NULL;
+}
+
+void isa_code(const c205_insn *insn, char text[ISA_CODE])
+{
+    int length = snprintf(text, ISA_CODE, "%02X", insn->opcode);
+    if (insn->subop_mask) {
+        snprintf(text + length, ISA_CODE - (size_t)length, ".%02X",
+                 insn->subop);
+    }
+}
+
+/* ---- The drawing of a format ------------------------------------------ */
+
+enum { WORD_BITS = 64, HALF_BITS = 32, BYTE_BITS = 8 };
+
+static const struct {
+    char letter;
+    size_t offset;
+} byte_fields[] = {
+    { 'G', offsetof(c205_fields, g) }, { 'X', offsetof(c205_fields, x) },
+    { 'A', offsetof(c205_fields, a) }, { 'Y', offsetof(c205_fields, y) },
+    { 'B', offsetof(c205_fields, b) }, { 'Z', offsetof(c205_fields, z) },
+    { 'C', offsetof(c205_fields, c) }, { 'R', offsetof(c205_fields, r) },
+    { 'S', offsetof(c205_fields, s) }, { 'T', offsetof(c205_fields, t) },
+};
+enum { BYTE_FIELDS = sizeof byte_fields / sizeof *byte_fields };
+
+/* Put the letter at each bit of the mask. */
+static void mark(char letter, c205_word mask, char owners[WORD_BITS])
+{
+    for (unsigned i = 0; i < WORD_BITS; i++) {
+        if (mask << i >> (WORD_BITS - 1)) {
+            owners[i] = letter;
+        }
+    }
+}
+
+/* Which field owns each bit: fill one after another and look where the word
+ * changes.  Those of the operation belong to G.  The distance of a relative
+ * branch lies over Y and B. */
+static void probe_format(const c205_insn *insn, char owners[WORD_BITS])
+{
+    c205_fields fields = { 0 };
+    c205_word empty = c205_encode(insn, &fields);
+    memset(owners, '-', WORD_BITS);
+    memset(owners, 'F', BYTE_BITS);
+    mark('G', (c205_word)insn->subop_mask << (WORD_BITS - 2 * BYTE_BITS),
+         owners);
+    for (size_t i = 0; i < BYTE_FIELDS; i++) {
+        unsigned char *byte = (unsigned char *)&fields
+                              + byte_fields[i].offset;
+        *byte = 0xFF;
+        mark(byte_fields[i].letter, c205_encode(insn, &fields) ^ empty,
+             owners);
+        *byte = 0;
+    }
+    fields.g = C205_G_RELATIVE;
+    empty = c205_encode(insn, &fields);
+    fields.immediate = -1;
+    mark('I', c205_encode(insn, &fields) ^ empty, owners);
+}
+
+void isa_drawing(const c205_insn *insn, char text[ISA_DRAWING])
+{
+    char owners[WORD_BITS];
+    int bits = (int)c205_format_halves(insn->format) * HALF_BITS;
+    size_t length = 0;
+    probe_format(insn, owners);
+    for (int i = 0; i < bits;) {
+        int run = 1;
+        while (i + run < bits && owners[i] == owners[i + run]) {
+            run++;
+        }
+        length += (size_t)snprintf(text + length, ISA_DRAWING - length,
+                                   "| %c %d ", owners[i], run);
+        i += run;
+    }
+    snprintf(text + length, ISA_DRAWING - length, "|");
+}
+
+/* ---- Operands and rules ------------------------------------------------- */
+
+/* A reduction of one number is refused. */
+static bool is_in_brackets(const c205_insn *insn, char field)
+{
+    return isupper((unsigned char)field)
+           || insn->format == C205_FORMAT_REDUCE;
+}
+
+static const char *operand_meaning(char letter, bool in_brackets)
+{
+    size_t i = 0;
+    while (i < MEANINGS && operand_meanings[i].letter != letter) {
+        i++;
+    }
+    if (i == MEANINGS) {
+        return NULL;
+    }
+    return in_brackets && operand_meanings[i].in_brackets
+               ? operand_meanings[i].in_brackets
+               : operand_meanings[i].text;
+}
+
+bool isa_next_operand(const c205_insn *insn, const char **letter,
+                      struct isa_operand *operand)
+{
+    static const char between[] = "[], ?!";
+    if (!*letter) {
+        *letter = insn->operands;
+        operand->written = c205_format_syntax(insn->format);
+    } else {
+        (*letter)++;
+        operand->written += operand->length;
+    }
+    operand->written += strspn(operand->written, between);
+    operand->length = (int)strcspn(operand->written, between);
+    operand->meaning = operand_meaning(**letter,
+                                       is_in_brackets(insn,
+                                                      *operand->written));
+    return **letter != '\0';
+}
+
+static bool has_operand(const c205_insn *insn, const char *letters)
+{
+    return insn->operands[strcspn(insn->operands, letters)] != '\0';
+}
+
+static bool is_vector(const c205_insn *insn)
+{
+    return insn->unit == C205_UNIT_VECTOR
+           && has_operand(insn, "vulVbdDeqcox");
+}
+
+static bool must_have_control(const c205_insn *insn)
+{
+    return strchr(c205_format_syntax(insn->format), '!') != NULL;
+}
+
+/* Formats with a rule of their own. */
+static const struct {
+    c205_format format;
+    const char *length, *clocked;
+} lengths[] = {
+    { C205_FORMAT_SCAN, "that of C; each element goes through all of B",
+      "n elements of B gone through in all" },
+    { C205_FORMAT_SPARSE,
+      "that of X or Y, the longer; those of C and Z are set",
+      "n the most elements present in A, B or C" },
+};
+enum { LENGTHS = sizeof lengths / sizeof *lengths };
+
+const char *isa_clocked(const c205_insn *insn)
+{
+    for (size_t i = 0; i < LENGTHS; i++) {
+        if (lengths[i].format == insn->format) {
+            return lengths[i].clocked;
+        }
+    }
+    return "";
+}
+
+const char *isa_length(const c205_insn *insn)
+{
+    if (!is_vector(insn)) {
+        return "";
+    }
+    for (size_t i = 0; i < LENGTHS; i++) {
+        if (lengths[i].format == insn->format) {
+            return lengths[i].length;
+        }
+    }
+    if (has_operand(insn, "co")) {
+        return must_have_control(insn)
+                   ? "that of Z; C's is set"
+                   : "that of A, or of B if A is broadcast; C's is set";
+    }
+    if (has_operand(insn, "x")) {
+        return has_operand(insn, "d") ? "that of C, or of A if A is shorter"
+                                      : "that of A";
+    }
+    if (has_operand(insn, "dDe")) {
+        return strchr(c205_format_syntax(insn->format), 'C') ? "that of C"
+                                                             : "that of T";
+    }
+    return has_operand(insn, "b") ? "that of R"
+           : strchr(c205_format_syntax(insn->format), 'b')
+               ? "that of A, or of B if A is broadcast"
+               : "that of A";
+}
+
+/* Nothing can be short where the length is that of the one source. */
+const char *isa_padding(const c205_insn *insn)
+{
+    bool sparse = insn->format == C205_FORMAT_SPARSE;
+    if (insn->flags & C205_INSN_PADZ) {
+        return sparse ? "continues with machine zeros, as for absent ones"
+                      : "continues with machine zeros";
+    }
+    if (insn->flags & C205_INSN_PADO) {
+        return "continues with normalised ones";
+    }
+    if (!has_operand(insn, "vub") || has_operand(insn, "xw")) {
+        return "";
+    }
+    return has_operand(insn, "b") ? "continues with zero bits"
+                                  : "continues with zero words";
+}
+
+const char *isa_control(const c205_insn *insn)
+{
+    if (!has_operand(insn, "z")) {
+        return "";
+    }
+    if (must_have_control(insn)) {
+        return "must be there: Z chooses, `? [z]` with its ones, `?! [z]` "
+               "with its zeros";
+    }
+    return has_operand(insn, "wk")
+               ? "`? [z]`: only elements where Z has ones take part; "
+                 "`?! [z]`: zeros"
+               : "`? [z]`: C keeps what it had where Z has zeros; "
+                 "`?! [z]`: where it has ones";
+}
+
+/* ---- 32-bit operands ---------------------------------------------------- */
+
+/* The fields whose letters are among these: "A, B and C". */
+static size_t list_fields(const c205_insn *insn, const char *letters,
+                          char text[ISA_FIELDS])
+{
+    struct isa_operand operand;
+    const char *letter = NULL;
+    size_t count = 0, length = 0;
+    text[0] = '\0';
+    while (isa_next_operand(insn, &letter, &operand)) {
+        if (strchr(letters, *letter)) {
+            length += (size_t)snprintf(text + length, ISA_FIELDS - length,
+                                       "%s%c", count ? ", " : "",
+                                       toupper(
+                                           (unsigned char)*operand.written));
+            count++;
+        }
+    }
+    return count;
+}
+
+/* Which of a row's texts about a group of fields: one field, more. */
+static size_t put_group(const c205_insn *insn, const char *letters,
+                        const char *one, const char *more, char *text,
+                        size_t size)
+{
+    char fields[ISA_FIELDS];
+    size_t count = list_fields(insn, letters, fields);
+    return count
+               ? (size_t)snprintf(text, size, count > 1 ? more : one, fields)
+               : 0;
+}
+
+static bool broadcasts(const c205_insn *insn)
+{
+    const char *syntax = c205_format_syntax(insn->format);
+    return has_operand(insn, "vu") && insn->format != C205_FORMAT_REDUCE
+           && syntax[strcspn(syntax, "ab")];
+}
+
+void isa_half(const c205_insn *insn, char text[ISA_HALF])
+{
+    size_t length;
+    text[0] = '\0';
+    if (!(insn->flags & C205_INSN_HALF)) {
+        return;
+    }
+    length = put_group(insn, "vudcx", "elements of %s of 32 bits",
+                       "elements of %s of 32 bits", text, ISA_HALF);
+    length += put_group(insn, "fw", "; %s is a half register",
+                        "; %s are half registers", text + length,
+                        ISA_HALF - length);
+    length += (size_t)snprintf(text + length, ISA_HALF - length, "%s",
+                               broadcasts(insn)
+                                   ? "; what is broadcast is a half register"
+                                   : "");
+    length += put_group(insn, "lq", "; the indices of %s have 64 bits",
+                        "; the indices of %s have 64 bits", text + length,
+                        ISA_HALF - length);
+    length += put_group(insn, "k", "; %s is a whole register",
+                        "; %s are whole registers", text + length,
+                        ISA_HALF - length);
+    if (insn->flags & C205_INSN_INDEX) {
+        snprintf(text + length, ISA_HALF - length,
+                 "; the index is in the whole register with the next number");
+    }
+}
+
+/* ---- Special values ----------------------------------------------------- */
+
+/* By the stem of the mnemonic; the first that fits. */
+static const struct {
+    const char *stem, *text;
+} specials[] = {
+#define SUM_RULE \
+    "indefinite in either: indefinite; machine zero is 0 with the smallest " \
+    "exponent"
+#define PRODUCT_RULE \
+    "indefinite in either: indefinite; otherwise machine zero in either: " \
+    "machine zero"
+#define EXTREME_RULE \
+    "any indefinite: indefinite with its index; of equals the first; no " \
+    "elements: indefinite"
+#define KEEP_RULE "machine zero and indefinite stay what they are"
+#define CONTRACT_RULE \
+    "machine zero and indefinite become the plain half words; so does a " \
+    "result with an exponent below -112 or above 111"
+    { "ADD", SUM_RULE },
+    { "SUB", SUM_RULE },
+    { "SUM", SUM_RULE "; no elements: machine zero" },
+    { "AVG", SUM_RULE },
+    { "ADJM", SUM_RULE },
+    { "DELTA", SUM_RULE },
+    { "INTVL", SUM_RULE },
+    { "MPY", PRODUCT_RULE },
+    { "PROD", PRODUCT_RULE "; no elements: one" },
+    { "DOT", "products and sums as those of MPYS and ADDN; no elements: "
+             "machine zero" },
+    { "DIV", "indefinite in either: indefinite; divisor zero: indefinite, "
+             "flag 41; otherwise dividend machine zero: machine zero" },
+    { "SQRT", "indefinite: indefinite; zero: machine zero; negative: "
+              "indefinite, flag 45" },
+    { "TRU", KEEP_RULE },
+    { "FLR", KEEP_RULE },
+    { "ABS", KEEP_RULE },
+    { "CLG", KEEP_RULE },
+    { "VTOV", KEEP_RULE },
+    { "ADJS", "machine zero and indefinite become the plain words" },
+    { "ADJE", "machine zero and indefinite become the plain words; a "
+              "coefficient that does not fit: indefinite, flag 42" },
+    { "POLY", "products and sums as those of MPYS and ADDN; no "
+              "coefficients: machine zero" },
+    { "EXP", "the exponent field of every word, no flags" },
+    { "CON", CONTRACT_RULE },
+    { "RCON", CONTRACT_RULE },
+    { "EXT", "machine zero and indefinite become the plain words; nothing "
+             "else is out of range" },
+    { "MAX", EXTREME_RULE },
+    { "MIN", EXTREME_RULE },
+    { "", "" },
+};
+
+static bool compares(const c205_insn *insn)
+{
+    return insn->unit == C205_UNIT_BRANCH
+           || insn->timing == C205_TIMING_vcompare
+           || insn->timing == C205_TIMING_vselect
+           || insn->timing == C205_TIMING_vcompress;
+}
+
+const char *isa_specials(const c205_insn *insn)
+{
+    size_t i = 0;
+    if (!has_operand(insn, "fvFV")) {
+        return insn->unit == C205_UNIT_VECTOR && *insn->operands
+                   ? "none: elements are bits, whatever they mean"
+                   : "";
+    }
+    if (compares(insn)) {
+        return "machine zero equals every zero; indefinite equals nothing, "
+               "and is neither >= nor <";
+    }
+    while (strncmp(insn->mnemonic, specials[i].stem, strlen(specials[i].stem))
+           != 0) {
+        i++;
+    }
+    return specials[i].text;
+}
+
+/* ---- Examples ----------------------------------------------------------- */
+
+static bool names(const char *file, const char *mnemonic)
+{
+    while (*mnemonic && tolower((unsigned char)*mnemonic) == *file) {
+        mnemonic++;
+        file++;
+    }
+    return *mnemonic == '\0' && strcmp(file, ".s") == 0;
+}
+
+const char *const *isa_example(const c205_insn *insn)
+{
+    const struct text *text = isa_example_texts;
+    while (text->name && !names(text->name, insn->mnemonic)) {
+        text++;
+    }
+    return text->lines;
+}

@@ -1,0 +1,227 @@
+/* cmd_run.c - c205 run: a program, and where its clocks went. */
+#include <inttypes.h>
+
+#include "base/accounts.h"
+#include "asm/command/cmd.h"
+#include "asm/disassemble.h"
+#include "asm/print.h"
+#include "asm/state.h"
+
+/* Instructions lie on half words; a short one needs only the first. */
+static c205_word word_at(const c205 *machine, uint64_t address)
+{
+    c205_word pair[2] = { 0, 0 };
+    uint64_t first = address & ~UINT64_C(63);
+    if (!c205_read(machine, first, pair, 2)) {
+        c205_read(machine, first, pair, 1);
+    }
+    return first == address ? pair[0] : pair[0] << 32 | pair[1] >> 32;
+}
+
+static void trace(void *context, const c205 *machine, const c205_event *event)
+{
+    char text[DISASSEMBLE_TEXT_SIZE];
+    if (event->kind != C205_EVENT_INSTRUCTION
+        && event->kind != C205_EVENT_REQUEST) {
+        return;
+    }
+    disassemble_one(word_at(machine, event->pc), event->pc, text);
+    fprintf(context, "%10" PRIu64 " %+6" PRId64 " %10" PRIX64 "  %s\n",
+            event->issued, (int64_t)event->clocks, event->pc, text);
+}
+
+static void stop_json(const c205 *machine, const c205_stop *stop,
+                      struct json *json)
+{
+    json_object(json, "stop");
+    json_text(json, "trap", c205_trap_name(stop->trap));
+    json_count(json, "pc", stop->pc);
+    json_count(json, "address", stop->address);
+    json_number(json, "status", (double)stop->status);
+    json_end(json);
+    json_count(json, "clocks", c205_clock(machine));
+}
+
+static const char *program_name(const struct cmd_arguments *arguments)
+{
+    return arguments->file_count ? arguments->files[0] : arguments->restore;
+}
+
+static int show_accounts(const struct cmd_arguments *arguments,
+                         const c205 *machine, const c205_stop *stop,
+                         struct json *json)
+{
+    const c205_model *model = c205_machine_model(machine);
+    struct accounts accounts = { .model = model };
+    if (!accounts_add(&accounts, machine)) {
+        accounts_free(&accounts);
+        return cmd_failed(arguments->command, "no memory");
+    }
+    if (json) {
+        json_text(json, "program", program_name(arguments));
+        provenance_json(model, json);
+        stop_json(machine, stop, json);
+    }
+    printf("%" PRIu64 " clocks\n", c205_clock(machine));
+    int code = cmd_show(arguments->command, accounts_by_cause(&accounts),
+                        json, "causes");
+    if (code == CMD_DONE) {
+        putchar('\n');
+        code = cmd_show(arguments->command, accounts_by_region(&accounts),
+                        json, "regions");
+    }
+    provenance_print(model, "");
+    accounts_free(&accounts);
+    return code;
+}
+
+/* How it ended, as an exit code. */
+static int judge(const char *command, const c205 *machine,
+                 const c205_stop *stop)
+{
+    c205_error text;
+    if (stop->trap != C205_TRAP_NONE) {
+        c205_describe_stop(machine, stop, &text);
+        return cmd_failed(command, "%s", text.message);
+    }
+    if (stop->status != 0) {
+        return cmd_failed(command, "the program ended with status %" PRId64,
+                          stop->status);
+    }
+    return CMD_DONE;
+}
+
+static bool may_go_on(const c205_stop *stop)
+{
+    return stop->trap == C205_TRAP_CLOCK_LIMIT;
+}
+
+static int save(const struct cmd_arguments *arguments, const c205 *machine,
+                const c205_stop *stop)
+{
+    c205_error error;
+    if (!may_go_on(stop)) {
+        fprintf(stderr, "c205 run: it did not reach the limit, and nothing "
+                        "is saved\n");
+        return judge(arguments->command, machine, stop);
+    }
+    if (!state_save(machine, arguments->save, &error)) {
+        return cmd_failed(arguments->command, "%s", error.message);
+    }
+    printf("stopped by the limit, and saved as %s\n", arguments->save);
+    return CMD_DONE;
+}
+
+static int run(const struct cmd_arguments *arguments, c205 *machine)
+{
+    struct printer printer = { stream_sink(stdout) };
+    struct json *json;
+    if (!cmd_open_json(arguments, &json)) {
+        return CMD_FAILED;
+    }
+    c205_listen(machine, printer_listen, &printer);
+    if (arguments->trace) {
+        c205_listen(machine, trace, stderr);
+    }
+    c205_stop stop = c205_run(machine, arguments->limit);
+    int code = show_accounts(arguments, machine, &stop, json);
+    code = cmd_end_json(arguments, json, code);
+    int verdict = arguments->save ? save(arguments, machine, &stop)
+                                  : judge(arguments->command, machine, &stop);
+    return code == CMD_DONE ? verdict : code;
+}
+
+/* ---- Where the machine comes from --------------------------------------- */
+
+static c205 *load(const c205_model *model, const struct object *object,
+                  c205_error *error)
+{
+    c205 *machine = c205_new(model, error);
+    if (machine && !c205_load(machine, &object->program, error)) {
+        c205_free(machine);
+        return NULL;
+    }
+    return machine;
+}
+
+/* The object may be NULL. */
+static c205 *restore(const char *path, const c205_model *model,
+                     const struct object *object, c205_error *error)
+{
+    c205 *machine = state_load(path, model, error);
+    if (machine && object
+        && c205_loaded_program(machine)
+               != c205_program_hash(&object->program)) {
+        snprintf(error->message, sizeof error->message,
+                 "%.180s: this machine runs another program", path);
+        c205_free(machine);
+        return NULL;
+    }
+    return machine;
+}
+
+static int make_and_run(const struct cmd_arguments *arguments,
+                        const c205_model *model, const struct object *object)
+{
+    c205_error error;
+    c205 *machine = arguments->restore
+                        ? restore(arguments->restore, model, object, &error)
+                        : load(model, object, &error);
+    if (!machine) {
+        return cmd_failed(arguments->command, "%s", error.message);
+    }
+    int code = run(arguments, machine);
+    c205_free(machine);
+    return code;
+}
+
+static int read_and_run(const struct cmd_arguments *arguments,
+                        const c205_model *model)
+{
+    struct sink report = stream_sink(stderr);
+    if (arguments->file_count == 0) {
+        return make_and_run(arguments, model, NULL);
+    }
+    struct object *object = cmd_read_program(arguments, arguments->files[0],
+                                             &report);
+    int code = object ? make_and_run(arguments, model, object) : CMD_FAILED;
+    object_free(object);
+    return code;
+}
+
+/* CMD_DONE: these arguments make sense together. */
+static int check_usage(const struct cmd_arguments *arguments)
+{
+    const char *command = arguments->command;
+    bool state = arguments->save || arguments->restore;
+    if (arguments->file_count == 0 && !arguments->restore) {
+        return cmd_usage(command, "name a file");
+    }
+    if (arguments->check) {
+        return state ? cmd_usage(command, "tests are not saved or restored")
+                     : CMD_DONE;
+    }
+    if (arguments->file_count > 1) {
+        return cmd_usage(command, "one program, not %s too",
+                         arguments->files[1]);
+    }
+    if (arguments->save && arguments->limit == C205_NO_LIMIT) {
+        return cmd_usage(command, "--save needs a --limit");
+    }
+    return CMD_DONE;
+}
+
+int cmd_run(const struct cmd_arguments *arguments)
+{
+    int code = check_usage(arguments);
+    if (code != CMD_DONE) {
+        return code;
+    }
+    if (arguments->check) {
+        return cmd_check(arguments);
+    }
+    c205_model *model = cmd_find_model(arguments->command, arguments->model);
+    code = model ? read_and_run(arguments, model) : CMD_FAILED;
+    c205_model_free(model);
+    return code;
+}

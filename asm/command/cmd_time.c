@@ -1,0 +1,154 @@
+/* cmd_time.c - c205 time: the speed of the vector instructions. */
+#include "asm/command/cmd.h"
+#include "asm/measure.h"
+#include "asm/syntax.h"
+
+static const struct table_column speed_columns[] = {
+    { "instruction", "instruction", TABLE_TEXT, 0 },
+    { "timing", "timing", TABLE_TEXT, 0 },
+    { "startup", "start-up clk", TABLE_NUMBER, 1 },
+    { "per_element", "clk/element", TABLE_NUMBER, 4 },
+    { "r_infinity", "r-infinity", TABLE_NUMBER, 1 },
+    { "unit", "unit", TABLE_TEXT, 0 },
+    { "n_half", "n-half", TABLE_NUMBER, 1 },
+    { "deviation", "off line, clk", TABLE_NUMBER, 1 },
+};
+
+static const struct table_column point_columns[] = {
+    { "instruction", "instruction", TABLE_TEXT, 0 },
+    { "length", "length", TABLE_COUNT, 0 },
+    { "clocks", "clocks", TABLE_COUNT, 0 },
+};
+
+struct tables {
+    struct table *speeds, *points;
+};
+
+static void add_measurement(struct tables *tables,
+                            const struct measurement *measured,
+                            const c205_model *model)
+{
+    struct table *speeds = tables->speeds;
+    table_text(speeds, measured->name);
+    table_text(speeds, measured->timing);
+    table_number(speeds, measured->startup);
+    table_number(speeds, measured->per_element);
+    table_number(speeds, measure_rate(measured, model));
+    table_text(speeds, measured->flops ? "Mflop/s" : "Mresults/s");
+    table_number(speeds, measure_half_length(measured));
+    table_number(speeds, measured->deviation);
+    for (size_t i = 0; i < MEASURE_POINTS; i++) {
+        table_text(tables->points, measured->name);
+        table_count(tables->points, measured->points[i].length);
+        table_count(tables->points, measured->points[i].clocks);
+    }
+}
+
+static bool add_name(const struct cmd_arguments *arguments,
+                     const c205_model *model, const char *name,
+                     struct tables *tables)
+{
+    struct measurement measured;
+    c205_error error;
+    if (!measure(model, name, &measured, &error)) {
+        cmd_failed(arguments->command, "%s", error.message);
+        return false;
+    }
+    add_measurement(tables, &measured, model);
+    return true;
+}
+
+/* All of the table in one size, and the triad. */
+static bool measure_size(const struct cmd_arguments *arguments,
+                         const c205_model *model, const char *suffix,
+                         struct tables *tables)
+{
+    char name[MEASURE_NAME_SIZE];
+    bool good = true;
+    for (size_t i = 0; good && i < c205_insn_count; i++) {
+        snprintf(name, sizeof name, "%s%s", c205_insns[i].mnemonic, suffix);
+        if (measure_knows(name)) {
+            good = add_name(arguments, model, name, tables);
+        }
+    }
+    snprintf(name, sizeof name, "%s%s", measure_triad, suffix);
+    return good && add_name(arguments, model, name, tables);
+}
+
+/* Those that were named, in that order; or all. */
+static bool measure_all(const struct cmd_arguments *arguments,
+                        const c205_model *model, struct tables *tables)
+{
+    bool good = true;
+    for (size_t i = 0; good && i < arguments->file_count; i++) {
+        good = add_name(arguments, model, arguments->files[i], tables);
+    }
+    if (arguments->file_count > 0) {
+        return good;
+    }
+    return measure_size(arguments, model, "", tables)
+           && measure_size(arguments, model, SYNTAX_HALF, tables);
+}
+
+/* Both tables go to the JSON file; the points are printed when asked for. */
+static int show(const struct cmd_arguments *arguments,
+                const c205_model *model, struct tables *tables,
+                struct json *json)
+{
+    if (json) {
+        provenance_json(model, json);
+        if (!table_json(tables->points, json, "points")) {
+            return cmd_failed(arguments->command, "no memory");
+        }
+    }
+    if (arguments->points) {
+        int code = cmd_show(arguments->command, tables->points, NULL, NULL);
+        tables->points = NULL;
+        if (code != CMD_DONE) {
+            return code;
+        }
+        putchar('\n');
+    }
+    int code = cmd_show(arguments->command, tables->speeds, json, "speeds");
+    tables->speeds = NULL;
+    provenance_print(model, "");
+    return code;
+}
+
+static int time_model(const struct cmd_arguments *arguments,
+                      const c205_model *model, struct json *json)
+{
+    struct tables tables = {
+        table_new(TABLE_COLUMNS(speed_columns)),
+        table_new(TABLE_COLUMNS(point_columns)),
+    };
+    int code = CMD_FAILED;
+    if (!tables.speeds || !tables.points) {
+        cmd_failed(arguments->command, "no memory");
+    } else if (measure_all(arguments, model, &tables)) {
+        code = show(arguments, model, &tables, json);
+    }
+    table_free(tables.speeds);
+    table_free(tables.points);
+    return code;
+}
+
+int cmd_time(const struct cmd_arguments *arguments)
+{
+    struct json *json;
+    for (size_t i = 0; i < arguments->file_count; i++) {
+        const char *name = arguments->files[i];
+        if (!measure_knows(name)) {
+            return cmd_usage(arguments->command,
+                             "no such vector instruction: %s", name);
+        }
+    }
+    c205_model *model = cmd_find_model(arguments->command, arguments->model);
+    int code = CMD_FAILED;
+    if (model && cmd_open_json(arguments, &json)) {
+        code = time_model(arguments, model, json);
+        code = cmd_end_json(arguments, json, code);
+    }
+    c205_model_free(model);
+    return code;
+}

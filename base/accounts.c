@@ -1,0 +1,186 @@
+/* accounts.c - see accounts.h. */
+#include "base/accounts.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct table_column by_cause[] = {
+    { "region", "region", TABLE_TEXT, 0 },
+    { "cause", "cause", TABLE_TEXT, 0 },
+    { "clocks", "clocks", TABLE_COUNT, 0 },
+    { "seconds", "seconds", TABLE_NUMBER, 8 },
+    { "percent", "%", TABLE_NUMBER, 1 },
+};
+
+static const struct table_column by_region[] = {
+    { "region", "region", TABLE_TEXT, 0 },
+    { "entries", "entries", TABLE_COUNT, 0 },
+    { "instructions", "instructions", TABLE_COUNT, 0 },
+    { "vector_instructions", "vector", TABLE_COUNT, 0 },
+    { "elements", "elements", TABLE_COUNT, 0 },
+    { "clocks", "clocks", TABLE_COUNT, 0 },
+    { "seconds", "seconds", TABLE_NUMBER, 8 },
+    { "percent", "%", TABLE_NUMBER, 1 },
+};
+
+double accounts_seconds(const c205_model *model, uint64_t clocks)
+{
+    const c205_constant *period = c205_model_lookup(model, "clock.period");
+    return period ? (double)clocks * period->value / 1e9 : NAN;
+}
+
+uint64_t accounts_clocks(const c205_account *account)
+{
+    uint64_t clocks = 0;
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
+        clocks += account->clocks[cause];
+    }
+    return clocks;
+}
+
+const c205_account *accounts_find(const struct accounts *accounts,
+                                  const char *region)
+{
+    for (size_t i = 0; i < accounts->count; i++) {
+        if (strcmp(accounts->items[i].name, region) == 0) {
+            return &accounts->items[i];
+        }
+    }
+    return NULL;
+}
+
+static c205_account *new_account(struct accounts *accounts, const char *name)
+{
+    c205_account *items = realloc(accounts->items,
+                                  (accounts->count + 1) * sizeof *items);
+    char *copy = malloc(strlen(name) + 1);
+    if (items) {
+        accounts->items = items;
+    }
+    if (!items || !copy) {
+        free(copy);
+        return NULL;
+    }
+    items[accounts->count] = (c205_account){ .name = strcpy(copy, name) };
+    return &items[accounts->count++];
+}
+
+static void add_account(c205_account *sum, const c205_account *account)
+{
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
+        sum->clocks[cause] += account->clocks[cause];
+    }
+    sum->instructions += account->instructions;
+    sum->vector_instructions += account->vector_instructions;
+    sum->elements += account->elements;
+    sum->entries += account->entries;
+}
+
+bool accounts_add_account(struct accounts *accounts,
+                          const c205_account *account)
+{
+    const c205_account *found = accounts_find(accounts, account->name);
+    c205_account *sum = found ? &accounts->items[found - accounts->items]
+                              : new_account(accounts, account->name);
+    if (!sum) {
+        return false;
+    }
+    add_account(sum, account);
+    accounts->clocks += accounts_clocks(account);
+    return true;
+}
+
+bool accounts_add(struct accounts *accounts, const c205 *machine)
+{
+    for (size_t i = 0; i < c205_account_count(machine); i++) {
+        if (!accounts_add_account(accounts, c205_account_at(machine, i))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void accounts_free(struct accounts *accounts)
+{
+    for (size_t i = 0; i < accounts->count; i++) {
+        free((char *)accounts->items[i].name);
+    }
+    free(accounts->items);
+    *accounts = (struct accounts){ .model = accounts->model };
+}
+
+static const char *region_name(const c205_account *account)
+{
+    return account->name[0] ? account->name : "(outside)";
+}
+
+/* Clocks, seconds, per cent of the run. */
+static void add_clocks(struct table *table, const struct accounts *accounts,
+                       uint64_t clocks)
+{
+    uint64_t all = accounts->clocks;
+    table_count(table, clocks);
+    table_number(table, accounts_seconds(accounts->model, clocks));
+    table_number(table, all ? 100.0 * (double)clocks / (double)all : 0.0);
+}
+
+static void add_causes(struct table *table, const struct accounts *accounts,
+                       const c205_account *account, const char *name)
+{
+    table_text(table, name);
+    table_text(table, "all");
+    add_clocks(table, accounts, accounts_clocks(account));
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
+        if (account->clocks[cause]) {
+            table_text(table, name);
+            table_text(table, c205_cause_name((c205_cause)cause));
+            add_clocks(table, accounts, account->clocks[cause]);
+        }
+    }
+}
+
+static c205_account sum_of_accounts(const struct accounts *accounts)
+{
+    c205_account sum = { .name = "all" };
+    for (size_t i = 0; i < accounts->count; i++) {
+        add_account(&sum, &accounts->items[i]);
+    }
+    return sum;
+}
+
+struct table *accounts_of_run(const struct accounts *accounts)
+{
+    struct table *table = table_new(TABLE_COLUMNS(by_cause));
+    c205_account sum = sum_of_accounts(accounts);
+    if (table) {
+        add_causes(table, accounts, &sum, sum.name);
+    }
+    return table;
+}
+
+struct table *accounts_by_cause(const struct accounts *accounts)
+{
+    struct table *table = accounts_of_run(accounts);
+    size_t count = accounts->count;
+    for (size_t i = 0; table && count > 1 && i < count; i++) {
+        const c205_account *account = &accounts->items[i];
+        add_causes(table, accounts, account, region_name(account));
+    }
+    return table;
+}
+
+struct table *accounts_by_region(const struct accounts *accounts)
+{
+    struct table *table = table_new(TABLE_COLUMNS(by_region));
+    for (size_t i = 0; table && i < accounts->count; i++) {
+        const c205_account *account = &accounts->items[i];
+        table_text(table, region_name(account));
+        table_count(table, account->entries);
+        table_count(table, account->instructions);
+        table_count(table, account->vector_instructions);
+        table_count(table, account->elements);
+        add_clocks(table, accounts, accounts_clocks(account));
+    }
+    return table;
+}

@@ -1,0 +1,98 @@
+#include "base/arena.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+union widest {
+    long double number;
+    void *pointer;
+    long long integer;
+};
+
+struct arena_block {
+    struct arena_block *next;
+    size_t used, size;
+    union widest bytes[1];
+};
+
+enum { BLOCK_SIZE = 64 * 1024 };
+
+static struct arena_block *add_block(struct arena *arena, size_t size)
+{
+    size_t header = offsetof(struct arena_block, bytes);
+    struct arena_block *block;
+
+    if (size < BLOCK_SIZE)
+        size = BLOCK_SIZE;
+    block = size > SIZE_MAX - header ? NULL : calloc(1, header + size);
+    if (!block) {
+        arena->failed = true;
+        return NULL;
+    }
+    block->size = size;
+    block->next = arena->blocks;
+    arena->blocks = block;
+    return block;
+}
+
+void *arena_take(struct arena *arena, size_t size)
+{
+    struct arena_block *block = arena->blocks;
+    size_t step = sizeof(union widest);
+    char *piece;
+
+    if (size > SIZE_MAX / 2) {
+        arena->failed = true;
+        return NULL;
+    }
+    size = (size + step - 1) / step * step;
+    if (!block || block->size - block->used < size)
+        block = add_block(arena, size);
+    if (!block)
+        return NULL;
+    piece = (char *)block->bytes + block->used;
+    block->used += size;
+    return piece;
+}
+
+char *arena_text(struct arena *arena, const char *text, size_t length)
+{
+    char *copy = arena_take(arena, length + 1);
+
+    if (copy && length > 0)
+        memcpy(copy, text, length);
+    return copy;
+}
+
+void *arena_grow(struct arena *arena, void *items, size_t count,
+                 size_t *capacity, size_t item_size)
+{
+    size_t larger = *capacity ? 2 * *capacity : 16;
+    void *moved;
+
+    if (count < *capacity)
+        return items;
+    if (larger > SIZE_MAX / 2 / item_size) {
+        arena->failed = true;
+        return NULL;
+    }
+    moved = arena_take(arena, larger * item_size);
+    if (!moved)
+        return NULL;
+    if (count > 0)
+        memcpy(moved, items, count * item_size);
+    *capacity = larger;
+    return moved;
+}
+
+void arena_free(struct arena *arena)
+{
+    while (arena->blocks) {
+        struct arena_block *next = arena->blocks->next;
+
+        free(arena->blocks);
+        arena->blocks = next;
+    }
+    arena->failed = false;
+}

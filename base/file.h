@@ -1,0 +1,14 @@
+/* file.h - whole files into memory. */
+#ifndef BASE_FILE_H
+#define BASE_FILE_H
+
+#include "vm/c205.h"
+
+enum { FILE_LARGEST = (1 << 28) - 2 };
+
+/* The bytes of a file and a NUL after them, to be freed; NULL: the error says
+ * why, without naming the file.  Files of more than FILE_LARGEST bytes are
+ * refused, endless ones among them. */
+char *file_read(const char *path, size_t *length, c205_error *error);
+
+#endif

@@ -1,0 +1,201 @@
+/* json.c - see json.h. */
+#include "base/json.h"
+
+#include <assert.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/sink.h"
+#include "base/whole.h"
+
+enum { DEEPEST = 16, INDENT = 2 };
+
+struct json {
+    struct whole *whole; /* they get the text at the close; NULL: not */
+    FILE *stream;        /* wanted */
+    struct text_buffer text;
+    struct sink sink; /* to the text */
+    unsigned depth;
+    struct {
+        char closing;
+        bool filled;
+    } level[DEEPEST];
+};
+
+static void open_level(struct json *json, char opening, char closing)
+{
+    assert(json->depth < DEEPEST);
+    json->level[json->depth].closing = closing;
+    json->level[json->depth].filled = false;
+    json->depth++;
+    sink_print(&json->sink, "%c", opening);
+}
+
+static void new_line(struct json *json)
+{
+    sink_print(&json->sink, "\n%*s", (int)json->depth * INDENT, "");
+}
+
+/* Bytes from 80 hex on are taken for UTF-8 and pass. */
+static void put_string(const struct sink *sink, const char *text)
+{
+    sink_put(sink, "\"");
+    for (; *text; text++) {
+        unsigned char c = (unsigned char)*text;
+        if (c == '"' || c == '\\') {
+            sink_print(sink, "\\%c", c);
+        } else if (c < ' ') {
+            sink_print(sink, "\\u%04x", c);
+        } else {
+            sink_print(sink, "%c", c);
+        }
+    }
+    sink_put(sink, "\"");
+}
+
+/* What comes before each value: comma, new line, key. */
+static void introduce(struct json *json, const char *key)
+{
+    if (json->level[json->depth - 1].filled) {
+        sink_put(&json->sink, ",");
+    }
+    json->level[json->depth - 1].filled = true;
+    new_line(json);
+    if (key) {
+        put_string(&json->sink, key);
+        sink_put(&json->sink, ": ");
+    }
+}
+
+static bool no_memory(c205_error *error)
+{
+    snprintf(error->message, sizeof error->message, "no memory");
+    return false;
+}
+
+static struct json *json_new(FILE *stream, c205_error *error)
+{
+    struct json *json = calloc(1, sizeof *json);
+    if (!json) {
+        no_memory(error);
+        return NULL;
+    }
+    json->stream = stream;
+    json->sink = text_buffer_sink(&json->text);
+    open_level(json, '{', '}');
+    return json;
+}
+
+struct json *json_open_stream(FILE *stream, const char *path,
+                              c205_error *error)
+{
+    struct json *json = json_new(stream, error);
+    if (json && path && !(json->whole = whole_open(path, error))) {
+        json_discard(json);
+        return NULL;
+    }
+    return json;
+}
+
+struct json *json_open(const char *path, c205_error *error)
+{
+    return json_open_stream(NULL, path, error);
+}
+
+bool json_close(struct json *json, c205_error *error)
+{
+    assert(json->depth == 1);
+    json_end(json);
+    sink_put(&json->sink, "\n");
+    if (json->text.failed) {
+        json_discard(json);
+        return no_memory(error);
+    }
+    bool good = true;
+    if (json->whole) {
+        fwrite(json->text.text, 1, json->text.length, json->whole->file);
+        good = whole_commit(json->whole, error);
+        json->whole = NULL;
+    }
+    if (good && json->stream) {
+        fwrite(json->text.text, 1, json->text.length, json->stream);
+    }
+    json_discard(json);
+    return good;
+}
+
+void json_discard(struct json *json)
+{
+    if (json->whole) {
+        whole_discard(json->whole);
+    }
+    text_buffer_free(&json->text);
+    free(json);
+}
+
+void json_object(struct json *json, const char *key)
+{
+    introduce(json, key);
+    open_level(json, '{', '}');
+}
+
+void json_array(struct json *json, const char *key)
+{
+    introduce(json, key);
+    open_level(json, '[', ']');
+}
+
+void json_end(struct json *json)
+{
+    json->depth--;
+    if (json->level[json->depth].filled) {
+        new_line(json);
+    }
+    sink_print(&json->sink, "%c", json->level[json->depth].closing);
+}
+
+void json_text(struct json *json, const char *key, const char *text)
+{
+    introduce(json, key);
+    put_string(&json->sink, text);
+}
+
+void json_digits(char text[JSON_NUMBER_SIZE], double value)
+{
+    snprintf(text, JSON_NUMBER_SIZE, "%.15g", value);
+    if (strtod(text, NULL) != value) {
+        snprintf(text, JSON_NUMBER_SIZE, "%.17g", value);
+    }
+}
+
+void json_number(struct json *json, const char *key, double value)
+{
+    if (!isfinite(value)) {
+        json_null(json, key);
+        return;
+    }
+    char text[JSON_NUMBER_SIZE];
+    json_digits(text, value);
+    introduce(json, key);
+    sink_put(&json->sink, text);
+}
+
+void json_count(struct json *json, const char *key, uint64_t value)
+{
+    introduce(json, key);
+    sink_print(&json->sink, "%" PRIu64, value);
+}
+
+void json_truth(struct json *json, const char *key, bool value)
+{
+    introduce(json, key);
+    sink_put(&json->sink, value ? "true" : "false");
+}
+
+void json_null(struct json *json, const char *key)
+{
+    introduce(json, key);
+    sink_put(&json->sink, "null");
+}

@@ -1,0 +1,48 @@
+/* json.h - writing JSON.
+ *
+ * A document is one object.  Members of an object need a key, elements of an
+ * array have none (NULL).  Nothing is checked until the end: json_close says
+ * whether all of it was written.
+ *
+ *   struct json *json = json_open("out.json", &error);
+ *   json_text(json, "model", "cyber205-2pipe");
+ *   json_array(json, "points");
+ *   json_count(json, NULL, 51);
+ *   json_end(json);
+ *   good = json_close(json, &error);
+ */
+#ifndef BASE_JSON_H
+#define BASE_JSON_H
+
+#include <stdio.h>
+
+#include "vm/c205.h"
+
+enum { JSON_NUMBER_SIZE = 32 };
+
+struct json;
+
+/* NULL: it cannot be written there.  The file appears, whole, at the close. */
+struct json *json_open(const char *path, c205_error *error);
+/* The same on a stream, at the close, and in a file too unless path is NULL.
+ * Write errors of the stream are left to its owner. */
+struct json *json_open_stream(FILE *stream, const char *path,
+                              c205_error *error);
+bool json_close(struct json *json, c205_error *error);
+void json_discard(struct json *json);
+
+void json_object(struct json *json, const char *key);
+void json_array(struct json *json, const char *key);
+void json_end(struct json *json);
+
+void json_text(struct json *json, const char *key, const char *text);
+/* A double comes back as it was; NaN and infinities are null. */
+void json_number(struct json *json, const char *key, double value);
+void json_count(struct json *json, const char *key, uint64_t value);
+void json_truth(struct json *json, const char *key, bool value);
+void json_null(struct json *json, const char *key);
+
+/* The digits of a finite double, as many as bring it back: 0.1. */
+void json_digits(char text[JSON_NUMBER_SIZE], double value);
+
+#endif

@@ -1,0 +1,101 @@
+#include "base/sink.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void sink_put(const struct sink *sink, const char *text)
+{
+    sink->put(sink->context, text, strlen(text));
+}
+
+void sink_print(const struct sink *sink, const char *format, ...)
+{
+    char text[1024];
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    sink_put(sink, text);
+}
+
+static bool make_room(struct text_buffer *buffer, size_t length)
+{
+    size_t need = buffer->length + length + 1, capacity = 256;
+    char *text;
+
+    if (need <= buffer->capacity)
+        return true;
+    while (capacity < need)
+        capacity *= 2;
+    text = realloc(buffer->text, capacity);
+    if (!text) {
+        buffer->failed = true;
+        return false;
+    }
+    buffer->text = text;
+    buffer->capacity = capacity;
+    return true;
+}
+
+static void put_into_buffer(void *context, const char *text, size_t length)
+{
+    struct text_buffer *buffer = context;
+
+    if (buffer->failed || !make_room(buffer, length))
+        return;
+    memcpy(buffer->text + buffer->length, text, length);
+    buffer->length += length;
+    buffer->text[buffer->length] = '\0';
+}
+
+struct sink text_buffer_sink(struct text_buffer *buffer)
+{
+    struct sink sink = { put_into_buffer, NULL };
+
+    sink.context = buffer;
+    return sink;
+}
+
+void text_buffer_free(struct text_buffer *buffer)
+{
+    static const struct text_buffer empty;
+
+    free(buffer->text);
+    *buffer = empty;
+}
+
+static void put_into_line(void *context, const char *text, size_t length)
+{
+    struct text_line *line = context;
+    size_t room = sizeof line->text - 1 - line->length;
+
+    if (length > room)
+        length = room;
+    memcpy(line->text + line->length, text, length);
+    line->length += length;
+    line->text[line->length] = '\0';
+}
+
+struct sink text_line_sink(struct text_line *line)
+{
+    struct sink sink = { put_into_line, NULL };
+
+    sink.context = line;
+    return sink;
+}
+
+static void put_into_stream(void *context, const char *text, size_t length)
+{
+    fwrite(text, 1, length, context);
+}
+
+struct sink stream_sink(void *stream)
+{
+    struct sink sink = { put_into_stream, NULL };
+
+    sink.context = stream;
+    return sink;
+}

@@ -1,0 +1,400 @@
+/* table.c - see table.h. */
+#include "base/table.h"
+
+#include <float.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A number may have all the digits of the largest double. */
+enum { NUMBER_SIZE = DBL_MAX_10_EXP + 32, FIRST_ROOM = 64 };
+static const char between[] = "  ";
+
+struct cell {
+    char *text; /* as printed */
+    bool empty;
+    union {
+        uint64_t count;
+        double number;
+    } value;
+};
+
+struct table {
+    const struct table_column *columns;
+    size_t column_count;
+    size_t cell_count, room;
+    struct cell *cells;
+    bool failed;
+};
+
+struct table *table_new(const struct table_column *columns, size_t count)
+{
+    struct table *table = calloc(1, sizeof *table);
+    if (table) {
+        table->columns = columns;
+        table->column_count = count;
+    }
+    return table;
+}
+
+void table_free(struct table *table)
+{
+    if (!table) {
+        return;
+    }
+    for (size_t i = 0; i < table->cell_count; i++) {
+        free(table->cells[i].text);
+    }
+    free(table->cells);
+    free(table);
+}
+
+static bool make_room(struct table *table)
+{
+    if (table->cell_count < table->room) {
+        return true;
+    }
+    size_t room = table->room ? 2 * table->room : FIRST_ROOM;
+    struct cell *cells = realloc(table->cells, room * sizeof *cells);
+    if (cells) {
+        table->cells = cells;
+        table->room = room;
+    }
+    return cells != NULL;
+}
+
+static void add(struct table *table, const char *text, struct cell cell)
+{
+    cell.text = malloc(strlen(text) + 1);
+    if (!cell.text || !make_room(table)) {
+        free(cell.text);
+        table->failed = true;
+        return;
+    }
+    strcpy(cell.text, text);
+    table->cells[table->cell_count++] = cell;
+}
+
+void table_text(struct table *table, const char *text)
+{
+    add(table, text, (struct cell){ .empty = false });
+}
+
+void table_gap(struct table *table)
+{
+    add(table, "", (struct cell){ .empty = true });
+}
+
+void table_count(struct table *table, uint64_t value)
+{
+    char text[NUMBER_SIZE];
+    snprintf(text, sizeof text, "%" PRIu64, value);
+    add(table, text, (struct cell){ .value.count = value });
+}
+
+void table_number(struct table *table, double value)
+{
+    char text[NUMBER_SIZE];
+    size_t column = table->cell_count % table->column_count;
+    if (isnan(value)) {
+        table_gap(table);
+        return;
+    }
+    snprintf(text, sizeof text, "%.*f", table->columns[column].decimals,
+             value);
+    add(table, text, (struct cell){ .value.number = value });
+}
+
+void table_signed(struct table *table, double value, int decimals)
+{
+    char text[NUMBER_SIZE];
+    if (isnan(value)) {
+        table_gap(table);
+        return;
+    }
+    snprintf(text, sizeof text, "%+.*f", decimals, value);
+    add(table, text, (struct cell){ .value.number = value });
+}
+
+size_t table_rows(const struct table *table)
+{
+    return table->cell_count / table->column_count;
+}
+
+const char *table_key(const struct table *table, size_t column)
+{
+    return table->columns[column].key;
+}
+
+double table_value(const struct table *table, size_t row, size_t column)
+{
+    const struct cell
+        *cell = &table->cells[row * table->column_count + column];
+    enum table_kind kind = table->columns[column].kind;
+    if (cell->empty || kind == TABLE_TEXT) {
+        return NAN;
+    }
+    return kind == TABLE_COUNT ? (double)cell->value.count
+                               : cell->value.number;
+}
+
+bool table_is_whole(const struct table *table)
+{
+    return !table->failed;
+}
+
+/* ---- In line ---- */
+
+typedef size_t measure_text(const char *text);
+
+static size_t width_of(const struct table *table, size_t column,
+                       measure_text *length_of)
+{
+    size_t width = length_of(table->columns[column].heading);
+    for (size_t i = column; i < table->cell_count; i += table->column_count) {
+        size_t length = length_of(table->cells[i].text);
+        width = length > width ? length : width;
+    }
+    return width;
+}
+
+/* One for each column; the caller frees them.  NULL: no memory. */
+static size_t *widths_of(const struct table *table, measure_text *length_of)
+{
+    size_t *widths = malloc(table->column_count * sizeof *widths);
+    for (size_t i = 0; widths && i < table->column_count; i++) {
+        widths[i] = width_of(table, i, length_of);
+    }
+    return widths;
+}
+
+static void plain_cell(const struct table *table, size_t column, size_t width,
+                       const char *text, FILE *file)
+{
+    bool last = column + 1 == table->column_count;
+    if (table->columns[column].kind != TABLE_TEXT) {
+        fprintf(file, "%*s%s", (int)width, text, last ? "" : between);
+    } else if (last) {
+        fputs(text, file);
+    } else {
+        fprintf(file, "%-*s%s", (int)width, text, between);
+    }
+    if (last) {
+        putc('\n', file);
+    }
+}
+
+static bool write_plain(const struct table *table, FILE *file)
+{
+    size_t count = table->column_count;
+    size_t *widths = widths_of(table, strlen);
+    if (!widths) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        plain_cell(table, i, widths[i], table->columns[i].heading, file);
+    }
+    for (size_t i = 0; i < table->cell_count; i++) {
+        plain_cell(table, i % count, widths[i % count], table->cells[i].text,
+                   file);
+    }
+    free(widths);
+    return true;
+}
+
+/* ---- Markdown ---- */
+
+/* What would end a cell, or be read as markup. */
+static bool is_markup(char c)
+{
+    return strchr("\\|<*`", c) != NULL;
+}
+
+static size_t markdown_length(const char *text)
+{
+    size_t length = 0;
+    for (; *text; text++) {
+        length += is_markup(*text) ? 2 : 1;
+    }
+    return length;
+}
+
+static void put_blanks(size_t count, FILE *file)
+{
+    fprintf(file, "%*s", (int)count, "");
+}
+
+static void markdown_cell(const struct table_column *column, size_t width,
+                          const char *text, FILE *file)
+{
+    size_t rest = width - markdown_length(text);
+    bool right = column->kind != TABLE_TEXT;
+    put_blanks(right ? rest + 1 : 1, file);
+    for (; *text; text++) {
+        if (is_markup(*text)) {
+            putc('\\', file);
+        }
+        putc(*text == '\n' ? ' ' : *text, file);
+    }
+    put_blanks(right ? 1 : rest + 1, file);
+    putc('|', file);
+}
+
+/* The line under the headings: a colon at the side to which cells go. */
+static void markdown_rule(const struct table *table, const size_t *widths,
+                          FILE *file)
+{
+    putc('|', file);
+    for (size_t i = 0; i < table->column_count; i++) {
+        bool right = table->columns[i].kind != TABLE_TEXT;
+        putc(right ? '-' : ':', file);
+        for (size_t k = 0; k < widths[i]; k++) {
+            putc('-', file);
+        }
+        fputs(right ? ":|" : "-|", file);
+    }
+    putc('\n', file);
+}
+
+static bool write_markdown(const struct table *table, FILE *file)
+{
+    size_t count = table->column_count;
+    size_t *widths = widths_of(table, markdown_length);
+    if (!widths) {
+        return false;
+    }
+    putc('|', file);
+    for (size_t i = 0; i < count; i++) {
+        markdown_cell(&table->columns[i], widths[i],
+                      table->columns[i].heading, file);
+    }
+    putc('\n', file);
+    markdown_rule(table, widths, file);
+    for (size_t i = 0; i < table->cell_count; i++) {
+        fputs(i % count == 0 ? "|" : "", file);
+        markdown_cell(&table->columns[i % count], widths[i % count],
+                      table->cells[i].text, file);
+        fputs(i % count == count - 1 ? "\n" : "", file);
+    }
+    free(widths);
+    return true;
+}
+
+/* ---- CSV ---- */
+
+/* A cell that begins with # would look like a remark. */
+static void put_quoted(const char *text, FILE *file)
+{
+    bool quoted = text[0] == '#' || strpbrk(text, ",\"\r\n");
+    fputs(quoted ? "\"" : "", file);
+    for (; *text; text++) {
+        fputs(*text == '"' ? "\"" : "", file);
+        putc(*text, file);
+    }
+    fputs(quoted ? "\"" : "", file);
+}
+
+static void csv_cell(const struct cell *cell,
+                     const struct table_column *column, FILE *file)
+{
+    char digits[JSON_NUMBER_SIZE];
+    if (cell->empty) {
+        return;
+    }
+    if (column->kind == TABLE_TEXT) {
+        put_quoted(cell->text, file);
+    } else if (column->kind == TABLE_COUNT) {
+        fprintf(file, "%" PRIu64, cell->value.count);
+    } else if (isfinite(cell->value.number)) {
+        json_digits(digits, cell->value.number);
+        fputs(digits, file);
+    }
+}
+
+static void write_csv(const struct table *table, FILE *file)
+{
+    size_t count = table->column_count;
+    for (size_t i = 0; i < count; i++) {
+        put_quoted(table->columns[i].key, file);
+        putc(i == count - 1 ? '\n' : ',', file);
+    }
+    for (size_t i = 0; i < table->cell_count; i++) {
+        csv_cell(&table->cells[i], &table->columns[i % count], file);
+        putc(i % count == count - 1 ? '\n' : ',', file);
+    }
+}
+
+/* ---- Any of them ---- */
+
+bool table_write(const struct table *table, enum table_format format,
+                 FILE *file)
+{
+    if (table->failed) {
+        return false;
+    }
+    switch (format) {
+    case TABLE_CSV: write_csv(table, file); return true;
+    case TABLE_MARKDOWN: return write_markdown(table, file);
+    default: return write_plain(table, file);
+    }
+}
+
+bool table_print(const struct table *table, FILE *file)
+{
+    return table_write(table, TABLE_PLAIN, file);
+}
+
+void table_heading(const char *heading, enum table_format format, FILE *file)
+{
+    static const struct {
+        const char *before, *after;
+    } marks[] = {
+        [TABLE_PLAIN] = { "", ":\n\n" },
+        [TABLE_CSV] = { "# ", "\n" },
+        [TABLE_MARKDOWN] = { "## ", "\n\n" },
+    };
+    fprintf(file, "\n%s%s%s", marks[format].before, heading,
+            marks[format].after);
+}
+
+const char *table_remark(enum table_format format)
+{
+    return format == TABLE_CSV ? "# " : "";
+}
+
+/* ---- JSON ---- */
+
+static void cell_json(const struct cell *cell,
+                      const struct table_column *column, struct json *json)
+{
+    if (cell->empty) {
+        json_null(json, column->key);
+    } else if (column->kind == TABLE_TEXT) {
+        json_text(json, column->key, cell->text);
+    } else if (column->kind == TABLE_COUNT) {
+        json_count(json, column->key, cell->value.count);
+    } else {
+        json_number(json, column->key, cell->value.number);
+    }
+}
+
+bool table_json(const struct table *table, struct json *json, const char *key)
+{
+    size_t count = table->column_count;
+    if (!table_is_whole(table)) {
+        return false;
+    }
+    json_array(json, key);
+    for (size_t i = 0; i < table->cell_count; i++) {
+        if (i % count == 0) {
+            json_object(json, NULL);
+        }
+        cell_json(&table->cells[i], &table->columns[i % count], json);
+        if (i % count == count - 1) {
+            json_end(json);
+        }
+    }
+    json_end(json);
+    return true;
+}

@@ -1,0 +1,110 @@
+/* whole.c - see whole.h. */
+#include "base/whole.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { SUFFIX_SIZE = 16, ATTEMPTS = 100 };
+
+static void tell(c205_error *error, const char *path, const char *why)
+{
+    snprintf(error->message, sizeof error->message, "%.180s: %.60s", path,
+             why);
+}
+
+static bool is_special(const char *path)
+{
+    struct stat status;
+    return lstat(path, &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+/* The first name "path.newN" that nobody uses. */
+static int open_beside(struct whole *whole)
+{
+    size_t size = strlen(whole->path) + SUFFIX_SIZE;
+    int file = -1;
+    whole->temporary = malloc(size);
+    errno = ENOMEM;
+    for (int n = 0; whole->temporary && file < 0 && n < ATTEMPTS; n++) {
+        snprintf(whole->temporary, size, "%s.new%d", whole->path, n);
+        file = open(whole->temporary, O_WRONLY | O_CREAT | O_EXCL, 0666);
+        if (file < 0 && errno != EEXIST) {
+            break;
+        }
+    }
+    return file;
+}
+
+static void whole_free(struct whole *whole)
+{
+    free(whole->temporary);
+    free(whole->path);
+    free(whole);
+}
+
+struct whole *whole_open(const char *path, c205_error *error)
+{
+    struct whole *whole = calloc(1, sizeof *whole);
+    if (!whole || !(whole->path = malloc(strlen(path) + 1))) {
+        free(whole);
+        tell(error, path, "no memory");
+        return NULL;
+    }
+    strcpy(whole->path, path);
+    int file = is_special(path) ? open(path, O_WRONLY) : open_beside(whole);
+    whole->file = file < 0 ? NULL : fdopen(file, "w");
+    if (!whole->file) {
+        tell(error, path, strerror(errno));
+        whole_free(whole);
+        return NULL;
+    }
+    return whole;
+}
+
+bool whole_check(const char *path, c205_error *error)
+{
+    if (is_special(path)) {
+        if (access(path, W_OK) == 0) {
+            return true;
+        }
+        tell(error, path, strerror(errno));
+        return false;
+    }
+    struct whole *whole = whole_open(path, error);
+    if (!whole) {
+        return false;
+    }
+    whole_discard(whole);
+    return true;
+}
+
+bool whole_commit(struct whole *whole, c205_error *error)
+{
+    errno = 0;
+    bool good = !ferror(whole->file);
+    good = fclose(whole->file) == 0 && good;
+    if (good && whole->temporary) {
+        good = rename(whole->temporary, whole->path) == 0;
+    }
+    if (!good) {
+        tell(error, whole->path, errno ? strerror(errno) : "write error");
+        if (whole->temporary) {
+            unlink(whole->temporary);
+        }
+    }
+    whole_free(whole);
+    return good;
+}
+
+void whole_discard(struct whole *whole)
+{
+    fclose(whole->file);
+    if (whole->temporary) {
+        unlink(whole->temporary);
+    }
+    whole_free(whole);
+}

@@ -1,0 +1,28 @@
+/* whole.h - a file that is written whole or not at all.
+ *
+ * It is written under a temporary name beside the real one, and gets the real
+ * name when all of it has reached the disk.  What is no regular file (a
+ * device, a pipe, a link) is written directly, as there is nothing to keep.
+ */
+#ifndef BASE_WHOLE_H
+#define BASE_WHOLE_H
+
+#include <stdio.h>
+
+#include "vm/c205.h"
+
+struct whole {
+    FILE *file; /* write here */
+    char *path;
+    char *temporary; /* NULL: written directly */
+};
+
+/* NULL: it cannot be written there. */
+struct whole *whole_open(const char *path, c205_error *error);
+/* Whether it could, for who has long work to do before; nothing is left. */
+bool whole_check(const char *path, c205_error *error);
+/* Both free it.  A failed commit leaves the old file as it was. */
+bool whole_commit(struct whole *whole, c205_error *error);
+void whole_discard(struct whole *whole);
+
+#endif

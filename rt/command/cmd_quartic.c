@@ -1,0 +1,265 @@
+/* cmd_quartic.c - rt205 quartic: the real roots of polynomials, found on the
+ * machine, and what they cost. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/provenance.h"
+#include "rt/command/cmd.h"
+#include "rt/roots/polynomials.h"
+#include "rt/study/quartic_costs.h"
+#include "rt/scene/language/report.h"
+
+static const struct table_column rules[] = {
+    { "falsi", "falsi", TABLE_TEXT, 0 },
+    { "form", "form", TABLE_TEXT, 0 },
+    { "clocks", "clocks", TABLE_COUNT, 0 },
+    { "clocks_per_polynomial", "clocks/polynomial", TABLE_NUMBER, 1 },
+    { "speedup", "speedup", TABLE_NUMBER, 2 },
+    { "slope_steps", "slope: steps", TABLE_NUMBER, 2 },
+    { "value_steps", "value: steps", TABLE_NUMBER, 2 },
+    { "slope_passes", "slope: passes", TABLE_COUNT, 0 },
+    { "value_passes", "value: passes", TABLE_COUNT, 0 },
+};
+
+static double ratio(uint64_t a, uint64_t b)
+{
+    return b > 0 ? (double)a / (double)b : NAN;
+}
+
+/* ---- Roots -------------------------------------------------------------- */
+
+static void print_roots(size_t index, const struct polynomial_roots *roots)
+{
+    char text[C205_TEXT_SIZE];
+
+    printf("%zu:", index);
+    for (int i = 0; i < roots->count; i++) {
+        c205_to_text(roots->root[i], text);
+        printf(" %s", text);
+    }
+    putchar('\n');
+}
+
+/* A root beyond the doubles is null among the numbers, but has its text. */
+static void write_roots(size_t index, const struct polynomial_roots *roots,
+                        struct json *json)
+{
+    char text[C205_TEXT_SIZE];
+
+    json_object(json, NULL);
+    json_count(json, "index", index);
+    json_array(json, "roots");
+    for (int i = 0; i < roots->count; i++)
+        json_number(json, NULL, c205_to_double(roots->root[i]));
+    json_end(json);
+    json_array(json, "texts");
+    for (int i = 0; i < roots->count; i++) {
+        c205_to_text(roots->root[i], text);
+        json_text(json, NULL, text);
+    }
+    json_end(json);
+    json_end(json);
+}
+
+/* Returns how many polynomials were refused; those are named on stderr. */
+static size_t tell_roots(const struct cmd_arguments *arguments,
+                         const struct polynomials *polynomials,
+                         const struct polynomial_roots *roots,
+                         struct json *json)
+{
+    size_t refused = 0;
+
+    if (json)
+        json_array(json, "polynomials");
+    for (size_t i = 0; i < polynomials->count; i++) {
+        if (roots[i].count == ROOTS_REFUSED) {
+            fprintf(stderr,
+                    "%s:%zu:1: error: polynomial %zu: the sizes of "
+                    "the coefficients are too far apart for the machine's "
+                    "exponents\n",
+                    arguments->scene, polynomials->lines[i], i);
+            refused++;
+            continue;
+        }
+        print_roots(i, &roots[i]);
+        if (json)
+            write_roots(i, &roots[i], json);
+    }
+    if (json)
+        json_end(json);
+    return refused;
+}
+
+static size_t count_roots(const struct polynomial_roots *roots, size_t count)
+{
+    size_t sum = 0;
+
+    for (size_t i = 0; i < count; i++)
+        if (roots[i].count > 0)
+            sum += (size_t)roots[i].count;
+    return sum;
+}
+
+/* ---- The search --------------------------------------------------------- */
+
+static struct roots_options
+search_options(const struct cmd_arguments *arguments, enum trace_mode mode,
+               enum falsi falsi)
+{
+    struct roots_options options = {
+        .mode = mode,
+        .queue = arguments->trace.queue,
+        .first = arguments->first,
+        .falsi = falsi,
+        .model = arguments->trace.model,
+        .progress = arguments->trace.progress,
+        .context = arguments->trace.context,
+    };
+    return options;
+}
+
+static struct root_search *search(const struct polynomials *polynomials,
+                                  const struct roots_options *options,
+                                  struct iterations *iterations,
+                                  c205_error *error)
+{
+    struct root_search *found = roots_new(polynomials->items,
+                                          polynomials->count, options, error);
+
+    if (!found)
+        return NULL;
+    if (!roots_watch(found, iterations))
+        snprintf(error->message, sizeof error->message,
+                 "the program lacks labels to count its steps by");
+    else if (roots_run(found, error))
+        return found;
+    roots_free(found);
+    return NULL;
+}
+
+static int solve(const struct cmd_arguments *arguments,
+                 const struct polynomials *polynomials, struct json *json)
+{
+    c205_error error = { "no memory" };
+    struct iterations iterations;
+    const struct roots_options options = search_options(arguments,
+                                                        arguments->trace.mode,
+                                                        arguments->falsi);
+    struct root_search *found = search(polynomials, &options, &iterations,
+                                       &error);
+    struct polynomial_roots *roots = calloc(polynomials->count + 1,
+                                            sizeof *roots);
+    bool good = found && roots && roots_read(found, roots, &error);
+    size_t refused = 0;
+
+    if (good) {
+        const struct quartic_costs costs = {
+            .file = arguments->scene,
+            .options = &options,
+            .search = found,
+            .iterations = &iterations,
+            .polynomials = polynomials->count,
+            .roots = count_roots(roots, polynomials->count),
+        };
+
+        refused = tell_roots(arguments, polynomials, roots, json);
+        good = quartic_costs_tell(&costs, json);
+    }
+    roots_free(found);
+    free(roots);
+    if (!good)
+        return cmd_failed(arguments->command, "%s", error.message);
+    return refused > 0 ? CMD_FAILED : CMD_DONE;
+}
+
+/* ---- The rules of falsi beside each other ------------------------------- */
+
+static bool add_rule(struct table *table,
+                     const struct cmd_arguments *arguments,
+                     const struct polynomials *polynomials, enum falsi rule,
+                     c205_error *error)
+{
+    uint64_t scalar = 0;
+
+    for (int mode = 0; mode < TRACE_FORMS; mode++) {
+        const struct roots_options options =
+            search_options(arguments, (enum trace_mode)mode, rule);
+        struct iterations iterations;
+        struct root_search *found = search(polynomials, &options, &iterations,
+                                           error);
+        const struct stage_count *count = iterations.stage;
+        uint64_t clocks;
+
+        if (!found)
+            return false;
+        clocks = c205_clock(roots_machine(found));
+        roots_free(found);
+        table_text(table, falsi_name(rule));
+        table_text(table, trace_mode_name((enum trace_mode)mode));
+        table_count(table, clocks);
+        table_number(table, ratio(clocks, polynomials->count));
+        table_number(table,
+                     mode == TRACE_VECTOR ? ratio(scalar, clocks) : NAN);
+        for (int i = 0; i < STAGES; i++)
+            table_number(table, ratio(count[i].steps, count[i].brackets));
+        for (int i = 0; i < STAGES; i++)
+            table_count(table, count[i].passes);
+        scalar = clocks;
+    }
+    return true;
+}
+
+static int compare_rules(const struct cmd_arguments *arguments,
+                         const struct polynomials *polynomials,
+                         struct json *json)
+{
+    c205_error error = { "no memory" };
+    struct table *table = table_new(TABLE_COLUMNS(rules));
+    bool good = table != NULL;
+
+    for (int rule = 0; good && rule < FALSI_RULES; rule++)
+        good = add_rule(table, arguments, polynomials, (enum falsi)rule,
+                        &error);
+    if (good) {
+        printf("# %zu polynomials, a queue of %zu, %s\n", polynomials->count,
+               arguments->trace.queue,
+               arguments->first ? "first roots" : "all roots");
+        provenance_print(arguments->trace.model, "# ");
+        good = print_remarks(table, "The rules of falsi:");
+    }
+    if (good && json) {
+        provenance_json(arguments->trace.model, json);
+        good = table_json(table, json, "rules");
+    }
+    table_free(table);
+    return good ? CMD_DONE
+                : cmd_failed(arguments->command, "%s", error.message);
+}
+
+/* ---- The command -------------------------------------------------------- */
+
+static int run(const struct cmd_arguments *arguments, struct json *json)
+{
+    struct polynomials polynomials = { 0, 0, NULL, NULL };
+    struct reports reports = { 0, 0, NULL };
+    int code = CMD_FAILED;
+
+    if (polynomials_read(&polynomials, arguments->scene, &reports))
+        code = arguments->compare
+                   ? compare_rules(arguments, &polynomials, json)
+                   : solve(arguments, &polynomials, json);
+    reports_print(stderr, &reports);
+    reports_free(&reports);
+    polynomials_free(&polynomials);
+    return code;
+}
+
+int cmd_quartic(struct cmd_arguments *arguments)
+{
+    if (arguments->trace.mode >= TRACE_FORMS)
+        return cmd_usage(
+            arguments->command,
+            "polynomials are solved in scalar or in vector form");
+    return cmd_with_machine(arguments, run);
+}

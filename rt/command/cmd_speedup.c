@@ -1,0 +1,142 @@
+/* cmd_speedup.c - rt205 speedup: the paper's Table 1 beside our own. */
+#include <stdio.h>
+
+#include "base/provenance.h"
+#include "rt/command/cmd.h"
+#include "rt/study/speedup_report.h"
+
+static bool measure_subject(const struct cmd_arguments *arguments,
+                            const struct speedup_subject *subject,
+                            struct speedup_report *report, c205_error *error)
+{
+    struct trace_options options = arguments->trace;
+    struct speedup_measure measures[TRACE_FORMS];
+
+    for (int mode = 0; mode < TRACE_FORMS; mode++) {
+        options.mode = (enum trace_mode)mode;
+        if (!speedup_measure(subject, &arguments->view, &options,
+                             &measures[mode], error))
+            return false;
+    }
+    if (measures[TRACE_SCALAR].checksum != measures[TRACE_VECTOR].checksum) {
+        snprintf(error->message, sizeof error->message,
+                 "%s: the scalar and the vector form do not agree",
+                 subject->name);
+        return false;
+    }
+    speedup_report_add(report, subject, &arguments->view, measures);
+    return true;
+}
+
+static enum table_format format_of(const struct cmd_arguments *arguments)
+{
+    return (enum table_format)arguments->format;
+}
+
+static void print_head(const struct cmd_arguments *arguments)
+{
+    const struct trace_options *trace = &arguments->trace;
+    const char *remark = table_remark(format_of(arguments));
+
+    printf("%s%zu x %zu rays, %g degrees across from a distance of %g, in a "
+           "queue of %zu;\n"
+           "%sthe kernel and its calls alone.  Paper: Plunkett, Cychosz and "
+           "Bailey 1984.\n"
+           "%sCYBER 720: the instructions of the scalar form at the times of "
+           "the model %s.\n",
+           remark, trace->width, trace->height, arguments->view.angle,
+           arguments->view.distance, trace->queue, remark, remark,
+           speedup_projection_model(trace->model, SPEEDUP_720));
+}
+
+/* The models of the projections: as JSON, or in print if that is NULL. */
+static bool tell_projections(const struct cmd_arguments *arguments,
+                             struct json *json, c205_error *error)
+{
+    for (int i = 0; i < SPEEDUP_PROJECTIONS; i++) {
+        const char *name = speedup_projection_model(arguments->trace.model,
+                                                    (enum speedup_projection)
+                                                        i);
+        c205_model *model = c205_model_find(name, error);
+
+        if (!model)
+            return false;
+        if (json) {
+            json_object(json, NULL);
+            provenance_json(model, json);
+            json_end(json);
+        } else {
+            puts(format_of(arguments) == TABLE_CSV ? "#" : "");
+            provenance_print(model, table_remark(format_of(arguments)));
+        }
+        c205_model_free(model);
+    }
+    return true;
+}
+
+static bool print(const struct cmd_arguments *arguments,
+                  const struct speedup_report *report, c205_error *error)
+{
+    enum table_format format = format_of(arguments);
+    const char *remark = table_remark(format);
+
+    print_head(arguments);
+    if (!speedup_report_table1(report, format, stdout))
+        return false;
+    printf("\n%sIn each row the scalar and the vector frame are equal, bit "
+           "for bit.\n",
+           remark);
+    provenance_print(arguments->trace.model, remark);
+    return tell_projections(arguments, NULL, error)
+           && speedup_report_detail(report, arguments->passes, format,
+                                    stdout);
+}
+
+static bool write_json(const struct cmd_arguments *arguments,
+                       const struct speedup_report *report, struct json *json,
+                       c205_error *error)
+{
+    bool good;
+
+    provenance_json(arguments->trace.model, json);
+    json_array(json, "projections");
+    good = tell_projections(arguments, json, error);
+    json_end(json);
+    json_count(json, "queue", arguments->trace.queue);
+    json_number(json, "distance", arguments->view.distance);
+    json_number(json, "angle", arguments->view.angle);
+    json_truth(json, "equal_frames", true);
+    return good && speedup_report_json(report, json);
+}
+
+static bool measure_all(const struct cmd_arguments *arguments,
+                        struct speedup_report *report, c205_error *error)
+{
+    for (size_t i = 0; i < speedup_subject_count; i++)
+        if (!measure_subject(arguments, &speedup_subjects[i], report, error))
+            return false;
+    return true;
+}
+
+static int speedup(const struct cmd_arguments *arguments, struct json *json)
+{
+    struct speedup_report *report = speedup_report_new(
+        arguments->trace.model);
+    bool prints = arguments->format != FORMAT_JSON;
+    c205_error error = { "no memory" };
+    bool good;
+
+    good = report && measure_all(arguments, report, &error)
+           && (!prints || print(arguments, report, &error))
+           && (!json || write_json(arguments, report, json, &error));
+    speedup_report_free(report);
+    return good ? CMD_DONE
+                : cmd_failed(arguments->command, "%s", error.message);
+}
+
+int cmd_speedup(struct cmd_arguments *arguments)
+{
+    if (arguments->view.angle == 0)
+        arguments->view.angle = SPEEDUP_ANGLE;
+    return cmd_with_machine(arguments, speedup);
+}

@@ -1,0 +1,23 @@
+; begin_1984.s - the scalar program's registers as all loops find them:
+; constants.  The loops' own registers.  Called by link_kernel.
+
+        .regs   r13, loop_index, loop_count, loop_at, loop_work
+        .regs   r17, loop_place
+        .reg    loop_link, r30
+
+        .macro  loop_next again
+        IBXLT   loop_index, m_index_one, loop_count, \again, loop_index
+        .endm
+
+        .kernel frame
+begin_scalar:
+        EX      s0, vector_context
+        ELEN    s0, CONTEXT
+        SWAP    [r0], r7, [s0]
+        load_main_constants
+        EX      s0, scalar_context
+        ELEN    s0, CONTEXT
+        SWAP    [r0], r7, [s0]
+        to_vector
+        BIM     0, link_kernel
+        .endkernel

@@ -1,0 +1,57 @@
+; frame_1984.s - a frame as in 1984: queues of rays are met with the
+; primitives by vector kernels, all else is done ray by ray.
+;
+; Rays, queues, levels and kernels are those of the vector form, with bounding
+; spheres; making rays, what is visible, shading, shadows and new rays are loops
+; on the scalar unit over the scalar form's routines.  So the frame is that of
+; both, bit for bit.
+; Source: the paper: "the ray/primitive intersections were vectorized".
+
+        .include "frame/records.s"
+        .include "frame/queue.s"
+        .include "light/power_constants.s"
+        .reg    link_walk, r133
+
+        .equ    VALUE_SIZE, 1           ; of a tree's, in words
+
+        .entry  frame
+        .kernel frame
+frame:
+        EX      target, begin_queues
+        BSAVE   link_walk, [target]
+        EX      target, begin_scalar
+        BSAVE   link_kernel, [target]
+        EX      target, trace_levels
+        BSAVE   link, [target]
+        EXIT
+        .endkernel
+
+        .include "frame/camera.s"
+        .include "frame/begin_vector.s"
+        .include "frame/intersect_vector.s"
+        .include "solids/levels_vector.s"
+
+; From here on registers have the names of the scalar program.
+        .include "frame/context_1984.s"
+        .include "frame/linkage.s"
+        .include "frame/vectors_scalar.s"
+        .include "frame/begin_1984.s"
+        .include "frame/generate_scalar.s"
+        .include "frame/generate_1984.s"
+        .include "frame/bound_scalar.s"
+        .include "solids/visible_scalar.s"
+        .include "solids/span_scalar.s"
+        .include "light/passing_scalar.s"
+        .include "frame/nearest_1984.s"
+        .include "light/power_scalar.s"
+        .include "light/pigment_scalar.s"
+        .include "light/surface_scalar.s"
+        .include "shapes/normal_scalar.s"
+        .include "shapes/normal_quadric_scalar.s"
+        .include "shapes/normal_quartic_scalar.s"
+        .include "light/light_scalar.s"
+        .include "frame/hits_1984.s"
+        .include "light/spawn_scalar.s"
+        .include "light/shade_1984.s"
+        .include "light/spawn_1984.s"
+        .include "light/resolve_1984.s"

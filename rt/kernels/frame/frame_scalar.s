@@ -1,0 +1,140 @@
+; frame_scalar.s - a frame, ray by ray: the scalar form of the tracer.
+;
+; For each pixel of the band: make its ray, trace it, store what came of it.
+; The same operations in the same order as the vector form, so that both give
+; the same frame bit for bit.
+
+        .include "frame/records.s"
+        .include "frame/linkage.s"
+        .include "frame/vectors_scalar.s"
+        .include "light/power_constants.s"
+
+; Room that the host leaves for each crossing of a tree, each value of one, in
+; words; for a level of reflection in levels_scalar.s.
+        .equ    CROSSING_SIZE, 1
+        .equ    VALUE_SIZE, 1
+
+; Registers of the main program, besides those of linkage.s and levels_scalar.s.
+        .regs   r156, column, width, row, last_row, hit_id, plane_size
+        .reg    plane_at, r162
+
+        .include "shapes/slab_scalar.s"
+        .include "shapes/sphere_scalar.s"
+        .include "shapes/box_scalar.s"
+        .include "shapes/quadratic_scalar.s"
+        .include "shapes/cylinder_scalar.s"
+        .include "shapes/cone_scalar.s"
+        .include "shapes/quadric_scalar.s"
+        .include "shapes/plane_scalar.s"
+        .include "roots/quartic_scalar.s"
+        .include "shapes/lanes_scalar.s"
+        .include "solids/segments_scalar.s"
+        .include "shapes/torus_scalar.s"
+        .include "shapes/quartic_terms.s"
+        .include "shapes/quartic_surface_scalar.s"
+        .include "shapes/steiner_constants.s"
+        .include "shapes/steiner_scalar.s"
+        .ifdef  HISTORICAL
+        .include "shapes/steiner_implicit_scalar.s"
+        .endif
+        .include "frame/transform_scalar.s"
+        .include "frame/camera.s"
+        .include "frame/generate_scalar.s"
+        .include "frame/bound_scalar.s"
+        .include "solids/visible_scalar.s"
+        .include "solids/span_scalar.s"
+        .include "solids/nodes_scalar.s"
+        .include "frame/regions_scalar.s"
+        .include "light/passing_scalar.s"
+        .include "light/shadow_scalar.s"
+        .include "light/power_scalar.s"
+        .include "light/pigment_scalar.s"
+        .include "light/surface_scalar.s"
+        .include "shapes/normal_scalar.s"
+        .include "shapes/normal_quadric_scalar.s"
+        .include "shapes/normal_quartic_scalar.s"
+        .include "light/light_scalar.s"
+        .include "light/shade_scalar.s"
+        .include "light/spawn_scalar.s"
+        .include "solids/levels_scalar.s"
+
+        .data
+pixel:          .space 2
+generate_list:  .descriptor 2, pixel
+                .descriptor VIEW_SIZE, view
+generate_place: .word 0
+        .code
+
+        .macro  store_sample word
+        STO     [main_at], \word
+        ADDX    main_at, plane_size, main_at
+        .endm
+
+        .entry  frame
+        .kernel frame
+frame:
+        load_main_constants
+        load_at power_constants, POWER_CONSTANTS, p_fraction
+        EX      target, camera
+        BSAVE   link, [target]
+        EX      target, levels_begin
+        BSAVE   trace_link, [target]
+        EX      main_at, shadow_ray + 64 * 6
+        EX      main_t, k_shadow
+        LOD     [main_t], main_t
+        STO     [main_at], main_t
+        EX      main_t, k_shadow_lower
+        LOD     [main_t], main_t
+        STO     [main_at, m_index_one], main_t
+        RTOR    first_level, main_t
+        ELEN    main_t, 6
+        EX      main_at, generate_place
+        STO     [main_at], main_t
+        load_at scene_band, 2, row
+        EX      main_at, scene_width
+        LOD     [main_at], width
+        EX      main_at, scene_pixels
+        LOD     [main_at], plane_size
+        EX      main_at, rays_primary
+        STO     [main_at], plane_size
+        SHIFTI  plane_size, 6, plane_size
+        EX      main_at, scene_frame
+        LOD     [main_at], plane_at
+frame_row:
+        RTOR    m_zero, column
+frame_pixel:
+        EX      main_at, pixel
+        STO     [main_at], column
+        STO     [main_at, m_index_one], row
+        call    generate_ray, generate_list
+        EX      target, trace
+        BSAVE   trace_link, [target]
+        RTOR    first_level, level
+        load_level L_SAMPLE, 6, own_red
+        IBXEQ   first_primitive, r0, r0, frame_background
+        IX      first_primitive, 64 * P_ID
+        LOD     [first_primitive], hit_id
+        BIM     frame_store
+frame_background:
+        RTOR    m_zero, first_distance
+        RTOR    m_zero, main_red
+        RTOR    m_zero, main_green
+        RTOR    m_zero, main_blue
+        RTOR    m_zero, hit_id
+frame_store:
+        RTOR    plane_at, main_at
+        store_sample own_red
+        store_sample own_green
+        store_sample own_blue
+        store_sample first_distance
+        store_sample main_red           ; the normal
+        store_sample main_green
+        store_sample main_blue
+        store_sample hit_id
+        IX      plane_at, 64
+        ADDN    column, m_one, column
+        CFPLT   column, width, frame_pixel
+        ADDN    row, m_one, row
+        CFPLT   row, last_row, frame_row
+        EXIT
+        .endkernel

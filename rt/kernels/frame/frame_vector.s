@@ -1,0 +1,42 @@
+; frame_vector.s - a frame, queue by queue: the vector form of the tracer.
+;
+; The host asks for a band of the frame, some of its rows.  For each queue of
+; QUEUE rays (the last may be shorter): make the rays, find what each of them
+; meets first, shade; what is reflected and refracted makes rays of the next
+; level, and so on (levels_vector.s).  The host has filled the scene (records.s)
+; and reads the band's planes afterwards.
+
+        .include "frame/records.s"
+        .include "frame/queue.s"
+        .include "light/power_constants.s"
+        .reg    link_walk, r133
+
+        .entry  frame
+        .kernel frame
+frame:
+        EX      target, begin_queues
+        BSAVE   link_walk, [target]
+        EX      target, trace_levels
+        BSAVE   link, [target]
+        EXIT
+        .endkernel
+
+        .include "frame/camera.s"
+        .include "frame/begin_vector.s"
+        .include "frame/intersect_vector.s"
+        .include "frame/nearest_vector.s"
+        .include "solids/span_vector.s"
+        .include "solids/visible_vector.s"
+        .include "solids/visible_every_vector.s"
+        .include "solids/levels_vector.s"
+        .include "light/resolve_vector.s"
+        .include "frame/generate_vector.s"
+        .include "shapes/normal_vector.s"
+        .include "shapes/normal_quadric_vector.s"
+        .include "shapes/normal_quartic_vector.s"
+        .include "light/shade_vector.s"
+        .include "light/pigment_vector.s"
+        .include "light/light_vector.s"
+        .include "light/shadow_vector.s"
+        .include "light/spawn_vector.s"
+        .include "light/power_vector.s"

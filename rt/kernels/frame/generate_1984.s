@@ -1,0 +1,52 @@
+; generate_1984.s - the queue's rays, one after another.
+;
+; In, out: as in generate_vector.s.
+
+        .regs   r156, first_pixel, to_dx, to_dy, to_dz
+        .regs   r160, made_dx, made_dy, made_dz
+        .regs   r163, column, row, width
+
+        .data
+pixel:          .space 2
+made_ray:       .space 6
+generate_list:  .descriptor 2, pixel
+                .descriptor VIEW_SIZE, view
+                .descriptor 6, made_ray
+        .code
+
+        .kernel generate
+generate:
+        load_word scene_first_pixel, s1
+        ADDX    s1, position, s1
+        hand_over s1
+        hand_over adx, 3, 1
+        to_scalar
+        load_at operands, 4, first_pixel
+        RTOR    n, loop_count
+        ES      loop_index, 0
+        EX      loop_at, scene_width
+        LOD     [loop_at], width
+        ADDN    first_pixel, r0, column
+        DIVS    column, width, row
+        FLR     row, row
+        ADDN    row, r0, row
+        MPYS    row, width, loop_work
+        SUBN    column, loop_work, column
+generate_next:
+        EX      loop_at, pixel
+        STO     [loop_at], column
+        STO     [loop_at, m_index_one], row
+        call    generate_ray, generate_list
+        load_at made_ray + 64 * 3, 3, made_dx
+        STO     [to_dx, loop_index], made_dx
+        STO     [to_dy, loop_index], made_dy
+        STO     [to_dz, loop_index], made_dz
+        ADDN    column, m_one, column
+        CFPLT   column, width, generate_same_row
+        RTOR    m_zero, column
+        ADDN    row, m_one, row
+generate_same_row:
+        loop_next generate_next
+        to_vector
+        BIM     0, link_kernel
+        .endkernel

@@ -1,0 +1,107 @@
+; hits_1984.s - the scalar program's shading, a hit at a time.
+;
+;       CALL SURFACE (HIT)
+;       CALL TOWARDS (HIT, LIGHT)
+;       CALL SHINE (HIT, LIGHT)
+;
+; HIT = a record of what is known of it (HIT_SIZE words, below); LIGHT = its
+; record, for SHINE with the colour that reaches the point (7 words).
+; SURFACE finds point, normal and pigment and begins the colour with the ambient
+; light; TOWARDS finds the way to a light, N . L = 0 if that shines from behind;
+; SHINE adds its light.  Formulas in surface_scalar.s, light_scalar.s.
+
+        .equ    HIT_RAY, 0              ; O, D; distance; the primitive's record
+        .equ    HIT_PLACE, 8            ; of its ray in the queue
+        .equ    HIT_SAMPLE, 9           ; as SHADE gives it
+        .equ    HIT_LIGHT, 21           ; L, N . L, D . L, distance
+        .equ    HIT_PIGMENT, 27
+        .equ    HIT_SIZE, 32
+
+        .regs   r34, a_hit, a_light
+        .regs   r147, ox, oy, oz, dx, dy, dz, hit_distance, hit_primitive
+
+        .equ    SURFACE_REGISTERS, SHADE_REGISTERS + 2
+
+        .data
+hit_save:       .space SURFACE_REGISTERS
+        .code
+
+        .macro  enter_hit arguments_count, registers
+        EX      save_at, hit_save
+        ELEN    save_at, \registers
+        SWAP    [r0], r32, [save_at]
+        ELEN    arguments, \arguments_count
+        SWAP    [arguments], a_hit, [r0]
+        .endm
+
+        .macro  leave_hit registers
+        leave   hit_save, \registers
+        .endm
+
+        .macro  of_hit offset, number
+        RTOR    a_hit, here
+        IX      here, 64 * \offset
+        ELEN    here, \number
+        .endm
+
+        .macro  load_hit offset, number, first
+        of_hit  \offset, \number
+        SWAP    [here], \first, [r0]
+        .endm
+
+        .macro  store_hit offset, number, first
+        of_hit  \offset, \number
+        SWAP    [r0], \first, [here]
+        .endm
+
+        .kernel shade
+surface:
+        enter_hit 1, SURFACE_REGISTERS
+        load_hit HIT_RAY, HIT_PLACE, ox
+        RTOR    hit_primitive, a_primitive
+        RTOR    hit_distance, t0
+        find_surface
+        begin_colour 3
+        store_hit HIT_SAMPLE, SAMPLE_SIZE, red
+        store_hit HIT_PIGMENT, 3, color0r
+        leave_hit SURFACE_REGISTERS
+
+; The others need less room.
+        .regs   r32, a_hit, a_light, a_primitive, t0, t1, here
+        .regs   r38, red, green, blue, nx, ny, nz, facing, outward, cell
+        .regs   r47, px, py, pz, lx, ly, lz, ndotl, ddotl, light_distance
+        .regs   r56, light_x, light_y, light_z, light_r, light_g, light_b
+        .regs   r62, light_gleams
+        .equ    TOWARDS_REGISTERS, 31
+        .regs   r63, ox, oy, oz, dx, dy, dz, hit_distance, hit_primitive
+        .regs   r71, color0r, color0g, color0b
+        .regs   r74, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
+        .regs   r79, f_size, f_specular, f_sharpness
+        .equ    SHINE_REGISTERS, 50
+
+towards:
+        enter_hit 2, TOWARDS_REGISTERS
+        ELEN    a_light, LIGHT_SIZE
+        SWAP    [a_light], light_x, [r0]
+        load_hit HIT_SAMPLE, SAMPLE_SIZE, red
+        towards_light towards_none
+        BIM     towards_found
+towards_none:
+        RTOR    m_zero, ndotl
+towards_found:
+        store_hit HIT_LIGHT, 6, lx
+        leave_hit TOWARDS_REGISTERS
+
+shine:
+        enter_hit 2, SHINE_REGISTERS
+        load_hit HIT_RAY, HIT_PLACE, ox
+        ELEN    a_light, LIGHT_SIZE
+        SWAP    [a_light], light_x, [r0]
+        RTOR    hit_primitive, a_primitive
+        load_hit HIT_SAMPLE, SAMPLE_SIZE + 6, red
+        load_hit HIT_PIGMENT, 3, color0r
+        get_record P_FINISH, 8, f_ambientr
+        shine
+        store_hit HIT_SAMPLE, 3, red
+        leave_hit SHINE_REGISTERS
+        .endkernel

@@ -1,0 +1,271 @@
+; nearest_1984.s - what the rays of a queue meet first, ray by ray from
+; what the kernels have found.
+;
+; find_nearest: In: the queue's rays.  Out: nearest (big: none), met = the
+;   primitive's record (0: none); hit_s, hit_t on patches.
+; simple_met: In: the segments of the rays at hand in a simple region, in
+;   found_store.
+; begin_span, node_met, needed_few: nothing; each ray is looked at by itself.
+; walk_tree: In: the crossings of the rays at hand in a region's primitives.
+;   Both: the same; for a ray to a light nearest = minus_big if it is stopped,
+;   in light_left what comes through.
+; Methods as in regions_scalar.s and shadow_scalar.s.  The kernels met all rays
+; at hand with a leaf that any of them comes near; so before VISIBLE is called
+; for a ray its leaves are looked at once: P_AT_HAND chains those that it meets,
+; and those that are needed narrow its span (span_scalar.s), as in
+; nodes_scalar.s.
+
+; What is handed over.
+        .regs   r156, to_nearest, to_met, to_hit_s, to_hit_t, from_place
+        .regs   r161, from_limit, from_patch_s, from_patch_t, from_least
+        .regs   r165, its_primitive, to_lights
+        .equ    SIMPLE_OPERANDS, 11
+        .regs   r167, its_region, from_ox, from_oy, from_oz, from_dx
+        .regs   r172, from_dy, from_dz
+        .equ    TREE_OPERANDS, 18
+
+        .regs   r174, segment_in, segment_out, ray_limit
+        .regs   r177, from_in, from_out, from_crossings, its_shadow, stride
+        .regs   r182, from_red, from_green, from_blue
+        .regs   r185, next_in, next_out, next_limit
+        .reg    its_patch, r155
+
+; A leaf at hand: the next one's, or 0; its record; its crossings, from a ray's
+; first; how many segments; is it needed?
+        .regs   r188, leaf_next, leaf_primitive, leaf_crossing, leaf_segments
+        .reg    leaf_needed, r192
+        .equ    CHAIN_LINK, 5
+        .regs   r193, first_leaf, chain_at, apart
+
+        .data
+        .align 64
+light_left:     .space 3 * QUEUE        ; of each ray to a light
+tree_leaves:    .word 0                 ; the first leaf at hand, as leaf_next
+        .code
+
+        .macro  hand_over_rays
+        hand_over nearest, 4
+        hand_over place, 2, 4
+        hand_over patch_s, 2, 6
+        hand_over wlower, 1, 8
+        hand_over primitive, 1, 9
+        hand_over shadows, 1, 10
+        .endm
+
+; The place in the queue of the ray at hand.
+        .macro  find_place
+        RTOR    loop_index, loop_place
+        IBXEQ   near, r0, n, found_place\@
+        LOD     [from_place, loop_index], loop_place
+found_place\@:
+        .endm
+
+        .macro  load_segment index
+        LOD     [from_in, \index], next_in
+        LOD     [from_out, \index], next_out
+        LOD     [from_limit, \index], next_limit
+        .endm
+
+        .macro  find_patch primitive
+        RTOR    \primitive, loop_at
+        IX      loop_at, 64 * P_ON_PATCH
+        LOD     [loop_at], its_patch
+        .endm
+
+        .kernel visible
+find_nearest:
+        load_word k_big, s1
+        VTOV    s1, [nearest]
+        VTOV    r0, [met]
+        ES      shadows, 0
+        BIM     walk_regions
+
+simple_met:
+        hand_over_rays
+        to_scalar
+        load_at operands, SIMPLE_OPERANDS, to_nearest
+        RTOR    near, loop_count
+        ES      loop_index, 0
+        LOD     [from_least], w_lower
+        find_patch its_primitive
+        EX      from_in, found_store
+        EX      from_out, found_store + 64 * QUEUE
+        load_segment loop_index
+simple_next:
+        RTOR    next_in, segment_in
+        RTOR    next_out, segment_out
+        RTOR    next_limit, ray_limit
+        ADDX    loop_index, m_index_one, loop_work
+        load_segment loop_work                  ; the next ray's, meanwhile
+        CFPGE   w_lower, segment_in, simple_behind
+simple_ahead:
+        CFPGE   segment_in, ray_limit, simple_skip
+        find_place
+        IBXNE   to_lights, r0, r0, simple_dark
+        STO     [to_nearest, loop_place], segment_in
+        STO     [to_met, loop_place], its_primitive
+        IBXEQ   its_patch, r0, r0, simple_skip
+        LOD     [from_patch_s, loop_index], segment_in
+        LOD     [from_patch_t, loop_index], segment_out
+        STO     [to_hit_s, loop_place], segment_in
+        STO     [to_hit_t, loop_place], segment_out
+        BIM     simple_skip
+simple_behind:
+        RTOR    segment_out, segment_in
+        CFPLT   w_lower, segment_in, simple_ahead
+        BIM     simple_skip
+simple_dark:
+        STO     [to_nearest, loop_place], m_minus_big
+simple_skip:
+        loop_next simple_next
+        to_vector
+        BIM     walk_skip
+
+begin_span:
+        BIM     0, link_inner
+node_met:
+        BIM     node_next
+needed_few:
+        IX      node_at, 64 * N_SIZE
+        BIM     node_few
+
+walk_tree:
+        hand_over_rays
+        hand_over region, 1, 11
+        hand_over aox, 6, 12
+        to_scalar
+        load_at operands, TREE_OPERANDS, to_nearest
+        RTOR    near, loop_count
+        ES      loop_index, 0
+        LOD     [from_least], w_lower
+        RTOR    its_region, w_region
+        IX      its_region, 64 * R_SHADOW
+        LOD     [its_region], its_shadow
+        EX      loop_at, scene_crossings
+        LOD     [loop_at], from_crossings
+        EX      stride, STRIDE
+        EX      apart, CROSSING_SIZE
+        load_two_delta
+        EX      target, chain_leaves
+        BSAVE   link, [target]
+tree_next:
+        LOD     [from_limit, loop_index], w_end
+        SHIFTI  loop_index, 6, w_crossings
+        ADDX    from_crossings, w_crossings, w_crossings
+        RTOR    w_lower, w_least
+        RTOR    first_leaf, leaf_next
+        EX      chain_at, span + 64 * 2
+        ES      w_met, 0
+        IBXEQ   leaf_next, r0, r0, tree_skip
+tree_leaf:
+        RTOR    leaf_next, loop_at
+        SWAP    [loop_at], leaf_next, [r0]
+        ADDX    w_crossings, leaf_crossing, leaf_crossing
+        LOD     [leaf_crossing], w_in
+        CFPGE   w_in, m_big, tree_missed
+        STO     [chain_at], leaf_primitive
+        RTOR    leaf_primitive, chain_at
+        IX      chain_at, 64 * P_AT_HAND
+        ES      w_met, 1
+        IBXEQ   leaf_needed, r0, r0, tree_leaf_next
+        IBXEQ   leaf_segments, r0, r0, tree_leaf_next
+        narrow_span leaf_crossing, leaf_segments, apart, tree_skip
+tree_leaf_next:
+        IBXNE   leaf_next, r0, r0, tree_leaf
+        IBXEQ   w_met, r0, r0, tree_skip
+        STO     [chain_at], r0
+        next_visible w_least, tree_skip
+        find_place
+        IBXNE   to_lights, r0, r0, tree_to_light
+        STO     [to_nearest, loop_place], w_in
+        STO     [to_met, loop_place], w_out
+        find_patch w_out
+        IBXEQ   its_patch, r0, r0, tree_skip
+        IX      w_out, 64 * P_FIRST_EVENT
+        LOD     [w_out], loop_work
+        MPYX    loop_work, stride, loop_work
+        ADDX    w_crossings, loop_work, w_crossings
+tree_crossing:
+        LOD     [w_crossings], segment_in
+        ADDX    w_crossings, stride, w_crossings
+        CFPNE   segment_in, w_in, tree_crossing
+        IX      w_crossings, STRIDE * (PATCH_CROSSINGS - 1)
+        LOD     [w_crossings], segment_in
+        IX      w_crossings, STRIDE * PATCH_CROSSINGS
+        LOD     [w_crossings], segment_out
+        STO     [to_hit_s, loop_place], segment_in
+        STO     [to_hit_t, loop_place], segment_out
+tree_skip:
+        loop_next tree_next
+        to_vector
+        BIM     walk_skip
+
+tree_missed:
+        IBXEQ   leaf_needed, r0, r0, tree_leaf_next
+        BIM     tree_skip
+
+; The leaves at hand of w_region, chained through their nodes.
+chain_leaves:
+        RTOR    w_region, loop_at
+        IX      loop_at, 64 * R_NODES
+        ELEN    loop_at, 2
+        SWAP    [loop_at], w_nodes, [r0]        ; and w_nodes_end
+        EX      chain_at, tree_leaves
+chain_next:
+        RTOR    w_nodes, loop_at
+        IX      loop_at, 64 * N_PRIMITIVE
+        ELEN    loop_at, NODE_LOADED - N_PRIMITIVE
+        SWAP    [loop_at], n_primitive, [r0]
+        IBXEQ   n_primitive, r0, r0, chain_skip
+        RTOR    n_primitive, leaf_primitive
+        RTOR    n_primitive, loop_at
+        IX      loop_at, 64 * P_AT_HAND
+        ELEN    loop_at, 4
+        SWAP    [loop_at], l_at_hand, [r0]
+        IBXEQ   l_at_hand, r0, r0, chain_skip
+        MPYX    l_first_state, stride, leaf_crossing
+        RTOR    l_segments, leaf_segments
+        RTOR    n_needed, leaf_needed
+        RTOR    w_nodes, loop_at
+        IX      loop_at, 64 * N_CHAIN
+        ELEN    loop_at, CHAIN_LINK
+        STO     [chain_at], loop_at
+        RTOR    loop_at, chain_at
+        SWAP    [r0], leaf_next, [loop_at]
+chain_skip:
+        IX      w_nodes, 64 * N_SIZE
+        IBXNE   w_nodes, r0, w_nodes_end, chain_next
+        STO     [chain_at], r0
+        load_at tree_leaves, 1, first_leaf
+        BIM     0, link
+        .endkernel
+
+        .kernel shadow
+tree_to_light:
+        IBXEQ   its_shadow, r0, m_index_one, tree_dark
+        LOD     [from_ox, loop_place], w_ox
+        LOD     [from_oy, loop_place], w_oy
+        LOD     [from_oz, loop_place], w_oz
+        LOD     [from_dx, loop_place], w_dx
+        LOD     [from_dy, loop_place], w_dy
+        LOD     [from_dz, loop_place], w_dz
+        EX      from_red, light_left
+        EX      from_green, light_left + 64 * QUEUE
+        EX      from_blue, light_left + 64 * QUEUE * 2
+        LOD     [from_red, loop_place], s_red
+        LOD     [from_green, loop_place], s_green
+        LOD     [from_blue, loop_place], s_blue
+tree_clear:
+        pass_through tree_dark
+        ADDN    w_in, w_lower, w_in
+        next_visible w_in, tree_passed
+        BIM     tree_clear
+tree_passed:
+        STO     [from_red, loop_place], s_red
+        STO     [from_green, loop_place], s_green
+        STO     [from_blue, loop_place], s_blue
+        BIM     tree_skip
+tree_dark:
+        STO     [to_nearest, loop_place], m_minus_big
+        BIM     tree_skip
+        .endkernel

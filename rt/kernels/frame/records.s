@@ -1,0 +1,181 @@
+; records.s - what the host lays out in the machine's memory.
+;
+; rt/layout/layout.c finds these offsets, in words, by their names; so they are
+; written once, here.  Numbers are normalised 64-bit words in world units;
+; colours are linear.
+
+; A primitive.
+        .equ    P_KERNEL, 0        ; address of the routine that meets a ray
+        .equ    P_INNER, 1         ; .. of the one in its own space, under
+                                ;    P_KERNEL = transformed
+        .equ    P_NORMAL, 2        ; address of the routine for the normal
+        .equ    P_ID, 3            ; its number, from 1, as an integer
+        .equ    P_ON_PATCH, 4      ; 1: a hit has two parameters, too
+        .equ    P_CHECKER, 5       ; 1: the pigment is a checker
+        .equ    P_TRANSFORMED, 6   ; 1: the shape stands in a space of its own
+        .equ    P_TABLE, 7         ; address of the words that P_SHAPE has no
+                                ; room for
+        .equ    P_SHAPE, 8         ; 16 words, by kind:
+                                ;   sphere    centre 3, r^2, 1/r
+                                ;   box       least corner 3, greatest 3,
+                                ;             centre 3, half edge 3
+                                ;   cylinder  centre 3, unit axes u 3, v 3,
+                                ;             w 3 (along), r^2, half length,
+                                ;             1/(2 r), 1/r
+                                ;   plane     unit normal 3, distance
+                                ;   cone      centre 3, unit axes 9, mean
+                                ;             radius, slope, half length,
+                                ;             1/sqrt(1 + slope^2)
+                                ;   quadric   centre 3, matrix xx yy zz xy
+                                ;             xz yz, half of the linear terms
+                                ;             3, constant, about the centre
+                                ;   torus     rho, b0, a0, a0/2, square of its
+                                ;             bound, R^2 + r^2, r^2, 2 a0,
+                                ;             resolution of its roots, half
+                                ;             distance of the planes about it
+                                ;   quartic   farthest distance, resolution;
+                                ;             table: its 35 coefficients
+                                ;   steiner   centre 3, square of its bound,
+                                ;             what is parallel, what nothing;
+                                ;             resolution of distances;
+                                ;             table: K0 .. K5, their weights,
+                                ;             another plane (steiner_vector.s)
+        .equ    SHAPE_SIZE, 16
+        .equ    P_LOCAL, 24        ; 12: rows of the matrix from world to own
+                                ; space, each three factors and a shift
+        .equ    P_COLOR, 36        ; 6: pigment, and the checker's second
+        .equ    P_PATTERN, 42      ; 12: from world to the pigment's space
+        .equ    P_FINISH, 54       ; 8: ambient 3 (times the ambient light),
+                                ; diffuse, phong, phong_size, specular,
+                                ; 1/roughness
+        .equ    P_PATCH_POINT, 62  ; 2: the parameters of the last hit, written
+                                ; by the scalar form only
+        .equ    P_STATE_KERNEL, 64 ; under a tree, of an open shape: what gives
+        .equ    P_STATE_INNER, 65  ; the segments of the closed one; else 0
+        .equ    P_AT_HAND, 66      ; in a tree, written by the program: of a
+                                ; queue, 1 if a ray came near it; of one ray,
+                                ; the next primitive that it meets, the last 0
+        .equ    P_SEGMENTS, 67     ; how many segments of a ray it has (0: a
+                                ; surface without inside), an integer
+        .equ    P_EVENTS, 68       ; how many crossings can be seen
+        .equ    P_FIRST_STATE, 69  ; where its segments stand among the
+        .equ    P_FIRST_EVENT, 70  ; crossings of the tree, and its crossings:
+                                ; the same of a closed shape; of a patch
+                                ; PATCH_CROSSINGS, missing ones big, then in
+                                ; the vector form as many s, then as many t
+        .equ    P_VALUE, 71        ; its number among the values of the tree
+        .equ    P_INVERTED, 72     ; 1: what its outward normal points to is
+                                ; solid
+        .equ    P_MIRROR, 73       ; 1: it reflects
+        .equ    P_CLEAR, 74        ; 1: light passes
+        .equ    P_INDEX, 75        ; 2: index of refraction, its reciprocal
+        .equ    P_REFLECTION, 77   ; 4: colour, and the greatest of it
+        .equ    P_PASSING, 81      ; 8: the colour that passes and the greatest
+                                ; of it, below 0 if it is too dim to be
+                                ; followed; twice as P_COLOR
+        .equ    P_MET, 89          ; written by the vector form: 1 if a ray of
+                                ; the queue may have met it
+        .equ    P_SPACE, 90        ; the number of its own space; neighbours in
+                                ; one have the same
+        .equ    PATCH_CROSSINGS, 4 ; the most of a ray with a patch
+        .equ    P_PATCH_POINTS, 91 ; 8: s and t of each of its crossings in a tree,
+                                ; written by the scalar form only
+        .equ    P_SIZE, 99
+
+; A region: what is traced as one thing, a primitive or a Boolean tree of them.
+        .equ    R_BOUND, 0         ; its bounding sphere: centre 3, radius, its
+                                ; square; big: no bound
+        .equ    R_SIMPLE, 5        ; 1: one primitive, of which the nearest
+                                ; crossing ahead is all that is wanted
+        .equ    R_SHADOW, 6        ; 0: casts no shadow, 1: a full one, 2: parts
+                                ; of it are clear
+        .equ    R_NODES, 7         ; address of its first node, of what stands
+        .equ    R_NODES_END, 8     ; behind the last
+        .equ    R_FIRST, 9         ; address of its first primitive
+        .equ    R_PRIMITIVES, 10   ; and how many stand from there on
+        .equ    R_STEPS, 11        ; address of the first step of its tree, and
+        .equ    R_STEP_COUNT, 12   ; how many; none: R_RESULT is the primitive
+        .equ    R_RESULT, 13       ; where the tree's value stands
+        .equ    R_SIZE, 16
+
+; A node: the tree in preorder, without complements.  A ray that does not come
+; near a node goes on behind all that is below it.
+        .equ    N_BOUND, 0         ; as R_BOUND
+        .equ    N_PRIMITIVE, 5     ; address of a leaf's, or 0
+        .equ    N_NEXT, 6          ; address of the node to go on with
+        .equ    N_NEEDED, 7        ; 1: a ray that misses it sees nothing of the
+                                ; tree
+        .equ    N_CHAIN, 8         ; 5: the leaves at hand, in the kernels'
+                                ; stage (nearest_1984.s)
+        .equ    N_SIZE, 13
+
+; A step of the evaluation of a tree.  Values are numbered: those of the
+; region's primitives from 0 on, then those that steps make.
+        .equ    T_OPERATION, 0     ; 0 and, 1 or, 2 and not
+        .equ    T_LEFT, 1
+        .equ    T_RIGHT, 2
+        .equ    T_RESULT, 3
+        .equ    T_SIZE, 4
+
+; A light: position 3, colour 3, and 1 if it makes highlights, else 0 (POV-Ray's
+; shadowless lights make none).
+        .equ    LIGHT_SIZE, 7
+
+; The frame: planes of FRAME_CHANNELS numbers, pixel by pixel, top row first.
+        .equ    FRAME_CHANNELS, 8  ; red green blue depth normal 3 id
+
+        .data
+; The scene, filled by the host.
+scene_camera:     .space 12     ; location, direction, right, up
+scene_width:      .word 0       ; of the frame, pixels, as numbers
+scene_height:     .word 0
+scene_background: .space 3
+scene_band:       .word 0       ; of the band that is traced: its first row and the
+                  .word 0       ; row behind its last, as numbers
+scene_first_pixel: .word 0      ; .. its first pixel, of the frame's, an integer
+scene_pixels:     .word 0       ; .. how many pixels it has, an integer
+scene_primitives: .word 0       ; address of the first, and how many
+scene_primitive_count: .word 0
+scene_regions:    .word 0       ; address of the first, and how many
+scene_region_count: .word 0
+scene_crossings:  .word 0       ; CROSSING_SIZE words for each of a tree's crossings
+scene_values:     .word 0       ; VALUE_SIZE words for each value of one
+scene_levels:     .word 0       ; LEVEL_SIZE words for each level of reflection
+scene_level_count: .word 0      ; max_trace_level, or 1 if nothing reflects or is
+                                ; clear, an integer
+scene_bailout:    .word 0       ; what weighs less is not followed, a number
+scene_lights:     .word 0       ; address of the first, and how many
+scene_light_count: .word 0
+scene_frame:      .word 0       ; address of the band's first plane
+
+; Rays traced, by kind: integers, for the host to read.
+rays_primary:     .word 0
+rays_reflected:   .word 0
+rays_refracted:   .word 0
+rays_shadow:      .word 0
+
+; What camera.s makes of the camera.
+        .equ    VIEW_SIZE, 12
+view:             .space VIEW_SIZE ; location, then per axis: the ray through
+                                ; the first pixel, its change per column and
+                                ; per row: base 3, per column 3, per row 3
+
+; Numbers that both forms of the program use.
+constants:
+k_one:          .word 1.0
+k_half:         .word 0.5
+k_two:          .word 2.0
+k_big:          .word 1e30      ; beyond every scene: "no intersection"
+k_minus_big:    .word -1e30
+k_tiny:         .word 1e-12     ; a ray that approaches less is parallel
+k_tmin:         .word 1e-6      ; a hit nearer than this is the ray's start
+k_checker:      .word 1e-10     ; added before floor, against ragged faces
+        .equ    CONSTANTS, 8       ; so many in registers
+k_delta:        .word 1e-7      ; surfaces nearer than this along a ray are one
+k_shadow:       .word 1e-3      ; shadows start and end so far from point and
+                                ; light (POV-Ray's SHADOW_TOLERANCE)
+k_lower:        .word 1.000000000001e-6 ; tmin to be scaled: what is beyond it
+                                ; there is beyond tmin here
+k_shadow_lower: .word 1.000000000001e-3 ; .. and k_shadow
+bound_less:     .word 0.99999999999909050529   ; 1 - 2^-40, in tests of bounds
+        .code

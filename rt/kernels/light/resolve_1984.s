@@ -1,0 +1,60 @@
+; resolve_1984.s - the colours of a level's rays, to those of the level
+; before, one after another; a parent's reflected ray stands before its
+; refracted one in the list.
+;
+; In, out: as in resolve_vector.s.
+
+        .regs   r156, child_level, parents_at, children_at, parent_place
+        .regs   r160, parent_stride, own_color, child_factor, child_color
+        .regs   r164, factor0_at, factor1_at, factor2_at
+        .regs   r167, color0_at, color1_at, color2_at
+
+        .macro  list_address vector, address
+        RTOR    child_level, \address
+        IX      \address, 64 * (LEVEL_LIST + (\vector) * LIST)
+        .endm
+
+        .macro  add_channel factor_at, color_at
+        LOD     [\factor_at, loop_index], child_factor
+        LOD     [\color_at, loop_index], child_color
+        LOD     [parent_place], own_color
+        MPYS    child_factor, child_color, child_color
+        ADDN    own_color, child_color, own_color
+        STO     [parent_place], own_color
+        ADDX    parent_place, parent_stride, parent_place
+        .endm
+
+        .kernel resolve
+add_children:
+        hand_over level
+        to_scalar
+        load_at operands, 1, child_level
+        LOD     [child_level], loop_count
+        ES      loop_index, 0
+        list_address LIST_PARENT, children_at
+        list_address LIST_WEIGHT, factor0_at
+        list_address LIST_WEIGHT + 1, factor1_at
+        list_address LIST_WEIGHT + 2, factor2_at
+        list_address LIST_COLOR, color0_at
+        list_address LIST_COLOR + 1, color1_at
+        list_address LIST_COLOR + 2, color2_at
+        EX      loop_work, 64 * LEVEL_SIZE
+        SUBX    color0_at, loop_work, parents_at
+        EX      parent_stride, 64 * LIST
+        SUBX    child_level, loop_work, child_level
+        load_at scene_levels, 1, loop_at
+        IBXNE   child_level, r0, loop_at, resolve_child
+        load_at scene_frame, 1, parents_at
+        load_at scene_pixels, 1, parent_stride
+        SHIFTI  parent_stride, 6, parent_stride
+resolve_child:
+        LOD     [children_at, loop_index], parent_place
+        SHIFTI  parent_place, 6, parent_place
+        ADDX    parents_at, parent_place, parent_place
+        add_channel factor0_at, color0_at
+        add_channel factor1_at, color1_at
+        add_channel factor2_at, color2_at
+        loop_next resolve_child
+        to_vector
+        BIM     0, link_queue
+        .endkernel

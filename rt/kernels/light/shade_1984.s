@@ -1,0 +1,263 @@
+; shade_1984.s - the colours of a queue of rays, hit by hit.
+;
+; In, out: as in shade_vector.s; met holds records.  The light of all hits is
+; worked out source by source, so that the rays to a light are a queue again,
+; which the kernels meet with the regions.
+
+; What is handed over, for all loops of a queue.
+        .regs   r156, of_nearest, of_met, of_hit_s, of_hit_t
+        .regs   r160, of_ox, of_oy, of_oz, of_dx, of_dy, of_dz
+        .regs   r166, of_red, of_green, of_blue, of_depth, of_nx, of_ny, of_nz
+        .regs   r173, of_id, of_first, of_position, of_next
+        .equ    SHADE_OPERANDS, 21
+
+        .regs   r177, hit_at, back_red, back_green, back_blue
+        .regs   r181, new_ox, new_oy, new_oz, new_dx, new_dy, new_dz
+        .regs   r187, new_distance, new_primitive, new_place
+        .regs   r190, lit_ndotl, lit_ddotl, lit_distance, lit_red, lit_green
+        .regs   r195, lit_blue, lit_gleams, lit_at, lit_count, lit_limit
+        .reg    lit_least, r31
+
+        .data
+shade_operands: .space SHADE_OPERANDS
+shade_link:     .word 0
+shade_n:        .word 0
+shade_hits:     .word 0                 ; how many there are
+shade_light_at: .word 0                 ; light by light: its record
+shade_lights:   .word 0                 ; how many are left
+shade_light:    .space LIGHT_SIZE       ; the record, with the colour that
+hit_list:       .word 0                 ; reaches a point
+                .descriptor LIGHT_SIZE, shade_light
+        .align 64
+hits:           .space HIT_SIZE * QUEUE
+lit_store:      .space 7 * QUEUE        ; rays to a light, and their limits
+        .code
+
+        .macro  begin_hits
+        load_at shade_operands, SHADE_OPERANDS, of_nearest
+        EX      hit_at, shade_hits
+        LOD     [hit_at], loop_count
+        EX      hit_at, hits
+        ES      loop_index, 0
+        .endm
+
+        .macro  next_hit again
+        IX      hit_at, 64 * HIT_SIZE
+        loop_next \again
+        .endm
+
+        .macro  call_hit routine
+        EX      arguments, hit_list
+        STO     [arguments], hit_at
+        EX      target, \routine
+        BSAVE   link, [target]
+        .endm
+
+        .macro  in_hit offset, number, first
+        RTOR    hit_at, loop_at
+        IX      loop_at, 64 * (\offset)
+        ELEN    loop_at, \number
+        SWAP    [loop_at], \first, [r0]
+        .endm
+
+        .macro  lit_vector number, value
+        EX      lit_at, lit_store + 64 * QUEUE * \number
+        STO     [lit_at, lit_count], \value
+        .endm
+
+        .macro  left_vector number, value
+        EX      lit_at, light_left + 64 * QUEUE * \number
+        STO     [lit_at, lit_count], \value
+        .endm
+
+        .kernel shade
+shade:
+        hand_over nearest, 4, 0, shade_operands
+        hand_over aox, 6, 4, shade_operands
+        hand_over out_red, 8, 10, shade_operands
+        hand_over from_one_point, 1, 18, shade_operands
+        hand_over position, 1, 19, shade_operands
+        hand_over next_level, 1, 20, shade_operands
+        hand_over link_queue, 1, 0, shade_link
+        hand_over n, 1, 0, shade_n
+        to_scalar
+
+; Ray by ray: what it hit, or the background.
+        load_at shade_operands, SHADE_OPERANDS, of_nearest
+        load_at scene_background, 3, back_red
+        RTOR    n, loop_count
+        ES      loop_index, 0
+        EX      hit_at, hits
+        ES      lit_count, 0
+shade_ray:
+        LOD     [of_met, loop_index], new_primitive
+        IBXEQ   new_primitive, r0, r0, shade_background
+        LOD     [of_ox, loop_index], new_ox
+        LOD     [of_oy, loop_index], new_oy
+        LOD     [of_oz, loop_index], new_oz
+        LOD     [of_dx, loop_index], new_dx
+        LOD     [of_dy, loop_index], new_dy
+        LOD     [of_dz, loop_index], new_dz
+        LOD     [of_nearest, loop_index], new_distance
+        RTOR    loop_index, new_place
+        RTOR    hit_at, loop_at
+        ELEN    loop_at, HIT_SAMPLE
+        SWAP    [r0], new_ox, [loop_at]
+        find_patch new_primitive
+        IBXEQ   its_patch, r0, r0, shade_surface
+        LOD     [of_hit_s, loop_index], loop_work
+        LOD     [of_hit_t, loop_index], loop_place
+        RTOR    new_primitive, loop_at
+        IX      loop_at, 64 * P_PATCH_POINT
+        STO     [loop_at], loop_work
+        STO     [loop_at, m_index_one], loop_place
+shade_surface:
+        call_hit surface
+        IX      lit_count, 1
+        IX      hit_at, 64 * HIT_SIZE
+shade_ray_next:
+        loop_next shade_ray
+        EX      loop_at, shade_hits
+        STO     [loop_at], lit_count
+        IBXEQ   lit_count, r0, r0, shade_done
+        EX      target, spawn_hits
+        BSAVE   loop_link, [target]
+        EX      loop_at, scene_lights
+        ELEN    loop_at, 2
+        SWAP    [loop_at], new_ox, [r0]
+        EX      loop_at, shade_light_at
+        ELEN    loop_at, 2
+        SWAP    [r0], new_ox, [loop_at]
+        IBXEQ   new_oy, r0, r0, shade_store
+
+; Light by light: which hits face it.
+shade_towards:
+        load_at shade_light_at, 1, loop_at
+        ELEN    loop_at, LIGHT_SIZE
+        SWAP    [loop_at], new_ox, [r0]
+        EX      loop_at, shade_light
+        ELEN    loop_at, LIGHT_SIZE
+        SWAP    [r0], new_ox, [loop_at]
+        begin_hits
+        ES      lit_count, 0
+        EX      loop_at, k_shadow
+        LOD     [loop_at], lit_least
+shade_towards_hit:
+        call_hit towards
+        in_hit  HIT_LIGHT + 3, 3, lit_ndotl     ; D . L, distance
+        CFPGE   r0, lit_ndotl, shade_towards_next
+        load_at shade_light + 64 * 3, 4, lit_red ; and lit_gleams
+        CFPEQ   lit_gleams, r0, shade_towards_next
+        SUBN    lit_distance, lit_least, lit_limit
+        left_vector 0, lit_red
+        left_vector 1, lit_green
+        left_vector 2, lit_blue
+        in_hit  HIT_SAMPLE + 9, 6, new_ox       ; point, L
+        lit_vector 0, new_ox
+        lit_vector 1, new_oy
+        lit_vector 2, new_oz
+        lit_vector 3, new_dx
+        lit_vector 4, new_dy
+        lit_vector 5, new_dz
+        lit_vector 6, lit_limit
+        IX      lit_count, 1
+shade_towards_next:
+        next_hit shade_towards_hit
+        RTOR    lit_count, n
+        IBXEQ   lit_count, r0, r0, shade_shine
+        to_vector
+        .endkernel
+
+; Their rays to the light.
+        .kernel shadow
+        add_to_counter rays_shadow, n
+        EX      s2, lit_store
+        EX      s3, 64 * QUEUE
+        three_planes s2, s3, aox, aoy, aoz
+        ADDX    aoz, s3, adx
+        ADDX    adx, s3, ady
+        ADDX    ady, s3, adz
+        ADDX    adz, s3, nearest
+        ES      from_one_point, 0
+        EX      shadows, shade_light
+        EX      s0, walk_regions
+        BSAVE   link_queue, [s0]
+        to_scalar
+        .endkernel
+
+; What comes through shines on them.
+        .kernel shade
+shade_shine:
+        begin_hits
+        ES      lit_count, 0
+shade_shine_hit:
+        in_hit  HIT_LIGHT + 3, 1, lit_ndotl
+        CFPGE   r0, lit_ndotl, shade_shine_next
+        load_at shade_light + 64 * 6, 1, lit_gleams
+        CFPEQ   lit_gleams, r0, shade_shines
+        EX      lit_at, lit_store + 64 * QUEUE * 6
+        LOD     [lit_at, lit_count], lit_limit
+        EX      lit_at, light_left
+        LOD     [lit_at, lit_count], lit_red
+        IX      lit_at, 64 * QUEUE
+        LOD     [lit_at, lit_count], lit_green
+        IX      lit_at, 64 * QUEUE
+        LOD     [lit_at, lit_count], lit_blue
+        IX      lit_count, 1
+        CFPEQ   lit_limit, m_minus_big, shade_shine_next
+        CFPNE   lit_red, r0, shade_some
+        CFPNE   lit_green, r0, shade_some
+        CFPEQ   lit_blue, r0, shade_shine_next
+shade_some:
+        EX      loop_at, shade_light + 64 * 3
+        ELEN    loop_at, 3
+        SWAP    [r0], lit_red, [loop_at]
+shade_shines:
+        call_hit shine
+shade_shine_next:
+        next_hit shade_shine_hit
+        load_at shade_light_at, 2, new_ox       ; and how many are left
+        IX      new_ox, 64 * LIGHT_SIZE
+        IX      new_oy, -1
+        EX      loop_at, shade_light_at
+        ELEN    loop_at, 2
+        SWAP    [r0], new_ox, [loop_at]
+        IBXNE   new_oy, r0, r0, shade_towards
+
+; Where the hits' colours go.
+shade_store:
+        begin_hits
+shade_store_hit:
+        in_hit  HIT_RAY + 6, 3, new_distance    ; primitive, place
+        in_hit  HIT_SAMPLE, 6, new_ox           ; colour, normal
+        STO     [of_red, new_place], new_ox
+        STO     [of_green, new_place], new_oy
+        STO     [of_blue, new_place], new_oz
+        IBXEQ   of_first, r0, r0, shade_store_next
+        IX      new_primitive, 64 * P_ID
+        LOD     [new_primitive], loop_work
+        STO     [of_depth, new_place], new_distance
+        STO     [of_nx, new_place], new_dx
+        STO     [of_ny, new_place], new_dy
+        STO     [of_nz, new_place], new_dz
+        STO     [of_id, new_place], loop_work
+shade_store_next:
+        next_hit shade_store_hit
+shade_done:
+        to_vector
+        load_word shade_n, n
+        load_word shade_link, link_queue
+        BIM     0, link_queue
+
+shade_background:
+        STO     [of_red, loop_index], back_red
+        STO     [of_green, loop_index], back_green
+        STO     [of_blue, loop_index], back_blue
+        IBXEQ   of_first, r0, r0, shade_ray_next
+        STO     [of_depth, loop_index], m_zero
+        STO     [of_nx, loop_index], m_zero
+        STO     [of_ny, loop_index], m_zero
+        STO     [of_nz, loop_index], m_zero
+        STO     [of_id, loop_index], m_zero
+        BIM     shade_ray_next
+        .endkernel

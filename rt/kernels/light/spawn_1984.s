@@ -1,0 +1,98 @@
+; spawn_1984.s - the rays that come of the hits, to the end of the next
+; level's list, one after another; reflected before refracted.  Part of the
+; loops that shade, called by loop_link.
+
+        .regs   r32, list_at, list_place, list_stride, list_index, is_mirror
+        .regs   r37, is_clear, hit_weight_at
+        .regs   r39, is_reflected, is_refracted, parent
+        .regs   r42, child_ox, child_oy, child_oz, child_dx, child_dy, child_dz
+        .regs   r48, child_least, child_scaled, child_weight, child_red
+        .regs   r52, child_green, child_blue
+
+        .data
+spawn_list:     .space 3
+                .word 0
+                .descriptor 2, spawn_followed
+                .descriptor CHILD_SIZE, spawn_children
+                .descriptor CHILD_SIZE, spawn_children + 64 * CHILD_SIZE
+spawn_followed: .space 2
+spawn_children: .space 2 * CHILD_SIZE
+        .code
+
+        .macro  spawn_argument number, offset, words
+        RTOR    hit_at, loop_work
+        IX      loop_work, 64 * (\offset)
+        ELEN    loop_work, \words
+        EX      loop_at, spawn_list + 64 * \number
+        STO     [loop_at], loop_work
+        .endm
+
+        .macro  list_next value
+        STO     [list_place], \value
+        ADDX    list_place, list_stride, list_place
+        .endm
+
+; The child at spawn_children, of kind kind.
+        .macro  append child, kind, counter
+        load_at spawn_children + 64 * CHILD_SIZE * \child, CHILD_SIZE, child_ox
+        LOD     [of_next], list_index
+        SHIFTI  list_index, 6, list_place
+        ADDX    list_at, list_place, list_place
+        list_next child_ox
+        list_next child_oy
+        list_next child_oz
+        list_next child_dx
+        list_next child_dy
+        list_next child_dz
+        list_next child_red
+        list_next child_green
+        list_next child_blue
+        list_next child_weight
+        list_next \kind
+        list_next parent
+        IX      list_index, 1
+        STO     [of_next], list_index
+        EX      loop_at, \counter
+        LOD     [loop_at], loop_work
+        IS      loop_work, 1
+        STO     [loop_at], loop_work
+        .endm
+
+        .kernel spawn
+spawn_hits:
+        begin_hits
+        IBXEQ   of_next, r0, r0, spawn_end
+        RTOR    of_next, list_at
+        IX      list_at, 64 * LEVEL_LIST
+        EX      list_stride, 64 * LIST
+        EX      loop_at, queue_importance
+        LOD     [loop_at], hit_weight_at
+spawn_hit:
+        in_hit  HIT_RAY + 7, 2, new_primitive   ; and its place
+        RTOR    new_primitive, loop_at
+        IX      loop_at, 64 * P_MIRROR
+        LOD     [loop_at], is_mirror
+        LOD     [loop_at, m_index_one], is_clear
+        OR      is_mirror, is_clear, is_clear
+        IBXEQ   is_clear, r0, r0, spawn_next
+        spawn_argument 0, HIT_RAY, 6
+        EX      loop_at, spawn_list
+        STO     [loop_at, m_index_one], new_primitive
+        spawn_argument 2, HIT_SAMPLE + 3, SAMPLE_SIZE - 3
+        SHIFTI  new_place, 6, loop_work
+        ADDX    hit_weight_at, loop_work, loop_work
+        EX      loop_at, spawn_list + 64 * 3
+        STO     [loop_at], loop_work
+        call    spawn, spawn_list
+        ADDX    new_place, of_position, parent
+        load_at spawn_followed, 2, is_reflected
+        IBXEQ   is_reflected, r0, r0, spawn_not_reflected
+        append  0, r0, rays_reflected
+spawn_not_reflected:
+        IBXEQ   is_refracted, r0, r0, spawn_next
+        append  1, m_index_one, rays_refracted
+spawn_next:
+        next_hit spawn_hit
+spawn_end:
+        BIM     0, loop_link
+        .endkernel

@@ -1,0 +1,606 @@
+; quartic_vector.s - the real roots of many polynomials, each in an interval.
+;
+;       c4 t^4 + c3 t^3 + c2 t^2 + c1 t + c0 = 0,   low < t <= high
+;
+; In:   s0-s4 = descriptors of c4, c3, c2, c1, c0 (leading zeros make a cubic,
+;       a quadratic and so on), s5, s6 = of low, high, all of one length of
+;       at most QUEUE; a lane whose low is not below its high has no roots.
+;       s7 = resolution, one number: roots are found to 2^-41 of themselves or
+;       to the resolution, whichever is more (0: to 2^-41 of themselves,
+;       however small they are).
+; Call: BSAVE link_inner, to solve_quartic for the first root of each polynomial,
+;       to solve_quartic_all for all, to solve_quartic_until for the first that
+;       is acceptable, to solve_quartic_signs for all by changes of sign alone
+;       (macro call_quartic).  For solve_quartic_until s8 = the address
+;       of a routine, called by BSAVE s9 with the roots found in an interval,
+;       before the next interval is looked at: q_t = the roots, q_at = the
+;       places of their lanes, q_u = their number.  It gives q_bits = which are
+;       acceptable, and may change s0-s7, the vectors q_a .. q_d and the bit
+;       vector q_change (to be lengthened first) and what is not the solver's.
+; Out:  root0 = the root, the least of several, 1e30 where there is none;
+;       root_count = how many were found, numbers.  After solve_quartic_all
+;       also root1, root2, root3, ascending; a place whose number is not below
+;       root_count holds nothing to be relied on; after solve_quartic_signs
+;       it holds 1e30.  All as long as c4.
+; Changed: s0-s9, r68, r69, r76-r79, r113-r115.  What else the solver needs,
+;       r116-r200, it saves and gives back.  The inputs are only read.
+;
+; Method (the paper's: slope and curvature give the intervals in which a root
+; can lie, modified regula falsi closes on it):
+;
+;   bends    the roots of f'', a t^2 + 2 b t + c = 0, in closed form:
+;            q = -(b + sign(b) sqrt(b^2 - a c)), q/a and c/q; one bend where
+;            b^2 - a c is 0 within the tolerance.  Clamped to the interval.
+;   knots    the roots of f' between low, the bends and high: at most one
+;            between two of them, if the signs of f' differ
+;   roots    the roots of f between low, the knots and high, likewise
+;
+; interval by interval from low on, so that what comes after the first
+; acceptable root of a polynomial is not looked for.  Signs decide; 0 is +.
+; But a value is 0 where |f(t)| <= 2^-44 sum |c_i| |t|^i, the noise of 47 bits:
+;
+;   - a knot at which f is 0 is a root, double or triple, and the intervals at
+;     both its sides have no other.  So is high; low would be, but is not above
+;     itself: it ends the root there.
+;   - of successive knots at which f is 0 the first is the root of the cluster
+;   - a bend at which f' is 0 is a knot, likewise.
+;
+; So double and triple roots come once, and a root at low does not come.
+; Knots need not be sharp: an error of 2^-28 moves f there by 2^-56 of its terms.
+; One that is a root is made sharp by a step of Newton's on f'.
+;
+; Not so by signs alone (signs_vector.s).
+;
+; Lanes that have their root, or never had an interval, are compressed out when
+; fewer than half are left; the refinement has a loop of its own
+; (falsi_vector.s).
+; Source: the paper; the project's notes on ray tracing, 3.
+
+        .include "roots/quartic_constants.s"
+        .include "roots/falsi_vector.s"
+        .include "roots/signs_vector.s"
+
+; The caller's: r68, r69, r113, r114 are scratch here, nothing saved.
+        .regs   r68, q_table_at, q_image_at
+        .regs   r76, root0, root1, root2, root3
+        .regs   r113, q_save_at, q_length
+        .reg    root_count, r115
+
+; Vectors, then bit vectors: the order of solver_bases.
+        .regs   r116, q_s3, q_s2, q_s1                      ; of f'; q_c1
+        .regs   r119, q_bend1, q_bend2                      ; f'' = 0
+        .regs   r121, q_place, q_position, q_count
+        .regs   r124, q_left_slope, q_right_slope
+        .regs   r126, q_knot, q_knot_f, q_next, q_next_f
+        .regs   r130, q_size, q_root, q_most_value, q_most_slope
+        .regs   r134, q_k4, q_k3, q_k2, q_k1, q_k0          ; in the loop
+        .regs   r139, q_a, q_fa, q_b, q_fb, q_x, q_fx
+        .regs   r145, q_w, q_s, q_d, q_t, q_answer, q_at
+        .equ    QUARTIC_VECTORS, 35
+        .regs   r151, q_alive, q_left_flat, q_right_flat, q_knot_touch
+        .regs   r155, q_next_touch, q_need, q_sign
+        .regs   r158, q_active, q_small, q_change, q_b_sign, q_x_sign, q_done
+        .regs   r164, q_bits, q_changed
+        .equ    QUARTIC_BITS, 15
+
+; Constants, then what has no beginning.
+        .regs   r166, q_one, q_half, q_three_halves, q_three, q_four
+        .regs   r171, q_wide, q_tolerance, q_close, q_knot_close, q_polish
+        .regs   r176, q_least, q_none, q_index_one, q_falsi_steps, q_all_steps
+        .regs   r181, q_c4, q_c3, q_c2, q_c1, q_c0, q_low, q_high
+        .regs   r188, q_resolution, q_lanes, q_want, q_left, q_result
+        .regs   r193, q_alive_count, q_active_count, q_finished, q_loop
+        .regs   r197, q_steps, q_u, q_link, q_target
+        .equ    QUARTIC_REGISTERS, 85
+        .equ    QUARTIC_DESCRIBED, QUARTIC_VECTORS + QUARTIC_BITS
+        .equ    QUARTIC_LOADED, QUARTIC_DESCRIBED + QUARTIC_CONSTANTS
+
+        .equ    QUARTIC_BIT_WORDS, (QUEUE + 63) / 64
+
+        .data
+solver_bases:
+        .rept   QUARTIC_VECTORS
+        .descriptor 0, solver_store + 64 * QUEUE * \+
+        .endr
+        .rept   QUARTIC_BITS
+        .descriptor 0, solver_bits + 64 * QUARTIC_BIT_WORDS * \+
+        .endr
+solver_image:
+        .space  QUARTIC_DESCRIBED
+        quartic_constants
+solver_save:   .space QUARTIC_REGISTERS
+solver_bits:   .space QUARTIC_BIT_WORDS * QUARTIC_BITS
+        .align  64
+solver_store:  .space QUEUE * QUARTIC_VECTORS
+solver_order:  .space QUEUE                    ; 0, 1, 2, ...
+solver_inputs: .space QUEUE * 7                ; when they are compressed
+solver_roots:  .space QUEUE * 5
+        .code
+
+        .macro  call_quartic routine, c4, c3, c2, c1, c0, low, high, resolution
+        RTOR    \c4, s0
+        RTOR    \c3, s1
+        RTOR    \c2, s2
+        RTOR    \c1, s3
+        RTOR    \c0, s4
+        RTOR    \low, s5
+        RTOR    \high, s6
+        ADDN    \resolution, r0, s7
+        BSAVE   link_inner, [\routine]
+        .endm
+
+; Horner's rule: c4 first.
+        .macro  horner_step x, fx, c
+        MPYSV   [\fx], [\x], [\fx]
+        ADDNV   [\fx], [\c], [\fx]
+        .endm
+
+        .macro  quartic_polynomial x, fx, c4, c3, c2, c1, c0
+        MPYSV   [\c4], [\x], [\fx]
+        ADDNV   [\fx], [\c3], [\fx]
+        horner_step \x, \fx, \c2
+        horner_step \x, \fx, \c1
+        horner_step \x, \fx, \c0
+        .endm
+
+        .macro  cubic_polynomial x, fx, c3, c2, c1, c0
+        MPYSV   [\c3], [\x], [\fx]
+        ADDNV   [\fx], [\c2], [\fx]
+        horner_step \x, \fx, \c1
+        horner_step \x, \fx, \c0
+        .endm
+
+; Bends out of the interval, and such as are no numbers, go to its ends.
+        .macro  clamp x
+        CMPGEV  [\x], [q_low], [q_sign]
+        VTOV    [q_low], [\x] ?! [q_sign]
+        CMPLTV  [q_high], [\x], [q_sign]
+        VTOV    [q_high], [\x] ? [q_sign]
+        .endm
+
+; Those of the lanes in the loop.
+        .macro  quartic_value x, fx
+        quartic_polynomial \x, \fx, q_k4, q_k3, q_k2, q_k1, q_k0
+        .endm
+
+        .macro  cubic_value x, fx
+        cubic_polynomial \x, \fx, q_k3, q_k2, q_k1, q_k0
+        .endm
+
+        .macro  cubic_compress bits
+        CPSV    [q_k3], [q_k3] ? [\bits]
+        CPSV    [q_k2], [q_k2] ? [\bits]
+        CPSV    [q_k1], [q_k1] ? [\bits]
+        CPSV    [q_k0], [q_k0] ? [\bits]
+        .endm
+
+        .macro  quartic_compress bits
+        CPSV    [q_k4], [q_k4] ? [\bits]
+        cubic_compress \bits
+        .endm
+
+; The value at x, and where it is 0 within the tolerance.  The sum of the
+; magnitudes is no larger than at the end of the interval that is farther from
+; 0: where a value is not as small as that (most) it need not be formed.
+        .macro  quartic_size x, size
+        MPYSV   |[\x]|, |[q_c4]|, [\size]
+        ADDNV   |[q_c3]|, [\size], [\size]
+        size_step \x, \size, q_c2
+        size_step \x, \size, q_c1
+        size_step \x, \size, q_c0
+        MPYSV   [\size], q_tolerance, [\size]
+        .endm
+
+        .macro  cubic_size x, size
+        MPYSV   |[\x]|, |[q_s3]|, [\size]
+        ADDNV   |[q_s2]|, [\size], [\size]
+        size_step \x, \size, q_s1
+        size_step \x, \size, q_c1
+        MPYSV   [\size], q_tolerance, [\size]
+        .endm
+
+        .macro  size_step x, size, c
+        MPYSV   |[\x]|, [\size], [\size]
+        ADDNV   |[\c]|, [\size], [\size]
+        .endm
+
+        .macro  is_zero x, fx, most, zero, sum
+        CMPGEV  [\most], |[\fx]|, [\zero]
+        ANDB    [\zero], [q_alive], [\zero]
+        count_lanes \zero, is_zero\@
+        \sum    \x, q_size
+        CMPGEV  [q_size], |[\fx]|, [\zero]
+is_zero\@:
+        .endm
+
+        .macro  quartic_at x, fx, zero
+        quartic_polynomial \x, \fx, q_c4, q_c3, q_c2, q_c1, q_c0
+        is_zero \x, \fx, q_most_value, \zero, quartic_size
+        .endm
+
+        .macro  cubic_at x, fx, zero
+        cubic_polynomial \x, \fx, q_s3, q_s2, q_s1, q_c1
+        is_zero \x, \fx, q_most_slope, \zero, cubic_size
+        .endm
+
+; Where the signs of two values differ; 0 counts as +.
+        .macro  signs_differ f, g, bits
+        CMPGEV  [\f], r0, [q_sign]
+        CMPGEV  [\g], r0, [\bits]
+        XORB    [q_sign], [\bits], [\bits]
+        .endm
+
+; Put the lanes of bits and their brackets into the loop.
+        .macro  take into, from, bits
+        CPSV    [\from], [\into] ? [\bits]
+        .endm
+
+        .macro  take_bracket a, fa, b, fb, bits
+        take    q_a, \a, \bits
+        take    q_fa, \fa, \bits
+        take    q_b, \b, \bits
+        take    q_fb, \fb, \bits
+        EX      q_target, solver_order
+        ADDLEN  q_target, q_lanes, q_target
+        take    q_at, q_target, \bits
+        .endm
+
+        .macro  count_lanes bits, none
+        CNTOB   [\bits], q_u
+        IBXEQ   q_u, r0, r0, \none
+        .endm
+
+; Keep the lanes of q_alive alone.  squeeze_input: the first time it leaves the
+; caller's vector for one of ours.
+        .macro  squeeze vector
+        CPSV    [\vector], [\vector] ? [q_alive]
+        .endm
+
+        .macro  squeeze_input vector, number
+        EX      q_target, solver_inputs + 64 * QUEUE * \number
+        CPSV    [\vector], [q_target] ? [q_alive]
+        RTOR    q_target, \vector
+        .endm
+
+        .macro  squeeze_inputs
+        squeeze_input q_c4, 0
+        squeeze_input q_c3, 1
+        squeeze_input q_c2, 2
+        squeeze_input q_c1, 3
+        squeeze_input q_c0, 4
+        squeeze_input q_high, 5
+        squeeze q_place
+        .endm
+
+        .macro  squeezed
+        RTOR    q_alive_count, q_lanes
+        lengthen q_lanes, q_right_slope
+        lengthen q_lanes, q_next
+        lengthen q_lanes, q_next_f
+        lengthen q_lanes, q_size
+        lengthen q_lanes, q_root
+        lengthen q_lanes, q_alive
+        lengthen q_lanes, q_left_flat
+        lengthen q_lanes, q_right_flat
+        lengthen q_lanes, q_knot_touch
+        lengthen q_lanes, q_next_touch
+        lengthen q_lanes, q_need
+        lengthen q_lanes, q_sign
+        EQVB    [q_alive], [q_alive], [q_alive]
+        .endm
+
+; Go to wide if half of the lanes or more are alive.
+        .macro  if_half_alive wide
+        ADDX    q_alive_count, q_alive_count, q_u
+        IBXGE   q_u, r0, q_lanes, \wide
+        .endm
+
+; The next place of the lanes of q_need for the roots q_t.
+        .macro  give_place
+        CPSV    [q_position], [q_at] ? [q_need]
+        VTOVX   [q_at], [q_t], [root0]
+        EX      q_target, QUEUE
+        ADDXV   [q_position], q_target, [q_position] ? [q_need]
+        ADDNV   [q_count], q_one, [q_count] ? [q_need]
+        .endm
+
+; The lanes of q_need have the root q_root.
+        .macro  give_roots
+        count_lanes q_need, give_none\@
+        CPSV    [q_root], [q_t] ? [q_need]
+        IBXEQ   q_want, r0, q_index_one, give_one\@
+        give_place
+        BIM     give_none\@
+give_one\@:
+        CPSV    [q_place], [q_at] ? [q_need]
+        IBXEQ   s8, r0, r0, give_first\@
+        EX      q_target, solver_show
+        BSAVE   q_link, [q_target]
+give_first\@:
+        VTOVX   [q_at], [q_t], [root0]
+        VTOVX   [q_at], q_one, [root_count]
+        SUBX    q_alive_count, q_u, q_alive_count
+        IBXEQ   q_alive_count, r0, r0, solver_end
+        ANDNB   [q_alive], [q_need], [q_alive]
+give_none\@:
+        .endm
+
+; A knot at which f is 0 is a double root, but no sharper than knots are: a step
+; of Newton's on f' makes it so, where that is short and stays in place.
+        .macro  polish
+        lengthen q_lanes, q_w
+        lengthen q_lanes, q_s
+        lengthen q_lanes, q_d
+        cubic_polynomial q_next, q_w, q_s3, q_s2, q_s1, q_c1
+        MPYSV   [q_s3], q_three, [q_s]
+        ADDNV   [q_s2], [q_s2], [q_d]
+        MPYSV   [q_s], [q_next], [q_s]
+        ADDNV   [q_s], [q_d], [q_s]
+        MPYSV   [q_s], [q_next], [q_s]
+        ADDNV   [q_s], [q_s1], [q_s]
+        DIVSV   [q_w], [q_s], [q_w]
+        LINKV
+        MPYSV   |[q_next]|, q_polish, [q_d]
+        ADDNV   [q_d], q_resolution, [q_d]
+        SUBNV   [q_next], [q_w], [q_s]
+        CMPGEV  [q_d], |[q_w]|, [q_bits]
+        ANDB    [q_sign], [q_bits], [q_sign]
+        CMPLTV  [q_knot], [q_s], [q_bits]
+        ANDB    [q_sign], [q_bits], [q_sign]
+        CMPGEV  [q_high], [q_s], [q_bits]
+        ANDB    [q_sign], [q_bits], [q_sign]
+        VTOV    [q_s], [q_root] ? [q_sign]
+        .endm
+
+; The lanes of q_need have their roots between knot and next.
+        .macro  refine_value
+        take_bracket q_knot, q_knot_f, q_next, q_next_f, q_need
+        take    q_k4, q_c4, q_need
+        take    q_k3, q_c3, q_need
+        take    q_k2, q_c2, q_need
+        take    q_k1, q_c1, q_need
+        take    q_k0, q_c0, q_need
+        RTOR    q_root, q_result
+        EX      q_target, refine_quartic
+        BSAVE   q_link, [q_target]
+        .endm
+
+; The roots of f in (knot, next]; at_knot = 0: next is the end.
+        .macro  search_values at_knot
+        quartic_at q_next, q_next_f, q_next_touch
+        signs_differ q_knot_f, q_next_f, q_need
+        ANDB    [q_need], [q_alive], [q_need]
+        ANDNB   [q_need], [q_knot_touch], [q_need]
+        ANDNB   [q_need], [q_next_touch], [q_need]
+        VTOV    [q_next], [q_root]
+        count_lanes q_need, search_touch\@
+        refine_value
+search_touch\@:
+        ANDNB   [q_next_touch], [q_knot_touch], [q_sign]
+        ANDB    [q_sign], [q_alive], [q_sign]
+        ORB     [q_need], [q_sign], [q_need]
+        .if     \at_knot
+        count_lanes q_sign, search_found\@
+        lengthen q_lanes, q_bits
+        polish
+search_found\@:
+        .endif
+        give_roots
+        exchange q_next, q_knot
+        exchange q_next_f, q_knot_f
+        exchange q_next_touch, q_knot_touch
+        .endm
+
+; The lanes of q_need have their next knots between left and right.
+        .macro  refine_slope right
+        take_bracket q_left, q_left_slope, \right, q_right_slope, q_need
+        take    q_k3, q_s3, q_need
+        take    q_k2, q_s2, q_need
+        take    q_k1, q_s1, q_need
+        take    q_k0, q_c1, q_need
+        RTOR    q_next, q_result
+        EX      q_target, refine_cubic
+        BSAVE   q_link, [q_target]
+        .endm
+
+; The roots of f' in (left, right] are the next knots.  A right end at which f'
+; is 0 is one itself, if it is a bend.
+        .macro  search_slope right, bend
+        cubic_at \right, q_right_slope, q_right_flat
+        signs_differ q_left_slope, q_right_slope, q_need
+        ANDB    [q_need], [q_alive], [q_need]
+        ANDNB   [q_need], [q_left_flat], [q_need]
+        ANDNB   [q_need], [q_right_flat], [q_need]
+        VTOV    [q_knot], [q_next]
+        .if     \bend
+        VTOV    [\right], [q_next] ? [q_right_flat]
+        .endif
+        count_lanes q_need, search_flat\@
+        refine_slope \right
+        BIM     search_knots\@
+search_flat\@:
+        .if     \bend
+        ANDB    [q_right_flat], [q_alive], [q_sign]
+        count_lanes q_sign, search_none\@
+        .else
+        BIM     search_none\@
+        .endif
+search_knots\@:
+        search_values 1
+search_none\@:
+        exchange q_left_slope, q_right_slope
+        exchange q_left_flat, q_right_flat
+        if_half_alive search_alive\@
+        squeeze_inputs
+        squeeze q_s3
+        squeeze q_s2
+        squeeze q_s1
+        squeeze q_bend1
+        squeeze q_bend2
+        squeeze q_left_slope
+        squeeze q_knot
+        squeeze q_most_value
+        squeeze q_most_slope
+        squeeze q_knot_f
+        CPSB    [q_left_flat], [q_left_flat] ? [q_alive]
+        CPSB    [q_knot_touch], [q_knot_touch] ? [q_alive]
+        squeezed
+search_alive\@:
+        RTOR    \right, q_left
+        .endm
+
+; The inputs, the lanes that have an interval, the derivative; none found yet:
+; so many places hold no root.
+        .macro  enter_search places
+        LTOR    s0, q_length
+        SHIFTI  q_length, 48, q_length
+        EX      q_table_at, solver_bases
+        ELEN    q_table_at, QUARTIC_DESCRIBED
+        EX      q_image_at, solver_image
+        ELEN    q_image_at, QUARTIC_DESCRIBED
+        ORV     [q_table_at], q_length, [q_image_at]
+        ELEN    q_image_at, QUARTIC_LOADED
+        EX      q_save_at, solver_save
+        ELEN    q_save_at, QUARTIC_REGISTERS
+        SWAP    [q_image_at], q_s3, [q_save_at]
+        RTOR    s0, q_c4
+        RTOR    s1, q_c3
+        RTOR    s2, q_c2
+        RTOR    s3, q_c1
+        RTOR    s4, q_c0
+        RTOR    s5, q_low
+        RTOR    s6, q_high
+        RTOR    s7, q_resolution
+        LTOR    q_c4, q_lanes
+        RTOR    s9, q_want
+        EX      root0, solver_roots
+        ADDLEN  root0, q_lanes, root0
+        RTOR    root0, root1
+        IX      root1, 64 * QUEUE
+        RTOR    root1, root2
+        IX      root2, 64 * QUEUE
+        RTOR    root2, root3
+        IX      root3, 64 * QUEUE
+        RTOR    root3, root_count
+        IX      root_count, 64 * QUEUE
+        VTOV    q_none, [root0]
+        .if     \places == 4
+        VTOV    q_none, [root1]
+        VTOV    q_none, [root2]
+        VTOV    q_none, [root3]
+        .endif
+        VTOV    r0, [root_count]
+        INTVLV  r0, q_index_one, [q_place]
+        EX      q_target, solver_order
+        ADDLEN  q_target, q_lanes, q_target
+        VTOV    [q_place], [q_target]
+
+        CMPLTV  [q_low], [q_high], [q_alive]
+        CNTOB   [q_alive], q_alive_count
+        IBXEQ   q_alive_count, r0, r0, solver_end
+        if_half_alive enter_alive\@
+        squeeze_inputs
+        squeeze_input q_low, 6
+        lengthen q_alive_count, q_s3
+        lengthen q_alive_count, q_s2
+        lengthen q_alive_count, q_s1
+        lengthen q_alive_count, q_bend1
+        lengthen q_alive_count, q_bend2
+        lengthen q_alive_count, q_position
+        lengthen q_alive_count, q_count
+        lengthen q_alive_count, q_left_slope
+        lengthen q_alive_count, q_knot
+        lengthen q_alive_count, q_knot_f
+        lengthen q_alive_count, q_most_value
+        lengthen q_alive_count, q_most_slope
+        squeezed
+enter_alive\@:
+        VTOV    [q_place], [q_position]
+        VTOV    r0, [q_count]
+        MPYSV   [q_c4], q_four, [q_s3]
+        MPYSV   [q_c3], q_three, [q_s2]
+        ADDNV   [q_c2], [q_c2], [q_s1]
+        .endm
+
+; a = next, b = right_slope, b^2 = knot, a c = knot_f.
+        .macro  find_bends
+        MPYSV   [q_s3], q_three_halves, [q_next]
+        MPYSV   [q_c3], q_three_halves, [q_right_slope]
+        MPYSV   [q_right_slope], [q_right_slope], [q_knot]
+        MPYSV   [q_next], [q_c2], [q_knot_f]
+        SUBNV   [q_knot], [q_knot_f], [q_root]
+        ADDNV   |[q_knot_f]|, [q_knot], [q_knot]
+        MPYSV   [q_knot], q_tolerance, [q_knot]
+        CMPGEV  [q_knot], |[q_root]|, [q_need]
+        VTOV    r0, [q_root] ? [q_need]
+        CMPGEV  [q_root], r0, [q_left_flat]
+        SQRTV   [q_root], [q_root] ? [q_left_flat]
+        CMPLTV  [q_right_slope], r0, [q_sign]
+        VTOV    -[q_root], [q_root] ? [q_sign]
+        ADDNV   [q_right_slope], [q_root], [q_root]
+        SUBNV   r0, [q_root], [q_root]
+        DIVSV   [q_root], [q_next], [q_bend1]
+        DIVSV   [q_c2], [q_root], [q_bend2]
+        VTOV    [q_bend1], [q_bend2] ? [q_need]
+        VTOV    [q_low], [q_bend1] ?! [q_left_flat]
+        VTOV    [q_low], [q_bend2] ?! [q_left_flat]
+        clamp   q_bend1
+        clamp   q_bend2
+        CMPLTV  [q_bend2], [q_bend1], [q_need]
+        VTOV    [q_bend1], [q_root]
+        VTOV    [q_bend2], [q_bend1] ? [q_need]
+        VTOV    [q_root], [q_bend2] ? [q_need]
+        .endm
+
+        .kernel root_solver
+solve_quartic_all:
+        ES      s9, 4
+        BIM     solver_begin
+solve_quartic:
+        ES      s8, 0
+solve_quartic_until:
+        ES      s9, 1
+solver_begin:
+        enter_search 1
+        ABSV    [q_low], [q_root]
+        CMPLTV  [q_root], |[q_high]|, [q_sign]
+        ABSV    [q_high], [q_root] ? [q_sign]
+        quartic_size q_root, q_most_value
+        cubic_size q_root, q_most_slope
+        find_bends
+        RTOR    q_low, q_left
+        cubic_at q_low, q_left_slope, q_left_flat
+        VTOV    [q_low], [q_knot]
+        quartic_at q_knot, q_knot_f, q_knot_touch
+        search_slope q_bend1, 1
+        search_slope q_bend2, 1
+        search_slope q_high, 0
+        VTOV    [q_high], [q_next]
+        search_values 0
+        IBXEQ   q_want, r0, q_index_one, solver_end
+        VTOVX   [q_place], [q_count], [root_count]
+solver_end:
+        ELEN    q_save_at, QUARTIC_REGISTERS
+        SWAP    [q_save_at], q_s3, [r0]
+        BIM     0, link_inner
+
+solve_quartic_signs:
+        enter_search 4
+        find_bends
+        search_signs
+        BIM     solver_end
+
+; The lanes of q_need have the roots q_t: only the acceptable ones are left.
+solver_show:
+        lengthen q_u, q_bits
+        BSAVE   s9, [s8]
+        MRGB    [q_bits], [q_bits], [q_sign] ? [q_need]
+        ANDB    [q_sign], [q_need], [q_need]
+        CPSV    [q_t], [q_t] ? [q_bits]
+        CPSV    [q_at], [q_at] ? [q_bits]
+        CNTOB   [q_bits], q_u
+        BIM     0, q_link
+
+        refine  refine_quartic, quartic_value, quartic_compress, q_close
+        refine  refine_cubic, cubic_value, cubic_compress, q_knot_close
+        .endkernel

@@ -1,0 +1,258 @@
+#include "rt/layout/layout.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/picture/picture.h"
+#include "rt/layout/program.h"
+#include "rt/layout/record.h"
+#include "rt/layout/regions.h"
+#include "rt/shapes/shape_words.h"
+#include "rt/layout/surface.h"
+
+static void put_shape(struct record *record,
+                      const struct primitive *primitive,
+                      const struct leaf_plan *plan)
+{
+    struct shape_words shape;
+    const char *kernel;
+
+    shape_words(primitive, &shape);
+    kernel = plan->simple ? shape.kernel : shape.solid;
+    if (plan->simple && shape.historical
+        && object_symbol(record->layout->program, shape.historical))
+        kernel = shape.historical;
+    record_routine(record, "P_KERNEL",
+                   shape.transformed ? "transformed" : kernel);
+    record_routine(record, "P_INNER", kernel);
+    record_routine(record, "P_NORMAL", shape.normal);
+    if (!plan->simple && shape.state) {
+        record_routine(record, "P_STATE_KERNEL",
+                       shape.transformed ? "transformed" : shape.state);
+        record_routine(record, "P_STATE_INNER", shape.state);
+    }
+    record_integer(record, "P_TRANSFORMED", shape.transformed);
+    record_integer(record, "P_ON_PATCH", shape.on_patch);
+    record_integer(record, "P_SEGMENTS", shape.segments);
+    record_integer(record, "P_EVENTS", shape.events);
+    record_integer(record, "P_FIRST_STATE", plan->first_state);
+    record_integer(record, "P_FIRST_EVENT", plan->first_event);
+    record_integer(record, "P_VALUE", plan->value);
+    record_integer(record, "P_INVERTED", primitive->inverted);
+    record_numbers(record, "P_SHAPE", shape.words, shape.count);
+    if (shape.table_count > 0)
+        record_table(record, "P_TABLE", shape.table, shape.table_count);
+    record_numbers(record, "P_LOCAL", &primitive->to_local.rows[0][0], 12);
+}
+
+/* Neighbours in one space have its number, so that a ray is carried over once.
+ * Numbers count from 1, by the first primitive of each. */
+static size_t space_of(const struct scene *scene, size_t i)
+{
+    const struct transform *space = &scene->primitives[i].to_local;
+
+    while (i > 0
+           && memcmp(space, &scene->primitives[i - 1].to_local, sizeof *space)
+                  == 0)
+        i--;
+    return i + 1;
+}
+
+static void put_finish(struct record *record, const struct scene *scene,
+                       const struct finish *finish)
+{
+    double words[8];
+
+    for (size_t i = 0; i < 3; i++)
+        words[i] = finish->ambient[i] * scene->ambient_light[i];
+    words[3] = finish->diffuse;
+    words[4] = finish->phong;
+    words[5] = finish->phong_size;
+    words[6] = finish->specular;
+    words[7] = finish->roughness > 0 ? 1 / finish->roughness : 0;
+    record_numbers(record, "P_FINISH", words, 8);
+}
+
+static void put_surface(struct record *record, const struct scene *scene,
+                        const struct primitive *primitive)
+{
+    const struct pigment *pigment = &primitive->pigment;
+    double color[2][3], passing[2][4];
+
+    for (int i = 0; i < 2; i++) {
+        surface_color(pigment, i, color[i]);
+        surface_passing(pigment, i, passing[i]);
+        passing[i][3] = surface_passing_weight(passing[i],
+                                               scene->adc_bailout);
+    }
+    record_integer(record, "P_CHECKER", pigment->kind == PIGMENT_CHECKER);
+    record_numbers(record, "P_COLOR", &color[0][0], 6);
+    record_numbers(record, "P_PATTERN", &pigment->to_local.rows[0][0], 12);
+    record_integer(record, "P_CLEAR", pigment_is_clear(pigment));
+    record_numbers(record, "P_PASSING", &passing[0][0], 8);
+    put_finish(record, scene, &primitive->finish);
+}
+
+static void put_mirror(struct record *record,
+                       const struct primitive *primitive)
+{
+    const double index[2] = { primitive->ior, 1 / primitive->ior };
+    double words[4];
+
+    memcpy(words, primitive->finish.reflection, 3 * sizeof *words);
+    words[3] = greatest_of(words);
+    record_integer(record, "P_MIRROR", surface_is_mirror(&primitive->finish));
+    record_numbers(record, "P_REFLECTION", words, 4);
+    record_numbers(record, "P_INDEX", index, 2);
+}
+
+static size_t table_words(const struct scene *scene)
+{
+    struct shape_words shape;
+    size_t count = 0;
+
+    for (size_t i = 0; i < scene->primitive_count; i++) {
+        shape_words(&scene->primitives[i], &shape);
+        count += shape.table_count;
+    }
+    return count;
+}
+
+/* The address of the first is returned. */
+static uint64_t layout_primitives(struct layout *layout,
+                                  const struct scene *scene,
+                                  const struct leaf_plan *plans)
+{
+    struct record record;
+    uint64_t first;
+
+    record_begin(&record, layout, "P_SIZE", scene->primitive_count,
+                 table_words(scene));
+    first = record.address;
+    for (size_t i = 0; i < scene->primitive_count && !layout->failed; i++) {
+        record.line = scene->primitives[i].line;
+        record_integer(&record, "P_ID", i + 1);
+        record_integer(&record, "P_SPACE", space_of(scene, i));
+        put_shape(&record, &scene->primitives[i], &plans[i]);
+        put_surface(&record, scene, &scene->primitives[i]);
+        put_mirror(&record, &scene->primitives[i]);
+        record_write(&record);
+    }
+    record_end(&record);
+    layout_word(layout, "scene_primitives", first);
+    layout_word(layout, "scene_primitive_count",
+                c205_from_integer((int64_t)scene->primitive_count));
+    return first;
+}
+
+static void layout_solids(struct layout *layout, const struct scene *scene,
+                          bool bounds)
+{
+    struct leaf_plan *plans = calloc(scene->primitive_count + 1,
+                                     sizeof *plans);
+    size_t crossings;
+
+    if (!plans) {
+        layout_fail(layout, "no memory");
+        return;
+    }
+    crossings = plan_leaves(scene, plans);
+    layout_regions(layout, scene, bounds,
+                   layout_primitives(layout, scene, plans));
+    layout_word(layout, "scene_crossings",
+                layout_reserve(layout,
+                               crossings
+                                   * layout_symbol(layout, "CROSSING_SIZE")));
+    free(plans);
+}
+
+/* Without mirrors and glass no rays come of others. */
+static size_t count_levels(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        if (pigment_is_clear(&scene->primitives[i].pigment)
+            || surface_is_mirror(&scene->primitives[i].finish))
+            return (size_t)scene->max_trace_level;
+    return 1;
+}
+
+static void layout_levels(struct layout *layout, const struct scene *scene)
+{
+    size_t levels = count_levels(scene);
+
+    layout_word(layout, "scene_levels",
+                layout_reserve(layout,
+                               levels * layout_symbol(layout, "LEVEL_SIZE")));
+    layout_word(layout, "scene_level_count",
+                c205_from_integer((int64_t)levels));
+    layout_word(layout, "scene_bailout",
+                c205_from_double(scene->adc_bailout));
+}
+
+static void layout_lights(struct layout *layout, const struct scene *scene)
+{
+    size_t size = (size_t)layout_symbol(layout, "LIGHT_SIZE");
+    uint64_t address = layout_reserve(layout, size * scene->light_count);
+
+    for (size_t i = 0; i < scene->light_count; i++) {
+        c205_word words[7];
+
+        put_numbers(words, scene->lights[i].position, 3);
+        put_numbers(words + 3, scene->lights[i].color, 3);
+        words[6] = c205_from_double(scene->lights[i].shadowless ? 0 : 1);
+        layout_words(layout, address + UINT64_C(64) * size * i, words, 7);
+    }
+    layout_word(layout, "scene_lights", address);
+    layout_word(layout, "scene_light_count",
+                c205_from_integer((int64_t)scene->light_count));
+}
+
+static void layout_camera(struct layout *layout, const struct scene *scene)
+{
+    const struct camera *camera = &scene->camera;
+    c205_word words[12];
+
+    put_numbers(words, camera->location, 3);
+    put_numbers(words + 3, camera->direction, 3);
+    put_numbers(words + 6, camera->right, 3);
+    put_numbers(words + 9, camera->up, 3);
+    layout_words(layout, layout_symbol(layout, "scene_camera"), words, 12);
+    put_numbers(words, scene->background, 3);
+    layout_words(layout, layout_symbol(layout, "scene_background"), words, 3);
+}
+
+static void layout_frame(struct layout *layout, struct frame_layout *frame)
+{
+    size_t pixels = frame->width * frame->rows;
+    const double band[2] = { (double)frame->first_row,
+                             (double)(frame->first_row + frame->rows) };
+    c205_word words[2];
+
+    layout_word(layout, "scene_width",
+                c205_from_double((double)frame->width));
+    layout_word(layout, "scene_height",
+                c205_from_double((double)frame->height));
+    put_numbers(words, band, 2);
+    layout_words(layout, layout_symbol(layout, "scene_band"), words, 2);
+    layout_word(layout, "scene_first_pixel",
+                c205_from_integer(
+                    (int64_t)(frame->first_row * frame->width)));
+    layout_word(layout, "scene_pixels", c205_from_integer((int64_t)pixels));
+    frame->address = layout_reserve(layout, pixels * FRAME_CHANNELS);
+    layout_word(layout, "scene_frame", frame->address);
+}
+
+bool layout_scene(c205 *machine, const struct object *program,
+                  const struct scene *scene, bool bounds,
+                  struct frame_layout *frame, c205_error *error)
+{
+    struct layout layout = { machine, program, error, false,
+                             program_end(program) };
+
+    layout_camera(&layout, scene);
+    layout_solids(&layout, scene, bounds);
+    layout_levels(&layout, scene);
+    layout_lights(&layout, scene);
+    layout_frame(&layout, frame);
+    return !layout.failed;
+}

@@ -1,0 +1,70 @@
+#include "rt/layout/program.h"
+
+#include <stdio.h>
+
+#include "vm/text.h"
+
+struct object *program_assemble(const char *kernel,
+                                const struct asm_define *defines,
+                                c205_error *error)
+{
+    const struct text *const texts[] = { kernel_texts, NULL };
+    struct asm_options how = { .defines = defines, .texts = texts };
+    struct asm_errors errors = { 0, NULL };
+    char start[64];
+    struct object *object;
+
+    snprintf(start, sizeof start, "        .include \"%s\"\n", kernel);
+    object = assemble_text(kernel, start, &how, &errors);
+    if (!object && errors.count > 0)
+        snprintf(error->message, sizeof error->message, "%s:%zu: %s",
+                 errors.items[0].file, errors.items[0].line,
+                 errors.items[0].message);
+    else if (!object)
+        snprintf(error->message, sizeof error->message, "no memory");
+    asm_errors_free(&errors);
+    return object;
+}
+
+bool program_run(c205 *machine,
+                 bool (*go_on)(void *context, const c205 *machine),
+                 void *context, bool *stopped, c205_error *error)
+{
+    enum { SLICE = 5000000 }; /* clocks between two questions */
+
+    for (;;) {
+        uint64_t limit = !go_on ? C205_NO_LIMIT : c205_clock(machine) + SLICE;
+        c205_stop stop = c205_run(machine, limit);
+
+        if (stop.trap == C205_TRAP_NONE)
+            return true;
+        if (stop.trap != C205_TRAP_CLOCK_LIMIT) {
+            c205_describe_stop(machine, &stop, error);
+            return false;
+        }
+        if (!go_on(context, machine)) {
+            *stopped = true;
+            return false;
+        }
+    }
+}
+
+uint64_t program_round_up(uint64_t address)
+{
+    const uint64_t page = UINT64_C(64) * C205_PAGE_WORDS;
+
+    return (address + page - 1) / page * page;
+}
+
+uint64_t program_end(const struct object *program)
+{
+    uint64_t end = 0;
+
+    for (size_t i = 0; i < program->program.segment_count; i++) {
+        const c205_segment *segment = &program->program.segments[i];
+        uint64_t last = segment->address + UINT64_C(64) * segment->length;
+
+        end = last > end ? last : end;
+    }
+    return program_round_up(end);
+}

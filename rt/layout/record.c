@@ -1,0 +1,166 @@
+#include "rt/layout/record.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/layout/program.h"
+
+void layout_fail(struct layout *layout, const char *format, ...)
+{
+    va_list arguments;
+
+    if (layout->failed)
+        return;
+    layout->failed = true;
+    va_start(arguments, format);
+    vsnprintf(layout->error->message, sizeof layout->error->message, format,
+              arguments);
+    va_end(arguments);
+}
+
+uint64_t layout_symbol(struct layout *layout, const char *name)
+{
+    const struct asm_symbol *found = object_symbol(layout->program, name);
+
+    if (found)
+        return (uint64_t)found->value;
+    layout_fail(layout, "the program has no symbol %s", name);
+    return 0;
+}
+
+void layout_words(struct layout *layout, uint64_t address,
+                  const c205_word *words, size_t count)
+{
+    if (!layout->failed
+        && !c205_write(layout->machine, address, words, count))
+        layout_fail(layout, "nothing is mapped at %012llX",
+                    (unsigned long long)address);
+}
+
+void layout_word(struct layout *layout, const char *name, c205_word word)
+{
+    layout_words(layout, layout_symbol(layout, name), &word, 1);
+}
+
+uint64_t layout_reserve(struct layout *layout, size_t words)
+{
+    uint64_t address = layout->free;
+
+    if (layout->failed || words == 0)
+        return address;
+    if (!c205_map(layout->machine, address, words, C205_READ_WRITE,
+                  layout->error))
+        layout->failed = true;
+    layout->free = program_round_up(address + UINT64_C(64) * words);
+    return address;
+}
+
+void record_begin(struct record *record, struct layout *layout,
+                  const char *size, size_t count, size_t more)
+{
+    record->layout = layout;
+    record->size = (size_t)layout_symbol(layout, size);
+    record->words = calloc(record->size + 1, sizeof *record->words);
+    record->line = 0;
+    if (!record->words)
+        layout_fail(layout, "no memory");
+    record->address = layout_reserve(layout, count * record->size + more);
+    record->table = record->address + UINT64_C(64) * count * record->size;
+}
+
+void record_write(struct record *record)
+{
+    if (record->layout->failed)
+        return;
+    layout_words(record->layout, record->address, record->words,
+                 record->size);
+    memset(record->words, 0, record->size * sizeof *record->words);
+    record->address += UINT64_C(64) * record->size;
+}
+
+void record_end(struct record *record)
+{
+    free(record->words);
+    record->words = NULL;
+}
+
+c205_word *record_field(struct record *record, const char *name, size_t count)
+{
+    static c205_word nowhere[32];
+    uint64_t offset = layout_symbol(record->layout, name);
+
+    if (record->words && offset + count <= record->size)
+        return record->words + offset;
+    layout_fail(record->layout, "field %s does not fit its record", name);
+    return nowhere;
+}
+
+void put_numbers(c205_word *words, const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        words[i] = c205_from_double(values[i]);
+}
+
+/* A double's exponents are far fewer than the machine's: what squares and
+ * reciprocals make of a scene's numbers may be beyond them. */
+static void check_finite(struct record *record, const double *values,
+                         size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!isfinite(values[i]))
+            layout_fail(record->layout,
+                        "the object of line %zu is too large "
+                        "or too small to be traced",
+                        record->line);
+}
+
+void record_numbers(struct record *record, const char *name,
+                    const double *values, size_t count)
+{
+    check_finite(record, values, count);
+    put_numbers(record_field(record, name, count), values, count);
+}
+
+void record_integer(struct record *record, const char *name, size_t value)
+{
+    *record_field(record, name, 1) = c205_from_integer((int64_t)value);
+}
+
+void record_address(struct record *record, const char *name, uint64_t address)
+{
+    *record_field(record, name, 1) = address;
+}
+
+void record_routine(struct record *record, const char *name,
+                    const char *routine)
+{
+    record_address(record, name, layout_symbol(record->layout, routine));
+}
+
+void record_bound(struct record *record, const char *name,
+                  const struct bound *bound)
+{
+    double words[5];
+
+    memcpy(words, bound->center, sizeof bound->center);
+    words[3] = bound->radius;
+    words[4] = bound->radius * bound->radius;
+    record_numbers(record, name, words, 5);
+}
+
+void record_table(struct record *record, const char *name,
+                  const double *table, size_t count)
+{
+    check_finite(record, table, count);
+    for (size_t i = 0; i < count; i++) {
+        c205_word word = c205_from_double(table[i]);
+
+        layout_words(record->layout, record->table + UINT64_C(64) * i, &word,
+                     1);
+    }
+    record_address(record, name, record->table);
+    record->table += UINT64_C(64) * count;
+}

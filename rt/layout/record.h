@@ -1,0 +1,68 @@
+/* record.h - writing records into a machine's memory.
+ *
+ * Where a field lies is written once, in rt/kernels/frame/records.s; it is found
+ * here by its name among the program's symbols.
+ */
+#ifndef RT_RECORD_H
+#define RT_RECORD_H
+
+#include "asm/assemble.h"
+#include "rt/layout/bounds.h"
+
+/* The state of one layout: errors stay in it, and make the rest idle. */
+struct layout {
+    c205 *machine;
+    const struct object *program;
+    c205_error *error;
+    bool failed;
+    uint64_t free; /* the next address that nothing uses */
+};
+
+void layout_fail(struct layout *layout, const char *format, ...);
+/* A value of the program's; a symbol that is not there is a failure. */
+uint64_t layout_symbol(struct layout *layout, const char *name);
+void layout_words(struct layout *layout, uint64_t address,
+                  const c205_word *words, size_t count);
+/* One word, to the place of that name. */
+void layout_word(struct layout *layout, const char *name, c205_word word);
+/* Room for words from a page of its own on. */
+uint64_t layout_reserve(struct layout *layout, size_t words);
+
+/* A row of records of one size, written one after another: the words of the
+ * next one, and its fields by name. */
+struct record {
+    struct layout *layout;
+    c205_word *words;
+    size_t size;
+    uint64_t address;
+    size_t line;    /* of the scene, for messages */
+    uint64_t table; /* the next address of what a record has no room for */
+};
+
+/* With the program's symbol for the size, and room for that many records and
+ * more words behind them, where the table begins. */
+void record_begin(struct record *record, struct layout *layout,
+                  const char *size, size_t count, size_t more);
+void record_write(struct record *record);
+void record_end(struct record *record);
+
+c205_word *record_field(struct record *record, const char *name,
+                        size_t count);
+/* Each number must be finite. */
+void record_numbers(struct record *record, const char *name,
+                    const double *values, size_t count);
+void record_integer(struct record *record, const char *name, size_t value);
+void record_address(struct record *record, const char *name,
+                    uint64_t address);
+/* The address of a routine. */
+void record_routine(struct record *record, const char *name,
+                    const char *routine);
+void record_bound(struct record *record, const char *name,
+                  const struct bound *bound);
+/* Numbers to the table, their address to the field. */
+void record_table(struct record *record, const char *name,
+                  const double *table, size_t count);
+
+void put_numbers(c205_word *words, const double *values, size_t count);
+
+#endif

@@ -1,0 +1,351 @@
+/* picture.c - frames to picture files and back; see picture.h. */
+#include "rt/picture/picture.h"
+#include "rt/picture/picture_oiio.h"
+
+#include <dlfcn.h>
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* Where it is installed, seen from the program's folder. */
+#define FROM_BIN "/../lib/rt205"
+
+static bool fail(struct picture_error *error, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(error->message, sizeof error->message, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+/* --- kinds of file ----------------------------------------------------- */
+
+struct picture_kind {
+    const char *ending;
+    bool srgb;       /* 8-bit encoded colours; else linear */
+    size_t channels; /* the first so many of enum frame_channel */
+    bool half;       /* can hold 16-bit samples beside 32-bit ones */
+};
+
+static const struct picture_kind picture_kinds[] = {
+    { ".png", true, CHANNEL_BLUE + 1, false },
+    { ".jpg", true, CHANNEL_BLUE + 1, false },
+    { ".jpeg", true, CHANNEL_BLUE + 1, false },
+    { ".exr", false, FRAME_CHANNELS, true },
+    { ".tif", false, FRAME_CHANNELS, false },
+    { ".tiff", false, FRAME_CHANNELS, false },
+};
+
+/* EXR's customary names of the channels, which are what its readers know. */
+static const char *const channel_names[FRAME_CHANNELS] = {
+    "R", "G", "B", "Z", "N.X", "N.Y", "N.Z", "id",
+};
+
+static const struct picture_kind *kind_of(const char *path)
+{
+    const size_t count = sizeof picture_kinds / sizeof picture_kinds[0];
+    const char *name = strrchr(path, '/');
+    const char *ending = strrchr(name ? name : path, '.');
+    for (size_t i = 0; ending && i < count; i++)
+        if (strcasecmp(ending, picture_kinds[i].ending) == 0)
+            return &picture_kinds[i];
+    return NULL;
+}
+
+/* --- colours ----------------------------------------------------------- */
+
+/* IEC 61966-2-1, for linear light between 0 and 1; beyond is clipped, and
+ * what is not a number is black. */
+static double srgb_encode(double linear)
+{
+    if (!(linear > 0))
+        return 0;
+    if (linear >= 1)
+        return 1;
+    if (linear <= 0.0031308)
+        return 12.92 * linear;
+    return 1.055 * pow(linear, 1 / 2.4) - 0.055;
+}
+
+static double srgb_decode(double encoded)
+{
+    if (encoded <= 0.04045)
+        return encoded / 12.92;
+    return pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+/* --- frames ------------------------------------------------------------ */
+
+bool frame_allocate(struct frame *frame, size_t width, size_t height)
+{
+    memset(frame, 0, sizeof *frame);
+    if (!width || !height || height > SIZE_MAX / width / FRAME_CHANNELS)
+        return false;
+    const size_t pixels = width * height;
+    double *samples = calloc(pixels * FRAME_CHANNELS, sizeof *samples);
+    if (!samples)
+        return false;
+    frame->width = width;
+    frame->height = height;
+    for (size_t channel = 0; channel < FRAME_CHANNELS; channel++)
+        frame->channel[channel] = samples + channel * pixels;
+    return true;
+}
+
+void frame_free(struct frame *frame)
+{
+    free(frame->channel[0]);
+    memset(frame, 0, sizeof *frame);
+}
+
+static bool is_color(size_t channel)
+{
+    return channel <= CHANNEL_BLUE;
+}
+
+/* The frame's planes, side by side. */
+static void interleave(const struct frame *frame,
+                       const struct picture_image *image)
+{
+    float *sample = image->samples;
+    for (size_t i = 0; i < frame->width * frame->height; i++)
+        for (size_t channel = 0; channel < image->channels; channel++) {
+            const double value = frame->channel[channel][i];
+            *sample++ = (float)(image->srgb ? srgb_encode(value) : value);
+        }
+}
+
+static void separate(const struct picture_image *image,
+                     const struct frame *frame)
+{
+    const float *sample = image->samples;
+    for (size_t i = 0; i < frame->width * frame->height; i++)
+        for (size_t channel = 0; channel < image->channels; channel++) {
+            const double value = (double)*sample++;
+            frame->channel[channel][i] = image->srgb && is_color(channel)
+                                             ? srgb_decode(value)
+                                             : value;
+        }
+}
+
+/* --- the adapter ------------------------------------------------------- */
+
+static bool program_folder(char *folder, size_t size)
+{
+    const ssize_t length = readlink("/proc/self/exe", folder, size - 1);
+    if (length <= 0)
+        return false;
+    folder[length] = '\0';
+    char *slash = strrchr(folder, '/');
+    if (slash)
+        *slash = '\0';
+    return slash != NULL;
+}
+
+static const struct picture_adapter *adapter_in(const char *folder,
+                                                struct picture_error *error)
+{
+    char path[4096 + sizeof PICTURE_ADAPTER_FILE];
+    snprintf(path, sizeof path, "%s/%s", folder, PICTURE_ADAPTER_FILE);
+    if (access(path, R_OK) != 0)
+        return NULL;
+    void *object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    const void *table = object ? dlsym(object, PICTURE_ADAPTER_SYMBOL) : NULL;
+    if (!table)
+        fail(error, "pictures: %s", dlerror());
+    return table;
+}
+
+/* Loaded once and kept: the library does not bear unloading. */
+static const struct picture_adapter *adapter(struct picture_error *error)
+{
+    static const struct picture_adapter *loaded;
+    if (loaded)
+        return loaded;
+    char beside[4096] = ".", installed[sizeof beside + sizeof FROM_BIN];
+    program_folder(beside, sizeof beside);
+    snprintf(installed, sizeof installed, "%s%s", beside, FROM_BIN);
+    const char *const folders[] = { getenv("RT205_LIBDIR"), beside,
+                                    installed };
+    fail(error, "pictures: no %s in %s or %s", PICTURE_ADAPTER_FILE, beside,
+         installed);
+    for (size_t i = 0; !loaded && i < sizeof folders / sizeof *folders; i++)
+        if (folders[i])
+            loaded = adapter_in(folders[i], error);
+    return loaded;
+}
+
+/* --- paths ------------------------------------------------------------- */
+
+/* The folder that the path's file is in, to be freed. */
+static char *folder_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    if (!slash)
+        return strdup(".");
+    return slash == path ? strdup("/")
+                         : strndup(path, (size_t)(slash - path));
+}
+
+static bool check_folder(const char *folder, struct picture_error *error)
+{
+    struct stat status;
+    if (stat(folder, &status) != 0)
+        return fail(error, "folder %s: %s", folder, strerror(errno));
+    if (!S_ISDIR(status.st_mode))
+        return fail(error, "%s is not a folder", folder);
+    if (access(folder, W_OK | X_OK) != 0)
+        return fail(error, "folder %s: %s", folder, strerror(errno));
+    return true;
+}
+
+static bool fail_ending(const char *path, struct picture_error *error)
+{
+    return fail(error,
+                "%s: the ending of a picture is .png, .jpg, .exr "
+                "or .tif",
+                path);
+}
+
+bool picture_holds_half(const char *path)
+{
+    const struct picture_kind *kind = kind_of(path);
+    return kind && kind->half;
+}
+
+bool picture_check_path(const char *path, struct picture_error *error)
+{
+    struct stat status;
+    if (!kind_of(path))
+        return fail_ending(path, error);
+    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode))
+        return fail(error, "%s is not a regular file", path);
+    char *folder = folder_of(path);
+    if (!folder)
+        return fail(error, "out of memory");
+    const bool good = check_folder(folder, error);
+    free(folder);
+    return good;
+}
+
+/* --- writing and reading ----------------------------------------------- */
+
+static bool write_bytes(const char *path, const struct picture_file *file,
+                        struct picture_error *error)
+{
+    FILE *stream = fopen(path, "wb");
+    if (!stream)
+        return fail(error, "%s: %s", path, strerror(errno));
+    bool good = fwrite(file->bytes, 1, file->size, stream) == file->size
+                && fflush(stream) == 0 && fsync(fileno(stream)) == 0;
+    int cause = errno;
+    if (fclose(stream) != 0 && good) {
+        good = false;
+        cause = errno;
+    }
+    return good || fail(error, "%s: %s", path, strerror(cause));
+}
+
+/* Under another name of the same folder first, then all at once. */
+static bool write_file(const char *path, const struct picture_file *file,
+                       struct picture_error *error)
+{
+    const size_t size = strlen(path) + 32;
+    char *temporary = malloc(size);
+    if (!temporary)
+        return fail(error, "out of memory");
+    snprintf(temporary, size, "%s.%ld.new", path, (long)getpid());
+    bool good = write_bytes(temporary, file, error);
+    if (good && rename(temporary, path) != 0)
+        good = fail(error, "%s: %s", path, strerror(errno));
+    if (!good)
+        remove(temporary);
+    free(temporary);
+    return good;
+}
+
+static bool encode_and_write(const char *path,
+                             const struct picture_image *image,
+                             const struct picture_note *notes,
+                             struct picture_error *error)
+{
+    struct picture_error cause;
+    struct picture_file file = { NULL, 0 };
+    const struct picture_adapter *const files = adapter(error);
+    if (!files)
+        return false;
+    if (!files->encode(path, image, notes, &file, &cause))
+        return fail(error, "%s: %s", path, cause.message);
+    const bool good = write_file(path, &file, error);
+    free(file.bytes);
+    return good;
+}
+
+static void choose_formats(struct picture_image *image, bool half)
+{
+    for (size_t channel = 0; channel < image->channels; channel++)
+        image->format[channel] = image->srgb                 ? SAMPLE_BYTE
+                                 : half && is_color(channel) ? SAMPLE_HALF
+                                                             : SAMPLE_FLOAT;
+}
+
+bool picture_write(const char *path, const struct frame *frame,
+                   const struct picture_note *notes, bool half,
+                   struct picture_error *error)
+{
+    if (!picture_check_path(path, error))
+        return false;
+    const struct picture_kind *const kind = kind_of(path);
+    struct picture_image image = { .width = frame->width,
+                                   .height = frame->height,
+                                   .channels = kind->channels,
+                                   .srgb = kind->srgb,
+                                   .names = channel_names };
+    choose_formats(&image, half && kind->half);
+    image.samples = calloc(image.width * image.height * image.channels,
+                           sizeof *image.samples);
+    if (!image.samples)
+        return fail(error, "out of memory");
+    interleave(frame, &image);
+    const bool good = encode_and_write(path, &image, notes, error);
+    free(image.samples);
+    return good;
+}
+
+bool picture_read(const char *path, struct frame *frame,
+                  struct picture_error *error)
+{
+    struct picture_error cause;
+    struct picture_image image = { .channels = FRAME_CHANNELS,
+                                   .names = channel_names };
+    const struct picture_adapter *const files = adapter(error);
+    memset(frame, 0, sizeof *frame);
+    if (!files)
+        return false;
+    if (!files->read(path, &image, &cause))
+        return fail(error, "%s: %s", path, cause.message);
+    const bool good = frame_allocate(frame, image.width, image.height);
+    if (good)
+        separate(&image, frame);
+    free(image.samples);
+    return good || fail(error, "out of memory");
+}
+
+bool picture_read_note(const char *path, const char *name, char *text,
+                       size_t size, struct picture_error *error)
+{
+    struct picture_error cause;
+    const struct picture_adapter *const files = adapter(error);
+    if (!files)
+        return false;
+    return files->read_note(path, name, text, size, &cause)
+           || fail(error, "%s: %s", path, cause.message);
+}

@@ -1,0 +1,194 @@
+// picture_oiio.cc - the adapter of picture.c to OpenImageIO.
+//
+// Built as a shared object that exports one table of functions.  Nothing is
+// thrown out of here: what the library throws becomes a message.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+extern "C" {
+#include "rt/picture/picture_oiio.h"
+extern const struct picture_adapter rt205_picture_adapter;
+}
+
+namespace
+{
+
+// Kinds of file that have a date get this one, the year of the paper:
+// otherwise the library writes the time of day.
+const char fixed_date[] = "1984:01:01 00:00:00";
+
+// JPEG as near to the frame as the format allows.
+const char jpeg_compression[] = "jpeg:98";
+const char jpeg_subsampling[] = "4:4:4";
+
+void require(bool good, const std::string &message)
+{
+    if (!good)
+        throw std::runtime_error(message);
+}
+
+// Run the body; a failure is its message and false.
+template <class Body> bool guarded(picture_error *error, Body body)
+{
+    try {
+        OIIO::attribute("threads", 1);
+        body();
+        return true;
+    } catch (const std::exception &caught) {
+        std::snprintf(error->message, sizeof error->message, "%s",
+                      caught.what());
+    } catch (...) {
+        std::snprintf(error->message, sizeof error->message,
+                      "unknown failure");
+    }
+    return false;
+}
+
+OIIO::TypeDesc type_of(sample_format format)
+{
+    switch (format) {
+    case SAMPLE_BYTE: return OIIO::TypeDesc::UINT8;
+    case SAMPLE_HALF: return OIIO::TypeDesc::HALF;
+    default: return OIIO::TypeDesc::FLOAT;
+    }
+}
+
+void annotate(OIIO::ImageSpec &spec, const picture_note *notes)
+{
+    std::string description;
+    for (; notes && notes->name; notes++) {
+        spec.attribute(notes->name, notes->text);
+        description += std::string(notes->name) + ": " + notes->text + "\n";
+    }
+    if (!description.empty())
+        spec.attribute("ImageDescription", description);
+    spec.attribute("DateTime", fixed_date);
+}
+
+OIIO::ImageSpec spec_of(const picture_image &image)
+{
+    const int channels = static_cast<int>(image.channels);
+    OIIO::ImageSpec spec(static_cast<int>(image.width),
+                         static_cast<int>(image.height), channels,
+                         type_of(image.format[image.channels - 1]));
+    spec.channelnames.assign(image.names, image.names + channels);
+    for (int i = 0; i < channels; i++)
+        spec.channelformats.push_back(type_of(image.format[i]));
+    spec.alpha_channel = -1;
+    spec.attribute("oiio:ColorSpace", image.srgb ? "sRGB" : "Linear");
+    spec.attribute("Compression", image.srgb ? jpeg_compression : "zip");
+    spec.attribute("jpeg:subsampling", jpeg_subsampling);
+    return spec;
+}
+
+void hand_over(const std::vector<unsigned char> &bytes, picture_file &file)
+{
+    file.size = bytes.size();
+    file.bytes = static_cast<unsigned char *>(std::malloc(file.size));
+    require(file.bytes != nullptr, "out of memory");
+    std::copy(bytes.begin(), bytes.end(), file.bytes);
+}
+
+// Into memory: the library does not notice a full disk.
+bool encode(const char *path, const picture_image *image,
+            const picture_note *notes, picture_file *file,
+            picture_error *error)
+{
+    return guarded(error, [&] {
+        OIIO::Filesystem::IOVecOutput memory;
+        auto output = OIIO::ImageOutput::create(path, &memory);
+        require(output != nullptr, OIIO::geterror());
+        OIIO::ImageSpec spec = spec_of(*image);
+        annotate(spec, notes);
+        if (!output->supports("channelformats"))
+            spec.channelformats.clear();
+        require(output->open(path, spec), output->geterror());
+        require(output->write_image(OIIO::TypeDesc::FLOAT, image->samples),
+                output->geterror());
+        require(output->close(), output->geterror());
+        hand_over(memory.buffer(), *file);
+    });
+}
+
+std::unique_ptr<OIIO::ImageInput> opened(const char *path)
+{
+    auto input = OIIO::ImageInput::open(path);
+    require(input != nullptr, OIIO::geterror());
+    return input;
+}
+
+// Which of the file's channels has the name; TIFF keeps no names, so a file
+// with just as many channels as are asked for has them in their order.
+int place_of(const OIIO::ImageSpec &spec, const picture_image &image,
+             size_t channel)
+{
+    const int place = spec.channelindex(image.names[channel]);
+    if (place < 0 && spec.nchannels == static_cast<int>(image.channels))
+        return static_cast<int>(channel);
+    return place;
+}
+
+void pick(const OIIO::ImageSpec &spec, const std::vector<float> &file,
+          picture_image &image)
+{
+    const size_t stride = static_cast<size_t>(spec.nchannels);
+    const size_t pixels = image.width * image.height;
+    for (size_t channel = 0; channel < image.channels; channel++) {
+        const int place = place_of(spec, image, channel);
+        require(place >= 0 || channel > CHANNEL_BLUE, "has no RGB colours");
+        for (size_t i = 0; place >= 0 && i < pixels; i++)
+            image.samples[i * image.channels + channel] =
+                file[i * stride + static_cast<size_t>(place)];
+    }
+}
+
+bool read(const char *path, picture_image *image, picture_error *error)
+{
+    image->samples = nullptr;
+    const bool good = guarded(error, [&] {
+        auto input = opened(path);
+        const OIIO::ImageSpec &spec = input->spec();
+        image->width = static_cast<size_t>(spec.width);
+        image->height = static_cast<size_t>(spec.height);
+        image->srgb = spec.get_string_attribute("oiio:ColorSpace") == "sRGB";
+        const size_t pixels = image->width * image->height;
+        std::vector<float> file(pixels * static_cast<size_t>(spec.nchannels));
+        require(input->read_image(0, 0, 0, spec.nchannels,
+                                  OIIO::TypeDesc::FLOAT, file.data()),
+                input->geterror());
+        image->samples = static_cast<float *>(
+            std::calloc(pixels * image->channels, sizeof(float)));
+        require(image->samples != nullptr, "out of memory");
+        pick(spec, file, *image);
+    });
+    if (!good) {
+        std::free(image->samples);
+        image->samples = nullptr;
+    }
+    return good;
+}
+
+bool read_note(const char *path, const char *name, char *text, size_t size,
+               picture_error *error)
+{
+    return guarded(error, [&] {
+        auto input = opened(path);
+        const std::string found = input->spec().get_string_attribute(name);
+        std::snprintf(text, size, "%s", found.c_str());
+    });
+}
+
+} // namespace
+
+const struct picture_adapter rt205_picture_adapter = { encode, read,
+                                                       read_note };

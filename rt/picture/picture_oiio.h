@@ -1,0 +1,46 @@
+/* picture_oiio.h - what the OpenImageIO adapter offers to picture.c.
+ *
+ * The adapter knows files; picture.c knows frames and colours.  Between them
+ * go 32-bit samples, the channels of a pixel side by side, the top row first.
+ */
+#ifndef RT_PICTURE_OIIO_H
+#define RT_PICTURE_OIIO_H
+
+#include "rt/picture/picture.h"
+
+#define PICTURE_ADAPTER_FILE "rt205_oiio.so"
+#define PICTURE_ADAPTER_SYMBOL "rt205_picture_adapter"
+
+enum sample_format { SAMPLE_BYTE, SAMPLE_HALF, SAMPLE_FLOAT };
+
+/* An image in memory.  srgb: its first three channels are encoded. */
+struct picture_image {
+    size_t width, height, channels;
+    bool srgb;
+    const char *const *names;
+    enum sample_format format[FRAME_CHANNELS];
+    float *samples;
+};
+
+struct picture_file {
+    unsigned char *bytes;
+    size_t size;
+};
+
+struct picture_adapter {
+    /* The image as the bytes of a file of the kind that the path's ending
+     * says.  Nothing is written.  The caller frees file->bytes. */
+    bool (*encode)(const char *path, const struct picture_image *image,
+                   const struct picture_note *notes,
+                   struct picture_file *file, struct picture_error *error);
+
+    /* Fill the image: of the file's channels those that image->names asks
+     * for, in its order, absent ones 0.  The caller frees image->samples. */
+    bool (*read)(const char *path, struct picture_image *image,
+                 struct picture_error *error);
+
+    bool (*read_note)(const char *path, const char *name, char *text,
+                      size_t size, struct picture_error *error);
+};
+
+#endif

@@ -1,0 +1,105 @@
+#include "rt/roots/iterations.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const struct {
+    const char *name, *routine;
+} stages[STAGES] = {
+    [STAGE_SLOPE] = { "slope", "refine_cubic" },
+    [STAGE_VALUE] = { "value", "refine_quartic" },
+};
+
+const char *stage_name(enum stage stage)
+{
+    return stages[stage].name;
+}
+
+static bool find(const struct object *program, const char *routine,
+                 const char *suffix, uint64_t *address)
+{
+    char name[64];
+    const struct asm_symbol *symbol;
+
+    snprintf(name, sizeof name, "%s%s", routine, suffix);
+    symbol = object_symbol(program, name);
+    *address = symbol ? (uint64_t)symbol->value : 0;
+    return symbol != NULL;
+}
+
+bool iterations_begin(struct iterations *iterations,
+                      const struct object *program, bool vector)
+{
+    bool good = true;
+
+    memset(iterations, 0, sizeof *iterations);
+    iterations->vector = vector;
+    for (int i = 0; i < STAGES; i++) {
+        struct stage_labels *labels = &iterations->labels[i];
+        const char *routine = stages[i].routine;
+
+        good = find(program, routine, "", &labels->begin)
+               && find(program, routine, "_wide", &labels->wide)
+               && find(program, routine, "_step", &labels->step)
+               && find(program, routine, "_midpoint", &labels->midpoint)
+               && find(program, routine, "_left", &labels->left) && good;
+    }
+    return good;
+}
+
+/* In the scalar form there are no elements: one lane. */
+static uint64_t lanes_of(const c205_event *event)
+{
+    return event->elements > 0 ? event->elements : 1;
+}
+
+/* What the instruction has put into its register T.  In the scalar form there
+ * is one bracket at a time. */
+static uint64_t result_of(const struct iterations *iterations,
+                          const c205 *machine, const c205_event *event,
+                          uint64_t scalar)
+{
+    return iterations->vector ? (uint64_t)c205_to_integer(
+               c205_register(machine, event->fields.t))
+                              : scalar;
+}
+
+static void count_pass(struct iterations *iterations,
+                       struct stage_count *count, uint64_t lanes)
+{
+    size_t pass = iterations->pass++;
+
+    count->passes++;
+    count->steps += iterations->active;
+    count->lanes += lanes;
+    if (pass < ITERATIONS_MOST) {
+        count->active[pass] += iterations->active;
+        count->in_loop[pass] += lanes;
+    }
+}
+
+void iterations_listen(void *context, const c205 *machine,
+                       const c205_event *event)
+{
+    struct iterations *iterations = context;
+
+    if (event->kind != C205_EVENT_INSTRUCTION)
+        return;
+    for (int i = 0; i < STAGES; i++) {
+        const struct stage_labels *labels = &iterations->labels[i];
+        struct stage_count *count = &iterations->stage[i];
+
+        if (event->pc == labels->begin) {
+            iterations->pass = 0;
+            iterations->active = result_of(iterations, machine, event, 1);
+            count->brackets += iterations->active;
+        } else if (event->pc == labels->wide) {
+            count->halvings += result_of(iterations, machine, event, 1);
+        } else if (event->pc == labels->step
+                   || event->pc == labels->midpoint) {
+            count_pass(iterations, count, lanes_of(event));
+        } else if (event->pc == labels->left) {
+            iterations->active = result_of(iterations, machine, event, 0);
+        }
+    }
+}

@@ -1,0 +1,243 @@
+#include "rt/roots/roots.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/layout/program.h"
+
+/* Polynomials and results lie in the machine's memory plane by plane: see
+ * rt/kernels/roots/roots_records.s. */
+enum { INPUTS = 6, RESULTS = 1 + ROOTS_MOST };
+
+struct root_search {
+    struct roots_options options;
+    struct object *program;
+    c205 *machine;
+    size_t count;
+    uint64_t inputs, results; /* addresses of the first planes */
+};
+
+static const char *const programs[TRACE_FORMS] = {
+    [TRACE_SCALAR] = "roots/roots_scalar.s",
+    [TRACE_VECTOR] = "roots/roots_vector.s",
+};
+
+static struct object *assemble(const struct roots_options *options,
+                               c205_error *error)
+{
+    struct asm_define defines[] = { { "QUEUE", (int64_t)options->queue },
+                                    { NULL, 0 },
+                                    { NULL, 0 } };
+
+    if (options->falsi != FALSI_DEFAULT) {
+        defines[1].name = "FALSI";
+        defines[1].value = options->falsi;
+    }
+    return program_assemble(programs[options->mode], defines, error);
+}
+
+static bool fail(c205_error *error, const char *message)
+{
+    snprintf(error->message, sizeof error->message, "%s", message);
+    return false;
+}
+
+static bool write_symbol(struct root_search *search, const char *name,
+                         c205_word word, c205_error *error)
+{
+    const struct asm_symbol *symbol = object_symbol(search->program, name);
+
+    if (symbol
+        && c205_write(search->machine, (uint64_t)symbol->value, &word, 1))
+        return true;
+    snprintf(error->message, sizeof error->message,
+             "the program has no place %s", name);
+    return false;
+}
+
+/* One plane of words, its stride in the polynomials being a whole one. */
+static void gather_plane(const struct polynomial *polynomials, size_t count,
+                         int plane, c205_word *words)
+{
+    for (size_t i = 0; i < count; i++)
+        words[i] = plane < 5 ? polynomials[i].c[plane] : polynomials[i].bound;
+}
+
+static uint64_t plane_address(const struct root_search *search,
+                              uint64_t first, int plane)
+{
+    return first + UINT64_C(64) * search->count * (uint64_t)plane;
+}
+
+/* The numbers of roots are indefinite until the machine has written them, so
+ * that progress shows. */
+static bool write_planes(struct root_search *search,
+                         const struct polynomial *polynomials)
+{
+    c205_word *words = malloc((search->count + 1) * sizeof *words);
+    bool good = words != NULL;
+
+    for (int plane = 0; good && plane < INPUTS; plane++) {
+        gather_plane(polynomials, search->count, plane, words);
+        good = c205_write(search->machine,
+                          plane_address(search, search->inputs, plane), words,
+                          search->count);
+    }
+    for (size_t i = 0; good && i < search->count; i++)
+        words[i] = C205_INDEFINITE;
+    good = good
+           && c205_write(search->machine, search->results, words,
+                         search->count);
+    free(words);
+    return good;
+}
+
+static bool lay_out(struct root_search *search,
+                    const struct polynomial *polynomials, c205_error *error)
+{
+    size_t count = search->count;
+
+    search->inputs = program_end(search->program);
+    search->results = program_round_up(
+        plane_address(search, search->inputs, INPUTS));
+    if (count > 0
+        && (!c205_map(search->machine, search->inputs, INPUTS * count,
+                      C205_READ_ONLY, error)
+            || !c205_map(search->machine, search->results, RESULTS * count,
+                         C205_READ_WRITE, error)))
+        return false;
+    if (count > 0 && !write_planes(search, polynomials))
+        return fail(error, "no memory for the polynomials");
+    return write_symbol(search, "roots_polynomials",
+                        c205_from_integer((int64_t)count), error)
+           && write_symbol(search, "roots_wanted",
+                           c205_from_integer(
+                               search->options.first ? 1 : ROOTS_MOST),
+                           error)
+           && write_symbol(search, "roots_inputs", search->inputs, error)
+           && write_symbol(search, "roots_results", search->results, error);
+}
+
+static bool prepare(struct root_search *search,
+                    const struct polynomial *polynomials, c205_error *error)
+{
+    search->program = assemble(&search->options, error);
+    if (!search->program)
+        return false;
+    search->machine = c205_new(search->options.model, error);
+    return search->machine != NULL
+           && c205_load(search->machine, &search->program->program, error)
+           && lay_out(search, polynomials, error);
+}
+
+struct root_search *roots_new(const struct polynomial *polynomials,
+                              size_t count,
+                              const struct roots_options *options,
+                              c205_error *error)
+{
+    struct root_search *search = calloc(1, sizeof *search);
+
+    if (!search) {
+        fail(error, "no memory");
+        return NULL;
+    }
+    search->options = *options;
+    search->count = count;
+    if (prepare(search, polynomials, error))
+        return search;
+    roots_free(search);
+    return NULL;
+}
+
+void roots_free(struct root_search *search)
+{
+    if (!search)
+        return;
+    c205_free(search->machine);
+    object_free(search->program);
+    free(search);
+}
+
+bool roots_watch(struct root_search *search, struct iterations *iterations)
+{
+    return iterations_begin(iterations, search->program,
+                            search->options.mode == TRACE_VECTOR)
+           && c205_listen(search->machine, iterations_listen, iterations);
+}
+
+/* The first polynomial whose number of roots is not yet there. */
+static size_t done(const struct root_search *search)
+{
+    size_t low = 0, high = search->count;
+
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        c205_word word = C205_INDEFINITE;
+
+        c205_read(search->machine, search->results + UINT64_C(64) * middle,
+                  &word, 1);
+        if (word == C205_INDEFINITE)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return low;
+}
+
+static bool tell_polynomials(void *context, const c205 *machine)
+{
+    const struct root_search *search = context;
+    const struct roots_options *options = &search->options;
+
+    (void)machine;
+    return options->progress(options->context, done(search), search->count);
+}
+
+bool roots_run(struct root_search *search, c205_error *error)
+{
+    const struct roots_options *options = &search->options;
+    bool stopped = false;
+    bool good = program_run(search->machine,
+                            options->progress ? tell_polynomials : NULL,
+                            search, &stopped, error);
+
+    if (good && options->progress)
+        options->progress(options->context, search->count, search->count);
+    if (stopped)
+        snprintf(error->message, sizeof error->message,
+                 "stopped after %zu of %zu polynomials", done(search),
+                 search->count);
+    return good;
+}
+
+bool roots_read(const struct root_search *search,
+                struct polynomial_roots *roots, c205_error *error)
+{
+    c205_word *words = malloc((search->count + 1) * sizeof *words);
+    bool good = words != NULL;
+
+    for (int plane = 0; good && search->count > 0 && plane < RESULTS;
+         plane++) {
+        good = c205_read(search->machine,
+                         plane_address(search, search->results, plane), words,
+                         search->count);
+        for (size_t i = 0; good && i < search->count; i++)
+            if (plane == 0)
+                roots[i].count = (int)c205_to_double(words[i]);
+            else
+                roots[i].root[plane - 1] = words[i];
+    }
+    free(words);
+    return good || fail(error, "no memory for the roots");
+}
+
+enum falsi roots_falsi(const struct root_search *search)
+{
+    return falsi_of(search->program);
+}
+
+const c205 *roots_machine(const struct root_search *search)
+{
+    return search->machine;
+}

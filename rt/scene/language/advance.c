@@ -1,0 +1,191 @@
+/* advance.c - from token to token: directives and macros on the way. */
+#include "rt/scene/language/condition.h"
+#include "rt/scene/language/directive.h"
+#include "rt/scene/language/element.h"
+#include "rt/scene/language/macro.h"
+
+enum { ASKED_EACH = 1 << 20 };
+
+bool reader_stop(struct reader *reader)
+{
+    reader->stopped = true;
+    reader->token.kind = TOKEN_END;
+    return false;
+}
+
+/* Asked at every so many bytes, for it takes its time. */
+static bool is_stopped(struct reader *reader, size_t bytes)
+{
+    const struct scene_options *options = reader->options;
+    size_t period = ASKED_EACH;
+
+    return options && options->go_on
+           && reader->bytes / period != (reader->bytes + bytes) / period
+           && !options->go_on(options->context);
+}
+
+bool reader_spend(struct reader *reader, size_t bytes)
+{
+    if (reader->stopped)
+        return false;
+    if (is_stopped(reader, bytes)) {
+        reader_fault(reader, &reader->token, "the reading is stopped here");
+        return reader_stop(reader);
+    }
+    if (bytes <= READING_MOST - reader->bytes) {
+        reader->bytes += bytes;
+        return true;
+    }
+    reader_fault(reader, &reader->token,
+                 "the scene takes too long to read: more than %d bytes, "
+                 "loops and macros counted each time",
+                 READING_MOST);
+    return reader_stop(reader);
+}
+
+/* Bad bytes are reported here and left out, so that none is passed over. */
+void reader_step(struct reader *reader)
+{
+    if (reader_at_sign(reader, '{'))
+        reader->braces++;
+    else if (reader_at_sign(reader, '}') && reader->braces)
+        reader->braces--;
+    while (!reader->stopped) {
+        struct frame *top = lexer_top(&reader->lexer);
+        reader->before = top->place;
+        reader->token = lexer_next(&reader->lexer);
+        if (reader->token.fault)
+            reader_fault(reader, &reader->token, "%s", reader->token.fault);
+        if (!reader_spend(reader,
+                          top->place.at - reader->before.at + TOKEN_COST))
+            return;
+        if (reader->token.kind != TOKEN_BAD)
+            return;
+    }
+}
+
+void reader_back(struct reader *reader)
+{
+    struct frame *top = lexer_top(&reader->lexer);
+
+    if (reader->stopped)
+        return;
+    if (reader->token.depth == reader->lexer.depth)
+        top->place = reader->before;
+    reader->token.kind = TOKEN_END;
+}
+
+/* The frame below goes on when this one ends. */
+static bool close_frame(struct reader *reader)
+{
+    if (reader->token.kind != TOKEN_END || reader->lexer.depth == 1)
+        return false;
+    conditions_close(reader);
+    lexer_close(&reader->lexer);
+    symbols_leave(&reader->symbols, reader->lexer.depth);
+    reader_step(reader);
+    return true;
+}
+
+size_t reader_hold(struct reader *reader)
+{
+    size_t before = reader->hold;
+
+    reader->hold = reader->braces;
+    return before;
+}
+
+size_t reader_nest(struct reader *reader)
+{
+    size_t before = reader->hold;
+
+    reader->hold = (size_t)HOLD_NONE;
+    return before;
+}
+
+void reader_release(struct reader *reader, size_t hold)
+{
+    reader->hold = hold;
+}
+
+static bool carry_out(struct reader *reader)
+{
+    bool done;
+
+    if (!reader_enter(reader)) {
+        reader_step(reader);
+        return false;
+    }
+    done = directive_read(reader);
+    reader_leave(reader);
+    return done;
+}
+
+/* The token's name is looked up; a macro's is called. */
+static bool resolve(struct reader *reader, bool *done)
+{
+    struct token *token = &reader->token;
+
+    if (!reader_look_up(reader, token))
+        return false;
+    if (token->value->kind == VALUE_MACRO) {
+        *done = macro_call(reader);
+        return true;
+    }
+    if (token->value->kind == VALUE_ARRAY)
+        *done = element_read(reader) && *done;
+    return false;
+}
+
+static void settle(struct reader *reader, size_t depth)
+{
+    size_t hold = reader_nest(reader);
+    bool directed = false, done = true, again = true;
+
+    while (again && !reader->stopped && reader->lexer.depth > depth) {
+        again = false;
+        if (close_frame(reader)) {
+            again = true;
+        } else if (reader->token.kind == TOKEN_DIRECTIVE) {
+            done = carry_out(reader);
+            directed = again = true;
+        } else if (reader->token.kind == TOKEN_WORD) {
+            again = resolve(reader, &done);
+        }
+    }
+    reader_release(reader, hold);
+    reader->directed = directed && done;
+    reader->lost = !done;
+}
+
+void reader_settle(struct reader *reader)
+{
+    settle(reader, 0);
+}
+
+void reader_close_frames(struct reader *reader, size_t depth)
+{
+    settle(reader, depth);
+}
+
+void reader_pass(struct reader *reader)
+{
+    reader_step(reader);
+    if (reader->braces != reader->hold)
+        reader_settle(reader);
+}
+
+void reader_next(struct reader *reader)
+{
+    bool closes = reader_at_sign(reader, '}');
+
+    if (reader->stopped)
+        return;
+    if (closes) {
+        reader_pass(reader);
+    } else {
+        reader_step(reader);
+        reader_settle(reader);
+    }
+    reader->closed = closes;
+}

@@ -1,0 +1,201 @@
+/* block.c - reading blocks by their grammars, and getting over errors. */
+#include "rt/scene/language/block.h"
+
+#include "rt/scene/language/expression.h"
+
+#include <string.h>
+
+static const struct keyword *table_find(const struct keyword *table,
+                                        const struct token *token)
+{
+    for (; table && table->word; table++)
+        if (is_token(token, table->word))
+            return table;
+    return NULL;
+}
+
+const struct keyword *grammar_find(const struct grammar *grammar,
+                                   const struct token *token)
+{
+    const struct keyword *found = NULL;
+
+    for (size_t i = 0; i < GRAMMAR_TABLES && !found; i++)
+        found = table_find(grammar->tables[i], token);
+    return found;
+}
+
+struct block block_file(const struct reader *reader)
+{
+    struct block block = { reader->token, 0, 0 };
+
+    return block;
+}
+
+bool block_open(struct reader *reader, struct block *block, int opening)
+{
+    block->open = reader->token;
+    block->closing = opening == '[' ? ']' : '}';
+    if (!reader_at_sign(reader, opening))
+        return reader_expect_sign(reader, opening);
+    if (!reader_enter(reader))
+        return false;
+    reader_next(reader);
+    block->level = reader->braces;
+    return true;
+}
+
+bool block_open_from(struct reader *reader, struct block *block,
+                     enum value_kind kind, void *subject, size_t size)
+{
+    const struct value *value;
+
+    if (!block_open(reader, block, '{'))
+        return false;
+    value = reader_value_of(reader, kind);
+    if (value) {
+        memcpy(subject, &value->is, size);
+        reader_next(reader);
+    }
+    return true;
+}
+
+static bool at_close(const struct reader *reader, const struct block *block)
+{
+    return reader->token.kind == TOKEN_END
+           || (block->closing && reader->braces == block->level
+               && (reader_at_sign(reader, block->closing)
+                   || reader_at_sign(reader, '}')));
+}
+
+static bool block_close(struct reader *reader, const struct block *block)
+{
+    if (!block->closing)
+        return true;
+    reader_leave(reader);
+    if (reader_accept_sign(reader, block->closing))
+        return true;
+    return reader_fault(reader, &reader->token,
+                        "expected '%c' for the '%c' of line %zu",
+                        block->closing, block->open.sign,
+                        block->open.place.line);
+}
+
+/* To the next word of the grammar or directive, behind the next inner block,
+ * or to the end of this block. */
+static void recover(struct reader *reader, const struct block *block,
+                    const struct grammar *grammar)
+{
+    while (!at_close(reader, block)) {
+        const struct token *token = &reader->token;
+        if (reader->braces == block->level
+            && (reader->closed || reader->directed
+                || grammar_find(grammar, token)
+                || (grammar->then && grammar_find(grammar->then, token))))
+            break;
+        reader_next(reader);
+    }
+}
+
+static bool read_item(struct reader *reader, const struct grammar **grammar,
+                      void *subject)
+{
+    struct item item = { grammar_find(*grammar, &reader->token),
+                         reader->token };
+
+    if (!item.keyword && (*grammar)->then) {
+        item.keyword = grammar_find((*grammar)->then, &reader->token);
+        if (item.keyword)
+            *grammar = (*grammar)->then;
+    }
+    if (!item.keyword) {
+        reader_expected(reader, (*grammar)->expected);
+        reader_next(reader);
+        return false;
+    }
+    reader_next(reader);
+    return item.keyword->read(reader, subject, &item);
+}
+
+bool block_items(struct reader *reader, const struct block *block,
+                 const struct grammar *grammar, void *subject, bool good)
+{
+    bool lost = !good;
+
+    for (;;) {
+        if (lost || reader->lost) {
+            recover(reader, block, grammar);
+            good = reader->lost = false;
+        }
+        if (at_close(reader, block))
+            break;
+        lost = !read_item(reader, &grammar, subject);
+    }
+    return block_close(reader, block) && good;
+}
+
+bool block_read(struct reader *reader, const struct grammar *grammar,
+                void *subject)
+{
+    struct block block;
+
+    return block_open(reader, &block, '{')
+           && block_items(reader, &block, grammar, subject, true);
+}
+
+bool block_finish(struct reader *reader, const struct block *block)
+{
+    while (!at_close(reader, block))
+        reader_next(reader);
+    return block_close(reader, block);
+}
+
+void block_skip(struct reader *reader)
+{
+    size_t outside = reader->braces;
+
+    do
+        reader_next(reader);
+    while (reader->braces > outside && reader->token.kind != TOKEN_END);
+}
+
+void skip_arguments(struct reader *reader)
+{
+    struct numbers ignored;
+
+    for (;;) {
+        if (starts_expression(reader)) {
+            if (!read_expression(reader, &ignored))
+                return;
+        } else if (starts_color(reader)) {
+            if (!read_color(reader, &ignored))
+                return;
+        } else if (reader->token.kind == TOKEN_STRING) {
+            reader_next(reader);
+        } else {
+            break;
+        }
+        reader_comma(reader);
+    }
+    if (reader_at_sign(reader, '{'))
+        block_skip(reader);
+}
+
+bool item_left_out(struct reader *reader, void *subject,
+                   const struct item *item)
+{
+    (void)subject;
+    reader_report(reader, &item->at, "'%s' is not supported and left out",
+                  item->keyword->word);
+    skip_arguments(reader);
+    return true;
+}
+
+bool item_unsupported(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    (void)subject;
+    reader_fault(reader, &item->at, "'%s' is not supported",
+                 item->keyword->word);
+    skip_arguments(reader);
+    return false;
+}

@@ -1,0 +1,208 @@
+/* camera.c - the camera, as POV-Ray 3.5 and later set it up: the words may
+ * stand in any order; angle, then look_at, then the transforms are applied
+ * when all are read.
+ */
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/statement.h"
+#include "rt/scene/vector.h"
+
+#include <string.h>
+
+#define NEAR 1e-10 /* POV-Ray's bounds on look_at and sky */
+
+/* POV-Ray's right is 1.33 x, not 4/3 x. */
+const struct camera_setting camera_default = {
+    { { 0, 0, 0 }, { 0, 0, 1 }, { 1.33, 0, 0 }, { 0, 1, 0 } }, { 0, 1, 0 }
+};
+
+struct camera_reading {
+    struct camera_setting setting;
+    double angle; /* degrees; 0: not given */
+    double look_at[3];
+    bool looks;
+    struct placement placement;
+};
+
+/* The keyword's detail is the vector's offset. */
+static bool read_vector_of(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    void *member = (char *)subject + item->keyword->detail;
+
+    return read_vector(reader, member);
+}
+
+static bool read_look_at(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct camera_reading *reading = subject;
+
+    (void)item;
+    reading->looks = true;
+    return read_vector(reader, reading->look_at);
+}
+
+static bool read_angle(struct reader *reader, void *subject,
+                       const struct item *item)
+{
+    struct camera_reading *reading = subject;
+
+    if (!read_number(reader, &reading->angle))
+        return false;
+    return (reading->angle >= 0 && reading->angle < 180)
+           || reader_fault(reader, &item->at,
+                           "the angle is not between 0 and 180 degrees");
+}
+
+static bool read_perspective(struct reader *reader, void *subject,
+                             const struct item *item)
+{
+    (void)reader;
+    (void)subject;
+    (void)item;
+    return true;
+}
+
+static bool read_step(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    struct camera_reading *reading = subject;
+    struct placement step;
+
+    if (!step_read(reader, item, &step))
+        return false;
+    reading->placement = placement_then(&reading->placement, &step);
+    return true;
+}
+
+/* clang-format off */
+#define OF_CAMERA(name) \
+    { #name, read_vector_of, \
+      offsetof(struct camera_reading, setting.camera.name) }
+/* clang-format on */
+
+static const struct keyword words[] = {
+    OF_CAMERA(location),
+    OF_CAMERA(direction),
+    OF_CAMERA(right),
+    OF_CAMERA(up),
+    { "sky", read_vector_of, offsetof(struct camera_reading, setting.sky) },
+    { "look_at", read_look_at, 0 },
+    { "angle", read_angle, 0 },
+    { "perspective", read_perspective, 0 },
+    STEP_WORDS(read_step),
+    { NULL, NULL, 0 },
+};
+
+static const struct keyword left_out[] = {
+    { "aperture", item_left_out, 0 },    { "blur_samples", item_left_out, 0 },
+    { "bokeh", item_left_out, 0 },       { "confidence", item_left_out, 0 },
+    { "focal_point", item_left_out, 0 }, { "normal", item_left_out, 0 },
+    { "variance", item_left_out, 0 },    { NULL, NULL, 0 },
+};
+
+static const struct keyword unsupported[] = {
+    { "cylinder", item_unsupported, 0 },
+    { "fisheye", item_unsupported, 0 },
+    { "mesh_camera", item_unsupported, 0 },
+    { "omnimax", item_unsupported, 0 },
+    { "orthographic", item_unsupported, 0 },
+    { "panoramic", item_unsupported, 0 },
+    { "spherical", item_unsupported, 0 },
+    { "ultra_wide_angle", item_unsupported, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar grammar = { "a word of camera",
+                                        { words, left_out, unsupported },
+                                        NULL };
+
+static void set_length(double vector[3], double length)
+{
+    scale3(length / length3(vector), vector);
+}
+
+/* angle is the picture's width as seen: it sets the length of direction. */
+static void apply_angle(struct camera *camera, double angle)
+{
+    if (angle > 0)
+        set_length(camera->direction,
+                   length3(camera->right) / tan(angle * PI / 360) / 2);
+}
+
+static double handedness(const struct camera *camera)
+{
+    double across[3];
+
+    cross3(camera->up, camera->direction, across);
+    return dot3(across, camera->right);
+}
+
+/* Re-aim direction, right and up, keeping their lengths and whether they were
+ * left- or right-handed. */
+static bool apply_look_at(struct reader *reader, const struct token *at,
+                          struct camera_reading *reading)
+{
+    struct camera *camera = &reading->setting.camera, before = *camera;
+    double side = handedness(camera) > 0 ? 1 : -1;
+
+    for (int i = 0; i < 3; i++)
+        camera->direction[i] = reading->look_at[i] - camera->location[i];
+    if (dot3(camera->direction, camera->direction) < NEAR)
+        return reader_fault(reader, at, "location and look_at are the same");
+    set_length(camera->direction, 1);
+    cross3(reading->setting.sky, camera->direction, camera->right);
+    if (fabs(camera->right[0]) < NEAR && fabs(camera->right[1]) < NEAR
+        && fabs(camera->right[2]) < NEAR) {
+        reader_report(reader, at,
+                      "the camera looks along its sky: right is kept");
+        memcpy(camera->right, before.right, sizeof camera->right);
+    }
+    set_length(camera->right, 1);
+    cross3(camera->direction, camera->right, camera->up);
+    scale3(length3(before.direction), camera->direction);
+    scale3(side * length3(before.right), camera->right);
+    scale3(length3(before.up), camera->up);
+    return true;
+}
+
+static void apply_placement(struct camera *camera,
+                            const struct transform *transform)
+{
+    transform_point(transform, camera->location);
+    transform_direction(transform, camera->direction);
+    transform_direction(transform, camera->right);
+    transform_direction(transform, camera->up);
+}
+
+/* No length may be lost to overflow, and the picture must have an area. */
+static bool is_sound(const struct camera *camera)
+{
+    double volume = handedness(camera);
+
+    return isfinite(volume) && volume != 0
+           && isfinite(dot3(camera->location, camera->location));
+}
+
+bool camera_read(struct reader *reader, const struct token *at,
+                 struct camera_setting *setting)
+{
+    struct camera_reading reading = {
+        *setting, 0, { 0, 0, 0 }, false, placement_none
+    };
+    struct camera *camera = &reading.setting.camera;
+    struct block block;
+
+    if (!block_open_from(reader, &block, VALUE_CAMERA, &reading.setting,
+                         sizeof reading.setting)
+        || !block_items(reader, &block, &grammar, &reading, true))
+        return false;
+    apply_angle(camera, reading.angle);
+    if (reading.looks && !apply_look_at(reader, at, &reading))
+        return false;
+    apply_placement(camera, &reading.placement.to_world);
+    *setting = reading.setting;
+    return is_sound(camera)
+           || reader_fault(reader, at,
+                           "direction, right and up span no picture");
+}

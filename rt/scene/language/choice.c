@@ -1,0 +1,94 @@
+/* choice.c - #switch, #case and #range.
+ *
+ * The first case that fits is read, and, as in POV-Ray, all that follow it up
+ * to a #break, an #else too.
+ */
+#include "rt/scene/language/condition.h"
+#include "rt/scene/language/expression.h"
+
+#include <math.h>
+
+static const char *const to_case[] = { "case", "range", "else", "end", NULL };
+
+/* To the next case, of which is then asked whether it fits. */
+static bool to_next(struct reader *reader, struct condition *condition)
+{
+    struct token at = condition->at;
+
+    if (condition_skip(reader, &at, to_case, 1))
+        return true;
+    reader->condition_count--;
+    return false;
+}
+
+bool switch_begin(struct reader *reader, void *subject,
+                  const struct item *item)
+{
+    double value = 0;
+    bool good = condition_read(reader, &value);
+    struct condition *condition = NULL;
+
+    (void)subject;
+    if (good)
+        condition = condition_push(reader, CONDITION_SWITCH, &item->at);
+    if (!condition) {
+        if (condition_skip(reader, &item->at, skip_to_end, 1))
+            reader_step(reader);
+        return false;
+    }
+    condition->value = value;
+    return to_next(reader, condition);
+}
+
+/* "(" value ")" or "(" lowest, highest ")", the last stays the token. */
+static bool read_bounds(struct reader *reader, bool range, double *lowest,
+                        double *highest)
+{
+    if (!range) {
+        bool done = condition_read(reader, lowest);
+        *highest = *lowest;
+        return done;
+    }
+    if (!reader_at_sign(reader, '('))
+        return reader_expected(reader, "'('");
+    reader_next(reader);
+    return read_full_number(reader, lowest) && reader_expect_sign(reader, ',')
+           && read_full_number(reader, highest)
+           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+}
+
+bool switch_case(struct reader *reader, void *subject,
+                 const struct item *item)
+{
+    struct condition *condition = condition_top(reader);
+    double lowest = 0, highest = 0;
+    size_t sealed;
+    bool good;
+
+    (void)subject;
+    if (!condition || condition->kind != CONDITION_SWITCH
+        || condition->in_else)
+        return reader_fault(reader, &item->at,
+                            "there is no '#switch' for this '#%s'",
+                            item->keyword->word);
+    sealed = condition_seal(reader);
+    good = read_bounds(reader, item->keyword->detail == SWITCH_RANGE, &lowest,
+                       &highest);
+    condition_unseal(reader, sealed);
+    if (!good) {
+        condition_leave(reader, condition);
+        return false;
+    }
+    if (condition->value > lowest - EXPRESSION_SAME
+        && condition->value < highest + EXPRESSION_SAME)
+        condition->chosen = true;
+    reader_step(reader);
+    return condition->chosen || to_next(reader, condition);
+}
+
+bool switch_else(struct reader *reader, struct condition *condition)
+{
+    (void)reader;
+    condition->in_else = true;
+    return true;
+}

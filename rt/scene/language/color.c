@@ -1,0 +1,156 @@
+/* color.c - reading colours.
+ *
+ * A colour is written as numbers after a word that names their order
+ * (rgb, rgbf, ...), term by term (red 1 green .5), or as the name of a colour;
+ * terms that follow replace its own.
+ */
+#include "rt/scene/language/expression.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { RED, GREEN, BLUE, FILTER, TRANSMIT };
+
+/* The terms that a word's numbers go to. */
+static const struct order {
+    const char *word;
+    int count;
+    int terms[COLOR_TERMS];
+    bool srgb;
+} orders[] = {
+    { "rgb", 3, { RED, GREEN, BLUE }, false },
+    { "rgbf", 4, { RED, GREEN, BLUE, FILTER }, false },
+    { "rgbt", 4, { RED, GREEN, BLUE, TRANSMIT }, false },
+    { "rgbft", 5, { RED, GREEN, BLUE, FILTER, TRANSMIT }, false },
+    { "srgb", 3, { RED, GREEN, BLUE }, true },
+    { "srgbf", 4, { RED, GREEN, BLUE, FILTER }, true },
+    { "srgbt", 4, { RED, GREEN, BLUE, TRANSMIT }, true },
+    { "srgbft", 5, { RED, GREEN, BLUE, FILTER, TRANSMIT }, true },
+    { "red", 1, { RED }, false },
+    { "green", 1, { GREEN }, false },
+    { "blue", 1, { BLUE }, false },
+    { "filter", 1, { FILTER }, false },
+    { "transmit", 1, { TRANSMIT }, false },
+};
+
+static const struct order *order_find(const struct token *token)
+{
+    for (size_t i = 0; i < sizeof orders / sizeof *orders; i++)
+        if (is_token(token, orders[i].word))
+            return &orders[i];
+    return NULL;
+}
+
+static bool is_color(const struct token *token)
+{
+    return is_token(token, "color") || is_token(token, "colour");
+}
+
+bool is_color_word(const struct token *token)
+{
+    return is_color(token) || order_find(token);
+}
+
+bool starts_color(const struct reader *reader)
+{
+    const struct value *value = reader_value_of(reader, VALUE_NUMBERS);
+
+    return is_color_word(&reader->token)
+           || (value && value->is.numbers.count == COLOR_TERMS);
+}
+
+/* IEC 61966-2-1, then to the scene's own gamma. */
+static double from_srgb(double value, double gamma)
+{
+    double linear = value <= 0.04045 ? value / 12.92
+                                     : pow((value + 0.055) / 1.055, 2.4);
+
+    return gamma > 0 && gamma != 1 && linear > 0 ? pow(linear, 1 / gamma)
+                                                 : linear;
+}
+
+static bool read_ordered(struct reader *reader, const struct order *order,
+                         struct numbers *color)
+{
+    struct token at = reader->token;
+    struct numbers given;
+
+    if (!read_expression(reader, &given))
+        return false;
+    if (given.count == COLOR_TERMS && order->count > 1 && !order->srgb) {
+        *color = given; /* a colour stays what it is */
+        return true;
+    }
+    if (given.count > order->count)
+        return reader_fault(reader, &at, "'%s' takes %d components, found %d",
+                            order->word, order->count, given.count);
+    numbers_widen(&given, order->count);
+    for (int i = 0; i < order->count; i++) {
+        bool convert = order->srgb && order->terms[i] <= BLUE;
+        color->n[order->terms[i]] =
+            convert ? from_srgb(given.n[i], reader->scene->assumed_gamma)
+                    : given.n[i];
+    }
+    return true;
+}
+
+/* red, green, ... one by one, as long as they follow. */
+static bool read_terms(struct reader *reader, struct numbers *color)
+{
+    const struct order *order = order_find(&reader->token);
+
+    for (; order && order->count == 1; order = order_find(&reader->token)) {
+        reader_next(reader);
+        if (!read_ordered(reader, order, color))
+            return false;
+    }
+    return true;
+}
+
+static bool read_plain(struct reader *reader, struct numbers *color)
+{
+    if (!read_expression(reader, color))
+        return false;
+    numbers_widen(color, COLOR_TERMS);
+    return true;
+}
+
+bool read_color_after(struct reader *reader, const struct token *word,
+                      struct numbers *color)
+{
+    const struct order *order = order_find(word);
+
+    *color = numbers_of(0);
+    color->count = COLOR_TERMS;
+    if (!order && order_find(&reader->token)) {
+        order = order_find(&reader->token);
+        reader_next(reader);
+    }
+    if (!(order ? read_ordered(reader, order, color)
+                : read_plain(reader, color))
+        || !read_terms(reader, color))
+        return false;
+    return numbers_are_finite(color)
+           || reader_fault(reader, word, "the colour is not finite");
+}
+
+bool read_color(struct reader *reader, struct numbers *color)
+{
+    struct token word = reader->token;
+
+    if (is_color_word(&word))
+        reader_next(reader);
+    else if (!starts_expression(reader))
+        return reader_expected(reader, "a colour");
+    return read_color_after(reader, &word, color);
+}
+
+bool read_rgb(struct reader *reader, double rgb[3])
+{
+    struct numbers color;
+
+    if (!read_color(reader, &color))
+        return false;
+    memcpy(rgb, color.n, 3 * sizeof *rgb);
+    return true;
+}

@@ -1,0 +1,296 @@
+/* condition.c - #if, #ifdef, #ifndef, #elseif, #else, #end and #break. */
+#include "rt/scene/language/condition.h"
+
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/query.h"
+
+#include <math.h>
+#include <string.h>
+
+static const char *const openers[] = { "for",   "if",     "ifdef", "ifndef",
+                                       "macro", "switch", "while", NULL };
+const char *const skip_to_end[] = { "end", NULL };
+static const char *const to_other[] = { "else", "elseif", "end", NULL };
+
+/* ---- The stack ---------------------------------------------------------- */
+
+static bool unclosed(struct reader *reader, const struct token *at)
+{
+    return reader_fault(reader, at, "no '#end' closes this '#%.*s'",
+                        (int)at->length, at->text);
+}
+
+bool condition_skip(struct reader *reader, const struct token *at,
+                    const char *const *words, size_t depth)
+{
+    size_t braces = reader->braces;
+    bool found = false;
+
+    while (!found && reader->token.kind != TOKEN_END) {
+        if (is_directive(&reader->token, openers))
+            depth++;
+        found = depth == 1 && is_directive(&reader->token, words);
+        if (!found && is_directive(&reader->token, skip_to_end))
+            depth--;
+        if (!found)
+            reader_step(reader);
+    }
+    reader->braces = braces;
+    return found || unclosed(reader, at);
+}
+
+struct condition *condition_top(struct reader *reader)
+{
+    const size_t serial = lexer_top(&reader->lexer)->serial;
+    size_t count = reader->condition_count;
+
+    return count > reader->sealed
+                   && reader->conditions[count - 1].frame == serial
+               ? &reader->conditions[count - 1]
+               : NULL;
+}
+
+struct condition *condition_push(struct reader *reader,
+                                 enum condition_kind kind,
+                                 const struct token *at)
+{
+    struct condition *condition;
+
+    if (reader->condition_count == CONDITIONS_MOST) {
+        reader_fault(reader, at, "more than %d conditions within each other",
+                     CONDITIONS_MOST);
+        return NULL;
+    }
+    condition = &reader->conditions[reader->condition_count++];
+    memset(condition, 0, sizeof *condition);
+    condition->kind = kind;
+    condition->at = *at;
+    condition->frame = lexer_top(&reader->lexer)->serial;
+    condition->errors = reader->reports->errors;
+    return condition;
+}
+
+size_t condition_seal(struct reader *reader)
+{
+    size_t before = reader->sealed;
+
+    reader->sealed = reader->condition_count;
+    return before;
+}
+
+void condition_unseal(struct reader *reader, size_t before)
+{
+    reader->sealed = before;
+}
+
+bool condition_leave(struct reader *reader, struct condition *condition)
+{
+    struct token at = condition->at;
+
+    reader->condition_count--;
+    if (!condition_skip(reader, &at, skip_to_end, 1))
+        return false;
+    reader_step(reader);
+    return true;
+}
+
+void conditions_close(struct reader *reader)
+{
+    const struct condition *top;
+
+    while ((top = condition_top(reader))) {
+        unclosed(reader, &top->at);
+        reader->condition_count--;
+    }
+}
+
+/* ---- #if ---------------------------------------------------------------- */
+
+bool condition_holds(double value)
+{
+    return fabs(value) >= EXPRESSION_SAME;
+}
+
+static bool read_brackets(struct reader *reader, double *value)
+{
+    if (!reader_at_sign(reader, '('))
+        return reader_expected(reader, "'('");
+    reader_next(reader);
+    return read_full_number(reader, value)
+           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+}
+
+bool condition_read(struct reader *reader, double *value)
+{
+    size_t sealed = condition_seal(reader);
+    bool done = read_brackets(reader, value);
+
+    condition_unseal(reader, sealed);
+    return done;
+}
+
+static bool choose(struct reader *reader, struct condition *condition)
+{
+    double value;
+
+    for (;;) {
+        struct token at = condition->at;
+        if (!condition_skip(reader, &at, to_other, 1)) {
+            reader->condition_count--;
+            return false;
+        }
+        at = reader->token;
+        reader_step(reader);
+        if (is_directive(&at, skip_to_end)) {
+            reader->condition_count--;
+            return true;
+        }
+        condition->in_else = at.length == strlen("else");
+        if (condition->in_else)
+            return true;
+        if (!condition_read(reader, &value)) {
+            condition_leave(reader, condition);
+            return false;
+        }
+        if (condition_holds(value)) {
+            reader_step(reader);
+            return true;
+        }
+    }
+}
+
+/* The token is the last one of the condition, or that is wrong: then all that
+ * depends on it is left out. */
+static bool begin(struct reader *reader, const struct token *at, bool good,
+                  bool holds)
+{
+    struct condition *condition = NULL;
+
+    if (good)
+        condition = condition_push(reader, CONDITION_IF, at);
+    if (!condition) {
+        if (condition_skip(reader, at, skip_to_end, 1))
+            reader_step(reader);
+        return false;
+    }
+    reader_step(reader);
+    return holds || choose(reader, condition);
+}
+
+bool condition_if(struct reader *reader, void *subject,
+                  const struct item *item)
+{
+    double value = 0;
+    bool good = condition_read(reader, &value);
+
+    (void)subject;
+    return begin(reader, &item->at, good, condition_holds(value));
+}
+
+static bool read_name(struct reader *reader, double *defined)
+{
+    size_t sealed;
+    bool done;
+
+    if (!reader_at_sign(reader, '('))
+        return reader_expected(reader, "'('");
+    reader_step(reader);
+    sealed = condition_seal(reader);
+    done = read_defined(reader, defined)
+           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+    condition_unseal(reader, sealed);
+    return done;
+}
+
+bool condition_ifdef(struct reader *reader, void *subject,
+                     const struct item *item)
+{
+    bool wanted = item->keyword->detail == CONDITION_WHEN_DEFINED;
+    double defined = 0;
+    bool good = read_name(reader, &defined);
+
+    (void)subject;
+    return begin(reader, &item->at, good, (defined != 0) == wanted);
+}
+
+/* What stands before it has been read, so the rest is not. */
+bool condition_else(struct reader *reader, void *subject,
+                    const struct item *item)
+{
+    struct condition *condition = condition_top(reader);
+
+    (void)subject;
+    if (condition && condition->kind == CONDITION_SWITCH
+        && !condition->in_else && !strcmp(item->keyword->word, "else"))
+        return switch_else(reader, condition);
+    if (!condition || condition->kind != CONDITION_IF || condition->in_else)
+        return reader_fault(reader, &item->at,
+                            "there is no '#if' for this '#%s'",
+                            item->keyword->word);
+    return condition_leave(reader, condition);
+}
+
+bool condition_end(struct reader *reader, void *subject,
+                   const struct item *item)
+{
+    struct condition *condition = condition_top(reader);
+
+    (void)subject;
+    if (!condition)
+        return reader_fault(reader, &item->at,
+                            "there is nothing for this '#end' to close");
+    if (condition->kind == CONDITION_WHILE
+        || condition->kind == CONDITION_FOR)
+        return loop_end(reader, condition);
+    reader->condition_count--;
+    return true;
+}
+
+/* ---- #break ------------------------------------------------------------- */
+
+/* The innermost loop or #switch of this frame, or NULL. */
+static struct condition *breakable(struct reader *reader)
+{
+    size_t serial = lexer_top(&reader->lexer)->serial;
+    size_t count = reader->condition_count;
+
+    while (count > reader->sealed
+           && reader->conditions[count - 1].frame == serial) {
+        struct condition *condition = &reader->conditions[--count];
+        if (condition->kind != CONDITION_IF)
+            return condition;
+    }
+    return NULL;
+}
+
+/* As in POV-Ray, a #break that is in no loop ends its macro. */
+static bool end_macro(struct reader *reader, const struct token *at)
+{
+    struct frame *top = lexer_top(&reader->lexer);
+
+    if (!top->is_macro)
+        return reader_fault(reader, at, "there is nothing to break off");
+    while (condition_top(reader))
+        reader->condition_count--;
+    top->place.at = top->end;
+    reader_step(reader);
+    return true;
+}
+
+bool condition_break(struct reader *reader, void *subject,
+                     const struct item *item)
+{
+    struct condition *condition = breakable(reader);
+    size_t inner;
+
+    (void)subject;
+    if (!condition)
+        return end_macro(reader, &item->at);
+    inner = (size_t)(&reader->conditions[reader->condition_count]
+                     - condition);
+    reader->condition_count -= inner;
+    if (!condition_skip(reader, &condition->at, skip_to_end, inner))
+        return false;
+    reader_step(reader);
+    return true;
+}

@@ -1,0 +1,349 @@
+/* declare.c - #declare, #local, #undef, and the values that names may have. */
+#include "rt/scene/language/declare.h"
+
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/element.h"
+#include "rt/scene/language/statement.h"
+#include "rt/scene/language/string_value.h"
+
+#include <string.h>
+
+/* ---- Values ------------------------------------------------------------- */
+
+static bool declare_object(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct value *value = subject;
+
+    value->kind = VALUE_OBJECT;
+    return shape_read(reader, &value->is.object, item);
+}
+
+static bool declare_pigment(struct reader *reader, void *subject,
+                            const struct item *item)
+{
+    struct value *value = subject;
+
+    (void)item;
+    value->kind = VALUE_PIGMENT;
+    value->is.pigment = reader->default_texture.pigment;
+    return pigment_read(reader, &value->is.pigment);
+}
+
+static bool declare_finish(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct value *value = subject;
+
+    (void)item;
+    value->kind = VALUE_FINISH;
+    value->is.finish = reader->default_texture.finish;
+    return finish_read(reader, &value->is.finish);
+}
+
+static bool declare_texture(struct reader *reader, void *subject,
+                            const struct item *item)
+{
+    struct value *value = subject;
+
+    (void)item;
+    value->kind = VALUE_TEXTURE;
+    value->is.texture = reader->default_texture;
+    return texture_read(reader, &value->is.texture);
+}
+
+static bool declare_interior(struct reader *reader, void *subject,
+                             const struct item *item)
+{
+    struct value *value = subject;
+
+    (void)item;
+    value->kind = VALUE_INTERIOR;
+    value->is.interior = 1;
+    return interior_read(reader, &value->is.interior);
+}
+
+static bool declare_material(struct reader *reader, void *subject,
+                             const struct item *item)
+{
+    struct value *value = subject;
+
+    (void)item;
+    value->kind = VALUE_MATERIAL;
+    return material_read(reader, &value->is.material);
+}
+
+static bool declare_transform(struct reader *reader, void *subject,
+                              const struct item *item)
+{
+    struct value *value = subject;
+
+    (void)item;
+    value->kind = VALUE_TRANSFORM;
+    return transform_read(reader, &value->is.transform);
+}
+
+static bool declare_camera(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct value *value = subject;
+
+    value->kind = VALUE_CAMERA;
+    value->is.camera = camera_default;
+    return camera_read(reader, &item->at, &value->is.camera);
+}
+
+static const struct keyword declared_words[] = {
+    SHAPE_WORDS(declare_object),
+    { "pigment", declare_pigment, 0 },
+    { "finish", declare_finish, 0 },
+    { "texture", declare_texture, 0 },
+    { "interior", declare_interior, 0 },
+    { "material", declare_material, 0 },
+    { "transform", declare_transform, 0 },
+    { "camera", declare_camera, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar declared_grammar = {
+    "a value", { declared_words, other_shapes }, NULL
+};
+
+static bool copy_array(struct reader *reader, struct value *value,
+                       const struct array *array)
+{
+    struct token at = reader->token;
+
+    reader->primitives_made += array_primitives(array);
+    if (reader->primitives_made > PRIMITIVES_MOST)
+        return reader_fault(reader, &at,
+                            "more than %d primitives, copies counted",
+                            PRIMITIVES_MOST);
+    if (!reader_spend(reader, array->count * TOKEN_COST)
+        || !reader_check(reader, &at, array_copy(&value->is.array, array)))
+        return false;
+    value->kind = VALUE_ARRAY;
+    return true;
+}
+
+static bool copy_named(struct reader *reader, struct value *value)
+{
+    const struct value *from = reader_value(reader);
+    bool done = true;
+
+    if (from->kind == VALUE_OBJECT) {
+        value->kind = VALUE_OBJECT;
+        done = shape_copy(reader, &value->is.object, &from->is.object);
+    } else if (from->kind == VALUE_ARRAY) {
+        done = copy_array(reader, value, from->is.array);
+    } else {
+        done = reader_check(reader, &reader->token, value_copy(value, from));
+    }
+    reader_pass(reader);
+    return done;
+}
+
+static bool read_string(struct reader *reader, struct value *value)
+{
+    if (!string_read(reader, &value->is.string))
+        return false;
+    value->kind = VALUE_STRING;
+    return true;
+}
+
+static bool read_numbers(struct reader *reader, struct value *value)
+{
+    value->kind = VALUE_NUMBERS;
+    return is_color_word(&reader->token)
+               ? read_color(reader, &value->is.numbers)
+               : read_expression(reader, &value->is.numbers);
+}
+
+static bool read_statement(struct reader *reader, struct value *value)
+{
+    struct item item = { grammar_find(&declared_grammar, &reader->token),
+                         reader->token };
+    const struct value *named = reader_value(reader);
+
+    if (item.keyword) {
+        reader_next(reader);
+        return item.keyword->read(reader, value, &item);
+    }
+    if (!named || named->kind == VALUE_FAULTY)
+        return reader_expected(reader, declared_grammar.expected);
+    return copy_named(reader, value);
+}
+
+bool value_read(struct reader *reader, struct value *value)
+{
+    bool done;
+
+    memset(value, 0, sizeof *value);
+    if (is_token(&reader->token, "array"))
+        done = array_read(reader, value);
+    else if (starts_string(reader))
+        done = read_string(reader, value);
+    else if (is_color_word(&reader->token) || starts_expression(reader))
+        done = read_numbers(reader, value);
+    else
+        done = read_statement(reader, value);
+    if (!done)
+        value_free(value);
+    return done;
+}
+
+bool is_reserved(const struct token *token)
+{
+    return is_expression_word(token) || is_color_word(token)
+           || is_string_word(token) || is_token(token, "array")
+           || grammar_find(&file_grammar, token)
+           || grammar_find(&modifier_grammar, token);
+}
+
+bool name_expected(struct reader *reader, const struct token *token)
+{
+    struct token name = *token;
+
+    if (name.kind != TOKEN_WORD)
+        return reader_expected(reader, "a name");
+    if (!is_reserved(&name))
+        return true;
+    reader_step(reader);
+    return reader_fault(reader, &name,
+                        "'%.*s' is a word of the language, not a name",
+                        (int)name.length, name.text);
+}
+
+/* ---- #declare, #local, #undef ------------------------------------------- */
+
+/* Behind "=" to behind the ";", which only numbers must have: behind another
+ * value nothing is looked at, for it may depend on the name that is made. */
+static bool read_right_side(struct reader *reader, size_t depth,
+                            struct value *value)
+{
+    size_t hold = reader_hold(reader);
+    bool done = value_read(reader, value);
+
+    reader_release(reader, hold);
+    if (!done)
+        return false;
+    if (value->kind == VALUE_NUMBERS && !reader_at_sign(reader, ';'))
+        return reader_expected(reader, "';'");
+    reader_close_frames(reader, depth);
+    if (reader_at_sign(reader, ';'))
+        reader_step(reader);
+    return true;
+}
+
+/* A name, or an element: what is to get a value. */
+struct target {
+    struct token name;
+    bool is_element, local;
+    size_t level; /* where the directive stands */
+};
+
+/* As in POV-Ray, #declare changes the innermost value of a name that there
+ * is, and #local one of its own level. */
+static const char *assign(struct reader *reader, const struct target *target,
+                          struct value *value)
+{
+    const struct token *name = &target->name;
+    struct symbols *symbols = &reader->symbols;
+    struct symbol *symbol;
+    struct reference reference;
+
+    if (target->is_element)
+        return reference_assign(&name->reference, value);
+    symbol = target->local ? symbols_find_at(symbols, target->level,
+                                             name->text, name->length)
+                           : symbols_find(symbols, name->text, name->length);
+    if (!symbol)
+        return symbols_add(symbols, target->local ? target->level : 0,
+                           name->text, name->length, value);
+    reference = reference_to(symbol);
+    return reference_assign(&reference, value);
+}
+
+/* #declare deprecated [once] ["text"] NAME: what is said of its use is not
+ * said here. */
+static void pass_deprecated(struct reader *reader)
+{
+    if (!is_token(&reader->token, "deprecated"))
+        return;
+    reader_step(reader);
+    if (is_token(&reader->token, "once"))
+        reader_step(reader);
+    if (reader->token.kind == TOKEN_STRING)
+        reader_step(reader);
+}
+
+static bool read_target(struct reader *reader, struct target *target)
+{
+    size_t hops = 0;
+
+    pass_deprecated(reader);
+    if (!name_expected(reader, &reader->token))
+        return false;
+    if (reader_look_up(reader, &reader->token)) {
+        hops = reader->token.reference.hops;
+        if (reader->token.value->kind == VALUE_ARRAY
+            && !element_read_place(reader))
+            return false;
+    }
+    target->name = reader->token;
+    target->is_element = reader->token.reference.hops > hops;
+    target->level = reader->lexer.depth;
+    reader_step(reader);
+    return true;
+}
+
+/* A name whose declaration is wrong is known as such, so that the error is
+ * not told again at each use. */
+static bool declare_value(struct reader *reader, struct target *target)
+{
+    struct value value;
+    bool done = reader_expect_sign(reader, '=')
+                && read_right_side(reader, target->level, &value);
+    const char *fault;
+
+    if (!done)
+        value = (struct value){ VALUE_FAULTY, { .string = NULL } };
+    if (target->level > reader->lexer.depth)
+        target->level = reader->lexer.depth;
+    fault = assign(reader, target, &value);
+    return reader_check(reader, &target->name, fault) && done;
+}
+
+bool read_declare(struct reader *reader, void *subject,
+                  const struct item *item)
+{
+    struct target target = { .local = item->keyword->detail };
+    struct symbol *symbol;
+    bool done;
+
+    (void)subject;
+    if (!read_target(reader, &target))
+        return false;
+    symbol = target.name.reference.symbol;
+    if (symbol)
+        symbol_hold(symbol);
+    done = declare_value(reader, &target);
+    if (symbol)
+        symbol_release(symbol);
+    return done;
+}
+
+bool read_undef(struct reader *reader, void *subject, const struct item *item)
+{
+    struct token name = reader->token;
+
+    (void)subject;
+    (void)item;
+    if (name.kind != TOKEN_WORD)
+        return reader_expected(reader, "a name");
+    reader_step(reader);
+    if (!symbols_remove(&reader->symbols, name.text, name.length))
+        reader_report(reader, &name, "'%.*s' is not declared",
+                      (int)name.length, name.text);
+    return true;
+}

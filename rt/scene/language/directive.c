@@ -1,0 +1,266 @@
+/* directive.c - the directives: words after '#'. */
+#include "rt/scene/language/directive.h"
+
+#include "rt/scene/language/condition.h"
+#include "rt/scene/language/declare.h"
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/macro.h"
+#include "rt/scene/language/statement.h"
+#include "rt/scene/language/string_value.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MESSAGE_SAYS, MESSAGE_WARNS, MESSAGE_IS_ERROR };
+
+static bool cannot_include(struct reader *reader, const struct token *at)
+{
+    int why = errno;
+
+    if (why == ENOENT)
+        return reader_fault(reader, at, "there is no such file");
+    return reader_fault(reader, at, "the file cannot be read: %s",
+                        strerror(why));
+}
+
+/* A quoted name has no escapes, as in POV-Ray.  What is behind the name comes
+ * after the file, so it is left there. */
+static char *read_file_name(struct reader *reader, size_t depth)
+{
+    const struct token at = reader->token;
+    size_t hold;
+    char *name = NULL;
+
+    if (at.kind == TOKEN_STRING && !memchr(at.text, '\0', at.length)) {
+        name = malloc(at.length + 1);
+        if (!name) {
+            reader_no_memory(reader);
+            return NULL;
+        }
+        memcpy(name, at.text, at.length);
+        name[at.length] = '\0';
+        reader_step(reader);
+    } else if (starts_string(reader)) {
+        hold = reader_hold(reader);
+        if (!string_read(reader, &name))
+            name = NULL;
+        reader_release(reader, hold);
+    } else {
+        reader_expected(reader, "the name of a file in quotes");
+    }
+    reader_close_frames(reader, depth);
+    return name;
+}
+
+static bool open_file(struct reader *reader, const struct token *at,
+                      const char *name)
+{
+    const struct source *source;
+    bool opened;
+
+    if (!*name)
+        return reader_fault(reader, at, "the name of a file is empty");
+    source = source_include(&reader->sources, name, at->source,
+                            reader->options ? reader->options->search : NULL);
+    if (!source)
+        return cannot_include(reader, at);
+    if (reader->includes++ >= INCLUDE_MOST)
+        return reader_fault(reader, at, "more than %d files are included",
+                            INCLUDE_MOST);
+    reader_back(reader);
+    opened = lexer_open(&reader->lexer, source);
+    reader_step(reader);
+    return opened
+           || reader_fault(reader, at,
+                           "more than %d files include each other",
+                           INCLUDE_DEPTH);
+}
+
+static bool read_include(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    size_t depth = reader->lexer.depth;
+    struct token at;
+    char *name;
+    bool done;
+
+    (void)subject;
+    (void)item;
+    reader_settle(reader);
+    at = reader->token;
+    name = read_file_name(reader, depth);
+    done = name && open_file(reader, &at, name);
+    free(name);
+    return done;
+}
+
+/* Before 3.5 a camera's words were applied in the order of the text. */
+static bool read_version(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct token at;
+    double version;
+
+    (void)subject;
+    (void)item;
+    reader_settle(reader);
+    at = reader->token;
+    if (!read_number(reader, &version))
+        return false;
+    if (reader_at_sign(reader, ';'))
+        reader_step(reader);
+    if (version < 3.5 || version >= 4)
+        reader_report(reader, &at, "the scene is read as of version 3.7");
+    reader->version = version;
+    return true;
+}
+
+static bool default_texture(struct reader *reader, void *subject,
+                            const struct item *item)
+{
+    (void)item;
+    return texture_read(reader, subject);
+}
+
+static bool default_pigment(struct reader *reader, void *subject,
+                            const struct item *item)
+{
+    struct texture *texture = subject;
+
+    (void)item;
+    return pigment_read(reader, &texture->pigment);
+}
+
+static bool default_finish(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct texture *texture = subject;
+
+    (void)item;
+    return finish_read(reader, &texture->finish);
+}
+
+static const struct keyword default_words[] = {
+    { "texture", default_texture, 0 }, { "pigment", default_pigment, 0 },
+    { "finish", default_finish, 0 },   { "camera", item_left_out, 0 },
+    { "normal", item_left_out, 0 },    { NULL, NULL, 0 },
+};
+
+static const struct grammar default_grammar = { "texture, pigment or finish",
+                                                { default_words },
+                                                NULL };
+
+static bool read_default(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct texture texture = reader->default_texture;
+    size_t hold = reader_hold(reader);
+    bool done;
+
+    (void)subject;
+    (void)item;
+    done = block_read(reader, &default_grammar, &texture);
+    reader_release(reader, hold);
+    if (done)
+        reader->default_texture = texture;
+    return done;
+}
+
+/* #debug, #render and #statistics say what follows; #warning reports it, and
+ * #error makes it an error. */
+static bool tell(struct reader *reader, const struct item *item,
+                 const char *text)
+{
+    if (item->keyword->detail == MESSAGE_IS_ERROR)
+        return reader_fault(reader, &item->at, "%s", text);
+    if (item->keyword->detail == MESSAGE_WARNS)
+        reader_report(reader, &item->at, "%s", text);
+    else if (!reports_say(reader->reports, text))
+        reader_report(reader, &item->at,
+                      "more than %d bytes are said: the rest is left out",
+                      SAID_MOST);
+    return true;
+}
+
+static bool read_message(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    size_t hold;
+    char *text;
+    bool done;
+
+    (void)subject;
+    reader_settle(reader);
+    hold = reader_hold(reader);
+    done = string_read(reader, &text);
+    reader_release(reader, hold);
+    if (!done)
+        return false;
+    done = tell(reader, item, text);
+    free(text);
+    return done;
+}
+
+static bool unsupported(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    (void)subject;
+    return reader_fault(reader, &item->at, "'#%s' is not supported",
+                        item->keyword->word);
+}
+
+static const struct keyword words[] = {
+    { "break", condition_break, 0 },
+    { "case", switch_case, SWITCH_CASE },
+    { "debug", read_message, MESSAGE_SAYS },
+    { "declare", read_declare, false },
+    { "default", read_default, 0 },
+    { "else", condition_else, 0 },
+    { "elseif", condition_else, 0 },
+    { "end", condition_end, 0 },
+    { "error", read_message, MESSAGE_IS_ERROR },
+    { "fclose", unsupported, 0 },
+    { "fopen", unsupported, 0 },
+    { "for", loop_for, 0 },
+    { "if", condition_if, 0 },
+    { "ifdef", condition_ifdef, CONDITION_WHEN_DEFINED },
+    { "ifndef", condition_ifdef, CONDITION_UNLESS_DEFINED },
+    { "include", read_include, 0 },
+    { "local", read_declare, true },
+    { "macro", macro_define, 0 },
+    { "range", switch_case, SWITCH_RANGE },
+    { "read", unsupported, 0 },
+    { "render", read_message, MESSAGE_SAYS },
+    { "statistics", read_message, MESSAGE_SAYS },
+    { "switch", switch_begin, 0 },
+    { "undef", read_undef, 0 },
+    { "version", read_version, 0 },
+    { "warning", read_message, MESSAGE_WARNS },
+    { "while", loop_while, 0 },
+    { "write", unsupported, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct keyword *find(const struct token *token)
+{
+    for (const struct keyword *keyword = words; keyword->word; keyword++) {
+        const char *const word[] = { keyword->word, NULL };
+        if (is_directive(token, word))
+            return keyword;
+    }
+    return NULL;
+}
+
+/* The word is left as a directive's last token, for some have no arguments. */
+bool directive_read(struct reader *reader)
+{
+    struct item item = { find(&reader->token), reader->token };
+
+    reader_step(reader);
+    if (!item.keyword)
+        return reader_fault(reader, &item.at,
+                            "'#%.*s' is not a directive of the language",
+                            (int)item.at.length, item.at.text);
+    return item.keyword->read(reader, NULL, &item);
+}

@@ -1,0 +1,195 @@
+/* element.c - arrays in the text: their making, and their elements.
+ *
+ *   array[n]...  { { value, ... }, ... }
+ *   NAME[i]...
+ */
+#include "rt/scene/language/element.h"
+
+#include "rt/scene/language/declare.h"
+#include "rt/scene/language/expression.h"
+
+/* ---- Elements ----------------------------------------------------------- */
+
+/* From "[" to the "]", which stays the token: what is behind it is not looked
+ * at yet.  POV-Ray cuts what is behind the point. */
+static bool read_size(struct reader *reader, double most, size_t *size)
+{
+    struct token at;
+    double value;
+
+    if (!reader_at_sign(reader, '['))
+        return reader_expected(reader, "'['");
+    reader_next(reader);
+    at = reader->token;
+    if (!read_number(reader, &value))
+        return false;
+    if (value < 0 || value >= most + 1)
+        return reader_fault(reader, &at, "%g is not between 0 and %.0f",
+                            value, most);
+    *size = (size_t)value;
+    return reader_at_sign(reader, ']') || reader_expected(reader, "']'");
+}
+
+static bool bracket_follows(struct reader *reader)
+{
+    struct place place = lexer_top(&reader->lexer)->place;
+    struct token token = lexer_next(&reader->lexer);
+
+    lexer_top(&reader->lexer)->place = place;
+    return token_is_sign(&token, '[');
+}
+
+static bool read_indices(struct reader *reader, const struct array *array,
+                         size_t *element)
+{
+    size_t dimensions = array->dimensions, sizes[DIMENSIONS_MOST];
+
+    for (size_t i = 0; i < dimensions; i++)
+        sizes[i] = array->sizes[i];
+    *element = 0;
+    for (size_t i = 0; i < dimensions; i++) {
+        size_t index;
+        reader_step(reader);
+        if (!read_size(reader, (double)sizes[i] - 1, &index))
+            return false;
+        *element = *element * sizes[i] + index;
+    }
+    return true;
+}
+
+/* One array's indices; what is read in them may have changed the array. */
+static bool read_hop(struct reader *reader, struct token *name)
+{
+    struct reference *reference = &name->reference;
+
+    if (reference->hops == ARRAY_NESTING_MOST)
+        return reader_fault(reader, name,
+                            "more than %d arrays within each "
+                            "other",
+                            ARRAY_NESTING_MOST);
+    if (!read_indices(reader, name->value->is.array,
+                      &reference->element[reference->hops]))
+        return false;
+    reference->hops++;
+    name->value = reference_value(reference);
+    return true;
+}
+
+static bool read_hops(struct reader *reader, struct token *name)
+{
+    bool done = true;
+
+    while (done && name->value && name->value->kind == VALUE_ARRAY
+           && bracket_follows(reader))
+        done = read_hop(reader, name);
+    return done;
+}
+
+bool element_read_place(struct reader *reader)
+{
+    struct token name = reader->token;
+    size_t hold = reader_nest(reader);
+    bool done = false;
+
+    symbol_hold(name.reference.symbol);
+    if (reader_enter(reader)) {
+        done = read_hops(reader, &name);
+        reader_leave(reader);
+    }
+    symbol_release(name.reference.symbol);
+    if (done)
+        reader->token = name;
+    reader_release(reader, hold);
+    return done;
+}
+
+bool element_read(struct reader *reader)
+{
+    static const struct value faulty = { VALUE_FAULTY, { .string = NULL } };
+
+    if (!element_read_place(reader))
+        return false;
+    if (!reader->token.value) {
+        reader_fault(reader, &reader->token, "the element is not set");
+        reader->token.value = &faulty;
+    }
+    return true;
+}
+
+/* ---- Arrays ------------------------------------------------------------- */
+
+static bool read_row(struct reader *reader, struct array *array,
+                     size_t dimension, size_t *element);
+
+static bool read_cell(struct reader *reader, struct array *array,
+                      size_t dimension, size_t *element)
+{
+    struct token at = reader->token;
+    struct value value;
+
+    if (dimension + 1 < array->dimensions)
+        return read_row(reader, array, dimension + 1, element);
+    if (!value_read(reader, &value))
+        return false;
+    if (value.kind == VALUE_ARRAY
+        && array_nesting(value.is.array) == ARRAY_NESTING_MOST) {
+        value_free(&value);
+        return reader_fault(reader, &at,
+                            "more than %d arrays within each "
+                            "other",
+                            ARRAY_NESTING_MOST);
+    }
+    return reader_check(reader, &at, array_set(array, (*element)++, &value));
+}
+
+static bool read_row(struct reader *reader, struct array *array,
+                     size_t dimension, size_t *element)
+{
+    if (!reader_expect_sign(reader, '{'))
+        return false;
+    for (size_t i = 0; i < array->sizes[dimension]; i++) {
+        if (!read_cell(reader, array, dimension, element))
+            return false;
+        reader_comma(reader);
+    }
+    return reader_expect_sign(reader, '}');
+}
+
+static bool read_sizes(struct reader *reader, size_t *dimensions,
+                       size_t *sizes)
+{
+    *dimensions = 0;
+    do {
+        struct token at = reader->token;
+        if (*dimensions == DIMENSIONS_MOST)
+            return reader_fault(reader, &at, "more than %d dimensions",
+                                DIMENSIONS_MOST);
+        if (!read_size(reader, CELLS_MOST, &sizes[*dimensions]))
+            return false;
+        if (!sizes[(*dimensions)++])
+            return reader_fault(reader, &at, "the array has no elements");
+        reader_pass(reader);
+    } while (reader_at_sign(reader, '['));
+    return true;
+}
+
+/* The rows may be left out; the array's elements are then not set. */
+bool array_read(struct reader *reader, struct value *value)
+{
+    struct token at = reader->token;
+    size_t dimensions, sizes[DIMENSIONS_MOST], element = 0;
+
+    reader_step(reader);
+    if (!read_sizes(reader, &dimensions, sizes))
+        return false;
+    value->is.array = array_new(dimensions, sizes, &reader->cells);
+    if (!value->is.array)
+        return reader_fault(reader, &at,
+                            "more than %d elements in all arrays, or no "
+                            "memory",
+                            CELLS_MOST);
+    value->kind = VALUE_ARRAY;
+    return reader_spend(reader, value->is.array->count * TOKEN_COST)
+           && (!reader_at_sign(reader, '{')
+               || read_row(reader, value->is.array, 0, &element));
+}

@@ -1,0 +1,230 @@
+/* function.c - the functions of expressions.
+ *
+ * Where a function has no value for its argument it makes a NaN or an
+ * infinity; the reader of expressions turns these into errors.
+ */
+#include "rt/scene/language/expression.h"
+#include "rt/scene/vector.h"
+
+#include <string.h>
+
+#define WHOLE_MOST 2147483648. /* POV-Ray's whole numbers are below */
+
+static double degrees(double radians)
+{
+    return radians * (180 / PI);
+}
+
+static double radians(double degree)
+{
+    return degree * (PI / 180);
+}
+
+static void give(struct numbers *result, double value)
+{
+    *result = numbers_of(value);
+}
+
+static void apply_atan2(const struct numbers *a, size_t n, struct numbers *r)
+{
+    (void)n;
+    give(r, atan2(a[0].n[0], a[1].n[0]));
+}
+
+static void apply_div(const struct numbers *a, size_t n, struct numbers *r)
+{
+    (void)n;
+    give(r, trunc(a[0].n[0] / a[1].n[0]));
+}
+
+static void apply_mod(const struct numbers *a, size_t n, struct numbers *r)
+{
+    (void)n;
+    give(r, fmod(a[0].n[0], a[1].n[0]));
+}
+
+/* 0 to the power of 0 is an error, as in POV-Ray. */
+static void apply_pow(const struct numbers *a, size_t n, struct numbers *r)
+{
+    bool none = a[0].n[0] == 0 && a[1].n[0] == 0;
+
+    (void)n;
+    give(r, none ? (double)NAN : pow(a[0].n[0], a[1].n[0]));
+}
+
+static void apply_max(const struct numbers *a, size_t n, struct numbers *r)
+{
+    *r = a[0];
+    for (size_t i = 1; i < n; i++)
+        r->n[0] = fmax(r->n[0], a[i].n[0]);
+}
+
+static void apply_min(const struct numbers *a, size_t n, struct numbers *r)
+{
+    *r = a[0];
+    for (size_t i = 1; i < n; i++)
+        r->n[0] = fmin(r->n[0], a[i].n[0]);
+}
+
+/* The bits of whole numbers: what is behind the point is cut. */
+static long bits_of(const struct numbers *number)
+{
+    double value = number->n[0];
+
+    return value > -WHOLE_MOST && value < WHOLE_MOST ? (long)value : 0;
+}
+
+static void apply_bitwise_and(const struct numbers *a, size_t n,
+                              struct numbers *r)
+{
+    long bits = bits_of(&a[0]);
+
+    for (size_t i = 1; i < n; i++)
+        bits &= bits_of(&a[i]);
+    give(r, (double)bits);
+}
+
+static void apply_bitwise_or(const struct numbers *a, size_t n,
+                             struct numbers *r)
+{
+    long bits = bits_of(&a[0]);
+
+    for (size_t i = 1; i < n; i++)
+        bits |= bits_of(&a[i]);
+    give(r, (double)bits);
+}
+
+static void apply_bitwise_xor(const struct numbers *a, size_t n,
+                              struct numbers *r)
+{
+    long bits = bits_of(&a[0]);
+
+    for (size_t i = 1; i < n; i++)
+        bits ^= bits_of(&a[i]);
+    give(r, (double)bits);
+}
+
+/* select(A, B, C): B where A < 0, else C; with D: C only where A is 0. */
+static void apply_select(const struct numbers *a, size_t n, struct numbers *r)
+{
+    *r = a[a[0].n[0] < 0 ? 1 : a[0].n[0] > 0 && n > 3 ? 3 : 2];
+}
+
+static void give_vector(struct numbers *result, const double vector[3])
+{
+    *result = numbers_of(0);
+    result->count = 3;
+    memcpy(result->n, vector, 3 * sizeof *vector);
+}
+
+static void apply_vcross(const struct numbers *a, size_t n, struct numbers *r)
+{
+    double product[3];
+
+    (void)n;
+    cross3(a[0].n, a[1].n, product);
+    give_vector(r, product);
+}
+
+static void apply_vdot(const struct numbers *a, size_t n, struct numbers *r)
+{
+    (void)n;
+    give(r, dot3(a[0].n, a[1].n));
+}
+
+static void apply_vlength(const struct numbers *a, size_t n,
+                          struct numbers *r)
+{
+    (void)n;
+    give(r, length3(a[0].n));
+}
+
+/* The zero vector stays as it is. */
+static void apply_vnormalize(const struct numbers *a, size_t n,
+                             struct numbers *r)
+{
+    double length = length3(a[0].n);
+
+    (void)n;
+    give_vector(r, a[0].n);
+    if (length > 0)
+        scale3(1 / length, r->n);
+}
+
+static void apply_vrotate(const struct numbers *a, size_t n,
+                          struct numbers *r)
+{
+    struct placement rotation = placement_rotation(a[1].n);
+
+    (void)n;
+    give_vector(r, a[0].n);
+    transform_direction(&rotation.to_world, r->n);
+}
+
+/* Rodrigues' formula: v cos + (k x v) sin + k (k.v)(1 - cos). */
+static void apply_vaxis_rotate(const struct numbers *a, size_t n,
+                               struct numbers *r)
+{
+    double angle = radians(a[2].n[0]), c = cos(angle), s = sin(angle);
+    double axis[3], across[3], along, length = length3(a[1].n);
+
+    (void)n;
+    give_vector(r, a[0].n);
+    memcpy(axis, a[1].n, sizeof axis);
+    if (length == 0)
+        return;
+    scale3(1 / length, axis);
+    cross3(axis, a[0].n, across);
+    along = dot3(axis, a[0].n);
+    for (int i = 0; i < 3; i++)
+        r->n[i] = a[0].n[i] * c + across[i] * s + axis[i] * along * (1 - c);
+}
+
+static const struct function functions[] = {
+    { "abs", "f", NULL, fabs },
+    { "acos", "f", NULL, acos },
+    { "acosh", "f", NULL, acosh },
+    { "asin", "f", NULL, asin },
+    { "asinh", "f", NULL, asinh },
+    { "atan", "f", NULL, atan },
+    { "atan2", "ff", apply_atan2, NULL },
+    { "atanh", "f", NULL, atanh },
+    { "bitwise_and", "ff+", apply_bitwise_and, NULL },
+    { "bitwise_or", "ff+", apply_bitwise_or, NULL },
+    { "bitwise_xor", "ff+", apply_bitwise_xor, NULL },
+    { "ceil", "f", NULL, ceil },
+    { "cos", "f", NULL, cos },
+    { "cosh", "f", NULL, cosh },
+    { "degrees", "f", NULL, degrees },
+    { "div", "ff", apply_div, NULL },
+    { "exp", "f", NULL, exp },
+    { "floor", "f", NULL, floor },
+    { "int", "f", NULL, trunc },
+    { "ln", "f", NULL, log },
+    { "log", "f", NULL, log10 },
+    { "max", "f+", apply_max, NULL },
+    { "min", "f+", apply_min, NULL },
+    { "mod", "ff", apply_mod, NULL },
+    { "pow", "ff", apply_pow, NULL },
+    { "radians", "f", NULL, radians },
+    { "select", "fff?", apply_select, NULL },
+    { "sin", "f", NULL, sin },
+    { "sinh", "f", NULL, sinh },
+    { "sqrt", "f", NULL, sqrt },
+    { "tan", "f", NULL, tan },
+    { "tanh", "f", NULL, tanh },
+    { "vaxis_rotate", "vvf", apply_vaxis_rotate, NULL },
+    { "vcross", "vv", apply_vcross, NULL },
+    { "vdot", "vv", apply_vdot, NULL },
+    { "vlength", "v", apply_vlength, NULL },
+    { "vnormalize", "v", apply_vnormalize, NULL },
+    { "vrotate", "vv", apply_vrotate, NULL },
+};
+
+const struct function *function_find(const struct token *token)
+{
+    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
+        if (is_token(token, functions[i].name))
+            return &functions[i];
+    return NULL;
+}

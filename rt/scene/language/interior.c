@@ -1,0 +1,42 @@
+/* interior.c - interior { ... }: what is inside of a surface. */
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/statement.h"
+
+static bool read_ior(struct reader *reader, void *subject,
+                     const struct item *item)
+{
+    double *ior = subject;
+
+    if (!read_number(reader, ior))
+        return false;
+    return *ior > 0 || reader_fault(reader, &item->at, "ior is not above 0");
+}
+
+static const struct keyword words[] = {
+    { "ior", read_ior, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct keyword left_out[] = {
+    { "caustics", item_left_out, 0 },
+    { "dispersion", item_left_out, 0 },
+    { "dispersion_samples", item_left_out, 0 },
+    { "fade_color", item_left_out, 0 },
+    { "fade_colour", item_left_out, 0 },
+    { "fade_distance", item_left_out, 0 },
+    { "fade_power", item_left_out, 0 },
+    { "media", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar grammar = { "a word of interior",
+                                        { words, left_out },
+                                        NULL };
+
+bool interior_read(struct reader *reader, double *ior)
+{
+    struct block block;
+
+    return block_open_from(reader, &block, VALUE_INTERIOR, ior, sizeof *ior)
+           && block_items(reader, &block, &grammar, ior, true);
+}

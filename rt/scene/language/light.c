@@ -1,0 +1,97 @@
+/* light.c - light_source: point lights. */
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/statement.h"
+
+#include <string.h>
+
+static bool read_shadowless(struct reader *reader, void *subject,
+                            const struct item *item)
+{
+    struct object *object = subject;
+
+    (void)reader;
+    (void)item;
+    for (size_t i = 0; i < object->light_count; i++)
+        object->lights[i].shadowless = true;
+    return true;
+}
+
+static bool read_step(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    struct placement step;
+
+    if (!step_read(reader, item, &step))
+        return false;
+    object_move(subject, &step);
+    return true;
+}
+
+static const struct keyword words[] = {
+    { "shadowless", read_shadowless, 0 },
+    STEP_WORDS(read_step),
+    { NULL, NULL, 0 },
+};
+
+static const struct keyword left_out[] = {
+    { "adaptive", item_left_out, 0 },
+    { "area_illumination", item_left_out, 0 },
+    { "area_light", item_left_out, 0 },
+    { "circular", item_left_out, 0 },
+    { "cylinder", item_left_out, 0 },
+    { "fade_distance", item_left_out, 0 },
+    { "fade_power", item_left_out, 0 },
+    { "falloff", item_left_out, 0 },
+    { "jitter", item_left_out, 0 },
+    { "media_attenuation", item_left_out, 0 },
+    { "media_interaction", item_left_out, 0 },
+    { "orient", item_left_out, 0 },
+    { "parallel", item_left_out, 0 },
+    { "photons", item_left_out, 0 },
+    { "point_at", item_left_out, 0 },
+    { "projected_through", item_left_out, 0 },
+    { "radius", item_left_out, 0 },
+    { "spotlight", item_left_out, 0 },
+    { "tightness", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct keyword unsupported[] = {
+    { "looks_like", item_unsupported, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar grammar = { "a word of light_source",
+                                        { words, left_out, unsupported },
+                                        NULL };
+
+static bool read_point(struct reader *reader, struct object *object)
+{
+    struct light light;
+
+    memset(&light, 0, sizeof light);
+    if (!read_vector(reader, light.position))
+        return false;
+    reader_comma(reader);
+    if (!read_rgb(reader, light.color))
+        return false;
+    return object_add_light(object, &light) || reader_no_memory(reader);
+}
+
+bool light_read(struct reader *reader, struct object *object)
+{
+    const struct value *value;
+    struct block block;
+    bool good;
+
+    if (!block_open(reader, &block, '{'))
+        return false;
+    value = reader_value_of(reader, VALUE_OBJECT);
+    if (value && value->is.object.part_count == 0) {
+        good = shape_copy(reader, object, &value->is.object);
+        reader_next(reader);
+    } else {
+        good = read_point(reader, object);
+    }
+    return block_items(reader, &block, &grammar, object, good);
+}

@@ -1,0 +1,172 @@
+/* loop.c - #while and #for. */
+#include "rt/scene/language/condition.h"
+#include "rt/scene/language/declare.h"
+#include "rt/scene/language/expression.h"
+
+/* Nothing of a loop is read: its start is wrong. */
+static bool leave_out(struct reader *reader, const struct token *at)
+{
+    if (condition_skip(reader, at, skip_to_end, 1))
+        reader_step(reader);
+    return false;
+}
+
+/* The text that a turn begins with is in the frame of its #end. */
+static bool same_frame(struct reader *reader, const struct condition *loop)
+{
+    return lexer_top(&reader->lexer)->serial == loop->frame
+           || reader_fault(reader, &loop->at,
+                           "the condition does not end where it begins");
+}
+
+/* The token is the last one before the body. */
+static bool turn(struct reader *reader, struct condition *loop, bool good,
+                 bool holds)
+{
+    if (!good || !holds)
+        return condition_leave(reader, loop) && good;
+    reader_step(reader);
+    return true;
+}
+
+/* A turn with an error in it is the last one: its variable may stand still. */
+static bool may_go_on(struct reader *reader, struct condition *loop)
+{
+    if (++loop->turns == TURNS_MOST)
+        return reader_fault(reader, &loop->at, "more than %d turns",
+                            TURNS_MOST);
+    return reader->reports->errors == loop->errors;
+}
+
+/* ---- #while ------------------------------------------------------------- */
+
+static bool begin_turn(struct reader *reader, struct condition *loop)
+{
+    double value = 0;
+    bool good = condition_read(reader, &value) && same_frame(reader, loop);
+
+    return turn(reader, loop, good, condition_holds(value));
+}
+
+bool loop_while(struct reader *reader, void *subject, const struct item *item)
+{
+    struct condition *loop = condition_push(reader, CONDITION_WHILE,
+                                            &item->at);
+
+    (void)subject;
+    if (!loop)
+        return leave_out(reader, &item->at);
+    loop->again = reader->token.place;
+    return begin_turn(reader, loop);
+}
+
+/* ---- #for --------------------------------------------------------------- */
+
+static bool set_variable(struct reader *reader, const struct token *name,
+                         double number)
+{
+    struct value value = { VALUE_NUMBERS, { .numbers = numbers_of(number) } };
+    size_t level = reader->lexer.depth;
+    struct symbol *symbol = symbols_find_at(&reader->symbols, level,
+                                            name->text, name->length);
+    struct reference reference;
+
+    if (!symbol)
+        return reader_check(reader, name,
+                            symbols_add(&reader->symbols, level, name->text,
+                                        name->length, &value));
+    reference = reference_to(symbol);
+    return reader_check(reader, name, reference_assign(&reference, &value));
+}
+
+/* The body may have changed it, as in POV-Ray. */
+static bool get_variable(struct reader *reader, const struct token *name,
+                         double *number)
+{
+    struct token found = *name;
+
+    if (!reader_look_up(reader, &found) || found.value->kind != VALUE_NUMBERS
+        || found.value->is.numbers.count != 1)
+        return reader_fault(reader, name,
+                            "the loop's variable is not a number any more");
+    *number = found.value->is.numbers.n[0];
+    return true;
+}
+
+static bool is_past(const struct condition *loop, double value)
+{
+    return loop->step > 0 ? value > loop->end + EXPRESSION_SAME
+                          : value < loop->end - EXPRESSION_SAME;
+}
+
+static bool read_step(struct reader *reader, double *step)
+{
+    struct token at = reader->token;
+
+    *step = 1;
+    if (!reader_accept_sign(reader, ','))
+        return true;
+    at = reader->token;
+    return read_full_number(reader, step)
+           && (*step != 0 || reader_fault(reader, &at, "the step is 0"));
+}
+
+/* "(" name, start, end [, step] ")"; the last stays the token. */
+static bool read_head(struct reader *reader, struct condition *loop,
+                      double *start)
+{
+    if (!reader_at_sign(reader, '('))
+        return reader_expected(reader, "'('");
+    reader_step(reader);
+    loop->name = reader->token;
+    if (!name_expected(reader, &loop->name))
+        return false;
+    reader_step(reader);
+    return reader_expect_sign(reader, ',') && read_full_number(reader, start)
+           && reader_expect_sign(reader, ',')
+           && read_full_number(reader, &loop->end)
+           && read_step(reader, &loop->step)
+           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+}
+
+bool loop_for(struct reader *reader, void *subject, const struct item *item)
+{
+    struct condition *loop = condition_push(reader, CONDITION_FOR, &item->at);
+    double start = 0;
+    size_t sealed;
+    bool good;
+
+    (void)subject;
+    if (!loop)
+        return leave_out(reader, &item->at);
+    sealed = condition_seal(reader);
+    good = read_head(reader, loop, &start) && same_frame(reader, loop)
+           && set_variable(reader, &loop->name, start);
+    condition_unseal(reader, sealed);
+    loop->again = lexer_top(&reader->lexer)->place;
+    return turn(reader, loop, good, good && !is_past(loop, start));
+}
+
+static bool next_turn(struct reader *reader, struct condition *loop)
+{
+    double value = 0;
+    bool good = get_variable(reader, &loop->name, &value)
+                && set_variable(reader, &loop->name, value + loop->step);
+
+    return good && !is_past(loop, value + loop->step);
+}
+
+/* ---- Both --------------------------------------------------------------- */
+
+bool loop_end(struct reader *reader, struct condition *loop)
+{
+    bool is_for = loop->kind == CONDITION_FOR;
+
+    if (!may_go_on(reader, loop) || (is_for && !next_turn(reader, loop))) {
+        reader->condition_count--;
+        return true;
+    }
+    lexer_top(&reader->lexer)->place = loop->again;
+    reader_step(reader);
+    return is_for || begin_turn(reader, loop);
+}

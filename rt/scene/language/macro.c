@@ -1,0 +1,243 @@
+/* macro.c - what a macro is, and its call. */
+#include "rt/scene/language/macro.h"
+
+#include "rt/scene/language/condition.h"
+#include "rt/scene/language/declare.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Definition --------------------------------------------------------- */
+
+static bool read_parameter(struct reader *reader, struct macro *macro)
+{
+    const struct token *token = &reader->token;
+
+    if (token->kind != TOKEN_WORD)
+        return reader_expected(reader, "the name of a parameter, or ')'");
+    if (is_reserved(token))
+        return reader_fault(reader, token,
+                            "'%.*s' is a word of the language, not a name",
+                            (int)token->length, token->text);
+    if (macro->count == PARAMETERS_MOST)
+        return reader_fault(reader, token, "more than %d parameters",
+                            PARAMETERS_MOST);
+    macro->parameters[macro->count].text = token->text;
+    macro->parameters[macro->count].length = token->length;
+    macro->count++;
+    reader_step(reader);
+    if (reader_at_sign(reader, ','))
+        reader_step(reader);
+    return true;
+}
+
+/* From "(" to the start of the body. */
+static bool read_parameters(struct reader *reader, struct macro *macro)
+{
+    if (!reader_at_sign(reader, '('))
+        return reader_expected(reader, "'('");
+    reader_step(reader);
+    while (!reader_at_sign(reader, ')'))
+        if (!read_parameter(reader, macro))
+            return false;
+    macro->source = reader->token.source;
+    macro->body = lexer_top(&reader->lexer)->place;
+    return true;
+}
+
+static bool add_macro(struct reader *reader, const struct token *name,
+                      struct macro *macro)
+{
+    struct symbol *before = symbols_find(&reader->symbols, name->text,
+                                         name->length);
+    struct value value = { VALUE_MACRO, { .macro = macro } };
+    struct reference reference;
+
+    if (!before)
+        return reader_check(reader, name,
+                            symbols_add(&reader->symbols, 0, name->text,
+                                        name->length, &value));
+    reference = reference_to(before);
+    return reader_check(reader, name, reference_assign(&reference, &value));
+}
+
+bool macro_define(struct reader *reader, void *subject,
+                  const struct item *item)
+{
+    struct macro *macro = calloc(1, sizeof *macro);
+    struct token name = reader->token;
+    bool done = macro || reader_no_memory(reader);
+    bool found;
+
+    (void)subject;
+    done = done && name_expected(reader, &name);
+    if (done) {
+        reader_step(reader);
+        done = read_parameters(reader, macro);
+    }
+    found = condition_skip(reader, &item->at, skip_to_end, 1);
+    if (done)
+        macro->end = reader->token.place.at;
+    if (found)
+        reader_step(reader);
+    if (!done || !found) {
+        free(macro);
+        return false;
+    }
+    return add_macro(reader, &name, macro);
+}
+
+/* ---- Call --------------------------------------------------------------- */
+
+struct argument {
+    struct reference reference; /* held; or no symbol: */
+    struct value value;
+};
+
+struct call {
+    struct macro macro; /* its own copy: an argument may redefine it */
+    struct token at;
+    size_t count;
+    struct argument arguments[]; /* as many as it has parameters */
+};
+
+static struct token peek(struct reader *reader)
+{
+    struct place place = lexer_top(&reader->lexer)->place;
+    struct token token = lexer_next(&reader->lexer);
+
+    lexer_top(&reader->lexer)->place = place;
+    return token;
+}
+
+static bool is_alone(struct reader *reader)
+{
+    struct token behind;
+
+    if (reader->token.kind != TOKEN_WORD || !reader->token.reference.symbol)
+        return false;
+    behind = peek(reader);
+    return token_is_sign(&behind, ',') || token_is_sign(&behind, ')');
+}
+
+static bool read_argument(struct reader *reader, struct argument *argument)
+{
+    if (!is_alone(reader))
+        return value_read(reader, &argument->value);
+    argument->reference = reader->token.reference;
+    symbol_hold(argument->reference.symbol);
+    reader_next(reader);
+    return true;
+}
+
+static bool read_arguments(struct reader *reader, struct call *call)
+{
+    const struct macro *macro = &call->macro;
+
+    while (call->count < macro->count) {
+        if (reader_at_sign(reader, ')'))
+            return reader_fault(reader, &reader->token,
+                                "'%.*s' takes %zu arguments, found %zu",
+                                (int)call->at.length, call->at.text,
+                                macro->count, call->count);
+        call->count++;
+        if (!read_argument(reader, &call->arguments[call->count - 1]))
+            return false;
+        if (!reader_at_sign(reader, ')') && !reader_expect_sign(reader, ','))
+            return false;
+    }
+    return reader_at_sign(reader, ')') || reader_expected(reader, "')'");
+}
+
+/* The parameters become names of the body's level. */
+static bool bind(struct reader *reader, struct call *call)
+{
+    const char *fault = NULL;
+
+    for (size_t i = 0; i < call->count && !fault; i++) {
+        struct argument *argument = &call->arguments[i];
+        const char *name = call->macro.parameters[i].text;
+        size_t length = call->macro.parameters[i].length;
+        if (argument->reference.symbol)
+            fault = symbols_refer(&reader->symbols, reader->lexer.depth, name,
+                                  length, &argument->reference);
+        else
+            fault = symbols_add(&reader->symbols, reader->lexer.depth, name,
+                                length, &argument->value);
+        memset(&argument->value, 0, sizeof argument->value);
+    }
+    return reader_check(reader, &call->at, fault);
+}
+
+/* The token is the closing bracket: the body comes between it and what is
+ * behind it. */
+static bool enter_body(struct reader *reader, struct call *call)
+{
+    const struct macro *macro = &call->macro;
+
+    if (!lexer_call(&reader->lexer, macro->source, macro->body, macro->end,
+                    &call->at)) {
+        reader_fault(reader, &call->at,
+                     "more than %d macros and files within each other",
+                     FRAMES_MOST);
+        return reader_stop(reader);
+    }
+    if (!bind(reader, call))
+        return false;
+    reader_step(reader);
+    return true;
+}
+
+static void call_free(struct call *call)
+{
+    for (size_t i = 0; i < call->count; i++) {
+        struct argument *argument = &call->arguments[i];
+        if (argument->reference.symbol)
+            symbol_release(argument->reference.symbol);
+        value_free(&argument->value);
+    }
+    free(call);
+}
+
+static struct call *new_call(const struct reader *reader)
+{
+    const struct macro *macro = reader->token.value->is.macro;
+    struct call *call = calloc(1,
+                               sizeof *call
+                                   + macro->count * sizeof *call->arguments);
+
+    if (call) {
+        call->macro = *macro;
+        call->at = reader->token;
+    }
+    return call;
+}
+
+static bool read_call(struct reader *reader, struct call *call)
+{
+    reader_step(reader);
+    if (!reader_at_sign(reader, '('))
+        return reader_expected(reader, "'('");
+    reader_next(reader);
+    return read_arguments(reader, call) && enter_body(reader, call);
+}
+
+bool macro_call(struct reader *reader)
+{
+    struct call *call;
+    size_t hold = reader_nest(reader);
+    bool done;
+
+    if (!reader_enter(reader)) {
+        reader_step(reader);
+        reader_release(reader, hold);
+        return false;
+    }
+    call = new_call(reader);
+    done = call ? read_call(reader, call) : reader_no_memory(reader);
+    if (call)
+        call_free(call);
+    reader_leave(reader);
+    reader_release(reader, hold);
+    return done;
+}

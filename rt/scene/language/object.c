@@ -1,0 +1,212 @@
+/* object.c - solids, their primitives, and lights under construction. */
+#include "rt/scene/language/object.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool array_room(void **items, size_t *room, size_t count, size_t size)
+{
+    size_t wanted = *room ? 2 * *room : 1;
+    void *grown;
+
+    if (count < *room)
+        return true;
+    grown = realloc(*items, wanted * size);
+    if (!grown)
+        return false;
+    *items = grown;
+    *room = wanted;
+    return true;
+}
+
+void pigment_move(struct pigment *pigment, const struct placement *step)
+{
+    pigment->to_local = transform_then(&step->to_local, &pigment->to_local);
+}
+
+static bool add_part(struct object *object, const struct part *part)
+{
+    void *parts = object->parts;
+    bool room = array_room(&parts, &object->part_room, object->part_count,
+                           sizeof *part);
+
+    object->parts = parts;
+    if (room)
+        object->parts[object->part_count++] = *part;
+    return room;
+}
+
+static bool add_branch(struct object *object, enum tree_operation operation,
+                       size_t size)
+{
+    void *branches = object->branches;
+    bool room = array_room(&branches, &object->branch_room,
+                           object->branch_count, sizeof *object->branches);
+
+    object->branches = branches;
+    if (room)
+        object->branches[object->branch_count++] = (struct branch){ operation,
+                                                                    size };
+    return room;
+}
+
+bool object_add_primitive(struct object *object,
+                          const struct primitive *primitive)
+{
+    struct part part;
+
+    memset(&part, 0, sizeof part);
+    part.primitive = *primitive;
+    return add_part(object, &part) && add_branch(object, TREE_LEAF, 1);
+}
+
+bool object_add_light(struct object *object, const struct light *light)
+{
+    void *lights = object->lights;
+    bool room = array_room(&lights, &object->light_room, object->light_count,
+                           sizeof *light);
+
+    object->lights = lights;
+    if (room)
+        object->lights[object->light_count++] = *light;
+    return room;
+}
+
+static void inherit(struct part *part, const struct object *object)
+{
+    if (!part->textured && object->textured) {
+        part->primitive.pigment = object->texture.pigment;
+        part->primitive.finish = object->texture.finish;
+        part->textured = true;
+    }
+    if (!part->filled && object->filled) {
+        part->primitive.ior = object->ior;
+        part->filled = true;
+    }
+}
+
+bool object_add(struct object *object, const struct object *child)
+{
+    for (size_t i = 0; i < child->part_count; i++) {
+        struct part part = child->parts[i];
+        inherit(&part, child);
+        if (!add_part(object, &part))
+            return false;
+    }
+    for (size_t i = 0; i < child->branch_count; i++)
+        if (!add_branch(object, child->branches[i].operation,
+                        child->branches[i].size))
+            return false;
+    for (size_t i = 0; i < child->light_count; i++)
+        if (!object_add_light(object, &child->lights[i]))
+            return false;
+    return true;
+}
+
+/* A new root over all branches. */
+static bool add_root(struct object *object, enum tree_operation operation)
+{
+    size_t count = object->branch_count;
+
+    if (!add_branch(object, operation, 1))
+        return false;
+    memmove(object->branches + 1, object->branches,
+            count * sizeof *object->branches);
+    object->branches[0] = (struct branch){ operation, count + 1 };
+    return true;
+}
+
+static void remove_root(struct object *object)
+{
+    object->branch_count--;
+    memmove(object->branches, object->branches + 1,
+            object->branch_count * sizeof *object->branches);
+}
+
+bool object_join(struct object *object)
+{
+    bool meet = object->joining == JOIN_INTERSECTION
+                || object->joining == JOIN_DIFFERENCE;
+
+    return object->branch_count == 0
+           || object->branches[0].size == object->branch_count
+           || add_root(object, meet ? TREE_AND : TREE_OR);
+}
+
+bool object_invert(struct object *object)
+{
+    if (!object_join(object))
+        return false;
+    for (size_t i = 0; i < object->part_count; i++)
+        object->parts[i].primitive.inverted ^= true;
+    if (object->branch_count == 0)
+        return true;
+    if (object->branches[0].operation != TREE_NOT)
+        return add_root(object, TREE_NOT);
+    remove_root(object);
+    return true;
+}
+
+/* As in POV-Ray it counts on the whole of a solid only. */
+static void forget_no_shadow(struct object *object)
+{
+    for (size_t i = 0; i < object->part_count; i++)
+        object->parts[i].primitive.no_shadow = false;
+}
+
+bool object_add_child(struct object *object, struct object *child)
+{
+    bool first = object->child_count++ == 0;
+
+    if (object->joining == JOIN_DIFFERENCE && !first) {
+        if (!object_invert(child))
+            return false;
+    } else if (object->joining != JOIN_APART && !object_join(child)) {
+        return false;
+    }
+    if (object->joining != JOIN_APART)
+        forget_no_shadow(child);
+    return object_add(object, child);
+}
+
+bool object_copy(struct object *copy, const struct object *object)
+{
+    struct object bare = *object;
+
+    bare.textured = bare.filled = false;
+    copy->textured = object->textured;
+    copy->texture = object->texture;
+    copy->filled = object->filled;
+    copy->ior = object->ior;
+    return object_add(copy, &bare);
+}
+
+static void part_move(struct part *part, const struct placement *step)
+{
+    struct primitive *primitive = &part->primitive;
+
+    primitive->to_world = transform_then(&primitive->to_world,
+                                         &step->to_world);
+    primitive->to_local = transform_then(&step->to_local,
+                                         &primitive->to_local);
+    if (part->textured)
+        pigment_move(&primitive->pigment, step);
+}
+
+void object_move(struct object *object, const struct placement *step)
+{
+    for (size_t i = 0; i < object->part_count; i++)
+        part_move(&object->parts[i], step);
+    for (size_t i = 0; i < object->light_count; i++)
+        transform_point(&step->to_world, object->lights[i].position);
+    if (object->textured)
+        pigment_move(&object->texture.pigment, step);
+}
+
+void scene_object_free(struct object *object)
+{
+    free(object->parts);
+    free(object->branches);
+    free(object->lights);
+    memset(object, 0, sizeof *object);
+}

@@ -1,0 +1,30 @@
+/* other_shapes.c - shapes of the language that are not supported. */
+#include "rt/scene/language/statement.h"
+
+const struct keyword other_shapes[] = {
+    { "bicubic_patch", item_unsupported, 0 },
+    { "blob", item_unsupported, 0 },
+    { "cubic", item_unsupported, 0 },
+    { "disc", item_unsupported, 0 },
+    { "height_field", item_unsupported, 0 },
+    { "isosurface", item_unsupported, 0 },
+    { "julia_fractal", item_unsupported, 0 },
+    { "lathe", item_unsupported, 0 },
+    { "lemon", item_unsupported, 0 },
+    { "light_group", item_unsupported, 0 },
+    { "mesh", item_unsupported, 0 },
+    { "mesh2", item_unsupported, 0 },
+    { "ovus", item_unsupported, 0 },
+    { "parametric", item_unsupported, 0 },
+    { "poly", item_unsupported, 0 },
+    { "polygon", item_unsupported, 0 },
+    { "polynomial", item_unsupported, 0 },
+    { "prism", item_unsupported, 0 },
+    { "smooth_triangle", item_unsupported, 0 },
+    { "sor", item_unsupported, 0 },
+    { "sphere_sweep", item_unsupported, 0 },
+    { "superellipsoid", item_unsupported, 0 },
+    { "text", item_unsupported, 0 },
+    { "triangle", item_unsupported, 0 },
+    { NULL, NULL, 0 },
+};

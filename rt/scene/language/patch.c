@@ -1,0 +1,62 @@
+/* patch.c - quadratic triangular patches. */
+#include "rt/scene/language/patch.h"
+
+#include "rt/scene/vector.h"
+
+struct homogeneous {
+    double xyz[3], w;
+};
+
+/* Row i at p is the sum of the b_ij p_j; H is the sum of the p_i rows. */
+static struct homogeneous row_at(const struct primitive *patch, int i,
+                                 const double p[3])
+{
+    static const int index[3][3] = { { 0, 3, 5 }, { 3, 1, 4 }, { 5, 4, 2 } };
+    struct homogeneous sum = { { 0, 0, 0 }, 0 };
+
+    for (int j = 0; j < 3; j++) {
+        int k = index[i][j];
+        double share = p[j] * patch->shape.steiner_patch.weights[k];
+        for (int axis = 0; axis < 3; axis++)
+            sum.xyz[axis] += share
+                             * patch->shape.steiner_patch.points[k][axis];
+        sum.w += share;
+    }
+    return sum;
+}
+
+/* The three rows are the last triangle of de Casteljau's rule, which lies in
+ * the tangent plane: are its corners off one line?  Told in its own size, for
+ * products of small edges may be beyond a double. */
+static bool is_regular(const struct primitive *patch, const double p[3])
+{
+    const double least = 1e-12; /* of height to length */
+    struct homogeneous rows[3];
+    double edges[2][3], normal[3], size = 0;
+
+    for (int i = 0; i < 3; i++)
+        rows[i] = row_at(patch, i, p);
+    for (int i = 0; i < 2; i++)
+        for (int axis = 0; axis < 3; axis++) {
+            edges[i][axis] = rows[i].xyz[axis] / rows[i].w
+                             - rows[2].xyz[axis] / rows[2].w;
+            size = fmax(size, fabs(edges[i][axis]));
+        }
+    scale3(1 / size, edges[0]);
+    scale3(1 / size, edges[1]);
+    cross3(edges[0], edges[1], normal);
+    return length3(normal) > least;
+}
+
+/* The rows' determinants are of degree three in s, t, u: they vanish
+ * everywhere if they do so at the ten points of a grid of thirds. */
+bool patch_has_area(const struct primitive *patch)
+{
+    for (int i = 0; i <= 3; i++)
+        for (int j = 0; i + j <= 3; j++) {
+            const double p[3] = { i / 3., j / 3., (3 - i - j) / 3. };
+            if (is_regular(patch, p))
+                return true;
+        }
+    return false;
+}

@@ -1,0 +1,44 @@
+/* pattern.h - the patterns of pigments and textures.
+ *
+ * Of all patterns only checker is drawn; of the others the first colour, or
+ * the first texture, is used.
+ */
+#ifndef RT_SCENE_PATTERN_H
+#define RT_SCENE_PATTERN_H
+
+#include "rt/scene/language/statement.h"
+
+/* clang-format off */
+#define PATTERN_WORDS(read) \
+    { "agate", read, 0 }, { "aoi", read, 0 }, { "average", read, 0 }, \
+    { "boxed", read, 0 }, { "bozo", read, 0 }, { "brick", read, 0 }, \
+    { "bumps", read, 0 }, { "cells", read, 0 }, { "crackle", read, 0 }, \
+    { "cubic", read, 0 }, { "cylindrical", read, 0 }, \
+    { "density_file", read, 0 }, { "dents", read, 0 }, \
+    { "facets", read, 0 }, { "function", read, 0 }, \
+    { "gradient", read, 0 }, { "granite", read, 0 }, \
+    { "hexagon", read, 0 }, { "image_map", read, 0 }, \
+    { "image_pattern", read, 0 }, { "julia", read, 0 }, \
+    { "leopard", read, 0 }, { "magnet", read, 0 }, \
+    { "mandel", read, 0 }, { "marble", read, 0 }, { "object", read, 0 }, \
+    { "onion", read, 0 }, { "pavement", read, 0 }, \
+    { "pigment_pattern", read, 0 }, { "planar", read, 0 }, \
+    { "quilted", read, 0 }, { "radial", read, 0 }, \
+    { "ripples", read, 0 }, { "slope", read, 0 }, \
+    { "spherical", read, 0 }, { "spiral1", read, 0 }, \
+    { "spiral2", read, 0 }, { "spotted", read, 0 }, \
+    { "square", read, 0 }, { "tiling", read, 0 }, \
+    { "triangular", read, 0 }, { "waves", read, 0 }, \
+    { "wood", read, 0 }, { "wrinkles", read, 0 }
+/* clang-format on */
+
+/* What may change a pattern, in pigments and textures alike. */
+extern const struct keyword pattern_words_left_out[];
+
+typedef bool body_reader(struct reader *reader, const struct block *block,
+                         void *subject);
+body_reader pigment_body, texture_body;
+/* The first entry of a map: { [ number body ] ... }. */
+bool map_first(struct reader *reader, body_reader *body, void *subject);
+
+#endif

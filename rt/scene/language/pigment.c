@@ -1,0 +1,259 @@
+/* pigment.c - pigments: a colour, or a checker of two. */
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/pattern.h"
+
+#include <string.h>
+
+static const double black[COLOR_TERMS];
+/* POV-Ray's checker without colours of its own. */
+static const double checker_colors[2][COLOR_TERMS] = { { 0, 0, 1 },
+                                                       { 0, 1, 0 } };
+
+const struct keyword pattern_words_left_out[] = {
+    { "agate_turb", item_left_out, 0 },
+    { "blend_gamma", item_left_out, 0 },
+    { "blend_mode", item_left_out, 0 },
+    { "brick_size", item_left_out, 0 },
+    { "control0", item_left_out, 0 },
+    { "control1", item_left_out, 0 },
+    { "cubic_wave", item_left_out, 0 },
+    { "exterior", item_left_out, 0 },
+    { "form", item_left_out, 0 },
+    { "frequency", item_left_out, 0 },
+    { "interior", item_left_out, 0 },
+    { "interpolate", item_left_out, 0 },
+    { "lambda", item_left_out, 0 },
+    { "metric", item_left_out, 0 },
+    { "mortar", item_left_out, 0 },
+    { "noise_generator", item_left_out, 0 },
+    { "octaves", item_left_out, 0 },
+    { "offset", item_left_out, 0 },
+    { "omega", item_left_out, 0 },
+    { "orientation", item_left_out, 0 },
+    { "phase", item_left_out, 0 },
+    { "poly_wave", item_left_out, 0 },
+    { "quick_color", item_left_out, 0 },
+    { "quick_colour", item_left_out, 0 },
+    { "ramp_wave", item_left_out, 0 },
+    { "scallop_wave", item_left_out, 0 },
+    { "sine_wave", item_left_out, 0 },
+    { "solid", item_left_out, 0 },
+    { "triangle_wave", item_left_out, 0 },
+    { "turbulence", item_left_out, 0 },
+    { "warp", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
+
+static void set_color(struct pigment *pigment, int which,
+                      const double terms[COLOR_TERMS])
+{
+    memcpy(pigment->color[which], terms, 3 * sizeof *terms);
+    pigment->filter[which] = terms[3];
+    pigment->transmit[which] = terms[4];
+}
+
+static bool read_term(struct reader *reader, struct pigment *pigment,
+                      int which)
+{
+    struct numbers color;
+
+    if (!read_color(reader, &color))
+        return false;
+    set_color(pigment, which, color.n);
+    return true;
+}
+
+static bool read_color_word(struct reader *reader, void *subject,
+                            const struct item *item)
+{
+    struct pigment *pigment = subject;
+    struct numbers color;
+
+    if (!read_color_after(reader, &item->at, &color))
+        return false;
+    pigment->kind = PIGMENT_COLOR;
+    set_color(pigment, 0, color.n);
+    return true;
+}
+
+static bool read_nested(struct reader *reader, struct pigment *pattern,
+                        int which)
+{
+    struct pigment pigment = reader->default_texture.pigment;
+    struct token at = reader->token;
+
+    reader_next(reader);
+    if (!pigment_read(reader, &pigment))
+        return false;
+    if (pigment.kind != PIGMENT_COLOR)
+        reader_report(reader, &at,
+                      "a pattern in a pattern is replaced by its first "
+                      "colour");
+    memcpy(pattern->color[which], pigment.color[0], sizeof pigment.color[0]);
+    pattern->filter[which] = pigment.filter[0];
+    pattern->transmit[which] = pigment.transmit[0];
+    return true;
+}
+
+static bool read_checker(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct pigment *pigment = subject;
+    bool done = true;
+
+    (void)item;
+    pigment->kind = PIGMENT_CHECKER;
+    set_color(pigment, 0, checker_colors[0]);
+    set_color(pigment, 1, checker_colors[1]);
+    for (int i = 0; i < 2 && done; i++) {
+        if (is_token(&reader->token, "pigment"))
+            done = read_nested(reader, pigment, i);
+        else if (starts_color(reader))
+            done = read_term(reader, pigment, i);
+        if (i == 0)
+            reader_comma(reader);
+    }
+    return done;
+}
+
+/* Another pattern: the first of its colours. */
+static bool read_pattern(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct pigment *pigment = subject;
+    struct pigment other;
+    bool first = true;
+
+    reader_report(reader, &item->at,
+                  "the pattern '%s' is not supported: "
+                  "its first colour is used",
+                  item->keyword->word);
+    pigment->kind = PIGMENT_COLOR;
+    set_color(pigment, 0, black);
+    if (!starts_color(reader))
+        skip_arguments(reader);
+    for (; starts_color(reader); first = false) {
+        if (!read_term(reader, first ? pigment : &other, 0))
+            return false;
+        reader_comma(reader);
+    }
+    return true;
+}
+
+/* In the oldest form of maps an entry has two numbers. */
+static bool read_entry(struct reader *reader, body_reader *body,
+                       void *subject)
+{
+    struct block entry;
+    bool good = true;
+    double at;
+
+    if (!block_open(reader, &entry, '['))
+        return false;
+    do {
+        good = read_number(reader, &at);
+        reader_comma(reader);
+    } while (good && reader->token.kind == TOKEN_NUMBER);
+    if (good)
+        return body(reader, &entry, subject);
+    block_finish(reader, &entry);
+    return false;
+}
+
+bool map_first(struct reader *reader, body_reader *body, void *subject)
+{
+    struct block map;
+    bool good;
+
+    if (!block_open(reader, &map, '{'))
+        return false;
+    good = read_entry(reader, body, subject);
+    return block_finish(reader, &map) && good;
+}
+
+static bool color_body(struct reader *reader, const struct block *block,
+                       void *subject)
+{
+    struct pigment *pigment = subject;
+    bool good = read_term(reader, pigment, 0);
+
+    pigment->kind = PIGMENT_COLOR;
+    return block_finish(reader, block) && good;
+}
+
+static bool read_color_map(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    (void)item;
+    return map_first(reader, color_body, subject);
+}
+
+static bool read_pigment_map(struct reader *reader, void *subject,
+                             const struct item *item)
+{
+    (void)item;
+    return map_first(reader, pigment_body, subject);
+}
+
+static bool read_step(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    struct placement step;
+
+    if (!step_read(reader, item, &step))
+        return false;
+    pigment_move(subject, &step);
+    return true;
+}
+
+static const struct keyword color_words[] = {
+    { "color", read_color_word, 0 },    { "colour", read_color_word, 0 },
+    { "rgb", read_color_word, 0 },      { "rgbf", read_color_word, 0 },
+    { "rgbt", read_color_word, 0 },     { "rgbft", read_color_word, 0 },
+    { "srgb", read_color_word, 0 },     { "srgbf", read_color_word, 0 },
+    { "srgbt", read_color_word, 0 },    { "srgbft", read_color_word, 0 },
+    { "red", read_color_word, 0 },      { "green", read_color_word, 0 },
+    { "blue", read_color_word, 0 },     { "filter", read_color_word, 0 },
+    { "transmit", read_color_word, 0 }, { NULL, NULL, 0 },
+};
+
+static const struct keyword words[] = {
+    { "checker", read_checker, 0 },
+    { "color_map", read_color_map, 0 },
+    { "colour_map", read_color_map, 0 },
+    { "pigment_map", read_pigment_map, 0 },
+    PATTERN_WORDS(read_pattern),
+    STEP_WORDS(read_step),
+    { "uv_mapping", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar grammar = {
+    "a word of pigment", { color_words, words, pattern_words_left_out }, NULL
+};
+
+/* It may begin with the name of a pigment or of a colour. */
+bool pigment_body(struct reader *reader, const struct block *block,
+                  void *subject)
+{
+    const struct value *value = reader_value_of(reader, VALUE_PIGMENT);
+    struct pigment *pigment = subject;
+    bool done = true;
+
+    if (value) {
+        *pigment = value->is.pigment;
+        reader_next(reader);
+    } else if (starts_color(reader) && !is_color_word(&reader->token)) {
+        pigment->kind = PIGMENT_COLOR;
+        done = read_term(reader, pigment, 0);
+    }
+    return block_items(reader, block, &grammar, pigment, done);
+}
+
+bool pigment_read(struct reader *reader, struct pigment *pigment)
+{
+    struct block block;
+
+    return block_open(reader, &block, '{')
+           && pigment_body(reader, &block, pigment);
+}

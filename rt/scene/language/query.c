@@ -1,0 +1,284 @@
+/* query.c - what scenes ask for. */
+#include "rt/scene/language/query.h"
+
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/element.h"
+#include "rt/scene/language/string_value.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Strings ------------------------------------------------------------ */
+
+typedef double string_measure(const char *string);
+
+static bool read_measure(struct reader *reader, string_measure *measure,
+                         double *value)
+{
+    char *string;
+
+    if (!string_read(reader, &string))
+        return false;
+    *value = measure(string);
+    free(string);
+    return true;
+}
+
+static double first_code(const char *string)
+{
+    return (unsigned char)string[0];
+}
+
+static double length_of(const char *string)
+{
+    return (double)strlen(string);
+}
+
+static double number_in(const char *string)
+{
+    return strtod(string, NULL);
+}
+
+static bool read_asc(struct reader *reader, double *value)
+{
+    return read_measure(reader, first_code, value);
+}
+
+static bool read_strlen(struct reader *reader, double *value)
+{
+    return read_measure(reader, length_of, value);
+}
+
+static bool read_val(struct reader *reader, double *value)
+{
+    return read_measure(reader, number_in, value);
+}
+
+double string_order(const char *a, const char *b)
+{
+    while (*a && *a == *b) {
+        a++;
+        b++;
+    }
+    return (unsigned char)*a - (unsigned char)*b;
+}
+
+static bool read_strcmp(struct reader *reader, double *value)
+{
+    char *a, *b;
+    bool done;
+
+    if (!string_read(reader, &a))
+        return false;
+    done = reader_expect_sign(reader, ',') && string_read(reader, &b);
+    if (done) {
+        *value = string_order(a, b);
+        free(b);
+    }
+    free(a);
+    return done;
+}
+
+static bool read_file_exists(struct reader *reader, double *value)
+{
+    struct token at = reader->token;
+    char *name;
+
+    if (!string_read(reader, &name))
+        return false;
+    if (reader->includes++ >= INCLUDE_MOST) {
+        free(name);
+        return reader_fault(reader, &at, "more than %d files are read",
+                            INCLUDE_MOST);
+    }
+    *value = source_include(&reader->sources, name, at.source,
+                            reader->options ? reader->options->search : NULL)
+             != NULL;
+    free(name);
+    return true;
+}
+
+/* ---- Names and arrays --------------------------------------------------- */
+
+/* The words that this language has and POV-Ray's has not count as defined;
+ * words of POV-Ray's own do not, as there. */
+bool read_defined(struct reader *reader, double *value)
+{
+    static const char *const own[] = { "elliptical_torus", "steiner_patch",
+                                       NULL };
+
+    if (reader->token.kind != TOKEN_WORD)
+        return reader_expected(reader, "a name");
+    *value = is_one_of(&reader->token, own);
+    if (reader_look_up(reader, &reader->token)) {
+        if (reader->token.value->kind == VALUE_ARRAY
+            && !element_read_place(reader))
+            return false;
+        *value = reader->token.value != NULL;
+    }
+    reader_step(reader);
+    reader_settle(reader);
+    return true;
+}
+
+/* NULL: the token is no array, which is an error. */
+static const struct array *expect_array(struct reader *reader)
+{
+    const struct value *value = reader_value_of(reader, VALUE_ARRAY);
+
+    if (!value)
+        reader_expected(reader, "an array");
+    return value ? value->is.array : NULL;
+}
+
+static bool read_dimensions(struct reader *reader, double *value)
+{
+    const struct array *array = expect_array(reader);
+
+    if (!array)
+        return false;
+    *value = (double)array->dimensions;
+    reader_next(reader);
+    return true;
+}
+
+/* 0 for a dimension that it has not. */
+static bool read_dimension_size(struct reader *reader, double *value)
+{
+    const struct array *array = expect_array(reader);
+    size_t sizes[DIMENSIONS_MOST] = { 0 }, count;
+    double dimension;
+
+    if (!array)
+        return false;
+    count = array->dimensions;
+    memcpy(sizes, array->sizes, count * sizeof *sizes);
+    reader_next(reader);
+    if (!reader_expect_sign(reader, ',')
+        || !read_full_number(reader, &dimension))
+        return false;
+    *value = dimension >= 1 && dimension < (double)count + 1
+                 ? (double)sizes[(size_t)dimension - 1]
+                 : 0;
+    return true;
+}
+
+/* ---- Random numbers ----------------------------------------------------- */
+
+/* A new stream; its number. */
+static bool read_seed(struct reader *reader, double *value)
+{
+    const double most = 2147483648.;
+    struct token at = reader->token;
+    void *seeds = reader->seeds;
+    double seed;
+
+    if (!read_full_number(reader, &seed))
+        return false;
+    if (!(seed > -most && seed < most))
+        return reader_fault(reader, &at, "%g is not a seed", seed);
+    if (reader->seed_count == SEEDS_MOST)
+        return reader_fault(reader, &at, "more than %d random streams",
+                            SEEDS_MOST);
+    if (!array_room(&seeds, &reader->seed_room, reader->seed_count,
+                    sizeof *reader->seeds))
+        return reader_no_memory(reader);
+    reader->seeds = seeds;
+    reader->seeds[reader->seed_count] = (uint32_t)(int32_t)seed;
+    *value = (double)reader->seed_count++;
+    return true;
+}
+
+/* POV-Ray's generator: 32 bits, congruential. */
+static bool read_rand(struct reader *reader, double *value)
+{
+    struct token at = reader->token;
+    double stream;
+    uint32_t *seed;
+
+    if (!read_full_number(reader, &stream))
+        return false;
+    if (!(stream >= 0 && stream < (double)reader->seed_count))
+        return reader_fault(reader, &at, "there is no random stream %g",
+                            stream);
+    seed = &reader->seeds[(size_t)stream];
+    *seed = *seed * 1812433253u + 12345u;
+    *value = (double)*seed / 4294967295.;
+    return true;
+}
+
+void queries_free(struct reader *reader)
+{
+    free(reader->seeds);
+}
+
+/* ---- All ---------------------------------------------------------------- */
+
+static const struct query {
+    const char *name;
+    bool (*read)(struct reader *reader, double *value); /* NULL: it is not
+                                                           supported */
+    bool raw; /* what is in its brackets is not to be called */
+} queries[] = {
+    { "asc", read_asc, false },
+    { "defined", read_defined, true },
+    { "dimension_size", read_dimension_size, false },
+    { "dimensions", read_dimensions, false },
+    { "file_exists", read_file_exists, false },
+    { "inside", NULL, false },
+    { "max_extent", NULL, false },
+    { "min_extent", NULL, false },
+    { "now", NULL, false },
+    { "rand", read_rand, false },
+    { "seed", read_seed, false },
+    { "strcmp", read_strcmp, false },
+    { "strlen", read_strlen, false },
+    { "trace", NULL, false },
+    { "val", read_val, false },
+    { "vturbulence", NULL, false },
+};
+
+static const struct query *find(const struct token *token)
+{
+    for (size_t i = 0; i < sizeof queries / sizeof *queries; i++)
+        if (is_token(token, queries[i].name))
+            return &queries[i];
+    return NULL;
+}
+
+bool is_query_word(const struct token *token)
+{
+    return find(token);
+}
+
+static bool read_brackets(struct reader *reader, const struct query *query,
+                          double *value)
+{
+    if (!reader_at_sign(reader, '('))
+        return reader_expected(reader, "'('");
+    if (query->raw)
+        reader_step(reader);
+    else
+        reader_next(reader);
+    return query->read(reader, value)
+           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+}
+
+bool query_read(struct reader *reader, double *value)
+{
+    const struct query *query = find(&reader->token);
+    size_t hold = reader_nest(reader);
+    bool done;
+
+    if (!query->read) {
+        reader_release(reader, hold);
+        return reader_fault(reader, &reader->token, "'%s' is not supported",
+                            query->name);
+    }
+    reader_next(reader);
+    done = read_brackets(reader, query, value);
+    reader_release(reader, hold);
+    if (done)
+        reader_next(reader);
+    return done;
+}

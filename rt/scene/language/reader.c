@@ -1,0 +1,207 @@
+/* reader.c - tokens in, reports out. */
+#include "rt/scene/language/reader.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { MESSAGE_LONGEST = 1000, TOKEN_LONGEST = 40, CALLS_TOLD = 3 };
+
+static int short_length(const struct token *token)
+{
+    return token->length > TOKEN_LONGEST ? TOKEN_LONGEST : (int)token->length;
+}
+
+/* Where the macros are called that lead to a token, the innermost first. */
+static void add_calls(const struct reader *reader, const struct token *at,
+                      char *message, size_t room)
+{
+    const struct lexer *lexer = &reader->lexer;
+    size_t depth = at->depth < lexer->depth ? at->depth : lexer->depth;
+    size_t calls = 0;
+
+    for (; depth && calls < CALLS_TOLD; depth--) {
+        const struct frame *frame = &lexer->frames[depth - 1];
+        size_t length = strlen(message);
+        struct position position;
+        if (!frame->is_macro)
+            continue;
+        position = token_position(&frame->call);
+        snprintf(message + length, room - length,
+                 ", in '%.*s' called at %s:%zu:%zu",
+                 short_length(&frame->call), frame->call.text, position.file,
+                 position.line, position.column);
+        calls++;
+    }
+}
+
+static void add(struct reader *reader, bool error, const struct token *at,
+                const char *format, va_list arguments)
+{
+    char message[MESSAGE_LONGEST];
+    struct position position = token_position(at);
+
+    if (reader->stopped)
+        return;
+    vsnprintf(message, sizeof message, format, arguments);
+    add_calls(reader, at, message, sizeof message);
+    if (!error && reports_have(reader->reports, &position, message))
+        return;
+    reports_add(reader->reports, error, &position, message);
+    if (reader->reports->count >= REPORTS_MOST) {
+        reports_add(reader->reports, true, &position,
+                    "too many reports: the rest of the scene is not read");
+        reader_stop(reader);
+    }
+}
+
+bool reader_fault(struct reader *reader, const struct token *at,
+                  const char *format, ...)
+{
+    va_list arguments;
+
+    for (size_t i = 0; i < reader->fault_count; i++)
+        if (reader->faults[i].source == at->source
+            && reader->faults[i].at == at->place.at)
+            return false;
+    if (reader->fault_count < REPORTS_MOST) {
+        reader->faults[reader->fault_count].source = at->source;
+        reader->faults[reader->fault_count++].at = at->place.at;
+    }
+    va_start(arguments, format);
+    add(reader, true, at, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+void reader_report(struct reader *reader, const struct token *at,
+                   const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    add(reader, reader->options && reader->options->strict, at, format,
+        arguments);
+    va_end(arguments);
+}
+
+bool reader_check(struct reader *reader, const struct token *at,
+                  const char *fault)
+{
+    return !fault || reader_fault(reader, at, "%s", fault);
+}
+
+bool reader_no_memory(struct reader *reader)
+{
+    reader_fault(reader, &reader->token, "there is not enough memory");
+    return reader_stop(reader);
+}
+
+static bool is_undeclared(const struct reader *reader)
+{
+    const struct token *token = &reader->token;
+
+    return token->kind == TOKEN_WORD && token->length < TOKEN_LONGEST
+           && !reader_value(reader) && token->text[0] >= 'A'
+           && token->text[0] <= 'Z';
+}
+
+bool reader_expected(struct reader *reader, const char *what)
+{
+    const struct token *token = &reader->token;
+    const struct value *value = reader_value(reader);
+    const char *mark = token->kind == TOKEN_DIRECTIVE ? "#" : "";
+    const char *more = token->length > TOKEN_LONGEST ? "..." : "";
+    const char *note = is_undeclared(reader) ? ", which is not declared" : "";
+    int length = short_length(token);
+
+    if (value && value->kind == VALUE_FAULTY)
+        return false;
+    if (token->kind == TOKEN_END)
+        return reader_fault(reader, token,
+                            "expected %s, found the end of the %s", what,
+                            lexer_top(&reader->lexer)->is_macro ? "macro"
+                                                                : "file");
+    if (token->kind == TOKEN_STRING)
+        return reader_fault(reader, token, "expected %s, found a string",
+                            what);
+    return reader_fault(reader, token, "expected %s, found '%s%.*s%s'%s",
+                        what, mark, length, token->text, more, note);
+}
+
+bool reader_at_sign(const struct reader *reader, int sign)
+{
+    return token_is_sign(&reader->token, sign);
+}
+
+bool reader_accept_sign(struct reader *reader, int sign)
+{
+    bool there = reader_at_sign(reader, sign);
+
+    if (there)
+        reader_next(reader);
+    return there;
+}
+
+bool reader_expect_sign(struct reader *reader, int sign)
+{
+    const char what[] = { '\'', (char)sign, '\'', '\0' };
+
+    return reader_accept_sign(reader, sign) || reader_expected(reader, what);
+}
+
+bool reader_accept(struct reader *reader, const char *word)
+{
+    bool there = is_token(&reader->token, word);
+
+    if (there)
+        reader_next(reader);
+    return there;
+}
+
+void reader_comma(struct reader *reader)
+{
+    reader_accept_sign(reader, ',');
+}
+
+bool reader_look_up(struct reader *reader, struct token *token)
+{
+    struct symbol *symbol = token->kind == TOKEN_WORD
+                                ? symbols_find(&reader->symbols, token->text,
+                                               token->length)
+                                : NULL;
+
+    if (!symbol)
+        return false;
+    token->reference = reference_to(symbol);
+    token->value = reference_value(&token->reference);
+    return token->value;
+}
+
+const struct value *reader_value(const struct reader *reader)
+{
+    return reader->token.value;
+}
+
+const struct value *reader_value_of(const struct reader *reader,
+                                    enum value_kind kind)
+{
+    const struct value *value = reader_value(reader);
+
+    return value && value->kind == kind ? value : NULL;
+}
+
+bool reader_enter(struct reader *reader)
+{
+    if (reader->nesting == NESTING_MOST)
+        return reader_fault(reader, &reader->token,
+                            "more than %d things within each other",
+                            NESTING_MOST);
+    reader->nesting++;
+    return true;
+}
+
+void reader_leave(struct reader *reader)
+{
+    reader->nesting--;
+}

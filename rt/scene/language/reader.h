@@ -1,0 +1,153 @@
+/* reader.h - the state of reading one scene, and its tokens.
+ *
+ * Every function that reads returns false after it has reported an error; what
+ * it was to make is then worth nothing.  The caller that can go on (a block,
+ * or the file) skips to the next word that it knows.
+ */
+#ifndef RT_SCENE_READER_H
+#define RT_SCENE_READER_H
+
+#include "rt/scene/language/scene_read.h"
+#include "rt/scene/language/symbol.h"
+
+/* Bounds, so that no file takes the program's stack, memory or patience. */
+enum {
+    NESTING_MOST = 200,       /* blocks and brackets within each other */
+    PRIMITIVES_MOST = 200000, /* made in all, copies counted */
+    SOLID_MOST = 10000,       /* primitives in one tree */
+    REPORTS_MOST = 200,
+    CONDITIONS_MOST = 500, /* within each other */
+    TURNS_MOST = 1000000,  /* of one loop */
+    SEEDS_MOST = 10000     /* of random numbers */
+};
+
+/* Bytes of text that may be read, some more counted for each token; what a
+ * loop or a macro reads again counts again.  Two seconds or so. */
+#ifndef READING_MOST
+#define READING_MOST (256 << 20)
+#endif
+enum { TOKEN_COST = 16 };
+
+/* A directive whose #end has not come. */
+enum condition_kind {
+    CONDITION_IF, /* and #ifdef, #ifndef */
+    CONDITION_WHILE,
+    CONDITION_FOR,
+    CONDITION_SWITCH
+};
+struct condition {
+    enum condition_kind kind;
+    struct token at;
+    size_t frame; /* its serial number */
+    bool in_else;
+    struct place again; /* of a loop: where each turn begins */
+    size_t turns, errors;
+    struct token name; /* of #for */
+    double end, step;
+    double value; /* of #switch */
+    bool chosen;  /* .. a case is */
+};
+
+struct reader {
+    struct lexer lexer;
+    struct source *sources;
+    size_t includes;
+    size_t bytes;        /* read */
+    struct token token;  /* the next to be read, */
+    struct place before; /* .. behind the one before it */
+    size_t braces;       /* open before it */
+    bool closed;         /* the one before is a closing brace */
+    bool directed;       /* .. or a directive that was read well, */
+    bool lost;           /* .. or one that was not */
+    size_t hold;         /* of a directive's value: the braces around it */
+    size_t nesting;
+    size_t condition_count, sealed; /* the latter of them cannot be closed */
+    struct condition conditions[CONDITIONS_MOST];
+    size_t cells;    /* of all arrays */
+    uint32_t *seeds; /* of the streams of random numbers */
+    size_t seed_count, seed_room;
+    double version; /* by #version */
+
+    struct symbols symbols;
+    struct texture default_texture;
+    struct object world;
+    size_t primitives_made;
+    struct scene *scene;
+    bool camera_given;
+
+    const struct scene_options *options;
+    struct reports *reports;
+    struct {
+        const struct source *source;
+        size_t at;
+    } faults[REPORTS_MOST]; /* where errors are */
+    size_t fault_count;
+    bool stopped; /* too many reports, or no memory */
+};
+
+/* To the next token of a statement: directives are carried out and macros
+ * called on the way, wherever they stand, as POV-Ray does. */
+void reader_next(struct reader *reader);
+
+/* For directives.  What is behind a directive depends on what it does, so its
+ * last token is left by reader_step, to the next token as it stands: it may be
+ * a directive, a macro's name or the end of a frame.  reader_settle makes of
+ * that what reader_next comes to. */
+void reader_step(struct reader *reader);
+void reader_settle(struct reader *reader);
+/* Behind the last token of a value: reader_step if a directive ends there. */
+void reader_pass(struct reader *reader);
+/* The token comes again with the next step, if its frame goes on. */
+void reader_back(struct reader *reader);
+/* The rest of the frames above, if it is directives. */
+void reader_close_frames(struct reader *reader, size_t depth);
+enum { HOLD_NONE = -1 };
+/* The values that are read next end the directive; returns what to give to
+ * reader_release. */
+size_t reader_hold(struct reader *reader);
+/* .. are within it. */
+size_t reader_nest(struct reader *reader);
+void reader_release(struct reader *reader, size_t hold);
+/* All reading ends here.  Returns false. */
+bool reader_stop(struct reader *reader);
+/* Effort other than reading, in bytes.  False: too much, all reading ends. */
+bool reader_spend(struct reader *reader, size_t bytes);
+
+#if defined __GNUC__
+#define FORMAT(n) __attribute__((format(printf, n, n + 1)))
+#else
+#define FORMAT(n)
+#endif
+/* An error at the token, unless there is one.  Returns false. */
+bool reader_fault(struct reader *reader, const struct token *at,
+                  const char *format, ...) FORMAT(3);
+/* Something that is replaced or left out. */
+void reader_report(struct reader *reader, const struct token *at,
+                   const char *format, ...) FORMAT(3);
+/* The error that `what` stands not here.  Returns false. */
+bool reader_expected(struct reader *reader, const char *what);
+bool reader_no_memory(struct reader *reader);
+/* The error that text says, if any. */
+bool reader_check(struct reader *reader, const struct token *at,
+                  const char *fault);
+
+bool reader_at_sign(const struct reader *reader, int sign);
+bool reader_accept_sign(struct reader *reader, int sign);
+bool reader_expect_sign(struct reader *reader, int sign);
+bool reader_accept(struct reader *reader, const char *word);
+/* Commas between arguments may be left out. */
+void reader_comma(struct reader *reader);
+
+/* The value of what a word names, into the token; false: it names nothing. */
+bool reader_look_up(struct reader *reader, struct token *token);
+/* The value that the next token names, or NULL. */
+const struct value *reader_value(const struct reader *reader);
+/* The same if it is of the kind. */
+const struct value *reader_value_of(const struct reader *reader,
+                                    enum value_kind kind);
+
+/* Enter and leave what may stand within itself; false: too deep. */
+bool reader_enter(struct reader *reader);
+void reader_leave(struct reader *reader);
+
+#endif

@@ -1,0 +1,98 @@
+/* settings.c - global_settings { ... }. */
+#include "rt/scene/language/statement.h"
+
+#include "rt/scene/language/expression.h"
+
+static bool read_gamma(struct reader *reader, void *subject,
+                       const struct item *item)
+{
+    struct scene *scene = subject;
+
+    if (reader_accept(reader, "srgb")) {
+        reader_report(reader, &item->at,
+                      "assumed_gamma srgb is replaced by 2.2");
+        scene->assumed_gamma = 2.2;
+        return true;
+    }
+    if (!read_number(reader, &scene->assumed_gamma))
+        return false;
+    return scene->assumed_gamma > 0
+           || reader_fault(reader, &item->at, "assumed_gamma is not above 0");
+}
+
+static bool read_ambient_light(struct reader *reader, void *subject,
+                               const struct item *item)
+{
+    struct scene *scene = subject;
+
+    (void)item;
+    return read_rgb(reader, scene->ambient_light);
+}
+
+static bool read_trace_level(struct reader *reader, void *subject,
+                             const struct item *item)
+{
+    enum { LEAST = 1, MOST = 256 };
+    struct scene *scene = subject;
+    double level;
+
+    if (!read_number(reader, &level))
+        return false;
+    if (level < LEAST || level > MOST)
+        return reader_fault(reader, &item->at,
+                            "max_trace_level is not between %d and %d", LEAST,
+                            MOST);
+    scene->max_trace_level = (int)level;
+    return true;
+}
+
+static bool read_bailout(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct scene *scene = subject;
+
+    (void)item;
+    return read_number(reader, &scene->adc_bailout);
+}
+
+static bool read_charset(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    (void)subject;
+    reader_report(reader, &item->at, "'charset' is left out");
+    if (reader->token.kind != TOKEN_WORD)
+        return reader_expected(reader, "ascii, utf8 or sys");
+    reader_next(reader);
+    return true;
+}
+
+static const struct keyword words[] = {
+    { "assumed_gamma", read_gamma, 0 },
+    { "ambient_light", read_ambient_light, 0 },
+    { "max_trace_level", read_trace_level, 0 },
+    { "adc_bailout", read_bailout, 0 },
+    { "charset", read_charset, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct keyword left_out[] = {
+    { "hf_gray_16", item_left_out, 0 },
+    { "irid_wavelength", item_left_out, 0 },
+    { "max_intersections", item_left_out, 0 },
+    { "mm_per_unit", item_left_out, 0 },
+    { "noise_generator", item_left_out, 0 },
+    { "number_of_waves", item_left_out, 0 },
+    { "photons", item_left_out, 0 },
+    { "radiosity", item_left_out, 0 },
+    { "subsurface", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar grammar = { "a word of global_settings",
+                                        { words, left_out },
+                                        NULL };
+
+bool settings_read(struct reader *reader, struct scene *scene)
+{
+    return block_read(reader, &grammar, scene);
+}

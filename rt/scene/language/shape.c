@@ -1,0 +1,358 @@
+/* shape.c - solids made of others, objects and their modifiers. */
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/statement.h"
+
+#include <string.h>
+
+static bool count_primitives(struct reader *reader, size_t more,
+                             const struct token *at)
+{
+    reader->primitives_made += more;
+    return reader->primitives_made <= PRIMITIVES_MOST
+           || reader_fault(reader, at,
+                           "more than %d primitives, copies counted",
+                           PRIMITIVES_MOST);
+}
+
+bool shape_copy(struct reader *reader, struct object *copy,
+                const struct object *object)
+{
+    struct token at = reader->token;
+    size_t more = object->part_count + object->light_count;
+
+    if (!count_primitives(reader, more, &at))
+        return false;
+    return object_copy(copy, object) || reader_no_memory(reader);
+}
+
+static bool add_primitive(struct reader *reader, struct object *object,
+                          struct primitive *primitive, const struct token *at)
+{
+    primitive->line = at->main_line;
+    primitive->to_world = placement_none.to_world;
+    primitive->to_local = placement_none.to_local;
+    primitive->ior = 1;
+    if (!count_primitives(reader, 1, at))
+        return false;
+    return object_add_primitive(object, primitive)
+           || reader_no_memory(reader);
+}
+
+/* A texture laid over another hides it. */
+static bool read_texture(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct object *object = subject;
+    bool below = object->textured;
+
+    object->texture = reader->default_texture;
+    object->textured = true;
+    if (!texture_read(reader, &object->texture))
+        return false;
+    if (below && pigment_is_clear(&object->texture.pigment))
+        reader_report(reader, &item->at,
+                      "textures in layers are not supported: only the last "
+                      "is used");
+    return true;
+}
+
+/* pigment and finish change the texture that the object has. */
+static struct texture *own_texture(struct reader *reader,
+                                   struct object *object)
+{
+    if (!object->textured)
+        object->texture = reader->default_texture;
+    object->textured = true;
+    return &object->texture;
+}
+
+static bool read_pigment(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    (void)item;
+    return pigment_read(reader, &own_texture(reader, subject)->pigment);
+}
+
+static bool read_finish(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    (void)item;
+    return finish_read(reader, &own_texture(reader, subject)->finish);
+}
+
+static bool read_interior(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    struct object *object = subject;
+
+    (void)item;
+    if (!object->filled)
+        object->ior = 1;
+    object->filled = true;
+    return interior_read(reader, &object->ior);
+}
+
+/* Before all of an object becomes one solid. */
+static bool check_solid(struct reader *reader, const struct object *object,
+                        const struct token *at)
+{
+    return object->part_count <= SOLID_MOST
+           || reader_fault(reader, at, "more than %d primitives in one solid",
+                           SOLID_MOST);
+}
+
+static bool read_inverse(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    return check_solid(reader, subject, &item->at)
+           && (object_invert(subject) || reader_no_memory(reader));
+}
+
+static bool read_step(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    struct placement step;
+
+    if (!step_read(reader, item, &step))
+        return false;
+    object_move(subject, &step);
+    return true;
+}
+
+static bool read_no_shadow(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct object *object = subject;
+
+    (void)reader;
+    (void)item;
+    for (size_t i = 0; i < object->part_count; i++)
+        object->parts[i].primitive.no_shadow = true;
+    return true;
+}
+
+/* POV-Ray's choice of a root solver; ours needs none. */
+static bool read_sturm(struct reader *reader, void *subject,
+                       const struct item *item)
+{
+    double ignored;
+
+    (void)subject;
+    (void)item;
+    return !starts_expression(reader) || read_number(reader, &ignored);
+}
+
+/* Of what the material has so far. */
+static bool read_material_step(struct reader *reader, void *subject,
+                               const struct item *item)
+{
+    struct object *object = subject;
+    struct placement step;
+
+    if (!step_read(reader, item, &step))
+        return false;
+    pigment_move(&object->texture.pigment, &step);
+    return true;
+}
+
+static const struct keyword material_words[] = {
+    STEP_WORDS(read_material_step),
+    { "texture", read_texture, 0 },
+    { "interior", read_interior, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar material_grammar = { "a word of material",
+                                                 { material_words },
+                                                 NULL };
+
+static void take_material(struct object *object,
+                          const struct object *material)
+{
+    if (material->textured)
+        object->texture = material->texture;
+    object->textured |= material->textured;
+    if (material->filled)
+        object->ior = material->ior;
+    object->filled |= material->filled;
+}
+
+bool material_read(struct reader *reader, struct object *object)
+{
+    const struct value *value;
+    struct block block;
+
+    if (!block_open(reader, &block, '{'))
+        return false;
+    value = reader_value_of(reader, VALUE_MATERIAL);
+    if (value) {
+        take_material(object, &value->is.material);
+        reader_next(reader);
+    }
+    return block_items(reader, &block, &material_grammar, object, true);
+}
+
+static bool read_material(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    (void)item;
+    return material_read(reader, subject);
+}
+
+static const struct keyword modifiers[] = {
+    STEP_WORDS(read_step),
+    { "texture", read_texture, 0 },
+    { "pigment", read_pigment, 0 },
+    { "finish", read_finish, 0 },
+    { "interior", read_interior, 0 },
+    { "material", read_material, 0 },
+    { "inverse", read_inverse, 0 },
+    { "no_shadow", read_no_shadow, 0 },
+    { "sturm", read_sturm, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct keyword modifiers_left_out[] = {
+    { "bounded_by", item_left_out, 0 },
+    { "color", item_left_out, 0 },
+    { "colour", item_left_out, 0 },
+    { "double_illuminate", item_left_out, 0 },
+    { "hierarchy", item_left_out, 0 },
+    { "hollow", item_left_out, 0 },
+    { "interior_texture", item_left_out, 0 },
+    { "no_radiosity", item_left_out, 0 },
+    { "no_reflection", item_left_out, 0 },
+    { "normal", item_left_out, 0 },
+    { "photons", item_left_out, 0 },
+    { "radiosity", item_left_out, 0 },
+    { "split_union", item_left_out, 0 },
+    { "uv_mapping", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct keyword modifiers_unsupported[] = {
+    { "clipped_by", item_unsupported, 0 },
+    { "cutaway_textures", item_unsupported, 0 },
+    { "no_image", item_unsupported, 0 },
+    { NULL, NULL, 0 },
+};
+
+const struct grammar modifier_grammar = { "a word that changes the object",
+                                          { modifiers, modifiers_left_out,
+                                            modifiers_unsupported },
+                                          NULL };
+
+/* As POV-Ray does. */
+static void report_patches(struct reader *reader, const struct object *child,
+                           const struct token *at)
+{
+    for (size_t i = 0; i < child->part_count; i++)
+        if (child->parts[i].primitive.kind == PRIMITIVE_STEINER_PATCH) {
+            reader_report(reader, at,
+                          "a patch in an intersection or difference has no "
+                          "inside");
+            return;
+        }
+}
+
+static bool read_child(struct reader *reader, void *subject,
+                       const struct item *item)
+{
+    struct object *object = subject;
+    struct object child;
+    bool done;
+
+    memset(&child, 0, sizeof child);
+    done = shape_read(reader, &child, item);
+    if (done && object->joining >= JOIN_INTERSECTION)
+        report_patches(reader, &child, &item->at);
+    if (done && !object_add_child(object, &child))
+        done = reader_no_memory(reader);
+    scene_object_free(&child);
+    return done;
+}
+
+static const struct keyword children[] = {
+    SHAPE_WORDS(read_child),
+    { NULL, NULL, 0 },
+};
+
+/* The children come first: a transform moves those before it. */
+static const struct grammar solid_grammar = {
+    "an object or a word that changes the solid",
+    { children, other_shapes },
+    &modifier_grammar
+};
+
+/* The object that object { ... } begins with: a name, or a shape. */
+static bool read_base(struct reader *reader, struct object *object)
+{
+    const struct value *value = reader_value_of(reader, VALUE_OBJECT);
+    struct item item = { grammar_find(&solid_grammar, &reader->token),
+                         reader->token };
+
+    if (value) {
+        bool done = shape_copy(reader, object, &value->is.object);
+        reader_next(reader);
+        return done;
+    }
+    if (!item.keyword)
+        return reader_expected(reader, "the name of an object, or an object");
+    reader_next(reader);
+    return item.keyword->read == read_child
+               ? shape_read(reader, object, &item)
+               : item.keyword->read(reader, object, &item);
+}
+
+static bool is_joined(enum shape shape)
+{
+    return shape >= SHAPE_UNION && shape <= SHAPE_DIFFERENCE;
+}
+
+static bool read_first(struct reader *reader, struct object *object,
+                       const struct item *item)
+{
+    enum shape shape = (enum shape)item->keyword->detail;
+    struct primitive primitive;
+
+    if (is_joined(shape)) {
+        object->joining = (enum joining)(shape - SHAPE_UNION);
+        return true;
+    }
+    if (shape == SHAPE_OBJECT)
+        return read_base(reader, object);
+    return primitive_read(reader, shape, &primitive)
+           && add_primitive(reader, object, &primitive, &item->at);
+}
+
+/* All of a union, merge, intersection or difference is read. */
+static bool finish_joined(struct reader *reader, struct object *object,
+                          const struct item *item)
+{
+    if (object->child_count < 2)
+        reader_report(reader, &item->at,
+                      "fewer than two objects in this '%s'",
+                      item->keyword->word);
+    if (object->joining == JOIN_APART)
+        return true;
+    return check_solid(reader, object, &item->at)
+           && (object_join(object) || reader_no_memory(reader));
+}
+
+bool shape_read(struct reader *reader, struct object *object,
+                const struct item *item)
+{
+    enum shape shape = (enum shape)item->keyword->detail;
+    struct block block;
+    bool good;
+
+    if (shape == SHAPE_LIGHT)
+        return light_read(reader, object);
+    if (!block_open(reader, &block, '{'))
+        return false;
+    good = read_first(reader, object, item);
+    good = block_items(reader, &block,
+                       is_joined(shape) ? &solid_grammar : &modifier_grammar,
+                       object, good);
+    return good && (!is_joined(shape) || finish_joined(reader, object, item));
+}

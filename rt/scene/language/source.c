@@ -1,0 +1,186 @@
+/* source.c - finding and reading texts. */
+#include "rt/scene/language/source.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static char *copy(const char *text, size_t length)
+{
+    char *own = malloc(length + 1);
+
+    if (own) {
+        memcpy(own, text, length);
+        own[length] = '\0';
+    }
+    return own;
+}
+
+/* Takes the text over. */
+static struct source *adopt(struct source **list, const char *name,
+                            char *text, size_t length)
+{
+    struct source *source = malloc(sizeof *source);
+    char *own_name = copy(name, strlen(name));
+
+    if (!source || !own_name || !text) {
+        free(source);
+        free(own_name);
+        free(text);
+        errno = ENOMEM;
+        return NULL;
+    }
+    source->next = *list;
+    source->name = own_name;
+    source->text = text;
+    source->length = length;
+    return *list = source;
+}
+
+struct source *source_add(struct source **list, const char *name,
+                          const char *text, size_t length)
+{
+    if (length > SOURCE_LONGEST) {
+        errno = EFBIG;
+        return NULL;
+    }
+    return adopt(list, name, copy(text, length), length);
+}
+
+/* All of a stream, at most one byte more than the longest text. */
+static char *read_all(FILE *file, size_t *length)
+{
+    size_t room = 1 << 16, got = 0;
+    char *text = malloc(room + 1);
+
+    while (text) {
+        got += fread(text + got, 1, room - got, file);
+        if (got < room || got > SOURCE_LONGEST)
+            break;
+        room *= 2;
+        char *grown = realloc(text, room + 1);
+        if (!grown)
+            free(text);
+        text = grown;
+    }
+    if (text && ferror(file)) {
+        free(text);
+        return NULL;
+    }
+    if (text)
+        text[got] = '\0';
+    *length = got;
+    return text;
+}
+
+struct source *source_load(struct source **list, const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    size_t length = 0;
+    char *text;
+    int why;
+
+    if (!file)
+        return NULL;
+    errno = 0;
+    text = read_all(file, &length);
+    why = errno;
+    fclose(file);
+    if (text && length > SOURCE_LONGEST) {
+        free(text);
+        text = NULL;
+        why = EFBIG;
+    }
+    if (text)
+        return adopt(list, path, text, length);
+    errno = why ? why : EIO;
+    return NULL;
+}
+
+static struct source *find(struct source *list, const char *name)
+{
+    while (list && strcmp(list->name, name))
+        list = list->next;
+    return list;
+}
+
+/* A folder and a name as a path; the caller frees it. */
+static char *join(const char *folder, size_t length, const char *name)
+{
+    size_t rest = strlen(name);
+    char *path = malloc(length + rest + 2);
+
+    if (!path)
+        return NULL;
+    memcpy(path, folder, length);
+    if (length && folder[length - 1] != '/')
+        path[length++] = '/';
+    memcpy(path + length, name, rest + 1);
+    return path;
+}
+
+static struct source *include_from(struct source **list, const char *folder,
+                                   size_t length, const char *name)
+{
+    char *path = join(folder, length, name);
+    struct source *source;
+
+    if (!path)
+        return NULL;
+    source = find(*list, path);
+    if (!source)
+        source = source_load(list, path);
+    free(path);
+    return source;
+}
+
+static struct source *carried(struct source **list, const char *name)
+{
+    const struct text *text = scene_texts;
+    size_t length = 0;
+    char *all, *end;
+
+    while (text->name && strcmp(text->name, name))
+        text++;
+    if (!text->name) {
+        errno = ENOENT;
+        return NULL;
+    }
+    for (size_t i = 0; text->lines[i]; i++)
+        length += strlen(text->lines[i]);
+    all = end = malloc(length + 1);
+    for (size_t i = 0; all && text->lines[i]; i++) {
+        size_t n = strlen(text->lines[i]);
+        memcpy(end, text->lines[i], n + 1);
+        end += n;
+    }
+    return adopt(list, name, all, length);
+}
+
+struct source *source_include(struct source **list, const char *name,
+                              const struct source *from,
+                              const char *const *search)
+{
+    const char *slash = strrchr(from->name, '/');
+    size_t folder = slash ? (size_t)(slash - from->name) + 1 : 0;
+    struct source *source;
+
+    if (name[0] == '/')
+        folder = 0;
+    source = include_from(list, from->name, folder, name);
+    for (; !source && name[0] != '/' && search && *search; search++)
+        source = include_from(list, *search, strlen(*search), name);
+    return source ? source : carried(list, name);
+}
+
+void sources_free(struct source *list)
+{
+    while (list) {
+        struct source *next = list->next;
+        free(list->name);
+        free(list->text);
+        free(list);
+        list = next;
+    }
+}

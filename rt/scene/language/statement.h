@@ -1,0 +1,93 @@
+/* statement.h - the statements of the language, one reader each.
+ *
+ * Each is called after its word, which is item->at, and reads its block into
+ * what it is given.
+ */
+#ifndef RT_SCENE_STATEMENT_H
+#define RT_SCENE_STATEMENT_H
+
+#include "rt/scene/language/block.h"
+
+/* translate, rotate, scale, matrix, transform: rows of a grammar's table. */
+enum step {
+    STEP_TRANSLATE,
+    STEP_ROTATE,
+    STEP_SCALE,
+    STEP_MATRIX,
+    STEP_NAMED
+};
+/* clang-format off */
+#define STEP_WORDS(read) \
+    { "translate", read, STEP_TRANSLATE }, \
+    { "rotate", read, STEP_ROTATE }, { "scale", read, STEP_SCALE }, \
+    { "matrix", read, STEP_MATRIX }, { "transform", read, STEP_NAMED }
+/* clang-format on */
+bool step_read(struct reader *reader, const struct item *item,
+               struct placement *step);
+/* The block of transform { ... }. */
+bool transform_read(struct reader *reader, struct placement *placement);
+
+/* Each changes what it finds: start from the scene's defaults. */
+bool pigment_read(struct reader *reader, struct pigment *pigment);
+bool finish_read(struct reader *reader, struct finish *finish);
+bool texture_read(struct reader *reader, struct texture *texture);
+bool interior_read(struct reader *reader, double *ior);
+/* Texture and interior of an object, which may have no parts. */
+bool material_read(struct reader *reader, struct object *object);
+
+bool camera_read(struct reader *reader, const struct token *at,
+                 struct camera_setting *setting);
+extern const struct camera_setting camera_default;
+bool settings_read(struct reader *reader, struct scene *scene);
+
+enum shape {
+    SHAPE_SPHERE,
+    SHAPE_BOX,
+    SHAPE_CYLINDER,
+    SHAPE_PLANE,
+    SHAPE_CONE,
+    SHAPE_TORUS,
+    SHAPE_ELLIPTICAL_TORUS,
+    SHAPE_QUADRIC,
+    SHAPE_QUARTIC,
+    SHAPE_STEINER_PATCH,
+    SHAPE_UNION, /* in the order of enum joining, up to the difference */
+    SHAPE_MERGE,
+    SHAPE_INTERSECTION,
+    SHAPE_DIFFERENCE,
+    SHAPE_OBJECT,
+    SHAPE_LIGHT
+};
+/* clang-format off */
+#define SHAPE_WORDS(read) \
+    { "sphere", read, SHAPE_SPHERE }, { "box", read, SHAPE_BOX }, \
+    { "cylinder", read, SHAPE_CYLINDER }, \
+    { "plane", read, SHAPE_PLANE }, { "cone", read, SHAPE_CONE }, \
+    { "torus", read, SHAPE_TORUS }, \
+    { "elliptical_torus", read, SHAPE_ELLIPTICAL_TORUS }, \
+    { "quadric", read, SHAPE_QUADRIC }, \
+    { "quartic", read, SHAPE_QUARTIC }, \
+    { "steiner_patch", read, SHAPE_STEINER_PATCH }, \
+    { "union", read, SHAPE_UNION }, { "merge", read, SHAPE_MERGE }, \
+    { "intersection", read, SHAPE_INTERSECTION }, \
+    { "difference", read, SHAPE_DIFFERENCE }, \
+    { "object", read, SHAPE_OBJECT }, \
+    { "light_source", read, SHAPE_LIGHT }
+/* clang-format on */
+/* Into an empty object; the caller frees it also after an error. */
+bool shape_read(struct reader *reader, struct object *object,
+                const struct item *item);
+/* The arguments of one primitive, behind its '{'. */
+bool primitive_read(struct reader *reader, enum shape shape,
+                    struct primitive *primitive);
+bool light_read(struct reader *reader, struct object *object);
+/* Another copy of an object, within the bound of PRIMITIVES_MOST. */
+bool shape_copy(struct reader *reader, struct object *copy,
+                const struct object *object);
+/* Shapes of POV-Ray that are not supported. */
+extern const struct keyword other_shapes[];
+
+extern const struct grammar file_grammar;
+extern const struct grammar modifier_grammar;
+
+#endif

@@ -1,0 +1,124 @@
+/* step.c - transforms: the steps of a block, in the order of the text. */
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/statement.h"
+
+#include <string.h>
+
+static bool read_scaling(struct reader *reader, const struct item *item,
+                         struct placement *step)
+{
+    double by[3];
+
+    if (!read_vector(reader, by))
+        return false;
+    for (int i = 0; i < 3; i++)
+        if (by[i] == 0) {
+            by[i] = 1;
+            reader_report(reader, &item->at,
+                          "scale by 0 along %c is replaced by 1", "xyz"[i]);
+        }
+    *step = placement_scaling(by);
+    return true;
+}
+
+static bool read_matrix(struct reader *reader, const struct item *item,
+                        struct placement *step)
+{
+    double values[12];
+
+    if (!reader_expect_sign(reader, '<'))
+        return false;
+    for (int i = 0; i < 12; i++) {
+        if (!read_number(reader, &values[i]))
+            return false;
+        reader_comma(reader);
+    }
+    if (!reader_expect_sign(reader, '>'))
+        return false;
+    return placement_matrix(values, step)
+           || reader_fault(reader, &item->at, "the matrix has no inverse");
+}
+
+static bool read_named(struct reader *reader, struct placement *step)
+{
+    const struct value *value = reader_value_of(reader, VALUE_TRANSFORM);
+
+    if (!value)
+        return transform_read(reader, step);
+    *step = value->is.transform;
+    reader_next(reader);
+    return true;
+}
+
+bool step_read(struct reader *reader, const struct item *item,
+               struct placement *step)
+{
+    enum step kind = (enum step)item->keyword->detail;
+    double vector[3];
+
+    if (kind == STEP_SCALE)
+        return read_scaling(reader, item, step);
+    if (kind == STEP_MATRIX)
+        return read_matrix(reader, item, step);
+    if (kind == STEP_NAMED)
+        return read_named(reader, step);
+    if (!read_vector(reader, vector))
+        return false;
+    *step = kind == STEP_ROTATE ? placement_rotation(vector)
+                                : placement_translation(vector);
+    return true;
+}
+
+struct transform_reading {
+    struct placement placement;
+    bool inverse;
+};
+
+static bool read_step(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    struct transform_reading *reading = subject;
+    struct placement step;
+
+    if (!step_read(reader, item, &step))
+        return false;
+    reading->placement = placement_then(&reading->placement, &step);
+    return true;
+}
+
+static bool read_inverse(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct transform_reading *reading = subject;
+
+    (void)reader;
+    (void)item;
+    reading->inverse = true;
+    return true;
+}
+
+static const struct keyword words[] = {
+    STEP_WORDS(read_step),
+    { "inverse", read_inverse, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar grammar = {
+    "translate, rotate, scale, matrix or inverse", { words }, NULL
+};
+
+bool transform_read(struct reader *reader, struct placement *placement)
+{
+    struct transform_reading reading = { placement_none, false };
+    struct block block;
+
+    if (!block_open_from(reader, &block, VALUE_TRANSFORM, &reading.placement,
+                         sizeof reading.placement)
+        || !block_items(reader, &block, &grammar, &reading, true))
+        return false;
+    *placement = reading.inverse ? placement_inverse(&reading.placement)
+                                 : reading.placement;
+    return placement_is_finite(placement)
+           || reader_fault(reader, &block.open,
+                           "the transform is out of range");
+}

@@ -1,0 +1,378 @@
+/* string_value.c - strings: quoted, named, and made by functions. */
+#include "rt/scene/language/string_value.h"
+
+#include "rt/scene/language/expression.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FORMAT_MOST = 1000, PRINTED_MOST = 2 * FORMAT_MOST + 400 };
+
+/* ---- Text under construction -------------------------------------------- */
+
+struct text_buffer {
+    char *text;
+    size_t length;
+    bool full; /* too long, or no memory */
+};
+
+static void add(struct text_buffer *buffer, const char *text, size_t length)
+{
+    char *grown;
+
+    if (buffer->full || length > STRING_LONGEST - buffer->length) {
+        buffer->full = true;
+        return;
+    }
+    grown = realloc(buffer->text, buffer->length + length + 1);
+    if (!grown) {
+        buffer->full = true;
+        return;
+    }
+    memcpy(grown + buffer->length, text, length);
+    buffer->text = grown;
+    buffer->length += length;
+    grown[buffer->length] = '\0';
+}
+
+/* The text becomes the string, unless something went wrong. */
+static bool give(struct reader *reader, const struct token *at,
+                 struct text_buffer *buffer, bool good, char **string)
+{
+    add(buffer, "", 0);
+    if (good && buffer->full)
+        good = reader_fault(reader, at,
+                            "the string is longer than %d, or there is not "
+                            "enough memory",
+                            STRING_LONGEST);
+    if (good && !reader_spend(reader, buffer->length))
+        good = false;
+    if (good)
+        *string = buffer->text;
+    else
+        free(buffer->text);
+    return good;
+}
+
+/* ---- Quoted strings ----------------------------------------------------- */
+
+static void add_utf8(struct text_buffer *buffer, unsigned code)
+{
+    char bytes[3];
+    size_t length = code < 0x80 ? 1 : code < 0x800 ? 2 : 3;
+
+    for (size_t i = length; --i > 0; code >>= 6)
+        bytes[i] = (char)(0x80 | (code & 0x3f));
+    bytes[0] = (char)(length == 1   ? code
+                      : length == 2 ? 0xc0 | code
+                                    : 0xe0 | code);
+    add(buffer, bytes, length);
+}
+
+static int hex_digit(char c)
+{
+    static const char digits[] = "0123456789abcdef0123456789ABCDEF";
+    const char *found = c ? strchr(digits, c) : NULL;
+
+    return found ? (int)((found - digits) % 16) : -1;
+}
+
+/* XXXX of \uXXXX; 0: it is not one. */
+static unsigned read_code(const char *text, size_t length)
+{
+    unsigned code = 0;
+
+    if (length < 4)
+        return 0;
+    for (size_t i = 0; i < 4; i++) {
+        int digit = hex_digit(text[i]);
+        if (digit < 0)
+            return 0;
+        code = code * 16 + (unsigned)digit;
+    }
+    return code;
+}
+
+/* What follows a backslash; returns how many bytes, 0 if it is no escape. */
+static size_t add_escape(struct text_buffer *buffer, const char *text,
+                         size_t length)
+{
+    static const char names[] = "abfnrtv\\'\"";
+    static const char bytes[] = "\a\b\f\n\r\t\v\\'\"";
+    const char *found = *text ? strchr(names, *text) : NULL;
+    unsigned code = *text == 'u' ? read_code(text + 1, length - 1) : 0;
+
+    if (code) {
+        add_utf8(buffer, code);
+        return 5;
+    }
+    if (!found)
+        return 0;
+    add(buffer, bytes + (found - names), 1);
+    return 1;
+}
+
+static bool add_quoted(struct reader *reader, const struct token *token,
+                       struct text_buffer *buffer)
+{
+    const char *text = token->text, *end = text + token->length;
+
+    while (text < end) {
+        size_t escaped = 1;
+        if (*text == '\0')
+            return reader_fault(reader, token, "the string holds a NUL byte");
+        if (*text != '\\')
+            add(buffer, text, 1);
+        else
+            escaped = add_escape(buffer, text + 1, (size_t)(end - text) - 1);
+        if (!escaped)
+            return reader_fault(reader, token,
+                                "the string has an escape that is not of the "
+                                "language");
+        text += *text == '\\' ? escaped + 1 : 1;
+    }
+    return true;
+}
+
+/* ---- Functions ---------------------------------------------------------- */
+
+typedef bool function_reader(struct reader *reader,
+                             struct text_buffer *buffer);
+
+static bool read_concat(struct reader *reader, struct text_buffer *buffer)
+{
+    do {
+        char *part;
+        if (!string_read(reader, &part))
+            return false;
+        add(buffer, part, strlen(part));
+        free(part);
+    } while (reader_accept_sign(reader, ','));
+    return true;
+}
+
+/* ", L, P": a width, negative to fill with zeros, and the digits behind the
+ * point, negative for 6. */
+static bool read_format(struct reader *reader, int *width, int *digits)
+{
+    struct token at = reader->token;
+    double given[2];
+
+    for (int i = 0; i < 2; i++)
+        if (!reader_expect_sign(reader, ',')
+            || !read_full_number(reader, &given[i]))
+            return false;
+    for (int i = 0; i < 2; i++)
+        if (given[i] < -FORMAT_MOST || given[i] > FORMAT_MOST)
+            return reader_fault(reader, &at,
+                                "width and digits are %d at the most",
+                                FORMAT_MOST);
+    *width = (int)given[0];
+    *digits = (int)given[1];
+    return true;
+}
+
+static void add_number(struct text_buffer *buffer, double value, int width,
+                       int digits)
+{
+    char text[PRINTED_MOST];
+
+    if (width < 0)
+        snprintf(text, sizeof text, "%0*.*f", -width, digits, value);
+    else
+        snprintf(text, sizeof text, "%*.*f", width, digits, value);
+    add(buffer, text, strlen(text));
+}
+
+static bool read_str(struct reader *reader, struct text_buffer *buffer)
+{
+    double value;
+    int width, digits;
+
+    if (!read_full_number(reader, &value)
+        || !read_format(reader, &width, &digits))
+        return false;
+    add_number(buffer, value, width, digits);
+    return true;
+}
+
+static bool read_vstr(struct reader *reader, struct text_buffer *buffer)
+{
+    struct token at = reader->token;
+    double count;
+    struct numbers vector;
+    char *between = NULL;
+    int width, digits;
+    bool done;
+
+    if (!read_full_number(reader, &count) || !reader_expect_sign(reader, ',')
+        || !read_full(reader, &vector) || !reader_expect_sign(reader, ',')
+        || !string_read(reader, &between))
+        return false;
+    done = read_format(reader, &width, &digits);
+    if (done && !(count >= 2 && count <= COLOR_TERMS))
+        done = reader_fault(reader, &at, "a vector has 2 to %d components",
+                            COLOR_TERMS);
+    for (int i = 0; done && i < (int)count; i++) {
+        if (i)
+            add(buffer, between, strlen(between));
+        add_number(buffer, vector.n[i], width, digits);
+    }
+    free(between);
+    return done;
+}
+
+static bool read_chr(struct reader *reader, struct text_buffer *buffer)
+{
+    struct token at = reader->token;
+    double code;
+
+    if (!read_full_number(reader, &code))
+        return false;
+    if (!(code >= 1 && code < 0x10000))
+        return reader_fault(reader, &at, "%g is not a character", code);
+    add_utf8(buffer, (unsigned)code);
+    return true;
+}
+
+static bool read_range(struct reader *reader, size_t length, size_t *from,
+                       size_t *count)
+{
+    struct token at = reader->token;
+    double first, wanted;
+
+    *from = *count = 0;
+    if (!reader_expect_sign(reader, ',') || !read_full_number(reader, &first)
+        || !reader_expect_sign(reader, ',')
+        || !read_full_number(reader, &wanted))
+        return false;
+    if (!(first >= 1 && wanted >= 0 && first - 1 + wanted <= (double)length))
+        return reader_fault(reader, &at, "the string has %zu characters",
+                            length);
+    *from = (size_t)first - 1;
+    *count = (size_t)wanted;
+    return true;
+}
+
+static bool read_substr(struct reader *reader, struct text_buffer *buffer)
+{
+    char *whole;
+    size_t from, count;
+    bool done;
+
+    if (!string_read(reader, &whole))
+        return false;
+    done = read_range(reader, strlen(whole), &from, &count);
+    if (done)
+        add(buffer, whole + from, count);
+    free(whole);
+    return done;
+}
+
+/* The letters of one case become those of the other. */
+static bool read_cased(struct reader *reader, struct text_buffer *buffer,
+                       char first, int change)
+{
+    char *text;
+
+    if (!string_read(reader, &text))
+        return false;
+    for (char *c = text; *c; c++)
+        if (*c >= first && *c < first + 26)
+            *c = (char)(*c + change);
+    add(buffer, text, strlen(text));
+    free(text);
+    return true;
+}
+
+static bool read_strlwr(struct reader *reader, struct text_buffer *buffer)
+{
+    return read_cased(reader, buffer, 'A', 'a' - 'A');
+}
+
+static bool read_strupr(struct reader *reader, struct text_buffer *buffer)
+{
+    return read_cased(reader, buffer, 'a', 'A' - 'a');
+}
+
+static const struct string_function {
+    const char *name;
+    function_reader *read; /* what is between the brackets */
+} functions[] = {
+    { "chr", read_chr },       { "concat", read_concat },
+    { "str", read_str },       { "strlwr", read_strlwr },
+    { "strupr", read_strupr }, { "substr", read_substr },
+    { "vstr", read_vstr },
+};
+
+static const struct string_function *find(const struct token *token)
+{
+    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
+        if (is_token(token, functions[i].name))
+            return &functions[i];
+    return NULL;
+}
+
+/* ---- Strings ------------------------------------------------------------ */
+
+bool is_string_word(const struct token *token)
+{
+    return find(token);
+}
+
+bool starts_string(const struct reader *reader)
+{
+    return reader->token.kind == TOKEN_STRING || find(&reader->token)
+           || reader_value_of(reader, VALUE_STRING);
+}
+
+/* Up to the closing bracket, which stays the token. */
+static bool read_call(struct reader *reader,
+                      const struct string_function *function,
+                      struct text_buffer *buffer)
+{
+    size_t hold = reader_nest(reader);
+    bool done = false;
+
+    if (reader_enter(reader)) {
+        reader_next(reader);
+        done = reader_expect_sign(reader, '(')
+               && function->read(reader, buffer)
+               && (reader_at_sign(reader, ')')
+                   || reader_expected(reader, "')'"));
+        reader_leave(reader);
+    }
+    reader_release(reader, hold);
+    return done;
+}
+
+bool string_read(struct reader *reader, char **string)
+{
+    struct token at = reader->token;
+    const struct string_function *function = find(&at);
+    const struct value *named = reader_value_of(reader, VALUE_STRING);
+    struct text_buffer buffer = { NULL, 0, false };
+    bool done = true;
+
+    if (named)
+        add(&buffer, named->is.string, strlen(named->is.string));
+    else if (at.kind == TOKEN_STRING)
+        done = add_quoted(reader, &at, &buffer);
+    else if (function)
+        done = read_call(reader, function, &buffer);
+    else
+        done = reader_expected(reader, "a string");
+    if (done || at.kind == TOKEN_STRING)
+        reader_pass(reader);
+    return give(reader, &at, &buffer, done, string);
+}
+
+bool string_read_within(struct reader *reader, char **string)
+{
+    size_t hold = reader_nest(reader);
+    bool done = string_read(reader, string);
+
+    reader_release(reader, hold);
+    return done;
+}

@@ -1,0 +1,227 @@
+/* symbol.c - the table of declared names. */
+#include "rt/scene/language/symbol.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct symbol {
+    struct symbol *next;       /* of its bucket: of no higher level */
+    struct symbol *next_local; /* of the row of locals */
+    size_t level, held;
+    struct value value;
+    struct reference target; /* what it stands for, held; or no symbol */
+    size_t length;
+    char name[]; /* not ended */
+};
+
+/* FNV-1a, 32 bits. */
+static size_t bucket_of(const char *name, size_t length)
+{
+    uint32_t hash = 2166136261u;
+
+    for (size_t i = 0; i < length; i++)
+        hash = (hash ^ (unsigned char)name[i]) * 16777619u;
+    return hash % SYMBOL_BUCKETS;
+}
+
+static bool has_name(const struct symbol *symbol, const char *name,
+                     size_t length)
+{
+    return symbol->length == length && !memcmp(symbol->name, name, length);
+}
+
+struct symbol *symbols_find(const struct symbols *symbols, const char *name,
+                            size_t length)
+{
+    struct symbol *symbol = symbols->buckets[bucket_of(name, length)];
+
+    while (symbol && !has_name(symbol, name, length))
+        symbol = symbol->next;
+    return symbol;
+}
+
+struct symbol *symbols_find_at(const struct symbols *symbols, size_t level,
+                               const char *name, size_t length)
+{
+    struct symbol *symbol = symbols->buckets[bucket_of(name, length)];
+
+    while (symbol
+           && !(symbol->level == level && has_name(symbol, name, length)))
+        symbol = symbol->next;
+    return symbol;
+}
+
+/* The value that a path from a symbol leads to; NULL: an element that is not
+ * set, or that is not there any more. */
+static struct value **walk(struct value **value, const size_t *element,
+                           size_t hops)
+{
+    for (size_t i = 0; i < hops && value && *value; i++) {
+        struct array *array = (*value)->is.array;
+
+        value = (*value)->kind == VALUE_ARRAY && element[i] < array->count
+                    ? &array->cell[element[i]]
+                    : NULL;
+    }
+    return value;
+}
+
+const struct value *reference_value(const struct reference *reference)
+{
+    struct value *own = &reference->symbol->value;
+    struct value **found = walk(&own, reference->element, reference->hops);
+
+    return found ? *found : NULL;
+}
+
+struct reference reference_to(struct symbol *symbol)
+{
+    struct reference reference = { symbol, 0, { 0 } };
+
+    return symbol->target.symbol ? symbol->target : reference;
+}
+
+void symbol_hold(struct symbol *symbol)
+{
+    symbol->held++;
+}
+
+void symbol_release(struct symbol *symbol)
+{
+    if (--symbol->held)
+        return;
+    if (symbol->target.symbol)
+        symbol_release(symbol->target.symbol);
+    value_free(&symbol->value);
+    free(symbol);
+}
+
+/* A new symbol, in the table; NULL: no memory. */
+static struct symbol *add(struct symbols *symbols, size_t level,
+                          const char *name, size_t length)
+{
+    struct symbol **bucket = &symbols->buckets[bucket_of(name, length)];
+    struct symbol *symbol = calloc(1, sizeof *symbol + length);
+
+    if (!symbol)
+        return NULL;
+    symbol->level = level;
+    symbol->held = 1;
+    symbol->length = length;
+    memcpy(symbol->name, name, length);
+    while (*bucket && (*bucket)->level > level)
+        bucket = &(*bucket)->next;
+    symbol->next = *bucket;
+    *bucket = symbol;
+    if (level) {
+        symbol->next_local = symbols->locals;
+        symbols->locals = symbol;
+    }
+    return symbol;
+}
+
+const char *symbols_add(struct symbols *symbols, size_t level,
+                        const char *name, size_t length, struct value *value)
+{
+    struct symbol *symbol = add(symbols, level, name, length);
+
+    if (!symbol) {
+        value_free(value);
+        return no_memory;
+    }
+    symbol->value = *value;
+    return NULL;
+}
+
+static const char *assign_element(const struct reference *reference,
+                                  struct value *value)
+{
+    struct value *own = &reference->symbol->value;
+    size_t last = reference->hops - 1;
+    struct value **found = walk(&own, reference->element, last);
+    struct array *array = found && *found && (*found)->kind == VALUE_ARRAY
+                              ? (*found)->is.array
+                              : NULL;
+    const char *fault = NULL;
+
+    if (!array || reference->element[last] >= array->count)
+        fault = "the array of this element is gone";
+    else if (value->kind == VALUE_ARRAY
+             && reference->hops + array_nesting(value->is.array)
+                    > ARRAY_NESTING_MOST)
+        fault = "too many arrays within each other";
+    if (!fault)
+        return array_set(array, reference->element[last], value);
+    value_free(value);
+    return fault;
+}
+
+const char *reference_assign(const struct reference *reference,
+                             struct value *value)
+{
+    struct symbol *symbol = reference->symbol;
+
+    if (reference->hops)
+        return assign_element(reference, value);
+    value_free(&symbol->value);
+    symbol->value = *value;
+    return NULL;
+}
+
+const char *symbols_refer(struct symbols *symbols, size_t level,
+                          const char *name, size_t length,
+                          const struct reference *reference)
+{
+    struct symbol *symbol = add(symbols, level, name, length);
+
+    if (!symbol)
+        return no_memory;
+    symbol->target = *reference;
+    symbol_hold(reference->symbol);
+    return NULL;
+}
+
+/* Out of its bucket; the row of locals is left to the caller. */
+static void unlink_symbol(struct symbols *symbols, struct symbol *symbol)
+{
+    struct symbol *
+        *link = &symbols->buckets[bucket_of(symbol->name, symbol->length)];
+
+    while (*link != symbol)
+        link = &(*link)->next;
+    *link = symbol->next;
+    symbol_release(symbol);
+}
+
+bool symbols_remove(struct symbols *symbols, const char *name, size_t length)
+{
+    struct symbol *symbol = symbols_find(symbols, name, length);
+    struct symbol **link = &symbols->locals;
+
+    if (!symbol)
+        return false;
+    while (*link && *link != symbol)
+        link = &(*link)->next_local;
+    if (*link)
+        *link = symbol->next_local;
+    unlink_symbol(symbols, symbol);
+    return true;
+}
+
+void symbols_leave(struct symbols *symbols, size_t level)
+{
+    while (symbols->locals && symbols->locals->level > level) {
+        struct symbol *symbol = symbols->locals;
+        symbols->locals = symbol->next_local;
+        unlink_symbol(symbols, symbol);
+    }
+}
+
+void symbols_free(struct symbols *symbols)
+{
+    symbols_leave(symbols, 0);
+    for (size_t i = 0; i < SYMBOL_BUCKETS; i++)
+        while (symbols->buckets[i])
+            unlink_symbol(symbols, symbols->buckets[i]);
+}

@@ -1,0 +1,226 @@
+/* texture.c - finish, and textures of a pigment and a finish. */
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/pattern.h"
+
+#include <string.h>
+
+static bool read_ambient(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct finish *finish = subject;
+
+    (void)item;
+    return read_rgb(reader, finish->ambient);
+}
+
+/* What two colours, or these words, make of the angle is left out. */
+static const struct keyword reflection_left_out[] = {
+    { "exponent", item_left_out, 0 },
+    { "falloff", item_left_out, 0 },
+    { "fresnel", item_left_out, 0 },
+    { "metallic", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar reflection_grammar = { "a word of reflection",
+                                                   { reflection_left_out },
+                                                   NULL };
+
+static bool read_least_and_most(struct reader *reader, double least[3])
+{
+    struct token more;
+    double most[3];
+
+    if (!read_rgb(reader, least))
+        return false;
+    reader_comma(reader);
+    more = reader->token;
+    if (!starts_color(reader) && !starts_expression(reader))
+        return true;
+    reader_report(reader, &more,
+                  "the second colour of 'reflection' is left out");
+    return read_rgb(reader, most);
+}
+
+static bool read_reflection(struct reader *reader, void *subject,
+                            const struct item *item)
+{
+    struct finish *finish = subject;
+    struct block block;
+
+    (void)item;
+    if (!reader_at_sign(reader, '{'))
+        return read_rgb(reader, finish->reflection);
+    if (!block_open(reader, &block, '{'))
+        return false;
+    return block_items(reader, &block, &reflection_grammar, subject,
+                       read_least_and_most(reader, finish->reflection));
+}
+
+/* The keyword's detail is the member's offset. */
+static bool read_amount(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    void *amount = (char *)subject + item->keyword->detail;
+    struct token more = reader->token;
+    double inside;
+
+    if (reader_accept(reader, "albedo"))
+        reader_report(reader, &more, "'albedo' is left out");
+    if (!read_number(reader, amount))
+        return false;
+    more = reader->token;
+    if (!reader_accept_sign(reader, ','))
+        return true;
+    reader_report(reader, &more, "the value for the inside is left out");
+    return read_number(reader, &inside);
+}
+
+static bool read_roughness(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct finish *finish = subject;
+
+    if (!read_number(reader, &finish->roughness))
+        return false;
+    return finish->roughness > 0
+           || reader_fault(reader, &item->at, "roughness is not above 0");
+}
+
+static const struct keyword finish_words[] = {
+    { "ambient", read_ambient, 0 },
+    { "diffuse", read_amount, offsetof(struct finish, diffuse) },
+    { "phong", read_amount, offsetof(struct finish, phong) },
+    { "phong_size", read_amount, offsetof(struct finish, phong_size) },
+    { "specular", read_amount, offsetof(struct finish, specular) },
+    { "roughness", read_roughness, 0 },
+    { "reflection", read_reflection, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct keyword finish_left_out[] = {
+    { "brilliance", item_left_out, 0 },
+    { "conserve_energy", item_left_out, 0 },
+    { "crand", item_left_out, 0 },
+    { "emission", item_left_out, 0 },
+    { "fresnel", item_left_out, 0 },
+    { "irid", item_left_out, 0 },
+    { "metallic", item_left_out, 0 },
+    { "reflection_exponent", item_left_out, 0 },
+    { "subsurface", item_left_out, 0 },
+    { "use_alpha", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar finish_grammar = {
+    "a word of finish", { finish_words, finish_left_out }, NULL
+};
+
+bool finish_read(struct reader *reader, struct finish *finish)
+{
+    struct block block;
+
+    return block_open_from(reader, &block, VALUE_FINISH, finish,
+                           sizeof *finish)
+           && block_items(reader, &block, &finish_grammar, finish, true);
+}
+
+static bool read_pigment(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct texture *texture = subject;
+
+    (void)item;
+    return pigment_read(reader, &texture->pigment);
+}
+
+static bool read_finish(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    struct texture *texture = subject;
+
+    (void)item;
+    return finish_read(reader, &texture->finish);
+}
+
+static bool read_step(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    struct texture *texture = subject;
+    struct placement step;
+
+    if (!step_read(reader, item, &step))
+        return false;
+    pigment_move(&texture->pigment, &step);
+    return true;
+}
+
+/* The texture of a pattern's first entry stands for all. */
+static bool read_first(struct reader *reader, void *subject,
+                       const struct item *item)
+{
+    (void)item;
+    return map_first(reader, texture_body, subject);
+}
+
+static bool read_pattern(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct texture texture = reader->default_texture;
+
+    reader_report(reader, &item->at,
+                  "textures in the pattern '%s' are not supported: "
+                  "the first one is used",
+                  item->keyword->word);
+    skip_arguments(reader);
+    for (bool first = true; reader_accept(reader, "texture"); first = false) {
+        if (!texture_read(reader, first ? subject : &texture))
+            return false;
+        reader_comma(reader);
+    }
+    return true;
+}
+
+static const struct keyword texture_words[] = {
+    { "pigment", read_pigment, 0 },
+    { "finish", read_finish, 0 },
+    STEP_WORDS(read_step),
+    PATTERN_WORDS(read_pattern),
+    { "checker", read_pattern, 0 },
+    { "texture_map", read_first, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct keyword texture_left_out[] = {
+    { "material_map", item_left_out, 0 },
+    { "no_bump_scale", item_left_out, 0 },
+    { "normal", item_left_out, 0 },
+    { "uv_mapping", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar texture_grammar = {
+    "a word of texture",
+    { texture_words, texture_left_out, pattern_words_left_out },
+    NULL
+};
+
+bool texture_body(struct reader *reader, const struct block *block,
+                  void *subject)
+{
+    const struct value *value = reader_value_of(reader, VALUE_TEXTURE);
+
+    if (value) {
+        memcpy(subject, &value->is.texture, sizeof value->is.texture);
+        reader_next(reader);
+    }
+    return block_items(reader, block, &texture_grammar, subject, true);
+}
+
+bool texture_read(struct reader *reader, struct texture *texture)
+{
+    struct block block;
+
+    return block_open(reader, &block, '{')
+           && texture_body(reader, &block, texture);
+}

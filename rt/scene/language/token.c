@@ -1,0 +1,361 @@
+/* token.c - the tokenizer. */
+#include "rt/scene/language/token.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { NUMBER_LONGEST = 300 };
+
+struct frame *lexer_top(struct lexer *lexer)
+{
+    return &lexer->frames[lexer->depth - 1];
+}
+
+/* A frame in which all of the source comes next; NULL: too deep. */
+static struct frame *open_frame(struct lexer *lexer,
+                                const struct source *source)
+{
+    struct frame *frame = &lexer->frames[lexer->depth];
+
+    if (lexer->depth == FRAMES_MOST)
+        return NULL;
+    lexer->depth++;
+    memset(frame, 0, sizeof *frame);
+    frame->source = source;
+    frame->place.line = 1;
+    frame->end = source->length;
+    frame->serial = lexer->serial++;
+    return frame;
+}
+
+bool lexer_open(struct lexer *lexer, const struct source *source)
+{
+    static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, at the start */
+    struct frame *frame;
+
+    if (lexer->files == INCLUDE_DEPTH)
+        return false;
+    frame = open_frame(lexer, source);
+    if (!frame)
+        return false;
+    if (!strncmp(source->text, mark, strlen(mark)))
+        frame->place.at = strlen(mark);
+    lexer->files++;
+    return true;
+}
+
+bool lexer_call(struct lexer *lexer, const struct source *source,
+                struct place place, size_t end, const struct token *call)
+{
+    struct frame *frame = open_frame(lexer, source);
+
+    if (!frame)
+        return false;
+    frame->place = place;
+    frame->end = end;
+    frame->is_macro = true;
+    frame->call = *call;
+    return true;
+}
+
+void lexer_close(struct lexer *lexer)
+{
+    lexer->files -= !lexer_top(lexer)->is_macro;
+    lexer->depth--;
+}
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+static bool is_letter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f'
+           || c == '\v';
+}
+
+/* The byte that is `ahead` of the next; NUL beyond the end. */
+static char look(const struct lexer *lexer, size_t ahead)
+{
+    const struct frame *frame = &lexer->frames[lexer->depth - 1];
+    size_t at = frame->place.at + ahead;
+
+    return at < frame->end ? frame->source->text[at] : '\0';
+}
+
+static bool at_end(const struct lexer *lexer)
+{
+    const struct frame *frame = &lexer->frames[lexer->depth - 1];
+
+    return frame->place.at >= frame->end;
+}
+
+static void step(struct lexer *lexer, size_t count)
+{
+    struct place *place = &lexer_top(lexer)->place;
+
+    for (; count && !at_end(lexer); count--) {
+        char c = look(lexer, 0);
+        place->at++;
+        if (c == '\n') {
+            place->line++;
+            place->line_at = place->at;
+        }
+    }
+}
+
+static bool at_line_comment(const struct lexer *lexer)
+{
+    return look(lexer, 0) == '/' && look(lexer, 1) == '/';
+}
+
+static bool at_comment(const struct lexer *lexer)
+{
+    return look(lexer, 0) == '/' && look(lexer, 1) == '*';
+}
+
+static void skip_line(struct lexer *lexer)
+{
+    while (!at_end(lexer) && look(lexer, 0) != '\n')
+        step(lexer, 1);
+}
+
+static bool skip_comment(struct lexer *lexer)
+{
+    size_t depth = 0;
+
+    while (!at_end(lexer)) {
+        bool opens = at_comment(lexer);
+        bool closes = look(lexer, 0) == '*' && look(lexer, 1) == '/';
+        step(lexer, opens || closes ? 2 : 1);
+        depth += opens;
+        depth -= closes && depth;
+        if (depth == 0)
+            return true;
+    }
+    return false;
+}
+
+static struct token here(const struct lexer *lexer, enum token_kind kind)
+{
+    const struct frame *frame = &lexer->frames[lexer->depth - 1];
+    struct token token;
+
+    memset(&token, 0, sizeof token);
+    token.kind = kind;
+    token.source = frame->source;
+    token.place = frame->place;
+    token.depth = lexer->depth;
+    token.main_line = lexer->frames[0].place.line;
+    token.text = token.source->text + token.place.at;
+    return token;
+}
+
+static struct token bad(struct token token, size_t length, const char *fault)
+{
+    token.kind = TOKEN_BAD;
+    token.length = length;
+    token.fault = fault;
+    return token;
+}
+
+static struct token read_word(struct lexer *lexer)
+{
+    struct token token = here(lexer, TOKEN_WORD);
+
+    while (is_letter(look(lexer, token.length))
+           || is_digit(look(lexer, token.length)))
+        token.length++;
+    step(lexer, token.length);
+    return token;
+}
+
+static size_t digits(const struct lexer *lexer, size_t from)
+{
+    size_t n = 0;
+
+    while (is_digit(look(lexer, from + n)))
+        n++;
+    return n;
+}
+
+static size_t number_length(const struct lexer *lexer)
+{
+    size_t length = digits(lexer, 0), exponent;
+
+    if (look(lexer, length) == '.')
+        length += 1 + digits(lexer, length + 1);
+    if (look(lexer, length) != 'e' && look(lexer, length) != 'E')
+        return length;
+    exponent = length + 1;
+    if (look(lexer, exponent) == '+' || look(lexer, exponent) == '-')
+        exponent++;
+    return digits(lexer, exponent) ? exponent + digits(lexer, exponent)
+                                   : length;
+}
+
+static struct token read_number(struct lexer *lexer)
+{
+    struct token token = here(lexer, TOKEN_NUMBER);
+    char text[NUMBER_LONGEST + 1];
+
+    token.length = number_length(lexer);
+    step(lexer, token.length);
+    if (token.length > NUMBER_LONGEST) {
+        token.fault = "the number has too many digits";
+        return token;
+    }
+    memcpy(text, token.text, token.length);
+    text[token.length] = '\0';
+    token.number = strtod(text, NULL);
+    if (!isfinite(token.number)) {
+        token.fault = "the number is too large";
+        token.number = 0;
+    }
+    return token;
+}
+
+static struct token read_string(struct lexer *lexer)
+{
+    struct token token = here(lexer, TOKEN_STRING);
+
+    step(lexer, 1);
+    token.text++;
+    while (!at_end(lexer) && look(lexer, 0) != '"') {
+        size_t escaped = look(lexer, 0) == '\\' ? 2 : 1;
+        step(lexer, escaped);
+    }
+    if (at_end(lexer))
+        return bad(token, 1, "the string is not closed by '\"'");
+    token.length = lexer_top(lexer)->place.at - token.place.at - 1;
+    step(lexer, 1);
+    return token;
+}
+
+static struct token read_directive(struct lexer *lexer)
+{
+    struct token token = here(lexer, TOKEN_DIRECTIVE);
+    struct token word;
+
+    step(lexer, 1);
+    while (is_blank(look(lexer, 0)))
+        step(lexer, 1);
+    if (!is_letter(look(lexer, 0)))
+        return bad(token, 1, "expected the word of a directive after '#'");
+    word = read_word(lexer);
+    token.text = word.text;
+    token.length = word.length;
+    return token;
+}
+
+static struct token read_sign(struct lexer *lexer)
+{
+    struct token token = here(lexer, TOKEN_SIGN);
+    char c = look(lexer, 0);
+
+    token.length = 1;
+    token.sign = (unsigned char)c;
+    if (look(lexer, 1) == '=' && c && strchr("!<>", c)) {
+        token.length = 2;
+        token.sign = c == '!'   ? SIGN_UNEQUAL
+                     : c == '<' ? SIGN_NOT_ABOVE
+                                : SIGN_NOT_BELOW;
+    }
+    step(lexer, token.length);
+    if (!c || !strchr("{}()<>[],;=+-*/.?:&|!", c))
+        return bad(token, 1, "this character is not of the language");
+    return token;
+}
+
+/* Blanks and comments; false at a comment without end, *opened its start. */
+static bool skip_blank(struct lexer *lexer, struct token *opened)
+{
+    while (!at_end(lexer)) {
+        if (is_blank(look(lexer, 0))) {
+            step(lexer, 1);
+        } else if (at_line_comment(lexer)) {
+            skip_line(lexer);
+        } else if (at_comment(lexer)) {
+            *opened = here(lexer, TOKEN_BAD);
+            if (!skip_comment(lexer))
+                return false;
+        } else {
+            break;
+        }
+    }
+    return true;
+}
+
+struct token lexer_next(struct lexer *lexer)
+{
+    struct token opened;
+    char c;
+
+    if (!skip_blank(lexer, &opened))
+        return bad(opened, 2, "the comment is not closed by '*/'");
+    c = look(lexer, 0);
+    if (at_end(lexer))
+        return here(lexer, TOKEN_END);
+    if (is_letter(c))
+        return read_word(lexer);
+    if (is_digit(c) || (c == '.' && is_digit(look(lexer, 1))))
+        return read_number(lexer);
+    if (c == '"')
+        return read_string(lexer);
+    return c == '#' ? read_directive(lexer) : read_sign(lexer);
+}
+
+static bool has_text(const struct token *token, const char *word)
+{
+    return !strncmp(token->text, word, token->length)
+           && word[token->length] == '\0';
+}
+
+bool is_token(const struct token *token, const char *word)
+{
+    return token->kind == TOKEN_WORD && has_text(token, word);
+}
+
+bool is_one_of(const struct token *token, const char *const *words)
+{
+    for (; *words; words++)
+        if (has_text(token, *words))
+            return true;
+    return false;
+}
+
+bool is_directive(const struct token *token, const char *const *words)
+{
+    return token->kind == TOKEN_DIRECTIVE && is_one_of(token, words);
+}
+
+bool token_is_sign(const struct token *token, int sign)
+{
+    return token->kind == TOKEN_SIGN && token->sign == sign;
+}
+
+struct position token_position(const struct token *token)
+{
+    const struct source *source = token->source;
+    struct position position;
+    const char *line = source->text + token->place.line_at;
+    const char *end = memchr(line, '\n',
+                             source->length - token->place.line_at);
+
+    position.file = source->name;
+    position.line = token->place.line;
+    position.column = token->place.at - token->place.line_at + 1;
+    position.source = line;
+    position.source_length = end ? (size_t)(end - line)
+                                 : source->length - token->place.line_at;
+    if (position.source_length && line[position.source_length - 1] == '\r')
+        position.source_length--;
+    return position;
+}

@@ -1,0 +1,104 @@
+/* token.h - a scene as a row of tokens, through its files and macros.
+ *
+ * The tokens come from frames: a frame is a file, or a macro's body while it
+ * is called, and lies on the one that includes or calls it.  Its end is a
+ * TOKEN_END that stays until the frame is closed.  Comments, nested ones too,
+ * are left out here.  Any bytes make tokens: what is not of the language is
+ * TOKEN_BAD with the reason.
+ */
+#ifndef RT_SCENE_TOKEN_H
+#define RT_SCENE_TOKEN_H
+
+#include "rt/scene/language/report.h"
+#include "rt/scene/language/source.h"
+
+#include <stdint.h>
+
+enum token_kind {
+    TOKEN_END,
+    TOKEN_WORD,
+    TOKEN_DIRECTIVE, /* text is the word after '#' */
+    TOKEN_NUMBER,
+    TOKEN_STRING, /* text is without the quotes, escapes as they stand */
+    TOKEN_SIGN,
+    TOKEN_BAD
+};
+
+/* Signs of one character are that character. */
+enum sign { SIGN_UNEQUAL = 256, SIGN_NOT_ABOVE, SIGN_NOT_BELOW };
+
+/* A place between two tokens of a source. */
+struct place {
+    size_t at;      /* offset in the source */
+    size_t line;    /* from 1 */
+    size_t line_at; /* offset of its line */
+};
+
+struct symbol;
+struct value;
+
+/* A symbol's value, or an element of an array in it: `hops` arrays are within
+ * each other, each with its element. */
+enum { ARRAY_NESTING_MOST = 5 };
+struct reference {
+    struct symbol *symbol;
+    size_t hops;
+    size_t element[ARRAY_NESTING_MOST];
+};
+
+struct token {
+    enum token_kind kind;
+    const struct source *source;
+    struct place place; /* before its first byte */
+    size_t depth;       /* of frames, when it was read */
+    size_t main_line;   /* the line of the main file: its own or that of the
+                           #include or the macro that leads to it */
+    const char *text;
+    size_t length;
+    double number;
+    int sign;
+    const char *fault; /* of TOKEN_BAD, or of a number, which is then 0 */
+
+    /* What a word names, once the reader has looked it up; or NULL. */
+    struct reference reference;
+    const struct value *value;
+};
+
+enum {
+    INCLUDE_DEPTH = 16,
+    INCLUDE_MOST = 1000,
+    FRAMES_MOST = 200 /* files and macros within each other */
+};
+
+struct frame {
+    const struct source *source;
+    struct place place; /* what comes next */
+    size_t end;         /* offset */
+    size_t serial;      /* no other frame has it */
+    bool is_macro;
+    struct token call; /* the macro's name where it is called */
+};
+
+struct lexer {
+    size_t depth, files; /* open frames, and those of files */
+    size_t serial;
+    struct frame frames[FRAMES_MOST];
+};
+
+/* The tokens of a source come next; false: too deep. */
+bool lexer_open(struct lexer *lexer, const struct source *source);
+/* .. those of a macro's body, which `call` calls. */
+bool lexer_call(struct lexer *lexer, const struct source *source,
+                struct place place, size_t end, const struct token *call);
+/* The frame below goes on. */
+void lexer_close(struct lexer *lexer);
+struct frame *lexer_top(struct lexer *lexer);
+struct token lexer_next(struct lexer *lexer);
+
+bool is_token(const struct token *token, const char *word);
+bool is_one_of(const struct token *token, const char *const *words);
+bool is_directive(const struct token *token, const char *const *words);
+bool token_is_sign(const struct token *token, int sign);
+struct position token_position(const struct token *token);
+
+#endif

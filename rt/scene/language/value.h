@@ -1,0 +1,107 @@
+/* value.h - what a name of a scene file can stand for. */
+#ifndef RT_SCENE_VALUE_H
+#define RT_SCENE_VALUE_H
+
+#include "rt/scene/language/object.h"
+#include "rt/scene/language/token.h"
+
+/* A float (1), a vector (2 to 5) or a colour (5: red, green, blue, filter,
+ * transmit). */
+enum { COLOR_TERMS = 5 };
+struct numbers {
+    int count;
+    double n[COLOR_TERMS]; /* 0 from count on */
+};
+
+struct numbers numbers_of(double value);
+/* To at least `count` terms: a float in all of them, a vector with zeros. */
+void numbers_widen(struct numbers *numbers, int count);
+bool numbers_are_finite(const struct numbers *numbers);
+
+/* A camera as its vectors stand before and after look_at. */
+struct camera_setting {
+    struct camera camera;
+    double sky[3];
+};
+
+enum value_kind {
+    VALUE_NUMBERS,
+    VALUE_PIGMENT,
+    VALUE_FINISH,
+    VALUE_TEXTURE,
+    VALUE_INTERIOR,
+    VALUE_MATERIAL,
+    VALUE_TRANSFORM,
+    VALUE_CAMERA,
+    VALUE_OBJECT,
+    VALUE_STRING,
+    VALUE_ARRAY,
+    VALUE_MACRO,
+    VALUE_FAULTY /* its declaration has an error, reported there */
+};
+const char *value_kind_name(enum value_kind kind);
+
+/* A row of values of one kind, of one dimension or more. */
+enum { DIMENSIONS_MOST = 5, CELLS_MOST = 100000 };
+struct array {
+    size_t dimensions, sizes[DIMENSIONS_MOST];
+    size_t count;         /* the product of the sizes */
+    bool typed;           /* by the first value: */
+    enum value_kind kind; /* all are of its kind, */
+    int terms;            /* numbers of as many terms */
+    size_t *cells;        /* of all arrays, with these */
+    struct value *cell[]; /* the last index runs fastest; NULL: not set */
+};
+
+/* The body of a macro, as it stands in its source. */
+enum { PARAMETERS_MOST = 56 };
+struct macro {
+    const struct source *source;
+    struct place body;
+    size_t end; /* offset */
+    size_t count;
+    struct {
+        const char *text;
+        size_t length;
+    } parameters[PARAMETERS_MOST];
+};
+
+struct value {
+    enum value_kind kind;
+    union {
+        struct numbers numbers;
+        struct pigment pigment;
+        struct finish finish;
+        struct texture texture;
+        double interior;        /* its index of refraction */
+        struct object material; /* without parts */
+        struct placement transform;
+        struct camera_setting camera;
+        struct object object;
+        char *string;
+        struct array *array;
+        struct macro *macro;
+    } is;
+};
+
+void value_free(struct value *value);
+/* A copy; NULL, or why there is none. */
+const char *value_copy(struct value *copy, const struct value *value);
+
+/* The functions that return text return why they failed, or NULL. */
+extern const char no_memory[];
+
+/* NULL: there are more than CELLS_MOST cells in all, or no memory. */
+struct array *array_new(size_t dimensions, const size_t *sizes,
+                        size_t *cells);
+const char *array_copy(struct array **copy, const struct array *array);
+void array_free(struct array *array);
+/* Takes the value over in any case. */
+const char *array_set(struct array *array, size_t element,
+                      struct value *value);
+/* The arrays within each other, this one counted. */
+size_t array_nesting(const struct array *array);
+/* Primitives and lights in all objects. */
+size_t array_primitives(const struct array *array);
+
+#endif

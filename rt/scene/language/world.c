@@ -1,0 +1,295 @@
+/* world.c - a scene from a file: its statements, and what they add up to. */
+#include "rt/scene/language/scene_read.h"
+
+#include "rt/scene/language/condition.h"
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/query.h"
+#include "rt/scene/language/statement.h"
+#include "rt/shapes/shape_words.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* POV-Ray 3.7's own, in a scene of #version 3.7. */
+static const struct texture texture_default = {
+    .pigment = { .kind = PIGMENT_COLOR,
+                 .to_local = { { { 1, 0, 0, 0 },
+                                 { 0, 1, 0, 0 },
+                                 { 0, 0, 1, 0 } } } },
+    .finish = { .ambient = { .1, .1, .1 },
+                .diffuse = .6,
+                .phong_size = 40,
+                .roughness = .05 },
+};
+enum { TRACE_LEVEL_DEFAULT = 5 };
+#define LANGUAGE_VERSION 3.7
+
+static bool check_part(struct reader *reader, struct part *part,
+                       const struct token *at)
+{
+    struct primitive *primitive = &part->primitive;
+    struct placement own = { primitive->to_world, primitive->to_local };
+    struct placement pattern = { placement_none.to_world,
+                                 primitive->pigment.to_local };
+
+    primitive->transformed = !placement_is_none(&own);
+    if (!placement_is_finite(&own) || !placement_is_finite(&pattern))
+        return reader_fault(reader, at, "a transform is out of range");
+    return shape_is_finite(primitive)
+           || reader_fault(reader, at,
+                           "the %s is too large or too small to be "
+                           "traced",
+                           primitive_kind_name(primitive->kind));
+}
+
+static bool add_to_world(struct reader *reader, struct object *object,
+                         const struct token *at)
+{
+    size_t first = reader->world.part_count;
+
+    if (!object->textured)
+        object->texture = reader->default_texture;
+    object->textured = true;
+    if (!object_add(&reader->world, object))
+        return reader_no_memory(reader);
+    for (size_t i = first; i < reader->world.part_count; i++)
+        if (!check_part(reader, &reader->world.parts[i], at))
+            return false;
+    return true;
+}
+
+static bool read_object(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    struct object object;
+    bool done;
+
+    (void)subject;
+    memset(&object, 0, sizeof object);
+    done = shape_read(reader, &object, item)
+           && add_to_world(reader, &object, &item->at);
+    scene_object_free(&object);
+    return done;
+}
+
+static bool read_camera(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    struct camera_setting setting = camera_default;
+
+    (void)subject;
+    if (reader->camera_given)
+        reader_report(reader, &item->at,
+                      "more than one camera: the last is used");
+    reader->camera_given = true;
+    if (!camera_read(reader, &item->at, &setting))
+        return false;
+    reader->scene->camera = setting.camera;
+    return true;
+}
+
+static bool read_settings(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    (void)subject;
+    (void)item;
+    return settings_read(reader, reader->scene);
+}
+
+static bool read_background(struct reader *reader, void *subject,
+                            const struct item *item)
+{
+    static const struct grammar no_more = { "'}'", { NULL }, NULL };
+    struct block block;
+    bool good;
+
+    (void)item;
+    if (!block_open(reader, &block, '{'))
+        return false;
+    good = read_rgb(reader, reader->scene->background);
+    return block_items(reader, &block, &no_more, subject, good);
+}
+
+static const struct keyword statements[] = {
+    SHAPE_WORDS(read_object),
+    { "camera", read_camera, 0 },
+    { "background", read_background, 0 },
+    { "global_settings", read_settings, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct keyword left_out[] = {
+    { "atmosphere", item_left_out, 0 }, { "fog", item_left_out, 0 },
+    { "media", item_left_out, 0 },      { "rainbow", item_left_out, 0 },
+    { "sky_sphere", item_left_out, 0 }, { NULL, NULL, 0 },
+};
+
+const struct grammar file_grammar = { "a statement",
+                                      { statements, left_out, other_shapes },
+                                      NULL };
+
+static bool take_primitives(struct reader *reader)
+{
+    const struct object *world = &reader->world;
+    struct scene *scene = reader->scene;
+
+    scene->primitives = calloc(world->part_count ? world->part_count : 1,
+                               sizeof *scene->primitives);
+    if (!scene->primitives)
+        return reader_no_memory(reader);
+    for (size_t i = 0; i < world->part_count; i++)
+        scene->primitives[i] = world->parts[i].primitive;
+    scene->primitive_count = world->part_count;
+    return true;
+}
+
+/* The parts are the leaves, in their order. */
+static void fill_nodes(struct scene *scene, const struct object *world)
+{
+    size_t leaf = 0;
+
+    for (size_t i = 0; i < world->branch_count; i++) {
+        struct tree_node *node = &scene->nodes[i];
+        node->operation = world->branches[i].operation;
+        node->next = i + world->branches[i].size;
+        if (node->operation == TREE_LEAF)
+            node->primitive = leaf++;
+    }
+    scene->node_count = world->branch_count;
+}
+
+/* Each solid of the world is a region. */
+static void fill_regions(struct scene *scene)
+{
+    size_t leaf = 0;
+
+    for (size_t i = 0; i < scene->node_count;) {
+        struct region *region = &scene->regions[scene->region_count++];
+        region->first_primitive = leaf;
+        region->first_node = i;
+        region->node_count = scene->nodes[i].next - i;
+        region->line = scene->primitives[leaf].line;
+        for (; i < region->first_node + region->node_count; i++)
+            leaf += scene->nodes[i].operation == TREE_LEAF;
+        region->primitive_count = leaf - region->first_primitive;
+    }
+}
+
+static bool take_regions(struct reader *reader)
+{
+    struct scene *scene = reader->scene;
+
+    scene->nodes = calloc(reader->world.branch_count + 1,
+                          sizeof *scene->nodes);
+    scene->regions = calloc(scene->primitive_count + 1,
+                            sizeof *scene->regions);
+    if (!scene->nodes || !scene->regions)
+        return reader_no_memory(reader);
+    fill_nodes(scene, &reader->world);
+    fill_regions(scene);
+    return true;
+}
+
+static bool take_world(struct reader *reader)
+{
+    struct scene *scene = reader->scene;
+
+    scene->light_count = reader->world.light_count;
+    scene->lights = reader->world.lights;
+    reader->world.lights = NULL;
+    return take_primitives(reader) && take_regions(reader);
+}
+
+static struct scene *new_scene(void)
+{
+    struct scene *scene = calloc(1, sizeof *scene);
+
+    if (!scene)
+        return NULL;
+    scene->camera = camera_default.camera;
+    scene->max_trace_level = TRACE_LEVEL_DEFAULT;
+    scene->adc_bailout = 1.0 / 255;
+    for (int i = 0; i < 3; i++)
+        scene->ambient_light[i] = 1;
+    return scene;
+}
+
+static bool read_all(struct reader *reader, const struct source *source)
+{
+    struct block file;
+
+    lexer_open(&reader->lexer, source);
+    reader_next(reader);
+    file = block_file(reader);
+    block_items(reader, &file, &file_grammar, NULL, true);
+    conditions_close(reader);
+    return take_world(reader);
+}
+
+static struct scene *read_source(struct reader *reader,
+                                 const struct source *source)
+{
+    size_t before = reader->reports->errors;
+    struct scene *scene = new_scene();
+
+    reader->scene = scene;
+    reader->default_texture = texture_default;
+    reader->hold = (size_t)HOLD_NONE;
+    reader->version = LANGUAGE_VERSION;
+    if (scene
+        && (!read_all(reader, source) || reader->reports->errors > before)) {
+        scene_free(scene);
+        scene = NULL;
+    }
+    scene_object_free(&reader->world);
+    symbols_free(&reader->symbols);
+    queries_free(reader);
+    sources_free(reader->sources);
+    return scene;
+}
+
+static void cannot_read(struct reports *reports, const char *path)
+{
+    struct position position = { path, 0, 0, "", 0 };
+
+    reports_add(reports, true, &position, strerror(errno));
+}
+
+/* One reader is too large for a caller's stack to be sure of. */
+static struct scene *read_from(const char *name, const char *text,
+                               const struct scene_options *options,
+                               struct reports *reports)
+{
+    struct reader *reader = calloc(1, sizeof *reader);
+    const struct source *source = NULL;
+    struct scene *scene = NULL;
+    size_t before = reports->errors;
+
+    if (reader) {
+        reader->options = options;
+        reader->reports = reports;
+        source = text ? source_add(&reader->sources, name, text, strlen(text))
+                      : source_load(&reader->sources, name);
+    }
+    if (source)
+        scene = read_source(reader, source);
+    if (!scene && reports->errors == before)
+        cannot_read(reports, name);
+    free(reader);
+    return scene;
+}
+
+struct scene *scene_read(const char *path,
+                         const struct scene_options *options,
+                         struct reports *reports)
+{
+    return read_from(path, NULL, options, reports);
+}
+
+struct scene *scene_read_text(const char *name, const char *text,
+                              const struct scene_options *options,
+                              struct reports *reports)
+{
+    return read_from(name, text, options, reports);
+}

@@ -1,0 +1,177 @@
+#include "rt/study/fit/constants.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { NAME, MACHINE, MEMBERS, SOURCE, LEAST, MOST, WHY, FIELDS };
+static const char *const columns[FIELDS] = { "name",   "machine", "constants",
+                                             "source", "least",   "most",
+                                             "why" };
+
+/* How far a prior can be trusted, relative, by its source. */
+static const struct {
+    char source;
+    double width;
+} widths[] = { { 'P', .02 }, { 'D', .05 }, { 'S', .1 }, { 'R', .4 } };
+
+/* The model in which a machine's priors stand. */
+static const struct {
+    const char *machine, *model;
+} priors[] = {
+    { "cyber205", "cyber205-2pipe-prior" },
+    { "cyber720", "cyber720-prior" },
+    { "cdc6600", "cdc6600" },
+};
+
+static bool fail(c205_error *error, const char *what, const char *name)
+{
+    snprintf(error->message, sizeof error->message, what, name);
+    return false;
+}
+
+static bool add_member(struct free_constant *constant, const char *name,
+                       size_t length, const c205_model *model,
+                       c205_error *error)
+{
+    size_t i = constant->member_count;
+    const c205_constant *found;
+
+    if (i == MEMBERS_MOST)
+        return fail(error, "%s has too many members", constant->name);
+    snprintf(constant->members[i].name, sizeof constant->members[i].name,
+             "%.*s", (int)length, name);
+    found = c205_model_lookup(model, constant->members[i].name);
+    if (!found)
+        return fail(error, "there is no constant %s",
+                    constant->members[i].name);
+    constant->members[i].prior = found->value;
+    if (i == 0) {
+        constant->prior = found->value;
+        constant->unit = found->unit;
+    }
+    constant->member_count++;
+    return true;
+}
+
+static bool add_members(struct free_constant *constant, const char *names,
+                        const c205_model *model, c205_error *error)
+{
+    for (size_t length; *names != '\0'; names += length) {
+        names += strspn(names, " ");
+        length = strcspn(names, " ");
+        if (!add_member(constant, names, length, model, error))
+            return false;
+    }
+    return constant->member_count > 0
+           || fail(error, "%s has no members", constant->name);
+}
+
+static bool set_width(struct free_constant *constant, const char *source,
+                      c205_error *error)
+{
+    for (size_t i = 0; i < sizeof widths / sizeof *widths; i++)
+        if (source[0] == widths[i].source && source[1] == '\0') {
+            constant->source = widths[i].source;
+            constant->width = widths[i].width;
+            return true;
+        }
+    return fail(error, "there is no source %.20s", source);
+}
+
+static const c205_model *prior_of(const struct constants *constants,
+                                  const char *machine, c205_error *error)
+{
+    for (size_t i = 0; i < FREE_MACHINES; i++)
+        if (strcmp(priors[i].machine, machine) == 0)
+            return constants->priors[i];
+    fail(error, "there are no priors of %.60s", machine);
+    return NULL;
+}
+
+static bool read_row(struct constants *constants, const struct csv_row *row,
+                     c205_error *error)
+{
+    struct free_constant *constant = &constants->items[constants->count];
+    const c205_model *prior = prior_of(constants, row->fields[MACHINE],
+                                       error);
+
+    if (!prior)
+        return false;
+    if (constants->count++ == FREE_MOST)
+        return fail(error, "%s: too many constants", constants->file.path);
+    constant->name = row->fields[NAME];
+    constant->machine = row->fields[MACHINE];
+    return csv_positive(&constants->file, row, LEAST, &constant->least, error)
+           && csv_positive(&constants->file, row, MOST, &constant->most,
+                           error)
+           && set_width(constant, row->fields[SOURCE], error)
+           && add_members(constant, row->fields[MEMBERS], prior, error);
+}
+
+bool constants_read(struct constants *constants, const char *path,
+                    c205_error *error)
+{
+    memset(constants, 0, sizeof *constants);
+    for (size_t i = 0; i < FREE_MACHINES; i++) {
+        constants->priors[i] = c205_model_find(priors[i].model, error);
+        if (!constants->priors[i])
+            return false;
+    }
+    if (!csv_read(&constants->file, path, columns, FIELDS, error))
+        return false;
+    for (size_t i = 0; i < constants->file.count; i++)
+        if (!read_row(constants, &constants->file.rows[i], error))
+            return false;
+    return constants->count > 0 || fail(error, "%s is empty", path);
+}
+
+void constants_free(struct constants *constants)
+{
+    csv_free(&constants->file);
+    for (size_t i = 0; i < FREE_MACHINES; i++)
+        c205_model_free(constants->priors[i]);
+}
+
+static double factor_at(const struct free_constant *constant, double place)
+{
+    return 1 + constant->width * place;
+}
+
+double constant_value(const struct free_constant *constant, double place)
+{
+    return constant->prior * factor_at(constant, place);
+}
+
+double constant_place(const struct free_constant *constant, double value)
+{
+    return (value / constant->prior - 1) / constant->width;
+}
+
+bool constant_is_of(const struct free_constant *constant,
+                    const c205_model *model)
+{
+    return strncmp(c205_model_name(model), constant->machine,
+                   strlen(constant->machine))
+           == 0;
+}
+
+size_t constants_settings(const struct constants *constants,
+                          const double *places, const c205_model *model,
+                          c205_setting settings[SETTINGS_MOST])
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < constants->count; i++) {
+        const struct free_constant *constant = &constants->items[i];
+        double factor = factor_at(constant, places[i]);
+
+        for (size_t k = 0;
+             constant_is_of(constant, model) && k < constant->member_count;
+             k++)
+            settings[count++] = (c205_setting){
+                constant->members[k].name, constant->members[k].prior * factor
+            };
+    }
+    return count;
+}

@@ -1,0 +1,55 @@
+/* constants.h - what the fit may move: rows of rt/study/fit/constants.csv.
+ *
+ * A free constant is a group of a model's constants that move together, by
+ * one factor.  Its place is told in widths of its prior: 0 is the prior, 1 one
+ * width more.
+ */
+#ifndef RT_FIT_CONSTANTS_H
+#define RT_FIT_CONSTANTS_H
+
+#include "rt/study/fit/csv.h"
+
+enum { FREE_MOST = 24, MEMBERS_MOST = 24 };
+
+struct free_constant {
+    const char *name, *machine; /* what the names of its models begin with */
+    char source;
+    double width;       /* of the prior, relative */
+    double prior;       /* of the first member, in its unit */
+    double least, most; /* likewise */
+    const char *unit;
+    size_t member_count;
+    struct {
+        char name[32];
+        double prior;
+    } members[MEMBERS_MOST];
+};
+
+enum { FREE_MACHINES = 3 };
+
+struct constants {
+    size_t count;
+    struct free_constant items[FREE_MOST];
+    struct csv file;
+    c205_model *priors[FREE_MACHINES];
+};
+
+/* The priors are those of built-in models.  False: the error says why. */
+bool constants_read(struct constants *constants, const char *path,
+                    c205_error *error);
+void constants_free(struct constants *constants);
+
+/* The first member's value at a place, and the other way round. */
+double constant_value(const struct free_constant *constant, double place);
+double constant_place(const struct free_constant *constant, double value);
+/* Whether it is one of this model's. */
+bool constant_is_of(const struct free_constant *constant,
+                    const c205_model *model);
+
+/* What the places of all set in a model; gives their number. */
+enum { SETTINGS_MOST = FREE_MOST * MEMBERS_MOST };
+size_t constants_settings(const struct constants *constants,
+                          const double *places, const c205_model *model,
+                          c205_setting settings[SETTINGS_MOST]);
+
+#endif

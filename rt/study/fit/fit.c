@@ -1,0 +1,376 @@
+#include "rt/study/fit/fit.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/study/fit/ceres_fit.h"
+
+/* A difference that tells a derivative, in prior widths. */
+#define STEP 0.1
+
+double fit_error(const struct observation *observation, double predicted)
+{
+    return predicted / observation->value - 1;
+}
+
+/* ---- Points: the constants somewhere, and all clocks there -------------- */
+
+struct point {
+    double places[FREE_MOST];
+    size_t moved; /* the only constant that differs from the first point;
+                      FREE_MOST: it is the first */
+    bool timed[FIT_TIMINGS_MOST];
+    double clocks[FIT_TIMINGS_MOST][RUN_REGIONS_MOST];
+};
+
+/* Programs to time at points, shared out among threads. */
+struct work {
+    const struct fit *fit;
+    const bool *needed; /* of each timing */
+    struct point *points;
+    size_t count, next; /* of points x timings */
+    pthread_mutex_t lock;
+    bool failed;
+    c205_error error;
+};
+
+static bool time_one(const struct work *work, size_t i, c205_error *error)
+{
+    const struct observations *all = work->fit->observations;
+    struct point *point = &work->points[i / all->timing_count];
+    size_t which = i % all->timing_count;
+    const struct timing *timing = &all->timings[which];
+    c205_setting settings[SETTINGS_MOST];
+    size_t count;
+
+    if (!work->needed[which] || point->timed[which]
+        || (point->moved < FREE_MOST && work->fit->idle[which][point->moved]))
+        return true;
+    count = constants_settings(work->fit->constants, point->places,
+                               timing->model, settings);
+    point->timed[which] = run_time(timing->run, timing->model, settings,
+                                   count, RUN_FINE, point->clocks[which],
+                                   error);
+    return point->timed[which];
+}
+
+static void *do_work(void *context)
+{
+    struct work *work = context;
+    c205_error error = { "" };
+
+    pthread_mutex_lock(&work->lock);
+    while (work->next < work->count && !work->failed) {
+        size_t i = work->next++;
+        bool good;
+
+        pthread_mutex_unlock(&work->lock);
+        good = time_one(work, i, &error);
+        pthread_mutex_lock(&work->lock);
+        if (!good) {
+            work->failed = true;
+            work->error = error;
+        }
+    }
+    pthread_mutex_unlock(&work->lock);
+    return NULL;
+}
+
+/* The first thread is this one. */
+static void share_out(struct work *work)
+{
+    enum { JOBS_MOST = 64 };
+    pthread_t threads[JOBS_MOST];
+    size_t begun = 1;
+
+    pthread_mutex_init(&work->lock, NULL);
+    while (begun < work->fit->jobs && begun < JOBS_MOST
+           && pthread_create(&threads[begun], NULL, do_work, work) == 0)
+        begun++;
+    do_work(work);
+    for (size_t i = 1; i < begun; i++)
+        pthread_join(threads[i], NULL);
+    pthread_mutex_destroy(&work->lock);
+}
+
+/* What an idle constant leaves as it was at the first point. */
+static void fill_in(const struct fit *fit, struct point *points, size_t count)
+{
+    for (size_t i = 1; i < count; i++)
+        for (size_t k = 0; k < fit->observations->timing_count; k++)
+            if (points[i].moved < FREE_MOST && fit->idle[k][points[i].moved])
+                memcpy(points[i].clocks[k], points[0].clocks[k],
+                       sizeof points[i].clocks[k]);
+}
+
+static bool time_points(const struct fit *fit, const bool *needed,
+                        struct point *points, size_t count, c205_error *error)
+{
+    struct work work = { .fit = fit,
+                         .needed = needed,
+                         .points = points,
+                         .count = count * fit->observations->timing_count };
+
+    share_out(&work);
+    fill_in(fit, points, count);
+    if (work.failed)
+        *error = work.error;
+    return !work.failed;
+}
+
+/* The first point, and for each constant one beside it. */
+static struct point *points_at(const struct fit *fit, const double *places,
+                               size_t *count, c205_error *error)
+{
+    size_t constants = fit->constants->count;
+    struct point *points = calloc(1 + constants, sizeof *points);
+
+    if (!points)
+        snprintf(error->message, sizeof error->message, "no memory");
+    for (size_t i = 0; points && i < 1 + constants; i++) {
+        memcpy(points[i].places, places, constants * sizeof *places);
+        points[i].moved = i == 0 ? FREE_MOST : i - 1;
+        if (i > 0)
+            points[i].places[points[i].moved] += STEP;
+    }
+    *count = 1 + constants;
+    return points;
+}
+
+/* ---- Residuals ---------------------------------------------------------- */
+
+/* One fit as Ceres asks for it. */
+struct asked {
+    const struct fit *fit;
+    const struct fit_change *change;
+    size_t used[FIT_OBSERVATIONS_MOST], use_count;
+    bool needed[FIT_TIMINGS_MOST];
+    struct point last; /* where it was last asked */
+    c205_error error;
+};
+
+static double width_of(const struct asked *asked, size_t constant)
+{
+    double wider = asked->change->wider[constant];
+
+    return wider > 0 ? wider : 1;
+}
+
+static double residual_at(const struct asked *asked, size_t i,
+                          struct point *point)
+{
+    const struct observations *all = asked->fit->observations;
+    const struct observation *item = &all->items[asked->used[i]];
+    double predicted = observation_predict(all, item, point->clocks);
+
+    return fit_error(item, predicted) / item->uncertainty;
+}
+
+static void find_residuals(const struct asked *asked, struct point *points,
+                           double *residuals)
+{
+    const struct fit_change *change = asked->change;
+
+    for (size_t i = 0; i < asked->use_count; i++)
+        residuals[i] = residual_at(asked, i, &points[0]);
+    for (size_t i = 0; i < asked->fit->constants->count; i++)
+        residuals[asked->use_count + i] = (points[0].places[i]
+                                           - change->center[i])
+                                          / width_of(asked, i);
+}
+
+static void find_derivatives(const struct asked *asked, struct point *points,
+                             double *derivatives)
+{
+    size_t constants = asked->fit->constants->count;
+    double *prior = derivatives + asked->use_count * constants;
+
+    for (size_t i = 0; i < asked->use_count; i++)
+        for (size_t k = 0; k < constants; k++)
+            derivatives[i * constants + k] = (residual_at(asked, i,
+                                                          &points[k + 1])
+                                              - residual_at(asked, i,
+                                                            &points[0]))
+                                             / STEP;
+    memset(prior, 0, constants * constants * sizeof *prior);
+    for (size_t i = 0; i < constants; i++)
+        prior[i * constants + i] = 1 / width_of(asked, i);
+}
+
+static bool evaluate(void *context, const double *places, double *residuals,
+                     double *derivatives)
+{
+    struct asked *asked = context;
+    size_t count;
+    struct point *points = points_at(asked->fit, places, &count,
+                                     &asked->error);
+    bool good;
+
+    if (points
+        && memcmp(asked->last.places, points[0].places,
+                  sizeof points[0].places)
+               == 0)
+        points[0] = asked->last;
+    good = points != NULL
+           && time_points(asked->fit, asked->needed, points,
+                          derivatives ? count : 1, &asked->error);
+    if (good)
+        asked->last = points[0];
+    if (good)
+        find_residuals(asked, points, residuals);
+    if (good && derivatives)
+        find_derivatives(asked, points, derivatives);
+    free(points);
+    return good;
+}
+
+/* ---- Fits --------------------------------------------------------------- */
+
+bool fit_predict(const struct fit *fit, const double *places,
+                 double predicted[FIT_OBSERVATIONS_MOST], c205_error *error)
+{
+    const struct observations *all = fit->observations;
+    size_t count;
+    struct point *points = points_at(fit, places, &count, error);
+    bool needed[FIT_TIMINGS_MOST];
+    bool good;
+
+    memset(needed, true, sizeof needed);
+    good = points && time_points(fit, needed, points, 1, error);
+    for (size_t i = 0; good && i < all->count; i++)
+        predicted[i] = observation_predict(all, &all->items[i],
+                                           points[0].clocks);
+    free(points);
+    return good;
+}
+
+/* Where a width more of a constant changes no clock it is idle. */
+static void find_idle(struct fit *fit, const struct point *points, size_t k)
+{
+    for (size_t i = 0; i < fit->observations->timing_count; i++)
+        fit->idle[i][k] = memcmp(points[0].clocks[i], points[k + 1].clocks[i],
+                                 sizeof points[0].clocks[i])
+                          == 0;
+}
+
+/* So it is in the programs of other machines. */
+static void set_strangers_idle(struct fit *fit)
+{
+    const struct observations *all = fit->observations;
+
+    for (size_t i = 0; i < all->timing_count; i++)
+        for (size_t k = 0; k < fit->constants->count; k++)
+            fit->idle[i][k] = !constant_is_of(&fit->constants->items[k],
+                                              all->timings[i].model);
+}
+
+/* Timings of observations that may be fitted. */
+static void find_needed(const struct fit *fit,
+                        const struct fit_change *change,
+                        bool needed[FIT_TIMINGS_MOST])
+{
+    const struct observations *all = fit->observations;
+
+    memset(needed, 0, FIT_TIMINGS_MOST * sizeof *needed);
+    for (size_t i = 0; i < all->count; i++)
+        for (size_t k = 0; k < all->items[i].term_count; k++)
+            if (all->items[i].fit && !change->held[i])
+                needed[all->items[i].terms[k].timing] = true;
+}
+
+bool fit_begin(struct fit *fit, c205_error *error)
+{
+    static const double priors[FREE_MOST];
+    static const struct fit_change none;
+    bool needed[FIT_TIMINGS_MOST];
+    struct point *points;
+    size_t count;
+    bool good;
+
+    if (fit->observations->count > FIT_OBSERVATIONS_MOST
+        || fit->observations->timing_count > FIT_TIMINGS_MOST) {
+        snprintf(error->message, sizeof error->message,
+                 "too many observations");
+        return false;
+    }
+    set_strangers_idle(fit);
+    find_needed(fit, &none, needed);
+    points = points_at(fit, priors, &count, error);
+    for (size_t k = 0; points && k < fit->constants->count; k++)
+        points[k + 1].places[k] = 1;
+    good = points && time_points(fit, needed, points, count, error);
+    for (size_t k = 0; good && k < fit->constants->count; k++)
+        find_idle(fit, points, k);
+    free(points);
+    return good;
+}
+
+static void choose(struct asked *asked)
+{
+    const struct observations *all = asked->fit->observations;
+
+    for (size_t i = 0; i < all->count; i++)
+        if (all->items[i].fit && !asked->change->held[i])
+            asked->used[asked->use_count++] = i;
+}
+
+/* The covariance is that of uncertainties that are right; where the cost
+ * shows that they are not it grows by 2 cost / (residuals - constants). */
+static void find_errors(const struct ceres_outcome *found, size_t constants,
+                        struct fit_outcome *outcome)
+{
+    double scale = sqrt(2 * found->cost / (double)outcome->used);
+
+    for (size_t i = 0; i < constants; i++) {
+        double error = found->determined
+                           ? sqrt(found->covariance[i * constants + i])
+                           : NAN;
+
+        outcome->raw_errors[i] = error;
+        outcome->errors[i] = error * scale;
+    }
+}
+
+bool fit_solve(const struct fit *fit, const struct fit_change *change,
+               const double *places, struct fit_outcome *outcome,
+               c205_error *error)
+{
+    struct asked asked = { .fit = fit,
+                           .change = change,
+                           .last = { .moved = FREE_MOST } };
+    size_t constants = fit->constants->count;
+    double least[FREE_MOST], most[FREE_MOST];
+    double losses[FIT_OBSERVATIONS_MOST + FREE_MOST] = { 0 };
+    double covariance[FREE_MOST * FREE_MOST];
+    struct ceres_outcome found = { .covariance = covariance };
+    struct ceres_problem problem = { constants, 0,        least, most,
+                                     losses,    evaluate, &asked };
+
+    choose(&asked);
+    find_needed(fit, change, asked.needed);
+    problem.residuals = asked.use_count + constants;
+    for (size_t i = 0; i < constants; i++) {
+        const struct free_constant *constant = &fit->constants->items[i];
+
+        least[i] = constant_place(constant, constant->least);
+        most[i] = constant_place(constant, constant->most);
+        outcome->places[i] = places[i];
+    }
+    for (size_t i = 0; i < asked.use_count; i++)
+        losses[i] = FIT_LOSS;
+    if (!ceres_fit(&problem, outcome->places, &found)) {
+        snprintf(error->message, sizeof error->message, "%.200s",
+                 *asked.error.message != '\0' ? asked.error.message
+                                              : found.message);
+        return false;
+    }
+    outcome->cost = found.cost;
+    outcome->steps = found.steps;
+    outcome->converged = found.converged;
+    outcome->used = asked.use_count;
+    find_errors(&found, constants, outcome);
+    return fit_predict(fit, outcome->places, outcome->predicted, error);
+}

@@ -1,0 +1,60 @@
+/* fit.h - the constants of the timing model, fitted to observations.
+ *
+ * Residuals: of each observation in use, the relative error of the machine's
+ * own clocks for its program, by its uncertainty, with a Cauchy loss of
+ * FIT_LOSS; of each free constant, how far it is from its prior, in the
+ * prior's widths.  Derivatives are differences between programs timed again.
+ *
+ * Everything is the same in every run: threads only share the timing out.
+ */
+#ifndef RT_FIT_FIT_H
+#define RT_FIT_FIT_H
+
+#include "rt/study/fit/constants.h"
+#include "rt/study/fit/observations.h"
+
+enum { FIT_OBSERVATIONS_MOST = 64, FIT_TIMINGS_MOST = 64 };
+#define FIT_LOSS 2.0 /* standard deviations */
+
+struct fit {
+    const struct observations *observations;
+    const struct constants *constants;
+    size_t jobs;
+    /* Which constants have no part in a program. */
+    bool idle[FIT_TIMINGS_MOST][FREE_MOST];
+};
+
+/* What is other than in the fit proper. */
+struct fit_change {
+    bool held[FIT_OBSERVATIONS_MOST]; /* observations left out */
+    double wider[FREE_MOST];  /* priors' widths times this; 0: as is */
+    double center[FREE_MOST]; /* priors moved, in widths */
+};
+
+struct fit_outcome {
+    double places[FREE_MOST];     /* of the constants, in prior widths */
+    double errors[FREE_MOST];     /* standard, likewise; NaN: undetermined */
+    double raw_errors[FREE_MOST]; /* as if all uncertainties were right */
+    double predicted[FIT_OBSERVATIONS_MOST];
+    double cost;
+    size_t used; /* observations */
+    int steps;
+    bool converged;
+};
+
+/* False: the error says why. */
+bool fit_begin(struct fit *fit, c205_error *error);
+
+/* places: where to begin. */
+bool fit_solve(const struct fit *fit, const struct fit_change *change,
+               const double *places, struct fit_outcome *outcome,
+               c205_error *error);
+
+/* What the machine shows with the constants at these places. */
+bool fit_predict(const struct fit *fit, const double *places,
+                 double predicted[FIT_OBSERVATIONS_MOST], c205_error *error);
+
+/* (predicted - value) / value */
+double fit_error(const struct observation *observation, double predicted);
+
+#endif

@@ -1,0 +1,290 @@
+#include "rt/study/fit/observations.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    NAME,
+    PROGRAM,
+    MACHINE,
+    VALUE,
+    UNIT,
+    UNCERTAINTY,
+    SOURCE,
+    USE,
+    FIELDS
+};
+static const char *const columns[FIELDS] = { "name",    "program",
+                                             "machine", "value",
+                                             "unit",    "uncertainty",
+                                             "source",  "use" };
+
+enum { TEXT_MOST = 128 };
+
+static bool fail(c205_error *error, const char *what, const char *name)
+{
+    snprintf(error->message, sizeof error->message, what, name);
+    return false;
+}
+
+/* Room for one more; NULL: no memory. */
+static void *grown(void *items, size_t count, size_t size)
+{
+    return realloc(items, (count + 1) * size);
+}
+
+/* ---- Runs, models, timings: each once ----------------------------------- */
+
+static const struct run *find_run(struct observations *all,
+                                  const char *program,
+                                  const struct run_options *options,
+                                  c205_error *error)
+{
+    struct run **runs, *run;
+
+    for (size_t i = 0; i < all->run_count; i++)
+        if (strcmp(all->runs[i]->program, program) == 0)
+            return all->runs[i];
+    fail(error, "%s", "no memory");
+    runs = grown(all->runs, all->run_count, sizeof *runs);
+    if (!runs)
+        return NULL;
+    all->runs = runs;
+    run = run_new(program, options, error);
+    if (run)
+        runs[all->run_count++] = run;
+    return run;
+}
+
+/* The model of a machine before any fit, if it has one of its own. */
+static void name_prior(const char *machine, char name[TEXT_MOST])
+{
+    const char *const *names = c205_model_names();
+
+    snprintf(name, TEXT_MOST, "%s" PRIOR_SUFFIX, machine);
+    while (*names && strcmp(*names, name) != 0)
+        names++;
+    if (!*names)
+        snprintf(name, TEXT_MOST, "%s", machine);
+}
+
+static const c205_model *find_model(struct observations *all,
+                                    const char *machine, c205_error *error)
+{
+    char name[TEXT_MOST];
+    c205_model **models, *model;
+
+    name_prior(machine, name);
+    for (size_t i = 0; i < all->model_count; i++)
+        if (strcmp(c205_model_name(all->models[i]), name) == 0)
+            return all->models[i];
+    fail(error, "%s", "no memory");
+    models = grown(all->models, all->model_count, sizeof *models);
+    if (!models)
+        return NULL;
+    all->models = models;
+    model = c205_model_find(name, error);
+    if (model)
+        models[all->model_count++] = model;
+    return model;
+}
+
+static bool find_timing(struct observations *all, const struct run *run,
+                        const c205_model *model, size_t *found,
+                        c205_error *error)
+{
+    struct timing *timings;
+
+    for (*found = 0; *found < all->timing_count; ++*found)
+        if (all->timings[*found].run == run
+            && all->timings[*found].model == model)
+            return true;
+    timings = grown(all->timings, all->timing_count, sizeof *timings);
+    if (!timings)
+        return fail(error, "%s", "no memory");
+    all->timings = timings;
+    timings[all->timing_count++] = (struct timing){ run, model };
+    return true;
+}
+
+/* ---- What is timed ------------------------------------------------------ */
+
+/* Cut "A/B" in two; the second is empty when there is none. */
+static void split(char *text, const char **second)
+{
+    char *slash = strchr(text, '/');
+
+    *second = "";
+    if (slash) {
+        *slash = '\0';
+        *second = slash + 1;
+    }
+}
+
+/* Take ":REGIONS" out of a program. */
+static void take_regions(const char *text, char program[TEXT_MOST],
+                         char regions[TEXT_MOST])
+{
+    const char *colon = strchr(text, ':');
+    size_t begin = !colon ? strlen(text) : (size_t)(colon - text);
+    size_t length = !colon ? 0 : strcspn(colon, " ");
+
+    snprintf(program, TEXT_MOST, "%.*s%s", (int)begin, text,
+             text + begin + length);
+    snprintf(regions, TEXT_MOST, "%.*s", length > 0 ? (int)length - 1 : 0,
+             text + begin + (length > 0));
+}
+
+static bool add_term(struct observations *all, struct observation *item,
+                     const struct run *run, const char *region,
+                     const char *machine, c205_error *error)
+{
+    struct term *term = &item->terms[item->term_count++];
+    const c205_model *model = find_model(all, machine, error);
+
+    return model && find_timing(all, run, model, &term->timing, error)
+           && run_select(run, region, term->chosen, error);
+}
+
+static bool add_terms(struct observations *all, struct observation *item,
+                      const struct run_options *options,
+                      const struct run **run, c205_error *error)
+{
+    char program[TEXT_MOST], regions[TEXT_MOST], machines[TEXT_MOST];
+    const char *region, *machine;
+    bool share = strcmp(item->unit, "%") == 0;
+
+    take_regions(item->program, program, regions);
+    snprintf(machines, sizeof machines, "%s", item->machine);
+    split(regions, &region);
+    split(machines, &machine);
+    *run = find_run(all, program, options, error);
+    if (!*run || !add_term(all, item, *run, regions, machines, error))
+        return false;
+    if (*region == '\0' && *machine == '\0' && !share)
+        return true;
+    return add_term(all, item, *run, *machine != '\0' ? regions : region,
+                    *machine != '\0' ? machine : machines, error);
+}
+
+/* Units and the constants of programs that they count by. */
+static const struct unit {
+    const char *name, *symbol;
+    bool rate;
+    double factor;
+} units[] = {
+    { "s/100000", NULL, false, 1e5 },
+    { "ns/TIMES", "TIMES", false, 1e9 },
+    { "Mflop/s", "FLOPS", true, 1e-6 },
+    { "Melements/s", "ELEMENTS", true, 1e-6 },
+    { "%", NULL, false, 100 },
+    { "ratio", NULL, false, 1 },
+};
+
+static bool set_unit(struct observation *item, const struct run *run,
+                     c205_error *error)
+{
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+        const struct unit *unit = &units[i];
+        double count = 1;
+
+        if (strcmp(unit->name, item->unit) != 0)
+            continue;
+        if (unit->symbol && !run_symbol(run, unit->symbol, &count))
+            return fail(error, "the program does not define %s",
+                        unit->symbol);
+        if (!unit->symbol && item->term_count == 1)
+            count = (double)run->rays;
+        item->rate = unit->rate;
+        item->factor = unit->rate ? unit->factor * count
+                                  : unit->factor / count;
+        return true;
+    }
+    return fail(error, "there is no unit %.60s", item->unit);
+}
+
+/* ---- Reading ------------------------------------------------------------ */
+
+static bool read_row(struct observations *all, const struct csv *file,
+                     const struct csv_row *row,
+                     const struct run_options *options, c205_error *error)
+{
+    struct observation *items = grown(all->items, all->count, sizeof *items);
+    struct observation *item;
+    const struct run *run;
+
+    if (!items)
+        return fail(error, "%s", "no memory");
+    all->items = items;
+    item = &items[all->count++];
+    *item = (struct observation){ .name = row->fields[NAME],
+                                  .program = row->fields[PROGRAM],
+                                  .machine = row->fields[MACHINE],
+                                  .unit = row->fields[UNIT],
+                                  .source = row->fields[SOURCE],
+                                  .fit = strcmp(row->fields[USE], "fit")
+                                         == 0 };
+    return csv_positive(file, row, VALUE, &item->value, error)
+           && csv_positive(file, row, UNCERTAINTY, &item->uncertainty, error)
+           && add_terms(all, item, options, &run, error)
+           && set_unit(item, run, error);
+}
+
+bool observations_read(struct observations *all, const char *path,
+                       const struct run_options *options, c205_error *error)
+{
+    struct csv *files = grown(all->files, all->file_count, sizeof *files);
+    struct csv *file;
+
+    if (!files)
+        return fail(error, "%s", "no memory");
+    all->files = files;
+    file = &files[all->file_count++];
+    if (!csv_read(file, path, columns, FIELDS, error))
+        return false;
+    for (size_t i = 0; i < file->count; i++)
+        if (!read_row(all, file, &file->rows[i], options, error))
+            return false;
+    return true;
+}
+
+void observations_free(struct observations *all)
+{
+    for (size_t i = 0; i < all->run_count; i++)
+        run_free(all->runs[i]);
+    for (size_t i = 0; i < all->model_count; i++)
+        c205_model_free(all->models[i]);
+    for (size_t i = 0; i < all->file_count; i++)
+        csv_free(&all->files[i]);
+    free(all->runs);
+    free(all->models);
+    free(all->files);
+    free(all->timings);
+    free(all->items);
+    *all = (struct observations){ 0 };
+}
+
+static double seconds(const struct observations *all, const struct term *term,
+                      double (*clocks)[RUN_REGIONS_MOST])
+{
+    const struct timing *timing = &all->timings[term->timing];
+    double sum = 0;
+
+    for (size_t i = 0; i < timing->run->region_count; i++)
+        if (term->chosen[i])
+            sum += clocks[term->timing][i];
+    return 1e-9 * sum
+           * c205_model_lookup(timing->model, "clock.period")->value;
+}
+
+double observation_predict(const struct observations *all,
+                           const struct observation *item,
+                           double (*clocks)[RUN_REGIONS_MOST])
+{
+    double time = seconds(all, &item->terms[0], clocks);
+
+    if (item->term_count == 2)
+        time /= seconds(all, &item->terms[1], clocks);
+    return item->rate ? item->factor / time : item->factor * time;
+}

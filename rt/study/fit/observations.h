@@ -1,0 +1,71 @@
+/* observations.h - what has been published of the machines' speed, and what
+ * the emulated machine's own clocks say of the same.
+ *
+ * An observation is a line of a file in rt/study/fit/observations:
+ *
+ *   program   as run.h has it, ":REGION" or ":REGION/REGION" in it
+ *   machine   a model, or two, MODEL/MODEL; where there is a MODEL-prior, which
+ *             no fit has touched, it is that
+ *   unit      s/100000   seconds for 100,000 rays
+ *             ns/SYMBOL  nanoseconds, divided by that constant of the program
+ *             Mflop/s    FLOPS of the program, by its time
+ *             Melements/s  ELEMENTS of the program, by its time
+ *             %          the region's share of the program
+ *             ratio      the first region's or machine's time by the second's
+ *   uncertainty   relative: one standard deviation
+ *   use       fit, or validate: only compared
+ *
+ * Each program runs once; its clocks with other constants come from the
+ * recording, by the machine's own clock (vm/time/recording.c) or a projection.
+ */
+#ifndef RT_FIT_OBSERVATIONS_H
+#define RT_FIT_OBSERVATIONS_H
+
+#include "rt/study/fit/csv.h"
+#include "rt/study/fit/run.h"
+
+#define PRIOR_SUFFIX "-prior"
+
+/* A program on a machine. */
+struct timing {
+    const struct run *run;
+    const c205_model *model;
+};
+
+/* The seconds of some of its regions. */
+struct term {
+    size_t timing;
+    bool chosen[RUN_REGIONS_MOST];
+};
+
+struct observation {
+    const char *name, *program, *machine, *unit, *source;
+    double value, uncertainty;
+    bool fit;
+    bool rate; /* factor / seconds; else factor x seconds */
+    double factor;
+    size_t term_count; /* of two: the first by the second */
+    struct term terms[2];
+};
+
+struct observations {
+    size_t count, timing_count, run_count, model_count, file_count;
+    struct observation *items;
+    struct timing *timings;
+    struct run **runs;
+    c205_model **models;
+    struct csv *files; /* hold the texts */
+};
+
+/* Zero it to begin.  Add the observations of a file and run their programs.
+ * False: the error says why. */
+bool observations_read(struct observations *observations, const char *path,
+                       const struct run_options *options, c205_error *error);
+void observations_free(struct observations *observations);
+
+/* From the clocks of each timing's regions. */
+double observation_predict(const struct observations *observations,
+                           const struct observation *observation,
+                           double (*clocks)[RUN_REGIONS_MOST]);
+
+#endif

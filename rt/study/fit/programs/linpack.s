@@ -1,0 +1,150 @@
+; linpack.s - the LINPACK benchmark: a system of 100 equations, solved by SGEFA
+; and SGESL with called BLAS (sgefa.inc, blas.inc).
+;
+; The matrix is that of the published program: J := 3125 J mod 65536 from 1325,
+; A := (J - 32768) / 16384, column by column, in an array of LDA = 201 rows; B
+; is the sum of the columns, so that the solution is all ones.  What counts is
+; the time of both routines, which are the named regions: 2/3 n^3 + 2 n^2
+; operations.  The solution is checked by the residual
+;
+;       max |A x - b| / (n max |A| max |x| eps),  eps = 2^-46
+;
+; which must be below 100 (32; a machine that rounds shows a few, this one cuts
+; all sums in the same direction).  Published for the CYBER 205 with two pipes:
+; 17 Mflop/s.
+; Source: Dongarra, Performance of Various Computers Using Standard Linear
+; Equations Software in a FORTRAN Environment (1983 and later).
+
+        .include "frame/linkage.s"
+        .include "blas.inc"
+        .include "sgefa.inc"
+
+        .equ    ORDER, 100
+        .equ    LDA, 201
+        .equ    MATRIX, LDA * ORDER
+; Floating-point operations of the routines; ALLOWED = 100 n 2^-46.
+        .equ    FLOPS, (2 * ORDER * ORDER * ORDER + 6 * ORDER * ORDER) / 3
+        .equ    ALLOWED, 1.42e-10
+
+        .data
+a:              .space MATRIX
+b:              .space ORDER
+x:              .space ORDER
+ipvt:           .space ORDER
+info:           .word 0
+order:          .word ORDER
+lda:            .word LDA
+sgefa_list:     .word a, lda, order, ipvt, info
+sgesl_list:     .word a, lda, order, ipvt, x
+unit:           .word 1.0
+figure_text:    .text " Mflop/s\n"
+        .code
+
+        .regs   r12, seed, step, mask, half, scale, number
+        .regs   r18, at, next, rows, columns, minus, factor, back
+        .regs   r25, begun, ended, clocks, failed
+        .regs   r160, residual, residual_at, norm_a, norm_a_at, norm_x
+        .regs   r165, norm_x_at, allowed, vector, solution, column, sum, linked
+
+        .macro  number register, value
+        EX      \register, bits(\value) & 0xFFFFFFFFFFFF
+        ELEN    \register, bits(\value) >> 48 & 0xFFFF
+        .endm
+
+        .macro  vector register, address, length
+        EX      \register, \address
+        ELEN    \register, \length
+        .endm
+
+; B := B + the sum over the columns A(.,J) of A(.,J) F(J), where F(J + 1) stands
+; step words behind F(J).
+        .macro  add_columns first, step
+        EX      factor, \first
+        vector  column, a, ORDER
+        vector  sum, b, ORDER
+        RTOR    sum, linked
+        ES      columns, ORDER
+next\@:
+        LOD     [factor], number
+        LINKV
+        MPYSV   [column], number, [linked]
+        ADDNV   [linked], [sum], [sum]
+        IX      factor, 64 * \step
+        IX      column, 64 * LDA
+        IBXNE   columns, minus, r0, next\@, columns
+        .endm
+
+; The greatest magnitude of a vector.
+        .macro  norm result, address, length
+        vector  vector, \address, \length
+        MAXV    |[vector]|, \result
+        .endm
+
+        .entry  linpack
+linpack:
+        ES      minus, -1
+        EX      target, generate
+        BSAVE   back, [target]
+        add_columns unit, 0
+        vector  solution, x, ORDER
+        vector  vector, b, ORDER
+        VTOV    [vector], [solution]
+
+        CLOCK   begun
+        call    sgefa, sgefa_list
+        call    sgesl, sgesl_list
+        CLOCK   ended
+
+        EX      target, generate
+        BSAVE   back, [target]
+        add_columns unit, 0             ; B again, and then A x - B
+        vector  vector, b, ORDER
+        VTOV    -[vector], [vector]
+        add_columns x, 1
+        norm    residual, b, ORDER
+        norm    norm_a, a, MATRIX
+        norm    norm_x, x, ORDER
+
+        number  allowed, ALLOWED
+        MPYS    allowed, norm_a, allowed
+        MPYS    allowed, norm_x, allowed
+        ES      failed, 0
+        CFPLT   residual, allowed, solved
+        ES      failed, 1
+solved:
+        SUBX    ended, begun, clocks    ; of 20 ns: FLOPS 50 / clocks
+        ADDN    clocks, r0, clocks
+        EX      number, FLOPS * 50
+        ADDN    number, r0, number
+        DIVS    number, clocks, number
+        EXIT    number, r0, 1
+        vector  vector, figure_text, length(" Mflop/s\n")
+        EXIT    vector, r0, 4
+        EXIT    failed
+
+; A, and B := 0.
+generate:
+        ES      seed, 1325
+        ES      step, 3125
+        EX      mask, 65535
+        number  half, 32768.0
+        number  scale, 6.103515625e-5   ; 1/16384
+        EX      next, a
+        ES      columns, ORDER
+generate_column:
+        RTOR    next, at
+        ES      rows, ORDER
+generate_row:
+        MPYX    seed, step, seed
+        AND     seed, mask, seed
+        SUBN    seed, half, number
+        MPYS    number, scale, number
+        STO     [at], number
+        IX      at, 64
+        IBXNE   rows, minus, r0, generate_row, rows
+        IX      next, 64 * LDA
+        IBXNE   columns, minus, r0, generate_column, columns
+        vector  vector, b, ORDER
+        VTOV    r0, [vector]
+        BIM     0, back
+; expect: failed = 0

@@ -1,0 +1,225 @@
+#include "rt/study/fit/run.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "vm/text.h"
+
+enum { DEFINES_MOST = 8, WORDS_MOST = 256 };
+
+static bool fail(c205_error *error, const char *what, const char *name)
+{
+    snprintf(error->message, sizeof error->message, what, name);
+    return false;
+}
+
+static char *copied(const char *text)
+{
+    char *copy = malloc(strlen(text) + 1);
+
+    return !copy ? NULL : strcpy(copy, text);
+}
+
+/* ---- Frames ------------------------------------------------------------- */
+
+/* "Steiner scalar": the subject and the form. */
+static bool find_subject(struct run *run, enum trace_mode *mode)
+{
+    for (size_t i = 0; i < speedup_subject_count; i++) {
+        const char *name = speedup_subjects[i].name;
+        size_t length = strlen(name);
+
+        if (strncmp(run->program, name, length) == 0
+            && run->program[length] == ' '
+            && trace_mode_named(run->program + length + 1, mode)
+            && *mode < TRACE_FORMS) {
+            run->subject = &speedup_subjects[i];
+            return true;
+        }
+    }
+    return false;
+}
+
+static c205 *frame_machine(struct run *run, enum trace_mode mode,
+                           const struct run_options *options,
+                           c205_error *error)
+{
+    const struct trace_options how = { .mode = mode,
+                                       .width = options->width[mode],
+                                       .height = options->height[mode],
+                                       .queue = TRACE_QUEUE,
+                                       .model = options->model };
+
+    run->rays = how.width * how.height;
+    run->trace = speedup_trace(run->subject, &options->view, &how,
+                               &run->scene, error);
+    return !run->trace ? NULL : trace_machine(run->trace, error);
+}
+
+/* ---- Program texts ------------------------------------------------------ */
+
+/* Cut "FILE.s NAME=VALUE ..." into the file and the defines, which end with a
+ * NULL name. */
+static bool cut_words(char *words, struct asm_define *defines,
+                      c205_error *error)
+{
+    size_t count = 0;
+
+    strtok(words, " ");
+    for (char *word; (word = strtok(NULL, " ")) != NULL;) {
+        char *value = strchr(word, '=');
+
+        if (!value || count + 1 == DEFINES_MOST)
+            return fail(error, "'%.60s' does not define a constant", word);
+        *value++ = '\0';
+        defines[count++] = (struct asm_define){ word, atoll(value) };
+    }
+    defines[count].name = NULL;
+    return true;
+}
+
+static bool assemble(struct run *run, const struct run_options *options,
+                     c205_error *error)
+{
+    const struct text *const texts[] = { kernel_texts, NULL };
+    struct asm_define defines[DEFINES_MOST];
+    struct asm_options how = { .defines = defines, .texts = texts };
+    struct asm_errors errors = { 0, NULL };
+    char words[WORDS_MOST], path[2 * WORDS_MOST];
+
+    snprintf(words, sizeof words, "%s", run->program);
+    if (!cut_words(words, defines, error))
+        return false;
+    snprintf(path, sizeof path, "%.200s/%s", options->folder, words);
+    run->object = assemble_file(path, &how, &errors);
+    if (!run->object)
+        fail(error, "%.200s",
+             errors.count > 0 ? errors.items[0].message : "no memory");
+    asm_errors_free(&errors);
+    return run->object != NULL;
+}
+
+static c205 *text_machine(struct run *run, const struct run_options *options,
+                          c205_error *error)
+{
+    c205 *machine = assemble(run, options, error)
+                        ? c205_new(options->model, error)
+                        : NULL;
+
+    if (machine && !c205_load(machine, &run->object->program, error)) {
+        c205_free(machine);
+        machine = NULL;
+    }
+    return machine;
+}
+
+/* ---- Both --------------------------------------------------------------- */
+
+static bool name_regions(struct run *run, const c205 *machine,
+                         c205_error *error)
+{
+    run->region_count = c205_account_count(machine);
+    if (run->region_count > RUN_REGIONS_MOST)
+        return fail(error, "%s: too many regions", run->program);
+    for (size_t i = 0; i < run->region_count; i++) {
+        run->regions[i] = copied(c205_account_at(machine, i)->name);
+        if (!run->regions[i])
+            return fail(error, "%s: no memory", run->program);
+    }
+    return true;
+}
+
+static bool record(struct run *run, c205 *machine, c205_error *error)
+{
+    c205_stop stop;
+
+    run->recording = c205_recording_new(error);
+    if (!run->recording || !name_regions(run, machine, error)
+        || !c205_listen(machine, c205_record, run->recording))
+        return false;
+    stop = c205_run(machine, C205_NO_LIMIT);
+    if (stop.trap == C205_TRAP_NONE && stop.status == 0)
+        return true;
+    c205_describe_stop(machine, &stop, error);
+    return false;
+}
+
+struct run *run_new(const char *program, const struct run_options *options,
+                    c205_error *error)
+{
+    struct run *run = calloc(1, sizeof *run);
+    enum trace_mode mode;
+    c205 *machine = NULL;
+    bool good;
+
+    fail(error, "%s", "no memory");
+    if (run && (run->program = copied(program)) != NULL)
+        machine = find_subject(run, &mode)
+                      ? frame_machine(run, mode, options, error)
+                      : text_machine(run, options, error);
+    good = machine && record(run, machine, error);
+    c205_free(machine);
+    if (good)
+        return run;
+    run_free(run);
+    return NULL;
+}
+
+void run_free(struct run *run)
+{
+    if (!run)
+        return;
+    for (size_t i = 0; i < run->region_count; i++)
+        free(run->regions[i]);
+    c205_recording_free(run->recording);
+    trace_free(run->trace);
+    scene_free(run->scene);
+    object_free(run->object);
+    free(run->program);
+    free(run);
+}
+
+bool run_symbol(const struct run *run, const char *name, double *value)
+{
+    const struct asm_symbol *symbol = !run->object
+                                          ? NULL
+                                          : object_symbol(run->object, name);
+
+    if (!symbol || symbol->is_word)
+        return false;
+    *value = (double)symbol->value;
+    return true;
+}
+
+static bool is_timed(const struct run *run, const char *region)
+{
+    if (!run->subject)
+        return *region != '\0';
+    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++)
+        if (run->subject->regions[i]
+            && strcmp(run->subject->regions[i], region) == 0)
+            return true;
+    return false;
+}
+
+bool run_select(const struct run *run, const char *name,
+                bool chosen[RUN_REGIONS_MOST], c205_error *error)
+{
+    bool found = false;
+
+    for (size_t i = 0; i < run->region_count; i++) {
+        chosen[i] = *name != '\0' ? strcmp(run->regions[i], name) == 0
+                                  : is_timed(run, run->regions[i]);
+        found = found || chosen[i];
+    }
+    return found || fail(error, "there is no region %.60s", name);
+}
+
+bool run_time(const struct run *run, const c205_model *model,
+              const c205_setting *settings, size_t count, unsigned ticks,
+              double clocks[RUN_REGIONS_MOST], c205_error *error)
+{
+    return c205_retime(run->recording, model, settings, count, ticks, clocks,
+                       run->region_count, error);
+}

@@ -1,0 +1,47 @@
+/* iterations_table.h - the steps of the root solver's refinement as rows of
+ * tables, the same in every report.
+ *
+ * A report puts columns of its own before these, and its cells before those
+ * that the functions add.
+ */
+#ifndef RT_ITERATIONS_TABLE_H
+#define RT_ITERATIONS_TABLE_H
+
+#include "base/table.h"
+#include "rt/roots/iterations.h"
+
+/* clang-format off */
+#define ITERATIONS_COLUMNS \
+    { "roots_of", "roots of", TABLE_TEXT, 0 }, \
+    { "brackets", "brackets", TABLE_COUNT, 0 }, \
+    { "halvings_per_bracket", "halvings/bracket", TABLE_NUMBER, 2 }, \
+    { "steps", "steps", TABLE_COUNT, 0 }, \
+    { "steps_per_bracket", "steps/bracket", TABLE_NUMBER, 2 }, \
+    { "passes", "passes", TABLE_COUNT, 0 }, \
+    { "lanes_per_pass", "lanes/pass", TABLE_NUMBER, 1 }, \
+    { "active_percent", "% active", TABLE_NUMBER, 1 }
+/* clang-format on */
+
+/* clang-format off */
+#define ITERATIONS_PASS_COLUMNS \
+    { "roots_of", "roots of", TABLE_TEXT, 0 }, \
+    { "pass", "pass", TABLE_COUNT, 0 }, \
+    { "active", "active", TABLE_COUNT, 0 }, \
+    { "brackets_percent", "% of brackets", TABLE_NUMBER, 1 }, \
+    { "lanes", "lanes", TABLE_COUNT, 0 }, \
+    { "active_percent", "% active", TABLE_NUMBER, 1 }
+/* clang-format on */
+
+/* Of a stage: the cells of ITERATIONS_COLUMNS. */
+void iterations_add(struct table *table, const struct iterations *iterations,
+                    enum stage stage);
+
+/* How many passes the longest refinement of a stage took. */
+size_t iterations_passes(const struct iterations *iterations,
+                         enum stage stage);
+/* Of one of them, from 0: the cells of ITERATIONS_PASS_COLUMNS. */
+void iterations_add_pass(struct table *table,
+                         const struct iterations *iterations,
+                         enum stage stage, size_t pass);
+
+#endif

@@ -1,0 +1,298 @@
+/* plot.c - see plot.h. */
+#include "rt/study/plot/plot.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/whole.h"
+#include "rt/study/plot/gnuplot.h"
+#include "rt/study/plot/script.h"
+
+static const char ending[] = ".svg";
+enum { ENDING = sizeof ending - 1 };
+
+static bool fail(c205_error *error, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(error->message, sizeof error->message, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+/* --- the files --------------------------------------------------------- */
+
+struct files {
+    char *folder, *stem, *script_name;
+    struct whole *data, *script, *picture;
+};
+
+/* To be freed; NULL: no memory. */
+static char *text_of(const char *format, ...)
+{
+    va_list arguments;
+    char *text;
+    int length;
+
+    va_start(arguments, format);
+    length = vsnprintf(NULL, 0, format, arguments);
+    va_end(arguments);
+    text = length < 0 ? NULL : malloc((size_t)length + 1);
+    if (text) {
+        va_start(arguments, format);
+        vsnprintf(text, (size_t)length + 1, format, arguments);
+        va_end(arguments);
+    }
+    return text;
+}
+
+static const char *name_in(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+
+    return slash ? slash + 1 : path;
+}
+
+/* With its slash, or ".". */
+static char *folder_of(const char *path)
+{
+    int length = (int)(name_in(path) - path);
+
+    return text_of("%.*s", length ? length : 1, length ? path : ".");
+}
+
+static bool check_folder(const char *path, c205_error *error)
+{
+    char *folder = folder_of(path);
+    int code = 0;
+
+    if (!folder)
+        code = ENOMEM;
+    else if (access(folder, W_OK | X_OK) != 0)
+        code = errno;
+    free(folder);
+    return code == 0 || fail(error, "%.180s: %.60s", path, strerror(code));
+}
+
+bool plot_check_path(const char *path, c205_error *error)
+{
+    const char *name = name_in(path);
+    size_t length = strlen(name);
+
+    if (length <= ENDING || strcmp(name + length - ENDING, ending) != 0)
+        return fail(error, "%.180s: a plot's name ends in .svg", path);
+    for (const char *c = name; *c != '\0'; c++)
+        if ((unsigned char)*c < ' ')
+            return fail(error, "a plot's name is one line of text");
+    return check_folder(path, error);
+}
+
+static struct whole *open_beside(const char *path, const char *end,
+                                 c205_error *error)
+{
+    char *beside = text_of("%.*s%s", (int)strlen(path) - ENDING, path, end);
+    struct whole *whole = beside ? whole_open(beside, error) : NULL;
+
+    if (!beside)
+        fail(error, "%.180s: no memory", path);
+    free(beside);
+    return whole;
+}
+
+/* All are opened before one is written. */
+static bool open_files(struct files *files, const char *path,
+                       c205_error *error)
+{
+    const char *name = name_in(path);
+
+    *files = (struct files){ 0 };
+    files->folder = folder_of(path);
+    files->stem = text_of("%.*s", (int)strlen(name) - ENDING, name);
+    files->script_name = text_of("./%.*s.gp", (int)strlen(name) - ENDING,
+                                 name);
+    if (!files->folder || !files->stem || !files->script_name)
+        return fail(error, "%.180s: no memory", path);
+    return (files->data = open_beside(path, ".dat", error)) != NULL
+           && (files->script = open_beside(path, ".gp", error)) != NULL
+           && (files->picture = open_beside(path, ending, error)) != NULL;
+}
+
+static bool commit(struct whole **whole, c205_error *error)
+{
+    struct whole *done = *whole;
+
+    *whole = NULL;
+    return whole_commit(done, error);
+}
+
+static void discard(struct whole *whole)
+{
+    if (whole)
+        whole_discard(whole);
+}
+
+static void close_files(struct files *files)
+{
+    discard(files->data);
+    discard(files->script);
+    discard(files->picture);
+    free(files->folder);
+    free(files->stem);
+    free(files->script_name);
+}
+
+/* --- the values -------------------------------------------------------- */
+
+static bool reach(struct axis *axis, double value, const char *key,
+                  c205_error *error)
+{
+    if (!isfinite(value))
+        return true;
+    if (!axis_shows(axis, value))
+        return fail(error, "%.60s: %g is not on a logarithmic axis", key,
+                    value);
+    axis_reach(axis, value);
+    return true;
+}
+
+static bool reach_row(const struct plot *plot, const struct table *table,
+                      size_t row, struct plot_axes *axes, c205_error *error)
+{
+    bool areas = plot->form == PLOT_AREAS;
+    double sum = 0;
+
+    for (size_t i = 0; i < plot->curve_count; i++) {
+        size_t column = plot->curves[i].column;
+        double value = table_value(table, row, column);
+        sum += value;
+        if (areas && value < 0)
+            return fail(error, "%.60s: an area of %g cannot be drawn",
+                        table_key(table, column), value);
+        if (!reach(&axes->y, areas ? sum : value, table_key(table, column),
+                   error))
+            return false;
+    }
+    return reach(&axes->x, table_value(table, row, plot->x_column),
+                 table_key(table, plot->x_column), error);
+}
+
+static bool reach_marks(struct axis *axis, const struct plot_mark *marks,
+                        size_t count, c205_error *error)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!reach(axis, marks[i].at, marks[i].label, error))
+            return false;
+    return true;
+}
+
+static bool is_empty(const struct axis *axis)
+{
+    return axis->low > axis->high;
+}
+
+/* The axes reach over all that is drawn. */
+static bool find_axes(const struct plot *plot, const struct table *table,
+                      struct plot_axes *axes, c205_error *error)
+{
+    struct axis *x = &axes->x, *y = &axes->y;
+    double highest;
+
+    *x = axis_new(plot->x.scale);
+    *y = axis_new(plot->form == PLOT_AREAS ? PLOT_LINEAR : plot->y.scale);
+    for (size_t row = 0; row < table_rows(table); row++)
+        if (!reach_row(plot, table, row, axes, error))
+            return false;
+    if (is_empty(x) || is_empty(y))
+        return fail(error, "%.180s: nothing to draw", plot->title);
+    highest = y->high;
+    if (plot->y_most > y->low)
+        y->high = fmin(y->high, plot->y_most);
+    if (!reach_marks(x, plot->marks, plot->mark_count, error)
+        || !reach_marks(y, plot->levels, plot->level_count, error))
+        return false;
+    axis_widen(x);
+    axis_widen(y);
+    axis_round(y);
+    axes->cut_off = highest > y->high ? highest : NAN;
+    if (plot->form == PLOT_LINES)
+        axis_pad(x);
+    return true;
+}
+
+/* --- the data ---------------------------------------------------------- */
+
+/* As short as it can be and yet the same number when read again. */
+static void put_number(double value, FILE *file)
+{
+    char text[32];
+
+    snprintf(text, sizeof text, "%.15g", value);
+    if (strtod(text, NULL) != value)
+        snprintf(text, sizeof text, "%.17g", value);
+    fputs(isfinite(value) ? text : "NaN", file);
+}
+
+/* A text of several lines would leave the comment. */
+static void put_comment(const char *text, FILE *file)
+{
+    fputs("# ", file);
+    for (; *text != '\0'; text++)
+        putc((unsigned char)*text < ' ' ? ' ' : *text, file);
+    putc('\n', file);
+}
+
+static void write_data(const struct plot *plot, const struct table *table,
+                       FILE *file)
+{
+    put_comment(plot->title, file);
+    for (size_t i = 0; i < plot->subtitle_count; i++)
+        put_comment(plot->subtitles[i], file);
+    fprintf(file, "# %s", table_key(table, plot->x_column));
+    for (size_t i = 0; i < plot->curve_count; i++)
+        fprintf(file, " %s", table_key(table, plot->curves[i].column));
+    putc('\n', file);
+    for (size_t row = 0; row < table_rows(table); row++) {
+        put_number(table_value(table, row, plot->x_column), file);
+        for (size_t i = 0; i < plot->curve_count; i++) {
+            putc(' ', file);
+            put_number(table_value(table, row, plot->curves[i].column), file);
+        }
+        putc('\n', file);
+    }
+}
+
+static bool write_files(const struct plot *plot, const struct table *table,
+                        const struct plot_axes *axes, struct files *files,
+                        c205_error *error)
+{
+    write_data(plot, table, files->data->file);
+    if (!plot_script_write(plot, axes, files->stem, files->script->file))
+        return fail(error, "%.180s: no memory", plot->title);
+    return commit(&files->data, error) && commit(&files->script, error)
+           && gnuplot_draw(files->folder, files->script_name,
+                           files->picture->file, error)
+           && commit(&files->picture, error);
+}
+
+bool plot_write(const struct plot *plot, const struct table *table,
+                const char *path, c205_error *error)
+{
+    struct plot_axes axes;
+    struct files files;
+    bool good;
+
+    if (!table_is_whole(table))
+        return fail(error, "%.180s: no memory", plot->title);
+    if (!plot_check_path(path, error)
+        || !find_axes(plot, table, &axes, error))
+        return false;
+    good = open_files(&files, path, error)
+           && write_files(plot, table, &axes, &files, error);
+    close_files(&files);
+    return good;
+}

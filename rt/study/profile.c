@@ -1,0 +1,324 @@
+#include "rt/study/profile.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const enum trace_mode profile_stages[TRACE_MODES] = { TRACE_SCALAR,
+                                                      TRACE_KERNELS,
+                                                      TRACE_VECTOR };
+enum { SERIAL }; /* the first of them, which the others are compared with */
+
+static const char *const part_names[PROFILE_PARTS] = {
+    [PART_GENERATE] = "generate",
+    [PART_INTERSECT] = "intersect",
+    [PART_VISIBLE] = "visible surface",
+    [PART_SHADE] = "shade",
+    [PART_SPAWN] = "spawn",
+    [PART_REST] = "rest",
+};
+
+/* The .kernel regions of rt/kernels/. */
+static const struct {
+    const char *region;
+    enum profile_part part;
+} regions[] = {
+    { "camera", PART_GENERATE },
+    { "generate", PART_GENERATE },
+    { "bound", PART_INTERSECT },
+    { "call", PART_INTERSECT },
+    { "transform", PART_INTERSECT },
+    { "sphere", PART_INTERSECT },
+    { "box", PART_INTERSECT },
+    { "cylinder", PART_INTERSECT },
+    { "plane", PART_INTERSECT },
+    { "cone", PART_INTERSECT },
+    { "quadric", PART_INTERSECT },
+    { "torus", PART_INTERSECT },
+    { "quartic_surface", PART_INTERSECT },
+    { "steiner", PART_INTERSECT },
+    { "quartic", PART_INTERSECT },
+    { "root_solver", PART_INTERSECT },
+    { "visible", PART_VISIBLE },
+    { "shade", PART_SHADE },
+    { "power", PART_SHADE },
+    { "shadow", PART_SHADE },
+    { "spawn", PART_SPAWN },
+    { "resolve", PART_SPAWN },
+    { "frame", PART_REST },
+    { "", PART_REST },
+};
+enum { REGIONS = sizeof regions / sizeof *regions };
+
+const char *profile_part_name(enum profile_part part)
+{
+    return part_names[part];
+}
+
+bool profile_part_of(const char *region, enum profile_part *part)
+{
+    for (size_t i = 0; i < REGIONS; i++)
+        if (strcmp(regions[i].region, region) == 0) {
+            *part = regions[i].part;
+            return true;
+        }
+    return false;
+}
+
+/* ---- Sums ---------------------------------------------------------------- */
+
+static uint64_t clocks_of_region(const struct trace *trace,
+                                 const char *region)
+{
+    const c205_account *account = accounts_find(trace_accounts(trace),
+                                                region);
+
+    return account ? accounts_clocks(account) : 0;
+}
+
+static uint64_t clocks_of_part(const struct trace *trace,
+                               enum profile_part part)
+{
+    uint64_t clocks = 0;
+
+    for (size_t i = 0; i < REGIONS; i++)
+        if (regions[i].part == part)
+            clocks += clocks_of_region(trace, regions[i].region);
+    return clocks;
+}
+
+static uint64_t clocks_of_frame(const struct trace *trace)
+{
+    return trace_accounts(trace)->clocks;
+}
+
+static double ratio(uint64_t a, uint64_t b)
+{
+    return b > 0 ? (double)a / (double)b : NAN;
+}
+
+/* ---- Clocks part by part ------------------------------------------------- */
+
+static const struct table_column clock_columns[] = {
+    { "part", "part", TABLE_TEXT, 0 },
+    { "kernel", "kernel", TABLE_TEXT, 0 }, /* empty: all of the part */
+    { "scalar_clocks", "scalar", TABLE_COUNT, 0 },
+    { "scalar_seconds", "s", TABLE_NUMBER, 3 },
+    { "scalar_percent", "%", TABLE_NUMBER, 1 },
+    { "kernels_clocks", "kernels", TABLE_COUNT, 0 },
+    { "kernels_seconds", "s", TABLE_NUMBER, 3 },
+    { "kernels_percent", "%", TABLE_NUMBER, 1 },
+    { "kernels_speedup", "x", TABLE_NUMBER, 2 },
+    { "vector_clocks", "vector", TABLE_COUNT, 0 },
+    { "vector_seconds", "s", TABLE_NUMBER, 3 },
+    { "vector_percent", "%", TABLE_NUMBER, 1 },
+    { "vector_speedup", "x", TABLE_NUMBER, 2 },
+};
+
+static void add_clocks(struct table *table,
+                       const struct trace *const traces[TRACE_MODES],
+                       const char *part, const char *kernel,
+                       const uint64_t clocks[TRACE_MODES])
+{
+    table_text(table, part);
+    table_text(table, kernel);
+    for (int i = 0; i < TRACE_MODES; i++) {
+        table_count(table, clocks[i]);
+        table_number(table, accounts_seconds(trace_accounts(traces[i])->model,
+                                             clocks[i]));
+        table_number(table,
+                     100 * ratio(clocks[i], clocks_of_frame(traces[i])));
+        if (i != SERIAL)
+            table_number(table, ratio(clocks[SERIAL], clocks[i]));
+    }
+}
+
+static void add_region(struct table *table,
+                       const struct trace *const traces[TRACE_MODES],
+                       const char *region)
+{
+    uint64_t clocks[TRACE_MODES], sum = 0;
+
+    for (int i = 0; i < TRACE_MODES; i++)
+        sum += clocks[i] = clocks_of_region(traces[i], region);
+    if (sum > 0)
+        add_clocks(table, traces, part_names[PART_INTERSECT], region, clocks);
+}
+
+static void add_part(struct table *table,
+                     const struct trace *const traces[TRACE_MODES],
+                     enum profile_part part)
+{
+    uint64_t clocks[TRACE_MODES];
+
+    for (int i = 0; i < TRACE_MODES; i++)
+        clocks[i] = clocks_of_part(traces[i], part);
+    add_clocks(table, traces, part_names[part], "", clocks);
+    for (size_t i = 0; part == PART_INTERSECT && i < REGIONS; i++)
+        if (regions[i].part == part)
+            add_region(table, traces, regions[i].region);
+}
+
+static void fill_clocks(struct table *table,
+                        const struct trace *const traces[TRACE_MODES])
+{
+    uint64_t clocks[TRACE_MODES];
+
+    for (int part = 0; part < PROFILE_PARTS; part++)
+        add_part(table, traces, (enum profile_part)part);
+    for (int i = 0; i < TRACE_MODES; i++)
+        clocks[i] = clocks_of_frame(traces[i]);
+    add_clocks(table, traces, "the frame", "", clocks);
+}
+
+/* ---- Amdahl's law -------------------------------------------------------- */
+
+static const struct table_column speedup_columns[] = {
+    { "stage", "stage", TABLE_TEXT, 0 },
+    { "vectorised", "vectorised", TABLE_TEXT, 0 },
+    { "share_percent", "% of scalar", TABLE_NUMBER, 1 },
+    { "part_speedup", "their speedup", TABLE_NUMBER, 2 },
+    { "amdahl", "Amdahl: frame", TABLE_NUMBER, 2 },
+    { "limit", "limit", TABLE_NUMBER, 2 },
+    { "measured", "measured", TABLE_NUMBER, 2 },
+};
+
+/* What the stages have in vector form, most wanted first. */
+static const struct {
+    int stage;
+    size_t count;
+    enum profile_part parts[PROFILE_PARTS];
+} vectorised[] = {
+    { 1, 2, { PART_INTERSECT, PART_REST } },
+    { 2,
+      PROFILE_PARTS,
+      { PART_INTERSECT, PART_VISIBLE, PART_SHADE, PART_SPAWN, PART_GENERATE,
+        PART_REST } },
+};
+enum { VECTORISED = sizeof vectorised / sizeof *vectorised };
+
+/* Part after part: those so far as fast as they are in the stage, the others
+ * as slow as they are in scalar form; at the limit those so far would take no
+ * time at all.  With its last part the stage itself is measured. */
+static void add_amdahl(struct table *table,
+                       const struct trace *const traces[TRACE_MODES],
+                       size_t row)
+{
+    int stage = vectorised[row].stage;
+    uint64_t frame = clocks_of_frame(traces[SERIAL]);
+    uint64_t serial = 0, now = 0;
+
+    for (size_t i = 0; i < vectorised[row].count; i++) {
+        enum profile_part part = vectorised[row].parts[i];
+        bool last = i + 1 == vectorised[row].count;
+        char what[64];
+
+        snprintf(what, sizeof what, "%s%s", i > 0 ? "+ " : "",
+                 part_names[part]);
+        serial += clocks_of_part(traces[SERIAL], part);
+        now += clocks_of_part(traces[stage], part);
+        table_text(table, trace_mode_name(profile_stages[stage]));
+        table_text(table, what);
+        table_number(table, 100 * ratio(serial, frame));
+        table_number(table, ratio(serial, now));
+        table_number(table, ratio(frame, frame - serial + now));
+        table_number(table, ratio(frame, frame - serial));
+        table_number(table, last
+                                ? ratio(frame, clocks_of_frame(traces[stage]))
+                                : NAN);
+    }
+}
+
+static void fill_speedup(struct table *table,
+                         const struct trace *const traces[TRACE_MODES])
+{
+    for (size_t row = 0; row < VECTORISED; row++)
+        add_amdahl(table, traces, row);
+}
+
+/* ---- Vectors and rays ---------------------------------------------------- */
+
+static const struct table_column vector_columns[] = {
+    { "stage", "stage", TABLE_TEXT, 0 },
+    { "instructions", "vector instructions", TABLE_COUNT, 0 },
+    { "elements", "elements", TABLE_COUNT, 0 },
+    { "length", "mean length", TABLE_NUMBER, 1 },
+    { "controlled", "under control", TABLE_COUNT, 0 },
+    { "density_percent", "% let through", TABLE_NUMBER, 1 },
+};
+
+static void fill_vectors(struct table *table,
+                         const struct trace *const traces[TRACE_MODES])
+{
+    for (int i = 0; i < TRACE_MODES; i++) {
+        const struct vector_use *use = trace_vectors(traces[i]);
+
+        table_text(table, trace_mode_name(profile_stages[i]));
+        table_count(table, use->instructions);
+        table_count(table, use->elements);
+        table_number(table, ratio(use->elements, use->instructions));
+        table_count(table, use->controlled);
+        table_number(table, 100 * ratio(use->wanted, use->controlled));
+    }
+}
+
+static const struct table_column ray_columns[] = {
+    { "kind", "rays", TABLE_TEXT, 0 },
+    { "count", "count", TABLE_COUNT, 0 },
+    { "per_pixel", "a pixel", TABLE_NUMBER, 3 },
+};
+
+static void fill_rays(struct table *table,
+                      const struct trace *const traces[TRACE_MODES])
+{
+    for (int kind = 0; kind < RAY_KINDS; kind++) {
+        uint64_t count = trace_rays(traces[SERIAL], (enum ray_kind)kind);
+
+        table_text(table, ray_kind_name((enum ray_kind)kind));
+        table_count(table, count);
+        table_number(table,
+                     ratio(count, trace_rays(traces[SERIAL], RAY_PRIMARY)));
+    }
+}
+
+/* ---- The tables ---------------------------------------------------------- */
+
+static const struct {
+    const char *key, *heading;
+    const struct table_column *columns;
+    size_t count;
+    void (*fill)(struct table *, const struct trace *const[TRACE_MODES]);
+} tables[PROFILE_TABLES] = {
+    [PROFILE_CLOCKS] = { "clocks",
+                         "Clocks part by part; x: how many times "
+                         "as fast as scalar:",
+                         TABLE_COLUMNS(clock_columns), fill_clocks },
+    [PROFILE_SPEEDUP] = { "speedup",
+                          "The frame, and what Amdahl's law says "
+                          "of it, vectorised part by part:",
+                          TABLE_COLUMNS(speedup_columns), fill_speedup },
+    [PROFILE_VECTORS] = { "vectors", "Vectors:",
+                          TABLE_COLUMNS(vector_columns), fill_vectors },
+    [PROFILE_RAYS] = { "rays", "Rays by kind:", TABLE_COLUMNS(ray_columns),
+                       fill_rays },
+};
+
+const char *profile_table_key(enum profile_table kind)
+{
+    return tables[kind].key;
+}
+
+const char *profile_table_heading(enum profile_table kind)
+{
+    return tables[kind].heading;
+}
+
+struct table *profile_table(enum profile_table kind,
+                            const struct trace *const traces[TRACE_MODES])
+{
+    struct table *table = table_new(tables[kind].columns, tables[kind].count);
+
+    if (table)
+        tables[kind].fill(table, traces);
+    return table;
+}

@@ -1,0 +1,131 @@
+#include "rt/study/quartic_costs.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/accounts.h"
+#include "base/provenance.h"
+#include "rt/study/iterations_table.h"
+
+static const struct table_column steps[] = { ITERATIONS_COLUMNS };
+static const struct table_column passes[] = { ITERATIONS_PASS_COLUMNS };
+
+static struct table *step_table(const struct iterations *iterations)
+{
+    struct table *table = table_new(TABLE_COLUMNS(steps));
+
+    for (int i = 0; table && i < STAGES; i++)
+        iterations_add(table, iterations, (enum stage)i);
+    return table;
+}
+
+static struct table *pass_table(const struct iterations *iterations)
+{
+    struct table *table = table_new(TABLE_COLUMNS(passes));
+
+    for (int i = 0; table && i < STAGES; i++) {
+        size_t count = iterations_passes(iterations, (enum stage)i);
+
+        for (size_t pass = 0; pass < count; pass++)
+            iterations_add_pass(table, iterations, (enum stage)i, pass);
+    }
+    return table;
+}
+
+bool print_remarks(const struct table *table, const char *heading)
+{
+    char *text = NULL;
+    size_t length = 0;
+    FILE *stream = open_memstream(&text, &length);
+    bool good = stream && table_print(table, stream);
+    bool begins = true;
+
+    good = stream && fclose(stream) == 0 && good;
+    printf("#\n# %s\n#\n", heading);
+    for (size_t i = 0; good && i < length; i++) {
+        if (begins)
+            fputs(text[i] == '\n' ? "#" : "# ", stdout);
+        putchar(text[i]);
+        begins = text[i] == '\n';
+    }
+    free(text);
+    return good;
+}
+
+/* ---- All tables --------------------------------------------------------- */
+
+enum { REGIONS, CAUSES, STEPS, PASSES, TABLES };
+
+static const struct {
+    const char *key, *heading;
+} names[TABLES] = {
+    [REGIONS] = { "regions", "Clocks by region:" },
+    [CAUSES] = { "causes", "By cause:" },
+    [STEPS] = { "steps", "Falsi, to roots of the derivative (slope: knots) "
+                         "and of the polynomial (value):" },
+    [PASSES] = { "passes", "Brackets still active, by pass:" },
+};
+
+static void print_head(const struct quartic_costs *costs)
+{
+    const struct roots_options *options = costs->options;
+    uint64_t clocks = c205_clock(roots_machine(costs->search));
+
+    printf("# %zu polynomials, %zu roots; %s", costs->polynomials,
+           costs->roots, trace_mode_name(options->mode));
+    if (options->mode == TRACE_VECTOR)
+        printf(", a queue of %zu", options->queue);
+    printf(", %s, falsi %s\n", options->first ? "first roots" : "all roots",
+           falsi_name(roots_falsi(costs->search)));
+    printf("# %llu clocks, %.8f s on the machine\n",
+           (unsigned long long)clocks,
+           accounts_seconds(options->model, clocks));
+    provenance_print(options->model, "# ");
+}
+
+static void write_head(const struct quartic_costs *costs, struct json *json)
+{
+    const struct roots_options *options = costs->options;
+    uint64_t clocks = c205_clock(roots_machine(costs->search));
+
+    json_text(json, "file", costs->file);
+    json_text(json, "mode", trace_mode_name(options->mode));
+    json_count(json, "queue", options->queue);
+    json_truth(json, "first", options->first);
+    json_text(json, "falsi", falsi_name(roots_falsi(costs->search)));
+    json_count(json, "clocks", clocks);
+    json_number(json, "seconds", accounts_seconds(options->model, clocks));
+    provenance_json(options->model, json);
+}
+
+static bool tell_tables(struct table *const tables[TABLES], struct json *json)
+{
+    for (int i = 0; i < TABLES; i++) {
+        if (!tables[i] || !print_remarks(tables[i], names[i].heading))
+            return false;
+        if (json && !table_json(tables[i], json, names[i].key))
+            return false;
+    }
+    return true;
+}
+
+bool quartic_costs_tell(const struct quartic_costs *costs, struct json *json)
+{
+    struct accounts accounts = { .model = costs->options->model };
+    bool good = accounts_add(&accounts, roots_machine(costs->search));
+    struct table *tables[TABLES] = {
+        [REGIONS] = accounts_by_region(&accounts),
+        [CAUSES] = accounts_by_cause(&accounts),
+        [STEPS] = step_table(costs->iterations),
+        [PASSES] = pass_table(costs->iterations),
+    };
+
+    print_head(costs);
+    if (json)
+        write_head(costs, json);
+    good = good && tell_tables(tables, json);
+    accounts_free(&accounts);
+    for (int i = 0; i < TABLES; i++)
+        table_free(tables[i]);
+    return good;
+}

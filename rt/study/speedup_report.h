@@ -1,0 +1,37 @@
+/* speedup_report.h - what rt205 speedup has measured, as tables.
+ *
+ * The same tables are printed, in several formats, and written as JSON.
+ */
+#ifndef RT_SPEEDUP_REPORT_H
+#define RT_SPEEDUP_REPORT_H
+
+#include "base/table.h"
+#include "rt/study/speedup.h"
+
+struct speedup_report;
+
+/* The model, whose seconds count, must outlive it.  NULL: no memory. */
+struct speedup_report *speedup_report_new(const c205_model *model);
+void speedup_report_free(struct speedup_report *report);
+
+/* What both forms took on the model, and the scalar one on those of
+ * speedup_projection_model. */
+void speedup_report_add(struct speedup_report *report,
+                        const struct speedup_subject *subject,
+                        const struct speedup_view *view,
+                        const struct speedup_measure measures[TRACE_FORMS]);
+
+/* The paper's Table 1: of each primitive our figures, the paper's, and by how
+ * many percent ours are off.  False: memory ran out. */
+bool speedup_report_table1(const struct speedup_report *report,
+                           enum table_format format, FILE *file);
+/* All other tables; that pass by pass, which is long, only if wanted.  False:
+ * memory ran out. */
+bool speedup_report_detail(const struct speedup_report *report,
+                           bool with_passes, enum table_format format,
+                           FILE *file);
+/* Every one of them.  False: memory ran out, and the JSON is to be dropped. */
+bool speedup_report_json(const struct speedup_report *report,
+                         struct json *json);
+
+#endif

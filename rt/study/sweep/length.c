@@ -1,0 +1,294 @@
+/* length.c - the speedup against the length of the vectors.
+ *
+ * So many rays as a queue is long, in one row across the middle of the frame:
+ * all that is done once for a queue is done once.  Pages count as in place,
+ * for each is touched for the first time in so short a run.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "rt/study/sweep/kinds.h"
+
+/* Where the scalar form is cheaper than so long a queue, the lengths between
+ * are not tried one by one. */
+enum { TRIED_MOST = 256 };
+
+static bool run_lengths(struct sweep *sweep, const size_t *lengths,
+                        size_t count, c205_error *error)
+{
+    struct sweep_point *points = malloc((count + 1) * sizeof *points);
+    bool good;
+
+    snprintf(error->message, sizeof error->message, "no memory");
+    if (!points)
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        points[i] = sweep->base;
+        points[i].trace.width = points[i].trace.queue = lengths[i];
+        points[i].trace.height = 1;
+    }
+    good = sweep_run(sweep, points, count, error);
+    free(points);
+    return good;
+}
+
+static size_t length_of(const struct sweep_measure *measure)
+{
+    return measure->point.trace.queue;
+}
+
+static int by_length(const void *left, const void *right)
+{
+    size_t a = length_of(left), b = length_of(right);
+
+    return (a > b) - (a < b);
+}
+
+static void sort(struct sweep *sweep)
+{
+    qsort(sweep->measures, sweep->count, sizeof *sweep->measures, by_length);
+}
+
+/* ---- To look closer ------------------------------------------------------ */
+
+/* The last measure that is not above a speedup; -1: all are. */
+static ptrdiff_t last_not_above(const struct sweep *sweep, double speedup)
+{
+    ptrdiff_t i = (ptrdiff_t)sweep->count - 1;
+
+    while (i >= 0 && sweep_speedup(&sweep->measures[i]) > speedup)
+        i--;
+    return i;
+}
+
+/* The first that has a speedup. */
+static size_t first_with(const struct sweep *sweep, double speedup)
+{
+    size_t i = 0;
+
+    while (i < sweep->count && sweep_speedup(&sweep->measures[i]) < speedup)
+        i++;
+    return i;
+}
+
+/* Every length from the first to the last that has not been measured. */
+static bool run_between(struct sweep *sweep, size_t first, size_t last,
+                        c205_error *error)
+{
+    size_t *lengths = malloc((last - first + 1) * sizeof *lengths);
+    size_t count = 0;
+    bool good;
+
+    snprintf(error->message, sizeof error->message, "no memory");
+    for (size_t n = first; lengths && n <= last; n++)
+        if (!sweep_with_queue(sweep, n))
+            lengths[count++] = n;
+    good = lengths && run_lengths(sweep, lengths, count, error);
+    free(lengths);
+    sort(sweep);
+    return good;
+}
+
+/* All lengths from the last at which the scalar form is not dearer to twice
+ * the next, so that the crossover is seen with what comes behind it. */
+static bool approach_crossover(struct sweep *sweep, c205_error *error)
+{
+    ptrdiff_t below = last_not_above(sweep, 1);
+    size_t above;
+
+    if (below < 0 || (size_t)below + 1 == sweep->count)
+        return true;
+    above = length_of(&sweep->measures[below + 1]);
+    if (above > TRIED_MOST)
+        return true;
+    return run_between(sweep, length_of(&sweep->measures[below]), 2 * above,
+                       error);
+}
+
+static double best_speedup(const struct sweep *sweep)
+{
+    double best = 0;
+
+    for (size_t i = 0; i < sweep->count; i++)
+        if (sweep_speedup(&sweep->measures[i]) > best)
+            best = sweep_speedup(&sweep->measures[i]);
+    return best;
+}
+
+/* Halve what lies before the first measure with a speedup until nothing
+ * does. */
+static bool approach_speedup(struct sweep *sweep, double speedup,
+                             c205_error *error)
+{
+    for (;;) {
+        size_t i = first_with(sweep, speedup);
+        size_t above, below, middle;
+
+        if (i == 0 || i == sweep->count)
+            return true;
+        above = length_of(&sweep->measures[i]);
+        below = length_of(&sweep->measures[i - 1]);
+        middle = below + (above - below) / 2;
+        if (middle == below)
+            return true;
+        if (!run_lengths(sweep, &middle, 1, error))
+            return false;
+        sort(sweep);
+    }
+}
+
+static bool measure(struct sweep *sweep, c205_error *error)
+{
+    size_t lengths[SWEEP_LENGTHS_MOST];
+    size_t count = sweep_lengths(sweep, TRACE_QUEUE_MOST, lengths);
+
+    sweep->pages_in_place = true;
+    return run_lengths(sweep, lengths, count, error)
+           && approach_crossover(sweep, error)
+           && approach_speedup(sweep, best_speedup(sweep) / 2, error);
+}
+
+/* ---- What was found ------------------------------------------------------ */
+
+/* As far as the lengths that were measured follow one on the other. */
+static size_t checked_from(const struct sweep *sweep, size_t i)
+{
+    while (i + 1 < sweep->count
+           && length_of(&sweep->measures[i + 1])
+                  == length_of(&sweep->measures[i]) + 1)
+        i++;
+    return length_of(&sweep->measures[i]);
+}
+
+/* Was the length before it measured, so that nothing is missed between? */
+static bool is_exact(const struct sweep *sweep, size_t length)
+{
+    return length == 1 || sweep_with_queue(sweep, length - 1);
+}
+
+struct sweep_lengths_found sweep_find_lengths(const struct sweep *sweep)
+{
+    struct sweep_lengths_found found = { .best = best_speedup(sweep) };
+    size_t crossover = (size_t)(last_not_above(sweep, 1) + 1);
+
+    if (crossover < sweep->count) {
+        found.crossover = length_of(&sweep->measures[crossover]);
+        if (is_exact(sweep, found.crossover))
+            found.checked = checked_from(sweep, crossover);
+    }
+    found.half = length_of(
+        &sweep->measures[first_with(sweep, found.best / 2)]);
+    found.half_is_exact = is_exact(sweep, found.half);
+    return found;
+}
+
+/* ---- Tables -------------------------------------------------------------- */
+
+static const struct table_column point_columns[] = {
+    { "length", "length", TABLE_COUNT, 0 },
+    SWEEP_COLUMNS,
+};
+
+static bool is_asked(const struct sweep *sweep, size_t length)
+{
+    size_t lengths[SWEEP_LENGTHS_MOST];
+    size_t count = sweep_lengths(sweep, TRACE_QUEUE_MOST, lengths);
+
+    for (size_t i = 0; i < count; i++)
+        if (lengths[i] == length)
+            return true;
+    return false;
+}
+
+/* What was asked for, the findings, and the length before each. */
+static void fill(struct table *table, const struct sweep *sweep,
+                 const struct sweep_lengths_found *found)
+{
+    for (size_t i = 0; i < sweep->count; i++) {
+        size_t length = length_of(&sweep->measures[i]);
+
+        if (!is_asked(sweep, length) && length != found->crossover
+            && length + 1 != found->crossover && length != found->half
+            && length + 1 != found->half)
+            continue;
+        table_count(table, length);
+        sweep_add_cells(table, &sweep->measures[i]);
+    }
+}
+
+static const char *or_before(bool exact)
+{
+    return exact ? "" : " or before";
+}
+
+static void say(struct sweep_report *report, const struct sweep *sweep,
+                const struct sweep_lengths_found *found)
+{
+    if (found->crossover == 0)
+        sweep_report_line(report, "The scalar form is cheaper at the longest "
+                                  "of these lengths.");
+    else if (found->crossover == length_of(&sweep->measures[0]))
+        sweep_report_line(report, "Queues are cheaper from the shortest of "
+                                  "these lengths on.");
+    else if (found->checked > 0)
+        sweep_report_line(report,
+                          "Crossover: from a length of %zu on queues "
+                          "are cheaper; every length up to %zu was tried.",
+                          found->crossover, found->checked);
+    else
+        sweep_report_line(report, "Crossover: at a length of %zu or before.",
+                          found->crossover);
+    sweep_report_line(report,
+                      "The best speedup is %.2f; half of it is "
+                      "reached at a length of %zu%s (n-half).",
+                      found->best, found->half,
+                      or_before(found->half_is_exact));
+}
+
+static void draw(struct sweep_report *report,
+                 const struct sweep_lengths_found *found)
+{
+    report->plotted = report->parts[0].table;
+    report->plot.x = (struct plot_axis){
+        "rays in the queue, as many as there "
+        "are",
+        PLOT_LOG2
+    };
+    report->plot.y = (struct plot_axis){ "times as fast as scalar",
+                                         PLOT_LINEAR };
+    sweep_report_curve(report, 1 + SWEEP_COLUMN_SPEEDUP, "speedup");
+    if (found->crossover > 0)
+        sweep_report_mark(report, (double)found->crossover,
+                          "crossover: %zu%s", found->crossover,
+                          or_before(found->checked > 0));
+    sweep_report_mark(report, (double)found->half, "n-half: %zu%s",
+                      found->half, or_before(found->half_is_exact));
+    sweep_report_level(report, 1, "scalar form");
+    sweep_report_level(report, found->best / 2, "half of the best");
+}
+
+static bool report_length(struct sweep *sweep, struct sweep_report *report,
+                          c205_error *error)
+{
+    struct sweep_lengths_found found = sweep_find_lengths(sweep);
+    struct table *table = sweep_report_table(report, "points",
+                                             sweep_points_heading,
+                                             TABLE_COLUMNS(point_columns));
+
+    snprintf(error->message, sizeof error->message, "no memory");
+    if (!table)
+        return false;
+    fill(table, sweep, &found);
+    say(report, sweep, &found);
+    draw(report, &found);
+    return true;
+}
+
+const struct sweep_kind sweep_length = {
+    .name = "length",
+    .title = "The length of the vectors",
+    .angle = SPEEDUP_ANGLE,
+    .takes_lengths = true,
+    .measure = measure,
+    .report = report_length,
+};

@@ -1,0 +1,174 @@
+#include "rt/trace/band.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/layout/program.h"
+
+static const struct {
+    const char *name, *counter; /* in the program's data */
+} kinds[RAY_KINDS] = {
+    [RAY_PRIMARY] = { "primary", "rays_primary" },
+    [RAY_REFLECTED] = { "reflected", "rays_reflected" },
+    [RAY_REFRACTED] = { "refracted", "rays_refracted" },
+    [RAY_SHADOW] = { "shadow", "rays_shadow" },
+};
+
+const char *ray_kind_name(enum ray_kind kind)
+{
+    return kinds[kind].name;
+}
+
+static bool load(const struct band_work *work, c205 *machine,
+                 size_t first_row, size_t rows, struct frame_layout *layout,
+                 c205_error *error)
+{
+    *layout = (struct frame_layout){ .width = work->width,
+                                     .height = work->height,
+                                     .first_row = first_row,
+                                     .rows = rows };
+    return c205_load(machine, &work->program->program, error)
+           && layout_scene(machine, work->program, work->scene, work->bounds,
+                           layout, error);
+}
+
+c205 *band_machine(const struct band_work *work, size_t first_row,
+                   size_t rows, struct frame_layout *layout,
+                   c205_error *error)
+{
+    c205 *machine = c205_new(work->model, error);
+
+    if (machine && load(work, machine, first_row, rows, layout, error))
+        return machine;
+    c205_free(machine);
+    return NULL;
+}
+
+/* Pixels begun, from the account of the routine that makes their rays. */
+static size_t pixels_begun(const struct band_work *work, const c205 *machine,
+                           size_t pixels)
+{
+    for (size_t i = 0; i < c205_account_count(machine); i++) {
+        const c205_account *account = c205_account_at(machine, i);
+
+        if (strcmp(account->name, "generate") == 0) {
+            size_t done = (size_t)account->entries * work->rays_a_call;
+
+            return done < pixels ? done : pixels;
+        }
+    }
+    return 0;
+}
+
+struct telling {
+    const struct band_work *work;
+    size_t pixels;
+    void *context;
+};
+
+static bool tell_pixels(void *context, const c205 *machine)
+{
+    const struct telling *telling = context;
+    const struct band_work *work = telling->work;
+
+    return work->progress(telling->context,
+                          pixels_begun(work, machine, telling->pixels));
+}
+
+static bool run(const struct band_work *work, c205 *machine, size_t pixels,
+                void *context, bool *stopped, c205_error *error)
+{
+    struct telling telling = { work, pixels, context };
+
+    return program_run(machine, work->progress ? tell_pixels : NULL, &telling,
+                       stopped, error);
+}
+
+static bool project(c205_projection *const *projections, c205 *machine)
+{
+    for (; projections && *projections != NULL; projections++)
+        if (!c205_listen(machine, c205_project, *projections))
+            return false;
+    return true;
+}
+
+static bool listen(struct band_tracer *tracer, c205_error *error)
+{
+    const struct band_work *work = tracer->work;
+
+    snprintf(error->message, sizeof error->message, "too many listeners");
+    return (!work->listener
+            || c205_listen(tracer->machine, work->listener,
+                           work->listener_context))
+           && (!work->watch_vectors
+               || c205_listen(tracer->machine, vector_use_listen,
+                              &tracer->vectors))
+           && project(work->projections, tracer->machine);
+}
+
+static bool read_counters(const struct band_work *work, const c205 *machine,
+                          struct band *band)
+{
+    for (int i = 0; i < RAY_KINDS; i++) {
+        const struct asm_symbol *symbol = object_symbol(work->program,
+                                                        kinds[i].counter);
+        c205_word word;
+
+        if (!symbol || !c205_read(machine, (uint64_t)symbol->value, &word, 1))
+            return false;
+        band->rays[i] = (uint64_t)c205_to_integer(word);
+    }
+    return true;
+}
+
+static bool collect(const struct band_work *work, const c205 *machine,
+                    const struct frame_layout *layout, struct band *band,
+                    c205_error *error)
+{
+    size_t count = FRAME_CHANNELS * band->rows * work->width;
+
+    snprintf(error->message, sizeof error->message, "no memory");
+    band->accounts.model = work->model;
+    band->words = malloc(count * sizeof *band->words);
+    return band->words != NULL
+           && c205_read(machine, layout->address, band->words, count)
+           && read_counters(work, machine, band)
+           && accounts_add(&band->accounts, machine);
+}
+
+/* The machine that traced the last band, or a new one. */
+static bool ready(struct band_tracer *tracer, c205_error *error)
+{
+    if (tracer->machine)
+        return true;
+    tracer->machine = c205_new(tracer->work->model, error);
+    return tracer->machine && listen(tracer, error);
+}
+
+bool band_trace(struct band_tracer *tracer, struct band *band,
+                void *progress_context, bool *stopped, c205_error *error)
+{
+    const struct band_work *work = tracer->work;
+    struct frame_layout layout;
+    bool good;
+
+    tracer->vectors = (struct vector_use){ 0 };
+    good = ready(tracer, error)
+           && load(work, tracer->machine, band->first_row, band->rows,
+                   &layout, error)
+           && run(work, tracer->machine, band->rows * work->width,
+                  progress_context, stopped, error)
+           && collect(work, tracer->machine, &layout, band, error);
+    band->vectors = tracer->vectors;
+    if (!good)
+        band_free(band);
+    return good;
+}
+
+void band_free(struct band *band)
+{
+    free(band->words);
+    band->words = NULL;
+    accounts_free(&band->accounts);
+}

@@ -1,0 +1,71 @@
+/* band.h - a band of a frame, traced by a machine.
+ *
+ * A band is some whole rows.  What a band's pixels are does not depend on the
+ * other bands, nor do its clocks: every band begins with a machine that has
+ * just been loaded.  So bands may be traced in any order, in threads, or on
+ * another day.
+ */
+#ifndef RT_BAND_H
+#define RT_BAND_H
+
+#include "base/accounts.h"
+#include "rt/layout/layout.h"
+#include "rt/picture/picture.h"
+#include "rt/trace/vector_use.h"
+
+/* Rays by kind, as the program counts them. */
+enum ray_kind {
+    RAY_PRIMARY,
+    RAY_REFLECTED,
+    RAY_REFRACTED,
+    RAY_SHADOW,
+    RAY_KINDS
+};
+const char *ray_kind_name(enum ray_kind kind);
+
+/* What a band is traced from; all of it outlives the work. */
+struct band_work {
+    const struct scene *scene;
+    const struct object *program;
+    const c205_model *model;
+    size_t width, height; /* of the frame, pixels */
+    bool bounds;          /* bounding volumes are used */
+    size_t rays_a_call;   /* that one call of the program's generate makes */
+    bool watch_vectors;   /* fill in band.vectors */
+    c205_listener *listener; /* on every machine, or NULL */
+    void *listener_context;
+    c205_projection *const
+        *projections; /* listen as well; NULL at the end, or
+                                            NULL */
+    /* Called now and then with the pixels of this band that are begun; false:
+     * stop.  NULL if nobody wants to know. */
+    bool (*progress)(void *context, size_t pixels);
+};
+
+struct band {
+    size_t first_row, rows;
+    c205_word *words; /* FRAME_CHANNELS planes of rows x width samples */
+    struct accounts accounts;
+    uint64_t rays[RAY_KINDS];
+    struct vector_use vectors;
+};
+
+/* The machine before it begins; the caller frees it. */
+c205 *band_machine(const struct band_work *work, size_t first_row,
+                   size_t rows, struct frame_layout *layout,
+                   c205_error *error);
+
+/* Traces bands, one after another. */
+struct band_tracer {
+    const struct band_work *work;
+    c205 *machine;             /* NULL before the first; its owner frees it */
+    struct vector_use vectors; /* of the band that it is at */
+};
+
+/* Trace the rows that the band names and fill in the rest, which the caller
+ * frees.  False: a trap, no memory, or progress said to stop (*stopped). */
+bool band_trace(struct band_tracer *tracer, struct band *band,
+                void *progress_context, bool *stopped, c205_error *error);
+void band_free(struct band *band);
+
+#endif

@@ -1,0 +1,363 @@
+#include "rt/trace/band_file.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "rt/trace/checksum.h"
+
+/* A file is a list of 64-bit words, the highest byte first: the magic word,
+ * the key, the width; then for each band the number of words that follow, the
+ * words of the band (put_band), and a checksum of these. */
+#define MAGIC UINT64_C(0x7274323035626431) /* rt205bd1 */
+
+struct band_file {
+    FILE *stream;
+    char *path;
+    size_t width; /* of the frame, pixels */
+};
+
+/* ---- Words in a row ------------------------------------------------------ */
+
+struct words {
+    uint64_t *items;
+    size_t count, room, at; /* at: the next one to be taken */
+    bool failed;            /* no memory, or taken beyond the end */
+};
+
+static void put(struct words *words, uint64_t word)
+{
+    if (words->count == words->room) {
+        size_t room = words->room > 0 ? 2 * words->room : 1024;
+        uint64_t *items = realloc(words->items, room * sizeof *items);
+
+        if (!items) {
+            words->failed = true;
+            return;
+        }
+        words->items = items;
+        words->room = room;
+    }
+    words->items[words->count++] = word;
+}
+
+static uint64_t take(struct words *words)
+{
+    if (words->at < words->count)
+        return words->items[words->at++];
+    words->failed = true;
+    return 0;
+}
+
+static bool write_word(FILE *stream, uint64_t word)
+{
+    unsigned char bytes[8];
+
+    for (int i = 0; i < 8; i++)
+        bytes[i] = (unsigned char)(word >> (56 - 8 * i));
+    return fwrite(bytes, 1, sizeof bytes, stream) == sizeof bytes;
+}
+
+static bool read_word(FILE *stream, uint64_t *word)
+{
+    unsigned char bytes[8];
+
+    if (fread(bytes, 1, sizeof bytes, stream) != sizeof bytes)
+        return false;
+    *word = 0;
+    for (int i = 0; i < 8; i++)
+        *word = *word << 8 | bytes[i];
+    return true;
+}
+
+/* ---- A band as words ----------------------------------------------------- */
+
+static void put_name(struct words *words, const char *name)
+{
+    size_t length = strlen(name);
+
+    put(words, length);
+    for (size_t i = 0; i < length; i++)
+        put(words, (unsigned char)name[i]);
+}
+
+static void put_account(struct words *words, const c205_account *account)
+{
+    put_name(words, account->name);
+    for (int cause = 0; cause < C205_CAUSES; cause++)
+        put(words, account->clocks[cause]);
+    put(words, account->instructions);
+    put(words, account->vector_instructions);
+    put(words, account->elements);
+    put(words, account->entries);
+}
+
+static void put_band(struct words *words, const struct band *band,
+                     size_t width)
+{
+    put(words, band->first_row);
+    put(words, band->rows);
+    for (int kind = 0; kind < RAY_KINDS; kind++)
+        put(words, band->rays[kind]);
+    put(words, band->vectors.instructions);
+    put(words, band->vectors.elements);
+    put(words, band->vectors.controlled);
+    put(words, band->vectors.wanted);
+    put(words, band->accounts.count);
+    for (size_t i = 0; i < band->accounts.count; i++)
+        put_account(words, &band->accounts.items[i]);
+    for (size_t i = 0; i < FRAME_CHANNELS * band->rows * width; i++)
+        put(words, band->words[i]);
+}
+
+static bool take_account(struct words *words, struct accounts *accounts)
+{
+    char name[256];
+    c205_account account = { .name = name };
+    uint64_t length = take(words);
+
+    if (length >= sizeof name)
+        return false;
+    for (uint64_t i = 0; i < length; i++)
+        name[i] = (char)take(words);
+    name[length] = '\0';
+    for (int cause = 0; cause < C205_CAUSES; cause++)
+        account.clocks[cause] = take(words);
+    account.instructions = take(words);
+    account.vector_instructions = take(words);
+    account.elements = take(words);
+    account.entries = take(words);
+    return !words->failed && accounts_add_account(accounts, &account);
+}
+
+static bool take_samples(struct words *words, struct band *band, size_t width)
+{
+    size_t left = words->count - words->at;
+    size_t count;
+
+    if (band->rows > left / width / FRAME_CHANNELS)
+        return false;
+    count = FRAME_CHANNELS * band->rows * width;
+    band->words = count == left ? malloc(count * sizeof *band->words) : NULL;
+    if (!band->words)
+        return false;
+    memcpy(band->words, words->items + words->at,
+           count * sizeof *band->words);
+    return true;
+}
+
+static bool take_band(struct words *words, struct band *band, size_t width)
+{
+    uint64_t accounts;
+
+    band->first_row = (size_t)take(words);
+    band->rows = (size_t)take(words);
+    for (int kind = 0; kind < RAY_KINDS; kind++)
+        band->rays[kind] = take(words);
+    band->vectors.instructions = take(words);
+    band->vectors.elements = take(words);
+    band->vectors.controlled = take(words);
+    band->vectors.wanted = take(words);
+    accounts = take(words);
+    for (uint64_t i = 0; i < accounts && !words->failed; i++)
+        if (!take_account(words, &band->accounts))
+            return false;
+    return !words->failed && take_samples(words, band, width);
+}
+
+/* ---- The file ------------------------------------------------------------ */
+
+/* The words of the next band, whole and unharmed. */
+static bool read_words(FILE *stream, struct words *words)
+{
+    uint64_t count, word = 0;
+
+    words->count = words->at = 0;
+    if (!read_word(stream, &count))
+        return false;
+    for (uint64_t i = 0; i < count && !words->failed; i++) {
+        if (!read_word(stream, &word))
+            return false;
+        put(words, word);
+    }
+    return !words->failed && read_word(stream, &word)
+           && word
+                  == checksum_words(CHECKSUM_BEGIN, words->items,
+                                    words->count);
+}
+
+static bool grow(struct band **bands, size_t count)
+{
+    struct band *grown = realloc(*bands, (count + 1) * sizeof **bands);
+
+    if (!grown)
+        return false;
+    *bands = grown;
+    memset(&grown[count], 0, sizeof *grown);
+    return true;
+}
+
+/* All bands up to the end or to one that is not whole; the stream then stands
+ * behind the last. */
+static bool read_bands(FILE *stream, size_t width, const c205_model *model,
+                       struct band **bands, size_t *count)
+{
+    struct words words = { NULL, 0, 0, 0, false };
+    long end = ftell(stream);
+    bool memory = true;
+
+    while (memory && read_words(stream, &words)) {
+        memory = grow(bands, *count);
+        if (!memory)
+            break;
+        (*bands)[*count].accounts.model = model;
+        if (!take_band(&words, &(*bands)[*count], width)) {
+            band_free(&(*bands)[*count]);
+            break;
+        }
+        ++*count;
+        end = ftell(stream);
+    }
+    free(words.items);
+    return memory && end >= 0 && fseek(stream, end, SEEK_SET) == 0;
+}
+
+/* False: the file is of something else. */
+static bool read_head(FILE *stream, uint64_t key, size_t width,
+                      c205_error *error)
+{
+    uint64_t head[3] = { 0, 0, 0 };
+
+    for (int i = 0; i < 3; i++)
+        if (!read_word(stream, &head[i]))
+            break;
+    if (head[0] != MAGIC)
+        snprintf(error->message, sizeof error->message,
+                 "it does not hold bands of a frame");
+    else if (head[1] != key || head[2] != width)
+        snprintf(error->message, sizeof error->message,
+                 "it holds bands of another frame, or of other options");
+    else
+        return true;
+    return false;
+}
+
+static bool write_head(FILE *stream, uint64_t key, size_t width)
+{
+    return write_word(stream, MAGIC) && write_word(stream, key)
+           && write_word(stream, width) && fflush(stream) == 0;
+}
+
+static bool begin(struct band_file *file, uint64_t key, size_t width,
+                  const c205_model *model, struct band **bands, size_t *count,
+                  c205_error *error)
+{
+    bool fresh;
+
+    file->stream = fopen(file->path, "r+b");
+    fresh = !file->stream && errno == ENOENT;
+    if (fresh)
+        file->stream = fopen(file->path, "w+b");
+    if (!file->stream) {
+        snprintf(error->message, sizeof error->message, "%s",
+                 strerror(errno));
+        return false;
+    }
+    if (!fresh && !read_head(file->stream, key, width, error))
+        return false;
+    snprintf(error->message, sizeof error->message, "no memory, or no room");
+    return fresh ? write_head(file->stream, key, width)
+                 : read_bands(file->stream, width, model, bands, count);
+}
+
+struct band_file *band_file_open(const char *path, uint64_t key, size_t width,
+                                 const c205_model *model, struct band **bands,
+                                 size_t *count, c205_error *error)
+{
+    struct band_file *file = calloc(1, sizeof *file);
+    char *copy = malloc(strlen(path) + 1);
+    c205_error why = { "no memory" };
+
+    *bands = NULL;
+    *count = 0;
+    if (file && copy) {
+        file->path = strcpy(copy, path);
+        file->width = width;
+        if (begin(file, key, width, model, bands, count, &why))
+            return file;
+    }
+    snprintf(error->message, sizeof error->message, "%.100s: %.130s", path,
+             why.message);
+    while (*count > 0)
+        band_free(&(*bands)[--*count]);
+    free(*bands);
+    *bands = NULL;
+    if (file && file->stream)
+        fclose(file->stream);
+    free(copy);
+    free(file);
+    return NULL;
+}
+
+bool band_file_add(struct band_file *file, const struct band *band,
+                   c205_error *error)
+{
+    struct words words = { NULL, 0, 0, 0, false };
+    bool good;
+
+    put_band(&words, band, file->width);
+    good = !words.failed && write_word(file->stream, words.count);
+    for (size_t i = 0; good && i < words.count; i++)
+        good = write_word(file->stream, words.items[i]);
+    good = good
+           && write_word(file->stream,
+                         checksum_words(CHECKSUM_BEGIN, words.items,
+                                        words.count))
+           && fflush(file->stream) == 0;
+    if (!good)
+        snprintf(error->message, sizeof error->message,
+                 "%.100s: a band cannot be added", file->path);
+    free(words.items);
+    return good;
+}
+
+/* Whether the path still leads to the file: a picture of that name may have
+ * come in its place. */
+static bool is_there(const struct band_file *file)
+{
+    struct stat kept, named;
+
+    return fstat(fileno(file->stream), &kept) == 0
+           && stat(file->path, &named) == 0 && kept.st_dev == named.st_dev
+           && kept.st_ino == named.st_ino;
+}
+
+void band_file_close(struct band_file *file, bool remove_it)
+{
+    if (!file)
+        return;
+    remove_it = remove_it && is_there(file);
+    fclose(file->stream);
+    if (remove_it)
+        remove(file->path);
+    free(file->path);
+    free(file);
+}
+
+static bool add_to_key(void *context, const void *bytes, size_t count)
+{
+    uint64_t *key = context;
+
+    *key = checksum_bytes(*key, bytes, count);
+    return true;
+}
+
+uint64_t band_file_key(const c205 *machine)
+{
+    uint64_t key = CHECKSUM_BEGIN;
+    c205_error error;
+
+    return c205_save(machine, add_to_key, &key, &error) ? key : 0;
+}

@@ -1,0 +1,466 @@
+#include "rt/trace/trace.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/trace/band_file.h"
+#include "rt/trace/checksum.h"
+#include "rt/layout/program.h"
+
+struct trace {
+    struct trace_options options;
+    struct object *program;
+    struct band_work work;
+    double gamma; /* of the scene's colours */
+
+    size_t band_rows; /* of each band but perhaps the last */
+    size_t band_count;
+    bool *taken;      /* bands that are done or being done */
+    c205_word *words; /* FRAME_CHANNELS planes, as far as they are done */
+    size_t rows_done;
+    struct accounts accounts;
+    uint64_t rays[RAY_KINDS];
+    struct vector_use vectors;
+    struct band_file *file; /* that keeps the bands, or NULL */
+
+    /* While it runs, all of the above that changes is under the lock. */
+    pthread_mutex_t lock;
+    struct job *jobs;
+    size_t job_count;
+    bool stop;
+    c205_error error; /* why it stopped */
+};
+
+/* One thread's work: a band at a time. */
+struct job {
+    struct trace *trace;
+    pthread_t thread;
+    size_t pixels; /* of its band that are begun */
+};
+
+static const struct form {
+    const char *name, *program;
+} forms[TRACE_MODES] = {
+    [TRACE_SCALAR] = { "scalar", "frame/frame_scalar.s" },
+    [TRACE_VECTOR] = { "vector", "frame/frame_vector.s" },
+    [TRACE_KERNELS] = { "kernels", "frame/frame_1984.s" },
+};
+
+const char *trace_mode_name(enum trace_mode mode)
+{
+    return forms[mode].name;
+}
+
+bool trace_mode_named(const char *name, enum trace_mode *mode)
+{
+    for (int i = 0; i < TRACE_MODES; i++)
+        if (strcmp(name, forms[i].name) == 0) {
+            *mode = (enum trace_mode)i;
+            return true;
+        }
+    return false;
+}
+
+/* ---- To begin ------------------------------------------------------------ */
+
+static struct object *assemble_form(const struct trace_options *options,
+                                    c205_error *error)
+{
+    struct asm_define defines[] = {
+        { "QUEUE", (int64_t)options->queue },
+        { NULL, 0 },
+        { NULL, 0 },
+        { NULL, 0 },
+        { NULL, 0 },
+    };
+    struct asm_define *next = &defines[1];
+
+    if (options->historical) {
+        *next++ = (struct asm_define){ "HISTORICAL", 1 };
+        *next++ = (struct asm_define){ "FALSI", FALSI_PAPER };
+    }
+    if (options->visible != VISIBLE_DEFAULT)
+        *next = (struct asm_define){ "VISIBLE", options->visible };
+
+    return program_assemble(forms[options->mode].program, defines, error);
+}
+
+static void divide(struct trace *trace)
+{
+    const struct trace_options *options = &trace->options;
+    size_t pixels = options->band > 0 ? options->band : TRACE_BAND;
+
+    trace->band_rows = pixels / options->width;
+    if (trace->band_rows == 0)
+        trace->band_rows = 1;
+    if (trace->band_rows > options->height)
+        trace->band_rows = options->height;
+    trace->band_count = (options->height + trace->band_rows - 1)
+                        / trace->band_rows;
+}
+
+static size_t rows_of(const struct trace *trace, size_t band)
+{
+    size_t left = trace->options.height - band * trace->band_rows;
+
+    return left < trace->band_rows ? left : trace->band_rows;
+}
+
+c205 *trace_machine(const struct trace *trace, c205_error *error)
+{
+    struct frame_layout layout;
+
+    return band_machine(&trace->work, 0, rows_of(trace, 0), &layout, error);
+}
+
+static bool prepare(struct trace *trace, c205_error *error)
+{
+    size_t pixels = trace->options.width * trace->options.height;
+    c205 *machine;
+
+    trace->work.program = trace->program = assemble_form(&trace->options,
+                                                         error);
+    if (!trace->program)
+        return false;
+    machine = trace_machine(trace, error);
+    if (!machine)
+        return false;
+    c205_free(machine);
+    snprintf(error->message, sizeof error->message,
+             "no memory for the frame");
+    trace->taken = calloc(trace->band_count, sizeof *trace->taken);
+    trace->words = calloc(FRAME_CHANNELS * pixels, sizeof *trace->words);
+    return trace->taken && trace->words;
+}
+
+struct trace *trace_new(const struct scene *scene,
+                        const struct trace_options *options,
+                        c205_error *error)
+{
+    struct trace *trace = calloc(1, sizeof *trace);
+
+    if (!trace) {
+        snprintf(error->message, sizeof error->message, "no memory");
+        return NULL;
+    }
+    pthread_mutex_init(&trace->lock, NULL);
+    trace->options = *options;
+    trace->accounts.model = options->model;
+    trace->gamma = scene->assumed_gamma > 0 ? scene->assumed_gamma : 1;
+    trace->work = (struct band_work){
+        .scene = scene,
+        .model = options->model,
+        .width = options->width,
+        .height = options->height,
+        .bounds = !options->no_bounds,
+        .rays_a_call = options->mode == TRACE_SCALAR ? 1 : options->queue,
+        .watch_vectors = options->watch_vectors,
+    };
+    divide(trace);
+    if (prepare(trace, error))
+        return trace;
+    trace_free(trace);
+    return NULL;
+}
+
+void trace_free(struct trace *trace)
+{
+    if (!trace)
+        return;
+    band_file_close(trace->file, false);
+    pthread_mutex_destroy(&trace->lock);
+    accounts_free(&trace->accounts);
+    object_free(trace->program);
+    free(trace->taken);
+    free(trace->words);
+    free(trace);
+}
+
+bool trace_watch(struct trace *trace, struct iterations *iterations)
+{
+    trace->work.listener = iterations_listen;
+    trace->work.listener_context = iterations;
+    return iterations_begin(iterations, trace->program,
+                            trace->options.mode == TRACE_VECTOR);
+}
+
+void trace_project(struct trace *trace, c205_projection *const *projections)
+{
+    trace->work.projections = projections;
+}
+
+/* ---- Bands that are done ------------------------------------------------- */
+
+static bool add_band(struct trace *trace, const struct band *band)
+{
+    size_t width = trace->options.width, count = band->rows * width;
+    size_t pixels = width * trace->options.height;
+
+    for (int i = 0; i < FRAME_CHANNELS; i++)
+        memcpy(trace->words + (size_t)i * pixels + band->first_row * width,
+               band->words + (size_t)i * count, count * sizeof *band->words);
+    for (size_t i = 0; i < band->accounts.count; i++)
+        if (!accounts_add_account(&trace->accounts, &band->accounts.items[i]))
+            return false;
+    for (int kind = 0; kind < RAY_KINDS; kind++)
+        trace->rays[kind] += band->rays[kind];
+    vector_use_add(&trace->vectors, &band->vectors);
+    trace->rows_done += band->rows;
+    return true;
+}
+
+/* A band from the file, if it is one of this trace's. */
+static bool add_kept(struct trace *trace, const struct band *band)
+{
+    size_t i = band->first_row / trace->band_rows;
+
+    if (i >= trace->band_count || trace->taken[i]
+        || band->first_row != i * trace->band_rows
+        || band->rows != rows_of(trace, i))
+        return true;
+    trace->taken[i] = true;
+    return add_band(trace, band);
+}
+
+bool trace_keep(struct trace *trace, const char *path, c205_error *error)
+{
+    c205 *machine = trace_machine(trace, error);
+    uint64_t key = machine ? band_file_key(machine) : 0;
+    struct band *bands;
+    size_t count;
+    bool good = true;
+
+    c205_free(machine);
+    if (!machine)
+        return false;
+    trace->file = band_file_open(path, key, trace->options.width,
+                                 trace->options.model, &bands, &count, error);
+    if (!trace->file)
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        good = good && add_kept(trace, &bands[i]);
+        band_free(&bands[i]);
+    }
+    free(bands);
+    if (!good)
+        snprintf(error->message, sizeof error->message, "no memory");
+    return good;
+}
+
+void trace_forget(struct trace *trace)
+{
+    band_file_close(trace->file, true);
+    trace->file = NULL;
+}
+
+/* ---- Jobs ---------------------------------------------------------------- */
+
+static void stop_with(struct trace *trace, const c205_error *why)
+{
+    if (!trace->stop)
+        trace->error = *why;
+    trace->stop = true;
+}
+
+static size_t pixels_done(const struct trace *trace)
+{
+    size_t done = trace->rows_done * trace->options.width;
+
+    for (size_t i = 0; i < trace->job_count; i++)
+        done += trace->jobs[i].pixels;
+    return done;
+}
+
+static bool tell_progress(void *context, size_t pixels)
+{
+    struct job *job = context;
+    struct trace *trace = job->trace;
+    const struct trace_options *options = &trace->options;
+    size_t all = options->width * options->height, done;
+    bool go_on;
+
+    pthread_mutex_lock(&trace->lock);
+    job->pixels = pixels;
+    done = pixels_done(trace);
+    if (!trace->stop && !options->progress(options->context, done, all)) {
+        c205_error why;
+
+        snprintf(why.message, sizeof why.message,
+                 "stopped after %zu of %zu pixels", done, all);
+        stop_with(trace, &why);
+    }
+    go_on = !trace->stop;
+    pthread_mutex_unlock(&trace->lock);
+    return go_on;
+}
+
+static bool take_next(struct trace *trace, struct band *band)
+{
+    bool found = false;
+
+    pthread_mutex_lock(&trace->lock);
+    for (size_t i = 0; i < trace->band_count && !found && !trace->stop; i++)
+        if (!trace->taken[i]) {
+            found = trace->taken[i] = true;
+            *band = (struct band){ .first_row = i * trace->band_rows,
+                                   .rows = rows_of(trace, i) };
+        }
+    pthread_mutex_unlock(&trace->lock);
+    return found;
+}
+
+static void finish_band(struct job *job, const struct band *band)
+{
+    struct trace *trace = job->trace;
+    c205_error why = { "no memory" };
+
+    pthread_mutex_lock(&trace->lock);
+    job->pixels = 0;
+    if (!add_band(trace, band)
+        || (trace->file && !band_file_add(trace->file, band, &why)))
+        stop_with(trace, &why);
+    pthread_mutex_unlock(&trace->lock);
+}
+
+static void *do_job(void *context)
+{
+    struct job *job = context;
+    struct trace *trace = job->trace;
+    struct band_tracer tracer = { .work = &trace->work };
+    struct band band;
+
+    while (take_next(trace, &band)) {
+        bool stopped = false;
+        c205_error why;
+
+        if (band_trace(&tracer, &band, job, &stopped, &why)) {
+            finish_band(job, &band);
+            band_free(&band);
+        } else if (!stopped) {
+            pthread_mutex_lock(&trace->lock);
+            stop_with(trace, &why);
+            pthread_mutex_unlock(&trace->lock);
+        }
+    }
+    c205_free(tracer.machine);
+    return NULL;
+}
+
+/* The first job is this thread's own. */
+static void do_jobs(struct trace *trace)
+{
+    size_t begun = 1;
+
+    while (begun < trace->job_count
+           && pthread_create(&trace->jobs[begun].thread, NULL, do_job,
+                             &trace->jobs[begun])
+                  == 0)
+        begun++;
+    do_job(&trace->jobs[0]);
+    for (size_t i = 1; i < begun; i++)
+        pthread_join(trace->jobs[i].thread, NULL);
+}
+
+bool trace_run(struct trace *trace, c205_error *error)
+{
+    const struct trace_options *options = &trace->options;
+    size_t jobs = options->jobs > 0 ? options->jobs : 1;
+
+    trace->job_count = jobs < trace->band_count ? jobs : trace->band_count;
+    trace->jobs = calloc(trace->job_count, sizeof *trace->jobs);
+    snprintf(error->message, sizeof error->message, "no memory");
+    if (!trace->jobs)
+        return false;
+    for (size_t i = 0; i < trace->job_count; i++)
+        trace->jobs[i].trace = trace;
+    trace->work.progress = options->progress ? tell_progress : NULL;
+    do_jobs(trace);
+    free(trace->jobs);
+    trace->jobs = NULL;
+    trace->job_count = 0;
+    if (trace->stop)
+        *error = trace->error;
+    else if (options->progress)
+        options->progress(options->context, options->width * options->height,
+                          options->width * options->height);
+    return !trace->stop;
+}
+
+/* ---- What came of it ----------------------------------------------------- */
+
+static size_t pixels_of(const struct trace *trace)
+{
+    return trace->options.width * trace->options.height;
+}
+
+const c205_word *trace_channel(const struct trace *trace,
+                               enum frame_channel channel)
+{
+    return trace->words + (size_t)channel * pixels_of(trace);
+}
+
+size_t trace_hits(const struct trace *trace)
+{
+    const c205_word *ids = trace_channel(trace, CHANNEL_ID);
+    size_t hits = 0;
+
+    for (size_t i = 0; i < pixels_of(trace); i++)
+        hits += c205_to_integer(ids[i]) != 0;
+    return hits;
+}
+
+static void make_linear(double *samples, size_t count, double gamma)
+{
+    for (size_t i = 0; i < count && gamma != 1; i++)
+        samples[i] = samples[i] > 0 ? pow(samples[i], gamma) : 0;
+}
+
+bool trace_read(const struct trace *trace, struct frame *frame,
+                c205_error *error)
+{
+    size_t pixels = pixels_of(trace);
+
+    if (!frame_allocate(frame, trace->options.width, trace->options.height)) {
+        snprintf(error->message, sizeof error->message,
+                 "no memory for the frame");
+        return false;
+    }
+    for (int i = 0; i < FRAME_CHANNELS; i++) {
+        const c205_word *words = trace_channel(trace, (enum frame_channel)i);
+
+        for (size_t k = 0; k < pixels; k++)
+            frame->channel[i][k] = c205_to_double(words[k]);
+        if (i <= CHANNEL_BLUE)
+            make_linear(frame->channel[i], pixels, trace->gamma);
+    }
+    return true;
+}
+
+uint64_t trace_checksum(const struct trace *trace)
+{
+    return checksum_words(CHECKSUM_BEGIN, trace->words,
+                          FRAME_CHANNELS * pixels_of(trace));
+}
+
+const struct accounts *trace_accounts(const struct trace *trace)
+{
+    return &trace->accounts;
+}
+
+uint64_t trace_rays(const struct trace *trace, enum ray_kind kind)
+{
+    return trace->rays[kind];
+}
+
+const struct vector_use *trace_vectors(const struct trace *trace)
+{
+    return &trace->vectors;
+}
+
+enum falsi trace_falsi(const struct trace *trace)
+{
+    return falsi_of(trace->program);
+}

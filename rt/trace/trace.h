@@ -1,0 +1,109 @@
+/* trace.h - a frame of a scene, traced by machines.
+ *
+ * trace_new assembles the kernels in the form asked for and lays the scene
+ * out in a machine's memory once, so that what cannot be traced is known at
+ * once; trace_run traces the frame band by band (band.h), several at a time
+ * in threads; after that the frame and the sum of the machines' accounts can
+ * be read.  Neither depends on the number of threads.
+ */
+#ifndef RT_TRACE_H
+#define RT_TRACE_H
+
+#include "rt/trace/band.h"
+#include "rt/roots/falsi.h"
+#include "rt/roots/iterations.h"
+#include "rt/trace/visible.h"
+
+enum trace_mode {
+    TRACE_SCALAR,                /* one ray after another */
+    TRACE_VECTOR,                /* a queue of rays at a time */
+    TRACE_FORMS,                 /* of a kernel there are these two */
+    TRACE_KERNELS = TRACE_FORMS, /* the paper's: a queue of rays is met with
+                                    each primitive in vector form, all else is
+                                    done ray by ray */
+    TRACE_MODES
+};
+const char *trace_mode_name(enum trace_mode mode);
+/* False: there is no mode of that name. */
+bool trace_mode_named(const char *name, enum trace_mode *mode);
+
+enum {
+    TRACE_QUEUE = 2000,       /* rays, as in the paper */
+    TRACE_QUEUE_MOST = 65535, /* the longest vector */
+    /* Pixels; a band is as many whole rows.  Its planes fill 4 of the 16 pages
+     * that are in memory: with twice as many the scalar form, which writes
+     * them pixel by pixel, would wait for pages. */
+    TRACE_BAND = 32768,
+    TRACE_JOBS_MOST = 256
+};
+/* Pixels of a frame: what fits the memory that hosts commonly have. */
+#define TRACE_PIXELS_MOST ((size_t)1 << 26)
+
+struct trace_options {
+    enum trace_mode mode;
+    size_t width, height;    /* pixels */
+    size_t queue;            /* rays; not in scalar mode */
+    size_t band;             /* pixels of a band at the most, but one row at
+                                the least; 0: TRACE_BAND */
+    size_t jobs;             /* bands traced at a time; 0: one */
+    bool historical;         /* the paper's way to Steiner patches: by their
+                                implicit quartic, with its falsi */
+    enum visible visible;    /* of solids; vector mode only */
+    bool no_bounds;          /* every ray goes against every primitive */
+    bool watch_vectors;      /* for trace_vectors */
+    const c205_model *model; /* must outlive the trace */
+    /* Called now and then with the pixels done, at the end with all of them;
+     * returns false to stop.  Never twice at a time.  NULL if nobody wants to
+     * know. */
+    bool (*progress)(void *context, size_t done, size_t pixels);
+    void *context;
+};
+
+struct trace;
+
+struct trace *trace_new(const struct scene *scene,
+                        const struct trace_options *options,
+                        c205_error *error);
+void trace_free(struct trace *trace);
+
+/* Keep the bands in a file as they are finished (band_file.h), and take from
+ * it those that it has, of this very frame; before the run. */
+bool trace_keep(struct trace *trace, const char *path, c205_error *error);
+/* The frame is safe elsewhere: remove the file that trace_keep named. */
+void trace_forget(struct trace *trace);
+
+/* Count the steps of the root solver from now on; before the run, for one job
+ * alone. */
+bool trace_watch(struct trace *trace, struct iterations *iterations);
+
+/* Charge all instructions to these projections as well, which end with NULL;
+ * before the run, for one job alone. */
+void trace_project(struct trace *trace, c205_projection *const *projections);
+
+/* False: a trap, or progress said to stop; the error says which. */
+bool trace_run(struct trace *trace, c205_error *error);
+
+/* The frame; the caller frees it.  Its colours are linear light: what the
+ * machine computed, to the power of the scene's assumed_gamma. */
+bool trace_read(const struct trace *trace, struct frame *frame,
+                c205_error *error);
+/* A channel's samples as the machine holds them, pixel by pixel. */
+const c205_word *trace_channel(const struct trace *trace,
+                               enum frame_channel channel);
+/* Rays of the camera that hit something. */
+size_t trace_hits(const struct trace *trace);
+/* 64-bit FNV-1a over all words of the frame, channel by channel: two frames
+ * with one checksum are the same bit for bit. */
+uint64_t trace_checksum(const struct trace *trace);
+
+/* Of all bands together. */
+const struct accounts *trace_accounts(const struct trace *trace);
+uint64_t trace_rays(const struct trace *trace, enum ray_kind kind);
+const struct vector_use *trace_vectors(const struct trace *trace);
+
+/* The rule of the root solver. */
+enum falsi trace_falsi(const struct trace *trace);
+/* The machine of the first band before it begins; the caller frees it. */
+c205 *trace_machine(const struct trace *trace, c205_error *error);
+
+#endif

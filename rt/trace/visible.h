@@ -1,0 +1,19 @@
+/* visible.h - which crossings of a solid the vector form looks at to find the
+ * nearest that can be seen: the numbers of VISIBLE in
+ * rt/kernels/solids/visible_vector.s, which has the default.
+ */
+#ifndef RT_VISIBLE_H
+#define RT_VISIBLE_H
+
+#include <stdbool.h>
+
+enum visible {
+    VISIBLE_DEFAULT,
+    VISIBLE_STEPPING, /* one after another, until one is seen */
+    VISIBLE_EVERY,
+    VISIBLE_WAYS
+};
+/* False: there is no way of that name. */
+bool visible_named(const char *name, enum visible *way);
+
+#endif

@@ -1,6 +1,0 @@
-/* arith.c - the exact rule for words of 64 bits. */
-#include "arith.h"
-
-#define RULE_FORMAT whole_words
-#define RULE(name) ARITH_OF_WORDS(name)
-#include "rule.h"

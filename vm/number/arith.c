@@ -1,0 +1,6 @@
+/* arith.c - the exact rule for words of 64 bits. */
+#include "vm/number/arith.h"
+
+#define RULE_FORMAT whole_words
+#define RULE(name) ARITH_OF_WORDS(name)
+#include "vm/number/rule.h"

@@ -1,0 +1,44 @@
+/* half.c - the exact rule for half words, and the way between the sizes. */
+#include "vm/number/arith.h"
+
+#define RULE_FORMAT half_words
+#define RULE(name) ARITH_OF_HALVES(name)
+#include "vm/number/rule.h"
+
+/* ---- Conversion between the sizes --------------------------------------- */
+
+/* Digits that a word has more than a half word. */
+enum { MORE_DIGITS = 24 };
+
+/* From a sum of the coefficient and what rounds it. */
+static c205_word contracted(c205_word a, int64_t rounding, uint64_t *flags)
+{
+    const int64_t c = (word_coefficient(a) + rounding) >> MORE_DIGITS;
+    const bool fits = c <= MAX_COEFFICIENT;
+
+    if (word_is_indefinite(a))
+        return indefinite(0, flags);
+    if (word_is_machine_zero(a))
+        return machine_zero(flags);
+    return ranged(word_exponent(a) + MORE_DIGITS + !fits, c >> !fits, flags);
+}
+
+c205_word arith_contract(c205_word a, uint64_t *flags)
+{
+    return contracted(a, 0, flags);
+}
+
+c205_word arith_contract_rounded(c205_word a, uint64_t *flags)
+{
+    return contracted(a, INT64_C(1) << (MORE_DIGITS - 1), flags);
+}
+
+c205_word arith_extend(c205_word a, uint64_t *flags)
+{
+    if (word_is_indefinite(a))
+        return indefinite(0, flags);
+    if (word_is_machine_zero(a))
+        return machine_zero(flags);
+    return word_make(exponent_of(a) - MORE_DIGITS,
+                     word_shift_left(coefficient_of(a), MORE_DIGITS));
+}

@@ -1,0 +1,373 @@
+/* lane_parts.h - what lane.h and half_lane.h have in common: words of a
+ * format on one lane, without branches, for loops that a compiler vectorises.
+ *
+ * A file that includes this defines before
+ *
+ *   LANE_FORMAT   a constant word_format
+ *   LANE_GUARD    bits that sums keep below the coefficient of the larger
+ *                 operand; with the digits no more than 49
+ *
+ * Each function is right for the usual operands and results (normalised
+ * numbers and machine zeros, within the range), and tells when it is not.
+ * They keep to what vector units have for 64-bit integers.
+ */
+#ifndef C205_LANE_PARTS_H
+#define C205_LANE_PARTS_H
+
+#include "vm/number/lane_kinds.h"
+
+#define DIGITS (LANE_FORMAT.digits)
+#define EXPONENT_PLACE (64 - LANE_FORMAT.exponent_bits)
+#define EXPONENT_MASK (UINT64_MAX << EXPONENT_PLACE)
+
+/* A result, unless the first bit of odd is 1; the first bit of zero is 1 where
+ * it is a machine zero. */
+typedef struct lane {
+    c205_word word;
+    uint64_t odd, zero;
+} lane;
+
+static const uint64_t first_bit = UINT64_C(1) << 63;
+
+/* ---- The parts of a word ------------------------------------------------ */
+
+static inline int64_t exponent(c205_word w)
+{
+    return (int64_t)w >> EXPONENT_PLACE;
+}
+
+static inline int64_t coefficient(c205_word w)
+{
+    return format_coefficient(LANE_FORMAT, w);
+}
+
+/* c x 2^LANE_GUARD, also of machine zeros; as it counts in arithmetic */
+static inline int64_t guarded(c205_word w)
+{
+    const int64_t digits = (int64_t)(w << LANE_FORMAT.exponent_bits);
+
+    return digits >> (63 - DIGITS - LANE_GUARD);
+}
+
+static inline int64_t guarded_value(c205_word w)
+{
+    return is_zero(w) ? 0 : guarded(w);
+}
+
+static inline uint64_t magnitude(int64_t c)
+{
+    return (uint64_t)(c < 0 ? -c : c);
+}
+
+/* As kinds of words, in the first bit: a coefficient that is not normalised,
+ * whatever the exponent. */
+static inline uint64_t unnormalised(c205_word w)
+{
+    const uint64_t digits = w << LANE_FORMAT.exponent_bits;
+
+    return digits ^ digits << 1 ^ first_bit;
+}
+
+static inline uint64_t out_of_range(int64_t e)
+{
+    return (uint64_t)((format_exponent_max(LANE_FORMAT) - e)
+                      | (e - format_exponent_min(LANE_FORMAT)));
+}
+
+/* ---- Doubles and their bits --------------------------------------------- */
+
+static const uint64_t two_to_52 = UINT64_C(0x4330000000000000);
+
+static inline double double_of_bits(uint64_t bits)
+{
+    double d;
+
+    memcpy(&d, &bits, sizeof d);
+    return d;
+}
+
+static inline uint64_t bits_of_double(double d)
+{
+    uint64_t bits;
+
+    memcpy(&bits, &d, sizeof bits);
+    return bits;
+}
+
+/* Between natural numbers below 2^51 and doubles, to the nearest number: as
+ * the last bits of 2^52 + n. */
+static inline double to_double(uint64_t n)
+{
+    return double_of_bits(two_to_52 | n) - double_of_bits(two_to_52);
+}
+
+static inline uint64_t to_nearest(double d)
+{
+    return bits_of_double(d + double_of_bits(two_to_52))
+           & ((UINT64_C(1) << 51) - 1);
+}
+
+enum { LENGTH = 51 };
+
+/* The places by which t, |t| < 2^51, can be shifted left until it has LENGTH
+ * significant bits.  Its length is found as in word_bit_length, as the
+ * exponent of an odd number, here subtracted while still in its place. */
+static inline uint64_t room(int64_t t)
+{
+    enum { BIAS = 1023 };
+    const uint64_t bits = bits_of_double(
+        to_double((uint64_t)(t ^ t >> 63) << 1 | 1));
+
+    return (((uint64_t)(BIAS + LENGTH + 1) << 52) - 1 - bits) >> 52;
+}
+
+/* 1 / sqrt(x) to 15 digits: halving the exponent of a double gives the first
+ * digit (to 3.5 %), and each step of Newton's doubles the digits. */
+static inline double reciprocal_root(double x)
+{
+    const uint64_t one_and_a_half_exponents = UINT64_C(0x5FE6EB50C7B537A9);
+    double y = double_of_bits(one_and_a_half_exponents
+                              - (bits_of_double(x) >> 1));
+
+    for (int step = 0; step < 4; step++)
+        y *= 1.5 - 0.5 * x * y * y;
+    return y;
+}
+
+/* ---- Results ------------------------------------------------------------ */
+
+/* As a number of exponent 0. */
+static inline c205_word integer(int64_t c)
+{
+    return (c205_word)c << format_padding(LANE_FORMAT)
+           & format_coefficient_mask(LANE_FORMAT);
+}
+
+static inline lane number(int64_t e, int64_t c)
+{
+    const lane result = { (c205_word)e << EXPONENT_PLACE | integer(c),
+                          out_of_range(e), 0 };
+
+    return result;
+}
+
+/* A machine zero is as good a result as any. */
+static inline lane zero_if(bool it_is, lane otherwise)
+{
+    const lane result = { it_is ? C205_MACHINE_ZERO : otherwise.word,
+                          it_is ? 0 : otherwise.odd,
+                          it_is ? first_bit : otherwise.zero };
+
+    return result;
+}
+
+static inline lane odd_if(uint64_t odd, lane result)
+{
+    result.odd |= odd;
+    return result;
+}
+
+/* The number t x 2^e, |t| < 2^51, floored to some significant bits, at most
+ * DIGITS. */
+static inline lane significant(int64_t e, int64_t t, int64_t bits)
+{
+    const uint64_t places = room(t);
+    const int64_t top = (int64_t)((uint64_t)t << places);
+    const int64_t excess = LENGTH - bits;
+
+    return number(e + excess - (int64_t)places, top >> excess);
+}
+
+/* The same to a normalised word; zero is machine zero. */
+static inline lane normalised(int64_t e, int64_t t)
+{
+    return zero_if(t == 0, significant(e, t, DIGITS));
+}
+
+/* The bits of t beyond so many digits, as a number: 0, where it fits. */
+static inline uint64_t excess(int64_t t, int digits)
+{
+    return (uint64_t)(t ^ t >> 63) >> digits;
+}
+
+/* t x 2^e, |t| <= 2^(DIGITS + 1), to the right by as many places as it must.
+ * The first bits are not looked at: it may be shifted as a natural number. */
+static inline lane fitted(int64_t e, int64_t t)
+{
+    const uint64_t places = excess(t, DIGITS);
+
+    return number(e + (int64_t)places, (int64_t)((uint64_t)t >> places));
+}
+
+/* What comes of special factors: machine zeros are the smallest words. */
+static inline lane special_product(c205_word a, c205_word b, lane result)
+{
+    return odd_if(indefinite(larger(a, b)),
+                  zero_if(is_zero(smaller(a, b)), result));
+}
+
+/* ---- Add, subtract ------------------------------------------------------ */
+
+/* Of the exponents of the larger and the smaller: nothing is borrowed below
+ * them. */
+static inline int64_t distance(c205_word l, c205_word s)
+{
+    return (int64_t)((l - (s & EXPONENT_MASK)) >> EXPONENT_PLACE);
+}
+
+/* c shifted right by a distance of exponents, but limit at the most. */
+static inline int64_t shifted(int64_t c, int64_t places, int64_t limit)
+{
+    return c >> (places < limit ? places : limit);
+}
+
+/* The sum, floored to LANE_GUARD bits below the larger operand's coefficient.
+ * That is all a normalised result can see if the larger operand is
+ * normalised: at distances of 0 and 1 nothing is lost, and beyond them the
+ * sum moves by one place at most.  If the guard holds all digits, it is all
+ * there is. */
+static inline int64_t sum(c205_word a, c205_word b)
+{
+    const c205_word l = larger(a, b), s = smaller(a, b);
+
+    return guarded(l) + shifted(guarded_value(s), distance(l, s), 63);
+}
+
+/* The difference likewise.  A subtrahend is cut at the end of the register,
+ * DIGITS down, before its sign changes. */
+static inline int64_t difference(c205_word a, c205_word b)
+{
+    const int64_t reach = DIGITS - LANE_GUARD;
+    const c205_word l = larger(a, b), s = smaller(a, b);
+    const int64_t places = distance(l, s), more = places - reach;
+    const int64_t kept = shifted(guarded_value(s), more > 0 ? more : 0, 63);
+    const bool is_subtrahend = (int64_t)b <= (int64_t)a;
+
+    return (is_subtrahend ? guarded(l) : -guarded(l))
+           + shifted(is_subtrahend ? -kept : kept, places, reach);
+}
+
+/* The exponent of an indefinite is out of range. */
+static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
+{
+    const c205_word l = larger(a, b);
+
+    return zero_if(is_zero(l), fitted(exponent(l), t >> LANE_GUARD));
+}
+
+/* Less certain here, where it may fall: the indefinite are the largest
+ * words. */
+static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
+{
+    const c205_word l = larger(a, b);
+    const uint64_t too_short = LANE_GUARD < DIGITS ? unnormalised(l) : 0;
+    const lane result = odd_if(too_short,
+                               normalised(exponent(l) - LANE_GUARD, t));
+
+    return odd_if(indefinite(l), zero_if(is_zero(l), result));
+}
+
+static inline lane lane_add_upper(c205_word a, c205_word b)
+{
+    return sum_upper(a, b, sum(a, b));
+}
+
+static inline lane lane_subtract_upper(c205_word a, c205_word b)
+{
+    return sum_upper(a, b, difference(a, b));
+}
+
+static inline lane lane_add_normalised(c205_word a, c205_word b)
+{
+    return sum_normalised(a, b, sum(a, b));
+}
+
+static inline lane lane_subtract_normalised(c205_word a, c205_word b)
+{
+    return sum_normalised(a, b, difference(a, b));
+}
+
+static inline lane halved(lane sum)
+{
+    const uint64_t is_number = ~zero(sum.word) >> 63;
+
+    sum.word -= is_number << EXPONENT_PLACE;
+    sum.odd |= zero(sum.word) & (0 - is_number);
+    return sum;
+}
+
+static inline lane lane_average(c205_word a, c205_word b)
+{
+    return halved(lane_add_normalised(a, b));
+}
+
+static inline lane lane_average_difference(c205_word a, c205_word b)
+{
+    return halved(lane_subtract_normalised(a, b));
+}
+
+/* ---- Parts of a number, sign -------------------------------------------- */
+
+/* A negative exponent stands in a word as its distance from 0 does. */
+static inline int64_t without_fraction(int64_t c, c205_word a)
+{
+    return shifted(c, (int64_t)((0 - (a & EXPONENT_MASK)) >> EXPONENT_PLACE),
+                   63);
+}
+
+static inline lane integer_part(c205_word a, int64_t part)
+{
+    const c205_word whole = integer(part);
+    const lane result = { exponent(a) >= 0 ? a
+                          : is_zero(a)     ? a
+                                           : whole,
+                          indefinite(a), zero(a) };
+
+    return result;
+}
+
+static inline lane lane_floor(c205_word a)
+{
+    return integer_part(a, without_fraction(coefficient(a), a));
+}
+
+static inline lane lane_ceiling(c205_word a)
+{
+    return integer_part(a, -without_fraction(-coefficient(a), a));
+}
+
+static inline lane lane_truncate(c205_word a)
+{
+    const int64_t c = coefficient(a);
+    const int64_t part = without_fraction((int64_t)magnitude(c), a);
+
+    return integer_part(a, c < 0 ? -part : part);
+}
+
+/* Two coefficients change the exponent when their sign changes. */
+static inline lane lane_negate(c205_word a)
+{
+    const int64_t c = coefficient(a), e = exponent(a);
+    const int64_t half = -format_coefficient_min(LANE_FORMAT) / 2;
+    const bool too_long = c == -2 * half, too_short = c == half;
+    const int64_t moved = too_short ? e - 1 : e;
+
+    return odd_if(indefinite(a),
+                  zero_if(is_zero(a), number(too_long ? e + 1 : moved,
+                                             too_long    ? half
+                                             : too_short ? -2 * half
+                                                         : -c)));
+}
+
+/* A machine zero stays as it is, if its digits are those of no negative
+ * number. */
+static inline lane lane_absolute(c205_word a)
+{
+    const int64_t c = coefficient(a);
+    const lane zero_number = { c < 0 ? C205_MACHINE_ZERO : a, 0, first_bit };
+    const lane result = fitted(exponent(a), (int64_t)magnitude(c));
+
+    return odd_if(indefinite(a), is_zero(a) ? zero_number : result);
+}
+
+#endif

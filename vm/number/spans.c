@@ -1,0 +1,210 @@
+/* spans.c - the spans that are written alike for words and half words: bits,
+ * comparisons, reductions, copies.
+ */
+#include "vm/number/spans.h"
+
+#include "vm/number/lane_kinds.h"
+
+enum { BITS = 64 /* of a word */ };
+
+/* ---- Words as bits, which set no flags ---------------------------------- */
+
+/* x and y are the words, f their format. */
+#define LOGICAL_SPAN(name, format, result) \
+    CLONED void name BINARY_PARAMETERS \
+    { \
+        const word_format f = format; \
+        (void)flags; \
+        for (size_t i = 0; i < n; i++) { \
+            const c205_word x = a[i], y = b[i]; \
+            c[i] = (result)&format_mask(f); \
+        } \
+    }
+#define LOGICAL(name, result) \
+    LOGICAL_SPAN(lanes_##name, whole_words, result) \
+    LOGICAL_SPAN(halves_##name, half_words, result)
+
+/* The high bits of the one, the coefficient of the other. */
+static inline c205_word with_coefficient(word_format f, c205_word high,
+                                         c205_word low)
+{
+    const c205_word mask = format_coefficient_mask(f);
+
+    return (high & ~mask) | (low & mask);
+}
+
+LOGICAL(xor, x ^ y)
+LOGICAL(and, (x) & (y))
+LOGICAL(or, x | y)
+LOGICAL(nand, ~((x) & (y)))
+LOGICAL(nor, ~(x | y))
+LOGICAL(or_not, x | ~y)
+LOGICAL(and_not, x & ~y)
+LOGICAL(equivalence, ~(x ^ y))
+LOGICAL(shift, format_shift(f, x, format_coefficient(f, y)))
+LOGICAL(pack, format_pack(f, x, y))
+LOGICAL(add_index, with_coefficient(f, x, x + y))
+LOGICAL(subtract_index, with_coefficient(f, x, x - y))
+
+#define EXPONENT(name, format) \
+    CLONED void name UNARY_PARAMETERS \
+    { \
+        (void)flags; \
+        for (size_t i = 0; i < n; i++) \
+            c[i] = format_make(format, 0, format_exponent(format, a[i])); \
+    }
+EXPONENT(lanes_exponent, whole_words)
+EXPONENT(halves_exponent, half_words)
+
+/* ---- Comparisons -------------------------------------------------------- */
+
+/* A machine zero as a zero that is ordered as numbers are. */
+static inline c205_word zero_as_number(c205_word w)
+{
+    return larger(w, LEAST_NUMBER);
+}
+
+/* In the first bit: 1, it is. */
+static inline uint64_t unnormalised(word_format f, c205_word number)
+{
+    const uint64_t digits = number << f.exponent_bits;
+
+    return number == LEAST_NUMBER ? 0 : ~(digits ^ digits << 1);
+}
+
+/* Of one sign, normalised numbers are ordered as integers are, negative ones
+ * with their exponents complemented. */
+static inline c205_word order(word_format f, c205_word w)
+{
+    const c205_word exponent = ~format_coefficient_mask(f);
+    const int64_t sign = (int64_t)(w << f.exponent_bits) >> 63;
+
+    return w ^ (exponent & (c205_word)sign);
+}
+
+/* In the first bit: 1, it is. */
+static inline uint64_t less_integer(uint64_t x, uint64_t y)
+{
+    const uint64_t difference = x - y;
+
+    return difference ^ ((x ^ y) & (difference ^ x));
+}
+
+static inline uint64_t less_number(word_format f, c205_word x, c205_word y)
+{
+    const uint64_t of_one_sign = less_integer(order(f, x), order(f, y));
+    const uint64_t sign_x = x << f.exponent_bits;
+    const uint64_t sign_y = y << f.exponent_bits;
+
+    return of_one_sign ^ ((of_one_sign ^ sign_x) & (sign_x ^ sign_y));
+}
+
+/* x and y are the words, f their format. */
+#define NOT_EQUAL(f, x, y) ((x ^ y) | (0 - (x ^ y)))
+#define EQUAL(f, x, y) ~NOT_EQUAL(f, x, y)
+#define LESS(f, x, y) less_number(f, x, y)
+#define NOT_LESS(f, x, y) ~LESS(f, x, y)
+
+/* The places of a word's bits. */
+#define PLACES(i) \
+    FIRST >> (i), FIRST >> (i + 1), FIRST >> (i + 2), FIRST >> (i + 3), \
+        FIRST >> (i + 4), FIRST >> (i + 5), FIRST >> (i + 6), \
+        FIRST >> (i + 7)
+#define FIRST (UINT64_C(1) << (BITS - 1))
+static const uint64_t places[BITS] = { PLACES(0),  PLACES(8),  PLACES(16),
+                                       PLACES(24), PLACES(32), PLACES(40),
+                                       PLACES(48), PLACES(56) };
+
+/* The first bit to all places. */
+static inline uint64_t copied(uint64_t bit)
+{
+    return (uint64_t)((int64_t)bit >> 63);
+}
+
+/* The bits of a block by a relation of ranks, which holds for no indefinite;
+ * or where it does not hold. */
+#define BY_RANK(format, relation, inverse) \
+    for (size_t j = 0; j < length; j++) { \
+        const c205_word x = a[i + j], y = b[i + j]; \
+        const uint64_t holds = (uint64_t)(format_rank(format, x) \
+                                              relation format_rank(format, \
+                                                                   y)) \
+                               & ~indefinite(larger(x, y)) >> 63; \
+        word |= (holds ^ inverse) << (BITS - 1 - j); \
+    }
+
+/* Block by block; a block with a word that is neither a normalised number nor
+ * a machine zero is done again by rank. */
+#define COMPARE_SPAN(name, format, is, relation, inverse) \
+    CLONED void name(uint64_t *restrict bits, const c205_word *restrict a, \
+                     const c205_word *restrict b, size_t n) \
+    { \
+        for (size_t i = 0; i < n; i += BITS) { \
+            const size_t length = lesser(n - i, BITS); \
+            uint64_t word = 0, odd = 0; \
+            c205_word most = LEAST_NUMBER; \
+            for (size_t j = 0; j < length; j++) { \
+                const c205_word x = zero_as_number(a[i + j]); \
+                const c205_word y = zero_as_number(b[i + j]); \
+                word |= copied(is(format, x, y)) & places[j]; \
+                odd |= unnormalised(format, x) | unnormalised(format, y); \
+                most = larger(most, larger(x, y)); \
+            } \
+            if ((odd | indefinite(most)) >> 63) { \
+                word = 0; \
+                BY_RANK(format, relation, inverse) \
+            } \
+            bits[i / BITS] = word; \
+        } \
+    }
+#define COMPARE(name, is, relation, inverse) \
+    COMPARE_SPAN(lanes_##name, whole_words, is, relation, inverse) \
+    COMPARE_SPAN(halves_##name, half_words, is, relation, inverse)
+
+COMPARE(equal, EQUAL, ==, 0)
+COMPARE(not_equal, NOT_EQUAL, ==, 1)
+COMPARE(not_less, NOT_LESS, >=, 0)
+COMPARE(less, LESS, <, 0)
+
+/* ---- Copies ------------------------------------------------------------- */
+
+void lanes_copy(c205_word *c, const c205_word *a, size_t n, uint64_t *flags)
+{
+    (void)flags;
+    if (n > 0)
+        memcpy(c, a, n * sizeof *c);
+}
+
+CLONED void lanes_fill(c205_word *c, c205_word word, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        c[i] = word;
+}
+
+CLONED void lanes_store_masked(c205_word *restrict c,
+                               const c205_word *restrict a,
+                               const uint64_t *restrict bits, size_t n)
+{
+    for (size_t i = 0; i < n; i += BITS) {
+        const size_t length = lesser(n - i, BITS);
+        const uint64_t permitted = bits[i / BITS];
+        for (size_t j = 0; j < length; j++)
+            c[i + j] = permitted & places[j] ? a[i + j] : c[i + j];
+    }
+}
+
+/* ---- Reductions --------------------------------------------------------- */
+
+#define REDUCTION(name, exact) \
+    void name(c205_word *accumulator, const c205_word *a, size_t n, \
+              uint64_t *flags) \
+    { \
+        c205_word result = *accumulator; \
+        for (size_t i = 0; i < n; i++) \
+            result = exact(result, a[i], flags); \
+        *accumulator = result; \
+    }
+REDUCTION(lanes_sum, arith_add_normalised)
+REDUCTION(lanes_product, arith_multiply_significant)
+REDUCTION(halves_sum, half_add_normalised)
+REDUCTION(halves_product, half_multiply_significant)

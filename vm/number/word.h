@@ -1,0 +1,217 @@
+/* word.h - a word as a number: its parts, its classes.
+ *
+ * See c205.h for the format of 64 bits.  A number of another format stands
+ * at the left of a c205_word, zeros behind it:
+ *
+ *   | exponent | coefficient, sign and digits | zeros |
+ *
+ * so that in every format the first four bits tell a machine zero (8) and an
+ * indefinite (7).  The parts are taken by shifts alone, so these functions
+ * may stand in loops that a compiler vectorises; the format should be one of
+ * the constants, for which they fold.
+ */
+#ifndef C205_WORD_H
+#define C205_WORD_H
+
+#include "vm/c205.h"
+
+#include <string.h>
+
+typedef struct word_format {
+    int32_t exponent_bits; /* 4 or more */
+    int32_t digits; /* bits of a coefficient without its sign; odd, 47 at
+                       the most */
+} word_format;
+
+static const word_format whole_words = { 16, 47 }; /* 64 bits */
+static const word_format half_words = { 8, 23 };   /* 32 bits */
+
+/* Those of 64 bits, as constants. */
+enum {
+    WORD_EXPONENT_MAX = 28671,  /* 6FFF */
+    WORD_EXPONENT_MIN = -28672, /* 9000 */
+    WORD_DIGITS = 47
+};
+#define WORD_COEFFICIENT_MASK UINT64_C(0xFFFFFFFFFFFF)
+#define WORD_COEFFICIENT_MAX ((INT64_C(1) << 47) - 1)
+#define WORD_COEFFICIENT_MIN (-(INT64_C(1) << 47))
+
+/* ---- Formats ------------------------------------------------------------ */
+
+static inline int32_t format_width(word_format f)
+{
+    return f.exponent_bits + f.digits + 1;
+}
+
+/* The zeros behind a word. */
+static inline int32_t format_padding(word_format f)
+{
+    return 64 - format_width(f);
+}
+
+static inline c205_word format_mask(word_format f)
+{
+    return UINT64_MAX << format_padding(f);
+}
+
+static inline c205_word format_coefficient_mask(word_format f)
+{
+    return UINT64_MAX >> f.exponent_bits & format_mask(f);
+}
+
+/* All exponents but the first and last sixteenths, which are the special
+ * ones: 9000 .. 6FFF, 90 .. 6F. */
+static inline int32_t format_exponent_max(word_format f)
+{
+    return (7 << (f.exponent_bits - 4)) - 1;
+}
+
+static inline int32_t format_exponent_min(word_format f)
+{
+    return -(7 << (f.exponent_bits - 4));
+}
+
+static inline int64_t format_coefficient_min(word_format f)
+{
+    return -(INT64_C(1) << f.digits);
+}
+
+/* ---- Parts -------------------------------------------------------------- */
+
+static inline int32_t format_exponent(word_format f, c205_word w)
+{
+    return (int32_t)((int64_t)w >> (64 - f.exponent_bits));
+}
+
+static inline int64_t format_coefficient(word_format f, c205_word w)
+{
+    return (int64_t)(w << f.exponent_bits) >> (63 - f.digits);
+}
+
+static inline c205_word format_make(word_format f, int32_t exponent,
+                                    int64_t coefficient)
+{
+    const c205_word placed = (c205_word)coefficient << format_padding(f);
+
+    return (c205_word)(int64_t)exponent << (64 - f.exponent_bits)
+           | (placed & format_coefficient_mask(f));
+}
+
+static inline int32_t word_exponent(c205_word w)
+{
+    return format_exponent(whole_words, w);
+}
+
+static inline int64_t word_coefficient(c205_word w)
+{
+    return format_coefficient(whole_words, w);
+}
+
+static inline c205_word word_make(int32_t exponent, int64_t coefficient)
+{
+    return format_make(whole_words, exponent, coefficient);
+}
+
+/* ---- Classes, of every format ------------------------------------------- */
+
+static inline bool word_is_machine_zero(c205_word w)
+{
+    return w >> 60 == 8;
+}
+
+static inline bool word_is_indefinite(c205_word w)
+{
+    return w >> 60 == 7;
+}
+
+/* The coefficient's first bit differs from its second, and the exponent is a
+ * usable one. */
+static inline bool format_is_normalised(word_format f, c205_word w)
+{
+    return ((w ^ w << 1) >> (63 - f.exponent_bits) & 1) != 0
+           && !word_is_machine_zero(w) && !word_is_indefinite(w);
+}
+
+static inline bool word_is_normalised(c205_word w)
+{
+    return format_is_normalised(whole_words, w);
+}
+
+/* ---- Coefficients ------------------------------------------------------- */
+
+/* The number of bits of x < 2^51 without leading zeros.  2x + 1 is put below
+ * the leading bit of a double of 2^52 and that bit subtracted: what is left
+ * has its length as its exponent.  Plain integers and one subtraction, so
+ * that loops with it vectorise everywhere. */
+static inline int32_t word_bit_length(uint64_t x)
+{
+    uint64_t bits = UINT64_C(0x4330000000000000) | x << 1 | 1;
+    double d;
+
+    memcpy(&d, &bits, sizeof d);
+    d -= 4503599627370496.0;
+    memcpy(&bits, &d, sizeof d);
+    return (int32_t)(bits >> 52) - 1023;
+}
+
+/* Significant bits of -2^51 <= c < 2^51: the least n with -2^n <= c < 2^n. */
+static inline int32_t word_significant_bits(int64_t c)
+{
+    return word_bit_length((uint64_t)(c ^ c >> 63));
+}
+
+/* c x 2^places, where that is a number of 64 bits. */
+static inline int64_t word_shift_left(int64_t c, int32_t places)
+{
+    return (int64_t)((uint64_t)c << places);
+}
+
+/* The coefficient as it counts in arithmetic: that of machine zero is 0. */
+static inline int64_t format_value_coefficient(word_format f, c205_word w)
+{
+    return word_is_machine_zero(w) ? 0 : format_coefficient(f, w);
+}
+
+static inline int64_t word_value_coefficient(c205_word w)
+{
+    return format_value_coefficient(whole_words, w);
+}
+
+/* Integers that are ordered as the values of the words, indefinite left out:
+ * every zero is 0, a positive value its normalised exponent, counted from 1,
+ * before its coefficient, a negative one the same of its complement. */
+static inline int64_t format_rank(word_format f, c205_word w)
+{
+    const int64_t c = format_value_coefficient(f, w);
+    const int64_t sign = c >> 63;
+    const int32_t places = f.digits - word_significant_bits(c);
+    const int64_t exponent = format_exponent(f, w) - places
+                             + (1 - format_exponent_min(f) + f.digits);
+    const int64_t digits = word_shift_left(c, places) ^ sign;
+
+    return c == 0 ? 0 : (exponent << f.digits | digits) ^ sign;
+}
+
+/* ---- Words as bits ------------------------------------------------------ */
+
+/* The low bits of the first as exponent, the coefficient of the second. */
+static inline c205_word format_pack(word_format f, c205_word a, c205_word b)
+{
+    return a << (f.digits + 1) | (b & format_coefficient_mask(f));
+}
+
+/* Left circular by a count modulo the width; right, the first bit copied in,
+ * by a negative one. */
+static inline c205_word format_shift(word_format f, c205_word a,
+                                     int64_t count)
+{
+    const int32_t width = format_width(f);
+    const uint64_t left = (uint64_t)count % (uint64_t)width;
+    const c205_word around = a >> (((uint64_t)width - left) & 63);
+    const c205_word right = (c205_word)((int64_t)a
+                                        >> (count < -63 ? 63 : -count & 63));
+
+    return (count < 0 ? right : a << left | around) & format_mask(f);
+}
+
+#endif

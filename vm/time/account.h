@@ -1,0 +1,32 @@
+/* account.h - where the clocks went: by region of the program, by cause.
+ *
+ * Region 0 is all code outside named regions.  The clocks of all regions and
+ * causes sum to the time that has passed; clock.c asserts it.
+ */
+#ifndef C205_ACCOUNT_H
+#define C205_ACCOUNT_H
+
+#include "vm/c205.h"
+
+struct accounts {
+    size_t count;
+    c205_account *account;
+    c205_account *kept; /* room for a copy */
+    char *names;        /* one after the other, each ending with '\0' */
+};
+
+/* Accounts for these regions, all zero, in place of the former ones.  False:
+ * the host has no memory left, and nothing has changed. */
+bool accounts_open(struct accounts *accounts, const char *const *names,
+                   size_t count);
+void accounts_close(struct accounts *accounts);
+void accounts_clear(struct accounts *accounts);
+
+/* Copy all that stands in them, and put it back. */
+void accounts_keep(struct accounts *accounts);
+void accounts_put_back(struct accounts *accounts);
+
+uint64_t accounts_sum(const struct accounts *accounts);
+uint64_t accounts_sum_kept(const struct accounts *accounts);
+
+#endif

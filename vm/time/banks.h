@@ -1,0 +1,28 @@
+/* banks.h - memory banks, as far as gather and scatter feel them.
+ *
+ * Word w lies in bank w mod count.  A bank that was accessed is busy for some
+ * clocks (80 ns: source P); an access to it waits, and those behind it wait
+ * with it.  One access a clock at the most.
+ */
+#ifndef C205_BANKS_H
+#define C205_BANKS_H
+
+#include "vm/c205.h"
+
+struct banks {
+    size_t count;
+    uint64_t access;   /* time of an access: a clock, in the clock's ticks */
+    uint64_t busy;     /* how long one keeps its bank busy */
+    uint64_t *free_at; /* when each takes the next access */
+};
+
+bool banks_init(struct banks *banks, size_t count, uint64_t access,
+                uint64_t busy);
+void banks_free(struct banks *banks);
+
+/* By how much the accesses to table + step x index, in this order, take
+ * longer than one after the other; all banks are free at the beginning. */
+uint64_t banks_conflicts(struct banks *banks, uint64_t table, unsigned step,
+                         const c205_word *indices, size_t count);
+
+#endif

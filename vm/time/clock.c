@@ -1,0 +1,461 @@
+/* clock.c - the time line: what each instruction waits for and costs.
+ *
+ * Rules and formulas with their sources: docs/timing.md.
+ */
+#include "vm/time/clock_parts.h"
+
+#include <assert.h>
+
+/* ---- The time line ------------------------------------------------------- */
+
+static void spend(struct clock *clock, uint64_t clocks, c205_cause cause)
+{
+    clock->account->clocks[cause] += clocks;
+    clock->now += clocks;
+}
+
+static void wait_until(struct clock *clock, uint64_t until, c205_cause cause)
+{
+    if (clock->now < until)
+        spend(clock, until - clock->now, cause);
+}
+
+/* Until a clock at which the vector unit is still at work: each piece is
+ * charged to the phase in which it falls, in the region of that phase. */
+static void wait_through_phases(struct clock *clock, uint64_t until)
+{
+    for (size_t i = 0; clock->now < until; i++) {
+        const struct phase *phase = &clock->phase[i];
+        uint64_t end = phase->end < until ? phase->end : until;
+        if (clock->now < end) {
+            clock->accounts.account[phase->region]
+                .clocks[phase->cause] += end - clock->now;
+            clock->now = end;
+        }
+    }
+}
+
+static void wait_for_vector(struct clock *clock)
+{
+    wait_through_phases(clock, clock->vector_end);
+}
+
+static void wait_for_slot(struct clock *clock, uint16_t slot)
+{
+    if (clock->awaits[slot] == FOR_VECTOR)
+        wait_through_phases(clock, clock->ready[slot]);
+    else
+        wait_until(clock, clock->ready[slot],
+                   (c205_cause)clock->awaits[slot]);
+}
+
+/* Sources must be ready; a result still on its way must have arrived. */
+static void wait_for_registers(struct clock *clock,
+                               const struct decoded *decoded)
+{
+    for (unsigned i = 0; i < decoded->source_count; i++)
+        if (clock->ready[decoded->source[i]] > clock->now)
+            wait_for_slot(clock, decoded->source[i]);
+    for (unsigned i = 0; i < decoded->result_count; i++)
+        if (clock->ready[decoded->result[i]] > clock->now)
+            wait_for_slot(clock, decoded->result[i]);
+}
+
+static void set_results(struct clock *clock, const struct decoded *decoded,
+                        uint64_t ready, unsigned awaits)
+{
+    for (unsigned i = 0; i < decoded->result_count; i++) {
+        clock->ready[decoded->result[i]] = ready;
+        clock->awaits[decoded->result[i]] = (uint8_t)awaits;
+    }
+}
+
+static uint64_t at_rate(struct rate rate, uint64_t n)
+{
+    return (n * rate.clocks + rate.per - 1) / rate.per;
+}
+
+/* ---- The scalar unit ----------------------------------------------------- */
+
+/* Issue to a unit; gives the clock at which the result is ready. */
+static uint64_t issue(struct clock *clock, const struct decoded *decoded,
+                      c205_cause awaits)
+{
+    const struct timing *timing = &clock->timing[decoded->insn->timing];
+    uint64_t *free_at = &clock->free_at[decoded->insn->unit];
+    wait_until(clock, *free_at, C205_UNIT_BUSY);
+    uint64_t ready = clock->now + timing->latency;
+    *free_at = clock->now + timing->busy;
+    spend(clock, clock->issue_interval, C205_ISSUE);
+    set_results(clock, decoded, ready, awaits);
+    if (clock->results_done < ready)
+        clock->results_done = ready;
+    return ready;
+}
+
+static struct translation translate(struct clock *clock,
+                                    const struct effect *effect)
+{
+    struct translation met = { 0, 0 };
+    for (unsigned i = 0; i < effect->touch_count; i++)
+        pages_touch(&clock->pages, effect->touch[i].address,
+                    effect->touch[i].bits, &met);
+    if (effect->indices)
+        pages_touch_indexed(&clock->pages, effect->table, effect->table_step,
+                            effect->indices, effect->index_count, &met);
+    return met;
+}
+
+/* A scalar instruction that uses memory waits for the vector unit and for
+ * the translation of its addresses. */
+static void reach_memory(struct clock *clock, const struct effect *effect)
+{
+    wait_for_vector(clock);
+    struct translation met = translate(clock, effect);
+    if (met.misses == 0)
+        return;
+    spend(clock, met.misses * clock->translation_miss, C205_TRANSLATION_MISS);
+    spend(clock, met.faults * clock->page_fault, C205_PAGE_FAULT);
+}
+
+static void charge_load(struct clock *clock, const struct decoded *decoded)
+{
+    uint64_t *oldest = &clock->load_end[clock->load];
+    wait_until(clock, *oldest, C205_MEMORY_WAIT);
+    *oldest = issue(clock, decoded, C205_MEMORY_WAIT);
+    if (clock->loads_done < *oldest)
+        clock->loads_done = *oldest;
+    clock->load++;
+    if (clock->load == clock->loads_in_flight)
+        clock->load = 0;
+}
+
+/* SWAP moves registers, so all of them must be there; nothing issues before
+ * it is done. */
+static void charge_swap(struct clock *clock, const struct decoded *decoded,
+                        const struct effect *effect)
+{
+    wait_until(clock, clock->loads_done, C205_MEMORY_WAIT);
+    wait_until(clock, clock->results_done, C205_OPERAND_WAIT);
+    uint64_t begun = issue(clock, decoded, C205_MEMORY_WAIT);
+    uint64_t end = begun + at_rate(clock->swap_word, effect->swapped);
+    wait_until(clock, end, C205_MEMORY_WAIT);
+}
+
+static void charge_memory(struct clock *clock, const struct decoded *decoded,
+                          const struct effect *effect)
+{
+    reach_memory(clock, effect);
+    if (decoded->insn->timing == C205_TIMING_load)
+        charge_load(clock, decoded);
+    else if (decoded->insn->timing == C205_TIMING_swap)
+        charge_swap(clock, decoded, effect);
+    else
+        issue(clock, decoded, C205_OPERAND_WAIT);
+}
+
+enum { WORD_SHIFT = 6 };
+
+/* The stack holds the last words of code that ran straight on. */
+static void begin_stack(struct clock *clock, uint64_t address)
+{
+    clock->stack_low = clock->stack_high = address >> WORD_SHIFT;
+}
+
+static void extend_stack(struct clock *clock, uint64_t next)
+{
+    uint64_t word = (next - 1) >> WORD_SHIFT;
+    if (clock->stack_high < word)
+        clock->stack_high = word;
+    if (clock->stack_high - clock->stack_low >= clock->stack_words)
+        clock->stack_low = clock->stack_high - clock->stack_words + 1;
+}
+
+static bool in_stack(const struct clock *clock, uint64_t address)
+{
+    uint64_t word = address >> WORD_SHIFT;
+    return clock->stack_low <= word && word <= clock->stack_high;
+}
+
+static void charge_branch(struct clock *clock, const struct decoded *decoded,
+                          const struct effect *effect)
+{
+    if (effect->touch_count > 0)
+        reach_memory(clock, effect);
+    issue(clock, decoded, C205_OPERAND_WAIT);
+    if (!effect->taken) {
+        spend(clock, clock->branch_not_taken, C205_BRANCH);
+        return;
+    }
+    extend_stack(clock, decoded->next);
+    clock->next = effect->target;
+    if (in_stack(clock, effect->target)) {
+        spend(clock, clock->branch_taken, C205_BRANCH);
+        return;
+    }
+    begin_stack(clock, effect->target);
+    spend(clock, clock->branch_out_of_stack, C205_BRANCH);
+}
+
+/* The monitor takes over until it has done what it was asked for. */
+static void charge_monitor(struct clock *clock, const struct decoded *decoded)
+{
+    wait_until(clock, issue(clock, decoded, C205_OPERAND_WAIT), C205_BRANCH);
+}
+
+/* ---- The vector unit ----------------------------------------------------- */
+
+static void add_phase(struct clock *clock, uint64_t clocks, c205_cause cause)
+{
+    if (clocks == 0)
+        return;
+    clock->vector_end += clocks;
+    struct phase phase = { clock->vector_end, cause, clock->region };
+    clock->phase[clock->phase_count++] = phase;
+}
+
+/* Forget the phases that are over: all but a stream under which the start-up
+ * of the next instruction hides. */
+static void drop_phases(struct clock *clock)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < clock->phase_count; i++)
+        if (clock->phase[i].end > clock->now)
+            clock->phase[kept++] = clock->phase[i];
+    clock->phase_count = kept;
+}
+
+static uint64_t lesser(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+/* The clock at which the vector unit takes an instruction with this start-up:
+ * up to overlap clocks of it hide under the stream of the one before. */
+static uint64_t vector_free_at(const struct clock *clock, uint64_t startup)
+{
+    uint64_t hidden = lesser(lesser(clock->overlap, startup),
+                             clock->vector_tail);
+    return clock->vector_end - hidden;
+}
+
+/* A linked pair is of one size. */
+static struct rate stream_rate(const struct timing *timing,
+                               const struct decoded *decoded)
+{
+    const struct decoded *first = decoded->linked[0];
+    uint8_t g = first ? first->fields.g : decoded->fields.g;
+    return g & C205_G_HALF ? timing->half_stream : timing->stream;
+}
+
+static void add_phases(struct clock *clock, const struct timing *timing,
+                       struct rate rate, const struct effect *effect)
+{
+    struct translation met = translate(clock, effect);
+    uint64_t stream = at_rate(rate, effect->elements);
+    clock->vector_end = clock->now;
+    clock->vector_tail = stream;
+    add_phase(clock, timing->startup, C205_VECTOR_STARTUP);
+    add_phase(clock, met.misses * clock->translation_miss,
+              C205_TRANSLATION_MISS);
+    add_phase(clock, met.faults * clock->page_fault, C205_PAGE_FAULT);
+    if (effect->indices)
+        add_phase(clock,
+                  banks_conflicts(&clock->banks, effect->table,
+                                  effect->table_step, effect->indices,
+                                  effect->index_count),
+                  C205_BANK_CONFLICT);
+    add_phase(clock, stream, C205_VECTOR_STREAM);
+}
+
+/* The registers of a linked pair are those of its members. */
+static void wait_for_pair(struct clock *clock, const struct decoded *decoded)
+{
+    for (size_t i = 0; i < 2; i++)
+        if (decoded->linked[i])
+            wait_for_registers(clock, decoded->linked[i]);
+}
+
+static void charge_vector(struct clock *clock, const struct decoded *decoded,
+                          const struct effect *effect)
+{
+    const struct timing *timing = &clock->timing[decoded->insn->timing];
+    wait_for_pair(clock, decoded);
+    wait_until(clock, clock->loads_done, C205_MEMORY_WAIT);
+    wait_through_phases(clock, vector_free_at(clock, timing->startup));
+    drop_phases(clock);
+    uint64_t issued = clock->now + clock->issue_interval;
+    add_phases(clock, timing, stream_rate(timing, decoded), effect);
+    wait_through_phases(clock, lesser(issued, clock->vector_end));
+    wait_until(clock, issued, C205_ISSUE);
+    set_results(clock, decoded, clock->vector_end, FOR_VECTOR);
+    clock->account->vector_instructions++;
+    clock->account->elements += effect->elements;
+}
+
+/* ---- One instruction ----------------------------------------------------- */
+
+static void enter_region(struct clock *clock, size_t region)
+{
+    clock->region = region;
+    clock->account = &clock->accounts.account[region];
+    clock->account->entries++;
+}
+
+void clock_charge(struct clock *clock, const struct decoded *decoded,
+                  const struct effect *effect)
+{
+    if (decoded->region != clock->region)
+        enter_region(clock, decoded->region);
+    if (decoded->pc != clock->next)
+        begin_stack(clock, decoded->pc);
+    clock->next = decoded->next;
+    clock->account->instructions++;
+    wait_for_registers(clock, decoded);
+    switch (decoded->insn->unit) {
+    case C205_UNIT_VECTOR: charge_vector(clock, decoded, effect); break;
+    case C205_UNIT_MEMORY: charge_memory(clock, decoded, effect); break;
+    case C205_UNIT_BRANCH:
+        if (decoded->insn->timing == C205_TIMING_monitor)
+            charge_monitor(clock, decoded);
+        else
+            charge_branch(clock, decoded, effect);
+        break;
+    default: issue(clock, decoded, C205_OPERAND_WAIT); break;
+    }
+}
+
+static void check_sum(const struct clock *clock)
+{
+    assert(accounts_sum(&clock->accounts) == clock->now);
+}
+
+void clock_drain(struct clock *clock)
+{
+    wait_for_vector(clock);
+    wait_until(clock, clock->loads_done, C205_MEMORY_WAIT);
+    wait_until(clock, clock->results_done, C205_OPERAND_WAIT);
+    check_sum(clock);
+}
+
+/* ---- Within an instruction ----------------------------------------------- */
+
+static uint64_t later(uint64_t a, uint64_t b)
+{
+    return a > b ? a : b;
+}
+
+static uint64_t registers_ready(const struct clock *clock,
+                                const struct decoded *decoded)
+{
+    uint64_t ready = 0;
+    for (unsigned i = 0; i < decoded->source_count; i++)
+        ready = later(ready, clock->ready[decoded->source[i]]);
+    for (unsigned i = 0; i < decoded->result_count; i++)
+        ready = later(ready, clock->ready[decoded->result[i]]);
+    return ready;
+}
+
+/* When a vector instruction begins to stream. */
+static uint64_t stream_begin(const struct clock *clock,
+                             const struct decoded *decoded)
+{
+    uint64_t startup = clock->timing[decoded->insn->timing].startup;
+    uint64_t issue = later(clock->now, registers_ready(clock, decoded));
+    for (size_t i = 0; i < 2; i++)
+        if (decoded->linked[i])
+            issue = later(issue, registers_ready(clock, decoded->linked[i]));
+    issue = later(issue, clock->loads_done);
+    return later(issue, vector_free_at(clock, startup)) + startup;
+}
+
+/* The most elements for which at_rate is no more than clocks. */
+static size_t in_clocks(struct rate rate, uint64_t clocks)
+{
+    if (rate.clocks == 0 || clocks / rate.clocks >= SIZE_MAX / rate.per)
+        return SIZE_MAX;
+    return (size_t)(clocks / rate.clocks * rate.per
+                    + clocks % rate.clocks * rate.per / rate.clocks);
+}
+
+size_t clock_elements(const struct clock *clock,
+                      const struct decoded *decoded, uint64_t until)
+{
+    const struct timing *timing = &clock->timing[decoded->insn->timing];
+    uint64_t begin = stream_begin(clock, decoded);
+    return in_clocks(stream_rate(timing, decoded),
+                     until > begin ? until - begin : 0);
+}
+
+static void keep_charged(struct clock *clock)
+{
+    accounts_keep(&clock->accounts);
+    clock->kept_now = clock->now;
+    clock->ahead = true;
+}
+
+/* Nothing is waited for beyond a clock. */
+static void cut_at(struct clock *clock, uint64_t until)
+{
+    for (size_t i = 0; i < SLOTS; i++)
+        clock->ready[i] = lesser(clock->ready[i], until);
+    for (size_t i = 0; i < clock->phase_count; i++)
+        clock->phase[i].end = lesser(clock->phase[i].end, until);
+    clock->vector_end = lesser(clock->vector_end, until);
+    clock->loads_done = lesser(clock->loads_done, until);
+}
+
+void clock_show(struct clock *clock, const struct decoded *decoded,
+                uint64_t until)
+{
+    uint64_t begin = stream_begin(clock, decoded);
+    struct clock cut = *clock; /* with the same accounts */
+    keep_charged(clock);
+    cut_at(&cut, until);
+    cut.account = &cut.accounts.account[decoded->region];
+    wait_for_registers(&cut, decoded);
+    wait_for_pair(&cut, decoded);
+    wait_until(&cut, cut.loads_done, C205_MEMORY_WAIT);
+    wait_for_vector(&cut);
+    wait_until(&cut, lesser(begin, until), C205_VECTOR_STARTUP);
+    wait_until(&cut, until, C205_VECTOR_STREAM);
+    clock->now = cut.now;
+    check_sum(clock);
+}
+
+void clock_show_drained(struct clock *clock)
+{
+    keep_charged(clock);
+    clock_drain(clock);
+}
+
+void clock_go_back(struct clock *clock)
+{
+    if (!clock->ahead)
+        return;
+    accounts_put_back(&clock->accounts);
+    clock->now = clock->kept_now;
+    clock->ahead = false;
+}
+
+void clock_settle(struct clock *clock)
+{
+    clock->ahead = false;
+}
+
+/* ---- Looking at it ------------------------------------------------------- */
+
+uint64_t clock_now(const struct clock *clock)
+{
+    return clock->now;
+}
+
+size_t clock_account_count(const struct clock *clock)
+{
+    return clock->accounts.count;
+}
+
+const c205_account *clock_account(const struct clock *clock, size_t i)
+{
+    return &clock->accounts.account[i];
+}

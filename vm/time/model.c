@@ -1,0 +1,495 @@
+/* model.c - machine models: text files of constants, each with its source. */
+#include "vm/time/model_parts.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SCALAR(name) \
+    { "latency." #name, WHOLE, "clk", 1, MILLION }, \
+    { \
+        "busy." #name, WHOLE, "clk", 1, MILLION \
+    }
+#define VECTOR(name) \
+    { "startup." #name, WHOLE, "clk", 1, MILLION }, \
+    { \
+        "stream." #name, RATE, "", 0, MILLION \
+    }
+
+/* What a machine has to say, and behind it what a projection has. */
+static const struct rule rules[CONSTANTS + PROJECTION_CONSTANTS] = {
+#define CONSTANT(id, name, kind, unit, least, most) \
+    { name, kind, unit, least, most },
+#include "vm/time/constants.def"
+#define TIMING(name, kind) kind(name),
+#include "vm/insn.def"
+#define CONSTANT(id, name, kind, unit, least, most) \
+    { name, kind, unit, least, most },
+#include "vm/time/projection.def"
+};
+
+static const char shared_rate[] = "clk*pipe/element";
+static const char *const rate_units[] = { shared_rate, "clk/element",
+                                          "clk/bit" };
+enum { RATE_UNITS = sizeof rate_units / sizeof rate_units[0] };
+
+struct reader {
+    c205_model *model;
+    unsigned line;
+    c205_error *error;
+};
+
+static bool fail(const struct reader *reader, const char *format, ...)
+{
+    char *message = reader->error->message;
+    size_t size = sizeof reader->error->message;
+    va_list arguments;
+    va_start(arguments, format);
+    int used = snprintf(message, size, "%.80s:%u: ", reader->model->name,
+                        reader->line);
+    if (used >= 0 && (size_t)used < size)
+        vsnprintf(message + used, size - (size_t)used, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+static char *skip_blanks(char *at)
+{
+    while (is_blank(*at))
+        at++;
+    return at;
+}
+
+/* Cut the next word off a line; "" when there is none. */
+static char *next_word(char **line)
+{
+    char *word = skip_blanks(*line), *end = word;
+    while (*end && !is_blank(*end))
+        end++;
+    *line = *end ? end + 1 : end;
+    *end = '\0';
+    return word;
+}
+
+/* What is left of a line, without the blanks around it. */
+static char *rest_of(char *line)
+{
+    line = skip_blanks(line);
+    size_t length = strlen(line);
+    while (length > 0 && is_blank(line[length - 1]))
+        line[--length] = '\0';
+    return line;
+}
+
+/* "3.25" as 3250000.  At most nine digits before the point, six after. */
+static bool read_millionths(const char *text, uint64_t *millionths)
+{
+    unsigned before = 0, after = 0;
+    uint64_t value = 0;
+    for (; *text >= '0' && *text <= '9'; text++, before++)
+        value = value * 10 + (uint64_t)(*text - '0');
+    if (*text == '.')
+        for (text++; *text >= '0' && *text <= '9'; text++, after++)
+            value = value * 10 + (uint64_t)(*text - '0');
+    if (*text || before == 0 || before > 10 || after > 6)
+        return false;
+    for (; after < 6; after++)
+        value *= 10;
+    *millionths = value;
+    return true;
+}
+
+/* ---- What a constant may be ---------------------------------------------- */
+
+static bool refuse(c205_error *error, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(error->message, sizeof error->message, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+bool model_check_whole(const struct rule *rule, const char *text,
+                       uint64_t millionths, c205_error *error)
+{
+    bool whole = rule->kind == WHOLE || rule->kind == PAGE;
+    return !whole || millionths % MILLION == 0
+           || refuse(error, "%s must be a whole number, not %.20s",
+                     rule->name, text);
+}
+
+/* Small pages (source R), large pages (P). */
+static bool check_page(const struct rule *rule, const char *text,
+                       uint64_t millionths, c205_error *error)
+{
+    static const uint64_t sizes[] = { 512, 2048, 8192, C205_PAGE_WORDS };
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
+        if (millionths == sizes[i] * MILLION)
+            return true;
+    return refuse(error, "%s must be 512, 2048, 8192 or 65536, not %.20s",
+                  rule->name, text);
+}
+
+bool model_check_range(const struct rule *rule, const char *text,
+                       uint64_t millionths, c205_error *error)
+{
+    if (rule->kind == PAGE)
+        return check_page(rule, text, millionths, error);
+    return (millionths >= rule->least * MILLION
+            && millionths <= rule->most * MILLION)
+           || refuse(error, "%s must lie between %lu and %lu", rule->name,
+                     (unsigned long)rule->least, (unsigned long)rule->most);
+}
+
+bool model_check_together(const c205_model *model, c205_error *error)
+{
+    return c205_model_is_projection(model)
+           || model_whole(model, CONSTANT_WORD_RATE)
+                  <= model_whole(model, CONSTANT_HALF_RATE)
+           || refuse(error, "vector.word_rate must not be more than "
+                            "vector.half_rate");
+}
+
+static bool check_value(const struct reader *reader, const struct rule *rule,
+                        const char *text, uint64_t millionths)
+{
+    c205_error why;
+    return (model_check_whole(rule, text, millionths, &why)
+            && model_check_range(rule, text, millionths, &why))
+           || fail(reader, "%s", why.message);
+}
+
+static bool check_unit(const struct reader *reader, const struct rule *rule,
+                       const char *unit)
+{
+    if (rule->kind != RATE)
+        return !strcmp(unit, rule->unit)
+               || fail(reader, "the unit of %s is %s, not '%.20s'",
+                       rule->name, rule->unit, unit);
+    for (size_t i = 0; i < RATE_UNITS; i++)
+        if (!strcmp(unit, rate_units[i]))
+            return true;
+    return fail(reader, "the unit of %s is %s, %s or %s, not '%.20s'",
+                rule->name, rate_units[0], rate_units[1], rate_units[2],
+                unit);
+}
+
+bool model_find_rule(const c205_model *model, const char *name, size_t *index)
+{
+    for (*index = 0; *index < model->count; ++*index)
+        if (!strcmp(model->rules[*index].name, name))
+            return true;
+    return false;
+}
+
+/* name value unit source # remark */
+static bool read_constant(const struct reader *reader, const char *name,
+                          char *line, char *remark)
+{
+    c205_model *model = reader->model;
+    size_t i;
+    if (!model_find_rule(model, name, &i))
+        return fail(reader, "there is no constant '%.60s'", name);
+    if (model->constant[i].line)
+        return fail(reader, "%s is already given in line %u", name,
+                    model->constant[i].line);
+    const char *text = next_word(&line), *unit = next_word(&line);
+    const char *source = next_word(&line);
+    uint64_t millionths;
+    if (!read_millionths(text, &millionths))
+        return fail(reader,
+                    "'%.20s' is not a number with at most six "
+                    "decimals",
+                    text);
+    if (!check_value(reader, &model->rules[i], text, millionths)
+        || !check_unit(reader, &model->rules[i], unit))
+        return false;
+    if (strlen(source) != 1 || !strchr("PSDRF", *source))
+        return fail(reader,
+                    "the source of %s must be P, S, D, R or F, "
+                    "not '%.20s'",
+                    name, source);
+    if (*rest_of(line))
+        return fail(reader, "'%.40s' is not expected here", rest_of(line));
+    c205_constant shown = { model->rules[i].name,
+                            text,
+                            (double)millionths / MILLION,
+                            unit,
+                            *source,
+                            rest_of(remark) };
+    model->constant[i].shown = shown;
+    model->constant[i].millionths = millionths;
+    model->constant[i].line = reader->line;
+    return true;
+}
+
+static void take_rules(c205_model *model, bool projection)
+{
+    model->rules = projection ? rules + CONSTANTS : rules;
+    model->count = projection ? PROJECTION_CONSTANTS : CONSTANTS;
+}
+
+/* The times of another machine follow, with constants of their own. */
+static bool read_projection(const struct reader *reader, char *line)
+{
+    c205_model *model = reader->model;
+    if (*rest_of(line))
+        return fail(reader, "'%.40s' is not expected here", rest_of(line));
+    for (size_t i = 0; i < model->count; i++)
+        if (model->constant[i].shown.text)
+            return fail(reader, "'projection' must stand before the "
+                                "constants");
+    take_rules(model, true);
+    return true;
+}
+
+/* Take over all constants of a built-in model. */
+static bool read_like(const struct reader *reader, char *line)
+{
+    c205_model *model = reader->model;
+    c205_error why;
+    const char *name = rest_of(line);
+    if (model_is_path(name))
+        return fail(reader, "'like' names a built-in model");
+    if (model->like)
+        return fail(reader, "'like' stands here for the second time");
+    model->own = c205_model_find(name, &why);
+    model->like = model->own;
+    if (!model->like)
+        return fail(reader, "%.160s", why.message);
+    for (size_t i = 0; i < model->count; i++)
+        if (model->constant[i].line)
+            return fail(reader, "'like' must stand before the constants");
+    if (c205_model_is_projection(model)
+        && !c205_model_is_projection(model->like))
+        return fail(reader, "%.60s is no projection", name);
+    take_rules(model, c205_model_is_projection(model->like));
+    for (size_t i = 0; i < model->count; i++) {
+        model->constant[i] = model->like->constant[i];
+        model->constant[i].line = 0;
+    }
+    return true;
+}
+
+static bool read_title(const struct reader *reader, char *line)
+{
+    if (reader->model->title)
+        return fail(reader, "'title' stands here for the second time");
+    reader->model->title = rest_of(line);
+    return true;
+}
+
+/* 13 figures, at most -56.1 % off: NAME */
+static bool read_belief(const struct reader *reader, const char *keyword,
+                        c205_belief *belief, char *line)
+{
+    int used = 0;
+    line = skip_blanks(line);
+    if (belief->figures)
+        return fail(reader, "'%s' stands here for the second time", keyword);
+    sscanf(line, "%6u figures, at most %lf %% off: %n", &belief->figures,
+           &belief->largest, &used);
+    belief->worst = rest_of(line + used);
+    return (used && *line != '-' && belief->figures
+            && fabs(belief->largest) < MILLION && *belief->worst)
+           || fail(reader,
+                   "after '%s' comes 'N figures, at most E %% off: NAME'",
+                   keyword);
+}
+
+static bool read_line(const struct reader *reader, char *line)
+{
+    char *remark = strchr(line, '#');
+    if (remark)
+        *remark++ = '\0';
+    else
+        remark = line + strlen(line);
+    const char *first = next_word(&line);
+    if (!*first)
+        return true;
+    if (!strcmp(first, "title"))
+        return read_title(reader, line);
+    if (!reader->model->title)
+        return fail(reader, "a model begins with 'title TEXT'");
+    if (!strcmp(first, "fitted"))
+        return read_belief(reader, first, &reader->model->fitted, line);
+    if (!strcmp(first, "compared"))
+        return read_belief(reader, first, &reader->model->compared, line);
+    if (!strcmp(first, "projection"))
+        return read_projection(reader, line);
+    if (!strcmp(first, "like"))
+        return read_like(reader, line);
+    return read_constant(reader, first, line, remark);
+}
+
+static bool check_complete(const struct reader *reader)
+{
+    if (!reader->model->title)
+        return fail(reader, "a model begins with 'title TEXT'");
+    const c205_model *model = reader->model;
+    for (size_t i = 0; i < model->count; i++)
+        if (!model->constant[i].shown.text)
+            return fail(reader, "the constant %s is missing",
+                        model->rules[i].name);
+    c205_error why;
+    return model_check_together(model, &why)
+           || fail(reader, "%s", why.message);
+}
+
+static bool read_model(c205_model *model, c205_error *error)
+{
+    struct reader reader = { model, 0, error };
+    take_rules(model, false);
+    char *line = model->text;
+    while (line) {
+        char *end = strchr(line, '\n');
+        if (end)
+            *end = '\0';
+        reader.line++;
+        if (!read_line(&reader, line))
+            return false;
+        line = end ? end + 1 : NULL;
+    }
+    return check_complete(&reader);
+}
+
+void *model_out_of_memory(c205_error *error)
+{
+    snprintf(error->message, sizeof error->message,
+             "no memory left for a machine model");
+    return NULL;
+}
+
+static char *copy_text(const char *text)
+{
+    size_t size = strlen(text) + 1;
+    char *copy = malloc(size);
+    return copy ? memcpy(copy, text, size) : NULL;
+}
+
+c205_model *c205_model_parse(const char *name, const char *text,
+                             c205_error *error)
+{
+    c205_model *model = calloc(1, sizeof *model);
+    error->message[0] = '\0';
+    if (!model)
+        return model_out_of_memory(error);
+    model->ticks = 1;
+    model->name = copy_text(name);
+    model->text = copy_text(text);
+    if (!model->name || !model->text)
+        model_out_of_memory(error);
+    else if (read_model(model, error))
+        return model;
+    c205_model_free(model);
+    return NULL;
+}
+
+void c205_model_free(c205_model *model)
+{
+    if (!model)
+        return;
+    c205_model_free(model->own);
+    free(model->text);
+    free(model->name);
+    free(model);
+}
+
+/* ---- What a model says --------------------------------------------------- */
+
+const char *c205_model_name(const c205_model *model)
+{
+    return model->name;
+}
+
+const char *c205_model_title(const c205_model *model)
+{
+    return model->title;
+}
+
+c205_belief c205_model_fitted(const c205_model *model)
+{
+    return model->fitted;
+}
+
+c205_belief c205_model_compared(const c205_model *model)
+{
+    return model->compared;
+}
+
+const c205_model *c205_model_like(const c205_model *model)
+{
+    return model->like;
+}
+
+bool c205_model_is_projection(const c205_model *model)
+{
+    return model->rules != rules;
+}
+
+size_t c205_model_size(const c205_model *model)
+{
+    return model->count;
+}
+
+const c205_constant *c205_model_constant(const c205_model *model, size_t i)
+{
+    return &model->constant[i].shown;
+}
+
+const c205_constant *c205_model_lookup(const c205_model *model,
+                                       const char *name)
+{
+    size_t i;
+    return model_find_rule(model, name, &i) ? &model->constant[i].shown
+                                            : NULL;
+}
+
+uint64_t model_millionths(const c205_model *model, enum constant id)
+{
+    return model->constant[id].millionths;
+}
+
+uint64_t model_whole(const c205_model *model, enum constant id)
+{
+    return model_millionths(model, id) / MILLION;
+}
+
+static bool is_shared(const c205_model *model, enum constant id)
+{
+    return !strcmp(model->constant[id].shown.unit, shared_rate);
+}
+
+/* Of elements of which a pipe takes so many at once. */
+static struct rate rate_of(const c205_model *model, enum constant id,
+                           enum constant at_once)
+{
+    struct rate rate = { model_millionths(model, id), MILLION };
+    if (is_shared(model, id))
+        rate.per *= model_whole(model, CONSTANT_PIPES)
+                    * model_whole(model, at_once);
+    return rate;
+}
+
+struct rate model_rate(const c205_model *model, enum constant id)
+{
+    return rate_of(model, id, CONSTANT_WORD_RATE);
+}
+
+struct rate model_half_rate(const c205_model *model, enum constant id)
+{
+    return rate_of(model, id, CONSTANT_HALF_RATE);
+}
+
+uint64_t model_ticks(const c205_model *model)
+{
+    return model->ticks;
+}
