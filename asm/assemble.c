@@ -58,7 +58,7 @@ static struct object *run_passes(struct assembler *assembler,
 
 static struct object *assemble(const struct source *source,
                                const struct asm_options *options,
-                               struct asm_errors *errors)
+                               struct diagnostics *diagnostics)
 {
     struct arena arena = { NULL, false };
     struct assembler *assembler = arena_take(&arena, sizeof *assembler);
@@ -67,12 +67,12 @@ static struct object *assemble(const struct source *source,
     if (assembler) {
         assembler->arena = &arena;
         assembler->options = options;
-        assembler->errors = errors;
-        assembler->first_error = errors->count;
+        assembler->diagnostics = diagnostics;
+        assembler->first_error = diagnostics->errors;
         object = run_passes(assembler, source);
     }
     if (arena.failed) {
-        report_file(errors, source->name, "the host has no memory left");
+        report_file(diagnostics, source->name, "the host has no memory left");
         object_free(object);
         object = NULL;
     }
@@ -82,19 +82,19 @@ static struct object *assemble(const struct source *source,
 
 struct object *assemble_text(const char *name, const char *text,
                              const struct asm_options *options,
-                             struct asm_errors *errors)
+                             struct diagnostics *diagnostics)
 {
     struct source source;
 
     source.name = name;
     source.text = text;
     source.end = text + strlen(text);
-    return assemble(&source, options, errors);
+    return assemble(&source, options, diagnostics);
 }
 
 struct object *assemble_file(const char *path,
                              const struct asm_options *options,
-                             struct asm_errors *errors)
+                             struct diagnostics *diagnostics)
 {
     struct source source;
     struct object *object;
@@ -103,13 +103,13 @@ struct object *assemble_file(const char *path,
     char *text = file_read(path, &length, &error);
 
     if (!text) {
-        report_file(errors, path, error.message);
+        report_file(diagnostics, path, error.message);
         return NULL;
     }
     source.name = path;
     source.text = text;
     source.end = text + length;
-    object = assemble(&source, options, errors);
+    object = assemble(&source, options, diagnostics);
     free(text);
     return object;
 }

@@ -9,23 +9,10 @@
 #ifndef ASM_ASSEMBLE_H
 #define ASM_ASSEMBLE_H
 
-#include "base/sink.h"
+#include "base/diagnostic.h"
 #include "vm/c205.h"
 
 struct text;
-
-struct asm_error {
-    char *file;
-    size_t line, column; /* from 1; line 0: the file as a whole */
-    char *message;
-    char *source; /* the text of that line */
-};
-
-/* Zero it to begin. */
-struct asm_errors {
-    size_t count;
-    struct asm_error *items;
-};
 
 struct asm_symbol {
     const char *name;
@@ -72,21 +59,15 @@ struct asm_options {
     const struct text *const *texts;
 };
 
-/* NULL: errors, or the file cannot be read (then that is the error).  options
- * may be NULL. */
+/* NULL: there are errors; a file that cannot be read is one.  options may be
+ * NULL. */
 struct object *assemble_file(const char *path,
                              const struct asm_options *options,
-                             struct asm_errors *errors);
+                             struct diagnostics *diagnostics);
 struct object *assemble_text(const char *name, const char *text,
                              const struct asm_options *options,
-                             struct asm_errors *errors);
+                             struct diagnostics *diagnostics);
 void object_free(struct object *object);
-
-/* file:line:column: error: what was expected, the source line, a caret. */
-void asm_error_print(const struct asm_error *error, const struct sink *sink);
-void asm_errors_print(const struct asm_errors *errors,
-                      const struct sink *sink);
-void asm_errors_free(struct asm_errors *errors);
 
 /* NULL: no such symbol. */
 const struct asm_symbol *object_symbol(const struct object *object,

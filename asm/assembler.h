@@ -137,7 +137,7 @@ struct wish {
 struct assembler {
     struct arena *arena;
     const struct asm_options *options;
-    struct asm_errors *errors;
+    struct diagnostics *diagnostics;
     size_t first_error; /* errors that were there before */
     struct symbols symbols;
     struct expander *expander;
@@ -170,7 +170,7 @@ bool report(struct assembler *assembler, const struct line *line,
     __attribute__((format(printf, 4, 5)))
 #endif
     ;
-bool report_file(struct asm_errors *errors, const char *file,
+bool report_file(struct diagnostics *diagnostics, const char *file,
                  const char *message);
 bool too_many_errors(const struct assembler *assembler);
 

@@ -157,7 +157,7 @@ static int compare_items(const void *a, const void *b)
 static bool check_overlap(struct assembler *assembler)
 {
     const struct item *items = assembler->items;
-    size_t i, last = 0, before = assembler->errors->count;
+    size_t i, last = 0, before = assembler->diagnostics->errors;
 
     for (i = 1; i < assembler->item_count; i++) {
         if (items[i].address < end_of(&items[last]))
@@ -168,7 +168,7 @@ static bool check_overlap(struct assembler *assembler)
         if (end_of(&items[i]) > end_of(&items[last]))
             last = i;
     }
-    return assembler->errors->count == before;
+    return assembler->diagnostics->errors == before;
 }
 
 static bool is_zero_run(const struct item *item)
@@ -413,7 +413,7 @@ struct object *encode_program(struct assembler *assembler)
               sizeof *assembler->items, compare_items);
     set_entry(assembler, storage);
     if (fill(assembler, storage) && !storage->arena.failed
-        && assembler->errors->count == assembler->first_error)
+        && assembler->diagnostics->errors == assembler->first_error)
         return &storage->object;
     assembler->arena->failed |= storage->arena.failed;
     object_free(&storage->object);

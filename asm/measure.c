@@ -357,7 +357,7 @@ bool measure(const c205_model *model, const char *name,
              struct measurement *result, c205_error *error)
 {
     struct subject subject = { NULL, false };
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     char text[TEXT_SIZE];
     find_subject(name, &subject);
     write_program(&subject, text);
@@ -377,7 +377,7 @@ bool measure(const c205_model *model, const char *name,
         snprintf(error->message, sizeof error->message, "%s: %.200s", name,
                  errors.count ? errors.items[0].message : "no memory");
     }
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
     object_free(object);
     return good;
 }

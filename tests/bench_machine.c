@@ -191,16 +191,16 @@ static void add_row(struct table *table, const struct bench *bench,
 static void run_bench(struct table *table, const struct bench *bench,
                       c205 *machine)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct sink messages = stream_sink(stderr);
     struct object *object = assemble_text(bench->name, bench->program, NULL,
                                           &errors);
     if (!object) {
-        asm_errors_print(&errors, &messages);
+        diagnostics_put(&errors, &messages);
         stop("the program has errors");
     }
     add_row(table, bench, machine, time_program(machine, &object->program));
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
     object_free(object);
 }
 

@@ -10,19 +10,19 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "rt/scene/language/report.h"
+#include "base/diagnostic.h"
 #include "rt/trace/trace.h"
 
 static struct scene *read_scene(const char *path, size_t width, size_t height)
 {
     const struct scene_options options = { .width = (int)width,
                                            .height = (int)height };
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene = scene_read(path, &options, &reports);
 
     if (!scene)
-        reports_print(stderr, &reports);
-    reports_free(&reports);
+        diagnostics_print(&reports, stderr);
+    diagnostics_free(&reports);
     return scene;
 }
 

@@ -20,7 +20,7 @@ struct object *cmd_read_program(const struct cmd_arguments *arguments,
 {
     struct asm_options options = { .defines = arguments->defines,
                                    .search = arguments->folders };
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     c205_error error;
     struct object *object;
     if (object_recognise(path)) {
@@ -31,11 +31,11 @@ struct object *cmd_read_program(const struct cmd_arguments *arguments,
         return object;
     }
     object = assemble_file(path, &options, &errors);
-    asm_errors_print(&errors, report);
+    diagnostics_put(&errors, report);
     if (!object && errors.count == 0) {
         sink_print(report, "%s: error: no memory\n", path);
     }
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
     return object;
 }
 

@@ -4,11 +4,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/diagnostic.h"
 #include "base/provenance.h"
 #include "rt/command/cmd.h"
 #include "rt/roots/polynomials.h"
 #include "rt/study/quartic_costs.h"
-#include "rt/scene/language/report.h"
 
 static const struct table_column rules[] = {
     { "falsi", "falsi", TABLE_TEXT, 0 },
@@ -242,15 +242,15 @@ static int compare_rules(const struct cmd_arguments *arguments,
 static int run(const struct cmd_arguments *arguments, struct json *json)
 {
     struct polynomials polynomials = { 0, 0, NULL, NULL };
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     int code = CMD_FAILED;
 
     if (polynomials_read(&polynomials, arguments->scene, &reports))
         code = arguments->compare
                    ? compare_rules(arguments, &polynomials, json)
                    : solve(arguments, &polynomials, json);
-    reports_print(stderr, &reports);
-    reports_free(&reports);
+    diagnostics_print(&reports, stderr);
+    diagnostics_free(&reports);
     polynomials_free(&polynomials);
     return code;
 }

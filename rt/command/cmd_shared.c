@@ -70,11 +70,11 @@ struct scene *cmd_read_scene(const struct cmd_arguments *arguments)
         .search = arguments->search,
         .go_on = go_on,
     };
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene = scene_read(arguments->scene, &options, &reports);
 
-    reports_print(stderr, &reports);
-    reports_free(&reports);
+    diagnostics_print(&reports, stderr);
+    diagnostics_free(&reports);
     return scene;
 }
 

@@ -10,7 +10,7 @@ struct object *program_assemble(const char *kernel,
 {
     const struct text *const texts[] = { kernel_texts, NULL };
     struct asm_options how = { .defines = defines, .texts = texts };
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     char start[64];
     struct object *object;
 
@@ -22,7 +22,7 @@ struct object *program_assemble(const char *kernel,
                  errors.items[0].message);
     else if (!object)
         snprintf(error->message, sizeof error->message, "no memory");
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
     return object;
 }
 

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/diagnostic.h"
 #include "base/file.h"
-#include "rt/scene/language/report.h"
 
 enum { COEFFICIENTS = 5, COLUMNS = 6 };
 
@@ -16,7 +16,7 @@ struct line {
     const char *file;
     size_t number;
     const char *text, *end, *at;
-    struct reports *reports;
+    struct diagnostics *reports;
 };
 
 static bool bad(struct line *line, const char *at, const char *message)
@@ -29,16 +29,16 @@ static bool bad(struct line *line, const char *at, const char *message)
         .source_length = (size_t)(line->end - line->text),
     };
 
-    reports_add(line->reports, true, &position, message);
+    diagnostics_add(line->reports, SEVERITY_ERROR, &position, message);
     return false;
 }
 
-static bool failed(struct reports *reports, const char *path,
+static bool failed(struct diagnostics *reports, const char *path,
                    const char *message)
 {
     const struct position position = { .file = path };
 
-    reports_add(reports, true, &position, message);
+    diagnostics_add(reports, SEVERITY_ERROR, &position, message);
     return false;
 }
 
@@ -193,7 +193,7 @@ static const char *skip_mark(const char *text, size_t length)
 
 static bool read_lines(struct polynomials *polynomials, const char *path,
                        const char *text, size_t length,
-                       struct reports *reports)
+                       struct diagnostics *reports)
 {
     struct line line = { .file = path, .reports = reports };
     const char *end = text + length;
@@ -216,7 +216,7 @@ static bool read_lines(struct polynomials *polynomials, const char *path,
 }
 
 bool polynomials_read(struct polynomials *polynomials, const char *path,
-                      struct reports *reports)
+                      struct diagnostics *reports)
 {
     c205_error error;
     size_t length;

@@ -9,8 +9,8 @@
 #ifndef RT_POLYNOMIALS_H
 #define RT_POLYNOMIALS_H
 
+#include "base/diagnostic.h"
 #include "rt/roots/roots.h"
-#include "rt/scene/language/scene_read.h"
 
 /* Zero it to begin. */
 struct polynomials {
@@ -21,7 +21,7 @@ struct polynomials {
 
 /* False: there are errors among the reports, which name every bad line. */
 bool polynomials_read(struct polynomials *polynomials, const char *path,
-                      struct reports *reports);
+                      struct diagnostics *reports);
 void polynomials_free(struct polynomials *polynomials);
 
 #endif

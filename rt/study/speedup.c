@@ -85,7 +85,7 @@ static struct scene *read_scene(const struct speedup_subject *subject,
                                 c205_error *error)
 {
     static const struct scene_options how = { .strict = true };
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene;
     char text[1024];
 
@@ -95,7 +95,7 @@ static struct scene *read_scene(const struct speedup_subject *subject,
         snprintf(error->message, sizeof error->message, "%s: %s",
                  subject->name,
                  reports.count > 0 ? reports.items[0].message : "no memory");
-    reports_free(&reports);
+    diagnostics_free(&reports);
     return scene;
 }
 

@@ -24,7 +24,7 @@ static void go_round(const struct object *object)
 {
     struct text_buffer text = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&text);
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct object *again;
 
     disassemble(&object->program, &sink);
@@ -32,25 +32,25 @@ static void go_round(const struct object *object)
     if (!again)
         abort();
     object_free(again);
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
     text_buffer_free(&text);
 }
 
 static void try_text(const char *text)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct object *object = assemble_text("fuzz.s", text, NULL, &errors);
 
     if (!object && errors.count == 0)
         abort();
-    asm_errors_print(&errors, &nowhere);
+    diagnostics_put(&errors, &nowhere);
     if (object) {
         go_round(object);
         listing(object, &nowhere);
         object_write(object, &nowhere);
     }
     object_free(object);
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
 }
 
 static void try_object(const uint8_t *data, size_t size)

@@ -11,7 +11,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static const struct scene_options options = { .width = 640,
                                                   .height = 480 };
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     FILE *out = fopen("/dev/null", "w");
     char *text = malloc(size + 1);
 
@@ -19,9 +19,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         memcpy(text, data, size);
         text[size] = '\0';
         scene_free(scene_read_text("fuzz.pov", text, &options, &reports));
-        reports_print(out, &reports);
+        diagnostics_print(&reports, out);
     }
-    reports_free(&reports);
+    diagnostics_free(&reports);
     free(text);
     if (out)
         fclose(out);

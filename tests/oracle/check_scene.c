@@ -154,10 +154,10 @@ static struct scene *read_scene(const struct request *request)
 {
     const struct scene_options options = { .width = (int)request->width,
                                            .height = (int)request->height };
-    struct reports reports = { 0 };
+    struct diagnostics reports = { 0 };
     struct scene *scene = scene_read(request->scene, &options, &reports);
-    reports_print(stderr, &reports);
-    reports_free(&reports);
+    diagnostics_print(&reports, stderr);
+    diagnostics_free(&reports);
     return scene;
 }
 

@@ -62,20 +62,20 @@ static void take(struct digest *digest, const c205 *machine, const char *name)
 static void run_text(struct digest *digest, const c205_model *model,
                      const char *path)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct sink sink = stream_sink(stderr);
     struct object *object = assemble_file(path, NULL, &errors);
     c205_error error = { "" };
     c205 *machine = c205_new(model, &error);
 
-    asm_errors_print(&errors, &sink);
+    diagnostics_put(&errors, &sink);
     if (!object || !machine || !c205_load(machine, &object->program, &error))
         fail(error.message);
     c205_run(machine, CLOCKS);
     take(digest, machine, path);
     c205_free(machine);
     object_free(object);
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
 }
 
 static void run_texts(struct digest *digest, char **paths)

@@ -16,14 +16,14 @@
 /* A text without errors. */
 static inline struct object *good(const char *text)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct object *object = assemble_text("test.s", text, NULL, &errors);
     struct sink sink = stream_sink(stderr);
 
-    asm_errors_print(&errors, &sink);
+    diagnostics_put(&errors, &sink);
     assert_int_equal(errors.count, 0);
     assert_non_null(object);
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
     return object;
 }
 

@@ -57,7 +57,7 @@ static inline struct object *stage_program(void)
 {
     const struct text *const texts[] = { kernel_texts, NULL };
     struct asm_options how = { .texts = texts };
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     char text[4000];
     char *end = text
                 + sprintf(text, "        .equ CROSSING_SIZE, 2\n"

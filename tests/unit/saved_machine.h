@@ -95,7 +95,7 @@ static inline c205 *machine_with(const c205_program *program,
 
 static inline c205 *machine_from(const char *path, const c205_model *model)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct object *object = assemble_file(path, NULL, &errors);
     if (!object)
         fail_msg("%s cannot be assembled", path);

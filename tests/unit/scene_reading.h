@@ -39,16 +39,16 @@ static inline void assert_vector(const double a[3], double x, double y,
 /* A scene without errors and with that many reports. */
 static inline struct scene *read_with(const char *text, size_t expected)
 {
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene = scene_read_text("test.pov", text, &options,
                                           &reports);
 
     if (!scene || reports.count != expected) {
-        reports_print(stderr, &reports);
+        diagnostics_print(&reports, stderr);
         fail_msg("%zu reports, expected %zu: %s", reports.count, expected,
                  text);
     }
-    reports_free(&reports);
+    diagnostics_free(&reports);
     return scene;
 }
 
@@ -63,16 +63,17 @@ static inline void assert_error(const char *text,
                                 const struct scene_options *how, size_t line,
                                 size_t column, const char *message)
 {
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene = scene_read_text("test.pov", text, how, &reports);
-    const struct report *report = reports.items;
+    const struct diagnostic *report = reports.items;
 
-    if (scene || reports.count != 1 || !report->error || report->line != line
-        || report->column != column || !strstr(report->message, message)) {
-        reports_print(stderr, &reports);
+    if (scene || reports.count != 1 || report->severity != SEVERITY_ERROR
+        || report->line != line || report->column != column
+        || !strstr(report->message, message)) {
+        diagnostics_print(&reports, stderr);
         fail_msg("expected %zu:%zu %s, of: %s", line, column, message, text);
     }
-    reports_free(&reports);
+    diagnostics_free(&reports);
 }
 
 /* A text is not read; there are so many reports at the most, and one of them
@@ -80,7 +81,7 @@ static inline void assert_error(const char *text,
 static inline void assert_refused(const char *text, size_t most,
                                   const char *message)
 {
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene = scene_read_text("test.pov", text, &options,
                                           &reports);
     bool said = false;
@@ -88,11 +89,11 @@ static inline void assert_refused(const char *text, size_t most,
     for (size_t i = 0; i < reports.count; i++)
         said = said || strstr(reports.items[i].message, message);
     if (scene || !said || reports.count > most) {
-        reports_print(stderr, &reports);
+        diagnostics_print(&reports, stderr);
         fail_msg("%zu reports, not '%s', of: %.80s", reports.count, message,
                  text);
     }
-    reports_free(&reports);
+    diagnostics_free(&reports);
 }
 
 #endif

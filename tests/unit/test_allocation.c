@@ -200,7 +200,7 @@ static const char program_text[] =
     "; expect-print: 16\n";
 
 /* An error that found no memory for itself stays untold. */
-static void tell_first(const struct asm_errors *errors, c205_error *error)
+static void tell_first(const struct diagnostics *errors, c205_error *error)
 {
     snprintf(error->message, sizeof error->message, "%.200s",
              errors->count ? errors->items[0].message : "no memory");
@@ -208,11 +208,11 @@ static void tell_first(const struct asm_errors *errors, c205_error *error)
 
 static struct object *assembled(const char *text, c205_error *error)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct object *made = assemble_text("test.s", text, NULL, &errors);
     if (!made)
         tell_first(&errors, error);
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
     return made;
 }
 
@@ -370,7 +370,7 @@ static bool run_object(FILE *out, c205_error *error)
 /* Gathers and scatters: the machine, too, asks for memory as it runs. */
 static bool run_example(FILE *out, c205_error *error)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct object *made = assemble_file("asm/examples/lookup.s", NULL,
                                         &errors);
     c205 *machine = NULL;
@@ -380,7 +380,7 @@ static bool run_example(FILE *out, c205_error *error)
         tell_first(&errors, error);
     bool done = machine && run_and_show(machine, out, error);
     c205_free(machine);
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
     object_free(made);
     return done;
 }

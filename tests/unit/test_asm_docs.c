@@ -35,14 +35,14 @@ static void run(const struct object *object, const char *name)
 static void check_block(const char *name, const char *text, size_t length)
 {
     char *copy = calloc(1, length + 1);
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct sink sink = stream_sink(stderr);
     struct object *object;
 
     assert_non_null(copy);
     memcpy(copy, text, length);
     object = assemble_text(name, copy, NULL, &errors);
-    asm_errors_print(&errors, &sink);
+    diagnostics_put(&errors, &sink);
     assert_non_null(object);
     if (object->expectation_count > 0)
         run(object, name);

@@ -8,7 +8,7 @@ struct failure {
     const char *message;
 };
 
-static void check_one(const struct asm_errors *errors, const char *text,
+static void check_one(const struct diagnostics *errors, const char *text,
                       size_t line, size_t column, const char *message)
 {
     if (errors->count != 1 || errors->items[0].line != line
@@ -23,14 +23,14 @@ static void check_one(const struct asm_errors *errors, const char *text,
 static void check_failures(const struct failure *failure, size_t count)
 {
     for (; count > 0; count--, failure++) {
-        struct asm_errors errors = { 0, NULL };
+        struct diagnostics errors = { 0 };
         struct object *object = assemble_text("test.s", failure->text, NULL,
                                               &errors);
 
         check_one(&errors, failure->text, failure->line, failure->column,
                   failure->message);
         assert_null(object);
-        asm_errors_free(&errors);
+        diagnostics_free(&errors);
     }
 }
 
@@ -189,11 +189,11 @@ static char *repeated(const char *begin, const char *part, size_t times,
 static void check_long(char *text, size_t line, size_t column,
                        const char *message)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
 
     assert_null(assemble_text("test.s", text, NULL, &errors));
     check_one(&errors, text, line, column, message);
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
     free(text);
 }
 
@@ -232,13 +232,13 @@ static void test_names_of_the_command(void **state)
 {
     static const struct asm_define defines[] = { { "N", 2 }, { NULL, 0 } };
     const struct asm_options options = { defines, NULL, NULL };
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
 
     (void)state;
     assert_null(
         assemble_text("test.s", " EXIT\nN: EXIT\n", &options, &errors));
     check_one(&errors, "N", 2, 1, "defined by the command already");
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
 }
 
 static void test_search_folders(void **state)
@@ -249,7 +249,7 @@ static void test_search_folders(void **state)
                                            NULL };
     const struct asm_options options = { NULL, folders, NULL };
     const struct asm_options others = { NULL, without, NULL };
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct object *object;
 
     (void)state;

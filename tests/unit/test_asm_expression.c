@@ -84,7 +84,7 @@ static void test_words(void **state)
 static void expect_failure(const char *expression, const char *message)
 {
     char text[700];
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
 
     snprintf(text, sizeof text, " .equ F, 2.5\n .reg x, r5\n .word %s\n",
              expression);
@@ -93,7 +93,7 @@ static void expect_failure(const char *expression, const char *message)
     assert_int_equal(errors.items[0].line, 3);
     if (!strstr(errors.items[0].message, message))
         fail_msg("%s: %s", expression, errors.items[0].message);
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
 }
 
 static void test_errors(void **state)

@@ -54,17 +54,17 @@ static void check_listing(const struct object *object)
 
 static void check_source(const char *path)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct sink sink = stream_sink(stderr);
     struct object *object = assemble_file(path, NULL, &errors);
 
-    asm_errors_print(&errors, &sink);
+    diagnostics_put(&errors, &sink);
     assert_non_null(object);
     check_disassembly(object);
     check_object_file(object);
     check_listing(object);
     object_free(object);
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
 }
 
 static void check_folder(const char *folder)

@@ -178,7 +178,7 @@ static void test_errors(void **state)
 
     (void)state;
     for (i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct asm_errors errors = { 0, NULL };
+        struct diagnostics errors = { 0 };
         char text[300];
 
         snprintf(text, sizeof text, "%s%s\n", names, cases[i].text);
@@ -189,7 +189,7 @@ static void test_errors(void **state)
             || errors.items[0].column != cases[i].column)
             fail_msg("%s: %zu: %s", cases[i].text, errors.items[0].column,
                      errors.items[0].message);
-        asm_errors_free(&errors);
+        diagnostics_free(&errors);
     }
 }
 

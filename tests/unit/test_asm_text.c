@@ -197,7 +197,7 @@ static void test_conditions(void **state)
         " .ifdef N\n .ifndef M\n .word 4\n .endif\n .endif\n";
     static const struct asm_define defines[] = { { "N", 2 }, { NULL, 0 } };
     const struct asm_options options = { defines, NULL, NULL };
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct object *object = assemble_text("t.s", text, &options, &errors);
 
     (void)state;
@@ -231,7 +231,7 @@ struct failure {
 
 static void check_failure(const struct failure *failure)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct object *object = assemble_text("test.s", failure->text, NULL,
                                           &errors);
 
@@ -240,7 +240,7 @@ static void check_failure(const struct failure *failure)
         fail_msg("%s\n%zu errors: %zu: %s", failure->text, errors.count,
                  errors.count ? errors.items[0].line : 0,
                  errors.count ? errors.items[0].message : "");
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
 }
 
 static void test_errors(void **state)
@@ -332,29 +332,29 @@ static void test_all_errors_with_carets(void **state)
         "     FROB\n"
         "     ^\n"
         "test.s:3:9: error: 'nowhere' is not defined\n"
-        "    \tES\tr1, nowhere\n"
-        "    \t  \t    ^\n";
-    struct asm_errors errors = { 0, NULL };
+        "            ES      r1, nowhere\n"
+        "                        ^\n";
+    struct diagnostics errors = { 0 };
     struct text_buffer buffer = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&buffer);
 
     (void)state;
     assert_null(assemble_text("test.s", text, NULL, &errors));
-    asm_errors_print(&errors, &sink);
+    diagnostics_put(&errors, &sink);
     assert_string_equal(buffer.text, printed);
     text_buffer_free(&buffer);
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
 }
 
 static void test_missing_file(void **state)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
 
     (void)state;
     assert_null(assemble_file("no such file.s", NULL, &errors));
     assert_int_equal(errors.count, 1);
     assert_int_equal(errors.items[0].line, 0);
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
 }
 
 int main(void)

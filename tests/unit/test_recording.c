@@ -37,13 +37,13 @@ static void begin(struct run *run, c205_model *model, const char *path)
 {
     static const char *const folders[] = { "rt/kernels", NULL };
     struct asm_options options = { .search = folders };
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     c205_error error;
     run->model = model;
     run->object = assemble_file(path, &options, &errors);
     if (!run->object)
         fail_msg("%s: %s", path, errors.items[0].message);
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
     run->machine = c205_new(model, &error);
     run->recording = c205_recording_new(&error);
     assert_non_null(run->machine);
@@ -257,7 +257,7 @@ static const char chain[] =
 
 static double projected(const char *model_text)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct object *object = assemble_text("chain", chain, NULL, &errors);
     c205_model *model = find("cyber205-2pipe-prior");
     c205_error error;

@@ -112,7 +112,7 @@ static void check(const char *name, const struct object *object)
 
 static void check_text(const char *name, const char *text)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct object *object = assemble_text(name, text, NULL, &errors);
     if (!object)
         fail_msg("%s: %s", name, errors.items[0].message);
@@ -129,7 +129,7 @@ static size_t check_files(const char *pattern)
     size_t count = found.gl_pathc;
     for (size_t i = 0; i < count; i++) {
         const char *path = found.gl_pathv[i];
-        struct asm_errors errors = { 0, NULL };
+        struct diagnostics errors = { 0 };
         struct object *object = assemble_file(path, NULL, &errors);
         if (!object)
             fail_msg("%s: %s", path, errors.items[0].message);
@@ -227,7 +227,7 @@ static const char powers[] =
 /* Each takes a time of its own: which of them were charged shows in the sum. */
 static void test_operations(void **state)
 {
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct object *object = assemble_text("operations", operations, NULL,
                                           &errors);
     c205_error error;

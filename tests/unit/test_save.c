@@ -79,7 +79,7 @@ static void compare_frame(const struct scene *scene, enum trace_mode mode)
 static void test_kernels(void **state)
 {
     struct scene_options options = { .strict = false };
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene = scene_read_text(
         "test",
         "#version 3.7; camera { location <0, 1, -4> look_at 0 }"
@@ -92,7 +92,7 @@ static void test_kernels(void **state)
     compare_frame(scene, TRACE_SCALAR);
     compare_frame(scene, TRACE_VECTOR);
     scene_free(scene);
-    reports_free(&reports);
+    diagnostics_free(&reports);
 }
 
 static void test_access(void **state)

@@ -420,13 +420,13 @@ static void test_our_scenes(void **state)
 
     (void)state;
     for (size_t i = 0; i < COUNT(paths); i++) {
-        struct reports reports = { 0, 0, NULL };
+        struct diagnostics reports = { 0 };
         struct scene *scene = scene_read(paths[i], &strict, &reports);
-        reports_print(stderr, &reports);
+        diagnostics_print(&reports, stderr);
         assert_non_null(scene);
         assert_int_equal(scene->light_count, 2);
         scene_free(scene);
-        reports_free(&reports);
+        diagnostics_free(&reports);
     }
 }
 

@@ -305,12 +305,12 @@ static void test_settings(void **state)
 /* The first error of a text. */
 static void check_error(const char *text, const char *message)
 {
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
 
     assert_null(scene_read_text("test.pov", text, &options, &reports));
     assert_true(reports.errors > 0);
     assert_non_null(strstr(reports.items->message, message));
-    reports_free(&reports);
+    diagnostics_free(&reports);
 }
 
 static void test_deep_text(void **state)

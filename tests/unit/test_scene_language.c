@@ -4,10 +4,10 @@
 
 #include <stdio.h>
 
-static const char *said(const struct reports *reports)
+static const char *said(const struct diagnostics *reports)
 {
     for (size_t i = 0; i < reports->count; i++)
-        if (reports->items[i].said)
+        if (reports->items[i].severity == SEVERITY_SAID)
             return reports->items[i].message;
     return "";
 }
@@ -28,7 +28,7 @@ static char *file_text(const char *path)
 
 static void check_list(const char *name)
 {
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene;
     char path[100], *expected;
 
@@ -37,12 +37,12 @@ static void check_list(const char *name)
     snprintf(path, sizeof path, "tests/language/%s.txt", name);
     expected = file_text(path);
     if (!scene || reports.count != 1) {
-        reports_print(stderr, &reports);
+        diagnostics_print(&reports, stderr);
         fail_msg("%s.pov has something else to say", name);
     }
     assert_string_equal(said(&reports), expected);
     scene_free(scene);
-    reports_free(&reports);
+    diagnostics_free(&reports);
     free(expected);
 }
 
@@ -152,7 +152,7 @@ static void test_debug(void **state)
     static const char text[] =
         "#debug \"one, \"\n#declare A = 2; #debug str(A, 0, 1)\n"
         "#render \"\\n\" #statistics \"three\\n\" sphere { 0, 1 }";
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene = scene_read_text("test.pov", text, &strict,
                                           &reports);
 
@@ -162,7 +162,7 @@ static void test_debug(void **state)
     assert_int_equal(reports.errors, 0);
     assert_string_equal(said(&reports), "one, 2.0\nthree\n");
     scene_free(scene);
-    reports_free(&reports);
+    diagnostics_free(&reports);
 }
 
 /* A report of one place and text is told once, however often it is met. */
@@ -173,7 +173,7 @@ static void test_warnings(void **state)
         "    #warning \"same\"\n"
         "    #warning concat(\"other \", str(div(I, 5), 0, 0))\n"
         "#end";
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene = scene_read_text("test.pov", text, &options,
                                           &reports);
 
@@ -182,12 +182,12 @@ static void test_warnings(void **state)
     assert_int_equal(reports.count, 3);
     assert_string_equal(reports.items[2].message, "other 1");
     scene_free(scene);
-    reports_free(&reports);
+    diagnostics_free(&reports);
 }
 
 static void test_too_much_said(void **state)
 {
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene =
         scene_read_text("test.pov",
                         "#for (I, 1, 9999) #debug \"0123456789\" #end",
@@ -198,7 +198,7 @@ static void test_too_much_said(void **state)
     assert_int_equal(reports.count, 2);
     assert_non_null(strstr(reports.items[1].message, "are said"));
     scene_free(scene);
-    reports_free(&reports);
+    diagnostics_free(&reports);
 }
 
 int main(void)

@@ -196,7 +196,7 @@ static void test_stopped(void **state)
     size_t asked = 0;
     const struct scene_options stopping = { .go_on = end_at_once,
                                             .context = &asked };
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
 
     (void)state;
     assert_null(scene_read_text("test.pov", "#while (1) #while (1) #end #end",
@@ -204,7 +204,7 @@ static void test_stopped(void **state)
     assert_int_equal(asked, 1);
     assert_int_equal(reports.count, 1);
     assert_non_null(strstr(reports.items[0].message, "stopped"));
-    reports_free(&reports);
+    diagnostics_free(&reports);
 }
 
 int main(void)

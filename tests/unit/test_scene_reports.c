@@ -151,7 +151,7 @@ static void test_first_colors(void **state)
 
     (void)state;
     for (size_t i = 0; i < COUNT(texts); i++) {
-        struct reports reports = { 0, 0, NULL };
+        struct diagnostics reports = { 0 };
         char text[300];
         snprintf(text, sizeof text,
                  "#declare C = rgb <1, 2, 3>; sphere { 0, 1 pigment { %s } }",
@@ -159,12 +159,12 @@ static void test_first_colors(void **state)
         struct scene *scene = scene_read_text("test.pov", text, &options,
                                               &reports);
         if (!scene)
-            reports_print(stderr, &reports);
+            diagnostics_print(&reports, stderr);
         assert_non_null(scene);
         assert_vector(scene->primitives->pigment.color[0], 1, 2, 3);
         assert_true(reports.count > 0);
         scene_free(scene);
-        reports_free(&reports);
+        diagnostics_free(&reports);
     }
 }
 
@@ -177,16 +177,16 @@ static void test_all_errors(void **state)
         "union { box { 0, 1 rotate <1, 2 } sphere { } bar }\n"
         "camera { location }\n";
     static const size_t lines[] = { 1, 1, 1, 1, 2, 3, 3, 3, 4 };
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
 
     (void)state;
     assert_null(scene_read_text("test.pov", text, &options, &reports));
     if (reports.count != COUNT(lines))
-        reports_print(stderr, &reports);
+        diagnostics_print(&reports, stderr);
     assert_int_equal(reports.count, COUNT(lines));
     for (size_t i = 0; i < COUNT(lines); i++)
         assert_int_equal(reports.items[i].line, lines[i]);
-    reports_free(&reports);
+    diagnostics_free(&reports);
 }
 
 static void test_print(void **state)
@@ -195,7 +195,7 @@ static void test_print(void **state)
         "test.pov:2:10: error: 'ovus' is not supported\n"
         "    \xc3\xa4? */   ovus { 1, 2 }\n"
         "            ^\n";
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     char *text = NULL;
     size_t length = 0;
     FILE *out = open_memstream(&text, &length);
@@ -203,9 +203,9 @@ static void test_print(void **state)
     (void)state;
     scene_read_text("test.pov", "/*\n\xc3\xa4\x01 */  \tovus { 1, 2 }\r\n",
                     &options, &reports);
-    reports_print(out, &reports);
+    diagnostics_print(&reports, out);
     fclose(out);
-    reports_free(&reports);
+    diagnostics_free(&reports);
     assert_string_equal(text, expected);
     free(text);
 }
@@ -238,7 +238,7 @@ static void test_includes(void **state)
     static const char *const names[] = { "main.pov", "part.inc", "loop.inc",
                                          NULL };
     char folder[] = "/tmp/scene-XXXXXX", path[200];
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene;
 
     (void)state;
@@ -261,13 +261,13 @@ static void test_includes(void **state)
     assert_null(scene_read(path, &options, &reports)); /* L was local */
     assert_int_equal(reports.count, 1);
     assert_int_equal(reports.items[0].line, 2);
-    reports_free(&reports);
+    diagnostics_free(&reports);
 
     write_file(folder, "main.pov", "#include \"loop.inc\"\n");
     assert_null(scene_read(path, &options, &reports));
     assert_non_null(strstr(reports.items[0].file, "loop.inc"));
     assert_non_null(strstr(reports.items[0].message, "include each other"));
-    reports_free(&reports);
+    diagnostics_free(&reports);
 
     const char *const search[] = { folder, NULL };
     const struct scene_options searching = {
@@ -280,7 +280,7 @@ static void test_includes(void **state)
     delete_files(folder, names);
     assert_null(scene_read(path, &options, &reports));
     assert_int_equal(reports.items[0].line, 0);
-    reports_free(&reports);
+    diagnostics_free(&reports);
 }
 
 static char *repeated(const char *head, const char *part, size_t count)

@@ -91,7 +91,7 @@ static struct object *assemble(const char *text, const char *routine)
     const struct asm_define defines[] = { { "QUEUE", LANES }, { NULL, 0 } };
     const struct text *const texts[] = { kernel_texts, NULL };
     const struct asm_options how = { .defines = defines, .texts = texts };
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     struct sink sink = stream_sink(stderr);
     char program[4096];
     const char *at = strstr(text, "ROUTINE");
@@ -100,9 +100,9 @@ static struct object *assemble(const char *text, const char *routine)
     snprintf(program, sizeof program, "%.*s%s%s", (int)(at - text), text,
              routine, at + strlen("ROUTINE"));
     object = assemble_text("test.s", program, &how, &errors);
-    asm_errors_print(&errors, &sink);
+    diagnostics_put(&errors, &sink);
     assert_non_null(object);
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
     return object;
 }
 

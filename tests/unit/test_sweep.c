@@ -127,7 +127,7 @@ static void test_queue(void **state)
 static struct scene *read_balls(void)
 {
     static const struct scene_options how = { .strict = true };
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene;
     char text[2048];
     int length = snprintf(text, sizeof text,
@@ -144,7 +144,7 @@ static struct scene *read_balls(void)
              "pigment { color rgb 1 } }\n");
     scene = scene_read_text("balls", text, &how, &reports);
     assert_non_null(scene);
-    reports_free(&reports);
+    diagnostics_free(&reports);
     return scene;
 }
 

@@ -59,13 +59,13 @@ static bool reported;              /* there may be reports about the scene */
 static inline struct scene *read_text(const char *text)
 {
     const struct scene_options options = { .strict = !reported };
-    struct reports reports = { 0, 0, NULL };
+    struct diagnostics reports = { 0 };
     struct scene *scene = scene_read_text("test", text, &options, &reports);
 
     if (!scene)
-        reports_print(stderr, &reports);
+        diagnostics_print(&reports, stderr);
     assert_non_null(scene);
-    reports_free(&reports);
+    diagnostics_free(&reports);
     return scene;
 }
 

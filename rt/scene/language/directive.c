@@ -176,7 +176,7 @@ static bool tell(struct reader *reader, const struct item *item,
         return reader_fault(reader, &item->at, "%s", text);
     if (item->keyword->detail == MESSAGE_WARNS)
         reader_report(reader, &item->at, "%s", text);
-    else if (!reports_say(reader->reports, text))
+    else if (!diagnostics_say(reader->reports, text))
         reader_report(reader, &item->at,
                       "more than %d bytes are said: the rest is left out",
                       SAID_MOST);

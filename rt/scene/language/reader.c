@@ -45,12 +45,14 @@ static void add(struct reader *reader, bool error, const struct token *at,
         return;
     vsnprintf(message, sizeof message, format, arguments);
     add_calls(reader, at, message, sizeof message);
-    if (!error && reports_have(reader->reports, &position, message))
+    if (!error && diagnostics_have(reader->reports, &position, message))
         return;
-    reports_add(reader->reports, error, &position, message);
+    diagnostics_add(reader->reports, error ? SEVERITY_ERROR : SEVERITY_REPORT,
+                    &position, message);
     if (reader->reports->count >= REPORTS_MOST) {
-        reports_add(reader->reports, true, &position,
-                    "too many reports: the rest of the scene is not read");
+        diagnostics_add(
+            reader->reports, SEVERITY_ERROR, &position,
+            "too many reports: the rest of the scene is not read");
         reader_stop(reader);
     }
 }

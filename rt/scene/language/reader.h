@@ -76,7 +76,7 @@ struct reader {
     bool camera_given;
 
     const struct scene_options *options;
-    struct reports *reports;
+    struct diagnostics *reports;
     struct {
         const struct source *source;
         size_t at;

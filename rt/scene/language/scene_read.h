@@ -2,25 +2,8 @@
 #ifndef RT_SCENE_READ_H
 #define RT_SCENE_READ_H
 
+#include "base/diagnostic.h"
 #include "rt/scene/scene.h"
-
-#include <stdio.h>
-
-/* What the reader has to say of a file: an error (there is then no scene),
- * or a report of something that is replaced or left out. */
-struct report {
-    bool error;
-    bool said; /* what #debug says: the message alone, as it is */
-    char *file;
-    size_t line, column; /* from 1 */
-    char *message;
-    char *source; /* the text of that line */
-};
-
-struct reports {
-    size_t count, errors;
-    struct report *items;
-};
 
 struct scene_options {
     int width, height;         /* of the picture in pixels: image_width and
@@ -38,13 +21,10 @@ struct scene_options {
  * be read.  The caller frees both. */
 struct scene *scene_read(const char *path,
                          const struct scene_options *options,
-                         struct reports *reports);
+                         struct diagnostics *reports);
 /* The same from text; name stands for the file in reports. */
 struct scene *scene_read_text(const char *name, const char *text,
                               const struct scene_options *options,
-                              struct reports *reports);
-void reports_free(struct reports *reports);
-/* file:line:column: error: message, the source line, a caret below it. */
-void reports_print(FILE *out, const struct reports *reports);
+                              struct diagnostics *reports);
 
 #endif

@@ -11,13 +11,13 @@ enum { FORMAT_MOST = 1000, PRINTED_MOST = 2 * FORMAT_MOST + 400 };
 
 /* ---- Text under construction -------------------------------------------- */
 
-struct text_buffer {
+struct made_string {
     char *text;
     size_t length;
     bool full; /* too long, or no memory */
 };
 
-static void add(struct text_buffer *buffer, const char *text, size_t length)
+static void add(struct made_string *buffer, const char *text, size_t length)
 {
     char *grown;
 
@@ -38,7 +38,7 @@ static void add(struct text_buffer *buffer, const char *text, size_t length)
 
 /* The text becomes the string, unless something went wrong. */
 static bool give(struct reader *reader, const struct token *at,
-                 struct text_buffer *buffer, bool good, char **string)
+                 struct made_string *buffer, bool good, char **string)
 {
     add(buffer, "", 0);
     if (good && buffer->full)
@@ -57,7 +57,7 @@ static bool give(struct reader *reader, const struct token *at,
 
 /* ---- Quoted strings ----------------------------------------------------- */
 
-static void add_utf8(struct text_buffer *buffer, unsigned code)
+static void add_utf8(struct made_string *buffer, unsigned code)
 {
     char bytes[3];
     size_t length = code < 0x80 ? 1 : code < 0x800 ? 2 : 3;
@@ -95,7 +95,7 @@ static unsigned read_code(const char *text, size_t length)
 }
 
 /* What follows a backslash; returns how many bytes, 0 if it is no escape. */
-static size_t add_escape(struct text_buffer *buffer, const char *text,
+static size_t add_escape(struct made_string *buffer, const char *text,
                          size_t length)
 {
     static const char names[] = "abfnrtv\\'\"";
@@ -114,7 +114,7 @@ static size_t add_escape(struct text_buffer *buffer, const char *text,
 }
 
 static bool add_quoted(struct reader *reader, const struct token *token,
-                       struct text_buffer *buffer)
+                       struct made_string *buffer)
 {
     const char *text = token->text, *end = text + token->length;
 
@@ -138,9 +138,9 @@ static bool add_quoted(struct reader *reader, const struct token *token,
 /* ---- Functions ---------------------------------------------------------- */
 
 typedef bool function_reader(struct reader *reader,
-                             struct text_buffer *buffer);
+                             struct made_string *buffer);
 
-static bool read_concat(struct reader *reader, struct text_buffer *buffer)
+static bool read_concat(struct reader *reader, struct made_string *buffer)
 {
     do {
         char *part;
@@ -173,7 +173,7 @@ static bool read_format(struct reader *reader, int *width, int *digits)
     return true;
 }
 
-static void add_number(struct text_buffer *buffer, double value, int width,
+static void add_number(struct made_string *buffer, double value, int width,
                        int digits)
 {
     char text[PRINTED_MOST];
@@ -185,7 +185,7 @@ static void add_number(struct text_buffer *buffer, double value, int width,
     add(buffer, text, strlen(text));
 }
 
-static bool read_str(struct reader *reader, struct text_buffer *buffer)
+static bool read_str(struct reader *reader, struct made_string *buffer)
 {
     double value;
     int width, digits;
@@ -197,7 +197,7 @@ static bool read_str(struct reader *reader, struct text_buffer *buffer)
     return true;
 }
 
-static bool read_vstr(struct reader *reader, struct text_buffer *buffer)
+static bool read_vstr(struct reader *reader, struct made_string *buffer)
 {
     struct token at = reader->token;
     double count;
@@ -223,7 +223,7 @@ static bool read_vstr(struct reader *reader, struct text_buffer *buffer)
     return done;
 }
 
-static bool read_chr(struct reader *reader, struct text_buffer *buffer)
+static bool read_chr(struct reader *reader, struct made_string *buffer)
 {
     struct token at = reader->token;
     double code;
@@ -255,7 +255,7 @@ static bool read_range(struct reader *reader, size_t length, size_t *from,
     return true;
 }
 
-static bool read_substr(struct reader *reader, struct text_buffer *buffer)
+static bool read_substr(struct reader *reader, struct made_string *buffer)
 {
     char *whole;
     size_t from, count;
@@ -271,7 +271,7 @@ static bool read_substr(struct reader *reader, struct text_buffer *buffer)
 }
 
 /* The letters of one case become those of the other. */
-static bool read_cased(struct reader *reader, struct text_buffer *buffer,
+static bool read_cased(struct reader *reader, struct made_string *buffer,
                        char first, int change)
 {
     char *text;
@@ -286,12 +286,12 @@ static bool read_cased(struct reader *reader, struct text_buffer *buffer,
     return true;
 }
 
-static bool read_strlwr(struct reader *reader, struct text_buffer *buffer)
+static bool read_strlwr(struct reader *reader, struct made_string *buffer)
 {
     return read_cased(reader, buffer, 'A', 'a' - 'A');
 }
 
-static bool read_strupr(struct reader *reader, struct text_buffer *buffer)
+static bool read_strupr(struct reader *reader, struct made_string *buffer)
 {
     return read_cased(reader, buffer, 'a', 'A' - 'a');
 }
@@ -330,7 +330,7 @@ bool starts_string(const struct reader *reader)
 /* Up to the closing bracket, which stays the token. */
 static bool read_call(struct reader *reader,
                       const struct string_function *function,
-                      struct text_buffer *buffer)
+                      struct made_string *buffer)
 {
     size_t hold = reader_nest(reader);
     bool done = false;
@@ -352,7 +352,7 @@ bool string_read(struct reader *reader, char **string)
     struct token at = reader->token;
     const struct string_function *function = find(&at);
     const struct value *named = reader_value_of(reader, VALUE_STRING);
-    struct text_buffer buffer = { NULL, 0, false };
+    struct made_string buffer = { NULL, 0, false };
     bool done = true;
 
     if (named)

@@ -9,7 +9,7 @@
 #ifndef RT_SCENE_TOKEN_H
 #define RT_SCENE_TOKEN_H
 
-#include "rt/scene/language/report.h"
+#include "base/diagnostic.h"
 #include "rt/scene/language/source.h"
 
 #include <stdint.h>

@@ -249,17 +249,17 @@ static struct scene *read_source(struct reader *reader,
     return scene;
 }
 
-static void cannot_read(struct reports *reports, const char *path)
+static void cannot_read(struct diagnostics *reports, const char *path)
 {
     struct position position = { path, 0, 0, "", 0 };
 
-    reports_add(reports, true, &position, strerror(errno));
+    diagnostics_add(reports, SEVERITY_ERROR, &position, strerror(errno));
 }
 
 /* One reader is too large for a caller's stack to be sure of. */
 static struct scene *read_from(const char *name, const char *text,
                                const struct scene_options *options,
-                               struct reports *reports)
+                               struct diagnostics *reports)
 {
     struct reader *reader = calloc(1, sizeof *reader);
     const struct source *source = NULL;
@@ -282,14 +282,14 @@ static struct scene *read_from(const char *name, const char *text,
 
 struct scene *scene_read(const char *path,
                          const struct scene_options *options,
-                         struct reports *reports)
+                         struct diagnostics *reports)
 {
     return read_from(path, NULL, options, reports);
 }
 
 struct scene *scene_read_text(const char *name, const char *text,
                               const struct scene_options *options,
-                              struct reports *reports)
+                              struct diagnostics *reports)
 {
     return read_from(name, text, options, reports);
 }

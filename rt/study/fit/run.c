@@ -85,7 +85,7 @@ static bool assemble(struct run *run, const struct run_options *options,
     const struct text *const texts[] = { kernel_texts, NULL };
     struct asm_define defines[DEFINES_MOST];
     struct asm_options how = { .defines = defines, .texts = texts };
-    struct asm_errors errors = { 0, NULL };
+    struct diagnostics errors = { 0 };
     char words[WORDS_MOST], path[2 * WORDS_MOST];
 
     snprintf(words, sizeof words, "%s", run->program);
@@ -96,7 +96,7 @@ static bool assemble(struct run *run, const struct run_options *options,
     if (!run->object)
         fail(error, "%.200s",
              errors.count > 0 ? errors.items[0].message : "no memory");
-    asm_errors_free(&errors);
+    diagnostics_free(&errors);
     return run->object != NULL;
 }
 

@@ -1,0 +1,69 @@
+/* diagnostic.h - what a reader of a user's text has to say of it, and where.
+ *
+ * Programs, scenes, polynomials, models and observations are read to their
+ * end; what is found on the way is kept here and printed in one form:
+ *
+ *     file:line:column: error: message
+ *         the source line
+ *             ^
+ */
+#ifndef BASE_DIAGNOSTIC_H
+#define BASE_DIAGNOSTIC_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "base/sink.h"
+
+enum severity {
+    SEVERITY_ERROR,
+    SEVERITY_WARNING,
+    SEVERITY_REPORT, /* something is replaced or left out */
+    SEVERITY_SAID    /* what the text itself says: the message as it is */
+};
+
+struct diagnostic {
+    enum severity severity;
+    char *file;
+    size_t line, column; /* from 1, in bytes; line 0: the file as a whole */
+    char *message;
+    char *source; /* the text of that line */
+};
+
+/* Zero it to begin. */
+struct diagnostics {
+    size_t count;
+    size_t errors; /* so many of them, those counted that no memory was left
+                      to keep */
+    struct diagnostic *items;
+};
+
+/* Where a diagnostic points to; line 0: to the file as a whole. */
+struct position {
+    const char *file;
+    size_t line, column;
+    const char *source;   /* the line's text, or NULL .. */
+    size_t source_length; /* .. up to its newline */
+};
+
+/* Copies what it is given. */
+void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
+                     const struct position *position, const char *message);
+/* Whether there is one of the place and the message. */
+bool diagnostics_have(const struct diagnostics *diagnostics,
+                      const struct position *position, const char *message);
+/* Text that is to be printed as it is, after what was said so far.  False: it
+ * is more than SAID_MOST bytes in all, or there is no memory. */
+enum { SAID_MOST = 1 << 16 };
+bool diagnostics_say(struct diagnostics *diagnostics, const char *text);
+
+/* What a terminal would take as a command is printed as a question mark. */
+void diagnostic_put(const struct diagnostic *diagnostic,
+                    const struct sink *sink);
+void diagnostics_put(const struct diagnostics *diagnostics,
+                     const struct sink *sink);
+void diagnostics_print(const struct diagnostics *diagnostics, FILE *out);
+void diagnostics_free(struct diagnostics *diagnostics);
+
+#endif
