@@ -418,7 +418,7 @@ void c205_reset_clock(c205 *machine);
 enum { C205_LISTENERS = 8 };
 bool c205_listen(c205 *machine, c205_listener *listener, void *context);
 
-/* ---- The time of other machines (vm/time/projection.c) -------------------------
+/* ---- The time of other machines (vm/time/projection.c) --------------------
  *
  * A listener that charges each scalar instruction of a program that time which
  * another machine would take for the same operation.
@@ -438,7 +438,7 @@ uint64_t c205_projected_clocks(const c205_projection *projection,
 bool c205_projection_holds(const c205_projection *projection,
                            c205_error *error);
 
-/* ---- What if (vm/time/recording.c) --------------------------------------------
+/* ---- What if (vm/time/recording.c) ---------------------------------
  *
  * A listener that keeps of a run what time is made from, and tells the time of
  * the same run with other constants, by the machine's own clock or by a

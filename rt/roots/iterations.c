@@ -1,6 +1,7 @@
 #include "rt/roots/iterations.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const struct {
@@ -102,4 +103,48 @@ void iterations_listen(void *context, const c205 *machine,
             iterations->active = result_of(iterations, machine, event, 0);
         }
     }
+}
+
+/* ---- Of a frame, band by band -------------------------------------------- */
+
+static void *begin_band(void *context, const struct object *program,
+                        c205_error *error)
+{
+    const struct iterations *sum = context;
+    struct iterations *band = malloc(sizeof *band);
+
+    if (band && iterations_begin(band, program, sum->vector))
+        return band;
+    snprintf(error->message, sizeof error->message,
+             band ? "the root solver cannot be watched" : "no memory");
+    free(band);
+    return NULL;
+}
+
+static void add_stage(struct stage_count *sum, const struct stage_count *band)
+{
+    sum->brackets += band->brackets;
+    sum->passes += band->passes;
+    sum->steps += band->steps;
+    sum->lanes += band->lanes;
+    sum->halvings += band->halvings;
+    for (size_t i = 0; i < ITERATIONS_MOST; i++) {
+        sum->active[i] += band->active[i];
+        sum->in_loop[i] += band->in_loop[i];
+    }
+}
+
+static void merge_band(void *context, const void *band)
+{
+    struct iterations *sum = context;
+    const struct iterations *of_band = band;
+
+    for (int i = 0; i < STAGES; i++)
+        add_stage(&sum->stage[i], &of_band->stage[i]);
+}
+
+struct observer iterations_observer(struct iterations *sum)
+{
+    return (struct observer){ begin_band, iterations_listen, merge_band, free,
+                              sum };
 }

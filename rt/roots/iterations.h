@@ -7,7 +7,7 @@
 #ifndef RT_ITERATIONS_H
 #define RT_ITERATIONS_H
 
-#include "asm/assemble.h"
+#include "rt/trace/observer.h"
 
 enum stage { STAGE_SLOPE, STAGE_VALUE, STAGES };
 const char *stage_name(enum stage stage);
@@ -43,5 +43,7 @@ void iterations_listen(void *iterations, const c205 *machine,
  * False: the program has no such labels. */
 bool iterations_begin(struct iterations *iterations,
                       const struct object *program, bool vector);
+/* Of all bands of a frame, zeroed but for its form. */
+struct observer iterations_observer(struct iterations *sum);
 
 #endif

@@ -115,8 +115,7 @@ static const struct table_column clock_columns[] = {
     { "vector_speedup", "x", TABLE_NUMBER, 2 },
 };
 
-static void add_clocks(struct table *table,
-                       const struct trace *const traces[TRACE_MODES],
+static void add_clocks(struct table *table, const struct profile *profile,
                        const char *part, const char *kernel,
                        const uint64_t clocks[TRACE_MODES])
 {
@@ -124,51 +123,52 @@ static void add_clocks(struct table *table,
     table_text(table, kernel);
     for (int i = 0; i < TRACE_MODES; i++) {
         table_count(table, clocks[i]);
-        table_number(table, accounts_seconds(trace_accounts(traces[i])->model,
-                                             clocks[i]));
         table_number(table,
-                     100 * ratio(clocks[i], clocks_of_frame(traces[i])));
+                     accounts_seconds(trace_accounts(profile->traces[i])
+                                          ->model,
+                                      clocks[i]));
+        table_number(table, 100
+                                * ratio(clocks[i],
+                                        clocks_of_frame(profile->traces[i])));
         if (i != SERIAL)
             table_number(table, ratio(clocks[SERIAL], clocks[i]));
     }
 }
 
-static void add_region(struct table *table,
-                       const struct trace *const traces[TRACE_MODES],
+static void add_region(struct table *table, const struct profile *profile,
                        const char *region)
 {
     uint64_t clocks[TRACE_MODES], sum = 0;
 
     for (int i = 0; i < TRACE_MODES; i++)
-        sum += clocks[i] = clocks_of_region(traces[i], region);
+        sum += clocks[i] = clocks_of_region(profile->traces[i], region);
     if (sum > 0)
-        add_clocks(table, traces, part_names[PART_INTERSECT], region, clocks);
+        add_clocks(table, profile, part_names[PART_INTERSECT], region,
+                   clocks);
 }
 
-static void add_part(struct table *table,
-                     const struct trace *const traces[TRACE_MODES],
+static void add_part(struct table *table, const struct profile *profile,
                      enum profile_part part)
 {
     uint64_t clocks[TRACE_MODES];
 
     for (int i = 0; i < TRACE_MODES; i++)
-        clocks[i] = clocks_of_part(traces[i], part);
-    add_clocks(table, traces, part_names[part], "", clocks);
+        clocks[i] = clocks_of_part(profile->traces[i], part);
+    add_clocks(table, profile, part_names[part], "", clocks);
     for (size_t i = 0; part == PART_INTERSECT && i < REGIONS; i++)
         if (regions[i].part == part)
-            add_region(table, traces, regions[i].region);
+            add_region(table, profile, regions[i].region);
 }
 
-static void fill_clocks(struct table *table,
-                        const struct trace *const traces[TRACE_MODES])
+static void fill_clocks(struct table *table, const struct profile *profile)
 {
     uint64_t clocks[TRACE_MODES];
 
     for (int part = 0; part < PROFILE_PARTS; part++)
-        add_part(table, traces, (enum profile_part)part);
+        add_part(table, profile, (enum profile_part)part);
     for (int i = 0; i < TRACE_MODES; i++)
-        clocks[i] = clocks_of_frame(traces[i]);
-    add_clocks(table, traces, "the frame", "", clocks);
+        clocks[i] = clocks_of_frame(profile->traces[i]);
+    add_clocks(table, profile, "the frame", "", clocks);
 }
 
 /* ---- Amdahl's law -------------------------------------------------------- */
@@ -200,12 +200,11 @@ enum { VECTORISED = sizeof vectorised / sizeof *vectorised };
 /* Part after part: those so far as fast as they are in the stage, the others
  * as slow as they are in scalar form; at the limit those so far would take no
  * time at all.  With its last part the stage itself is measured. */
-static void add_amdahl(struct table *table,
-                       const struct trace *const traces[TRACE_MODES],
+static void add_amdahl(struct table *table, const struct profile *profile,
                        size_t row)
 {
     int stage = vectorised[row].stage;
-    uint64_t frame = clocks_of_frame(traces[SERIAL]);
+    uint64_t frame = clocks_of_frame(profile->traces[SERIAL]);
     uint64_t serial = 0, now = 0;
 
     for (size_t i = 0; i < vectorised[row].count; i++) {
@@ -215,25 +214,24 @@ static void add_amdahl(struct table *table,
 
         snprintf(what, sizeof what, "%s%s", i > 0 ? "+ " : "",
                  part_names[part]);
-        serial += clocks_of_part(traces[SERIAL], part);
-        now += clocks_of_part(traces[stage], part);
+        serial += clocks_of_part(profile->traces[SERIAL], part);
+        now += clocks_of_part(profile->traces[stage], part);
         table_text(table, trace_mode_name(profile_stages[stage]));
         table_text(table, what);
         table_number(table, 100 * ratio(serial, frame));
         table_number(table, ratio(serial, now));
         table_number(table, ratio(frame, frame - serial + now));
         table_number(table, ratio(frame, frame - serial));
-        table_number(table, last
-                                ? ratio(frame, clocks_of_frame(traces[stage]))
-                                : NAN);
+        table_number(table, last ? ratio(frame, clocks_of_frame(
+                                                    profile->traces[stage]))
+                                 : NAN);
     }
 }
 
-static void fill_speedup(struct table *table,
-                         const struct trace *const traces[TRACE_MODES])
+static void fill_speedup(struct table *table, const struct profile *profile)
 {
     for (size_t row = 0; row < VECTORISED; row++)
-        add_amdahl(table, traces, row);
+        add_amdahl(table, profile, row);
 }
 
 /* ---- Vectors and rays ---------------------------------------------------- */
@@ -247,11 +245,10 @@ static const struct table_column vector_columns[] = {
     { "density_percent", "% let through", TABLE_NUMBER, 1 },
 };
 
-static void fill_vectors(struct table *table,
-                         const struct trace *const traces[TRACE_MODES])
+static void fill_vectors(struct table *table, const struct profile *profile)
 {
     for (int i = 0; i < TRACE_MODES; i++) {
-        const struct vector_use *use = trace_vectors(traces[i]);
+        const struct vector_use *use = &profile->vectors[i];
 
         table_text(table, trace_mode_name(profile_stages[i]));
         table_count(table, use->instructions);
@@ -268,16 +265,16 @@ static const struct table_column ray_columns[] = {
     { "per_pixel", "a pixel", TABLE_NUMBER, 3 },
 };
 
-static void fill_rays(struct table *table,
-                      const struct trace *const traces[TRACE_MODES])
+static void fill_rays(struct table *table, const struct profile *profile)
 {
     for (int kind = 0; kind < RAY_KINDS; kind++) {
-        uint64_t count = trace_rays(traces[SERIAL], (enum ray_kind)kind);
+        uint64_t count = trace_rays(profile->traces[SERIAL],
+                                    (enum ray_kind)kind);
 
         table_text(table, ray_kind_name((enum ray_kind)kind));
         table_count(table, count);
-        table_number(table,
-                     ratio(count, trace_rays(traces[SERIAL], RAY_PRIMARY)));
+        table_number(table, ratio(count, trace_rays(profile->traces[SERIAL],
+                                                    RAY_PRIMARY)));
     }
 }
 
@@ -287,7 +284,7 @@ static const struct {
     const char *key, *heading;
     const struct table_column *columns;
     size_t count;
-    void (*fill)(struct table *, const struct trace *const[TRACE_MODES]);
+    void (*fill)(struct table *, const struct profile *);
 } tables[PROFILE_TABLES] = {
     [PROFILE_CLOCKS] = { "clocks",
                          "Clocks part by part; x: how many times "
@@ -313,12 +310,58 @@ const char *profile_table_heading(enum profile_table kind)
     return tables[kind].heading;
 }
 
+/* ---- A frame in all stages ----------------------------------------------- */
+
+static bool run_stage(struct profile *profile, int stage,
+                      const struct scene *scene,
+                      const struct trace_options *options, c205_error *error)
+{
+    const struct observer vectors = vector_use_observer(
+        &profile->vectors[stage]);
+    const struct observer *const observers[] = { &vectors, NULL };
+    struct trace_options how = *options;
+    struct trace *trace;
+
+    how.mode = profile_stages[stage];
+    how.observers = observers;
+    trace = profile->traces[stage] = trace_new(scene, &how, error);
+    return trace && trace_run(trace, error);
+}
+
+static bool agree(const struct profile *profile, int stage, c205_error *error)
+{
+    if (trace_checksum(profile->traces[stage])
+        == trace_checksum(profile->traces[0]))
+        return true;
+    snprintf(error->message, sizeof error->message,
+             "the frames of the stages %s and %s do not agree",
+             trace_mode_name(profile_stages[0]),
+             trace_mode_name(profile_stages[stage]));
+    return false;
+}
+
+bool profile_run(struct profile *profile, const struct scene *scene,
+                 const struct trace_options *options, c205_error *error)
+{
+    for (int i = 0; i < TRACE_MODES; i++)
+        if (!run_stage(profile, i, scene, options, error)
+            || !agree(profile, i, error))
+            return false;
+    return true;
+}
+
+void profile_free(struct profile *profile)
+{
+    for (int i = 0; i < TRACE_MODES; i++)
+        trace_free(profile->traces[i]);
+}
+
 struct table *profile_table(enum profile_table kind,
-                            const struct trace *const traces[TRACE_MODES])
+                            const struct profile *profile)
 {
     struct table *table = table_new(tables[kind].columns, tables[kind].count);
 
     if (table)
-        tables[kind].fill(table, traces);
+        tables[kind].fill(table, profile);
     return table;
 }

@@ -6,6 +6,7 @@
 
 #include "base/table.h"
 #include "rt/trace/trace.h"
+#include "rt/trace/vector_use.h"
 
 enum profile_part {
     PART_GENERATE,  /* rays of pixels */
@@ -25,8 +26,19 @@ bool profile_part_of(const char *region, enum profile_part *part);
 /* The stages in the order of the tables: scalar, kernels, vector. */
 extern const enum trace_mode profile_stages[TRACE_MODES];
 
-/* The tables, from three finished traces of one frame in that order.  NULL:
- * no memory. */
+/* One frame in the three stages, in that order.  Zero it to begin; free it also
+ * after a failure. */
+struct profile {
+    struct trace *traces[TRACE_MODES];
+    struct vector_use vectors[TRACE_MODES];
+};
+/* The options' mode and observers are set here.  False: a trap, progress said
+ * to stop, or the frames of two stages differ; the error says which. */
+bool profile_run(struct profile *profile, const struct scene *scene,
+                 const struct trace_options *options, c205_error *error);
+void profile_free(struct profile *profile);
+
+/* The tables of a profile that was run.  NULL: no memory. */
 enum profile_table {
     PROFILE_CLOCKS,  /* of each part, and of each primitive's kernel */
     PROFILE_SPEEDUP, /* of the frame, and what Amdahl's law says of it */
@@ -37,6 +49,6 @@ enum profile_table {
 const char *profile_table_key(enum profile_table kind);
 const char *profile_table_heading(enum profile_table kind);
 struct table *profile_table(enum profile_table kind,
-                            const struct trace *const traces[TRACE_MODES]);
+                            const struct profile *profile);
 
 #endif

@@ -133,97 +133,145 @@ static bool sum_accounts(const struct accounts *accounts,
     return true;
 }
 
-/* Seconds of the subject's regions on another machine. */
-static double projected_seconds(const struct trace *trace,
-                                const struct speedup_subject *subject,
-                                const c205_projection *projection,
-                                const c205_model *model)
+/* ---- On other machines --------------------------------------------------- */
+
+/* What a projection is charged for the subject's regions. */
+struct projecting {
+    c205_model *model;
+    const struct speedup_subject *subject;
+    uint64_t clocks;
+};
+
+struct projected_band {
+    c205_projection *projection;
+    const c205 *machine; /* the last that was heard of */
+};
+
+static void end_projection(void *state)
 {
-    const struct accounts *accounts = trace_accounts(trace);
-    uint64_t clocks = 0;
+    struct projected_band *band = state;
 
-    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST && subject->regions[i]; i++) {
-        const c205_account *account = accounts_find(accounts,
-                                                    subject->regions[i]);
-
-        clocks += c205_projected_clocks(projection,
-                                        (size_t)(account - accounts->items));
-    }
-    return accounts_seconds(model, clocks);
+    c205_projection_free(band->projection);
+    free(band);
 }
 
-static bool watch(struct trace *trace, struct iterations *iterations,
-                  c205_error *error)
+static void *begin_projection(void *context, const struct object *program,
+                              c205_error *error)
 {
-    if (trace_watch(trace, iterations))
-        return true;
-    snprintf(error->message, sizeof error->message,
-             "the root solver cannot be watched");
+    const struct projecting *projecting = context;
+    struct projected_band *band = calloc(1, sizeof *band);
+
+    (void)program;
+    snprintf(error->message, sizeof error->message, "no memory");
+    if (band)
+        band->projection = c205_projection_new(projecting->model, error);
+    if (band && band->projection)
+        return band;
+    free(band);
+    return NULL;
+}
+
+static void hear_projection(void *state, const c205 *machine,
+                            const c205_event *event)
+{
+    struct projected_band *band = state;
+
+    band->machine = machine;
+    c205_project(band->projection, machine, event);
+}
+
+static bool is_of(const struct speedup_subject *subject, const char *region)
+{
+    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST && subject->regions[i]; i++)
+        if (strcmp(subject->regions[i], region) == 0)
+            return true;
     return false;
 }
 
-static bool run(struct trace *trace, const struct speedup_subject *subject,
-                struct speedup_measure *measure, c205_error *error)
+static void merge_projection(void *context, const void *state)
 {
-    measure->falsi = trace_falsi(trace);
-    if (!watch(trace, &measure->iterations, error) || !trace_run(trace, error)
-        || !sum_accounts(trace_accounts(trace), subject, measure, error))
-        return false;
-    measure->hits = trace_hits(trace);
-    measure->checksum = trace_checksum(trace);
-    return true;
+    const struct projected_band *band = state;
+    struct projecting *projecting = context;
+
+    for (size_t i = 0; i < c205_account_count(band->machine); i++)
+        if (is_of(projecting->subject,
+                  c205_account_at(band->machine, i)->name))
+            projecting->clocks += c205_projected_clocks(band->projection, i);
 }
 
-/* The models and what is charged with them; NULLs in the vector form. */
-struct projecting {
-    c205_model *models[SPEEDUP_PROJECTIONS];
-    c205_projection *projections[SPEEDUP_PROJECTIONS + 1];
-};
-
-static bool begin_projecting(struct projecting *projecting,
-                             const c205_model *on, c205_error *error)
+static struct observer projection_observer(struct projecting *projecting)
 {
-    memset(projecting, 0, sizeof *projecting);
-    for (int i = 0; i < SPEEDUP_PROJECTIONS; i++) {
-        const char *name = speedup_projection_model(on,
-                                                    (enum speedup_projection)
-                                                        i);
-        c205_model *model = c205_model_find(name, error);
+    return (struct observer){ begin_projection, hear_projection,
+                              merge_projection, end_projection, projecting };
+}
 
-        projecting->models[i] = model;
-        if (model)
-            projecting->projections[i] = c205_projection_new(model, error);
-        if (!projecting->projections[i])
+static bool
+find_projections(struct projecting projecting[SPEEDUP_PROJECTIONS],
+                 const struct speedup_subject *subject, const c205_model *on,
+                 c205_error *error)
+{
+    for (int i = 0; i < SPEEDUP_PROJECTIONS; i++) {
+        enum speedup_projection machine = (enum speedup_projection)i;
+
+        projecting[i].subject = subject;
+        projecting[i].model =
+            c205_model_find(speedup_projection_model(on, machine), error);
+        if (!projecting[i].model)
             return false;
     }
     return true;
 }
 
-static void end_projecting(struct projecting *projecting)
+/* ---- A measure ------------------------------------------------------------ */
+
+static bool run(const struct speedup_subject *subject,
+                const struct speedup_view *view,
+                const struct trace_options *options,
+                struct speedup_measure *measure, c205_error *error)
 {
-    for (size_t i = 0; i < SPEEDUP_PROJECTIONS; i++) {
-        c205_projection_free(projecting->projections[i]);
-        c205_model_free(projecting->models[i]);
+    struct scene *scene;
+    struct trace *trace = speedup_trace(subject, view, options, &scene,
+                                        error);
+    bool good = trace && trace_run(trace, error)
+                && sum_accounts(trace_accounts(trace), subject, measure,
+                                error);
+
+    if (good) {
+        measure->falsi = falsi_of(trace_program(trace));
+        measure->hits = trace_hits(trace);
+        measure->checksum = trace_checksum(trace);
     }
+    trace_free(trace);
+    scene_free(scene);
+    return good;
 }
 
-/* Run on a model, and read what the projections have been charged. */
-static bool run_projected(struct trace *trace, const c205_model *model,
-                          const struct speedup_subject *subject,
-                          struct speedup_measure *measure, c205_error *error)
+/* The scalar form is charged to the other machines as well. */
+static bool run_observed(const struct speedup_subject *subject,
+                         const struct speedup_view *view,
+                         const struct trace_options *options,
+                         struct projecting projecting[SPEEDUP_PROJECTIONS],
+                         struct speedup_measure *measure, c205_error *error)
 {
-    struct projecting projecting;
-    bool good = begin_projecting(&projecting, model, error);
+    const bool scalar = options->mode == TRACE_SCALAR;
+    struct trace_options how = *options;
+    struct observer watching[1 + SPEEDUP_PROJECTIONS];
+    const struct observer *observers[2 + SPEEDUP_PROJECTIONS] = { NULL };
 
-    trace_project(trace, projecting.projections);
-    good = good && run(trace, subject, measure, error);
-    for (size_t i = 0; good && i < SPEEDUP_PROJECTIONS; i++)
-        measure->projected[i] = projected_seconds(trace, subject,
-                                                  projecting.projections[i],
-                                                  projecting.models[i]);
-    trace_project(trace, NULL);
-    end_projecting(&projecting);
-    return good;
+    measure->iterations.vector = options->mode == TRACE_VECTOR;
+    watching[0] = iterations_observer(&measure->iterations);
+    observers[0] = &watching[0];
+    for (int i = 0; scalar && i < SPEEDUP_PROJECTIONS; i++) {
+        watching[1 + i] = projection_observer(&projecting[i]);
+        observers[1 + i] = &watching[1 + i];
+    }
+    how.observers = observers;
+    if (!run(subject, view, &how, measure, error))
+        return false;
+    for (int i = 0; scalar && i < SPEEDUP_PROJECTIONS; i++)
+        measure->projected[i] = accounts_seconds(projecting[i].model,
+                                                 projecting[i].clocks);
+    return true;
 }
 
 struct trace *speedup_trace(const struct speedup_subject *subject,
@@ -245,19 +293,15 @@ bool speedup_measure(const struct speedup_subject *subject,
                      const struct trace_options *options,
                      struct speedup_measure *measure, c205_error *error)
 {
-    struct scene *scene;
-    struct trace *trace = speedup_trace(subject, view, options, &scene,
-                                        error);
+    struct projecting projecting[SPEEDUP_PROJECTIONS] = { { NULL } };
     bool good;
 
     memset(measure, 0, sizeof *measure);
     measure->rays = options->width * options->height;
-    good = trace != NULL
-           && (options->mode == TRACE_SCALAR
-                   ? run_projected(trace, options->model, subject, measure,
-                                   error)
-                   : run(trace, subject, measure, error));
-    trace_free(trace);
-    scene_free(scene);
+    good = find_projections(projecting, subject, options->model, error)
+           && run_observed(subject, view, options, projecting, measure,
+                           error);
+    for (int i = 0; i < SPEEDUP_PROJECTIONS; i++)
+        c205_model_free(projecting[i].model);
     return good;
 }

@@ -8,6 +8,8 @@
 #ifndef RT_SPEEDUP_H
 #define RT_SPEEDUP_H
 
+#include "rt/roots/falsi.h"
+#include "rt/roots/iterations.h"
 #include "rt/trace/trace.h"
 
 enum { SPEEDUP_REGIONS_MOST = 4 };

@@ -85,26 +85,63 @@ static bool run(const struct band_work *work, c205 *machine, size_t pixels,
                        stopped, error);
 }
 
-static bool project(c205_projection *const *projections, c205 *machine)
+static void hear(void *context, const c205 *machine, const c205_event *event)
 {
-    for (; projections && *projections != NULL; projections++)
-        if (!c205_listen(machine, c205_project, *projections))
+    const struct band_watch *watch = context;
+
+    watch->observer->listen(watch->band, machine, event);
+}
+
+/* All that observe the work, on the machine. */
+static bool listen(struct band_tracer *tracer, c205_error *error)
+{
+    const struct observer *const *observers = tracer->work->observers;
+
+    for (; observers && *observers; observers++) {
+        struct band_watch *watch = &tracer->watches[tracer->watch_count];
+
+        if (tracer->watch_count == BAND_OBSERVERS_MOST
+            || !c205_listen(tracer->machine, hear, watch)) {
+            snprintf(error->message, sizeof error->message,
+                     "too many observers");
             return false;
+        }
+        watch->observer = *observers;
+        tracer->watch_count++;
+    }
     return true;
 }
 
-static bool listen(struct band_tracer *tracer, c205_error *error)
+static bool begin_watches(struct band_tracer *tracer, c205_error *error)
 {
-    const struct band_work *work = tracer->work;
+    bool good = true;
 
-    snprintf(error->message, sizeof error->message, "too many listeners");
-    return (!work->listener
-            || c205_listen(tracer->machine, work->listener,
-                           work->listener_context))
-           && (!work->watch_vectors
-               || c205_listen(tracer->machine, vector_use_listen,
-                              &tracer->vectors))
-           && project(work->projections, tracer->machine);
+    pthread_mutex_lock(tracer->lock);
+    for (size_t i = 0; i < tracer->watch_count; i++) {
+        struct band_watch *watch = &tracer->watches[i];
+
+        watch->band = good ? watch->observer->begin(watch->observer->context,
+                                                    tracer->work->program,
+                                                    error)
+                           : NULL;
+        good = watch->band;
+    }
+    pthread_mutex_unlock(tracer->lock);
+    return good;
+}
+
+static void end_watches(struct band_tracer *tracer, bool merge)
+{
+    pthread_mutex_lock(tracer->lock);
+    for (size_t i = 0; i < tracer->watch_count; i++) {
+        const struct band_watch *watch = &tracer->watches[i];
+
+        if (merge)
+            watch->observer->merge(watch->observer->context, watch->band);
+        if (watch->band)
+            watch->observer->end(watch->band);
+    }
+    pthread_mutex_unlock(tracer->lock);
 }
 
 static bool read_counters(const struct band_work *work, const c205 *machine,
@@ -153,14 +190,13 @@ bool band_trace(struct band_tracer *tracer, struct band *band,
     struct frame_layout layout;
     bool good;
 
-    tracer->vectors = (struct vector_use){ 0 };
-    good = ready(tracer, error)
+    good = ready(tracer, error) && begin_watches(tracer, error)
            && load(work, tracer->machine, band->first_row, band->rows,
                    &layout, error)
            && run(work, tracer->machine, band->rows * work->width,
                   progress_context, stopped, error)
            && collect(work, tracer->machine, &layout, band, error);
-    band->vectors = tracer->vectors;
+    end_watches(tracer, good);
     if (!good)
         band_free(band);
     return good;

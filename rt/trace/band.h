@@ -8,10 +8,12 @@
 #ifndef RT_BAND_H
 #define RT_BAND_H
 
+#include <pthread.h>
+
 #include "base/accounts.h"
 #include "rt/layout/layout.h"
 #include "rt/picture/picture.h"
-#include "rt/trace/vector_use.h"
+#include "rt/trace/observer.h"
 
 /* Rays by kind, as the program counts them. */
 enum ray_kind {
@@ -31,8 +33,7 @@ struct band_work {
     size_t width, height; /* of the frame, pixels */
     bool bounds;          /* bounding volumes are used */
     size_t rays_a_call;   /* that one call of the program's generate makes */
-    bool watch_vectors;   /* fill in band.vectors */
-    c205_listener *listener; /* on every machine, or NULL */
+    const struct observer *const *observers; /* end with NULL; or NULL */
     void *listener_context;
     c205_projection *const
         *projections; /* listen as well; NULL at the end, or
@@ -47,7 +48,6 @@ struct band {
     c205_word *words; /* FRAME_CHANNELS planes of rows x width samples */
     struct accounts accounts;
     uint64_t rays[RAY_KINDS];
-    struct vector_use vectors;
 };
 
 /* The machine before it begins; the caller frees it. */
@@ -55,11 +55,19 @@ c205 *band_machine(const struct band_work *work, size_t first_row,
                    size_t rows, struct frame_layout *layout,
                    c205_error *error);
 
+/* Observers of one machine: so many may listen. */
+enum { BAND_OBSERVERS_MOST = C205_LISTENERS };
+
 /* Traces bands, one after another. */
 struct band_tracer {
     const struct band_work *work;
-    c205 *machine;             /* NULL before the first; its owner frees it */
-    struct vector_use vectors; /* of the band that it is at */
+    c205 *machine; /* NULL before the first; its owner frees it */
+    struct band_watch {
+        const struct observer *observer;
+        void *band; /* its state of the band that the tracer is at */
+    } watches[BAND_OBSERVERS_MOST];
+    size_t watch_count;
+    pthread_mutex_t *lock; /* held while observers begin, merge and end */
 };
 
 /* Trace the rows that the band names and fill in the rest, which the caller

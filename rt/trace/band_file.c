@@ -11,7 +11,7 @@
 /* A file is a list of 64-bit words, the highest byte first: the magic word,
  * the key, the width; then for each band the number of words that follow, the
  * words of the band (put_band), and a checksum of these. */
-#define MAGIC UINT64_C(0x7274323035626431) /* rt205bd1 */
+#define MAGIC UINT64_C(0x7274323035626432) /* rt205bd2 */
 
 struct band_file {
     FILE *stream;
@@ -101,10 +101,6 @@ static void put_band(struct words *words, const struct band *band,
     put(words, band->rows);
     for (int kind = 0; kind < RAY_KINDS; kind++)
         put(words, band->rays[kind]);
-    put(words, band->vectors.instructions);
-    put(words, band->vectors.elements);
-    put(words, band->vectors.controlled);
-    put(words, band->vectors.wanted);
     put(words, band->accounts.count);
     for (size_t i = 0; i < band->accounts.count; i++)
         put_account(words, &band->accounts.items[i]);
@@ -156,10 +152,6 @@ static bool take_band(struct words *words, struct band *band, size_t width)
     band->rows = (size_t)take(words);
     for (int kind = 0; kind < RAY_KINDS; kind++)
         band->rays[kind] = take(words);
-    band->vectors.instructions = take(words);
-    band->vectors.elements = take(words);
-    band->vectors.controlled = take(words);
-    band->vectors.wanted = take(words);
     accounts = take(words);
     for (uint64_t i = 0; i < accounts && !words->failed; i++)
         if (!take_account(words, &band->accounts))

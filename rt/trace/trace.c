@@ -23,11 +23,10 @@ struct trace {
     size_t rows_done;
     struct accounts accounts;
     uint64_t rays[RAY_KINDS];
-    struct vector_use vectors;
     struct band_file *file; /* that keeps the bands, or NULL */
 
     /* While it runs, all of the above that changes is under the lock. */
-    pthread_mutex_t lock;
+    pthread_mutex_t lock, watching;
     struct job *jobs;
     size_t job_count;
     bool stop;
@@ -74,14 +73,11 @@ static struct object *assemble_form(const struct trace_options *options,
         { NULL, 0 },
         { NULL, 0 },
         { NULL, 0 },
-        { NULL, 0 },
     };
     struct asm_define *next = &defines[1];
 
-    if (options->historical) {
+    if (options->historical)
         *next++ = (struct asm_define){ "HISTORICAL", 1 };
-        *next++ = (struct asm_define){ "FALSI", FALSI_PAPER };
-    }
     if (options->visible != VISIBLE_DEFAULT)
         *next = (struct asm_define){ "VISIBLE", options->visible };
 
@@ -147,6 +143,7 @@ struct trace *trace_new(const struct scene *scene,
         return NULL;
     }
     pthread_mutex_init(&trace->lock, NULL);
+    pthread_mutex_init(&trace->watching, NULL);
     trace->options = *options;
     trace->accounts.model = options->model;
     trace->gamma = scene->assumed_gamma > 0 ? scene->assumed_gamma : 1;
@@ -157,7 +154,7 @@ struct trace *trace_new(const struct scene *scene,
         .height = options->height,
         .bounds = !options->no_bounds,
         .rays_a_call = options->mode == TRACE_SCALAR ? 1 : options->queue,
-        .watch_vectors = options->watch_vectors,
+        .observers = options->observers,
     };
     divide(trace);
     if (prepare(trace, error))
@@ -172,24 +169,12 @@ void trace_free(struct trace *trace)
         return;
     band_file_close(trace->file, false);
     pthread_mutex_destroy(&trace->lock);
+    pthread_mutex_destroy(&trace->watching);
     accounts_free(&trace->accounts);
     object_free(trace->program);
     free(trace->taken);
     free(trace->words);
     free(trace);
-}
-
-bool trace_watch(struct trace *trace, struct iterations *iterations)
-{
-    trace->work.listener = iterations_listen;
-    trace->work.listener_context = iterations;
-    return iterations_begin(iterations, trace->program,
-                            trace->options.mode == TRACE_VECTOR);
-}
-
-void trace_project(struct trace *trace, c205_projection *const *projections)
-{
-    trace->work.projections = projections;
 }
 
 /* ---- Bands that are done ------------------------------------------------- */
@@ -207,7 +192,6 @@ static bool add_band(struct trace *trace, const struct band *band)
             return false;
     for (int kind = 0; kind < RAY_KINDS; kind++)
         trace->rays[kind] += band->rays[kind];
-    vector_use_add(&trace->vectors, &band->vectors);
     trace->rows_done += band->rows;
     return true;
 }
@@ -329,7 +313,8 @@ static void *do_job(void *context)
 {
     struct job *job = context;
     struct trace *trace = job->trace;
-    struct band_tracer tracer = { .work = &trace->work };
+    struct band_tracer tracer = { .work = &trace->work,
+                                  .lock = &trace->watching };
     struct band band;
 
     while (take_next(trace, &band)) {
@@ -455,12 +440,7 @@ uint64_t trace_rays(const struct trace *trace, enum ray_kind kind)
     return trace->rays[kind];
 }
 
-const struct vector_use *trace_vectors(const struct trace *trace)
+const struct object *trace_program(const struct trace *trace)
 {
-    return &trace->vectors;
-}
-
-enum falsi trace_falsi(const struct trace *trace)
-{
-    return falsi_of(trace->program);
+    return trace->program;
 }

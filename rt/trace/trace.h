@@ -10,8 +10,6 @@
 #define RT_TRACE_H
 
 #include "rt/trace/band.h"
-#include "rt/roots/falsi.h"
-#include "rt/roots/iterations.h"
 #include "rt/trace/visible.h"
 
 enum trace_mode {
@@ -41,17 +39,18 @@ enum {
 
 struct trace_options {
     enum trace_mode mode;
-    size_t width, height;    /* pixels */
-    size_t queue;            /* rays; not in scalar mode */
-    size_t band;             /* pixels of a band at the most, but one row at
+    size_t width, height; /* pixels */
+    size_t queue;         /* rays; not in scalar mode */
+    size_t band;          /* pixels of a band at the most, but one row at
                                 the least; 0: TRACE_BAND */
-    size_t jobs;             /* bands traced at a time; 0: one */
-    bool historical;         /* the paper's way to Steiner patches: by their
+    size_t jobs;          /* bands traced at a time; 0: one */
+    bool historical;      /* the paper's way to Steiner patches: by their
                                 implicit quartic, with its falsi */
-    enum visible visible;    /* of solids; vector mode only */
-    bool no_bounds;          /* every ray goes against every primitive */
-    bool watch_vectors;      /* for trace_vectors */
-    const c205_model *model; /* must outlive the trace */
+    enum visible visible; /* of solids; vector mode only */
+    bool no_bounds;       /* every ray goes against every primitive */
+    const struct observer *const *observers; /* of every machine; end with
+                                                NULL; or NULL */
+    const c205_model *model;                 /* must outlive the trace */
     /* Called now and then with the pixels done, at the end with all of them;
      * returns false to stop.  Never twice at a time.  NULL if nobody wants to
      * know. */
@@ -72,14 +71,6 @@ bool trace_keep(struct trace *trace, const char *path, c205_error *error);
 /* The frame is safe elsewhere: remove the file that trace_keep named. */
 void trace_forget(struct trace *trace);
 
-/* Count the steps of the root solver from now on; before the run, for one job
- * alone. */
-bool trace_watch(struct trace *trace, struct iterations *iterations);
-
-/* Charge all instructions to these projections as well, which end with NULL;
- * before the run, for one job alone. */
-void trace_project(struct trace *trace, c205_projection *const *projections);
-
 /* False: a trap, or progress said to stop; the error says which. */
 bool trace_run(struct trace *trace, c205_error *error);
 
@@ -99,10 +90,9 @@ uint64_t trace_checksum(const struct trace *trace);
 /* Of all bands together. */
 const struct accounts *trace_accounts(const struct trace *trace);
 uint64_t trace_rays(const struct trace *trace, enum ray_kind kind);
-const struct vector_use *trace_vectors(const struct trace *trace);
 
-/* The rule of the root solver. */
-enum falsi trace_falsi(const struct trace *trace);
+/* As it was assembled. */
+const struct object *trace_program(const struct trace *trace);
 /* The machine of the first band before it begins; the caller frees it. */
 c205 *trace_machine(const struct trace *trace, c205_error *error);
 

@@ -1,5 +1,7 @@
 #include "rt/trace/vector_use.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { CONTROL_WORDS = 65536 / 64 + 1 };
@@ -59,8 +61,7 @@ static void count_controlled(struct vector_use *use, const c205 *machine,
     use->wanted += fields->g & C205_G_ZEROS ? event->elements - count : count;
 }
 
-void vector_use_listen(void *use, const c205 *machine,
-                       const c205_event *event)
+static void listen(void *use, const c205 *machine, const c205_event *event)
 {
     struct vector_use *sum = use;
 
@@ -74,10 +75,30 @@ void vector_use_listen(void *use, const c205 *machine,
         count_controlled(sum, machine, event);
 }
 
-void vector_use_add(struct vector_use *sum, const struct vector_use *use)
+static void *begin(void *context, const struct object *program,
+                   c205_error *error)
 {
+    struct vector_use *use = calloc(1, sizeof *use);
+
+    (void)context;
+    (void)program;
+    if (!use)
+        snprintf(error->message, sizeof error->message, "no memory");
+    return use;
+}
+
+static void merge(void *context, const void *band)
+{
+    const struct vector_use *use = band;
+    struct vector_use *sum = context;
+
     sum->instructions += use->instructions;
     sum->elements += use->elements;
     sum->controlled += use->controlled;
     sum->wanted += use->wanted;
+}
+
+struct observer vector_use_observer(struct vector_use *sum)
+{
+    return (struct observer){ begin, listen, merge, free, sum };
 }

@@ -7,7 +7,7 @@
 #ifndef RT_VECTOR_USE_H
 #define RT_VECTOR_USE_H
 
-#include "vm/c205.h"
+#include "rt/trace/observer.h"
 
 struct vector_use {
     uint64_t instructions, elements;
@@ -15,9 +15,7 @@ struct vector_use {
     uint64_t wanted;     /* of these, those it lets through */
 };
 
-/* A c205_listener; its context is a struct vector_use. */
-void vector_use_listen(void *use, const c205 *machine,
-                       const c205_event *event);
-void vector_use_add(struct vector_use *sum, const struct vector_use *use);
+/* Of all bands of a frame; zero the sum to begin. */
+struct observer vector_use_observer(struct vector_use *sum);
 
 #endif

@@ -36,7 +36,6 @@ static struct band band_from(size_t first_row)
         band.words[i] = UINT64_C(0x0123456789ABCDEF) * (i + first_row);
     for (size_t i = 0; i < RAY_KINDS; i++)
         band.rays[i] = 10 * first_row + i;
-    band.vectors = (struct vector_use){ 5, 6, 7, first_row };
     for (size_t i = 0; i < C205_CAUSES; i++)
         account.clocks[i] = 100 * first_row + i;
     band.accounts.model = model;
@@ -65,8 +64,6 @@ static void assert_band_from(const struct band *band, size_t first_row)
     assert_memory_equal(band->words, expected.words,
                         SAMPLES * sizeof *band->words);
     assert_memory_equal(band->rays, expected.rays, sizeof band->rays);
-    assert_memory_equal(&band->vectors, &expected.vectors,
-                        sizeof band->vectors);
     assert_int_equal(band->accounts.clocks, expected.accounts.clocks);
     assert_int_equal(band->accounts.count, 2);
     for (size_t i = 0; i < 2; i++)

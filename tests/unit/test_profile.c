@@ -13,45 +13,46 @@
           "sphere { 0, 1 pigment { rgb <1, .5, .2> } }"
 
 static struct scene *scene;
-static struct trace *traces[TRACE_MODES];
+static struct profile profile;
 
-static struct trace *stage(int i)
+static void run(void)
 {
-    struct trace_options options = { .mode = profile_stages[i],
-                                     .width = WIDTH,
-                                     .height = HEIGHT,
-                                     .queue = 200,
-                                     .band = 5 * WIDTH,
-                                     .watch_vectors = true,
-                                     .model = model };
+    const struct trace_options options = { .width = WIDTH,
+                                           .height = HEIGHT,
+                                           .queue = 200,
+                                           .band = 5 * WIDTH,
+                                           .jobs = 2,
+                                           .model = model };
     c205_error error = { "" };
-    struct trace *trace = trace_new(scene, &options, &error);
 
-    if (!trace || !trace_run(trace, &error))
+    if (!profile_run(&profile, scene, &options, &error))
         fail_msg("%s", error.message);
-    return trace;
 }
 
 static double clocks_of_frame(int i)
 {
-    return (double)trace_accounts(traces[i])->clocks;
+    return (double)trace_accounts(profile.traces[i])->clocks;
 }
 
 static void test_stages(void **state)
 {
     (void)state;
     for (int i = 0; i < TRACE_MODES; i++) {
-        const struct accounts *accounts = trace_accounts(traces[i]);
+        const struct accounts *accounts = trace_accounts(profile.traces[i]);
         enum profile_part part;
 
         for (size_t k = 0; k < accounts->count; k++)
             assert_true(profile_part_of(accounts->items[k].name, &part));
-        assert_true(trace_checksum(traces[i]) == trace_checksum(traces[0]));
+        assert_true(trace_checksum(profile.traces[i])
+                    == trace_checksum(profile.traces[0]));
         for (int kind = 0; kind < RAY_KINDS; kind++)
-            assert_int_equal(trace_rays(traces[i], (enum ray_kind)kind),
-                             trace_rays(traces[0], (enum ray_kind)kind));
+            assert_int_equal(trace_rays(profile.traces[i],
+                                        (enum ray_kind)kind),
+                             trace_rays(profile.traces[0],
+                                        (enum ray_kind)kind));
     }
-    assert_int_equal(trace_rays(traces[0], RAY_PRIMARY), WIDTH * HEIGHT);
+    assert_int_equal(trace_rays(profile.traces[0], RAY_PRIMARY),
+                     WIDTH * HEIGHT);
 }
 
 /* ---- The tables ---------------------------------------------------------- */
@@ -61,8 +62,7 @@ static char *table_text_of(enum profile_table kind)
 {
     char path[] = "/tmp/test_profile.XXXXXX", *text;
     int file = mkstemp(path);
-    struct table *table = profile_table(kind,
-                                        (const struct trace *const *)traces);
+    struct table *table = profile_table(kind, &profile);
     c205_error error = { "" };
     struct json *json;
     size_t length;
@@ -166,15 +166,13 @@ static int trace_stages(void **state)
     if (set_up(state) != 0)
         return 1;
     scene = read_text(SCENE);
-    for (int i = 0; i < TRACE_MODES; i++)
-        traces[i] = stage(i);
+    run();
     return 0;
 }
 
 static int free_stages(void **state)
 {
-    for (int i = 0; i < TRACE_MODES; i++)
-        trace_free(traces[i]);
+    profile_free(&profile);
     scene_free(scene);
     return tear_down(state);
 }

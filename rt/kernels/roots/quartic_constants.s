@@ -20,6 +20,9 @@
         .equ    ILLINOIS, 1
         .equ    PEGASUS, 2
         .equ    ANDERSON_BJORCK, 3
+        .ifdef  HISTORICAL
+        .equ    FALSI, PAPER
+        .endif
         .ifndef FALSI
         .equ    FALSI, PEGASUS
         .endif
