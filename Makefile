@@ -59,7 +59,7 @@ test_packages = $(build_packages) $(fit_packages) libcmocka-dev \
 
 # What check runs, and in what size: cases an operation, pairs of narrow words,
 # random programs, polynomials of a kind, tries a row of the table, compilers.
-check_parts = check-unit check-programs check-bugs check-isa check-arithmetic \
+check_parts = check-rooms check-unit check-programs check-bugs check-isa check-arithmetic \
 	check-narrow check-random check-quartic check-scenes check-commands \
 	check-install check-fit check-hosts wasm-check
 CASES ?= 1000000
@@ -201,6 +201,9 @@ check-unit: $(unit_tests) $(adapter)
 	@printf '%s\n' $(unit_tests) | xargs -n 1 -P $(JOBS) sh -c \
 		'$$0 >$$0.log 2>&1; code=$$?; cat $$0.log; exit $$code'
 
+check-rooms:
+	sh tests/check_rooms.sh
+
 check-programs: $(BUILD)/c205
 	sh tests/run_programs.sh $(BUILD)/c205
 
@@ -320,7 +323,7 @@ install: all
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo check check-long check-unit check-programs check-bugs \
+.PHONY: all demo check check-long check-rooms check-unit check-programs check-bugs \
 	check-isa check-arithmetic check-narrow check-random check-quartic \
 	check-planted check-scenes check-commands check-install check-hosts \
 	check-poison check-timing check-fit fit cover cover-tests wasm-check docs \

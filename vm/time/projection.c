@@ -1,5 +1,4 @@
 #include "vm/time/projection.h"
-#include "vm/machine.h"
 #include "vm/time/model.h"
 
 #include <stdio.h>
@@ -265,14 +264,6 @@ void projection_charge(c205_projection *projection,
     else
         projection->shares[decoded->region].strangers++;
     projection->shares[decoded->region].clocks += projection->now - before;
-}
-
-void c205_project(void *projection, const c205 *machine,
-                  const c205_event *event)
-{
-    if (event->kind == C205_EVENT_INSTRUCTION
-        || event->kind == C205_EVENT_REQUEST)
-        projection_charge(projection, machine->executed, &machine->effect);
 }
 
 uint64_t c205_projected_clocks(const c205_projection *projection,

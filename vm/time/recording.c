@@ -4,7 +4,8 @@
  * Each instruction is a word, | 16 flags | 16 touches | 32 instruction |, and
  * behind it the words of what its effect has, in the order of the flags.
  */
-#include "vm/machine.h"
+#include "vm/time/recording.h"
+#include "vm/time/clock.h"
 #include "vm/time/model.h"
 #include "vm/time/projection.h"
 
@@ -159,20 +160,16 @@ static void add_effect(c205_recording *recording, const struct effect *effect)
         add_indices(recording, effect);
 }
 
-void c205_record(void *context, const c205 *machine, const c205_event *event)
+void recording_add(c205_recording *recording, const struct decoded *decoded,
+                   const struct effect *effect, size_t region)
 {
-    c205_recording *recording = context;
-    const struct effect *effect = &machine->effect;
-    if (event->kind != C205_EVENT_INSTRUCTION
-        && event->kind != C205_EVENT_REQUEST)
-        return;
-    uint32_t number = number_of(recording, machine->executed);
+    uint32_t number = number_of(recording, decoded);
     add_word(recording, (uint64_t)flags_of(effect) << FLAG_SHIFT
                             | (uint64_t)effect->touch_count << TOUCH_SHIFT
                             | number);
     add_effect(recording, effect);
-    if (recording->regions <= event->region)
-        recording->regions = event->region + 1;
+    if (recording->regions <= region)
+        recording->regions = region + 1;
 }
 
 /* ---- Playing ------------------------------------------------------------- */

@@ -1,0 +1,54 @@
+#!/bin/sh
+# check_rooms.sh - no file includes what lies above it (tests/rooms.txt), every
+# file lies in a room, and C++ and JavaScript stay where they belong.
+set -u
+cd "$(dirname "$0")/.."
+
+find vm base asm rt -name '*.[ch]' -o -name '*.cc' -o -name '*.def' | sort |
+    xargs grep -H '^#include "' |
+    awk -v rooms=tests/rooms.txt '
+    function room_of(path) {
+        while (!(path in rank) && sub(/\/[^\/]*$/, "", path))
+            ;
+        return path in rank ? path : ""
+    }
+    function complain(text) {
+        print text
+        failed++
+    }
+    BEGIN {
+        while ((getline line < rooms) > 0)
+            if (line !~ /^#/) {
+                count = split(line, names, " ")
+                lines++
+                for (i = 1; i <= count; i++)
+                    rank[names[i]] = lines
+            }
+    }
+    {
+        split($0, parts, /:#include "|"/)
+        from = parts[1]
+        to = parts[2]
+        if (to !~ /\//) {          # beside the file itself
+            to = from
+            sub(/[^\/]*$/, parts[2], to)
+        }
+        if (room_of(from) == "")
+            complain(from ": in no room of " rooms)
+        else if (room_of(to) == "" || (getline line < to) < 0)
+            complain(from ": " to " is in no room of " rooms)
+        else if (rank[room_of(to)] > rank[room_of(from)])
+            complain(from ": " to " lies above it")
+        else
+            passed++
+        close(to)
+    }
+    END {
+        if (!passed)
+            complain("no include was read")
+        printf "%d passed, %d failed\n", passed, failed
+        exit failed > 0
+    }' || exit 1
+others=$(find vm base asm rt \( -name '*.cc' -o -name '*.js' -o -name '*.py' \) |
+    grep -vx -e rt/picture/picture_oiio.cc -e rt/study/fit/ceres_fit.cc)
+[ -z "$others" ] || { echo "not C, and no adapter: $others"; exit 1; }
