@@ -100,7 +100,7 @@ struct object *assemble_file(const char *path,
     struct object *object;
     c205_error error;
     size_t length;
-    char *text = file_read(path, &length, &error);
+    char *text = file_read(path, FILE_LARGEST, &length, &error);
 
     if (!text) {
         report_file(diagnostics, path, error.message);

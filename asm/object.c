@@ -106,7 +106,7 @@ struct object *object_load(const char *path, c205_error *error)
 {
     size_t length;
     c205_error reason;
-    char *text = file_read(path, &length, &reason);
+    char *text = file_read(path, FILE_LARGEST, &length, &reason);
     struct object *object;
 
     object = text ? object_read(text, length, &reason) : NULL;

@@ -51,7 +51,7 @@ static bool read_source(struct assembler *assembler, const char *path,
 {
     c205_error error;
     size_t length;
-    char *text = file_read(path, &length, &error);
+    char *text = file_read(path, FILE_LARGEST, &length, &error);
 
     if (!text)
         return false;

@@ -52,7 +52,7 @@ c205 *state_load(const char *path, const c205_model *model, c205_error *error)
 {
     size_t length;
     c205_error reason = { "" };
-    char *bytes = file_read(path, &length, &reason);
+    char *bytes = file_read(path, FILE_LARGEST, &length, &reason);
     c205 *machine = bytes ? c205_restore(bytes, length, model, &reason)
                           : NULL;
     if (!machine) {

@@ -5,22 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The text, its NUL, and a byte to see that the file goes on. */
-static const size_t largest = (size_t)FILE_LARGEST + 2;
-
-static char *read_stream(FILE *file, size_t *length)
+/* Up to one byte more than the largest text. */
+static char *read_stream(FILE *file, size_t largest, size_t *length)
 {
-    size_t capacity = 16384;
-    char *text = malloc(capacity), *larger;
+    size_t room = 1 << 14;
+    char *text = malloc(room);
 
     *length = 0;
     while (text) {
-        *length += fread(text + *length, 1, capacity - *length - 1, file);
-        if (*length < capacity - 1 && !ferror(file))
+        *length += fread(text + *length, 1, room - *length - 1, file);
+        if (*length < room - 1 || *length > largest)
             break;
-        larger = ferror(file) || capacity >= largest
-                     ? NULL
-                     : realloc(text, capacity *= 2);
+        char *larger = realloc(text, room *= 2);
         if (!larger)
             free(text);
         text = larger;
@@ -30,19 +26,36 @@ static char *read_stream(FILE *file, size_t *length)
     return text;
 }
 
-char *file_read(const char *path, size_t *length, c205_error *error)
+/* What errno says of a reading that failed or came to its end. */
+static int reason(const FILE *file, const char *text, size_t length,
+                  size_t largest)
+{
+    if (!file || !text || errno)
+        return errno ? errno : EIO;
+    return length > largest ? EFBIG : 0;
+}
+
+char *file_read(const char *path, size_t largest, size_t *length,
+                c205_error *error)
 {
     FILE *file;
     char *text = NULL;
+    int why;
 
     errno = 0;
     file = fopen(path, "rb");
-    if (file) {
-        text = read_stream(file, length);
+    if (file)
+        text = read_stream(file, largest, length);
+    if (file && text && !ferror(file))
+        errno = 0;
+    why = reason(file, text, file ? *length : 0, largest);
+    if (file)
         fclose(file);
-    }
-    if (!text)
-        snprintf(error->message, sizeof error->message, "%s",
-                 errno ? strerror(errno) : "this file is too large");
-    return text;
+    if (!why)
+        return text;
+    free(text);
+    snprintf(error->message, sizeof error->message, "%s",
+             why == EFBIG ? "this file is too large" : strerror(why));
+    errno = why;
+    return NULL;
 }

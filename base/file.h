@@ -4,11 +4,12 @@
 
 #include "vm/c205.h"
 
-enum { FILE_LARGEST = (1 << 28) - 2 };
+enum { FILE_LARGEST = (1 << 28) - 2 }; /* bytes */
 
 /* The bytes of a file and a NUL after them, to be freed; NULL: the error says
- * why, without naming the file.  Files of more than FILE_LARGEST bytes are
- * refused, endless ones among them. */
-char *file_read(const char *path, size_t *length, c205_error *error);
+ * why, without naming the file, and errno is set.  Files of more than so many
+ * bytes are refused (EFBIG), endless ones among them. */
+char *file_read(const char *path, size_t largest, size_t *length,
+                c205_error *error);
 
 #endif

@@ -82,10 +82,17 @@ bool whole_check(const char *path, c205_error *error)
     return true;
 }
 
+/* All that was written is on the disk; what is no regular file has none. */
+static bool reaches_disk(const struct whole *whole)
+{
+    return !ferror(whole->file) && fflush(whole->file) == 0
+           && (!whole->temporary || fsync(fileno(whole->file)) == 0);
+}
+
 bool whole_commit(struct whole *whole, c205_error *error)
 {
     errno = 0;
-    bool good = !ferror(whole->file);
+    bool good = reaches_disk(whole);
     good = fclose(whole->file) == 0 && good;
     if (good && whole->temporary) {
         good = rename(whole->temporary, whole->path) == 0;

@@ -132,12 +132,25 @@ struct sources {
     struct constants constants;
 };
 
+/* What was found in a file, printed. */
+static bool is_read(bool good, const char *path,
+                    struct diagnostics *diagnostics, c205_error *error)
+{
+    diagnostics_print(diagnostics, stderr);
+    diagnostics_free(diagnostics);
+    if (!good)
+        snprintf(error->message, sizeof error->message,
+                 "%.200s cannot be used", path);
+    return good;
+}
+
 static bool read_sources(const struct arguments *arguments,
                          struct sources *sources, c205_error *error)
 {
     static const char *const files[] = { "table1.csv", "machine.csv" };
     char path[PATH_SIZE], programs[PATH_SIZE];
     struct run_options how = { .folder = programs };
+    struct diagnostics found = { 0 };
 
     how.model = sources->model = c205_model_find("cyber205-2pipe-prior",
                                                  error);
@@ -154,11 +167,14 @@ static bool read_sources(const struct arguments *arguments,
         snprintf(path, sizeof path, "%.400s/observations/%s", arguments->data,
                  files[i]);
         if (!how.model
-            || !observations_read(&sources->observations, path, &how, error))
+            || !is_read(observations_read(&sources->observations, path, &how,
+                                          &found),
+                        path, &found, error))
             return false;
     }
     snprintf(path, sizeof path, "%.400s/constants.csv", arguments->data);
-    return constants_read(&sources->constants, path, error);
+    return is_read(constants_read(&sources->constants, path, &found), path,
+                   &found, error);
 }
 
 static bool hold_out(const struct arguments *arguments,

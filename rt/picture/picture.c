@@ -2,6 +2,8 @@
 #include "rt/picture/picture.h"
 #include "rt/picture/picture_oiio.h"
 
+#include "base/whole.h"
+
 #include <dlfcn.h>
 #include <errno.h>
 #include <math.h>
@@ -185,28 +187,6 @@ static const struct picture_adapter *adapter(struct picture_error *error)
 
 /* --- paths ------------------------------------------------------------- */
 
-/* The folder that the path's file is in, to be freed. */
-static char *folder_of(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    if (!slash)
-        return strdup(".");
-    return slash == path ? strdup("/")
-                         : strndup(path, (size_t)(slash - path));
-}
-
-static bool check_folder(const char *folder, struct picture_error *error)
-{
-    struct stat status;
-    if (stat(folder, &status) != 0)
-        return fail(error, "folder %s: %s", folder, strerror(errno));
-    if (!S_ISDIR(status.st_mode))
-        return fail(error, "%s is not a folder", folder);
-    if (access(folder, W_OK | X_OK) != 0)
-        return fail(error, "folder %s: %s", folder, strerror(errno));
-    return true;
-}
-
 static bool fail_ending(const char *path, struct picture_error *error)
 {
     return fail(error,
@@ -228,48 +208,21 @@ bool picture_check_path(const char *path, struct picture_error *error)
         return fail_ending(path, error);
     if (stat(path, &status) == 0 && !S_ISREG(status.st_mode))
         return fail(error, "%s is not a regular file", path);
-    char *folder = folder_of(path);
-    if (!folder)
-        return fail(error, "out of memory");
-    const bool good = check_folder(folder, error);
-    free(folder);
-    return good;
+    c205_error cause;
+    return whole_check(path, &cause) || fail(error, "%s", cause.message);
 }
 
 /* --- writing and reading ----------------------------------------------- */
 
-static bool write_bytes(const char *path, const struct picture_file *file,
-                        struct picture_error *error)
-{
-    FILE *stream = fopen(path, "wb");
-    if (!stream)
-        return fail(error, "%s: %s", path, strerror(errno));
-    bool good = fwrite(file->bytes, 1, file->size, stream) == file->size
-                && fflush(stream) == 0 && fsync(fileno(stream)) == 0;
-    int cause = errno;
-    if (fclose(stream) != 0 && good) {
-        good = false;
-        cause = errno;
-    }
-    return good || fail(error, "%s: %s", path, strerror(cause));
-}
-
-/* Under another name of the same folder first, then all at once. */
 static bool write_file(const char *path, const struct picture_file *file,
                        struct picture_error *error)
 {
-    const size_t size = strlen(path) + 32;
-    char *temporary = malloc(size);
-    if (!temporary)
-        return fail(error, "out of memory");
-    snprintf(temporary, size, "%s.%ld.new", path, (long)getpid());
-    bool good = write_bytes(temporary, file, error);
-    if (good && rename(temporary, path) != 0)
-        good = fail(error, "%s: %s", path, strerror(errno));
-    if (!good)
-        remove(temporary);
-    free(temporary);
-    return good;
+    c205_error cause;
+    struct whole *const whole = whole_open(path, &cause);
+    if (!whole)
+        return fail(error, "%s", cause.message);
+    fwrite(file->bytes, 1, file->size, whole->file);
+    return whole_commit(whole, &cause) || fail(error, "%s", cause.message);
 }
 
 static bool encode_and_write(const char *path,

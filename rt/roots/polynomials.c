@@ -220,7 +220,7 @@ bool polynomials_read(struct polynomials *polynomials, const char *path,
 {
     c205_error error;
     size_t length;
-    char *text = file_read(path, &length, &error);
+    char *text = file_read(path, FILE_LARGEST, &length, &error);
     bool good;
 
     if (!text)

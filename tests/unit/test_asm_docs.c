@@ -55,7 +55,7 @@ static size_t check_file(const char *path)
 {
     c205_error error;
     size_t length, blocks = 0;
-    char *text = file_read(path, &length, &error), name[700];
+    char *text = file_read(path, FILE_LARGEST, &length, &error), name[700];
     const char *at = text, *end, *line;
 
     assert_non_null(text);

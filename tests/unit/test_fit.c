@@ -110,13 +110,14 @@ static double predicted(const char *row)
 {
     struct observations all = { 0 };
     struct run_options how = small();
+    struct diagnostics found = { 0 };
     c205_error error = { "" };
     char text[512];
     double(*clocks)[RUN_REGIONS_MOST], value;
 
     snprintf(text, sizeof text, HEAD "# a remark\n\n%s\n", row);
-    if (!observations_read(&all, file_of(text), &how, &error))
-        fail_msg("%s", error.message);
+    if (!observations_read(&all, file_of(text), &how, &found))
+        fail_msg("%s", found.items[0].message);
     assert_int_equal(all.count, 1);
     clocks = calloc(all.timing_count, sizeof *clocks);
     assert_non_null(clocks);
@@ -152,14 +153,27 @@ static void test_units(void **state)
                 100);
 }
 
+/* As file:line:column: message. */
+static void check_found(struct diagnostics *found, const char *message)
+{
+    char text[200];
+
+    assert_int_equal(found->count, 1);
+    snprintf(text, sizeof text, "%s:%zu:%zu: %s", found->items[0].file,
+             found->items[0].line, found->items[0].column,
+             found->items[0].message);
+    assert_string_equal(text, message);
+    diagnostics_free(found);
+}
+
 static void assert_refused(const char *text, const char *message)
 {
     struct observations all = { 0 };
     struct run_options how = small();
-    c205_error error = { "" };
+    struct diagnostics found = { 0 };
 
-    assert_false(observations_read(&all, file_of(text), &how, &error));
-    assert_string_equal(error.message, message);
+    assert_false(observations_read(&all, file_of(text), &how, &found));
+    check_found(&found, message);
     observations_free(&all);
     remove("test_fit.csv");
 }
@@ -167,24 +181,25 @@ static void assert_refused(const char *text, const char *message)
 static void test_refused(void **state)
 {
     (void)state;
-    assert_refused("", "test_fit.csv:0: holds no table");
+    assert_refused("", "test_fit.csv:0:0: holds no table");
     assert_refused("a,b,c,d,e,f,g,h\n",
-                   "test_fit.csv:1: other columns are expected");
-    assert_refused(HEAD "a,b\n", "test_fit.csv:2: fields are missing");
+                   "test_fit.csv:1:1: another column is expected");
+    assert_refused(HEAD "a,b\n", "test_fit.csv:2:1: fields are missing");
     assert_refused(HEAD "a,b,c,d,e,f,g,h,i\n",
-                   "test_fit.csv:2: too many fields");
+                   "test_fit.csv:2:17: too many fields");
     assert_refused(HEAD "a,b,c,d,e,f,g,h\n",
-                   "test_fit.csv:2: a positive number is expected");
+                   "test_fit.csv:2:7: a positive number is expected");
     assert_refused(HEAD "a,vector_add.s:sub,cyber205-2pipe,1,ratio,1,s,fit\n",
-                   "there is no region sub");
+                   "test_fit.csv:2:3: there is no region sub");
     assert_refused(HEAD "a,vector_add.s,cyber205-9pipe,1,ratio,1,s,fit\n",
-                   "there is no machine model 'cyber205-9pipe'");
+                   "test_fit.csv:2:3: there is no machine model "
+                   "'cyber205-9pipe'");
     assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,miles,1,s,fit\n",
-                   "there is no unit miles");
+                   "test_fit.csv:2:33: there is no unit miles");
     assert_refused(HEAD "a,vector_add.s X,cyber205-2pipe,1,%,1,s,fit\n",
-                   "'X' does not define a constant");
+                   "test_fit.csv:2:3: 'X' does not define a constant");
     assert_refused(HEAD "a,stride.s,cyber205-2pipe,1,Mflop/s,1,s,fit\n",
-                   "the program does not define FLOPS");
+                   "test_fit.csv:2:29: the program does not define FLOPS");
 }
 
 /* ---- Photons ------------------------------------------------------------ */
@@ -280,7 +295,7 @@ static void test_constants(void **state)
     static struct constants constants;
     c205_setting settings[SETTINGS_MOST];
     double places[FREE_MOST] = { .5 };
-    c205_error error = { "" };
+    struct diagnostics found = { 0 };
     const struct free_constant *first = &constants.items[0];
 
     (void)state;
@@ -289,8 +304,8 @@ static void test_constants(void **state)
                                 "why\n"
                                 "a,cyber205,latency.load swap.word,R,5,40,?\n"
                                 "b,cyber720,time.add,S,5,40,?\n"),
-                        &error))
-        fail_msg("%s", error.message);
+                        &found))
+        fail_msg("%s", found.items[0].message);
     assert_int_equal(constants.count, 2);
     assert_true(constant_is_of(first, model));
     assert_false(constant_is_of(&constants.items[1], model));

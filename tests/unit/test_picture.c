@@ -264,7 +264,7 @@ static const struct bad_path bad_paths[] = {
     { "png", "the ending of a picture is" },
     { "x.png/a", "the ending of a picture is" },
     { "none/a.png", "No such file" },
-    { "plain/a.png", "not a folder" },
+    { "plain/a.png", "Not a directory" },
     { "folder.png", "not a regular file" },
 };
 

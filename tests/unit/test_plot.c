@@ -128,7 +128,7 @@ static char *text_of(const struct folder *folder, const char *name)
     c205_error error = { "" };
 
     path_of(folder, name, path);
-    text = file_read(path, &length, &error);
+    text = file_read(path, FILE_LARGEST, &length, &error);
     if (!text)
         fail_msg("%s: %s", path, error.message);
     return text;

@@ -74,7 +74,7 @@ static char *table_text_of(enum profile_table kind)
     table_json(table, json, "rows");
     assert_true(json_close(json, &error));
     table_free(table);
-    text = file_read(path, &length, &error);
+    text = file_read(path, FILE_LARGEST, &length, &error);
     assert_non_null(text);
     remove(path);
     return text;

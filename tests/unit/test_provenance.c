@@ -37,7 +37,7 @@ static char *text_of(const char *path)
 {
     c205_error error;
     size_t length;
-    char *text = file_read(path, &length, &error);
+    char *text = file_read(path, FILE_LARGEST, &length, &error);
     assert_non_null(text);
     assert_int_equal(remove(path), 0);
     return text;

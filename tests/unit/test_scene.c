@@ -435,7 +435,7 @@ static char *file_text(const char *path)
 {
     c205_error error;
     size_t length;
-    char *text = file_read(path, &length, &error);
+    char *text = file_read(path, FILE_LARGEST, &length, &error);
 
     assert_non_null(text);
     return text;

@@ -1,6 +1,8 @@
 /* source.c - finding and reading texts. */
 #include "rt/scene/language/source.h"
 
+#include "base/file.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -48,54 +50,13 @@ struct source *source_add(struct source **list, const char *name,
     return adopt(list, name, copy(text, length), length);
 }
 
-/* All of a stream, at most one byte more than the longest text. */
-static char *read_all(FILE *file, size_t *length)
-{
-    size_t room = 1 << 16, got = 0;
-    char *text = malloc(room + 1);
-
-    while (text) {
-        got += fread(text + got, 1, room - got, file);
-        if (got < room || got > SOURCE_LONGEST)
-            break;
-        room *= 2;
-        char *grown = realloc(text, room + 1);
-        if (!grown)
-            free(text);
-        text = grown;
-    }
-    if (text && ferror(file)) {
-        free(text);
-        return NULL;
-    }
-    if (text)
-        text[got] = '\0';
-    *length = got;
-    return text;
-}
-
 struct source *source_load(struct source **list, const char *path)
 {
-    FILE *file = fopen(path, "rb");
-    size_t length = 0;
-    char *text;
-    int why;
+    c205_error error;
+    size_t length;
+    char *text = file_read(path, SOURCE_LONGEST, &length, &error);
 
-    if (!file)
-        return NULL;
-    errno = 0;
-    text = read_all(file, &length);
-    why = errno;
-    fclose(file);
-    if (text && length > SOURCE_LONGEST) {
-        free(text);
-        text = NULL;
-        why = EFBIG;
-    }
-    if (text)
-        return adopt(list, path, text, length);
-    errno = why ? why : EIO;
-    return NULL;
+    return text ? adopt(list, path, text, length) : NULL;
 }
 
 static struct source *find(struct source *list, const char *name)

@@ -90,40 +90,54 @@ static const c205_model *prior_of(const struct constants *constants,
 }
 
 static bool read_row(struct constants *constants, const struct csv_row *row,
-                     c205_error *error)
+                     struct diagnostics *diagnostics)
 {
+    const struct csv *file = &constants->file;
     struct free_constant *constant = &constants->items[constants->count];
+    c205_error error;
     const c205_model *prior = prior_of(constants, row->fields[MACHINE],
-                                       error);
+                                       &error);
 
     if (!prior)
-        return false;
-    if (constants->count++ == FREE_MOST)
-        return fail(error, "%s: too many constants", constants->file.path);
+        return csv_wrong(file, row, MACHINE, error.message, diagnostics);
+    if (constants->count == FREE_MOST)
+        return csv_wrong(file, row, NAME, "too many constants", diagnostics);
+    constants->count++;
     constant->name = row->fields[NAME];
     constant->machine = row->fields[MACHINE];
-    return csv_positive(&constants->file, row, LEAST, &constant->least, error)
-           && csv_positive(&constants->file, row, MOST, &constant->most,
-                           error)
-           && set_width(constant, row->fields[SOURCE], error)
-           && add_members(constant, row->fields[MEMBERS], prior, error);
+    return csv_positive(file, row, LEAST, &constant->least, diagnostics)
+           && csv_positive(file, row, MOST, &constant->most, diagnostics)
+           && (set_width(constant, row->fields[SOURCE], &error)
+               || csv_wrong(file, row, SOURCE, error.message, diagnostics))
+           && (add_members(constant, row->fields[MEMBERS], prior, &error)
+               || csv_wrong(file, row, MEMBERS, error.message, diagnostics));
 }
 
 bool constants_read(struct constants *constants, const char *path,
-                    c205_error *error)
+                    struct diagnostics *diagnostics)
 {
+    const struct position whole = { .file = path };
+    c205_error error;
+    bool good = true;
+
     memset(constants, 0, sizeof *constants);
     for (size_t i = 0; i < FREE_MACHINES; i++) {
-        constants->priors[i] = c205_model_find(priors[i].model, error);
-        if (!constants->priors[i])
+        constants->priors[i] = c205_model_find(priors[i].model, &error);
+        if (!constants->priors[i]) {
+            diagnostics_add(diagnostics, SEVERITY_ERROR, &whole,
+                            error.message);
             return false;
+        }
     }
-    if (!csv_read(&constants->file, path, columns, FIELDS, error))
+    if (!csv_read(&constants->file, path, columns, FIELDS, diagnostics))
         return false;
     for (size_t i = 0; i < constants->file.count; i++)
-        if (!read_row(constants, &constants->file.rows[i], error))
-            return false;
-    return constants->count > 0 || fail(error, "%s is empty", path);
+        good = read_row(constants, &constants->file.rows[i], diagnostics)
+               && good;
+    if (good && constants->count == 0)
+        diagnostics_add(diagnostics, SEVERITY_ERROR, &whole,
+                        "holds no constants");
+    return good && constants->count > 0;
 }
 
 void constants_free(struct constants *constants)

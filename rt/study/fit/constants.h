@@ -8,6 +8,7 @@
 #define RT_FIT_CONSTANTS_H
 
 #include "rt/study/fit/csv.h"
+#include "vm/c205.h"
 
 enum { FREE_MOST = 24, MEMBERS_MOST = 24 };
 
@@ -36,7 +37,7 @@ struct constants {
 
 /* The priors are those of built-in models.  False: the error says why. */
 bool constants_read(struct constants *constants, const char *path,
-                    c205_error *error);
+                    struct diagnostics *diagnostics);
 void constants_free(struct constants *constants);
 
 /* The first member's value at a place, and the other way round. */

@@ -1,45 +1,49 @@
 #include "rt/study/fit/csv.h"
 
-#include <errno.h>
+#include "base/file.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static bool fail(const struct csv *csv, size_t line, const char *what,
-                 c205_error *error)
+/* What is wrong at a place of the text, or, without one, with the file. */
+static bool fail(const struct csv *csv, size_t line, const char *at,
+                 const char *message, struct diagnostics *diagnostics)
 {
-    snprintf(error->message, sizeof error->message, "%.120s:%zu: %.100s",
-             csv->path, line, what);
-    return false;
-}
+    struct position position = { .file = csv->path };
 
-static bool fail_to_read(const struct csv *csv, c205_error *error)
-{
-    snprintf(error->message, sizeof error->message, "%.120s: %.100s",
-             csv->path, errno != 0 ? strerror(errno) : "cannot be read");
-    return false;
-}
+    if (at) {
+        const char *place = csv->source + (at - csv->text), *begin = place;
 
-static bool read_text(struct csv *csv, c205_error *error)
-{
-    FILE *file;
-    long size = -1;
-
-    errno = 0;
-    file = fopen(csv->path, "rb");
-    if (file && fseek(file, 0, SEEK_END) == 0)
-        size = ftell(file);
-    if (size >= 0 && fseek(file, 0, SEEK_SET) == 0)
-        csv->text = calloc((size_t)size + 1, 1);
-    if (csv->text
-        && fread(csv->text, 1, (size_t)size, file) != (size_t)size) {
-        free(csv->text);
-        csv->text = NULL;
+        while (begin > csv->source && begin[-1] != '\n')
+            begin--;
+        position.line = line;
+        position.column = (size_t)(place - begin) + 1;
+        position.source = begin;
+        position.source_length = strcspn(begin, "\r\n");
     }
-    if (file)
-        fclose(file);
+    diagnostics_add(diagnostics, SEVERITY_ERROR, &position, message);
+    return false;
+}
+
+static bool fail_whole(const struct csv *csv, const char *message,
+                       struct diagnostics *diagnostics)
+{
+    return fail(csv, 0, NULL, message, diagnostics);
+}
+
+static bool read_text(struct csv *csv, struct diagnostics *diagnostics)
+{
+    c205_error error;
+    size_t length;
+
+    csv->source = file_read(csv->path, FILE_LARGEST, &length, &error);
+    if (!csv->source)
+        return fail_whole(csv, error.message, diagnostics);
+    csv->text = malloc(length + 1);
     if (!csv->text)
-        return fail_to_read(csv, error);
+        return fail_whole(csv, "no memory", diagnostics);
+    memcpy(csv->text, csv->source, length + 1);
     return true;
 }
 
@@ -65,18 +69,21 @@ static char *next_field(char **line)
 }
 
 static bool cut(struct csv *csv, char *line, size_t number, char **fields,
-                c205_error *error)
+                struct diagnostics *diagnostics)
 {
+    const char *begin = line;
+
     for (size_t i = 0; i < csv->columns; i++) {
         if (!line)
-            return fail(csv, number, "fields are missing", error);
+            return fail(csv, number, begin, "fields are missing",
+                        diagnostics);
         fields[i] = next_field(&line);
     }
-    return !line || fail(csv, number, "too many fields", error);
+    return !line || fail(csv, number, line, "too many fields", diagnostics);
 }
 
 static bool add_row(struct csv *csv, char *line, size_t number,
-                    c205_error *error)
+                    struct diagnostics *diagnostics)
 {
     struct csv_row *rows = realloc(csv->rows,
                                    (csv->count + 1) * sizeof *rows);
@@ -86,25 +93,25 @@ static bool add_row(struct csv *csv, char *line, size_t number,
         csv->rows = rows;
     if (!rows || !fields) {
         free(fields);
-        return fail(csv, number, "no memory", error);
+        return fail_whole(csv, "no memory", diagnostics);
     }
     rows[csv->count++] = (struct csv_row){ number, fields };
-    return cut(csv, line, number, fields, error);
+    return cut(csv, line, number, fields, diagnostics);
 }
 
 static bool check_head(const struct csv *csv, const char *const *columns,
-                       c205_error *error)
+                       struct diagnostics *diagnostics)
 {
     if (csv->count == 0)
-        return fail(csv, 0, "holds no table", error);
+        return fail_whole(csv, "holds no table", diagnostics);
     for (size_t i = 0; i < csv->columns; i++)
         if (strcmp(csv->rows[0].fields[i], columns[i]) != 0)
-            return fail(csv, csv->rows[0].line, "other columns are expected",
-                        error);
+            return csv_wrong(csv, &csv->rows[0], i,
+                             "another column is expected", diagnostics);
     return true;
 }
 
-static bool read_rows(struct csv *csv, c205_error *error)
+static bool read_rows(struct csv *csv, struct diagnostics *diagnostics)
 {
     size_t number = 0;
 
@@ -114,24 +121,24 @@ static bool read_rows(struct csv *csv, c205_error *error)
             *next++ = '\0';
         number++;
         if (*line != '\0' && *line != '#'
-            && !add_row(csv, line, number, error))
+            && !add_row(csv, line, number, diagnostics))
             return false;
     }
     return true;
 }
 
 bool csv_read(struct csv *csv, const char *path, const char *const *columns,
-              size_t count, c205_error *error)
+              size_t count, struct diagnostics *diagnostics)
 {
     *csv = (struct csv){ .columns = count };
     csv->path = malloc(strlen(path) + 1);
     if (!csv->path) {
-        snprintf(error->message, sizeof error->message, "no memory");
+        csv->path = NULL;
         return false;
     }
     strcpy(csv->path, path);
-    if (!read_text(csv, error) || !read_rows(csv, error)
-        || !check_head(csv, columns, error))
+    if (!read_text(csv, diagnostics) || !read_rows(csv, diagnostics)
+        || !check_head(csv, columns, diagnostics))
         return false;
     free(csv->rows[0].fields);
     csv->count--;
@@ -145,16 +152,25 @@ void csv_free(struct csv *csv)
         free(csv->rows[i].fields);
     free(csv->rows);
     free(csv->text);
+    free(csv->source);
     free(csv->path);
     *csv = (struct csv){ 0 };
 }
 
+bool csv_wrong(const struct csv *csv, const struct csv_row *row, size_t field,
+               const char *message, struct diagnostics *diagnostics)
+{
+    return fail(csv, row->line, row->fields[field], message, diagnostics);
+}
+
 bool csv_positive(const struct csv *csv, const struct csv_row *row,
-                  size_t field, double *value, c205_error *error)
+                  size_t field, double *value,
+                  struct diagnostics *diagnostics)
 {
     char *end;
 
     *value = strtod(row->fields[field], &end);
     return (end != row->fields[field] && *end == '\0' && *value > 0)
-           || fail(csv, row->line, "a positive number is expected", error);
+           || csv_wrong(csv, row, field, "a positive number is expected",
+                        diagnostics);
 }

@@ -208,14 +208,16 @@ static bool set_unit(struct observation *item, const struct run *run,
 
 static bool read_row(struct observations *all, const struct csv *file,
                      const struct csv_row *row,
-                     const struct run_options *options, c205_error *error)
+                     const struct run_options *options,
+                     struct diagnostics *diagnostics)
 {
+    c205_error error;
     struct observation *items = grown(all->items, all->count, sizeof *items);
     struct observation *item;
     const struct run *run;
 
     if (!items)
-        return fail(error, "%s", "no memory");
+        return csv_wrong(file, row, NAME, "no memory", diagnostics);
     all->items = items;
     item = &items[all->count++];
     *item = (struct observation){ .name = row->fields[NAME],
@@ -225,28 +227,37 @@ static bool read_row(struct observations *all, const struct csv *file,
                                   .source = row->fields[SOURCE],
                                   .fit = strcmp(row->fields[USE], "fit")
                                          == 0 };
-    return csv_positive(file, row, VALUE, &item->value, error)
-           && csv_positive(file, row, UNCERTAINTY, &item->uncertainty, error)
-           && add_terms(all, item, options, &run, error)
-           && set_unit(item, run, error);
+    return csv_positive(file, row, VALUE, &item->value, diagnostics)
+           && csv_positive(file, row, UNCERTAINTY, &item->uncertainty,
+                           diagnostics)
+           && (add_terms(all, item, options, &run, &error)
+               || csv_wrong(file, row, PROGRAM, error.message, diagnostics))
+           && (set_unit(item, run, &error)
+               || csv_wrong(file, row, UNIT, error.message, diagnostics));
 }
 
 bool observations_read(struct observations *all, const char *path,
-                       const struct run_options *options, c205_error *error)
+                       const struct run_options *options,
+                       struct diagnostics *diagnostics)
 {
     struct csv *files = grown(all->files, all->file_count, sizeof *files);
     struct csv *file;
+    bool good = true;
 
-    if (!files)
-        return fail(error, "%s", "no memory");
+    if (!files) {
+        const struct position whole = { .file = path };
+
+        diagnostics_add(diagnostics, SEVERITY_ERROR, &whole, "no memory");
+        return false;
+    }
     all->files = files;
     file = &files[all->file_count++];
-    if (!csv_read(file, path, columns, FIELDS, error))
+    if (!csv_read(file, path, columns, FIELDS, diagnostics))
         return false;
     for (size_t i = 0; i < file->count; i++)
-        if (!read_row(all, file, &file->rows[i], options, error))
-            return false;
-    return true;
+        good = read_row(all, file, &file->rows[i], options, diagnostics)
+               && good;
+    return good;
 }
 
 void observations_free(struct observations *all)

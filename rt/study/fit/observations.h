@@ -60,7 +60,8 @@ struct observations {
 /* Zero it to begin.  Add the observations of a file and run their programs.
  * False: the error says why. */
 bool observations_read(struct observations *observations, const char *path,
-                       const struct run_options *options, c205_error *error);
+                       const struct run_options *options,
+                       struct diagnostics *diagnostics);
 void observations_free(struct observations *observations);
 
 /* From the clocks of each timing's regions. */
