@@ -1,5 +1,7 @@
 #include "asm/disassemble.h"
 
+#include "base/array.h"
+
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,19 +40,15 @@ struct disassembler {
 static void add_address(struct disassembler *disassembler,
                         struct addresses *addresses, uint64_t address)
 {
-    size_t capacity = addresses->capacity ? 2 * addresses->capacity : 256;
-    uint64_t *items;
+    uint64_t *items = array_grow(addresses->items, addresses->count,
+                                 sizeof *items);
 
-    if (addresses->count == addresses->capacity) {
-        items = realloc(addresses->items, capacity * sizeof *items);
-        if (!items) {
-            disassembler->failed = true;
-            return;
-        }
-        addresses->items = items;
-        addresses->capacity = capacity;
+    if (!items) {
+        disassembler->failed = true;
+        return;
     }
-    addresses->items[addresses->count++] = address;
+    addresses->items = items;
+    items[addresses->count++] = address;
 }
 
 static int compare_addresses(const void *a, const void *b)

@@ -1,17 +1,14 @@
 #include "asm/assembler.h"
 
+#include "base/hash.h"
+
 #include <ctype.h>
 #include <string.h>
 
-/* FNV-1a */
-static size_t hash(const char *name, size_t length)
+static size_t bucket_of(const char *name, size_t length)
 {
-    uint32_t sum = 2166136261u;
-    size_t i;
-
-    for (i = 0; i < length; i++)
-        sum = (sum ^ (unsigned char)name[i]) * 16777619u;
-    return sum % SYMBOL_BUCKETS;
+    return hash_bytes(HASH_START, (const unsigned char *)name, length)
+           % SYMBOL_BUCKETS;
 }
 
 struct symbol *symbol_find(const struct assembler *assembler,
@@ -19,7 +16,7 @@ struct symbol *symbol_find(const struct assembler *assembler,
 {
     struct symbol *symbol;
 
-    symbol = assembler->symbols.buckets[hash(name, length)];
+    symbol = assembler->symbols.buckets[bucket_of(name, length)];
     while (symbol
            && (symbol->length != length
                || memcmp(symbol->name, name, length) != 0))
@@ -30,7 +27,8 @@ struct symbol *symbol_find(const struct assembler *assembler,
 struct symbol *symbol_intern(struct assembler *assembler, const char *name,
                              size_t length)
 {
-    struct symbol **bucket = &assembler->symbols.buckets[hash(name, length)];
+    struct symbol **bucket = &assembler->symbols
+                                  .buckets[bucket_of(name, length)];
     struct symbol *symbol = symbol_find(assembler, name, length);
 
     if (symbol)

@@ -1,6 +1,8 @@
 /* accounts.c - see accounts.h. */
 #include "base/accounts.h"
 
+#include "base/array.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -52,8 +54,8 @@ const c205_account *accounts_find(const struct accounts *accounts,
 
 static c205_account *new_account(struct accounts *accounts, const char *name)
 {
-    c205_account *items = realloc(accounts->items,
-                                  (accounts->count + 1) * sizeof *items);
+    c205_account *items = array_grow(accounts->items, accounts->count,
+                                     sizeof *items);
     char *copy = malloc(strlen(name) + 1);
     if (items) {
         accounts->items = items;

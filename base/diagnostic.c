@@ -1,5 +1,7 @@
 #include "base/diagnostic.h"
 
+#include "base/array.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,22 +25,17 @@ static void free_item(struct diagnostic *item)
     free(item->source);
 }
 
-/* The array's room is its count rounded up to a power of two. */
 static struct diagnostic *keep(struct diagnostics *diagnostics,
                                const struct diagnostic *item)
 {
-    size_t n = diagnostics->count;
+    struct diagnostic *items = array_grow(diagnostics->items,
+                                          diagnostics->count, sizeof *items);
 
-    if ((n & (n - 1)) == 0) {
-        size_t room = n ? 2 * n : 1;
-        struct diagnostic *items = realloc(diagnostics->items,
-                                           room * sizeof *items);
-        if (!items)
-            return NULL;
-        diagnostics->items = items;
-    }
-    diagnostics->items[n] = *item;
-    return &diagnostics->items[diagnostics->count++];
+    if (!items)
+        return NULL;
+    diagnostics->items = items;
+    items[diagnostics->count] = *item;
+    return &items[diagnostics->count++];
 }
 
 void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,

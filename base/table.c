@@ -1,6 +1,8 @@
 /* table.c - see table.h. */
 #include "base/table.h"
 
+#include "base/array.h"
+
 #include <float.h>
 #include <inttypes.h>
 #include <math.h>
@@ -23,7 +25,7 @@ struct cell {
 struct table {
     const struct table_column *columns;
     size_t column_count;
-    size_t cell_count, room;
+    size_t cell_count;
     struct cell *cells;
     bool failed;
 };
@@ -52,14 +54,10 @@ void table_free(struct table *table)
 
 static bool make_room(struct table *table)
 {
-    if (table->cell_count < table->room) {
-        return true;
-    }
-    size_t room = table->room ? 2 * table->room : FIRST_ROOM;
-    struct cell *cells = realloc(table->cells, room * sizeof *cells);
+    struct cell *cells = array_grow(table->cells, table->cell_count,
+                                    sizeof *cells);
     if (cells) {
         table->cells = cells;
-        table->room = room;
     }
     return cells != NULL;
 }

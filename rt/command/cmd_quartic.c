@@ -241,7 +241,7 @@ static int compare_rules(const struct cmd_arguments *arguments,
 
 static int run(const struct cmd_arguments *arguments, struct json *json)
 {
-    struct polynomials polynomials = { 0, 0, NULL, NULL };
+    struct polynomials polynomials = { 0, NULL, NULL };
     struct diagnostics reports = { 0 };
     int code = CMD_FAILED;
 

@@ -1,5 +1,7 @@
 #include "rt/roots/polynomials.h"
 
+#include "base/array.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -146,21 +148,18 @@ static bool is_heading(struct line line)
 static bool add(struct polynomials *polynomials, size_t line,
                 const struct polynomial *polynomial)
 {
-    if (polynomials->count == polynomials->room) {
-        size_t room = polynomials->room > 0 ? 2 * polynomials->room : 64;
-        struct polynomial *items = realloc(polynomials->items,
-                                           room * sizeof *items);
-        size_t *lines;
+    size_t n = polynomials->count;
+    struct polynomial *items = array_grow(polynomials->items, n,
+                                          sizeof *items);
+    size_t *lines;
 
-        if (!items)
-            return false;
-        polynomials->items = items;
-        lines = realloc(polynomials->lines, room * sizeof *lines);
-        if (!lines)
-            return false;
-        polynomials->lines = lines;
-        polynomials->room = room;
-    }
+    if (!items)
+        return false;
+    polynomials->items = items;
+    lines = array_grow(polynomials->lines, n, sizeof *lines);
+    if (!lines)
+        return false;
+    polynomials->lines = lines;
     polynomials->lines[polynomials->count] = line;
     polynomials->items[polynomials->count++] = *polynomial;
     return true;

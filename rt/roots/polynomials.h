@@ -14,7 +14,7 @@
 
 /* Zero it to begin. */
 struct polynomials {
-    size_t count, room;
+    size_t count;
     struct polynomial *items;
     size_t *lines; /* of the file, from 1 */
 };

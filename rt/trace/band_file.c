@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "rt/trace/checksum.h"
+#include "base/hash.h"
 
 /* A file is a list of 64-bit words, the highest byte first: the magic word,
  * the key, the width; then for each band the number of words that follow, the
@@ -175,9 +175,7 @@ static bool read_words(FILE *stream, struct words *words)
         put(words, word);
     }
     return !words->failed && read_word(stream, &word)
-           && word
-                  == checksum_words(CHECKSUM_BEGIN, words->items,
-                                    words->count);
+           && word == hash_words(HASH_START, words->items, words->count);
 }
 
 static bool grow(struct band **bands, size_t count)
@@ -305,8 +303,7 @@ bool band_file_add(struct band_file *file, const struct band *band,
         good = write_word(file->stream, words.items[i]);
     good = good
            && write_word(file->stream,
-                         checksum_words(CHECKSUM_BEGIN, words.items,
-                                        words.count))
+                         hash_words(HASH_START, words.items, words.count))
            && fflush(file->stream) == 0;
     if (!good)
         snprintf(error->message, sizeof error->message,
@@ -342,13 +339,13 @@ static bool add_to_key(void *context, const void *bytes, size_t count)
 {
     uint64_t *key = context;
 
-    *key = checksum_bytes(*key, bytes, count);
+    *key = hash_bytes(*key, bytes, count);
     return true;
 }
 
 uint64_t band_file_key(const c205 *machine)
 {
-    uint64_t key = CHECKSUM_BEGIN;
+    uint64_t key = HASH_START;
     c205_error error;
 
     return c205_save(machine, add_to_key, &key, &error) ? key : 0;

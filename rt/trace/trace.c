@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "rt/trace/band_file.h"
-#include "rt/trace/checksum.h"
+#include "base/hash.h"
 #include "rt/layout/program.h"
 
 struct trace {
@@ -426,8 +426,8 @@ bool trace_read(const struct trace *trace, struct frame *frame,
 
 uint64_t trace_checksum(const struct trace *trace)
 {
-    return checksum_words(CHECKSUM_BEGIN, trace->words,
-                          FRAME_CHANNELS * pixels_of(trace));
+    return hash_words(HASH_START, trace->words,
+                      FRAME_CHANNELS * pixels_of(trace));
 }
 
 const struct accounts *trace_accounts(const struct trace *trace)

@@ -1,23 +1,10 @@
 /* object.c - solids, their primitives, and lights under construction. */
 #include "rt/scene/language/object.h"
 
+#include "base/array.h"
+
 #include <stdlib.h>
 #include <string.h>
-
-bool array_room(void **items, size_t *room, size_t count, size_t size)
-{
-    size_t wanted = *room ? 2 * *room : 1;
-    void *grown;
-
-    if (count < *room)
-        return true;
-    grown = realloc(*items, wanted * size);
-    if (!grown)
-        return false;
-    *items = grown;
-    *room = wanted;
-    return true;
-}
 
 void pigment_move(struct pigment *pigment, const struct placement *step)
 {
@@ -26,28 +13,28 @@ void pigment_move(struct pigment *pigment, const struct placement *step)
 
 static bool add_part(struct object *object, const struct part *part)
 {
-    void *parts = object->parts;
-    bool room = array_room(&parts, &object->part_room, object->part_count,
-                           sizeof *part);
+    struct part *parts = array_grow(object->parts, object->part_count,
+                                    sizeof *parts);
 
+    if (!parts)
+        return false;
     object->parts = parts;
-    if (room)
-        object->parts[object->part_count++] = *part;
-    return room;
+    parts[object->part_count++] = *part;
+    return true;
 }
 
 static bool add_branch(struct object *object, enum tree_operation operation,
                        size_t size)
 {
-    void *branches = object->branches;
-    bool room = array_room(&branches, &object->branch_room,
-                           object->branch_count, sizeof *object->branches);
+    struct branch *branches = array_grow(object->branches,
+                                         object->branch_count,
+                                         sizeof *branches);
 
+    if (!branches)
+        return false;
     object->branches = branches;
-    if (room)
-        object->branches[object->branch_count++] = (struct branch){ operation,
-                                                                    size };
-    return room;
+    branches[object->branch_count++] = (struct branch){ operation, size };
+    return true;
 }
 
 bool object_add_primitive(struct object *object,
@@ -62,14 +49,14 @@ bool object_add_primitive(struct object *object,
 
 bool object_add_light(struct object *object, const struct light *light)
 {
-    void *lights = object->lights;
-    bool room = array_room(&lights, &object->light_room, object->light_count,
-                           sizeof *light);
+    struct light *lights = array_grow(object->lights, object->light_count,
+                                      sizeof *lights);
 
+    if (!lights)
+        return false;
     object->lights = lights;
-    if (room)
-        object->lights[object->light_count++] = *light;
-    return room;
+    lights[object->light_count++] = *light;
+    return true;
 }
 
 static void inherit(struct part *part, const struct object *object)

@@ -32,11 +32,11 @@ struct branch {
 };
 
 struct object {
-    size_t part_count, part_room;
+    size_t part_count;
     struct part *parts;
-    size_t branch_count, branch_room;
+    size_t branch_count;
     struct branch *branches;
-    size_t light_count, light_room;
+    size_t light_count;
     struct light *lights;
     enum joining joining;
     size_t child_count; /* lights counted */
@@ -65,8 +65,5 @@ bool object_invert(struct object *object);
 bool object_copy(struct object *copy, const struct object *object);
 void object_move(struct object *object, const struct placement *step);
 void scene_object_free(struct object *object);
-
-/* Room for one more element in an array that grows by doubling. */
-bool array_room(void **items, size_t *room, size_t count, size_t size);
 
 #endif

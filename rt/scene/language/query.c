@@ -1,6 +1,7 @@
 /* query.c - what scenes ask for. */
 #include "rt/scene/language/query.h"
 
+#include "base/array.h"
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/element.h"
 #include "rt/scene/language/string_value.h"
@@ -170,7 +171,7 @@ static bool read_seed(struct reader *reader, double *value)
 {
     const double most = 2147483648.;
     struct token at = reader->token;
-    void *seeds = reader->seeds;
+    uint32_t *seeds;
     double seed;
 
     if (!read_full_number(reader, &seed))
@@ -180,8 +181,8 @@ static bool read_seed(struct reader *reader, double *value)
     if (reader->seed_count == SEEDS_MOST)
         return reader_fault(reader, &at, "more than %d random streams",
                             SEEDS_MOST);
-    if (!array_room(&seeds, &reader->seed_room, reader->seed_count,
-                    sizeof *reader->seeds))
+    seeds = array_grow(reader->seeds, reader->seed_count, sizeof *seeds);
+    if (!seeds)
         return reader_no_memory(reader);
     reader->seeds = seeds;
     reader->seeds[reader->seed_count] = (uint32_t)(int32_t)seed;

@@ -65,7 +65,7 @@ struct reader {
     struct condition conditions[CONDITIONS_MOST];
     size_t cells;    /* of all arrays */
     uint32_t *seeds; /* of the streams of random numbers */
-    size_t seed_count, seed_room;
+    size_t seed_count;
     double version; /* by #version */
 
     struct symbols symbols;

@@ -1,6 +1,8 @@
 /* symbol.c - the table of declared names. */
 #include "rt/scene/language/symbol.h"
 
+#include "base/hash.h"
+
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,14 +17,10 @@ struct symbol {
     char name[]; /* not ended */
 };
 
-/* FNV-1a, 32 bits. */
 static size_t bucket_of(const char *name, size_t length)
 {
-    uint32_t hash = 2166136261u;
-
-    for (size_t i = 0; i < length; i++)
-        hash = (hash ^ (unsigned char)name[i]) * 16777619u;
-    return hash % SYMBOL_BUCKETS;
+    return hash_bytes(HASH_START, (const unsigned char *)name, length)
+           % SYMBOL_BUCKETS;
 }
 
 static bool has_name(const struct symbol *symbol, const char *name,

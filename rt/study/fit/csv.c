@@ -1,5 +1,6 @@
 #include "rt/study/fit/csv.h"
 
+#include "base/array.h"
 #include "base/file.h"
 
 #include <stdio.h>
@@ -85,8 +86,7 @@ static bool cut(struct csv *csv, char *line, size_t number, char **fields,
 static bool add_row(struct csv *csv, char *line, size_t number,
                     struct diagnostics *diagnostics)
 {
-    struct csv_row *rows = realloc(csv->rows,
-                                   (csv->count + 1) * sizeof *rows);
+    struct csv_row *rows = array_grow(csv->rows, csv->count, sizeof *rows);
     char **fields = calloc(csv->columns, sizeof *fields);
 
     if (rows)

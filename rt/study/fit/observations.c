@@ -1,5 +1,7 @@
 #include "rt/study/fit/observations.h"
 
+#include "base/array.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,12 +30,6 @@ static bool fail(c205_error *error, const char *what, const char *name)
     return false;
 }
 
-/* Room for one more; NULL: no memory. */
-static void *grown(void *items, size_t count, size_t size)
-{
-    return realloc(items, (count + 1) * size);
-}
-
 /* ---- Runs, models, timings: each once ----------------------------------- */
 
 static const struct run *find_run(struct observations *all,
@@ -47,7 +43,7 @@ static const struct run *find_run(struct observations *all,
         if (strcmp(all->runs[i]->program, program) == 0)
             return all->runs[i];
     fail(error, "%s", "no memory");
-    runs = grown(all->runs, all->run_count, sizeof *runs);
+    runs = array_grow(all->runs, all->run_count, sizeof *runs);
     if (!runs)
         return NULL;
     all->runs = runs;
@@ -80,7 +76,7 @@ static const c205_model *find_model(struct observations *all,
         if (strcmp(c205_model_name(all->models[i]), name) == 0)
             return all->models[i];
     fail(error, "%s", "no memory");
-    models = grown(all->models, all->model_count, sizeof *models);
+    models = array_grow(all->models, all->model_count, sizeof *models);
     if (!models)
         return NULL;
     all->models = models;
@@ -100,7 +96,7 @@ static bool find_timing(struct observations *all, const struct run *run,
         if (all->timings[*found].run == run
             && all->timings[*found].model == model)
             return true;
-    timings = grown(all->timings, all->timing_count, sizeof *timings);
+    timings = array_grow(all->timings, all->timing_count, sizeof *timings);
     if (!timings)
         return fail(error, "%s", "no memory");
     all->timings = timings;
@@ -212,7 +208,8 @@ static bool read_row(struct observations *all, const struct csv *file,
                      struct diagnostics *diagnostics)
 {
     c205_error error;
-    struct observation *items = grown(all->items, all->count, sizeof *items);
+    struct observation *items = array_grow(all->items, all->count,
+                                           sizeof *items);
     struct observation *item;
     const struct run *run;
 
@@ -240,7 +237,8 @@ bool observations_read(struct observations *all, const char *path,
                        const struct run_options *options,
                        struct diagnostics *diagnostics)
 {
-    struct csv *files = grown(all->files, all->file_count, sizeof *files);
+    struct csv *files = array_grow(all->files, all->file_count,
+                                   sizeof *files);
     struct csv *file;
     bool good = true;
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/accounts.h"
+#include "base/array.h"
 
 /* ---- What is measured ---------------------------------------------------- */
 
@@ -242,8 +243,8 @@ const c205_model *sweep_model(struct sweep *sweep,
                               const c205_setting *settings, size_t count,
                               c205_error *error)
 {
-    c205_model **models = realloc(sweep->models,
-                                  (sweep->model_count + 1) * sizeof(*models));
+    c205_model **models = array_grow(sweep->models, sweep->model_count,
+                                     sizeof *models);
 
     snprintf(error->message, sizeof error->message, "no memory");
     if (!models)

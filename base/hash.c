@@ -1,16 +1,15 @@
-#include "rt/trace/checksum.h"
+#include "base/hash.h"
 
 #define PRIME UINT64_C(0x100000001B3)
 
-uint64_t checksum_bytes(uint64_t sum, const unsigned char *bytes,
-                        size_t count)
+uint64_t hash_bytes(uint64_t sum, const unsigned char *bytes, size_t count)
 {
     for (size_t i = 0; i < count; i++)
         sum = (sum ^ bytes[i]) * PRIME;
     return sum;
 }
 
-uint64_t checksum_words(uint64_t sum, const uint64_t *words, size_t count)
+uint64_t hash_words(uint64_t sum, const uint64_t *words, size_t count)
 {
     for (size_t i = 0; i < count; i++)
         for (unsigned shift = 64; shift > 0; shift -= 8)

@@ -1,0 +1,13 @@
+#include "base/array.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+void *array_grow(void *items, size_t count, size_t item_size)
+{
+    if ((count & (count - 1)) != 0)
+        return items;
+    if (count > SIZE_MAX / 2 / item_size)
+        return NULL;
+    return realloc(items, (count ? 2 * count : 1) * item_size);
+}

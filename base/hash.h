@@ -1,0 +1,16 @@
+/* hash.h - 64-bit FNV-1a, begun with HASH_START and gone on with.
+ * Source: Fowler, Noll and Vo; draft-eastlake-fnv.
+ */
+#ifndef BASE_HASH_H
+#define BASE_HASH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define HASH_START UINT64_C(0xCBF29CE484222325)
+
+uint64_t hash_bytes(uint64_t sum, const unsigned char *bytes, size_t count);
+/* Of each word the highest byte first. */
+uint64_t hash_words(uint64_t sum, const uint64_t *words, size_t count);
+
+#endif
