@@ -9,6 +9,7 @@ BUILD ?= build
 OPT ?= -O3
 CFLAGS ?= -g
 CXXFLAGS ?= -g
+VERSION = 0.6.0
 PREFIX ?= /usr/local
 LIBDIR = $(PREFIX)/lib/rt205
 WASM_CC ?= clang --target=wasm32-wasi --sysroot=/usr
@@ -38,6 +39,16 @@ objects = $(patsubst %.c,$(BUILD)/%.o,$(1))
 libraries = $(addprefix $(BUILD)/,librt205.a libc205asm.a libbase.a libc205.a)
 programs = $(BUILD)/c205 $(BUILD)/rt205
 adapter = $(BUILD)/rt205_oiio.so
+# What is installed of them: three libraries, each with the names of these headers
+# alone, and with its own copy of what it needs of base.
+api = $(BUILD)/api
+vm_api = vm/c205.h vm/insn.def
+asm_api = $(addprefix asm/,assemble.h disassemble.h expect.h listing.h object.h \
+	print.h state.h) base/diagnostic.h base/sink.h
+rt_api = $(addprefix rt/,scene/scene.h scene/language/scene_read.h \
+	layout/layout.h picture/picture.h trace/band.h trace/observer.h \
+	trace/trace.h trace/vector_use.h trace/visible.h) \
+	$(addprefix base/,accounts.h json.h table.h)
 unit_tests = $(patsubst tests/unit/%.c,$(BUILD)/tests/unit/%,\
 	$(wildcard tests/unit/test_*.c))
 oracles = $(BUILD)/tests/oracle/check_arithmetic \
@@ -312,13 +323,52 @@ lint:
 		--suppressions-list=.ci/cppcheck.suppressions --error-exitcode=1 \
 		-I. vm base asm rt
 
-install: all
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib \
-		$(DESTDIR)$(PREFIX)/include $(DESTDIR)$(LIBDIR)
+$(api)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
+$(api)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
+		$(BUILD)/libbase.a
+$(api)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
+		$(BUILD)/rt/scene_texts.o $(BUILD)/libbase.a
+$(api)/libc205.a: headers = $(vm_api)
+$(api)/libc205asm.a: headers = $(asm_api)
+$(api)/librt205.a: headers = $(rt_api)
+$(api)/%.a: .ci/export.sh
+	@mkdir -p $(@D)
+	sh .ci/export.sh $@ $(headers) -- $(filter %.o %.a,$^)
+
+# NAME, what it is, what it requires, its library, those it needs.
+define pc
+prefix=$(PREFIX)
+libdir=$${prefix}/lib
+includedir=$${prefix}/include/c205
+
+Name: $(1)
+Description: $(2)
+Version: $(VERSION)
+Requires: $(3)
+Libs: -L$${libdir} -l$(1)
+Libs.private: $(4)
+Cflags: -I$${includedir} -I$${includedir}/vm
+endef
+$(api)/c205.pc: text = $(call pc,c205,A CYBER 205 style machine,,-lm)
+$(api)/c205asm.pc: text = $(call pc,c205asm,Its assembler,c205,)
+$(api)/rt205.pc: text = $(call pc,rt205,A ray tracer on it,c205asm,-lm -ldl -lpthread)
+$(api)/%.pc: Makefile
+	@mkdir -p $(@D)
+	$(file >$@,$(text))
+
+installed = $(addprefix $(api)/,libc205.a libc205asm.a librt205.a)
+installed_pc = $(addprefix $(api)/,c205.pc c205asm.pc rt205.pc)
+
+install: all $(installed) $(installed_pc)
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(LIBDIR) \
+		$(DESTDIR)$(PREFIX)/lib/pkgconfig
 	install $(programs) $(DESTDIR)$(PREFIX)/bin
-	install -m 644 $(BUILD)/libc205.a $(DESTDIR)$(PREFIX)/lib
-	install -m 644 vm/c205.h vm/insn.def $(DESTDIR)$(PREFIX)/include
 	install -m 644 $(adapter) $(DESTDIR)$(LIBDIR)
+	install -m 644 $(installed) $(DESTDIR)$(PREFIX)/lib
+	install -m 644 $(installed_pc) $(DESTDIR)$(PREFIX)/lib/pkgconfig
+	for header in $(vm_api) $(asm_api) $(rt_api); do \
+		install -D -m 644 $$header \
+			$(DESTDIR)$(PREFIX)/include/c205/$$header; done
 
 clean:
 	rm -rf $(BUILD)

@@ -1,10 +1,13 @@
 #!/bin/sh
 # check_install.sh BUILD MAKE - what make install puts into a folder is all
-# that is needed: rt205 finds its adapter there, and a C program that has only
-# the header, the table and the library runs a program of the machine.
+# that is needed: rt205 finds its adapter there, and C programs that have only
+# the headers, the libraries and pkg-config's files run a program of the machine,
+# assemble one and trace a scene.  The libraries have no names but those of the
+# headers, and each header stands by itself.
 set -u
 build=$1 make=$2
 scene=$(pwd)/scenes/first.pov
+clients=$(pwd)/tests/install
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 root=$work/root/usr
@@ -20,40 +23,6 @@ succeeds() { # COMMAND ..
     fi
 }
 
-cat >"$work/client.c" <<'END'
-#include <c205.h>
-#include <stdio.h>
-#include <string.h>
-
-static c205_word insn(const char *mnemonic, c205_fields fields)
-{
-    return c205_encode(c205_insn_named(mnemonic, strlen(mnemonic)), &fields);
-}
-
-int main(void)
-{
-    c205_error error = { "" };
-    const c205_word code[] = {
-        insn("EX", (c205_fields){ .r = 16, .immediate = 205 }),
-        insn("EXIT", (c205_fields){ .r = 16 })
-    };
-    const c205_segment segment = { 0x400000, 2, code };
-    const c205_program program = { 0x400000, 1, &segment, 0, NULL };
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
-    c205 *machine = model ? c205_new(model, &error) : NULL;
-
-    if (!machine || !c205_load(machine, &program, &error)) {
-        puts(error.message);
-        return 1;
-    }
-    c205_stop stop = c205_run(machine, C205_NO_LIMIT);
-    printf("status %d after %d clocks\n", (int)stop.status,
-           (int)c205_clock(machine));
-    c205_free(machine);
-    c205_model_free(model);
-    return stop.trap == C205_TRAP_NONE && stop.status == 205 ? 0 : 1;
-}
-END
 
 succeeds "$make" --no-print-directory BUILD="$build" \
     DESTDIR="$work/root" PREFIX=/usr install
@@ -62,9 +31,48 @@ cd "$work" || exit 1
 succeeds "$root/bin/rt205" render "$scene" -o a.png -W 40 -H 30
 succeeds test -s a.png
 succeeds "$root/bin/c205" isa ADDNV
-succeeds "${CC:-cc}" -std=c99 -pedantic -Wall -Wextra -Werror \
-    -I"$root/include" -o client client.c -L"$root/lib" -lc205 -lm
-succeeds sh -c "./client >said"
-succeeds grep -q '^status 205 after [1-9][0-9]* clocks$' said
+export PKG_CONFIG_PATH="$root/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$work/root"
+
+client() { # NAME PACKAGE
+    # The compiler and its flags are words, so they are not quoted.
+    # shellcheck disable=SC2046,SC2086
+    succeeds ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror \
+        $(pkg-config --cflags "$2") -o "$1" "$clients/$1.c" \
+        $(pkg-config --static --libs "$2")
+    succeeds sh -c "./$1 >$1.txt"
+}
+
+client machine c205
+client program c205asm
+client scene rt205
+succeeds grep -q '^status 205 after [1-9][0-9]* clocks$' machine.txt
+succeeds grep -q '^status 205 after [1-9][0-9]* clocks$' program.txt
+# Both forms see the sphere, bit for bit alike.
+succeeds awk '{ hits += $2 > 100; last = sum; sum = $4 }
+    END { exit !(NR == 2 && hits == 2 && last == sum) }' scene.txt
+
+include=$root/include/c205
+(cd "$include" && find . -name '*.h') | while read -r header; do
+    echo "#include <${header#./}>"
+    echo "int main(void) { return 0; }"
+    echo "// end"
+done | awk '/^#/ { file = "header" ++n ".c" } !/^\/\/ end/ { print > file }'
+succeeds test -s header1.c
+for header in header*.c; do
+    succeeds ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror \
+        -I"$include" -I"$include/vm" -fsyntax-only "$header"
+done
+
+names() { # all words of the headers
+    find "$include" -type f -exec cat {} + | grep -oE '[A-Za-z_][A-Za-z_0-9]*' |
+        sort -u
+}
+for library in libc205 libc205asm librt205; do
+    nm -g --defined-only "$root/lib/$library.a" | awk 'NF == 3 { print $3 }' |
+        sort -u >names.txt
+    succeeds test -s names.txt
+    names | comm -13 - names.txt >extra.txt
+    succeeds diff /dev/null extra.txt
+done
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
