@@ -70,15 +70,16 @@ test_packages = $(build_packages) $(fit_packages) libcmocka-dev \
 
 # What check runs, and in what size: cases an operation, pairs of narrow words,
 # random programs, polynomials of a kind, tries a row of the table, compilers.
-check_parts = check-rooms check-unit check-programs check-bugs check-isa check-arithmetic \
-	check-narrow check-random check-quartic check-scenes check-commands \
-	check-install check-fit check-hosts wasm-check
+check_parts = check-rooms check-unit check-programs check-bugs check-isa \
+	check-docs check-arithmetic check-narrow check-random check-quartic \
+	check-scenes check-commands check-install check-fit check-hosts wasm-check
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 15000
 POLYNOMIALS ?= 600
 TRIES ?= 300
 HOSTS ?= quick
+DOCS ?= quick
 # So many compilers, unit tests and scenes at a time.
 JOBS ?= 2
 
@@ -108,6 +109,7 @@ check-long: export PROGRAMS = 200000
 check-long: export POLYNOMIALS = 10000
 check-long: export TRIES = 3000
 check-long: export HOSTS = full
+check-long: export DOCS = full
 check-long:
 	@sh .ci/need $(test_packages) valgrind
 	@sh tests/run_all.sh "$(MAKE)" $(check_parts) check-poison check-timing \
@@ -176,10 +178,11 @@ $(BUILD)/vm/number/lanes.o $(BUILD)/vm/number/halves.o \
 	$(BUILD)/vm/number/spans.o: \
 	C_FLAGS += -fno-trapping-math
 
-# The reference of the instructions.
-docs: $(BUILD)/c205
+# The reference of the instructions, and what the pages say is printed.
+docs: $(BUILD)/c205 $(programs) $(adapter)
 	$< isa --markdown >$(BUILD)/isa.md
 	@mv $(BUILD)/isa.md docs/isa.md
+	sh tests/check_docs.sh $(BUILD) full --write
 
 # --- tests ------------------------------------------------------------------
 
@@ -220,6 +223,9 @@ check-programs: $(BUILD)/c205
 
 check-isa: $(BUILD)/c205
 	sh tests/check_isa.sh $(BUILD)/c205
+
+check-docs: $(programs) $(adapter)
+	sh tests/check_docs.sh $(BUILD) $(DOCS)
 
 check-bugs: $(replays) $(BUILD)/c205
 	sh tests/run_bugs.sh $(BUILD)
@@ -373,8 +379,8 @@ install: all $(installed) $(installed_pc)
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo check check-long check-rooms check-unit check-programs check-bugs \
-	check-isa check-arithmetic check-narrow check-random check-quartic \
+.PHONY: all demo check check-long check-rooms check-unit check-programs \
+	check-bugs check-docs check-isa check-arithmetic check-narrow check-random check-quartic \
 	check-planted check-scenes check-commands check-install check-hosts \
 	check-poison check-timing check-fit fit cover cover-tests wasm-check docs \
 	san bench fuzz fuzz-targets format lint install clean

@@ -1,0 +1,95 @@
+#!/bin/sh
+# check_docs.sh BUILD quick|full [--write] - what the pages print is what the
+# commands print.  In a page, a comment
+#
+#     <!-- printed by: COMMAND -->        (or: <!-- printed slowly by: COMMAND -->)
+#
+# stands above an indented block, which must be the output of the command; the
+# shell runs it with the build's programs first in its path, and what comes
+# before its first " | " once for all blocks.  quick leaves out the slow ones.
+# --write puts the output into the pages instead.
+set -u
+build=$(cd "$1" && pwd) size=$2 write=${3:-}
+cd "$(dirname "$0")/.."
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+passed=0 failed=0
+PATH=$build:$PATH
+export PATH
+
+# The output of a command line, into $work/out.
+print() {
+    first=${1%%" | "*}
+    key=$(printf '%s' "$first" | cksum | tr ' ' _)
+    [ -f "$work/$key" ] || sh -c "$first" >"$work/$key" 2>&1
+    case $1 in
+    *" | "*) sh -c "${1#*" | "}" <"$work/$key" >"$work/out" 2>&1 ;;
+    *) cp "$work/$key" "$work/out" ;;
+    esac
+    sed -i 's/[ ]*$//' "$work/out"
+}
+
+# The page with its blocks cut into files block1 .. and their commands in
+# commands; the lines between them in the file page, a line "@N" for a block.
+cut_blocks() {
+    awk -v work="$work" -v size="$size" '
+        /^<!-- printed( slowly)? by: .* -->$/ {
+            print >(work "/page")
+            command = $0
+            sub(/^<!-- printed( slowly)? by: /, "", command)
+            sub(/ -->$/, "", command)
+            if (size == "full" || $0 !~ /^<!-- printed slowly/) {
+                print command >(work "/commands")
+                wanted = 1
+            }
+            next
+        }
+        wanted && !inside && /^$/ { print >(work "/page"); next }
+        wanted && /^(    |$)/ {
+            if (!inside) {
+                inside = 1
+                file = work "/block" ++n
+                printf "" >file
+                print "@" n >(work "/page")
+            }
+            if (/^$/) { gap = gap "\n"; next }
+            printf "%s%s\n", gap, substr($0, 5) >file
+            gap = ""
+            next
+        }
+        inside { inside = wanted = 0; printf "%s", gap >(work "/page"); gap = "" }
+        { print >(work "/page") }
+        END { printf "%s", gap >(work "/page") }' "$1"
+}
+
+for page in README.md docs/*.md docs/*/*.md; do
+    [ -f "$page" ] && grep -q '^<!-- printed' "$page" || continue
+    rm -f "$work/page" "$work/commands" "$work"/block*
+    cut_blocks "$page"
+    [ -f "$work/commands" ] || continue
+    n=0
+    while IFS= read -r command; do
+        n=$((n + 1))
+        print "$command" </dev/null
+        if diff "$work/block$n" "$work/out" >"$work/diff"; then
+            passed=$((passed + 1))
+        elif [ "$write" ]; then
+            echo "$page: written: $command"
+            cp "$work/out" "$work/block$n"
+        else
+            failed=$((failed + 1))
+            echo "FAIL $page: $command"
+            sed 's/^/    /' "$work/diff"
+        fi
+    done <"$work/commands"
+    [ "$write" ] && awk -v work="$work" '
+        /^@[0-9]+$/ {
+            file = work "/block" substr($0, 2)
+            while ((getline line < file) > 0)
+                print (line == "" ? "" : "    " line)
+            next
+        }
+        { print }' "$work/page" >"$work/new" && cp "$work/new" "$page"
+done
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
