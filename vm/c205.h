@@ -177,7 +177,7 @@ typedef struct c205_fields {
 c205_fields c205_decode(const c205_insn *insn, c205_word word);
 c205_word c205_encode(const c205_insn *insn, const c205_fields *fields);
 
-/* ---- Machine models (vm/time/model.c) -----------------------------------------
+/* ---- Machine models (vm/time/model.c) -----------------------------------
  *
  * A model is a text file of lines "name value unit source # remark"; the
  * sources are the letters P S D R of the instruction table, and F: fitted.
@@ -209,6 +209,13 @@ typedef struct c205_belief {
 c205_model *c205_model_find(const char *name, c205_error *error);
 c205_model *c205_model_parse(const char *name, const char *text,
                              c205_error *error);
+/* The same for who shows the line: the error's message is without its place,
+ * which is told apart; line 0: of no line. */
+typedef struct c205_place {
+    unsigned line, column; /* from 1 */
+} c205_place;
+c205_model *c205_model_read(const char *name, const char *text,
+                            c205_place *place, c205_error *error);
 void c205_model_free(c205_model *model);
 
 const char *c205_model_name(const c205_model *model);

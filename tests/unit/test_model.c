@@ -401,10 +401,41 @@ static void test_files(void **state)
     assert_string_equal(error.message, "there is no machine model ''");
 }
 
+static void assert_place(const char *text, unsigned line, unsigned column,
+                         const char *message)
+{
+    c205_error error;
+    c205_place place;
+    assert_null(c205_model_read("test", text, &place, &error));
+    assert_string_equal(error.message, message);
+    assert_int_equal(place.line, line);
+    assert_int_equal(place.column, column);
+}
+
+/* A column is that of the word at fault. */
+static void test_places(void **state)
+{
+    (void)state;
+    assert_place("title t\n  speed 3 clk R\n", 2, 3,
+                 "there is no constant 'speed'");
+    assert_place("title t\nclock.period x ns P\n", 2, 14,
+                 "'x' is not a number with at most six decimals");
+    assert_place("title t\nclock.period 20  clk P\n", 2, 18,
+                 "the unit of clock.period is ns, not 'clk'");
+    assert_place("title t\nclock.period 20 ns Q\n", 2, 20,
+                 "the source of clock.period must be P, S, D, R or F, "
+                 "not 'Q'");
+    assert_place("title t\nclock.period 20 ns P 7 # r\n", 2, 22,
+                 "'7' is not expected here");
+    assert_place("title t\nlike no\n", 2, 6,
+                 "there is no machine model 'no'");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_built_in),
+        cmocka_unit_test(test_places),
         cmocka_unit_test(test_variants),
         cmocka_unit_test(test_constants),
         cmocka_unit_test(test_exact_values),

@@ -35,23 +35,22 @@ static const char *const rate_units[] = { shared_rate, "clk/element",
                                           "clk/bit" };
 enum { RATE_UNITS = sizeof rate_units / sizeof rate_units[0] };
 
-struct reader {
+struct model_reader {
     c205_model *model;
-    unsigned line;
+    const char *line; /* that is being read .. */
+    const char *at;   /* .. and its last word */
+    c205_place place; /* of the line; the column that of an error */
     c205_error *error;
 };
 
-static bool fail(const struct reader *reader, const char *format, ...)
+static bool fail(struct model_reader *reader, const char *format, ...)
 {
-    char *message = reader->error->message;
-    size_t size = sizeof reader->error->message;
     va_list arguments;
     va_start(arguments, format);
-    int used = snprintf(message, size, "%.80s:%u: ", reader->model->name,
-                        reader->line);
-    if (used >= 0 && (size_t)used < size)
-        vsnprintf(message + used, size - (size_t)used, format, arguments);
+    vsnprintf(reader->error->message, sizeof reader->error->message, format,
+              arguments);
     va_end(arguments);
+    reader->place.column = (unsigned)(reader->at - reader->line) + 1;
     return false;
 }
 
@@ -68,20 +67,22 @@ static char *skip_blanks(char *at)
 }
 
 /* Cut the next word off a line; "" when there is none. */
-static char *next_word(char **line)
+static char *next_word(struct model_reader *reader, char **line)
 {
     char *word = skip_blanks(*line), *end = word;
     while (*end && !is_blank(*end))
         end++;
     *line = *end ? end + 1 : end;
     *end = '\0';
+    reader->at = word;
     return word;
 }
 
 /* What is left of a line, without the blanks around it. */
-static char *rest_of(char *line)
+static char *rest_of(struct model_reader *reader, char *line)
 {
     line = skip_blanks(line);
+    reader->at = line;
     size_t length = strlen(line);
     while (length > 0 && is_blank(line[length - 1]))
         line[--length] = '\0';
@@ -158,7 +159,7 @@ bool model_check_together(const c205_model *model, c205_error *error)
                             "vector.half_rate");
 }
 
-static bool check_value(const struct reader *reader, const struct rule *rule,
+static bool check_value(struct model_reader *reader, const struct rule *rule,
                         const char *text, uint64_t millionths)
 {
     c205_error why;
@@ -167,7 +168,7 @@ static bool check_value(const struct reader *reader, const struct rule *rule,
            || fail(reader, "%s", why.message);
 }
 
-static bool check_unit(const struct reader *reader, const struct rule *rule,
+static bool check_unit(struct model_reader *reader, const struct rule *rule,
                        const char *unit)
 {
     if (rule->kind != RATE)
@@ -191,7 +192,7 @@ bool model_find_rule(const c205_model *model, const char *name, size_t *index)
 }
 
 /* name value unit source # remark */
-static bool read_constant(const struct reader *reader, const char *name,
+static bool read_constant(struct model_reader *reader, const char *name,
                           char *line, char *remark)
 {
     c205_model *model = reader->model;
@@ -201,33 +202,36 @@ static bool read_constant(const struct reader *reader, const char *name,
     if (model->constant[i].line)
         return fail(reader, "%s is already given in line %u", name,
                     model->constant[i].line);
-    const char *text = next_word(&line), *unit = next_word(&line);
-    const char *source = next_word(&line);
     uint64_t millionths;
+    const char *text = next_word(reader, &line);
     if (!read_millionths(text, &millionths))
         return fail(reader,
                     "'%.20s' is not a number with at most six "
                     "decimals",
                     text);
-    if (!check_value(reader, &model->rules[i], text, millionths)
-        || !check_unit(reader, &model->rules[i], unit))
+    if (!check_value(reader, &model->rules[i], text, millionths))
         return false;
+    const char *unit = next_word(reader, &line);
+    if (!check_unit(reader, &model->rules[i], unit))
+        return false;
+    const char *source = next_word(reader, &line);
     if (strlen(source) != 1 || !strchr("PSDRF", *source))
         return fail(reader,
                     "the source of %s must be P, S, D, R or F, "
                     "not '%.20s'",
                     name, source);
-    if (*rest_of(line))
-        return fail(reader, "'%.40s' is not expected here", rest_of(line));
+    if (*rest_of(reader, line))
+        return fail(reader, "'%.40s' is not expected here",
+                    rest_of(reader, line));
     c205_constant shown = { model->rules[i].name,
                             text,
                             (double)millionths / MILLION,
                             unit,
                             *source,
-                            rest_of(remark) };
+                            rest_of(reader, remark) };
     model->constant[i].shown = shown;
     model->constant[i].millionths = millionths;
-    model->constant[i].line = reader->line;
+    model->constant[i].line = reader->place.line;
     return true;
 }
 
@@ -238,11 +242,12 @@ static void take_rules(c205_model *model, bool projection)
 }
 
 /* The times of another machine follow, with constants of their own. */
-static bool read_projection(const struct reader *reader, char *line)
+static bool read_projection(struct model_reader *reader, char *line)
 {
     c205_model *model = reader->model;
-    if (*rest_of(line))
-        return fail(reader, "'%.40s' is not expected here", rest_of(line));
+    if (*rest_of(reader, line))
+        return fail(reader, "'%.40s' is not expected here",
+                    rest_of(reader, line));
     for (size_t i = 0; i < model->count; i++)
         if (model->constant[i].shown.text)
             return fail(reader, "'projection' must stand before the "
@@ -252,11 +257,11 @@ static bool read_projection(const struct reader *reader, char *line)
 }
 
 /* Take over all constants of a built-in model. */
-static bool read_like(const struct reader *reader, char *line)
+static bool read_like(struct model_reader *reader, char *line)
 {
     c205_model *model = reader->model;
     c205_error why;
-    const char *name = rest_of(line);
+    const char *name = rest_of(reader, line);
     if (model_is_path(name))
         return fail(reader, "'like' names a built-in model");
     if (model->like)
@@ -279,16 +284,16 @@ static bool read_like(const struct reader *reader, char *line)
     return true;
 }
 
-static bool read_title(const struct reader *reader, char *line)
+static bool read_title(struct model_reader *reader, char *line)
 {
     if (reader->model->title)
         return fail(reader, "'title' stands here for the second time");
-    reader->model->title = rest_of(line);
+    reader->model->title = rest_of(reader, line);
     return true;
 }
 
 /* 13 figures, at most -56.1 % off: NAME */
-static bool read_belief(const struct reader *reader, const char *keyword,
+static bool read_belief(struct model_reader *reader, const char *keyword,
                         c205_belief *belief, char *line)
 {
     int used = 0;
@@ -297,7 +302,7 @@ static bool read_belief(const struct reader *reader, const char *keyword,
         return fail(reader, "'%s' stands here for the second time", keyword);
     sscanf(line, "%6u figures, at most %lf %% off: %n", &belief->figures,
            &belief->largest, &used);
-    belief->worst = rest_of(line + used);
+    belief->worst = rest_of(reader, line + used);
     return (used && *line != '-' && belief->figures
             && fabs(belief->largest) < MILLION && *belief->worst)
            || fail(reader,
@@ -305,14 +310,14 @@ static bool read_belief(const struct reader *reader, const char *keyword,
                    keyword);
 }
 
-static bool read_line(const struct reader *reader, char *line)
+static bool read_line(struct model_reader *reader, char *line)
 {
     char *remark = strchr(line, '#');
     if (remark)
         *remark++ = '\0';
     else
         remark = line + strlen(line);
-    const char *first = next_word(&line);
+    const char *first = next_word(reader, &line);
     if (!*first)
         return true;
     if (!strcmp(first, "title"))
@@ -330,7 +335,7 @@ static bool read_line(const struct reader *reader, char *line)
     return read_constant(reader, first, line, remark);
 }
 
-static bool check_complete(const struct reader *reader)
+static bool check_complete(struct model_reader *reader)
 {
     if (!reader->model->title)
         return fail(reader, "a model begins with 'title TEXT'");
@@ -344,21 +349,25 @@ static bool check_complete(const struct reader *reader)
            || fail(reader, "%s", why.message);
 }
 
-static bool read_model(c205_model *model, c205_error *error)
+static bool read_model(c205_model *model, c205_place *place,
+                       c205_error *error)
 {
-    struct reader reader = { model, 0, error };
+    struct model_reader reader = { .model = model, .error = error };
+    bool good = true;
     take_rules(model, false);
     char *line = model->text;
-    while (line) {
+    while (line && good) {
         char *end = strchr(line, '\n');
         if (end)
             *end = '\0';
-        reader.line++;
-        if (!read_line(&reader, line))
-            return false;
+        reader.place.line++;
+        reader.line = reader.at = line;
+        good = read_line(&reader, line);
         line = end ? end + 1 : NULL;
     }
-    return check_complete(&reader);
+    good = good && check_complete(&reader);
+    *place = reader.place;
+    return good;
 }
 
 void *model_out_of_memory(c205_error *error)
@@ -375,11 +384,11 @@ static char *copy_text(const char *text)
     return copy ? memcpy(copy, text, size) : NULL;
 }
 
-c205_model *c205_model_parse(const char *name, const char *text,
-                             c205_error *error)
+c205_model *c205_model_read(const char *name, const char *text,
+                            c205_place *place, c205_error *error)
 {
     c205_model *model = calloc(1, sizeof *model);
-    error->message[0] = '\0';
+    *place = (c205_place){ 0, 0 };
     if (!model)
         return model_out_of_memory(error);
     model->ticks = 1;
@@ -387,10 +396,24 @@ c205_model *c205_model_parse(const char *name, const char *text,
     model->text = copy_text(text);
     if (!model->name || !model->text)
         model_out_of_memory(error);
-    else if (read_model(model, error))
+    else if (read_model(model, place, error))
         return model;
     c205_model_free(model);
     return NULL;
+}
+
+c205_model *c205_model_parse(const char *name, const char *text,
+                             c205_error *error)
+{
+    c205_error why;
+    c205_place place;
+    c205_model *model = c205_model_read(name, text, &place, &why);
+    if (!model && place.line)
+        snprintf(error->message, sizeof error->message, "%.80s:%u: %.160s",
+                 name, place.line, why.message);
+    else if (!model)
+        *error = why;
+    return model;
 }
 
 void c205_model_free(c205_model *model)
