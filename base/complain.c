@@ -7,7 +7,7 @@
 static void complain(const char *command, const char *format, va_list list)
 {
     fflush(stdout);
-    fprintf(stderr, "%s %s: ", cmd_program, command);
+    fprintf(stderr, "%s: ", command);
     vfprintf(stderr, format, list);
     putc('\n', stderr);
 }
@@ -18,8 +18,7 @@ int cmd_usage(const char *command, const char *format, ...)
     va_start(list, format);
     complain(command, format, list);
     va_end(list);
-    fprintf(stderr, "%s %s --help tells how it is used\n", cmd_program,
-            command);
+    fprintf(stderr, "%s --help tells how it is used\n", command);
     return CMD_USAGE;
 }
 

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 /* Up to one byte more than the largest text. */
 static char *read_stream(FILE *file, size_t largest, size_t *length)
@@ -58,4 +59,30 @@ char *file_read(const char *path, size_t largest, size_t *length,
              why == EFBIG ? "this file is too large" : strerror(why));
     errno = why;
     return NULL;
+}
+
+/* The folder that a path names a file in, and the file's name there; false:
+ * there is no such folder. */
+static bool find_place(const char *path, struct stat *folder,
+                       const char **name)
+{
+    const char *slash = strrchr(path, '/');
+    char text[4096];
+    int length = !slash ? 0 : (int)(slash - path) + 1;
+
+    *name = path + length;
+    if (length >= (int)sizeof text)
+        return false;
+    snprintf(text, sizeof text, "%.*s.", length, path);
+    return stat(text, folder) == 0;
+}
+
+bool file_is_one(const char *a, const char *b)
+{
+    struct stat in_a, in_b;
+    const char *name_a, *name_b;
+
+    return find_place(a, &in_a, &name_a) && find_place(b, &in_b, &name_b)
+           && in_a.st_dev == in_b.st_dev && in_a.st_ino == in_b.st_ino
+           && strcmp(name_a, name_b) == 0;
 }

@@ -12,4 +12,8 @@ enum { FILE_LARGEST = (1 << 28) - 2 }; /* bytes */
 char *file_read(const char *path, size_t largest, size_t *length,
                 c205_error *error);
 
+/* Whether two paths name one file, however they are written; neither needs to
+ * be there. */
+bool file_is_one(const char *a, const char *b);
+
 #endif

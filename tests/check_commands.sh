@@ -153,13 +153,13 @@ tells out "^CNTOB "
 
 # what a command does with wrong arguments
 ends 2 "$build/c205" asm
-tells err 'name a file'
+tells err 'FILE is missing'
 ends 2 "$build/c205" model one two
 tells err 'too many arguments: two'
 ends 2 "$build/c205" run --limit
 tells err 'needs an argument'
 ends 2 "$build/c205" run --points good.s
-tells err 'is for other commands'
+tells err 'no such option: --points; it is for time'
 ends 2 "$build/c205" run good.s trap.s
 ends 2 "$build/c205" time NOPE
 tells err 'no such vector instruction: NOPE'
@@ -387,7 +387,7 @@ tells err 'missing.csv'
 ends 1 "$build/rt205" quartic good.csv --json missing/roots.json
 ends 1 "$build/rt205" quartic good.csv --model nonsense
 ends 2 "$build/rt205" quartic
-tells err 'name a file of polynomials'
+tells err 'FILE is missing: a file of polynomials'
 ends 2 "$build/rt205" quartic good.csv bad.csv
 ends 2 "$build/rt205" quartic good.csv --mode sideways
 ends 2 "$build/rt205" quartic good.csv --falsi nonsense
@@ -557,7 +557,7 @@ cmp -s out plain.json
 verdict $? "the JSON on stdout is lost with the plot"
 ends 2 sweep
 ends 2 sweep queue
-tells err "name what to sweep, then"
+tells err "SCENE|PRIMITIVE is missing"
 ends 2 sweep queue sphere cylinder
 tells err "too many arguments: cylinder"
 ends 2 sweep sideways sphere

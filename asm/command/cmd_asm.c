@@ -1,13 +1,14 @@
 /* cmd_asm.c - c205 asm: assemble a program. */
-#include "asm/command/cmd.h"
+#include "asm/command/c205_command.h"
 #include "asm/listing.h"
 #include "asm/object.h"
 
-int cmd_asm(const struct cmd_arguments *arguments)
+static int assemble(void *given)
 {
+    const struct cmd_arguments *arguments = given;
     c205_error error;
     struct sink report = stream_sink(stderr);
-    struct object *object = cmd_read_program(arguments, arguments->files[0],
+    struct object *object = cmd_read_program(arguments, arguments->file,
                                              &report);
     if (!object) {
         return CMD_FAILED;
@@ -24,3 +25,26 @@ int cmd_asm(const struct cmd_arguments *arguments)
     object_free(object);
     return code;
 }
+
+static const struct command_option options[] = {
+    { .name = "output",
+      .letter = 'o',
+      .value = "FILE",
+      .kind = COMMAND_OUTPUT,
+      .offset = CMD_PLACE(output),
+      .help = "write the object there" },
+    CMD_FLAG(listing, "print the listing"),
+    CMD_DEFINE,
+    CMD_INCLUDE,
+    COMMAND_END
+};
+static const struct command_option operands[] = { CMD_PROGRAM, COMMAND_END };
+
+const struct command asm_command = {
+    .name = "asm",
+    .summary = "assemble a program",
+    .function = assemble,
+    .options = options,
+    .operands = operands,
+    .details = "Looks for errors; nothing is written unless asked for.",
+};

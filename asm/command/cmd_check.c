@@ -1,7 +1,7 @@
 /* cmd_check.c - c205 run --check: test programs and what they expect. */
 #include <string.h>
 
-#include "asm/command/cmd.h"
+#include "asm/command/c205_command.h"
 #include "asm/expect.h"
 #include "asm/print.h"
 
@@ -64,8 +64,8 @@ static void check_all(const struct cmd_arguments *arguments, c205 *machine,
                       struct findings *findings, struct json *json,
                       size_t *failures)
 {
-    for (size_t i = 0; i < arguments->file_count; i++) {
-        const char *path = arguments->files[i];
+    for (size_t i = 0; i < arguments->files.count; i++) {
+        const char *path = arguments->files.items[i];
         bool good = try(arguments, machine, path, findings);
         const char *report = findings->report.text;
         printf("%s %s\n", good ? "PASS" : "FAIL", path);
@@ -104,7 +104,7 @@ static int check_on(const struct cmd_arguments *arguments, c205 *machine)
     if (json) {
         json_end(json);
     }
-    printf("%zu passed, %zu failed\n", arguments->file_count - failures,
+    printf("%zu passed, %zu failed\n", arguments->files.count - failures,
            failures);
     int code = cmd_end_json(arguments, json, CMD_DONE);
     return failures ? CMD_FAILED : code;

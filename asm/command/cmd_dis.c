@@ -1,12 +1,13 @@
 /* cmd_dis.c - c205 dis: a program as text that assembles to the same. */
-#include "asm/command/cmd.h"
+#include "asm/command/c205_command.h"
 #include "asm/disassemble.h"
 
-int cmd_dis(const struct cmd_arguments *arguments)
+static int disassemble_file(void *given)
 {
+    const struct cmd_arguments *arguments = given;
     struct sink sink = stream_sink(stdout);
     struct sink report = stream_sink(stderr);
-    struct object *object = cmd_read_program(arguments, arguments->files[0],
+    struct object *object = cmd_read_program(arguments, arguments->file,
                                              &report);
     if (!object) {
         return CMD_FAILED;
@@ -15,3 +16,15 @@ int cmd_dis(const struct cmd_arguments *arguments)
     object_free(object);
     return good ? CMD_DONE : cmd_failed(arguments->command, "no memory");
 }
+
+static const struct command_option options[] = { CMD_DEFINE, CMD_INCLUDE,
+                                                 COMMAND_END };
+static const struct command_option operands[] = { CMD_PROGRAM, COMMAND_END };
+
+const struct command dis_command = {
+    .name = "dis",
+    .summary = "a program as text again",
+    .function = disassemble_file,
+    .options = options,
+    .operands = operands,
+};

@@ -121,12 +121,12 @@ static const c205_insn *row_named(const char *name)
 static bool chosen(const struct cmd_arguments *arguments,
                    const c205_insn *insn)
 {
-    for (size_t i = 0; i < arguments->file_count; i++) {
-        if (row_named(arguments->files[i]) == insn) {
+    for (size_t i = 0; i < arguments->files.count; i++) {
+        if (row_named(arguments->files.items[i]) == insn) {
             return true;
         }
     }
-    return arguments->file_count == 0;
+    return arguments->files.count == 0;
 }
 
 /* A table of all; of those that were named, all that is known; or the names
@@ -134,7 +134,7 @@ static bool chosen(const struct cmd_arguments *arguments,
 static int show(const struct cmd_arguments *arguments, struct json *json)
 {
     struct table *table = table_new(columns, COLUMNS);
-    bool tabular = arguments->file_count == 0 && !arguments->names;
+    bool tabular = arguments->files.count == 0 && !arguments->names;
     for (size_t i = 0; table && i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
         if (!chosen(arguments, insn)) {
@@ -159,7 +159,7 @@ static int markdown(const struct cmd_arguments *arguments)
 {
     c205_model *model;
     int code;
-    if (arguments->file_count > 0 || arguments->names || arguments->json) {
+    if (arguments->files.count > 0 || arguments->names || arguments->json) {
         return cmd_usage(arguments->command, "--markdown stands alone");
     }
     model = cmd_find_model(arguments->command, arguments->model);
@@ -168,14 +168,15 @@ static int markdown(const struct cmd_arguments *arguments)
     return code;
 }
 
-int cmd_isa(const struct cmd_arguments *arguments)
+static int run(void *given)
 {
+    const struct cmd_arguments *arguments = given;
     struct json *json;
     if (arguments->markdown) {
         return markdown(arguments);
     }
-    for (size_t i = 0; i < arguments->file_count; i++) {
-        const char *name = arguments->files[i];
+    for (size_t i = 0; i < arguments->files.count; i++) {
+        const char *name = arguments->files.items[i];
         if (!row_named(name)) {
             return cmd_usage(arguments->command, "no such instruction: %s",
                              name);
@@ -187,3 +188,33 @@ int cmd_isa(const struct cmd_arguments *arguments)
     int code = show(arguments, json);
     return cmd_end_json(arguments, json, code);
 }
+
+static const char *mnemonic_choice(size_t number)
+{
+    return number < c205_insn_count ? c205_insns[number].mnemonic : NULL;
+}
+
+static const struct command_option options[] = {
+    CMD_FLAG(names, "the mnemonics alone"),
+    CMD_FLAG(markdown, "the whole reference, docs/isa.md"), CMD_MODEL,
+    CMD_JSON, COMMAND_END
+};
+static const struct command_option operands[] = {
+    { .value = "MNEMONIC",
+      .kind = COMMAND_TEXT,
+      .many = true,
+      .optional = true,
+      .offset = CMD_PLACE(files),
+      .choice = mnemonic_choice,
+      .help = "all that is known of this instruction" },
+    COMMAND_END
+};
+
+const struct command isa_command = {
+    .name = "isa",
+    .summary = "the instructions",
+    .function = run,
+    .options = options,
+    .operands = operands,
+    .details = "Without a MNEMONIC: all instructions, one line each.",
+};

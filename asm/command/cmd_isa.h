@@ -6,7 +6,7 @@
 #ifndef ASM_CMD_ISA_H
 #define ASM_CMD_ISA_H
 
-#include "asm/command/cmd.h"
+#include "asm/command/c205_command.h"
 #include "vm/text.h"
 
 /* "82", or "9D.1" where bits of G belong to the operation. */

@@ -1,5 +1,5 @@
 /* cmd_model.c - c205 model: machine models and their constants. */
-#include "asm/command/cmd.h"
+#include "asm/command/c205_command.h"
 
 static const struct table_column model_columns[] = {
     { "name", "model", TABLE_TEXT, 0 },
@@ -68,12 +68,34 @@ static int show(const char *command, const char *name, struct json *json)
     return code;
 }
 
-int cmd_model(const struct cmd_arguments *arguments)
+static int run(void *given)
 {
+    const struct cmd_arguments *arguments = given;
     struct json *json;
     if (!cmd_open_json(arguments, &json)) {
         return CMD_FAILED;
     }
-    int code = show(arguments->command, arguments->files[0], json);
+    int code = show(arguments->command, arguments->file, json);
     return cmd_end_json(arguments, json, code);
 }
+
+static const struct command_option options[] = { CMD_JSON, COMMAND_END };
+static const struct command_option operands[] = {
+    { .value = "NAME|FILE",
+      .kind = COMMAND_TEXT,
+      .optional = true,
+      .offset = CMD_PLACE(file),
+      .choice = command_model_choice,
+      .help = "a model, all of whose constants are told" },
+    COMMAND_END
+};
+
+const struct command model_command = {
+    .name = "model",
+    .summary = "the machine models",
+    .function = run,
+    .options = options,
+    .operands = operands,
+    .details = "Lists the models that are built in; of one that is named the "
+               "constants, each with its unit and its source.",
+};

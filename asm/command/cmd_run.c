@@ -2,7 +2,7 @@
 #include <inttypes.h>
 
 #include "base/accounts.h"
-#include "asm/command/cmd.h"
+#include "asm/command/c205_command.h"
 #include "asm/disassemble.h"
 #include "asm/print.h"
 #include "asm/state.h"
@@ -44,7 +44,8 @@ static void stop_json(const c205 *machine, const c205_stop *stop,
 
 static const char *program_name(const struct cmd_arguments *arguments)
 {
-    return arguments->file_count ? arguments->files[0] : arguments->restore;
+    return arguments->files.count ? arguments->files.items[0]
+                                  : arguments->restore;
 }
 
 static int show_accounts(const struct cmd_arguments *arguments,
@@ -179,10 +180,11 @@ static int read_and_run(const struct cmd_arguments *arguments,
                         const c205_model *model)
 {
     struct sink report = stream_sink(stderr);
-    if (arguments->file_count == 0) {
+    if (arguments->files.count == 0) {
         return make_and_run(arguments, model, NULL);
     }
-    struct object *object = cmd_read_program(arguments, arguments->files[0],
+    struct object *object = cmd_read_program(arguments,
+                                             arguments->files.items[0],
                                              &report);
     int code = object ? make_and_run(arguments, model, object) : CMD_FAILED;
     object_free(object);
@@ -194,16 +196,16 @@ static int check_usage(const struct cmd_arguments *arguments)
 {
     const char *command = arguments->command;
     bool state = arguments->save || arguments->restore;
-    if (arguments->file_count == 0 && !arguments->restore) {
+    if (arguments->files.count == 0 && !arguments->restore) {
         return cmd_usage(command, "name a file");
     }
     if (arguments->check) {
         return state ? cmd_usage(command, "tests are not saved or restored")
                      : CMD_DONE;
     }
-    if (arguments->file_count > 1) {
+    if (arguments->files.count > 1) {
         return cmd_usage(command, "one program, not %s too",
-                         arguments->files[1]);
+                         arguments->files.items[1]);
     }
     if (arguments->save && arguments->limit == C205_NO_LIMIT) {
         return cmd_usage(command, "--save needs a --limit");
@@ -211,8 +213,9 @@ static int check_usage(const struct cmd_arguments *arguments)
     return CMD_DONE;
 }
 
-int cmd_run(const struct cmd_arguments *arguments)
+static int run_command_line(void *given)
 {
+    const struct cmd_arguments *arguments = given;
     int code = check_usage(arguments);
     if (code != CMD_DONE) {
         return code;
@@ -225,3 +228,55 @@ int cmd_run(const struct cmd_arguments *arguments)
     c205_model_free(model);
     return code;
 }
+
+static const struct command_option options[] = {
+    CMD_FLAG(check, "run test programs; a line each, PASS or FAIL"),
+    CMD_MODEL,
+    { .name = "limit",
+      .value = "CLOCKS",
+      .kind = COMMAND_CLOCKS,
+      .offset = CMD_PLACE(limit),
+      .help = "stop the program after so many" },
+    { .name = "save",
+      .value = "STATE",
+      .kind = COMMAND_OUTPUT,
+      .offset = CMD_PLACE(save),
+      .help = "save the machine when the limit stops it" },
+    { .name = "restore",
+      .value = "STATE",
+      .kind = COMMAND_INPUT,
+      .offset = CMD_PLACE(restore),
+      .help = "go on with a program that was saved; a FILE must be that "
+              "program" },
+    CMD_DEFINE,
+    CMD_INCLUDE,
+    CMD_FLAG(trace, "print each instruction as it is executed"),
+    CMD_JSON,
+    COMMAND_END
+};
+static const struct command_option operands[] = {
+    { .value = "FILE",
+      .kind = COMMAND_INPUT,
+      .many = true,
+      .optional = true,
+      .offset = CMD_PLACE(files),
+      .help = "a program text, or an object of c205 asm; several with "
+              "--check" },
+    COMMAND_END
+};
+static const struct command_example examples[] = {
+    { "c205 run FILE", "run a program and account for its clocks" },
+    { "c205 run --check FILE..", "run test programs" },
+    { "c205 run --restore STATE [FILE]",
+      "go on with a program that was saved" },
+    { NULL, NULL }
+};
+
+const struct command run_command = {
+    .name = "run",
+    .summary = "run a program and account for its clocks",
+    .function = run_command_line,
+    .options = options,
+    .operands = operands,
+    .examples = examples,
+};

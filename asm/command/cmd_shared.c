@@ -1,7 +1,10 @@
 /* cmd_shared.c - see cmd.h. */
-#include "asm/command/cmd.h"
+#include "asm/command/c205_command.h"
 
+#include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "asm/object.h"
 
@@ -18,8 +21,8 @@ c205_model *cmd_find_model(const char *command, const char *name)
 struct object *cmd_read_program(const struct cmd_arguments *arguments,
                                 const char *path, const struct sink *report)
 {
-    struct asm_options options = { .defines = arguments->defines,
-                                   .search = arguments->folders };
+    struct asm_options options = { .defines = arguments->defines.items,
+                                   .search = arguments->folders.items };
     struct diagnostics errors = { 0 };
     c205_error error;
     struct object *object;
@@ -71,4 +74,24 @@ int cmd_show(const char *command, struct table *table, struct json *json,
     }
     table_free(table);
     return good ? CMD_DONE : cmd_failed(command, "no memory");
+}
+
+/* The name is cut off in place. */
+bool cmd_take_define(char *text, void *value)
+{
+    struct cmd_defines *defines = value;
+    struct asm_define *define = &defines->items[defines->count];
+    char *equals = strchr(text, '='), *end;
+    if (!equals || equals == text || defines->count == CMD_DEFINES) {
+        return false;
+    }
+    errno = 0;
+    define->value = strtoll(equals + 1, &end, 0);
+    if (errno != 0 || end == equals + 1 || *end != '\0') {
+        return false;
+    }
+    *equals = '\0';
+    define->name = text;
+    defines->count++;
+    return true;
 }

@@ -1,5 +1,5 @@
 /* cmd_time.c - c205 time: the speed of the vector instructions. */
-#include "asm/command/cmd.h"
+#include "asm/command/c205_command.h"
 #include "asm/measure.h"
 #include "asm/syntax.h"
 
@@ -80,10 +80,10 @@ static bool measure_all(const struct cmd_arguments *arguments,
                         const c205_model *model, struct tables *tables)
 {
     bool good = true;
-    for (size_t i = 0; good && i < arguments->file_count; i++) {
-        good = add_name(arguments, model, arguments->files[i], tables);
+    for (size_t i = 0; good && i < arguments->files.count; i++) {
+        good = add_name(arguments, model, arguments->files.items[i], tables);
     }
-    if (arguments->file_count > 0) {
+    if (arguments->files.count > 0) {
         return good;
     }
     return measure_size(arguments, model, "", tables)
@@ -133,11 +133,12 @@ static int time_model(const struct cmd_arguments *arguments,
     return code;
 }
 
-int cmd_time(const struct cmd_arguments *arguments)
+static int run(void *given)
 {
+    const struct cmd_arguments *arguments = given;
     struct json *json;
-    for (size_t i = 0; i < arguments->file_count; i++) {
-        const char *name = arguments->files[i];
+    for (size_t i = 0; i < arguments->files.count; i++) {
+        const char *name = arguments->files.items[i];
         if (!measure_knows(name)) {
             return cmd_usage(arguments->command,
                              "no such vector instruction: %s", name);
@@ -152,3 +153,40 @@ int cmd_time(const struct cmd_arguments *arguments)
     c205_model_free(model);
     return code;
 }
+
+/* Those that can be measured, and the triad. */
+static const char *measured_choice(size_t number)
+{
+    if (number > c205_insn_count) {
+        return NULL;
+    }
+    const char *name = number < c205_insn_count ? c205_insns[number].mnemonic
+                                                : measure_triad;
+    return measure_knows(name) ? name : "";
+}
+
+static const struct command_option options[] = {
+    CMD_MODEL, CMD_FLAG(points, "print each measured point, too"), CMD_JSON,
+    COMMAND_END
+};
+static const struct command_option operands[] = {
+    { .value = "MNEMONIC",
+      .kind = COMMAND_TEXT,
+      .many = true,
+      .optional = true,
+      .offset = CMD_PLACE(files),
+      .choice = measured_choice,
+      .help = "a vector instruction, or TRIAD, the linked triad B + s A; ,H "
+              "behind a name: on 32-bit operands" },
+    COMMAND_END
+};
+
+const struct command time_command = {
+    .name = "time",
+    .summary = "measure the vector instructions",
+    .function = run,
+    .options = options,
+    .operands = operands,
+    .details = "Start-up, clocks per element, r-infinity and n-half of these "
+               "instructions, or of all.",
+};

@@ -2,7 +2,7 @@
 #include <stdio.h>
 
 #include "base/provenance.h"
-#include "rt/command/cmd.h"
+#include "rt/command/rt205_command.h"
 #include "rt/study/profile.h"
 
 static void tell_head(const struct cmd_arguments *arguments,
@@ -68,7 +68,32 @@ static int run(const struct cmd_arguments *arguments, struct json *json)
                 : cmd_failed(arguments->command, "%s", error.message);
 }
 
-int cmd_profile(struct cmd_arguments *arguments)
+static int run_command_line(void *arguments)
 {
     return cmd_with_machine(arguments, run);
 }
+
+static const struct command_option options[] = {
+    CMD_SIZE(320, 240),
+    CMD_QUEUE("rays in the vector queue"),
+    CMD_MODEL,
+    CMD_BOUNDS,
+    CMD_JOBS("bands of the frame traced at a time"),
+    CMD_READ,
+    CMD_JSON,
+    COMMAND_END
+};
+static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
+
+const struct command profile_command = {
+    .name = "profile",
+    .summary = "what each part of a frame costs, in three stages",
+    .function = run_command_line,
+    .options = options,
+    .operands = operands,
+    .details =
+        "Traces the frame three times: scalar; kernels, as in 1984 "
+        "(vector intersection, all else serial); vector. The frames "
+        "must be equal. Prints clocks part by part, speedups, Amdahl's "
+        "prediction.",
+};

@@ -6,7 +6,7 @@
 
 #include "base/diagnostic.h"
 #include "base/provenance.h"
-#include "rt/command/cmd.h"
+#include "rt/command/rt205_command.h"
 #include "rt/roots/polynomials.h"
 #include "rt/study/quartic_costs.h"
 
@@ -145,7 +145,8 @@ static int solve(const struct cmd_arguments *arguments,
     struct iterations iterations;
     const struct roots_options options = search_options(arguments,
                                                         arguments->trace.mode,
-                                                        arguments->falsi);
+                                                        (enum falsi)
+                                                            arguments->falsi);
     struct root_search *found = search(polynomials, &options, &iterations,
                                        &error);
     struct polynomial_roots *roots = calloc(polynomials->count + 1,
@@ -246,7 +247,7 @@ static int run(const struct cmd_arguments *arguments, struct json *json)
     int code = CMD_FAILED;
 
     if (polynomials_read(&polynomials, arguments->scene, &reports))
-        code = arguments->compare
+        code = arguments->falsi == FALSI_RULES
                    ? compare_rules(arguments, &polynomials, json)
                    : solve(arguments, &polynomials, json);
     diagnostics_print(&reports, stderr);
@@ -255,11 +256,60 @@ static int run(const struct cmd_arguments *arguments, struct json *json)
     return code;
 }
 
-int cmd_quartic(struct cmd_arguments *arguments)
+static int run_command_line(void *given)
 {
-    if (arguments->trace.mode >= TRACE_FORMS)
-        return cmd_usage(
-            arguments->command,
-            "polynomials are solved in scalar or in vector form");
+    struct cmd_arguments *arguments = given;
+
+    if (arguments->all && arguments->first)
+        return cmd_usage(arguments->command,
+                         "--all or --first, not both of them");
+    arguments->trace.width = arguments->trace.height = 1;
     return cmd_with_machine(arguments, run);
 }
+
+static const char *form_choice(size_t number)
+{
+    return number < TRACE_FORMS ? cmd_mode_choice(number) : NULL;
+}
+
+static const char *falsi_choice(size_t number)
+{
+    if (number == FALSI_RULES)
+        return "all";
+    return number < FALSI_RULES ? falsi_name((enum falsi)number) : NULL;
+}
+
+static const struct command_option options[] = {
+    CMD_FLAG("all", all, "all roots (this is what happens anyway)"),
+    CMD_FLAG("first", first, "the first root of each alone"),
+    CMD_MODE(form_choice, "in which form"),
+    CMD_QUEUE("polynomials in the vector queue"),
+    { .name = "falsi",
+      .value = "RULE",
+      .kind = COMMAND_CHOICE,
+      .offset = CMD_PLACE(falsi),
+      .choice = falsi_choice,
+      .preset = FALSI_DEFAULT,
+      .help = "with all a table of their clocks instead of the roots" },
+    CMD_MODEL,
+    CMD_JSON,
+    COMMAND_END
+};
+static const struct command_option operands[] = {
+    { .value = "FILE",
+      .kind = COMMAND_INPUT,
+      .offset = CMD_PLACE(scene),
+      .help = "a file of polynomials: lines c4,c3,c2,c1,c0 and perhaps a "
+              "bound (0)" },
+    COMMAND_END
+};
+
+const struct command quartic_command = {
+    .name = "quartic",
+    .summary = "the real roots of polynomials, and what they cost",
+    .function = run_command_line,
+    .options = options,
+    .operands = operands,
+    .details = "Prints index: root root .., the real roots above the bound, "
+               "nearest first; then the clocks.",
+};

@@ -3,7 +3,7 @@
 
 #include "base/accounts.h"
 #include "base/provenance.h"
-#include "rt/command/cmd.h"
+#include "rt/command/rt205_command.h"
 
 static bool write_picture(const struct cmd_arguments *arguments,
                           const struct trace *trace, c205_error *error)
@@ -157,12 +157,6 @@ static int check_files(const struct cmd_arguments *arguments)
 
     if (!arguments->output)
         return cmd_usage(arguments->command, "name the picture with -o");
-    if (cmd_is_one_file(arguments->json, arguments->output))
-        return cmd_usage(arguments->command, "-o and --json name one file");
-    if (cmd_is_one_file(arguments->resume, arguments->output)
-        || cmd_is_one_file(arguments->resume, arguments->json))
-        return cmd_usage(arguments->command,
-                         "--resume names a file of its own");
     if (!picture_check_path(arguments->output, &why))
         return cmd_failed(arguments->command, "%s", why.message);
     if (arguments->half && !picture_holds_half(arguments->output))
@@ -170,10 +164,51 @@ static int check_files(const struct cmd_arguments *arguments)
     return CMD_DONE;
 }
 
-int cmd_render(struct cmd_arguments *arguments)
+static int run_command_line(void *given)
 {
+    struct cmd_arguments *arguments = given;
     int code = check_files(arguments);
 
     return code == CMD_DONE ? cmd_with_machine(arguments, render_scene)
                             : code;
 }
+
+static const struct command_option options[] = {
+    { .name = "output",
+      .letter = 'o',
+      .value = "FILE",
+      .kind = COMMAND_FILE,
+      .offset = CMD_PLACE(output),
+      .help = "the picture: .png .jpg (8-bit sRGB), .exr .tif (linear, with "
+              "depth, normal and id)" },
+    CMD_SIZE(640, 480),
+    CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
+    CMD_QUEUE("rays in the vector queue"),
+    CMD_MODEL,
+    CMD_BOUNDS,
+    CMD_JOBS("bands of the frame traced at a time"),
+    { .name = "resume",
+      .value = "FILE",
+      .kind = COMMAND_FILE,
+      .offset = CMD_PLACE(resume),
+      .help = "keep finished bands there; go on from those it has" },
+    CMD_FLAG("half", half, "16-bit colours in an .exr"),
+    CMD_READ,
+    CMD_JSON,
+    COMMAND_END
+};
+static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
+static const struct command_example examples[] = {
+    { "rt205 render SCENE -o PICTURE",
+      "the picture, and where the machine's clocks went" },
+    { NULL, NULL }
+};
+
+const struct command render_command = {
+    .name = "render",
+    .summary = "trace a scene, write a picture",
+    .function = run_command_line,
+    .options = options,
+    .operands = operands,
+    .examples = examples,
+};

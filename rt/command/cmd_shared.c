@@ -1,9 +1,7 @@
 /* cmd_shared.c - see cmd.h. */
-#include "rt/command/cmd.h"
+#include "rt/command/rt205_command.h"
 
 #include <stdio.h>
-#include <string.h>
-#include <sys/stat.h>
 
 static bool open_json(const struct cmd_arguments *arguments,
                       struct json **json, c205_error *error)
@@ -35,8 +33,15 @@ int cmd_with_machine(struct cmd_arguments *arguments, cmd_work *work)
 {
     c205_error error;
     struct json *json;
-    c205_model *model = c205_model_find(arguments->model, &error);
+    c205_model *model;
     int code;
+
+    if (arguments->trace.height > 0
+        && arguments->trace.width
+               > TRACE_PIXELS_MOST / arguments->trace.height)
+        return cmd_usage(arguments->command, "at most %zu pixels",
+                         TRACE_PIXELS_MOST);
+    model = c205_model_find(arguments->model, &error);
 
     if (!model)
         return cmd_failed(arguments->command, "%s", error.message);
@@ -67,7 +72,7 @@ struct scene *cmd_read_scene(const struct cmd_arguments *arguments)
         .width = (int)arguments->trace.width,
         .height = (int)arguments->trace.height,
         .strict = arguments->strict,
-        .search = arguments->search,
+        .search = arguments->search.items,
         .go_on = go_on,
     };
     struct diagnostics reports = { 0 };
@@ -78,28 +83,25 @@ struct scene *cmd_read_scene(const struct cmd_arguments *arguments)
     return scene;
 }
 
-/* The folder that a path names a file in, and the file's name there; false:
- * there is no such folder. */
-static bool find_place(const char *path, struct stat *folder,
-                       const char **name)
-{
-    const char *slash = strrchr(path, '/');
-    char text[4096];
-    int length = !slash ? 0 : (int)(slash - path) + 1;
+/* ---- The names of what options choose ------------------------------------ */
 
-    *name = path + length;
-    if (length >= (int)sizeof text)
-        return false;
-    snprintf(text, sizeof text, "%.*s.", length, path);
-    return stat(text, folder) == 0;
+const char *cmd_mode_choice(size_t number)
+{
+    return number < TRACE_MODES ? trace_mode_name((enum trace_mode)number)
+                                : NULL;
 }
 
-bool cmd_is_one_file(const char *a, const char *b)
+const char *cmd_visible_choice(size_t number)
 {
-    struct stat in_a, in_b;
-    const char *name_a, *name_b;
+    return number < VISIBLE_WAYS ? visible_name((enum visible)number) : NULL;
+}
 
-    return a && b && find_place(a, &in_a, &name_a)
-           && find_place(b, &in_b, &name_b) && in_a.st_dev == in_b.st_dev
-           && in_a.st_ino == in_b.st_ino && strcmp(name_a, name_b) == 0;
+const char *cmd_format_choice(size_t number)
+{
+    static const char *const names[] = { [FORMAT_TEXT] = "text",
+                                         [FORMAT_CSV] = "csv",
+                                         [FORMAT_MARKDOWN] = "md",
+                                         [FORMAT_JSON] = "json" };
+
+    return number <= FORMAT_JSON ? names[number] : NULL;
 }

@@ -1,10 +1,12 @@
 /* cmd_sweep.c - rt205 sweep: what a ray costs as one thing changes. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
+#include "base/file.h"
 #include "base/provenance.h"
-#include "rt/command/cmd.h"
+#include "rt/command/rt205_command.h"
 
 /* ---- What is asked for --------------------------------------------------- */
 
@@ -35,8 +37,9 @@ static int check_lengths(const struct cmd_arguments *arguments,
                          const struct sweep_kind *kind)
 {
     size_t rays = arguments->trace.width * arguments->trace.height;
-    size_t longest = arguments->point_count > 0
-                         ? arguments->points[arguments->point_count - 1]
+    size_t longest = arguments->points.count > 0
+                         ? arguments->points
+                               .items[arguments->points.count - 1]
                          : 0;
 
     if (longest > 0 && !kind->takes_lengths)
@@ -87,7 +90,7 @@ static int check_files(const struct cmd_arguments *arguments)
         snprintf(path, sizeof path, "%.*s%s",
                  (int)strlen(arguments->output) - 3, arguments->output,
                  endings[i]);
-        if (cmd_is_one_file(path, arguments->json))
+        if (arguments->json && file_is_one(path, arguments->json))
             return cmd_usage(arguments->command,
                              "-o and --json name one file");
     }
@@ -96,16 +99,9 @@ static int check_files(const struct cmd_arguments *arguments)
 
 static int check(const struct cmd_arguments *arguments)
 {
-    const struct sweep_kind *kind = sweep_kind_named(arguments->sweep);
+    const struct sweep_kind *kind = sweep_kinds[arguments->sweep];
     int code;
 
-    if (!kind)
-        return cmd_usage(arguments->command,
-                         "%s: sweep queue, pipes, hits or length",
-                         arguments->sweep);
-    if (arguments->trace.mode == TRACE_SCALAR)
-        return cmd_usage(arguments->command,
-                         "--mode of the queues: kernels or vector");
     code = check_subject(arguments, kind);
     if (code == CMD_DONE)
         code = check_lengths(arguments, kind);
@@ -222,8 +218,8 @@ static struct sweep sweep_of(const struct cmd_arguments *arguments,
         .subject = !scene ? subject_named(arguments->scene) : NULL,
         .scene = scene,
         .base = { .trace = arguments->trace, .view = arguments->view },
-        .lengths = arguments->points,
-        .length_count = arguments->point_count,
+        .lengths = arguments->points.items,
+        .length_count = arguments->points.count,
     };
 
     if (sweep.base.view.angle == 0)
@@ -234,7 +230,7 @@ static struct sweep sweep_of(const struct cmd_arguments *arguments,
 static int sweep_target(const struct cmd_arguments *arguments,
                         const struct scene *scene, struct json *json)
 {
-    const struct sweep_kind *kind = sweep_kind_named(arguments->sweep);
+    const struct sweep_kind *kind = sweep_kinds[arguments->sweep];
     struct sweep sweep = sweep_of(arguments, scene, kind);
     struct sweep_report report = { .part_count = 0 };
     c205_error error;
@@ -267,9 +263,107 @@ static int sweep(const struct cmd_arguments *arguments, struct json *json)
     return code;
 }
 
-int cmd_sweep(struct cmd_arguments *arguments)
+static int run_command_line(void *given)
 {
+    struct cmd_arguments *arguments = given;
     int code = check(arguments);
 
     return code == CMD_DONE ? cmd_with_machine(arguments, sweep) : code;
 }
+
+/* ---- The command line ---------------------------------------------------- */
+
+static const char *kind_choice(size_t number)
+{
+    return sweep_kinds[number] ? sweep_kinds[number]->name : NULL;
+}
+
+/* A queue in scalar form is none. */
+static const char *queue_mode_choice(size_t number)
+{
+    return number == TRACE_SCALAR ? "" : cmd_mode_choice(number);
+}
+
+/* Numbers that rise, with commas between. */
+static bool take_points(char *text, void *value)
+{
+    struct cmd_points *points = value;
+    size_t last = 0;
+
+    points->count = 0;
+    do {
+        char *end;
+        unsigned long length = strtoul(text, &end, 10);
+
+        if (*text < '0' || *text > '9' || length <= last
+            || length > TRACE_QUEUE_MOST
+            || points->count == SWEEP_LENGTHS_MOST
+            || (*end != ',' && *end != '\0'))
+            return false;
+        points->items[points->count++] = last = (size_t)length;
+        text = end;
+    } while (*text++ == ',');
+    return true;
+}
+
+static const struct command_option options[] = {
+    { .name = "output",
+      .letter = 'o',
+      .value = "FILE",
+      .kind = COMMAND_FILE,
+      .offset = CMD_PLACE(output),
+      .help = "a plot, NAME.svg, by gnuplot; NAME.dat and NAME.gp too" },
+    { .name = "points",
+      .value = "N,N,..",
+      .kind = COMMAND_OWN,
+      .offset = CMD_PLACE(points),
+      .take = take_points,
+      .wants = "numbers that rise, up to 65535, with commas between",
+      .help = "these lengths (queue, length: 1, 2, 4 .. 65535, 2000)" },
+    CMD_SIZE(256, 256),
+    CMD_VIEW(0, "10; hits: 37"),
+    CMD_MODE(queue_mode_choice, "of the queues; kernels is that of 1984"),
+    CMD_QUEUE("rays in the queue (pipes, hits)"),
+    CMD_MODEL,
+    CMD_BOUNDS,
+    CMD_JOBS("bands of a frame traced at a time"),
+    CMD_READ,
+    CMD_JSON,
+    CMD_FORMAT,
+    COMMAND_END
+};
+static const struct command_option operands[] = {
+    { .value = "WHAT",
+      .kind = COMMAND_CHOICE,
+      .offset = CMD_PLACE(sweep),
+      .choice = kind_choice,
+      .help = "what changes" },
+    { .value = "SCENE|PRIMITIVE",
+      .kind = COMMAND_INPUT,
+      .offset = CMD_PLACE(scene),
+      .help = "a scene file or a primitive" },
+    COMMAND_END
+};
+static const struct command_example examples[] = {
+    { "rt205 sweep queue SCENE|PRIMITIVE", "lengths of the queue" },
+    { "rt205 sweep pipes SCENE|PRIMITIVE", "1, 2, 4 pipes; 64, 32 bits" },
+    { "rt205 sweep hits PRIMITIVE", "how many of the rays hit it" },
+    { "rt205 sweep length SCENE|PRIMITIVE",
+      "as many rays as the queue is long: where a queue costs less than "
+      "scalar code" },
+    { NULL, NULL }
+};
+
+const struct command sweep_command = {
+    .name = "sweep",
+    .summary = "clocks per ray as one thing changes, as table and plot",
+    .function = run_command_line,
+    .options = options,
+    .operands = operands,
+    .details =
+        "A primitive is sphere, cylinder, Steiner, 'Steiner, ours' or torus; "
+        "its kernel and calls count. A scene is a name with a / or ending in "
+        ".pov; all of its frame counts. Scalar and vector frames must be "
+        "equal.",
+    .examples = examples,
+};

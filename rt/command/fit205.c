@@ -1,128 +1,25 @@
 /* fit205.c - the command: the timing model fitted to what was published. */
-#include <getopt.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/complain.h"
+#include "base/command_options.h"
 #include "base/whole.h"
 #include "rt/study/fit/goal.h"
 #include "rt/study/fit/report.h"
 #include "rt/study/fit/written.h"
 
-const char cmd_program[] = "fit205";
-
-static const char usage[] =
-    "fit205 - constants of the timing model, fitted to published times\n"
-    "\n"
-    "  --data DIR           constants.csv, observations, programs (rt/study/fit)\n"
-    "  --hold-out NAME      leave that observation out, and compare it\n"
-    "  --brief              the fit alone: nothing left out or doubled\n"
-    "  -W, --width N        rays across a frame in scalar form (32)\n"
-    "  -H, --height N       rays down (20)\n"
-    "  --angle DEGREES      that a frame's rays span across (10: all hit)\n"
-    "  --jobs N             threads (2)\n"
-    "  --write FILE         the fitted model; its name says of which priors:\n"
-    "                       cyber205-2pipe.model of cyber205-2pipe-prior\n"
-    "  --json FILE          write the results to a file as well\n";
-
-enum { HELD_MOST = 32, WRITTEN_MOST = 8, PATH_SIZE = 512 };
+enum { PATH_SIZE = 512 };
 
 struct arguments {
+    const char *command;
     const char *data, *json;
-    const char *held[HELD_MOST], *written[WRITTEN_MOST];
-    size_t held_count, written_count, width, height, jobs;
+    struct command_texts held, written;
+    size_t width, height, jobs;
     double angle;
-    bool brief, help;
+    bool brief;
 };
-
-static const struct option options[] = {
-    { "data", required_argument, NULL, 'd' },
-    { "hold-out", required_argument, NULL, 'o' },
-    { "brief", no_argument, NULL, 'b' },
-    { "width", required_argument, NULL, 'W' },
-    { "height", required_argument, NULL, 'H' },
-    { "angle", required_argument, NULL, 'A' },
-    { "jobs", required_argument, NULL, 'J' },
-    { "write", required_argument, NULL, 'w' },
-    { "json", required_argument, NULL, 'j' },
-    { "help", no_argument, NULL, 'h' },
-    { NULL, 0, NULL, 0 },
-};
-
-static bool take_count(const char *text, size_t most, size_t *count)
-{
-    char *end;
-    unsigned long value = strtoul(text, &end, 10);
-
-    *count = value;
-    return *text >= '1' && *text <= '9' && *end == '\0' && value <= most;
-}
-
-static bool take_angle(const char *text, double *degrees)
-{
-    char *end;
-
-    *degrees = strtod(text, &end);
-    return end != text && *end == '\0' && *degrees > 0 && *degrees < 180;
-}
-
-static bool add_name(const char **names, size_t *count, size_t most)
-{
-    if (*count == most)
-        return false;
-    names[(*count)++] = optarg;
-    return true;
-}
-
-static bool take(int letter, struct arguments *arguments)
-{
-    switch (letter) {
-    case 'd': arguments->data = optarg; return true;
-    case 'j': arguments->json = optarg; return true;
-    case 'b': arguments->brief = true; return true;
-    case 'h': arguments->help = true; return true;
-    case 'W': return take_count(optarg, 1000, &arguments->width);
-    case 'H': return take_count(optarg, 1000, &arguments->height);
-    case 'A': return take_angle(optarg, &arguments->angle);
-    case 'J': return take_count(optarg, 64, &arguments->jobs);
-    case 'o':
-        return add_name(arguments->held, &arguments->held_count, HELD_MOST);
-    case 'w':
-        return add_name(arguments->written, &arguments->written_count,
-                        WRITTEN_MOST);
-    default: return false;
-    }
-}
-
-static bool wrong(const char *what, const char *word, const char *more)
-{
-    fprintf(stderr, "%s: %s%s%s\n%s --help tells how it is used\n",
-            cmd_program, what, word, more, cmd_program);
-    return false;
-}
-
-/* False: what is wrong has been told. */
-static bool parse(int argc, char **argv, struct arguments *arguments)
-{
-    int letter;
-
-    opterr = 0;
-    while ((letter = getopt_long(argc, argv, ":W:H:", options, NULL)) != -1) {
-        const char *word = argv[optind - 1];
-
-        if (word == optarg)
-            word = argv[optind - 2];
-        if (letter == ':')
-            return wrong(word, " needs an argument", "");
-        if (letter == '?')
-            return wrong("no such option: ", word, "");
-        if (!take(letter, arguments))
-            return wrong(word, ": wrong argument: ", optarg);
-    }
-    return optind == argc || arguments->help
-           || wrong("too many arguments: ", argv[argc - 1], "");
-}
 
 /* ---- Reading ------------------------------------------------------------ */
 
@@ -181,15 +78,16 @@ static bool hold_out(const struct arguments *arguments,
                      const struct observations *all, struct study *study,
                      c205_error *error)
 {
-    for (size_t i = 0; i < arguments->held_count; i++) {
+    for (size_t i = 0; i < arguments->held.count; i++) {
         bool found = false;
 
         for (size_t k = 0; k < all->count; k++)
-            if (strcmp(all->items[k].name, arguments->held[i]) == 0)
+            if (strcmp(all->items[k].name, arguments->held.items[i]) == 0)
                 study->held.held[k] = found = true;
         if (!found) {
             snprintf(error->message, sizeof error->message,
-                     "there is no observation '%.100s'", arguments->held[i]);
+                     "there is no observation '%.100s'",
+                     arguments->held.items[i]);
             return false;
         }
     }
@@ -203,11 +101,12 @@ static bool write_models(const struct arguments *arguments,
                          const struct study *study, double *written,
                          c205_error *error)
 {
-    bool good = arguments->written_count == 0
+    bool good = arguments->written.count == 0
                 || written_predict(study, written, error);
 
-    for (size_t i = 0; good && i < arguments->written_count; i++)
-        good = written_model(study, written, arguments->written[i], error);
+    for (size_t i = 0; good && i < arguments->written.count; i++)
+        good = written_model(study, written, arguments->written.items[i],
+                             error);
     return good;
 }
 
@@ -215,8 +114,8 @@ static bool write_models(const struct arguments *arguments,
 static bool check_files(const struct arguments *arguments,
                         const struct study *study, c205_error *error)
 {
-    for (size_t i = 0; i < arguments->written_count; i++)
-        if (!written_check(study, arguments->written[i], error))
+    for (size_t i = 0; i < arguments->written.count; i++)
+        if (!written_check(study, arguments->written.items[i], error))
             return false;
     return !arguments->json || whole_check(arguments->json, error);
 }
@@ -237,7 +136,7 @@ static bool print(const struct arguments *arguments,
     }
     snprintf(error->message, sizeof error->message,
              "the report cannot be written");
-    good = report_print(study, arguments->written_count > 0 ? written : NULL,
+    good = report_print(study, arguments->written.count > 0 ? written : NULL,
                         stdout, json);
     goal_print(study, stdout);
     if (json && good)
@@ -260,38 +159,105 @@ static bool work(const struct arguments *arguments, struct sources *sources,
            && print(arguments, study, error);
 }
 
-static bool is_printed(c205_error *error)
+/* ---- The command --------------------------------------------------------- */
+
+static int run(void *given)
 {
-    if (fflush(stdout) == 0 && !ferror(stdout))
-        return true;
-    snprintf(error->message, sizeof error->message,
-             "standard output: write error");
-    return false;
+    const struct arguments *arguments = given;
+    struct sources *sources = calloc(1, sizeof *sources);
+    struct study *study = calloc(1, sizeof *study);
+    c205_error error = { "no memory" };
+    bool good = sources && study && work(arguments, sources, study, &error);
+
+    if (sources) {
+        constants_free(&sources->constants);
+        observations_free(&sources->observations);
+        c205_model_free(sources->model);
+    }
+    free(sources);
+    free(study);
+    return good ? CMD_DONE
+                : cmd_failed(arguments->command, "%s", error.message);
 }
+
+#define PLACE(member) offsetof(struct arguments, member)
+
+static const struct command_option options[] = {
+    { .name = "data",
+      .value = "DIR",
+      .kind = COMMAND_FOLDER,
+      .offset = PLACE(data),
+      .preset_text = "rt/study/fit",
+      .help = "constants.csv, observations, programs" },
+    { .name = "hold-out",
+      .value = "NAME",
+      .kind = COMMAND_TEXT,
+      .many = true,
+      .offset = PLACE(held),
+      .help = "leave that observation out, and compare it" },
+    { .name = "brief",
+      .kind = COMMAND_FLAG,
+      .offset = PLACE(brief),
+      .help = "the fit alone: nothing left out or doubled" },
+    { .name = "width",
+      .letter = 'W',
+      .value = "N",
+      .kind = COMMAND_COUNT,
+      .offset = PLACE(width),
+      .least = 1,
+      .most = 1000,
+      .preset = 32,
+      .help = "rays across a frame in scalar form" },
+    { .name = "height",
+      .letter = 'H',
+      .value = "N",
+      .kind = COMMAND_COUNT,
+      .offset = PLACE(height),
+      .least = 1,
+      .most = 1000,
+      .preset = 20,
+      .help = "rays down" },
+    { .name = "angle",
+      .value = "DEGREES",
+      .kind = COMMAND_NUMBER,
+      .offset = PLACE(angle),
+      .most = 180,
+      .preset = SPEEDUP_ANGLE,
+      .help = "that a frame's rays span across; all hit at the usual angle" },
+    { .name = "jobs",
+      .value = "N",
+      .kind = COMMAND_COUNT,
+      .offset = PLACE(jobs),
+      .least = 1,
+      .most = 64,
+      .preset = 2,
+      .help = "threads" },
+    { .name = "write",
+      .value = "FILE",
+      .kind = COMMAND_FILE,
+      .many = true,
+      .offset = PLACE(written),
+      .help = "the fitted model; its name says of which priors: "
+              "cyber205-2pipe.model of cyber205-2pipe-prior" },
+    COMMAND_OPTION_JSON(PLACE(json)),
+    COMMAND_END
+};
 
 int main(int argc, char **argv)
 {
-    static struct sources sources;
-    static struct study study;
-    struct arguments arguments = { .data = "rt/study/fit",
-                                   .width = 32,
-                                   .height = 20,
-                                   .angle = SPEEDUP_ANGLE,
-                                   .jobs = 2 };
-    c205_error error = { "" };
-    bool good = true;
+    static const struct command fit = {
+        .summary = "constants of the timing model, fitted to published times",
+        .function = run,
+        .options = options,
+    };
+    static const struct command *const commands[] = { &fit, NULL };
+    static const struct command_program program = {
+        .name = "fit205",
+        .summary = "constants of the timing model, fitted to published times",
+        .version = C205_VERSION,
+        .commands = commands,
+        .arguments_size = sizeof(struct arguments),
+    };
 
-    if (!parse(argc, argv, &arguments))
-        return CMD_USAGE;
-    if (arguments.help)
-        fputs(usage, stdout);
-    else
-        good = work(&arguments, &sources, &study, &error);
-    constants_free(&sources.constants);
-    observations_free(&sources.observations);
-    c205_model_free(sources.model);
-    if (good && is_printed(&error))
-        return CMD_DONE;
-    fprintf(stderr, "%s: %s\n", cmd_program, error.message);
-    return CMD_FAILED;
+    return command_main(&program, argc, argv);
 }

@@ -4,7 +4,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "rt/command/cmd.h"
+#include "rt/command/rt205_command.h"
 
 static volatile sig_atomic_t interrupted;
 

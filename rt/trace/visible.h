@@ -5,15 +5,12 @@
 #ifndef RT_VISIBLE_H
 #define RT_VISIBLE_H
 
-#include <stdbool.h>
-
 enum visible {
     VISIBLE_DEFAULT,
     VISIBLE_STEPPING, /* one after another, until one is seen */
     VISIBLE_EVERY,
     VISIBLE_WAYS
 };
-/* False: there is no way of that name. */
-bool visible_named(const char *name, enum visible *way);
+const char *visible_name(enum visible way);
 
 #endif

@@ -2,17 +2,9 @@
 
 #include <string.h>
 
-const struct sweep_kind *sweep_kind_named(const char *name)
-{
-    static const struct sweep_kind *const kinds[] = {
-        &sweep_queue, &sweep_pipes, &sweep_hits, &sweep_length
-    };
-
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        if (strcmp(kinds[i]->name, name) == 0)
-            return kinds[i];
-    return NULL;
-}
+const struct sweep_kind *const sweep_kinds[] = { &sweep_queue, &sweep_pipes,
+                                                 &sweep_hits, &sweep_length,
+                                                 NULL };
 
 static size_t usual_lengths(size_t most, size_t lengths[SWEEP_LENGTHS_MOST])
 {

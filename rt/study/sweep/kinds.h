@@ -19,8 +19,8 @@ struct sweep_kind {
 
 extern const struct sweep_kind sweep_queue, sweep_pipes, sweep_hits,
     sweep_length;
-/* NULL: there is none of that name. */
-const struct sweep_kind *sweep_kind_named(const char *name);
+/* All of them; NULL at the end. */
+extern const struct sweep_kind *const sweep_kinds[];
 
 /* ---- Queues and lengths -------------------------------------------------- */
 

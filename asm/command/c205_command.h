@@ -1,0 +1,85 @@
+/* c205_command.h - what the commands of c205 share.
+ *
+ * A command is a file with its row, its options and its work (command.h).
+ */
+#ifndef ASM_C205_COMMAND_H
+#define ASM_C205_COMMAND_H
+
+#include <stddef.h>
+
+#include "asm/assemble.h"
+#include "base/command_options.h"
+#include "base/json.h"
+#include "base/provenance.h"
+#include "base/table.h"
+
+extern const struct command run_command, asm_command, dis_command,
+    isa_command, model_command, time_command;
+
+enum { CMD_DEFINES = 64 };
+struct cmd_defines {
+    size_t count;
+    struct asm_define items[CMD_DEFINES + 1]; /* the last has no name */
+};
+
+struct cmd_arguments {
+    const char *command;
+    const char *model;
+    const char *json, *output, *save, *restore; /* NULL: not wanted */
+    uint64_t limit;
+    bool check, trace, listing, names, points, markdown;
+    struct cmd_defines defines;
+    struct command_texts folders;
+    const char *file;           /* what is no option: one, or .. */
+    struct command_texts files; /* .. any number */
+};
+
+/* ---- Options of several commands ---------------------------------------- */
+
+#define CMD_PLACE(member) offsetof(struct cmd_arguments, member)
+
+/* NAME=VALUE into cmd_defines. */
+command_take cmd_take_define;
+
+/* clang-format off */
+#define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
+#define CMD_JSON COMMAND_OPTION_JSON(CMD_PLACE(json))
+#define CMD_INCLUDE COMMAND_OPTION_INCLUDE(CMD_PLACE(folders))
+#define CMD_DEFINE \
+    { .name = "define", .value = "NAME=VALUE", .kind = COMMAND_OWN, \
+      .offset = CMD_PLACE(defines), .take = cmd_take_define, \
+      .wants = "NAME=VALUE, a name and an integer", \
+      .help = "an integer for the program text, as by .equ" }
+#define CMD_FLAG(flag, text) \
+    { .name = #flag, .kind = COMMAND_FLAG, .offset = CMD_PLACE(flag), \
+      .help = text }
+#define CMD_PROGRAM \
+    { .value = "FILE", .kind = COMMAND_INPUT, .offset = CMD_PLACE(file), \
+      .help = "a program text, or an object of c205 asm" }
+/* clang-format on */
+
+/* ---- Their work --------------------------------------------------------- */
+
+/* run --check: test programs and what they expect. */
+int cmd_check(const struct cmd_arguments *arguments);
+
+/* A program from its text or from an object file; NULL after all errors have
+ * gone to the report. */
+struct object *cmd_read_program(const struct cmd_arguments *arguments,
+                                const char *path, const struct sink *report);
+
+/* A model, or NULL after telling why not. */
+c205_model *cmd_find_model(const char *command, const char *name);
+
+/* The JSON file that the user asked for, NULL if none.  False after telling
+ * why it cannot be written. */
+bool cmd_open_json(const struct cmd_arguments *arguments, struct json **json);
+/* Closes the file if code is CMD_DONE, drops it otherwise.  The code. */
+int cmd_end_json(const struct cmd_arguments *arguments, struct json *json,
+                 int code);
+
+/* Print a table, add it to the JSON file if there is one, and free it. */
+int cmd_show(const char *command, struct table *table, struct json *json,
+             const char *key);
+
+#endif

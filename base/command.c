@@ -1,0 +1,146 @@
+/* command.c - see command.h: from the command line to the exit code. */
+#include "base/command.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/command_rows.h"
+#include "base/nearest.h"
+
+static bool is_one_command(const struct command_program *program)
+{
+    return program->commands[0]->name == NULL;
+}
+
+void command_full_name(const struct command_program *program,
+                       const struct command *command,
+                       char name[COMMAND_NAME_SIZE])
+{
+    bool has_name = command && command->name;
+    snprintf(name, COMMAND_NAME_SIZE, "%s%s%s", program->name,
+             has_name ? " " : "", has_name ? command->name : "");
+}
+
+const struct command *command_named(const struct command_program *program,
+                                    const char *name)
+{
+    const struct command *const *command = program->commands;
+    while (*command && strcmp((*command)->name, name) != 0) {
+        command++;
+    }
+    return *command;
+}
+
+static int print_version(const struct command_program *program)
+{
+    printf("%s %s\n", program->name, program->version);
+    return CMD_DONE;
+}
+
+static int finish(const char *name, int code)
+{
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        return cmd_failed(name, "standard output: write error");
+    }
+    return code;
+}
+
+/* ---- A command ---------------------------------------------------------- */
+
+static int start(const struct command_program *program,
+                 const struct command *command, int argc, char **argv,
+                 void *arguments)
+{
+    int code = command_parse(program, command, argc, argv, arguments);
+    switch (code) {
+    case CMD_DONE: return command->function(arguments);
+    case COMMAND_ASKS_HELP:
+        command_print_help(program, command, stdout);
+        return CMD_DONE;
+    case COMMAND_ASKS_VERSION: return print_version(program);
+    default: return code;
+    }
+}
+
+static int run(const struct command_program *program,
+               const struct command *command, int argc, char **argv)
+{
+    char name[COMMAND_NAME_SIZE];
+    const char *full_name = name;
+    void *arguments = calloc(1, program->arguments_size);
+    command_full_name(program, command, name);
+    if (!arguments) {
+        return cmd_failed(name, "no memory");
+    }
+    if (program->arguments) {
+        memcpy(arguments, program->arguments, program->arguments_size);
+    }
+    memcpy(arguments, &full_name, sizeof full_name);
+    int code = start(program, command, argc, argv, arguments);
+    command_free(command, arguments);
+    free(arguments);
+    return finish(name, code);
+}
+
+/* ---- Which one ---------------------------------------------------------- */
+
+static int no_command(const struct command_program *program, const char *word)
+{
+    struct nearest nearest = { .word = word };
+    const struct command *const *command = program->commands;
+    for (; *command; command++) {
+        nearest_try(&nearest, (*command)->name);
+    }
+    fprintf(stderr, "%s: no such command: %s", program->name, word);
+    if (nearest.name) {
+        fprintf(stderr, " (%s?)", nearest.name);
+    }
+    fputs("\n\n", stderr);
+    command_print_summary(program, stderr);
+    return CMD_USAGE;
+}
+
+/* help, help COMMAND. */
+static int help(const struct command_program *program, int argc, char **argv)
+{
+    if (argc < 2) {
+        command_print_summary(program, stdout);
+        return CMD_DONE;
+    }
+    const struct command *command = command_named(program, argv[1]);
+    if (!command) {
+        return no_command(program, argv[1]);
+    }
+    command_print_help(program, command, stdout);
+    return CMD_DONE;
+}
+
+static bool is_option(const char *word, const struct command_option *option)
+{
+    return (word[0] == '-' && word[1] == '-'
+            && strcmp(word + 2, option->name) == 0)
+           || (option->letter && word[0] == '-' && word[1] == option->letter
+               && word[2] == '\0');
+}
+
+int command_main(const struct command_program *program, int argc, char **argv)
+{
+    if (is_one_command(program)) {
+        return run(program, program->commands[0], argc, argv);
+    }
+    if (argc < 2) {
+        command_print_summary(program, stderr);
+        return CMD_USAGE;
+    }
+    if (is_option(argv[1], &command_version_option)) {
+        return finish(program->name, print_version(program));
+    }
+    if (is_option(argv[1], &command_help_option)
+        || strcmp(argv[1], "help") == 0) {
+        return finish(program->name, help(program, argc - 1, argv + 1));
+    }
+    const struct command *command = command_named(program, argv[1]);
+    return command ? run(program, command, argc - 1, argv + 1)
+                   : no_command(program, argv[1]);
+}

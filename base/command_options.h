@@ -1,0 +1,27 @@
+/* command_options.h - options that mean the same in every program: rows for
+ * the lists of command.h.  Each takes the place of its value.
+ */
+#ifndef BASE_COMMAND_OPTIONS_H
+#define BASE_COMMAND_OPTIONS_H
+
+#include "base/command.h"
+#include "vm/c205.h"
+
+/* The models that are built in. */
+command_choice command_model_choice;
+
+/* clang-format off */
+#define COMMAND_OPTION_MODEL(place) \
+    { .name = "model", .value = "NAME|FILE", .kind = COMMAND_TEXT, \
+      .offset = place, .preset_text = C205_DEFAULT_MODEL, \
+      .choice = command_model_choice, .help = "machine model" }
+#define COMMAND_OPTION_JSON(place) \
+    { .name = "json", .value = "FILE", .kind = COMMAND_OUTPUT, \
+      .offset = place, .help = "write the results to a file as well" }
+#define COMMAND_OPTION_INCLUDE(place) \
+    { .name = "include", .letter = 'I', .value = "DIR", \
+      .kind = COMMAND_FOLDER, .many = true, .offset = place, \
+      .help = "look for included files there as well" }
+/* clang-format on */
+
+#endif

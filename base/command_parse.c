@@ -1,0 +1,447 @@
+/* command_parse.c - see command.h: options and operands to their values. */
+#include <errno.h>
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/command_rows.h"
+#include "base/file.h"
+#include "base/nearest.h"
+
+const struct command_option
+    command_help_option = { .name = "help",
+                            .letter = 'h',
+                            .kind = COMMAND_FLAG,
+                            .help = "tell how it is used" },
+    command_version_option = { .name = "version",
+                               .kind = COMMAND_FLAG,
+                               .help = "tell the version" };
+
+bool command_is_row(const struct command_option *option)
+{
+    return option && option->help;
+}
+
+static size_t rows_in(const struct command_option *options)
+{
+    size_t count = 0;
+    while (command_is_row(options)) {
+        options++;
+        count++;
+    }
+    return count;
+}
+
+static void *place_of(const struct command_option *option, void *arguments)
+{
+    return (char *)arguments + option->offset;
+}
+
+/* ---- One value ---------------------------------------------------------- */
+
+static bool take_count(const char *text, const struct command_option *option,
+                       void *place)
+{
+    char *end;
+    errno = 0;
+    unsigned long long value = strtoull(text, &end, 10);
+    size_t count = (size_t)value;
+    memcpy(place, &count, sizeof count);
+    return *text >= '0' && *text <= '9' && *end == '\0' && errno == 0
+           && (double)value >= option->least && (double)value <= option->most;
+}
+
+static bool take_clocks(const char *text, void *place)
+{
+    char *end;
+    errno = 0;
+    uint64_t value = strtoull(text, &end, 10);
+    memcpy(place, &value, sizeof value);
+    return *text >= '0' && *text <= '9' && *end == '\0' && errno == 0;
+}
+
+static bool take_number(const char *text, const struct command_option *option,
+                        void *place)
+{
+    char *end;
+    double value = strtod(text, &end);
+    memcpy(place, &value, sizeof value);
+    return end != text && *end == '\0' && value > option->least
+           && value < option->most;
+}
+
+/* The int of an enum. */
+static void put_choice(int value, void *place)
+{
+    memcpy(place, &value, sizeof value);
+}
+
+static bool take_choice(const char *text, const struct command_option *option,
+                        void *place)
+{
+    const char *name;
+    for (size_t i = 0; *text && (name = option->choice(i)) != NULL; i++) {
+        if (strcmp(name, text) == 0) {
+            put_choice((int)i, place);
+            return true;
+        }
+    }
+    return false;
+}
+
+static void take_text(const char *text, const struct command_option *option,
+                      void *place)
+{
+    struct command_texts *texts = place;
+    if (option->many) {
+        texts->items[texts->count++] = text;
+    } else {
+        memcpy(place, &text, sizeof text);
+    }
+}
+
+/* text is NULL for a flag. */
+static bool take(char *text, const struct command_option *option, void *place)
+{
+    static const bool yes = true;
+    switch (option->kind) {
+    case COMMAND_FLAG: memcpy(place, &yes, sizeof yes); return true;
+    case COMMAND_COUNT: return take_count(text, option, place);
+    case COMMAND_CLOCKS: return take_clocks(text, place);
+    case COMMAND_NUMBER: return take_number(text, option, place);
+    case COMMAND_CHOICE: return take_choice(text, option, place);
+    case COMMAND_OWN: return option->take(text, place);
+    case COMMAND_FILE:
+        if (strcmp(text, "-") == 0) {
+            return false;
+        }
+        break;
+    default: break;
+    }
+    take_text(text, option, place);
+    return *text != '\0';
+}
+
+/* ---- Before any is given ------------------------------------------------ */
+
+static bool prepare_row(const struct command_option *option, size_t room,
+                        void *place)
+{
+    size_t count = option->preset > 0 ? (size_t)option->preset : 0;
+    if (option->many) {
+        struct command_texts *texts = place;
+        texts->items = calloc(room, sizeof *texts->items);
+        return texts->items != NULL;
+    }
+    switch (option->kind) {
+    case COMMAND_FLAG:
+    case COMMAND_CLOCKS:
+    case COMMAND_OWN: break;
+    case COMMAND_COUNT: memcpy(place, &count, sizeof count); break;
+    case COMMAND_NUMBER:
+        memcpy(place, &option->preset, sizeof option->preset);
+        break;
+    case COMMAND_CHOICE: put_choice((int)option->preset, place); break;
+    default: memcpy(place, &option->preset_text, sizeof option->preset_text);
+    }
+    return true;
+}
+
+static bool prepare(const struct command_option *row, size_t room,
+                    void *arguments)
+{
+    for (; command_is_row(row); row++) {
+        if (!prepare_row(row, room, place_of(row, arguments))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void free_rows(const struct command_option *row, void *arguments)
+{
+    for (; command_is_row(row); row++) {
+        if (row->many) {
+            struct command_texts *texts = place_of(row, arguments);
+            free(texts->items);
+        }
+    }
+}
+
+void command_free(const struct command *command, void *arguments)
+{
+    free_rows(command->options, arguments);
+    free_rows(command->operands, arguments);
+}
+
+/* ---- What is wrong ------------------------------------------------------ */
+
+/* Who parses what for whom. */
+struct parsing {
+    const struct command_program *program;
+    const struct command *command;
+    char name[COMMAND_NAME_SIZE];
+    void *arguments;
+};
+
+static int wrong_value(const struct parsing *parsing,
+                       const struct command_option *option, const char *text)
+{
+    struct text_line name = { { 0 }, 0 }, wants = { { 0 }, 0 };
+    struct sink name_sink = text_line_sink(&name);
+    struct sink wants_sink = text_line_sink(&wants);
+    command_option_name(option, &name_sink);
+    command_option_wants(option, &wants_sink);
+    return cmd_usage(parsing->name, "%s: wrong argument: %s (%s)", name.text,
+                     *text ? text : "''", wants.text);
+}
+
+/* Another command that takes an option of that name, or NULL. */
+static const struct command *owner_of(const struct parsing *parsing,
+                                      const char *name)
+{
+    const struct command *const *command = parsing->program->commands;
+    for (; *command; command++) {
+        const struct command_option *option = (*command)->options;
+        for (; command_is_row(option); option++) {
+            if (strcmp(option->name, name) == 0) {
+                return *command;
+            }
+        }
+    }
+    return NULL;
+}
+
+static int no_long_option(const struct parsing *parsing, const char *word)
+{
+    char name[COMMAND_NAME_SIZE];
+    size_t length = strcspn(word + 2, "=");
+    snprintf(name, sizeof name, "%.*s",
+             (int)(length < sizeof name ? length : 0), word + 2);
+    const struct command_option *option = parsing->command->options;
+    const struct command *owner = owner_of(parsing, name);
+    struct nearest nearest = { .word = name };
+    for (; command_is_row(option); option++) {
+        nearest_try(&nearest, option->name);
+        if (length > 0 && strncmp(option->name, name, length) == 0) {
+            return cmd_usage(parsing->name,
+                             "%s: that may be --%s, or another", word,
+                             option->name);
+        }
+    }
+    if (owner) {
+        return cmd_usage(parsing->name, "no such option: --%s; it is for %s",
+                         name, owner->name);
+    }
+    if (nearest.name) {
+        return cmd_usage(parsing->name, "no such option: %s (--%s?)", word,
+                         nearest.name);
+    }
+    return cmd_usage(parsing->name, "no such option: %s", word);
+}
+
+/* A flag that was given a value, or what is no option at all. */
+static int wrong_option(const struct parsing *parsing, const char *word)
+{
+    const struct command_option *option = parsing->command->options;
+    if (word[0] != '-' || word[1] != '-') {
+        return cmd_usage(parsing->name, "no such option: -%c", optopt);
+    }
+    size_t length = strcspn(word + 2, "=");
+    for (; word[2 + length] && command_is_row(option); option++) {
+        if (option->kind == COMMAND_FLAG && strlen(option->name) == length
+            && strncmp(option->name, word + 2, length) == 0) {
+            return cmd_usage(parsing->name, "--%s takes no argument",
+                             option->name);
+        }
+    }
+    return no_long_option(parsing, word);
+}
+
+/* ---- Options ------------------------------------------------------------ */
+
+/* getopt's numbers: of the row in the list, behind all letters. */
+enum { FIRST_ROW = 256 };
+
+/* The options of a command as getopt wants them; behind them help and version,
+ * and an end. */
+struct getopt_tables {
+    struct option *options;
+    char *letters;
+    size_t count; /* of the command's own */
+};
+
+static void add_option(struct getopt_tables *tables, size_t place,
+                       const struct command_option *option)
+{
+    bool has_value = option->kind != COMMAND_FLAG;
+    tables->options[place] = (struct option){ option->name,
+                                              has_value ? required_argument
+                                                        : no_argument,
+                                              NULL, FIRST_ROW + (int)place };
+    if (option->letter) {
+        char *end = tables->letters + strlen(tables->letters);
+        snprintf(end, 3, "%c%s", option->letter, has_value ? ":" : "");
+    }
+}
+
+static bool make_tables(const struct command *command,
+                        struct getopt_tables *tables)
+{
+    tables->count = rows_in(command->options);
+    tables->options = calloc(tables->count + 3, sizeof *tables->options);
+    tables->letters = calloc(tables->count + 3, 3);
+    if (!tables->options || !tables->letters) {
+        return false;
+    }
+    tables->letters[0] = ':'; /* tell a missing value from a wrong option */
+    for (size_t i = 0; i < tables->count; i++) {
+        add_option(tables, i, &command->options[i]);
+    }
+    add_option(tables, tables->count, &command_help_option);
+    add_option(tables, tables->count + 1, &command_version_option);
+    return true;
+}
+
+/* The row that getopt speaks of: of the command's, help or version. */
+static const struct command_option *row_of(const struct command *command,
+                                           const struct getopt_tables *tables,
+                                           int value)
+{
+    for (size_t i = 0; i < tables->count; i++) {
+        const struct command_option *option = &command->options[i];
+        if (value == FIRST_ROW + (int)i || value == option->letter) {
+            return option;
+        }
+    }
+    return value == FIRST_ROW + (int)tables->count + 1
+               ? &command_version_option
+               : &command_help_option;
+}
+
+static int take_option(const struct parsing *parsing,
+                       const struct command_option *option)
+{
+    if (option == &command_help_option) {
+        return COMMAND_ASKS_HELP;
+    }
+    if (option == &command_version_option) {
+        return COMMAND_ASKS_VERSION;
+    }
+    return take(optarg, option, place_of(option, parsing->arguments))
+               ? CMD_DONE
+               : wrong_value(parsing, option, optarg);
+}
+
+static int parse_options(const struct parsing *parsing,
+                         const struct getopt_tables *tables, int argc,
+                         char **argv)
+{
+    int code = CMD_DONE, value;
+    opterr = 0;
+    optind = 0;
+    while (code == CMD_DONE
+           && (value = getopt_long(argc, argv, tables->letters,
+                                   tables->options, NULL))
+                  != -1) {
+        const char *word = argv[optind - 1];
+        if (value == ':') {
+            code = cmd_usage(parsing->name, "%s needs an argument", word);
+        } else if (value == '?') {
+            code = wrong_option(parsing, word);
+        } else {
+            code = take_option(parsing,
+                               row_of(parsing->command, tables, value));
+        }
+    }
+    return code;
+}
+
+/* ---- Operands ----------------------------------------------------------- */
+
+static int parse_operands(const struct parsing *parsing, char **words)
+{
+    const struct command_option *operand = parsing->command->operands;
+    for (; command_is_row(operand); operand++) {
+        void *place = place_of(operand, parsing->arguments);
+        if (!*words && !operand->optional) {
+            return cmd_usage(parsing->name, "%s is missing: %s",
+                             operand->value, operand->help);
+        }
+        while (*words) {
+            if (!take(*words, operand, place)) {
+                return wrong_value(parsing, operand, *words);
+            }
+            words++;
+            if (!operand->many) {
+                break;
+            }
+        }
+    }
+    return !*words
+               ? CMD_DONE
+               : cmd_usage(parsing->name, "too many arguments: %s", *words);
+}
+
+/* ---- Files that get in each other's way --------------------------------- */
+
+/* NULL: the option names no file that is written, or none at all. */
+static const char *written_by(const struct parsing *parsing,
+                              const struct command_option *option)
+{
+    const char *path = NULL;
+    if ((option->kind == COMMAND_OUTPUT || option->kind == COMMAND_FILE)
+        && !option->many) {
+        memcpy(&path, place_of(option, parsing->arguments), sizeof path);
+    }
+    return path;
+}
+
+static int check_outputs(const struct parsing *parsing)
+{
+    const struct command_option *a = parsing->command->options, *b;
+    for (; command_is_row(a); a++) {
+        const char *path = written_by(parsing, a);
+        for (b = a + 1; path && command_is_row(b); b++) {
+            const char *other = written_by(parsing, b);
+            if (other && file_is_one(path, other)) {
+                return cmd_usage(parsing->name, "--%s and --%s name one file",
+                                 a->name, b->name);
+            }
+        }
+    }
+    return CMD_DONE;
+}
+
+/* ---- All of it ---------------------------------------------------------- */
+
+static int parse(struct parsing *parsing, int argc, char **argv)
+{
+    const struct command *command = parsing->command;
+    struct getopt_tables tables = { NULL, NULL, 0 };
+    size_t room = (size_t)argc + 1;
+    int code = CMD_FAILED;
+    if (!prepare(command->options, room, parsing->arguments)
+        || !prepare(command->operands, room, parsing->arguments)
+        || !make_tables(command, &tables)) {
+        cmd_failed(parsing->name, "no memory");
+    } else {
+        code = parse_options(parsing, &tables, argc, argv);
+    }
+    free(tables.options);
+    free(tables.letters);
+    if (code == CMD_DONE) {
+        code = parse_operands(parsing, argv + optind);
+    }
+    return code == CMD_DONE ? check_outputs(parsing) : code;
+}
+
+int command_parse(const struct command_program *program,
+                  const struct command *command, int argc, char **argv,
+                  void *arguments)
+{
+    struct parsing parsing = { program, command, "", arguments };
+    command_full_name(program, command, parsing.name);
+    return parse(&parsing, argc, argv);
+}

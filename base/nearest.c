@@ -1,0 +1,57 @@
+/* nearest.c - see nearest.h. */
+#include "base/nearest.h"
+
+#include <ctype.h>
+#include <stdbool.h>
+#include <string.h>
+
+/* Longer words are never near one another. */
+enum { LETTERS_MOST = 40 };
+
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+static bool equal(char a, char b)
+{
+    return tolower((unsigned char)a) == tolower((unsigned char)b);
+}
+
+/* rows[i][k]: what it takes from the first i letters of a to the first k of
+ * b. */
+static size_t distance(const char *a, size_t a_length, const char *b,
+                       size_t b_length)
+{
+    size_t rows[LETTERS_MOST + 1][LETTERS_MOST + 1];
+    for (size_t i = 0; i <= a_length; i++) {
+        for (size_t k = 0; k <= b_length; k++) {
+            if (i == 0 || k == 0) {
+                rows[i][k] = i + k;
+                continue;
+            }
+            rows[i][k] = least(rows[i - 1][k - 1]
+                                   + !equal(a[i - 1], b[k - 1]),
+                               1 + least(rows[i - 1][k], rows[i][k - 1]));
+            if (i > 1 && k > 1 && equal(a[i - 1], b[k - 2])
+                && equal(a[i - 2], b[k - 1])) {
+                rows[i][k] = least(rows[i][k], 1 + rows[i - 2][k - 2]);
+            }
+        }
+    }
+    return rows[a_length][b_length];
+}
+
+void nearest_try(struct nearest *nearest, const char *name)
+{
+    size_t length = strlen(nearest->word), name_length = strlen(name);
+    if (length > LETTERS_MOST || name_length > LETTERS_MOST) {
+        return;
+    }
+    size_t wrong = distance(nearest->word, length, name, name_length);
+    if (wrong <= (length + 2) / 3
+        && (!nearest->name || wrong < nearest->distance)) {
+        nearest->name = name;
+        nearest->distance = wrong;
+    }
+}

@@ -1,0 +1,26 @@
+/* nearest.h - which name somebody meant who wrote it wrongly.
+ *
+ * Letters left out, put in, exchanged or swapped with their neighbour count
+ * one each (the distance of Damerau and Levenshtein, of which Wagner and
+ * Fischer's table is the method).  A name is meant when a third of the word's
+ * letters or fewer are wrong.
+ *
+ *   struct nearest nearest = { .word = "rnu" };
+ *   nearest_try(&nearest, "run");
+ *   nearest.name is "run", or NULL if nothing is near
+ */
+#ifndef BASE_NEAREST_H
+#define BASE_NEAREST_H
+
+#include <stddef.h>
+
+struct nearest {
+    const char *word;
+    const char *name; /* the nearest so far, of equals the first */
+    size_t distance;
+};
+
+/* The name must outlive its use; capitals do not count. */
+void nearest_try(struct nearest *nearest, const char *name);
+
+#endif

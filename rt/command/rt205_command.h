@@ -1,0 +1,138 @@
+/* rt205_command.h - what the commands of rt205 share.
+ *
+ * A command is a file with its row, its options and its work (command.h).
+ */
+#ifndef RT_RT205_COMMAND_H
+#define RT_RT205_COMMAND_H
+
+#include <stddef.h>
+
+#include "base/command_options.h"
+#include "base/json.h"
+#include "base/table.h"
+#include "rt/roots/roots.h"
+#include "rt/scene/language/scene_read.h"
+#include "rt/study/sweep/kinds.h"
+
+extern const struct command render_command, profile_command, speedup_command,
+    sweep_command, quartic_command;
+
+/* In what form results go to stdout: as text; tables as CSV or Markdown; or
+ * nothing but the JSON document. */
+enum cmd_format {
+    FORMAT_TEXT = TABLE_PLAIN,
+    FORMAT_CSV = TABLE_CSV,
+    FORMAT_MARKDOWN = TABLE_MARKDOWN,
+    FORMAT_JSON
+};
+
+/* Lengths of the queue, rising. */
+struct cmd_points {
+    size_t count;
+    size_t items[SWEEP_LENGTHS_MOST];
+};
+
+struct cmd_arguments {
+    const char *command;
+    const char *scene;         /* the file to work on, or NULL; of a sweep
+                                   perhaps a primitive */
+    const char *output, *json; /* NULL: not wanted */
+    const char *resume;        /* keeps finished bands, or NULL */
+    const char *model;
+    enum cmd_format format;
+    struct trace_options trace; /* its model is not yet set */
+    struct speedup_view view;   /* angle 0: not given */
+    struct cmd_points points;
+    int sweep; /* the number of the kind */
+    bool strict, half;
+    bool all, first; /* roots of polynomials */
+    bool passes; /* of the root solver, one by one, in the speedup table */
+    int falsi;   /* the rule; FALSI_RULES: all of them, compared */
+    struct command_texts search; /* folders for includes */
+};
+
+/* ---- Options of several commands ---------------------------------------- */
+
+#define CMD_PLACE(member) offsetof(struct cmd_arguments, member)
+
+command_choice cmd_mode_choice, cmd_visible_choice, cmd_format_choice;
+
+/* clang-format off */
+#define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
+#define CMD_JSON COMMAND_OPTION_JSON(CMD_PLACE(json))
+#define CMD_FLAG(flag, place, text) \
+    { .name = flag, .kind = COMMAND_FLAG, .offset = CMD_PLACE(place), \
+      .help = text }
+#define CMD_COUNT(option, place, first, last, usual, text) \
+    .name = option, .value = "N", .kind = COMMAND_COUNT, \
+    .offset = CMD_PLACE(place), .least = first, .most = (double)(last), \
+    .preset = usual, .help = text
+
+#define CMD_SIZE(across, down) \
+    { CMD_COUNT("width", trace.width, 1, TRACE_PIXELS_MOST, across, \
+                "pixels across"), .letter = 'W' }, \
+    { CMD_COUNT("height", trace.height, 1, TRACE_PIXELS_MOST, down, \
+                "pixels down"), .letter = 'H' }
+#define CMD_QUEUE(what) \
+    { CMD_COUNT("queue", trace.queue, 1, TRACE_QUEUE_MOST, TRACE_QUEUE, \
+                what) }
+#define CMD_JOBS(what) \
+    { CMD_COUNT("jobs", trace.jobs, 1, TRACE_JOBS_MOST, 1, what) }
+#define CMD_VIEW(usual, usual_text) \
+    { .name = "distance", .value = "D", .kind = COMMAND_NUMBER, \
+      .offset = CMD_PLACE(view.distance), .most = 1e6, \
+      .preset = SPEEDUP_DISTANCE, \
+      .help = "from the eye to the middle of the shape" }, \
+    { .name = "angle", .value = "DEGREES", .kind = COMMAND_NUMBER, \
+      .offset = CMD_PLACE(view.angle), .most = 180, .preset = usual, \
+      .preset_text = usual_text, .help = "that the rays span across" }
+#define CMD_MODE(choices, what) \
+    { .name = "mode", .value = "MODE", .kind = COMMAND_CHOICE, \
+      .offset = CMD_PLACE(trace.mode), .choice = choices, \
+      .preset = TRACE_VECTOR, .help = what }
+#define CMD_BOUNDS \
+    CMD_FLAG("historical", trace.historical, \
+             "Steiner patches the way of 1984"), \
+    CMD_FLAG("no-bounds", trace.no_bounds, \
+             "every ray goes against every primitive"), \
+    { .name = "visible", .value = "WAY", .kind = COMMAND_CHOICE, \
+      .offset = CMD_PLACE(trace.visible), .choice = cmd_visible_choice, \
+      .help = "crossings of solids, vector form" }
+#define CMD_READ \
+    CMD_FLAG("strict", strict, \
+             "what would be replaced or left out is an error"), \
+    COMMAND_OPTION_INCLUDE(CMD_PLACE(search))
+#define CMD_FORMAT \
+    { .name = "format", .value = "FORMAT", .kind = COMMAND_CHOICE, \
+      .offset = CMD_PLACE(format), .choice = cmd_format_choice, \
+      .help = "on stdout; json: what --json writes, and nothing else" }
+#define CMD_SCENE \
+    { .value = "SCENE", .kind = COMMAND_INPUT, .offset = CMD_PLACE(scene), \
+      .help = "a scene file" }
+/* clang-format on */
+
+/* ---- Their work --------------------------------------------------------- */
+
+/* What a command does with its model, which is found and set, and with the
+ * JSON that the user asked for, NULL if none.  With FORMAT_JSON there is one,
+ * which goes to stdout, and the work prints nothing else there.  The exit code,
+ * or CMD_UNDRAWN: all results are there, but not their picture. */
+typedef int cmd_work(const struct cmd_arguments *arguments,
+                     struct json *json);
+enum { CMD_UNDRAWN = CMD_USAGE + 1 };
+/* Do that, if the frame is not too large.  The JSON is kept if the work ends
+ * with CMD_DONE or CMD_UNDRAWN, else dropped.  The exit code: of what is not
+ * drawn CMD_FAILED. */
+int cmd_with_machine(struct cmd_arguments *arguments, cmd_work *work);
+
+/* The scene of the arguments; its reports go to stderr.  NULL: it has errors,
+ * which have been told. */
+struct scene *cmd_read_scene(const struct cmd_arguments *arguments);
+
+/* Let Ctrl-C ask a trace to stop, and show progress when stderr is a
+ * terminal: a trace_options.progress function and its context. */
+void cmd_watch(struct trace_options *options);
+/* Whether Ctrl-C has been pressed since. */
+bool cmd_interrupted(void);
+
+#endif
