@@ -9,7 +9,8 @@ BUILD ?= build
 OPT ?= -O3
 CFLAGS ?= -g
 CXXFLAGS ?= -g
-VERSION = 0.6.0
+# The release, as vm/c205.h names it.
+VERSION := $(shell sed -n 's/^.define C205_VERSION "\(.*\)"/\1/p' vm/c205.h)
 PREFIX ?= /usr/local
 LIBDIR = $(PREFIX)/lib/rt205
 WASM_CC ?= clang --target=wasm32-wasi --sysroot=/usr

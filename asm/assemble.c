@@ -80,23 +80,30 @@ static struct object *assemble(const struct source *source,
     return object;
 }
 
-struct object *assemble_text(const char *name, const char *text,
-                             const struct asm_options *options,
-                             struct diagnostics *diagnostics)
+struct object *assemble_bytes(const char *name, const char *text,
+                              size_t length,
+                              const struct asm_options *options,
+                              struct diagnostics *diagnostics)
 {
     struct source source;
 
     source.name = name;
     source.text = text;
-    source.end = text + strlen(text);
+    source.end = text + length;
     return assemble(&source, options, diagnostics);
+}
+
+struct object *assemble_text(const char *name, const char *text,
+                             const struct asm_options *options,
+                             struct diagnostics *diagnostics)
+{
+    return assemble_bytes(name, text, strlen(text), options, diagnostics);
 }
 
 struct object *assemble_file(const char *path,
                              const struct asm_options *options,
                              struct diagnostics *diagnostics)
 {
-    struct source source;
     struct object *object;
     c205_error error;
     size_t length;
@@ -106,10 +113,7 @@ struct object *assemble_file(const char *path,
         report_file(diagnostics, path, error.message);
         return NULL;
     }
-    source.name = path;
-    source.text = text;
-    source.end = text + length;
-    object = assemble(&source, options, diagnostics);
+    object = assemble_bytes(path, text, length, options, diagnostics);
     free(text);
     return object;
 }

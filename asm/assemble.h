@@ -67,6 +67,11 @@ struct object *assemble_file(const char *path,
 struct object *assemble_text(const char *name, const char *text,
                              const struct asm_options *options,
                              struct diagnostics *diagnostics);
+/* The same of so many bytes, NULs among them or not, and a NUL behind them. */
+struct object *assemble_bytes(const char *name, const char *text,
+                              size_t length,
+                              const struct asm_options *options,
+                              struct diagnostics *diagnostics);
 void object_free(struct object *object);
 
 /* NULL: no such symbol. */

@@ -117,17 +117,10 @@ struct object *object_load(const char *path, c205_error *error)
     return object;
 }
 
-bool object_recognise(const char *path)
+bool object_recognise(const char *text, size_t length)
 {
     static const char magic[] = "c205-object ";
-    char begin[sizeof magic - 1];
-    FILE *file = fopen(path, "rb");
-    bool same;
 
-    if (!file)
-        return false;
-    same = fread(begin, 1, sizeof begin, file) == sizeof begin
-           && memcmp(begin, magic, sizeof begin) == 0;
-    fclose(file);
-    return same;
+    return length >= sizeof magic - 1
+           && memcmp(text, magic, sizeof magic - 1) == 0;
 }

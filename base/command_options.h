@@ -12,12 +12,9 @@ command_choice command_model_choice;
 
 /* clang-format off */
 #define COMMAND_OPTION_MODEL(place) \
-    { .name = "model", .value = "NAME|FILE", .kind = COMMAND_TEXT, \
+    { .name = "model", .value = "NAME|FILE", .kind = COMMAND_INPUT, \
       .offset = place, .preset_text = C205_DEFAULT_MODEL, \
       .choice = command_model_choice, .help = "machine model" }
-#define COMMAND_OPTION_JSON(place) \
-    { .name = "json", .value = "FILE", .kind = COMMAND_OUTPUT, \
-      .offset = place, .help = "write the results to a file as well" }
 #define COMMAND_OPTION_INCLUDE(place) \
     { .name = "include", .letter = 'I', .value = "DIR", \
       .kind = COMMAND_FOLDER, .many = true, .offset = place, \

@@ -414,6 +414,37 @@ static int check_outputs(const struct parsing *parsing)
     return CMD_DONE;
 }
 
+/* How many of the rows' values are stdin. */
+static size_t streams_in(const struct command_option *row, void *arguments)
+{
+    size_t count = 0;
+    for (; command_is_row(row); row++) {
+        const struct command_texts *texts = place_of(row, arguments);
+        const char *path;
+        if (row->kind != COMMAND_INPUT) {
+            continue;
+        }
+        for (size_t i = 0; row->many && i < texts->count; i++) {
+            count += file_is_stream(texts->items[i]);
+        }
+        if (!row->many) {
+            memcpy(&path, texts, sizeof path);
+            count += path && file_is_stream(path);
+        }
+    }
+    return count;
+}
+
+static int check_inputs(const struct parsing *parsing)
+{
+    size_t streams = streams_in(parsing->command->options, parsing->arguments)
+                     + streams_in(parsing->command->operands,
+                                  parsing->arguments);
+    return streams <= 1
+               ? CMD_DONE
+               : cmd_usage(parsing->name, "only one file can be -, stdin");
+}
+
 /* ---- All of it ---------------------------------------------------------- */
 
 static int parse(struct parsing *parsing, int argc, char **argv)
@@ -434,7 +465,10 @@ static int parse(struct parsing *parsing, int argc, char **argv)
     if (code == CMD_DONE) {
         code = parse_operands(parsing, argv + optind);
     }
-    return code == CMD_DONE ? check_outputs(parsing) : code;
+    if (code == CMD_DONE) {
+        code = check_outputs(parsing);
+    }
+    return code == CMD_DONE ? check_inputs(parsing) : code;
 }
 
 int command_parse(const struct command_program *program,

@@ -36,6 +36,11 @@ static int reason(const FILE *file, const char *text, size_t length,
     return length > largest ? EFBIG : 0;
 }
 
+bool file_is_stream(const char *path)
+{
+    return strcmp(path, "-") == 0;
+}
+
 char *file_read(const char *path, size_t largest, size_t *length,
                 c205_error *error)
 {
@@ -44,13 +49,13 @@ char *file_read(const char *path, size_t largest, size_t *length,
     int why;
 
     errno = 0;
-    file = fopen(path, "rb");
+    file = file_is_stream(path) ? stdin : fopen(path, "rb");
     if (file)
         text = read_stream(file, largest, length);
     if (file && text && !ferror(file))
         errno = 0;
     why = reason(file, text, file ? *length : 0, largest);
-    if (file)
+    if (file && file != stdin)
         fclose(file);
     if (!why)
         return text;

@@ -1,12 +1,15 @@
-/* file.h - whole files into memory. */
+/* file.h - whole files into memory; what paths name. */
 #ifndef BASE_FILE_H
 #define BASE_FILE_H
 
 #include "vm/c205.h"
 
+/* Whether a path is "-": stdin where it is read, stdout where it is written. */
+bool file_is_stream(const char *path);
+
 enum { FILE_LARGEST = (1 << 28) - 2 }; /* bytes */
 
-/* The bytes of a file and a NUL after them, to be freed; NULL: the error says
+/* The bytes of a file, or of stdin, and a NUL after them, to be freed; NULL: the error says
  * why, without naming the file, and errno is set.  Files of more than so many
  * bytes are refused (EFBIG), endless ones among them. */
 char *file_read(const char *path, size_t largest, size_t *length,

@@ -62,12 +62,12 @@ void provenance_line(const c205_model *model, char line[PROVENANCE_LINE])
 }
 
 static bool say_belief(const char *how, c205_belief belief,
-                       const char *before)
+                       const char *before, FILE *file)
 {
     char line[PROVENANCE_LINE];
     bool known = tell_belief(how, belief, line);
     if (known) {
-        printf(",\n%s%s", before, line);
+        fprintf(file, ",\n%s%s", before, line);
     }
     return known;
 }
@@ -85,51 +85,57 @@ static const c205_model *fitted_origin(const c205_model *model)
     return like;
 }
 
-static void say_origin(const c205_model *model, const char *before)
+static void say_origin(const c205_model *model, const char *before,
+                       FILE *file)
 {
     const c205_model *origin = fitted_origin(model);
-    printf(",\n%s%s", before, unknown);
+    fprintf(file, ",\n%s%s", before, unknown);
     if (origin) {
-        printf("; it changes %s", c205_model_name(origin));
-        say_belief("which was fitted to", c205_model_fitted(origin), before);
+        fprintf(file, "; it changes %s", c205_model_name(origin));
+        say_belief("which was fitted to", c205_model_fitted(origin), before,
+                   file);
     }
 }
 
-static void print_belief(const c205_model *model, const char *before)
+static void print_belief(const c205_model *model, const char *before,
+                         FILE *file)
 {
-    printf("%s%s on the model %s", before,
-           c205_model_is_projection(model)
-               ? "Projected, not emulated,"
-               : "Cycle-accounted, not cycle-accurate,",
-           c205_model_name(model));
-    bool said = say_belief("fitted to", c205_model_fitted(model), before);
+    fprintf(file, "%s%s on the model %s", before,
+            c205_model_is_projection(model)
+                ? "Projected, not emulated,"
+                : "Cycle-accounted, not cycle-accurate,",
+            c205_model_name(model));
+    bool said = say_belief("fitted to", c205_model_fitted(model), before,
+                           file);
     said |= say_belief("validated against", c205_model_compared(model),
-                       before);
+                       before, file);
     if (!said) {
-        say_origin(model, before);
+        say_origin(model, before, file);
     }
-    printf(".\n%sNot modelled: %s.\n", before, provenance_left_out(model));
+    fprintf(file, ".\n%sNot modelled: %s.\n", before,
+            provenance_left_out(model));
 }
 
-static void print_sources(const c205_model *model, const char *before)
+static void print_sources(const c205_model *model, const char *before,
+                          FILE *file)
 {
     const char *before_next = "";
-    printf("%s%zu constants:", before, c205_model_size(model));
+    fprintf(file, "%s%zu constants:", before, c205_model_size(model));
     for (size_t i = 0; sources[i].letter; i++) {
         size_t count = constants_from(model, sources[i].letter);
         if (count > 0) {
-            printf("%s %zu %s (%c)", before_next, count, sources[i].name,
-                   sources[i].letter);
+            fprintf(file, "%s %zu %s (%c)", before_next, count,
+                    sources[i].name, sources[i].letter);
             before_next = ",";
         }
     }
-    putchar('\n');
+    putc('\n', file);
 }
 
-void provenance_print(const c205_model *model, const char *before)
+void provenance_print(const c205_model *model, const char *before, FILE *file)
 {
-    print_belief(model, before);
-    print_sources(model, before);
+    print_belief(model, before, file);
+    print_sources(model, before, file);
 }
 
 /* ---- The same as JSON ---- */

@@ -2,6 +2,8 @@
 #ifndef BASE_PROVENANCE_H
 #define BASE_PROVENANCE_H
 
+#include <stdio.h>
+
 #include "base/json.h"
 
 /* Whether a fit has moved any of its constants (source F). */
@@ -17,8 +19,9 @@ const char *provenance_left_out(const c205_model *model);
 
 /* With every table: what its figures are, on which model, how near that came
  * to published figures, what it leaves out, and from where its constants are.
- * Lines on stdout, each behind a text of the caller's ("# ", say). */
-void provenance_print(const c205_model *model, const char *before);
+ * Lines, each behind a text of the caller's ("# ", say). */
+void provenance_print(const c205_model *model, const char *before,
+                      FILE *file);
 /* All of that as the member "model". */
 void provenance_json(const c205_model *model, struct json *json);
 

@@ -352,8 +352,12 @@ void table_heading(const char *heading, enum table_format format, FILE *file)
         [TABLE_CSV] = { "# ", "\n" },
         [TABLE_MARKDOWN] = { "## ", "\n\n" },
     };
-    fprintf(file, "\n%s%s%s", marks[format].before, heading,
-            marks[format].after);
+    fprintf(file, "\n%s", marks[format].before);
+    for (; *heading; heading++) {
+        putc(*heading == '\n' && format != TABLE_PLAIN ? ' ' : *heading,
+             file);
+    }
+    fputs(marks[format].after, file);
 }
 
 const char *table_remark(enum table_format format)

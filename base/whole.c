@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/file.h"
+
 enum { SUFFIX_SIZE = 16, ATTEMPTS = 100 };
 
 static void tell(c205_error *error, const char *path, const char *why)
@@ -46,6 +48,22 @@ static void whole_free(struct whole *whole)
     free(whole);
 }
 
+static FILE *open_place(struct whole *whole)
+{
+    if (file_is_stream(whole->path)) {
+        return stdout;
+    }
+    int file = is_special(whole->path) ? open(whole->path, O_WRONLY)
+                                       : open_beside(whole);
+    return file < 0 ? NULL : fdopen(file, "w");
+}
+
+/* stdout goes on. */
+static bool close_place(struct whole *whole)
+{
+    return whole->file == stdout || fclose(whole->file) == 0;
+}
+
 struct whole *whole_open(const char *path, c205_error *error)
 {
     struct whole *whole = calloc(1, sizeof *whole);
@@ -55,8 +73,7 @@ struct whole *whole_open(const char *path, c205_error *error)
         return NULL;
     }
     strcpy(whole->path, path);
-    int file = is_special(path) ? open(path, O_WRONLY) : open_beside(whole);
-    whole->file = file < 0 ? NULL : fdopen(file, "w");
+    whole->file = open_place(whole);
     if (!whole->file) {
         tell(error, path, strerror(errno));
         whole_free(whole);
@@ -67,6 +84,9 @@ struct whole *whole_open(const char *path, c205_error *error)
 
 bool whole_check(const char *path, c205_error *error)
 {
+    if (file_is_stream(path)) {
+        return true;
+    }
     if (is_special(path)) {
         if (access(path, W_OK) == 0) {
             return true;
@@ -93,7 +113,7 @@ bool whole_commit(struct whole *whole, c205_error *error)
 {
     errno = 0;
     bool good = reaches_disk(whole);
-    good = fclose(whole->file) == 0 && good;
+    good = close_place(whole) && good;
     if (good && whole->temporary) {
         good = rename(whole->temporary, whole->path) == 0;
     }
@@ -109,7 +129,7 @@ bool whole_commit(struct whole *whole, c205_error *error)
 
 void whole_discard(struct whole *whole)
 {
-    fclose(whole->file);
+    close_place(whole);
     if (whole->temporary) {
         unlink(whole->temporary);
     }

@@ -2,7 +2,8 @@
  *
  * It is written under a temporary name beside the real one, and gets the real
  * name when all of it has reached the disk.  What is no regular file (a
- * device, a pipe, a link) is written directly, as there is nothing to keep.
+ * device, a pipe, a link; stdout, of which the name is "-") is written directly,
+ * as there is nothing to keep.
  */
 #ifndef BASE_WHOLE_H
 #define BASE_WHOLE_H

@@ -3,7 +3,8 @@
 # where output goes, files written whole or not at all, Ctrl-C.
 set -u
 build=$(cd "$1" && pwd)
-scene=$(pwd)/scenes/first.pov
+here=$(pwd)
+scene=$here/scenes/first.pov
 kernels=$(pwd)/rt/kernels
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -276,6 +277,7 @@ tells out 'saved as early'
 ends 0 "$build/c205" run --restore early counting.s --limit 700 --save late
 ends 0 "$build/c205" run --restore late
 sed 1d whole >whole.accounts
+cp whole.accounts whole.counting
 sed 1d out | cmp -s - whole.accounts
 verdict $? "a restored run ends with other accounts"
 cat >vectors.s <<'TEXT'
@@ -477,8 +479,6 @@ tells out "on the model cyber720,$"
 tells out "frame are equal"
 ends 2 "$build/rt205" speedup --format xml
 tells err "text, csv, md or json"
-ends 2 "$build/rt205" render "$scene" -o x.png --format csv
-tells err "no such option: --format"
 for wrong in "--distance 0" "--distance inf" "--angle 180" "--angle x"; do
     # An option and its argument are words.
     # shellcheck disable=SC2086
@@ -588,6 +588,75 @@ tells err "sphere is too small in a frame"
 ends 1 sweep pipes ./bad.pov
 tells err 'bad.pov:3:'
 ends 1 sweep pipes ./missing.pov
+
+# every result in every format, from and to streams
+formats() { # COMMAND ..: its results as text, CSV, Markdown and JSON
+    ends 0 "$@" --format csv
+    [ -z "$(sed "/^#/d; /^\$/d; /,/d" out)" ] && grep -q , out
+    verdict $? "CSV has lines that are neither rows nor remarks: $*"
+    ends 0 "$@" --format md
+    tells out '^|[:-]*-[:|-]*$'
+    ends 0 "$@" --json beside.json
+    cp out text
+    ends 0 "$@" --format json
+    cmp -s out beside.json
+    verdict $? "--format json is not what --json writes: $*"
+    ends 0 "$@" --json -
+    cmp -s out beside.json
+    verdict $? "--json - is not what --json writes: $*"
+    ends 0 "$@" --format text
+    cmp -s out text
+    verdict $? "--format text is not the usual format: $*"
+}
+formats "$build/c205" run good.s
+formats "$build/c205" run --check expects.s
+formats "$build/c205" time --points ADDNV
+formats "$build/c205" isa
+formats "$build/c205" isa ADDNV
+formats "$build/c205" model
+formats "$build/c205" model cyber720
+formats "$build/rt205" render "$scene" -o f.png -W 20 -H 15
+formats "$build/rt205" profile "$scene" -W 20 -H 15
+formats "$build/rt205" speedup -W 16 -H 10
+formats "$build/rt205" sweep pipes sphere -W 16 -H 16
+printf '1,-10,35,-50,24\n' >four.csv
+formats "$build/rt205" quartic four.csv
+formats "$build/rt205" quartic four.csv --falsi all
+ends 0 "$build/c205" run good.s --format csv
+tells err '^1.5$'
+
+pipes() { # WHAT: the last pipe went well
+    verdict $? "$1"
+}
+"$build/c205" asm good.s -o - | cmp -s - good.o
+pipes "an object on stdout is not that of the file"
+"$build/c205" run - <good.o 2>err | grep -q '^1.5'
+pipes "no program from stdin"
+"$build/c205" run counting.s --limit 300 --save - 2>accounts \
+    | "$build/c205" run --restore - 2>err | sed 1d | cmp -s - whole.counting
+pipes "a machine saved to stdout does not go on from stdin"
+grep -q 'saved as -$' accounts
+pipes "the accounts are not on stderr where stdout is taken"
+"$build/c205" model - <"$here/vm/models/cyber720.model" 2>err | grep -q '720'
+pipes "no model from stdin"
+"$build/rt205" render "$scene" -o - -W 40 -H 30 2>err | cmp -s - a.png
+pipes "a picture on stdout is not that of the file"
+checksum=$(grep checksum err)
+"$build/rt205" render - -o b.png -W 40 -H 30 <"$scene" | grep -q "$checksum"
+pipes "no scene from stdin"
+"$build/rt205" quartic - <good.csv 2>err | grep -q '^2:$'
+pipes "no polynomials from stdin"
+"$build/rt205" sweep queue - --points 1,10 -W 16 -H 12 <"$scene" 2>err \
+    | grep -q '^ *10 '
+pipes "no scene to sweep from stdin"
+ends 1 "$build/rt205" render "$scene" -o - -W 8 -H 6 --format json
+tells err 'for the output or for JSON'
+ends 2 "$build/rt205" render "$scene" -o - -W 8 -H 6 --json -
+tells err '--output and --json name one file'
+ends 2 "$build/c205" run - --restore -
+tells err 'only one file can be -'
+ends 2 "$build/rt205" render "$scene" -o a.png --resume -
+tells err 'a file that has a name'
 
 # Ctrl-C in the middle of a long frame
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \

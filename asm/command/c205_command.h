@@ -9,9 +9,8 @@
 
 #include "asm/assemble.h"
 #include "base/command_options.h"
-#include "base/json.h"
 #include "base/provenance.h"
-#include "base/table.h"
+#include "base/results.h"
 
 extern const struct command run_command, asm_command, dis_command,
     isa_command, model_command, time_command;
@@ -25,7 +24,8 @@ struct cmd_defines {
 struct cmd_arguments {
     const char *command;
     const char *model;
-    const char *json, *output, *save, *restore; /* NULL: not wanted */
+    struct results results;
+    const char *output, *save, *restore; /* NULL: not wanted */
     uint64_t limit;
     bool check, trace, listing, names, points, markdown;
     struct cmd_defines defines;
@@ -43,7 +43,7 @@ command_take cmd_take_define;
 
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
-#define CMD_JSON COMMAND_OPTION_JSON(CMD_PLACE(json))
+#define CMD_RESULTS RESULTS_OPTIONS(struct cmd_arguments, results)
 #define CMD_INCLUDE COMMAND_OPTION_INCLUDE(CMD_PLACE(folders))
 #define CMD_DEFINE \
     { .name = "define", .value = "NAME=VALUE", .kind = COMMAND_OWN, \
@@ -70,16 +70,5 @@ struct object *cmd_read_program(const struct cmd_arguments *arguments,
 
 /* A model, or NULL after telling why not. */
 c205_model *cmd_find_model(const char *command, const char *name);
-
-/* The JSON file that the user asked for, NULL if none.  False after telling
- * why it cannot be written. */
-bool cmd_open_json(const struct cmd_arguments *arguments, struct json **json);
-/* Closes the file if code is CMD_DONE, drops it otherwise.  The code. */
-int cmd_end_json(const struct cmd_arguments *arguments, struct json *json,
-                 int code);
-
-/* Print a table, add it to the JSON file if there is one, and free it. */
-int cmd_show(const char *command, struct table *table, struct json *json,
-             const char *key);
 
 #endif

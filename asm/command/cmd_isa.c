@@ -129,37 +129,41 @@ static bool chosen(const struct cmd_arguments *arguments,
     return arguments->files.count == 0;
 }
 
-/* A table of all; of those that were named, all that is known; or the names
- * alone.  The JSON file has the rows of the table in each case. */
-static int show(const struct cmd_arguments *arguments, struct json *json)
+/* As text a table of all; of those that were named, all that is known; or the
+ * names alone.  What is not text has the rows of the table in each case. */
+static int show(const struct cmd_arguments *arguments,
+                const struct results *results)
 {
     struct table *table = table_new(columns, COLUMNS);
-    bool tabular = arguments->files.count == 0 && !arguments->names;
+    bool as_text = results->format == RESULTS_TEXT;
+    bool tabular = !as_text
+                   || (arguments->files.count == 0 && !arguments->names);
     for (size_t i = 0; table && i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
         if (!chosen(arguments, insn)) {
             continue;
         }
         add_row(table, insn);
-        if (arguments->names) {
+        if (!tabular && arguments->names) {
             puts(insn->mnemonic);
         } else if (!tabular) {
             describe(insn);
         }
     }
-    if (tabular || !table) {
-        return cmd_show(arguments->command, table, json, "instructions");
+    if (tabular) {
+        return results_show(results, table, "instructions", NULL);
     }
-    bool good = !json || table_json(table, json, "instructions");
-    table_free(table);
-    return good ? CMD_DONE : cmd_failed(arguments->command, "no memory");
+    struct results kept = *results;
+    kept.file = NULL; /* it has been printed */
+    return results_show(&kept, table, "instructions", NULL);
 }
 
 static int markdown(const struct cmd_arguments *arguments)
 {
     c205_model *model;
     int code;
-    if (arguments->files.count > 0 || arguments->names || arguments->json) {
+    if (arguments->files.count > 0 || arguments->names
+        || arguments->results.path || arguments->results.format) {
         return cmd_usage(arguments->command, "--markdown stands alone");
     }
     model = cmd_find_model(arguments->command, arguments->model);
@@ -171,7 +175,7 @@ static int markdown(const struct cmd_arguments *arguments)
 static int run(void *given)
 {
     const struct cmd_arguments *arguments = given;
-    struct json *json;
+    struct results results = arguments->results;
     if (arguments->markdown) {
         return markdown(arguments);
     }
@@ -182,11 +186,10 @@ static int run(void *given)
                              name);
         }
     }
-    if (!cmd_open_json(arguments, &json)) {
+    if (!results_open(&results, arguments->command, NULL)) {
         return CMD_FAILED;
     }
-    int code = show(arguments, json);
-    return cmd_end_json(arguments, json, code);
+    return results_close(&results, show(arguments, &results));
 }
 
 static const char *mnemonic_choice(size_t number)
@@ -197,7 +200,7 @@ static const char *mnemonic_choice(size_t number)
 static const struct command_option options[] = {
     CMD_FLAG(names, "the mnemonics alone"),
     CMD_FLAG(markdown, "the whole reference, docs/isa.md"), CMD_MODEL,
-    CMD_JSON, COMMAND_END
+    CMD_RESULTS, COMMAND_END
 };
 static const struct command_option operands[] = {
     { .value = "MNEMONIC",

@@ -15,7 +15,7 @@ static const struct table_column constant_columns[] = {
     { "remark", "remark", TABLE_TEXT, 0 },
 };
 
-static int show_models(const char *command, struct json *json)
+static int show_models(const char *command, const struct results *results)
 {
     struct table *table = table_new(TABLE_COLUMNS(model_columns));
     const char *const *names = c205_model_names();
@@ -30,11 +30,11 @@ static int show_models(const char *command, struct json *json)
         table_text(table, c205_model_title(model));
         c205_model_free(model);
     }
-    return cmd_show(command, table, json, "models");
+    return results_show(results, table, "models", "Models");
 }
 
-static int show_constants(const char *command, const c205_model *model,
-                          struct json *json)
+static int show_constants(const c205_model *model,
+                          const struct results *results)
 {
     struct table *table = table_new(TABLE_COLUMNS(constant_columns));
     for (size_t i = 0; table && i < c205_model_size(model); i++) {
@@ -46,24 +46,25 @@ static int show_constants(const char *command, const c205_model *model,
         table_text(table, source);
         table_text(table, constant->remark);
     }
-    printf("%s\n", c205_model_title(model));
-    provenance_print(model, "");
-    if (json) {
-        provenance_json(model, json);
+    results_say(results, "%s\n", c205_model_title(model));
+    results_model(results, model);
+    if (results->json) {
+        provenance_json(model, results->json);
     }
-    return cmd_show(command, table, json, "constants");
+    return results_show(results, table, "constants", "Constants");
 }
 
-static int show(const char *command, const char *name, struct json *json)
+static int show(const char *command, const char *name,
+                const struct results *results)
 {
     if (!name) {
-        return show_models(command, json);
+        return show_models(command, results);
     }
     c205_model *model = cmd_find_model(command, name);
     if (!model) {
         return CMD_FAILED;
     }
-    int code = show_constants(command, model, json);
+    int code = show_constants(model, results);
     c205_model_free(model);
     return code;
 }
@@ -71,18 +72,18 @@ static int show(const char *command, const char *name, struct json *json)
 static int run(void *given)
 {
     const struct cmd_arguments *arguments = given;
-    struct json *json;
-    if (!cmd_open_json(arguments, &json)) {
+    struct results results = arguments->results;
+    if (!results_open(&results, arguments->command, NULL)) {
         return CMD_FAILED;
     }
-    int code = show(arguments->command, arguments->file, json);
-    return cmd_end_json(arguments, json, code);
+    int code = show(arguments->command, arguments->file, &results);
+    return results_close(&results, code);
 }
 
-static const struct command_option options[] = { CMD_JSON, COMMAND_END };
+static const struct command_option options[] = { CMD_RESULTS, COMMAND_END };
 static const struct command_option operands[] = {
     { .value = "NAME|FILE",
-      .kind = COMMAND_TEXT,
+      .kind = COMMAND_INPUT,
       .optional = true,
       .offset = CMD_PLACE(file),
       .choice = command_model_choice,

@@ -50,7 +50,7 @@ static const char *program_name(const struct cmd_arguments *arguments)
 
 static int show_accounts(const struct cmd_arguments *arguments,
                          const c205 *machine, const c205_stop *stop,
-                         struct json *json)
+                         const struct results *results)
 {
     const c205_model *model = c205_machine_model(machine);
     struct accounts accounts = { .model = model };
@@ -58,20 +58,20 @@ static int show_accounts(const struct cmd_arguments *arguments,
         accounts_free(&accounts);
         return cmd_failed(arguments->command, "no memory");
     }
-    if (json) {
-        json_text(json, "program", program_name(arguments));
-        provenance_json(model, json);
-        stop_json(machine, stop, json);
+    if (results->json) {
+        json_text(results->json, "program", program_name(arguments));
+        provenance_json(model, results->json);
+        stop_json(machine, stop, results->json);
     }
-    printf("%" PRIu64 " clocks\n", c205_clock(machine));
-    int code = cmd_show(arguments->command, accounts_by_cause(&accounts),
-                        json, "causes");
+    results_say(results, "%" PRIu64 " clocks\n", c205_clock(machine));
+    int code = results_show(results, accounts_by_cause(&accounts), "causes",
+                            "Clocks by cause");
     if (code == CMD_DONE) {
-        putchar('\n');
-        code = cmd_show(arguments->command, accounts_by_region(&accounts),
-                        json, "regions");
+        results_gap(results);
+        code = results_show(results, accounts_by_region(&accounts), "regions",
+                            "By region");
     }
-    provenance_print(model, "");
+    results_model(results, model);
     accounts_free(&accounts);
     return code;
 }
@@ -98,7 +98,7 @@ static bool may_go_on(const c205_stop *stop)
 }
 
 static int save(const struct cmd_arguments *arguments, const c205 *machine,
-                const c205_stop *stop)
+                const c205_stop *stop, const struct results *results)
 {
     c205_error error;
     if (!may_go_on(stop)) {
@@ -109,25 +109,34 @@ static int save(const struct cmd_arguments *arguments, const c205 *machine,
     if (!state_save(machine, arguments->save, &error)) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
-    printf("stopped by the limit, and saved as %s\n", arguments->save);
+    results_say(results, "stopped by the limit, and saved as %s\n",
+                arguments->save);
     return CMD_DONE;
+}
+
+/* What the program prints stands among the results where they are text, else
+ * it would spoil their format. */
+static struct printer printer_beside(const struct results *results)
+{
+    bool among = results->file == stdout && results->format == RESULTS_TEXT;
+    return (struct printer){ stream_sink(among ? stdout : stderr) };
 }
 
 static int run(const struct cmd_arguments *arguments, c205 *machine)
 {
-    struct printer printer = { stream_sink(stdout) };
-    struct json *json;
-    if (!cmd_open_json(arguments, &json)) {
+    struct results results = arguments->results;
+    if (!results_open(&results, arguments->command, arguments->save)) {
         return CMD_FAILED;
     }
+    struct printer printer = printer_beside(&results);
     c205_listen(machine, printer_listen, &printer);
     if (arguments->trace) {
         c205_listen(machine, trace, stderr);
     }
     c205_stop stop = c205_run(machine, arguments->limit);
-    int code = show_accounts(arguments, machine, &stop, json);
-    code = cmd_end_json(arguments, json, code);
-    int verdict = arguments->save ? save(arguments, machine, &stop)
+    int code = show_accounts(arguments, machine, &stop, &results);
+    code = results_close(&results, code);
+    int verdict = arguments->save ? save(arguments, machine, &stop, &results)
                                   : judge(arguments->command, machine, &stop);
     return code == CMD_DONE ? verdict : code;
 }
@@ -251,7 +260,7 @@ static const struct command_option options[] = {
     CMD_DEFINE,
     CMD_INCLUDE,
     CMD_FLAG(trace, "print each instruction as it is executed"),
-    CMD_JSON,
+    CMD_RESULTS,
     COMMAND_END
 };
 static const struct command_option operands[] = {

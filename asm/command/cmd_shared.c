@@ -1,4 +1,4 @@
-/* cmd_shared.c - see cmd.h. */
+/* cmd_shared.c - see c205_command.h. */
 #include "asm/command/c205_command.h"
 
 #include <errno.h>
@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "asm/object.h"
+#include "base/file.h"
 
 c205_model *cmd_find_model(const char *command, const char *name)
 {
@@ -18,22 +19,26 @@ c205_model *cmd_find_model(const char *command, const char *name)
     return model;
 }
 
-struct object *cmd_read_program(const struct cmd_arguments *arguments,
-                                const char *path, const struct sink *report)
+static struct object *read_object(const char *path, const char *text,
+                                  size_t length, const struct sink *report)
+{
+    c205_error error;
+    struct object *object = object_read(text, length, &error);
+    if (!object) {
+        sink_print(report, "%s: %s\n", path, error.message);
+    }
+    return object;
+}
+
+static struct object *assemble(const struct cmd_arguments *arguments,
+                               const char *path, const char *text,
+                               size_t length, const struct sink *report)
 {
     struct asm_options options = { .defines = arguments->defines.items,
                                    .search = arguments->folders.items };
     struct diagnostics errors = { 0 };
-    c205_error error;
-    struct object *object;
-    if (object_recognise(path)) {
-        object = object_load(path, &error);
-        if (!object) {
-            sink_print(report, "%s\n", error.message);
-        }
-        return object;
-    }
-    object = assemble_file(path, &options, &errors);
+    struct object *object = assemble_bytes(path, text, length, &options,
+                                           &errors);
     diagnostics_put(&errors, report);
     if (!object && errors.count == 0) {
         sink_print(report, "%s: error: no memory\n", path);
@@ -42,38 +47,22 @@ struct object *cmd_read_program(const struct cmd_arguments *arguments,
     return object;
 }
 
-bool cmd_open_json(const struct cmd_arguments *arguments, struct json **json)
+struct object *cmd_read_program(const struct cmd_arguments *arguments,
+                                const char *path, const struct sink *report)
 {
     c205_error error;
-    *json = NULL;
-    if (arguments->json && !(*json = json_open(arguments->json, &error))) {
-        cmd_failed(arguments->command, "%s", error.message);
-        return false;
+    size_t length;
+    char *text = file_read(path, FILE_LARGEST, &length, &error);
+    if (!text) {
+        sink_print(report, "%s: error: %s\n", path, error.message);
+        return NULL;
     }
-    return true;
-}
-
-int cmd_end_json(const struct cmd_arguments *arguments, struct json *json,
-                 int code)
-{
-    c205_error error;
-    if (json && code != CMD_DONE) {
-        json_discard(json);
-    } else if (json && !json_close(json, &error)) {
-        return cmd_failed(arguments->command, "%s", error.message);
-    }
-    return code;
-}
-
-int cmd_show(const char *command, struct table *table, struct json *json,
-             const char *key)
-{
-    bool good = table && table_print(table, stdout);
-    if (good && json) {
-        good = table_json(table, json, key);
-    }
-    table_free(table);
-    return good ? CMD_DONE : cmd_failed(command, "no memory");
+    struct object *object = object_recognise(text, length)
+                                ? read_object(path, text, length, report)
+                                : assemble(arguments, path, text, length,
+                                           report);
+    free(text);
+    return object;
 }
 
 /* The name is cut off in place. */

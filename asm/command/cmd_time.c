@@ -93,30 +93,32 @@ static bool measure_all(const struct cmd_arguments *arguments,
 /* Both tables go to the JSON file; the points are printed when asked for. */
 static int show(const struct cmd_arguments *arguments,
                 const c205_model *model, struct tables *tables,
-                struct json *json)
+                const struct results *results)
 {
-    if (json) {
-        provenance_json(model, json);
-        if (!table_json(tables->points, json, "points")) {
+    if (results->json) {
+        provenance_json(model, results->json);
+        if (!table_json(tables->points, results->json, "points")) {
             return cmd_failed(arguments->command, "no memory");
         }
     }
     if (arguments->points) {
-        int code = cmd_show(arguments->command, tables->points, NULL, NULL);
+        struct results printed = *results;
+        printed.json = NULL;
+        int code = results_show(&printed, tables->points, NULL, "Points");
         tables->points = NULL;
         if (code != CMD_DONE) {
             return code;
         }
-        putchar('\n');
+        results_gap(results);
     }
-    int code = cmd_show(arguments->command, tables->speeds, json, "speeds");
+    int code = results_show(results, tables->speeds, "speeds", "Speeds");
     tables->speeds = NULL;
-    provenance_print(model, "");
+    results_model(results, model);
     return code;
 }
 
 static int time_model(const struct cmd_arguments *arguments,
-                      const c205_model *model, struct json *json)
+                      const c205_model *model, const struct results *results)
 {
     struct tables tables = {
         table_new(TABLE_COLUMNS(speed_columns)),
@@ -126,7 +128,7 @@ static int time_model(const struct cmd_arguments *arguments,
     if (!tables.speeds || !tables.points) {
         cmd_failed(arguments->command, "no memory");
     } else if (measure_all(arguments, model, &tables)) {
-        code = show(arguments, model, &tables, json);
+        code = show(arguments, model, &tables, results);
     }
     table_free(tables.speeds);
     table_free(tables.points);
@@ -136,7 +138,7 @@ static int time_model(const struct cmd_arguments *arguments,
 static int run(void *given)
 {
     const struct cmd_arguments *arguments = given;
-    struct json *json;
+    struct results results = arguments->results;
     for (size_t i = 0; i < arguments->files.count; i++) {
         const char *name = arguments->files.items[i];
         if (!measure_knows(name)) {
@@ -146,9 +148,9 @@ static int run(void *given)
     }
     c205_model *model = cmd_find_model(arguments->command, arguments->model);
     int code = CMD_FAILED;
-    if (model && cmd_open_json(arguments, &json)) {
-        code = time_model(arguments, model, json);
-        code = cmd_end_json(arguments, json, code);
+    if (model && results_open(&results, arguments->command, NULL)) {
+        code = time_model(arguments, model, &results);
+        code = results_close(&results, code);
     }
     c205_model_free(model);
     return code;
@@ -166,8 +168,8 @@ static const char *measured_choice(size_t number)
 }
 
 static const struct command_option options[] = {
-    CMD_MODEL, CMD_FLAG(points, "print each measured point, too"), CMD_JSON,
-    COMMAND_END
+    CMD_MODEL, CMD_FLAG(points, "print each measured point, too"),
+    CMD_RESULTS, COMMAND_END
 };
 static const struct command_option operands[] = {
     { .value = "MNEMONIC",

@@ -6,16 +6,19 @@
 #include "rt/study/profile.h"
 
 static void tell_head(const struct cmd_arguments *arguments,
-                      uint64_t checksum, struct json *json)
+                      uint64_t checksum, const struct results *results)
 {
     const struct trace_options *options = &arguments->trace;
+    struct json *json = results->json;
     char text[17];
 
     snprintf(text, sizeof text, "%016llX", (unsigned long long)checksum);
-    printf("%s: %zu x %zu, a queue of %zu; frame checksum %s in all stages\n",
-           arguments->scene, options->width, options->height, options->queue,
-           text);
-    provenance_print(options->model, "");
+    results_say(
+        results,
+        "%s: %zu x %zu, a queue of %zu; frame checksum %s in all stages\n",
+        arguments->scene, options->width, options->height, options->queue,
+        text);
+    results_model(results, options->model);
     if (!json)
         return;
     json_text(json, "scene", arguments->scene);
@@ -27,38 +30,36 @@ static void tell_head(const struct cmd_arguments *arguments,
 }
 
 static bool tell_table(enum profile_table kind, const struct profile *profile,
-                       struct json *json)
+                       const struct results *results)
 {
     struct table *table = profile_table(kind, profile);
-    bool good = table != NULL;
+    bool good = results_part(results, table, profile_table_key(kind),
+                             profile_table_heading(kind));
 
-    printf("\n%s\n\n", profile_table_heading(kind));
-    good = good && table_print(table, stdout);
-    if (good && json)
-        good = table_json(table, json, profile_table_key(kind));
     table_free(table);
     return good;
 }
 
 static bool tell(const struct cmd_arguments *arguments,
-                 const struct profile *profile, struct json *json)
+                 const struct profile *profile, const struct results *results)
 {
     bool good = true;
 
-    tell_head(arguments, trace_checksum(profile->traces[0]), json);
+    tell_head(arguments, trace_checksum(profile->traces[0]), results);
     for (int kind = 0; kind < PROFILE_TABLES && good; kind++)
-        good = tell_table((enum profile_table)kind, profile, json);
+        good = tell_table((enum profile_table)kind, profile, results);
     return good;
 }
 
-static int run(const struct cmd_arguments *arguments, struct json *json)
+static int run(const struct cmd_arguments *arguments,
+               const struct results *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
     struct profile profile = { .traces = { NULL } };
     c205_error error = { "no memory" };
     bool good = scene != NULL
                 && profile_run(&profile, scene, &arguments->trace, &error)
-                && tell(arguments, &profile, json);
+                && tell(arguments, &profile, results);
 
     profile_free(&profile);
     if (!scene)
@@ -80,7 +81,7 @@ static const struct command_option options[] = {
     CMD_BOUNDS,
     CMD_JOBS("bands of the frame traced at a time"),
     CMD_READ,
-    CMD_JSON,
+    CMD_RESULTS,
     COMMAND_END
 };
 static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };

@@ -10,6 +10,11 @@
 #include "rt/roots/polynomials.h"
 #include "rt/study/quartic_costs.h"
 
+static const struct table_column root_columns[] = {
+    { "polynomial", "polynomial", TABLE_COUNT, 0 },
+    { "root", "root", TABLE_TEXT, 0 },
+};
+
 static const struct table_column rules[] = {
     { "falsi", "falsi", TABLE_TEXT, 0 },
     { "form", "form", TABLE_TEXT, 0 },
@@ -29,16 +34,30 @@ static double ratio(uint64_t a, uint64_t b)
 
 /* ---- Roots -------------------------------------------------------------- */
 
-static void print_roots(size_t index, const struct polynomial_roots *roots)
+static void print_roots(const struct results *results, size_t index,
+                        const struct polynomial_roots *roots)
 {
     char text[C205_TEXT_SIZE];
 
-    printf("%zu:", index);
+    fprintf(results->file, "%zu:", index);
     for (int i = 0; i < roots->count; i++) {
         c205_to_text(roots->root[i], text);
-        printf(" %s", text);
+        fprintf(results->file, " %s", text);
     }
-    putchar('\n');
+    putc('\n', results->file);
+}
+
+/* A row for each root: for other formats than text. */
+static void add_roots(struct table *table, size_t index,
+                      const struct polynomial_roots *roots)
+{
+    char text[C205_TEXT_SIZE];
+
+    for (int i = 0; i < roots->count; i++) {
+        c205_to_text(roots->root[i], text);
+        table_count(table, index);
+        table_text(table, text);
+    }
 }
 
 /* A root beyond the doubles is null among the numbers, but has its text. */
@@ -66,8 +85,9 @@ static void write_roots(size_t index, const struct polynomial_roots *roots,
 static size_t tell_roots(const struct cmd_arguments *arguments,
                          const struct polynomials *polynomials,
                          const struct polynomial_roots *roots,
-                         struct json *json)
+                         struct table *table, const struct results *results)
 {
+    struct json *json = results->json;
     size_t refused = 0;
 
     if (json)
@@ -82,13 +102,27 @@ static size_t tell_roots(const struct cmd_arguments *arguments,
             refused++;
             continue;
         }
-        print_roots(i, &roots[i]);
+        if (results->format == RESULTS_TEXT)
+            print_roots(results, i, &roots[i]);
+        else
+            add_roots(table, i, &roots[i]);
         if (json)
             write_roots(i, &roots[i], json);
     }
     if (json)
         json_end(json);
     return refused;
+}
+
+/* Nothing of it is text. */
+static bool print_table(const struct table *table,
+                        const struct results *results)
+{
+    struct results printed = *results;
+
+    printed.json = NULL;
+    return results->format == RESULTS_TEXT
+           || results_table(&printed, table, NULL, "Roots");
 }
 
 static size_t count_roots(const struct polynomial_roots *roots, size_t count)
@@ -139,7 +173,8 @@ static struct root_search *search(const struct polynomials *polynomials,
 }
 
 static int solve(const struct cmd_arguments *arguments,
-                 const struct polynomials *polynomials, struct json *json)
+                 const struct polynomials *polynomials,
+                 const struct results *results)
 {
     c205_error error = { "no memory" };
     struct iterations iterations;
@@ -152,8 +187,10 @@ static int solve(const struct cmd_arguments *arguments,
     struct polynomial_roots *roots = calloc(polynomials->count + 1,
                                             sizeof *roots);
     bool good = found && roots && roots_read(found, roots, &error);
+    struct table *table = table_new(TABLE_COLUMNS(root_columns));
     size_t refused = 0;
 
+    good = good && table;
     if (good) {
         const struct quartic_costs costs = {
             .file = arguments->scene,
@@ -164,9 +201,11 @@ static int solve(const struct cmd_arguments *arguments,
             .roots = count_roots(roots, polynomials->count),
         };
 
-        refused = tell_roots(arguments, polynomials, roots, json);
-        good = quartic_costs_tell(&costs, json);
+        refused = tell_roots(arguments, polynomials, roots, table, results);
+        good = print_table(table, results)
+               && quartic_costs_tell(&costs, results);
     }
+    table_free(table);
     roots_free(found);
     free(roots);
     if (!good)
@@ -213,7 +252,7 @@ static bool add_rule(struct table *table,
 
 static int compare_rules(const struct cmd_arguments *arguments,
                          const struct polynomials *polynomials,
-                         struct json *json)
+                         const struct results *results)
 {
     c205_error error = { "no memory" };
     struct table *table = table_new(TABLE_COLUMNS(rules));
@@ -223,15 +262,15 @@ static int compare_rules(const struct cmd_arguments *arguments,
         good = add_rule(table, arguments, polynomials, (enum falsi)rule,
                         &error);
     if (good) {
-        printf("# %zu polynomials, a queue of %zu, %s\n", polynomials->count,
-               arguments->trace.queue,
-               arguments->first ? "first roots" : "all roots");
-        provenance_print(arguments->trace.model, "# ");
-        good = print_remarks(table, "The rules of falsi:");
-    }
-    if (good && json) {
-        provenance_json(arguments->trace.model, json);
-        good = table_json(table, json, "rules");
+        results_say(results, "%s%zu polynomials, a queue of %zu, %s\n",
+                    results->format == RESULTS_TEXT ? "# " : "",
+                    polynomials->count, arguments->trace.queue,
+                    arguments->first ? "first roots" : "all roots");
+        quartic_costs_model(results, arguments->trace.model);
+        if (results->json)
+            provenance_json(arguments->trace.model, results->json);
+        good = quartic_costs_part(results, table, "rules",
+                                  "The rules of falsi");
     }
     table_free(table);
     return good ? CMD_DONE
@@ -240,7 +279,8 @@ static int compare_rules(const struct cmd_arguments *arguments,
 
 /* ---- The command -------------------------------------------------------- */
 
-static int run(const struct cmd_arguments *arguments, struct json *json)
+static int run(const struct cmd_arguments *arguments,
+               const struct results *results)
 {
     struct polynomials polynomials = { 0, NULL, NULL };
     struct diagnostics reports = { 0 };
@@ -248,8 +288,8 @@ static int run(const struct cmd_arguments *arguments, struct json *json)
 
     if (polynomials_read(&polynomials, arguments->scene, &reports))
         code = arguments->falsi == FALSI_RULES
-                   ? compare_rules(arguments, &polynomials, json)
-                   : solve(arguments, &polynomials, json);
+                   ? compare_rules(arguments, &polynomials, results)
+                   : solve(arguments, &polynomials, results);
     diagnostics_print(&reports, stderr);
     diagnostics_free(&reports);
     polynomials_free(&polynomials);
@@ -292,7 +332,7 @@ static const struct command_option options[] = {
       .preset = FALSI_DEFAULT,
       .help = "with all a table of their clocks instead of the roots" },
     CMD_MODEL,
-    CMD_JSON,
+    CMD_RESULTS,
     COMMAND_END
 };
 static const struct command_option operands[] = {

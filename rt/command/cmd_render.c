@@ -44,22 +44,26 @@ struct result {
     struct table *detail;           /* causes by region, for JSON */
 };
 
-static void print_result(const struct result *result)
+static void print_result(const struct result *result,
+                         const struct results *results)
 {
     const struct trace_options *trace = &result->arguments->trace;
+    char queue[48] = "";
 
-    printf("%s: %zu x %zu, %s", result->arguments->scene, trace->width,
-           trace->height, trace_mode_name(trace->mode));
     if (trace->mode != TRACE_SCALAR)
-        printf(", a queue of %zu", trace->queue);
-    printf(": %llu clocks, %.4f s on the machine\n",
-           (unsigned long long)result->clocks,
-           accounts_seconds(result->model, result->clocks));
-    printf("frame checksum %s\n", result->checksum);
-    provenance_print(result->model, "");
+        snprintf(queue, sizeof queue, ", a queue of %zu", trace->queue);
+    results_say(results,
+                "%s: %zu x %zu, %s%s: %llu clocks, %.4f s on the "
+                "machine\nframe checksum %s\n",
+                result->arguments->scene, trace->width, trace->height,
+                trace_mode_name(trace->mode), queue,
+                (unsigned long long)result->clocks,
+                accounts_seconds(result->model, result->clocks),
+                result->checksum);
+    results_model(results, result->model);
 }
 
-static bool write_result(const struct result *result, struct json *json)
+static void write_result(const struct result *result, struct json *json)
 {
     const struct trace_options *trace = &result->arguments->trace;
 
@@ -73,12 +77,26 @@ static bool write_result(const struct result *result, struct json *json)
                 accounts_seconds(result->model, result->clocks));
     json_text(json, "checksum", result->checksum);
     provenance_json(result->model, json);
-    return table_json(result->regions, json, "regions")
-           && table_json(result->detail, json, "causes");
+}
+
+/* By region, and by cause: in print of the whole run, in JSON region by
+ * region. */
+static bool tell_tables(const struct result *result,
+                        const struct results *results)
+{
+    struct results printed = *results;
+
+    if (!results_table(results, result->regions, "regions", "By region"))
+        return false;
+    if (results->json && !table_json(result->detail, results->json, "causes"))
+        return false;
+    printed.json = NULL;
+    results_gap(results);
+    return results_table(&printed, result->causes, NULL, "By cause");
 }
 
 static bool tell(const struct cmd_arguments *arguments,
-                 const struct trace *trace, struct json *json)
+                 const struct trace *trace, const struct results *results)
 {
     const struct accounts *accounts = trace_accounts(trace);
     struct result result = { .arguments = arguments,
@@ -92,12 +110,11 @@ static bool tell(const struct cmd_arguments *arguments,
     if (good) {
         snprintf(result.checksum, sizeof result.checksum, "%016llX",
                  (unsigned long long)trace_checksum(trace));
-        print_result(&result);
-        good = table_print(result.regions, stdout) && putchar('\n') != EOF
-               && table_print(result.causes, stdout);
+        print_result(&result, results);
+        if (results->json)
+            write_result(&result, results->json);
+        good = tell_tables(&result, results);
     }
-    if (good && json)
-        good = write_result(&result, json);
     table_free(result.regions);
     table_free(result.causes);
     table_free(result.detail);
@@ -123,7 +140,7 @@ static bool run(const struct cmd_arguments *arguments, struct trace *trace,
 }
 
 static int render(const struct cmd_arguments *arguments,
-                  const struct scene *scene, struct json *json)
+                  const struct scene *scene, const struct results *results)
 {
     c205_error error = { "no memory" };
     struct trace *trace = trace_new(scene, &arguments->trace, &error);
@@ -132,7 +149,7 @@ static int render(const struct cmd_arguments *arguments,
 
     if (good) {
         trace_forget(trace);
-        good = tell(arguments, trace, json);
+        good = tell(arguments, trace, results);
     }
     trace_free(trace);
     return good ? CMD_DONE
@@ -140,10 +157,10 @@ static int render(const struct cmd_arguments *arguments,
 }
 
 static int render_scene(const struct cmd_arguments *arguments,
-                        struct json *json)
+                        const struct results *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
-    int code = !scene ? CMD_FAILED : render(arguments, scene, json);
+    int code = !scene ? CMD_FAILED : render(arguments, scene, results);
 
     scene_free(scene);
     return code;
@@ -177,10 +194,10 @@ static const struct command_option options[] = {
     { .name = "output",
       .letter = 'o',
       .value = "FILE",
-      .kind = COMMAND_FILE,
+      .kind = COMMAND_OUTPUT,
       .offset = CMD_PLACE(output),
       .help = "the picture: .png .jpg (8-bit sRGB), .exr .tif (linear, with "
-              "depth, normal and id)" },
+              "depth, normal and id); on stdout a .png" },
     CMD_SIZE(640, 480),
     CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
     CMD_QUEUE("rays in the vector queue"),
@@ -194,7 +211,7 @@ static const struct command_option options[] = {
       .help = "keep finished bands there; go on from those it has" },
     CMD_FLAG("half", half, "16-bit colours in an .exr"),
     CMD_READ,
-    CMD_JSON,
+    CMD_RESULTS,
     COMMAND_END
 };
 static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };

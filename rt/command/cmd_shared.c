@@ -1,61 +1,47 @@
-/* cmd_shared.c - see cmd.h. */
+/* cmd_shared.c - see rt205_command.h. */
 #include "rt/command/rt205_command.h"
 
 #include <stdio.h>
 
-static bool open_json(const struct cmd_arguments *arguments,
-                      struct json **json, c205_error *error)
+/* What is not drawn has its other results, and they are kept. */
+static int work_and_close(const struct cmd_arguments *arguments,
+                          struct results *results, cmd_work *work)
 {
-    *json = NULL;
-    if (arguments->format == FORMAT_JSON)
-        *json = json_open_stream(stdout, arguments->json, error);
-    else if (arguments->json)
-        *json = json_open(arguments->json, error);
-    else
-        return true;
-    return *json != NULL;
+    int code = work(arguments, results);
+    int kept = results_close(results, code == CMD_UNDRAWN ? CMD_DONE : code);
+
+    return code == CMD_UNDRAWN ? CMD_FAILED : kept;
 }
 
-static int end_json(const struct cmd_arguments *arguments, struct json *json,
-                    int code)
+static int open_and_work(struct cmd_arguments *arguments, cmd_work *work)
 {
-    bool whole = code == CMD_DONE || code == CMD_UNDRAWN;
-    c205_error error;
+    struct results results = arguments->results;
 
-    if (json && !whole)
-        json_discard(json);
-    else if (json && !json_close(json, &error))
-        return cmd_failed(arguments->command, "%s", error.message);
-    return code == CMD_UNDRAWN ? CMD_FAILED : code;
+    if (c205_model_is_projection(arguments->trace.model))
+        return cmd_failed(arguments->command,
+                          "%s is a projection, on which nothing runs",
+                          c205_model_name(arguments->trace.model));
+    if (!results_open(&results, arguments->command, arguments->output))
+        return CMD_FAILED;
+    cmd_watch(&arguments->trace);
+    return work_and_close(arguments, &results, work);
 }
 
 int cmd_with_machine(struct cmd_arguments *arguments, cmd_work *work)
 {
+    const struct trace_options *trace = &arguments->trace;
     c205_error error;
-    struct json *json;
     c205_model *model;
     int code;
 
-    if (arguments->trace.height > 0
-        && arguments->trace.width
-               > TRACE_PIXELS_MOST / arguments->trace.height)
+    if (trace->height > 0 && trace->width > TRACE_PIXELS_MOST / trace->height)
         return cmd_usage(arguments->command, "at most %zu pixels",
                          TRACE_PIXELS_MOST);
     model = c205_model_find(arguments->model, &error);
-
     if (!model)
         return cmd_failed(arguments->command, "%s", error.message);
-    if (c205_model_is_projection(model)) {
-        code = cmd_failed(arguments->command,
-                          "%s is a projection, on which nothing runs",
-                          c205_model_name(model));
-    } else if (open_json(arguments, &json, &error)) {
-        arguments->trace.model = model;
-        cmd_watch(&arguments->trace);
-        code = end_json(arguments, json, work(arguments, json));
-    } else {
-        code = cmd_failed(arguments->command, "%s", error.message);
-    }
+    arguments->trace.model = model;
+    code = open_and_work(arguments, work);
     c205_model_free(model);
     return code;
 }
@@ -94,14 +80,4 @@ const char *cmd_mode_choice(size_t number)
 const char *cmd_visible_choice(size_t number)
 {
     return number < VISIBLE_WAYS ? visible_name((enum visible)number) : NULL;
-}
-
-const char *cmd_format_choice(size_t number)
-{
-    static const char *const names[] = { [FORMAT_TEXT] = "text",
-                                         [FORMAT_CSV] = "csv",
-                                         [FORMAT_MARKDOWN] = "md",
-                                         [FORMAT_JSON] = "json" };
-
-    return number <= FORMAT_JSON ? names[number] : NULL;
 }

@@ -28,30 +28,29 @@ static bool measure_subject(const struct cmd_arguments *arguments,
     return true;
 }
 
-static enum table_format format_of(const struct cmd_arguments *arguments)
-{
-    return (enum table_format)arguments->format;
-}
-
-static void print_head(const struct cmd_arguments *arguments)
+static void print_head(const struct cmd_arguments *arguments,
+                       const struct results *results)
 {
     const struct trace_options *trace = &arguments->trace;
-    const char *remark = table_remark(format_of(arguments));
 
-    printf("%s%zu x %zu rays, %g degrees across from a distance of %g, in a "
-           "queue of %zu;\n"
-           "%sthe kernel and its calls alone.  Paper: Plunkett, Cychosz and "
-           "Bailey 1984.\n"
-           "%sCYBER 720: the instructions of the scalar form at the times of "
-           "the model %s.\n",
-           remark, trace->width, trace->height, arguments->view.angle,
-           arguments->view.distance, trace->queue, remark, remark,
-           speedup_projection_model(trace->model, SPEEDUP_720));
+    results_say(
+        results,
+        "%zu x %zu rays, %g degrees across from a distance of %g, in a queue "
+        "of %zu;\n"
+        "the kernel and its calls alone.  Paper: Plunkett, Cychosz and "
+        "Bailey 1984.\n"
+        "CYBER 720: the instructions of the scalar form at the times of the "
+        "model %s.\n",
+        trace->width, trace->height, arguments->view.angle,
+        arguments->view.distance, trace->queue,
+        speedup_projection_model(trace->model, SPEEDUP_720));
 }
 
-/* The models of the projections: as JSON, or in print if that is NULL. */
-static bool tell_projections(const struct cmd_arguments *arguments,
-                             struct json *json, c205_error *error)
+/* The models of the projections, one after another. */
+static bool each_projection(const struct cmd_arguments *arguments,
+                            void (*tell)(const c205_model *model,
+                                         void *context),
+                            void *context, c205_error *error)
 {
     for (int i = 0; i < SPEEDUP_PROJECTIONS; i++) {
         const char *name = speedup_projection_model(arguments->trace.model,
@@ -61,35 +60,46 @@ static bool tell_projections(const struct cmd_arguments *arguments,
 
         if (!model)
             return false;
-        if (json) {
-            json_object(json, NULL);
-            provenance_json(model, json);
-            json_end(json);
-        } else {
-            puts(format_of(arguments) == TABLE_CSV ? "#" : "");
-            provenance_print(model, table_remark(format_of(arguments)));
-        }
+        tell(model, context);
         c205_model_free(model);
     }
     return true;
 }
 
-static bool print(const struct cmd_arguments *arguments,
-                  const struct speedup_report *report, c205_error *error)
+static void write_projection(const c205_model *model, void *context)
 {
-    enum table_format format = format_of(arguments);
-    const char *remark = table_remark(format);
+    struct json *json = context;
 
-    print_head(arguments);
-    if (!speedup_report_table1(report, format, stdout))
+    json_object(json, NULL);
+    provenance_json(model, json);
+    json_end(json);
+}
+
+static void print_projection(const c205_model *model, void *context)
+{
+    const struct results *results = context;
+
+    results_say(results, "\n");
+    results_model(results, model);
+}
+
+static bool print(const struct cmd_arguments *arguments,
+                  const struct speedup_report *report,
+                  const struct results *results, c205_error *error)
+{
+    enum table_format format = results_table_format(results);
+    struct results printed = *results;
+
+    print_head(arguments, results);
+    if (!speedup_report_table1(report, format, results->file))
         return false;
-    printf("\n%sIn each row the scalar and the vector frame are equal, bit "
-           "for bit.\n",
-           remark);
-    provenance_print(arguments->trace.model, remark);
-    return tell_projections(arguments, NULL, error)
+    putc('\n', results->file);
+    results_say(results, "In each row the scalar and the vector frame are "
+                         "equal, bit for bit.\n");
+    results_model(results, arguments->trace.model);
+    return each_projection(arguments, print_projection, &printed, error)
            && speedup_report_detail(report, arguments->passes, format,
-                                    stdout);
+                                    results->file);
 }
 
 static bool write_json(const struct cmd_arguments *arguments,
@@ -100,7 +110,7 @@ static bool write_json(const struct cmd_arguments *arguments,
 
     provenance_json(arguments->trace.model, json);
     json_array(json, "projections");
-    good = tell_projections(arguments, json, error);
+    good = each_projection(arguments, write_projection, json, error);
     json_end(json);
     json_count(json, "queue", arguments->trace.queue);
     json_number(json, "distance", arguments->view.distance);
@@ -118,17 +128,18 @@ static bool measure_all(const struct cmd_arguments *arguments,
     return true;
 }
 
-static int speedup(const struct cmd_arguments *arguments, struct json *json)
+static int speedup(const struct cmd_arguments *arguments,
+                   const struct results *results)
 {
     struct speedup_report *report = speedup_report_new(
         arguments->trace.model);
-    bool prints = arguments->format != FORMAT_JSON;
     c205_error error = { "no memory" };
     bool good;
 
     good = report && measure_all(arguments, report, &error)
-           && (!prints || print(arguments, report, &error))
-           && (!json || write_json(arguments, report, json, &error));
+           && (!results->file || print(arguments, report, results, &error))
+           && (!results->json
+               || write_json(arguments, report, results->json, &error));
     speedup_report_free(report);
     return good ? CMD_DONE
                 : cmd_failed(arguments->command, "%s", error.message);
@@ -146,8 +157,7 @@ static const struct command_option options[] = {
     CMD_FLAG("passes", passes,
              "the root solver's vectors pass by pass as well"),
     CMD_MODEL,
-    CMD_JSON,
-    CMD_FORMAT,
+    CMD_RESULTS,
     COMMAND_END
 };
 

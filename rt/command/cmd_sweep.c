@@ -14,7 +14,7 @@ static bool names_scene(const char *name)
 {
     size_t length = strlen(name);
 
-    return strchr(name, '/') != NULL
+    return strcmp(name, "-") == 0 || strchr(name, '/') != NULL
            || (length > 4 && strcmp(name + length - 4, ".pov") == 0);
 }
 
@@ -90,7 +90,8 @@ static int check_files(const struct cmd_arguments *arguments)
         snprintf(path, sizeof path, "%.*s%s",
                  (int)strlen(arguments->output) - 3, arguments->output,
                  endings[i]);
-        if (arguments->json && file_is_one(path, arguments->json))
+        if (arguments->results.path
+            && file_is_one(path, arguments->results.path))
             return cmd_usage(arguments->command,
                              "-o and --json name one file");
     }
@@ -118,28 +119,30 @@ static bool has_frame(const struct sweep_kind *kind)
 
 static void print_head(const struct cmd_arguments *arguments,
                        const struct sweep *sweep,
-                       const struct sweep_kind *kind)
+                       const struct sweep_kind *kind,
+                       const struct results *results)
 {
     const struct trace_options *trace = &arguments->trace;
-    const char *remark = table_remark((enum table_format)arguments->format);
+    char queue[48] = "", rays[64] = "", view[96] = "";
 
-    printf("%s%s of %s, %s", remark, kind->name,
-           sweep->subject ? sweep->subject->name : arguments->scene,
-           trace_mode_name(trace->mode));
     if (!kind->takes_lengths)
-        printf(", a queue of %zu", trace->queue);
+        snprintf(queue, sizeof queue, ", a queue of %zu", trace->queue);
     if (has_frame(kind))
-        printf(", %zu x %zu rays", trace->width, trace->height);
+        snprintf(rays, sizeof rays, ", %zu x %zu rays", trace->width,
+                 trace->height);
     if (sweep->subject)
-        printf(", %g degrees across from a distance of %g;\n%sthe kernel and "
-               "its calls alone.\n",
-               sweep->base.view.angle, sweep->base.view.distance, remark);
-    else
-        printf(";\n%sthe whole frame.\n", remark);
-    printf("%sAt each point the scalar and the other frame are equal, bit "
-           "for bit.\n",
-           remark);
-    provenance_print(trace->model, remark);
+        snprintf(view, sizeof view,
+                 ", %g degrees across from a distance of %g",
+                 sweep->base.view.angle, sweep->base.view.distance);
+    results_say(results,
+                "%s of %s, %s%s%s%s;\n%s.\nAt each point the scalar and the "
+                "other frame are equal, bit for bit.\n",
+                kind->name,
+                sweep->subject ? sweep->subject->name : arguments->scene,
+                trace_mode_name(trace->mode), queue, rays, view,
+                sweep->subject ? "the kernel and its calls alone"
+                               : "the whole frame");
+    results_model(results, trace->model);
 }
 
 /* What has no part in this sweep is left out. */
@@ -191,21 +194,19 @@ static bool draw(const struct cmd_arguments *arguments,
 /* All but the plot. */
 static bool tell(const struct cmd_arguments *arguments,
                  const struct sweep *sweep, const struct sweep_kind *kind,
-                 const struct sweep_report *report, struct json *json,
-                 c205_error *error)
+                 const struct sweep_report *report,
+                 const struct results *results, c205_error *error)
 {
     bool good = true;
 
     snprintf(error->message, sizeof error->message, "no memory");
-    if (arguments->format != FORMAT_JSON) {
-        print_head(arguments, sweep, kind);
-        good = sweep_report_write(report,
-                                  (enum table_format)arguments->format,
-                                  stdout);
-    }
-    if (good && json) {
-        write_head(arguments, sweep, kind, json);
-        good = sweep_report_json(report, sweep, json);
+    print_head(arguments, sweep, kind, results);
+    if (results->file)
+        good = sweep_report_write(report, results_table_format(results),
+                                  results->file);
+    if (good && results->json) {
+        write_head(arguments, sweep, kind, results->json);
+        good = sweep_report_json(report, sweep, results->json);
     }
     return good;
 }
@@ -228,7 +229,8 @@ static struct sweep sweep_of(const struct cmd_arguments *arguments,
 }
 
 static int sweep_target(const struct cmd_arguments *arguments,
-                        const struct scene *scene, struct json *json)
+                        const struct scene *scene,
+                        const struct results *results)
 {
     const struct sweep_kind *kind = sweep_kinds[arguments->sweep];
     struct sweep sweep = sweep_of(arguments, scene, kind);
@@ -238,7 +240,7 @@ static int sweep_target(const struct cmd_arguments *arguments,
 
     if (!kind->measure(&sweep, &error)
         || !kind->report(&sweep, &report, &error)
-        || !tell(arguments, &sweep, kind, &report, json, &error))
+        || !tell(arguments, &sweep, kind, &report, results, &error))
         code = CMD_FAILED;
     else if (arguments->output
              && !draw(arguments, &sweep, kind, &report, &error))
@@ -250,15 +252,16 @@ static int sweep_target(const struct cmd_arguments *arguments,
     return code;
 }
 
-static int sweep(const struct cmd_arguments *arguments, struct json *json)
+static int sweep(const struct cmd_arguments *arguments,
+                 const struct results *results)
 {
     struct scene *scene;
     int code;
 
     if (!names_scene(arguments->scene))
-        return sweep_target(arguments, NULL, json);
+        return sweep_target(arguments, NULL, results);
     scene = cmd_read_scene(arguments);
-    code = !scene ? CMD_FAILED : sweep_target(arguments, scene, json);
+    code = !scene ? CMD_FAILED : sweep_target(arguments, scene, results);
     scene_free(scene);
     return code;
 }
@@ -328,8 +331,7 @@ static const struct command_option options[] = {
     CMD_BOUNDS,
     CMD_JOBS("bands of a frame traced at a time"),
     CMD_READ,
-    CMD_JSON,
-    CMD_FORMAT,
+    CMD_RESULTS,
     COMMAND_END
 };
 static const struct command_option operands[] = {
@@ -362,8 +364,8 @@ const struct command sweep_command = {
     .operands = operands,
     .details =
         "A primitive is sphere, cylinder, Steiner, 'Steiner, ours' or torus; "
-        "its kernel and calls count. A scene is a name with a / or ending in "
-        ".pov; all of its frame counts. Scalar and vector frames must be "
+        "its kernel and calls count. A scene is a name with a /, or ending in "
+        ".pov, or -; all of its frame counts. Scalar and vector frames must be "
         "equal.",
     .examples = examples,
 };

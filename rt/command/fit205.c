@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/command_options.h"
-#include "base/whole.h"
 #include "rt/study/fit/goal.h"
 #include "rt/study/fit/report.h"
 #include "rt/study/fit/written.h"
@@ -14,7 +13,8 @@ enum { PATH_SIZE = 512 };
 
 struct arguments {
     const char *command;
-    const char *data, *json;
+    const char *data;
+    struct results results;
     struct command_texts held, written;
     size_t width, height, jobs;
     double angle;
@@ -117,37 +117,27 @@ static bool check_files(const struct arguments *arguments,
     for (size_t i = 0; i < arguments->written.count; i++)
         if (!written_check(study, arguments->written.items[i], error))
             return false;
-    return !arguments->json || whole_check(arguments->json, error);
+    return true;
 }
 
-static bool print(const struct arguments *arguments,
-                  const struct study *study, c205_error *error)
+static bool tell(const struct arguments *arguments, const struct study *study,
+                 const struct results *results, c205_error *error)
 {
     double written[FIT_OBSERVATIONS_MOST];
-    struct json *json = NULL;
-    bool good;
 
     if (!write_models(arguments, study, written, error))
         return false;
-    if (arguments->json) {
-        json = json_open(arguments->json, error);
-        if (!json)
-            return false;
-    }
-    snprintf(error->message, sizeof error->message,
-             "the report cannot be written");
-    good = report_print(study, arguments->written.count > 0 ? written : NULL,
-                        stdout, json);
-    goal_print(study, stdout);
-    if (json && good)
-        return json_close(json, error);
-    if (json)
-        json_discard(json);
-    return good;
+    snprintf(error->message, sizeof error->message, "no memory");
+    if (!report_tell(study, arguments->written.count > 0 ? written : NULL,
+                     results))
+        return false;
+    goal_tell(study, results);
+    return true;
 }
 
 static bool work(const struct arguments *arguments, struct sources *sources,
-                 struct study *study, c205_error *error)
+                 struct study *study, const struct results *results,
+                 c205_error *error)
 {
     study->brief = arguments->brief;
     study->fit.observations = &sources->observations;
@@ -156,18 +146,19 @@ static bool work(const struct arguments *arguments, struct sources *sources,
     return read_sources(arguments, sources, error)
            && hold_out(arguments, &sources->observations, study, error)
            && check_files(arguments, study, error) && study_make(study, error)
-           && print(arguments, study, error);
+           && tell(arguments, study, results, error);
 }
 
 /* ---- The command --------------------------------------------------------- */
 
-static int run(void *given)
+static int fit(const struct arguments *arguments,
+               const struct results *results)
 {
-    const struct arguments *arguments = given;
     struct sources *sources = calloc(1, sizeof *sources);
     struct study *study = calloc(1, sizeof *study);
     c205_error error = { "no memory" };
-    bool good = sources && study && work(arguments, sources, study, &error);
+    bool good = sources && study
+                && work(arguments, sources, study, results, &error);
 
     if (sources) {
         constants_free(&sources->constants);
@@ -178,6 +169,16 @@ static int run(void *given)
     free(study);
     return good ? CMD_DONE
                 : cmd_failed(arguments->command, "%s", error.message);
+}
+
+static int run(void *given)
+{
+    const struct arguments *arguments = given;
+    struct results results = arguments->results;
+
+    if (!results_open(&results, arguments->command, NULL))
+        return CMD_FAILED;
+    return results_close(&results, fit(arguments, &results));
 }
 
 #define PLACE(member) offsetof(struct arguments, member)
@@ -239,18 +240,18 @@ static const struct command_option options[] = {
       .offset = PLACE(written),
       .help = "the fitted model; its name says of which priors: "
               "cyber205-2pipe.model of cyber205-2pipe-prior" },
-    COMMAND_OPTION_JSON(PLACE(json)),
+    RESULTS_OPTIONS(struct arguments, results),
     COMMAND_END
 };
 
 int main(int argc, char **argv)
 {
-    static const struct command fit = {
+    static const struct command command = {
         .summary = "constants of the timing model, fitted to published times",
         .function = run,
         .options = options,
     };
-    static const struct command *const commands[] = { &fit, NULL };
+    static const struct command *const commands[] = { &command, NULL };
     static const struct command_program program = {
         .name = "fit205",
         .summary = "constants of the timing model, fitted to published times",

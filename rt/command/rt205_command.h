@@ -8,23 +8,13 @@
 #include <stddef.h>
 
 #include "base/command_options.h"
-#include "base/json.h"
-#include "base/table.h"
+#include "base/results.h"
 #include "rt/roots/roots.h"
 #include "rt/scene/language/scene_read.h"
 #include "rt/study/sweep/kinds.h"
 
 extern const struct command render_command, profile_command, speedup_command,
     sweep_command, quartic_command;
-
-/* In what form results go to stdout: as text; tables as CSV or Markdown; or
- * nothing but the JSON document. */
-enum cmd_format {
-    FORMAT_TEXT = TABLE_PLAIN,
-    FORMAT_CSV = TABLE_CSV,
-    FORMAT_MARKDOWN = TABLE_MARKDOWN,
-    FORMAT_JSON
-};
 
 /* Lengths of the queue, rising. */
 struct cmd_points {
@@ -34,12 +24,12 @@ struct cmd_points {
 
 struct cmd_arguments {
     const char *command;
-    const char *scene;         /* the file to work on, or NULL; of a sweep
+    const char *scene;  /* the file to work on, or NULL; of a sweep
                                    perhaps a primitive */
-    const char *output, *json; /* NULL: not wanted */
-    const char *resume;        /* keeps finished bands, or NULL */
+    const char *output; /* NULL: not wanted */
+    const char *resume; /* keeps finished bands, or NULL */
     const char *model;
-    enum cmd_format format;
+    struct results results;
     struct trace_options trace; /* its model is not yet set */
     struct speedup_view view;   /* angle 0: not given */
     struct cmd_points points;
@@ -55,11 +45,11 @@ struct cmd_arguments {
 
 #define CMD_PLACE(member) offsetof(struct cmd_arguments, member)
 
-command_choice cmd_mode_choice, cmd_visible_choice, cmd_format_choice;
+command_choice cmd_mode_choice, cmd_visible_choice;
 
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
-#define CMD_JSON COMMAND_OPTION_JSON(CMD_PLACE(json))
+#define CMD_RESULTS RESULTS_OPTIONS(struct cmd_arguments, results)
 #define CMD_FLAG(flag, place, text) \
     { .name = flag, .kind = COMMAND_FLAG, .offset = CMD_PLACE(place), \
       .help = text }
@@ -102,10 +92,6 @@ command_choice cmd_mode_choice, cmd_visible_choice, cmd_format_choice;
     CMD_FLAG("strict", strict, \
              "what would be replaced or left out is an error"), \
     COMMAND_OPTION_INCLUDE(CMD_PLACE(search))
-#define CMD_FORMAT \
-    { .name = "format", .value = "FORMAT", .kind = COMMAND_CHOICE, \
-      .offset = CMD_PLACE(format), .choice = cmd_format_choice, \
-      .help = "on stdout; json: what --json writes, and nothing else" }
 #define CMD_SCENE \
     { .value = "SCENE", .kind = COMMAND_INPUT, .offset = CMD_PLACE(scene), \
       .help = "a scene file" }
@@ -113,16 +99,15 @@ command_choice cmd_mode_choice, cmd_visible_choice, cmd_format_choice;
 
 /* ---- Their work --------------------------------------------------------- */
 
-/* What a command does with its model, which is found and set, and with the
- * JSON that the user asked for, NULL if none.  With FORMAT_JSON there is one,
- * which goes to stdout, and the work prints nothing else there.  The exit code,
- * or CMD_UNDRAWN: all results are there, but not their picture. */
+/* What a command does with its model, which is found and set, and with its
+ * results, which are open.  The exit code, or CMD_UNDRAWN: all results are
+ * there, but not their picture. */
 typedef int cmd_work(const struct cmd_arguments *arguments,
-                     struct json *json);
+                     const struct results *results);
 enum { CMD_UNDRAWN = CMD_USAGE + 1 };
-/* Do that, if the frame is not too large.  The JSON is kept if the work ends
- * with CMD_DONE or CMD_UNDRAWN, else dropped.  The exit code: of what is not
- * drawn CMD_FAILED. */
+/* Do that, if the frame is not too large.  JSON is kept if the work ends with
+ * CMD_DONE or CMD_UNDRAWN, else dropped.  The exit code: of what is not drawn
+ * CMD_FAILED. */
 int cmd_with_machine(struct cmd_arguments *arguments, cmd_work *work);
 
 /* The scene of the arguments; its reports go to stderr.  NULL: it has errors,

@@ -2,6 +2,7 @@
 #include "rt/picture/picture.h"
 #include "rt/picture/picture_oiio.h"
 
+#include "base/file.h"
 #include "base/whole.h"
 
 #include <dlfcn.h>
@@ -51,11 +52,16 @@ static const char *const channel_names[FRAME_CHANNELS] = {
     "R", "G", "B", "Z", "N.X", "N.Y", "N.Z", "id",
 };
 
+/* What goes to stdout has no ending of its own. */
+static const char stream_name[] = "-.png";
+
 static const struct picture_kind *kind_of(const char *path)
 {
     const size_t count = sizeof picture_kinds / sizeof picture_kinds[0];
     const char *name = strrchr(path, '/');
     const char *ending = strrchr(name ? name : path, '.');
+    if (file_is_stream(path))
+        ending = strrchr(stream_name, '.');
     for (size_t i = 0; ending && i < count; i++)
         if (strcasecmp(ending, picture_kinds[i].ending) == 0)
             return &picture_kinds[i];
@@ -206,7 +212,8 @@ bool picture_check_path(const char *path, struct picture_error *error)
     struct stat status;
     if (!kind_of(path))
         return fail_ending(path, error);
-    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode))
+    if (!file_is_stream(path) && stat(path, &status) == 0
+        && !S_ISREG(status.st_mode))
         return fail(error, "%s is not a regular file", path);
     c205_error cause;
     return whole_check(path, &cause) || fail(error, "%s", cause.message);
@@ -235,7 +242,8 @@ static bool encode_and_write(const char *path,
     const struct picture_adapter *const files = adapter(error);
     if (!files)
         return false;
-    if (!files->encode(path, image, notes, &file, &cause))
+    const char *const name = file_is_stream(path) ? stream_name : path;
+    if (!files->encode(name, image, notes, &file, &cause))
         return fail(error, "%s: %s", path, cause.message);
     const bool good = write_file(path, &file, error);
     free(file.bytes);

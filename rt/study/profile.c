@@ -288,15 +288,15 @@ static const struct {
 } tables[PROFILE_TABLES] = {
     [PROFILE_CLOCKS] = { "clocks",
                          "Clocks part by part; x: how many times "
-                         "as fast as scalar:",
+                         "as fast as scalar",
                          TABLE_COLUMNS(clock_columns), fill_clocks },
     [PROFILE_SPEEDUP] = { "speedup",
                           "The frame, and what Amdahl's law says "
-                          "of it, vectorised part by part:",
+                          "of it, vectorised part by part",
                           TABLE_COLUMNS(speedup_columns), fill_speedup },
-    [PROFILE_VECTORS] = { "vectors", "Vectors:",
-                          TABLE_COLUMNS(vector_columns), fill_vectors },
-    [PROFILE_RAYS] = { "rays", "Rays by kind:", TABLE_COLUMNS(ray_columns),
+    [PROFILE_VECTORS] = { "vectors", "Vectors", TABLE_COLUMNS(vector_columns),
+                          fill_vectors },
+    [PROFILE_RAYS] = { "rays", "Rays by kind", TABLE_COLUMNS(ray_columns),
                        fill_rays },
 };
 

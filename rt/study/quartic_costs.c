@@ -32,7 +32,8 @@ static struct table *pass_table(const struct iterations *iterations)
     return table;
 }
 
-bool print_remarks(const struct table *table, const char *heading)
+static bool print_remarks(const struct table *table, const char *heading,
+                          FILE *file)
 {
     char *text = NULL;
     size_t length = 0;
@@ -41,15 +42,38 @@ bool print_remarks(const struct table *table, const char *heading)
     bool begins = true;
 
     good = stream && fclose(stream) == 0 && good;
-    printf("#\n# %s\n#\n", heading);
+    fprintf(file, "#\n# %s:\n#\n", heading);
     for (size_t i = 0; good && i < length; i++) {
         if (begins)
-            fputs(text[i] == '\n' ? "#" : "# ", stdout);
-        putchar(text[i]);
+            fputs(text[i] == '\n' ? "#" : "# ", file);
+        putc(text[i], file);
         begins = text[i] == '\n';
     }
     free(text);
     return good;
+}
+
+bool quartic_costs_part(const struct results *results,
+                        const struct table *table, const char *key,
+                        const char *heading)
+{
+    struct results rest = *results;
+
+    if (results->format == RESULTS_TEXT) {
+        if (!table || !print_remarks(table, heading, results->file))
+            return false;
+        rest.file = NULL;
+    }
+    return results_part(&rest, table, key, heading);
+}
+
+void quartic_costs_model(const struct results *results,
+                         const c205_model *model)
+{
+    if (results->format == RESULTS_TEXT)
+        provenance_print(model, "# ", results->file);
+    else
+        results_model(results, model);
 }
 
 /* ---- All tables --------------------------------------------------------- */
@@ -59,28 +83,33 @@ enum { REGIONS, CAUSES, STEPS, PASSES, TABLES };
 static const struct {
     const char *key, *heading;
 } names[TABLES] = {
-    [REGIONS] = { "regions", "Clocks by region:" },
-    [CAUSES] = { "causes", "By cause:" },
+    [REGIONS] = { "regions", "Clocks by region" },
+    [CAUSES] = { "causes", "By cause" },
     [STEPS] = { "steps", "Falsi, to roots of the derivative (slope: knots) "
-                         "and of the polynomial (value):" },
-    [PASSES] = { "passes", "Brackets still active, by pass:" },
+                         "and of the polynomial (value)" },
+    [PASSES] = { "passes", "Brackets still active, by pass" },
 };
 
-static void print_head(const struct quartic_costs *costs)
+static void print_head(const struct quartic_costs *costs,
+                       const struct results *results)
 {
     const struct roots_options *options = costs->options;
+    const char *mark = results->format == RESULTS_TEXT ? "# " : "";
     uint64_t clocks = c205_clock(roots_machine(costs->search));
+    char queue[48] = "";
 
-    printf("# %zu polynomials, %zu roots; %s", costs->polynomials,
-           costs->roots, trace_mode_name(options->mode));
     if (options->mode == TRACE_VECTOR)
-        printf(", a queue of %zu", options->queue);
-    printf(", %s, falsi %s\n", options->first ? "first roots" : "all roots",
-           falsi_name(roots_falsi(costs->search)));
-    printf("# %llu clocks, %.8f s on the machine\n",
-           (unsigned long long)clocks,
-           accounts_seconds(options->model, clocks));
-    provenance_print(options->model, "# ");
+        snprintf(queue, sizeof queue, ", a queue of %zu", options->queue);
+    results_say(results,
+                "%s%zu polynomials, %zu roots; %s%s, %s, falsi %s\n"
+                "%s%llu clocks, %.8f s on the machine\n",
+                mark, costs->polynomials, costs->roots,
+                trace_mode_name(options->mode), queue,
+                options->first ? "first roots" : "all roots",
+                falsi_name(roots_falsi(costs->search)), mark,
+                (unsigned long long)clocks,
+                accounts_seconds(options->model, clocks));
+    quartic_costs_model(results, options->model);
 }
 
 static void write_head(const struct quartic_costs *costs, struct json *json)
@@ -98,18 +127,18 @@ static void write_head(const struct quartic_costs *costs, struct json *json)
     provenance_json(options->model, json);
 }
 
-static bool tell_tables(struct table *const tables[TABLES], struct json *json)
+static bool tell_tables(struct table *const tables[TABLES],
+                        const struct results *results)
 {
-    for (int i = 0; i < TABLES; i++) {
-        if (!tables[i] || !print_remarks(tables[i], names[i].heading))
+    for (int i = 0; i < TABLES; i++)
+        if (!quartic_costs_part(results, tables[i], names[i].key,
+                                names[i].heading))
             return false;
-        if (json && !table_json(tables[i], json, names[i].key))
-            return false;
-    }
     return true;
 }
 
-bool quartic_costs_tell(const struct quartic_costs *costs, struct json *json)
+bool quartic_costs_tell(const struct quartic_costs *costs,
+                        const struct results *results)
 {
     struct accounts accounts = { .model = costs->options->model };
     bool good = accounts_add(&accounts, roots_machine(costs->search));
@@ -120,10 +149,10 @@ bool quartic_costs_tell(const struct quartic_costs *costs, struct json *json)
         [PASSES] = pass_table(costs->iterations),
     };
 
-    print_head(costs);
-    if (json)
-        write_head(costs, json);
-    good = good && tell_tables(tables, json);
+    print_head(costs, results);
+    if (results->json)
+        write_head(costs, results->json);
+    good = good && tell_tables(tables, results);
     accounts_free(&accounts);
     for (int i = 0; i < TABLES; i++)
         table_free(tables[i]);

@@ -1,14 +1,13 @@
 /* quartic_costs.h - what rt205 quartic tells after the roots: which clocks
  * they took, how falsi went, how many brackets were active pass by pass.
  *
- * It is printed on lines that begin with #, so that the roots are what is
+ * As text it stands on lines that begin with #, so that the roots are what is
  * left without them.
  */
 #ifndef RT_QUARTIC_COSTS_H
 #define RT_QUARTIC_COSTS_H
 
-#include "base/json.h"
-#include "base/table.h"
+#include "base/results.h"
 #include "rt/roots/roots.h"
 
 struct quartic_costs {
@@ -19,10 +18,17 @@ struct quartic_costs {
     size_t polynomials, roots;
 };
 
-/* Print, and add to the JSON file if there is one.  False: memory ran out. */
-bool quartic_costs_tell(const struct quartic_costs *costs, struct json *json);
+/* False: memory ran out. */
+bool quartic_costs_tell(const struct quartic_costs *costs,
+                        const struct results *results);
 
-/* A heading and the table, each line behind a #.  False: likewise. */
-bool print_remarks(const struct table *table, const char *heading);
+/* Such a table.  False: likewise. */
+bool quartic_costs_part(const struct results *results,
+                        const struct table *table, const char *key,
+                        const char *heading);
+
+/* How far the model can be trusted, likewise. */
+void quartic_costs_model(const struct results *results,
+                         const c205_model *model);
 
 #endif

@@ -52,7 +52,7 @@ static char *printed(const c205_model *model, const char *before)
     fflush(stdout);
     out = dup(STDOUT_FILENO);
     dup2(file, STDOUT_FILENO);
-    provenance_print(model, before);
+    provenance_print(model, before, stdout);
     fflush(stdout);
     dup2(out, STDOUT_FILENO);
     close(out);

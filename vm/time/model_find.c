@@ -10,7 +10,7 @@
 bool model_is_path(const char *name)
 {
     size_t length = strlen(name);
-    return strchr(name, '/')
+    return !strcmp(name, "-") || strchr(name, '/')
            || (length >= 6 && !strcmp(name + length - 6, ".model"));
 }
 
@@ -35,7 +35,7 @@ static char *join_lines(const char *const *lines)
 static char *read_file(const char *path, c205_error *error)
 {
     errno = 0;
-    FILE *file = fopen(path, "rb");
+    FILE *file = strcmp(path, "-") ? fopen(path, "rb") : stdin;
     size_t size = 0, room = 1 << 16;
     char *text = file ? malloc(room) : NULL;
     while (text) {
@@ -49,7 +49,7 @@ static char *read_file(const char *path, c205_error *error)
     }
     int reason = errno;
     bool whole = text && !ferror(file) && !memchr(text, '\0', size);
-    if (file)
+    if (file && file != stdin)
         fclose(file);
     if (whole)
         return text[size] = '\0', text;

@@ -2,22 +2,27 @@
 
 #include <math.h>
 
+#include "base/sink.h"
+
 #define TIMES_WITHIN .05
 #define LEFT_OUT_WITHIN .25
 #define WIDTHS_WITHIN 2.0
 
-static void print_missed(FILE *file, size_t *missed, const char *name,
-                         double error)
+static void print_missed(const struct sink *sink, size_t *missed,
+                         const char *name, double error)
 {
-    fprintf(file, "%s\n    %s %+.1f %%", *missed > 0 ? "," : "; not", name,
-            100 * error);
+    sink_print(sink, "%s\n    %s %+.1f %%", *missed > 0 ? "," : "; not", name,
+               100 * error);
     ++*missed;
 }
 
 static void print_rows(const struct study *study, const double *predicted,
-                       double within, const char *what, FILE *file)
+                       double within, const char *what,
+                       const struct results *results)
 {
     const struct observations *all = study->fit.observations;
+    struct text_buffer text = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&text);
     size_t good = 0, rows = 0, missed = 0;
 
     for (size_t i = 0; i < all->count; i++)
@@ -25,17 +30,19 @@ static void print_rows(const struct study *study, const double *predicted,
             rows++;
             good += fabs(fit_error(&all->items[i], predicted[i])) <= within;
         }
-    fprintf(file, "%s within %.0f %%: %zu of %zu", what, 100 * within, good,
-            rows);
+    sink_print(&sink, "%s within %.0f %%: %zu of %zu", what, 100 * within,
+               good, rows);
     for (size_t i = 0; i < all->count; i++)
         if (study_is_row(&all->items[i]) && !isnan(predicted[i])
             && fabs(fit_error(&all->items[i], predicted[i])) > within)
-            print_missed(file, &missed, all->items[i].name,
+            print_missed(&sink, &missed, all->items[i].name,
                          fit_error(&all->items[i], predicted[i]));
-    fprintf(file, ".\n");
+    results_say(results, "%s.\n", text.text ? text.text : "");
+    text_buffer_free(&text);
 }
 
-static void print_speedups(const struct study *study, FILE *file)
+static void print_speedups(const struct study *study,
+                           const struct results *results)
 {
     size_t good = 0;
 
@@ -45,11 +52,12 @@ static void print_speedups(const struct study *study, FILE *file)
 
         good += fabs(found / told - 1) <= TIMES_WITHIN;
     }
-    fprintf(file, "Speedups within %.0f %%: %zu of %zu.\n",
-            100 * TIMES_WITHIN, good, 2 * study->subject_count);
+    results_say(results, "Speedups within %.0f %%: %zu of %zu.\n",
+                100 * TIMES_WITHIN, good, 2 * study->subject_count);
 }
 
-static void print_constants(const struct study *study, FILE *file)
+static void print_constants(const struct study *study,
+                            const struct results *results)
 {
     const struct constants *constants = study->fit.constants;
     size_t inside = 0, near = 0;
@@ -61,20 +69,20 @@ static void print_constants(const struct study *study, FILE *file)
         inside += value > constant->least && value < constant->most;
         near += fabs(study->best.places[i]) <= WIDTHS_WITHIN;
     }
-    fprintf(file,
-            "Constants inside their bounds: %zu of %zu; within %g prior "
-            "widths: %zu.\n",
-            inside, constants->count, WIDTHS_WITHIN, near);
+    results_say(results,
+                "Constants inside their bounds: %zu of %zu; within %g prior "
+                "widths: %zu.\n",
+                inside, constants->count, WIDTHS_WITHIN, near);
 }
 
-void goal_print(const struct study *study, FILE *file)
+void goal_tell(const struct study *study, const struct results *results)
 {
-    fprintf(file, "\nThe goal:\n\n");
+    results_say(results, "\nThe goal:\n\n");
     print_rows(study, study->best.predicted, TIMES_WITHIN, "Times of Table 1",
-               file);
-    print_speedups(study, file);
+               results);
+    print_speedups(study, results);
     if (!study->brief)
         print_rows(study, study->left_out, LEFT_OUT_WITHIN, "Rows left out",
-                   file);
-    print_constants(study, file);
+                   results);
+    print_constants(study, results);
 }

@@ -5,10 +5,9 @@
 #ifndef RT_FIT_GOAL_H
 #define RT_FIT_GOAL_H
 
-#include <stdio.h>
-
+#include "base/results.h"
 #include "rt/study/fit/study.h"
 
-void goal_print(const struct study *study, FILE *file);
+void goal_tell(const struct study *study, const struct results *results);
 
 #endif

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "base/provenance.h"
-#include "base/table.h"
 
 static const struct table_column observed[] = {
     { "name", "observation", TABLE_TEXT, 0 },
@@ -295,24 +294,24 @@ static const struct part {
     void (*fill)(const struct study *study, const double *written,
                  struct table *table);
 } parts[] = {
-    { "fitted", "What was fitted:", TABLE_COLUMNS(observed), true,
+    { "fitted", "What was fitted", TABLE_COLUMNS(observed), true,
       fill_fitted },
-    { "held_out", "Only compared, or held out:", TABLE_COLUMNS(observed),
-      true, fill_held },
-    { "speedups", "The speedups of Table 1:", TABLE_COLUMNS(speedups), true,
+    { "held_out", "Only compared, or held out", TABLE_COLUMNS(observed), true,
+      fill_held },
+    { "speedups", "The speedups of Table 1", TABLE_COLUMNS(speedups), true,
       fill_speedups },
-    { "constants", "The free constants:", TABLE_COLUMNS(constants), true,
+    { "constants", "The free constants", TABLE_COLUMNS(constants), true,
       fill_constants },
     { "missing",
       "Observed by predicted.  Alike on all machines: the program of"
       " 1984 did so much\nmore; in one form alone: that form, or its part of "
-      "the model:",
+      "the model",
       TABLE_COLUMNS(missing), true, fill_missing },
-    { "left_out", "Each row of Table 1 left out:", TABLE_COLUMNS(left_out),
+    { "left_out", "Each row of Table 1 left out", TABLE_COLUMNS(left_out),
       false, fill_left_out },
-    { "without", "All rows of a primitive left out:", TABLE_COLUMNS(without),
+    { "without", "All rows of a primitive left out", TABLE_COLUMNS(without),
       false, fill_without },
-    { "doubled", "Priors doubled, in width and in value, one at a time:",
+    { "doubled", "Priors doubled, in width and in value, one at a time",
       TABLE_COLUMNS(doubled), false, fill_doubled },
 };
 
@@ -322,12 +321,13 @@ static const c205_model *fitted_model(const struct study *study)
     return study->fit.observations->timings[0].model;
 }
 
-static void print_head(const struct study *study, FILE *file)
+static void print_head(const struct study *study,
+                       const struct results *results)
 {
     const struct fit_outcome *best = &study->best;
 
-    fprintf(
-        file,
+    results_say(
+        results,
         "%zu observations, %zu free constants; cost %.3f after %d steps, "
         "%s.\n"
         "Residuals: relative errors of the machine's own clocks by their "
@@ -350,7 +350,7 @@ static void write_head(const struct study *study, struct json *json)
 }
 
 static bool add_part(const struct study *study, const struct part *part,
-                     const double *written, FILE *file, struct json *json)
+                     const double *written, const struct results *results)
 {
     struct table *table = table_new(part->columns, part->count);
     bool good;
@@ -358,23 +358,20 @@ static bool add_part(const struct study *study, const struct part *part,
     if (!table)
         return false;
     part->fill(study, written, table);
-    fprintf(file, "\n%s\n\n", part->heading);
-    good = table_print(table, file);
-    if (good && json)
-        good = table_json(table, json, part->key);
+    good = results_part(results, table, part->key, part->heading);
     table_free(table);
     return good;
 }
 
-bool report_print(const struct study *study, const double *written,
-                  FILE *file, struct json *json)
+bool report_tell(const struct study *study, const double *written,
+                 const struct results *results)
 {
-    print_head(study, file);
-    if (json)
-        write_head(study, json);
+    print_head(study, results);
+    if (results->json)
+        write_head(study, results->json);
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
         if ((parts[i].always || !study->brief)
-            && !add_part(study, &parts[i], written, file, json))
+            && !add_part(study, &parts[i], written, results))
             return false;
     return true;
 }

@@ -1,0 +1,161 @@
+/* results.c - see results.h. */
+#include "base/results.h"
+
+#include <stdarg.h>
+#include <string.h>
+
+#include "base/provenance.h"
+
+const char *results_format_choice(size_t number)
+{
+    static const char *const names[] = { [RESULTS_TEXT] = "text",
+                                         [RESULTS_CSV] = "csv",
+                                         [RESULTS_MARKDOWN] = "md",
+                                         [RESULTS_JSON] = "json" };
+    return number <= RESULTS_JSON ? names[number] : NULL;
+}
+
+static bool is_stream(const char *path)
+{
+    return path && strcmp(path, "-") == 0;
+}
+
+/* "--json -" is "--format json". */
+static void settle_format(struct results *results)
+{
+    if (is_stream(results->path)) {
+        results->format = RESULTS_JSON;
+        results->path = NULL;
+    }
+}
+
+static bool open_json(struct results *results)
+{
+    c205_error error;
+    results->json = NULL;
+    if (results->format == RESULTS_JSON) {
+        results->json = json_open_stream(stdout, results->path, &error);
+    } else if (results->path) {
+        results->json = json_open(results->path, &error);
+    } else {
+        return true;
+    }
+    if (!results->json) {
+        cmd_failed(results->command, "%s", error.message);
+    }
+    return results->json != NULL;
+}
+
+bool results_open(struct results *results, const char *command,
+                  const char *output)
+{
+    results->command = command;
+    settle_format(results);
+    results->file = results->format == RESULTS_JSON ? NULL
+                    : is_stream(output)             ? stderr
+                                                    : stdout;
+    if (results->format == RESULTS_JSON && is_stream(output)) {
+        cmd_failed(command, "stdout is for the output or for JSON, not for "
+                            "both");
+        return false;
+    }
+    return open_json(results);
+}
+
+int results_close(struct results *results, int code)
+{
+    c205_error error;
+    if (results->json && code != CMD_DONE) {
+        json_discard(results->json);
+    } else if (results->json && !json_close(results->json, &error)) {
+        code = cmd_failed(results->command, "%s", error.message);
+    }
+    results->json = NULL;
+    return code;
+}
+
+enum table_format results_table_format(const struct results *results)
+{
+    return results->format == RESULTS_JSON
+               ? TABLE_PLAIN
+               : (enum table_format)results->format;
+}
+
+static void put_line(const struct results *results, const char *line,
+                     size_t length)
+{
+    const char *remark = table_remark(results_table_format(results));
+    size_t mark = length > 0 ? strlen(remark) : strcspn(remark, " ");
+    fprintf(results->file, "%.*s%.*s\n", (int)mark, remark, (int)length,
+            line);
+}
+
+void results_say(const struct results *results, const char *format, ...)
+{
+    char text[1024];
+    va_list arguments;
+    if (!results->file) {
+        return;
+    }
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    for (const char *line = text; *line;) {
+        size_t length = strcspn(line, "\n");
+        put_line(results, line, length);
+        line += length + (line[length] == '\n');
+    }
+}
+
+void results_gap(const struct results *results)
+{
+    if (results->format == RESULTS_TEXT) {
+        putc('\n', results->file);
+    }
+}
+
+void results_model(const struct results *results, const c205_model *model)
+{
+    if (results->file) {
+        provenance_print(model, table_remark(results_table_format(results)),
+                         results->file);
+    }
+}
+
+static bool add_table(const struct results *results,
+                      const struct table *table, const char *key,
+                      const char *heading)
+{
+    enum table_format format = results_table_format(results);
+    if (!table) {
+        return false;
+    }
+    if (results->file && heading) {
+        table_heading(heading, format, results->file);
+    }
+    if (results->file && !table_write(table, format, results->file)) {
+        return false;
+    }
+    return !results->json || table_json(table, results->json, key);
+}
+
+bool results_part(const struct results *results, const struct table *table,
+                  const char *key, const char *heading)
+{
+    return add_table(results, table, key, heading);
+}
+
+bool results_table(const struct results *results, const struct table *table,
+                   const char *key, const char *heading)
+{
+    bool headed = results->format != RESULTS_TEXT;
+    return add_table(results, table, key, headed ? heading : NULL);
+}
+
+int results_show(const struct results *results, struct table *table,
+                 const char *key, const char *heading)
+{
+    bool good = results_table(results, table, key, heading);
+    table_free(table);
+    return good ? CMD_DONE : cmd_failed(results->command, "no memory");
+}
