@@ -21,11 +21,6 @@ static c205_trap go_to(struct c205 *machine, uint64_t target)
         return go_to(machine, machine->slot[d->c]); \
     }
 
-BRANCH_IF(branch_equal, arith_equal)
-BRANCH_IF(branch_not_equal, arith_not_equal)
-BRANCH_IF(branch_not_less, arith_not_less)
-BRANCH_IF(branch_less, arith_less)
-
 #define BRANCH_IF_HALF(name, comparison) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
     { \
@@ -35,10 +30,10 @@ BRANCH_IF(branch_less, arith_less)
         return go_to(machine, machine->slot[d->c]); \
     }
 
-BRANCH_IF_HALF(branch_half_equal, half_equal)
-BRANCH_IF_HALF(branch_half_not_equal, half_not_equal)
-BRANCH_IF_HALF(branch_half_not_less, half_not_less)
-BRANCH_IF_HALF(branch_half_less, half_less)
+#define RELATION(name) \
+    BRANCH_IF(branch_##name, arith_##name) \
+    BRANCH_IF_HALF(branch_half_##name, half_##name)
+#include "vm/arith.def"
 
 /* T + 32 S */
 static uint64_t item_target(const struct c205 *machine,
@@ -217,10 +212,8 @@ static bool greater(c205_word a, c205_word b)
         return go_to_near(machine, d); \
     }
 
-FLOAT_BRANCH_IF(float_branch_equal, arith_equal)
-FLOAT_BRANCH_IF(float_branch_not_equal, arith_not_equal)
-FLOAT_BRANCH_IF(float_branch_not_less, arith_not_less)
-FLOAT_BRANCH_IF(float_branch_less, arith_less)
+#define RELATION(name) FLOAT_BRANCH_IF(float_branch_##name, arith_##name)
+#include "vm/arith.def"
 FLOAT_BRANCH_IF(float_branch_not_greater, not_greater)
 FLOAT_BRANCH_IF(float_branch_greater, greater)
 

@@ -82,33 +82,6 @@ c205_trap execute_set_timer(struct c205 *machine,
 
 /* ---- Arithmetic -------------------------------------------------------- */
 
-#define TWO_OPERANDS(name) \
-    TO_T(name, arith_##name(a, b, &machine->data_flags))
-#define ONE_OPERAND(name) TO_T(name, arith_##name(a, &machine->data_flags))
-
-TWO_OPERANDS(add_upper)
-TWO_OPERANDS(add_lower)
-TWO_OPERANDS(add_normalised)
-TWO_OPERANDS(subtract_upper)
-TWO_OPERANDS(subtract_lower)
-TWO_OPERANDS(subtract_normalised)
-TWO_OPERANDS(multiply_upper)
-TWO_OPERANDS(multiply_lower)
-TWO_OPERANDS(multiply_significant)
-TWO_OPERANDS(divide_upper)
-TWO_OPERANDS(divide_significant)
-ONE_OPERAND(truncate)
-ONE_OPERAND(floor)
-ONE_OPERAND(ceiling)
-ONE_OPERAND(square_root)
-ONE_OPERAND(absolute)
-ONE_OPERAND(exponent)
-TWO_OPERANDS(adjust_significance)
-TWO_OPERANDS(adjust_exponent)
-TWO_OPERANDS(pack)
-
-/* ---- Half registers ----------------------------------------------------- */
-
 /* T := value, where a, b are the half words of R and S. */
 #define TO_HALF(name, value) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
@@ -121,29 +94,22 @@ TWO_OPERANDS(pack)
         machine_deliver(machine, d, value); \
         return C205_TRAP_NONE; \
     }
-#define TWO_HALVES(name) TO_HALF(name, name(a, b, &machine->data_flags))
-#define ONE_HALF(name) TO_HALF(name, name(a, &machine->data_flags))
+#define BINARY_REGISTERS(name) \
+    TO_T(name, arith_##name(a, b, &machine->data_flags)) \
+    TO_HALF(half_##name, half_##name(a, b, &machine->data_flags))
+#define UNARY_REGISTERS(name) \
+    TO_T(name, arith_##name(a, &machine->data_flags)) \
+    TO_HALF(half_##name, half_##name(a, &machine->data_flags))
+/* None, or one that is written out. */
+#define BINARY_VECTORS(name)
+#define UNARY_VECTORS(name)
 
-TWO_HALVES(half_add_upper)
-TWO_HALVES(half_add_lower)
-TWO_HALVES(half_add_normalised)
-TWO_HALVES(half_subtract_upper)
-TWO_HALVES(half_subtract_lower)
-TWO_HALVES(half_subtract_normalised)
-TWO_HALVES(half_multiply_upper)
-TWO_HALVES(half_multiply_lower)
-TWO_HALVES(half_multiply_significant)
-TWO_HALVES(half_divide_upper)
-TWO_HALVES(half_divide_significant)
-ONE_HALF(half_truncate)
-ONE_HALF(half_floor)
-ONE_HALF(half_ceiling)
-ONE_HALF(half_square_root)
-ONE_HALF(half_absolute)
-ONE_HALF(half_exponent)
-TWO_HALVES(half_adjust_significance)
-TWO_HALVES(half_adjust_exponent)
-TWO_HALVES(half_pack)
+#define BINARY(name, spans, registers, specials) BINARY_##registers(name)
+#define UNARY(name, spans, registers, specials) UNARY_##registers(name)
+#include "vm/arith.def"
+
+/* ---- Half registers ----------------------------------------------------- */
+
 TO_HALF(move_half, a)
 TO_HALF(extend, arith_extend(a, &machine->data_flags))
 
@@ -194,8 +160,8 @@ c205_trap execute_increase_half(struct c205 *machine,
 
 /* ---- Shift and logical ------------------------------------------------- */
 
-TO_T(shift_immediate, arith_shift(a, d->fields.immediate))
-TO_T(shift_register, arith_shift(a, c205_to_integer(b)))
+TO_T(shift_immediate, format_shift(whole_words, a, d->fields.immediate))
+TO_T(shift_register, arith_shift(a, b, &machine->data_flags))
 TO_T(exclusive_or, a ^ b)
 TO_T(and, (a) & (b))
 TO_T(or, a | b)

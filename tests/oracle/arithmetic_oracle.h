@@ -35,27 +35,11 @@ void oracle_end(void);
 typedef c205_word oracle_rule(const struct oracle_format *format, c205_word a,
                               c205_word b, uint64_t *flags);
 
-oracle_rule oracle_add_upper, oracle_add_lower, oracle_add_normalised;
-oracle_rule oracle_subtract_upper, oracle_subtract_lower,
-    oracle_subtract_normalised;
-oracle_rule oracle_average, oracle_average_difference;
-oracle_rule oracle_multiply_upper, oracle_multiply_lower,
-    oracle_multiply_significant;
-oracle_rule oracle_divide_upper, oracle_divide_significant;
-oracle_rule oracle_square_root;
-oracle_rule oracle_truncate, oracle_floor, oracle_ceiling, oracle_absolute,
-    oracle_negate, oracle_exponent;
-oracle_rule oracle_adjust_significance, oracle_adjust_exponent, oracle_pack;
-oracle_rule oracle_equal, oracle_not_equal, oracle_not_less, oracle_less;
-oracle_rule oracle_shift;
-oracle_rule oracle_xor, oracle_and, oracle_or, oracle_nand, oracle_nor,
-    oracle_or_not, oracle_and_not, oracle_equivalence;
-oracle_rule oracle_add_index, oracle_subtract_index;
-oracle_rule oracle_copy;
-
-/* Between the sizes: from full words to half words, and from half to full.
- * The format is fixed and the argument not looked at. */
-oracle_rule oracle_contract, oracle_contract_rounded, oracle_extend;
+/* Of each operation that stands by itself in vm/arith.def.  Between the sizes
+ * (contract, contract_rounded: to half words; extend: to full ones) the format
+ * is fixed and the argument not looked at. */
+#define ELEMENTWISE(name, specials) oracle_rule oracle_##name;
+#include "vm/arith.def"
 
 /* The value of a word, exactly when value has room for it; machine zero is +0,
  * indefinite a NaN. */

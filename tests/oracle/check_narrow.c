@@ -29,73 +29,36 @@ struct operation {
 };
 
 /* How the functions of the machine are called, by kind. */
-#define ADAPT_BINARY(name) \
+#define BINARY(name, ...) \
     static c205_word machine_##name(c205_word a, c205_word b, \
                                     uint64_t *flags) \
     { \
         return narrow_##name(a, b, flags); \
     }
-#define ADAPT_UNARY(name) \
+#define UNARY(name, ...) \
     static c205_word machine_##name(c205_word a, c205_word b, \
                                     uint64_t *flags) \
     { \
         (void)b; \
         return narrow_##name(a, flags); \
     }
-#define ADAPT_COMPARE(name) \
+#define RELATION(name) \
     static c205_word machine_##name(c205_word a, c205_word b, \
                                     uint64_t *flags) \
     { \
         (void)flags; \
         return narrow_##name(a, b); \
     }
-#define ADAPT_SHIFT(name) \
-    static c205_word machine_##name(c205_word a, c205_word b, \
-                                    uint64_t *flags) \
-    { \
-        (void)flags; \
-        return narrow_##name(a, narrow_coefficient_of(b)); \
-    }
+#include "vm/arith.def"
 
-#define OPERATIONS(BINARY, UNARY, COMPARE, SHIFT) \
-    BINARY(add_upper) \
-    BINARY(add_lower) \
-    BINARY(add_normalised) \
-    BINARY(subtract_upper) \
-    BINARY(subtract_lower) \
-    BINARY(subtract_normalised) \
-    BINARY(multiply_upper) \
-    BINARY(multiply_lower) \
-    BINARY(multiply_significant) \
-    BINARY(divide_upper) \
-    BINARY(divide_significant) \
-    UNARY(square_root) \
-    UNARY(truncate) \
-    UNARY(floor) \
-    UNARY(ceiling) \
-    UNARY(absolute) \
-    UNARY(negate) \
-    UNARY(exponent) \
-    BINARY(adjust_significance) \
-    BINARY(adjust_exponent) \
-    BINARY(pack) \
-    BINARY(average) \
-    BINARY(average_difference) \
-    COMPARE(equal) \
-    COMPARE(not_equal) \
-    COMPARE(not_less) \
-    COMPARE(less) \
-    SHIFT(shift)
-
-OPERATIONS(ADAPT_BINARY, ADAPT_UNARY, ADAPT_COMPARE, ADAPT_SHIFT)
-
-#define ROW(name) \
-    { #name, false, oracle_##name, small_##name, machine_##name },
-#define UNARY_ROW(name) \
-    { #name, true, oracle_##name, small_##name, machine_##name },
-
-static const struct operation operations[] = { OPERATIONS(ROW, UNARY_ROW, ROW,
-                                                          ROW) };
+static const struct operation operations[] = {
+#define ROW(name, unary) \
+    { #name, unary, oracle_##name, small_##name, machine_##name },
+#define BINARY(name, ...) ROW(name, false)
+#define UNARY(name, ...) ROW(name, true)
+#define RELATION(name) ROW(name, false)
+#include "vm/arith.def"
+};
 
 enum { OPERATION_COUNT = sizeof operations / sizeof operations[0] };
 

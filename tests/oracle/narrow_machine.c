@@ -6,5 +6,5 @@ static const word_format narrow_words = { NARROW_EXPONENT_BITS,
                                           NARROW_DIGITS };
 
 #define RULE_FORMAT narrow_words
-#define RULE(name) ARITH_OF_NARROW(name)
+#define RULE(name) narrow_##name
 #include "vm/number/rule.h"

@@ -5,7 +5,9 @@
 
 #include "vm/number/arith.h"
 
-#define ARITH_OF_NARROW(name) narrow_##name
-ARITH_FUNCTIONS(ARITH_OF_NARROW);
+#define BINARY(name, ...) arith_binary narrow_##name;
+#define UNARY(name, ...) arith_unary narrow_##name;
+#define RELATION(name) arith_relation narrow_##name;
+#include "vm/arith.def"
 
 #endif

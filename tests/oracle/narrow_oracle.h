@@ -22,19 +22,10 @@ void small_begin(void);
 
 typedef c205_word small_rule(c205_word a, c205_word b, uint64_t *flags);
 
-small_rule small_add_upper, small_add_lower, small_add_normalised;
-small_rule small_subtract_upper, small_subtract_lower,
-    small_subtract_normalised;
-small_rule small_average, small_average_difference;
-small_rule small_multiply_upper, small_multiply_lower,
-    small_multiply_significant;
-small_rule small_divide_upper, small_divide_significant;
-small_rule small_square_root;
-small_rule small_truncate, small_floor, small_ceiling, small_absolute,
-    small_negate, small_exponent;
-small_rule small_adjust_significance, small_adjust_exponent, small_pack;
-small_rule small_equal, small_not_equal, small_not_less, small_less;
-small_rule small_shift;
+#define BINARY(name, ...) small_rule small_##name;
+#define UNARY(name, ...) small_rule small_##name;
+#define RELATION(name) small_rule small_##name;
+#include "vm/arith.def"
 
 /* The word of an exponent and a coefficient, whatever they are. */
 c205_word narrow_word(int64_t exponent, int64_t coefficient);

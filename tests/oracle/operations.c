@@ -18,160 +18,110 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
 /* ---- How the functions of the machine are called ------------------------ */
 
 /* By kind, all brought to the signatures of scalar_rule and span_rule.
- * scalar, span: what the names of a size begin with in arith.h and lanes.h:
- * arith and lanes, half and halves. */
-#define ADAPT_BINARY(scalar, span, name) \
-    static c205_word call_##scalar##_##name(c205_word a, c205_word b, \
-                                            uint64_t *flags) \
-    { \
-        return scalar##_##name(a, b, flags); \
-    } \
-    ADAPT_SPAN(scalar, span, name)
-#define ADAPT_SPAN(scalar, span, name) \
-    static void call_##span##_##name(c205_word *c, const c205_word *a, \
-                                     const c205_word *b, size_t n, \
+ * function: a name of arith.h or lanes.h. */
+#define CALL_BINARY(function) \
+    static c205_word call_##function(c205_word a, c205_word b, \
                                      uint64_t *flags) \
     { \
-        span##_##name(c, a, b, n, flags); \
+        return function(a, b, flags); \
     }
-#define ADAPT_UNARY(scalar, span, name) \
-    static c205_word call_##scalar##_##name(c205_word a, c205_word b, \
-                                            uint64_t *flags) \
-    { \
-        (void)b; \
-        return scalar##_##name(a, flags); \
-    } \
-    ADAPT_UNARY_SPAN(scalar, span, name)
-#define ADAPT_UNARY_SPAN(scalar, span, name) \
-    static void call_##span##_##name(c205_word *c, const c205_word *a, \
-                                     const c205_word *b, size_t n, \
+#define CALL_UNARY(function) \
+    static c205_word call_##function(c205_word a, c205_word b, \
                                      uint64_t *flags) \
     { \
         (void)b; \
-        span##_##name(c, a, n, flags); \
+        return function(a, flags); \
+    }
+#define CALL_RELATION(function) \
+    static c205_word call_##function(c205_word a, c205_word b, \
+                                     uint64_t *flags) \
+    { \
+        (void)flags; \
+        return function(a, b); \
+    }
+#define SPAN_OF(function) \
+    static void call_##function(c205_word *c, const c205_word *a, \
+                                const c205_word *b, size_t n, \
+                                uint64_t *flags)
+#define CALL_BINARY_SPAN(function) \
+    SPAN_OF(function) \
+    { \
+        function(c, a, b, n, flags); \
+    }
+#define CALL_UNARY_SPAN(function) \
+    SPAN_OF(function) \
+    { \
+        (void)b; \
+        function(c, a, n, flags); \
     }
 /* A bitmap with bits past its end spoils the flags, which comparisons do
  * not touch. */
-#define ADAPT_COMPARE(scalar, span, name) \
-    static c205_word call_##scalar##_##name(c205_word a, c205_word b, \
-                                            uint64_t *flags) \
-    { \
-        (void)flags; \
-        return scalar##_##name(a, b); \
-    } \
-    static void call_##span##_##name(c205_word *c, const c205_word *a, \
-                                     const c205_word *b, size_t n, \
-                                     uint64_t *flags) \
+#define CALL_RELATION_SPAN(function) \
+    SPAN_OF(function) \
     { \
         uint64_t bits[BITMAP]; \
 \
         memset(bits, 0xA5, sizeof bits); \
-        span##_##name(bits, a, b, n); \
+        function(bits, a, b, n); \
         spread_bits(c, bits, n); \
         if (!rest_is_zero(bits, n)) \
             *flags = 0; \
     }
 
+/* clang-format off */
+#define BINARY(name, ...) \
+    CALL_BINARY(arith_##name) CALL_BINARY_SPAN(lanes_##name) \
+    CALL_BINARY(half_##name) CALL_BINARY_SPAN(halves_##name)
+#define UNARY(name, ...) \
+    CALL_UNARY(arith_##name) CALL_UNARY_SPAN(lanes_##name) \
+    CALL_UNARY(half_##name) CALL_UNARY_SPAN(halves_##name)
+#define RELATION(name) \
+    CALL_RELATION(arith_##name) CALL_RELATION_SPAN(lanes_##name) \
+    CALL_RELATION(half_##name) CALL_RELATION_SPAN(halves_##name)
+#define BITWISE(name) \
+    CALL_BINARY_SPAN(lanes_##name) CALL_BINARY_SPAN(halves_##name)
+#define CONVERSION(name, ...) \
+    CALL_UNARY(arith_##name) CALL_UNARY_SPAN(lanes_##name)
+#define COPY(name, ...) CALL_UNARY_SPAN(lanes_##name)
+/* clang-format on */
+#include "vm/arith.def"
+
 /* ---- The operations ----------------------------------------------------- */
 
-/* SPAN and UNARY_SPAN have no counterpart in arith.h. */
-#define OPERATIONS(BINARY, UNARY, COMPARE, SPAN_ONLY, scalar, span) \
-    BINARY(scalar, span, add_upper) \
-    BINARY(scalar, span, add_lower) \
-    BINARY(scalar, span, add_normalised) \
-    BINARY(scalar, span, subtract_upper) \
-    BINARY(scalar, span, subtract_lower) \
-    BINARY(scalar, span, subtract_normalised) \
-    BINARY(scalar, span, multiply_upper) \
-    BINARY(scalar, span, multiply_lower) \
-    BINARY(scalar, span, multiply_significant) \
-    BINARY(scalar, span, divide_upper) \
-    BINARY(scalar, span, divide_significant) \
-    UNARY(scalar, span, square_root) \
-    UNARY(scalar, span, truncate) \
-    UNARY(scalar, span, floor) \
-    UNARY(scalar, span, ceiling) \
-    UNARY(scalar, span, absolute) \
-    UNARY(scalar, span, negate) \
-    UNARY(scalar, span, exponent) \
-    BINARY(scalar, span, adjust_significance) \
-    BINARY(scalar, span, adjust_exponent) \
-    BINARY(scalar, span, pack) \
-    BINARY(scalar, span, average) \
-    BINARY(scalar, span, average_difference) \
-    COMPARE(scalar, span, equal) \
-    COMPARE(scalar, span, not_equal) \
-    COMPARE(scalar, span, not_less) \
-    COMPARE(scalar, span, less) \
-    SPAN_ONLY(scalar, span, xor) \
-    SPAN_ONLY(scalar, span, and) \
-    SPAN_ONLY(scalar, span, or) \
-    SPAN_ONLY(scalar, span, nand) \
-    SPAN_ONLY(scalar, span, nor) \
-    SPAN_ONLY(scalar, span, or_not) \
-    SPAN_ONLY(scalar, span, and_not) \
-    SPAN_ONLY(scalar, span, equivalence) \
-    SPAN_ONLY(scalar, span, add_index) \
-    SPAN_ONLY(scalar, span, subtract_index)
-
-OPERATIONS(ADAPT_BINARY, ADAPT_UNARY, ADAPT_COMPARE, ADAPT_SPAN, arith, lanes)
-OPERATIONS(ADAPT_BINARY, ADAPT_UNARY, ADAPT_COMPARE, ADAPT_SPAN, half, halves)
-ADAPT_UNARY(arith, lanes, contract)
-ADAPT_UNARY(arith, lanes, contract_rounded)
-ADAPT_UNARY(arith, lanes, extend)
-ADAPT_UNARY_SPAN(arith, lanes, copy)
-ADAPT_SPAN(arith, lanes, shift)
-ADAPT_SPAN(half, halves, shift)
-
-/* The count of a shift: the coefficient of b, taken as an integer. */
-static c205_word call_arith_shift(c205_word a, c205_word b, uint64_t *flags)
-{
-    (void)flags;
-    return arith_shift(a, c205_to_integer(b));
-}
-
-static c205_word call_half_shift(c205_word a, c205_word b, uint64_t *flags)
-{
-    const int64_t low = (int64_t)(b << 8 >> 40);
-
-    (void)flags;
-    return half_shift(a, low >= 1 << 23 ? low - (1 << 24) : low);
-}
-
-#define ROW(scalar, span, name) \
-    { #name, &oracle_full, oracle_##name, call_##scalar##_##name, \
-      call_##span##_##name },
-#define SPAN_ROW(scalar, span, name) \
-    { #name, &oracle_full, oracle_##name, NULL, call_##span##_##name },
-#define HALF_ROW(scalar, span, name) \
-    { "half_" #name, &oracle_half, oracle_##name, call_##scalar##_##name, \
-      call_##span##_##name },
-#define HALF_SPAN_ROW(scalar, span, name) \
-    { "half_" #name, &oracle_half, oracle_##name, NULL, \
-      call_##span##_##name },
-
 /* clang-format off */
-const struct operation operations[] = {
-    OPERATIONS(ROW, ROW, ROW, SPAN_ROW, arith, lanes)
-    ROW(arith, lanes, shift)
-    SPAN_ROW(arith, lanes, copy)
-    ROW(arith, lanes, contract)
-    ROW(arith, lanes, contract_rounded)
-    { "extend", &oracle_half, oracle_extend, call_arith_extend,
-      call_lanes_extend },
-    OPERATIONS(HALF_ROW, HALF_ROW, HALF_ROW, HALF_SPAN_ROW, half, halves)
-    HALF_ROW(half, halves, shift)
-};
+#define ROW_OF_WORDS(name) \
+    { #name, &oracle_full, oracle_##name, call_arith_##name, \
+      call_lanes_##name },
+#define ROW_OF_HALVES(name) \
+    { "half_" #name, &oracle_half, oracle_##name, call_half_##name, \
+      call_halves_##name },
+#define SPAN_ROW_OF_WORDS(name) \
+    { #name, &oracle_full, oracle_##name, NULL, call_lanes_##name },
+#define SPAN_ROW_OF_HALVES(name) \
+    { "half_" #name, &oracle_half, oracle_##name, NULL, call_halves_##name },
+#define FORMAT_WORDS &oracle_full
+#define FORMAT_HALVES &oracle_half
 /* clang-format on */
+
+const struct operation operations[] = {
+#define ELEMENTWISE(name, specials) ROW_OF_WORDS(name) ROW_OF_HALVES(name)
+#define BITWISE(name) SPAN_ROW_OF_WORDS(name) SPAN_ROW_OF_HALVES(name)
+#define CONVERSION(name, of, specials) \
+    { #name, FORMAT_##of, oracle_##name, call_arith_##name, \
+      call_lanes_##name },
+#define COPY(name, specials) SPAN_ROW_OF_WORDS(name)
+#include "vm/arith.def"
+};
 
 const size_t operation_count = sizeof operations / sizeof operations[0];
 
 const struct reduction reductions[] = {
-    { "sum", &oracle_full, oracle_add_normalised, lanes_sum },
-    { "product", &oracle_full, oracle_multiply_significant, lanes_product },
-    { "half_sum", &oracle_half, oracle_add_normalised, halves_sum },
-    { "half_product", &oracle_half, oracle_multiply_significant,
-      halves_product },
+/* clang-format off */
+#define REDUCTION(name, step, specials) \
+    { #name, &oracle_full, oracle_##step, lanes_##name }, \
+    { "half_" #name, &oracle_half, oracle_##step, halves_##name },
+/* clang-format on */
+#include "vm/arith.def"
 };
 
 const size_t reduction_count = sizeof reductions / sizeof reductions[0];

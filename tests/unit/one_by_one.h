@@ -176,12 +176,6 @@ static c205_word and_not(c205_word a, c205_word b, uint64_t *flags)
     return a & ~b;
 }
 
-static c205_word shifted(c205_word a, c205_word b, uint64_t *flags)
-{
-    (void)flags;
-    return arith_shift(a, c205_to_integer(b));
-}
-
 static c205_word add_index(c205_word a, c205_word b, uint64_t *flags)
 {
     (void)flags;
@@ -202,7 +196,7 @@ static const struct {
                { "PACKV", NULL, arith_pack, NULL },
                { "ADDXV", NULL, add_index, NULL },
                { "AVGDV", NULL, arith_average_difference, NULL },
-               { "SHIFTV", NULL, shifted, NULL },
+               { "SHIFTV", NULL, arith_shift, NULL },
                { "ANDNV", NULL, and_not, NULL },
                { "VTOV", copy, NULL, NULL },
                { "SQRTV", arith_square_root, NULL, NULL },

@@ -2,5 +2,5 @@
 #include "vm/number/arith.h"
 
 #define RULE_FORMAT whole_words
-#define RULE(name) ARITH_OF_WORDS(name)
+#define RULE(name) arith_##name
 #include "vm/number/rule.h"

@@ -2,7 +2,7 @@
 #include "vm/number/arith.h"
 
 #define RULE_FORMAT half_words
-#define RULE(name) ARITH_OF_HALVES(name)
+#define RULE(name) half_##name
 #include "vm/number/rule.h"
 
 /* ---- Conversion between the sizes --------------------------------------- */

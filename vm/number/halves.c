@@ -5,31 +5,16 @@
 
 #include "vm/number/half_lane.h"
 
-#define BINARY(name) BINARY_SPAN(halves_##name, lane_##name, half_##name)
-#define UNARY(name) UNARY_SPAN(halves_##name, lane_##name, half_##name)
-#define CONVERSION(name) UNARY_SPAN(lanes_##name, lane_##name, arith_##name)
+#define BINARY_FAST(name) BINARY_SPAN(halves_##name, lane_##name, half_##name)
+#define BINARY_HALVES_FAST(name) BINARY_FAST(name)
+#define BINARY_EXACT(name) EXACT(halves_##name, half_##name)
+#define UNARY_FAST(name) UNARY_SPAN(halves_##name, lane_##name, half_##name)
+/* In spans.c. */
+#define BINARY_WRITTEN(name)
+#define UNARY_WRITTEN(name)
 
-BINARY(add_upper)
-BINARY(add_lower)
-BINARY(add_normalised)
-BINARY(subtract_upper)
-BINARY(subtract_lower)
-BINARY(subtract_normalised)
-BINARY(average)
-BINARY(average_difference)
-BINARY(multiply_upper)
-BINARY(multiply_lower)
-BINARY(multiply_significant)
-BINARY(divide_upper)
-BINARY(divide_significant)
-EXACT(halves_adjust_significance, half_adjust_significance)
-EXACT(halves_adjust_exponent, half_adjust_exponent)
-UNARY(square_root)
-UNARY(truncate)
-UNARY(floor)
-UNARY(ceiling)
-UNARY(absolute)
-UNARY(negate)
-CONVERSION(contract)
-CONVERSION(contract_rounded)
-CONVERSION(extend)
+#define BINARY(name, spans, registers, specials) BINARY_##spans(name)
+#define UNARY(name, spans, registers, specials) UNARY_##spans(name)
+#define CONVERSION(name, ...) \
+    UNARY_SPAN(lanes_##name, lane_##name, arith_##name)
+#include "vm/arith.def"

@@ -5,27 +5,14 @@
 
 #include "vm/number/lane.h"
 
-#define BINARY(name) BINARY_SPAN(lanes_##name, lane_##name, arith_##name)
-#define UNARY(name) UNARY_SPAN(lanes_##name, lane_##name, arith_##name)
+#define BINARY_FAST(name) BINARY_SPAN(lanes_##name, lane_##name, arith_##name)
+#define BINARY_HALVES_FAST(name) BINARY_EXACT(name)
+#define BINARY_EXACT(name) EXACT(lanes_##name, arith_##name)
+#define UNARY_FAST(name) UNARY_SPAN(lanes_##name, lane_##name, arith_##name)
+/* In spans.c. */
+#define BINARY_WRITTEN(name)
+#define UNARY_WRITTEN(name)
 
-BINARY(add_upper)
-BINARY(add_normalised)
-BINARY(subtract_upper)
-BINARY(subtract_normalised)
-BINARY(average)
-BINARY(average_difference)
-BINARY(multiply_upper)
-BINARY(multiply_significant)
-BINARY(divide_significant)
-EXACT(lanes_add_lower, arith_add_lower)
-EXACT(lanes_subtract_lower, arith_subtract_lower)
-EXACT(lanes_multiply_lower, arith_multiply_lower)
-EXACT(lanes_divide_upper, arith_divide_upper)
-EXACT(lanes_adjust_significance, arith_adjust_significance)
-EXACT(lanes_adjust_exponent, arith_adjust_exponent)
-UNARY(square_root)
-UNARY(truncate)
-UNARY(floor)
-UNARY(ceiling)
-UNARY(absolute)
-UNARY(negate)
+#define BINARY(name, spans, registers, specials) BINARY_##spans(name)
+#define UNARY(name, spans, registers, specials) UNARY_##spans(name)
+#include "vm/arith.def"

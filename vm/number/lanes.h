@@ -25,38 +25,18 @@ typedef void lanes_compare(uint64_t *bits, const c205_word *a,
 typedef void lanes_reduction(c205_word *accumulator, const c205_word *a,
                              size_t n, uint64_t *flags);
 
-/* The functions of one size; of(name) is what a name is there.  add_index,
- * subtract_index: the coefficient's bits of a + b, a - b, the exponent's from
- * a. */
-#define LANES_FUNCTIONS(of) \
-    lanes_binary of(add_upper), of(add_lower), of(add_normalised); \
-    lanes_binary of(subtract_upper), of(subtract_lower), \
-        of(subtract_normalised); \
-    lanes_binary of(multiply_upper), of(multiply_lower), \
-        of(multiply_significant); \
-    lanes_binary of(divide_upper), of(divide_significant); \
-    lanes_binary of(average), of(average_difference); \
-    lanes_binary of(xor), of(and), of(or), of(nand), of(nor), of(or_not), \
-        of(and_not), of(equivalence), of(shift); \
-    lanes_binary of(adjust_significance), of(adjust_exponent), of(pack); \
-    lanes_binary of(add_index), of(subtract_index); \
-    lanes_unary of(square_root), of(truncate), of(floor), of(ceiling), \
-        of(absolute), of(negate), of(exponent); \
-    lanes_compare of(equal), of(not_equal), of(not_less), of(less); \
-    lanes_reduction of(sum), of(product)
-
-#define LANES_OF_WORDS(name) lanes_##name
-#define LANES_OF_HALVES(name) halves_##name
-LANES_FUNCTIONS(LANES_OF_WORDS);
-LANES_FUNCTIONS(LANES_OF_HALVES);
-
-/* From words to half words, and back. */
-lanes_unary lanes_contract, lanes_contract_rounded;
-lanes_unary lanes_extend;
+/* lanes_NAME is of words, halves_NAME of half words. */
+#define BINARY(name, ...) lanes_binary lanes_##name, halves_##name;
+#define BITWISE(name) lanes_binary lanes_##name, halves_##name;
+#define UNARY(name, ...) lanes_unary lanes_##name, halves_##name;
+#define RELATION(name) lanes_compare lanes_##name, halves_##name;
+#define REDUCTION(name, ...) lanes_reduction lanes_##name, halves_##name;
+/* To the other size; of any. */
+#define CONVERSION(name, ...) lanes_unary lanes_##name;
+#define COPY(name, ...) lanes_unary lanes_##name;
+#include "vm/arith.def"
 
 /* ---- Of any words ------------------------------------------------------- */
-
-lanes_unary lanes_copy;
 
 /* c[i] = word */
 void lanes_fill(c205_word *c, c205_word word, size_t n);

@@ -572,7 +572,8 @@ bool RULE(less)(c205_word a, c205_word b)
 
 /* ---- Shift ------------------------------------------------------------- */
 
-c205_word RULE(shift)(c205_word a, int64_t count)
+c205_word RULE(shift)(c205_word a, c205_word b, uint64_t *flags)
 {
-    return format_shift(RULE_FORMAT, a, count);
+    (void)flags;
+    return format_shift(RULE_FORMAT, a, coefficient_of(b));
 }

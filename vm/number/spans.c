@@ -195,7 +195,7 @@ CLONED void lanes_store_masked(c205_word *restrict c,
 
 /* ---- Reductions --------------------------------------------------------- */
 
-#define REDUCTION(name, exact) \
+#define REDUCTION_SPAN(name, exact) \
     void name(c205_word *accumulator, const c205_word *a, size_t n, \
               uint64_t *flags) \
     { \
@@ -204,7 +204,7 @@ CLONED void lanes_store_masked(c205_word *restrict c,
             result = exact(result, a[i], flags); \
         *accumulator = result; \
     }
-REDUCTION(lanes_sum, arith_add_normalised)
-REDUCTION(lanes_product, arith_multiply_significant)
-REDUCTION(halves_sum, half_add_normalised)
-REDUCTION(halves_product, half_multiply_significant)
+#define REDUCTION(name, step, specials) \
+    REDUCTION_SPAN(lanes_##name, arith_##step) \
+    REDUCTION_SPAN(halves_##name, half_##step)
+#include "vm/arith.def"
