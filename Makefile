@@ -43,7 +43,7 @@ adapter = $(BUILD)/rt205_oiio.so
 # What is installed of them: three libraries, each with the names of these headers
 # alone, and with its own copy of what it needs of base.
 api = $(BUILD)/api
-vm_api = vm/c205.h vm/insn.def
+vm_api = vm/c205.h vm/insn.def vm/arith.def
 asm_api = $(addprefix asm/,assemble.h disassemble.h expect.h listing.h object.h \
 	print.h state.h) base/diagnostic.h base/sink.h
 rt_api = $(addprefix rt/,scene/scene.h scene/language/scene_read.h \

@@ -1,7 +1,7 @@
 /* bits.c - strings of bits.  They are read and stored as 64 bits a word, so
  * the loops of lanes.h do for them too.
  */
-#include "vm/operand.h"
+#include "vm/vector.h"
 
 enum { STRING_BITS = C205_MAX_LENGTH + 1, STRING_WORDS = STRING_BITS / 64 };
 
@@ -37,8 +37,7 @@ static c205_trap run_strings(struct c205 *machine, const struct vector *a,
     return machine_end_turn(machine, &turn);
 }
 
-static c205_trap strings(struct c205 *machine, const struct decoded *decoded,
-                         lanes_binary *operation)
+c205_trap execute_strings(struct c205 *machine, const struct decoded *decoded)
 {
     struct vector a, b, c;
     struct control none;
@@ -56,23 +55,8 @@ static c205_trap strings(struct c205 *machine, const struct decoded *decoded,
     if (trap != C205_TRAP_NONE)
         return trap;
     machine->effect.elements = c.length;
-    return run_strings(machine, &a, &b, &c, operation);
+    return run_strings(machine, &a, &b, &c, operation_of(decoded)->binary);
 }
-
-#define STRINGS(name) \
-    c205_trap execute_bits_##name(struct c205 *machine, \
-                                  const struct decoded *decoded) \
-    { \
-        return strings(machine, decoded, lanes_##name); \
-    }
-STRINGS(xor)
-STRINGS(and)
-STRINGS(or)
-STRINGS(nand)
-STRINGS(nor)
-STRINGS(or_not)
-STRINGS(and_not)
-STRINGS(equivalence)
 
 /* ---- Mask, merge ------------------------------------------------------- */
 

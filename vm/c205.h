@@ -93,7 +93,7 @@ double c205_half_to_double(c205_word half);
 c205_word c205_half_from_text(const char *text, const char **end);
 void c205_half_to_text(c205_word half, char text[C205_TEXT_SIZE]);
 
-/* ---- Instructions (vm/insn.c, from vm/insn.def) ------------------------- */
+/* ---- Instructions (vm/insn.c, from vm/insn.def, vm/arith.def) ------------ */
 
 typedef enum c205_format {
 #define FORMAT(name, halves, syntax) C205_FORMAT_##name,
@@ -118,6 +118,13 @@ typedef enum c205_timing {
 #include "insn.def"
     C205_TIMINGS
 } c205_timing;
+
+/* What is done with the operands of an instruction, or with each element. */
+typedef enum c205_operation {
+#define OPERATION(name, specials) C205_OPERATION_##name,
+#include "arith.def"
+    C205_OPERATIONS
+} c205_operation;
 
 /* insn.flags */
 #define C205_INSN_SIGN 1u
@@ -147,6 +154,7 @@ typedef struct c205_insn {
     c205_format format;
     c205_unit unit;
     c205_timing timing;
+    c205_operation operation;
     const char *operands; /* one letter each, see insn.def */
     const char *effect;
     char provenance;
@@ -166,6 +174,8 @@ unsigned c205_format_halves(c205_format format);
 const char *c205_unit_name(c205_unit unit);
 const char *c205_timing_name(c205_timing timing);
 bool c205_timing_is_vector(c205_timing timing);
+/* What it makes of machine zeros and indefinites. */
+const char *c205_operation_specials(c205_operation operation);
 
 /* The fields of an instruction, wherever they lie in its word.  F8 G8 X8 A8
  * Y8 B8 Z8 C8 for the long formats, F8 R8 S8 T8 for the short ones. */

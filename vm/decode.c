@@ -8,7 +8,7 @@
 
 static semantics *const functions[] = {
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
-             flags, function, provenance, effect) \
+             flags, function, operation, provenance, effect) \
     execute_##function,
 #include "vm/insn.def"
 };

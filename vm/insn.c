@@ -18,9 +18,10 @@ enum {
 const c205_insn c205_insns[] = {
 /* clang-format off */
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
-             flags, semantics, provenance, effect) \
+             flags, semantics, operation, provenance, effect) \
     { #mnemonic, opcode, subop, mask, flags, C205_FORMAT_##format, \
-      C205_UNIT_##unit, C205_TIMING_##timing, operands, effect, provenance },
+      C205_UNIT_##unit, C205_TIMING_##timing, C205_OPERATION_##operation, \
+      operands, effect, provenance },
 /* clang-format on */
 #include "vm/insn.def"
 };
@@ -41,6 +42,23 @@ static const struct {
 } timings[C205_TIMINGS] = {
 #define TIMING(name, kind) { #name, kind },
 #include "vm/insn.def"
+};
+
+enum {
+#define SPECIALS(rule, text) SPECIALS_##rule,
+#include "vm/arith.def"
+    SPECIALS_RULES
+};
+
+static const char *const specials_texts[SPECIALS_RULES] = {
+#define SPECIALS(rule, text) text,
+#include "vm/arith.def"
+};
+
+/* The rule of each operation. */
+static const uint8_t specials[C205_OPERATIONS] = {
+#define OPERATION(name, specials) SPECIALS_##specials,
+#include "vm/arith.def"
 };
 
 static const char *const unit_names[C205_UNITS] = {
@@ -73,6 +91,11 @@ const char *c205_unit_name(c205_unit unit)
 const char *c205_timing_name(c205_timing timing)
 {
     return timings[timing].name;
+}
+
+const char *c205_operation_specials(c205_operation operation)
+{
+    return specials_texts[specials[operation]];
 }
 
 bool c205_timing_is_vector(c205_timing timing)

@@ -45,7 +45,7 @@ static bool may_be_linked(const struct decoded *first,
 
 struct pair {
     struct stream first, second;
-    struct operation operation_first, operation_second;
+    const struct operation *operation_first, *operation_second;
     c205_word handed[CHUNK]; /* results of the first */
 };
 
@@ -67,8 +67,8 @@ static c205_trap describe_pair(struct pair *pair, struct c205 *machine,
         hand_over(&pair->second.a, pair->handed);
     if (is_linked_b(linked[0], linked[1]))
         hand_over(&pair->second.b, pair->handed);
-    pair->operation_first = linked_operation(linked[0]);
-    pair->operation_second = linked_operation(linked[1]);
+    pair->operation_first = operation_of(linked[0]);
+    pair->operation_second = operation_of(linked[1]);
     return trap;
 }
 
@@ -106,12 +106,12 @@ static c205_trap run_pair(struct pair *pair)
     for (size_t first = two->turn.first, n; first < two->turn.end;
          first += n) {
         n = stream_next(two, first);
-        operate(machine, &pair->operation_first, pair->handed,
+        operate(machine, pair->operation_first, pair->handed,
                 source_read(&one->a, first, n),
                 source_read(&one->b, first, n), n, NULL);
         control_read(&two->control, first, n, permitted);
         c205_word *c = pair_space(pair, first, n, words);
-        operate(machine, &pair->operation_second, c,
+        operate(machine, pair->operation_second, c,
                 source_read(&two->a, first, n),
                 source_read(&two->b, first, n), n,
                 two->control.present ? permitted : NULL);

@@ -166,7 +166,7 @@ static inline c205_trap machine_fault(struct c205 *machine, c205_trap trap,
 
 /* Every function named in insn.def. */
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
-             flags, function, provenance, effect) \
+             flags, function, operation, provenance, effect) \
     semantics execute_##function;
 #include "vm/insn.def"
 

@@ -249,7 +249,7 @@ c205_trap execute_arithmetic_compress(struct c205 *machine,
 {
     struct sieve sieve;
     struct stream *stream = &sieve.stream;
-    sieve.comparison = SIZED(decoded, not_less);
+    sieve.comparison = operation_of(decoded)->compare;
     c205_trap trap = stream_describe(stream, machine, decoded);
     if (trap == C205_TRAP_NONE)
         trap = stream_take_length(stream, decoded);

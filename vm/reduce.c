@@ -208,10 +208,9 @@ c205_trap execute_vector_minimum(struct c205 *machine,
 
 /* ---- Select ------------------------------------------------------------- */
 
-static c205_trap select_first(struct c205 *machine,
-                              const struct decoded *decoded,
-                              lanes_compare *comparison)
+c205_trap execute_select(struct c205 *machine, const struct decoded *decoded)
 {
+    lanes_compare *comparison = operation_of(decoded)->compare;
     struct stream stream;
     struct progress *progress = &machine->progress;
     uint64_t bits[CHUNK_WORDS], permitted[CHUNK_WORDS];
@@ -240,14 +239,3 @@ static c205_trap select_first(struct c205 *machine,
     }
     return trap;
 }
-
-#define SELECT(name) \
-    c205_trap execute_select_##name(struct c205 *machine, \
-                                    const struct decoded *decoded) \
-    { \
-        return select_first(machine, decoded, SIZED(decoded, name)); \
-    }
-SELECT(equal)
-SELECT(not_equal)
-SELECT(not_less)
-SELECT(less)

@@ -47,9 +47,9 @@ static size_t search_some(struct stream *stream, const c205_word *a, size_t n,
     return n;
 }
 
-static c205_trap search(struct c205 *machine, const struct decoded *decoded,
-                        lanes_compare *comparison)
+c205_trap execute_search(struct c205 *machine, const struct decoded *decoded)
 {
+    lanes_compare *comparison = operation_of(decoded)->compare;
     struct stream stream;
     c205_word places[CHUNK];
     c205_trap trap = stream_open_scan(&stream, machine, decoded);
@@ -71,14 +71,3 @@ static c205_trap search(struct c205 *machine, const struct decoded *decoded,
         machine->progress.count[0] = machine->effect.elements;
     return trap;
 }
-
-#define SEARCH(name) \
-    c205_trap execute_search_##name(struct c205 *machine, \
-                                    const struct decoded *decoded) \
-    { \
-        return search(machine, decoded, SIZED(decoded, name)); \
-    }
-SEARCH(equal)
-SEARCH(not_equal)
-SEARCH(not_less)
-SEARCH(less)

@@ -237,9 +237,8 @@ static void set_length(struct c205 *machine, uint16_t slot, size_t length)
 }
 
 static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,
-                        enum presence presence, lanes_binary *binary)
+                        enum presence presence)
 {
-    struct operation operation = { NULL, binary };
     struct sparse sparse;
     c205_trap trap = open_sparse(&sparse, machine, decoded, presence);
     if (trap != C205_TRAP_NONE)
@@ -248,7 +247,7 @@ static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,
                                        sparse.z.ones);
     trap = begin_turn(&sparse);
     if (trap == C205_TRAP_NONE)
-        trap = run_sparse(&sparse, &operation);
+        trap = run_sparse(&sparse, operation_of(decoded));
     if (trap != C205_TRAP_NONE)
         return trap;
     set_length(machine, decoded->c, sparse.z.ones);
@@ -256,20 +255,14 @@ static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,
     return C205_TRAP_NONE;
 }
 
-#define SPARSE(presence, name) \
-    c205_trap execute_sparse_##name(struct c205 *machine, \
-                                    const struct decoded *decoded) \
-    { \
-        return sparse(machine, decoded, presence, SIZED(decoded, name)); \
-    }
-SPARSE(EITHER, add_upper)
-SPARSE(EITHER, add_lower)
-SPARSE(EITHER, add_normalised)
-SPARSE(EITHER, subtract_upper)
-SPARSE(EITHER, subtract_lower)
-SPARSE(EITHER, subtract_normalised)
-SPARSE(BOTH, multiply_upper)
-SPARSE(BOTH, multiply_lower)
-SPARSE(BOTH, multiply_significant)
-SPARSE(BOTH, divide_upper)
-SPARSE(BOTH, divide_significant)
+c205_trap execute_sparse_either(struct c205 *machine,
+                                const struct decoded *decoded)
+{
+    return sparse(machine, decoded, EITHER);
+}
+
+c205_trap execute_sparse_both(struct c205 *machine,
+                              const struct decoded *decoded)
+{
+    return sparse(machine, decoded, BOTH);
+}

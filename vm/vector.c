@@ -170,85 +170,46 @@ static c205_trap run_stream(struct stream *stream,
     return stream_end(stream);
 }
 
-static c205_trap elementwise(struct c205 *machine,
-                             const struct decoded *decoded,
-                             lanes_unary *unary, lanes_binary *binary)
+/* Of words and of half words. */
+static const struct operation operations[C205_OPERATIONS][2] = {
+/* clang-format off */
+#define OF_BOTH_SIZES(name, kind) \
+    [C205_OPERATION_##name] = { { .kind = lanes_##name }, \
+                                { .kind = halves_##name } },
+#define OF_ANY_SIZE(name) \
+    [C205_OPERATION_##name] = { { .unary = lanes_##name }, \
+                                { .unary = lanes_##name } },
+/* clang-format on */
+#define BINARY(name, ...) OF_BOTH_SIZES(name, binary)
+#define BITWISE(name) OF_BOTH_SIZES(name, binary)
+#define UNARY(name, ...) OF_BOTH_SIZES(name, unary)
+#define RELATION(name) OF_BOTH_SIZES(name, compare)
+#define CONVERSION(name, ...) OF_ANY_SIZE(name)
+#define COPY(name, ...) OF_ANY_SIZE(name)
+#include "vm/arith.def"
+};
+
+const struct operation *operation_of(const struct decoded *decoded)
 {
-    struct operation operation = { unary, binary };
-    struct stream stream;
-    c205_trap trap = stream_open(&stream, machine, decoded);
-    return trap == C205_TRAP_NONE ? run_stream(&stream, &operation) : trap;
+    bool half = decoded->fields.g & C205_G_HALF;
+    return &operations[decoded->insn->operation][half];
 }
 
-/* Each of these has its function in lanes.h. */
-#define LINKABLE(each) \
-    each(add_upper) each(add_lower) each(add_normalised) \
-        each(subtract_upper) each(subtract_lower) each(subtract_normalised) \
-            each(multiply_upper) each(multiply_lower) \
-                each(multiply_significant)
-#define BINARY(each) \
-    LINKABLE(each) \
-    each(divide_upper) each(divide_significant) each(average) \
-        each(average_difference) each(shift) each(xor) each(and) each(or) \
-            each(nand) each(nor) each(or_not) each(and_not) \
-                each(equivalence) each(adjust_significance) \
-                    each(adjust_exponent) each(pack) each(add_index) \
-                        each(subtract_index)
-#define UNARY(each) \
-    each(truncate) each(floor) each(ceiling) each(square_root) \
-        each(absolute) each(exponent)
-
-#define EXECUTE_BINARY(name) \
-    c205_trap execute_vector_##name(struct c205 *machine, \
-                                    const struct decoded *decoded) \
-    { \
-        return elementwise(machine, decoded, NULL, SIZED(decoded, name)); \
-    }
-#define EXECUTE_UNARY(name) \
-    c205_trap execute_vector_##name(struct c205 *machine, \
-                                    const struct decoded *decoded) \
-    { \
-        return elementwise(machine, decoded, SIZED(decoded, name), NULL); \
-    }
-
-BINARY(EXECUTE_BINARY)
-UNARY(EXECUTE_UNARY)
-
-/* Those that are of both sizes or between them. */
-#define EXECUTE_LANES(name, lanes) \
-    c205_trap execute_vector_##name(struct c205 *machine, \
-                                    const struct decoded *decoded) \
-    { \
-        return elementwise(machine, decoded, lanes, NULL); \
-    }
-
-EXECUTE_LANES(transmit, lanes_copy)
-EXECUTE_LANES(contract, lanes_contract)
-EXECUTE_LANES(contract_rounded, lanes_contract_rounded)
-EXECUTE_LANES(extend, lanes_extend)
-
-struct operation linked_operation(const struct decoded *decoded)
+c205_trap execute_elementwise(struct c205 *machine,
+                              const struct decoded *decoded)
 {
-#define LINKED(name) { execute_vector_##name, SIZED(decoded, name) },
-    const struct {
-        semantics *execute;
-        lanes_binary *lanes;
-    } linked[] = { LINKABLE(LINKED) };
-    struct operation operation = { NULL, NULL };
-    for (size_t i = 0; i < sizeof linked / sizeof linked[0]; i++)
-        if (linked[i].execute == decoded->execute)
-            operation.binary = linked[i].lanes;
-    return operation;
+    struct stream stream;
+    c205_trap trap = stream_open(&stream, machine, decoded);
+    return trap == C205_TRAP_NONE ? run_stream(&stream, operation_of(decoded))
+                                  : trap;
 }
 
 /* ---- Neighbours -------------------------------------------------------- */
 
 /* Two streams over A, the first one element ahead. */
-static c205_trap neighbours(struct c205 *machine,
-                            const struct decoded *decoded,
-                            lanes_binary *binary)
+c205_trap execute_neighbours(struct c205 *machine,
+                             const struct decoded *decoded)
 {
-    struct operation operation = { NULL, binary };
     struct stream stream;
     c205_trap trap = stream_describe(&stream, machine, decoded);
     if (trap == C205_TRAP_NONE)
@@ -261,19 +222,8 @@ static c205_trap neighbours(struct c205 *machine,
         stream.a.vector.length--;
     }
     trap = stream_claim(&stream);
-    return trap == C205_TRAP_NONE ? run_stream(&stream, &operation) : trap;
-}
-
-c205_trap execute_vector_delta(struct c205 *machine,
-                               const struct decoded *decoded)
-{
-    return neighbours(machine, decoded, SIZED(decoded, subtract_normalised));
-}
-
-c205_trap execute_vector_adjacent_mean(struct c205 *machine,
-                                       const struct decoded *decoded)
-{
-    return neighbours(machine, decoded, SIZED(decoded, average));
+    return trap == C205_TRAP_NONE ? run_stream(&stream, operation_of(decoded))
+                                  : trap;
 }
 
 /* ---- Interval ---------------------------------------------------------- */
@@ -369,9 +319,10 @@ static void evaluate(struct stream *stream, const struct horner *horner,
 c205_trap execute_vector_polynomial(struct c205 *machine,
                                     const struct decoded *decoded)
 {
-    const struct horner horner = { { NULL,
-                                     SIZED(decoded, multiply_significant) },
-                                   { NULL, SIZED(decoded, add_normalised) } };
+    const struct horner horner = {
+        { .binary = SIZED(decoded, multiply_significant) },
+        { .binary = SIZED(decoded, add_normalised) }
+    };
     struct stream stream;
     c205_word words[CHUNK];
     uint64_t permitted[CHUNK_WORDS];
@@ -397,9 +348,9 @@ c205_trap execute_vector_polynomial(struct c205 *machine,
 
 /* ---- Compare ----------------------------------------------------------- */
 
-static c205_trap compare(struct c205 *machine, const struct decoded *decoded,
-                         lanes_compare *comparison)
+c205_trap execute_compare(struct c205 *machine, const struct decoded *decoded)
 {
+    lanes_compare *comparison = operation_of(decoded)->compare;
     struct stream stream;
     uint64_t bits[CHUNK_WORDS];
     c205_trap trap = stream_open(&stream, machine, decoded);
@@ -416,14 +367,3 @@ static c205_trap compare(struct c205 *machine, const struct decoded *decoded,
     }
     return stream_end(&stream);
 }
-
-#define COMPARE(name) \
-    c205_trap execute_compare_##name(struct c205 *machine, \
-                                     const struct decoded *decoded) \
-    { \
-        return compare(machine, decoded, SIZED(decoded, name)); \
-    }
-COMPARE(equal)
-COMPARE(not_equal)
-COMPARE(not_less)
-COMPARE(less)

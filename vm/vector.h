@@ -17,10 +17,11 @@ struct stream {
     bool scans_b;     /* all of B is read for each element of A */
 };
 
-/* What is done with the elements: one of the two. */
+/* What is done with the elements: one of these. */
 struct operation {
     lanes_unary *unary;
     lanes_binary *binary;
+    lanes_compare *compare;
 };
 
 /* The function on spans of the size that the instruction works on. */
@@ -70,7 +71,7 @@ void operate(struct c205 *machine, const struct operation *operation,
              c205_word *words, const c205_word *a, const c205_word *b,
              size_t n, const uint64_t *permitted);
 
-/* The elementwise operation of an instruction that may be linked. */
-struct operation linked_operation(const struct decoded *decoded);
+/* What the instruction does with each element, in its size. */
+const struct operation *operation_of(const struct decoded *decoded);
 
 #endif

@@ -14,7 +14,7 @@ static const struct entry {
 } entries[] = {
 #define FAMILY(title) { title },
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
-             flags, semantics, provenance, effect) \
+             flags, semantics, operation, provenance, effect) \
     { NULL },
 #include "vm/insn.def"
 };

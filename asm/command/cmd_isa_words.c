@@ -382,83 +382,13 @@ void isa_half(const c205_insn *insn, char text[ISA_HALF])
 
 /* ---- Special values ----------------------------------------------------- */
 
-/* By the stem of the mnemonic; the first that fits. */
-static const struct {
-    const char *stem, *text;
-} specials[] = {
-#define SUM_RULE \
-    "indefinite in either: indefinite; machine zero is 0 with the smallest " \
-    "exponent"
-#define PRODUCT_RULE \
-    "indefinite in either: indefinite; otherwise machine zero in either: " \
-    "machine zero"
-#define EXTREME_RULE \
-    "any indefinite: indefinite with its index; of equals the first; no " \
-    "elements: indefinite"
-#define KEEP_RULE "machine zero and indefinite stay what they are"
-#define CONTRACT_RULE \
-    "machine zero and indefinite become the plain half words; so does a " \
-    "result with an exponent below -112 or above 111"
-    { "ADD", SUM_RULE },
-    { "SUB", SUM_RULE },
-    { "SUM", SUM_RULE "; no elements: machine zero" },
-    { "AVG", SUM_RULE },
-    { "ADJM", SUM_RULE },
-    { "DELTA", SUM_RULE },
-    { "INTVL", SUM_RULE },
-    { "MPY", PRODUCT_RULE },
-    { "PROD", PRODUCT_RULE "; no elements: one" },
-    { "DOT", "products and sums as those of MPYS and ADDN; no elements: "
-             "machine zero" },
-    { "DIV", "indefinite in either: indefinite; divisor zero: indefinite, "
-             "flag 41; otherwise dividend machine zero: machine zero" },
-    { "SQRT", "indefinite: indefinite; zero: machine zero; negative: "
-              "indefinite, flag 45" },
-    { "TRU", KEEP_RULE },
-    { "FLR", KEEP_RULE },
-    { "ABS", KEEP_RULE },
-    { "CLG", KEEP_RULE },
-    { "VTOV", KEEP_RULE },
-    { "ADJS", "machine zero and indefinite become the plain words" },
-    { "ADJE", "machine zero and indefinite become the plain words; a "
-              "coefficient that does not fit: indefinite, flag 42" },
-    { "POLY", "products and sums as those of MPYS and ADDN; no "
-              "coefficients: machine zero" },
-    { "EXP", "the exponent field of every word, no flags" },
-    { "CON", CONTRACT_RULE },
-    { "RCON", CONTRACT_RULE },
-    { "EXT", "machine zero and indefinite become the plain words; nothing "
-             "else is out of range" },
-    { "MAX", EXTREME_RULE },
-    { "MIN", EXTREME_RULE },
-    { "", "" },
-};
-
-static bool compares(const c205_insn *insn)
-{
-    return insn->unit == C205_UNIT_BRANCH
-           || insn->timing == C205_TIMING_vcompare
-           || insn->timing == C205_TIMING_vselect
-           || insn->timing == C205_TIMING_vcompress;
-}
-
 const char *isa_specials(const c205_insn *insn)
 {
-    size_t i = 0;
-    if (!has_operand(insn, "fvFV")) {
-        return insn->unit == C205_UNIT_VECTOR && *insn->operands
-                   ? "none: elements are bits, whatever they mean"
-                   : "";
-    }
-    if (compares(insn)) {
-        return "machine zero equals every zero; indefinite equals nothing, "
-               "and is neither >= nor <";
-    }
-    while (strncmp(insn->mnemonic, specials[i].stem, strlen(specials[i].stem))
-           != 0) {
-        i++;
-    }
-    return specials[i].text;
+    bool has_numbers = has_operand(insn, "fvFV");
+    bool has_elements = insn->unit == C205_UNIT_VECTOR && *insn->operands;
+    return has_numbers || has_elements
+               ? c205_operation_specials(insn->operation)
+               : "";
 }
 
 /* ---- Examples ----------------------------------------------------------- */

@@ -8,7 +8,7 @@
 /* A name for each row of the instruction table: DO_ADDNV .. */
 enum reference_insn {
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
-             flags, semantics, provenance, effect) \
+             flags, semantics, operation, provenance, effect) \
     DO_##mnemonic,
 #include "vm/insn.def"
     DO_NOTHING

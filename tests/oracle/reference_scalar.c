@@ -3,78 +3,14 @@
 
 /* ---- Rules of arithmetic, one for registers and elements --------------- */
 
-/* Of whole and half registers. */
-#define IN_REGISTERS(name, rule) [DO_##name] = rule, [DO_##name##H] = rule
-/* Of vectors as well; and of sparse vectors. */
-#define AND_VECTORS(name, rule) \
-    IN_REGISTERS(name, rule), [DO_##name##V] = rule
-#define AND_SPARSE(name, vector, sparse, rule) \
-    IN_REGISTERS(name, rule), [DO_##vector] = rule, [DO_##sparse] = rule
-/* Of words and of strings of bits. */
-#define LOGICAL(name, rule) [DO_##name##V] = rule, [DO_##name##B] = rule
-/* To a bit, to the first, to a list of indices. */
-#define COMPARE(name, rule) \
-    [DO_CMP##name##V] = rule, [DO_SEL##name##V] = rule, \
-    [DO_SCH##name##V] = rule
-
-static oracle_rule *const rules[] = {
-    AND_SPARSE(ADDU, ADDUV, ADDUS, oracle_add_upper),
-    AND_SPARSE(ADDL, ADDLV, ADDLS, oracle_add_lower),
-    AND_SPARSE(ADDN, ADDNV, ADDNS, oracle_add_normalised),
-    AND_SPARSE(SUBU, SUBUV, SUBUS, oracle_subtract_upper),
-    AND_SPARSE(SUBL, SUBLV, SUBLS, oracle_subtract_lower),
-    AND_SPARSE(SUBN, SUBNV, SUBNS, oracle_subtract_normalised),
-    AND_SPARSE(MPYU, MPYUV, MPYUS, oracle_multiply_upper),
-    AND_SPARSE(MPYL, MPYLV, MPYLS, oracle_multiply_lower),
-    AND_SPARSE(MPYS, MPYSV, MPYSS, oracle_multiply_significant),
-    AND_SPARSE(DIVU, DIVUV, DIVUS, oracle_divide_upper),
-    AND_SPARSE(DIVS, DIVSV, DIVSS, oracle_divide_significant),
-    AND_VECTORS(TRU, oracle_truncate),
-    AND_VECTORS(FLR, oracle_floor),
-    AND_VECTORS(CLG, oracle_ceiling),
-    AND_VECTORS(SQRT, oracle_square_root),
-    AND_VECTORS(ABS, oracle_absolute),
-    AND_VECTORS(EXP, oracle_exponent),
-    AND_VECTORS(ADJS, oracle_adjust_significance),
-    AND_VECTORS(ADJE, oracle_adjust_exponent),
-    AND_VECTORS(PACK, oracle_pack),
-    IN_REGISTERS(RTOR, oracle_copy),
-    [DO_CON] = oracle_contract,
-    [DO_RCON] = oracle_contract_rounded,
-    [DO_EXTH] = oracle_extend,
-    [DO_CONV] = oracle_contract,
-    [DO_RCONV] = oracle_contract_rounded,
-    [DO_EXTV] = oracle_extend,
-    [DO_VTOV] = oracle_copy,
-    [DO_AVGV] = oracle_average,
-    [DO_AVGDV] = oracle_average_difference,
-    [DO_ADDXV] = oracle_add_index,
-    [DO_SUBXV] = oracle_subtract_index,
-    [DO_DELTAV] = oracle_subtract_normalised,
-    [DO_ADJMV] = oracle_average,
-    [DO_SHIFT] = oracle_shift,
-    [DO_SHIFTV] = oracle_shift,
-    [DO_XOR] = oracle_xor,
-    [DO_AND] = oracle_and,
-    [DO_OR] = oracle_or,
-    LOGICAL(XOR, oracle_xor),
-    LOGICAL(AND, oracle_and),
-    LOGICAL(OR, oracle_or),
-    LOGICAL(NAND, oracle_nand),
-    LOGICAL(NOR, oracle_nor),
-    LOGICAL(ORN, oracle_or_not),
-    LOGICAL(ANDN, oracle_and_not),
-    LOGICAL(EQV, oracle_equivalence),
-    COMPARE(EQ, oracle_equal),
-    COMPARE(NE, oracle_not_equal),
-    COMPARE(GE, oracle_not_less),
-    COMPARE(LT, oracle_less),
-    [DO_NOTHING] = NULL,
+static oracle_rule *const rules[C205_OPERATIONS] = {
+#define ELEMENTWISE(name, specials) [C205_OPERATION_##name] = oracle_##name,
+#include "vm/arith.def"
 };
 
 oracle_rule *reference_rule(const c205_insn *insn)
 {
-    return rules[reference_which(insn)];
+    return rules[insn->operation];
 }
 
 /* ---- Registers --------------------------------------------------------- */
@@ -257,12 +193,6 @@ void do_scalar(struct reference *reference, const c205_insn *insn,
         write_register(reference, result, with_length(r, length_of(r) + s));
         break;
     case DO_LTOR: write_register(reference, result, length_of(r)); break;
-    case DO_ADDX:
-        write_register(reference, result, with_low(r, r + s));
-        break;
-    case DO_SUBX:
-        write_register(reference, result, with_low(r, r - s));
-        break;
     case DO_MPYX: write_register(reference, result, low_product(r, s)); break;
     case DO_SHIFTI:
         write_register(reference, result,
@@ -293,31 +223,31 @@ void do_scalar(struct reference *reference, const c205_insn *insn,
 /* ---- Which instructions have a rule ------------------------------------ */
 
 static const bool written_out[] = {
-    [DO_ES] = true,     [DO_IS] = true,     [DO_EX] = true,
-    [DO_IX] = true,     [DO_ELEN] = true,   [DO_ADDLEN] = true,
-    [DO_LTOR] = true,   [DO_ADDX] = true,   [DO_SUBX] = true,
-    [DO_MPYX] = true,   [DO_LOD] = true,    [DO_STO] = true,
-    [DO_SWAP] = true,   [DO_SHIFTI] = true, [DO_BEQ] = true,
-    [DO_BNE] = true,    [DO_BGE] = true,    [DO_BLT] = true,
-    [DO_IBNZ] = true,   [DO_DBNZ] = true,   [DO_BSAVE] = true,
-    [DO_BIM] = true,    [DO_IBXEQ] = true,  [DO_IBXNE] = true,
-    [DO_IBXGE] = true,  [DO_IBXLT] = true,  [DO_IBXLE] = true,
-    [DO_IBXGT] = true,  [DO_CFPEQ] = true,  [DO_CFPNE] = true,
-    [DO_CFPGE] = true,  [DO_CFPLT] = true,  [DO_CFPLE] = true,
-    [DO_CFPGT] = true,  [DO_EXIT] = true,   [DO_INTVLV] = true,
-    [DO_MAXV] = true,   [DO_MINV] = true,   [DO_SUMV] = true,
-    [DO_PRODV] = true,  [DO_DOTV] = true,   [DO_VREVV] = true,
-    [DO_VXTOV] = true,  [DO_VTOVX] = true,  [DO_MASKV] = true,
-    [DO_CPSV] = true,   [DO_MRGV] = true,   [DO_ACPSV] = true,
-    [DO_CNTLB] = true,  [DO_LSDFR] = true,  [DO_CLOCK] = true,
-    [DO_INSB] = true,   [DO_EXTB] = true,   [DO_BARB] = true,
-    [DO_BAB] = true,    [DO_BADF] = true,   [DO_POLYV] = true,
-    [DO_CPSB] = true,   [DO_MRGB] = true,   [DO_MASKB] = true,
-    [DO_MRKZ] = true,   [DO_MRKO] = true,   [DO_CNTOB] = true,
-    [DO_LINKV] = true,  [DO_EXH] = true,    [DO_IXH] = true,
-    [DO_LODH] = true,   [DO_STOH] = true,   [DO_BHEQ] = true,
-    [DO_BHNE] = true,   [DO_BHGE] = true,   [DO_BHLT] = true,
-    [DO_RJTIME] = true, [DO_WJTIME] = true, [DO_NOTHING] = false,
+    [DO_ES] = true,       [DO_IS] = true,     [DO_EX] = true,
+    [DO_IX] = true,       [DO_ELEN] = true,   [DO_ADDLEN] = true,
+    [DO_LTOR] = true,     [DO_MPYX] = true,   [DO_LOD] = true,
+    [DO_STO] = true,      [DO_SWAP] = true,   [DO_SHIFTI] = true,
+    [DO_BEQ] = true,      [DO_BNE] = true,    [DO_BGE] = true,
+    [DO_BLT] = true,      [DO_IBNZ] = true,   [DO_DBNZ] = true,
+    [DO_BSAVE] = true,    [DO_BIM] = true,    [DO_IBXEQ] = true,
+    [DO_IBXNE] = true,    [DO_IBXGE] = true,  [DO_IBXLT] = true,
+    [DO_IBXLE] = true,    [DO_IBXGT] = true,  [DO_CFPEQ] = true,
+    [DO_CFPNE] = true,    [DO_CFPGE] = true,  [DO_CFPLT] = true,
+    [DO_CFPLE] = true,    [DO_CFPGT] = true,  [DO_EXIT] = true,
+    [DO_INTVLV] = true,   [DO_MAXV] = true,   [DO_MINV] = true,
+    [DO_SUMV] = true,     [DO_PRODV] = true,  [DO_DOTV] = true,
+    [DO_VREVV] = true,    [DO_VXTOV] = true,  [DO_VTOVX] = true,
+    [DO_MASKV] = true,    [DO_CPSV] = true,   [DO_MRGV] = true,
+    [DO_ACPSV] = true,    [DO_CNTLB] = true,  [DO_LSDFR] = true,
+    [DO_CLOCK] = true,    [DO_INSB] = true,   [DO_EXTB] = true,
+    [DO_BARB] = true,     [DO_BAB] = true,    [DO_BADF] = true,
+    [DO_POLYV] = true,    [DO_CPSB] = true,   [DO_MRGB] = true,
+    [DO_MASKB] = true,    [DO_MRKZ] = true,   [DO_MRKO] = true,
+    [DO_CNTOB] = true,    [DO_LINKV] = true,  [DO_EXH] = true,
+    [DO_IXH] = true,      [DO_LODH] = true,   [DO_STOH] = true,
+    [DO_BHEQ] = true,     [DO_BHNE] = true,   [DO_BHGE] = true,
+    [DO_BHLT] = true,     [DO_RJTIME] = true, [DO_WJTIME] = true,
+    [DO_NOTHING] = false,
 };
 
 bool reference_knows(const c205_insn *insn)

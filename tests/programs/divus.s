@@ -20,5 +20,19 @@
 ; expect: [nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
 ; expect: r0 = 0
 
+; Of numbers that are not normalised U has more digits than S.
+        .data
+seven:  .word   X'0000 0000 0000 0007'
+three:  .word   X'0000 0000 0000 0003'
+        .bitvector present, 1, "1"
+        .code
+        descriptor va, seven, 1
+        descriptor vb, three, 1
+        descriptor vx, present, 1
+        descriptor vy, present, 1
+        into_sparse unnormalised
+        DIVUS   [va, vx], [vb, vy], [to], [order]
+; expect: [unnormalised] = X'FFD3 4AAA AAAA AAAA', 9.0
+
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'

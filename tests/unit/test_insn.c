@@ -199,6 +199,25 @@ static void test_columns(void **state)
     assert_string_equal(c205_format_name(C205_FORMAT_SIEVE), "SIEVE");
 }
 
+/* Numbers come into what has an operation, and into nothing else; its rule of
+ * special values is told. */
+static void test_operations(void **state)
+{
+    const char *of_bits = c205_operation_specials(C205_OPERATION_none);
+
+    (void)state;
+    for (size_t i = 0; i < c205_insn_count; i++) {
+        const c205_insn *insn = &c205_insns[i];
+        const char *rule = c205_operation_specials(insn->operation);
+        const bool has_numbers = strpbrk(insn->operands, "fvFV") != NULL;
+        if (has_numbers && strcmp(rule, of_bits) == 0)
+            fail_msg("%s: numbers, but %s", insn->mnemonic, rule);
+        if (!has_numbers && strcmp(rule, of_bits) != 0
+            && insn->operation != C205_OPERATION_copy)
+            fail_msg("%s: bits, but %s", insn->mnemonic, rule);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -209,7 +228,8 @@ int main(void)
         cmocka_unit_test(test_names),
         cmocka_unit_test(test_no_overlap),
         cmocka_unit_test(test_operand_letters),
-        cmocka_unit_test(test_columns)
+        cmocka_unit_test(test_columns),
+        cmocka_unit_test(test_operations)
     };
     return cmocka_run_group_tests_name("insn", tests, NULL, NULL);
 }

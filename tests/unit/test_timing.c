@@ -119,18 +119,17 @@ typedef bool relation(c205_word a, c205_word b);
 static relation *relation_of(const c205_insn *row, unsigned g)
 {
     static const struct {
-        const char *name;
-        relation *relation, *of_halves;
-    } searches[] = { { "SCHEQV", arith_equal, half_equal },
-                     { "SCHNEV", arith_not_equal, half_not_equal },
-                     { "SCHGEV", arith_not_less, half_not_less },
-                     { "SCHLTV", arith_less, half_less } };
+        relation *of_words, *of_halves;
+    } relations[C205_OPERATIONS] = {
+#define RELATION(name) \
+    [C205_OPERATION_##name] = { arith_##name, half_##name },
+#include "vm/arith.def"
+    };
 
-    for (size_t i = 0; i < sizeof searches / sizeof searches[0]; i++)
-        if (is_one_of(row, searches[i].name))
-            return g & C205_G_HALF ? searches[i].of_halves
-                                   : searches[i].relation;
-    return NULL;
+    if (row->format != C205_FORMAT_SCAN)
+        return NULL;
+    return g & C205_G_HALF ? relations[row->operation].of_halves
+                           : relations[row->operation].of_words;
 }
 
 static c205_word unsigned_element(const struct vector_case *one,
