@@ -131,6 +131,7 @@ struct wish {
     size_t count;
     const struct expression **values;
     const c205_word *bits;
+    const struct expression *tolerance; /* NULL: none */
     const char *text;
 };
 

@@ -321,6 +321,18 @@ static bool add_lines(struct assembler *assembler, struct storage *storage)
     return true;
 }
 
+static void grant_tolerance(struct assembler *assembler,
+                            const struct wish *wish,
+                            struct asm_expectation *made)
+{
+    if (wish->tolerance
+        && evaluate_word(assembler, wish->line, wish->tolerance,
+                         &made->tolerance)
+        && !(c205_to_double(made->tolerance) >= 0))
+        report(assembler, wish->line, wish->line->begin,
+               "a tolerance is a number that is not negative");
+}
+
 typedef bool evaluator(struct assembler *, const struct line *,
                        const struct expression *, c205_word *);
 
@@ -343,6 +355,8 @@ static bool grant(struct assembler *assembler, struct storage *storage,
     made->text = wish->text ? keep(storage, wish->text) : NULL;
     made->file = keep(storage, wish->line->file);
     made->line = wish->line->number;
+    made->tolerance = 0;
+    grant_tolerance(assembler, wish, made);
     if (wish->address)
         evaluate_address(assembler, wish->line, wish->address,
                          &made->address);

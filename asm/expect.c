@@ -1,6 +1,7 @@
 #include "asm/expect.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <string.h>
 
 enum { WORD_BITS = 64, HALF_BITS = 32 };
@@ -12,7 +13,7 @@ const char *expectation_name(enum expectation_kind kind)
         [EXPECT_WORDS] = "words",       [EXPECT_HALVES] = "halves",
         [EXPECT_BITS] = "bits",         [EXPECT_FLAGS] = "flags",
         [EXPECT_CLOCKS] = "clocks",     [EXPECT_TRAP] = "trap",
-        [EXPECT_PRINT] = "print"
+        [EXPECT_PRINT] = "print",       [EXPECT_MODEL] = "model"
     };
 
     return names[kind];
@@ -23,6 +24,7 @@ struct outcome {
     const c205 *machine;
     const c205_stop *stop;
     const char *printed; /* what no expectation has looked at yet */
+    bool other_model;    /* the clocks are not those expected */
     const struct sink *report;
 };
 
@@ -47,6 +49,41 @@ static void say_value(const struct outcome *outcome, bool half,
     sink_print(outcome->report, "X'%s' (%s)", hex, text);
 }
 
+static void say_tolerance(const struct outcome *outcome,
+                          const struct asm_expectation *expectation)
+{
+    char text[C205_TEXT_SIZE];
+
+    c205_to_text(expectation->tolerance, text);
+    sink_print(outcome->report, " ~ %s", text);
+}
+
+static double number_of(bool half, c205_word word)
+{
+    return (half ? c205_half_to_double : c205_to_double)(word);
+}
+
+/* Indefinite is near nothing, and nothing near it. */
+static bool is_near(const struct asm_expectation *expectation, bool half,
+                    c205_word wanted, c205_word found)
+{
+    double distance = number_of(half, found) - number_of(half, wanted);
+
+    return fabs(distance) <= c205_to_double(expectation->tolerance);
+}
+
+/* What a reader who sees equal decimals asks. */
+static void say_why(const struct outcome *outcome,
+                    const struct asm_expectation *expectation, bool half,
+                    c205_word wanted, c205_word found)
+{
+    if (expectation->kind != EXPECT_FLAGS
+        && number_of(half, wanted) == number_of(half, found))
+        sink_put(outcome->report,
+                 ": equal numbers, but other words; 5 is an integer, 5.0 is"
+                 " normalised");
+}
+
 static bool compare(const struct outcome *outcome,
                     const struct asm_expectation *expectation,
                     const char *place, c205_word wanted, c205_word found)
@@ -54,13 +91,18 @@ static bool compare(const struct outcome *outcome,
     bool half = expectation->kind == EXPECT_HALF_REGISTER
                 || expectation->kind == EXPECT_HALVES;
 
-    if (wanted == found)
+    if (wanted == found
+        || (expectation->tolerance
+            && is_near(expectation, half, wanted, found)))
         return true;
     say_where(outcome, expectation);
     sink_print(outcome->report, "%s = ", place);
     say_value(outcome, half, wanted);
+    if (expectation->tolerance)
+        say_tolerance(outcome, expectation);
     sink_put(outcome->report, ", found ");
     say_value(outcome, half, found);
+    say_why(outcome, expectation, half, wanted, found);
     sink_put(outcome->report, "\n");
     return false;
 }
@@ -205,7 +247,7 @@ static bool check_clocks(struct outcome *outcome,
     int64_t wanted = c205_to_integer(expectation->words[0]);
     uint64_t found = c205_clock(outcome->machine);
 
-    if (found == (uint64_t)wanted)
+    if (found == (uint64_t)wanted || outcome->other_model)
         return true;
     say_where(outcome, expectation);
     sink_print(outcome->report, "%" PRId64 " clocks, found %" PRIu64 "\n",
@@ -244,14 +286,45 @@ static bool check_print(struct outcome *outcome,
     return false;
 }
 
-static bool has(const struct object *object, enum expectation_kind kind)
+/* It says where the clocks hold, and nothing of the run. */
+static bool check_model(struct outcome *outcome,
+                        const struct asm_expectation *expectation)
+{
+    (void)outcome;
+    (void)expectation;
+    return true;
+}
+
+static const struct asm_expectation *find(const struct object *object,
+                                          enum expectation_kind kind)
 {
     size_t i;
 
     for (i = 0; i < object->expectation_count; i++)
         if (object->expectations[i].kind == kind)
-            return true;
-    return false;
+            return &object->expectations[i];
+    return NULL;
+}
+
+bool expect_anything(const struct object *object)
+{
+    return object->expectation_count > (find(object, EXPECT_MODEL) != NULL);
+}
+
+const char *expect_model(const struct object *object)
+{
+    const struct asm_expectation *found = find(object, EXPECT_MODEL);
+
+    return found ? found->text : NULL;
+}
+
+bool expect_other_model(const struct object *object, const c205 *machine)
+{
+    const char *named = expect_model(object);
+
+    return named && find(object, EXPECT_CLOCKS)
+           && strcmp(named, c205_model_name(c205_machine_model(machine)))
+                  != 0;
 }
 
 static bool check_end(const struct outcome *outcome,
@@ -259,7 +332,7 @@ static bool check_end(const struct outcome *outcome,
 {
     c205_error found;
 
-    if (outcome->stop->trap == C205_TRAP_NONE || has(object, EXPECT_TRAP))
+    if (outcome->stop->trap == C205_TRAP_NONE || find(object, EXPECT_TRAP))
         return true;
     c205_describe_stop(outcome->machine, outcome->stop, &found);
     sink_print(outcome->report, "expected the program to EXIT, found: %s\n",
@@ -273,7 +346,7 @@ static bool check_rest(const struct outcome *outcome,
 {
     size_t length = strcspn(outcome->printed, "\n");
 
-    if (!*outcome->printed || !has(object, EXPECT_PRINT))
+    if (!*outcome->printed || !find(object, EXPECT_PRINT))
         return true;
     sink_print(outcome->report,
                "expected nothing more printed, found "
@@ -297,7 +370,8 @@ bool expect_check(const struct object *object, const c205 *machine,
         [EXPECT_FLAGS] = check_flags,
         [EXPECT_CLOCKS] = check_clocks,
         [EXPECT_TRAP] = check_trap,
-        [EXPECT_PRINT] = check_print
+        [EXPECT_PRINT] = check_print,
+        [EXPECT_MODEL] = check_model
     };
     struct outcome outcome;
     bool good;
@@ -306,6 +380,7 @@ bool expect_check(const struct object *object, const c205 *machine,
     outcome.machine = machine;
     outcome.stop = stop;
     outcome.printed = printed;
+    outcome.other_model = expect_other_model(object, machine);
     outcome.report = report;
     good = check_end(&outcome, object);
     for (i = 0; i < object->expectation_count; i++) {

@@ -9,8 +9,10 @@
  *   ; expect-clocks: 150
  *   ; expect-trap: bad-descriptor
  *   ; expect-print: text         the next line that the program prints
+ *   ; expect-model: NAME         the model on which the clocks hold
  *
- * A program without expect-trap is expected to end with EXIT.
+ * A program without expect-trap is expected to end with EXIT.  Numbers may be off
+ * by a tolerance: "= 0.1, 0.2 ~ 1e-9".
  */
 #ifndef ASM_EXPECT_H
 #define ASM_EXPECT_H
@@ -27,6 +29,7 @@ enum expectation_kind {
     EXPECT_CLOCKS,
     EXPECT_TRAP,
     EXPECT_PRINT,
+    EXPECT_MODEL,
     EXPECT_KINDS
 };
 
@@ -37,12 +40,23 @@ struct asm_expectation {
     size_t count;           /* words, halves or bits */
     const c205_word *words; /* a half is at the left of one; bits are packed
                                from the left */
-    const char *text;       /* EXPECT_TRAP, EXPECT_PRINT */
+    c205_word tolerance;    /* how far numbers may be off; 0: not at all */
+    const char *text;       /* EXPECT_TRAP, EXPECT_PRINT, EXPECT_MODEL */
     const char *file;
     size_t line;
 };
 
 const char *expectation_name(enum expectation_kind kind);
+
+/* More than the model. */
+bool expect_anything(const struct object *object);
+
+/* The model on which the clocks that a program expects hold; NULL: on any. */
+const char *expect_model(const struct object *object);
+
+/* Whether the program expects clocks that were counted on another model, which
+ * are not compared. */
+bool expect_other_model(const struct object *object, const c205 *machine);
 
 /* Compare a machine that has stopped with what its program expects; printed
  * is all that it printed.  Each failure is a line put to the report. */

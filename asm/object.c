@@ -61,6 +61,8 @@ static void write_expectation(const struct sink *sink,
     if (expectation->kind == EXPECT_BITS)
         count = (count + 63) / 64;
     write_words(sink, expectation->words, count);
+    if (expectation->tolerance)
+        sink_print(sink, "within %016" PRIX64 "\n", expectation->tolerance);
     if (expectation->text) {
         sink_put(sink, "text ");
         put_name(sink, expectation->text);

@@ -11,7 +11,9 @@
  *   region 400000 400040 name
  *   label 400000 name                 also: integer, word
  *   expect register 10 0 1 36 file    register, address, count, line
- *   0000000000000005                  then the words, or a text
+ *   0000000000000005                  then the words, ..
+ *   within FFB5440000000000           .. how far they may be off, if at all ..
+ *   text bad-descriptor               .. or a text
  *   end
  *
  * Reading trusts nothing: whatever the bytes, the result is an object or an

@@ -229,6 +229,19 @@ static bool read_text(struct reader *reader, const char **text)
     return *text != NULL;
 }
 
+/* Only where the next line says so. */
+static bool read_tolerance(struct reader *reader, c205_word *tolerance)
+{
+    static const char keyword[] = "within ";
+    size_t length = sizeof keyword - 1;
+
+    if ((size_t)(reader->end - reader->at) < length
+        || memcmp(reader->at, keyword, length) != 0)
+        return true;
+    return next_line(reader) && take_keyword(reader, "within")
+           && take_hex(reader, tolerance);
+}
+
 /* How many words follow the line. */
 static size_t words_of(const struct asm_expectation *expectation)
 {
@@ -252,6 +265,12 @@ static bool check_count(struct reader *reader,
            || wrong(reader, "this expectation has another number of words");
 }
 
+static bool has_text(enum expectation_kind kind)
+{
+    return kind == EXPECT_TRAP || kind == EXPECT_PRINT
+           || kind == EXPECT_MODEL;
+}
+
 static bool read_expectation(struct reader *reader)
 {
     struct asm_expectation *made = storage_add_expectation(reader->storage);
@@ -267,10 +286,10 @@ static bool read_expectation(struct reader *reader)
     made->number = (unsigned)number;
     made->file = take_rest(reader);
     made->words = take_words(reader, words_of(made));
-    if (!made->file || !made->words)
+    if (!made->file || !made->words
+        || !read_tolerance(reader, &made->tolerance))
         return false;
-    return (made->kind != EXPECT_TRAP && made->kind != EXPECT_PRINT)
-           || read_text(reader, &made->text);
+    return !has_text(made->kind) || read_text(reader, &made->text);
 }
 
 /* ---- The file ---- */

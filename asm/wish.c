@@ -27,6 +27,9 @@ static bool parse_values(struct cursor *cursor, struct wish *wish)
             return false;
         wish->values[wish->count++] = value;
     } while (cursor_take(cursor, ','));
+    if (cursor_take(cursor, '~')
+        && !(wish->tolerance = parse_expression(cursor)))
+        return false;
     return expect_end(cursor);
 }
 
@@ -127,6 +130,24 @@ static bool parse_trap(struct cursor *cursor, struct wish *wish)
                   "expected the name of a trap, found '%s'", wish->text);
 }
 
+/* A program names one at the most. */
+static bool parse_model(struct cursor *cursor, struct wish *wish)
+{
+    const struct assembler *assembler = cursor->assembler;
+    size_t i;
+
+    for (i = 0; i < assembler->wish_count; i++)
+        if (assembler->wishes[i].kind == EXPECT_MODEL)
+            return report(cursor->assembler, cursor->line,
+                          cursor->token.begin,
+                          "there is an expect-model already, in %s:%zu",
+                          assembler->wishes[i].line->file,
+                          assembler->wishes[i].line->number);
+    if (cursor_at_end(cursor))
+        return expected(cursor, "the name of a model");
+    return parse_rest(cursor, wish);
+}
+
 static bool add_wish(struct assembler *assembler, struct wish wish)
 {
     struct wish *wishes;
@@ -154,7 +175,8 @@ static bool parse_named(struct cursor *cursor, const char *name,
                    { "expect-flags", EXPECT_FLAGS, parse_one },
                    { "expect-clocks", EXPECT_CLOCKS, parse_one },
                    { "expect-trap", EXPECT_TRAP, parse_trap },
-                   { "expect-print", EXPECT_PRINT, parse_rest } };
+                   { "expect-print", EXPECT_PRINT, parse_rest },
+                   { "expect-model", EXPECT_MODEL, parse_model } };
     static const struct wish empty;
     struct line *line = arena_take(cursor->assembler->arena, sizeof *line);
     size_t i;
@@ -177,7 +199,7 @@ static bool parse_named(struct cursor *cursor, const char *name,
     }
     return report(cursor->assembler, cursor->line, name,
                   "expected expect: or expect-halves: -bits: -flags: -clocks:"
-                  " -trap: -print:");
+                  " -trap: -print: -model:");
 }
 
 bool parse_wish(struct cursor *cursor)

@@ -256,6 +256,14 @@ ends 1 "$build/c205" run --check wrong_print.s
 tells out "expected nothing more printed, found '2'"
 ends 1 "$build/c205" run --check wrong_bits.s
 tells out 'found no memory there'
+# the model that a program names, and the one that the user names
+printf '        EXIT\n; expect-clocks: 5\n; expect-model: cyber205-1pipe\n' >named.s
+ends 1 "$build/c205" run --check named.s
+tells out 'expected 5 clocks, found'
+ends 0 "$build/c205" run --check --model cyber205-4pipe named.s
+tells out 'PASS named.s (but for the clocks: not of cyber205-4pipe)'
+printf '; expect-model: nonsense\n' >>right_print.s
+ends 1 "$build/c205" run --check right_print.s
 ends 1 "$build/c205" run --check --limit 100 endless_test.s
 tells out 'clock-limit'
 

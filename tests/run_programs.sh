@@ -4,7 +4,6 @@
 set -eu
 c205=$1
 cd "$(dirname "$0")/.."
-model=cyber205-2pipe-prior # clocks that no fit moves
 code=0
 for name in $("$c205" isa --names); do
     program=tests/programs/$(printf '%s' "$name" | tr '[:upper:]' '[:lower:]').s
@@ -13,7 +12,7 @@ for name in $("$c205" isa --names); do
         code=1
     fi
 done
-"$c205" run --check --model "$model" tests/programs/*.s tests/programs/traps/*.s \
+"$c205" run --check tests/programs/*.s tests/programs/traps/*.s \
     asm/examples/*.s || code=1
-"$c205" run --check --model "$model" -I rt/kernels rt/study/fit/programs/*.s || code=1
+"$c205" run --check -I rt/kernels rt/study/fit/programs/*.s || code=1
 exit $code

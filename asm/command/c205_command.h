@@ -68,7 +68,7 @@ int cmd_check(const struct cmd_arguments *arguments);
 struct object *cmd_read_program(const struct cmd_arguments *arguments,
                                 const char *path, const struct sink *report);
 
-/* A model, or NULL after telling why not. */
+/* A model, the default one if the name is NULL; NULL after telling why not. */
 c205_model *cmd_find_model(const char *command, const char *name);
 
 #endif

@@ -1,4 +1,8 @@
-/* cmd_check.c - c205 run --check: test programs and what they expect. */
+/* cmd_check.c - c205 run --check: test programs and what they expect.
+ *
+ * A program runs on the model that the user names; else on the one that it
+ * names itself, by expect-model; else on the default.
+ */
 #include <string.h>
 
 #include "asm/command/c205_command.h"
@@ -8,46 +12,90 @@
 /* A program that never ends is a failure, too. */
 static const uint64_t patience = 100000000;
 
-/* What the program printed, and what is wrong. */
-struct findings {
-    struct text_buffer printed, report;
+struct checker {
+    const struct cmd_arguments *arguments;
+    const struct results *results;
+    struct table *table; /* where results are not text */
+    c205_model *model;   /* of the last program, kept for the next */
+    c205 *machine;
+    struct printer printer;
+    struct text_buffer printed; /* by the program */
+    struct text_buffer report;  /* what is wrong */
+    size_t failures;
 };
 
-static void fail(struct findings *findings, const char *reason)
+static bool fail(struct checker *checker, const char *reason)
 {
-    struct sink sink = text_buffer_sink(&findings->report);
+    struct sink sink = text_buffer_sink(&checker->report);
     sink_print(&sink, "%s\n", reason);
+    return false;
 }
 
-static bool meets(const struct object *object, c205 *machine,
-                  const c205_stop *stop, struct findings *findings)
+static bool meets(struct checker *checker, const struct object *object,
+                  const c205_stop *stop)
 {
-    struct sink sink = text_buffer_sink(&findings->report);
-    const char *printed = findings->printed.text;
-    if (object->expectation_count == 0) {
-        fail(findings, "the program expects nothing");
-        return false;
+    struct sink sink = text_buffer_sink(&checker->report);
+    const char *printed = checker->printed.text;
+    if (!expect_anything(object)) {
+        return fail(checker, "the program expects nothing");
     }
-    return expect_check(object, machine, stop, printed ? printed : "", &sink);
+    return expect_check(object, checker->machine, stop,
+                        printed ? printed : "", &sink);
 }
 
-static bool try(const struct cmd_arguments *arguments, c205 *machine,
-                const char *path, struct findings *findings)
+/* ---- The machine for a program ------------------------------------------ */
+
+static void drop_machine(struct checker *checker)
+{
+    c205_free(checker->machine);
+    c205_model_free(checker->model);
+    checker->machine = NULL;
+    checker->model = NULL;
+}
+
+static bool make_machine(struct checker *checker, const char *model)
 {
     c205_error error;
-    struct sink sink = text_buffer_sink(&findings->report);
-    struct object *object = cmd_read_program(arguments, path, &sink);
-    bool good = object && c205_load(machine, &object->program, &error);
-    if (good) {
-        bool given = arguments->limit != C205_NO_LIMIT;
-        c205_stop stop = c205_run(machine,
-                                  given ? arguments->limit : patience);
-        good = meets(object, machine, &stop, findings);
-    } else if (object) {
-        fail(findings, error.message);
+    drop_machine(checker);
+    checker->model = c205_model_find(model, &error);
+    checker->machine = checker->model ? c205_new(checker->model, &error)
+                                      : NULL;
+    if (!checker->machine) {
+        drop_machine(checker);
+        return fail(checker, error.message);
     }
-    object_free(object);
-    return good && !findings->printed.failed && !findings->report.failed;
+    return c205_listen(checker->machine, printer_listen, &checker->printer);
+}
+
+static const char *model_for(const struct checker *checker,
+                             const struct object *object)
+{
+    const char *given = checker->arguments->model;
+    const char *named = expect_model(object);
+    return given ? given : named ? named : C205_DEFAULT_MODEL;
+}
+
+static bool have_machine(struct checker *checker, const struct object *object)
+{
+    const char *model = model_for(checker, object);
+    return (checker->model
+            && strcmp(c205_model_name(checker->model), model) == 0)
+           || make_machine(checker, model);
+}
+
+static bool run(struct checker *checker, const struct object *object)
+{
+    uint64_t limit = checker->arguments->limit;
+    c205_error error;
+    if (!have_machine(checker, object)) {
+        return false;
+    }
+    if (!c205_load(checker->machine, &object->program, &error)) {
+        return fail(checker, error.message);
+    }
+    c205_stop stop = c205_run(checker->machine,
+                              limit != C205_NO_LIMIT ? limit : patience);
+    return meets(checker, object, &stop);
 }
 
 /* ---- What is told of them ------------------------------------------------ */
@@ -55,18 +103,35 @@ static bool try(const struct cmd_arguments *arguments, c205 *machine,
 static const struct table_column columns[] = {
     { "program", "program", TABLE_TEXT, 0 },
     { "passed", "passed", TABLE_TEXT, 0 },
+    { "clocks", "clocks", TABLE_TEXT, 0 },
     { "report", "report", TABLE_TEXT, 0 },
 };
 
-struct tally {
-    const struct results *results;
-    struct table *table; /* where results are not text */
-    size_t failures;
+/* What came of one program. */
+struct verdict {
+    const char *path;
+    bool good;
+    const char *other_model; /* its clocks are not of this one; or NULL */
+    const char *report;
 };
 
-/* The reasons, each line a little to the right. */
-static void print_report(const struct results *results, const char *text)
+static void tell_row(struct table *table, const struct verdict *verdict)
 {
+    table_text(table, verdict->path);
+    table_text(table, verdict->good ? "yes" : "no");
+    table_text(table, verdict->other_model ? "not compared" : "");
+    table_text(table, verdict->report);
+}
+
+/* The reasons stand a little to the right. */
+static void tell_text(const struct results *results,
+                      const struct verdict *verdict)
+{
+    const char *text = verdict->report;
+    const char *other = verdict->other_model;
+    results_say(results, "%s %s%s%s%s\n", verdict->good ? "PASS" : "FAIL",
+                verdict->path, other ? " (but for the clocks: not of " : "",
+                other ? other : "", other ? ")" : "");
     while (*text) {
         size_t length = strcspn(text, "\n");
         results_say(results, "    %.*s\n", (int)length, text);
@@ -74,98 +139,100 @@ static void print_report(const struct results *results, const char *text)
     }
 }
 
-static void tell(struct tally *tally, const char *path, bool good,
-                 const char *report)
+static void tell_json(struct json *json, const c205_model *model,
+                      const struct verdict *verdict)
 {
-    struct json *json = tally->results->json;
-    if (tally->table) {
-        table_text(tally->table, path);
-        table_text(tally->table, good ? "yes" : "no");
-        table_text(tally->table, report);
+    json_object(json, NULL);
+    json_text(json, "program", verdict->path);
+    json_truth(json, "passed", verdict->good);
+    json_truth(json, "clocks_compared", !verdict->other_model);
+    json_text(json, "report", verdict->report);
+    if (model) {
+        provenance_json(model, json);
+    }
+    json_end(json);
+}
+
+static void check_one(struct checker *checker, const char *path)
+{
+    struct sink sink = text_buffer_sink(&checker->report);
+    struct object *object = cmd_read_program(checker->arguments, path, &sink);
+    struct verdict verdict = { path, object && run(checker, object), NULL,
+                               "" };
+    if (object && checker->machine
+        && expect_other_model(object, checker->machine)) {
+        verdict.other_model = c205_model_name(checker->model);
+    }
+    object_free(object);
+    if (checker->report.text) {
+        verdict.report = checker->report.text;
+    }
+    if (checker->printed.failed || checker->report.failed) {
+        verdict.good = false;
+        verdict.report = "no memory";
+    }
+    if (checker->table) {
+        tell_row(checker->table, &verdict);
     } else {
-        results_say(tally->results, "%s %s\n", good ? "PASS" : "FAIL", path);
-        print_report(tally->results, report);
+        tell_text(checker->results, &verdict);
     }
-    if (json) {
-        json_object(json, NULL);
-        json_text(json, "program", path);
-        json_truth(json, "passed", good);
-        json_text(json, "report", report);
-        json_end(json);
+    if (checker->results->json) {
+        tell_json(checker->results->json, checker->model, &verdict);
     }
+    checker->failures += !verdict.good;
+    text_buffer_free(&checker->printed);
+    text_buffer_free(&checker->report);
 }
 
-static void check_all(const struct cmd_arguments *arguments, c205 *machine,
-                      struct findings *findings, struct tally *tally)
+static int check_all(struct checker *checker)
 {
-    for (size_t i = 0; i < arguments->files.count; i++) {
-        const char *path = arguments->files.items[i];
-        bool good = try(arguments, machine, path, findings);
-        bool complete = !findings->printed.failed && !findings->report.failed;
-        const char *report = findings->report.text;
-        tell(tally, path, good,
-             !complete ? "no memory"
-             : report  ? report
-                       : "");
-        tally->failures += !good;
-        text_buffer_free(&findings->printed);
-        text_buffer_free(&findings->report);
-    }
-}
-
-static int check_and_tell(const struct cmd_arguments *arguments,
-                          c205 *machine, const struct results *results)
-{
-    struct findings findings = { { 0 }, { 0 } };
-    struct printer printer = { text_buffer_sink(&findings.printed) };
+    const struct cmd_arguments *arguments = checker->arguments;
+    const struct results *results = checker->results;
     bool tabular = results->file && results->format != RESULTS_TEXT;
-    struct tally tally = { results, NULL, 0 };
-    if (tabular && !(tally.table = table_new(TABLE_COLUMNS(columns)))) {
+    if (tabular && !(checker->table = table_new(TABLE_COLUMNS(columns)))) {
         return cmd_failed(arguments->command, "no memory");
     }
-    c205_listen(machine, printer_listen, &printer);
     if (results->json) {
-        provenance_json(c205_machine_model(machine), results->json);
         json_array(results->json, "programs");
     }
-    check_all(arguments, machine, &findings, &tally);
+    for (size_t i = 0; i < arguments->files.count; i++) {
+        check_one(checker, arguments->files.items[i]);
+    }
     if (results->json) {
         json_end(results->json);
     }
     bool good = !tabular
-                || table_write(tally.table, results_table_format(results),
+                || table_write(checker->table, results_table_format(results),
                                results->file);
-    table_free(tally.table);
+    table_free(checker->table);
     results_say(results, "%zu passed, %zu failed\n",
-                arguments->files.count - tally.failures, tally.failures);
-    return !good                ? cmd_failed(arguments->command, "no memory")
-           : tally.failures > 0 ? CMD_FAILED
-                                : CMD_DONE;
+                arguments->files.count - checker->failures,
+                checker->failures);
+    return !good ? cmd_failed(arguments->command, "no memory")
+           : checker->failures > 0 ? CMD_FAILED
+                                   : CMD_DONE;
+}
+
+/* A model that the user names must be there. */
+static bool check_model(const struct cmd_arguments *arguments)
+{
+    c205_model *model = cmd_find_model(arguments->command, arguments->model);
+    c205_model_free(model);
+    return model != NULL;
 }
 
 /* What failed is a result, too: the JSON is kept. */
-static int check_on(const struct cmd_arguments *arguments, c205 *machine)
-{
-    struct results results = arguments->results;
-    if (!results_open(&results, arguments->command, NULL)) {
-        return CMD_FAILED;
-    }
-    int code = check_and_tell(arguments, machine, &results);
-    int kept = results_close(&results, CMD_DONE);
-    return code == CMD_DONE ? kept : code;
-}
-
 int cmd_check(const struct cmd_arguments *arguments)
 {
-    c205_error error;
-    c205_model *model = cmd_find_model(arguments->command, arguments->model);
-    if (!model) {
+    struct results results = arguments->results;
+    struct checker checker = { .arguments = arguments, .results = &results };
+    checker.printer.sink = text_buffer_sink(&checker.printed);
+    if (!check_model(arguments)
+        || !results_open(&results, arguments->command, NULL)) {
         return CMD_FAILED;
     }
-    c205 *machine = c205_new(model, &error);
-    int code = machine ? check_on(arguments, machine)
-                       : cmd_failed(arguments->command, "%s", error.message);
-    c205_free(machine);
-    c205_model_free(model);
-    return code;
+    int code = check_all(&checker);
+    drop_machine(&checker);
+    int kept = results_close(&results, CMD_DONE);
+    return code == CMD_DONE ? kept : code;
 }

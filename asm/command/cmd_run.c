@@ -240,7 +240,14 @@ static int run_command_line(void *given)
 
 static const struct command_option options[] = {
     CMD_FLAG(check, "run test programs; a line each, PASS or FAIL"),
-    CMD_MODEL,
+    { .name = "model",
+      .value = "NAME|FILE",
+      .kind = COMMAND_INPUT,
+      .offset = CMD_PLACE(model),
+      .choice = command_model_choice,
+      .help = "machine model (" C205_DEFAULT_MODEL
+              ", with --check that which "
+              "the program names)" },
     { .name = "limit",
       .value = "CLOCKS",
       .kind = COMMAND_CLOCKS,

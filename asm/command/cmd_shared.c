@@ -12,7 +12,8 @@
 c205_model *cmd_find_model(const char *command, const char *name)
 {
     c205_error error;
-    c205_model *model = c205_model_find(name, &error);
+    c205_model *model = c205_model_find(name ? name : C205_DEFAULT_MODEL,
+                                        &error);
     if (!model) {
         cmd_failed(command, "%s", error.message);
     }

@@ -44,4 +44,5 @@ squares:
 ; first touch of the data's page; issue of the root, which runs on beneath the
 ; product; 51 + 2 and 96 + 2, 2 of them hidden; the rest 7:
 ; expect-clocks: 1309
-; (on cyber205-2pipe-prior: the fitted constants are not as round)
+; expect-model: cyber205-2pipe-prior
+; (its constants are round, the fitted ones are not)

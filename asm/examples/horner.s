@@ -43,4 +43,5 @@ p:      .space  n
 ; 14 clocks for descriptors and constants, 1,030 for the first touch of the
 ; data's page; three pairs of 84 + 3, the later ones 3 less:
 ; expect-clocks: 1299
-; (on cyber205-2pipe-prior: the fitted constants are not as round)
+; expect-model: cyber205-2pipe-prior
+; (its constants are round, the fitted ones are not)

@@ -41,4 +41,5 @@ f:      .space  n
 ; data's page; 551, 551, 551, 80 + 1,625, 96 + 500, of which four times 10
 ; hide; the product 5, the rest 3:
 ; expect-clocks: 4964
-; (on cyber205-2pipe-prior: the fitted constants are not as round)
+; expect-model: cyber205-2pipe-prior
+; (its constants are round, the fitted ones are not)

@@ -27,4 +27,5 @@
 ; 1,030 clocks for the first touch of the data's page, 16 until the scale is
 ; loaded, 84 + 50, the exit hidden beneath:
 ; expect-clocks: 1180
-; (on cyber205-2pipe-prior: the fitted constants are not as round)
+; expect-model: cyber205-2pipe-prior
+; (its constants are round, the fitted ones are not)

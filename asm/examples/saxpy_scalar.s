@@ -33,4 +33,5 @@ loop:   LOD     [xs, index], left
 ; 1,030 clocks for the first touch of the data's page, 7 for the instructions
 ; before the loop, 99 turns of 35, the last of 27, the exit:
 ; expect-clocks: 4530
-; (on cyber205-2pipe-prior: the fitted constants are not as round)
+; expect-model: cyber205-2pipe-prior
+; (its constants are round, the fitted ones are not)

@@ -68,4 +68,5 @@ composite:
 
 ; Of these 1,030 for the first touch of the data's page:
 ; expect-clocks: 3190
-; (on cyber205-2pipe-prior: the fitted constants are not as round)
+; expect-model: cyber205-2pipe-prior
+; (its constants are round, the fitted ones are not)

@@ -162,6 +162,13 @@ static void test_expectations(void **state)
         { "; expect-flags: 1, 2\n", 1, 18, "the end of the statement" },
         { "; expect-clocks: later\n", 1, 18, "'later' is not defined" },
         { "; expect-trap:\n", 1, 15, "the name of a trap" },
+        { "; expect: r1 = 1 ~\n", 1, 19, "expected a number" },
+        { "; expect: r1 = 1 ~ -1\n", 1, 11, "a tolerance is" },
+        { "; expect: r1 = 1 ~ X'7000000000000000'\n", 1, 11,
+          "a tolerance is" },
+        { "; expect-model:\n", 1, 16, "the name of a model" },
+        { "; expect-model: a\n; expect-model: b\n", 2, 17,
+          "already, in test.s:1" },
     };
 
     (void)state;

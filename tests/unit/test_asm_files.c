@@ -104,7 +104,7 @@ static const char sample[] = " .include \"print.s\"\n"
                              " .data\n"
                              "v: .word 1, 2, 3, 4, 5, 0, 0, 0, 0, 0, 0, 6\n"
                              " .space 100\n"
-                             "; expect: r5 = -1.5\n"
+                             "; expect: r5 = -1.5 ~ 1e-3\n"
                              "; expect: h5 = -1.5\n"
                              "; expect: [v] = 1, 2\n"
                              "; expect-halves: [v] = 1, 2.5\n"
@@ -112,7 +112,8 @@ static const char sample[] = " .include \"print.s\"\n"
                              "; expect-flags: X'20'\n"
                              "; expect-clocks: 100\n"
                              "; expect-trap: bad-descriptor\n"
-                             "; expect-print: a line\n";
+                             "; expect-print: a line\n"
+                             "; expect-model: cyber205-1pipe\n";
 
 static void test_sample(void **state)
 {
