@@ -9,6 +9,7 @@
 #ifndef ASM_ASSEMBLE_H
 #define ASM_ASSEMBLE_H
 
+#include "asm/warning.h"
 #include "base/diagnostic.h"
 #include "vm/c205.h"
 
@@ -41,6 +42,7 @@ struct object {
     const struct asm_line *lines;     /* sorted by address */
     size_t expectation_count;
     const struct asm_expectation *expectations;
+    warning_set warned; /* of this the assembler has warned, or would have */
 };
 
 struct asm_define {
@@ -57,6 +59,7 @@ struct asm_options {
      * library of asm/lib and, for rt, the kernels.  NULL-terminated array of
      * text tables (vm/text.h); the library is always there. */
     const struct text *const *texts;
+    struct warning_choice warnings;
 };
 
 /* NULL: there are errors; a file that cannot be read is one.  options may be

@@ -122,6 +122,13 @@ struct section {
     bool moved; /* by .org */
 };
 
+/* A warning before it is known which of them the program means. */
+struct caution {
+    enum warning warning;
+    struct position position;
+    const char *message;
+};
+
 /* An expectation before its expressions are known. */
 struct wish {
     const struct line *line;
@@ -155,6 +162,8 @@ struct assembler {
     const struct section *region_section;
     struct wish *wishes;
     size_t wish_count, wish_capacity;
+    struct caution *cautions;
+    size_t caution_count, caution_capacity;
     /* Labels that move on with the data after them when that is aligned. */
     struct symbol **waiting;
     size_t waiting_count, waiting_capacity;
@@ -171,6 +180,15 @@ bool report(struct assembler *assembler, const struct line *line,
     __attribute__((format(printf, 4, 5)))
 #endif
     ;
+/* The same for what is no error; told at the end, if at all. */
+void warn(struct assembler *assembler, enum warning warning,
+          const struct line *line, const char *at, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 5, 6)))
+#endif
+    ;
+/* All of them; which there were, told or not. */
+warning_set tell_cautions(struct assembler *assembler);
 bool report_file(struct diagnostics *diagnostics, const char *file,
                  const char *message);
 bool too_many_errors(const struct assembler *assembler);
@@ -190,6 +208,9 @@ bool symbol_define(struct assembler *assembler, const struct line *line,
 
 /* parse.c */
 bool parse_line(struct assembler *assembler, const struct line *line);
+
+/* run_off.c: warns of code that has no end. */
+void check_ends(struct assembler *assembler);
 
 /* encode.c: the object, or NULL. */
 struct object *encode_program(struct assembler *assembler);

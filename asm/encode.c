@@ -414,6 +414,7 @@ struct object *encode_program(struct assembler *assembler)
 {
     struct storage *storage = storage_new();
     const struct region *open = &assembler->open_region;
+    bool good;
 
     if (!storage) {
         assembler->arena->failed = true;
@@ -426,7 +427,12 @@ struct object *encode_program(struct assembler *assembler)
         qsort(assembler->items, assembler->item_count,
               sizeof *assembler->items, compare_items);
     set_entry(assembler, storage);
-    if (fill(assembler, storage) && !storage->arena.failed
+    good = fill(assembler, storage)
+           && assembler->diagnostics->errors == assembler->first_error;
+    if (good)
+        check_ends(assembler);
+    storage->object.warned = tell_cautions(assembler);
+    if (good && !storage->arena.failed
         && assembler->diagnostics->errors == assembler->first_error)
         return &storage->object;
     assembler->arena->failed |= storage->arena.failed;

@@ -31,14 +31,21 @@ static size_t column_of(const struct line *line, const char *at)
     return (size_t)(at - line->text) + 1;
 }
 
-bool report(struct assembler *assembler, const struct line *line,
-            const char *at, const char *format, ...)
+static struct position position_of(const struct line *line, const char *at)
 {
-    char message[512];
     const struct position position = {
         line->file, line->number, column_of(line, at), line->text,
         (size_t)(line->text_end - line->text)
     };
+
+    return position;
+}
+
+bool report(struct assembler *assembler, const struct line *line,
+            const char *at, const char *format, ...)
+{
+    char message[512];
+    const struct position position = position_of(line, at);
     va_list arguments;
 
     if (too_many_errors(assembler))
@@ -56,4 +63,63 @@ bool too_many_errors(const struct assembler *assembler)
 {
     return assembler->diagnostics->errors - assembler->first_error
            >= MAX_ERRORS;
+}
+
+void warn(struct assembler *assembler, enum warning warning,
+          const struct line *line, const char *at, const char *format, ...)
+{
+    char message[512];
+    struct caution *cautions;
+    va_list arguments;
+
+    if (assembler->caution_count >= MAX_ERRORS)
+        return;
+    cautions = arena_grow(assembler->arena, assembler->cautions,
+                          assembler->caution_count,
+                          &assembler->caution_capacity, sizeof *cautions);
+    if (!cautions)
+        return;
+    assembler->cautions = cautions;
+    cautions += assembler->caution_count;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    say_caller(message, sizeof message, line);
+    cautions->warning = warning;
+    cautions->position = position_of(line, at);
+    cautions->message = arena_text(assembler->arena, message,
+                                   strlen(message));
+    assembler->caution_count += cautions->message != NULL;
+}
+
+/* Those that the program says it means. */
+static warning_set meant(const struct assembler *assembler)
+{
+    warning_set set = 0;
+    size_t i;
+
+    for (i = 0; i < assembler->wish_count; i++)
+        if (assembler->wishes[i].kind == EXPECT_WARNING)
+            set |= WARNING_BIT(warning_named(assembler->wishes[i].text));
+    return set;
+}
+
+warning_set tell_cautions(struct assembler *assembler)
+{
+    static const struct warning_choice all;
+    const struct asm_options *options = assembler->options;
+    const struct warning_choice *choice = options ? &options->warnings : &all;
+    warning_set silent = choice->off | meant(assembler), found = 0;
+    size_t i;
+
+    for (i = 0; i < assembler->caution_count; i++) {
+        const struct caution *caution = &assembler->cautions[i];
+        warning_set bit = WARNING_BIT(caution->warning);
+
+        found |= bit;
+        if (!(silent & bit))
+            warning_add(assembler->diagnostics, choice, caution->warning,
+                        &caution->position, caution->message);
+    }
+    return found;
 }

@@ -13,7 +13,8 @@ const char *expectation_name(enum expectation_kind kind)
         [EXPECT_WORDS] = "words",       [EXPECT_HALVES] = "halves",
         [EXPECT_BITS] = "bits",         [EXPECT_FLAGS] = "flags",
         [EXPECT_CLOCKS] = "clocks",     [EXPECT_TRAP] = "trap",
-        [EXPECT_PRINT] = "print",       [EXPECT_MODEL] = "model"
+        [EXPECT_PRINT] = "print",       [EXPECT_MODEL] = "model",
+        [EXPECT_WARNING] = "warning"
     };
 
     return names[kind];
@@ -24,6 +25,7 @@ struct outcome {
     const c205 *machine;
     const c205_stop *stop;
     const char *printed; /* what no expectation has looked at yet */
+    warning_set warned;  /* what it was warned of */
     bool other_model;    /* the clocks are not those expected */
     const struct sink *report;
 };
@@ -286,6 +288,19 @@ static bool check_print(struct outcome *outcome,
     return false;
 }
 
+static bool check_warning(struct outcome *outcome,
+                          const struct asm_expectation *expectation)
+{
+    enum warning warning = warning_named(expectation->text);
+
+    if (warning < WARNINGS && outcome->warned & WARNING_BIT(warning))
+        return true;
+    say_where(outcome, expectation);
+    sink_print(outcome->report, "the warning %s, and there was none\n",
+               expectation->text);
+    return false;
+}
+
 /* It says where the clocks hold, and nothing of the run. */
 static bool check_model(struct outcome *outcome,
                         const struct asm_expectation *expectation)
@@ -304,6 +319,21 @@ static const struct asm_expectation *find(const struct object *object,
         if (object->expectations[i].kind == kind)
             return &object->expectations[i];
     return NULL;
+}
+
+warning_set expect_warnings(const struct object *object)
+{
+    warning_set set = 0;
+    size_t i;
+
+    for (i = 0; i < object->expectation_count; i++) {
+        const struct asm_expectation *expectation = &object->expectations[i];
+
+        if (expectation->kind == EXPECT_WARNING
+            && warning_named(expectation->text) < WARNINGS)
+            set |= WARNING_BIT(warning_named(expectation->text));
+    }
+    return set;
 }
 
 bool expect_anything(const struct object *object)
@@ -357,7 +387,7 @@ static bool check_rest(const struct outcome *outcome,
 
 bool expect_check(const struct object *object, const c205 *machine,
                   const c205_stop *stop, const char *printed,
-                  const struct sink *report)
+                  warning_set warned, const struct sink *report)
 {
     static bool (*const checks[EXPECT_KINDS])(struct outcome *,
                                               const struct asm_expectation
@@ -371,7 +401,8 @@ bool expect_check(const struct object *object, const c205 *machine,
         [EXPECT_CLOCKS] = check_clocks,
         [EXPECT_TRAP] = check_trap,
         [EXPECT_PRINT] = check_print,
-        [EXPECT_MODEL] = check_model
+        [EXPECT_MODEL] = check_model,
+        [EXPECT_WARNING] = check_warning
     };
     struct outcome outcome;
     bool good;
@@ -380,6 +411,7 @@ bool expect_check(const struct object *object, const c205 *machine,
     outcome.machine = machine;
     outcome.stop = stop;
     outcome.printed = printed;
+    outcome.warned = warned;
     outcome.other_model = expect_other_model(object, machine);
     outcome.report = report;
     good = check_end(&outcome, object);

@@ -10,6 +10,7 @@
  *   ; expect-trap: bad-descriptor
  *   ; expect-print: text         the next line that the program prints
  *   ; expect-model: NAME         the model on which the clocks hold
+ *   ; expect-warning: NAME       it is warned of this, and means it
  *
  * A program without expect-trap is expected to end with EXIT.  Numbers may be off
  * by a tolerance: "= 0.1, 0.2 ~ 1e-9".
@@ -30,6 +31,7 @@ enum expectation_kind {
     EXPECT_TRAP,
     EXPECT_PRINT,
     EXPECT_MODEL,
+    EXPECT_WARNING,
     EXPECT_KINDS
 };
 
@@ -41,7 +43,7 @@ struct asm_expectation {
     const c205_word *words; /* a half is at the left of one; bits are packed
                                from the left */
     c205_word tolerance;    /* how far numbers may be off; 0: not at all */
-    const char *text;       /* EXPECT_TRAP, EXPECT_PRINT, EXPECT_MODEL */
+    const char *text;       /* EXPECT_TRAP and those after it */
     const char *file;
     size_t line;
 };
@@ -58,10 +60,13 @@ const char *expect_model(const struct object *object);
  * are not compared. */
 bool expect_other_model(const struct object *object, const c205 *machine);
 
+/* The warnings that the program means. */
+warning_set expect_warnings(const struct object *object);
+
 /* Compare a machine that has stopped with what its program expects; printed
- * is all that it printed.  Each failure is a line put to the report. */
+ * is all that it printed, and warned what it was warned of.  Each failure is a line put to the report. */
 bool expect_check(const struct object *object, const c205 *machine,
                   const c205_stop *stop, const char *printed,
-                  const struct sink *report);
+                  warning_set warned, const struct sink *report);
 
 #endif

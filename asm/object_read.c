@@ -267,8 +267,7 @@ static bool check_count(struct reader *reader,
 
 static bool has_text(enum expectation_kind kind)
 {
-    return kind == EXPECT_TRAP || kind == EXPECT_PRINT
-           || kind == EXPECT_MODEL;
+    return kind >= EXPECT_TRAP;
 }
 
 static bool read_expectation(struct reader *reader)

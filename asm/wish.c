@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "asm/statement.h"
+#include "base/nearest.h"
 
 static const struct expression **
 add_value(struct cursor *cursor, struct wish *wish, size_t *capacity)
@@ -130,6 +131,16 @@ static bool parse_trap(struct cursor *cursor, struct wish *wish)
                   "expected the name of a trap, found '%s'", wish->text);
 }
 
+static bool parse_warning(struct cursor *cursor, struct wish *wish)
+{
+    return parse_rest(cursor, wish)
+           && (warning_named(wish->text) != WARNINGS
+               || report(cursor->assembler, cursor->line, cursor->token.begin,
+                         "expected the name of a warning, found '%s';"
+                         " c205 asm -W list prints them",
+                         wish->text));
+}
+
 /* A program names one at the most. */
 static bool parse_model(struct cursor *cursor, struct wish *wish)
 {
@@ -176,7 +187,8 @@ static bool parse_named(struct cursor *cursor, const char *name,
                    { "expect-clocks", EXPECT_CLOCKS, parse_one },
                    { "expect-trap", EXPECT_TRAP, parse_trap },
                    { "expect-print", EXPECT_PRINT, parse_rest },
-                   { "expect-model", EXPECT_MODEL, parse_model } };
+                   { "expect-model", EXPECT_MODEL, parse_model },
+                   { "expect-warning", EXPECT_WARNING, parse_warning } };
     static const struct wish empty;
     struct line *line = arena_take(cursor->assembler->arena, sizeof *line);
     size_t i;
@@ -199,21 +211,73 @@ static bool parse_named(struct cursor *cursor, const char *name,
     }
     return report(cursor->assembler, cursor->line, name,
                   "expected expect: or expect-halves: -bits: -flags: -clocks:"
-                  " -trap: -print: -model:");
+                  " -trap: -print: -model: -warning:");
+}
+
+/* ---- Misspelt ones ---- */
+
+/* Its first word, up to a '-', is almost "expect", in any case. */
+static bool resembles(const char *name, const char *end)
+{
+    enum { NEAR = 2 };
+    const char *dash = memchr(name, '-', (size_t)(end - name));
+
+    return nearest_distance(name, (size_t)((dash ? dash : end) - name),
+                            "expect", 6)
+           <= NEAR;
+}
+
+static const char *skip_blanks(const char *at, const char *end)
+{
+    while (at < end && isspace((unsigned char)*at))
+        at++;
+    return at;
+}
+
+/* "r10 = .." or "[..] = .." */
+static bool is_equation(const char *at, const char *end)
+{
+    at = skip_blanks(at, end);
+    if (at < end && *at == '[') {
+        while (at < end && *at != ']')
+            at++;
+        at += at < end;
+    } else {
+        while (at < end && is_name_part(*at))
+            at++;
+    }
+    at = skip_blanks(at, end);
+    return at < end && *at == '=';
+}
+
+/* As an expectation does: words of prose do not. */
+static bool goes_on(const char *at, const char *end, bool dashed)
+{
+    at = skip_blanks(at, end);
+    if (at < end && *at == ':')
+        return dashed || is_equation(at + 1, end);
+    return !dashed && is_equation(at, end);
 }
 
 bool parse_wish(struct cursor *cursor)
 {
     const char *at = cursor->token.begin, *end = cursor->line->end, *name;
+    size_t length;
 
     while (at < end && (*at == ';' || *at == ' '))
         at++;
     name = at;
-    while (at < end && (islower((unsigned char)*at) || *at == '-'))
+    while (at < end && (isalpha((unsigned char)*at) || *at == '-'))
         at++;
-    if (at == end || *at != ':' || at - name < 6
-        || memcmp(name, "expect", 6) != 0
-        || (at - name > 6 && name[6] != '-'))
-        return true;
-    return parse_named(cursor, name, (size_t)(at - name), at + 1);
+    length = (size_t)(at - name);
+    if (at < end && *at == ':' && length >= 6
+        && memcmp(name, "expect", 6) == 0 && (length == 6 || name[6] == '-'))
+        return parse_named(cursor, name, length, at + 1);
+    if (resembles(name, at) && goes_on(at, end, memchr(name, '-', length)))
+        warn(cursor->assembler, WARNING_MISSPELT_EXPECT, cursor->line, name,
+             "is this an expectation? '%.*s' makes it none; it would begin"
+             " with '; expect%s'",
+             (int)(length < 40 ? length : 40), name,
+             memchr(name, '-', length) ? "-..:" : ":");
+    return true;
 }

@@ -42,6 +42,14 @@ static size_t distance(const char *a, size_t a_length, const char *b,
     return rows[a_length][b_length];
 }
 
+size_t nearest_distance(const char *a, size_t a_length, const char *b,
+                        size_t b_length)
+{
+    return a_length > LETTERS_MOST || b_length > LETTERS_MOST
+               ? 2 * LETTERS_MOST
+               : distance(a, a_length, b, b_length);
+}
+
 void nearest_try(struct nearest *nearest, const char *name)
 {
     size_t length = strlen(nearest->word), name_length = strlen(name);
@@ -49,8 +57,10 @@ void nearest_try(struct nearest *nearest, const char *name)
         return;
     }
     size_t wrong = distance(nearest->word, length, name, name_length);
-    if (wrong <= (length + 2) / 3
-        && (!nearest->name || wrong < nearest->distance)) {
+    bool better = !nearest->name || wrong < nearest->distance
+                  || (wrong == nearest->distance && name_length == length
+                      && strlen(nearest->name) != length);
+    if (wrong <= (length + 2) / 3 && better) {
         nearest->name = name;
         nearest->distance = wrong;
     }

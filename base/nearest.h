@@ -14,9 +14,15 @@
 
 #include <stddef.h>
 
+/* How many letters make one of the other; a long way for words of more than 40.
+ * Capitals do not count. */
+size_t nearest_distance(const char *a, size_t a_length, const char *b,
+                        size_t b_length);
+
 struct nearest {
     const char *word;
-    const char *name; /* the nearest so far, of equals the first */
+    const char *name; /* the nearest so far; of equals one that is as long as
+                         the word, or else the first */
     size_t distance;
 };
 

@@ -12,7 +12,7 @@ for name in $("$c205" isa --names); do
         code=1
     fi
 done
-"$c205" run --check tests/programs/*.s tests/programs/traps/*.s \
+"$c205" run --check -Werror tests/programs/*.s tests/programs/traps/*.s \
     asm/examples/*.s || code=1
-"$c205" run --check -I rt/kernels rt/study/fit/programs/*.s || code=1
+"$c205" run --check -Werror -I rt/kernels rt/study/fit/programs/*.s || code=1
 exit $code

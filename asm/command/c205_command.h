@@ -21,6 +21,11 @@ struct cmd_defines {
     struct asm_define items[CMD_DEFINES + 1]; /* the last has no name */
 };
 
+struct cmd_warnings {
+    struct warning_choice choice;
+    bool list; /* all that there are, and do nothing else */
+};
+
 struct cmd_arguments {
     const char *command;
     const char *model;
@@ -29,6 +34,7 @@ struct cmd_arguments {
     uint64_t limit;
     bool check, trace, listing, names, points, markdown;
     struct cmd_defines defines;
+    struct cmd_warnings warnings;
     struct command_texts folders;
     const char *file;           /* what is no option: one, or .. */
     struct command_texts files; /* .. any number */
@@ -40,6 +46,8 @@ struct cmd_arguments {
 
 /* NAME=VALUE into cmd_defines. */
 command_take cmd_take_define;
+/* -W into cmd_warnings. */
+command_take cmd_take_warning;
 
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
@@ -50,6 +58,14 @@ command_take cmd_take_define;
       .offset = CMD_PLACE(defines), .take = cmd_take_define, \
       .wants = "NAME=VALUE, a name and an integer", \
       .help = "an integer for the program text, as by .equ" }
+#define CMD_WARN \
+    { .name = "warn", .letter = 'W', .value = "NAME|no-NAME", \
+      .kind = COMMAND_OWN, .offset = CMD_PLACE(warnings), \
+      .take = cmd_take_warning, \
+      .wants = "the name of a warning (-W list prints them), all or error, " \
+               "or no- and one of these", \
+      .help = "tell of this, or do not: -Wno-run-off; all; error: they are " \
+              "errors; list: what there is" }
 #define CMD_FLAG(flag, text) \
     { .name = #flag, .kind = COMMAND_FLAG, .offset = CMD_PLACE(flag), \
       .help = text }
@@ -67,6 +83,9 @@ int cmd_check(const struct cmd_arguments *arguments);
  * gone to the report. */
 struct object *cmd_read_program(const struct cmd_arguments *arguments,
                                 const char *path, const struct sink *report);
+
+/* -W list. */
+int cmd_list_warnings(void);
 
 /* A model, the default one if the name is NULL; NULL after telling why not. */
 c205_model *cmd_find_model(const char *command, const char *name);

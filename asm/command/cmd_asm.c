@@ -6,6 +6,12 @@
 static int assemble(void *given)
 {
     const struct cmd_arguments *arguments = given;
+    if (arguments->warnings.list) {
+        return cmd_list_warnings();
+    }
+    if (!arguments->file) {
+        return cmd_usage(arguments->command, "name a file");
+    }
     c205_error error;
     struct sink report = stream_sink(stderr);
     struct object *object = cmd_read_program(arguments, arguments->file,
@@ -34,11 +40,19 @@ static const struct command_option options[] = {
       .offset = CMD_PLACE(output),
       .help = "write the object there" },
     CMD_FLAG(listing, "print the listing"),
+    CMD_WARN,
     CMD_DEFINE,
     CMD_INCLUDE,
     COMMAND_END
 };
-static const struct command_option operands[] = { CMD_PROGRAM, COMMAND_END };
+static const struct command_option operands[] = {
+    { .value = "FILE",
+      .kind = COMMAND_INPUT,
+      .optional = true,
+      .offset = CMD_PLACE(file),
+      .help = "a program text" },
+    COMMAND_END
+};
 
 const struct command asm_command = {
     .name = "asm",

@@ -40,7 +40,7 @@ static bool meets(struct checker *checker, const struct object *object,
         return fail(checker, "the program expects nothing");
     }
     return expect_check(object, checker->machine, stop,
-                        printed ? printed : "", &sink);
+                        printed ? printed : "", object->warned, &sink);
 }
 
 /* ---- The machine for a program ------------------------------------------ */

@@ -225,6 +225,9 @@ static int check_usage(const struct cmd_arguments *arguments)
 static int run_command_line(void *given)
 {
     const struct cmd_arguments *arguments = given;
+    if (arguments->warnings.list) {
+        return cmd_list_warnings();
+    }
     int code = check_usage(arguments);
     if (code != CMD_DONE) {
         return code;
@@ -264,6 +267,7 @@ static const struct command_option options[] = {
       .offset = CMD_PLACE(restore),
       .help = "go on with a program that was saved; a FILE must be that "
               "program" },
+    CMD_WARN,
     CMD_DEFINE,
     CMD_INCLUDE,
     CMD_FLAG(trace, "print each instruction as it is executed"),

@@ -9,6 +9,23 @@
 #include "asm/object.h"
 #include "base/file.h"
 
+bool cmd_take_warning(char *text, void *value)
+{
+    struct cmd_warnings *warnings = value;
+    bool list = strcmp(text, "list") == 0;
+    warnings->list |= list;
+    return list || warning_choose(&warnings->choice, text);
+}
+
+int cmd_list_warnings(void)
+{
+    for (unsigned i = 0; i < WARNINGS; i++) {
+        printf("%-18s %s\n", warning_name((enum warning)i),
+               warning_text((enum warning)i));
+    }
+    return CMD_DONE;
+}
+
 c205_model *cmd_find_model(const char *command, const char *name)
 {
     c205_error error;
@@ -36,7 +53,8 @@ static struct object *assemble(const struct cmd_arguments *arguments,
                                size_t length, const struct sink *report)
 {
     struct asm_options options = { .defines = arguments->defines.items,
-                                   .search = arguments->folders.items };
+                                   .search = arguments->folders.items,
+                                   .warnings = arguments->warnings.choice };
     struct diagnostics errors = { 0 };
     struct object *object = assemble_bytes(path, text, length, &options,
                                            &errors);

@@ -9,7 +9,9 @@ struct object *program_assemble(const char *kernel,
                                 c205_error *error)
 {
     const struct text *const texts[] = { kernel_texts, NULL };
-    struct asm_options how = { .defines = defines, .texts = texts };
+    struct asm_options how = { .defines = defines,
+                               .texts = texts,
+                               .warnings = { .errors = true } };
     struct diagnostics errors = { 0 };
     char start[64];
     struct object *object;

@@ -44,4 +44,5 @@ values: .word   1.5, -2.0, 3
 
         EXIT                            ; the end
         ES      number, 0
+        EXIT
 ; expect: r10 = X'0000 FFFF FFFF FFF9'

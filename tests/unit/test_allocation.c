@@ -424,8 +424,8 @@ static bool check_object(FILE *out, c205_error *error)
         c205_stop stop = c205_run(machine, C205_NO_LIMIT);
         done = stop.trap != C205_TRAP_NO_MEMORY && !printed.failed;
         if (done)
-            assert_true(
-                expect_check(object, machine, &stop, printed.text, &report));
+            assert_true(expect_check(object, machine, &stop, printed.text,
+                                     object->warned, &report));
     }
     text_buffer_free(&printed);
     c205_free(machine);

@@ -25,7 +25,8 @@ static void run(const struct object *object, const char *name)
     assert_true(c205_load(machine, &object->program, &error));
     stop = c205_run(machine, 1000000);
     if (!expect_check(object, machine, &stop,
-                      printed.text ? printed.text : "", &report))
+                      printed.text ? printed.text : "", object->warned,
+                      &report))
         fail_msg("%s", name);
     text_buffer_free(&printed);
     c205_free(machine);

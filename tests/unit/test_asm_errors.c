@@ -238,7 +238,7 @@ static void test_line_ends(void **state)
 static void test_names_of_the_command(void **state)
 {
     static const struct asm_define defines[] = { { "N", 2 }, { NULL, 0 } };
-    const struct asm_options options = { defines, NULL, NULL };
+    const struct asm_options options = { .defines = defines };
     struct diagnostics errors = { 0 };
 
     (void)state;
@@ -254,8 +254,8 @@ static void test_search_folders(void **state)
                                            "tests/programs/", NULL };
     static const char *const without[] = { "asm/examples", "tests/programs",
                                            NULL };
-    const struct asm_options options = { NULL, folders, NULL };
-    const struct asm_options others = { NULL, without, NULL };
+    const struct asm_options options = { .search = folders };
+    const struct asm_options others = { .search = without };
     struct diagnostics errors = { 0 };
     struct object *object;
 

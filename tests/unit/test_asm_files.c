@@ -113,7 +113,8 @@ static const char sample[] = " .include \"print.s\"\n"
                              "; expect-clocks: 100\n"
                              "; expect-trap: bad-descriptor\n"
                              "; expect-print: a line\n"
-                             "; expect-model: cyber205-1pipe\n";
+                             "; expect-model: cyber205-1pipe\n"
+                             "; expect-warning: run-off\n";
 
 static void test_sample(void **state)
 {

@@ -196,7 +196,7 @@ static void test_conditions(void **state)
         " .else\n .word 3\n .endif\n"
         " .ifdef N\n .ifndef M\n .word 4\n .endif\n .endif\n";
     static const struct asm_define defines[] = { { "N", 2 }, { NULL, 0 } };
-    const struct asm_options options = { defines, NULL, NULL };
+    const struct asm_options options = { .defines = defines };
     struct diagnostics errors = { 0 };
     struct object *object = assemble_text("t.s", text, &options, &errors);
 

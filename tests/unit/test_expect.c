@@ -19,7 +19,7 @@ static char *run_on(const char *model_name, const char *text)
     assert_non_null(machine);
     assert_true(c205_load(machine, &object->program, &error));
     stop = c205_run(machine, 1000000);
-    met = expect_check(object, machine, &stop, "", &sink);
+    met = expect_check(object, machine, &stop, "", object->warned, &sink);
     sink_put(&sink, "");
     assert_int_equal(met, report.length == 0);
     object_free(object);

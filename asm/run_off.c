@@ -1,0 +1,60 @@
+/* run_off.c - code that can run on where there is none. */
+#include <inttypes.h>
+
+#include "asm/expression.h"
+
+enum { HALF_BITS = 32 };
+
+/* EXIT with request 0, which may be left out. */
+static bool ends_program(struct assembler *assembler, const struct item *item)
+{
+    const struct instruction *instruction = item->of.instruction;
+    struct value value = { VALUE_INTEGER, 0 };
+
+    if (instruction->insn->format != C205_FORMAT_REQUEST)
+        return false;
+    return !instruction->value
+           || (evaluate(assembler, item->line, instruction->value, &value)
+               && value.bits == 0);
+}
+
+/* Whatever the registers hold. */
+static bool always_branches(const c205_insn *insn)
+{
+    return insn->format == C205_FORMAT_JUMP
+           || (insn->format == C205_FORMAT_CALL && insn->operands[0] == 'w');
+}
+
+/* .half makes instructions, too. */
+static bool goes_on_with(const struct item *next, const struct item *item)
+{
+    return next->address == item->address + item->halves * HALF_BITS
+           && (next->kind == ITEM_INSTRUCTION || next->kind == ITEM_HALF);
+}
+
+static bool expects_trap(const struct assembler *assembler)
+{
+    size_t i;
+
+    for (i = 0; i < assembler->wish_count; i++)
+        if (assembler->wishes[i].kind == EXPECT_TRAP)
+            return true;
+    return false;
+}
+
+/* The items are in the order of their addresses. */
+void check_ends(struct assembler *assembler)
+{
+    const struct item *items = assembler->items;
+    size_t i, count = assembler->item_count;
+
+    for (i = 0; i < count && !expects_trap(assembler); i++)
+        if (items[i].kind == ITEM_INSTRUCTION
+            && !always_branches(items[i].of.instruction->insn)
+            && !(i + 1 < count && goes_on_with(&items[i + 1], &items[i]))
+            && !ends_program(assembler, &items[i]))
+            warn(assembler, WARNING_RUN_OFF, items[i].line,
+                 items[i].line->begin,
+                 "the program can run on behind this, where there is no"
+                 " code; let it end with EXIT or a branch");
+}

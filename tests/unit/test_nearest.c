@@ -1,0 +1,90 @@
+/* test_nearest.c - the distance of two words against its definition, and the
+ * nearest of many. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "base/nearest.h"
+#include "tests/random.h"
+
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+/* By the definition: what becomes of the first letters. */
+static size_t plain(const char *a, const char *b)
+{
+    size_t d;
+
+    if (!*a || !*b)
+        return strlen(a) + strlen(b);
+    if (*a == *b)
+        return plain(a + 1, b + 1);
+    d = 1
+        + least(plain(a + 1, b + 1), least(plain(a + 1, b), plain(a, b + 1)));
+    if (a[0] == b[1] && a[1] == b[0])
+        d = least(d, 1 + plain(a + 2, b + 2));
+    return d;
+}
+
+static void some_word(uint64_t *seed, char word[7])
+{
+    size_t length = xorshift(seed) % 7, i;
+
+    for (i = 0; i < length; i++)
+        word[i] = (char)('a' + xorshift(seed) % 3);
+    word[length] = '\0';
+}
+
+static void test_distance(void **state)
+{
+    uint64_t seed = RANDOM_SEED;
+    char a[7], b[7];
+    int i;
+
+    (void)state;
+    for (i = 0; i < 3000; i++) {
+        some_word(&seed, a);
+        some_word(&seed, b);
+        assert_int_equal(nearest_distance(a, strlen(a), b, strlen(b)),
+                         plain(a, b));
+    }
+    assert_int_equal(nearest_distance("ADDVN", 5, "addnv", 5), 1);
+    assert_int_equal(nearest_distance("x", 65, "x", 1), 80);
+}
+
+static const char *of_these(const char *written)
+{
+    static const char *const names[] = { "ADDN", "ADDNV", "ES",
+                                         "EX",   "total", NULL };
+    struct nearest nearest = { .word = written };
+    size_t i;
+
+    for (i = 0; names[i]; i++)
+        nearest_try(&nearest, names[i]);
+    return nearest.name;
+}
+
+static void test_nearest(void **state)
+{
+    (void)state;
+    assert_string_equal(of_these("ADDVN"), "ADDNV");
+    assert_string_equal(of_these("addnv"), "ADDNV");
+    assert_string_equal(of_these("ADN"), "ADDN");
+    assert_string_equal(of_these("totla"), "total");
+    assert_string_equal(of_these("EY"), "ES");
+    assert_null(of_these("SUBX"));
+    assert_null(of_these(""));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_distance),
+                                        cmocka_unit_test(test_nearest) };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

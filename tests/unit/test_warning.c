@@ -1,0 +1,161 @@
+/* test_warning.c - what the assembler warns of, where, and how warnings are
+ * turned off, into errors, and meant. */
+#include "tests/unit/asm_helper.h"
+
+struct case_of {
+    const char *text;
+    size_t line, column; /* of the one warning; line 0: none */
+    const char *message;
+};
+
+static struct object *assembled(const char *text, const char *choice,
+                                struct diagnostics *diagnostics)
+{
+    struct asm_options options = { .defines = NULL };
+
+    if (choice)
+        assert_true(warning_choose(&options.warnings, choice));
+    return assemble_text("test.s", text, &options, diagnostics);
+}
+
+static void check_none(const char *text, const char *choice)
+{
+    struct diagnostics diagnostics = { 0 };
+    struct object *object = assembled(text, choice, &diagnostics);
+
+    if (!object || diagnostics.count > 0)
+        fail_msg("%s\n%s", text,
+                 diagnostics.count ? diagnostics.items[0].message : "");
+    object_free(object);
+    diagnostics_free(&diagnostics);
+}
+
+static void check_one(const struct case_of *wanted)
+{
+    struct diagnostics diagnostics = { 0 };
+    struct object *object = assembled(wanted->text, NULL, &diagnostics);
+    const struct diagnostic *found = diagnostics.items;
+
+    assert_non_null(object);
+    if (diagnostics.count != 1 || diagnostics.errors != 0
+        || found->severity != SEVERITY_WARNING || found->line != wanted->line
+        || found->column != wanted->column
+        || !strstr(found->message, wanted->message))
+        fail_msg("%s\n%zu: %zu:%zu: %s", wanted->text, diagnostics.count,
+                 diagnostics.count ? found->line : 0,
+                 diagnostics.count ? found->column : 0,
+                 diagnostics.count ? found->message : "");
+    object_free(object);
+    diagnostics_free(&diagnostics);
+}
+
+static void check_cases(const struct case_of *cases, size_t count)
+{
+    for (; count > 0; count--, cases++)
+        if (cases->line)
+            check_one(cases);
+        else
+            check_none(cases->text, NULL);
+}
+
+#define CHECK(cases) check_cases(cases, sizeof cases / sizeof *cases)
+
+static void test_misspelt(void **state)
+{
+    static const struct case_of cases[] = {
+        { "; expct: r1 = 5\n", 1, 3, "is this an expectation? 'expct'" },
+        { "; Expect: r1 = 5\n", 1, 3, "[-Wmisspelt-expect]" },
+        { "; expect r1 = 5\n", 1, 3, "'expect'" },
+        { "; expect : r1 = 5\n", 1, 3, "'expect'" },
+        { "; expects: [0x10000] = 5\n", 1, 3, "'expects'" },
+        { "; expected: total = 5\n", 1, 3, "'expected'" },
+        { " EXIT ; expcet: r1 = 5\n", 1, 9, "'expcet'" },
+        { "; expct-trap: bad-link\n", 1, 3, "'expct-trap'" },
+        { "; Expect-print: 5\n", 1, 3, "'Expect-print'" },
+        { ";; expecct-clocks: 5\n", 1, 4, "'expecct-clocks'" },
+        { "; we expect: r1 = 5\n", 0, 0, NULL },
+        { "; expected is: r1 = 5\n", 0, 0, NULL },
+        { "; except: this and that\n", 0, 0, NULL },
+        { "; aspect-oriented programs\n", 0, 0, NULL },
+        { "; inspect: r1 = 5\n", 0, 0, NULL },
+        { "; r1 = 5\n", 0, 0, NULL },
+        { ";\n;:\n;=\n; \n;-:\n;expect\n", 0, 0, NULL },
+    };
+
+    (void)state;
+    CHECK(cases);
+}
+
+static void test_run_off(void **state)
+{
+    static const struct case_of cases[] = {
+        { " ES r1, 5\n", 1, 2, "[-Wrun-off]" },
+        { " EXIT\n ADDN r1, r1, r1\n", 2, 2, "run on behind this" },
+        { " EXIT r1, r0, 1\n", 1, 2, "EXIT or a branch" },
+        { " BEQ r1, r2, [r3]\n", 1, 2, "run on" },
+        { " ES r1, 5\n .align 512\n EXIT\n", 1, 2, "run on" },
+        { " ES r1, 5\n .word 5\n", 1, 2, "run on" },
+        { " BIM far\n .org 0x900000\nfar: LINKV\n", 3, 1, "run on" },
+        { " .macro two\n ES r1, 1\n ES r1, 2\n .endm\n two\n", 3, 2,
+          "(expanded from test.s:5)" },
+        { " EXIT\n", 0, 0, NULL },
+        { " EXIT r1\n", 0, 0, NULL },
+        { " EXIT r1, r2, zero\n .equ zero, 0\n", 0, 0, NULL },
+        { "a: BIM a\n", 0, 0, NULL },
+        { " BIM 0, r5\n", 0, 0, NULL },
+        { " BSAVE r5, [r6]\n", 0, 0, NULL },
+        { " ES r1, 5\n .half X'09000000'\n", 0, 0, NULL },
+        { " ES r1, 5\n; expect-trap: undefined-instruction\n", 0, 0, NULL },
+        { " .data\n .word 5\n", 0, 0, NULL },
+        { "", 0, 0, NULL },
+    };
+
+    (void)state;
+    CHECK(cases);
+}
+
+static void test_choice(void **state)
+{
+    static const char text[] = "; expct: r1 = 5\n ES r1, 5\n";
+    struct diagnostics diagnostics = { 0 };
+    struct warning_choice choice = { 0, false };
+    struct object *object;
+
+    (void)state;
+    check_none(" ES r1, 5\n", "no-run-off");
+    check_none(text, "no-all");
+    check_none(" ES r1, 5\n; expect-warning: run-off\n", NULL);
+    check_none(" ES r1, 5\n; expect-warning: run-off\n", "error");
+    assert_null(assembled(text, "error", &diagnostics));
+    assert_int_equal(diagnostics.count, 2);
+    assert_int_equal(diagnostics.errors, 2);
+    diagnostics_free(&diagnostics);
+    object = assembled(text, "no-run-off", &diagnostics);
+    assert_int_equal(diagnostics.count, 1);
+    assert_int_equal(object->warned,
+                     WARNING_BIT(WARNING_RUN_OFF)
+                         | WARNING_BIT(WARNING_MISSPELT_EXPECT));
+    object_free(object);
+    diagnostics_free(&diagnostics);
+
+    assert_true(warning_choose(&choice, "no-all"));
+    assert_true(warning_choose(&choice, "run-off"));
+    assert_int_equal(choice.off, ~WARNING_BIT(WARNING_RUN_OFF));
+    assert_true(warning_choose(&choice, "all"));
+    assert_int_equal(choice.off, 0);
+    assert_true(warning_choose(&choice, "error"));
+    assert_true(warning_choose(&choice, "no-error"));
+    assert_false(choice.errors);
+    assert_false(warning_choose(&choice, "no-such"));
+    assert_false(warning_choose(&choice, "no-"));
+    assert_false(warning_choose(&choice, ""));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_misspelt),
+                                        cmocka_unit_test(test_run_off),
+                                        cmocka_unit_test(test_choice) };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
