@@ -77,6 +77,12 @@ struct object *assemble_bytes(const char *name, const char *text,
                               struct diagnostics *diagnostics);
 void object_free(struct object *object);
 
+/* The line whose words lie at an address; NULL: none is known. */
+const struct asm_line *object_line(const struct object *object,
+                                   uint64_t address);
+/* Of its first word. */
+struct position asm_line_position(const struct asm_line *line);
+
 /* NULL: no such symbol. */
 const struct asm_symbol *object_symbol(const struct object *object,
                                        const char *name);

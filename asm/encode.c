@@ -355,7 +355,7 @@ static bool grant(struct assembler *assembler, struct storage *storage,
     made->text = wish->text ? keep(storage, wish->text) : NULL;
     made->file = keep(storage, wish->line->file);
     made->line = wish->line->number;
-    made->tolerance = 0;
+    made->has_tolerance = wish->tolerance != NULL;
     grant_tolerance(assembler, wish, made);
     if (wish->address)
         evaluate_address(assembler, wish->line, wish->address,

@@ -82,8 +82,8 @@ static void say_why(const struct outcome *outcome,
     if (expectation->kind != EXPECT_FLAGS
         && number_of(half, wanted) == number_of(half, found))
         sink_put(outcome->report,
-                 ": equal numbers, but other words; 5 is an integer, 5.0 is"
-                 " normalised");
+                 ": equal numbers in other words: 5 is an integer, 5.0"
+                 " normalised, and with ~ 0 both will do");
 }
 
 static bool compare(const struct outcome *outcome,
@@ -94,13 +94,13 @@ static bool compare(const struct outcome *outcome,
                 || expectation->kind == EXPECT_HALVES;
 
     if (wanted == found
-        || (expectation->tolerance
+        || (expectation->has_tolerance
             && is_near(expectation, half, wanted, found)))
         return true;
     say_where(outcome, expectation);
     sink_print(outcome->report, "%s = ", place);
     say_value(outcome, half, wanted);
-    if (expectation->tolerance)
+    if (expectation->has_tolerance)
         say_tolerance(outcome, expectation);
     sink_put(outcome->report, ", found ");
     say_value(outcome, half, found);

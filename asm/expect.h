@@ -42,8 +42,10 @@ struct asm_expectation {
     size_t count;           /* words, halves or bits */
     const c205_word *words; /* a half is at the left of one; bits are packed
                                from the left */
-    c205_word tolerance;    /* how far numbers may be off; 0: not at all */
-    const char *text;       /* EXPECT_TRAP and those after it */
+    bool has_tolerance;     /* numbers may be off by this; else the words are
+                               the same */
+    c205_word tolerance;
+    const char *text; /* EXPECT_TRAP and those after it */
     const char *file;
     size_t line;
 };

@@ -61,7 +61,7 @@ static void write_expectation(const struct sink *sink,
     if (expectation->kind == EXPECT_BITS)
         count = (count + 63) / 64;
     write_words(sink, expectation->words, count);
-    if (expectation->tolerance)
+    if (expectation->has_tolerance)
         sink_print(sink, "within %016" PRIX64 "\n", expectation->tolerance);
     if (expectation->text) {
         sink_put(sink, "text ");

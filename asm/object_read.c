@@ -230,7 +230,8 @@ static bool read_text(struct reader *reader, const char **text)
 }
 
 /* Only where the next line says so. */
-static bool read_tolerance(struct reader *reader, c205_word *tolerance)
+static bool read_tolerance(struct reader *reader,
+                           struct asm_expectation *made)
 {
     static const char keyword[] = "within ";
     size_t length = sizeof keyword - 1;
@@ -238,8 +239,9 @@ static bool read_tolerance(struct reader *reader, c205_word *tolerance)
     if ((size_t)(reader->end - reader->at) < length
         || memcmp(reader->at, keyword, length) != 0)
         return true;
+    made->has_tolerance = true;
     return next_line(reader) && take_keyword(reader, "within")
-           && take_hex(reader, tolerance);
+           && take_hex(reader, &made->tolerance);
 }
 
 /* How many words follow the line. */
@@ -285,8 +287,7 @@ static bool read_expectation(struct reader *reader)
     made->number = (unsigned)number;
     made->file = take_rest(reader);
     made->words = take_words(reader, words_of(made));
-    if (!made->file || !made->words
-        || !read_tolerance(reader, &made->tolerance))
+    if (!made->file || !made->words || !read_tolerance(reader, made))
         return false;
     return !has_text(made->kind) || read_text(reader, &made->text);
 }

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { HALF_BITS = 32 };
+
 struct storage *storage_new(void)
 {
     return calloc(1, sizeof(struct storage));
@@ -106,6 +108,36 @@ void storage_sort_symbols(struct storage *storage)
     if (object->symbol_count > 0)
         qsort((void *)(uintptr_t)object->symbols, object->symbol_count,
               sizeof *object->symbols, compare_symbols);
+}
+
+const struct asm_line *object_line(const struct object *object,
+                                   uint64_t address)
+{
+    const struct asm_line *lines = object->lines;
+    size_t low = 0, high = object->line_count;
+
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+
+        if (lines[middle].address <= address)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low > 0
+                   && address - lines[low - 1].address
+                          < HALF_BITS * lines[low - 1].halves
+               ? &lines[low - 1]
+               : NULL;
+}
+
+struct position asm_line_position(const struct asm_line *line)
+{
+    const struct position position = { line->file, line->number,
+                                       strspn(line->source, " \t") + 1,
+                                       line->source, strlen(line->source) };
+
+    return position;
 }
 
 const struct asm_symbol *object_symbol(const struct object *object,

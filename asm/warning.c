@@ -59,6 +59,11 @@ bool warning_choose(struct warning_choice *choice, const char *text)
     return true;
 }
 
+bool warning_any(const struct warning_choice *choice)
+{
+    return ~choice->off & (WARNING_BIT(WARNINGS) - 1);
+}
+
 void warning_add(struct diagnostics *diagnostics,
                  const struct warning_choice *choice, enum warning warning,
                  const struct position *position, const char *message)

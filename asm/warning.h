@@ -39,6 +39,9 @@ enum warning warning_named(const char *name);
  * False: it is none of these. */
 bool warning_choose(struct warning_choice *choice, const char *text);
 
+/* Whether any is told. */
+bool warning_any(const struct warning_choice *choice);
+
 /* "message [-Wrun-off]" at a place, as a warning or as an error. */
 void warning_add(struct diagnostics *diagnostics,
                  const struct warning_choice *choice, enum warning warning,

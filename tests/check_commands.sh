@@ -264,6 +264,26 @@ ends 0 "$build/c205" run --check --model cyber205-4pipe named.s
 tells out 'PASS named.s (but for the clocks: not of cyber205-4pipe)'
 printf '; expect-model: nonsense\n' >>right_print.s
 ends 1 "$build/c205" run --check right_print.s
+# warnings: of a text and of a run, turned off, into errors
+printf '        ES r1, 3\n        ES r2, 1\n        MPYS r1, r2, r1\n%s\n' \
+    '        EXIT' >product.s
+ends 0 "$build/c205" run product.s
+tells err '^product.s:3:9: warning: r1 is the integer 3.*-Winteger-operand'
+tells err '^            MPYS r1, r2, r1$'
+ends 1 "$build/c205" run -Werror product.s
+tells err '^product.s:3:9: error: '
+ends 0 "$build/c205" run -Werror -Wno-integer-operand product.s
+ends 0 "$build/c205" run -Wno-all product.s
+[ ! -s err ]
+verdict $? 'a warning is told that was turned off'
+ends 2 "$build/c205" run -Wnonsense product.s
+ends 0 "$build/c205" asm -W list
+tells out '^run-off '
+printf '        ES r1, 3\n' >endless_code.s
+ends 0 "$build/c205" asm endless_code.s
+tells err '^endless_code.s:1:9: warning: .*-Wrun-off'
+ends 1 "$build/c205" asm -Werror endless_code.s
+
 ends 1 "$build/c205" run --check --limit 100 endless_test.s
 tells out 'clock-limit'
 

@@ -8,6 +8,7 @@
 #include "asm/command/c205_command.h"
 #include "asm/expect.h"
 #include "asm/print.h"
+#include "asm/watch.h"
 
 /* A program that never ends is a failure, too. */
 static const uint64_t patience = 100000000;
@@ -19,6 +20,7 @@ struct checker {
     c205_model *model;   /* of the last program, kept for the next */
     c205 *machine;
     struct printer printer;
+    struct watch *watch;        /* of this program, or NULL */
     struct text_buffer printed; /* by the program */
     struct text_buffer report;  /* what is wrong */
     size_t failures;
@@ -36,11 +38,13 @@ static bool meets(struct checker *checker, const struct object *object,
 {
     struct sink sink = text_buffer_sink(&checker->report);
     const char *printed = checker->printed.text;
+    warning_set warned = object->warned | watch_warned(checker->watch);
     if (!expect_anything(object)) {
         return fail(checker, "the program expects nothing");
     }
     return expect_check(object, checker->machine, stop,
-                        printed ? printed : "", object->warned, &sink);
+                        printed ? printed : "", warned, &sink)
+           && watch_errors(checker->watch) == 0;
 }
 
 /* ---- The machine for a program ------------------------------------------ */
@@ -51,6 +55,14 @@ static void drop_machine(struct checker *checker)
     c205_model_free(checker->model);
     checker->machine = NULL;
     checker->model = NULL;
+}
+
+/* The machine stays, what watches the program does not. */
+static void listen(void *context, const c205 *machine,
+                   const c205_event *event)
+{
+    const struct checker *checker = context;
+    watch_listen(checker->watch, machine, event);
 }
 
 static bool make_machine(struct checker *checker, const char *model)
@@ -64,7 +76,8 @@ static bool make_machine(struct checker *checker, const char *model)
         drop_machine(checker);
         return fail(checker, error.message);
     }
-    return c205_listen(checker->machine, printer_listen, &checker->printer);
+    return c205_listen(checker->machine, printer_listen, &checker->printer)
+           && c205_listen(checker->machine, listen, checker);
 }
 
 static const char *model_for(const struct checker *checker,
@@ -83,9 +96,19 @@ static bool have_machine(struct checker *checker, const struct object *object)
            || make_machine(checker, model);
 }
 
-static bool run(struct checker *checker, const struct object *object)
+static bool run_watched(struct checker *checker, const struct object *object)
 {
     uint64_t limit = checker->arguments->limit;
+    watch_begin(checker->watch, checker->machine);
+    c205_stop stop = c205_run(checker->machine,
+                              limit != C205_NO_LIMIT ? limit : patience);
+    return meets(checker, object, &stop);
+}
+
+static bool run(struct checker *checker, const struct object *object,
+                const char *path)
+{
+    const struct sink report = text_buffer_sink(&checker->report);
     c205_error error;
     if (!have_machine(checker, object)) {
         return false;
@@ -93,9 +116,13 @@ static bool run(struct checker *checker, const struct object *object)
     if (!c205_load(checker->machine, &object->program, &error)) {
         return fail(checker, error.message);
     }
-    c205_stop stop = c205_run(checker->machine,
-                              limit != C205_NO_LIMIT ? limit : patience);
-    return meets(checker, object, &stop);
+    checker->watch = watch_new(object, path,
+                               &checker->arguments->warnings.choice, &report);
+    bool good = checker->watch ? run_watched(checker, object)
+                               : fail(checker, "no memory");
+    watch_free(checker->watch);
+    checker->watch = NULL;
+    return good;
 }
 
 /* ---- What is told of them ------------------------------------------------ */
@@ -157,8 +184,8 @@ static void check_one(struct checker *checker, const char *path)
 {
     struct sink sink = text_buffer_sink(&checker->report);
     struct object *object = cmd_read_program(checker->arguments, path, &sink);
-    struct verdict verdict = { path, object && run(checker, object), NULL,
-                               "" };
+    struct verdict verdict = { path, object && run(checker, object, path),
+                               NULL, "" };
     if (object && checker->machine
         && expect_other_model(object, checker->machine)) {
         verdict.other_model = c205_model_name(checker->model);

@@ -6,6 +6,7 @@
 #include "asm/disassemble.h"
 #include "asm/print.h"
 #include "asm/state.h"
+#include "asm/watch.h"
 
 /* Instructions lie on half words; a short one needs only the first. */
 static c205_word word_at(const c205 *machine, uint64_t address)
@@ -122,8 +123,28 @@ static struct printer printer_beside(const struct results *results)
     return (struct printer){ stream_sink(among ? stdout : stderr) };
 }
 
-static int run(const struct cmd_arguments *arguments, c205 *machine)
+/* A watch for a program whose object is known; not if nothing is warned of. */
+static bool start_watch(const struct cmd_arguments *arguments, c205 *machine,
+                        const struct object *object, struct watch **watch)
 {
+    const struct warning_choice *choice = &arguments->warnings.choice;
+    const struct sink report = stream_sink(stderr);
+    *watch = NULL;
+    if (!object || !warning_any(choice)) {
+        return true;
+    }
+    *watch = watch_new(object, program_name(arguments), choice, &report);
+    if (!*watch || !c205_listen(machine, watch_listen, *watch)) {
+        return false;
+    }
+    watch_begin(*watch, machine);
+    return true;
+}
+
+static int run(const struct cmd_arguments *arguments, c205 *machine,
+               const struct object *object)
+{
+    struct watch *watch;
     struct results results = arguments->results;
     if (!results_open(&results, arguments->command, arguments->save)) {
         return CMD_FAILED;
@@ -133,12 +154,18 @@ static int run(const struct cmd_arguments *arguments, c205 *machine)
     if (arguments->trace) {
         c205_listen(machine, trace, stderr);
     }
+    if (!start_watch(arguments, machine, object, &watch)) {
+        results_close(&results, CMD_FAILED);
+        return cmd_failed(arguments->command, "no memory");
+    }
     c205_stop stop = c205_run(machine, arguments->limit);
+    bool errors = watch && watch_errors(watch) > 0;
+    watch_free(watch);
     int code = show_accounts(arguments, machine, &stop, &results);
     code = results_close(&results, code);
     int verdict = arguments->save ? save(arguments, machine, &stop, &results)
                                   : judge(arguments->command, machine, &stop);
-    return code == CMD_DONE ? verdict : code;
+    return code != CMD_DONE ? code : errors ? CMD_FAILED : verdict;
 }
 
 /* ---- Where the machine comes from --------------------------------------- */
@@ -180,7 +207,7 @@ static int make_and_run(const struct cmd_arguments *arguments,
     if (!machine) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
-    int code = run(arguments, machine);
+    int code = run(arguments, machine, object);
     c205_free(machine);
     return code;
 }

@@ -4,3 +4,4 @@
         MPYUH   h20, h21, h22
         EXIT
 ; expect: h22 = X'1700 0000'
+; expect-warning: integer-operand

@@ -80,3 +80,4 @@ crowded: .space 3
 
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'
+; expect-warning: zero-length

@@ -13,3 +13,4 @@
 ; expect-bits: [nothing] = 11111111
 
         EXIT
+; expect-warning: zero-length

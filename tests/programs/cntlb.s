@@ -33,3 +33,4 @@ long:   .word   0, 0, 0
 ; expect: r46 = 0
 
         EXIT
+; expect-warning: zero-length

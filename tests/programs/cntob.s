@@ -31,3 +31,4 @@ long:   .word   X'FFFF FFFF FFFF FFFF', X'FFFF FFFF FFFF FFFF'
 ; expect: r45 = 0
 
         EXIT
+; expect-warning: zero-length

@@ -65,3 +65,4 @@
 
         EXIT
 ; expect-flags: X'0000 0000 0072 0000'
+; expect-warning: integer-operand

@@ -36,3 +36,4 @@ three:  .word   X'0000 0000 0000 0003'
 
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'
+; expect-warning: zero-length

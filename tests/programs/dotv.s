@@ -25,3 +25,4 @@ scalars:
 
         EXIT
 ; expect-flags: X'0000 0000 0010 0000'
+; expect-warning: zero-length

@@ -83,3 +83,4 @@ large:  .halfword X'1840 0000', 1.0, X'1780 0000', 1.0
 
         EXIT
 ; expect-flags: X'0000 0000 0012 0000'
+; expect-warning: zero-length

@@ -55,3 +55,4 @@ large:  .word   X'6FFF 7FFF FFFF FFFF'
 
         EXIT
 ; expect-flags: X'0000 0000 0022 0000'
+; expect-warning: zero-length

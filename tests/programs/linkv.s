@@ -75,3 +75,4 @@ chain:  .word   1.0, 2.0, 3.0, 4.0
 
         EXIT
 ; expect-flags: X'0000 0000 0010 0000'
+; expect-warning: zero-length

@@ -55,3 +55,4 @@ chain:  .word   X'8000 0000 0000 0000'
 
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'
+; expect-warning: zero-length

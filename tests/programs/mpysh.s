@@ -63,3 +63,4 @@
 
         EXIT
 ; expect-flags: X'0000 0000 0032 0000'
+; expect-warning: integer-operand

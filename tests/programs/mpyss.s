@@ -33,3 +33,4 @@ chain:  .word   1.0, -2.0, 4.5, 9.0
 
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'
+; expect-warning: zero-length

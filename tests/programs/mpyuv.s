@@ -68,3 +68,4 @@ odd_b:  .word   7, 7, X'7000 0000 0000 0000', X'0000 8000 0000 0000', 8.0, 0.25
 
         EXIT
 ; expect-flags: X'0000 0000 0032 0000'
+; expect-warning: integer-operand

@@ -36,3 +36,4 @@ scalars:
 
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'
+; expect-warning: zero-length

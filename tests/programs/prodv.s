@@ -33,3 +33,4 @@ odd:    .word   2.0, X'6FFF 7FFF FFFF FFFF', 0.0
 
         EXIT
 ; expect-flags: X'0000 0000 0022 0000'
+; expect-warning: zero-length

@@ -42,3 +42,4 @@ odd:    .word   1.0, X'7000 0000 0000 0000', 2.0
 
         EXIT
 ; expect-flags: X'0000 0000 0012 0000'
+; expect-warning: zero-length

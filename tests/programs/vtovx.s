@@ -74,3 +74,4 @@ values: .word   X'2000 0000 0000 0000', 5.0, 6.0
 
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'
+; expect-warning: zero-length

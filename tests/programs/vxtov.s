@@ -52,3 +52,4 @@ next:   .word   1, 2, 0
 
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'
+; expect-warning: zero-length

@@ -7,6 +7,7 @@
 #include "asm/expect.h"
 #include "base/file.h"
 #include "asm/print.h"
+#include "asm/watch.h"
 
 static const char fence[] = "```c205\n";
 
@@ -18,16 +19,25 @@ static void run(const struct object *object, const char *name)
     struct text_buffer printed = { NULL, 0, 0, false };
     struct printer printer = { text_buffer_sink(&printed) };
     struct sink report = stream_sink(stderr);
+    const struct warning_choice choice = { .errors = true };
+    struct watch *watch;
+    warning_set warned;
     c205_stop stop;
 
     assert_non_null(machine);
     assert_true(c205_listen(machine, printer_listen, &printer));
     assert_true(c205_load(machine, &object->program, &error));
+    watch = watch_new(object, name, &choice, &report);
+    assert_non_null(watch);
+    assert_true(c205_listen(machine, watch_listen, watch));
+    watch_begin(watch, machine);
     stop = c205_run(machine, 1000000);
+    warned = object->warned | watch_warned(watch);
     if (!expect_check(object, machine, &stop,
-                      printed.text ? printed.text : "", object->warned,
-                      &report))
+                      printed.text ? printed.text : "", warned, &report))
         fail_msg("%s", name);
+    assert_int_equal(watch_errors(watch), 0);
+    watch_free(watch);
     text_buffer_free(&printed);
     c205_free(machine);
     c205_model_free(model);

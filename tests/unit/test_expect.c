@@ -54,7 +54,8 @@ static void test_tolerance(void **state)
     check_said(RUN "; expect: r10 = 1.75 ~ 0.25\n", "");
     check_said(RUN "; expect: r10 = 1.25 ~ 0.2499\n",
                "(1.25) ~ 0.2499, found X'FFD2 6000 0000 0000' (1.5)");
-    check_said(RUN "; expect: r10 = 1.25 ~ 0\n", "found");
+    check_said(RUN "; expect: r10 = 1.25 ~ 0\n", "(1.25) ~ 0, found");
+    check_said(RUN "; expect: r12 = 5 ~ 0\n", "");
     check_said(RUN "; expect: r11 = 5.0 ~ 1e-9\n", "");
     check_said(RUN "; expect: h40 = 1.25 ~ 0.25\n", "");
     check_said(RUN "; expect: h40 = 1.25 ~ 0.2\n",
@@ -70,7 +71,7 @@ static void test_equal_decimals(void **state)
     (void)state;
     check_said(RUN "; expect: r12 = 5\n",
                "r12 = X'0000 0000 0000 0005' (5), found X'FFD4 5000 0000"
-               " 0000' (5): equal numbers, but other words");
+               " 0000' (5): equal numbers in other words");
     check_said(RUN "; expect: r12 = 6\n", "(5)\n");
 }
 

@@ -9,3 +9,4 @@ a:      .halfword 1.0, 2.0, 3.0, 4.0
         ADDNV,H [va], [va], [to]
 ; expect-trap: unmapped-address
 ; expect-halves: [a] = 1.0, 2.0, 3.0, 4.0
+; expect-warning: past-storage

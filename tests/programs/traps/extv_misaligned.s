@@ -9,3 +9,4 @@ a:      .halfword 1.0, 2.0, 3.0, 4.0, 5.0
         EXTV    [va], [to]
 ; expect-trap: misaligned-operand
 ; expect: [nothing] = kept, kept, kept, kept, kept
+; expect-warning: past-storage

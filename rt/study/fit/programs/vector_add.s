@@ -32,3 +32,4 @@ waited:         .space 1
         .endr
         EXIT
 ; expect: numbers_at = word(LENGTH << 48 | numbers)
+; expect-warning: zero-length

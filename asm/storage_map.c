@@ -1,0 +1,101 @@
+#include "asm/storage_map.h"
+
+#include <stdlib.h>
+
+struct span {
+    uint64_t begin, end;
+    const char *name;
+};
+
+struct storage_map {
+    size_t count;
+    struct span spans[];
+};
+
+static int compare(const void *a, const void *b)
+{
+    const struct span *first = a, *second = b;
+
+    return (first->begin > second->begin) - (first->begin < second->begin);
+}
+
+static bool holds(const c205_segment *segment, uint64_t address)
+{
+    return address >= segment->address
+           && address - segment->address < 64 * (uint64_t)segment->length;
+}
+
+/* The end of the data that lie together with an address, which may be several
+ * segments; 0: nothing is there, or it is the code. */
+static uint64_t end_of_data(const c205_program *program, uint64_t address)
+{
+    uint64_t end = 0;
+    size_t i;
+
+    for (i = 0; i < program->segment_count; i++) {
+        const c205_segment *segment = &program->segments[i];
+
+        if (!holds(segment, end ? end : address))
+            continue;
+        if (holds(segment, program->entry))
+            return 0;
+        end = segment->address + 64 * (uint64_t)segment->length;
+    }
+    return end;
+}
+
+struct storage_map *storage_map_new(const struct object *object)
+{
+    struct storage_map *map = malloc(
+        sizeof *map + (object->symbol_count + 1) * sizeof *map->spans);
+    size_t i;
+
+    if (!map)
+        return NULL;
+    map->count = 0;
+    for (i = 0; i < object->symbol_count; i++) {
+        const struct asm_symbol *symbol = &object->symbols[i];
+        struct span *span = &map->spans[map->count];
+
+        span->begin = (uint64_t)symbol->value;
+        span->name = symbol->name;
+        map->count += symbol->is_label;
+    }
+    qsort(map->spans, map->count, sizeof *map->spans, compare);
+    for (i = 0; i < map->count; i++) {
+        struct span *span = &map->spans[i];
+        uint64_t end = end_of_data(&object->program, span->begin);
+        size_t next = i + 1;
+
+        while (next < map->count && map->spans[next].begin == span->begin)
+            next++;
+        span->end = next < map->count && map->spans[next].begin < end
+                        ? map->spans[next].begin
+                        : end;
+    }
+    return map;
+}
+
+void storage_map_free(struct storage_map *map)
+{
+    free(map);
+}
+
+const char *storage_at(const struct storage_map *map, uint64_t address,
+                       uint64_t *end)
+{
+    size_t low = 0, high = map->count;
+
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+
+        if (map->spans[middle].begin <= address)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    if (low == 0 || address >= map->spans[low - 1].end)
+        return NULL;
+    *end = map->spans[low - 1].end;
+    return map->spans[low - 1].name;
+}

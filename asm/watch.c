@@ -1,0 +1,210 @@
+#include "asm/watch.h"
+
+#include <ctype.h>
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/disassemble.h"
+#include "asm/expect.h"
+#include "asm/watch_look.h"
+
+struct watch *watch_new(const struct object *object, const char *name,
+                        const struct warning_choice *choice,
+                        const struct sink *report)
+{
+    struct watch *watch = calloc(1, sizeof *watch);
+
+    if (!watch)
+        return NULL;
+    watch->object = object;
+    watch->name = name;
+    watch->choice = choice;
+    watch->report = *report;
+    watch->meant = expect_warnings(object);
+    watch->storage = storage_map_new(object);
+    if (watch->storage)
+        return watch;
+    free(watch);
+    return NULL;
+}
+
+void watch_free(struct watch *watch)
+{
+    if (watch)
+        storage_map_free(watch->storage);
+    free(watch);
+}
+
+warning_set watch_warned(const struct watch *watch)
+{
+    return watch->warned;
+}
+
+size_t watch_errors(const struct watch *watch)
+{
+    return watch->errors;
+}
+
+/* ---- Telling ------------------------------------------------------------ */
+
+/* Once for a line. */
+static bool is_new(struct watch *watch, struct told told)
+{
+    size_t i;
+
+    for (i = 0; i < watch->told_count; i++)
+        if (watch->told[i].number == told.number
+            && watch->told[i].warning == told.warning
+            && strcmp(watch->told[i].file, told.file) == 0)
+            return false;
+    if (watch->told_count == TOLD_MOST)
+        return false;
+    watch->told[watch->told_count++] = told;
+    return true;
+}
+
+static void put(struct watch *watch, enum warning warning,
+                const struct position *position, const char *message)
+{
+    struct diagnostics diagnostics = { 0 };
+
+    warning_add(&diagnostics, watch->choice, warning, position, message);
+    diagnostics_put(&diagnostics, &watch->report);
+    watch->errors += diagnostics.errors;
+    diagnostics_free(&diagnostics);
+}
+
+/* Without source lines the instruction is told by its address. */
+static void put_at_address(struct watch *watch, const struct spot *spot,
+                           enum warning warning, const char *message)
+{
+    const struct position position = { .file = watch->name };
+    char text[700];
+
+    snprintf(text, sizeof text, "%s at %" PRIX64 ": %.500s",
+             spot->view.insn->mnemonic, spot->view.pc, message);
+    put(watch, warning, &position, text);
+}
+
+void watch_tell(struct watch *watch, const struct spot *spot,
+                enum warning warning, const char *format, ...)
+{
+    const struct asm_line *line = object_line(watch->object, spot->view.pc);
+    struct told told = { "", spot->view.pc, warning };
+    struct position position = { .file = NULL };
+    char message[500];
+    va_list arguments;
+
+    watch->warned |= WARNING_BIT(warning);
+    if ((watch->meant | watch->choice->off) & WARNING_BIT(warning))
+        return;
+    if (line) {
+        told.file = line->file;
+        told.number = line->number;
+        position = asm_line_position(line);
+    }
+    if (!is_new(watch, told))
+        return;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    if (line)
+        put(watch, warning, &position, message);
+    else
+        put_at_address(watch, spot, warning, message);
+}
+
+/* ---- The instructions --------------------------------------------------- */
+
+struct spot *watch_spot(struct watch *watch, const c205 *machine, uint64_t pc)
+{
+    static const struct spot empty;
+    struct spot *spot = &watch->spots[pc / 32 % SPOTS];
+
+    if (spot->view.pc == pc && spot->view.halves)
+        return spot;
+    *spot = empty;
+    view_decode(&spot->view, machine, pc);
+    if (spot->view.insn)
+        spot_choose(spot);
+    return spot;
+}
+
+static void look_ahead(struct watch *watch, const c205 *machine)
+{
+    uint64_t pc = c205_pc(machine);
+    size_t i = pc / 32 % SPOTS;
+
+    if (watch->quick[i].pc != pc) {
+        watch->quick[i].before = watch_spot(watch, machine, pc)->before;
+        watch->quick[i].pc = pc;
+    }
+    if (watch->quick[i].before)
+        watch->quick[i].before(watch, machine,
+                               watch_spot(watch, machine, pc));
+}
+
+void watch_listen(void *context, const c205 *machine, const c205_event *event)
+{
+    struct watch *watch = context;
+
+    if (event->kind != C205_EVENT_INSTRUCTION
+        && event->kind != C205_EVENT_REQUEST)
+        return;
+    if (event->insn->unit == C205_UNIT_VECTOR) {
+        struct spot *spot = watch_spot(watch, machine, event->pc);
+
+        if (spot->after)
+            spot->after(watch, machine, spot);
+    }
+    look_ahead(watch, machine);
+}
+
+/* ---- The beginning ------------------------------------------------------ */
+
+/* What an instruction writes: w m k, and where the machine sets lengths.  SWAP
+ * may write all. */
+static void note_writes(struct watch *watch,
+                        const struct instruction_view *view)
+{
+    size_t i;
+
+    for (i = 0; i < view->count; i++) {
+        const struct operand_view *operand = &view->operands[i];
+        unsigned r = operand->number;
+
+        if (!strchr("wmkco", tolower((unsigned char)operand->letter)))
+            continue;
+        watch->is_written[operand->is_half ? r / 2 : r] = true;
+        if (view->insn->flags & C205_INSN_INDEX && r + 1 < C205_REGISTERS)
+            watch->is_written[operand->is_half ? r / 2 + 1 : r + 1] = true;
+    }
+    if (view->insn->format == C205_FORMAT_SWAP)
+        memset(watch->is_written, true, sizeof watch->is_written);
+}
+
+/* What one instruction of the program writes may hold anything. */
+void watch_begin(struct watch *watch, const c205 *machine)
+{
+    const struct object *object = watch->object;
+    bool blind = object->line_count == 0;
+    struct instruction_view view;
+    size_t i;
+
+    memset(watch->is_written, blind, sizeof watch->is_written);
+    for (i = 0; i < object->line_count; i++) {
+        const struct asm_line *line = &object->lines[i];
+        uint64_t at = line->address, end = at + 32 * line->halves;
+
+        for (; at < end && end - at <= 32 * (uint64_t)4096;
+             at += 32 * (uint64_t)view.halves) {
+            view_decode(&view, machine, at);
+            if (view.insn)
+                note_writes(watch, &view);
+        }
+    }
+    look_ahead(watch, machine);
+}

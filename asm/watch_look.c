@@ -1,0 +1,431 @@
+/* watch_look.c - what to look at, by the kind of an instruction. */
+#include <ctype.h>
+#include <inttypes.h>
+#include <string.h>
+
+#include "asm/watch_look.h"
+
+enum { CHUNK = 256, LENGTH_SHIFT = 48, FULL_LOOKS = 16 };
+#define ADDRESS_MASK ((UINT64_C(1) << LENGTH_SHIFT) - 1)
+
+/* The 16 first times, then the 32nd, the 64th .. */
+static bool is_due(struct spot *spot)
+{
+    uint64_t n = ++spot->looks;
+
+    return n <= FULL_LOOKS || (n & (n - 1)) == 0;
+}
+
+/* ---- Lengths ------------------------------------------------------------ */
+
+/* Those whose length says how many elements there are: not the result of ACPSV
+ * in Z, which gets a bit for each that was compared. */
+static bool has_length(const struct operand_view *operand)
+{
+    return operand->is_vector && operand->field != 'Z'
+           && strchr("vubldeq", tolower((unsigned char)operand->letter));
+}
+
+static void look_at_length(struct watch *watch, const struct spot *spot,
+                           const struct operand_view *operand)
+{
+    unsigned r = operand->number;
+
+    if (operand->word >> LENGTH_SHIFT)
+        return;
+    if (!watch->is_written[r])
+        watch_tell(watch, spot, WARNING_UNSET_LENGTH,
+                   "r%u is never set, so it describes no vector", r);
+    else if (watch->is_entered[r] && watch->entered[r] == operand->word)
+        watch_tell(watch, spot, WARNING_UNSET_LENGTH,
+                   "r%u has the address %" PRIX64 ", but no length: ELEN or"
+                   " the macro descriptor gives it one",
+                   r, operand->word);
+    else if (watch->is_emptied[r] && watch->emptied[r] == operand->word)
+        watch_tell(watch, spot, WARNING_ZERO_LENGTH,
+                   "the length of [r%u] was set to 0", r);
+}
+
+/* ---- Storage ------------------------------------------------------------ */
+
+static void look_at_storage(struct watch *watch, const struct spot *spot,
+                            const struct operand_view *result)
+{
+    uint64_t base = result->word & ADDRESS_MASK, end, past;
+    const char *name = storage_at(watch->storage, base, &end);
+
+    past = result->address + (uint64_t)result->length * result->width;
+    if (name && result->length > 0 && past > end)
+        watch_tell(watch, spot, WARNING_PAST_STORAGE,
+                   "this writes up to address %" PRIX64
+                   ", and the storage of '%s' ends at %" PRIX64,
+                   past, name, end);
+}
+
+/* One element, at an index from the base on. */
+static void look_at_store(struct watch *watch, const struct spot *spot,
+                          uint64_t base, int64_t index, unsigned width)
+{
+    uint64_t end;
+    const char *name = storage_at(watch->storage, base, &end);
+
+    if (name && index > 0 && (uint64_t)index * width >= end - base)
+        watch_tell(watch, spot, WARNING_PAST_STORAGE,
+                   "index %" PRId64 " lies behind the storage of '%s', which"
+                   " ends at %" PRIX64,
+                   index, name, end);
+}
+
+/* ---- Indices ------------------------------------------------------------ */
+
+/* A normalised number: an index may have anything in its high 16 bits, which
+ * count for nothing, but none that is used reaches bit 46. */
+static bool is_float(c205_word word)
+{
+    unsigned field = (unsigned)(word >> LENGTH_SHIFT);
+
+    return field != 0 && (field & 0xF000) != 0x7000
+           && (field & 0xF000) != 0x8000 && ((word >> 47 ^ word >> 46) & 1);
+}
+
+static void tell_float_index(struct watch *watch, const struct spot *spot,
+                             const char *which, c205_word word)
+{
+    char text[C205_TEXT_SIZE];
+
+    c205_to_text(word, text);
+    watch_tell(watch, spot, WARNING_FLOAT_INDEX,
+               "%s is %s, which is no integer: TRU, FLR or their vector forms"
+               " make one of it",
+               which, text);
+}
+
+static void look_at_index(struct watch *watch, const struct spot *spot,
+                          const struct operand_view *index)
+{
+    struct text_line which = { "", 0 };
+    struct sink sink = text_line_sink(&which);
+
+    if (!is_float(index->word))
+        return;
+    sink_print(&sink, "the index in r%u", index->number);
+    tell_float_index(watch, spot, which.text, index->word);
+}
+
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+/* Of a gather or a scatter; the table of a scatter is written. */
+static void look_at_indices(struct watch *watch, const c205 *machine,
+                            const struct spot *spot,
+                            const struct operand_view *list)
+{
+    const struct operand_view *table = view_find(&spot->view, "xX");
+    bool scatters = spot->view.insn->operands[0] == 'l'
+                    && tolower((unsigned char)spot->view.insn->operands[2])
+                           == 'x';
+    c205_word words[CHUNK];
+    size_t first, n, i;
+
+    for (first = 0; first < list->length; first += n) {
+        n = least(CHUNK, list->length - first);
+        if (!view_read(machine, list, first, n, words))
+            return;
+        for (i = 0; i < n; i++) {
+            struct text_line which = { "", 0 };
+            struct sink sink = text_line_sink(&which);
+
+            if (is_float(words[i])) {
+                sink_print(&sink, "element %zu of the index list [r%u]",
+                           first + i, list->number);
+                tell_float_index(watch, spot, which.text, words[i]);
+                return;
+            }
+            if (scatters && table)
+                look_at_store(watch, spot, table->word & ADDRESS_MASK,
+                              c205_to_integer(words[i]), table->width);
+        }
+    }
+}
+
+/* ---- Integers ----------------------------------------------------------- */
+
+/* element: of a vector, or -1. */
+static void tell_integer(struct watch *watch, const struct spot *spot,
+                         const struct operand_view *operand, int64_t element,
+                         c205_word word, const struct precision *precision)
+{
+    struct text_line where = { "", 0 };
+    struct sink sink = text_line_sink(&where);
+    char number[C205_TEXT_SIZE];
+    bool half = operand->width == 32;
+
+    if (operand->is_vector)
+        sink_print(&sink, "element %" PRId64 " of [r%u]", element,
+                   operand->number);
+    else
+        sink_print(&sink, "%c%u", half ? 'h' : 'r', operand->number);
+    (half ? c205_half_to_text : c205_to_text)(word, number);
+    watch_tell(watch, spot, WARNING_INTEGER_OPERAND,
+               "%s is the integer %s, not %s.0, so few bits are kept: %.15g"
+               " becomes %.15g; ADDN with r0 would normalise it",
+               where.text, number, number, precision->exact, precision->kept);
+}
+
+/* b NULL: there is one source. */
+static bool look_at_pair(struct watch *watch, const struct spot *spot,
+                         const struct operand_view *a,
+                         const struct operand_view *b, int64_t element,
+                         c205_word word_a, c205_word word_b)
+{
+    struct precision precision;
+    bool half = a->width == 32;
+    bool first = precision_is_integer(word_a, half);
+
+    if ((!first && !(b && precision_is_integer(word_b, half)))
+        || !precision_is_lost(spot->rule, half, word_a, word_b, &precision))
+        return false;
+    tell_integer(watch, spot, first ? a : b, element, first ? word_a : word_b,
+                 &precision);
+    return true;
+}
+
+/* The words of a source: one for all if it is no vector. */
+static bool fetch(const c205 *machine, const struct operand_view *source,
+                  size_t first, size_t n, c205_word *words)
+{
+    size_t i;
+
+    if (source && source->is_vector)
+        return view_read(machine, source, first, n, words);
+    for (i = 0; i < n; i++)
+        words[i] = source ? source->word : 0;
+    return true;
+}
+
+/* How many elements have a source of their own and a place to go. */
+static size_t count_elements(const struct spot *spot,
+                             const struct operand_view *a,
+                             const struct operand_view *b)
+{
+    const struct operand_view *result = view_find(&spot->view, "dDcC");
+    size_t n = result && strchr("dD", result->letter) ? result->length
+                                                      : C205_MAX_LENGTH;
+
+    if (a->is_vector)
+        n = least(n, a->length);
+    if (b && b->is_vector)
+        n = least(n, b->length);
+    return a->is_vector || (b && b->is_vector) ? n : least(n, 1);
+}
+
+static bool is_permitted(const struct spot *spot,
+                         const struct operand_view *control, c205_word bit)
+{
+    return !control || bit != ((spot->view.fields.g & C205_G_ZEROS) != 0);
+}
+
+static void look_at_integers(struct watch *watch, const c205 *machine,
+                             const struct spot *spot,
+                             const struct operand_view *a,
+                             const struct operand_view *b)
+{
+    const struct operand_view *control = view_find(&spot->view, "z");
+    c205_word words_a[CHUNK], words_b[CHUNK], bits[CHUNK];
+    size_t first, n, i, count = count_elements(spot, a, b);
+
+    if (control && control->number == 0)
+        control = NULL;
+    for (first = 0; first < count; first += n) {
+        n = least(CHUNK, count - first);
+        if (!fetch(machine, a, first, n, words_a)
+            || !fetch(machine, b, first, n, words_b)
+            || !fetch(machine, control, first, n, bits))
+            return;
+        for (i = 0; i < n; i++)
+            if (is_permitted(spot, control, bits[i])
+                && look_at_pair(watch, spot, a, b, (int64_t)(first + i),
+                                words_a[i], words_b[i]))
+                return;
+    }
+}
+
+/* ---- By kind ------------------------------------------------------------ */
+
+/* The sources that are numbers, in order. */
+static size_t find_numbers(const struct instruction_view *view,
+                           const struct operand_view *sources[2])
+{
+    size_t i, count = 0;
+
+    for (i = 0; i < view->count && count < 2; i++)
+        if (strchr("fFvV", view->operands[i].letter))
+            sources[count++] = &view->operands[i];
+    return count;
+}
+
+static void look_at_numbers(struct watch *watch, const c205 *machine,
+                            struct spot *spot)
+{
+    const struct operand_view *sources[2] = { NULL, NULL };
+    size_t i, count = find_numbers(&spot->view, sources);
+
+    for (i = 0; i < count; i++)
+        if (sources[i]->is_bad
+            || (spot->is_handed && sources[i]->is_vector
+                && sources[i]->number == spot->is_handed))
+            return;
+    if (count > 0)
+        look_at_integers(watch, machine, spot, sources[0], sources[1]);
+}
+
+/* The exponent is 0, as hardly ever where numbers are normalised. */
+static inline bool may_be_integer(const c205 *machine,
+                                  const struct operand_view *operand)
+{
+    unsigned n = operand->number;
+
+    if (!operand->is_half)
+        return c205_register(machine, n) >> 48 == 0;
+    return (c205_register(machine, n / 2) << n % 2 * 32) >> 56 == 0;
+}
+
+static void before_scalar(struct watch *watch, const c205 *machine,
+                          struct spot *spot)
+{
+    const struct operand_view *operands = spot->view.operands;
+
+    if (!may_be_integer(machine, &operands[0])
+        && !may_be_integer(machine, &operands[1]))
+        return;
+    view_fill(&spot->view, machine);
+    look_at_numbers(watch, machine, spot);
+}
+
+static void before_vector(struct watch *watch, const c205 *machine,
+                          struct spot *spot)
+{
+    bool due = is_due(spot);
+    size_t i;
+
+    view_fill(&spot->view, machine);
+    for (i = 0; i < spot->view.count; i++) {
+        const struct operand_view *operand = &spot->view.operands[i];
+        bool result = operand->field != 'Z'
+                      && strchr("dDeq", operand->letter);
+
+        if (!operand->is_vector || operand->is_bad
+            || (spot->is_handed && operand->number == spot->is_handed
+                && !result))
+            continue;
+        if (has_length(operand))
+            look_at_length(watch, spot, operand);
+        if (result && !spot->hands_over)
+            look_at_storage(watch, spot, operand);
+        if (operand->letter == 'l' && due)
+            look_at_indices(watch, machine, spot, operand);
+    }
+    if (spot->rule != PRECISION_FULL && due)
+        look_at_numbers(watch, machine, spot);
+}
+
+/* Results whose length the machine has set. */
+static void after_vector(struct watch *watch, const c205 *machine,
+                         struct spot *spot)
+{
+    size_t i;
+
+    view_fill(&spot->view, machine);
+    for (i = 0; i < spot->view.count; i++)
+        if (strchr("cCo", spot->view.operands[i].letter)
+            && !spot->view.operands[i].is_bad)
+            look_at_storage(watch, spot, &spot->view.operands[i]);
+}
+
+/* The two after the prefix run as one stream. */
+static void before_link(struct watch *watch, const c205 *machine,
+                        struct spot *spot)
+{
+    uint64_t pc = spot->view.pc + 32 * (uint64_t)spot->view.halves;
+    struct spot *first = watch_spot(watch, machine, pc), *second;
+
+    pc += 32 * (uint64_t)first->view.halves;
+    second = watch_spot(watch, machine, pc);
+    if (!first->view.insn || !second->view.insn
+        || !(first->view.insn->flags & C205_INSN_LINK)
+        || !(second->view.insn->flags & C205_INSN_LINK))
+        return;
+    first->hands_over = second->is_handed = first->view.fields.c;
+    first->before(watch, machine, first);
+    second->before(watch, machine, second);
+    first->hands_over = second->is_handed = 0;
+}
+
+static void before_memory(struct watch *watch, const c205 *machine,
+                          struct spot *spot)
+{
+    const struct operand_view *operands = spot->view.operands;
+    unsigned width = isupper((unsigned char)operands[2].letter) ? 32 : 64;
+
+    if (operands[1].number == 0)
+        return;
+    view_fill(&spot->view, machine);
+    look_at_index(watch, spot, &operands[1]);
+    if (tolower((unsigned char)operands[2].letter) == 'i')
+        look_at_store(watch, spot, operands[0].word & ADDRESS_MASK,
+                      c205_to_integer(operands[1].word), width);
+}
+
+static void before_enter(struct watch *watch, const c205 *machine,
+                         struct spot *spot)
+{
+    unsigned r = spot->view.operands[0].number;
+
+    (void)machine;
+    watch->is_entered[r] = true;
+    watch->entered[r] = (c205_word)spot->view.fields.immediate & ADDRESS_MASK;
+}
+
+static void before_length(struct watch *watch, const c205 *machine,
+                          struct spot *spot)
+{
+    unsigned r = spot->view.operands[0].number;
+
+    watch->is_emptied[r] = (spot->view.fields.immediate & 0xFFFF) == 0;
+    watch->emptied[r] = c205_register(machine, r) & ADDRESS_MASK;
+    watch->is_entered[r] = false;
+}
+
+static bool is_named(const c205_insn *insn, const char *names)
+{
+    const char *found = strstr(names, insn->mnemonic);
+    size_t length = strlen(insn->mnemonic);
+
+    return found && (found == names || found[-1] == ' ')
+           && (found[length] == ' ' || found[length] == '\0');
+}
+
+/* SPARSE elements stand where their bits are; which meet is not looked at. */
+void spot_choose(struct spot *spot)
+{
+    const c205_insn *insn = spot->view.insn;
+
+    spot->rule = insn->format == C205_FORMAT_SPARSE ? PRECISION_FULL
+                                                    : precision_rule(insn);
+    if (insn->timing == C205_TIMING_vlink)
+        spot->before = before_link;
+    else if (insn->unit == C205_UNIT_VECTOR)
+        spot->before = before_vector;
+    else if (spot->rule != PRECISION_FULL)
+        spot->before = before_scalar;
+    else if (insn->format == C205_FORMAT_MEMORY)
+        spot->before = before_memory;
+    else if (is_named(insn, "ES EX"))
+        spot->before = before_enter;
+    else if (is_named(insn, "ELEN"))
+        spot->before = before_length;
+    if (insn->unit == C205_UNIT_VECTOR && view_find(&spot->view, "cCo"))
+        spot->after = after_vector;
+}

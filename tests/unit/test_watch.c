@@ -1,0 +1,295 @@
+/* test_watch.c - what is warned of while a program runs, at which line; what
+ * correct programs near by do not trigger; and the loss of bits, against the
+ * arithmetic of the machine. */
+#include <math.h>
+
+#include "tests/unit/asm_helper.h"
+
+#include "asm/precision.h"
+#include "asm/watch.h"
+#include "tests/random.h"
+#include "vm/number/arith.h"
+
+static char *watched(const struct object *object,
+                     const struct warning_choice *choice)
+{
+    c205_error error;
+    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    c205 *machine = model ? c205_new(model, &error) : NULL;
+    struct text_buffer report = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&report);
+    struct watch *watch = watch_new(object, "test.o", choice, &sink);
+
+    assert_non_null(machine);
+    assert_non_null(watch);
+    assert_true(c205_load(machine, &object->program, &error));
+    assert_true(c205_listen(machine, watch_listen, watch));
+    watch_begin(watch, machine);
+    c205_run(machine, 1000000);
+    assert_int_equal(watch_warned(watch) != 0, report.length > 0);
+    watch_free(watch);
+    c205_free(machine);
+    c205_model_free(model);
+    return report.text;
+}
+
+static size_t count(const char *text, const char *what)
+{
+    size_t n = 0;
+
+    while (text && (text = strstr(text, what)) != NULL) {
+        n++;
+        text++;
+    }
+    return n;
+}
+
+/* One warning with these words, or none: "". */
+static void check(const char *text, const char *said)
+{
+    static const struct warning_choice all;
+    struct object *object = good(text);
+    char *report = watched(object, &all);
+
+    if (*said ? count(report, said) != 1 || count(report, "[-W") != 1
+              : report != NULL)
+        fail_msg("%s\nexpected '%s', found '%s'", text, said,
+                 report ? report : "");
+    free(report);
+    object_free(object);
+}
+
+#define DATA \
+    " .include \"core.s\"\n .data\n .vector x, 3, 1, 2, 3\n" \
+    " .vector f, 3, 1.0, 2.0, 3.5\n .vector y, 3\n .vector after, 8\n" \
+    " .bitvector odd, 3, \"010\"\n .code\n" \
+    " .regs r10, xs, fs, ys, zs, a\n" \
+    " descriptor xs, x, 3\n descriptor fs, f, 3\n descriptor ys, y, 3\n" \
+    " descriptor zs, odd, 3\n"
+#define LINE "test.s:14:2: warning: "
+
+static void test_integers(void **state)
+{
+    (void)state;
+    check(DATA " MPYSV [xs], a, [ys]\n EXIT\n", "");
+    check(DATA "\n ES a, 3\n MPYSV [xs], a, [ys]\n EXIT\n",
+          "test.s:16:2: warning: element 0 of [r10] is the integer 1, not"
+          " 1.0, so few bits are kept: 3 becomes 2");
+    check(DATA " MPYSV [xs], [fs], [xs]\n EXIT\n",
+          LINE "element 2 of [r10] is the integer 3");
+    check(DATA " MPYSV [xs], [fs], [ys] ? [zs]\n EXIT\n", "");
+    check(DATA " MPYSV [xs], [fs], [ys] ?! [zs]\n EXIT\n", LINE "element 2");
+    check(DATA " DOTV [fs], [xs], r20\n EXIT\n", LINE "element 2 of [r10]");
+    check(DATA " SQRTV [xs], [ys]\n EXIT\n", LINE "element 1 of [r10]");
+    check(DATA " ADDUV [xs], [fs], [ys]\n EXIT\n", LINE "element 2");
+    check(DATA " ADDNV [xs], [fs], [ys]\n EXIT\n", "");
+    check(DATA " MPYLV [xs], [xs], [ys]\n EXIT\n", "");
+    check(DATA " MPYSV [fs], [fs], [ys]\n EXIT\n", "");
+    check(DATA " LINKV\n MPYSV [xs], [fs], [ys]\n ADDNV [ys], [fs], [ys]\n"
+               " EXIT\n",
+          "test.s:15:2: warning: element 2");
+    check(" ES r1, 3\n ES r2, 1\n MPYS r1, r2, r1\n EXIT\n",
+          "test.s:3:2: warning: r1 is the integer 3, not 3.0, so few bits are"
+          " kept: 3 becomes 2");
+    check(" ES r1, 3\n ADDN r1, r0, r1\n MPYS r1, r1, r1\n EXIT\n", "");
+    check(" ES r1, 4\n ES r2, 2\n MPYS r1, r2, r1\n EXIT\n", "");
+    check(" ES r1, 2\n SQRT r1, r1\n EXIT\n", "1.4142135623731 becomes 1");
+    check(" EXH h2, 3\n EXH h4, 1\n MPYSH h2, h4, h2\n EXIT\n",
+          "h2 is the integer 3");
+    check(" ES r1, 9\n EX r2, top\n"
+          "top: ES r3, 3\n DIVS r1, r1, r4\n ES r5, 1\n MPYS r3, r5, r4\n"
+          " DBNZ r1, [r2]\n EXIT\n",
+          "test.s:6:2: warning: r3 is the integer 3");
+}
+
+static void test_lengths(void **state)
+{
+    (void)state;
+    check(DATA " EX a, y\n ADDNV [fs], [fs], [a]\n EXIT\n",
+          "test.s:15:2: warning: r14 has the address 800180, but no length");
+    check(DATA " EX a, y\n ADDNV [a], [fs], [ys]\n EXIT\n", "r14 has the");
+    check(DATA " ADDNV [fs], [fs], [a]\n EXIT\n",
+          LINE "r14 is never set, so it describes no vector");
+    check(DATA " EX a, y\n ELEN a, 0\n ADDNV [fs], [fs], [a]\n EXIT\n",
+          "the length of [r14] was set to 0 [-Wzero-length]");
+    check(DATA " EX a, y\n CPSV [fs], [a] ? [zs]\n ADDNV [a], [a], [a]\n"
+               " EXIT\n",
+          "");
+    check(DATA " EX a, y\n SUBX r0, r0, r20\n ADDLEN a, r20, a\n"
+               " ADDNV [fs], [fs], [a]\n EXIT\n",
+          "r14 has the");
+    check(DATA " .data\nempty: .descriptor 0, y\n .code\n EX a, empty\n"
+               " LOD [a], a\n ADDNV [fs], [fs], [a]\n EXIT\n",
+          "");
+}
+
+static void test_indices(void **state)
+{
+    (void)state;
+    check(DATA " VXTOV [fs], [xs], [ys]\n EXIT\n",
+          LINE "element 0 of the index list [r11] is 1, which is no integer");
+    check(DATA " ELEN xs, 2\n VXTOV [xs], [fs], [ys]\n EXIT\n", "");
+    check(DATA " VTOVX [fs], [fs], [ys]\n EXIT\n", "[-Wfloat-index]");
+    check(DATA " load_constant a, 2.0\n LOD [fs, a], r20\n EXIT\n",
+          "the index in r14 is 2, which is no integer");
+    check(DATA " ES a, 2\n LOD [fs, a], r20\n EXIT\n", "");
+    check(DATA " load_constant a, 0.0\n LOD [fs, a], r20\n EXIT\n", "");
+}
+
+static void test_storage(void **state)
+{
+    (void)state;
+    check(DATA " ELEN ys, 4\n VTOV [fs], [ys]\n EXIT\n",
+          "test.s:15:2: warning: this writes up to address 800280, and the"
+          " storage of 'y' ends at 800240 [-Wpast-storage]");
+    check(DATA " ELEN ys, 2\n VTOV [fs], [ys]\n EXIT\n", "");
+    check(DATA " ES r13, 1\n VTOV [fs], [ys, r13]\n EXIT\n", "");
+    check(DATA " EX ys, y\n ADDLEN ys, xs, ys\n ELEN ys, 3\n"
+               " IX ys, 64\n VTOV [fs], [ys]\n EXIT\n",
+          "'y' ends at 800240");
+    check(DATA " ELEN fs, 3\n VTOVX [xs], [fs], [ys]\n EXIT\n",
+          "test.s:15:2: warning: index 3 lies behind the storage of 'y'");
+    check(DATA " ES a, 3\n STO [ys, a], a\n EXIT\n",
+          "index 3 lies behind the storage of 'y', which ends at 800240");
+    check(DATA " ES a, 2\n STO [ys, a], a\n EXIT\n", "");
+    check(DATA " EX ys, after\n EX zs, odd\n ELEN zs, 65\n"
+               " ELEN ys, 8\n CMPEQV [ys], [ys], [zs]\n EXIT\n",
+          "'odd' ends at");
+    check(DATA " EX a, y\n ELEN fs, 3\n EX zs, ones\n ELEN zs, 7\n"
+               " EX xs, after\n ELEN xs, 7\n CPSV [xs], [a] ? [zs]\n EXIT\n"
+               " .data\n .bitvector ones, 7, \"1111111\"\n",
+          "'y' ends at 800240");
+}
+
+static void test_choice(void **state)
+{
+    static const char text[] = " ES r1, 3\n ES r2, 1\n"
+                               "a: MPYS r1, r2, r3\n EXIT\n";
+    struct warning_choice choice = { 0, true };
+    struct object *object = good(text);
+    struct object bare = *object;
+    char *report = watched(object, &choice);
+
+    (void)state;
+    assert_int_equal(count(report, "error: r1 is the integer 3"), 1);
+    free(report);
+    choice.errors = false;
+    bare.line_count = 0;
+    report = watched(&bare, &choice);
+    assert_int_equal(count(report, "test.o: warning: MPYS at 400040: r1 is"
+                                   " the integer 3"),
+                     1);
+    free(report);
+    object_free(object);
+    object = good(" ADDNV [r1], [r1], [r1]\n EXIT\n"
+                  "; expect-warning: unset-length\n");
+    report = NULL;
+    choice.off = 0;
+    {
+        struct text_buffer buffer = { NULL, 0, 0, false };
+        struct sink sink = text_buffer_sink(&buffer);
+        struct watch *watch = watch_new(object, "", &choice, &sink);
+
+        assert_non_null(watch);
+        assert_int_equal(watch_warned(watch), 0);
+        watch_free(watch);
+    }
+    object_free(object);
+}
+
+/* ---- The loss of bits --------------------------------------------------- */
+
+static c205_word some_operand(uint64_t *seed, bool half)
+{
+    int64_t small = xorshift_between(seed, -1000, 1000);
+    double number = ldexp((double)xorshift_between(seed, -100000, 100000),
+                          (int)xorshift_between(seed, -20, 5));
+
+    if (xorshift(seed) % 2)
+        return half ? (c205_word)(small & 0xFFFFFF) << 32
+                    : c205_from_integer(small);
+    return half ? c205_half_from_double(number) : c205_from_double(number);
+}
+
+/* Whether the machine's own result is off by more than it should be. */
+static void check_loss(const char *mnemonic, arith_binary *operation,
+                       double (*exact)(double, double), bool half,
+                       uint64_t *seed)
+{
+    const c205_insn *insn = c205_insn_named(mnemonic, strlen(mnemonic));
+    double (*value)(c205_word) = half ? c205_half_to_double : c205_to_double;
+    double most = half ? 0x1p-16 : 0x1p-40;
+    int i, lost = 0;
+
+    assert_non_null(insn);
+    for (i = 0; i < 20000; i++) {
+        c205_word a = some_operand(seed, half), b = some_operand(seed, half);
+        struct precision precision;
+        uint64_t flags = 0;
+        double wanted = exact(value(a), value(b));
+        double found = value(operation(a, b, &flags));
+        double off = fabs(found - wanted) / fabs(wanted);
+        bool told = precision_is_lost(precision_rule(insn), half, a, b,
+                                      &precision);
+
+        if (!isfinite(wanted) || wanted == 0)
+            assert_false(told);
+        else if (told ? off < 0.9 * most : off > 1.1 * most)
+            fail_msg("%s %llX %llX: %g off by %g", mnemonic,
+                     (unsigned long long)a, (unsigned long long)b, wanted,
+                     off);
+        if (told && wanted > 0 && isfinite(wanted))
+            assert_true(fabs(precision.kept - found)
+                        <= fabs(found) * 0x1p-12);
+        lost += told;
+    }
+    assert_true(lost > 100);
+}
+
+static double sum(double a, double b)
+{
+    return a + b;
+}
+static double difference(double a, double b)
+{
+    return a - b;
+}
+static double product(double a, double b)
+{
+    return a * b;
+}
+static double quotient(double a, double b)
+{
+    return a / b;
+}
+
+static void test_loss(void **state)
+{
+    uint64_t seed = RANDOM_SEED;
+
+    (void)state;
+    check_loss("ADDU", arith_add_upper, sum, false, &seed);
+    check_loss("SUBUV", arith_subtract_upper, difference, false, &seed);
+    check_loss("MPYU", arith_multiply_upper, product, false, &seed);
+    check_loss("MPYSV", arith_multiply_significant, product, false, &seed);
+    check_loss("DIVU", arith_divide_upper, quotient, false, &seed);
+    check_loss("DIVS", arith_divide_significant, quotient, false, &seed);
+    check_loss("ADDUH", half_add_upper, sum, true, &seed);
+    check_loss("MPYSH", half_multiply_significant, product, true, &seed);
+    check_loss("DIVSH", half_divide_significant, quotient, true, &seed);
+    assert_int_equal(precision_rule(c205_insn_named("ADDN", 4)),
+                     PRECISION_FULL);
+    assert_int_equal(precision_rule(c205_insn_named("MPYL", 4)),
+                     PRECISION_FULL);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_integers), cmocka_unit_test(test_lengths),
+        cmocka_unit_test(test_indices),  cmocka_unit_test(test_storage),
+        cmocka_unit_test(test_choice),   cmocka_unit_test(test_loss),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
