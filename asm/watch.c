@@ -11,11 +11,11 @@
 #include "asm/expect.h"
 #include "asm/watch_look.h"
 
-struct watch *watch_new(const struct object *object, const char *name,
-                        const struct warning_choice *choice,
-                        const struct sink *report)
+struct program_watch *watch_new(const struct object *object, const char *name,
+                                const struct warning_choice *choice,
+                                const struct sink *report)
 {
-    struct watch *watch = calloc(1, sizeof *watch);
+    struct program_watch *watch = calloc(1, sizeof *watch);
 
     if (!watch)
         return NULL;
@@ -31,19 +31,19 @@ struct watch *watch_new(const struct object *object, const char *name,
     return NULL;
 }
 
-void watch_free(struct watch *watch)
+void watch_free(struct program_watch *watch)
 {
     if (watch)
         storage_map_free(watch->storage);
     free(watch);
 }
 
-warning_set watch_warned(const struct watch *watch)
+warning_set watch_warned(const struct program_watch *watch)
 {
     return watch->warned;
 }
 
-size_t watch_errors(const struct watch *watch)
+size_t watch_errors(const struct program_watch *watch)
 {
     return watch->errors;
 }
@@ -51,7 +51,7 @@ size_t watch_errors(const struct watch *watch)
 /* ---- Telling ------------------------------------------------------------ */
 
 /* Once for a line. */
-static bool is_new(struct watch *watch, struct told told)
+static bool is_new(struct program_watch *watch, struct told told)
 {
     size_t i;
 
@@ -66,7 +66,7 @@ static bool is_new(struct watch *watch, struct told told)
     return true;
 }
 
-static void put(struct watch *watch, enum warning warning,
+static void put(struct program_watch *watch, enum warning warning,
                 const struct position *position, const char *message)
 {
     struct diagnostics diagnostics = { 0 };
@@ -78,8 +78,9 @@ static void put(struct watch *watch, enum warning warning,
 }
 
 /* Without source lines the instruction is told by its address. */
-static void put_at_address(struct watch *watch, const struct spot *spot,
-                           enum warning warning, const char *message)
+static void put_at_address(struct program_watch *watch,
+                           const struct spot *spot, enum warning warning,
+                           const char *message)
 {
     const struct position position = { .file = watch->name };
     char text[700];
@@ -89,7 +90,7 @@ static void put_at_address(struct watch *watch, const struct spot *spot,
     put(watch, warning, &position, text);
 }
 
-void watch_tell(struct watch *watch, const struct spot *spot,
+void watch_tell(struct program_watch *watch, const struct spot *spot,
                 enum warning warning, const char *format, ...)
 {
     const struct asm_line *line = object_line(watch->object, spot->view.pc);
@@ -119,7 +120,8 @@ void watch_tell(struct watch *watch, const struct spot *spot,
 
 /* ---- The instructions --------------------------------------------------- */
 
-struct spot *watch_spot(struct watch *watch, const c205 *machine, uint64_t pc)
+struct spot *watch_spot(struct program_watch *watch, const c205 *machine,
+                        uint64_t pc)
 {
     static const struct spot empty;
     struct spot *spot = &watch->spots[pc / 32 % SPOTS];
@@ -133,7 +135,7 @@ struct spot *watch_spot(struct watch *watch, const c205 *machine, uint64_t pc)
     return spot;
 }
 
-static void look_ahead(struct watch *watch, const c205 *machine)
+static void look_ahead(struct program_watch *watch, const c205 *machine)
 {
     uint64_t pc = c205_pc(machine);
     size_t i = pc / 32 % SPOTS;
@@ -149,7 +151,7 @@ static void look_ahead(struct watch *watch, const c205 *machine)
 
 void watch_listen(void *context, const c205 *machine, const c205_event *event)
 {
-    struct watch *watch = context;
+    struct program_watch *watch = context;
 
     if (event->kind != C205_EVENT_INSTRUCTION
         && event->kind != C205_EVENT_REQUEST)
@@ -167,7 +169,7 @@ void watch_listen(void *context, const c205 *machine, const c205_event *event)
 
 /* What an instruction writes: w m k, and where the machine sets lengths.  SWAP
  * may write all. */
-static void note_writes(struct watch *watch,
+static void note_writes(struct program_watch *watch,
                         const struct instruction_view *view)
 {
     size_t i;
@@ -187,7 +189,7 @@ static void note_writes(struct watch *watch,
 }
 
 /* What one instruction of the program writes may hold anything. */
-void watch_begin(struct watch *watch, const c205 *machine)
+void watch_begin(struct program_watch *watch, const c205 *machine)
 {
     const struct object *object = watch->object;
     bool blind = object->line_count == 0;

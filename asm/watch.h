@@ -11,23 +11,23 @@
 
 #include "asm/assemble.h"
 
-struct watch;
+struct program_watch;
 
 /* The object and the choice must outlive it.  name is that of the program, for
  * objects that do not know their source lines.  NULL: no memory. */
-struct watch *watch_new(const struct object *object, const char *name,
-                        const struct warning_choice *choice,
-                        const struct sink *report);
-void watch_free(struct watch *watch);
+struct program_watch *watch_new(const struct object *object, const char *name,
+                                const struct warning_choice *choice,
+                                const struct sink *report);
+void watch_free(struct program_watch *watch);
 
 /* Before a machine with the program runs, and after it was restored. */
-void watch_begin(struct watch *watch, const c205 *machine);
+void watch_begin(struct program_watch *watch, const c205 *machine);
 /* The listener; its context is the watch. */
 c205_listener watch_listen;
 
 /* What it warned of, the program's own expectations included. */
-warning_set watch_warned(const struct watch *watch);
+warning_set watch_warned(const struct program_watch *watch);
 /* How many of them are errors. */
-size_t watch_errors(const struct watch *watch);
+size_t watch_errors(const struct program_watch *watch);
 
 #endif

@@ -26,7 +26,8 @@ static bool has_length(const struct operand_view *operand)
            && strchr("vubldeq", tolower((unsigned char)operand->letter));
 }
 
-static void look_at_length(struct watch *watch, const struct spot *spot,
+static void look_at_length(struct program_watch *watch,
+                           const struct spot *spot,
                            const struct operand_view *operand)
 {
     unsigned r = operand->number;
@@ -48,7 +49,8 @@ static void look_at_length(struct watch *watch, const struct spot *spot,
 
 /* ---- Storage ------------------------------------------------------------ */
 
-static void look_at_storage(struct watch *watch, const struct spot *spot,
+static void look_at_storage(struct program_watch *watch,
+                            const struct spot *spot,
                             const struct operand_view *result)
 {
     uint64_t base = result->word & ADDRESS_MASK, end, past;
@@ -63,8 +65,9 @@ static void look_at_storage(struct watch *watch, const struct spot *spot,
 }
 
 /* One element, at an index from the base on. */
-static void look_at_store(struct watch *watch, const struct spot *spot,
-                          uint64_t base, int64_t index, unsigned width)
+static void look_at_store(struct program_watch *watch,
+                          const struct spot *spot, uint64_t base,
+                          int64_t index, unsigned width)
 {
     uint64_t end;
     const char *name = storage_at(watch->storage, base, &end);
@@ -88,8 +91,9 @@ static bool is_float(c205_word word)
            && (field & 0xF000) != 0x8000 && ((word >> 47 ^ word >> 46) & 1);
 }
 
-static void tell_float_index(struct watch *watch, const struct spot *spot,
-                             const char *which, c205_word word)
+static void tell_float_index(struct program_watch *watch,
+                             const struct spot *spot, const char *which,
+                             c205_word word)
 {
     char text[C205_TEXT_SIZE];
 
@@ -100,7 +104,8 @@ static void tell_float_index(struct watch *watch, const struct spot *spot,
                which, text);
 }
 
-static void look_at_index(struct watch *watch, const struct spot *spot,
+static void look_at_index(struct program_watch *watch,
+                          const struct spot *spot,
                           const struct operand_view *index)
 {
     struct text_line which = { "", 0 };
@@ -118,7 +123,7 @@ static size_t least(size_t a, size_t b)
 }
 
 /* Of a gather or a scatter; the table of a scatter is written. */
-static void look_at_indices(struct watch *watch, const c205 *machine,
+static void look_at_indices(struct program_watch *watch, const c205 *machine,
                             const struct spot *spot,
                             const struct operand_view *list)
 {
@@ -153,7 +158,7 @@ static void look_at_indices(struct watch *watch, const c205 *machine,
 /* ---- Integers ----------------------------------------------------------- */
 
 /* element: of a vector, or -1. */
-static void tell_integer(struct watch *watch, const struct spot *spot,
+static void tell_integer(struct program_watch *watch, const struct spot *spot,
                          const struct operand_view *operand, int64_t element,
                          c205_word word, const struct precision *precision)
 {
@@ -175,7 +180,7 @@ static void tell_integer(struct watch *watch, const struct spot *spot,
 }
 
 /* b NULL: there is one source. */
-static bool look_at_pair(struct watch *watch, const struct spot *spot,
+static bool look_at_pair(struct program_watch *watch, const struct spot *spot,
                          const struct operand_view *a,
                          const struct operand_view *b, int64_t element,
                          c205_word word_a, c205_word word_b)
@@ -227,7 +232,7 @@ static bool is_permitted(const struct spot *spot,
     return !control || bit != ((spot->view.fields.g & C205_G_ZEROS) != 0);
 }
 
-static void look_at_integers(struct watch *watch, const c205 *machine,
+static void look_at_integers(struct program_watch *watch, const c205 *machine,
                              const struct spot *spot,
                              const struct operand_view *a,
                              const struct operand_view *b)
@@ -266,7 +271,7 @@ static size_t find_numbers(const struct instruction_view *view,
     return count;
 }
 
-static void look_at_numbers(struct watch *watch, const c205 *machine,
+static void look_at_numbers(struct program_watch *watch, const c205 *machine,
                             struct spot *spot)
 {
     const struct operand_view *sources[2] = { NULL, NULL };
@@ -292,7 +297,7 @@ static inline bool may_be_integer(const c205 *machine,
     return (c205_register(machine, n / 2) << n % 2 * 32) >> 56 == 0;
 }
 
-static void before_scalar(struct watch *watch, const c205 *machine,
+static void before_scalar(struct program_watch *watch, const c205 *machine,
                           struct spot *spot)
 {
     const struct operand_view *operands = spot->view.operands;
@@ -304,7 +309,7 @@ static void before_scalar(struct watch *watch, const c205 *machine,
     look_at_numbers(watch, machine, spot);
 }
 
-static void before_vector(struct watch *watch, const c205 *machine,
+static void before_vector(struct program_watch *watch, const c205 *machine,
                           struct spot *spot)
 {
     bool due = is_due(spot);
@@ -332,7 +337,7 @@ static void before_vector(struct watch *watch, const c205 *machine,
 }
 
 /* Results whose length the machine has set. */
-static void after_vector(struct watch *watch, const c205 *machine,
+static void after_vector(struct program_watch *watch, const c205 *machine,
                          struct spot *spot)
 {
     size_t i;
@@ -345,7 +350,7 @@ static void after_vector(struct watch *watch, const c205 *machine,
 }
 
 /* The two after the prefix run as one stream. */
-static void before_link(struct watch *watch, const c205 *machine,
+static void before_link(struct program_watch *watch, const c205 *machine,
                         struct spot *spot)
 {
     uint64_t pc = spot->view.pc + 32 * (uint64_t)spot->view.halves;
@@ -363,7 +368,7 @@ static void before_link(struct watch *watch, const c205 *machine,
     first->hands_over = second->is_handed = 0;
 }
 
-static void before_memory(struct watch *watch, const c205 *machine,
+static void before_memory(struct program_watch *watch, const c205 *machine,
                           struct spot *spot)
 {
     const struct operand_view *operands = spot->view.operands;
@@ -378,7 +383,7 @@ static void before_memory(struct watch *watch, const c205 *machine,
                       c205_to_integer(operands[1].word), width);
 }
 
-static void before_enter(struct watch *watch, const c205 *machine,
+static void before_enter(struct program_watch *watch, const c205 *machine,
                          struct spot *spot)
 {
     unsigned r = spot->view.operands[0].number;
@@ -388,7 +393,7 @@ static void before_enter(struct watch *watch, const c205 *machine,
     watch->entered[r] = (c205_word)spot->view.fields.immediate & ADDRESS_MASK;
 }
 
-static void before_length(struct watch *watch, const c205 *machine,
+static void before_length(struct program_watch *watch, const c205 *machine,
                           struct spot *spot)
 {
     unsigned r = spot->view.operands[0].number;

@@ -8,7 +8,7 @@
 #include "asm/watch.h"
 
 struct spot;
-typedef void spot_look(struct watch *watch, const c205 *machine,
+typedef void spot_look(struct program_watch *watch, const c205 *machine,
                        struct spot *spot);
 
 /* An instruction of the program, and what there is to look at before it is
@@ -31,7 +31,7 @@ struct told {
     enum warning warning;
 };
 
-struct watch {
+struct program_watch {
     const struct object *object;
     const char *name;
     const struct warning_choice *choice;
@@ -57,9 +57,9 @@ struct watch {
 void spot_choose(struct spot *spot);
 
 /* watch.c */
-struct spot *watch_spot(struct watch *watch, const c205 *machine,
+struct spot *watch_spot(struct program_watch *watch, const c205 *machine,
                         uint64_t pc);
-void watch_tell(struct watch *watch, const struct spot *spot,
+void watch_tell(struct program_watch *watch, const struct spot *spot,
                 enum warning warning, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 4, 5)))

@@ -10,7 +10,7 @@ static int assemble(void *given)
         return cmd_list_warnings();
     }
     if (!arguments->file) {
-        return cmd_usage(arguments->command, "name a file");
+        return cmd_usage(arguments->command, "FILE is missing");
     }
     c205_error error;
     struct sink report = stream_sink(stderr);

@@ -20,9 +20,9 @@ struct checker {
     c205_model *model;   /* of the last program, kept for the next */
     c205 *machine;
     struct printer printer;
-    struct watch *watch;        /* of this program, or NULL */
-    struct text_buffer printed; /* by the program */
-    struct text_buffer report;  /* what is wrong */
+    struct program_watch *watch; /* of this program, or NULL */
+    struct text_buffer printed;  /* by the program */
+    struct text_buffer report;   /* what is wrong */
     size_t failures;
 };
 

@@ -125,7 +125,8 @@ static struct printer printer_beside(const struct results *results)
 
 /* A watch for a program whose object is known; not if nothing is warned of. */
 static bool start_watch(const struct cmd_arguments *arguments, c205 *machine,
-                        const struct object *object, struct watch **watch)
+                        const struct object *object,
+                        struct program_watch **watch)
 {
     const struct warning_choice *choice = &arguments->warnings.choice;
     const struct sink report = stream_sink(stderr);
@@ -144,7 +145,7 @@ static bool start_watch(const struct cmd_arguments *arguments, c205 *machine,
 static int run(const struct cmd_arguments *arguments, c205 *machine,
                const struct object *object)
 {
-    struct watch *watch;
+    struct program_watch *watch;
     struct results results = arguments->results;
     if (!results_open(&results, arguments->command, arguments->save)) {
         return CMD_FAILED;

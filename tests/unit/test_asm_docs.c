@@ -20,7 +20,7 @@ static void run(const struct object *object, const char *name)
     struct printer printer = { text_buffer_sink(&printed) };
     struct sink report = stream_sink(stderr);
     const struct warning_choice choice = { .errors = true };
-    struct watch *watch;
+    struct program_watch *watch;
     warning_set warned;
     c205_stop stop;
 

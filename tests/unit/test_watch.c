@@ -18,7 +18,7 @@ static char *watched(const struct object *object,
     c205 *machine = model ? c205_new(model, &error) : NULL;
     struct text_buffer report = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&report);
-    struct watch *watch = watch_new(object, "test.o", choice, &sink);
+    struct program_watch *watch = watch_new(object, "test.o", choice, &sink);
 
     assert_non_null(machine);
     assert_non_null(watch);
@@ -188,7 +188,7 @@ static void test_choice(void **state)
     {
         struct text_buffer buffer = { NULL, 0, 0, false };
         struct sink sink = text_buffer_sink(&buffer);
-        struct watch *watch = watch_new(object, "", &choice, &sink);
+        struct program_watch *watch = watch_new(object, "", &choice, &sink);
 
         assert_non_null(watch);
         assert_int_equal(watch_warned(watch), 0);

@@ -38,7 +38,7 @@
         .data
 visible_save:   .space VISIBLE_REGISTERS
 visible_list:   .descriptor R_SIZE, 0
-visible_crossings: .word 0
+                .word 0                 ; of the crossings
                 .descriptor 3, span
                 .descriptor 2, event_found
 span:           .space 3

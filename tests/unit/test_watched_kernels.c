@@ -1,0 +1,118 @@
+/* test_watched_kernels.c - the kernels do nothing that a program is warned of:
+ * scenes are traced in every form with a watch on each band. */
+#include "tests/unit/asm_helper.h"
+
+#include "asm/watch.h"
+#include "rt/scene/language/scene_read.h"
+#include "rt/trace/trace.h"
+
+enum { WIDTH = 17, HEIGHT = 13 };
+
+struct watched {
+    struct program_watch *watch;
+    bool began;
+};
+
+static const struct warning_choice choice;
+static const struct sink *report;
+
+static void *begin(void *context, const struct object *program,
+                   c205_error *error)
+{
+    struct watched *watched = calloc(1, sizeof *watched);
+
+    (void)context;
+    (void)error;
+    assert_non_null(watched);
+    watched->watch = watch_new(program, "kernels", &choice, report);
+    assert_non_null(watched->watch);
+    return watched;
+}
+
+static void listen(void *band, const c205 *machine, const c205_event *event)
+{
+    struct watched *watched = band;
+
+    if (!watched->began)
+        watch_begin(watched->watch, machine);
+    watched->began = true;
+    watch_listen(watched->watch, machine, event);
+}
+
+static void merge(void *context, const void *band)
+{
+    const struct watched *watched = band;
+
+    assert_true(watched->began);
+    *(warning_set *)context |= watch_warned(watched->watch);
+}
+
+static void end(void *band)
+{
+    struct watched *watched = band;
+
+    watch_free(watched->watch);
+    free(watched);
+}
+
+static void check(const char *path, const c205_model *model,
+                  enum trace_mode mode, enum visible visible)
+{
+    struct diagnostics reports = { 0 };
+    const struct scene_options reading = { .width = WIDTH, .height = HEIGHT };
+    struct scene *scene = scene_read(path, &reading, &reports);
+    warning_set warned = 0;
+    const struct observer observer = { begin, listen, merge, end, &warned };
+    const struct observer *const observers[] = { &observer, NULL };
+    const struct trace_options options = { .mode = mode,
+                                           .width = WIDTH,
+                                           .height = HEIGHT,
+                                           .queue = 50,
+                                           .visible = visible,
+                                           .observers = observers,
+                                           .model = model };
+    c205_error error = { "" };
+    struct trace *trace;
+
+    if (!scene)
+        diagnostics_print(&reports, stderr);
+    assert_non_null(scene);
+    trace = trace_new(scene, &options, &error);
+    if (!trace || !trace_run(trace, &error))
+        fail_msg("%s", error.message);
+    assert_int_equal(warned, 0);
+    trace_free(trace);
+    scene_free(scene);
+    diagnostics_free(&reports);
+}
+
+static void test_kernels(void **state)
+{
+    static const char *const scenes[] = {
+        "scenes/first.pov", "scenes/bracket.pov", "scenes/glass.pov",
+        "scenes/rings.pov", "scenes/steiner.pov"
+    };
+    const struct sink sink = stream_sink(stderr);
+    c205_error error;
+    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    size_t i;
+
+    (void)state;
+    report = &sink;
+    assert_non_null(model);
+    for (i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        check(scenes[i], model, TRACE_SCALAR, VISIBLE_DEFAULT);
+        check(scenes[i], model, TRACE_VECTOR, VISIBLE_DEFAULT);
+        check(scenes[i], model, TRACE_VECTOR, VISIBLE_STEPPING);
+        check(scenes[i], model, TRACE_VECTOR, VISIBLE_EVERY);
+        check(scenes[i], model, TRACE_KERNELS, VISIBLE_DEFAULT);
+    }
+    c205_model_free(model);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_kernels) };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
