@@ -116,6 +116,13 @@ struct region {
     uint64_t begin, end;
 };
 
+/* Between .record and .endrecord. */
+struct open_record {
+    const struct line *line; /* NULL: none */
+    const char *name;
+    int64_t next, size; /* words */
+};
+
 struct section {
     const char *name;
     uint64_t at;
@@ -160,6 +167,7 @@ struct assembler {
     size_t region_count, region_capacity;
     struct region open_region; /* line NULL: none */
     const struct section *region_section;
+    struct open_record record;
     struct wish *wishes;
     size_t wish_count, wish_capacity;
     struct caution *cautions;

@@ -423,6 +423,10 @@ struct object *encode_program(struct assembler *assembler)
     if (open->line)
         report(assembler, open->line, open->line->begin,
                "this .kernel has no .endkernel");
+    if (assembler->record.line)
+        report(assembler, assembler->record.line,
+               assembler->record.line->begin,
+               "this .record has no .endrecord");
     if (assembler->item_count > 0)
         qsort(assembler->items, assembler->item_count,
               sizeof *assembler->items, compare_items);

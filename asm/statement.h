@@ -28,6 +28,9 @@ struct directive {
 };
 const struct directive *find_directive(const struct token *token);
 
+/* record.c */
+directive_parser parse_record, parse_field, parse_at, parse_endrecord;
+
 /* wish.c: the expectation in the comment at the end of a line, if any. */
 bool parse_wish(struct cursor *cursor);
 
