@@ -191,18 +191,21 @@ static void layout_levels(struct layout *layout, const struct scene *scene)
 
 static void layout_lights(struct layout *layout, const struct scene *scene)
 {
-    size_t size = (size_t)layout_symbol(layout, "LIGHT_SIZE");
-    uint64_t address = layout_reserve(layout, size * scene->light_count);
+    struct record record;
 
+    record_begin(&record, layout, "LIGHT_SIZE", scene->light_count, 0);
+    layout_word(layout, "scene_lights", record.address);
     for (size_t i = 0; i < scene->light_count; i++) {
-        c205_word words[7];
+        const struct light *light = &scene->lights[i];
+        double gleams = light->shadowless ? 0 : 1;
 
-        put_numbers(words, scene->lights[i].position, 3);
-        put_numbers(words + 3, scene->lights[i].color, 3);
-        words[6] = c205_from_double(scene->lights[i].shadowless ? 0 : 1);
-        layout_words(layout, address + UINT64_C(64) * size * i, words, 7);
+        put_numbers(record_field(&record, "LIGHT_POSITION", 3),
+                    light->position, 3);
+        put_numbers(record_field(&record, "LIGHT_COLOR", 3), light->color, 3);
+        put_numbers(record_field(&record, "LIGHT_GLEAMS", 1), &gleams, 1);
+        record_write(&record);
     }
-    layout_word(layout, "scene_lights", address);
+    record_end(&record);
     layout_word(layout, "scene_light_count",
                 c205_from_integer((int64_t)scene->light_count));
 }

@@ -10,12 +10,13 @@
 ; light; TOWARDS finds the way to a light, N . L = 0 if that shines from behind;
 ; SHINE adds its light.  Formulas in surface_scalar.s, light_scalar.s.
 
-        .equ    HIT_RAY, 0              ; O, D; distance; the primitive's record
-        .equ    HIT_PLACE, 8            ; of its ray in the queue
-        .equ    HIT_SAMPLE, 9           ; as SHADE gives it
-        .equ    HIT_LIGHT, 21           ; L, N . L, D . L, distance
-        .equ    HIT_PIGMENT, 27
-        .equ    HIT_SIZE, 32
+        .record HIT
+        .field  HIT_RAY, 8              ; O, D; distance; the primitive's record
+        .field  HIT_PLACE               ; of its ray in the queue
+        .field  HIT_SAMPLE, 12          ; as SHADE gives it
+        .field  HIT_LIGHT, 6            ; L, N . L, D . L, distance
+        .field  HIT_PIGMENT, 5
+        .endrecord
 
         .regs   r34, a_hit, a_light
         .regs   r147, ox, oy, oz, dx, dy, dz, hit_distance, hit_primitive

@@ -34,7 +34,6 @@
 ; first; how many segments; is it needed?
         .regs   r188, leaf_next, leaf_primitive, leaf_crossing, leaf_segments
         .reg    leaf_needed, r192
-        .equ    CHAIN_LINK, 5
         .regs   r193, first_leaf, chain_at, apart
 
         .data

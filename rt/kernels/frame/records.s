@@ -5,17 +5,20 @@
 ; colours are linear.
 
 ; A primitive.
-        .equ    P_KERNEL, 0        ; address of the routine that meets a ray
-        .equ    P_INNER, 1         ; .. of the one in its own space, under
+        .equ    SHAPE_SIZE, 16
+        .equ    PATCH_CROSSINGS, 4 ; the most of a ray with a patch
+        .record P
+        .field  P_KERNEL           ; address of the routine that meets a ray
+        .field  P_INNER            ; .. of the one in its own space, under
                                 ;    P_KERNEL = transformed
-        .equ    P_NORMAL, 2        ; address of the routine for the normal
-        .equ    P_ID, 3            ; its number, from 1, as an integer
-        .equ    P_ON_PATCH, 4      ; 1: a hit has two parameters, too
-        .equ    P_CHECKER, 5       ; 1: the pigment is a checker
-        .equ    P_TRANSFORMED, 6   ; 1: the shape stands in a space of its own
-        .equ    P_TABLE, 7         ; address of the words that P_SHAPE has no
+        .field  P_NORMAL           ; address of the routine for the normal
+        .field  P_ID               ; its number, from 1, as an integer
+        .field  P_ON_PATCH         ; 1: a hit has two parameters, too
+        .field  P_CHECKER          ; 1: the pigment is a checker
+        .field  P_TRANSFORMED      ; 1: the shape stands in a space of its own
+        .field  P_TABLE            ; address of the words that P_SHAPE has no
                                 ; room for
-        .equ    P_SHAPE, 8         ; 16 words, by kind:
+        .field  P_SHAPE, SHAPE_SIZE ; by kind:
                                 ;   sphere    centre 3, r^2, 1/r
                                 ;   box       least corner 3, greatest 3,
                                 ;             centre 3, half edge 3
@@ -40,86 +43,94 @@
                                 ;             resolution of distances;
                                 ;             table: K0 .. K5, their weights,
                                 ;             another plane (steiner_vector.s)
-        .equ    SHAPE_SIZE, 16
-        .equ    P_LOCAL, 24        ; 12: rows of the matrix from world to own
+        .field  P_LOCAL, 12        ; rows of the matrix from world to own
                                 ; space, each three factors and a shift
-        .equ    P_COLOR, 36        ; 6: pigment, and the checker's second
-        .equ    P_PATTERN, 42      ; 12: from world to the pigment's space
-        .equ    P_FINISH, 54       ; 8: ambient 3 (times the ambient light),
+        .field  P_COLOR, 6         ; pigment, and the checker's second
+        .field  P_PATTERN, 12      ; from world to the pigment's space
+        .field  P_FINISH, 8        ; ambient 3 (times the ambient light),
                                 ; diffuse, phong, phong_size, specular,
                                 ; 1/roughness
-        .equ    P_PATCH_POINT, 62  ; 2: the parameters of the last hit, written
+        .field  P_PATCH_POINT, 2   ; the parameters of the last hit, written
                                 ; by the scalar form only
-        .equ    P_STATE_KERNEL, 64 ; under a tree, of an open shape: what gives
-        .equ    P_STATE_INNER, 65  ; the segments of the closed one; else 0
-        .equ    P_AT_HAND, 66      ; in a tree, written by the program: of a
+        .field  P_STATE_KERNEL     ; under a tree, of an open shape: what gives
+        .field  P_STATE_INNER      ; the segments of the closed one; else 0
+        .field  P_AT_HAND          ; in a tree, written by the program: of a
                                 ; queue, 1 if a ray came near it; of one ray,
                                 ; the next primitive that it meets, the last 0
-        .equ    P_SEGMENTS, 67     ; how many segments of a ray it has (0: a
+        .field  P_SEGMENTS         ; how many segments of a ray it has (0: a
                                 ; surface without inside), an integer
-        .equ    P_EVENTS, 68       ; how many crossings can be seen
-        .equ    P_FIRST_STATE, 69  ; where its segments stand among the
-        .equ    P_FIRST_EVENT, 70  ; crossings of the tree, and its crossings:
+        .field  P_EVENTS           ; how many crossings can be seen
+        .field  P_FIRST_STATE      ; where its segments stand among the
+        .field  P_FIRST_EVENT      ; crossings of the tree, and its crossings:
                                 ; the same of a closed shape; of a patch
                                 ; PATCH_CROSSINGS, missing ones big, then in
                                 ; the vector form as many s, then as many t
-        .equ    P_VALUE, 71        ; its number among the values of the tree
-        .equ    P_INVERTED, 72     ; 1: what its outward normal points to is
+        .field  P_VALUE            ; its number among the values of the tree
+        .field  P_INVERTED         ; 1: what its outward normal points to is
                                 ; solid
-        .equ    P_MIRROR, 73       ; 1: it reflects
-        .equ    P_CLEAR, 74        ; 1: light passes
-        .equ    P_INDEX, 75        ; 2: index of refraction, its reciprocal
-        .equ    P_REFLECTION, 77   ; 4: colour, and the greatest of it
-        .equ    P_PASSING, 81      ; 8: the colour that passes and the greatest
+        .field  P_MIRROR           ; 1: it reflects
+        .field  P_CLEAR            ; 1: light passes
+        .field  P_INDEX, 2         ; index of refraction, its reciprocal
+        .field  P_REFLECTION, 4    ; colour, and the greatest of it
+        .field  P_PASSING, 8       ; the colour that passes and the greatest
                                 ; of it, below 0 if it is too dim to be
                                 ; followed; twice as P_COLOR
-        .equ    P_MET, 89          ; written by the vector form: 1 if a ray of
+        .field  P_MET              ; written by the vector form: 1 if a ray of
                                 ; the queue may have met it
-        .equ    P_SPACE, 90        ; the number of its own space; neighbours in
+        .field  P_SPACE            ; the number of its own space; neighbours in
                                 ; one have the same
-        .equ    PATCH_CROSSINGS, 4 ; the most of a ray with a patch
-        .equ    P_PATCH_POINTS, 91 ; 8: s and t of each of its crossings in a tree,
-                                ; written by the scalar form only
-        .equ    P_SIZE, 99
+        .field  P_PATCH_POINTS, 2 * PATCH_CROSSINGS ; s and t of each of its
+                                ; crossings in a tree, written by the scalar
+                                ; form only
+        .endrecord
 
 ; A region: what is traced as one thing, a primitive or a Boolean tree of them.
-        .equ    R_BOUND, 0         ; its bounding sphere: centre 3, radius, its
+        .record R
+        .field  R_BOUND, 5         ; its bounding sphere: centre 3, radius, its
                                 ; square; big: no bound
-        .equ    R_SIMPLE, 5        ; 1: one primitive, of which the nearest
+        .field  R_SIMPLE           ; 1: one primitive, of which the nearest
                                 ; crossing ahead is all that is wanted
-        .equ    R_SHADOW, 6        ; 0: casts no shadow, 1: a full one, 2: parts
+        .field  R_SHADOW           ; 0: casts no shadow, 1: a full one, 2: parts
                                 ; of it are clear
-        .equ    R_NODES, 7         ; address of its first node, of what stands
-        .equ    R_NODES_END, 8     ; behind the last
-        .equ    R_FIRST, 9         ; address of its first primitive
-        .equ    R_PRIMITIVES, 10   ; and how many stand from there on
-        .equ    R_STEPS, 11        ; address of the first step of its tree, and
-        .equ    R_STEP_COUNT, 12   ; how many; none: R_RESULT is the primitive
-        .equ    R_RESULT, 13       ; where the tree's value stands
-        .equ    R_SIZE, 16
+        .field  R_NODES            ; address of its first node, of what stands
+        .field  R_NODES_END        ; behind the last
+        .field  R_FIRST            ; address of its first primitive
+        .field  R_PRIMITIVES       ; and how many stand from there on
+        .field  R_STEPS            ; address of the first step of its tree, and
+        .field  R_STEP_COUNT       ; how many; none: R_RESULT is the primitive
+        .field  R_RESULT           ; where the tree's value stands
+        .at     16
+        .endrecord
 
 ; A node: the tree in preorder, without complements.  A ray that does not come
 ; near a node goes on behind all that is below it.
-        .equ    N_BOUND, 0         ; as R_BOUND
-        .equ    N_PRIMITIVE, 5     ; address of a leaf's, or 0
-        .equ    N_NEXT, 6          ; address of the node to go on with
-        .equ    N_NEEDED, 7        ; 1: a ray that misses it sees nothing of the
+        .equ    CHAIN_LINK, 5
+        .record N
+        .field  N_BOUND, 5         ; as R_BOUND
+        .field  N_PRIMITIVE        ; address of a leaf's, or 0
+        .field  N_NEXT             ; address of the node to go on with
+        .field  N_NEEDED           ; 1: a ray that misses it sees nothing of the
                                 ; tree
-        .equ    N_CHAIN, 8         ; 5: the leaves at hand, in the kernels'
+        .field  N_CHAIN, CHAIN_LINK ; the leaves at hand, in the kernels'
                                 ; stage (nearest_1984.s)
-        .equ    N_SIZE, 13
+        .endrecord
 
 ; A step of the evaluation of a tree.  Values are numbered: those of the
 ; region's primitives from 0 on, then those that steps make.
-        .equ    T_OPERATION, 0     ; 0 and, 1 or, 2 and not
-        .equ    T_LEFT, 1
-        .equ    T_RIGHT, 2
-        .equ    T_RESULT, 3
-        .equ    T_SIZE, 4
+        .record T
+        .field  T_OPERATION        ; 0 and, 1 or, 2 and not
+        .field  T_LEFT
+        .field  T_RIGHT
+        .field  T_RESULT
+        .endrecord
 
-; A light: position 3, colour 3, and 1 if it makes highlights, else 0 (POV-Ray's
-; shadowless lights make none).
-        .equ    LIGHT_SIZE, 7
+; A light.
+        .record LIGHT
+        .field  LIGHT_POSITION, 3
+        .field  LIGHT_COLOR, 3
+        .field  LIGHT_GLEAMS       ; 1: it makes highlights (POV-Ray's
+                                ; shadowless lights make none)
+        .endrecord
 
 ; The frame: planes of FRAME_CHANNELS numbers, pixel by pixel, top row first.
         .equ    FRAME_CHANNELS, 8  ; red green blue depth normal 3 id

@@ -11,16 +11,18 @@
 ; which a level calls its subroutines stand in its record as well; they are
 ; made once.
 
-        .equ    L_RAY, 0                ; O, D, least distance, to be scaled
-        .equ    L_WEIGHT, 8
-        .equ    L_FACTOR, 9             ; of its colour in the parent's
-        .equ    L_SAMPLE, 12            ; as SHADE gives it
-        .equ    L_FOLLOWED, 24          ; 1: a reflected ray, a refracted one
-        .equ    L_WAITING, 26           ; the refracted one
-        .equ    L_NEAREST, 38           ; lists of arguments
-        .equ    L_SHADE, 40
-        .equ    L_SPAWN, 44
-        .equ    LEVEL_SIZE, 64
+        .record LEVEL
+        .field  L_RAY, 8                ; O, D, least distance, to be scaled
+        .field  L_WEIGHT
+        .field  L_FACTOR, 3             ; of its colour in the parent's
+        .field  L_SAMPLE, 12            ; as SHADE gives it
+        .field  L_FOLLOWED, 2           ; 1: a reflected ray, a refracted one
+        .field  L_WAITING, 12           ; the refracted one
+        .field  L_NEAREST, 2            ; lists of arguments
+        .field  L_SHADE, 4
+        .field  L_SPAWN, 7
+        .at     64
+        .endrecord
 
         .regs   r13, level, levels_left, first_level, trace_link
         .regs   r240, first_distance, first_primitive, distance

@@ -14,20 +14,24 @@
 ; Source: the paper: spawned rays go back to the queue and are intersected when
 ; it is full.
 
-; A level: how many rays its list has, how many of them are traced; then the
-; list, vector by vector.
+; The list of a level, in vectors.
         .equ    LIST, 4 * QUEUE
-        .equ    LEVEL_COUNT, 0
-        .equ    LEVEL_POSITION, 1
-        .equ    LEVEL_LIST, 64
-        .equ    LIST_RAY, 0             ; origin 3, direction 3
-        .equ    LIST_WEIGHT, 6          ; 3, of the ray's colour
-        .equ    LIST_IMPORTANCE, 9      ; of the ray for its pixel
-        .equ    LIST_KIND, 10           ; 0 reflected, 1 refracted
-        .equ    LIST_PARENT, 11         ; its place in the level before
-        .equ    LIST_COLOR, 12          ; 3
-        .equ    LIST_VECTORS, 15
-        .equ    LEVEL_SIZE, LEVEL_LIST + LIST_VECTORS * LIST
+        .record LIST
+        .field  LIST_RAY, 6             ; origin 3, direction 3
+        .field  LIST_WEIGHT, 3          ; of the ray's colour
+        .field  LIST_IMPORTANCE         ; of the ray for its pixel
+        .field  LIST_KIND               ; 0 reflected, 1 refracted
+        .field  LIST_PARENT             ; its place in the level before
+        .field  LIST_COLOR, 3
+        .endrecord
+
+; A level, in words.
+        .record LEVEL
+        .field  LEVEL_COUNT             ; rays that its list has
+        .field  LEVEL_POSITION          ; .. of which are traced
+        .at     64
+        .field  LEVEL_LIST, LIST_SIZE * LIST
+        .endrecord
 
         .reg    next_level, r27         ; 0: there is none
         .reg    link_levels, r33
