@@ -202,6 +202,7 @@ for command in 'run good.s' 'run --check expects.s' 'isa' 'isa ADDNV' \
     ends 1 "$build/c205" $command --json missing/table.json
 done
 ends 1 "$build/c205" time --model odd.model ADDNV --json never.json
+tells err "^odd.model:3:14: error: "
 [ ! -e never.json ]
 verdict $? "a run that failed wrote its table"
 ends 0 "$build/c205" model

@@ -218,9 +218,11 @@ typedef struct c205_belief {
     const char *worst; /* which figure's that is */
 } c205_belief;
 
-/* A built-in model, or a file if the name holds a '/' or ends in ".model".
+/* A built-in model, or a file if the name holds a '/', ends in ".model" or is
+ * "-", which is stdin.
  * The model is read once and not changed afterwards. */
 c205_model *c205_model_find(const char *name, c205_error *error);
+bool c205_model_is_file(const char *name); /* the name is that of a file */
 c205_model *c205_model_parse(const char *name, const char *text,
                              c205_error *error);
 /* The same for who shows the line: the error's message is without its place,

@@ -9,6 +9,7 @@
 
 #include "asm/assemble.h"
 #include "base/command_options.h"
+#include "base/model.h"
 #include "base/provenance.h"
 #include "base/results.h"
 
@@ -88,6 +89,5 @@ struct object *cmd_read_program(const struct cmd_arguments *arguments,
 int cmd_list_warnings(void);
 
 /* A model, the default one if the name is NULL; NULL after telling why not. */
-c205_model *cmd_find_model(const char *command, const char *name);
 
 #endif

@@ -243,7 +243,7 @@ static int check_all(struct checker *checker)
 /* A model that the user names must be there. */
 static bool check_model(const struct cmd_arguments *arguments)
 {
-    c205_model *model = cmd_find_model(arguments->command, arguments->model);
+    c205_model *model = model_open(arguments->command, arguments->model);
     c205_model_free(model);
     return model != NULL;
 }

@@ -166,7 +166,7 @@ static int markdown(const struct cmd_arguments *arguments)
         || arguments->results.path || arguments->results.format) {
         return cmd_usage(arguments->command, "--markdown stands alone");
     }
-    model = cmd_find_model(arguments->command, arguments->model);
+    model = model_open(arguments->command, arguments->model);
     code = model ? isa_page(arguments->command, model) : CMD_FAILED;
     c205_model_free(model);
     return code;

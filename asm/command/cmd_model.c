@@ -20,7 +20,7 @@ static int show_models(const char *command, const struct results *results)
     struct table *table = table_new(TABLE_COLUMNS(model_columns));
     const char *const *names = c205_model_names();
     for (; table && *names; names++) {
-        c205_model *model = cmd_find_model(command, *names);
+        c205_model *model = model_open(command, *names);
         if (!model) {
             table_free(table);
             return CMD_FAILED;
@@ -60,7 +60,7 @@ static int show(const char *command, const char *name,
     if (!name) {
         return show_models(command, results);
     }
-    c205_model *model = cmd_find_model(command, name);
+    c205_model *model = model_open(command, name);
     if (!model) {
         return CMD_FAILED;
     }

@@ -263,7 +263,7 @@ static int run_command_line(void *given)
     if (arguments->check) {
         return cmd_check(arguments);
     }
-    c205_model *model = cmd_find_model(arguments->command, arguments->model);
+    c205_model *model = model_open(arguments->command, arguments->model);
     code = model ? read_and_run(arguments, model) : CMD_FAILED;
     c205_model_free(model);
     return code;

@@ -26,17 +26,6 @@ int cmd_list_warnings(void)
     return CMD_DONE;
 }
 
-c205_model *cmd_find_model(const char *command, const char *name)
-{
-    c205_error error;
-    c205_model *model = c205_model_find(name ? name : C205_DEFAULT_MODEL,
-                                        &error);
-    if (!model) {
-        cmd_failed(command, "%s", error.message);
-    }
-    return model;
-}
-
 static struct object *read_object(const char *path, const char *text,
                                   size_t length, const struct sink *report)
 {

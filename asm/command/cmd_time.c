@@ -146,7 +146,7 @@ static int run(void *given)
                              "no such vector instruction: %s", name);
         }
     }
-    c205_model *model = cmd_find_model(arguments->command, arguments->model);
+    c205_model *model = model_open(arguments->command, arguments->model);
     int code = CMD_FAILED;
     if (model && results_open(&results, arguments->command, NULL)) {
         code = time_model(arguments, model, &results);

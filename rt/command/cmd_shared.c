@@ -1,6 +1,8 @@
 /* cmd_shared.c - see rt205_command.h. */
 #include "rt/command/rt205_command.h"
 
+#include "base/model.h"
+
 #include <stdio.h>
 
 /* What is not drawn has its other results, and they are kept. */
@@ -30,16 +32,15 @@ static int open_and_work(struct cmd_arguments *arguments, cmd_work *work)
 int cmd_with_machine(struct cmd_arguments *arguments, cmd_work *work)
 {
     const struct trace_options *trace = &arguments->trace;
-    c205_error error;
     c205_model *model;
     int code;
 
     if (trace->height > 0 && trace->width > TRACE_PIXELS_MOST / trace->height)
         return cmd_usage(arguments->command, "at most %zu pixels",
                          TRACE_PIXELS_MOST);
-    model = c205_model_find(arguments->model, &error);
+    model = model_open(arguments->command, arguments->model);
     if (!model)
-        return cmd_failed(arguments->command, "%s", error.message);
+        return CMD_FAILED;
     arguments->trace.model = model;
     code = open_and_work(arguments, work);
     c205_model_free(model);

@@ -262,7 +262,7 @@ static bool read_like(struct model_reader *reader, char *line)
     c205_model *model = reader->model;
     c205_error why;
     const char *name = rest_of(reader, line);
-    if (model_is_path(name))
+    if (c205_model_is_file(name))
         return fail(reader, "'like' names a built-in model");
     if (model->like)
         return fail(reader, "'like' stands here for the second time");

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool model_is_path(const char *name)
+bool c205_model_is_file(const char *name)
 {
     size_t length = strlen(name);
     return !strcmp(name, "-") || strchr(name, '/')
@@ -74,8 +74,8 @@ static char *built_in_text(const char *name, c205_error *error)
 
 c205_model *c205_model_find(const char *name, c205_error *error)
 {
-    char *text = model_is_path(name) ? read_file(name, error)
-                                     : built_in_text(name, error);
+    char *text = c205_model_is_file(name) ? read_file(name, error)
+                                          : built_in_text(name, error);
     c205_model *model = text ? c205_model_parse(name, text, error) : NULL;
     free(text);
     return model;

@@ -44,9 +44,6 @@ bool model_check_range(const struct rule *rule, const char *text,
 /* What two constants must be to each other. */
 bool model_check_together(const c205_model *model, c205_error *error);
 
-/* The name of a file, not of a model that is built in. */
-bool model_is_path(const char *name);
-
 /* NULL, with the message. */
 void *model_out_of_memory(c205_error *error);
 
