@@ -62,19 +62,20 @@ struct term {
     bool complement;
 };
 
-/* The values of the nodes that have no parent yet, the first node's on top.
- * Those that steps make stand behind the primitives' in the same order. */
+/* The values of the nodes that have no parent yet, the first node's on top. */
 struct evaluation {
     struct tree_plan *plan;
-    size_t leaf_count, depth, made; /* made: how many of the stack's */
+    size_t leaf_count, depth;
     struct term *stack;
 };
 
-/* x and y, by de Morgan's rules without complements of their own. */
+/* x and y, by de Morgan's rules without complements of their own.  Each step
+ * has a value to itself, so that all can be looked at afterwards. */
 static struct term both(struct evaluation *evaluation, struct term x,
-                        struct term y, size_t result)
+                        struct term y)
 {
     struct tree_plan *plan = evaluation->plan;
+    size_t result = evaluation->leaf_count + plan->step_count;
     struct tree_step *step = &plan->steps[plan->step_count++];
     bool turned = x.complement && !y.complement;
 
@@ -84,50 +85,32 @@ static struct term both(struct evaluation *evaluation, struct term x,
     step->left = turned ? y.place : x.place;
     step->right = turned ? x.place : y.place;
     step->result = result;
-    if (result >= plan->value_count)
-        plan->value_count = result + 1;
     return (struct term){ result, x.complement && y.complement };
 }
 
 static struct term either(struct evaluation *evaluation, struct term x,
-                          struct term y, size_t result)
+                          struct term y)
 {
     struct term value;
 
     x.complement = !x.complement;
     y.complement = !y.complement;
-    value = both(evaluation, x, y, result);
+    value = both(evaluation, x, y);
     value.complement = !value.complement;
     return value;
 }
 
-static bool is_made(const struct evaluation *evaluation, struct term value)
-{
-    return value.place >= evaluation->leaf_count;
-}
-
-/* The topmost values become one.  Those that steps made come first, the last
- * child's, which is the lowest, before the others: the result replaces it. */
+/* The topmost values become one. */
 static void join(struct evaluation *evaluation, size_t count,
                  enum tree_operation operation)
 {
     struct term *children = evaluation->stack + evaluation->depth - count;
-    struct term value = { 0, false };
-    size_t joined = 0, result;
+    struct term value = children[0];
 
-    for (size_t i = 0; i < count; i++)
-        evaluation->made -= is_made(evaluation, children[i]);
-    result = evaluation->leaf_count + evaluation->made;
-    for (int made = 1; made >= 0; made--)
-        for (size_t i = 0; i < count; i++) {
-            if (is_made(evaluation, children[i]) != made)
-                continue;
-            value = joined++ == 0 ? children[i]
-                    : operation == TREE_AND
-                        ? both(evaluation, value, children[i], result)
-                        : either(evaluation, value, children[i], result);
-        }
-    evaluation->made += is_made(evaluation, value);
+    for (size_t i = 1; i < count; i++)
+        value = operation == TREE_AND
+                    ? both(evaluation, value, children[i])
+                    : either(evaluation, value, children[i]);
     evaluation->depth -= count;
     evaluation->stack[evaluation->depth++] = value;
 }
@@ -170,7 +153,6 @@ bool plan_tree(const struct scene *scene, const struct region *region,
                                      .leaf_count = region->primitive_count };
 
     plan->step_count = 0;
-    plan->value_count = region->primitive_count;
     evaluation.stack = calloc(region->node_count + 1,
                               sizeof *evaluation.stack);
     if (!evaluation.stack)
@@ -292,6 +274,7 @@ static void layout_tree(struct record *record, struct record *steps,
                         struct places *places, const struct region *region)
 {
     struct tree_plan plan = { .steps = places->steps };
+    size_t values;
 
     if (!plan_tree(places->scene, region, &plan))
         layout_fail(record->layout, "no memory");
@@ -300,8 +283,9 @@ static void layout_tree(struct record *record, struct record *steps,
     record_integer(record, "R_RESULT", plan.result);
     for (size_t i = 0; i < plan.step_count; i++)
         layout_step(steps, &plan.steps[i]);
-    if (plan.value_count > places->values)
-        places->values = plan.value_count;
+    values = region->primitive_count + plan.step_count;
+    if (values > places->values)
+        places->values = values;
 }
 
 static void layout_region(struct record *record, struct record *steps,

@@ -27,13 +27,13 @@ size_t plan_leaves(const struct scene *scene, struct leaf_plan *plans);
 enum step_operation { STEP_AND, STEP_OR, STEP_AND_NOT };
 struct tree_step {
     enum step_operation operation;
-    size_t left, right, result; /* values; the first are the primitives' */
+    size_t left, right, result; /* values: the primitives', then the steps' */
 };
 
 struct tree_plan {
-    size_t step_count, value_count; /* the values of the primitives counted */
-    size_t result;                  /* the value of the tree, or what it is
-                                       not: the same surfaces */
+    size_t step_count;
+    size_t result; /* the value of the tree, or what it is not: the same
+                      surfaces */
     struct tree_step *steps;
 };
 

@@ -341,31 +341,36 @@ static void test_steps(void **state)
     }
 }
 
-/* One value serves a row of children; each further one a tree that waits. */
+/* Each step has a value to itself, and each value but the last is a part of
+ * one step: so from any primitive there is one way up. */
 static void test_values(void **state)
 {
-    static const struct {
-        const char *text;
-        size_t values;
-    } rows[] = {
-        { "sphere { 0, 1 inverse }", 1 },
-        { "difference { box { 0, 1 } box { 0, 1 } box { 0, 1 } }", 4 },
-        { "merge { box { 0, 1 } intersection { box { 0, 1 } box { 0, 1 } } }",
-          4 },
-        { "merge { intersection { box { 0, 1 } box { 0, 1 } }"
-          " intersection { box { 0, 1 } box { 0, 1 } } }",
-          6 },
+    static const char *const texts[] = {
+        "sphere { 0, 1 inverse }",
+        "difference { box { 0, 1 } box { 0, 1 } box { 0, 1 } }",
+        "merge { box { 0, 1 } intersection { box { 0, 1 } box { 0, 1 } } }",
+        "merge { intersection { box { 0, 1 } box { 0, 1 } }"
+        " intersection { box { 0, 1 } box { 0, 1 } } }",
     };
 
     (void)state;
-    for (size_t i = 0; i < COUNT(rows); i++) {
-        struct scene *scene = read(rows[i].text);
+    for (size_t i = 0; i < COUNT(texts); i++) {
+        struct scene *scene = read(texts[i]);
         struct tree_step steps[8];
         struct tree_plan plan = { .steps = steps };
+        size_t leaves = scene->primitive_count, parts[16] = { 0 };
 
         assert_true(plan_tree(scene, scene->regions, &plan));
-        assert_int_equal(plan.value_count, rows[i].values);
-        assert_int_equal(plan.step_count, scene->primitive_count - 1);
+        assert_int_equal(plan.step_count, leaves - 1);
+        for (size_t k = 0; k < plan.step_count; k++) {
+            assert_int_equal(steps[k].result, leaves + k);
+            assert_true(steps[k].left < leaves + k);
+            assert_true(steps[k].right < leaves + k);
+            parts[steps[k].left]++;
+            parts[steps[k].right]++;
+        }
+        for (size_t k = 0; k < leaves + plan.step_count; k++)
+            assert_int_equal(parts[k], k != plan.result);
         scene_free(scene);
     }
 }

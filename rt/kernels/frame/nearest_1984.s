@@ -184,10 +184,14 @@ tree_leaf_next:
         LOD     [w_out], loop_work
         MPYX    loop_work, stride, loop_work
         ADDX    w_crossings, loop_work, w_crossings
+        load_at k_delta, 1, ray_limit
+        SUBN    w_in, ray_limit, next_in
+        ADDN    w_in, ray_limit, next_out
 tree_crossing:
         LOD     [w_crossings], segment_in
         ADDX    w_crossings, stride, w_crossings
-        CFPNE   segment_in, w_in, tree_crossing
+        CFPLT   segment_in, next_in, tree_crossing
+        CFPLT   next_out, segment_in, tree_crossing
         IX      w_crossings, STRIDE * (PATCH_CROSSINGS - 1)
         LOD     [w_crossings], segment_in
         IX      w_crossings, STRIDE * PATCH_CROSSINGS

@@ -12,7 +12,7 @@
 ; (nodes_scalar.s) and searched by VISIBLE.  Where a ray does not come near,
 ; nothing more is done.
 ; On a patch the parameters are left in the primitive's P_PATCH_POINT; in a tree
-; they are those of its first crossing at that distance.
+; they are those of its first crossing within delta of that distance.
 
         .data
 nearest_save:   .space WALK_REGISTERS
@@ -122,11 +122,16 @@ nearest_tree:
         crossing_at w_t0, w_t1
         RTOR    w_leaf, w_at
         IX      w_at, 64 * (P_PATCH_POINTS - 2)
+        EX      w_t2, k_delta
+        LOD     [w_t2], w_t2
+        SUBN    w_in, w_t2, w_t3
+        ADDN    w_in, w_t2, w_t4
 nearest_crossing:
         LOD     [w_t1], w_t2
         IX      w_t1, 64
         IX      w_at, 64 * 2
-        CFPNE   w_t2, w_in, nearest_crossing
+        CFPLT   w_t2, w_t3, nearest_crossing
+        CFPLT   w_t4, w_t2, nearest_crossing
         ELEN    w_at, 2
         SWAP    [w_at], w_t0, [r0]              ; and w_t1
         RTOR    w_leaf, w_at

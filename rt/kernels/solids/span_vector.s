@@ -18,9 +18,10 @@
 ; What is known of the events of the rays at hand (visible_vector.s).
         .regs   r233, event, last, event_met, before, after, active, seen
         .reg    inside, r240            ; of one segment
+        .reg    shown, r241
 
         .data
-event_bits:     .space 3 * QUEUE_BIT_WORDS
+event_bits:     .space 4 * QUEUE_BIT_WORDS
         .align  64
 event_store:    .space 4 * QUEUE
 last_store:     .space QUEUE

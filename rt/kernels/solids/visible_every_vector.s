@@ -4,23 +4,27 @@
 ; Each crossing of each primitive is a column, over all rays at hand:
 ;
 ;   E is looked at where  least < E < limit
-;   seen = tree(before) xor tree(after), as of an event that is stepped to
+;   seen, and what: as at an event that is stepped to
 ;   limit = E where seen
 ;
-; So what is left in the end is the nearest, and the first column of equals.  No
-; ray is left out on the way; a column that no ray needs is.
+; So what is left in the end is the nearest.  No ray is left out on the way; a
+; column that no ray needs is.
 ;
-; Two kinds of regions are stepped through in any case.  Of surfaces without
-; inside only the first of equal crossings counts, so that one must know what is
-; in front of a column.  And a shadow's ray that passes clear parts goes on
-; behind each of them.  Where all parts are opaque the nearest stops the light
-; as well as any.
+; A shadow's ray that passes clear parts goes on behind each of them: it is
+; stepped along in any case.  Where all parts are opaque the nearest stops the
+; light as well as any.
 ;
 ; In:  as walk_tree.  Source: the project's notes on ray tracing, 4.1.
 
 ; The primitive whose columns are looked at.
         .regs   r144, column_primitive, columns_left, column_identity
         .regs   r147, column_primitives_left
+        .reg    nearest_met, r148       ; what is seen at the nearest so far
+
+        .data
+        .align  64
+nearest_met_store: .space QUEUE
+        .code
 
         .kernel visible
 walk_every:
@@ -30,14 +34,9 @@ walk_every:
         LOD     [s0], s0
         IBXNE   s0, r0, one_index, tree_next
 every_solids:
-        leaves_begin
-every_inside:
-        leaf_at_hand every_inside_next
-        IBXEQ   leaf_segments, r0, r0, tree_next
-every_inside_next:
-        leaves_next every_inside
+        describe nearest_met, nearest_met_store, near
         VTOV    [near_limit], [event]
-        VTOV    r0, [event_met]
+        VTOV    r0, [nearest_met]
         leaves_begin
 every_leaf:
         leaf_at_hand every_next
@@ -53,11 +52,12 @@ every_column:
         ANDB    [bits0], [active], [active]
         CNTOB   [active], s0
         IBXEQ   s0, r0, r0, every_later
+        VTOV    column_identity, [event_met]
         EX      target, find_seen
         BSAVE   link_inner, [target]
         IBXEQ   s0, r0, r0, every_later
         VTOV    [column], [event] ? [seen]
-        VTOV    column_identity, [event_met] ? [seen]
+        VTOV    [event_met], [nearest_met] ? [seen]
 every_later:
         EX      slot_size, 64 * CROSSING_SIZE
         ADDX    column, slot_size, column
@@ -66,6 +66,7 @@ every_later:
         RTOR    column_primitives_left, primitives_left
 every_next:
         leaves_next every_leaf
+        RTOR    nearest_met, event_met
         CMPNEV  [event_met], r0, [seen]
         CNTOB   [seen], s0
         IBXEQ   s0, r0, r0, walk_skip

@@ -7,20 +7,23 @@
 ; where it leaves, from P_FIRST_EVENT on stand the crossings that can be seen;
 ; they are CROSSING_SIZE words apart; a miss is big, minus_big.  SPAN = last,
 ; limit, the first leaf that the ray meets, from where P_AT_HAND goes on (3);
-; EVENT = the least visible distance with last < distance < limit, and its
-; primitive's record; none: big, 0 (2 words).
+; EVENT = the least visible distance with last < distance < limit, and the
+; record of the primitive that is seen there; none: big, 0 (2 words).
 ;
-; An event at E is visible if the tree's value just before it is not that just
-; behind it.  A leaf with segments in_j .. out_j is
+; At a distance E a leaf with segments in_j .. out_j is
 ;
 ;   before:  some  in_j <  E - delta  and not  out_j <  E - delta
 ;   behind:  some  in_j <= E + delta  and not  out_j <= E + delta
 ;
-; one without inside is only behind its own event.  Surfaces nearer to each
-; other than delta are so one surface.  Both bits of a value stand in one word:
-; 2 before, 1 behind.  Events are taken one after another, the first slot of
-; equals, until one is visible.
-; Source: the project's notes on ray tracing, 4.1.
+; one without inside is only behind, with a crossing in E - delta .. E + delta.
+; Surfaces nearer to each other than delta are so one surface.  Both bits of a
+; value stand in one word: 2 before, 1 behind.  A leaf shows at E if its bits
+; differ and so do those of every solid that it is a part of.  An event is
+; visible if a leaf shows there that has a crossing there; what is seen is the
+; first leaf that shows there and has a crossing in E - delta .. E + delta.
+; Events are taken one after another until one is visible.  Where no other
+; leaf's bits differ but its own, it is.
+; Source: the project's notes on ray tracing, 4.1; what shows is derived here.
 
         .regs   r32, v_region, v_crossings, v_span, v_event
         .regs   r36, v_primitives, v_steps, v_step_count, v_result
@@ -31,8 +34,8 @@
         .regs   r51, v_primitive, v_left, v_at, v_crossing, v_in, v_out
         .regs   r57, v_delta, v_before, v_behind, v_value, v_values
         .regs   r62, t_operation, t_left, t_right, t_result
-        .regs   r66, v_index_two, v_index_three, v_stride
-        .equ    VISIBLE_REGISTERS, 37
+        .regs   r66, v_index_two, v_index_three, v_stride, v_others, v_visible
+        .equ    VISIBLE_REGISTERS, 39
         .equ    STRIDE, 64 * CROSSING_SIZE
 
         .data
@@ -70,6 +73,18 @@ event_found:    .space 2
         .macro  value_at number, register
         SHIFTI  \number, 6, \register
         ADDX    v_values, \register, \register
+        .endm
+
+; To other if the crossing lies farther than delta from the event.
+        .macro  crossing_near other
+        CFPLT   v_crossing, v_before, \other
+        CFPLT   v_behind, v_crossing, \other
+        .endm
+
+; To same if the two bits of a value are the same.
+        .macro  value_differs value, same
+        IBXEQ   \value, r0, r0, \same
+        IBXEQ   \value, r0, v_index_three, \same
         .endm
 
 ; For those who walk through the regions (bound_scalar.s): the next crossing of
@@ -138,6 +153,7 @@ visible_not_this:
 ; The leaves before and behind it.
         SUBN    v_distance, v_delta, v_before
         ADDN    v_distance, v_delta, v_behind
+        ES      v_others, 0
         RTOR    v_first, v_primitive
 visible_state:
         load_leaf
@@ -158,7 +174,14 @@ visible_next_segment:
         IBXNE   v_segments, m_index_minus_one, r0, visible_segment, v_segments
 visible_store:
         value_at v_place, v_at
+        SHIFTI  v_value, -1, v_in
         STO     [v_at], v_value
+        XOR     v_in, v_value, v_in
+        XOR     v_primitive, v_leaf, v_out
+        AND     v_in, m_index_one, v_in
+        SUBX    r0, v_in, v_in
+        AND     v_in, v_out, v_in
+        OR      v_others, v_in, v_others        ; 0: only its own leaf differs
         RTOR    v_next, v_primitive
         IBXNE   v_primitive, r0, r0, visible_state
 
@@ -189,14 +212,65 @@ visible_stepped:
 visible_decide:
         value_at v_result, v_at
         LOD     [v_at], v_value
-        IBXEQ   v_value, r0, r0, visible_hidden
-        IBXNE   v_value, r0, v_index_three, visible_found
+        value_differs v_value, visible_hidden
+        IBXEQ   v_others, r0, r0, visible_found
+
+; What shows there: of a value that stays the same its parts do not matter.
+        ES      v_in, 64 * T_SIZE
+        MPYX    v_step_count, v_in, v_at
+        ADDX    v_steps, v_at, v_at
+        RTOR    v_step_count, v_left
+visible_part:
+        IX      v_at, -64 * T_SIZE
+        ELEN    v_at, T_SIZE
+        SWAP    [v_at], t_operation, [r0]
+        value_at t_result, t_result
+        LOD     [t_result], v_value
+        value_differs v_value, visible_same
+        BIM     visible_next_part
+visible_same:
+        value_at t_left, t_left
+        value_at t_right, t_right
+        STO     [t_left], r0
+        STO     [t_right], r0
+visible_next_part:
+        IBXNE   v_left, m_index_minus_one, r0, visible_part, v_left
+
+; The first leaf that shows there, and if any of those has this event.
+        ES      v_leaf, 0
+        ES      v_visible, 0
+        RTOR    v_first, v_primitive
+visible_shown:
+        load_leaf
+        value_at v_place, v_at
+        LOD     [v_at], v_value
+        value_differs v_value, visible_next_shown
+        crossings_from v_first_event
+visible_crossing:
+        next_crossing v_crossing
+        crossing_near visible_next_crossing
+        IBXNE   v_leaf, r0, r0, visible_not_first
+        RTOR    v_primitive, v_leaf
+visible_not_first:
+        CFPNE   v_crossing, v_distance, visible_next_crossing
+        ES      v_visible, 1
+visible_next_crossing:
+        IBXNE   v_events, m_index_minus_one, r0, visible_crossing, v_events
+visible_next_shown:
+        RTOR    v_next, v_primitive
+        IBXNE   v_primitive, r0, r0, visible_shown
+        IBXNE   v_visible, r0, r0, visible_found
 visible_hidden:
         RTOR    v_distance, v_last
         BIM     visible_step
 visible_surface:
-        IBXNE   v_primitive, r0, v_leaf, visible_store
+        crossings_from v_first_event
+visible_surface_crossing:
+        next_crossing v_crossing
+        crossing_near visible_next_surface
         ES      v_value, 1
+visible_next_surface:
+        IBXNE   v_events, m_index_minus_one, r0, visible_surface_crossing, v_events
         BIM     visible_store
 visible_none:
         RTOR    m_big, v_distance

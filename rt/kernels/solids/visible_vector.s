@@ -2,19 +2,25 @@
 ;
 ; The crossings ahead are looked at in turn, of all rays at hand at a time:
 ;
-;   E = the least crossing of a primitive with  last < E < limit, the first
-;       primitive of equals
+;   E = the least crossing of a primitive with  last < E < limit
 ;   before(j) = in < E - delta and not out < E - delta, for any segment of
 ;       primitive j
 ;   after(j)  = in <= E + delta and not out <= E + delta, likewise
-;   seen = tree(before) xor tree(after)
 ;
-; A surface without inside is only there behind its own crossing.  before and
-; after are bit vectors; the tree is evaluated by logical instructions on bit
-; strings, 64 rays a clock.  Both sides are looked at from delta away: surfaces
-; that coincide count as one.  Rays whose crossing is seen are resolved, and
-; those that have none; the others go on behind it (last = E).  When fewer than
-; half are left they are compressed with all their crossings.
+; A surface without inside is only there after, with a crossing from E - delta
+; to E + delta.  A primitive shows at E if it is not the same before and after,
+; nor is any solid that it is a part of.  Where one shows that has the crossing
+; E, that is seen; of those that show and have a crossing from E - delta to
+; E + delta the first is what is seen.
+;
+; before and after are bit vectors; the tree is evaluated by logical
+; instructions on bit strings, 64 rays a clock.  Both sides are looked at from
+; delta away: surfaces that coincide count as one.  Where nothing is another
+; after than before but the primitive that E is a crossing of, it shows: only
+; for other rays the parts of the tree are looked at.  Rays whose crossing is
+; seen are resolved, and those that have none; the others go on behind it
+; (last = E).  When fewer than half are left they are compressed with all their
+; crossings.
 ;
 ; In:  region, its crossings, the rays at hand; found: a routine that takes
 ;      what the rays of [seen] meet at [event] on the primitives [event_met],
@@ -27,7 +33,7 @@
 ;   EVERY      each crossing of each primitive (visible_every_vector.s)
 ;
 ; Source: the project's notes on ray tracing, 4.1: the before/after rule, event
-; stepping.
+; stepping; what shows is derived here.
 
         .equ    STEPPING, 1
         .equ    EVERY, 2
@@ -67,6 +73,26 @@
         ADDLEN  \value, near, \value
         RTOR    \value, \value_after
         IX      \value_after, 64 * QUEUE_BIT_WORDS
+        .endm
+
+; [bits] = rays that have the crossing [slot] from E - delta to E + delta.
+        .macro  crossing_near bits, work
+        CMPGEV  [slot], [before], [\bits]
+        CMPGEV  [after], [slot], [\work]
+        ANDB    [\bits], [\work], [\bits]
+        .endm
+
+; The region's primitives with their values, which are the first.
+        .macro  values_begin
+        leaves_begin
+        ES      s2, 0
+        find_value s2, value, value_after
+        .endm
+
+        .macro  values_next again
+        ADDX    value, value_size, value
+        ADDX    value_after, value_size, value_after
+        leaves_next \again
         .endm
 
         .macro  both_values operation
@@ -162,17 +188,15 @@ tree_squeeze:
         BSAVE   link_inner, [target]
         BIM     tree_next
 
-; What the rays are inside of, before and after the events of a column, one for
-; each ray.  In: column, active.  Out: seen, of active; s0 = the count of its
-; ones.
+; What is seen at the events of a column, one for each ray.  In: column, whose
+; they are in event_met; active.  Out: seen, of active; s0 = the count of its
+; ones; event_met: what is seen there; P_MET of it.
 find_seen:
         load_word k_delta, s0
         SUBNV   [column], s0, [before]
         ADDNV   [column], s0, [after]
-        leaves_begin
+        values_begin
 value_leaf:
-        SUBX    leaf_count, primitives_left, s2
-        find_value s2, value, value_after
         XORB    [value], [value], [value]
         XORB    [value_after], [value_after], [value_after]
         leaf_at_hand value_next
@@ -192,10 +216,14 @@ value_segment:
         IBXNE   leaf_segments, minus_one_index, r0, value_segment, leaf_segments
         BIM     value_next
 value_patch:
-        load_field P_ID, identity
-        CMPEQV  [event_met], identity, [value_after]
+        find_slot leaf_first_event
+value_crossing:
+        crossing_near bits0, bits1
+        ORB     [value_after], [bits0], [value_after]
+        ADDX    slot, slot_size, slot
+        IBXNE   leaf_events, minus_one_index, r0, value_crossing, leaf_events
 value_next:
-        leaves_next value_leaf
+        values_next value_leaf
 
 ; The tree.
         RTOR    region, s0
@@ -226,6 +254,76 @@ tree_done:
         XORB    [value], [value_after], [seen]
         ANDB    [seen], [active], [seen]
         CNTOB   [seen], s0
+        IBXEQ   s0, r0, r0, seen_found
+
+; Is there a ray for which another primitive changes than that of the event?
+        XORB    [inside], [inside], [inside]
+        values_begin
+other_leaf:
+        leaf_at_hand other_next
+        XORB    [value], [value_after], [bits0]
+        ANDB    [bits0], [seen], [bits0]
+        CNTOB   [bits0], s1
+        IBXEQ   s1, r0, r0, other_next
+        load_field P_ID, identity
+        CMPNEV  [event_met], identity, [bits1]
+        ANDB    [bits0], [bits1], [bits0]
+        ORB     [inside], [bits0], [inside]
+        IBXNE   shadows, r0, r0, other_next
+        store_field P_MET, one_index
+other_next:
+        values_next other_leaf
+        CNTOB   [inside], s1
+        IBXEQ   s1, r0, r0, seen_found
+
+; What shows, in the place of what was before: where a value stays the same its
+; parts do not.
+        find_value tree_value, value, value_after
+        ORB     [seen], [seen], [value]
+        RTOR    region, s0
+        IX      s0, 64 * R_STEPS
+        LOD     [s0], steps_left                ; where they begin
+show_parts:
+        IX      step_at, -64 * T_SIZE
+        ELEN    step_at, T_SIZE
+        SWAP    [step_at], tree_operation, [r0]
+        find_value tree_result, value, value_after
+        find_value tree_left, left, left_after
+        find_value tree_right, right, right_after
+        XORB    [left], [left_after], [left]
+        XORB    [right], [right_after], [right]
+        ANDB    [left], [value], [left]
+        ANDB    [right], [value], [right]
+        IBXNE   step_at, r0, steps_left, show_parts
+
+; The first primitive that shows, and the rays whose event is a crossing of one.
+        describe shown, event_bits + 64 * QUEUE_BIT_WORDS * 3, near
+        XORB    [shown], [shown], [shown]
+        XORB    [seen], [seen], [seen]
+        values_begin
+shown_leaf:
+        leaf_at_hand shown_next
+        CNTOB   [value], s0
+        IBXEQ   s0, r0, r0, shown_next
+        XORB    [inside], [inside], [inside]
+        find_slot leaf_first_event
+shown_crossing:
+        crossing_near bits0, bits1
+        ORB     [inside], [bits0], [inside]
+        CMPEQV  [slot], [column], [bits0]
+        ANDB    [bits0], [value], [bits0]
+        ORB     [seen], [bits0], [seen]
+        ADDX    slot, slot_size, slot
+        IBXNE   leaf_events, minus_one_index, r0, shown_crossing, leaf_events
+        ANDB    [inside], [value], [inside]
+        ANDNB   [inside], [shown], [inside]
+        ORB     [shown], [inside], [shown]
+        load_field P_ID, identity
+        VTOV    identity, [event_met] ? [inside]
+shown_next:
+        values_next shown_leaf
+        CNTOB   [seen], s0
+seen_found:
         BIM     0, link_inner
 
 ; The s9 rays of active alone remain at hand.
@@ -274,21 +372,22 @@ found_nearest:
         take_found event_met, taken_met, 2, seen
         VTOVX   [taken_at], [taken_distance], [nearest]
         VTOVX   [taken_at], [taken_met], [met]
-        LTOR    taken_met, s2
         leaves_begin
 found_leaf:
         leaf_at_hand found_next
-        load_field P_ID, identity
-        SELEQV  [taken_met], identity, s0
-        IBXEQ   s0, r0, s2, found_next          ; there is none
-        store_field P_MET, one_index
         IBXNE   leaf_segments, r0, r0, found_next
+        load_field P_ID, identity
         CMPEQV  [event_met], identity, [bits0]
         ANDB    [seen], [bits0], [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, found_next
+        load_word k_delta, s0
+        SUBNV   [event], s0, [before]
+        ADDNV   [event], s0, [after]
         find_slot leaf_first_event
         EX      s3, 64 * CROSSING_SIZE * PATCH_CROSSINGS
 found_crossing:
-        CMPEQV  [slot], [event], [bits1]
+        crossing_near bits1, bits2
         ANDB    [bits0], [bits1], [bits1]
         CNTOB   [bits1], s0
         IBXEQ   s0, r0, r0, found_other
