@@ -56,7 +56,7 @@ unit_tests = $(patsubst tests/unit/%.c,$(BUILD)/tests/unit/%,\
 oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_narrow \
 	$(BUILD)/tests/oracle/check_scene $(BUILD)/tests/oracle/check_random \
-	$(BUILD)/tests/oracle/check_quartic \
+	$(BUILD)/tests/oracle/check_quartic $(BUILD)/tests/oracle/check_faces \
 	$(BUILD)/tests/oracle/digest
 fuzz_targets = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,\
 	$(wildcard tests/fuzz/fuzz_*.c))

@@ -101,13 +101,39 @@ void plain_cross_region(struct crossing_list *list, const struct scene *scene,
 
 /* --- the tree ----------------------------------------------------------- */
 
-/* A point of the ray; a patch, which has no inside, counts as solid behind the
- * crossing with it and nowhere else. */
+/* A point of the ray just before a crossing, or just behind it. */
 struct probe {
-    const struct scene *scene;
+    const struct crossing_list *list;
+    double crossing;
+    bool behind;
     double point[3];
-    const struct primitive *behind; /* the crossing with this one */
 };
+
+static struct probe probe_at(const struct crossing_list *list,
+                             double crossing, bool behind)
+{
+    struct probe probe = { list, crossing, behind, { 0 } };
+    point_on(list->ray, crossing + (behind ? PLAIN_DELTA : -PLAIN_DELTA),
+             probe.point);
+    return probe;
+}
+
+static bool is_near(const struct place *place, double distance)
+{
+    return fabs(place->distance - distance) <= PLAIN_DELTA;
+}
+
+/* A patch, which has no inside, counts as solid behind a crossing with it and
+ * nowhere else. */
+static bool is_behind(const struct probe *probe,
+                      const struct primitive *patch)
+{
+    for (size_t i = 0; probe->behind && i < probe->list->count; i++)
+        if (probe->list->places[i].primitive == patch
+            && is_near(&probe->list->places[i], probe->crossing))
+            return true;
+    return false;
+}
 
 static bool is_inside(const struct probe *probe,
                       const struct primitive *primitive)
@@ -115,45 +141,99 @@ static bool is_inside(const struct probe *probe,
     double local[3];
     to_other_space(&primitive->to_local, probe->point, local);
     return primitive->kind == PRIMITIVE_STEINER_PATCH
-               ? primitive == probe->behind
+               ? is_behind(probe, primitive)
                : plain_encloses(primitive, local);
 }
 
 static bool value_of(const struct probe *probe, size_t at)
 {
-    const struct tree_node *const node = &probe->scene->nodes[at];
+    const struct scene *const scene = probe->list->scene;
+    const struct tree_node *const node = &scene->nodes[at];
     if (node->operation == TREE_LEAF)
-        return is_inside(probe, &probe->scene->primitives[node->primitive]);
+        return is_inside(probe, &scene->primitives[node->primitive]);
     if (node->operation == TREE_NOT)
         return !value_of(probe, at + 1);
     const bool decides = node->operation == TREE_OR;
     for (size_t child = at + 1; child < node->next;
-         child = probe->scene->nodes[child].next)
+         child = scene->nodes[child].next)
         if (value_of(probe, child) == decides)
             return decides;
     return !decides;
 }
 
-static bool is_solid(const struct crossing_list *list, double distance,
-                     const struct primitive *behind)
+static bool is_alone(const struct region *region)
 {
-    struct probe probe = { list->scene, { 0 }, behind };
-    point_on(list->ray, distance, probe.point);
+    return region->primitive_count == 1;
+}
+
+static bool is_solid(const struct probe *probe)
+{
+    const struct region *const region = probe->list->region;
     const struct primitive *const first =
-        &list->scene->primitives[list->region->first_primitive];
-    return list->region->primitive_count > 1
-               ? value_of(&probe, list->region->first_node)
-               : is_inside(&probe, first) != first->inverted;
+        &probe->list->scene->primitives[region->first_primitive];
+    return is_alone(region) ? is_inside(probe, first) != first->inverted
+                            : value_of(probe, region->first_node);
 }
 
 /* --- what is seen ------------------------------------------------------- */
+
+/* What lies on both sides of a crossing. */
+struct sides {
+    struct probe before, behind;
+};
+
+/* A primitive shows where it is one thing before and another behind, and so is
+ * every part of the tree that it belongs to. */
+static bool shows_below(const struct sides *sides, size_t at,
+                        const struct primitive *primitive)
+{
+    const struct scene *const scene = sides->before.list->scene;
+    const struct tree_node *const node = &scene->nodes[at];
+    if (value_of(&sides->before, at) == value_of(&sides->behind, at))
+        return false;
+    if (node->operation == TREE_LEAF)
+        return primitive == &scene->primitives[node->primitive];
+    for (size_t child = at + 1; child < node->next;
+         child = scene->nodes[child].next)
+        if (shows_below(sides, child, primitive))
+            return true;
+    return false;
+}
+
+/* Of a primitive alone every crossing is seen. */
+static bool shows(const struct sides *sides,
+                  const struct primitive *primitive)
+{
+    const struct region *const region = sides->before.list->region;
+    return is_alone(region)
+           || shows_below(sides, region->first_node, primitive);
+}
+
+/* Of the crossings that are as good as one that of the first primitive which
+ * shows there, and of that one the nearest. */
+static const struct place *first_shown(const struct crossing_list *list,
+                                       const struct sides *sides,
+                                       const struct place *seen)
+{
+    const double distance = seen->distance;
+    for (size_t i = 0; i < list->count; i++) {
+        const struct place *const place = &list->places[i];
+        const bool nearer = place->primitive == seen->primitive
+                            && fabs(place->distance - distance)
+                                   < fabs(seen->distance - distance);
+        if (is_near(place, distance)
+            && (place->primitive < seen->primitive || nearer)
+            && shows(sides, place->primitive))
+            seen = place;
+    }
+    return seen;
+}
 
 /* A patch alone has a side that its normal points to. */
 static void describe(const struct place *place, bool solid_behind,
                      const double direction[3], struct plain_hit *hit)
 {
     hit->primitive = place->primitive;
-    hit->distance = place->distance;
     normal_to_world(&place->primitive->to_local, place->normal, hit->normal);
     const double along = dot(hit->normal, direction);
     hit->entering = place->primitive->kind == PRIMITIVE_STEINER_PATCH
@@ -163,17 +243,16 @@ static void describe(const struct place *place, bool solid_behind,
         scale_by(hit->normal, -1);
 }
 
-/* Of a primitive alone every crossing is seen. */
 static bool look_at(const struct crossing_list *list,
                     const struct place *place, struct plain_hit *hit)
 {
-    const double distance = place->distance;
-    const bool before = is_solid(list, distance - PLAIN_DELTA, NULL);
-    const bool after = is_solid(list, distance + PLAIN_DELTA,
-                                place->primitive);
-    if (before == after && list->region->primitive_count > 1)
+    const struct sides sides = { probe_at(list, place->distance, false),
+                                 probe_at(list, place->distance, true) };
+    if (!shows(&sides, place->primitive))
         return false;
-    describe(place, after, list->ray->direction, hit);
+    hit->distance = place->distance;
+    describe(first_shown(list, &sides, place), is_solid(&sides.behind),
+             list->ray->direction, hit);
     return true;
 }
 

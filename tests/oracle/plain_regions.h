@@ -1,9 +1,10 @@
 /* plain_regions.h - where a ray meets a region, for the plain tracer.
  *
- * A crossing with one of the region's primitives can be seen where the
- * region's tree has another value just behind it than just before: both are
- * asked of points, PLAIN_DELTA away along the ray.  So surfaces nearer to each
- * other than that vanish together, or are one.
+ * A crossing can be seen where its primitive, and every part of the region's
+ * tree that this belongs to, is another thing just behind it than just before:
+ * both are asked of points, PLAIN_DELTA away along the ray.  So surfaces nearer
+ * to each other than that vanish together, or are one: that of the first
+ * primitive of which this is true.
  */
 #ifndef PLAIN_REGIONS_H
 #define PLAIN_REGIONS_H

@@ -1,0 +1,314 @@
+/* check_faces.c - solids with faces that coincide, in every form.
+ *
+ *     check_faces [SCENES [OF SHARE]]
+ *
+ * Traces scenes by chance (grid_scene.h), or every OF-th from the one of the
+ * number SHARE on: in scalar form, in vector form and in the way of 1984, with
+ * several queues, both ways to what is seen of a solid, with and without
+ * bounding spheres.  All give one frame, bit for bit.  Parts in another order
+ * are as far away, bit for bit: order decides which of two faces in one place
+ * is seen, and nothing else.  Where the eye looks aslant, the plain tracer sees
+ * the same things as far away.  A scene that fails is made smaller as long as it
+ * fails, printed, and written to faces_N.pov.  Exit code 1: some failed.
+ */
+#include "rt/layout/program.h"
+#include "rt/scene/language/scene_read.h"
+#include "rt/trace/trace.h"
+#include "tests/oracle/grid_scene.h"
+#include "tests/oracle/plain_tracer.h"
+#include "tests/random.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    WIDTH = GRID_WIDTH,
+    HEIGHT = GRID_HEIGHT,
+    PIXELS = WIDTH * HEIGHT,
+    WORDS = FRAME_CHANNELS * PIXELS,
+    REASON = 200
+};
+
+/* --- forms ---------------------------------------------------------------- */
+
+/* Each is compared with the first. */
+static struct form {
+    enum trace_mode mode;
+    size_t queue;
+    bool no_bounds;
+    enum visible visible;
+    struct trace *trace; /* that has its program */
+} forms[] = {
+    { .mode = TRACE_SCALAR, .queue = 1 },
+    { .mode = TRACE_SCALAR, .queue = 1, .no_bounds = true },
+    { .mode = TRACE_VECTOR, .queue = 7 },
+    { .mode = TRACE_VECTOR, .queue = 77 },
+    { .mode = TRACE_VECTOR, .queue = 2000 },
+    { .mode = TRACE_VECTOR, .queue = 77, .no_bounds = true },
+    { .mode = TRACE_VECTOR, .queue = 77, .visible = VISIBLE_EVERY },
+    { .mode = TRACE_VECTOR,
+      .queue = 2000,
+      .no_bounds = true,
+      .visible = VISIBLE_EVERY },
+    { .mode = TRACE_KERNELS, .queue = 77 },
+    { .mode = TRACE_KERNELS, .queue = 2000, .no_bounds = true },
+};
+enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 3 };
+
+static c205_model *model;
+
+static void give_up(const char *message)
+{
+    fprintf(stderr, "check_faces: %s\n", message);
+    exit(2);
+}
+
+static struct scene *read_text(const char *text)
+{
+    const struct scene_options options = { .strict = false };
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read_text("scene", text, &options, &reports);
+    if (!scene)
+        diagnostics_print(&reports, stderr);
+    diagnostics_free(&reports);
+    return scene;
+}
+
+/* A program is assembled once, for all scenes. */
+static void assemble_forms(void)
+{
+    struct scene *scene = read_text("sphere { 0, 1 }");
+    c205_error error;
+    model = c205_model_find("cyber205-2pipe", &error);
+    if (!model || !scene)
+        give_up("no model or no scene");
+    for (size_t i = 0; i < FORMS; i++) {
+        const struct trace_options options = { .mode = forms[i].mode,
+                                               .queue = forms[i].queue,
+                                               .visible = forms[i].visible,
+                                               .width = WIDTH,
+                                               .height = HEIGHT,
+                                               .model = model };
+        forms[i].trace = trace_new(scene, &options, &error);
+        if (!forms[i].trace)
+            give_up(error.message);
+    }
+    scene_free(scene);
+}
+
+static void free_forms(void)
+{
+    for (size_t i = 0; i < FORMS; i++)
+        trace_free(forms[i].trace);
+    c205_model_free(model);
+}
+
+static void trace_form(const struct form *form, const struct scene *scene,
+                       c205_word words[WORDS])
+{
+    const struct band_work work = { .scene = scene,
+                                    .program = trace_program(form->trace),
+                                    .model = model,
+                                    .width = WIDTH,
+                                    .height = HEIGHT,
+                                    .bounds = !form->no_bounds,
+                                    .rays_a_call = form->queue };
+    struct band band = { .rows = HEIGHT };
+    pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+    struct band_tracer tracer = { .work = &work, .lock = &lock };
+    bool stopped;
+    c205_error error;
+    if (!band_trace(&tracer, &band, NULL, &stopped, &error))
+        give_up(error.message);
+    memcpy(words, band.words, WORDS * sizeof *words);
+    band_free(&band);
+    c205_free(tracer.machine);
+}
+
+/* --- comparisons ---------------------------------------------------------- */
+
+static size_t first_other(const c205_word *words, const c205_word *expected,
+                          size_t count)
+{
+    size_t i = 0;
+    while (i < count && words[i] == expected[i])
+        i++;
+    return i;
+}
+
+static bool same_in_all_forms(const struct scene *scene,
+                              const c205_word *expected, char *reason)
+{
+    static c205_word words[WORDS];
+    for (size_t i = 1; i < FORMS; i++) {
+        const struct form *const form = &forms[i];
+        trace_form(form, scene, words);
+        const size_t other = first_other(words, expected, WORDS);
+        if (other < WORDS) {
+            snprintf(reason, REASON,
+                     "--mode %s --queue %zu%s%s: another frame than --mode "
+                     "scalar, channel %zu, pixel %zu",
+                     trace_mode_name(form->mode), form->queue,
+                     form->no_bounds ? " --no-bounds" : "",
+                     form->visible == VISIBLE_EVERY ? " --visible every" : "",
+                     other / PIXELS, other % PIXELS);
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool same_in_any_order(const struct grid_scene *grid,
+                              const c205_word *expected, uint64_t state,
+                              char *reason)
+{
+    static c205_word words[WORDS];
+    struct grid_scene *shuffled = grid_scene_shuffled(grid, &state);
+    char *text = grid_scene_text(shuffled);
+    struct scene *scene = read_text(text);
+    if (!scene)
+        give_up("parts in another order make no scene");
+    trace_form(&forms[ANY_ORDER], scene, words);
+    const size_t depth = (size_t)CHANNEL_DEPTH * PIXELS;
+    const size_t other = first_other(words + depth, expected + depth, PIXELS);
+    if (other < PIXELS)
+        snprintf(reason, REASON,
+                 "parts in another order: another depth at pixel %zu", other);
+    scene_free(scene);
+    grid_scene_free(shuffled);
+    free(text);
+    return other == PIXELS;
+}
+
+/* Of regions the nearer is seen: where two of them touch a rounding decides. */
+static bool in_one_region(const struct scene *scene, size_t id, size_t other)
+{
+    for (size_t i = 0; i < scene->region_count; i++) {
+        const struct region *const region = &scene->regions[i];
+        const size_t first = region->first_primitive;
+        const size_t last = first + region->primitive_count;
+        if (id > first && id <= last)
+            return other > first && other <= last;
+    }
+    return false;
+}
+
+static bool same_sight(const struct scene *scene, const struct frame *plain,
+                       const c205_word *words, size_t k)
+{
+    const double depth = c205_to_double(words[CHANNEL_DEPTH * PIXELS + k]);
+    const double expected = plain->channel[CHANNEL_DEPTH][k];
+    const size_t id = (size_t)c205_to_integer(words[CHANNEL_ID * PIXELS + k]);
+    const size_t other = (size_t)plain->channel[CHANNEL_ID][k];
+    return fabs(depth - expected) <= 1e-6 * (1 + depth)
+           && (id == other || (id && !in_one_region(scene, id, other)));
+}
+
+/* Edges and outlines are left to the roundings. */
+static bool same_as_plain(const struct scene *scene,
+                          const c205_word *expected, char *reason)
+{
+    struct frame plain;
+    size_t others = 0, worst = 0;
+    if (!plain_trace(scene, WIDTH, HEIGHT, &plain))
+        give_up("no memory left");
+    for (size_t k = 0; k < PIXELS; k++) {
+        if (!same_sight(scene, &plain, expected, k)) {
+            others++;
+            worst = k;
+        }
+    }
+    frame_free(&plain);
+    snprintf(reason, REASON,
+             "the plain tracer sees something else at %zu pixels, %zu among "
+             "them",
+             others, worst);
+    return others <= PIXELS / 100;
+}
+
+static bool passes(const struct grid_scene *grid, uint64_t seed, char *reason)
+{
+    static c205_word expected[WORDS];
+    char *text = grid_scene_text(grid);
+    struct scene *scene = read_text(text);
+    if (!scene) {
+        fputs(text, stderr);
+        give_up("this is no scene");
+    }
+    trace_form(&forms[0], scene, expected);
+    const bool good = same_in_all_forms(scene, expected, reason)
+                      && same_in_any_order(grid, expected, seed, reason)
+                      && (!grid_scene_is_aslant(grid)
+                          || same_as_plain(scene, expected, reason));
+    scene_free(scene);
+    free(text);
+    return good;
+}
+
+/* --- scenes --------------------------------------------------------------- */
+
+/* Leave out what can be, until the scene would pass. */
+static struct grid_scene *shrink(struct grid_scene *grid, uint64_t seed)
+{
+    struct grid_scene *smaller;
+    char reason[REASON];
+    for (size_t way = 0; (smaller = grid_scene_without(grid, way)) != NULL;) {
+        const bool good = passes(smaller, seed, reason);
+        grid_scene_free(good ? smaller : grid);
+        grid = good ? grid : smaller;
+        way = good ? way + 1 : 0;
+    }
+    return grid;
+}
+
+static void show(const struct grid_scene *grid, uint64_t seed, size_t number)
+{
+    char *text = grid_scene_text(grid);
+    char reason[REASON] = "", path[40];
+    passes(grid, seed, reason);
+    snprintf(path, sizeof path, "faces_%zu.pov", number);
+    printf("FAIL %s (-W %d -H %d): %s\n%s", path, WIDTH, HEIGHT, reason,
+           text);
+    fflush(stdout);
+    FILE *file = fopen(path, "w");
+    if (file) {
+        fputs(text, file);
+        fclose(file);
+    }
+    free(text);
+}
+
+static bool check_scene(size_t number)
+{
+    uint64_t state = RANDOM_SEED
+                     ^ (number + 1) * UINT64_C(0x9E3779B97F4A7C15);
+    struct grid_scene *grid = grid_scene_random(&state);
+    char reason[REASON];
+    const bool good = passes(grid, state, reason);
+    if (!good) {
+        grid = shrink(grid, state);
+        show(grid, state, number);
+    }
+    grid_scene_free(grid);
+    return good;
+}
+
+int main(int count, char **words)
+{
+    size_t scenes = count > 1 ? strtoul(words[1], NULL, 10) : 300;
+    size_t of = count > 3 ? strtoul(words[2], NULL, 10) : 1;
+    size_t share = count > 3 ? strtoul(words[3], NULL, 10) : 0;
+    size_t passed = 0, failed = 0;
+    if (of == 0) {
+        fprintf(stderr, "usage: check_faces [SCENES [OF SHARE]]\n");
+        return 2;
+    }
+    assemble_forms();
+    for (size_t i = share; i < scenes; i += of)
+        check_scene(i) ? passed++ : failed++;
+    free_forms();
+    printf("%zu passed, %zu failed\n", passed, failed);
+    return failed > 0;
+}
