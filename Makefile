@@ -71,14 +71,17 @@ test_packages = $(build_packages) $(fit_packages) libcmocka-dev \
 	clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
 # What check runs, and in what size: cases an operation, pairs of narrow words,
-# random programs, polynomials of a kind, tries a row of the table, compilers.
+# random programs, polynomials of a kind, scenes of solids, tries a row of the
+# table, compilers.
 check_parts = check-rooms check-unit check-programs check-bugs check-isa \
 	check-docs check-arithmetic check-narrow check-random check-quartic \
-	check-scenes check-commands check-install check-fit check-hosts wasm-check
+	check-faces check-scenes check-commands check-install check-fit \
+	check-hosts wasm-check
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 15000
 POLYNOMIALS ?= 600
+FACES ?= 300
 TRIES ?= 300
 HOSTS ?= quick
 DOCS ?= quick
@@ -109,6 +112,7 @@ check-long: export CASES = 10000000
 check-long: export PAIRS = all
 check-long: export PROGRAMS = 200000
 check-long: export POLYNOMIALS = 10000
+check-long: export FACES = 20000
 check-long: export TRIES = 3000
 check-long: export HOSTS = full
 check-long: export DOCS = full
@@ -243,6 +247,11 @@ check-random: $(BUILD)/tests/oracle/check_random
 
 check-quartic: $(BUILD)/tests/oracle/check_quartic
 	$< $(POLYNOMIALS)
+
+# A scene that fails is left in the build's folder.
+check-faces: $(BUILD)/tests/oracle/check_faces
+	@seq 0 $$(($(JOBS) - 1)) | (cd $(BUILD) && xargs -n 1 -P $(JOBS) \
+		tests/oracle/check_faces $(FACES) $(JOBS))
 
 # A part of check-unit, here with more tries.
 check-poison: $(BUILD)/tests/unit/test_poison
@@ -383,7 +392,7 @@ clean:
 
 .PHONY: all demo check check-long check-rooms check-unit check-programs \
 	check-bugs check-docs check-isa check-arithmetic check-narrow check-random check-quartic \
-	check-planted check-scenes check-commands check-install check-hosts \
+	check-planted check-faces check-scenes check-commands check-install check-hosts \
 	check-poison check-timing check-fit fit cover cover-tests wasm-check docs \
 	san bench fuzz fuzz-targets format lint install clean
 .SECONDARY:
