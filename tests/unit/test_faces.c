@@ -125,6 +125,8 @@ static void test_alone(void **state)
         { "cylinder { -y, 0, 1 }", 1, 4 },
         { "cylinder { <0, 1, -1>, <0, 1, 1>, 1 }", 1, 4 },
         { "cone { -y, 1, 0, .5 }", 1, 4.5 },
+        /* rays along a line of its side */
+        { "cone { <1, .5, -4>, 0, <1, .625, -4>, 1 }", 0, 0 },
         { "plane { y, 0 }", 0, 0 }, /* entered nowhere */
         { "plane { -y, 0 }", 0, 0 },
     };

@@ -6,7 +6,8 @@
 ; Arguments as in sphere_scalar.s, method as in cone_vector.s.
 
 ; The side: tin, tout, or to miss.  Leaves o along w in o_along, d along w in
-; d_along, k dw in k_along, the shift of the origin in shift, a in quad_a.
+; d_along, the shift of the origin in shift, a in quad_a; k_along > 0 where a ray
+; with a <= 0 goes inside.
         .macro  cone_side miss
         SUBN    ox, sh0, t0
         SUBN    oy, sh1, t1
@@ -41,6 +42,7 @@ cone_real\@:
         sort_roots t0, t1
         BIM     cone_sided\@
 cone_one\@:
+        SUBN    r0, quad_b, k_along
         RTOR    t1, tin
         RTOR    t1, tout
         BIM     cone_sided\@

@@ -12,19 +12,19 @@
 ; a > 0: the ray is inside the side between the two roots.  a < 0: outside
 ; between them; they lie on the two halves of the double cone, and the ray
 ; stays in the half it goes towards (k dw > 0) or comes from.  There is always
-; a root then: disc < 0 is the rounding of a ray through the apex.  a = 0:
-; likewise with the one root; without one (b = 0: along the axis of equal
-; radii) it is inside for ever or never.  A solid cone is cut by the slab of
-; its two disks, which leaves nothing of the second half; an open one keeps
-; those of its crossings that lie between them.
+; a root then: disc < 0 is the rounding of a ray through the apex.  a = 0: along
+; a line of the side; it is inside behind the one root (b < 0) or before it;
+; without one (b = 0: along the axis of equal radii) for ever or never.  A solid
+; cone is cut by the slab of its two disks, which leaves nothing of the second
+; half; an open one keeps those of its crossings that lie between them.
 ;
 ; In:  ox oy oz dx dy dz, n long; the primitive's record.
 ; Out: tin, tout; a miss is big, minus_big.
 ; Source: derived here; the project's notes on ray tracing, 4.1 and 4.2.
 
 ; The side: tin, tout, bits0 = real; a miss is big, minus_big.  Leaves o along
-; w in [w5], d along w in [w6], k dw in [w3], the shift of the origin in [w9],
-; a in [w10].
+; w in [w5], d along w in [w6], the shift of the origin in [w9], a in [w10];
+; [w3] > 0 where a ray with a <= 0 goes inside.
         .macro  cone_side
         load_record P_SHAPE, 15, sh0
         SUBNV   [ox], sh0, [w0]
@@ -68,6 +68,7 @@
         CMPEQV  [w10], r0, [bits1]
         VTOV    [w0], [w1] ? [bits2]
         VTOV    [w1], [w0] ? [bits1]
+        VTOV    -[w11], [w3] ? [bits1]
         ANDB    [bits1], [bits2], [bits2]       ; no root
         VTOV    minus_big, [w0] ? [bits2]
         VTOV    big, [w1] ? [bits2]
