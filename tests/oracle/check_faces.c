@@ -1,6 +1,6 @@
 /* check_faces.c - solids with faces that coincide, in every form.
  *
- *     check_faces [SCENES [OF SHARE]]
+ *     check_faces [SCENES [OF SHARE]] [--first]
  *
  * Traces scenes by chance (grid_scene.h), or every OF-th from the one of the
  * number SHARE on: in scalar form, in vector form and in the way of 1984, with
@@ -9,7 +9,8 @@
  * are as far away, bit for bit: order decides which of two faces in one place
  * is seen, and nothing else.  Where the eye looks aslant, the plain tracer sees
  * the same things as far away.  A scene that fails is made smaller as long as it
- * fails, printed, and written to faces_N.pov.  Exit code 1: some failed.
+ * fails, printed, and written to faces_N.pov; after --first nothing more is done, not
+ * even that.  Exit code 1: some failed.
  */
 #include "rt/layout/program.h"
 #include "rt/scene/language/scene_read.h"
@@ -280,14 +281,16 @@ static void show(const struct grid_scene *grid, uint64_t seed, size_t number)
     free(text);
 }
 
-static bool check_scene(size_t number)
+static bool check_scene(size_t number, bool first)
 {
     uint64_t state = RANDOM_SEED
                      ^ (number + 1) * UINT64_C(0x9E3779B97F4A7C15);
     struct grid_scene *grid = grid_scene_random(&state);
     char reason[REASON];
     const bool good = passes(grid, state, reason);
-    if (!good) {
+    if (!good && first) {
+        printf("scene %zu: %s\n", number, reason);
+    } else if (!good) {
         grid = shrink(grid, state);
         show(grid, state, number);
     }
@@ -297,17 +300,19 @@ static bool check_scene(size_t number)
 
 int main(int count, char **words)
 {
+    const bool first = count > 1 && strcmp(words[count - 1], "--first") == 0;
+    count -= first;
     size_t scenes = count > 1 ? strtoul(words[1], NULL, 10) : 300;
     size_t of = count > 3 ? strtoul(words[2], NULL, 10) : 1;
     size_t share = count > 3 ? strtoul(words[3], NULL, 10) : 0;
     size_t passed = 0, failed = 0;
     if (of == 0) {
-        fprintf(stderr, "usage: check_faces [SCENES [OF SHARE]]\n");
+        fprintf(stderr, "usage: check_faces [SCENES [OF SHARE]] [--first]\n");
         return 2;
     }
     assemble_forms();
-    for (size_t i = share; i < scenes; i += of)
-        check_scene(i) ? passed++ : failed++;
+    for (size_t i = share; i < scenes && !(first && failed); i += of)
+        check_scene(i, first) ? passed++ : failed++;
     free_forms();
     printf("%zu passed, %zu failed\n", passed, failed);
     return failed > 0;

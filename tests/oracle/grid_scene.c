@@ -32,6 +32,7 @@ struct solid {
 struct grid_scene {
     char view[WORDS];
     bool aslant;
+    double scale; /* of everything but the lamps */
     size_t lamp_count, solid_count;
     char lamps[LAMPS_MOST][WORDS];
     struct solid *solids[SOLIDS_MOST];
@@ -284,13 +285,15 @@ static struct solid *random_solid(uint64_t *state, size_t depth)
 
 static void random_view(uint64_t *state, struct grid_scene *scene)
 {
-    double x = on_grid(state), y = on_grid(state), z = on_grid(state);
+    double s = scene->scale = below(state, 8) ? 1 : 1e-4;
+    double x = s * on_grid(state), y = s * on_grid(state);
+    double z = s * on_grid(state);
     switch (below(state, 8)) {
     case 0: /* rays run in faces */
     case 1:
         print(scene->view,
-              "location <%g, %g, -5> direction 28*z right %d*x up %d*y", x, y,
-              GRID_WIDTH, GRID_HEIGHT);
+              "location <%g, %g, %g> direction 28*z right %d*x up %d*y", x, y,
+              -5 * s, GRID_WIDTH, GRID_HEIGHT);
         break;
     case 2: /* rays begin in faces */
         print(scene->view,
@@ -300,10 +303,10 @@ static void random_view(uint64_t *state, struct grid_scene *scene)
     default:
         scene->aslant = true;
         print(scene->view,
-              "location <%.5f, %.5f, -%.5f> look_at <.013, .0171, 0> "
+              "location %g*<%.5f, %.5f, -%.5f> look_at %g*<.013, .0171, 0> "
               "right x*%d/%d angle %.2f",
-              between(state, -6, 6), between(state, -4, 6),
-              between(state, 5, 9), GRID_WIDTH, GRID_HEIGHT,
+              s, between(state, -6, 6), between(state, -4, 6),
+              between(state, 5, 9), s, GRID_WIDTH, GRID_HEIGHT,
               between(state, 20, 40));
         break;
     }
@@ -388,6 +391,16 @@ static void add_solid(char *text, const struct solid *solid, int depth)
         solid->motion);
 }
 
+static void add_scaled_solid(char *text, const struct solid *solid,
+                             double scale)
+{
+    if (scale != 1)
+        add(text, "object {\n");
+    add_solid(text, solid, 0);
+    if (scale != 1)
+        add(text, "scale %g }\n", scale);
+}
+
 char *grid_scene_text(const struct grid_scene *scene)
 {
     char *text = room(TEXT);
@@ -398,7 +411,7 @@ char *grid_scene_text(const struct grid_scene *scene)
         add(text, "%s\n", scene->lamps[i]);
     add(text, "#default { pigment { rgb .8 } }\n");
     for (size_t i = 0; i < scene->solid_count; i++)
-        add_solid(text, scene->solids[i], 0);
+        add_scaled_solid(text, scene->solids[i], scene->scale);
     return text;
 }
 
