@@ -241,10 +241,13 @@ static const struct {
     [PRIMITIVE_STEINER_PATCH] = { patch_hull, NULL },
 };
 
-/* A part in a thousand, and what a ray from far away may lose. */
+/* A part in a thousand, what a ray from far away may lose, and what an event
+ * is looked at from (twice k_delta, docs/solids.md): a solid that is left out is
+ * on neither side of an event. */
 static void add_margin(struct bound *bound)
 {
-    bound->radius = 1.001 * bound->radius + 1e-9 * length3(bound->center);
+    bound->radius = 1.001 * bound->radius + 1e-9 * length3(bound->center)
+                    + 2e-7;
     if (!is_sound(bound))
         *bound = bound_none;
 }
