@@ -31,6 +31,22 @@ struct asm_line {
     const char *source;
 };
 
+/* A name of a register, as .reg and .regs gave it. */
+struct asm_register {
+    const char *name;
+    bool half;
+    uint8_t number;
+    const char *file;
+    size_t line;  /* where it was given */
+    size_t owner; /* the first name of what this is, in the same list */
+};
+
+/* An instruction has a name of a register. */
+struct asm_mention {
+    uint64_t address; /* the instruction's */
+    size_t name;      /* in the list of registers */
+};
+
 /* What a test program expects (its "; expect" comments): asm/expect.h. */
 struct asm_expectation;
 
@@ -40,6 +56,10 @@ struct object {
     const struct asm_symbol *symbols; /* sorted by name */
     size_t line_count;                /* 0 when read from an object file */
     const struct asm_line *lines;     /* sorted by address */
+    size_t register_count;            /* likewise */
+    const struct asm_register *registers; /* as the text has them */
+    size_t mention_count;                 /* likewise */
+    const struct asm_mention *mentions;   /* by address, then as written */
     size_t expectation_count;
     const struct asm_expectation *expectations;
     warning_set warned; /* of this the assembler has warned, or would have */

@@ -21,6 +21,8 @@
 #define MAX_LINE ((size_t)1 << 16)        /* bytes of one line */
 #define MAX_FRAMES 64u                    /* includes and macros in use */
 #define MAX_CONDITIONS 64u
+#define MAX_SHARES 64u  /* .share in .share */
+#define MAX_SHARERS 64u /* of a register that a new name is compared with */
 #define MAX_EXPRESSION_DEPTH 200u
 #define MAX_ERRORS 200u
 
@@ -62,7 +64,8 @@ struct symbol {
     const char *name;
     size_t length;
     enum symbol_kind kind;
-    struct value value;        /* register: its number */
+    struct value value; /* register: its number */
+    size_t naming;      /* register: the last one of this name, from 1 */
     const struct macro *macro; /* of this name; macros have their own space */
     const struct line *defined; /* NULL: given by the caller */
 };
@@ -73,6 +76,36 @@ enum { SYMBOL_BUCKETS = 4096 };
 struct register_name {
     bool half;
     uint8_t number;
+    size_t naming; /* by which it was meant, from 1; 0: r5 itself */
+};
+
+/* From .share to .endshare. */
+struct share {
+    const struct share *outer;
+    const struct line *line;
+    const char *word; /* NULL: none */
+    unsigned depth;
+};
+
+/* What .reg and .regs declare: a name of a register from there on. */
+struct naming {
+    const struct line *line;
+    const char *at;
+    const struct symbol *symbol;
+    struct register_name named;
+    size_t owner;              /* the first naming of what this is */
+    const struct share *share; /* the block it stands in, or NULL */
+    bool ended;                /* the name has moved on */
+    size_t below; /* the one of this register before it, from 1 */
+};
+
+struct registers {
+    struct naming *namings;
+    size_t count, capacity;
+    size_t newest[C205_REGISTERS]; /* naming of each, from 1 */
+    size_t *mentions;              /* namings, as instructions have them */
+    size_t mention_count, mention_capacity;
+    const struct share *share; /* the block that is open, or NULL */
 };
 
 struct symbols {
@@ -85,6 +118,7 @@ struct instruction {
     c205_fields fields;
     const struct expression *value; /* immediate or branch target, or NULL */
     bool relative;                  /* value is a target address */
+    size_t mention, mentions;       /* the first, and how many */
 };
 
 enum item_kind {
@@ -155,6 +189,7 @@ struct assembler {
     struct diagnostics *diagnostics;
     size_t first_error; /* errors that were there before */
     struct symbols symbols;
+    struct registers registers;
     struct expander *expander;
 
     struct section sections[2];

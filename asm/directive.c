@@ -23,53 +23,6 @@ static bool parse_equ(struct cursor *cursor)
                             SYMBOL_CONSTANT, value);
 }
 
-static bool name_register(struct cursor *cursor, const char *name,
-                          size_t length, struct register_name named)
-{
-    struct value value = { VALUE_INTEGER, 0 };
-
-    value.bits = named.number;
-    return symbol_define(cursor->assembler, cursor->line, name,
-                         symbol_intern(cursor->assembler, name, length),
-                         named.half ? SYMBOL_HALF_REGISTER : SYMBOL_REGISTER,
-                         value);
-}
-
-static bool parse_reg(struct cursor *cursor)
-{
-    const char *name;
-    size_t length;
-    struct register_name named;
-
-    return expect_name(cursor, "a name", &name, &length) && comma(cursor)
-           && parse_any_register(cursor, &named)
-           && name_register(cursor, name, length, named);
-}
-
-/* Consecutive registers. */
-static bool parse_regs(struct cursor *cursor)
-{
-    const char *name;
-    size_t length;
-    struct register_name named;
-    unsigned number;
-
-    if (!parse_any_register(cursor, &named))
-        return false;
-    for (number = named.number; cursor_take(cursor, ','); number++) {
-        if (!expect_name(cursor, "a name", &name, &length))
-            return false;
-        if (number >= C205_REGISTERS)
-            return report(cursor->assembler, cursor->line, name,
-                          "there is no register after %c255",
-                          named.half ? 'h' : 'r');
-        named.number = (uint8_t)number;
-        if (!name_register(cursor, name, length, named))
-            return false;
-    }
-    return true;
-}
-
 /* ---- Places ---- */
 
 static bool parse_code(struct cursor *cursor)
@@ -429,6 +382,8 @@ const struct directive *find_directive(const struct token *token)
         { ".equ", parse_equ, false },
         { ".reg", parse_reg, false },
         { ".regs", parse_regs, false },
+        { ".share", parse_share, false },
+        { ".endshare", parse_endshare, false },
         { ".code", parse_code, false },
         { ".data", parse_data, false },
         { ".org", parse_org, false },

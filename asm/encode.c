@@ -321,6 +321,48 @@ static bool add_lines(struct assembler *assembler, struct storage *storage)
     return true;
 }
 
+static bool add_registers(struct assembler *assembler,
+                          struct storage *storage)
+{
+    size_t i;
+
+    for (i = 0; i < assembler->registers.count; i++) {
+        const struct naming *naming = &assembler->registers.namings[i];
+        struct asm_register *kept = storage_add_register(storage);
+
+        if (!kept)
+            return false;
+        kept->name = keep(storage, naming->symbol->name);
+        kept->half = naming->named.half;
+        kept->number = naming->named.number;
+        kept->file = keep(storage, naming->line->file);
+        kept->line = naming->line->number;
+        kept->owner = naming->owner;
+    }
+    return true;
+}
+
+static bool add_mentions(struct assembler *assembler, struct storage *storage)
+{
+    const struct item *item = assembler->items;
+    size_t i, j;
+
+    for (i = 0; i < assembler->item_count; i++, item++) {
+        if (item->kind != ITEM_INSTRUCTION)
+            continue;
+        for (j = 0; j < item->of.instruction->mentions; j++) {
+            struct asm_mention *kept = storage_add_mention(storage);
+
+            if (!kept)
+                return false;
+            kept->address = item->address;
+            kept->name = assembler->registers
+                             .mentions[item->of.instruction->mention + j];
+        }
+    }
+    return true;
+}
+
 static void grant_tolerance(struct assembler *assembler,
                             const struct wish *wish,
                             struct asm_expectation *made)
@@ -407,6 +449,8 @@ static bool fill(struct assembler *assembler, struct storage *storage)
     return check_overlap(assembler) && add_segments(assembler, storage)
            && add_regions(assembler, storage)
            && add_symbols(assembler, storage) && add_lines(assembler, storage)
+           && add_registers(assembler, storage)
+           && add_mentions(assembler, storage)
            && add_expectations(assembler, storage);
 }
 
@@ -423,6 +467,10 @@ struct object *encode_program(struct assembler *assembler)
     if (open->line)
         report(assembler, open->line, open->line->begin,
                "this .kernel has no .endkernel");
+    if (assembler->registers.share)
+        report(assembler, assembler->registers.share->line,
+               assembler->registers.share->line->begin,
+               "this .share has no .endshare");
     if (assembler->record.line)
         report(assembler, assembler->record.line,
                assembler->record.line->begin,

@@ -18,6 +18,7 @@ bool parse_any_register(struct cursor *cursor, struct register_name *found)
             || symbol->kind == SYMBOL_HALF_REGISTER)) {
         found->half = symbol->kind == SYMBOL_HALF_REGISTER;
         found->number = (uint8_t)symbol->value.bits;
+        found->naming = symbol->naming;
     } else if (!register_named(token->begin, length, found)) {
         return expected(cursor, "a register");
     }
@@ -28,14 +29,14 @@ bool parse_any_register(struct cursor *cursor, struct register_name *found)
 /* A whole register or a half one. */
 static bool parse_sized(struct cursor *cursor, bool half, uint8_t *number)
 {
-    struct register_name found = { false, 0 };
+    struct register_name found = { false, 0, 0 };
     const char *at = cursor->token.begin;
 
     if (!parse_any_register(cursor, &found))
         return false;
     *number = found.number;
     if (found.half == half)
-        return true;
+        return mention_register(cursor->assembler, found);
     return report(cursor->assembler, cursor->line, at,
                   half ? "expected a half register, h0 .. h255, found the"
                          " whole register r%u"
@@ -243,8 +244,11 @@ bool parse_instruction(struct cursor *cursor, const c205_insn *insn)
     instruction->insn = insn;
     instruction->fields.f = insn->opcode;
     instruction->fields.g = insn->subop;
+    instruction->mention = cursor->assembler->registers.mention_count;
     good = parse_size(cursor, instruction)
            && parse_operands(cursor, instruction);
+    instruction->mentions = cursor->assembler->registers.mention_count
+                            - instruction->mention;
     item = layout_add(cursor, ITEM_INSTRUCTION, halves); /* errors or not */
     if (item)
         item->of.instruction = instruction;

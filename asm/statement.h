@@ -28,6 +28,12 @@ struct directive {
 };
 const struct directive *find_directive(const struct token *token);
 
+/* register.c */
+directive_parser parse_reg, parse_regs, parse_share, parse_endshare;
+/* An instruction has it. */
+bool mention_register(struct assembler *assembler,
+                      struct register_name named);
+
 /* record.c */
 directive_parser parse_record, parse_field, parse_at, parse_endrecord;
 

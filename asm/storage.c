@@ -81,6 +81,34 @@ struct asm_line *storage_add_line(struct storage *storage)
     return &grown[object->line_count - 1];
 }
 
+struct asm_register *storage_add_register(struct storage *storage)
+{
+    struct object *object = &storage->object;
+    struct asm_register *grown = grow(storage, object->registers,
+                                      &object->register_count,
+                                      &storage->register_capacity,
+                                      sizeof *grown);
+
+    if (!grown)
+        return NULL;
+    object->registers = grown;
+    return &grown[object->register_count - 1];
+}
+
+struct asm_mention *storage_add_mention(struct storage *storage)
+{
+    struct object *object = &storage->object;
+    struct asm_mention *grown = grow(storage, object->mentions,
+                                     &object->mention_count,
+                                     &storage->mention_capacity,
+                                     sizeof *grown);
+
+    if (!grown)
+        return NULL;
+    object->mentions = grown;
+    return &grown[object->mention_count - 1];
+}
+
 struct asm_expectation *storage_add_expectation(struct storage *storage)
 {
     struct object *object = &storage->object;

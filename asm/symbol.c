@@ -62,6 +62,7 @@ bool register_named(const char *name, size_t length,
         number = 10 * number + (name[i] - '0');
     }
     found->half = letter == 'h';
+    found->naming = 0;
     found->number = (uint8_t)number;
     return number < C205_REGISTERS;
 }

@@ -7,7 +7,7 @@
 
         .include "half_vector.inc"
 
-        .regs   r40, vx, vy
+        .regs   r42, vx, vy
         .regs   r50, elements, places
 
         .macro  uses op, length

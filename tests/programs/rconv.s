@@ -2,7 +2,7 @@
 
         .include "half_vector.inc"
 
-        .regs   r40, whole, short
+        .regs   r42, whole, short
 
         .data
 a:      .word   1.5, -0.1, 0.3, X'0000 0000 0080 0000', X'FFD1 7FFF FFFF FFFF'

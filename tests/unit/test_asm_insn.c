@@ -5,7 +5,7 @@
 #include "tests/random.h"
 
 static const char names[] = " .regs r16, a, x, b, y, c, o, z, s\n"
-                            " .reg c2, r20\n .regs h50, h, i, j\n";
+                            " .reg c2, c\n .regs h50, h, i, j\n";
 
 static c205_word encoding(const char *instruction)
 {

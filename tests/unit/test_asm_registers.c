@@ -1,0 +1,339 @@
+/* test_asm_registers.c - whose a register is: names that share one are told
+ * of, unless they say so. */
+#include "tests/unit/asm_helper.h"
+
+#include "tests/random.h"
+
+struct expected {
+    const char *text;
+    size_t line, column; /* 0: there is none */
+    const char *message;
+};
+
+static void check_warning(const struct expected *expected)
+{
+    struct diagnostics found = { 0 };
+    struct object *object = assemble_text("test.s", expected->text, NULL,
+                                          &found);
+    const struct diagnostic *first = found.items;
+    bool good = object && found.errors == 0
+                && found.count == (expected->line > 0);
+
+    if (good && expected->line > 0)
+        good = first->severity == SEVERITY_WARNING
+               && first->line == expected->line
+               && first->column == expected->column
+               && strstr(first->message, expected->message);
+    if (!good)
+        fail_msg("%s\n%zu found: %zu:%zu: %s", expected->text, found.count,
+                 found.count ? first->line : 0,
+                 found.count ? first->column : 0,
+                 found.count ? first->message : "");
+    diagnostics_free(&found);
+    object_free(object);
+}
+
+static void test_warnings(void **state)
+{
+    static const struct expected warnings[] = {
+        { " .reg a, r5\n .reg b, r6\n .reg h, h8\n .reg i, h9\n", 0, 0, "" },
+        { " .reg a, r5\n .reg b, r5\n", 2, 7,
+          "r5 is 'a' already, of test.s:1; names that are to share a register"
+          " say so by .share" },
+        { " .regs r5, a, b\n .regs r4, c, d\n", 2, 15, "r5 is 'a' already" },
+        { " .reg a, r5\n .reg h, h11\n", 2, 7, "h11 is 'a' already" },
+        { " .reg h, h10\n .reg a, r5\n", 2, 7, "r5 is 'h' already" },
+        { " .reg h, h10\n .reg i, h10\n", 2, 7, "h10 is 'h' already" },
+        /* r0 is nobody's. */
+        { " .reg a, r0\n .reg b, r0\n .reg h, h1\n", 0, 0, "" },
+        /* The same thing. */
+        { " .reg a, r5\n .reg a, r5\n", 0, 0, "" },
+        { " .reg a, r5\n .reg b, a\n .reg a, a\n .reg c, b\n", 0, 0, "" },
+        { " .regs r5, a, b\n .regs a, c, d\n", 0, 0, "" },
+        { " .reg b, r6\n .reg a, r5\n .regs a, c, d\n", 3, 14,
+          "r6 is 'b' already, of test.s:1" },
+        { " .reg a, r5\n .reg b, a\n .reg a, r6\n .reg c, r5\n", 4, 7,
+          "r5 is 'b' already, of test.s:2" },
+        /* A name moves on. */
+        { " .reg a, r5\n .reg a, r6\n .reg b, r5\n", 0, 0, "" },
+        { " .reg a, r5\n .reg a, r6\n .reg b, r6\n", 3, 7, "'a' already" },
+        /* .share */
+        { " .reg a, r5\n .share\n .reg b, r5\n .endshare\n", 0, 0, "" },
+        { " .share\n .reg a, r5\n .endshare\n .reg b, r5\n", 0, 0, "" },
+        { " .share\n .reg a, r5\n .reg b, r5\n .endshare\n", 3, 7, "'a'" },
+        { " .reg a, r5\n .share x\n .reg b, r5\n .endshare\n", 3, 7, "'a'" },
+        { " .share x\n .reg a, r5\n .endshare\n"
+          " .share x\n .reg b, r5\n .endshare\n",
+          0, 0, "" },
+        { " .share x\n .reg a, r5\n .endshare\n"
+          " .share y\n .reg b, r5\n .endshare\n",
+          5, 7, "'a' already" },
+        { " .share x\n .reg a, r5\n .endshare\n"
+          " .share y\n .share x\n .reg b, r5\n .endshare\n .endshare\n",
+          0, 0, "" },
+        { " .share\n .share x\n .reg a, r5\n .endshare\n"
+          " .share y\n .reg b, r5\n .endshare\n .endshare\n",
+          6, 7, "'a' already" },
+        { " .share\n .reg a, r5\n .share x\n .reg b, r5\n .endshare\n"
+          " .endshare\n",
+          4, 7, "'a' already" },
+        { " .share\n .reg a, r5\n .share\n .reg b, r5\n .endshare\n"
+          " .endshare\n",
+          0, 0, "" },
+        /* What is named by a name stands where that stands. */
+        { " .share x\n .reg a, r5\n .endshare\n .reg b, a\n"
+          " .share x\n .reg c, r5\n .endshare\n",
+          0, 0, "" },
+        /* The one before the last is an owner, too. */
+        { " .reg a, r5\n .share\n .reg b, r5\n .endshare\n .reg c, r5\n", 5,
+          7, "'a' already, of test.s:1" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof warnings / sizeof *warnings; i++)
+        check_warning(&warnings[i]);
+}
+
+static void test_errors(void **state)
+{
+    static const struct expected errors[] = {
+        { " .share\n", 1, 2, "this .share has no .endshare" },
+        { " .endshare\n", 1, 2, "there is no .share open" },
+        { " .share 5\n .endshare\n", 1, 9, "expected a word" },
+        { " .share a b\n .endshare\n", 1, 11, "the end of the statement" },
+        { " .share\n .endshare 5\n", 2, 12, "the end of the statement" },
+        { " .rept 65\n .share\n .endr\n .rept 65\n .endshare\n .endr\n", 2, 2,
+          "nested more than 64 deep" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof errors / sizeof *errors; i++) {
+        struct diagnostics found = { 0 };
+
+        assert_null(assemble_text("test.s", errors[i].text, NULL, &found));
+        if (found.items[0].line != errors[i].line
+            || found.items[0].column != errors[i].column
+            || !strstr(found.items[0].message, errors[i].message))
+            fail_msg("%s%zu:%zu: %s", errors[i].text, found.items[0].line,
+                     found.items[0].column, found.items[0].message);
+        diagnostics_free(&found);
+    }
+}
+
+/* What the object tells of names and of where they stand. */
+static void test_mentions(void **state)
+{
+    struct object *object = good(" .regs r5, a, b\n"
+                                 " .reg h, h20\n"
+                                 " .reg c, b\n"
+                                 " ADDN a, c, r9\n"
+                                 " .reg a, r5\n"
+                                 " ADDNV [a, b], c, [a] ? [b]\n"
+                                 " EXH h, 5\n"
+                                 " EXIT\n");
+    static const struct {
+        uint64_t address;
+        size_t name;
+    } mentions[] = { { 0x400000, 0 }, { 0x400000, 3 }, { 0x400020, 4 },
+                     { 0x400020, 1 }, { 0x400020, 3 }, { 0x400020, 4 },
+                     { 0x400020, 1 }, { 0x400060, 2 } };
+
+    (void)state;
+    assert_int_equal(object->register_count, 5);
+    assert_string_equal(object->registers[2].name, "h");
+    assert_true(object->registers[2].half);
+    assert_int_equal(object->registers[2].number, 20);
+    assert_int_equal(object->registers[3].line, 3);
+    assert_int_equal(object->registers[3].owner, 1); /* c is b */
+    assert_int_equal(object->registers[4].owner, 0); /* a is a */
+    assert_int_equal(object->mention_count,
+                     sizeof mentions / sizeof *mentions);
+    for (size_t i = 0; i < object->mention_count; i++) {
+        assert_int_equal(object->mentions[i].address, mentions[i].address);
+        assert_int_equal(object->mentions[i].name, mentions[i].name);
+    }
+    object_free(object);
+}
+
+/* ---- Random declarations ------------------------------------------------ */
+
+enum { LINES = 40, NAMES = 6, REGISTERS = 4, WORDS = 3, DEPTH = 4 };
+
+/* A name as it was given, with the blocks around it: each has a number, and a
+ * word, 0 for none. */
+struct given {
+    size_t line, name, depth;
+    unsigned number, blocks[DEPTH], words[DEPTH];
+    size_t owner;
+    bool holds;
+};
+
+static bool stands_in(const struct given *given, unsigned block)
+{
+    for (size_t i = 0; i < given->depth; i++)
+        if (given->blocks[i] == block)
+            return true;
+    return false;
+}
+
+static bool agree(const struct given *a, const struct given *b)
+{
+    for (size_t i = 0; i < a->depth; i++) {
+        if (stands_in(b, a->blocks[i]))
+            continue;
+        if (a->words[i] == 0)
+            return true;
+        for (size_t j = 0; j < b->depth; j++)
+            if (a->words[i] == b->words[j] && !stands_in(a, b->blocks[j]))
+                return true;
+    }
+    return false;
+}
+
+static bool clashes(const struct given *given, size_t last)
+{
+    const struct given *new = &given[last];
+
+    for (size_t i = 0; i < last; i++)
+        if (given[i].holds
+            && given[i].number == new->number &&given[i].owner != new->owner
+            && !agree(&given[i], new) && !agree(new, &given[i]))
+            return true;
+    return false;
+}
+
+struct declarations {
+    char text[4096];
+    struct given given[LINES];
+    size_t count, line;
+    struct given around; /* the blocks that are open */
+    unsigned blocks;
+    bool told[LINES + 2 * DEPTH]; /* the lines with a warning, from 1 */
+};
+
+static void say(struct declarations *declarations, const char *text)
+{
+    strcat(declarations->text, text);
+    declarations->line++;
+}
+
+static void open_block(struct declarations *declarations, unsigned word)
+{
+    struct given *around = &declarations->around;
+    char text[40];
+
+    snprintf(text, sizeof text, word ? " .share w%u\n" : " .share\n", word);
+    say(declarations, text);
+    around->blocks[around->depth] = ++declarations->blocks;
+    around->words[around->depth++] = word;
+}
+
+static void close_block(struct declarations *declarations)
+{
+    say(declarations, " .endshare\n");
+    declarations->around.depth--;
+}
+
+/* By number, or by a name that holds (and not its own). */
+static void name_one(struct declarations *declarations, uint64_t *seed)
+{
+    struct given *given = declarations->given,
+                 *new = &given[declarations->count];
+    size_t other = declarations->count > 0
+                       ? xorshift(seed) % declarations->count
+                       : 0;
+    char text[40];
+
+    *new = declarations->around;
+    new->name = xorshift(seed) % NAMES;
+    new->number = 5 + (unsigned)(xorshift(seed) % REGISTERS);
+    new->owner = declarations->count;
+    if (declarations->count > 0 && given[other].holds
+        && given[other].name != new->name &&xorshift(seed) % 3 == 0) {
+        snprintf(text, sizeof text, " .reg n%zu, n%zu\n", new->name,
+                 given[other].name);
+        new->number = given[other].number;
+        new->owner = given[other].owner;
+        new->depth = given[other].depth;
+        memcpy(new->blocks, given[other].blocks, sizeof new->blocks);
+        memcpy(new->words, given[other].words, sizeof new->words);
+    } else {
+        snprintf(text, sizeof text, " .reg n%zu, r%u\n", new->name,
+                 new->number);
+    }
+    for (size_t i = 0; i < declarations->count; i++)
+        if (given[i].holds && given[i].name == new->name) {
+            given[i].holds = false;
+            if (given[i].number == new->number &&new->owner
+                == declarations->count)
+                new->owner = given[i].owner;
+        }
+    say(declarations, text);
+    declarations->told[declarations->line] = !strchr(strchr(text, ','), 'n')
+                                             && clashes(given,
+                                                        declarations->count);
+    new->holds = true;
+    declarations->count++;
+}
+
+static void make_declarations(struct declarations *declarations,
+                              uint64_t *seed)
+{
+    memset(declarations, 0, sizeof *declarations);
+    while (declarations->line < LINES) {
+        size_t choice = xorshift(seed) % 6, *depth;
+
+        depth = &declarations->around.depth;
+        if (choice == 0 && *depth < DEPTH)
+            open_block(declarations, (unsigned)(xorshift(seed) % WORDS));
+        else if (choice == 1 && *depth > 0)
+            close_block(declarations);
+        else
+            name_one(declarations, seed);
+    }
+    while (declarations->around.depth > 0)
+        close_block(declarations);
+}
+
+static void test_random_declarations(void **state)
+{
+    uint64_t seed = RANDOM_SEED;
+    size_t told = 0, silent = 0;
+
+    (void)state;
+    for (size_t i = 0; i < 2000; i++) {
+        static struct declarations declarations;
+        struct diagnostics found = { 0 };
+        struct object *object;
+        size_t next = 0;
+
+        make_declarations(&declarations, &seed);
+        object = assemble_text("test.s", declarations.text, NULL, &found);
+        assert_non_null(object);
+        for (size_t line = 1; line <= LINES; line++) {
+            bool here = next < found.count && found.items[next].line == line;
+
+            if (here != declarations.told[line])
+                fail_msg("%sline %zu", declarations.text, line);
+            next += here;
+            told += here;
+            silent += !here;
+        }
+        assert_int_equal(next, found.count);
+        diagnostics_free(&found);
+        object_free(object);
+    }
+    assert_true(told > 1000 && silent > 1000);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_warnings),
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_mentions),
+        cmocka_unit_test(test_random_declarations),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
