@@ -1,5 +1,6 @@
 ; begin_1984.s - the scalar program's registers as all loops find them:
-; constants.  The loops' own registers.  Called by link_kernel.
+; constants.  The loops' own registers; those from r155 on are of one loop after
+; another (.share loop).  Called by link_kernel.
 
         .regs   r13, loop_index, loop_count, loop_at, loop_work
         .regs   r17, loop_place

@@ -13,6 +13,7 @@
 ; through the regions.
 ; Source: bound_vector.s.
 
+        .share  local
         .regs   r32, w_ray, w_argument, w_result_at
         .regs   r35, w_link, w_back, w_at, w_met
         .regs   r39, w_region, w_regions_left
@@ -30,6 +31,7 @@
         .regs   r78, w_node, w_crossings, l_crossing, w_least, w_end
         .regs   r83, w_t0, w_t1, w_t2, w_t3, w_t4, w_t5, w_t6
         .regs   r90, w_in, w_out
+        .endshare
         .equ    WALK_REGISTERS, 60
 
         .macro  skip_far c0, c1, c2, radius, square, limit, far

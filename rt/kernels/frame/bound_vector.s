@@ -22,8 +22,12 @@
 ; Out: near_bits, as many; s0 = the count of its ones.
 ; Source: derived here; the project's notes on ray tracing, 4.1.
 
+        .share  shape
         .regs   r56, bound_x, bound_y, bound_z, bound_r, bound_r2
+        .endshare
+        .share  scratch
         .regs   r233, bound_g0, bound_g1, bound_g2, bound_g3, bound_bits
+        .endshare
 
         .data
 bound_bit_store: .space QUEUE_BIT_WORDS

@@ -13,6 +13,7 @@
 ;
 ; It is called once, from the main program, with its registers its own.
 
+        .share                          ; once, before anything stands there
         .regs   r32, cam_at, view_at, size_at
         .regs   r36, cam_locx, cam_locy, cam_locz, cam_dirx, cam_diry
         .regs   r41, cam_dirz, cam_rightx, cam_righty, cam_rightz, cam_upx
@@ -21,6 +22,7 @@
         .regs   r52, view_locx, view_locy, view_locz, view_basex, view_basey
         .regs   r57, view_basez, view_colx, view_coly, view_colz, view_rowx
         .regs   r62, view_rowy, view_rowz
+        .endshare
 
         .macro  view_axis dir, right, up, base, col, row
         DIVS    \right, cam_width, \col

@@ -6,7 +6,7 @@
 ;
 ; Included where the names of registers are still the vector program's.
 
-        .reg    link_queue, r1          ; of the vector program
+        .reg    link_queue, link        ; of the vector program
         .equ    CONTEXT, 249
         .equ    OPERANDS, 18
 

@@ -31,8 +31,10 @@ frame:
         .include "frame/intersect_vector.s"
         .include "solids/levels_vector.s"
 
-; From here on registers have the names of the scalar program.
+; From here on registers have the names of the scalar program, which has them to
+; itself (context_1984.s).
         .include "frame/context_1984.s"
+        .share
         .include "frame/linkage.s"
         .include "frame/vectors_scalar.s"
         .include "frame/begin_1984.s"
@@ -55,3 +57,4 @@ frame:
         .include "light/shade_1984.s"
         .include "light/spawn_1984.s"
         .include "light/resolve_1984.s"
+        .endshare

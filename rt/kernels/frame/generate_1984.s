@@ -2,9 +2,11 @@
 ;
 ; In, out: as in generate_vector.s.
 
+        .share  loop
         .regs   r156, first_pixel, to_dx, to_dy, to_dz
         .regs   r160, made_dx, made_dy, made_dz
         .regs   r163, column, row, width
+        .endshare
 
         .data
 pixel:          .space 2

@@ -6,10 +6,12 @@
 ; O, D (6 words).  Formulas and order of the operations as in
 ; generate_vector.s.
 
+        .share  local
         .regs   r32, g_pixel, g_view, g_ray, g_column, g_row
         .regs   r37, g_ox, g_oy, g_oz, g_dx, g_dy, g_dz, g_t, g_u
         .regs   r45, g_lx, g_ly, g_lz, g_basex, g_basey, g_basez, g_colx
         .regs   r52, g_coly, g_colz, g_rowx, g_rowy, g_rowz
+        .endshare
         .equ    GENERATE_REGISTERS, 25
 
         .data

@@ -10,8 +10,10 @@
 ; Out: adx ady adz.
 ; Source: camera.s for the formula; derived here for vectors of any length.
 
+        .share  scratch
         .regs   r233, basex, basey, basez, colx, coly, colz, rowx, rowy, rowz
         .regs   r242, width, first_pixel
+        .endshare
 
         .macro  direction base, col, row, d
         LINKV

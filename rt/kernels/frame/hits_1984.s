@@ -18,8 +18,10 @@
         .field  HIT_PIGMENT, 5
         .endrecord
 
+        .share  local
         .regs   r34, a_hit, a_light
         .regs   r147, ox, oy, oz, dx, dy, dz, hit_distance, hit_primitive
+        .endshare
 
         .equ    SURFACE_REGISTERS, SHADE_REGISTERS + 2
 
@@ -68,6 +70,7 @@ surface:
         leave_hit SURFACE_REGISTERS
 
 ; The others need less room.
+        .share  local
         .regs   r32, a_hit, a_light, a_primitive, t0, t1, here
         .regs   r38, red, green, blue, nx, ny, nz, facing, outward, cell
         .regs   r47, px, py, pz, lx, ly, lz, ndotl, ddotl, light_distance
@@ -78,6 +81,7 @@ surface:
         .regs   r71, color0r, color0g, color0b
         .regs   r74, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
         .regs   r79, f_size, f_specular, f_sharpness
+        .endshare
         .equ    SHINE_REGISTERS, 50
 
 towards:

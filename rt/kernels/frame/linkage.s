@@ -12,8 +12,9 @@
 ; stand in a space of their own (transform_scalar.s).
 ;
 ; Registers: r7-r31 belong to the linkage and the main program; r32-r155 are
-; local to each subroutine, as many as it says; r200-r238 are those of power,
-; r240-r252 the main program's, r253 and r254 scratch.
+; local to each subroutine, as many as it says (.share local): it saves what it
+; finds there.  r200-r238 are those of power, r240-r252 the main program's, r253
+; and r254 scratch.
 
         .regs   r7, link, arguments, save_at, image_at, target, inner
         .regs   r253, third, fourth               ; scratch, never saved
@@ -26,6 +27,7 @@
 
 ; The local registers of the kernels, all alike: constants, arguments, the ray,
 ; the segment found, work, the shape.
+        .share  local
         .regs   r32, one, big, minus_big, tiny, index_one
         .regs   r37, a_ray, a_primitive, a_segment
         .regs   r40, ox, oy, oz, dx, dy, dz
@@ -33,6 +35,7 @@
         .regs   r48, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9
         .regs   r58, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10
         .regs   r69, sh11, sh12, sh13, sh14, sh15
+        .endshare
 
         .data
 ; What the local registers hold when a kernel begins: the constants, as in

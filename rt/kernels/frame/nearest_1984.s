@@ -16,6 +16,7 @@
 ; nodes_scalar.s.
 
 ; What is handed over.
+        .share  loop
         .regs   r156, to_nearest, to_met, to_hit_s, to_hit_t, from_place
         .regs   r161, from_limit, from_patch_s, from_patch_t, from_least
         .regs   r165, its_primitive, to_lights
@@ -35,6 +36,7 @@
         .regs   r188, leaf_next, leaf_primitive, leaf_crossing, leaf_segments
         .reg    leaf_needed, r192
         .regs   r193, first_leaf, chain_at, apart
+        .endshare
 
         .data
         .align 64

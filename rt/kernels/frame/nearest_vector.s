@@ -12,7 +12,9 @@
 ; Source: the paper.
 
 ; Where a hit goes: places, distances, primitives.
+        .share  crossings
         .regs   r107, taken_at, taken_distance, taken_met
+        .endshare
 
         .data
 taken_store:    .space 3 * QUEUE

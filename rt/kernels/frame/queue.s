@@ -14,6 +14,19 @@
 ; The vector program calls its routines by BSAVE with everything in registers.
 ; Three levels of kernels, each with its link register; what calls those has
 ; links of its own.
+;
+; Who shares registers with others says so (.share), and under what word:
+;
+;   shape      what is loaded of the shape, the node or the region that is
+;              looked at; whoever looks at the next one loads its own
+;   walk       the nodes of a region or, of a small one, its leaves alone
+;   crossings  what a kernel finds, until it is put among the crossings of a
+;              tree; then of those who look at these
+;   hits       vectors of the hits that are shaded, of a kernel's lanes, of the
+;              values of a tree: each loads its descriptors when it begins
+;   phase      of those who look for what is hit, then of those who shade it,
+;              who have nothing there while shadows are looked for
+;   scratch    a routine's own, of those that do not call one another
 
         .regs   r1, link, link_kernel, link_inner
         .reg    n, r4              ; rays in the queue, an integer
@@ -24,12 +37,16 @@
         .regs   r28, primitive, primitives_left, shape_at
         .regs   r31, target, inner_kernel
         .regs   r34, light_at, lights_left
+        .share  walk
         .regs   r36, region, regions_left, node_at, nodes_end
+        .endshare
 
 ; Shape parameters and the matrix of the primitive at hand (see records.s).
+        .share  shape
         .regs   r40, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10
         .regs   r51, sh11, sh12, sh13, sh14, sh15
         .regs   r56, m00, m01, m02, m03, m10, m11, m12, m13, m20, m21, m22, m23
+        .endshare
 
 ; Queue vectors, n long: the rays, the nearest hit so far or what else limits a
 ; ray, the number of the primitive hit (0: none), parameters of hits on patches,
@@ -45,7 +62,9 @@
 ; when they are all of it), origins and directions, least distances.
         .regs   r74, place, near_limit
         .regs   r176, wox, woy, woz, wdx, wdy, wdz, wlower
+        .share  phase
         .reg    space, r189             ; the space in which lox .. stand, or 0
+        .endshare
 
 ; Other vectors near long; the order of near_bases.
         .regs   r80, lox, loy, loz, ldx, ldy, ldz, lscale ; rays, own space
@@ -56,7 +75,9 @@
         .equ    NEAR_VECTORS, 25
 
 ; What a kernel finds: segments, the nearest first.
+        .share  crossings
         .regs   r105, tin, tout, tin2, tout2, tin3, tout3
+        .endshare
         .reg    segments_wanted, r199
         .reg    iota, r111                                ; 0, 1, 2, ...
 
@@ -85,6 +106,7 @@
 
 ; Vectors for shading, h or m long; the order of shade_bases.  Kernels have
 ; lanes in these registers; who shades loads them anew.
+        .share  hits
         .reg    m, r134
         .reg    m_high, r135
         .regs   r136, at                                  ; their places in n
@@ -97,6 +119,7 @@
         .equ    HIT_VECTORS, 20
         .regs   r156, v0, v1, v2, v3, v4, v5, v6, v7
         .regs   r164, hits0, hits1, hits2, hits3        ; bit vectors
+        .endshare
         .equ    SHADE_VECTORS, 32
 
         .equ    QUEUE_BIT_WORDS, (QUEUE + 63) / 64

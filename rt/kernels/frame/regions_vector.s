@@ -12,8 +12,10 @@
 ; notes on ray tracing, 4.1.
 
 ; Of a region, while its bound is tested.
+        .share  shape
         .regs   r61, region_simple, region_shadow, region_nodes
         .regs   r64, region_nodes_end, region_first, region_count
+        .endshare
         .equ    REGION_WORDS, R_PRIMITIVES + 1
 
         .reg    link_walk, r133

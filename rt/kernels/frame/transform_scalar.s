@@ -8,8 +8,10 @@
 ; as long as it has crossings.  Neighbours in one space are met by a ray that is
 ; carried over once: who takes a new ray clears own_space.
 
+        .share  local
         .regs   r80, own_ox, own_oy, own_oz, own_dx, own_dy, own_dz
         .regs   r86, own_lower, own_scale, link_saved
+        .endshare
         .equ    TRANSFORM_REGISTERS, KERNEL_REGISTERS_MOST
 
         .data

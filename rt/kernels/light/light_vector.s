@@ -16,11 +16,15 @@
 ; Out: added to red, green, blue.
 ; Source: POV-Ray's finish.
 
+        .share  scratch
         .regs   r241, light_x, light_y, light_z, light_r, light_g, light_b
         .regs   r247, light_gleams
+        .endshare
+        .share  phase
         .regs   r196, tint_r, tint_g, tint_b    ; what comes through
         .regs   r185, tinted, link_shadow       ; tinted = 1: they hold it
         .reg    link_light, r191
+        .endshare
 
 ; What comes through to a part of the hits.
         .macro  tint_of_part tint, number

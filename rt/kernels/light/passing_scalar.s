@@ -1,8 +1,10 @@
 ; passing_scalar.s - what a surface between a point and a light lets through.
 ; Part of those that follow shadow rays.
 
+        .share  local
         .regs   r92, s_red, s_green, s_blue     ; what is left of the light
         .regs   r95, s_clear, s_passing_r, s_passing_g, s_passing_b
+        .endshare
         .equ    PASSING_REGISTERS, 7
 
         .data

@@ -7,6 +7,7 @@
 ; in every other cell of a checker, where floor(x) + floor(y) + floor(z) is odd
 ; in the pigment's space, 256.  Order of the operations as in pigment_vector.s.
 
+        .share  local
         .regs   r32, a_point, a_primitive, a_cell
         .regs   r40, link_saved, here
         .regs   r48, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9
@@ -14,6 +15,7 @@
         .regs   r69, sh11, sh12, sh13, sh14, sh15
         .regs   r74, px, py, pz
         .regs   r77, cell
+        .endshare
         .equ    PIGMENT_REGISTERS, 46
 
         .data

@@ -7,7 +7,9 @@
 ; find_pigment: cr cg cb.  find_checker: hits3, where the second colour is;
 ; uses v0-v4.
 
+        .share  scratch
         .regs   r248, color0r, color0g, color0b, color1r, color1g, color1b
+        .endshare
 
         .macro  pattern_floor x0, x1, x2, k0, k1, k2, k3, sum
         dot_constant \x0, \x1, \x2, \k0, \k1, \k2, v0, v1

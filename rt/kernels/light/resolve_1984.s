@@ -4,10 +4,12 @@
 ;
 ; In, out: as in resolve_vector.s.
 
+        .share  loop
         .regs   r156, child_level, parents_at, children_at, parent_place
         .regs   r160, parent_stride, own_color, child_factor, child_color
         .regs   r164, factor0_at, factor1_at, factor2_at
         .regs   r167, color0_at, color1_at, color2_at
+        .endshare
 
         .macro  list_address vector, address
         RTOR    child_level, \address

@@ -10,11 +10,13 @@
 ; Source: the project's own; the order makes the sums equal in all forms.
 
 ; Adding colours: descriptors.
+        .share  scratch
         .regs   r233, child_kind, child_parent, child_weight, child_color
         .regs   r237, parent_color, of_kind, chosen_parent, chosen_weight
         .regs   r241, chosen_color, children, children_left, child_stride
         .regs   r245, parent_stride, channels_left, wanted_kind, few_children
         .reg    child_list, r249
+        .endshare
 
         .data
 child_bits:     .space QUEUE_BIT_WORDS

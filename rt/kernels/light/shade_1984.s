@@ -5,6 +5,7 @@
 ; which the kernels meet with the regions.
 
 ; What is handed over, for all loops of a queue.
+        .share  loop
         .regs   r156, of_nearest, of_met, of_hit_s, of_hit_t
         .regs   r160, of_ox, of_oy, of_oz, of_dx, of_dy, of_dz
         .regs   r166, of_red, of_green, of_blue, of_depth, of_nx, of_ny, of_nz
@@ -16,6 +17,7 @@
         .regs   r187, new_distance, new_primitive, new_place
         .regs   r190, lit_ndotl, lit_ddotl, lit_distance, lit_red, lit_green
         .regs   r195, lit_blue, lit_gleams, lit_at, lit_count, lit_limit
+        .endshare
         .reg    lit_least, r31
 
         .data

@@ -15,14 +15,18 @@
 ;      next level's list has what is reflected and refracted.
 ; Source: POV-Ray's finish (phong and Blinn's halfway vector).
 
+        .share  phase
         .regs   r188, part_at
         .reg    parts_left, r189
         .reg    link_shade, r190
         .reg    ndotl, r168             ; N.L, of HIT_VECTORS the last
         .reg    part_offset, r169
+        .endshare
 
+        .share  scratch
         .regs   r233, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
         .regs   r238, f_size, f_specular, f_sharpness
+        .endshare
 
         .equ    PART_SIZE, 3            ; primitive, first of its hits, number
 

@@ -153,7 +153,7 @@ shadow_clear:
         tint_begin light_g, 1
         tint_begin light_b, 2
 shadow_tinted:
-        set_lanes m
+        set_lanes m, at
         load_record P_PASSING, 8, sh0
         load_field P_CHECKER, s0
         IBXNE   s0, r0, r0, shadow_checker

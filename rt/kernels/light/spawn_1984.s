@@ -2,12 +2,14 @@
 ; level's list, one after another; reflected before refracted.  Part of the
 ; loops that shade, called by loop_link.
 
+        .share  local
         .regs   r32, list_at, list_place, list_stride, list_index, is_mirror
         .regs   r37, is_clear, hit_weight_at
         .regs   r39, is_reflected, is_refracted, parent
         .regs   r42, child_ox, child_oy, child_oz, child_dx, child_dy, child_dz
         .regs   r48, child_least, child_scaled, child_weight, child_red
         .regs   r52, child_green, child_blue
+        .endshare
 
         .data
 spawn_list:     .space 3

@@ -25,6 +25,7 @@
 ; operations as in spawn_vector.s.
 ; Source: Snell's law; the rules are POV-Ray's.
 
+        .share  local
         .regs   r32, sp_ray, sp_primitive, sp_surface, sp_weight_at
         .regs   r36, sp_followed, sp_reflected_at, sp_refracted_at
         .regs   r39, sp_dx, sp_dy, sp_dz
@@ -37,6 +38,7 @@
         .regs   r65, sp_reciprocal
         .regs   r66, sp_own_weight, sp_least, sp_e, sp_k, sp_t0, sp_t1, sp_t2
         .regs   r73, sp_flag, sp_at
+        .endshare
         .equ    SPAWN_REGISTERS, 43
 
         .data

@@ -20,10 +20,12 @@
 ; Out: rays at the end of the next level's list: reflected, then refracted.
 ; Source: Snell's law; the rules are POV-Ray's.
 
+        .share  scratch
         .regs   r233, spawn_inverted, spawn_mirror, spawn_clear, spawn_index
         .regs   r237, spawn_reciprocal, spawn_r, spawn_g, spawn_b, spawn_most
         .regs   r242, spawn_tail, spawn_stride, spawn_count, spawn_kind
         .regs   r246, spawn_checker, link_spawn, spawn_into, spawn_total
+        .endshare
 
 ; The next vector of the list, from its end on: those of vector in hits1.
         .macro  spawn_vector vector

@@ -2,6 +2,7 @@
 ; pigment.  Parts of the subroutines that shade, as macros; the registers they
 ; have in common.
 
+        .share  local
         .regs   r32, a_ray, a_primitive, a_distance, a_sample
         .regs   r36, lights_left, light_at, normal_link, transformed_shape
         .regs   r40, link_saved, here
@@ -21,6 +22,7 @@
         .regs   r139, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
         .regs   r144, f_size, f_specular, f_sharpness
         .regs   r147, ox, oy, oz, dx, dy, dz
+        .endshare
         .equ    SHADE_REGISTERS, 121
 
         .macro  point o, d, p

@@ -31,6 +31,7 @@
         .include "roots/falsi_scalar.s"
         .include "roots/signs_scalar.s"
 
+        .share  local
         .regs   r32, q_one, q_half, q_three_halves, q_three, q_four
         .regs   r37, q_wide, q_tolerance, q_close, q_knot_close, q_polish
         .regs   r42, q_least, q_none, q_index_one, q_falsi_steps, q_all_steps
@@ -50,7 +51,8 @@
         .regs   r93, q_answer, q_steps, q_kept, q_link, q_refine
         .reg    q_count, r98
         .equ    QUARTIC_REGISTERS, 67
-        .regs   r253, q_want, q_accept          ; third, fourth
+        .regs   third, q_want, q_accept         ; and fourth
+        .endshare
 
         .data
 solver_image:  quartic_constants

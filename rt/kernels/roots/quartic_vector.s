@@ -67,6 +67,7 @@
         .reg    root_count, r115
 
 ; Vectors, then bit vectors: the order of solver_bases.
+        .share                          ; saved, and given back
         .regs   r116, q_s3, q_s2, q_s1                      ; of f'; q_c1
         .regs   r119, q_bend1, q_bend2                      ; f'' = 0
         .regs   r121, q_place, q_position, q_count
@@ -91,6 +92,7 @@
         .regs   r188, q_resolution, q_lanes, q_want, q_left, q_result
         .regs   r193, q_alive_count, q_active_count, q_finished, q_loop
         .regs   r197, q_steps, q_u, q_link, q_target
+        .endshare
         .equ    QUARTIC_REGISTERS, 85
         .equ    QUARTIC_DESCRIBED, QUARTIC_VECTORS + QUARTIC_BITS
         .equ    QUARTIC_LOADED, QUARTIC_DESCRIBED + QUARTIC_CONSTANTS

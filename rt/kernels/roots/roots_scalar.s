@@ -8,8 +8,10 @@
         .include "frame/linkage.s"
         .include "roots/scaling_scalar.s"
 
+        .share                          ; frame_scalar.s is not here
         .regs   r12, s0, stride, left, wanted, input, result, at, routine
         .regs   r20, index_minus_one, zero, number
+        .endshare
         .regs   r104, one, two, three, four, forty_six, most_above
         .regs   r110, most_exponent, least_exponent, unit, index_one
         .regs   r114, c4, c3, c2, c1, c0, interval_low, interval_high

@@ -1,7 +1,9 @@
 ; signs_scalar.s - all roots of one polynomial, by changes of sign alone; parts
 ; of quartic_scalar.s.  Method as in signs_vector.s.
 
+        .share  local
         .reg    q_last, r78             ; root; nothing touches here
+        .endshare
 
 ; The root of f between knot and next, if there is one; knot := next.
         .macro  search_value_signs

@@ -1,11 +1,13 @@
 ; lanes_scalar.s - one ray and a shape whose crossings the root solver finds;
 ; see lanes_vector.s.  What shows a miss ends the work.
 
-        .regs   r46, lower                      ; comes where tin will be
+        .share  local
+        .reg    lower, tin                      ; comes where tin will be
         .regs   r74, k4, k3, k2, k1, k0         ; of the quartic
         .regs   r79, near_low, near_high, near_resolution
         .regs   r82, along, near_o2, link_kept
         .regs   r85, e0, e1, e2, e3, e4, e5, e6
+        .endshare
         .equ    LANE_REGISTERS, 60
 
         .data

@@ -15,15 +15,19 @@
 ; Source: the project's notes on ray tracing, 0 and 1.1.
 
         .reg    lane_link, r123
+        .share  hits
         .regs   r136, lane_at                           ; places in the queue
         .regs   r137, lane_ox, lane_oy, lane_oz, lane_dx, lane_dy, lane_dz
         .regs   r143, lane_along, lane_low, lane_high
         .regs   r146, k4, k3, k2, k1, k0                ; of the quartic
         .regs   r151, e0, e1, e2, e3, e4, e5, e6, e7, e8, e9, e10, e11, e12
+        .endshare
 
 ; More of them, in registers that the shading loads anew: r233-r253.
+        .share  scratch
         .regs   r233, pa0, pa1, pa2, pa3, pa4, pa5, pb0, pb1, pb2, pb3, pb4
         .regs   r244, n1x, n1y, n1z, n2x, n2y, n2z, spread, f0, f1, f2
+        .endshare
         .equ    LANE_VECTORS, 21
 
         .data
@@ -51,9 +55,9 @@ lane_store:     .space (LANE_VECTORS + SHADE_VECTORS - 4) * QUEUE
         set_lengths \count, m_high, lane_bases, lane_descriptors, LANE_VECTORS, pa0
         .endm
 
-; Lengths for count lanes.
-        .macro  set_lanes count
-        set_lengths \count, m_high, lane_shade_bases, lane_shade_descriptors, SHADE_VECTORS, at
+; Lengths for count lanes, their registers named from first on.
+        .macro  set_lanes count, first=lane_at
+        set_lengths \count, m_high, lane_shade_bases, lane_shade_descriptors, SHADE_VECTORS, \first
         .endm
 
 ; From the origins x, told from the centre, and the scalar bound2 = bound^2:

@@ -76,11 +76,13 @@ normal_quartic:
         gradient_group 15
         BIM     gradient_normal
 
+        .share  local
         .regs   r96, hx0, hy0, hz0, hx1, hy1, hz1, hx2, hy2, hz2, hx3, hy3
         .regs   r107, hz3, hx4, hy4, hz4, hx5, hy5, hz5
         .regs   r114, hw0, hw1, hw2, hw3, hw4, hw5
         .regs   r120, here_s, here_t, here_s2, here_t2, here_x, here_y, here_z
         .regs   r127, v0, v1, v2, v3
+        .endshare
 
 ; Three coordinates of a tangent: s2 = 2 s or 2 t, the other parameter.
         .macro  tangent x, y, z, xx, yy, zz, xy, yx, zx, twice, other, e0, e1, e2

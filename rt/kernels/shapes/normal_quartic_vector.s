@@ -81,8 +81,10 @@ normal_quartic:
 ; Steiner patch, at the parameters of the hit: with Hs = K1 + 2 K3 s + K4 t,
 ; Ht = K2 + K4 s + 2 K5 t and X told from the centre,
 ;   N = (Hs.xyz - X Hs.w) x (Ht.xyz - X Ht.w)
+        .share  scratch
         .regs   r233, hx0, hy0, hz0, hx1, hy1, hz1, hx2, hy2, hz2, hx3, hy3
         .regs   r244, hz3, hx4, hy4, hz4, hx5, hy5, hz5
+        .endshare
 
         .macro  tangent k, square, cross, this, other, sum
         ADDN    \square, \square, s0

@@ -5,7 +5,9 @@
 ; Source: textbook; which face or side is decided by the least distance.
 ; Uses v0-v7, hits0-hits3.
 
+        .share  phase
         .regs   r185, qx, qy, qz            ; point
+        .endshare
 
         .macro  look_at_points x0, x1, x2
         RTOR    \x0, qx

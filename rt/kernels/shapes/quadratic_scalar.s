@@ -3,7 +3,9 @@
 ; q = 0 (and any a) to no_second; second is there at no_first.
 
 ; Registers of the kernels that solve one.
+        .share  local
         .regs   r74, o_along, d_along, k_along, shift, quad_a, quad_b, quad_c
+        .endshare
         .equ    QUADRATIC_REGISTERS, 49
 
         .macro  discriminant a, b, c, disc, work

@@ -7,9 +7,11 @@
 ; SEGMENTS = the ray's way inside, where the polynomial is below 0
 ; (segments_scalar.s), three of them (6 words).
 
+        .share  local
         .regs   r92, a0, a1, a2, a3, a4, b0, b1, b2, b3, b4
         .regs   r102, z20, z21, z22, z30, z31, z32, z33, z40, z41, z42, z43
         .regs   r113, z44, table_at, seen_terms, seen_groups
+        .endshare
         .equ    SURFACE_REGISTERS, 85
 
         .data

@@ -19,8 +19,8 @@
         .reg    table_at, s1
         .reg    seen_terms, s2
         .reg    seen_groups, s3
-        .regs   r137, z20, z21, z22, z30, z31, z32, z33, z40
-        .regs   r151, z41, z42, z43, z44, a0, a1, a2, a3, a4, term_work
+        .regs   lane_ox, z20, z21, z22, z30, z31, z32, z33, z40
+        .regs   e0, z41, z42, z43, z44, a0, a1, a2, a3, a4, term_work
 
         .macro  scaled c, z, a
         LINKV

@@ -38,26 +38,32 @@
 
 ; The rest of the table in two parts: L1, L2 by rows, T; then the forms
 ; Qx Qy Qz Qw, of each ss tt uu st tu us.
+        .share  shape
         .regs   r40, la00, la01, la02, la03, la10, la11, la12, la13
         .regs   r48, la20, la21, la22, la23
         .regs   r52, lb00, lb01, lb02, lb03, lb10, lb11, lb12, lb13
         .regs   r60, lb20, lb21, lb22, lb23
         .regs   r64, triple_x, triple_y, triple_z, triple_w
+        .endshare
         .equ    PLANES_TABLE, 28
+        .share  shape
         .regs   r40, qxss, qxtt, qxuu, qxst, qxtu, qxus
         .regs   r46, qyss, qytt, qyuu, qyst, qytu, qyus
         .regs   r52, qzss, qztt, qzuu, qzst, qztu, qzus
         .regs   r58, qwss, qwtt, qwuu, qwst, qwtu, qwus
+        .endshare
         .equ    FORMS_TABLE, 24
 
-        .regs   r233, ma0, ma1, ma2, da0, da1, da2, mb0, mb1, mb2, db0, db1
-        .regs   r244, db2, c00, c01, c02, c10, c11, c12, c20, c21, c22
-        .regs   r233, fss, ftt, fuu, fst, ftu, fus      ; A, after these
-        .regs   r233, found_s, found_t                  ; after that
+        .regs   pa0, ma0, ma1, ma2, da0, da1, da2, mb0, mb1, mb2, db0, db1
+        .regs   n1x, db2, c00, c01, c02, c10, c11, c12, c20, c21, c22
+        .regs   pa0, fss, ftt, fuu, fst, ftu, fus      ; A, after these
+        .regs   pa0, found_s, found_t                  ; after that
 
+        .share  phase
         .reg    through_count, r189
         .reg    other_kernel, r196
         .reg    link_through, r188
+        .endshare
 
         .data
 ; Of the queue: 1 for a ray not through T, else 0; and what was found for it.

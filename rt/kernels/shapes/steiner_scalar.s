@@ -10,6 +10,7 @@
 ; = all of them, in no order, then big (PATCH_CROSSINGS words); where they are
 ; on the patch is written to P_PATCH_POINTS.
 
+        .share  local
         .regs   r92, pa0, pa1, pa2, pa3, pa4, pa5, pb0, pb1, pb2, pb3, pb4
         .regs   r103, n1x, n1y, n1z, n2x, n2y, n2z
         .regs   r109, spread, patch_low, patch_high, patch_least
@@ -22,6 +23,7 @@
         .regs   r149, other_x, other_y, other_z
         .regs   r152, g0, g1, g2, g3
         .regs   r64, crossings_wanted, crossings_left, point_at
+        .endshare
         .equ    PATCH_TABLE, 27
         .equ    PATCH_REGISTERS, 124
 

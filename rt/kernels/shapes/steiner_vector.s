@@ -46,16 +46,20 @@
 ; Source: the project's notes on ray tracing, 2.3, where it is derived.
 
 ; The patch's table.
+        .share  shape
         .regs   r40, kx0, ky0, kz0, kx1, ky1, kz1, kx2, ky2, kz2, kx3, ky3, kz3
         .regs   r52, kx4, ky4, kz4, kx5, ky5, kz5
         .regs   r58, kw0, kw1, kw2, kw3, kw4, kw5
         .regs   r64, other_x, other_y, other_z
+        .endshare
         .equ    PATCH_TABLE, 27
 
         .reg    patch_link, r132
+        .share  phase
         .regs   r168, patch_low, patch_high
         .regs   r196, candidate_s, candidate_t          ; descriptors
         .reg    candidate_routine, r198
+        .endshare
 
 ; [c] = [a] x [b]
         .macro  cross_part a0, b1, a1, b0, c, work

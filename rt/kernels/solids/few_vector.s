@@ -8,8 +8,12 @@
 ; Source: derived here.
 
 ; Where these registers' own stand meanwhile: few_saved.
+        .share  walk
         .regs   r38, leaf_first, few_at
+        .endshare
+        .share  phase
         .reg    link_few, r188
+        .endshare
 
         .data
 few_saved:      .space 9

@@ -20,14 +20,18 @@
 ; Source: derived here; the project's notes on ray tracing, 4.1.
 
 ; A primitive's part in a tree: the words from P_SEGMENTS on.
+        .share  scratch
         .regs   r247, leaf_at_hand, leaf_segments, leaf_events, leaf_first_state
         .reg    leaf_first_event, r251
         .reg    slot, r252
         .reg    slot_size, r253
+        .endshare
 
 ; The region's primitives at hand, one after another; to next for the next one.
+        .share  crossings
         .reg    first_leaf, r105
         .reg    leaf_count, r106
+        .endshare
 
         .macro  leaves_begin
         RTOR    first_leaf, primitive
@@ -50,10 +54,14 @@
         .equ    CROSSING_SIZE, QUEUE
 
 ; The words of a node from its primitive on.
+        .share  shape
         .regs   r61, node_primitive, node_behind, node_needed
+        .endshare
         .equ    NODE_WORDS, N_NEEDED + 1
+        .share  phase
         .reg    leaf_needed, r188
         .reg    least_culled, r187      ; smaller bounds are tested
+        .endshare
 
 ; slot := descriptor of crossing number first, the next one slot_size on.
         .macro  find_slot first

@@ -16,9 +16,11 @@
 ; Source: derived here.
 
 ; What is known of the events of the rays at hand (visible_vector.s).
+        .share  scratch
         .regs   r233, event, last, event_met, before, after, active, seen
         .reg    inside, r240            ; of one segment
         .reg    shown, r241
+        .endshare
 
         .data
 event_bits:     .space 4 * QUEUE_BIT_WORDS

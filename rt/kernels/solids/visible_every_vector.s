@@ -17,9 +17,11 @@
 ; In:  as walk_tree.  Source: the project's notes on ray tracing, 4.1.
 
 ; The primitive whose columns are looked at.
+        .share  hits
         .regs   r144, column_primitive, columns_left, column_identity
         .regs   r147, column_primitives_left
         .reg    nearest_met, r148       ; what is seen at the nearest so far
+        .endshare
 
         .data
         .align  64

@@ -25,6 +25,7 @@
 ; leaf's bits differ but its own, it is.
 ; Source: the project's notes on ray tracing, 4.1; what shows is derived here.
 
+        .share  local
         .regs   r32, v_region, v_crossings, v_span, v_event
         .regs   r36, v_primitives, v_steps, v_step_count, v_result
         .regs   r40, v_next, v_segments, v_events, v_first_state
@@ -35,6 +36,7 @@
         .regs   r57, v_delta, v_before, v_behind, v_value, v_values
         .regs   r62, t_operation, t_left, t_right, t_result
         .regs   r66, v_index_two, v_index_three, v_stride, v_others, v_visible
+        .endshare
         .equ    VISIBLE_REGISTERS, 39
         .equ    STRIDE, 64 * CROSSING_SIZE
 

@@ -41,15 +41,23 @@
         .equ    VISIBLE, STEPPING
         .endif
 
+        .share  crossings
         .regs   r107, step_at, steps_left, tree_value
+        .endshare
+        .share  hits
         .reg    column, r143            ; of events
+        .endshare
 
 ; A step of the tree, in the registers of a primitive's part in it.
+        .share  scratch
         .regs   r248, tree_operation, tree_left, tree_right, tree_result
+        .endshare
 
 ; Values, before and after an event.
+        .share  hits
         .regs   r136, value, value_after, left, left_after, right, right_after
         .reg    value_size, r142
+        .endshare
 
         .equ    VALUE_SIZE, 2 * QUEUE_BIT_WORDS
 

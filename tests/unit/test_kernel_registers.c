@@ -1,0 +1,276 @@
+/* test_kernel_registers.c - kernels that share registers say so, and none of
+ * them reads as its own what another one has put there.
+ *
+ *     test_kernel_registers [SCENES [SEED]]
+ */
+#define SMALL_FRAMES
+#include "tests/unit/random_solids.h"
+
+#include <dirent.h>
+
+#include "rt/layout/program.h"
+#include "rt/roots/roots.h"
+#include "tests/oracle/register_owners.h"
+#include "vm/text.h"
+
+enum { COLUMNS = 8, ROWS = 6 };
+static size_t scene_count = 15;
+
+/* ---- What the assembler tells ------------------------------------------- */
+
+static bool is_program(const struct text *kernel)
+{
+    for (const char *const *line = kernel->lines; *line; line++)
+        if (strstr(*line, "        .entry "))
+            return true;
+    return false;
+}
+
+static void check_assembled(const char *kernel,
+                            const struct asm_define *defines)
+{
+    const struct text *const texts[] = { kernel_texts, NULL };
+    const struct asm_options how = { .defines = defines, .texts = texts };
+    struct diagnostics found = { 0 };
+    char text[100];
+    struct object *program;
+
+    snprintf(text, sizeof text, "        .include \"%s\"\n", kernel);
+    program = assemble_text("test", text, &how, &found);
+    diagnostics_print(&found, stderr);
+    assert_int_equal(found.count, 0);
+    assert_non_null(program);
+    object_free(program);
+}
+
+/* All programs among the kernels, with whatever they can be told. */
+static void test_assembled(void **state)
+{
+    static const struct asm_define switches[] = {
+        { NULL, 0 },
+        { "HISTORICAL", 1 },
+        { "FALSI", FALSI_PAPER },
+        { "FALSI", FALSI_ILLINOIS },
+        { "FALSI", FALSI_PEGASUS },
+        { "FALSI", FALSI_ANDERSON_BJORCK },
+        { "VISIBLE", VISIBLE_STEPPING },
+        { "VISIBLE", VISIBLE_EVERY },
+    };
+    size_t programs = 0;
+
+    (void)state;
+    for (const struct text *kernel = kernel_texts; kernel->name; kernel++) {
+        if (!is_program(kernel))
+            continue;
+        programs++;
+        for (size_t i = 0; i < sizeof switches / sizeof *switches; i++) {
+            const struct asm_define defines[] = { { "QUEUE", 10 },
+                                                  switches[i],
+                                                  { NULL, 0 } };
+
+            check_assembled(kernel->name, defines);
+        }
+    }
+    assert_int_equal(programs, 5);
+}
+
+/* ---- What runs tell ----------------------------------------------------- */
+
+static void run_watched(const struct object *program, c205 *machine,
+                        const char *what)
+{
+    struct register_owners *owners = register_owners_new(program);
+    struct sink sink = stream_sink(stderr);
+    c205_error error = { "" };
+    bool good;
+
+    assert_non_null(owners);
+    assert_int_equal(c205_loaded_program(machine),
+                     c205_program_hash(&program->program));
+    assert_true(c205_listen(machine, register_owners_listen, owners));
+    good = program_run(machine, NULL, NULL, NULL, &error);
+    register_owners_print(owners, &sink);
+    if (!good || register_owners_found(owners) > 0)
+        fail_msg("%s: %s", what, error.message);
+    assert_true(register_owners_read(owners) > 1000);
+    register_owners_free(owners);
+}
+
+static struct object *assemble(const struct trace_options *options)
+{
+    static const char *const programs[TRACE_MODES] = {
+        [TRACE_SCALAR] = "frame/frame_scalar.s",
+        [TRACE_VECTOR] = "frame/frame_vector.s",
+        [TRACE_KERNELS] = "frame/frame_1984.s",
+    };
+    struct asm_define defines[4] = { { "QUEUE", (int64_t)options->queue } };
+    size_t count = 1;
+    c205_error error = { "" };
+    struct object *program;
+
+    if (options->historical)
+        defines[count++] = (struct asm_define){ "HISTORICAL", 1 };
+    if (options->visible != VISIBLE_DEFAULT)
+        defines[count] = (struct asm_define){ "VISIBLE", options->visible };
+    program = program_assemble(programs[options->mode], defines, &error);
+    if (!program)
+        fail_msg("%s", error.message);
+    return program;
+}
+
+static void trace_watched(const struct scene *scene,
+                          const struct trace_options *options,
+                          const char *what)
+{
+    c205_error error = { "" };
+    struct object *program = assemble(options);
+    struct trace *trace = trace_new(scene, options, &error);
+    c205 *machine = trace ? trace_machine(trace, &error) : NULL;
+
+    if (!machine)
+        fail_msg("%s: %s", what, error.message);
+    run_watched(program, machine, what);
+    c205_free(machine);
+    trace_free(trace);
+    object_free(program);
+}
+
+/* In all modes; no_bounds, historical and visible as they are. */
+static void trace_modes(const struct scene *scene, size_t queue,
+                        const char *what)
+{
+    struct trace_options options = { .width = COLUMNS,
+                                     .height = ROWS,
+                                     .queue = queue,
+                                     .historical = historical,
+                                     .visible = visible,
+                                     .no_bounds = no_bounds,
+                                     .model = model };
+
+    for (int mode = 0; mode < TRACE_MODES; mode++) {
+        options.mode = (enum trace_mode)mode;
+        trace_watched(scene, &options, what);
+    }
+}
+
+static void test_scenes(void **state)
+{
+    const struct scene_options options = { .width = COLUMNS, .height = ROWS };
+    DIR *folder = opendir("scenes");
+    struct dirent *entry;
+    size_t count = 0;
+
+    (void)state;
+    assert_non_null(folder);
+    while ((entry = readdir(folder)) != NULL) {
+        struct diagnostics reports = { 0 };
+        struct scene *scene;
+        char path[300];
+
+        snprintf(path, sizeof path, "scenes/%s", entry->d_name);
+        if (!strstr(path, ".pov"))
+            continue;
+        scene = scene_read(path, &options, &reports);
+        assert_non_null(scene);
+        trace_modes(scene, COLUMNS - 1, path);
+        scene_free(scene);
+        diagnostics_free(&reports);
+        count++;
+    }
+    closedir(folder);
+    assert_true(count > 10);
+}
+
+static void write_scene(char *text, size_t size)
+{
+    text[0] = '\0';
+    add(text, size,
+        "#version 3.7; global_settings { assumed_gamma 1 "
+        "max_trace_level 3 }\nbackground { rgb <.2, .3, .5> }\n"
+        "light_source { <%.1f, 8, -7>, .7 }\n"
+        "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n"
+        "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n",
+        between(-7, 7), between(2, 6), between(-2, 2), between(-2, 2));
+    for (size_t i = 1 + below(2); i > 0; i--)
+        add_solid(text, size, below(3));
+}
+
+static void test_random_solids(void **state)
+{
+    static char text[100000];
+    static const size_t queues[] = { 1, COLUMNS - 1, 2000 };
+
+    (void)state;
+    solids.clear = solids.patches = reported = true;
+    for (size_t i = 0; i < scene_count; i++) {
+        struct scene *scene;
+
+        solids.gridded = below(2);
+        historical = below(3) == 0;
+        no_bounds = below(4) == 0;
+        visible = (enum visible)below(VISIBLE_WAYS);
+        write_scene(text, sizeof text);
+        scene = read_text(text);
+        trace_modes(scene, queues[below(3)], text);
+        scene_free(scene);
+    }
+}
+
+/* ---- The root solver ---------------------------------------------------- */
+
+static void test_roots(void **state)
+{
+    enum { POLYNOMIALS = 60 };
+    struct polynomial polynomials[POLYNOMIALS];
+
+    (void)state;
+    for (int i = 0; i < POLYNOMIALS; i++) {
+        for (int j = 0; j < 5; j++)
+            polynomials[i].c[j] = c205_from_double(below(6) ? between(-2, 2)
+                                                            : 0);
+        polynomials[i].bound = C205_MACHINE_ZERO;
+    }
+    for (int i = 0; i < 2 * TRACE_FORMS * FALSI_RULES; i++) {
+        const struct roots_options options = {
+            .mode = (enum trace_mode)(i % TRACE_FORMS),
+            .queue = 7,
+            .first = i / TRACE_FORMS % 2,
+            .falsi = (enum falsi)(i / TRACE_FORMS / 2),
+            .model = model
+        };
+        const struct asm_define defines[] = { { "QUEUE", 7 },
+                                              { "FALSI", options.falsi },
+                                              { NULL, 0 } };
+        c205_error error = { "" };
+        struct root_search *search = roots_new(polynomials, POLYNOMIALS,
+                                               &options, &error);
+        struct object
+            *program = program_assemble(options.mode == TRACE_SCALAR
+                                            ? "roots/roots_scalar.s"
+                                            : "roots/roots_vector.s",
+                                        defines, &error);
+
+        if (!search || !program)
+            fail_msg("%s", error.message);
+        run_watched(program, (c205 *)(uintptr_t)roots_machine(search),
+                    "roots");
+        roots_free(search);
+        object_free(program);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_assembled),
+        cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_random_solids),
+        cmocka_unit_test(test_roots),
+    };
+
+    if (argc > 1)
+        scene_count = strtoul(argv[1], NULL, 10);
+    if (argc > 2)
+        random_state = strtoul(argv[2], NULL, 10);
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
