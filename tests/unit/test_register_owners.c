@@ -1,0 +1,175 @@
+/* test_register_owners.c - what is found of registers that were lost, and what
+ * is left alone. */
+#include "tests/unit/asm_helper.h"
+
+#include "tests/oracle/register_owners.h"
+
+static c205_model *model;
+
+/* Run to its end; the lines of what is found, "file:line" of each. */
+static void check(const char *text, size_t count, const char *expected)
+{
+    struct diagnostics errors = { 0 };
+    struct object *program = assemble_text("test", text, NULL, &errors);
+    struct register_owners *owners;
+    struct text_buffer printed = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&printed);
+    c205_error error;
+    c205 *machine = c205_new(model, &error);
+
+    diagnostics_print(&errors, stderr);
+    diagnostics_free(&errors);
+    assert_non_null(program);
+    owners = register_owners_new(program);
+    assert_non_null(owners);
+    assert_true(machine && c205_load(machine, &program->program, &error)
+                && c205_listen(machine, register_owners_listen, owners));
+    assert_int_equal(c205_run(machine, 100000).trap, C205_TRAP_NONE);
+    register_owners_print(owners, &sink);
+    if (register_owners_found(owners) != count
+        || (count > 0 && !strstr(printed.text, expected)))
+        fail_msg("%s%s", text, printed.text ? printed.text : "");
+    text_buffer_free(&printed);
+    register_owners_free(owners);
+    c205_free(machine);
+    object_free(program);
+}
+
+/* a and b are r5, u and p r20, v and q r21. */
+#define NAMES \
+    " .include \"core.s\"\n .regs r4, z, a\n .regs r20, u, v\n" \
+    " .share\n .reg b, r5\n .regs r20, p, q\n .endshare\n" \
+    " .data\ndata: .word 1, 2\nkept: .space 2\nbits: .space 1\n .code\n"
+#define FIRST 13 /* the line after them */
+
+struct lost {
+    const char *text; /* after NAMES */
+    unsigned read;    /* the line, from 0: where .. */
+    const char *as;   /* .. a register is read as this */
+    const char *is;
+    unsigned written;
+};
+
+static void test_lost(void **state)
+{
+    static const struct lost cases[] = {
+        /* As a source, what is changed, an index, an address, a link. */
+        { " ES a, 1\n ES b, 2\n ADDX a, r8, r8\n", 2, "r5 is read as 'a'",
+          "'b'", 1 },
+        { " ES b, 1\n IS a, 2\n", 1, "r5 is read as 'a'", "'b'", 0 },
+        { " ES b, 0\n EX r9, data\n LOD [r9, a], r9\n", 2,
+          "r5 is read as 'a'", "'b'", 0 },
+        { " EX b, data\n LOD [a], r9\n", 1, "r5 is read as 'a'", "'b'", 0 },
+        { " EX b, data\n STO [a], r9\n", 1, "r5 is read as 'a'", "'b'", 0 },
+        { " EX b, data\n STO [b], b\n EX r9, data\n STO [r9], a\n", 3,
+          "r5 is read as 'a'", "'b'", 0 },
+        { " EX b, on\n BIM 0, a\non:\n", 1, "r5 is read as 'a'", "'b'", 0 },
+        { " EX b, on\n IBXEQ r0, r0, r0, [a], r9\non:\n", 1,
+          "r5 is read as 'a'", "'b'", 0 },
+        { " EX r9, on\n ES b, 0\n IBXEQ r0, r0, r0, [r9, a], r9\non:\n", 2,
+          "r5 is read as 'a'", "'b'", 1 },
+        /* In vector instructions. */
+        { " EX b, data\n ELEN b, 2\n VTOV [a], [a]\n", 2, "r5 is read as 'a'",
+          "'b'", 1 },
+        { " ES b, 2\n EX r9, data\n ELEN r9, 2\n ADDNV a, [r9], [r9]\n", 3,
+          "r5 is read as 'a'", "'b'", 0 },
+        { " ES b, 0\n EX r9, data\n ELEN r9, 2\n VTOV [r9, a], [r9]\n", 3,
+          "r5 is read as 'a'", "'b'", 0 },
+        { " EX b, bits\n ELEN b, 2\n EX r9, data\n ELEN r9, 2\n"
+          " VTOV [r9], [r9] ? [a]\n",
+          4, "r5 is read as 'a'", "'b'", 1 },
+        { " EX z, data\n ELEN z, 1\n ES b, 1\n VTOV [z], [z, a]\n", 3,
+          "r5 is read as 'a'", "'b'", 2 },
+        /* Written by other ways. */
+        { " EX r9, on\n BSAVE b, [r9]\non: ADDX a, r8, r8\n", 2,
+          "r5 is read as 'a'", "'b'", 1 },
+        { " EX r9, data\n ELEN r9, 2\n SUMV [r9], b\n ADDX a, r8, r8\n", 3,
+          "r5 is read as 'a'", "'b'", 2 },
+        { " EX r9, data\n ELEN r9, 2\n MAXV [r9], p\n ADDX v, r8, r8\n", 3,
+          "r21 is read as 'v'", "'q'", 2 },
+        { " EX r9, data\n ELEN r9, 2\n SWAP [r9], p, [r0]\n"
+          " ADDX v, r8, r8\n",
+          3, "r21 is read as 'v'", "'q'", 2 },
+        /* Saved, but in the hands of another when it is read. */
+        { " ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], u, [r9]\n"
+          " ES q, 8\n ADDX v, r8, r8\n SWAP [r9], r20, [r0]\n",
+          5, "r21 is read as 'v'", "'q'", 4 },
+        /* What was saved is not what comes back. */
+        { " ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], u, [r9]\n"
+          " IX r9, 64\n STO [r9], r9\n IX r9, -64\n SWAP [r9], p, [r0]\n"
+          " ADDX v, r8, r8\n",
+          8, "r21 is read as 'v'", "'q'", 7 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct lost *lost = &cases[i];
+        char text[1000], expected[200];
+
+        snprintf(text, sizeof text, NAMES "%s EXIT\n", lost->text);
+        snprintf(expected, sizeof expected,
+                 "test:%u: %s, but it is %s since test:%u\n",
+                 FIRST + lost->read, lost->as, lost->is,
+                 FIRST + lost->written);
+        check(text, 1, expected);
+    }
+}
+
+static void test_left_alone(void **state)
+{
+    static const char *const texts[] = {
+        " ES a, 1\n ADDX a, r8, r8\n ES b, 2\n ADDX b, r8, r8\n",
+        /* Two names of one instruction; one name for another. */
+        " ES b, 1\n ADDX a, b, r8\n",
+        " .reg c, a\n ES c, 1\n ADDX a, r8, r8\n ES a, 1\n ADDX c, r8, r8\n",
+        " ES a, 1\n .reg a, r5\n ADDX a, r8, r8\n",
+        /* By its number. */
+        " ES r5, 1\n ADDX a, r8, r8\n ES b, 1\n ADDX r5, r8, r8\n",
+        /* Nobody has written it. */
+        " ADDX a, r8, r8\n",
+        /* Saved and given back. */
+        " ES u, 6\n ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], p, [r9]\n"
+        " ES p, 8\n ES q, 9\n ADDX p, q, q\n SWAP [r9], p, [r0]\n"
+        " ADDX u, v, v\n",
+        " ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], r20, [r9]\n"
+        " ES q, 9\n SWAP [r9], r20, [r0]\n ADDX v, r8, r8\n",
+        /* Handed over in memory. */
+        " ES u, 6\n ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], u, [r9]\n"
+        " SWAP [r9], b, [r0]\n ADDX b, r8, r8\n",
+        /* Loaded anew. */
+        " ES v, 7\n EX r9, data\n ELEN r9, 2\n SWAP [r9], p, [r0]\n"
+        " ADDX q, r8, r8\n SWAP [r9], u, [r0]\n ADDX v, r8, r8\n",
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        char text[1000];
+
+        snprintf(text, sizeof text, NAMES "%s EXIT\n", texts[i]);
+        check(text, 0, "");
+    }
+}
+
+static int set_up(void **state)
+{
+    c205_error error;
+
+    (void)state;
+    model = c205_model_find("cyber205-2pipe", &error);
+    return !model;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    c205_model_free(model);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_lost),
+                                        cmocka_unit_test(test_left_alone) };
+
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
