@@ -192,6 +192,7 @@ static void random_shape(uint64_t *state, char *shape)
         random_cylinder, random_sphere,  random_sphere,   random_cone,
         random_cone,     random_plane,   random_plane,    random_torus,
         random_quadric,  random_quadric, random_quartic,  random_patch,
+        random_patch,
     };
     shapes[below(state, sizeof shapes / sizeof *shapes)](state, shape);
 }
