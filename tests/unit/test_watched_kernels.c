@@ -88,10 +88,13 @@ static void check(const char *path, const c205_model *model,
 
 static void test_kernels(void **state)
 {
-    static const char *const scenes[] = {
-        "scenes/first.pov", "scenes/bracket.pov", "scenes/glass.pov",
-        "scenes/rings.pov", "scenes/steiner.pov"
-    };
+    static const char *const scenes[] = { "scenes/first.pov",
+                                          "scenes/bracket.pov",
+                                          "scenes/glass.pov",
+                                          "scenes/rings.pov",
+                                          "scenes/steiner.pov",
+                                          "tests/scenes/csg_culled.pov",
+                                          "tests/scenes/csg_patches.pov" };
     const struct sink sink = stream_sink(stderr);
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
