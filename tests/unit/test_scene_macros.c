@@ -61,6 +61,12 @@ static void test_spheres(void **state)
         { "#default { finish { ambient 0 } } #if (1) sphere { 0, 2 } #end",
           1,
           { 2 } },
+        { "union { sphere { 0, 3 } #for (I, 1, 2) sphere { 0, I } #end }",
+          3,
+          { 3, 1, 2 } },
+        { "#macro S() #break } #end union { sphere { 0, 1 } S() sphere { 0, 2 } }",
+          2,
+          { 1, 2 } },
         { "#switch (2) #case (1) sphere { 0, 1 } #break #case (2)\n"
           "sphere { 0, 2 } #end",
           1,

@@ -75,6 +75,15 @@ void reader_back(struct reader *reader)
     reader->token.kind = TOKEN_END;
 }
 
+void reader_jump(struct reader *reader, const struct place *place)
+{
+    if (reader->stopped)
+        return;
+    lexer_top(&reader->lexer)->place = *place;
+    reader->token.kind = TOKEN_END;
+    reader_step(reader);
+}
+
 /* The frame below goes on when this one ends. */
 static bool close_frame(struct reader *reader)
 {

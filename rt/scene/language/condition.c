@@ -266,14 +266,15 @@ static struct condition *breakable(struct reader *reader)
 /* As in POV-Ray, a #break that is in no loop ends its macro. */
 static bool end_macro(struct reader *reader, const struct token *at)
 {
-    struct frame *top = lexer_top(&reader->lexer);
+    const struct frame *top = lexer_top(&reader->lexer);
+    struct place end = top->place;
 
     if (!top->is_macro)
         return reader_fault(reader, at, "there is nothing to break off");
     while (condition_top(reader))
         reader->condition_count--;
-    top->place.at = top->end;
-    reader_step(reader);
+    end.at = top->end;
+    reader_jump(reader, &end);
     return true;
 }
 

@@ -166,7 +166,6 @@ bool loop_end(struct reader *reader, struct condition *loop)
         reader->condition_count--;
         return true;
     }
-    lexer_top(&reader->lexer)->place = loop->again;
-    reader_step(reader);
+    reader_jump(reader, &loop->again);
     return is_for || begin_turn(reader, loop);
 }

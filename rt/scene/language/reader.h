@@ -99,6 +99,9 @@ void reader_settle(struct reader *reader);
 void reader_pass(struct reader *reader);
 /* The token comes again with the next step, if its frame goes on. */
 void reader_back(struct reader *reader);
+/* On from another place of the frame: the token is not read, nor is it a brace
+ * that opens or closes anything. */
+void reader_jump(struct reader *reader, const struct place *place);
 /* The rest of the frames above, if it is directives. */
 void reader_close_frames(struct reader *reader, size_t depth);
 enum { HOLD_NONE = -1 };
