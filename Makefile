@@ -221,8 +221,9 @@ check-unit: $(unit_tests) $(adapter)
 	@printf '%s\n' $(unit_tests) | xargs -n 1 -P $(JOBS) sh -c \
 		'$$0 >$$0.log 2>&1; code=$$?; cat $$0.log; exit $$code'
 
-check-rooms:
+check-rooms: $(libraries)
 	sh tests/check_rooms.sh
+	sh tests/check_state.sh $(BUILD)
 
 check-programs: $(BUILD)/c205
 	sh tests/run_programs.sh $(BUILD)/c205

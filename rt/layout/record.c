@@ -87,15 +87,24 @@ void record_end(struct record *record)
     record->words = NULL;
 }
 
-c205_word *record_field(struct record *record, const char *name, size_t count)
+/* Where a field of so many words begins, or NULL: it does not fit. */
+static c205_word *find_field(struct record *record, const char *name,
+                             size_t count)
 {
-    static c205_word nowhere[32];
     uint64_t offset = layout_symbol(record->layout, name);
 
     if (record->words && offset + count <= record->size)
         return record->words + offset;
     layout_fail(record->layout, "field %s does not fit its record", name);
-    return nowhere;
+    return NULL;
+}
+
+static void put_word(struct record *record, const char *name, c205_word word)
+{
+    c205_word *field = find_field(record, name, 1);
+
+    if (field)
+        *field = word;
 }
 
 void put_numbers(c205_word *words, const double *values, size_t count)
@@ -120,18 +129,22 @@ static void check_finite(struct record *record, const double *values,
 void record_numbers(struct record *record, const char *name,
                     const double *values, size_t count)
 {
+    c205_word *field;
+
     check_finite(record, values, count);
-    put_numbers(record_field(record, name, count), values, count);
+    field = find_field(record, name, count);
+    if (field)
+        put_numbers(field, values, count);
 }
 
 void record_integer(struct record *record, const char *name, size_t value)
 {
-    *record_field(record, name, 1) = c205_from_integer((int64_t)value);
+    put_word(record, name, c205_from_integer((int64_t)value));
 }
 
 void record_address(struct record *record, const char *name, uint64_t address)
 {
-    *record_field(record, name, 1) = address;
+    put_word(record, name, address);
 }
 
 void record_routine(struct record *record, const char *name,

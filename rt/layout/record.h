@@ -46,8 +46,6 @@ void record_begin(struct record *record, struct layout *layout,
 void record_write(struct record *record);
 void record_end(struct record *record);
 
-c205_word *record_field(struct record *record, const char *name,
-                        size_t count);
 /* Each number must be finite. */
 void record_numbers(struct record *record, const char *name,
                     const double *values, size_t count);

@@ -8,6 +8,7 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <math.h>
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -172,12 +173,9 @@ static const struct picture_adapter *adapter_in(const char *folder,
     return table;
 }
 
-/* Loaded once and kept: the library does not bear unloading. */
-static const struct picture_adapter *adapter(struct picture_error *error)
+static const struct picture_adapter *find_adapter(struct picture_error *error)
 {
-    static const struct picture_adapter *loaded;
-    if (loaded)
-        return loaded;
+    const struct picture_adapter *found = NULL;
     char beside[4096] = ".", installed[sizeof beside + sizeof FROM_BIN];
     program_folder(beside, sizeof beside);
     snprintf(installed, sizeof installed, "%s%s", beside, FROM_BIN);
@@ -185,10 +183,23 @@ static const struct picture_adapter *adapter(struct picture_error *error)
                                     installed };
     fail(error, "pictures: no %s in %s or %s", PICTURE_ADAPTER_FILE, beside,
          installed);
-    for (size_t i = 0; !loaded && i < sizeof folders / sizeof *folders; i++)
+    for (size_t i = 0; !found && i < sizeof folders / sizeof *folders; i++)
         if (folders[i])
-            loaded = adapter_in(folders[i], error);
-    return loaded;
+            found = adapter_in(folders[i], error);
+    return found;
+}
+
+/* Loaded once and kept: the library does not bear unloading. */
+static const struct picture_adapter *adapter(struct picture_error *error)
+{
+    static pthread_mutex_t loading = PTHREAD_MUTEX_INITIALIZER;
+    static const struct picture_adapter *loaded;
+    pthread_mutex_lock(&loading);
+    if (!loaded)
+        loaded = find_adapter(error);
+    const struct picture_adapter *const found = loaded;
+    pthread_mutex_unlock(&loading);
+    return found;
 }
 
 /* --- paths ------------------------------------------------------------- */

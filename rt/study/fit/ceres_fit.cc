@@ -155,13 +155,13 @@ void fit(const ceres_problem &given, double *values, ceres_outcome &outcome)
 
 void quiet()
 {
-    static bool begun = false;
-    if (!begun) {
+    static const bool begun = [] {
         FLAGS_logtostderr = true;
         FLAGS_minloglevel = google::GLOG_FATAL;
         google::InitGoogleLogging("fit205");
-    }
-    begun = true;
+        return true;
+    }();
+    (void)begun;
 }
 
 } // namespace

@@ -1,0 +1,31 @@
+#!/bin/sh
+# check_state.sh BUILD - no library keeps state of its own: bands are traced in
+# threads, and a caller may have several machines.  Data that can be written is
+# told but for what stands here, each under a lock.
+set -u
+build=$1
+allowed='picture.o:loaded picture.o:loading'
+libraries="$build/libc205.a $build/libbase.a $build/libc205asm.a $build/librt205.a"
+
+# The words are files.
+# shellcheck disable=SC2086
+LC_ALL=C objdump -t $libraries | awk -v allowed="$allowed" '
+    / file format / { file = $1; sub(/:$/, "", file); files++ }
+    / O / {
+        for (i = 1; i < NF; i++)
+            section = $i == "O" ? $(i + 1) : section
+        name = $NF
+        sub(/\.[0-9]+$/, "", name)
+        if (section ~ /^(\.data|\.bss|\.tdata|\.tbss|\*COM\*)/ \
+            && section !~ /^\.data\.rel\.ro/ \
+            && index(" " allowed " ", " " file ":" name " ") == 0) {
+            print "FAIL " file " can write " name " in " section
+            failed++
+        }
+    }
+    END {
+        if (!files)
+            failed++
+        printf "%d passed, %d failed\n", files - failed, failed
+        exit failed > 0
+    }'
