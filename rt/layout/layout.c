@@ -46,16 +46,18 @@ static void put_shape(struct record *record,
 }
 
 /* Neighbours in one space have its number, so that a ray is carried over once.
- * Numbers count from 1, by the first primitive of each. */
-static size_t space_of(const struct scene *scene, size_t i)
+ * Numbers count from 1, by the first primitive of each; before: the number of
+ * the one before. */
+static size_t space_of(const struct scene *scene, size_t i, size_t before)
 {
     const struct transform *space = &scene->primitives[i].to_local;
 
-    while (i > 0
-           && memcmp(space, &scene->primitives[i - 1].to_local, sizeof *space)
-                  == 0)
-        i--;
-    return i + 1;
+    return i > 0
+                   && memcmp(space, &scene->primitives[i - 1].to_local,
+                             sizeof *space)
+                          == 0
+               ? before
+               : i + 1;
 }
 
 static void put_finish(struct record *record, const struct scene *scene,
@@ -124,6 +126,7 @@ static uint64_t layout_primitives(struct layout *layout,
                                   const struct leaf_plan *plans)
 {
     struct record record;
+    size_t space = 0;
     uint64_t first;
 
     record_begin(&record, layout, "P_SIZE", scene->primitive_count,
@@ -131,8 +134,9 @@ static uint64_t layout_primitives(struct layout *layout,
     first = record.address;
     for (size_t i = 0; i < scene->primitive_count && !layout->failed; i++) {
         record.line = scene->primitives[i].line;
+        space = space_of(scene, i, space);
         record_integer(&record, "P_ID", i + 1);
-        record_integer(&record, "P_SPACE", space_of(scene, i));
+        record_integer(&record, "P_SPACE", space);
         put_shape(&record, &scene->primitives[i], &plans[i]);
         put_surface(&record, scene, &scene->primitives[i]);
         put_mirror(&record, &scene->primitives[i]);
