@@ -10,20 +10,24 @@ static bool write_picture(const struct cmd_arguments *arguments,
 {
     const struct accounts *accounts = trace_accounts(trace);
     struct frame frame = { 0 };
+    bool whole = trace_rows_done(trace) == arguments->trace.height;
     struct picture_error why;
-    char clocks[32];
+    char clocks[32], rows[48];
     const struct picture_note notes[] = {
         { "Software", "rt205" },
         { "rt205:scene", arguments->scene },
         { "rt205:model", c205_model_name(accounts->model) },
         { "rt205:mode", trace_mode_name(arguments->trace.mode) },
         { "rt205:clocks", clocks },
+        { whole ? NULL : "rt205:rows", rows },
         { NULL, NULL },
     };
     bool good;
 
     snprintf(clocks, sizeof clocks, "%llu",
              (unsigned long long)accounts->clocks);
+    snprintf(rows, sizeof rows, "%zu of %zu", trace_rows_done(trace),
+             arguments->trace.height);
     if (!trace_read(trace, &frame, error))
         return false;
     good = picture_write(arguments->output, &frame, notes, arguments->half,
@@ -121,22 +125,89 @@ static bool tell(const struct cmd_arguments *arguments,
     return good;
 }
 
-/* What is finished of a frame that did not come to its end stays in the file
- * that --resume names. */
-static bool run(const struct cmd_arguments *arguments, struct trace *trace,
-                c205_error *error)
+/* What the file that --resume names already has. */
+static void tell_kept(const struct cmd_arguments *arguments,
+                      const struct trace *trace)
 {
-    const char *keep = arguments->resume;
+    size_t kept = trace_bands_done(trace);
+
+    if (kept > 0)
+        fprintf(stderr,
+                "rt205 %s: the frame goes on from %s: %zu of %zu bands\n",
+                arguments->command, arguments->resume, kept,
+                trace_bands(trace));
+    else
+        fprintf(stderr, "rt205 %s: the frame begins: %s has no band yet\n",
+                arguments->command, arguments->resume);
+}
+
+static bool keep(const struct cmd_arguments *arguments, struct trace *trace,
+                 c205_error *error)
+{
+    if (!arguments->resume)
+        return true;
+    if (!trace_keep(trace, arguments->resume, error))
+        return false;
+    tell_kept(arguments, trace);
+    return true;
+}
+
+/* The rows that are done when Ctrl-C was pressed, and what became of them. */
+static void save_rows(const struct cmd_arguments *arguments,
+                      const struct trace *trace, char *told, size_t size)
+{
+    size_t rows = trace_rows_done(trace);
     c205_error why;
 
-    if (keep && !trace_keep(trace, keep, error))
-        return false;
-    if (trace_run(trace, &why))
-        return true;
-    snprintf(error->message, sizeof error->message, "%.120s%s%.100s",
-             why.message, keep ? "; --resume goes on from " : "",
-             keep ? keep : "");
-    return false;
+    if (rows == 0)
+        snprintf(told, size, "; no row is done, so no picture is written");
+    else if (!write_picture(arguments, trace, &why))
+        snprintf(told, size, "; %s", why.message);
+    else
+        snprintf(told, size,
+                 "; %.100s has %zu of %zu rows, the others are black",
+                 arguments->output, rows, arguments->trace.height);
+}
+
+/* What a later run with --resume begins with. */
+static void tell_resume(const struct cmd_arguments *arguments,
+                        const struct trace *trace, char *told, size_t size)
+{
+    size_t kept = trace_bands_done(trace);
+
+    if (arguments->resume && kept > 0)
+        snprintf(told, size,
+                 "; --resume goes on from %.100s: %zu of %zu bands",
+                 arguments->resume, kept, trace_bands(trace));
+    else if (arguments->resume)
+        snprintf(told, size, "; no band is done: --resume begins anew");
+}
+
+static int end_early(const struct cmd_arguments *arguments,
+                     const struct trace *trace, const c205_error *why)
+{
+    char rows[300] = "", bands[200] = "";
+
+    if (cmd_interrupted())
+        save_rows(arguments, trace, rows, sizeof rows);
+    tell_resume(arguments, trace, bands, sizeof bands);
+    return cmd_failed(arguments->command, "%s%s%s", why->message, rows,
+                      bands);
+}
+
+static int run(const struct cmd_arguments *arguments, struct trace *trace,
+               const struct results *results)
+{
+    c205_error error = { "no memory" };
+
+    if (!trace_run(trace, &error))
+        return end_early(arguments, trace, &error);
+    if (write_picture(arguments, trace, &error)) {
+        trace_forget(trace);
+        if (tell(arguments, trace, results))
+            return CMD_DONE;
+    }
+    return cmd_failed(arguments->command, "%s", error.message);
 }
 
 static int render(const struct cmd_arguments *arguments,
@@ -144,16 +215,12 @@ static int render(const struct cmd_arguments *arguments,
 {
     c205_error error = { "no memory" };
     struct trace *trace = trace_new(scene, &arguments->trace, &error);
-    bool good = trace && run(arguments, trace, &error)
-                && write_picture(arguments, trace, &error);
+    int code = trace && keep(arguments, trace, &error)
+                   ? run(arguments, trace, results)
+                   : cmd_failed(arguments->command, "%s", error.message);
 
-    if (good) {
-        trace_forget(trace);
-        good = tell(arguments, trace, results);
-    }
     trace_free(trace);
-    return good ? CMD_DONE
-                : cmd_failed(arguments->command, "%s", error.message);
+    return code;
 }
 
 static int render_scene(const struct cmd_arguments *arguments,

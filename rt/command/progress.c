@@ -8,9 +8,13 @@
 
 static volatile sig_atomic_t interrupted;
 
+/* The second time it is as if nobody had asked for the first. */
 static void on_interrupt(int number)
 {
-    (void)number;
+    if (interrupted) {
+        signal(number, SIG_DFL);
+        raise(number);
+    }
     interrupted = 1;
 }
 

@@ -114,7 +114,7 @@ int cmd_with_machine(struct cmd_arguments *arguments, cmd_work *work);
  * which have been told. */
 struct scene *cmd_read_scene(const struct cmd_arguments *arguments);
 
-/* Let Ctrl-C ask a trace to stop, and show progress when stderr is a
+/* Let Ctrl-C ask a trace to stop, a second one end the process, and show progress when stderr is a
  * terminal: a trace_options.progress function and its context. */
 void cmd_watch(struct trace_options *options);
 /* Whether Ctrl-C has been pressed since. */

@@ -253,8 +253,12 @@ bool layout_scene(c205 *machine, const struct object *program,
                   const struct scene *scene, bool bounds,
                   struct frame_layout *frame, c205_error *error)
 {
-    struct layout layout = { machine, program, error, false,
-                             program_end(program) };
+    struct layout layout = { .machine = machine,
+                             .program = program,
+                             .error = error,
+                             .free = program_end(program),
+                             .go_on = frame->go_on,
+                             .context = frame->context };
 
     layout_camera(&layout, scene);
     layout_solids(&layout, scene, bounds);

@@ -71,8 +71,19 @@ void record_begin(struct record *record, struct layout *layout,
     record->table = record->address + UINT64_C(64) * count * record->size;
 }
 
+/* After every so many records. */
+static void ask(struct layout *layout)
+{
+    enum { ASKED_EACH = 4096 };
+
+    if (layout->go_on && ++layout->written % ASKED_EACH == 0
+        && !layout->go_on(layout->context))
+        layout_fail(layout, "stopped while the scene is laid out");
+}
+
 void record_write(struct record *record)
 {
+    ask(record->layout);
     if (record->layout->failed)
         return;
     layout_words(record->layout, record->address, record->words,

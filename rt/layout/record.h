@@ -15,7 +15,10 @@ struct layout {
     const struct object *program;
     c205_error *error;
     bool failed;
-    uint64_t free; /* the next address that nothing uses */
+    uint64_t free;                /* the next address that nothing uses */
+    size_t written;               /* records */
+    bool (*go_on)(void *context); /* as in frame_layout */
+    void *context;
 };
 
 void layout_fail(struct layout *layout, const char *format, ...);

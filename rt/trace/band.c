@@ -27,7 +27,9 @@ static bool load(const struct band_work *work, c205 *machine,
     *layout = (struct frame_layout){ .width = work->width,
                                      .height = work->height,
                                      .first_row = first_row,
-                                     .rows = rows };
+                                     .rows = rows,
+                                     .go_on = work->go_on,
+                                     .context = work->context };
     return c205_load(machine, &work->program->program, error)
            && layout_scene(machine, work->program, work->scene, work->bounds,
                            layout, error);
@@ -45,20 +47,24 @@ c205 *band_machine(const struct band_work *work, size_t first_row,
     return NULL;
 }
 
-/* Pixels begun, from the account of the routine that makes their rays. */
-static size_t pixels_begun(const struct band_work *work, const c205 *machine,
-                           size_t pixels)
+/* Calls of the routine that makes rays, from its account. */
+static size_t calls_begun(const c205 *machine)
 {
     for (size_t i = 0; i < c205_account_count(machine); i++) {
         const c205_account *account = c205_account_at(machine, i);
 
-        if (strcmp(account->name, "generate") == 0) {
-            size_t done = (size_t)account->entries * work->rays_a_call;
-
-            return done < pixels ? done : pixels;
-        }
+        if (strcmp(account->name, "generate") == 0)
+            return (size_t)account->entries;
     }
     return 0;
+}
+
+static size_t pixels_begun(const struct band_work *work, const c205 *machine,
+                           size_t pixels)
+{
+    size_t done = calls_begun(machine) * work->rays_a_call;
+
+    return done < pixels ? done : pixels;
 }
 
 struct telling {
@@ -144,34 +150,72 @@ static void end_watches(struct band_tracer *tracer, bool merge)
     pthread_mutex_unlock(tracer->lock);
 }
 
+static bool read_integer(const struct band_work *work, const c205 *machine,
+                         const char *name, uint64_t *value)
+{
+    const struct asm_symbol *symbol = object_symbol(work->program, name);
+    c205_word word;
+
+    if (!symbol || !c205_read(machine, (uint64_t)symbol->value, &word, 1))
+        return false;
+    *value = (uint64_t)c205_to_integer(word);
+    return true;
+}
+
 static bool read_counters(const struct band_work *work, const c205 *machine,
                           struct band *band)
 {
-    for (int i = 0; i < RAY_KINDS; i++) {
-        const struct asm_symbol *symbol = object_symbol(work->program,
-                                                        kinds[i].counter);
-        c205_word word;
-
-        if (!symbol || !c205_read(machine, (uint64_t)symbol->value, &word, 1))
+    for (int i = 0; i < RAY_KINDS; i++)
+        if (!read_integer(work, machine, kinds[i].counter, &band->rays[i]))
             return false;
-        band->rays[i] = (uint64_t)c205_to_integer(word);
-    }
     return true;
+}
+
+/* Rows whose pixels are all done: those of a call are when the next one is
+ * made, but what a queue reflects may wait for others up to the band's end. */
+static size_t rows_done(const struct band_work *work, const c205 *machine,
+                        size_t rows)
+{
+    size_t calls = calls_begun(machine), done;
+    uint64_t levels = 0;
+
+    if (calls == 0
+        || !read_integer(work, machine, "scene_level_count", &levels)
+        || (levels > 1 && !work->ray_by_ray))
+        return 0;
+    done = (calls - 1) * work->rays_a_call / work->width;
+    return done < rows ? done : rows;
+}
+
+static bool read_frame(const struct band_work *work, const c205 *machine,
+                       const struct frame_layout *layout, struct band *band)
+{
+    size_t count = FRAME_CHANNELS * band->rows * work->width;
+
+    band->words = malloc(count * sizeof *band->words);
+    return band->words
+           && c205_read(machine, layout->address, band->words, count);
 }
 
 static bool collect(const struct band_work *work, const c205 *machine,
                     const struct frame_layout *layout, struct band *band,
                     c205_error *error)
 {
-    size_t count = FRAME_CHANNELS * band->rows * work->width;
-
     snprintf(error->message, sizeof error->message, "no memory");
     band->accounts.model = work->model;
-    band->words = malloc(count * sizeof *band->words);
-    return band->words != NULL
-           && c205_read(machine, layout->address, band->words, count)
+    band->rows_done = band->rows;
+    return read_frame(work, machine, layout, band)
            && read_counters(work, machine, band)
            && accounts_add(&band->accounts, machine);
+}
+
+/* What is done of a band that was stopped; without memory nothing is. */
+static void collect_rows(const struct band_work *work, const c205 *machine,
+                         const struct frame_layout *layout, struct band *band)
+{
+    band->rows_done = rows_done(work, machine, band->rows);
+    if (!read_frame(work, machine, layout, band))
+        band->rows_done = 0;
 }
 
 /* The machine that traced the last band, or a new one. */
@@ -197,7 +241,9 @@ bool band_trace(struct band_tracer *tracer, struct band *band,
                   progress_context, stopped, error)
            && collect(work, tracer->machine, &layout, band, error);
     end_watches(tracer, good);
-    if (!good)
+    if (*stopped)
+        collect_rows(work, tracer->machine, &layout, band);
+    else if (!good)
         band_free(band);
     return good;
 }

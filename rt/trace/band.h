@@ -33,11 +33,16 @@ struct band_work {
     size_t width, height; /* of the frame, pixels */
     bool bounds;          /* bounding volumes are used */
     size_t rays_a_call;   /* that one call of the program's generate makes */
+    bool ray_by_ray;      /* a pixel is done before the next one is begun */
     const struct observer *const *observers; /* end with NULL; or NULL */
     void *listener_context;
     c205_projection *const
         *projections; /* listen as well; NULL at the end, or
                                             NULL */
+    /* Asked now and then while the scene is laid out, whoever does it; false:
+     * stop.  NULL if nobody wants to know. */
+    bool (*go_on)(void *context);
+    void *context;
     /* Called now and then with the pixels of this band that are begun; false:
      * stop.  NULL if nobody wants to know. */
     bool (*progress)(void *context, size_t pixels);
@@ -45,6 +50,7 @@ struct band_work {
 
 struct band {
     size_t first_row, rows;
+    size_t rows_done; /* fewer, from the first on, where it was stopped */
     c205_word *words; /* FRAME_CHANNELS planes of rows x width samples */
     struct accounts accounts;
     uint64_t rays[RAY_KINDS];
@@ -71,7 +77,8 @@ struct band_tracer {
 };
 
 /* Trace the rows that the band names and fill in the rest, which the caller
- * frees.  False: a trap, no memory, or progress said to stop (*stopped). */
+ * frees.  False: a trap, no memory, or progress said to stop (*stopped): then
+ * the band holds the words of the rows that are done, and no accounts. */
 bool band_trace(struct band_tracer *tracer, struct band *band,
                 void *progress_context, bool *stopped, c205_error *error);
 void band_free(struct band *band);

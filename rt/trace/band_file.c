@@ -1,10 +1,12 @@
 #include "rt/trace/band_file.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/hash.h"
 
@@ -149,7 +151,7 @@ static bool take_band(struct words *words, struct band *band, size_t width)
     uint64_t accounts;
 
     band->first_row = (size_t)take(words);
-    band->rows = (size_t)take(words);
+    band->rows = band->rows_done = (size_t)take(words);
     for (int kind = 0; kind < RAY_KINDS; kind++)
         band->rays[kind] = take(words);
     accounts = take(words);
@@ -219,11 +221,11 @@ static bool read_head(FILE *stream, uint64_t key, size_t width,
                       c205_error *error)
 {
     uint64_t head[3] = { 0, 0, 0 };
+    bool whole = true;
 
-    for (int i = 0; i < 3; i++)
-        if (!read_word(stream, &head[i]))
-            break;
-    if (head[0] != MAGIC)
+    for (int i = 0; i < 3 && whole; i++)
+        whole = read_word(stream, &head[i]);
+    if (!whole || head[0] != MAGIC)
         snprintf(error->message, sizeof error->message,
                  "it does not hold bands of a frame");
     else if (head[1] != key || head[2] != width)
@@ -240,21 +242,64 @@ static bool write_head(FILE *stream, uint64_t key, size_t width)
            && write_word(stream, width) && fflush(stream) == 0;
 }
 
+/* Whether the path still leads to the file: a picture of that name may have
+ * come in its place. */
+static bool is_there(const struct band_file *file)
+{
+    struct stat kept, named;
+
+    return fstat(fileno(file->stream), &kept) == 0
+           && stat(file->path, &named) == 0 && kept.st_dev == named.st_dev
+           && kept.st_ino == named.st_ino;
+}
+
+/* The file for this process alone: the lock goes with the process, however it
+ * ends. */
+static FILE *open_locked(const char *path, c205_error *error)
+{
+    struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
+    int file = open(path, O_RDWR | O_CREAT, 0666);
+    bool locked = file >= 0 && fcntl(file, F_SETLK, &lock) == 0;
+    bool in_use = file >= 0 && !locked
+                  && (errno == EAGAIN || errno == EACCES);
+    FILE *stream = locked ? fdopen(file, "r+b") : NULL;
+
+    if (!stream) {
+        snprintf(error->message, sizeof error->message, "%s",
+                 in_use ? "another run is using it" : strerror(errno));
+        if (file >= 0)
+            close(file);
+    }
+    return stream;
+}
+
+/* The run that held the lock before may have removed the file at its end. */
+static bool open_stream(struct band_file *file, c205_error *error)
+{
+    do {
+        if (file->stream)
+            fclose(file->stream);
+        file->stream = open_locked(file->path, error);
+    } while (file->stream && !is_there(file));
+    return file->stream != NULL;
+}
+
+static bool is_empty(const struct band_file *file)
+{
+    struct stat status;
+
+    return fstat(fileno(file->stream), &status) == 0 && status.st_size == 0;
+}
+
 static bool begin(struct band_file *file, uint64_t key, size_t width,
                   const c205_model *model, struct band **bands, size_t *count,
                   c205_error *error)
 {
     bool fresh;
 
-    file->stream = fopen(file->path, "r+b");
-    fresh = !file->stream && errno == ENOENT;
-    if (fresh)
-        file->stream = fopen(file->path, "w+b");
-    if (!file->stream) {
-        snprintf(error->message, sizeof error->message, "%s",
-                 strerror(errno));
+    if (!open_stream(file, error))
         return false;
-    }
+    fresh = is_empty(file);
     if (!fresh && !read_head(file->stream, key, width, error))
         return false;
     snprintf(error->message, sizeof error->message, "no memory, or no room");
@@ -312,25 +357,13 @@ bool band_file_add(struct band_file *file, const struct band *band,
     return good;
 }
 
-/* Whether the path still leads to the file: a picture of that name may have
- * come in its place. */
-static bool is_there(const struct band_file *file)
-{
-    struct stat kept, named;
-
-    return fstat(fileno(file->stream), &kept) == 0
-           && stat(file->path, &named) == 0 && kept.st_dev == named.st_dev
-           && kept.st_ino == named.st_ino;
-}
-
 void band_file_close(struct band_file *file, bool remove_it)
 {
     if (!file)
         return;
-    remove_it = remove_it && is_there(file);
-    fclose(file->stream);
-    if (remove_it)
+    if (remove_it && is_there(file))
         remove(file->path);
+    fclose(file->stream);
     free(file->path);
     free(file);
 }

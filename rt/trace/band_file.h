@@ -13,8 +13,9 @@
 struct band_file;
 
 /* A new file, or one of the same key and width: *count bands that it has, in
- * *bands, which the caller frees.  NULL: it is a file of something else, or
- * cannot be read or written. */
+ * *bands, which the caller frees; an empty one is as good as none.  NULL: it is
+ * a file of something else, cannot be read or written, or another process has
+ * it open. */
 struct band_file *band_file_open(const char *path, uint64_t key, size_t width,
                                  const c205_model *model, struct band **bands,
                                  size_t *count, c205_error *error);

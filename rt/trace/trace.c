@@ -20,7 +20,8 @@ struct trace {
     size_t band_count;
     bool *taken;      /* bands that are done or being done */
     c205_word *words; /* FRAME_CHANNELS planes, as far as they are done */
-    size_t rows_done;
+    size_t rows_done, bands_done;
+    size_t rows_of_parts; /* done, of bands that were stopped */
     struct accounts accounts;
     uint64_t rays[RAY_KINDS];
     struct band_file *file; /* that keeps the bands, or NULL */
@@ -61,6 +62,51 @@ bool trace_mode_named(const char *name, enum trace_mode *mode)
             return true;
         }
     return false;
+}
+
+/* ---- Whether to go on ---------------------------------------------------- */
+
+static void stop_with(struct trace *trace, const c205_error *why)
+{
+    if (!trace->stop)
+        trace->error = *why;
+    trace->stop = true;
+}
+
+static size_t pixels_done(const struct trace *trace)
+{
+    size_t done = trace->rows_done * trace->options.width;
+
+    for (size_t i = 0; i < trace->job_count; i++)
+        done += trace->jobs[i].pixels;
+    return done;
+}
+
+/* Whether to go on, of whoever follows the progress; under the lock. */
+static bool ask(struct trace *trace)
+{
+    const struct trace_options *options = &trace->options;
+    size_t all = options->width * options->height, done = pixels_done(trace);
+    c205_error why;
+
+    if (trace->stop || !options->progress
+        || options->progress(options->context, done, all))
+        return !trace->stop;
+    snprintf(why.message, sizeof why.message,
+             "stopped after %zu of %zu pixels", done, all);
+    stop_with(trace, &why);
+    return false;
+}
+
+static bool go_on(void *context)
+{
+    struct trace *trace = context;
+    bool going;
+
+    pthread_mutex_lock(&trace->lock);
+    going = ask(trace);
+    pthread_mutex_unlock(&trace->lock);
+    return going;
 }
 
 /* ---- To begin ------------------------------------------------------------ */
@@ -153,8 +199,11 @@ struct trace *trace_new(const struct scene *scene,
         .width = options->width,
         .height = options->height,
         .bounds = !options->no_bounds,
+        .ray_by_ray = options->mode == TRACE_SCALAR,
         .rays_a_call = options->mode == TRACE_SCALAR ? 1 : options->queue,
         .observers = options->observers,
+        .go_on = options->progress ? go_on : NULL,
+        .context = trace,
     };
     divide(trace);
     if (prepare(trace, error))
@@ -179,20 +228,27 @@ void trace_free(struct trace *trace)
 
 /* ---- Bands that are done ------------------------------------------------- */
 
-static bool add_band(struct trace *trace, const struct band *band)
+static void copy_rows(struct trace *trace, const struct band *band)
 {
     size_t width = trace->options.width, count = band->rows * width;
     size_t pixels = width * trace->options.height;
 
     for (int i = 0; i < FRAME_CHANNELS; i++)
         memcpy(trace->words + (size_t)i * pixels + band->first_row * width,
-               band->words + (size_t)i * count, count * sizeof *band->words);
+               band->words + (size_t)i * count,
+               band->rows_done * width * sizeof *band->words);
+}
+
+static bool add_band(struct trace *trace, const struct band *band)
+{
+    copy_rows(trace, band);
     for (size_t i = 0; i < band->accounts.count; i++)
         if (!accounts_add_account(&trace->accounts, &band->accounts.items[i]))
             return false;
     for (int kind = 0; kind < RAY_KINDS; kind++)
         trace->rays[kind] += band->rays[kind];
     trace->rows_done += band->rows;
+    trace->bands_done++;
     return true;
 }
 
@@ -242,43 +298,16 @@ void trace_forget(struct trace *trace)
 
 /* ---- Jobs ---------------------------------------------------------------- */
 
-static void stop_with(struct trace *trace, const c205_error *why)
-{
-    if (!trace->stop)
-        trace->error = *why;
-    trace->stop = true;
-}
-
-static size_t pixels_done(const struct trace *trace)
-{
-    size_t done = trace->rows_done * trace->options.width;
-
-    for (size_t i = 0; i < trace->job_count; i++)
-        done += trace->jobs[i].pixels;
-    return done;
-}
-
 static bool tell_progress(void *context, size_t pixels)
 {
     struct job *job = context;
-    struct trace *trace = job->trace;
-    const struct trace_options *options = &trace->options;
-    size_t all = options->width * options->height, done;
-    bool go_on;
+    bool going;
 
-    pthread_mutex_lock(&trace->lock);
+    pthread_mutex_lock(&job->trace->lock);
     job->pixels = pixels;
-    done = pixels_done(trace);
-    if (!trace->stop && !options->progress(options->context, done, all)) {
-        c205_error why;
-
-        snprintf(why.message, sizeof why.message,
-                 "stopped after %zu of %zu pixels", done, all);
-        stop_with(trace, &why);
-    }
-    go_on = !trace->stop;
-    pthread_mutex_unlock(&trace->lock);
-    return go_on;
+    going = ask(job->trace);
+    pthread_mutex_unlock(&job->trace->lock);
+    return going;
 }
 
 static bool take_next(struct trace *trace, struct band *band)
@@ -309,6 +338,15 @@ static void finish_band(struct job *job, const struct band *band)
     pthread_mutex_unlock(&trace->lock);
 }
 
+static void keep_part(struct trace *trace, const struct band *band)
+{
+    pthread_mutex_lock(&trace->lock);
+    if (band->rows_done > 0)
+        copy_rows(trace, band);
+    trace->rows_of_parts += band->rows_done;
+    pthread_mutex_unlock(&trace->lock);
+}
+
 static void *do_job(void *context)
 {
     struct job *job = context;
@@ -323,12 +361,14 @@ static void *do_job(void *context)
 
         if (band_trace(&tracer, &band, job, &stopped, &why)) {
             finish_band(job, &band);
-            band_free(&band);
-        } else if (!stopped) {
+        } else if (stopped) {
+            keep_part(trace, &band);
+        } else {
             pthread_mutex_lock(&trace->lock);
             stop_with(trace, &why);
             pthread_mutex_unlock(&trace->lock);
         }
+        band_free(&band);
     }
     c205_free(tracer.machine);
     return NULL;
@@ -428,6 +468,21 @@ uint64_t trace_checksum(const struct trace *trace)
 {
     return hash_words(HASH_START, trace->words,
                       FRAME_CHANNELS * pixels_of(trace));
+}
+
+size_t trace_bands(const struct trace *trace)
+{
+    return trace->band_count;
+}
+
+size_t trace_bands_done(const struct trace *trace)
+{
+    return trace->bands_done;
+}
+
+size_t trace_rows_done(const struct trace *trace)
+{
+    return trace->rows_done + trace->rows_of_parts;
 }
 
 const struct accounts *trace_accounts(const struct trace *trace)

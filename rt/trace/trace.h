@@ -74,6 +74,15 @@ void trace_forget(struct trace *trace);
 /* False: a trap, or progress said to stop; the error says which. */
 bool trace_run(struct trace *trace, c205_error *error);
 
+/* Bands of the frame, and those that are done, of the file that keeps them or
+ * of the run. */
+size_t trace_bands(const struct trace *trace);
+size_t trace_bands_done(const struct trace *trace);
+/* Rows that are done, after a run that was stopped those of bands that are not
+ * whole among them: of these the frame has the pixels, of all others it has
+ * zeros. */
+size_t trace_rows_done(const struct trace *trace);
+
 /* The frame; the caller frees it.  Its colours are linear light: what the
  * machine computed, to the power of the scene's assumed_gamma. */
 bool trace_read(const struct trace *trace, struct frame *frame,

@@ -1,0 +1,245 @@
+/* test_kept_bands.c - frames that are stopped and gone on with: what a stopped
+ * run has done is a part of the whole frame, and of a file of bands those are
+ * taken that are this frame's, as whole bands in their places. */
+#define SMALL_FRAMES
+#include "tests/unit/traced_frame.h"
+
+#include "rt/trace/band_file.h"
+
+#include <unistd.h>
+
+enum { TALL = 120, ROWS = 40, BANDS = TALL / ROWS };
+
+#define BEFORE \
+    "camera { location -5*z look_at 0 } light_source { <3, 5, -9>, 1 }\n"
+#define TORI \
+    "#for (I, 1, 30) torus { 1 + I / 20, .1 rotate I*21*x\n" \
+    "  pigment { rgb <1, I / 30, 0> } } #end "
+static const char plain[] = BEFORE TORI;
+static const char mirrors[] = "#default { finish { reflection .3 } }" BEFORE
+    TORI;
+
+static char path[] = "/tmp/test_kept_bands.XXXXXX";
+
+/* Says stop when it has been asked so often. */
+struct patience {
+    size_t left;
+};
+
+static bool wait_on(void *context, size_t done, size_t all)
+{
+    struct patience *patience = context;
+
+    (void)done;
+    (void)all;
+    return patience->left > 0 && --patience->left > 0;
+}
+
+static struct trace_options how(enum trace_mode mode)
+{
+    return (struct trace_options){ .mode = mode,
+                                   .width = WIDTH,
+                                   .height = TALL,
+                                   .queue = 2 * WIDTH,
+                                   .band = ROWS * WIDTH,
+                                   .jobs = 2,
+                                   .model = model };
+}
+
+static struct trace *begin(const struct scene *scene,
+                           const struct trace_options *options)
+{
+    c205_error error = { "" };
+    struct trace *trace = trace_new(scene, options, &error);
+
+    if (!trace)
+        fail_msg("%s", error.message);
+    return trace;
+}
+
+static struct trace *run(const struct scene *scene, enum trace_mode mode)
+{
+    struct trace_options options = how(mode);
+    struct trace *trace = begin(scene, &options);
+    c205_error error = { "" };
+
+    if (!trace_run(trace, &error))
+        fail_msg("%s", error.message);
+    return trace;
+}
+
+/* ---- Stopped ------------------------------------------------------------- */
+
+static bool same_row(const struct trace *a, const struct trace *b, size_t row)
+{
+    for (int i = 0; i < FRAME_CHANNELS; i++)
+        if (memcmp(trace_channel(a, (enum frame_channel)i) + row * WIDTH,
+                   trace_channel(b, (enum frame_channel)i) + row * WIDTH,
+                   WIDTH * sizeof(c205_word))
+            != 0)
+            return false;
+    return true;
+}
+
+static bool is_zero(const struct trace *trace, size_t row)
+{
+    for (int i = 0; i < FRAME_CHANNELS; i++)
+        for (size_t k = 0; k < WIDTH; k++)
+            if (trace_channel(trace, (enum frame_channel)i)[row * WIDTH + k])
+                return false;
+    return true;
+}
+
+/* Every row is that of the whole frame, or nothing; how many are done. */
+static size_t check_stopped(const struct scene *scene,
+                            const struct trace *whole, enum trace_mode mode,
+                            size_t patience)
+{
+    struct patience waiting = { patience };
+    struct trace_options options = how(mode);
+    struct trace *trace;
+    c205_error error = { "" };
+    size_t same = 0, done;
+
+    options.progress = wait_on;
+    options.context = &waiting;
+    trace = begin(scene, &options);
+    if (!trace_run(trace, &error))
+        assert_non_null(strstr(error.message, "stopped after"));
+    assert_int_equal(waiting.left == 0, trace_rows_done(trace) < TALL);
+    for (size_t row = 0; row < TALL; row++) {
+        if (!is_zero(trace, row))
+            if (!same_row(trace, whole, row))
+                fail_msg("%d row %zu done %zu bands %zu", mode, row,
+                         trace_rows_done(trace), trace_bands_done(trace));
+        same += same_row(trace, whole, row);
+    }
+    done = trace_rows_done(trace);
+    assert_int_equal(same, done);
+    assert_true(done >= ROWS * trace_bands_done(trace));
+    trace_free(trace);
+    return done;
+}
+
+static void check_stops(const char *text, bool rows)
+{
+    struct scene *scene = read_text(text);
+
+    for (int mode = 0; mode < TRACE_MODES; mode++) {
+        struct trace *whole = run(scene, (enum trace_mode)mode);
+        size_t done = 0;
+
+        assert_int_equal(trace_rows_done(whole), TALL);
+        assert_int_equal(trace_bands_done(whole), trace_bands(whole));
+        for (size_t patience = 1; patience < 6; patience += 2)
+            done += check_stopped(scene, whole, (enum trace_mode)mode,
+                                  patience);
+        if (rows || mode == TRACE_SCALAR)
+            assert_true(done > 0 && done % ROWS > 0);
+        trace_free(whole);
+    }
+    scene_free(scene);
+}
+
+static void test_stopped(void **state)
+{
+    (void)state;
+    check_stops(plain, true);
+}
+
+/* What is reflected waits in queues for others. */
+static void test_stopped_with_mirrors(void **state)
+{
+    (void)state;
+    check_stops(mirrors, false);
+}
+
+/* ---- Kept ---------------------------------------------------------------- */
+
+/* A band as a run would have kept it, but of other rows and of samples that
+ * are nowhere in the frame. */
+static void plant(struct trace *trace, size_t first_row, size_t rows)
+{
+    c205_error error = { "" };
+    c205 *machine = trace_machine(trace, &error);
+    struct band band = { .first_row = first_row, .rows = rows }, *bands;
+    size_t count = FRAME_CHANNELS * rows * WIDTH, found;
+    struct band_file *file;
+
+    assert_non_null(machine);
+    file = band_file_open(path, band_file_key(machine), WIDTH, model, &bands,
+                          &found, &error);
+    if (!file)
+        fail_msg("%s", error.message);
+    assert_int_equal(found, 0);
+    band.words = malloc(count * sizeof *band.words);
+    assert_non_null(band.words);
+    for (size_t i = 0; i < count; i++)
+        band.words[i] = c205_from_integer(205);
+    assert_true(band_file_add(file, &band, &error));
+    band_file_close(file, false);
+    band_free(&band);
+    c205_free(machine);
+}
+
+/* A file with such a band alone: it is taken, or the frame becomes the same as
+ * without it. */
+static void check_planted(const struct scene *scene,
+                          const struct trace *whole, size_t first_row,
+                          size_t rows, bool taken)
+{
+    struct trace_options options = how(TRACE_VECTOR);
+    struct trace *trace = begin(scene, &options);
+    c205_error error = { "" };
+
+    plant(trace, first_row, rows);
+    assert_true(trace_keep(trace, path, &error));
+    assert_int_equal(trace_bands_done(trace), taken);
+    assert_int_equal(trace_rows_done(trace), taken ? rows : 0);
+    assert_true(trace_run(trace, &error));
+    assert_int_equal(trace_rows_done(trace), TALL);
+    assert_int_equal(trace_checksum(trace) == trace_checksum(whole), !taken);
+    assert_int_equal(trace_accounts(trace)->clocks
+                         == trace_accounts(whole)->clocks,
+                     !taken);
+    trace_forget(trace);
+    assert_int_not_equal(access(path, F_OK), 0);
+    trace_free(trace);
+}
+
+static void test_planted(void **state)
+{
+    struct scene *scene = read_text(AHEAD "sphere { 0, 1 }");
+    struct trace *whole = run(scene, TRACE_VECTOR);
+
+    (void)state;
+    check_planted(scene, whole, ROWS, ROWS, true);
+    check_planted(scene, whole, ROWS, ROWS - 1, false);
+    check_planted(scene, whole, ROWS, ROWS + 1, false);
+    check_planted(scene, whole, TALL - ROWS, ROWS + 1, false);
+    check_planted(scene, whole, ROWS + 1, ROWS, false);
+    check_planted(scene, whole, ROWS - 1, ROWS, false);
+    check_planted(scene, whole, TALL, ROWS, false);
+    check_planted(scene, whole, SIZE_MAX / ROWS * ROWS, ROWS, false);
+    trace_free(whole);
+    scene_free(scene);
+}
+
+/* A name for which there is no file yet. */
+static int new_name(void **state)
+{
+    int file = mkstemp(path);
+
+    return set_up(state) || file < 0 || close(file) != 0 || remove(path) != 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_stopped),
+        cmocka_unit_test(test_stopped_with_mirrors),
+        cmocka_unit_test(test_planted),
+    };
+
+    return cmocka_run_group_tests(tests, new_name, tear_down);
+}
