@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -197,6 +199,61 @@ static void test_of_something_else(void **state)
     expect_and_add(1, false);
 }
 
+/* ---- Two at a time ------------------------------------------------------- */
+
+/* Another process that has the file open, and says so, until it is killed. */
+static pid_t open_elsewhere(void)
+{
+    int ready[2];
+    char byte;
+    pid_t child;
+
+    assert_int_equal(pipe(ready), 0);
+    child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        struct band *bands;
+        size_t count;
+        c205_error error;
+        bool opened = band_file_open(path, KEY, WIDTH, model, &bands, &count,
+                                     &error);
+
+        if (opened && write(ready[1], "", 1) == 1)
+            pause();
+        _exit(1);
+    }
+    close(ready[1]);
+    assert_int_equal(read(ready[0], &byte, 1), 1);
+    close(ready[0]);
+    return child;
+}
+
+static void test_in_use(void **state)
+{
+    pid_t other;
+
+    (void)state;
+    expect_and_add(0, true);
+    other = open_elsewhere();
+    refuse(KEY, WIDTH, "another run is using it");
+    assert_int_equal(kill(other, SIGKILL), 0);
+    assert_int_equal(waitpid(other, NULL, 0), other);
+    expect_and_add(1, true);
+}
+
+/* One that holds nothing, of some other program perhaps, is begun. */
+static void test_empty(void **state)
+{
+    (void)state;
+    expect_and_add(0, false);
+    assert_int_equal(truncate(path, 0), 0);
+    expect_and_add(0, true);
+    for (long size = 23; size > 0; size -= 11) {
+        assert_int_equal(truncate(path, size), 0);
+        refuse(KEY, WIDTH, "does not hold bands");
+    }
+}
+
 /* A name for which there is no file yet. */
 static int set_up(void **state)
 {
@@ -221,6 +278,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_kept, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_in_use, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_empty, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_harmed, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_cut_off, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_of_something_else, set_up,
