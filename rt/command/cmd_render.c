@@ -132,12 +132,11 @@ static void tell_kept(const struct cmd_arguments *arguments,
     size_t kept = trace_bands_done(trace);
 
     if (kept > 0)
-        fprintf(stderr,
-                "rt205 %s: the frame goes on from %s: %zu of %zu bands\n",
+        fprintf(stderr, "%s: the frame goes on from %s: %zu of %zu bands\n",
                 arguments->command, arguments->resume, kept,
                 trace_bands(trace));
     else
-        fprintf(stderr, "rt205 %s: the frame begins: %s has no band yet\n",
+        fprintf(stderr, "%s: the frame begins: %s has no band yet\n",
                 arguments->command, arguments->resume);
 }
 

@@ -203,10 +203,9 @@ static void layout_lights(struct layout *layout, const struct scene *scene)
         const struct light *light = &scene->lights[i];
         double gleams = light->shadowless ? 0 : 1;
 
-        put_numbers(record_field(&record, "LIGHT_POSITION", 3),
-                    light->position, 3);
-        put_numbers(record_field(&record, "LIGHT_COLOR", 3), light->color, 3);
-        put_numbers(record_field(&record, "LIGHT_GLEAMS", 1), &gleams, 1);
+        record_numbers(&record, "LIGHT_POSITION", light->position, 3);
+        record_numbers(&record, "LIGHT_COLOR", light->color, 3);
+        record_numbers(&record, "LIGHT_GLEAMS", &gleams, 1);
         record_write(&record);
     }
     record_end(&record);
