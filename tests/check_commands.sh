@@ -437,7 +437,8 @@ cp a.png b.png
 ends 0 "$build/rt205" render "$scene" -o b.png -W 40 -H 30
 cmp -s a.png b.png
 verdict $? "the same frame twice gives two pictures"
-ends 1 "$build/rt205" render "$scene" -o a.gif -W 40 -H 30
+ends 2 "$build/rt205" render "$scene" -o a.gif -W 40 -H 30
+tells err "\.png, \.jpg, \.exr or \.tif"
 ends 1 "$build/rt205" render "$scene" -o missing/a.png -W 40 -H 30
 for ending in jpg exr tif; do
     ends 0 "$build/rt205" render "$scene" -o a.$ending -W 40 -H 30
@@ -608,7 +609,8 @@ for points in 0 '1,' ',1' 2,1 1,1 1,65536 x 1,,2; do
 done
 ends 2 sweep pipes sphere -o both.svg --json ./both.dat
 ends 1 sweep pipes sphere -o missing/plot.svg
-ends 1 sweep pipes sphere -o plot.png
+ends 2 sweep pipes sphere -o plot.png
+tells err "ends in .svg"
 ends 1 sweep pipes sphere --model nonsense
 ends 1 sweep pipes sphere --model cyber720
 tells err "cyber720 is a projection"
@@ -696,8 +698,27 @@ wait $!
 [ $? -eq 1 ]
 verdict $? "an interrupted render does not end with 1"
 tells err 'stopped after'
-[ -z "$(find . -name '*long*')" ]
-verdict $? "an interrupted render left a file"
+tells err 'long.png has .* of 3000 rows, the others are black'
+[ "$(find . -name '*long*')" = ./long.png ] && tail -c 8 long.png | grep -q IEND
+verdict $? "an interrupted render leaves not one whole picture"
+
+# ... of a scene that is long to lay out: each sphere once, and soon stopped
+printf '#version 3.7;\ncamera { location -30*z } light_source { -30*z, 1 }\n%s' \
+    '#for (I, 1, 100000) sphere { <mod(I, 317), I / 317, 0> / 20 - 8, .02 } #end' \
+    >many.pov
+"$build/rt205" render many.pov -o many.png --resume many.kept >out 2>err &
+sleep 8
+kill -INT $!
+begun=$(date +%s)
+wait $!
+[ $? -eq 1 ] && [ $(($(date +%s) - begun)) -le 5 ]
+verdict $? "100,000 spheres do not stop soon"
+ends 1 "$build/rt205" render many.pov -o many.png --resume good.csv
+tells err "does not hold bands"
+printf '#version 3.7;\n' >none.pov
+ends 0 "$build/rt205" render none.pov -o none.png -W 40 -H 30 --resume none.kept
+tells err "the scene has no objects"
+tells err "the frame begins: none.kept has no band yet"
 
 # ... and of a sweep
 "$build/rt205" sweep queue steiner --json long.json >out 2>err &

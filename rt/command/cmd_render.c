@@ -241,7 +241,9 @@ static int check_files(const struct cmd_arguments *arguments)
     if (!arguments->output)
         return cmd_usage(arguments->command, "name the picture with -o");
     if (!picture_check_path(arguments->output, &why))
-        return cmd_failed(arguments->command, "%s", why.message);
+        return picture_is_named(arguments->output)
+                   ? cmd_failed(arguments->command, "%s", why.message)
+                   : cmd_usage(arguments->command, "%s", why.message);
     if (arguments->half && !picture_holds_half(arguments->output))
         return cmd_usage(arguments->command, "--half is for .exr alone");
     return CMD_DONE;

@@ -53,6 +53,17 @@ static bool go_on(void *context)
     return !cmd_interrupted();
 }
 
+/* No pixel can show an object: it is told, for the picture does not tell. */
+static void warn_of_nothing(const struct cmd_arguments *arguments,
+                            const struct scene *scene)
+{
+    if (scene->primitive_count == 0)
+        fprintf(stderr,
+                "%s: warning: the scene has no objects: every pixel is "
+                "background\n",
+                arguments->scene);
+}
+
 struct scene *cmd_read_scene(const struct cmd_arguments *arguments)
 {
     struct scene_options options = {
@@ -67,6 +78,8 @@ struct scene *cmd_read_scene(const struct cmd_arguments *arguments)
 
     diagnostics_print(&reports, stderr);
     diagnostics_free(&reports);
+    if (scene)
+        warn_of_nothing(arguments, scene);
     return scene;
 }
 

@@ -83,7 +83,9 @@ static int check_files(const struct cmd_arguments *arguments)
     if (!arguments->output)
         return CMD_DONE;
     if (!plot_check_path(arguments->output, &error))
-        return cmd_failed(arguments->command, "%s", error.message);
+        return plot_is_named(arguments->output)
+                   ? cmd_failed(arguments->command, "%s", error.message)
+                   : cmd_usage(arguments->command, "%s", error.message);
     for (int i = 0; i < 3; i++) {
         char path[4096];
 

@@ -212,6 +212,11 @@ static bool fail_ending(const char *path, struct picture_error *error)
                 path);
 }
 
+bool picture_is_named(const char *path)
+{
+    return kind_of(path);
+}
+
 bool picture_holds_half(const char *path)
 {
     const struct picture_kind *kind = kind_of(path);

@@ -54,6 +54,8 @@ bool picture_write(const char *path, const struct frame *frame,
 /* Could the path be written?  Tells an unknown ending or a missing folder
  * before a long frame is traced. */
 bool picture_check_path(const char *path, struct picture_error *error);
+/* Is the ending that of a picture? */
+bool picture_is_named(const char *path);
 /* Can a file of that ending hold 16-bit samples? */
 bool picture_holds_half(const char *path);
 

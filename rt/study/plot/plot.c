@@ -79,12 +79,19 @@ static bool check_folder(const char *path, c205_error *error)
     return code == 0 || fail(error, "%.180s: %.60s", path, strerror(code));
 }
 
-bool plot_check_path(const char *path, c205_error *error)
+bool plot_is_named(const char *path)
 {
     const char *name = name_in(path);
     size_t length = strlen(name);
 
-    if (length <= ENDING || strcmp(name + length - ENDING, ending) != 0)
+    return length > ENDING && strcmp(name + length - ENDING, ending) == 0;
+}
+
+bool plot_check_path(const char *path, c205_error *error)
+{
+    const char *name = name_in(path);
+
+    if (!plot_is_named(path))
         return fail(error, "%.180s: a plot's name ends in .svg", path);
     for (const char *c = name; *c != '\0'; c++)
         if ((unsigned char)*c < ' ')

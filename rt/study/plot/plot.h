@@ -57,6 +57,8 @@ struct plot {
 /* Could a plot be written there?  Tells a name that does not end in .svg or a
  * missing folder before the work for a plot is done. */
 bool plot_check_path(const char *path, c205_error *error);
+/* Is the ending that of a plot? */
+bool plot_is_named(const char *path);
 
 /* Write path (NAME.svg) and beside it NAME.dat and NAME.gp, each whole or not
  * at all.  Where gnuplot fails or is not installed, which the error tells,
