@@ -609,8 +609,8 @@ for points in 0 '1,' ',1' 2,1 1,1 1,65536 x 1,,2; do
 done
 ends 2 sweep pipes sphere -o both.svg --json ./both.dat
 ends 1 sweep pipes sphere -o missing/plot.svg
-ends 2 sweep pipes sphere -o plot.png
-tells err "ends in .svg"
+ends 2 sweep pipes sphere -o plot.pdf
+tells err "ends in .svg or .png"
 ends 1 sweep pipes sphere --model nonsense
 ends 1 sweep pipes sphere --model cyber720
 tells err "cyber720 is a projection"

@@ -77,7 +77,7 @@ static int check_subject(const struct cmd_arguments *arguments,
 /* The plot's three files, and the JSON. */
 static int check_files(const struct cmd_arguments *arguments)
 {
-    static const char *const endings[] = { "svg", "dat", "gp" };
+    const char *endings[] = { NULL, "dat", "gp" };
     c205_error error;
 
     if (!arguments->output)
@@ -86,6 +86,7 @@ static int check_files(const struct cmd_arguments *arguments)
         return plot_is_named(arguments->output)
                    ? cmd_failed(arguments->command, "%s", error.message)
                    : cmd_usage(arguments->command, "%s", error.message);
+    endings[0] = arguments->output + strlen(arguments->output) - 3;
     for (int i = 0; i < 3; i++) {
         char path[4096];
 
@@ -317,7 +318,8 @@ static const struct command_option options[] = {
       .value = "FILE",
       .kind = COMMAND_FILE,
       .offset = CMD_PLACE(output),
-      .help = "a plot, NAME.svg, by gnuplot; NAME.dat and NAME.gp too" },
+      .help =
+          "a plot, NAME.svg or .png, by gnuplot; NAME.dat and NAME.gp too" },
     { .name = "points",
       .value = "N,N,..",
       .kind = COMMAND_OWN,

@@ -250,7 +250,7 @@ static void bad_paths(void **state)
     c205_error error = { "" };
     char path[256];
 
-    expect_error(&lines, folder, "plot.png", "ends in .svg");
+    expect_error(&lines, folder, "plot.pdf", "ends in .svg or .png");
     expect_error(&lines, folder, ".svg", "ends in .svg");
     expect_error(&lines, folder, "two\nlines.svg", "one line");
     expect_error(&lines, folder, "none/plot.svg", "No such file");

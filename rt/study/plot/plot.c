@@ -12,8 +12,8 @@
 #include "rt/study/plot/gnuplot.h"
 #include "rt/study/plot/script.h"
 
-static const char ending[] = ".svg";
-enum { ENDING = sizeof ending - 1 };
+static const char *const endings[] = { ".svg", ".png" };
+enum { ENDING = 4 }; /* bytes of each */
 
 static bool fail(c205_error *error, const char *format, ...)
 {
@@ -28,7 +28,7 @@ static bool fail(c205_error *error, const char *format, ...)
 /* --- the files --------------------------------------------------------- */
 
 struct files {
-    char *folder, *stem, *script_name;
+    char *folder, *name, *script_name;
     struct whole *data, *script, *picture;
 };
 
@@ -84,7 +84,11 @@ bool plot_is_named(const char *path)
     const char *name = name_in(path);
     size_t length = strlen(name);
 
-    return length > ENDING && strcmp(name + length - ENDING, ending) == 0;
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+        if (length > ENDING
+            && strcmp(name + length - ENDING, endings[i]) == 0)
+            return true;
+    return false;
 }
 
 bool plot_check_path(const char *path, c205_error *error)
@@ -92,7 +96,8 @@ bool plot_check_path(const char *path, c205_error *error)
     const char *name = name_in(path);
 
     if (!plot_is_named(path))
-        return fail(error, "%.180s: a plot's name ends in .svg", path);
+        return fail(error, "%.180s: a plot's name ends in .svg or .png",
+                    path);
     for (const char *c = name; *c != '\0'; c++)
         if ((unsigned char)*c < ' ')
             return fail(error, "a plot's name is one line of text");
@@ -119,14 +124,14 @@ static bool open_files(struct files *files, const char *path,
 
     *files = (struct files){ 0 };
     files->folder = folder_of(path);
-    files->stem = text_of("%.*s", (int)strlen(name) - ENDING, name);
+    files->name = text_of("%s", name);
     files->script_name = text_of("./%.*s.gp", (int)strlen(name) - ENDING,
                                  name);
-    if (!files->folder || !files->stem || !files->script_name)
+    if (!files->folder || !files->name || !files->script_name)
         return fail(error, "%.180s: no memory", path);
     return (files->data = open_beside(path, ".dat", error)) != NULL
            && (files->script = open_beside(path, ".gp", error)) != NULL
-           && (files->picture = open_beside(path, ending, error)) != NULL;
+           && (files->picture = whole_open(path, error)) != NULL;
 }
 
 static bool commit(struct whole **whole, c205_error *error)
@@ -149,7 +154,7 @@ static void close_files(struct files *files)
     discard(files->script);
     discard(files->picture);
     free(files->folder);
-    free(files->stem);
+    free(files->name);
     free(files->script_name);
 }
 
@@ -278,7 +283,7 @@ static bool write_files(const struct plot *plot, const struct table *table,
                         c205_error *error)
 {
     write_data(plot, table, files->data->file);
-    if (!plot_script_write(plot, axes, files->stem, files->script->file))
+    if (!plot_script_write(plot, axes, files->name, files->script->file))
         return fail(error, "%.180s: no memory", plot->title);
     return commit(&files->data, error) && commit(&files->script, error)
            && gnuplot_draw(files->folder, files->script_name,

@@ -1,9 +1,9 @@
 /* plot.h - columns of a table as curves, drawn by gnuplot.
  *
- * A plot leaves three files: NAME.svg, the picture; NAME.dat, its numbers in
- * full precision; and NAME.gp, the script that makes the one from the other,
- * for who would like another look: `gnuplot NAME.gp`, run in their folder,
- * draws NAME.svg again.  Nothing in them depends on the time of day.
+ * A plot leaves three files: the picture, NAME.svg or NAME.png; NAME.dat, its
+ * numbers in full precision; and NAME.gp, the script that makes the one from
+ * the other, for who would like another look: `gnuplot NAME.gp`, run in their
+ * folder, draws the picture again.  Nothing in them depends on the time of day.
  *
  * What is no finite number (NaN, an empty cell) is not drawn, and a curve has
  * a gap there.  Texts should fit: names of curves and marks of some 30 letters
@@ -54,13 +54,13 @@ struct plot {
     size_t level_count;
 };
 
-/* Could a plot be written there?  Tells a name that does not end in .svg or a
+/* Could a plot be written there?  Tells a name that does not end in .svg or .png, or a
  * missing folder before the work for a plot is done. */
 bool plot_check_path(const char *path, c205_error *error);
 /* Is the ending that of a plot? */
 bool plot_is_named(const char *path);
 
-/* Write path (NAME.svg) and beside it NAME.dat and NAME.gp, each whole or not
+/* Write path (NAME.svg or NAME.png) and beside it NAME.dat and NAME.gp, each whole or not
  * at all.  Where gnuplot fails or is not installed, which the error tells,
  * the data and the script stay.  Other errors: a path as above, no value to
  * draw, a value not above 0 on a logarithmic axis, one below 0 as an area, a

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* All in pixels, from the left and from the bottom; the fonts are those that
  * write_picture names. */
@@ -60,11 +61,12 @@ static void put_quoted(const char *text, FILE *file)
 
 /* A name in this folder: without "./" gnuplot takes '<' and '|' at its
  * beginning for commands. */
-static void put_name(const char *stem, const char *ending, FILE *file)
+static void put_name(const char *name, size_t length, const char *ending,
+                     FILE *file)
 {
     fputs("'./", file);
-    for (; *stem != '\0'; stem++)
-        fputs(*stem == '\'' ? "''" : (char[]){ *stem, '\0' }, file);
+    for (size_t i = 0; i < length; i++)
+        fputs(name[i] == '\'' ? "''" : (char[]){ name[i], '\0' }, file);
     fprintf(file, "%s'", ending);
 }
 
@@ -183,21 +185,25 @@ static double up(double pixels)
     return pixels / HEIGHT;
 }
 
-static void write_picture(const char *stem, FILE *file)
+static void write_picture(const char *name, FILE *file)
 {
+    const char *ending = strrchr(name, '.');
+    const size_t stem = (size_t)(ending - name);
+    const bool svg = strcmp(ending, ".svg") == 0;
+
     fputs("# Draws the picture from the numbers beside it, in whose folder\n"
           "# gnuplot is to run.\n"
           "reset\n"
           "set encoding utf8\n",
           file);
     fprintf(file,
-            "set terminal svg size %d,%d noenhanced \\\n"
-            "    font 'sans-serif,12' background rgb 'white'\n",
-            WIDTH, HEIGHT);
+            "set terminal %s size %d,%d noenhanced \\\n"
+            "    font 'sans-serif,%d' background rgb 'white'\n",
+            svg ? "svg" : "pngcairo", WIDTH, HEIGHT, svg ? 12 : 9);
     fputs("if (!exists('piped')) set output ", file);
-    put_name(stem, ".svg", file);
+    put_name(name, stem, ending, file);
     fputs("\nnumbers = ", file);
-    put_name(stem, ".dat", file);
+    put_name(name, stem, ".dat", file);
     putc('\n', file);
 }
 
@@ -361,13 +367,13 @@ static void write_curves(const struct plot *plot, FILE *file)
 }
 
 bool plot_script_write(const struct plot *plot, const struct plot_axes *axes,
-                       const char *stem, FILE *file)
+                       const char *name, FILE *file)
 {
     struct layout layout;
 
     if (!lay_out(plot, axes, &layout))
         return false;
-    write_picture(stem, file);
+    write_picture(name, file);
     write_margins(&layout, file);
     write_titles(plot, axes, &layout, file);
     write_axis('x', plot->x.title, &axes->x, file);

@@ -15,9 +15,10 @@ struct plot_axes {
     double cut_off; /* the highest value, where y ends below it; else NaN */
 };
 
-/* The script that draws stem.svg from stem.dat; the writing may fail as that
- * of any file, which the file then knows.  False: no memory. */
+/* The script that draws a picture, NAME.svg or NAME.png, from NAME.dat; the
+ * writing may fail as that of any file, which the file then knows.  False: no
+ * memory. */
 bool plot_script_write(const struct plot *plot, const struct plot_axes *axes,
-                       const char *stem, FILE *file);
+                       const char *name, FILE *file);
 
 #endif
