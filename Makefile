@@ -51,8 +51,7 @@ rt_api = $(addprefix rt/,scene/scene.h scene/language/scene_read.h \
 	layout/layout.h picture/picture.h trace/band.h trace/observer.h \
 	trace/trace.h trace/vector_use.h trace/visible.h) \
 	$(addprefix base/,accounts.h json.h table.h)
-unit_tests = $(patsubst tests/unit/%.c,$(BUILD)/tests/unit/%,\
-	$(wildcard tests/unit/test_*.c))
+unit_tests = $(addprefix $(BUILD)/tests/unit/,$(UNITS))
 oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_narrow \
 	$(BUILD)/tests/oracle/check_scene $(BUILD)/tests/oracle/check_random \
@@ -75,8 +74,8 @@ test_packages = $(build_packages) $(fit_packages) libcmocka-dev \
 # table, compilers.
 check_parts = check-rooms check-unit check-programs check-bugs check-isa \
 	check-docs check-arithmetic check-narrow check-random check-quartic \
-	check-faces check-scenes check-commands check-install check-fit \
-	check-hosts wasm-check
+	check-faces check-scenes check-language check-commands check-install \
+	check-fit check-hosts wasm-check
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 15000
@@ -85,6 +84,9 @@ FACES ?= 300
 TRIES ?= 300
 HOSTS ?= quick
 DOCS ?= quick
+# Of the unit tests and scenes those named, all unless told.
+UNITS ?= $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
+SCENES ?= $(wildcard scenes/*.pov tests/scenes/*.pov)
 # So many compilers, unit tests and scenes at a time.
 JOBS ?= 2
 
@@ -273,8 +275,10 @@ check-hosts:
 	sh tests/check_hosts.sh $(BUILD) "$(MAKE)" $(HOSTS)
 
 check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
-	@seq 0 $$(($(JOBS) - 1)) | \
-		xargs -n 1 -P $(JOBS) sh tests/check_scenes.sh $(BUILD) $(JOBS)
+	@printf '%s\n' $(SCENES) | \
+		xargs -n 1 -P $(JOBS) sh tests/check_scenes.sh $(BUILD)
+
+check-language:
 	sh tests/check_language.sh
 
 check-commands: $(programs) $(adapter)
@@ -392,9 +396,10 @@ clean:
 	rm -rf $(BUILD)
 
 .PHONY: all demo check check-long check-rooms check-unit check-programs \
-	check-bugs check-docs check-isa check-arithmetic check-narrow check-random check-quartic \
-	check-planted check-faces check-scenes check-commands check-install check-hosts \
-	check-poison check-timing check-fit fit cover cover-tests wasm-check docs \
-	san bench fuzz fuzz-targets format lint install clean
+	check-bugs check-docs check-isa check-arithmetic check-narrow \
+	check-random check-quartic check-planted check-faces check-scenes \
+	check-language check-commands check-install check-hosts check-poison \
+	check-timing check-fit fit cover cover-tests wasm-check docs san bench \
+	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

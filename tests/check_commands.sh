@@ -2,6 +2,7 @@
 # check_commands.sh BUILD - the commands as a user meets them: exit codes,
 # where output goes, files written whole or not at all, Ctrl-C.
 set -u
+. "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd)
 here=$(pwd)
 scene=$here/scenes/first.pov
@@ -9,17 +10,7 @@ kernels=$(pwd)/rt/kernels
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
-passed=0 failed=0
-
-verdict() { # STATUS TEXT
-    if [ "$1" -eq 0 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAIL $2"
-        sed 's/^/    /' "$work/err"
-    fi
-}
+said=$work/err
 
 ends() { # CODE COMMAND ..: its exit code; what it prints goes to out and err
     wanted=$1
@@ -774,5 +765,4 @@ tells profile.json '"kernels_clocks"'
 ends 2 "$build/rt205" profile "$scene" -o picture.png
 ends 2 "$build/rt205" quartic "$scene" --mode kernels
 
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+counted

@@ -1,27 +1,25 @@
 #!/bin/sh
 # check_fit.sh BUILD - the fit: the same at each run, the models that are shipped
 # come out again, and they can be used.
-set -eu
+set -u
+. "$(dirname "$0")/count.sh"
 build=$1
 here=$build/check-fit
 fitted="cyber205-2pipe cyber720"
 rm -rf "$here"
 mkdir -p "$here/a" "$here/b"
 
-fail() {
-    echo "check_fit: $*" >&2
-    exit 1
-}
-
-fit() {
+fit() { # JOBS FOLDER
     "$build/fit205" --brief --jobs "$1" --json "$2/fit.json" \
         --write "$2/cyber205-2pipe.model" --write "$2/cyber720.model" \
         > "$2/report"
+    verdict $? "fit205 --jobs $1"
 }
 
 fit 2 "$here/a"
 fit 1 "$here/b"
-diff -r "$here/a" "$here/b" || fail "two fits differ"
+diff -r "$here/a" "$here/b"
+verdict $? "two fits differ"
 
 # The error of a constant is what the data leave of its prior's width, times
 # what the cost shows the uncertainties to be too small by.
@@ -35,19 +33,19 @@ awk -F "[:,]" '
         wrong += (error - expected) ^ 2 > 1e-12
         constants++
     }
-    END { exit wrong > 0 || !constants }' "$here/a/fit.json" ||
-    fail "an error is not what the cost and the prior make it"
+    END { exit wrong > 0 || !constants }' "$here/a/fit.json"
+verdict $? "an error is not what the cost and the prior make it"
 
 for model in $fitted; do
-    diff "vm/models/$model.model" "$here/a/$model.model" ||
-        fail "the shipped model does not come out again; make fit writes it"
-    "$build/c205" model "$model" | grep -q '^fitted to [1-9]' ||
-        fail "c205 model does not say that $model is fitted"
+    diff "vm/models/$model.model" "$here/a/$model.model"
+    verdict $? "the shipped model does not come out again; make fit writes it"
+    "$build/c205" model "$model" | grep -q '^fitted to [1-9]'
+    verdict $? "c205 model does not say that $model is fitted"
 done
 "$build/rt205" speedup --model "$here/a/cyber205-2pipe.model" -W 16 -H 10 \
     > "$here/speedup"
-grep -q '^fitted to [1-9]' "$here/speedup" ||
-    fail "rt205 speedup does not say that the model is fitted"
+grep -q '^fitted to [1-9]' "$here/speedup"
+verdict $? "rt205 speedup does not say that the model is fitted"
 
 # What a model says of itself is what the machine shows on it.
 "$build/c205" run -I rt/kernels rt/study/fit/programs/photons.s |
@@ -56,24 +54,27 @@ grep -q '^fitted to [1-9]' "$here/speedup" ||
             printf "photons %+.1f\n", 100 * (scalar / $6 / 16.5 - 1)
         }' > "$here/photons"
 awk '$2 == "photons" { print $2, $5 }' "$here/a/cyber205-2pipe.model" |
-    diff - "$here/photons" || fail "the model does not tell its own error"
+    diff - "$here/photons"
+verdict $? "the model does not tell its own error"
 
 "$build/fit205" --brief -W 16 -H 10 --hold-out 'cylinder vector' \
     > "$here/held"
-sed '1,/^Only compared/d' "$here/held" | grep -q '^cylinder vector ' ||
-    fail "--hold-out does not hold out"
+sed '1,/^Only compared/d' "$here/held" | grep -q '^cylinder vector '
+verdict $? "--hold-out does not hold out"
 "$build/fit205" --brief -W 16 -H 10 --hold-out 'cylinder vector' --angle 37 \
     > "$here/wide"
-cmp -s "$here/wide" "$here/held" && fail "--angle makes no other view"
+verdict $? "fit205 --angle"
+! cmp -s "$here/wide" "$here/held"
+verdict $? "--angle makes no other view"
 for arguments in "--hold-out nothing" "--write $here/other.model" \
     "--data $here"; do
     # The arguments are words, so they are not quoted.
     # shellcheck disable=SC2086
-    if "$build/fit205" --brief -W 16 -H 10 $arguments \
-        > "$here/out" 2> "$here/errors"; then
-        fail "fit205 $arguments did not fail"
-    fi
-    grep -q '^fit205: ' "$here/errors" || fail "$arguments: no message"
+    ! "$build/fit205" --brief -W 16 -H 10 $arguments \
+        > "$here/out" 2> "$here/errors"
+    verdict $? "fit205 $arguments did not fail"
+    grep -q '^fit205: ' "$here/errors"
+    verdict $? "$arguments: no message"
 done
 
 # What is wrong with the arguments is told, and before the fit is made.
@@ -83,7 +84,8 @@ while read -r text arguments; do
     "$build/fit205" $arguments > "$here/out" 2> "$here/errors" ||
         code=$?
     [ "$code" -eq 2 ] && grep -q -e "$text" "$here/errors" &&
-        [ ! -s "$here/out" ] || fail "fit205 $arguments: $code, not 2"
+        [ ! -s "$here/out" ]
+    verdict $? "fit205 $arguments: $code, not 2"
 done << 'END'
 extra extra
 --jobs --jobs 0
@@ -93,13 +95,11 @@ END
 for arguments in "--json $here/missing/file" "--write $here/cyber720" \
     "--write $here/missing/cyber720.model"; do
     # shellcheck disable=SC2086
-    if timeout 30 "$build/fit205" $arguments > "$here/out" 2> "$here/errors"
-    then
-        fail "fit205 $arguments did not fail"
-    fi
-    grep -q '^fit205: ' "$here/errors" || fail "$arguments: told too late"
+    ! timeout 30 "$build/fit205" $arguments > "$here/out" 2> "$here/errors"
+    verdict $? "fit205 $arguments did not fail"
+    grep -q '^fit205: ' "$here/errors"
+    verdict $? "$arguments: told too late"
 done
-if "$build/fit205" --brief -W 16 -H 10 > /dev/full 2> "$here/errors"; then
-    fail "a report that cannot be written is no error"
-fi
-echo "check_fit: the fitted models come out again"
+! "$build/fit205" --brief -W 16 -H 10 > /dev/full 2> "$here/errors"
+verdict $? "a report that cannot be written is no error"
+counted

@@ -7,9 +7,9 @@
 # final states, clocks and accounts of the examples, the test programs and some
 # random programs (tests/oracle/digest.c).  All must print the same.
 set -u
+. "$(dirname "$0")/count.sh"
 build=$1 make=$2 size=${3:-quick}
 place=$build/hosts
-passed=0 failed=0
 first=
 mkdir -p "$place"
 
@@ -27,18 +27,16 @@ digest() { # NAME WRAPPER ..: into out/NAME
 compare() { # NAME WRAPPER ..: with the first that ran
     name=$1
     if ! digest "$@"; then
-        failed=$((failed + 1))
-        echo "FAIL $name:"
+        fail "$name:"
         tail -n 5 "$place/$name.err"
     elif [ -z "$first" ]; then
         first=$name
         echo "$(tail -n 1 "$place/$name.txt"), $name"
     elif diff "$place/$first.txt" "$place/$name.txt" >"$place/$name.diff"; then
-        passed=$((passed + 1))
+        pass
         echo "as $first: $name"
     else
-        failed=$((failed + 1))
-        echo "FAIL $name is not as $first; the first programs that differ:"
+        fail "$name is not as $first; the first programs that differ:"
         head -n 5 "$place/$name.diff"
     fi
 }
@@ -49,8 +47,7 @@ variant() { # NAME CC OPT [FLAG]
         >"$place/$1.make" 2>&1; then
         compare "$1"
     else
-        failed=$((failed + 1))
-        echo "FAIL $1 is not built:"
+        fail "$1 is not built:"
         tail -n 5 "$place/$1.make"
     fi
 }
@@ -68,5 +65,4 @@ if [ "$size" = full ]; then
     compare gcc-O3,valgrind valgrind --quiet --error-exitcode=9
     compare gcc-O0,valgrind valgrind --quiet --error-exitcode=9
 fi
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+counted

@@ -5,22 +5,18 @@
 # assemble one and trace a scene.  The libraries have no names but those of the
 # headers, and each header stands by itself.
 set -u
+. "$(dirname "$0")/count.sh"
 build=$1 make=$2
 scene=$(pwd)/scenes/first.pov
 clients=$(pwd)/tests/install
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 root=$work/root/usr
-passed=0 failed=0
+said=$work/out
 
 succeeds() { # COMMAND ..
-    if "$@" >"$work/out" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAIL $*"
-        sed 's/^/    /' "$work/out"
-    fi
+    "$@" >"$said" 2>&1
+    verdict $? "$*"
 }
 
 
@@ -74,5 +70,4 @@ for library in libc205 libc205asm librt205; do
     names | comm -13 - names.txt >extra.txt
     succeeds diff /dev/null extra.txt
 done
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+counted

@@ -2,29 +2,29 @@
 # check_isa.sh C205 - docs/isa.md is what the command prints now, and every
 # instruction has an example that uses it, expects something, and runs.
 set -u
+. "$(dirname "$0")/count.sh"
 c205=$1
 cd "$(dirname "$0")/.." || exit 1
 examples=asm/isa_examples
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-code=0
 
-complain() {
-    echo "FAIL $*"
-    code=1
-}
-
-"$c205" isa --markdown >"$work/isa.md" || complain "c205 isa --markdown"
-diff docs/isa.md "$work/isa.md" >"$work/diff" ||
-    complain "docs/isa.md is not what the table says: make docs"
+"$c205" isa --markdown >"$work/isa.md"
+verdict $? "c205 isa --markdown"
+diff docs/isa.md "$work/isa.md" >"$work/diff"
+verdict $? "docs/isa.md is not what the table says: make docs"
 head -n 20 "$work/diff"
 
 "$c205" isa --names | tr '[:upper:]' '[:lower:]' | sort >"$work/rows"
 for example in "$examples"/*.s; do
     name=$(basename "$example" .s)
-    grep -qx "$name" "$work/rows" || complain "$example: no such instruction"
-    grep -qiw "^[^;]*$name" "$example" || complain "$example: no $name in it"
-    grep -q '^; expect' "$example" || complain "$example: expects nothing"
+    grep -qx "$name" "$work/rows"
+    verdict $? "$example: no such instruction"
+    grep -qiw "^[^;]*$name" "$example"
+    verdict $? "$example: no $name in it"
+    grep -q '^; expect' "$example"
+    verdict $? "$example: expects nothing"
 done
-"$c205" run --check "$examples"/*.s || code=1
-exit $code
+"$c205" run --check "$examples"/*.s
+verdict $? "an example does not do what it expects"
+counted

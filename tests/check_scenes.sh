@@ -1,6 +1,5 @@
 #!/bin/sh
-# check_scenes.sh BUILD [OF SHARE] - every scene, small; or every OF-th from
-# the one of the number SHARE on.
+# check_scenes.sh BUILD SCENE .. - each of these scenes, small.
 #
 # The three stages, with queues of any length, with and without bounding
 # volumes, give the same frame, bit for bit; the frame is the plain C tracer's,
@@ -8,12 +7,13 @@
 # check_scene states.  The way of 1984 to patches gives the plain tracer's frame,
 # too.
 set -u
-build=$1 of=${2:-1} share=${3:-0}
+. "$(dirname "$0")/count.sh"
+build=$1
+shift
 width=120 height=90     # against the other tracers
 small="-W 60 -H 45"     # stage against stage
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-passed=0 failed=0 number=0
 
 # Scenes with Steiner patches, which POV-Ray does not know.
 without_povray="scenes/car.pov scenes/steiner.pov tests/scenes/patches.pov
@@ -24,15 +24,6 @@ not_for_povray="tests/scenes/coincident.pov tests/scenes/csg_coincident.pov"
 is_listed() { # SCENE LIST
     case " $(echo $2) " in *" $1 "*) return 0 ;; esac
     return 1
-}
-
-verdict() { # STATUS TEXT
-    if [ "$1" -eq 0 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAIL $2"
-    fi
 }
 
 checksum() { # SCENE OPTIONS ..: of a small frame
@@ -79,10 +70,7 @@ same_historical() { # SCENE
     verdict $? "$1: the forms of the way of 1984 give different frames"
 }
 
-for scene in scenes/*.pov tests/scenes/*.pov; do
-    [ -e "$scene" ] || continue
-    number=$((number + 1))
-    [ $((number % of)) -eq "$share" ] || continue
+for scene in "$@"; do
     povray=--povray
     is_listed "$scene" "$without_povray $not_for_povray" && povray=
     same_frames "$scene"
@@ -93,5 +81,5 @@ for scene in scenes/*.pov tests/scenes/*.pov; do
     same_as_others "$scene" --historical ""
     verdict $? "$scene: the way of 1984 sees something else"
 done
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+echo "$*"
+counted

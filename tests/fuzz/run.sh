@@ -3,9 +3,9 @@
 # unless told.  The corpus stays in BUILD for the next time; an input that
 # crashes or hangs a target is named and kept beside it.
 set -u
+. "$(dirname "$0")/../count.sh"
 build=$1 seconds=${2:-60}
 here=$(dirname "$0")
-passed=0 failed=0
 
 sh "$here/seed.sh" "$build/c205" "$build/corpus"
 for source in "$here"/fuzz_*.c; do
@@ -17,13 +17,11 @@ for source in "$here"/fuzz_*.c; do
         -timeout=10 -len_control=0 -rss_limit_mb=4096 -print_final_stats=0 \
         -artifact_prefix="$build/found/$target/" \
         "$build/corpus/$target" >"$build/$target.log" 2>&1; then
-        passed=$((passed + 1))
+        pass
         tail -n 1 "$build/$target.log"
     else
-        failed=$((failed + 1))
-        echo "FAIL fuzz_$target; $build/$target.log ends:"
+        fail "fuzz_$target; $build/$target.log ends:"
         tail -n 12 "$build/$target.log" | sed 's/^/    /'
     fi
 done
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+counted

@@ -1,0 +1,30 @@
+# count.sh - what the scripts of tests/ count: what passed and what failed.
+#
+#   . "$(dirname "$0")/count.sh"
+#
+# Such a script ends with "counted", the line that run_all.sh sums; its status
+# is the script's.
+
+passed=0 failed=0
+said= # a file that a failure shows: what the last command said
+
+pass() {
+    passed=$((passed + 1))
+}
+
+fail() { # TEXT ..
+    failed=$((failed + 1))
+    echo "FAIL $*"
+    [ -z "$said" ] || sed 's/^/    /' "$said"
+}
+
+verdict() { # STATUS TEXT ..: of what failed, unless the status is 0
+    [ "$1" -eq 0 ] && pass && return
+    shift
+    fail "$@"
+}
+
+counted() {
+    echo "$passed passed, $failed failed"
+    [ "$failed" -eq 0 ]
+}
