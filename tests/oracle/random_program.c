@@ -89,6 +89,25 @@ static c205_word number(uint64_t *random, const struct oracle_format *format)
     return one_in(random, 2) ? a : b;
 }
 
+/* A word at or between two half words, where rounding may carry: the last
+ * digits that a half word has not are about half of its unit or all of it. */
+static c205_word near_half(uint64_t *random)
+{
+    static const c205_word beyond[] = { 0, 0x7FFFFF, 0x800000, 0xFFFFFF };
+    const c205_word half = number(random, &oracle_half);
+    const int64_t exponent = ((int64_t)half >> 56) - 24;
+
+    return (c205_word)exponent << 48
+           | (half >> HALF & LOW_24) << 24
+           | beyond[random_between(random, 0, 3)];
+}
+
+static c205_word word_number(uint64_t *random)
+{
+    return one_in(random, 12) ? near_half(random)
+                              : number(random, &oracle_full);
+}
+
 /* Two half words. */
 static c205_word half_numbers(uint64_t *random)
 {
@@ -130,7 +149,7 @@ static c205_word datum(uint64_t *random, const struct random_area *area)
         return one_in(random, 3) ? 0 - (random_bits(random) & 1)
                                  : random_bits(random);
     case HALF_NUMBERS: return half_numbers(random);
-    default: return number(random, &oracle_full);
+    default: return word_number(random);
     }
 }
 
@@ -297,7 +316,7 @@ static c205_word preset(uint64_t *random,
     c205_word length;
 
     switch (role) {
-    case 'n': return number(random, &oracle_full);
+    case 'n': return word_number(random);
     case 'h': return half_numbers(random);
     case 'j': return half_integers(random);
     case 'i':

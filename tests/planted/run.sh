@@ -1,34 +1,59 @@
 #!/bin/sh
-# run.sh - plant each bug of bugs.list in a copy of the machine and see
-# whether check_random finds it.
+# run.sh - plant each fault of bugs.list in a copy of the tree and see whether
+# the part of make check that the list names finds it.
 #
-#   sh tests/planted/run.sh BUILD [programs]
+#   sh tests/planted/run.sh BUILD MAKE JOBS [TEXT]
 #
-# The copy, its objects and the outputs stay in BUILD/planted.
+# With TEXT only the faults whose entry holds it.  The tree is built once, in
+# BUILD/planted/whole, and every part must pass there; each fault gets a copy
+# with all that is built, so that only what it changes is compiled again.
+# What the parts said stays in BUILD/planted/said.
 set -u
+. "$(dirname "$0")/../count.sh"
+list=$(dirname "$0")/bugs.list
+place=$1/planted make=$2 jobs=$3 text=${4:-}
+limit=300 # seconds for a part that a fault lets run on and on
+whole=$place/whole
 
-here=$(dirname "$0")
-place=$1/planted
-programs=${2:-20000}
-found=0
-missed=0
-number=0
+# A copy compiles what another one has compiled before.
+compiler=${CC:-cc}
+if command -v ccache >/dev/null; then
+    export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$(pwd)"
+    compiler="ccache ${compiler#ccache }"
+fi
+unset MAKEFLAGS MFLAGS MAKELEVEL
 
-# Field 1 to 4 of bug $1: what it breaks, file, old text, new text.
-field() {
-    awk -v bug="$1" -v wanted="$2" '
-        BEGIN { RS = ""; FS = "\n"; split("# = - +", marks, " ") }
-        $2 !~ /^= / { next }
-        ++n == bug {
-            for (i = 1; i <= NF; i++)
-                if (substr($i, 1, 1) == marks[wanted])
-                    print substr($i, 3)
-        }' "$here/bugs.list"
+in_copy() { # FOLDER GOAL ..
+    copy=$1
+    shift
+    timeout $limit "$make" -s -C "$copy" BUILD=build OPT=-O1 CFLAGS= JOBS=1 \
+        CC="$compiler" "$@"
 }
 
-# The file with the text replaced; fails unless it stands there once.
-plant() {
-    old=$3 new=$4 awk '
+# faults/NUMBER/ for each entry: what, part, file, old, new.
+unpack() {
+    awk -v folder="$place/faults" -v text="$text" '
+        BEGIN {
+            RS = ""
+            FS = "\n"
+            name["# "] = "what"; name["! "] = "part"; name["= "] = "file"
+            name["- "] = "old"; name["+ "] = "new"
+        }
+        $NF !~ /^\+/ || !index($0, text) { next }
+        {
+            here = folder "/" ++number
+            system("mkdir -p " here)
+            printf "" > (here "/part")
+            for (i = 1; i <= NF; i++)
+                print substr($i, 3) > (here "/" name[substr($i, 1, 2)])
+            for (mark in name)
+                close(here "/" name[mark])
+        }' "$list"
+}
+
+# The file with the old text replaced; fails unless it stands there once.
+plant() { # FAULT FROM TO
+    old=$(cat "$1/old") new=$(cat "$1/new") awk '
         {
             at = index($0, ENVIRON["old"])
             if (at) {
@@ -38,42 +63,72 @@ plant() {
             }
             print
         }
-        END { exit count != 1 }' "$1" > "$2"
+        END { exit count != 1 }' "$2" >"$3"
 }
 
-build() {
-    make -s -C "$place/source" BUILD=build OPT=-O1 \
-        build/tests/oracle/check_random > "$place/make.txt" 2>&1
+# Each of the parts must fail.
+find_fault() { # FAULT COPY SAID
+    while read -r part; do
+        # A goal and its variables.
+        # shellcheck disable=SC2086
+        in_copy "$2" $part >>"$3" 2>&1 </dev/null && return 1
+    done <"$1/part"
+    return 0
 }
 
-try() {
-    if ! plant "$file" "$place/source/$file" "$old" "$new"; then
-        verdict="stale: $file has other text now"
-    elif ! build; then
-        verdict="stale: does not compile"
-    elif "$place/source/build/tests/oracle/check_random" "$programs" \
-        --first > "$place/bug$number.txt" 2>&1; then
-        verdict=missed
-    else
+try() { # FAULT COPY
+    file=$(cat "$1/file")
+    said=$place/said/$(basename "$1").txt
+    rm -rf "$2"
+    cp -Rp "$whole" "$2"
+    if ! plant "$1" "$whole/$file" "$2/$file"; then
+        verdict="stale: other text now"
+    elif ! in_copy "$2" all build/fit205 >"$said" 2>&1; then
+        verdict="stale: not built"
+    elif find_fault "$1" "$2" "$said"; then
         verdict=found
+    else
+        verdict="missed by $part"
     fi
-    cp "$file" "$place/source/$file"
+    printf '%s: %s (%s)\n' "$verdict" "$(cat "$1/what")" "$file"
 }
 
-mkdir -p "$place/source"
-cp -R Makefile .ci vm base asm rt tests "$place/source"
-build || { cat "$place/make.txt"; exit 1; }
-if ! "$place/source/build/tests/oracle/check_random" 500; then
-    echo "planted: they differ without a bug"
-    exit 1
-fi
-while number=$((number + 1)); what=$(field $number 1); [ -n "$what" ]; do
-    file=$(field $number 2)
-    old=$(field $number 3)
-    new=$(field $number 4)
-    try
-    printf '%-7s %s (%s)\n' "$verdict" "$what" "$file"
-    [ "$verdict" = found ] && found=$((found + 1)) || missed=$((missed + 1))
+# Takes the next fault that nobody has taken, until there is none.
+work() { # COPY
+    for fault in $(ls "$place/faults" | sort -n); do
+        fault=$place/faults/$fault
+        mkdir "$fault/taken" 2>/dev/null && try "$fault" "$1"
+    done
+}
+
+sources="vm base asm rt tests scenes docs .ci Makefile"
+rm -rf "$place/faults" "$place/said"
+mkdir -p "$place/said" "$whole"
+unpack
+for fault in "$place"/faults/*; do
+    [ -s "$fault/part" ] ||
+        echo "check-random PROGRAMS=20000 FIRST=--first" >"$fault/part"
 done
-echo "$found passed, $missed failed"
-[ $missed -eq 0 ] && [ $found -ge 20 ]
+
+# The sources anew, their times kept, for what is built of them.
+for name in $sources; do
+    rm -rf "${whole:?}/$name"
+    cp -Rp "$name" "$whole"
+done
+in_copy "$whole" -j "$jobs" all build/fit205 || exit 1
+sort -u "$place"/faults/*/part | while read -r part; do
+    # shellcheck disable=SC2086
+    in_copy "$whole" -j "$jobs" $part >"$place/said/whole.txt" 2>&1 </dev/null ||
+        echo "fails without a fault: $part"
+done | tee "$place/verdicts"
+[ ! -s "$place/verdicts" ] || exit 1
+
+{
+    for job in $(seq "$jobs"); do
+        work "$place/$job" &
+    done
+    wait
+} | tee "$place/verdicts"
+passed=$(grep -c '^found: ' "$place/verdicts")
+failed=$(grep -vc '^found: ' "$place/verdicts")
+counted
