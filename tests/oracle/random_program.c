@@ -97,8 +97,7 @@ static c205_word near_half(uint64_t *random)
     const c205_word half = number(random, &oracle_half);
     const int64_t exponent = ((int64_t)half >> 56) - 24;
 
-    return (c205_word)exponent << 48
-           | (half >> HALF & LOW_24) << 24
+    return (c205_word)exponent << 48 | (half >> HALF & LOW_24) << 24
            | beyond[random_between(random, 0, 3)];
 }
 
