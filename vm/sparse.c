@@ -108,7 +108,8 @@ static c205_trap describe_packed(struct sparse *sparse,
         trap = describe_b(&sparse->b, machine, &packed);
     if (trap == C205_TRAP_NONE)
         trap = describe_result(&sparse->result, &z, machine, &packed);
-    sparse->z.vector = z.vector;
+    if (trap == C205_TRAP_NONE)
+        sparse->z.vector = z.vector;
     return trap;
 }
 
@@ -232,7 +233,7 @@ static c205_trap begin_turn(struct sparse *sparse)
 
 static void set_length(struct c205 *machine, uint16_t slot, size_t length)
 {
-    if (slot > 0)
+    if (slot)
         machine->slot[slot] = with_length(machine->slot[slot], length);
 }
 

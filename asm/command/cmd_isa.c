@@ -21,7 +21,7 @@ enum { COLUMNS = sizeof columns / sizeof *columns };
 
 static void describe_operands(const c205_insn *insn)
 {
-    struct isa_operand operand;
+    struct isa_operand operand = { 0 };
     const char *letter = NULL;
     while (isa_next_operand(insn, &letter, &operand)) {
         printf("  %-11s %-3.*s %s\n",

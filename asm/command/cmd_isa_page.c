@@ -249,7 +249,7 @@ static void put_time(const c205_insn *insn, const c205_model *model)
 
 static bool put_operands(const c205_insn *insn)
 {
-    struct isa_operand operand;
+    struct isa_operand operand = { 0 };
     const char *letter = NULL;
     bool good = true;
     while (isa_next_operand(insn, &letter, &operand)) {

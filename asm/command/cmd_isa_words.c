@@ -317,7 +317,7 @@ const char *isa_control(const c205_insn *insn)
 static size_t list_fields(const c205_insn *insn, const char *letters,
                           char text[ISA_FIELDS])
 {
-    struct isa_operand operand;
+    struct isa_operand operand = { 0 };
     const char *letter = NULL;
     size_t count = 0, length = 0;
     text[0] = '\0';
