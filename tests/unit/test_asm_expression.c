@@ -4,7 +4,7 @@
 /* What .word makes of it. */
 static c205_word value(const char *expression)
 {
-    char text[300];
+    char text[1200];
     struct object *object;
     c205_word word;
 
@@ -81,9 +81,19 @@ static void test_words(void **state)
     assert_int_equal(value("word(3 << 48 | here)"), 0x0003000000800000);
 }
 
+/* The first and the last that are taken. */
+static void test_edges(void **state)
+{
+    (void)state;
+    assert_int_equal(value("(1 << 48) - 1"), 0xFFFFFFFFFFFF);
+    assert_int_equal(value("-(1 << 47)"), 0x800000000000);
+    assert_int_equal(value("9223372036854775807 >> 62"), 1);
+    assert_int_equal(value("X'123456789ABCDEF0'"), 0x123456789ABCDEF0);
+}
+
 static void expect_failure(const char *expression, const char *message)
 {
-    char text[700];
+    char text[1200];
     struct diagnostics errors = { 0 };
 
     snprintf(text, sizeof text, " .equ F, 2.5\n .reg x, r5\n .word %s\n",
@@ -122,6 +132,9 @@ static void test_errors(void **state)
     expect_failure("X''", "1 to 16");
     expect_failure("X'123456789ABCDEF01'", "1 to 16");
     expect_failure("1 << 50", "48 bits");
+    expect_failure("9223372036854775808", "does not fit 63 bits");
+    expect_failure("1 << 48", "48 bits");
+    expect_failure("-(1 << 47) - 1", "48 bits");
     expect_failure("\"text\"", "found '\"text\"'");
     memset(deep, '(', sizeof deep - 1);
     expect_failure(deep, "too deeply");
@@ -129,10 +142,38 @@ static void test_errors(void **state)
     expect_failure(deep, "too deeply");
 }
 
+static char *times(char *text, const char *part, int count)
+{
+    for (int i = 0; i < count; i++)
+        strcat(text, part);
+    return text;
+}
+
+/* MAX_EXPRESSION_DEPTH levels of brackets, the one within them among them,
+ * and as many of operators. */
+static void test_depth(void **state)
+{
+    enum { DEEPEST = 200 };
+    char text[1000] = "";
+
+    (void)state;
+    times(strcat(times(text, "(", DEEPEST - 1), "5"), ")", DEEPEST - 1);
+    assert_int_equal(value(text), 5);
+    *text = '\0';
+    times(strcat(times(text, "(", DEEPEST), "5"), ")", DEEPEST);
+    expect_failure(text, "too deeply");
+    strcpy(text, "N");
+    assert_int_equal(value(times(text, "+N", DEEPEST)), 7 * (DEEPEST + 1));
+    strcpy(text, "F");
+    expect_failure(times(text, "+F", DEEPEST + 1), "too deeply");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(test_integers),
                                         cmocka_unit_test(test_words),
-                                        cmocka_unit_test(test_errors) };
+                                        cmocka_unit_test(test_errors),
+                                        cmocka_unit_test(test_edges),
+                                        cmocka_unit_test(test_depth) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

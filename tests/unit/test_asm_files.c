@@ -153,6 +153,19 @@ static void test_saved(void **state)
     object_free(again);
 }
 
+static bool is_disassembled_as(const struct object *object,
+                               const char *section)
+{
+    struct text_buffer text = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&text);
+    bool found;
+
+    assert_true(disassemble(&object->program, &sink));
+    found = strstr(text.text, section);
+    text_buffer_free(&text);
+    return found;
+}
+
 /* Data disassembled as if they were code, from any bits. */
 static void test_any_bits(void **state)
 {
@@ -182,9 +195,18 @@ static void test_any_bits(void **state)
     object.program.segments = &segment;
     object.program.segment_count = 1;
     check_disassembly(&object);
+    assert_true(is_disassembled_as(&object, ".code"));
+    object.program.entry = 0;
+    assert_true(is_disassembled_as(&object, ".data"));
+    object.program.entry = 0x400060;
     object.program.regions = regions;
     object.program.region_count = 1;
     check_disassembly(&object);
+    for (uint64_t end = 0x400040; end < 0x400400; end += 32) {
+        regions[0].end = end;
+        check_disassembly(&object);
+    }
+    regions[0].end = 0x400100;
     regions[1] = regions[2];
     object.program.region_count = 2;
     check_disassembly(&object);
@@ -225,6 +247,17 @@ static void check_refused(const char *text, const char *message)
         fail_msg("%s: %s", text, error.message);
 }
 
+static void test_last_address(void **state)
+{
+    static const char text[] = "c205-object 1\nzeros FFFFFFFFFFC0 1\nend\n";
+    c205_error error;
+    struct object *object = object_read(text, sizeof text - 1, &error);
+
+    (void)state;
+    assert_non_null(object);
+    object_free(object);
+}
+
 static void test_refused_files(void **state)
 {
     (void)state;
@@ -233,6 +266,8 @@ static void test_refused_files(void **state)
     check_refused("c205-object 2\nend\n", "version");
     check_refused("c205-object 1\nfrob\nend\n", "line 2: no line");
     check_refused("c205-object 1\nentry 1000000000000\nend\n", "48 bits");
+    check_refused("c205-object 1\nentry 00000000000400000\nend\n",
+                  "1 to 16 hex digits");
     check_refused("c205-object 1\nsegment 20 0\nend\n", "on a word");
     check_refused("c205-object 1\nsegment 40 9999999\nend\n",
                   "before its words");
@@ -253,13 +288,12 @@ static void test_refused_files(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sources),
-        cmocka_unit_test(test_sample),
-        cmocka_unit_test(test_saved),
-        cmocka_unit_test(test_any_bits),
-        cmocka_unit_test(test_broken_files),
-        cmocka_unit_test(test_refused_files)
-    };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_sources),
+                                        cmocka_unit_test(test_sample),
+                                        cmocka_unit_test(test_saved),
+                                        cmocka_unit_test(test_any_bits),
+                                        cmocka_unit_test(test_broken_files),
+                                        cmocka_unit_test(test_refused_files),
+                                        cmocka_unit_test(test_last_address) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

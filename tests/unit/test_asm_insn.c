@@ -143,6 +143,8 @@ static void test_errors(void **state)
         { "EXIT a, b, 256", 12, "from 0 to 255" },
         { "BIM -1", 5, "from 0 to" },
         { "IBXLT a, x, z, 0x700000, c", 1, "half words away" },
+        { "IBXLT a, x, z, 0x500000, c", 1, "half words away" },
+        { "IBXLT a, x, z, 0x2FFFE0, c", 1, "half words away" },
         { "IBXLT a, x, z, 0x400010, c", 1, "on a half word" },
         { "ADDN a, h, c", 9,
           "a whole register, r0 .. r255, found the half"

@@ -1,6 +1,8 @@
 /* test_asm_text.c - directives, macros, conditions, and their errors. */
 #include "tests/unit/asm_helper.h"
 
+#include "asm/expect.h"
+
 enum { CODE = 0x400000, DATA = 0x800000 };
 
 static c205_word first_word(const char *text, uint64_t address)
@@ -24,7 +26,7 @@ static void test_data(void **state)
                                  " .descriptor 3, v\n"
                                  " .space 2\n"
                                  "end:\n"
-                                 " .half -1, 0xFFFFFFFF\n");
+                                 " .half -1, 0xFFFFFFFF, -0x80000000\n");
     const c205_program *program = &object->program;
 
     (void)state;
@@ -41,6 +43,7 @@ static void test_data(void **state)
     assert_int_equal(word_of(program, DATA + 9 * 64), 0x0003000000800080);
     assert_int_equal(object_symbol(object, "end")->value, DATA + 12 * 64);
     assert_int_equal(word_of(program, DATA + 12 * 64), UINT64_MAX);
+    assert_int_equal(word_of(program, DATA + 13 * 64), 0x8000000000000000);
     object_free(object);
 }
 
@@ -155,6 +158,54 @@ static void test_macros(void **state)
                                 " text \"a,\\x62\"\n",
                                 DATA),
                      0x612C620000000000);
+}
+
+static void test_parameters(void **state)
+{
+    (void)state;
+    assert_int_equal(first_word(" .macro put a=7, b\n .word \\a + \\b\n"
+                                " .endm\n .data\n put , 1\n",
+                                DATA),
+                     8);
+    assert_int_equal(first_word(" .macro put ab, a\n .word \\a\n .endm\n"
+                                " .data\n put 5, 6\n",
+                                DATA),
+                     6);
+}
+
+/* The number of each expansion is its own. */
+static void test_macro_in_macro(void **state)
+{
+    (void)state;
+    assert_int_equal(first_word(" .macro out\n .macro in\n"
+                                " l\\@: .word l\\@\n .endm\n .endm\n"
+                                " .data\n out\n in\n in\n",
+                                DATA + 64),
+                     DATA + 64);
+}
+
+static void test_lines_of_dos(void **state)
+{
+    struct object *object = good(" EXIT\r\n; expect-print: a\r\n");
+
+    (void)state;
+    assert_string_equal(object->expectations[0].text, "a");
+    assert_string_equal(object->lines[0].source, " EXIT");
+    object_free(object);
+}
+
+/* All that lies in the long one is told. */
+static void test_overlaps(void **state)
+{
+    struct diagnostics errors = { 0 };
+
+    (void)state;
+    assert_null(assemble_text("test.s",
+                              " .data\n .space 4\n .org 0x800040\n .word 1\n"
+                              " .org 0x8000C0\n .word 2\n",
+                              NULL, &errors));
+    assert_int_equal(errors.count, 2);
+    diagnostics_free(&errors);
 }
 
 static void test_macro_in_brackets(void **state)
@@ -274,6 +325,7 @@ static void test_errors(void **state)
         { " .text \"abc\n", 1, "without its closing" },
         { " .descriptor 65536, 0\n", 1, "a length" },
         { " .half 0x100000000\n", 1, "32 bits" },
+        { " .half -0x80000001\n", 1, "32 bits" },
         { " .halfword 0x1000000\n", 1, "24 bits" },
         { " .halfword -0x800001\n", 1, "24 bits" },
         { " .halfword X'1 0000 0000'\n", 1, "8 hex digits" },
@@ -366,6 +418,10 @@ int main(void)
         cmocka_unit_test(test_entry_is_the_first_instruction),
         cmocka_unit_test(test_regions),
         cmocka_unit_test(test_macros),
+        cmocka_unit_test(test_parameters),
+        cmocka_unit_test(test_macro_in_macro),
+        cmocka_unit_test(test_lines_of_dos),
+        cmocka_unit_test(test_overlaps),
         cmocka_unit_test(test_macro_in_brackets),
         cmocka_unit_test(test_repetition),
         cmocka_unit_test(test_conditions),

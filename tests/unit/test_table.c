@@ -338,6 +338,38 @@ static void old_file_stays(void **state)
     expect_text(folder->path, "old");
 }
 
+/* Of a file that cannot take the place of what has its name now. */
+static void nothing_is_left(void **state)
+{
+    struct folder *folder = *state;
+    c205_error error;
+    struct whole *whole = whole_open(folder->path, &error);
+    fputs("lost", whole->file);
+    assert_int_equal(mkdir(folder->path, 0700), 0);
+    assert_false(whole_commit(whole, &error));
+    assert_non_null(strstr(error.message, folder->path));
+    assert_int_equal(rmdir(folder->path), 0);
+}
+
+/* A file of somebody else may have the temporary name. */
+static void other_file_stays(void **state)
+{
+    struct folder *folder = *state;
+    char beside[80];
+    c205_error error;
+    snprintf(beside, sizeof beside, "%s.new0", folder->path);
+    FILE *file = fopen(beside, "w");
+    assert_non_null(file);
+    fputs("theirs", file);
+    fclose(file);
+    struct whole *whole = whole_open(folder->path, &error);
+    fputs("ours", whole->file);
+    assert_true(whole_commit(whole, &error));
+    expect_text(folder->path, "ours");
+    expect_text(beside, "theirs");
+    assert_int_equal(unlink(beside), 0);
+}
+
 static void no_folder(void **state)
 {
     c205_error error;
@@ -382,6 +414,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(json_on_stream, set_up, tear_down),
         cmocka_unit_test_setup_teardown(json_values, set_up, tear_down),
         cmocka_unit_test_setup_teardown(old_file_stays, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(nothing_is_left, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(other_file_stays, set_up, tear_down),
         cmocka_unit_test(no_folder),
         cmocka_unit_test(device_stays),
     };

@@ -1,0 +1,87 @@
+/* test_expectation.c - what a program expects of itself: what is so passes, and
+ * what is beside it fails. */
+#include "tests/unit/asm_helper.h"
+
+#include "asm/expect.h"
+#include "asm/print.h"
+
+static const char program[] = " .include \"print.s\"\n"
+                              " .data\n"
+                              " .half 0\n"
+                              "odd: .half X'A0000000'\n"
+                              "v: .word 1, 2\n"
+                              " .code\n"
+                              " EX r10, 5\n"
+                              " print_integer r10\n"
+                              " EXIT\n";
+
+/* Whether the program does what one line expects. */
+static bool holds(const char *expectation)
+{
+    char text[600];
+    c205_error error;
+    c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
+    c205 *machine = c205_new(model, &error);
+    struct text_buffer printed = { NULL, 0, 0, false };
+    struct text_buffer said = { NULL, 0, 0, false };
+    struct printer printer = { text_buffer_sink(&printed) };
+    struct sink report = text_buffer_sink(&said);
+    struct object *object;
+    c205_stop stop;
+    bool good_end;
+
+    snprintf(text, sizeof text, "%s; %s\n", program, expectation);
+    object = good(text);
+    assert_true(c205_listen(machine, printer_listen, &printer));
+    assert_true(c205_load(machine, &object->program, &error));
+    stop = c205_run(machine, 100000);
+    good_end = expect_check(object, machine, &stop, printed.text, &report);
+    assert_int_equal(good_end, said.length == 0);
+    text_buffer_free(&printed);
+    text_buffer_free(&said);
+    object_free(object);
+    c205_free(machine);
+    c205_model_free(model);
+    return good_end;
+}
+
+static void test_expectations(void **state)
+{
+    static const struct {
+        const char *right, *wrong;
+    } cases[] = {
+        { "expect: r10 = 5", "expect: r10 = 6" },
+        { "expect: h21 = X'5'", "expect: h21 = X'6'" },
+        { "expect: [v] = 1, 2", "expect: [v] = 1, 3" },
+        { "expect-halves: [v - 32] = X'A0000000', 0",
+          "expect-halves: [v - 32] = 0" },
+        { "expect-bits: [v - 32] = 10100", "expect-bits: [v - 32] = 101 1" },
+        { "expect-flags: 0", "expect-flags: 1" },
+        { "expect-print: 5", "expect-print: 55" },
+        { "expect-print: 5", "expect-print:" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        if (!holds(cases[i].right))
+            fail_msg("fails: %s", cases[i].right);
+        if (holds(cases[i].wrong))
+            fail_msg("holds: %s", cases[i].wrong);
+    }
+}
+
+/* Beyond a page, where there is no memory. */
+static void test_unmapped(void **state)
+{
+    (void)state;
+    assert_false(holds("expect: [0x7000000000] = 0"));
+    assert_false(holds("expect-halves: [0x7000000000] = 0"));
+    assert_false(holds("expect-bits: [0x7000000000] = 0"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_expectations),
+                                        cmocka_unit_test(test_unmapped) };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
