@@ -99,6 +99,29 @@ static void test_no_way_to_the_light(void **state)
                  1, 5);
 }
 
+/* The light lies behind a plane that is seen and lit along its surface: the
+ * way to it is the ray's direction, half way between the two lies nowhere, and
+ * there is no highlight.  (Of an indefinite the power would be about
+ * 2^(28718 / roughness), its exponent cut to 16 bits: here a great one.) */
+static void test_light_straight_behind(void **state)
+{
+    struct words *words = same_frame(
+        "#version 3.7; global_settings { assumed_gamma 1 }\n"
+        "light_source { <1e-9, 1e-7, 1>, rgb 1 }\n"
+        "camera { location <1e-9, 0, -1> direction <-1e-9, 5e-8, 1>\n"
+        "right 4e-10*x up 1e-8*y }\n"
+        "plane { x, 0 pigment { rgb 1 } finish { ambient .25 diffuse 0\n"
+        "specular 1 roughness .33 } }\n");
+
+    (void)state;
+    for (size_t i = 0; i < PIXELS; i++) {
+        assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][i]), 1);
+        assert_float_equal(c205_to_double(words->channel[CHANNEL_RED][i]),
+                           .25, 1e-12);
+    }
+    free(words);
+}
+
 static void check_normal_z(const char *text, double expected)
 {
     struct words *words = same_frame(text);
@@ -165,6 +188,7 @@ int main(void)
         cmocka_unit_test(test_open_cylinder_shows_its_inside),
         cmocka_unit_test(test_nearest_of_equals_is_the_first),
         cmocka_unit_test(test_no_way_to_the_light),
+        cmocka_unit_test(test_light_straight_behind),
         cmocka_unit_test(test_flat_boxes),
         cmocka_unit_test(test_ray_almost_along_a_cylinder),
         cmocka_unit_test(test_numbers_beyond_doubles),
