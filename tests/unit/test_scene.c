@@ -159,6 +159,7 @@ static void test_colors(void **state)
         { "W + x", { 2, 1, 1 } },
         { "rgbt <1, 2, 3>", { 1, 2, 3 } },
         { "srgb <.5, .2, .1>", { 0.214041, 0.033105, 0.010023 } },
+        { "srgb <.04, .02, 0>", { .04 / 12.92, .02 / 12.92, 0 } },
         { "Firebrick", { 0.556863, 0.137255, 0.137255 } },
         { "Gray35", { .35, .35, .35 } },
     };
@@ -410,6 +411,38 @@ static void test_settings(void **state)
     scene_free(scene);
 }
 
+/* The least and the greatest level, and what is beyond them. */
+static void test_trace_levels(void **state)
+{
+    static const int levels[] = { 1, 256 };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(levels); i++) {
+        char text[80];
+        struct scene *scene;
+
+        snprintf(text, sizeof text, "global_settings { max_trace_level %d }",
+                 levels[i]);
+        scene = read(text);
+        assert_int_equal(scene->max_trace_level, levels[i]);
+        scene_free(scene);
+    }
+    assert_refused("global_settings { max_trace_level 0 }", 1,
+                   "between 1 and 256");
+    assert_refused("global_settings { max_trace_level 257 }", 1,
+                   "between 1 and 256");
+}
+
+static void test_gamma_of_srgb(void **state)
+{
+    struct scene *scene = read_with("global_settings { assumed_gamma srgb }",
+                                    1);
+
+    (void)state;
+    assert_close(scene->assumed_gamma, 2.2, 0);
+    scene_free(scene);
+}
+
 static void test_our_scenes(void **state)
 {
     static const char *const paths[] = {
@@ -476,6 +509,8 @@ int main(void)
         cmocka_unit_test(test_unions),
         cmocka_unit_test(test_declarations),
         cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_trace_levels),
+        cmocka_unit_test(test_gamma_of_srgb),
         cmocka_unit_test(test_our_scenes),
         cmocka_unit_test(test_manual),
     };
