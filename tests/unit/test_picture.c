@@ -163,22 +163,24 @@ static void test_half_is_smaller(void **state)
     frame_free(&frame);
 }
 
-/* Mid grey in linear light is 188 of 255 in sRGB; the brightest is 255. */
+/* Mid grey in linear light is 188 of 255 in sRGB; the brightest is 255; a
+ * thousandth, on the straight part, is 3. */
 static void test_bytes_are_srgb(void **state)
 {
     (void)state;
     struct frame frame, back;
     struct picture_error error;
-    assert_true(frame_allocate(&frame, 4, 1));
-    const double in[4] = { .5, 7, -3, NAN };
-    const double out[4] = { pow((188 / 255. + .055) / 1.055, 2.4), 1, 0, 0 };
-    for (size_t i = 0; i < 4; i++)
+    assert_true(frame_allocate(&frame, 5, 1));
+    const double in[5] = { .5, 7, -3, NAN, .001 };
+    const double out[5] = { pow((188 / 255. + .055) / 1.055, 2.4), 1, 0, 0,
+                            3 / 255. / 12.92 };
+    for (size_t i = 0; i < 5; i++)
         for (size_t channel = 0; channel <= CHANNEL_BLUE; channel++)
             frame.channel[channel][i] = in[i];
     assert_true(
         picture_write(in_folder("g.png"), &frame, NULL, false, &error));
     assert_true(picture_read(in_folder("g.png"), &back, &error));
-    for (size_t i = 0; i < 4; i++)
+    for (size_t i = 0; i < 5; i++)
         assert_true(fabs(back.channel[CHANNEL_GREEN][i] - out[i]) < 1e-6);
     frame_free(&back);
     frame_free(&frame);

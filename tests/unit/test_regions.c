@@ -161,10 +161,11 @@ static void test_nodes(void **state)
         int leaf, first;
         size_t next;
         double radius;
+        int needed;
     } rows[] = {
-        { 0, 0, 8, 2.5 },        { 0, 0, 4, 4 },   { 1, 0, 3, 2 },
-        { 1, 1, 4, 2 },          { 0, 2, 7, 9 },   { 1, 2, 6, 9 },
-        { 1, 3, 7, BOUND_NONE }, { 1, 4, 8, 2.5 },
+        { 0, 0, 8, 2.5, 1 },        { 0, 0, 4, 4, 1 },   { 1, 0, 3, 2, 0 },
+        { 1, 1, 4, 2, 0 },          { 0, 2, 7, 9, 0 },   { 1, 2, 6, 9, 0 },
+        { 1, 3, 7, BOUND_NONE, 0 }, { 1, 4, 8, 2.5, 1 },
     };
     static const char text[] =
         "intersection { merge { sphere { -2*x, 2 } sphere { 2*x, 2 } }\n"
@@ -190,6 +191,8 @@ static void test_nodes(void **state)
         assert_int_equal(field_of(&stage, nodes, "N_SIZE", i, "N_NEXT"),
                          nodes + size * rows[i].next);
         assert_close(radius, rows[i].radius, .002 * rows[i].radius);
+        assert_integer(field_of(&stage, nodes, "N_SIZE", i, "N_NEEDED"),
+                       rows[i].needed);
     }
     drop_curtain(&stage);
 }

@@ -32,6 +32,22 @@ static void test_surfaces(void **state)
     drop_curtain(&stage);
 }
 
+/* Ambient times the ambient light; the reciprocal of the roughness. */
+static void test_finish(void **state)
+{
+    static const char text[] =
+        "global_settings { ambient_light rgb <.5, 1, 2> }\n"
+        "sphere { 0, 1 finish { ambient .5 diffuse .25 phong .5\n"
+        "  phong_size 10 specular .75 roughness .125 } }";
+    static const double finish[8] = { .25, .5, 1, .25, .5, 10, .75, 8 };
+    struct stage stage;
+
+    (void)state;
+    raise_curtain(&stage, text, true);
+    check_numbers(&stage, 0, "P_FINISH", finish, 8);
+    drop_curtain(&stage);
+}
+
 /* As POV-Ray: the opacity is not held between 0 and 1, a colour weighs what it
  * is by size, and what passes too dimly in all is not followed. */
 static void test_odd_surfaces(void **state)
@@ -97,6 +113,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_surfaces),
+        cmocka_unit_test(test_finish),
         cmocka_unit_test(test_odd_surfaces),
         cmocka_unit_test(test_levels),
     };

@@ -1,0 +1,96 @@
+/* test_goal.c - what keeps within the goal's limits and what does not, at the
+ * limits themselves.  The fit is made up. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "rt/study/fit/goal.h"
+
+enum { ROWS = 6 };
+
+static const double speedups[] = { 1.0499, 1.0501, .9501, .9499 };
+static size_t speedups_asked;
+
+bool study_is_row(const struct observation *observation)
+{
+    return observation->unit != NULL;
+}
+
+double fit_error(const struct observation *observation, double predicted)
+{
+    return predicted / observation->value - 1;
+}
+
+double study_speedup(const struct study *study,
+                     const struct speedup_subject *subject, bool other,
+                     double *told)
+{
+    (void)study;
+    (void)subject;
+    (void)other;
+    *told = 10;
+    return 10 * speedups[speedups_asked++];
+}
+
+double constant_value(const struct free_constant *constant, double place)
+{
+    return constant->prior + place;
+}
+
+static const struct observation rows[ROWS] = {
+    { .name = "high", .unit = "s", .value = 1 },
+    { .name = "too high", .unit = "s", .value = 1 },
+    { .name = "low", .unit = "s", .value = 1 },
+    { .name = "too low", .unit = "s", .value = 1 },
+    { .name = "no row", .unit = NULL, .value = 1 },
+    { .name = "equal", .unit = "s", .value = 1 },
+};
+
+static const double times[ROWS] = { 1.0499, 1.0501, .9501, .9499, 2, 1 };
+static const double left_out[ROWS] = { 1.2499, 1.2501, .7501, .7499, 2, 1 };
+static const double places[] = { 2, 2.01, -2, -2.01, 0, 5, -5 };
+enum { CONSTANTS = sizeof places / sizeof *places };
+
+static void test_limits(void **state)
+{
+    static struct study study;
+    static struct constants constants = { .count = CONSTANTS };
+    const struct observations all = { .count = ROWS,
+                                      .items = (struct observation *)rows };
+    char text[1000] = "";
+    FILE *file = tmpfile();
+
+    (void)state;
+    assert_non_null(file);
+    study.fit.observations = &all;
+    study.fit.constants = &constants;
+    study.subject_count = 2;
+    memcpy(study.best.predicted, times, sizeof times);
+    memcpy(study.left_out, left_out, sizeof left_out);
+    memcpy(study.best.places, places, sizeof places);
+    for (size_t i = 0; i < CONSTANTS; i++)
+        constants.items[i] = (struct free_constant){ .least = -5, .most = 5 };
+    goal_print(&study, file);
+    rewind(file);
+    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    fclose(file);
+    assert_string_equal(text,
+                        "\nThe goal:\n\n"
+                        "Times of Table 1 within 5 %: 3 of 5; not\n"
+                        "    too high +5.0 %,\n    too low -5.0 %.\n"
+                        "Speedups within 5 %: 2 of 4.\n"
+                        "Rows left out within 25 %: 3 of 5; not\n"
+                        "    too high +25.0 %,\n    too low -25.0 %.\n"
+                        "Constants inside their bounds: 5 of 7; within 2 "
+                        "prior widths: 3.\n");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_limits) };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,77 @@
+/* test_vector_use.c - the elements that control vectors let through. */
+#include "tests/unit/asm_helper.h"
+
+#include "rt/trace/vector_use.h"
+
+struct hearing {
+    const struct observer *observer;
+    void *use;
+};
+
+static void hear(void *context, const c205 *machine, const c205_event *event)
+{
+    const struct hearing *hearing = context;
+
+    hearing->observer->listen(hearing->use, machine, event);
+}
+
+/* Of one vector instruction, 150 elements and a control vector that begins in
+ * the middle of a word: its bits are ones but for the first two and the last,
+ * and stand among ones. */
+static struct vector_use use_of(const char *instruction)
+{
+    char text[600];
+    c205_error error;
+    struct vector_use sum = { 0, 0, 0, 0 };
+    const struct observer observer = vector_use_observer(&sum);
+    struct hearing hearing = { &observer, NULL };
+    c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
+    c205 *machine = c205_new(model, &error);
+    struct object *object;
+
+    snprintf(text, sizeof text,
+             " .include \"core.s\"\n .data\n"
+             "bits: .word X'FFFFFFFFFF3FFFFF', X'FFFFFFFFFFFFFFFF'\n"
+             " .word X'FFFFFFFFFFFFFFFB', X'FFFFFFFFFFFFFFFF'\n"
+             "v: .space 200\n .code\n"
+             " descriptor r10, v, 150\n"
+             " descriptor r20, bits + 40, 0\n"
+             " %s\n EXIT\n",
+             instruction);
+    object = good(text);
+    hearing.use = observer.begin(observer.context, object, &error);
+    assert_true(c205_listen(machine, hear, &hearing));
+    assert_true(c205_load(machine, &object->program, &error));
+    assert_int_equal(c205_run(machine, 100000).trap, C205_TRAP_NONE);
+    observer.merge(observer.context, hearing.use);
+    observer.end(hearing.use);
+    object_free(object);
+    c205_free(machine);
+    c205_model_free(model);
+    return sum;
+}
+
+static void check(const char *instruction, uint64_t controlled,
+                  uint64_t wanted)
+{
+    const struct vector_use use = use_of(instruction);
+
+    assert_int_equal(use.instructions, 1);
+    assert_int_equal(use.elements, 150);
+    assert_int_equal(use.controlled, controlled);
+    assert_int_equal(use.wanted, wanted);
+}
+
+static void test_control(void **state)
+{
+    (void)state;
+    check("ADDNV [r10], [r10], [r10]", 0, 0);
+    check("ADDNV [r10], [r10], [r10] ? [r20]", 150, 147);
+    check("ADDNV [r10], [r10], [r10] ?! [r20]", 150, 3);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_control) };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
