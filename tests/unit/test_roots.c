@@ -218,12 +218,57 @@ static void test_refused(void **state)
     }
 }
 
+static struct iterations watched(enum trace_mode mode, size_t queue)
+{
+    const struct roots_options options = { .mode = mode,
+                                           .queue = queue,
+                                           .model = model };
+    struct polynomial polynomials[KNOWN];
+    struct iterations iterations;
+    c205_error error = { "" };
+    struct root_search *search;
+
+    read_known(polynomials);
+    search = roots_new(polynomials, KNOWN, &options, &error);
+    if (!search || !roots_watch(search, &iterations)
+        || !roots_run(search, &error))
+        fail_msg("%s", error.message);
+    roots_free(search);
+    return iterations;
+}
+
+/* Whatever the form and the queue, the same brackets are refined in as many
+ * steps; lanes in the loop may be done. */
+static void test_iterations(void **state)
+{
+    static const size_t queues[] = { 1, 7, 2000 };
+    const struct iterations scalar = watched(TRACE_SCALAR, 1);
+
+    (void)state;
+    for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
+        const struct iterations vector = watched(TRACE_VECTOR, queues[i]);
+
+        for (int k = 0; k < STAGES; k++) {
+            const struct stage_count *one = &scalar.stage[k];
+            const struct stage_count *many = &vector.stage[k];
+
+            assert_true(one->brackets > 0);
+            assert_int_equal(many->brackets, one->brackets);
+            assert_int_equal(many->steps, one->steps);
+            assert_int_equal(many->halvings, one->halvings);
+            assert_int_equal(one->lanes, one->steps);
+            assert_int_equal(one->passes, one->steps);
+            assert_true(many->lanes >= many->steps);
+            assert_true(many->passes <= one->passes);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known),
-        cmocka_unit_test(test_progress),
-        cmocka_unit_test(test_falsi),
+        cmocka_unit_test(test_known),   cmocka_unit_test(test_progress),
+        cmocka_unit_test(test_falsi),   cmocka_unit_test(test_iterations),
         cmocka_unit_test(test_refused),
     };
     c205_error error;
