@@ -1,32 +1,10 @@
 /* cmd_speedup.c - rt205 speedup: the paper's Table 1 beside our own. */
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 #include "rt/study/speedup_report.h"
-
-static bool measure_subject(const struct cmd_arguments *arguments,
-                            const struct speedup_subject *subject,
-                            struct speedup_report *report, c205_error *error)
-{
-    struct trace_options options = arguments->trace;
-    struct speedup_measure measures[TRACE_FORMS];
-
-    for (int mode = 0; mode < TRACE_FORMS; mode++) {
-        options.mode = (enum trace_mode)mode;
-        if (!speedup_measure(subject, &arguments->view, &options,
-                             &measures[mode], error))
-            return false;
-    }
-    if (measures[TRACE_SCALAR].checksum != measures[TRACE_VECTOR].checksum) {
-        snprintf(error->message, sizeof error->message,
-                 "%s: the scalar and the vector form do not agree",
-                 subject->name);
-        return false;
-    }
-    speedup_report_add(report, subject, &arguments->view, measures);
-    return true;
-}
 
 static void print_head(const struct cmd_arguments *arguments,
                        const struct results *results)
@@ -122,10 +100,18 @@ static bool write_json(const struct cmd_arguments *arguments,
 static bool measure_all(const struct cmd_arguments *arguments,
                         struct speedup_report *report, c205_error *error)
 {
-    for (size_t i = 0; i < speedup_subject_count; i++)
-        if (!measure_subject(arguments, &speedup_subjects[i], report, error))
-            return false;
-    return true;
+    struct speedup_measure(
+        *measures)[TRACE_FORMS] = calloc(speedup_subject_count,
+                                         sizeof *measures);
+    bool good = measures
+                && speedup_measure_all(&arguments->view, &arguments->trace,
+                                       measures, error);
+
+    for (size_t i = 0; good && i < speedup_subject_count; i++)
+        speedup_report_add(report, &speedup_subjects[i], &arguments->view,
+                           measures[i]);
+    free(measures);
+    return good;
 }
 
 static int speedup(const struct cmd_arguments *arguments,
@@ -157,6 +143,7 @@ static const struct command_option options[] = {
     CMD_FLAG("passes", passes,
              "the root solver's vectors pass by pass as well"),
     CMD_MODEL,
+    CMD_JOBS("frames traced at a time"),
     CMD_RESULTS,
     COMMAND_END
 };

@@ -333,7 +333,7 @@ static const struct command_option options[] = {
     CMD_QUEUE("rays in the queue (pipes, hits)"),
     CMD_MODEL,
     CMD_BOUNDS,
-    CMD_JOBS("bands of a frame traced at a time"),
+    CMD_JOBS("frames traced at a time"),
     CMD_READ,
     CMD_RESULTS,
     COMMAND_END

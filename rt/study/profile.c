@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "rt/study/tasks.h"
+
 const enum trace_mode profile_stages[TRACE_MODES] = { TRACE_SCALAR,
                                                       TRACE_KERNELS,
                                                       TRACE_VECTOR };
@@ -312,20 +314,42 @@ const char *profile_table_heading(enum profile_table kind)
 
 /* ---- A frame in all stages ----------------------------------------------- */
 
-static bool run_stage(struct profile *profile, int stage,
-                      const struct scene *scene,
-                      const struct trace_options *options, c205_error *error)
+struct profiling {
+    struct profile *profile;
+    const struct scene *scene;
+    const struct trace_options *options;
+};
+
+static bool run_stage(void *context, const struct task *task,
+                      c205_error *error)
 {
+    const struct profiling *profiling = context;
+    struct profile *profile = profiling->profile;
+    size_t stage = task->number;
     const struct observer vectors = vector_use_observer(
         &profile->vectors[stage]);
     const struct observer *const observers[] = { &vectors, NULL };
-    struct trace_options how = *options;
+    struct trace_options how = *profiling->options;
     struct trace *trace;
 
     how.mode = profile_stages[stage];
     how.observers = observers;
-    trace = profile->traces[stage] = trace_new(scene, &how, error);
+    how.progress = task->progress;
+    how.context = task->context;
+    trace = profile->traces[stage] = trace_new(profiling->scene, &how, error);
     return trace && trace_run(trace, error);
+}
+
+/* What the host takes for the emulation of each, as measured: a vector
+ * instruction is one to it. */
+static double stage_weight(const void *context, size_t stage)
+{
+    static const double weights[TRACE_MODES] = {
+        [TRACE_SCALAR] = 10, [TRACE_KERNELS] = 4, [TRACE_VECTOR] = 1
+    };
+
+    (void)context;
+    return weights[profile_stages[stage]];
 }
 
 static bool agree(const struct profile *profile, int stage, c205_error *error)
@@ -343,9 +367,18 @@ static bool agree(const struct profile *profile, int stage, c205_error *error)
 bool profile_run(struct profile *profile, const struct scene *scene,
                  const struct trace_options *options, c205_error *error)
 {
+    struct profiling profiling = { profile, scene, options };
+    const struct tasks tasks = { .count = TRACE_MODES,
+                                 .run = run_stage,
+                                 .weight = stage_weight,
+                                 .context = &profiling,
+                                 .progress = options->progress,
+                                 .progress_context = options->context };
+
+    if (!tasks_run(&tasks, error))
+        return false;
     for (int i = 0; i < TRACE_MODES; i++)
-        if (!run_stage(profile, i, scene, options, error)
-            || !agree(profile, i, error))
+        if (!agree(profile, i, error))
             return false;
     return true;
 }

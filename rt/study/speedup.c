@@ -6,6 +6,7 @@
 
 #include "base/provenance.h"
 #include "rt/scene/language/scene_read.h"
+#include "rt/study/tasks.h"
 
 const char speedup_solver[] = "root_solver";
 const char *const speedup_projections[SPEEDUP_PROJECTIONS] = {
@@ -304,4 +305,71 @@ bool speedup_measure(const struct speedup_subject *subject,
     for (int i = 0; i < SPEEDUP_PROJECTIONS; i++)
         c205_model_free(projecting[i].model);
     return good;
+}
+
+/* ---- All of Table 1 ------------------------------------------------------ */
+
+struct measuring {
+    const struct speedup_view *view;
+    const struct trace_options *options;
+    struct speedup_measure (*measures)[TRACE_FORMS];
+};
+
+static bool measure_form(void *context, const struct task *task,
+                         c205_error *error)
+{
+    const struct measuring *measuring = context;
+    struct trace_options options = *measuring->options;
+    size_t subject = task->number / TRACE_FORMS;
+    size_t mode = task->number % TRACE_FORMS;
+
+    options.mode = (enum trace_mode)mode;
+    options.jobs = 1;
+    options.progress = task->progress;
+    options.context = task->context;
+    return speedup_measure(&speedup_subjects[subject], measuring->view,
+                           &options, &measuring->measures[subject][mode],
+                           error);
+}
+
+/* What the host takes, as measured: the scalar form of most, and most of
+ * those with long kernels. */
+static double form_weight(const void *context, size_t number)
+{
+    const struct speedup_subject
+        *subject = &speedup_subjects[number / TRACE_FORMS];
+
+    (void)context;
+    if (number % TRACE_FORMS == TRACE_VECTOR)
+        return 1;
+    return subject->regions[2] ? 20 : 3;
+}
+
+bool speedup_measure_all(const struct speedup_view *view,
+                         const struct trace_options *options,
+                         struct speedup_measure (*measures)[TRACE_FORMS],
+                         c205_error *error)
+{
+    struct measuring measuring = { view, options, measures };
+    const struct tasks tasks = { .count = TRACE_FORMS * speedup_subject_count,
+                                 .jobs = options->jobs,
+                                 .run = measure_form,
+                                 .weight = form_weight,
+                                 .context = &measuring,
+                                 .progress = options->progress,
+                                 .progress_context = options->context };
+
+    if (!tasks_run(&tasks, error))
+        return false;
+    for (size_t i = 0; i < speedup_subject_count; i++) {
+        const struct speedup_measure *forms = measures[i];
+
+        if (forms[TRACE_SCALAR].checksum == forms[TRACE_VECTOR].checksum)
+            continue;
+        snprintf(error->message, sizeof error->message,
+                 "%s: the scalar and the vector form do not agree",
+                 speedup_subjects[i].name);
+        return false;
+    }
+    return true;
 }

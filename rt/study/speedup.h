@@ -90,4 +90,12 @@ bool speedup_measure(const struct speedup_subject *subject,
                      const struct trace_options *options,
                      struct speedup_measure *measure, c205_error *error);
 
+/* All subjects in both forms, options.jobs frames at a time: measures[i] of
+ * speedup_subjects[i].  The frames of both forms are equal; false: they are
+ * not, or the error says why else. */
+bool speedup_measure_all(const struct speedup_view *view,
+                         const struct trace_options *options,
+                         struct speedup_measure (*measures)[TRACE_FORMS],
+                         c205_error *error);
+
 #endif

@@ -6,6 +6,7 @@
 
 #include "base/accounts.h"
 #include "base/array.h"
+#include "rt/study/tasks.h"
 
 /* ---- What is measured ---------------------------------------------------- */
 
@@ -58,14 +59,21 @@ static void leave_out(struct sweep_form *form, c205_cause cause)
     form->clocks[cause] = 0;
 }
 
+/* A frame to trace: of a point, in one of its forms; and what it shows. */
+struct form_run {
+    size_t point; /* the number of its measure */
+    int form;
+    struct sweep_form found;
+    size_t hits;
+    uint64_t checksum;
+};
+
 static bool read_form(const struct sweep *sweep, const struct trace *trace,
-                      int form, struct sweep_measure *measure,
-                      c205_error *error)
+                      struct form_run *run, c205_error *error)
 {
     const struct accounts *accounts = trace_accounts(trace);
-    struct sweep_form *into = &measure->forms[form];
+    struct sweep_form *into = &run->found;
 
-    *into = (struct sweep_form){ .total = 0 };
     if (!sweep->subject)
         add_all(accounts, into);
     else if (!add_subject(accounts, sweep->subject, into, error))
@@ -74,8 +82,8 @@ static bool read_form(const struct sweep *sweep, const struct trace *trace,
         leave_out(into, C205_TRANSLATION_MISS);
         leave_out(into, C205_PAGE_FAULT);
     }
-    measure->hits = trace_hits(trace);
-    measure->checksum = trace_checksum(trace);
+    run->hits = trace_hits(trace);
+    run->checksum = trace_checksum(trace);
     return true;
 }
 
@@ -89,48 +97,47 @@ static size_t weight_of(const struct sweep_point *point, int form)
                                 : rays + 100 * (rays / point->trace.queue);
 }
 
-/* One progress for all frames of a run. */
-static bool tell(void *context, size_t done, size_t pixels)
-{
-    const struct sweep *sweep = context;
-    const struct trace_options *to = &sweep->base.trace;
-    double share = (double)done / (double)pixels;
-    size_t now = sweep->done + (size_t)((double)sweep->doing * share);
+/* What is traced to measure points. */
+struct plan {
+    struct sweep *sweep;
+    struct form_run *runs;
+    size_t count;
+};
 
-    return to->progress(to->context,
-                        now < sweep->to_do ? now : sweep->to_do - 1,
-                        sweep->to_do);
+static const struct sweep_point *point_of(const struct plan *plan,
+                                          const struct form_run *run)
+{
+    return &plan->sweep->measures[run->point].point;
 }
 
-/* The same point for the trace of one form. */
-static struct sweep_point
-point_of_form(struct sweep *sweep, const struct sweep_point *point, int form)
+static double run_weight(const void *context, size_t number)
 {
-    struct sweep_point how = *point;
+    const struct plan *plan = context;
+    const struct form_run *run = &plan->runs[number];
 
-    if (form == SWEEP_SCALAR) {
+    return (double)weight_of(point_of(plan, run), run->form);
+}
+
+static bool trace_form(void *context, const struct task *task,
+                       c205_error *error)
+{
+    const struct plan *plan = context;
+    struct form_run *run = &plan->runs[task->number];
+    struct sweep_point how = *point_of(plan, run);
+    struct scene *scene;
+    struct trace *trace;
+    bool good;
+
+    if (run->form == SWEEP_SCALAR) {
         how.trace.mode = TRACE_SCALAR;
         how.trace.band = 0;
     }
-    if (sweep->base.trace.progress) {
-        how.trace.progress = tell;
-        how.trace.context = sweep;
-    }
-    return how;
-}
-
-static bool measure_form(struct sweep *sweep, int form,
-                         struct sweep_measure *measure, c205_error *error)
-{
-    struct sweep_point how = point_of_form(sweep, &measure->point, form);
-    struct scene *scene;
-    struct trace *trace = open_trace(sweep, &how, &scene, error);
-    bool good;
-
-    sweep->doing = weight_of(&measure->point, form);
+    how.trace.jobs = 1;
+    how.trace.progress = task->progress;
+    how.trace.context = task->context;
+    trace = open_trace(plan->sweep, &how, &scene, error);
     good = trace && trace_run(trace, error)
-           && read_form(sweep, trace, form, measure, error);
-    sweep->done += sweep->doing;
+           && read_form(plan->sweep, trace, run, error);
     trace_free(trace);
     scene_free(scene);
     return good;
@@ -160,39 +167,72 @@ static bool needs_scalar(const struct sweep_point *last,
     return !last || !are_one_in_scalar_form(last, point);
 }
 
-static bool measure_scalar(struct sweep *sweep, struct sweep_measure *measure,
-                           c205_error *error)
+static void plan_run(struct plan *plan, size_t point, int form)
 {
-    const struct sweep_measure *last;
-
-    if (needs_scalar(last_point(sweep), &measure->point))
-        return measure_form(sweep, SWEEP_SCALAR, measure, error);
-    last = &sweep->measures[sweep->count - 1];
-    measure->forms[SWEEP_SCALAR] = last->forms[SWEEP_SCALAR];
-    measure->checksum = last->checksum;
-    return true;
+    plan->runs[plan->count++] = (struct form_run){ .point = point,
+                                                   .form = form };
 }
 
-static bool measure_point(struct sweep *sweep,
-                          const struct sweep_point *point,
+/* Each point in queues, and in scalar form where that is another. */
+static void plan_runs(struct plan *plan, const struct sweep_point *points,
+                      size_t count)
+{
+    struct sweep *sweep = plan->sweep;
+    const struct sweep_point *last = last_point(sweep);
+
+    for (size_t i = 0; i < count; last = &points[i++]) {
+        size_t number = sweep->count + i;
+
+        sweep->measures[number] = (struct sweep_measure){
+            .point = points[i],
+            .rays = points[i].trace.width * points[i].trace.height
+        };
+        if (needs_scalar(last, &points[i]))
+            plan_run(plan, number, SWEEP_SCALAR);
+        plan_run(plan, number, SWEEP_QUEUED);
+    }
+}
+
+static bool settle_queued(const struct form_run *run,
                           struct sweep_measure *measure, c205_error *error)
 {
-    uint64_t checksum;
+    const struct trace_options *trace = &measure->point.trace;
 
-    *measure = (struct sweep_measure){
-        .point = *point, .rays = point->trace.width * point->trace.height
-    };
-    if (!measure_scalar(sweep, measure, error))
-        return false;
-    checksum = measure->checksum;
-    if (!measure_form(sweep, SWEEP_QUEUED, measure, error))
-        return false;
-    if (measure->checksum == checksum)
+    measure->forms[SWEEP_QUEUED] = run->found;
+    measure->hits = run->hits;
+    if (measure->checksum == run->checksum)
         return true;
     snprintf(error->message, sizeof error->message,
              "in a queue of %zu: the %s and the scalar frame do not agree",
-             point->trace.queue, trace_mode_name(point->trace.mode));
+             trace->queue, trace_mode_name(trace->mode));
     return false;
+}
+
+/* What was found to its measure; a scalar form serves for all points behind it
+ * until the next. */
+static bool settle(const struct plan *plan, c205_error *error)
+{
+    struct sweep *sweep = plan->sweep;
+    const struct sweep_measure
+        *last = sweep->count > 0 ? &sweep->measures[sweep->count - 1] : NULL;
+
+    for (size_t i = 0; i < plan->count; i++) {
+        const struct form_run *run = &plan->runs[i];
+        struct sweep_measure *measure = &sweep->measures[run->point];
+
+        if (run->form == SWEEP_SCALAR) {
+            measure->forms[SWEEP_SCALAR] = run->found;
+            measure->checksum = run->checksum;
+            last = measure;
+            continue;
+        }
+        measure->forms[SWEEP_SCALAR] = last->forms[SWEEP_SCALAR];
+        measure->checksum = last->checksum;
+        if (!settle_queued(run, measure, error))
+            return false;
+        sweep->count++;
+    }
+    return true;
 }
 
 static bool make_room(struct sweep *sweep, size_t more, c205_error *error)
@@ -207,36 +247,29 @@ static bool make_room(struct sweep *sweep, size_t more, c205_error *error)
     return measures != NULL;
 }
 
-static void plan_progress(struct sweep *sweep,
-                          const struct sweep_point *points, size_t count)
-{
-    const struct sweep_point *last = last_point(sweep);
-
-    sweep->done = sweep->to_do = 0;
-    for (size_t i = 0; i < count; last = &points[i++]) {
-        if (needs_scalar(last, &points[i]))
-            sweep->to_do += weight_of(&points[i], SWEEP_SCALAR);
-        sweep->to_do += weight_of(&points[i], SWEEP_QUEUED);
-    }
-}
-
 bool sweep_run(struct sweep *sweep, const struct sweep_point *points,
                size_t count, c205_error *error)
 {
-    const struct trace_options *to = &sweep->base.trace;
+    const struct trace_options *options = &sweep->base.trace;
+    struct plan plan = { sweep, NULL, 0 };
+    struct tasks tasks = { .jobs = options->jobs,
+                           .run = trace_form,
+                           .weight = run_weight,
+                           .context = &plan,
+                           .progress = options->progress,
+                           .progress_context = options->context };
+    bool good;
 
     if (!make_room(sweep, count, error))
         return false;
-    plan_progress(sweep, points, count);
-    for (size_t i = 0; i < count; i++) {
-        if (!measure_point(sweep, &points[i], &sweep->measures[sweep->count],
-                           error))
-            return false;
-        sweep->count++;
-    }
-    if (to->progress)
-        to->progress(to->context, sweep->to_do, sweep->to_do);
-    return true;
+    plan.runs = calloc(2 * count + 1, sizeof *plan.runs);
+    if (!plan.runs)
+        return false;
+    plan_runs(&plan, points, count);
+    tasks.count = plan.count;
+    good = tasks_run(&tasks, error) && settle(&plan, error);
+    free(plan.runs);
+    return good;
 }
 
 const c205_model *sweep_model(struct sweep *sweep,

@@ -46,14 +46,13 @@ struct sweep {
     size_t count;
     c205_model **models; /* that the points need */
     size_t model_count;
-    size_t done, doing, to_do; /* of a run, for its progress */
 };
 
 /* Subject or scene, base and lengths are set; the rest is zero. */
 void sweep_free(struct sweep *sweep);
 
-/* Measure these points too, one after another; progress is of all of them
- * together.  False: the error says why. */
+/* Measure these points too, base.trace.jobs frames at a time; progress is of
+ * all of them together.  False: the error says why. */
 bool sweep_run(struct sweep *sweep, const struct sweep_point *points,
                size_t count, c205_error *error);
 

@@ -1,0 +1,144 @@
+#include "rt/study/tasks.h"
+
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Progress of all is told in so many steps. */
+enum { STEPS = 1000000 };
+
+/* What is known of a run. */
+struct state {
+    struct crew *crew;
+    double weight, share; /* share: of it that is done, 0 to 1 */
+};
+
+struct crew {
+    const struct tasks *tasks;
+    pthread_mutex_t lock; /* of all below */
+    size_t next;          /* the run to begin next */
+    bool stop, failed;
+    c205_error error; /* of the first that failed */
+    double weight;    /* of all */
+    struct state *states;
+};
+
+static size_t steps_done(const struct crew *crew)
+{
+    double done = 0;
+
+    for (size_t i = 0; i < crew->tasks->count; i++)
+        done += crew->states[i].weight * crew->states[i].share;
+    return (size_t)(STEPS * (done / crew->weight));
+}
+
+/* Never all of them: that is told once, at the end. */
+static bool tell(void *context, size_t done, size_t all)
+{
+    struct state *state = context;
+    struct crew *crew = state->crew;
+    const struct tasks *tasks = crew->tasks;
+    bool go_on;
+    size_t steps;
+
+    pthread_mutex_lock(&crew->lock);
+    state->share = (double)done / (double)all;
+    steps = steps_done(crew);
+    if (!tasks->progress(tasks->progress_context,
+                         steps < STEPS ? steps : STEPS - 1, STEPS))
+        crew->stop = true;
+    go_on = !crew->stop;
+    pthread_mutex_unlock(&crew->lock);
+    return go_on;
+}
+
+/* False: there is nothing more to begin. */
+static bool take_next(struct crew *crew, size_t *number)
+{
+    bool more;
+
+    pthread_mutex_lock(&crew->lock);
+    more = !crew->stop && crew->next < crew->tasks->count;
+    if (more)
+        *number = crew->next++;
+    pthread_mutex_unlock(&crew->lock);
+    return more;
+}
+
+static void run_one(struct crew *crew, size_t number)
+{
+    const struct tasks *tasks = crew->tasks;
+    struct state *state = &crew->states[number];
+    const struct task task = { number, tasks->progress ? tell : NULL, state };
+    c205_error error;
+    bool good = tasks->run(tasks->context, &task, &error);
+
+    pthread_mutex_lock(&crew->lock);
+    state->share = 1;
+    if (!good && !crew->failed)
+        crew->error = error;
+    crew->failed |= !good;
+    crew->stop |= !good;
+    pthread_mutex_unlock(&crew->lock);
+}
+
+static void *work(void *context)
+{
+    struct crew *crew = context;
+    size_t number;
+
+    while (take_next(crew, &number))
+        run_one(crew, number);
+    return NULL;
+}
+
+/* The caller's thread works, too; where no other can be had, alone. */
+static void work_together(struct crew *crew)
+{
+    size_t jobs = crew->tasks->jobs, count = 0;
+    size_t most = jobs < crew->tasks->count ? jobs : crew->tasks->count;
+    pthread_t *threads = most > 1 ? calloc(most, sizeof *threads) : NULL;
+
+    while (threads && count + 1 < most
+           && pthread_create(&threads[count], NULL, work, crew) == 0)
+        count++;
+    work(crew);
+    while (count > 0)
+        pthread_join(threads[--count], NULL);
+    free(threads);
+}
+
+static void weigh(struct crew *crew)
+{
+    const struct tasks *tasks = crew->tasks;
+
+    for (size_t i = 0; i < tasks->count; i++) {
+        struct state *state = &crew->states[i];
+
+        state->crew = crew;
+        state->weight = tasks->weight ? tasks->weight(tasks->context, i) : 1;
+        crew->weight += state->weight;
+    }
+}
+
+bool tasks_run(const struct tasks *tasks, c205_error *error)
+{
+    struct crew crew = { .tasks = tasks };
+    bool good;
+
+    crew.states = calloc(tasks->count + 1, sizeof *crew.states);
+    snprintf(error->message, sizeof error->message, "no memory");
+    if (!crew.states)
+        return false;
+    pthread_mutex_init(&crew.lock, NULL);
+    weigh(&crew);
+    work_together(&crew);
+    pthread_mutex_destroy(&crew.lock);
+    if (crew.failed)
+        *error = crew.error;
+    good = !crew.failed;
+    free(crew.states);
+    if (good && tasks->progress)
+        tasks->progress(tasks->progress_context, STEPS, STEPS);
+    return good;
+}
