@@ -25,7 +25,7 @@ static int open_and_work(struct cmd_arguments *arguments, cmd_work *work)
                           c205_model_name(arguments->trace.model));
     if (!results_open(&results, arguments->command, arguments->output))
         return CMD_FAILED;
-    cmd_watch(&arguments->trace);
+    cmd_watch(arguments);
     return work_and_close(arguments, &results, work);
 }
 

@@ -8,6 +8,7 @@
 #include <stddef.h>
 
 #include "base/command_options.h"
+#include "base/progress.h"
 #include "base/results.h"
 #include "rt/roots/roots.h"
 #include "rt/scene/language/scene_read.h"
@@ -38,6 +39,7 @@ struct cmd_arguments {
     bool all, first; /* roots of polynomials */
     bool passes; /* of the root solver, one by one, in the speedup table */
     int falsi;   /* the rule; FALSI_RULES: all of them, compared */
+    struct progress progress;
     struct command_texts search; /* folders for includes */
 };
 
@@ -114,9 +116,10 @@ int cmd_with_machine(struct cmd_arguments *arguments, cmd_work *work);
  * which have been told. */
 struct scene *cmd_read_scene(const struct cmd_arguments *arguments);
 
-/* Let Ctrl-C ask a trace to stop, a second one end the process, and show progress when stderr is a
- * terminal: a trace_options.progress function and its context. */
-void cmd_watch(struct trace_options *options);
+/* Let Ctrl-C ask a trace to stop, a second one end the process, and show
+ * progress on stderr where that is a terminal: by the progress of the trace
+ * options. */
+void cmd_watch(struct cmd_arguments *arguments);
 /* Whether Ctrl-C has been pressed since. */
 bool cmd_interrupted(void);
 

@@ -134,9 +134,10 @@ bool tasks_run(const struct tasks *tasks, c205_error *error)
     weigh(&crew);
     work_together(&crew);
     pthread_mutex_destroy(&crew.lock);
+    good = !crew.failed && crew.next == tasks->count;
+    snprintf(error->message, sizeof error->message, "stopped");
     if (crew.failed)
         *error = crew.error;
-    good = !crew.failed;
     free(crew.states);
     if (good && tasks->progress)
         tasks->progress(tasks->progress_context, STEPS, STEPS);

@@ -1,0 +1,150 @@
+/* test_tasks.c - runs in threads: each once, in its place, with one progress
+ * over all of them. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "rt/study/tasks.h"
+#include "tests/random.h"
+
+enum { MOST = 40, STEPS = 5 };
+
+struct bench {
+    size_t count;
+    int times[MOST]; /* that each ran */
+    size_t bad;      /* the one that fails; MOST: none */
+    size_t last, all, ends;
+    size_t stop_at; /* progress says to stop at so much; SIZE_MAX: never */
+    bool falls;     /* progress went back */
+};
+
+static bool watch(void *context, size_t done, size_t all)
+{
+    struct bench *bench = context;
+
+    bench->falls |= done < bench->last || bench->ends > 0;
+    bench->last = done;
+    bench->all = all;
+    bench->ends += done == all;
+    return done < bench->stop_at;
+}
+
+static bool run(void *context, const struct task *task, c205_error *error)
+{
+    struct bench *bench = context;
+
+    bench->times[task->number]++;
+    for (size_t step = 0; step <= STEPS; step++)
+        if (task->progress && !task->progress(task->context, step, STEPS)) {
+            snprintf(error->message, sizeof error->message, "stopped");
+            return false;
+        }
+    if (task->number == bench->bad) {
+        snprintf(error->message, sizeof error->message, "bad %zu",
+                 task->number);
+        return false;
+    }
+    return true;
+}
+
+static double weight(const void *context, size_t number)
+{
+    (void)context;
+    return (double)(1 + number % 7);
+}
+
+static bool go(struct bench *bench, size_t jobs, bool watched,
+               c205_error *error)
+{
+    const struct tasks tasks = { .count = bench->count,
+                                 .jobs = jobs,
+                                 .run = run,
+                                 .weight = jobs % 2 ? weight : NULL,
+                                 .context = bench,
+                                 .progress = watched ? watch : NULL,
+                                 .progress_context = bench };
+
+    return tasks_run(&tasks, error);
+}
+
+static size_t below(uint64_t *random, size_t most)
+{
+    return (size_t)xorshift_between(random, 0, (int64_t)most - 1);
+}
+
+static void test_each_once(void **state)
+{
+    uint64_t random = RANDOM_SEED + 1;
+    c205_error error;
+
+    (void)state;
+    for (int i = 0; i < 200; i++) {
+        struct bench bench = { .count = below(&random, MOST + 1),
+                               .bad = MOST,
+                               .stop_at = SIZE_MAX };
+        bool watched = below(&random, 2) > 0;
+
+        assert_true(go(&bench, below(&random, 9), watched, &error));
+        for (size_t k = 0; k < MOST; k++)
+            assert_int_equal(bench.times[k], k < bench.count);
+        assert_false(bench.falls);
+        assert_int_equal(bench.ends, watched);
+    }
+}
+
+static void test_a_bad_one(void **state)
+{
+    uint64_t random = RANDOM_SEED + 2;
+    c205_error error;
+
+    (void)state;
+    for (int i = 0; i < 100; i++) {
+        struct bench bench = { .count = 1 + below(&random, MOST),
+                               .stop_at = SIZE_MAX };
+        size_t jobs = below(&random, 5);
+        char expected[32];
+
+        bench.bad = below(&random, bench.count);
+        snprintf(expected, sizeof expected, "bad %zu", bench.bad);
+        assert_false(go(&bench, jobs, below(&random, 2) > 0, &error));
+        assert_string_equal(error.message, expected);
+        assert_int_equal(bench.ends, 0);
+        for (size_t k = 0; jobs < 2 && k < bench.count; k++)
+            assert_int_equal(bench.times[k], k <= bench.bad);
+    }
+}
+
+static void test_told_to_stop(void **state)
+{
+    c205_error error;
+
+    (void)state;
+    for (size_t jobs = 0; jobs < 5; jobs++) {
+        struct bench bench = { .count = MOST,
+                               .bad = MOST,
+                               .stop_at = 500000 };
+        int ran = 0;
+
+        assert_false(go(&bench, jobs, true, &error));
+        assert_string_equal(error.message, "stopped");
+        for (size_t k = 0; k < MOST; k++)
+            ran += bench.times[k];
+        assert_true(ran < MOST * 3 / 4);
+        assert_int_equal(bench.ends, 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_each_once),
+        cmocka_unit_test(test_a_bad_one),
+        cmocka_unit_test(test_told_to_stop),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
