@@ -286,8 +286,9 @@ check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
 check-language:
 	sh tests/check_language.sh
 
-check-commands: $(programs) $(adapter)
+check-commands: $(programs) $(adapter) $(BUILD)/fit205
 	sh tests/check_commands.sh $(BUILD)
+	sh tests/check_pages.sh $(BUILD)
 
 check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 	sh tests/check_fit.sh $(BUILD)
@@ -386,10 +387,28 @@ $(api)/%.pc: Makefile
 installed = $(addprefix $(api)/,libc205.a libc205asm.a librt205.a)
 installed_pc = $(addprefix $(api)/,c205.pc c205asm.pc rt205.pc)
 
-install: all $(installed) $(installed_pc)
+# The man page and what shells complete, as the programs tell it.
+share = $(BUILD)/share
+pages = $(foreach program,$(notdir $(programs)),$(addprefix $(share)/,\
+	man/man1/$(program).1 bash-completion/completions/$(program) \
+	zsh/site-functions/_$(program) fish/vendor_completions.d/$(program).fish))
+tell = @mkdir -p $(@D) && $< help $(1) >$@.new && mv $@.new $@
+$(share)/man/man1/%.1: $(BUILD)/%
+	$(call tell,--man)
+$(share)/bash-completion/completions/%: $(BUILD)/%
+	$(call tell,--completion bash)
+$(share)/zsh/site-functions/_%: $(BUILD)/%
+	$(call tell,--completion zsh)
+$(share)/fish/vendor_completions.d/%.fish: $(BUILD)/%
+	$(call tell,--completion fish)
+
+install: all $(installed) $(installed_pc) $(pages)
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(LIBDIR) \
 		$(DESTDIR)$(PREFIX)/lib/pkgconfig
 	install $(programs) $(DESTDIR)$(PREFIX)/bin
+	for page in $(pages:$(share)/%=%); do \
+		install -D -m 644 $(share)/$$page \
+			$(DESTDIR)$(PREFIX)/share/$$page; done
 	install -m 644 $(adapter) $(DESTDIR)$(LIBDIR)
 	install -m 644 $(installed) $(DESTDIR)$(PREFIX)/lib
 	install -m 644 $(installed_pc) $(DESTDIR)$(PREFIX)/lib/pkgconfig

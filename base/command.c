@@ -124,8 +124,19 @@ static bool is_option(const char *word, const struct command_option *option)
                && word[2] == '\0');
 }
 
+/* "help --man" and the like, for scripts, which no help tells of. */
+static bool asks_for_page(int argc, char **argv)
+{
+    return argc > 2 && strcmp(argv[1], "help") == 0
+           && strncmp(argv[2], "--", 2) == 0;
+}
+
 int command_main(const struct command_program *program, int argc, char **argv)
 {
+    if (asks_for_page(argc, argv)) {
+        return finish(program->name,
+                      command_print_page(program, argc - 2, argv + 2));
+    }
     if (is_one_command(program)) {
         return run(program, program->commands[0], argc, argv);
     }

@@ -8,7 +8,9 @@
  * what is right; nothing else lists commands or options.
  *
  * Results go to stdout, all else to stderr; the exit codes are those of
- * complain.h.
+ * complain.h.  The rows make the man page and the completion of shells, too:
+ * "help --man", "help --completion bash", and "help --list" for scripts; make
+ * install puts them where they belong.
  */
 #ifndef BASE_COMMAND_H
 #define BASE_COMMAND_H
@@ -95,6 +97,8 @@ struct command {
 struct command_program {
     const char *name, *summary, *version;
     const struct command *const *commands; /* NULL at the end */
+    const struct command_example *files;   /* for the man page: what files and
+                                              variables mean; or NULL */
     size_t arguments_size;
     const void *arguments; /* as they are before anything is given, or NULL:
                               zero */

@@ -6,7 +6,7 @@
 #include "base/command_rows.h"
 
 /* Explanations stand in a column of their own. */
-enum { COLUMN = 23, WIDTH = 79, PARAGRAPH = 0 };
+enum { COLUMN = 23, WIDTH = 79, PARAGRAPH = 0, EXAMPLE = 6 };
 
 /* ---- Words for a row ---------------------------------------------------- */
 
@@ -21,8 +21,8 @@ void command_option_name(const struct command_option *option,
 }
 
 /* The next number that has a name; NULL name: there is none. */
-static size_t next_choice(command_choice *choice, size_t number,
-                          const char **name)
+size_t command_next_choice(command_choice *choice, size_t number,
+                           const char **name)
 {
     while ((*name = choice(number)) != NULL && !**name) {
         number++;
@@ -34,14 +34,14 @@ static size_t next_choice(command_choice *choice, size_t number,
 static void put_choices(command_choice *choice, const struct sink *sink)
 {
     const char *name, *next, *before = "";
-    size_t number = next_choice(choice, 0, &name);
+    size_t number = command_next_choice(choice, 0, &name);
     while (name) {
-        number = next_choice(choice, number + 1, &next);
+        number = command_next_choice(choice, number + 1, &next);
         sink_print(sink, "%s%s", before, name);
         size_t after = number;
         const char *behind = NULL;
         if (next) {
-            next_choice(choice, after + 1, &behind);
+            command_next_choice(choice, after + 1, &behind);
         }
         before = behind ? ", " : " or ";
         name = next;
@@ -143,12 +143,10 @@ static void fill(struct filler *filler, const char *text)
 }
 
 /* "  -o, --output FILE    where it goes" */
-static void put_entry(FILE *file, const char *left,
-                      const char *const *explanations)
+static void put_entry(FILE *file, const char *left, const char *meaning)
 {
-    struct filler filler = { file, COLUMN, 0 };
+    struct filler filler = { file, COLUMN, 2 + strlen(left) };
     fprintf(file, "  %s", left);
-    filler.column = 2 + strlen(left);
     if (filler.column + 2 > COLUMN) {
         new_line(&filler);
     }
@@ -156,21 +154,34 @@ static void put_entry(FILE *file, const char *left,
         putc(' ', file);
         filler.column++;
     }
-    for (; *explanations; explanations++) {
-        fill(&filler, *explanations);
-    }
+    fill(&filler, meaning);
     new_line(&filler);
 }
 
 /* ---- Options ------------------------------------------------------------ */
 
+/* The help, the choices, what it is if it is not given. */
+void command_option_meaning(const struct command_option *option,
+                            const struct sink *sink)
+{
+    struct text_line preset = { { 0 }, 0 };
+    struct sink preset_sink = text_line_sink(&preset);
+    sink_put(sink, option->help);
+    if (option->kind == COMMAND_CHOICE) {
+        sink_put(sink, ": ");
+        put_choices(option->choice, sink);
+    }
+    if (command_option_preset(option, &preset_sink)) {
+        sink_print(sink, " (%s)", preset.text);
+    }
+}
+
 static void put_option(FILE *file, const struct command_option *option)
 {
-    struct text_line left = { { 0 }, 0 }, choices = { { 0 }, 0 },
-                     preset = { { 0 }, 0 };
+    struct text_line left = { { 0 }, 0 };
+    struct text_buffer meaning = { NULL, 0, 0, false };
     struct sink left_sink = text_line_sink(&left);
-    struct sink choice_sink = text_line_sink(&choices);
-    struct sink preset_sink = text_line_sink(&preset);
+    struct sink meaning_sink = text_buffer_sink(&meaning);
     if (option->letter) {
         sink_print(&left_sink, "-%c, ", option->letter);
     }
@@ -178,22 +189,9 @@ static void put_option(FILE *file, const struct command_option *option)
     if (option->name && option->value) {
         sink_print(&left_sink, " %s", option->value);
     }
-    if (option->kind == COMMAND_CHOICE) {
-        sink_put(&choice_sink, ": ");
-        put_choices(option->choice, &choice_sink);
-    }
-    sink_put(&preset_sink, " (");
-    if (command_option_preset(option, &preset_sink)) {
-        sink_put(&preset_sink, ")");
-    } else {
-        preset.text[0] = '\0';
-    }
-    /* What hangs together is one text, so that lines break at blanks. */
-    char all[4 * TEXT_LINE_SIZE];
-    snprintf(all, sizeof all, "%s%s%s", option->help, choices.text,
-             preset.text);
-    const char *const explanations[] = { all, NULL };
-    put_entry(file, left.text, explanations);
+    command_option_meaning(option, &meaning_sink);
+    put_entry(file, left.text, meaning.text ? meaning.text : "");
+    text_buffer_free(&meaning);
 }
 
 static void put_options(FILE *file, const struct command_option *option)
@@ -221,11 +219,21 @@ static void put_paragraphs(FILE *file, const char *text)
     new_line(&filler);
 }
 
+static void put_examples(FILE *file, const struct command_example *example)
+{
+    fputs(example ? "\n" : "", file);
+    for (; example && example->line; example++) {
+        struct filler filler = { file, EXAMPLE, 0 };
+        fprintf(file, "  %s\n", example->line);
+        fill(&filler, example->meaning);
+        new_line(&filler);
+    }
+}
+
 void command_print_help(const struct command_program *program,
                         const struct command *command, FILE *file)
 {
     char name[COMMAND_NAME_SIZE];
-    const struct command_example *example = command->examples;
     command_full_name(program, command, name);
     fprintf(file, "%s - %s\n\nusage: %s [OPTION..]", name, command->summary,
             name);
@@ -242,11 +250,7 @@ void command_print_help(const struct command_program *program,
     put_options(file, command->options);
     put_option(file, &command_help_option);
     put_option(file, &command_version_option);
-    for (; example && example->line; example++) {
-        fprintf(file, "%s  %s\n      %s\n",
-                example == command->examples ? "\n" : "", example->line,
-                example->meaning);
-    }
+    put_examples(file, command->examples);
 }
 
 void command_print_summary(const struct command_program *program, FILE *file)

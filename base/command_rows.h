@@ -48,5 +48,21 @@ void command_free(const struct command *command, void *arguments);
 void command_print_summary(const struct command_program *program, FILE *file);
 void command_print_help(const struct command_program *program,
                         const struct command *command, FILE *file);
+/* "help --list", --man, --completion bash|zsh|fish: the exit code. */
+int command_print_page(const struct command_program *program, int argc,
+                       char **argv);
+void command_print_list(const struct command_program *program, FILE *file);
+void command_print_man(const struct command_program *program, FILE *file);
+void command_print_bash(const struct command_program *program, FILE *file);
+void command_print_zsh(const struct command_program *program, FILE *file);
+void command_print_fish(const struct command_program *program, FILE *file);
+
+/* The number of the next value that has a name, from this one on.  *name is
+ * NULL: there is none. */
+size_t command_next_choice(command_choice *choice, size_t number,
+                           const char **name);
+/* What stands behind an operand's or option's name in help. */
+void command_option_meaning(const struct command_option *option,
+                            const struct sink *sink);
 
 #endif

@@ -47,6 +47,14 @@ succeeds grep -q '^status 205 after [1-9][0-9]* clocks$' program.txt
 succeeds awk '{ hits += $2 > 100; last = sum; sum = $4 }
     END { exit !(NR == 2 && hits == 2 && last == sum) }' scene.txt
 
+for program in c205 rt205; do
+    for page in man/man1/$program.1 bash-completion/completions/$program \
+        zsh/site-functions/_$program fish/vendor_completions.d/$program.fish
+    do
+        succeeds grep -q "$program" "$root/share/$page"
+    done
+done
+
 include=$root/include/c205
 (cd "$include" && find . -name '*.h') | while read -r header; do
     echo "#include <${header#./}>"

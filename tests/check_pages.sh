@@ -1,0 +1,105 @@
+#!/bin/sh
+# check_pages.sh BUILD - what the programs tell of themselves for man and for
+# shells: every option is there, groff has nothing to complain of, and bash
+# completes.
+set -u
+build=$(cd "$1" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+mkdir folder
+touch folder.s
+passed=0 failed=0
+
+verdict() { # STATUS TEXT
+    if [ "$1" -eq 0 ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAIL $2"
+    fi
+}
+
+found_for() { # PROGRAM WORD ..: completions of the last word, sorted
+    found=$(bash -c '
+        . "$0"
+        COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
+        _$1
+        printf "%s\n" "${COMPREPLY[@]}"' "$work/$1.bash" "$@" 2>&1 |
+        sort | tr '\n' ' ')
+}
+
+completes() { # EXPECTED PROGRAM WORD ..: with blanks between
+    expected=$1
+    shift
+    found_for "$@"
+    [ "${found% }" = "$expected" ]
+    verdict $? "bash completes '$*' to '$found', not '$expected'"
+}
+
+for program in c205 rt205 fit205; do
+    for shell in bash zsh fish; do
+        "$build/$program" help --completion $shell >"$program.$shell"
+        verdict $? "$program help --completion $shell"
+    done
+    "$build/$program" help --man >"$program.1"
+    verdict $? "$program help --man"
+    "$build/$program" help --list >"$program.list"
+    if command -v groff >/dev/null; then
+        complaints=$(groff -man -ww -Tutf8 -z "$program.1" 2>&1)
+        [ -z "$complaints" ]
+        verdict $? "$program.1: $complaints"
+        groff -man -Tascii -P -cbou "$program.1" >"$program.text"
+        while read -r what command name letter kind choices; do
+            [ "$what" = command ] && name=$command letter=-
+            [ "$name" = - ] || grep -q -e "$name" "$program.text"
+            verdict $? "$program.1 does not name $name of $command"
+            for word in $choices; do
+                grep -q -e "$word" "$program.text"
+                verdict $? "$program.1 does not name $word ($kind)"
+            done
+        done <"$program.list"
+    fi
+    while read -r what command name letter kind choices; do
+        [ "$what" = option ] || continue
+        word=$command
+        [ "$command" = - ] && word=
+        # No word is none.
+        # shellcheck disable=SC2086
+        found_for $program $word "${name%?}"
+        case " $found" in
+        *" $name "*) verdict 0 "" ;;
+        *) verdict 1 "bash does not complete ${name%?} of $program $word" ;;
+        esac
+        if [ "$kind" = choice ]; then
+            # shellcheck disable=SC2086
+            sorted=$(printf '%s\n' $choices | sort | tr '\n' ' ')
+            # shellcheck disable=SC2086
+            completes "${sorted% }" $program $word "$name" ''
+            # shellcheck disable=SC2086
+            completes "${sorted% }" $program $word "$name" =
+        fi
+        grep -qF -e "${name}[" -e "${name}=[" "$program.zsh"
+        verdict $? "$program.zsh does not have $name"
+        grep -q -e "-l ${name#--} " "$program.fish"
+        verdict $? "$program.fish does not have $name"
+        [ "$letter" = - ] || grep -q -e "-s $letter " "$program.fish"
+        verdict $? "$program.fish does not have -$letter"
+    done <"$program.list"
+    for shell in zsh fish; do
+        if command -v $shell >/dev/null; then
+            $shell -n "$program.$shell"
+            verdict $? "$shell does not read $program.$shell"
+        fi
+    done
+done
+completes 'render' rt205 re
+completes 'sweep' rt205 help sw
+completes 'ADDNV' c205 isa ADDNV
+completes 'cyber720 cyber720-prior' c205 run --model cyber7
+completes 'folder folder.s' c205 asm fol
+completes 'folder' c205 asm -I fol
+completes 'hits' rt205 sweep hi
+completes '' c205 run --limit ''
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
