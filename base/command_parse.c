@@ -213,32 +213,55 @@ static const struct command *owner_of(const struct parsing *parsing,
     return NULL;
 }
 
+/* The options that begin with a name; false: there are none. */
+static bool find_beginnings(const struct parsing *parsing, const char *name,
+                            const struct sink *sink)
+{
+    const struct command_option *option = parsing->command->options;
+    const char *before = "";
+    for (; command_is_row(option); option++) {
+        if (*name && strncmp(option->name, name, strlen(name)) == 0) {
+            sink_print(sink, "%s--%s", before, option->name);
+            before = ", ";
+        }
+    }
+    return *before != '\0';
+}
+
+/* What comes near a name: the command's options, help and version. */
+static const char *nearest_option(const struct parsing *parsing,
+                                  const char *name)
+{
+    struct nearest nearest = { .word = name };
+    const struct command_option *option = parsing->command->options;
+    for (; command_is_row(option); option++) {
+        nearest_try(&nearest, option->name);
+    }
+    nearest_try(&nearest, command_help_option.name);
+    nearest_try(&nearest, command_version_option.name);
+    return nearest.name;
+}
+
 static int no_long_option(const struct parsing *parsing, const char *word)
 {
     char name[COMMAND_NAME_SIZE];
-    size_t length = strcspn(word + 2, "=");
-    snprintf(name, sizeof name, "%.*s",
-             (int)(length < sizeof name ? length : 0), word + 2);
-    const struct command_option *option = parsing->command->options;
+    struct text_line several = { { 0 }, 0 };
+    struct sink sink = text_line_sink(&several);
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(word + 2, "="),
+             word + 2);
     const struct command *owner = owner_of(parsing, name);
-    struct nearest nearest = { .word = name };
-    for (; command_is_row(option); option++) {
-        nearest_try(&nearest, option->name);
-        if (length > 0 && strncmp(option->name, name, length) == 0) {
-            return cmd_usage(parsing->name,
-                             "%s: that may be --%s, or another", word,
-                             option->name);
-        }
+    const char *nearest = nearest_option(parsing, name);
+    if (find_beginnings(parsing, name, &sink)) {
+        return cmd_usage(parsing->name, "--%s is one of %s", name,
+                         several.text);
     }
     if (owner) {
         return cmd_usage(parsing->name, "no such option: --%s; it is for %s",
                          name, owner->name);
     }
-    if (nearest.name) {
-        return cmd_usage(parsing->name, "no such option: %s (--%s?)", word,
-                         nearest.name);
-    }
-    return cmd_usage(parsing->name, "no such option: %s", word);
+    return cmd_usage(parsing->name, "no such option: %s%s%s%s", word,
+                     nearest ? " (--" : "", nearest ? nearest : "",
+                     nearest ? "?)" : "");
 }
 
 /* A flag that was given a value, or what is no option at all. */

@@ -80,19 +80,106 @@ printf 'loop:   BIM loop\n; expect: r1 = 0\n' >endless_test.s
 printf '        .include "print.s"\n        ES r10, N + M\n%s\n        EXIT\n' \
     '        print_integer r10' >defined.s
 
-# help and wrong usage
-for command in c205 rt205; do
-    ends 0 "$build/$command" --help
-    ends 2 "$build/$command"
-    ends 2 "$build/$command" nonsense
+# help and wrong usage: every command and option that the programs list
+for program in c205 rt205; do
+    ends 0 "$build/$program" --help
+    cp out summary
+    ends 0 "$build/$program" -h
+    cmp -s out summary
+    verdict $? "$program -h is not --help"
+    ends 0 "$build/$program" help
+    cmp -s out summary
+    verdict $? "$program help is not --help"
+    ends 2 "$build/$program"
+    ends 2 "$build/$program" nonsense
+    tells err 'no such command: nonsense'
+    ends 2 "$build/$program" help nonsense
 done
-for command in run asm dis isa model time; do
-    ends 0 "$build/c205" $command --help
-    ends 2 "$build/c205" $command --nonsense
+for program in c205 rt205 fit205; do
+    ends 0 "$build/$program" --version
+    tells out "^$program [0-9.]*$"
+    ends 0 "$build/$program" help --list
+    cp out "$program.list"
+    ends 2 "$build/$program" help --nonsense
+    ends 2 "$build/$program" help --completion tcsh
 done
-for command in render profile speedup sweep quartic; do
-    ends 0 "$build/rt205" $command --help
-    ends 2 "$build/rt205" $command --nonsense
+
+names() { # what the help of the command names: every option and operand
+    while read -r what its_command name letter kind choices; do
+        [ "$what" != command ] && [ "$its_command" = "$command" ] || continue
+        tells help.txt "$name"
+        [ "$letter" = - ] || tells help.txt "^  -$letter, $name"
+        for choice in $choices; do
+            tells help.txt "$choice"
+        done
+    done <"$program.list"
+}
+refuses() { # ARGUMENT ..: as usage, with the choices and the way to the help
+    # No word is none.
+    # shellcheck disable=SC2086
+    ends 2 "$build/$program" $word "$@"
+    tells err "$program $word${word:+ }--help tells how it is used"
+    [ ! -s out ]
+    verdict $? "wrong usage prints on stdout: $*"
+}
+wrong_values() { # a value that each option refuses, and none
+    while read -r what its_command name letter kind choices; do
+        [ "$what" = option ] && [ "$its_command" = "$command" ] || continue
+        case $kind in
+        flag)
+            refuses "$name=yes"
+            tells err "$name takes no argument"
+            continue
+            ;;
+        count | clocks | number | own) refuses "$name" nonsense ;;
+        choice)
+            refuses "$name" nonsense
+            for choice in $choices; do
+                tells err "$choice"
+            done
+            ;;
+        *) refuses "$name" '' ;;
+        esac
+        tells err "$name: wrong argument"
+        refuses "$name"
+        tells err "$name needs an argument"
+        near=${name%?}${name#"${name%?}"}x
+        refuses "$near" 1
+        tells err "no such option: $near"
+    done <"$program.list"
+}
+for program in c205 rt205 fit205; do
+    while read -r what command rest; do
+        [ "$what" = command ] || continue
+        word=$command
+        [ "$command" = - ] && word=
+        # No word is none.
+        # shellcheck disable=SC2086
+        ends 0 "$build/$program" $word --help
+        cp out help.txt
+        [ ! -s err ]
+        verdict $? "$program $word --help prints on stderr"
+        # shellcheck disable=SC2086
+        ends 0 "$build/$program" $word -h
+        cmp -s out help.txt
+        verdict $? "$program $word -h is not --help"
+        if [ -n "$word" ]; then
+            ends 0 "$build/$program" help "$word"
+            cmp -s out help.txt
+            verdict $? "$program help $word is not --help"
+            ends 2 "$build/$program" "${word}x"
+            tells err "($word?)"
+        fi
+        # shellcheck disable=SC2086
+        ends 0 "$build/$program" $word --version
+        tells out "^$program [0-9.]*$"
+        [ "$(awk 'length > 79' help.txt)" = '' ]
+        verdict $? "$program $word --help has lines beyond 79 columns"
+        names
+        refuses --nonsense
+        refuses -Z
+        wrong_values
+    done <"$program.list"
 done
 ends 2 "$build/c205" run
 ends 2 "$build/c205" run --limit many good.s

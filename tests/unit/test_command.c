@@ -1,0 +1,480 @@
+/* test_command.c - command lines by chance: every value lands where its row
+ * says, in whatever order and form it is given; what is wrong is refused. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/command.h"
+#include "base/nearest.h"
+#include "base/progress.h"
+#include "tests/random.h"
+
+enum colour { RED, GREEN, NO_COLOUR, BLUE };
+
+struct arguments {
+    const char *command;
+    bool loud;
+    const char *text, *input, *output, *kept, *folder;
+    size_t count;
+    uint64_t clocks;
+    double number;
+    enum colour colour;
+    size_t length; /* of the text that take was given */
+    struct command_texts words, files;
+    const char *first;
+    struct arguments *result; /* NULL: nobody wants to know */
+};
+
+static const char *colour_choice(size_t number)
+{
+    static const char *const names[] = { "red", "green", "", "blue" };
+
+    return number < 4 ? names[number] : NULL;
+}
+
+static bool take_length(char *text, void *value)
+{
+    size_t length = strlen(text);
+
+    memcpy(value, &length, sizeof length);
+    return length < 9;
+}
+
+#define PLACE(member) offsetof(struct arguments, member)
+
+/* clang-format off */
+static const struct command_option options[] = {
+    { .name = "loud", .letter = 'l', .kind = COMMAND_FLAG,
+      .offset = PLACE(loud), .help = "a flag" },
+    { .name = "text", .letter = 't', .value = "TEXT", .kind = COMMAND_TEXT,
+      .offset = PLACE(text), .preset_text = "usual", .help = "a text" },
+    { .name = "input", .value = "FILE", .kind = COMMAND_INPUT,
+      .offset = PLACE(input), .help = "a file" },
+    { .name = "output", .letter = 'o', .value = "FILE",
+      .kind = COMMAND_OUTPUT, .offset = PLACE(output), .help = "a file" },
+    { .name = "kept", .value = "FILE", .kind = COMMAND_FILE,
+      .offset = PLACE(kept), .help = "a file" },
+    { .name = "folder", .value = "DIR", .kind = COMMAND_FOLDER,
+      .offset = PLACE(folder), .help = "a folder" },
+    { .name = "count", .letter = 'c', .value = "N", .kind = COMMAND_COUNT,
+      .offset = PLACE(count), .least = 3, .most = 1000, .preset = 77,
+      .help = "a count" },
+    { .name = "clocks", .value = "N", .kind = COMMAND_CLOCKS,
+      .offset = PLACE(clocks), .help = "clocks" },
+    { .name = "number", .value = "X", .kind = COMMAND_NUMBER,
+      .offset = PLACE(number), .least = -2, .most = 2, .preset = 0.5,
+      .help = "a number" },
+    { .name = "colour", .value = "COLOUR", .kind = COMMAND_CHOICE,
+      .offset = PLACE(colour), .choice = colour_choice, .preset = GREEN,
+      .help = "a colour" },
+    { .name = "own", .value = "TEXT", .kind = COMMAND_OWN,
+      .offset = PLACE(length), .take = take_length, .wants = "eight letters",
+      .help = "a length" },
+    { .name = "word", .letter = 'w', .value = "WORD", .kind = COMMAND_TEXT,
+      .many = true, .offset = PLACE(words), .help = "words" },
+    COMMAND_END
+};
+static const struct command_option operands[] = {
+    { .value = "FIRST", .kind = COMMAND_TEXT, .offset = PLACE(first),
+      .help = "a text" },
+    { .value = "FILE", .kind = COMMAND_INPUT, .many = true, .optional = true,
+      .offset = PLACE(files), .help = "files" },
+    COMMAND_END
+};
+/* clang-format on */
+
+/* What the command was given, in words that can be compared. */
+static char seen[4096];
+
+static void describe(const struct arguments *a, char text[4096])
+{
+    int length = snprintf(text, 4096,
+                          "%d|%s|%s|%s|%s|%s|%zu|%llu|%g|%d|%zu|%s", a->loud,
+                          a->text ? a->text : "", a->input ? a->input : "",
+                          a->output ? a->output : "", a->kept ? a->kept : "",
+                          a->folder ? a->folder : "", a->count,
+                          (unsigned long long)a->clocks, a->number,
+                          (int)a->colour, a->length, a->first);
+
+    for (size_t i = 0; i < a->words.count; i++)
+        length += snprintf(text + length, 4096 - (size_t)length, "|%s",
+                           a->words.items[i]);
+    for (size_t i = 0; i < a->files.count; i++)
+        length += snprintf(text + length, 4096 - (size_t)length, "#%s",
+                           a->files.items[i]);
+}
+
+static int look(void *arguments)
+{
+    describe(arguments, seen);
+    return CMD_DONE;
+}
+
+static int run(int argc, char **argv)
+{
+    static const struct command look_command = { .name = "look",
+                                                 .summary = "look",
+                                                 .function = look,
+                                                 .options = options,
+                                                 .operands = operands };
+    static const struct command other_command = { .name = "other",
+                                                  .summary = "another",
+                                                  .function = look };
+    static const struct command *const commands[] = { &look_command,
+                                                      &other_command, NULL };
+    static const struct arguments arguments = { .clocks = 205 };
+    static const struct command_program program = {
+        .name = "test",
+        .summary = "a test",
+        .version = "1",
+        .commands = commands,
+        .arguments_size = sizeof arguments,
+        .arguments = &arguments,
+    };
+
+    seen[0] = '\0';
+    return command_main(&program, argc, argv);
+}
+
+/* ---- Right ones ---------------------------------------------------------- */
+
+enum { WORDS_MOST = 64, WORD_SIZE = 40 };
+
+/* A command line as it grows, and what should come of it. */
+struct line {
+    uint64_t random;
+    char words[WORDS_MOST][WORD_SIZE];
+    char *argv[WORDS_MOST + 1];
+    int argc;
+    struct arguments expected;
+    const char *texts[2][WORDS_MOST]; /* of words and files */
+};
+
+static size_t below(struct line *line, size_t most)
+{
+    return (size_t)xorshift_between(&line->random, 0, (int64_t)most - 1);
+}
+
+static char *add(struct line *line)
+{
+    char *word = line->words[line->argc];
+
+    line->argv[line->argc++] = word;
+    line->argv[line->argc] = NULL;
+    return word;
+}
+
+static void make_word(struct line *line, char text[WORD_SIZE])
+{
+    size_t length = 5 + below(line, 4);
+
+    for (size_t i = 0; i < length; i++)
+        text[i] = (char)('a' + below(line, 26));
+    text[length] = '\0';
+}
+
+/* The value of a row as text; what it should be goes to what is expected. */
+static const char *make_value(struct line *line,
+                              const struct command_option *option,
+                              char text[WORD_SIZE])
+{
+    struct arguments *expected = &line->expected;
+    static const enum colour colours[] = { RED, GREEN, BLUE };
+
+    make_word(line, text);
+    switch (option->kind) {
+    case COMMAND_COUNT:
+        expected->count = 3 + below(line, 998);
+        snprintf(text, WORD_SIZE, "%zu", expected->count);
+        break;
+    case COMMAND_CLOCKS:
+        expected->clocks = xorshift(&line->random);
+        snprintf(text, WORD_SIZE, "%llu",
+                 (unsigned long long)expected->clocks);
+        break;
+    case COMMAND_NUMBER:
+        expected->number = (double)below(line, 3999) / 1000 - 1.999;
+        snprintf(text, WORD_SIZE, "%.17g", expected->number);
+        break;
+    case COMMAND_CHOICE:
+        expected->colour = colours[below(line, 3)];
+        snprintf(text, WORD_SIZE, "%s", colour_choice(expected->colour));
+        break;
+    case COMMAND_OWN: expected->length = strlen(text); break;
+    default: return text;
+    }
+    return NULL;
+}
+
+static void expect_text(struct line *line,
+                        const struct command_option *option, const char *text)
+{
+    struct arguments *expected = &line->expected;
+
+    if (option->many)
+        expected->words.items[expected->words.count++] = text;
+    else
+        memcpy((char *)expected + option->offset, &text, sizeof text);
+}
+
+/* "--name value", "--name=value", "-l value" or "-lvalue"; a name may be cut
+ * where it is still the only one. */
+static void add_option(struct line *line, const struct command_option *option)
+{
+    char value[WORD_SIZE];
+    bool is_text = make_value(line, option, value) != NULL;
+    bool flag = option->kind == COMMAND_FLAG;
+    bool apart = flag || below(line, 2);
+    char *word = add(line), *place = word;
+    int length;
+
+    if (option->letter && below(line, 2))
+        length = snprintf(word, WORD_SIZE, "-%c", option->letter);
+    else
+        length = snprintf(word, WORD_SIZE, "--%s%s", option->name,
+                          apart ? "" : "=");
+    if (flag) {
+        line->expected.loud = true;
+        return;
+    }
+    place = apart ? add(line) : word + length;
+    snprintf(place, (size_t)(WORD_SIZE - length), "%s", value);
+    if (is_text)
+        expect_text(line, option, place);
+}
+
+static void begin(struct line *line, uint64_t seed)
+{
+    memset(line, 0, sizeof *line);
+    line->random = seed;
+    line->expected.text = "usual";
+    line->expected.count = 77;
+    line->expected.clocks = 205;
+    line->expected.number = .5;
+    line->expected.colour = GREEN;
+    line->expected.words.items = line->texts[0];
+    line->expected.files.items = line->texts[1];
+    strcpy(add(line), "test");
+    strcpy(add(line), "look");
+}
+
+static void add_operands(struct line *line, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        struct command_texts *files = &line->expected.files;
+        char *word = add(line);
+
+        make_word(line, word);
+        if (!line->expected.first)
+            line->expected.first = word;
+        else
+            files->items[files->count++] = word;
+    }
+}
+
+static size_t option_count(void)
+{
+    return sizeof options / sizeof *options - 1;
+}
+
+static void test_right_lines(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed <= 3000; seed++) {
+        struct line line;
+        char expected[4096];
+
+        begin(&line, seed * RANDOM_SEED);
+        add_operands(&line, 1);
+        for (size_t i = below(&line, 12); i > 0; i--) {
+            add_option(&line, &options[below(&line, option_count())]);
+            add_operands(&line, below(&line, 3) == 0);
+        }
+        describe(&line.expected, expected);
+        assert_int_equal(run(line.argc, line.argv), CMD_DONE);
+        assert_string_equal(seen, expected);
+    }
+}
+
+/* ---- Wrong ones ---------------------------------------------------------- */
+
+/* What is printed on stderr meanwhile is caught. */
+struct caught {
+    int before;
+    FILE *file;
+    char text[8192];
+};
+
+static void catch (struct caught *caught)
+{
+    fflush(stderr);
+    caught->before = dup(STDERR_FILENO);
+    caught->file = tmpfile();
+    assert_non_null(caught->file);
+    dup2(fileno(caught->file), STDERR_FILENO);
+}
+
+static void release(struct caught *caught)
+{
+    size_t length;
+
+    fflush(stderr);
+    dup2(caught->before, STDERR_FILENO);
+    close(caught->before);
+    rewind(caught->file);
+    length = fread(caught->text, 1, sizeof caught->text - 1, caught->file);
+    caught->text[length] = '\0';
+    fclose(caught->file);
+}
+
+/* A line that is right but for these words is refused, and told why. */
+static void refused(const char *word, const char *value, const char *why)
+{
+    for (uint64_t seed = 1; seed <= 20; seed++) {
+        struct line line;
+        struct caught caught;
+        int code;
+
+        begin(&line, seed * RANDOM_SEED);
+        if (below(&line, 2))
+            add_option(&line, &options[0]);
+        snprintf(add(&line), WORD_SIZE, "%s", word);
+        if (value)
+            snprintf(add(&line), WORD_SIZE, "%s", value);
+        if (below(&line, 2))
+            add_option(&line, &options[1]);
+        add_operands(&line, 1);
+        catch (&caught);
+        code = run(line.argc, line.argv);
+        release(&caught);
+        assert_int_equal(code, CMD_USAGE);
+        assert_string_equal(seen, "");
+        if (!strstr(caught.text, why))
+            fail_msg("%s %s: '%s' does not tell '%s'", word,
+                     value ? value : "", caught.text, why);
+    }
+}
+
+static void test_wrong_lines(void **state)
+{
+    (void)state;
+    refused("--count", "2",
+            "--count: wrong argument: 2 (a whole number from "
+            "3 to 1000)");
+    refused("--count", "1001", "wrong argument");
+    refused("--count", "-5", "wrong argument");
+    refused("--count", "5x", "wrong argument");
+    refused("-c", "", "wrong argument: ''");
+    refused("--count=99999999999999999999", NULL, "wrong argument");
+    refused("--clocks", "18446744073709551616", "wrong argument");
+    refused("--clocks", "-1", "wrong argument");
+    refused("--number", "2", "a number above -2, below 2");
+    refused("--number", "-2", "wrong argument");
+    refused("--number", "nan", "wrong argument");
+    refused("--number", "1,5", "wrong argument");
+    refused("--colour", "black", "(red, green or blue)");
+    refused("--colour", "", "wrong argument");
+    refused("--own", "ninechars", "(eight letters)");
+    refused("--kept", "-", "(a file that has a name)");
+    refused("--text", "", "wrong argument: ''");
+    refused("--loud=yes", NULL, "--loud takes no argument");
+    refused("--lodu", NULL, "no such option: --lodu (--loud?)");
+    refused("--colr=red", NULL, "(--colour?)");
+    refused("--co", "red", "--co is one of --count, --colour");
+    refused("-x", NULL, "no such option: -x");
+    refused("-lx", NULL, "no such option: -x");
+    refused("--output=a", "--kept=./a", "--output and --kept name one file");
+}
+
+static void test_missing_and_too_many(void **state)
+{
+    char test[] = "test", look[] = "look", other[] = "other", loo[] = "lok";
+    char *none[] = { test, look, NULL },
+         *more[] = { test, other, look, NULL };
+    char *odd[] = { test, loo, NULL };
+    char input[] = "--input=-", stream[] = "-";
+    char *twice[] = { test, look, input, other, stream, NULL };
+    struct caught caught;
+
+    (void)state;
+    catch (&caught);
+    assert_int_equal(run(2, none), CMD_USAGE);
+    assert_int_equal(run(3, more), CMD_USAGE);
+    assert_int_equal(run(2, odd), CMD_USAGE);
+    assert_int_equal(run(5, twice), CMD_USAGE);
+    release(&caught);
+    assert_non_null(
+        strstr(caught.text, "test look: FIRST is missing: a text"));
+    assert_non_null(strstr(caught.text, "too many arguments: look"));
+    assert_non_null(strstr(caught.text, "no such command: lok (look?)"));
+    assert_non_null(strstr(caught.text, "only one file can be -, stdin"));
+}
+
+/* ---- Names, times -------------------------------------------------------- */
+
+/* A letter dropped, doubled, replaced or swapped with the next is near; a name
+ * that shares nothing is not. */
+static void test_nearest(void **state)
+{
+    static const char *const names[] = { "render", "profile", "speedup",
+                                         "sweep", "quartic" };
+    uint64_t random = RANDOM_SEED;
+
+    (void)state;
+    for (int i = 0; i < 2000; i++) {
+        const char *name = names[xorshift_between(&random, 0, 4)];
+        size_t length = strlen(name);
+        size_t at = (size_t)xorshift_between(&random, 0, (int64_t)length - 2);
+        char word[16];
+        struct nearest nearest = { .word = word };
+
+        strcpy(word, name);
+        switch (xorshift_between(&random, 0, 3)) {
+        case 0: memmove(word + at, name + at + 1, length - at); break;
+        case 1: memmove(word + at + 1, name + at, length - at + 1); break;
+        case 2: word[at] = 'x'; break;
+        default: word[at] = name[at + 1], word[at + 1] = name[at];
+        }
+        for (int k = 0; k < 5; k++)
+            nearest_try(&nearest, names[k]);
+        assert_ptr_equal(nearest.name, name);
+    }
+    struct nearest nothing = { .word = "fit" };
+    nearest_try(&nothing, "quartic");
+    nearest_try(&nothing, "a name of more than forty letters is near nobody");
+    assert_null(nothing.name);
+}
+
+static void test_time_left(void **state)
+{
+    char text[PROGRESS_TIME_SIZE];
+
+    (void)state;
+    progress_time(59.4, text);
+    assert_string_equal(text, "59 s");
+    progress_time(59.6, text);
+    assert_string_equal(text, "1 min 0 s");
+    progress_time(3599, text);
+    assert_string_equal(text, "59 min 59 s");
+    progress_time(7290, text);
+    assert_string_equal(text, "2 h 1 min");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_right_lines),
+        cmocka_unit_test(test_wrong_lines),
+        cmocka_unit_test(test_missing_and_too_many),
+        cmocka_unit_test(test_nearest),
+        cmocka_unit_test(test_time_left),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
