@@ -6,9 +6,14 @@
 
 #include "rt/layout/program.h"
 
-/* Polynomials and results lie in the machine's memory plane by plane: see
- * rt/kernels/roots/roots_records.s. */
-enum { INPUTS = 6, RESULTS = 1 + ROOTS_MOST };
+/* Polynomials and results lie in the machine's memory plane by plane, in the
+ * order of rt/kernels/roots/roots_records.s. */
+struct planes {
+    uint64_t coefficients, bound, inputs;
+    uint64_t count, roots, results;
+};
+
+enum { COEFFICIENTS = 5 }; /* of a polynomial */
 
 struct root_search {
     struct roots_options options;
@@ -16,6 +21,7 @@ struct root_search {
     c205 *machine;
     size_t count;
     uint64_t inputs, results; /* addresses of the first planes */
+    struct planes planes;
 };
 
 static const char *const programs[TRACE_FORMS] = {
@@ -56,18 +62,52 @@ static bool write_symbol(struct root_search *search, const char *name,
     return false;
 }
 
-/* One plane of words, its stride in the polynomials being a whole one. */
-static void gather_plane(const struct polynomial *polynomials, size_t count,
-                         int plane, c205_word *words)
+static bool read_symbol(const struct root_search *search, const char *name,
+                        uint64_t *value, c205_error *error)
 {
-    for (size_t i = 0; i < count; i++)
-        words[i] = plane < 5 ? polynomials[i].c[plane] : polynomials[i].bound;
+    const struct asm_symbol *symbol = object_symbol(search->program, name);
+
+    if (!symbol) {
+        snprintf(error->message, sizeof error->message,
+                 "the program has no symbol %s", name);
+        return false;
+    }
+    *value = (uint64_t)symbol->value;
+    return true;
+}
+
+static bool find_planes(struct root_search *search, c205_error *error)
+{
+    struct planes *planes = &search->planes;
+
+    return read_symbol(search, "INPUT_COEFFICIENTS", &planes->coefficients,
+                       error)
+           && read_symbol(search, "INPUT_BOUND", &planes->bound, error)
+           && read_symbol(search, "INPUT_SIZE", &planes->inputs, error)
+           && read_symbol(search, "RESULT_COUNT", &planes->count, error)
+           && read_symbol(search, "RESULT_ROOTS", &planes->roots, error)
+           && read_symbol(search, "RESULT_SIZE", &planes->results, error);
 }
 
 static uint64_t plane_address(const struct root_search *search,
-                              uint64_t first, int plane)
+                              uint64_t first, uint64_t plane)
 {
-    return first + UINT64_C(64) * search->count * (uint64_t)plane;
+    return first + UINT64_C(64) * search->count * plane;
+}
+
+static bool write_plane(struct root_search *search, uint64_t first,
+                        uint64_t plane, const c205_word *words)
+{
+    return c205_write(search->machine, plane_address(search, first, plane),
+                      words, search->count);
+}
+
+static bool read_plane(const struct root_search *search, uint64_t plane,
+                       c205_word *words)
+{
+    return c205_read(search->machine,
+                     plane_address(search, search->results, plane), words,
+                     search->count);
 }
 
 /* The numbers of roots are indefinite until the machine has written them, so
@@ -75,20 +115,22 @@ static uint64_t plane_address(const struct root_search *search,
 static bool write_planes(struct root_search *search,
                          const struct polynomial *polynomials)
 {
+    const struct planes *planes = &search->planes;
     c205_word *words = malloc((search->count + 1) * sizeof *words);
     bool good = words != NULL;
 
-    for (int plane = 0; good && plane < INPUTS; plane++) {
-        gather_plane(polynomials, search->count, plane, words);
-        good = c205_write(search->machine,
-                          plane_address(search, search->inputs, plane), words,
-                          search->count);
+    for (uint64_t k = 0; good && k < COEFFICIENTS; k++) {
+        for (size_t i = 0; i < search->count; i++)
+            words[i] = polynomials[i].c[k];
+        good = write_plane(search, search->inputs, planes->coefficients + k,
+                           words);
     }
     for (size_t i = 0; good && i < search->count; i++)
+        words[i] = polynomials[i].bound;
+    good = good && write_plane(search, search->inputs, planes->bound, words);
+    for (size_t i = 0; good && i < search->count; i++)
         words[i] = C205_INDEFINITE;
-    good = good
-           && c205_write(search->machine, search->results, words,
-                         search->count);
+    good = good && write_plane(search, search->results, planes->count, words);
     free(words);
     return good;
 }
@@ -100,12 +142,13 @@ static bool lay_out(struct root_search *search,
 
     search->inputs = program_end(search->program);
     search->results = program_round_up(
-        plane_address(search, search->inputs, INPUTS));
+        plane_address(search, search->inputs, search->planes.inputs));
     if (count > 0
-        && (!c205_map(search->machine, search->inputs, INPUTS * count,
-                      C205_READ_ONLY, error)
-            || !c205_map(search->machine, search->results, RESULTS * count,
-                         C205_READ_WRITE, error)))
+        && (!c205_map(search->machine, search->inputs,
+                      search->planes.inputs * count, C205_READ_ONLY, error)
+            || !c205_map(search->machine, search->results,
+                         search->planes.results * count, C205_READ_WRITE,
+                         error)))
         return false;
     if (count > 0 && !write_planes(search, polynomials))
         return fail(error, "no memory for the polynomials");
@@ -128,6 +171,7 @@ static bool prepare(struct root_search *search,
     search->machine = c205_new(search->options.model, error);
     return search->machine != NULL
            && c205_load(search->machine, &search->program->program, error)
+           && find_planes(search, error)
            && lay_out(search, polynomials, error);
 }
 
@@ -169,14 +213,15 @@ bool roots_watch(struct root_search *search, struct iterations *iterations)
 /* The first polynomial whose number of roots is not yet there. */
 static size_t done(const struct root_search *search)
 {
+    uint64_t counts = plane_address(search, search->results,
+                                    search->planes.count);
     size_t low = 0, high = search->count;
 
     while (low < high) {
         size_t middle = low + (high - low) / 2;
         c205_word word = C205_INDEFINITE;
 
-        c205_read(search->machine, search->results + UINT64_C(64) * middle,
-                  &word, 1);
+        c205_read(search->machine, counts + UINT64_C(64) * middle, &word, 1);
         if (word == C205_INDEFINITE)
             high = middle;
         else
@@ -217,16 +262,15 @@ bool roots_read(const struct root_search *search,
     c205_word *words = malloc((search->count + 1) * sizeof *words);
     bool good = words != NULL;
 
-    for (int plane = 0; good && search->count > 0 && plane < RESULTS;
-         plane++) {
-        good = c205_read(search->machine,
-                         plane_address(search, search->results, plane), words,
-                         search->count);
+    good = good
+           && (search->count == 0
+               || read_plane(search, search->planes.count, words));
+    for (size_t i = 0; good && i < search->count; i++)
+        roots[i].count = (int)c205_to_double(words[i]);
+    for (uint64_t k = 0; good && search->count > 0 && k < ROOTS_MOST; k++) {
+        good = read_plane(search, search->planes.roots + k, words);
         for (size_t i = 0; good && i < search->count; i++)
-            if (plane == 0)
-                roots[i].count = (int)c205_to_double(words[i]);
-            else
-                roots[i].root[plane - 1] = words[i];
+            roots[i].root[k] = words[i];
     }
     free(words);
     return good || fail(error, "no memory for the roots");

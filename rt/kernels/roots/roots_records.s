@@ -6,9 +6,15 @@
 ; polynomial whose coefficients the machine's exponents cannot bring together
 ; (scaling_vector.s).
 
-        .equ    ROOTS_INPUTS, 6         ; c4 c3 c2 c1 c0 bound
-        .equ    ROOTS_RESULTS, 5        ; number, four roots
         .equ    ROOTS_MOST, 4
+        .record INPUT
+        .field  INPUT_COEFFICIENTS, 5   ; c4 c3 c2 c1 c0
+        .field  INPUT_BOUND
+        .endrecord
+        .record RESULT
+        .field  RESULT_COUNT
+        .field  RESULT_ROOTS, ROOTS_MOST
+        .endrecord
 
         .data
 roots_polynomials: .word 0              ; how many, an integer
