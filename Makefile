@@ -207,7 +207,8 @@ $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(oracle_o) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
 # goal.c alone: what it asks of the fit, the test answers.
 $(BUILD)/tests/unit/test_goal: $(BUILD)/tests/unit/test_goal.o \
-		$(BUILD)/rt/study/fit/goal.o
+		$(BUILD)/rt/study/fit/goal.o $(BUILD)/libbase.a \
+		$(BUILD)/libc205.a
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lm
 $(BUILD)/tests/unit/test_fit: $(BUILD)/tests/unit/test_fit.o \
 		$(call objects,$(observing_c)) $(libraries)

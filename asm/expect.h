@@ -66,7 +66,8 @@ bool expect_other_model(const struct object *object, const c205 *machine);
 warning_set expect_warnings(const struct object *object);
 
 /* Compare a machine that has stopped with what its program expects; printed
- * is all that it printed, and warned what it was warned of.  Each failure is a line put to the report. */
+ * is all that it printed, and warned what it was warned of.  Each failure is
+ * a line put to the report. */
 bool expect_check(const struct object *object, const c205 *machine,
                   const c205_stop *stop, const char *printed,
                   warning_set warned, const struct sink *report);

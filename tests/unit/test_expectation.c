@@ -35,7 +35,7 @@ static bool holds(const char *expectation)
     assert_true(c205_listen(machine, printer_listen, &printer));
     assert_true(c205_load(machine, &object->program, &error));
     stop = c205_run(machine, 100000);
-    good_end = expect_check(object, machine, &stop, printed.text, &report);
+    good_end = expect_check(object, machine, &stop, printed.text, 0, &report);
     assert_int_equal(good_end, said.length == 0);
     text_buffer_free(&printed);
     text_buffer_free(&said);

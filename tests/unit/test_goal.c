@@ -62,10 +62,11 @@ static void test_limits(void **state)
     const struct observations all = { .count = ROWS,
                                       .items = (struct observation *)rows };
     char text[1000] = "";
-    FILE *file = tmpfile();
+    const struct results results = { .format = RESULTS_TEXT,
+                                     .file = tmpfile() };
 
     (void)state;
-    assert_non_null(file);
+    assert_non_null(results.file);
     study.fit.observations = &all;
     study.fit.constants = &constants;
     study.subject_count = 2;
@@ -74,10 +75,10 @@ static void test_limits(void **state)
     memcpy(study.best.places, places, sizeof places);
     for (size_t i = 0; i < CONSTANTS; i++)
         constants.items[i] = (struct free_constant){ .least = -5, .most = 5 };
-    goal_print(&study, file);
-    rewind(file);
-    text[fread(text, 1, sizeof text - 1, file)] = '\0';
-    fclose(file);
+    goal_tell(&study, &results);
+    rewind(results.file);
+    text[fread(text, 1, sizeof text - 1, results.file)] = '\0';
+    fclose(results.file);
     assert_string_equal(text,
                         "\nThe goal:\n\n"
                         "Times of Table 1 within 5 %: 3 of 5; not\n"
