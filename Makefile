@@ -45,7 +45,7 @@ adapter = $(BUILD)/rt205_oiio.so
 api = $(BUILD)/api
 vm_api = vm/c205.h vm/insn.def vm/arith.def
 asm_api = $(addprefix asm/,assemble.h disassemble.h expect.h listing.h object.h \
-	print.h state.h warning.def warning.h watch.h) \
+	print.h state.h trap_report.h warning.def warning.h watch.h) \
 	base/diagnostic.h base/sink.h
 rt_api = $(addprefix rt/,scene/scene.h scene/language/scene_read.h \
 	layout/layout.h picture/picture.h trace/band.h trace/observer.h \

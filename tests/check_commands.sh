@@ -343,6 +343,25 @@ ends 0 "$build/c205" run --check --model cyber205-4pipe named.s
 tells out 'PASS named.s (but for the clocks: not of cyber205-4pipe)'
 printf '; expect-model: nonsense\n' >>right_print.s
 ends 1 "$build/c205" run --check right_print.s
+# traps with their line, the limit that a run has, Ctrl-C, the exit status
+ends 1 "$build/c205" run trap.s
+tells err '^trap.s:2:9: error: trap unmapped-address .*: no memory is mapped there'
+tells err '^    r10 = '
+printf '        ES r1, 259\n        EXIT r1\n' >status.s
+ends 3 "$build/c205" run --exit-status status.s
+ends 1 "$build/c205" run --exit-status trap.s
+ends 1 "$build/c205" run endless.s
+tells err '^endless.s:1:1: error: trap clock-limit'
+tells err '--limit CLOCKS or --no-limit'
+"$build/c205" run --no-limit endless.s >out 2>err &
+sleep 1
+kill -TERM $!
+wait $!
+[ $? -eq 1 ]
+verdict $? 'an interrupted run does not end with 1'
+tells err 'interrupted; these are the accounts'
+tells out 'clocks'
+
 # warnings: of a text and of a run, turned off, into errors
 printf '        ES r1, 3\n        ES r2, 1\n        MPYS r1, r2, r1\n%s\n' \
     '        EXIT' >product.s

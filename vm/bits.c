@@ -272,7 +272,7 @@ static c205_trap repeat(struct c205 *machine, const struct decoded *decoded,
     int64_t group = c205_to_integer(machine->slot[decoded->b]);
     uint64_t bits[STRING_WORDS];
     if (group < 1)
-        return C205_TRAP_BAD_DESCRIPTOR;
+        return machine_refuse(machine, RULE_GROUP);
     c205_trap trap = claim_vector(machine, &c, c.length, true);
     if (trap != C205_TRAP_NONE)
         return trap;

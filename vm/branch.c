@@ -5,7 +5,9 @@ static c205_trap go_to(struct c205 *machine, uint64_t target)
 {
     target = LOW(target);
     if (target % INSTRUCTION_STEP)
-        return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND, target);
+        return machine_fault(machine,
+                             machine_refuse(machine, RULE_ALIGNED_CODE),
+                             target);
     machine->effect.taken = true;
     machine->effect.target = target;
     return C205_TRAP_NONE;
@@ -228,7 +230,9 @@ static c205_trap check_request(struct c205 *machine, unsigned request,
 {
     uint64_t bits = (r >> LENGTH_SHIFT) * request_width[request];
     if (bits > 0 && LOW(r) % request_width[request])
-        return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND, LOW(r));
+        return machine_fault(machine,
+                             machine_refuse(machine, RULE_ALIGNED_BYTES),
+                             LOW(r));
     return memory_check(&machine->memory, LOW(r), bits, false,
                         &machine->fault);
 }

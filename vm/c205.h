@@ -331,9 +331,10 @@ const char *c205_trap_name(c205_trap trap); /* "undefined-instruction" .. */
 
 /* How a run ended. */
 typedef struct c205_stop {
-    c205_trap trap;        /* NONE: the program ended itself with EXIT */
-    uint64_t pc;           /* bit address of the instruction that stopped */
-    uint64_t address;      /* the operand address at fault, or 0 */
+    c205_trap trap;   /* NONE: the program ended itself with EXIT */
+    uint64_t pc;      /* bit address of the instruction that stopped */
+    uint64_t address; /* the operand address at fault, or 0 */
+    const char *rule; /* the one that was broken, a sentence; NULL: none */
     const c205_insn *insn; /* NULL: undefined */
     int64_t status;        /* operand R of EXIT */
 } c205_stop;
@@ -405,7 +406,8 @@ c205_stop c205_run(c205 *machine, uint64_t limit);
  * left of the one that was interrupted; true: go on, false: *stop tells why
  * not. */
 bool c205_step(c205 *machine, c205_stop *stop);
-/* "trap unmapped-address at 1000: ADDNV: address 2040" */
+/* "trap unmapped-address at 1000: ADDNV: address 2040: no memory is mapped
+ * there" */
 void c205_describe_stop(const c205 *machine, const c205_stop *stop,
                         c205_error *text);
 

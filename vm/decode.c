@@ -40,7 +40,8 @@ static c205_trap fetch(struct c205 *machine, uint64_t pc,
 {
     c205_word high, low = 0;
     if (pc % INSTRUCTION_STEP)
-        return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND, pc);
+        return machine_fault(machine,
+                             machine_refuse(machine, RULE_ALIGNED_CODE), pc);
     c205_trap trap = fetch_half(machine, pc, &high);
     if (trap != C205_TRAP_NONE)
         return trap;
@@ -102,15 +103,15 @@ static uint8_t possible_g(const c205_insn *insn, const c205_fields *fields)
     return (uint8_t)g;
 }
 
-static c205_trap check_coding(const c205_insn *insn, c205_word word,
-                              const c205_fields *fields)
+static c205_trap check_coding(struct c205 *machine, const c205_insn *insn,
+                              c205_word word, const c205_fields *fields)
 {
     if (c205_encode(insn, fields) != word
         || fields->g & ~possible_g(insn, fields)
         || (insn->flags & C205_INSN_INDEX && fields->c + 1 == C205_REGISTERS))
-        return C205_TRAP_UNDEFINED_INSTRUCTION;
+        return machine_refuse(machine, RULE_CODING);
     if (has_letter(c205_format_syntax(insn->format), "!") && !fields->z)
-        return C205_TRAP_BAD_DESCRIPTOR;
+        return machine_refuse(machine, RULE_CONTROL);
     return C205_TRAP_NONE;
 }
 
@@ -253,7 +254,7 @@ static c205_trap decode(struct c205 *machine, uint64_t pc,
         return trap;
     const c205_insn *insn = decoded->insn;
     decoded->fields = c205_decode(insn, word);
-    trap = check_coding(insn, word, &decoded->fields);
+    trap = check_coding(machine, insn, word, &decoded->fields);
     if (trap != C205_TRAP_NONE)
         return trap;
     decoded->pc = pc;
@@ -294,7 +295,7 @@ c205_trap decode_pair(struct c205 *machine, const struct decoded *prefix)
         if (trap != C205_TRAP_NONE)
             return trap;
         if (!(entry->linked[i]->insn->flags & C205_INSN_LINK))
-            return C205_TRAP_BAD_LINK;
+            return machine_refuse(machine, RULE_PAIR);
         pc = entry->linked[i]->next;
     }
     entry->next = pc;

@@ -30,15 +30,22 @@ static int read_paths(const struct decoded *first,
               && !is_linked_b(first, second));
 }
 
-static bool may_be_linked(const struct decoded *first,
-                          const struct decoded *second)
+/* The first rule that does not hold, or RULE_NONE. */
+static enum rule rule_against(const struct decoded *first,
+                              const struct decoded *second)
 {
     bool a = is_linked_a(first, second), b = is_linked_b(first, second);
-    bool same_size = !((first->fields.g ^ second->fields.g) & C205_G_HALF);
-    return same_size && first->fields.z == 0
-           && !(first->fields.g & C205_G_OFFSET) && (a || b)
-           && !(a && second->fields.x) && !(b && second->fields.y)
-           && read_paths(first, second) <= 2;
+    if ((first->fields.g ^ second->fields.g) & C205_G_HALF)
+        return RULE_PAIR_SIZE;
+    if (first->fields.z != 0)
+        return RULE_PAIR_CONTROL;
+    if (first->fields.g & C205_G_OFFSET)
+        return RULE_PAIR_OFFSET;
+    if (!a && !b)
+        return RULE_PAIR_OPERAND;
+    if ((a && second->fields.x) || (b && second->fields.y))
+        return RULE_PAIR_OPERAND_OFFSET;
+    return read_paths(first, second) <= 2 ? RULE_NONE : RULE_PAIR_PATHS;
 }
 
 /* ---- The pair as one stream --------------------------------------------- */
@@ -62,7 +69,7 @@ static c205_trap describe_pair(struct pair *pair, struct c205 *machine,
     if (trap == C205_TRAP_NONE)
         trap = stream_describe(&pair->second, machine, linked[1]);
     if (trap == C205_TRAP_NONE && pair->first.n != pair->second.n)
-        trap = C205_TRAP_BAD_LINK;
+        trap = machine_refuse(machine, RULE_PAIR_LENGTH);
     if (is_linked_a(linked[0], linked[1]))
         hand_over(&pair->second.a, pair->handed);
     if (is_linked_b(linked[0], linked[1]))
@@ -129,8 +136,9 @@ c205_trap execute_link_pair(struct c205 *machine,
     c205_trap trap = decode_pair(machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
-    if (!may_be_linked(decoded->linked[0], decoded->linked[1]))
-        return C205_TRAP_BAD_LINK;
+    enum rule rule = rule_against(decoded->linked[0], decoded->linked[1]);
+    if (rule != RULE_NONE)
+        return machine_refuse(machine, rule);
     trap = describe_pair(&pair, machine, decoded->linked);
     if (trap == C205_TRAP_NONE)
         trap = claim_pair(&pair);

@@ -175,6 +175,23 @@ static bool stop_run(struct c205 *machine, const c205_stop *stop,
 
 /* ---- Running ------------------------------------------------------------ */
 
+static const char *const rule_texts[RULES] = {
+#define RULE(name, trap, text) [RULE_##name] = text,
+#include "vm/rules.def"
+#undef RULE
+};
+
+/* That which was named, or else the first one of the trap. */
+static const char *broken_rule(const struct c205 *machine, c205_trap trap)
+{
+    unsigned rule = machine->rule;
+    if (rule_trap(machine->rule) != trap)
+        rule = RULE_NONE + 1;
+    while (rule < RULES && rule_trap((enum rule)rule) != trap)
+        rule++;
+    return rule < RULES ? rule_texts[rule] : NULL;
+}
+
 static void set_trap(struct c205 *machine, c205_trap trap,
                      const c205_insn *insn, c205_stop *stop)
 {
@@ -182,8 +199,10 @@ static void set_trap(struct c205 *machine, c205_trap trap,
     stop->pc = machine->pc;
     stop->address = machine->fault;
     stop->insn = trap == C205_TRAP_UNDEFINED_INSTRUCTION ? NULL : insn;
+    stop->rule = broken_rule(machine, trap);
     stop->status = 0;
     machine->fault = 0;
+    machine->rule = RULE_NONE;
 }
 
 /* Between two instructions, whatever the next one is. */
@@ -241,6 +260,7 @@ static bool attend(struct c205 *machine, const struct decoded *decoded,
     stop->trap = C205_TRAP_NONE;
     stop->pc = decoded->pc;
     stop->address = 0;
+    stop->rule = NULL;
     stop->insn = decoded->insn;
     stop->status = c205_to_integer(machine->slot[decoded->a]);
     clock_drain(machine->clock);
@@ -374,8 +394,9 @@ void c205_describe_stop(const c205 *machine, const c205_stop *stop,
         describe_code(machine, stop->pc, code);
     if (has_address(stop))
         snprintf(operand, sizeof operand, ": address %llX", address);
-    snprintf(text->message, sizeof text->message, "trap %s at %llX%s%s",
-             c205_trap_name(stop->trap), pc, code, operand);
+    snprintf(text->message, sizeof text->message, "trap %s at %llX%s%s%s%s",
+             c205_trap_name(stop->trap), pc, code, operand,
+             stop->rule ? ": " : "", stop->rule ? stop->rule : "");
 }
 
 bool c205_map(c205 *machine, uint64_t address, size_t words,

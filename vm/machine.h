@@ -27,6 +27,15 @@ enum scratch {
 /* The job interval timer has run out (R); the others are arithmetic's. */
 #define FLAG_TIMER (UINT64_C(1) << (63 - 36))
 
+/* What must hold (rules.def). */
+enum rule {
+    RULE_NONE,
+#define RULE(name, trap, text) RULE_##name,
+#include "vm/rules.def"
+#undef RULE
+    RULES
+};
+
 enum { REQUEST_EXIT, REQUESTS = 8, NO_REQUEST = REQUESTS };
 
 struct c205 {
@@ -45,7 +54,8 @@ struct c205 {
     size_t allowed;      /* elements of this one before the clock limit
                                  comes, SIZE_MAX: any number */
     uint64_t resumed_at; /* the clock shown when the run began */
-    uint64_t fault;      /* operand address of a trap */
+    uint64_t fault;      /* operand address of a trap .. */
+    enum rule rule;      /* .. and the rule that was broken, if known */
     unsigned request;    /* that EXIT just made, or NO_REQUEST */
     bool eventful;       /* EXIT was executed, or somebody listens */
     unsigned listener_count;
@@ -155,6 +165,25 @@ static inline uint64_t machine_flags(const struct c205 *machine)
 }
 /* The same, to be changed; a timer that has run out is off then. */
 uint64_t *machine_raise_flags(struct c205 *machine);
+
+static inline c205_trap rule_trap(enum rule rule)
+{
+    switch (rule) {
+#define RULE(name, trap, text) \
+    case RULE_##name: \
+        return C205_TRAP_##trap;
+#include "vm/rules.def"
+#undef RULE
+    default: return C205_TRAP_NONE;
+    }
+}
+
+/* The trap for a rule that does not hold. */
+static inline c205_trap machine_refuse(struct c205 *machine, enum rule rule)
+{
+    machine->rule = rule;
+    return rule_trap(rule);
+}
 
 /* A trap that has to do with an operand's address. */
 static inline c205_trap machine_fault(struct c205 *machine, c205_trap trap,

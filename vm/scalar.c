@@ -175,11 +175,12 @@ struct field {
     unsigned right; /* bits of the word after it */
 };
 
-static c205_trap describe_field(c205_word descriptor, struct field *field)
+static c205_trap describe_field(struct c205 *machine, c205_word descriptor,
+                                struct field *field)
 {
     uint64_t length = descriptor >> LENGTH_SHIFT, first = LOW(descriptor);
     if (first + length > WORD_BITS)
-        return C205_TRAP_BAD_DESCRIPTOR;
+        return machine_refuse(machine, RULE_FIELD);
     field->ones = length > 0 ? UINT64_MAX >> (WORD_BITS - length) : 0;
     field->right = length > 0 ? (unsigned)(WORD_BITS - first - length) : 0;
     return C205_TRAP_NONE;
@@ -190,7 +191,8 @@ c205_trap execute_insert_bits(struct c205 *machine,
 {
     c205_word word = machine->slot[decoded->c], bits;
     struct field field;
-    c205_trap trap = describe_field(machine->slot[decoded->b], &field);
+    c205_trap trap = describe_field(machine, machine->slot[decoded->b],
+                                    &field);
     if (trap != C205_TRAP_NONE)
         return trap;
     bits = machine->slot[decoded->a] & field.ones;
@@ -203,7 +205,8 @@ c205_trap execute_extract_bits(struct c205 *machine,
                                const struct decoded *decoded)
 {
     struct field field;
-    c205_trap trap = describe_field(machine->slot[decoded->b], &field);
+    c205_trap trap = describe_field(machine, machine->slot[decoded->b],
+                                    &field);
     if (trap == C205_TRAP_NONE)
         machine->slot[decoded->c] = machine->slot[decoded->a] >> field.right
                                     & field.ones;
@@ -288,7 +291,8 @@ static c205_trap check_swap(struct c205 *machine, c205_word descriptor,
     uint64_t address = LOW(descriptor);
     size_t length = (size_t)(descriptor >> LENGTH_SHIFT);
     if (first + length > C205_REGISTERS)
-        return machine_fault(machine, C205_TRAP_BAD_DESCRIPTOR, address);
+        return machine_fault(machine, machine_refuse(machine, RULE_SWAPPED),
+                             address);
     if (length > 0 && address % WORD_BITS)
         return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND, address);
     return memory_check(&machine->memory, address, length * WORD_BITS, save,

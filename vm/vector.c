@@ -24,7 +24,7 @@ c205_trap stream_take_length(struct stream *stream,
     const struct source *a = &stream->a, *b = &stream->b;
     bool unary = decoded->insn->format == C205_FORMAT_REDUCE;
     if (a->broadcast && (unary || b->broadcast))
-        return C205_TRAP_BAD_DESCRIPTOR;
+        return machine_refuse(stream->machine, RULE_VECTOR);
     stream->n = a->broadcast ? b->vector.length : a->vector.length;
     return C205_TRAP_NONE;
 }

@@ -34,6 +34,7 @@ struct cmd_arguments {
     const char *output, *save, *restore; /* NULL: not wanted */
     uint64_t limit;
     bool check, trace, listing, names, points, markdown;
+    bool no_limit, exit_status;
     struct cmd_defines defines;
     struct cmd_warnings warnings;
     struct command_texts folders;

@@ -3,10 +3,15 @@
 
 #include "base/accounts.h"
 #include "asm/command/c205_command.h"
+#include "asm/command/interrupt.h"
 #include "asm/disassemble.h"
 #include "asm/print.h"
 #include "asm/state.h"
+#include "asm/trap_report.h"
 #include "asm/watch.h"
+
+/* 20 seconds of the machine; programs of more are few, endless loops many. */
+static const uint64_t default_limit = 1000000000;
 
 /* Instructions lie on half words; a short one needs only the first. */
 static c205_word word_at(const c205 *machine, uint64_t address)
@@ -77,17 +82,42 @@ static int show_accounts(const struct cmd_arguments *arguments,
     return code;
 }
 
-/* How it ended, as an exit code. */
-static int judge(const char *command, const c205 *machine,
+/* ---- How it ended -------------------------------------------------------- */
+
+/* As an exit code. */
+static int judge_trap(const struct cmd_arguments *arguments,
+                      const struct object *object, const c205 *machine,
+                      const c205_stop *stop)
+{
+    const struct sink report = stream_sink(stderr);
+    fflush(stdout);
+    trap_report(object, program_name(arguments), machine, stop, &report);
+    if (stop->trap == C205_TRAP_CLOCK_LIMIT
+        && arguments->limit == C205_NO_LIMIT) {
+        return cmd_failed(
+            arguments->command,
+            "stopped after %" PRIu64 " clocks: if it is in no "
+            "endless loop, --limit CLOCKS or --no-limit lets it "
+            "go on",
+            default_limit);
+    }
+    return CMD_FAILED;
+}
+
+static int judge(const struct cmd_arguments *arguments,
+                 const struct object *object, const c205 *machine,
                  const c205_stop *stop)
 {
-    c205_error text;
+    enum { STATUS = 0xFF };
     if (stop->trap != C205_TRAP_NONE) {
-        c205_describe_stop(machine, stop, &text);
-        return cmd_failed(command, "%s", text.message);
+        return judge_trap(arguments, object, machine, stop);
+    }
+    if (arguments->exit_status) {
+        return (int)(stop->status & STATUS);
     }
     if (stop->status != 0) {
-        return cmd_failed(command, "the program ended with status %" PRId64,
+        return cmd_failed(arguments->command,
+                          "the program ended with status %" PRId64,
                           stop->status);
     }
     return CMD_DONE;
@@ -98,20 +128,21 @@ static bool may_go_on(const c205_stop *stop)
     return stop->trap == C205_TRAP_CLOCK_LIMIT;
 }
 
-static int save(const struct cmd_arguments *arguments, const c205 *machine,
+static int save(const struct cmd_arguments *arguments,
+                const struct object *object, const c205 *machine,
                 const c205_stop *stop, const struct results *results)
 {
     c205_error error;
     if (!may_go_on(stop)) {
         fprintf(stderr, "c205 run: it did not reach the limit, and nothing "
                         "is saved\n");
-        return judge(arguments->command, machine, stop);
+        return judge(arguments, object, machine, stop);
     }
     if (!state_save(machine, arguments->save, &error)) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
-    results_say(results, "stopped by the limit, and saved as %s\n",
-                arguments->save);
+    results_say(results, "stopped by %s, and saved as %s\n",
+                interrupt_came() ? "Ctrl-C" : "the limit", arguments->save);
     return CMD_DONE;
 }
 
@@ -142,6 +173,48 @@ static bool start_watch(const struct cmd_arguments *arguments, c205 *machine,
     return true;
 }
 
+/* An interruption is not lost among the results. */
+static int conclude(const struct cmd_arguments *arguments,
+                    const struct object *object, const c205 *machine,
+                    const c205_stop *stop, const struct results *results)
+{
+    int code = arguments->save
+                   ? save(arguments, object, machine, stop, results)
+               : interrupt_came() ? CMD_DONE
+                                  : judge(arguments, object, machine, stop);
+    if (!may_go_on(stop) || !interrupt_came()) {
+        return code;
+    }
+    return cmd_failed(arguments->command,
+                      "interrupted; these are the accounts of the first "
+                      "%" PRIu64 " clocks",
+                      c205_clock(machine));
+}
+
+/* ---- The run ------------------------------------------------------------- */
+
+static uint64_t find_limit(const struct cmd_arguments *arguments,
+                           const c205 *machine)
+{
+    return arguments->limit != C205_NO_LIMIT || arguments->no_limit
+               ? arguments->limit
+               : c205_clock(machine) + default_limit;
+}
+
+/* In slices, between which it is asked for Ctrl-C. */
+static c205_stop run_slices(c205 *machine, uint64_t limit)
+{
+    static const uint64_t slice = 5000000; /* clocks */
+    c205_stop stop;
+    do {
+        uint64_t left = limit - c205_clock(machine);
+        bool last = limit < c205_clock(machine) || left <= slice;
+        stop = c205_run(machine, last ? limit : c205_clock(machine) + slice);
+    } while (stop.trap == C205_TRAP_CLOCK_LIMIT && c205_clock(machine) < limit
+             && !interrupt_came());
+    return stop;
+}
+
 static int run(const struct cmd_arguments *arguments, c205 *machine,
                const struct object *object)
 {
@@ -159,13 +232,13 @@ static int run(const struct cmd_arguments *arguments, c205 *machine,
         results_close(&results, CMD_FAILED);
         return cmd_failed(arguments->command, "no memory");
     }
-    c205_stop stop = c205_run(machine, arguments->limit);
+    interrupt_catch();
+    c205_stop stop = run_slices(machine, find_limit(arguments, machine));
     bool errors = watch && watch_errors(watch) > 0;
     watch_free(watch);
     int code = show_accounts(arguments, machine, &stop, &results);
     code = results_close(&results, code);
-    int verdict = arguments->save ? save(arguments, machine, &stop, &results)
-                                  : judge(arguments->command, machine, &stop);
+    int verdict = conclude(arguments, object, machine, &stop, &results);
     return code != CMD_DONE ? code : errors ? CMD_FAILED : verdict;
 }
 
@@ -283,7 +356,16 @@ static const struct command_option options[] = {
       .value = "CLOCKS",
       .kind = COMMAND_CLOCKS,
       .offset = CMD_PLACE(limit),
-      .help = "stop the program after so many" },
+      .help = "stop the program after so many (1000000000, and failure)" },
+    { .name = "no-limit",
+      .kind = COMMAND_FLAG,
+      .offset = CMD_PLACE(no_limit),
+      .help = "let it run for ever" },
+    { .name = "exit-status",
+      .kind = COMMAND_FLAG,
+      .offset = CMD_PLACE(exit_status),
+      .help = "end with the low 8 bits of the status that the program gives "
+              "EXIT" },
     { .name = "save",
       .value = "STATE",
       .kind = COMMAND_OUTPUT,

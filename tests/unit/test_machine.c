@@ -294,7 +294,8 @@ static void test_undefined(void **state)
     c205_error text;
     c205_describe_stop(little.machine, &stop, &text);
     assert_string_equal(text.message,
-                        "trap undefined-instruction at 400000: FF000000");
+                        "trap undefined-instruction at 400000: FF000000: no "
+                        "instruction has this code");
     free_little(&little);
 }
 
@@ -350,7 +351,8 @@ static void test_address_0_is_told(void **state)
     c205_stop stop = run(&little);
     c205_describe_stop(little.machine, &stop, &text);
     assert_string_equal(text.message,
-                        "trap unmapped-address at 400000: LOD: address 0");
+                        "trap unmapped-address at 400000: LOD: address 0: "
+                        "no memory is mapped there");
     free_little(&little);
 }
 
@@ -368,7 +370,8 @@ static void test_protected(void **state)
     c205_describe_stop(little.machine, &stop, &error);
     assert_string_equal(
         error.message,
-        "trap protected-address at 400000: STO: address 10000000");
+        "trap protected-address at 400000: STO: address 10000000: "
+        "this memory may only be read");
     assert_int_equal(word_at(&little, DATA), 0);
     free_little(&little);
 }

@@ -1,0 +1,40 @@
+#include "asm/command/interrupt.h"
+
+/* WebAssembly's system interface has no signals. */
+#ifdef __wasi__
+
+void interrupt_catch(void)
+{
+}
+
+bool interrupt_came(void)
+{
+    return false;
+}
+
+#else
+
+#include <signal.h>
+#include <stddef.h>
+
+static volatile sig_atomic_t came;
+
+static void note(int number)
+{
+    (void)number;
+    came = 1;
+}
+
+void interrupt_catch(void)
+{
+    struct sigaction action = { .sa_handler = note };
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
+
+bool interrupt_came(void)
+{
+    return came;
+}
+
+#endif

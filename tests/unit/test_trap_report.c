@@ -1,0 +1,113 @@
+/* test_trap_report.c - what is told of a trap: the line, the rule that was
+ * broken, and what the operands held. */
+#include "tests/unit/asm_helper.h"
+
+#include "asm/trap_report.h"
+
+static void check(const char *text, bool lines, const char *const *said)
+{
+    c205_error error;
+    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    c205 *machine = model ? c205_new(model, &error) : NULL;
+    struct text_buffer report = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&report);
+    struct object *object = good(text);
+    c205_stop stop;
+
+    assert_non_null(machine);
+    assert_true(c205_load(machine, &object->program, &error));
+    stop = c205_run(machine, 100000);
+    assert_int_not_equal(stop.trap, C205_TRAP_NONE);
+    trap_report(lines ? object : NULL, "test.o", machine, &stop, &sink);
+    for (; *said; said++)
+        if (!strstr(report.text, *said))
+            fail_msg("%s\nexpected '%s', found\n%s", text, *said,
+                     report.text);
+    text_buffer_free(&report);
+    object_free(object);
+    c205_free(machine);
+    c205_model_free(model);
+}
+
+#define CHECK(text, ...) \
+    check(text, true, (const char *const[]){ __VA_ARGS__, NULL })
+
+#define DATA \
+    " .include \"core.s\"\n .data\n .vector x, 3, 1.0, 2.0, 3.0\n" \
+    " .halfvector h, 3, 1.0, 2.0, 3.0\n .code\n .regs r10, a, b, c, o, z\n" \
+    " descriptor a, x, 3\n descriptor b, x, 3\n descriptor c, x, 3\n" \
+    " ES o, -1\n descriptor z, x, 3\n"
+
+static void test_rules(void **state)
+{
+    (void)state;
+    CHECK(" .half 0\n", "test.s:1:2: error: trap undefined-instruction at",
+          ": 00000000: no instruction has this code");
+    CHECK(" .half X'F080 0000', 0\n", "has no such fields or G bits");
+    CHECK(" ES r1, 64\n LOD [r1], r2\n", "test.s:2:2: error",
+          "address 40: no memory is mapped there", "\n     LOD [r1], r2\n",
+          "    r1 = X'0000 0000 0000 0040' (64)\n");
+    CHECK(DATA " MPYSV [a, o], [b], [c]\n",
+          "test.s:12:2: error: trap bad-descriptor",
+          "an offset must not be negative",
+          "    [r10, r13]: its offset is negative\n",
+          "    [r11]: 3 words from 800000 on\n");
+    CHECK(DATA " ES b, -1\n EXTB a, b, c\n", "must end within its word");
+    CHECK(DATA " SWAP [a], r254, [r0]\n", "must end with 255");
+    CHECK(DATA " MRKO a, r0, [c]\n", "one bit at the least");
+    CHECK(DATA " EX c, x + 32\n ELEN c, 2\n VTOV [a], [c]\n",
+          "trap misaligned-operand", "words must lie on words",
+          "[r12]: 2 words from 800020 on");
+    CHECK(DATA " EX a, x + 1\n BSAVE b, [a]\n",
+          "instructions must lie on half words");
+    CHECK(DATA " EX a, x + 32\n ELEN a, 2\n EXIT a, r0, 6\n",
+          "what is to be printed must lie on");
+    CHECK(" EXIT r1, r2, 99\n", "trap bad-request",
+          "the monitor knows the requests 0 to 7");
+    CHECK(DATA " BIM .\n", "trap clock-limit");
+}
+
+#define LINK(first, second) DATA " LINKV\n " first "\n " second "\n"
+
+static void test_links(void **state)
+{
+    (void)state;
+    CHECK(LINK("ES a, 1", "ADDNV [c], [b], [c]"), "must follow the prefix");
+    CHECK(LINK("MPYSV,H [a], h40, [c]", "ADDNV [c], [b], [c]"),
+          "both on half words");
+    CHECK(LINK("MPYSV [a], o, [c] ? [z]", "ADDNV [c], [b], [c]"),
+          "must have no control vector");
+    CHECK(LINK("MPYSV [a], o, [c, o]", "ADDNV [c], [b], [c]"),
+          "must have no offset of its result");
+    CHECK(LINK("MPYSV [a], o, [c]", "ADDNV [a], [b], [c]"),
+          "must be the result of the first", "    MPYSV:\n", "    ADDNV:\n",
+          "    r13 = X'0000 FFFF FFFF FFFF' (-1)\n");
+    CHECK(LINK("MPYSV [a], o, [c]", "ADDNV [c, o], [b], [c]"),
+          "that is linked must have no offset");
+    CHECK(LINK("MPYSV [a], [b], [c]", "ADDNV [c], [b], [c]"),
+          "two read paths");
+    CHECK(DATA " ELEN b, 2\n LINKV\n MPYSV [a], o, [c]\n"
+               " ADDNV [c], o, [b]\n",
+          "must have one length");
+}
+
+static void test_without_lines(void **state)
+{
+    static const char *const said[] = {
+        "test.o: error: trap unmapped-address at 400020: LOD: address 40",
+        NULL
+    };
+
+    (void)state;
+    check(" ES r1, 64\n LOD [r1], r2\n", false, said);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_rules), cmocka_unit_test(test_links),
+        cmocka_unit_test(test_without_lines)
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
