@@ -27,8 +27,8 @@
         .kernel generate
 generate:
         set_near n
-        EX      s0, view + 64 * 3
-        ELEN    s0, VIEW_SIZE - 3
+        EX      s0, view + 64 * VIEW_BASE
+        ELEN    s0, VIEW_SIZE - VIEW_BASE
         SWAP    [s0], basex, [r0]
         load_word scene_width, width
         load_word scene_first_pixel, first_pixel

@@ -11,11 +11,17 @@
 ; SHINE adds its light.  Formulas in surface_scalar.s, light_scalar.s.
 
         .record HIT
-        .field  HIT_RAY, 8              ; O, D; distance; the primitive's record
+        .field  HIT_RAY, 6              ; O, D
+        .field  HIT_DISTANCE
+        .field  HIT_PRIMITIVE           ; its record
         .field  HIT_PLACE               ; of its ray in the queue
-        .field  HIT_SAMPLE, 12          ; as SHADE gives it
-        .field  HIT_LIGHT, 6            ; L, N . L, D . L, distance
-        .field  HIT_PIGMENT, 5
+        .field  HIT_SAMPLE, SAMPLE_SIZE ; as SHADE gives it
+        .field  HIT_LIGHT, 3            ; L
+        .field  HIT_NDOTL               ; N . L, D . L, distance
+        .field  HIT_DDOTL
+        .field  HIT_WAY
+        .field  HIT_PIGMENT, 3
+        .at     32
         .endrecord
 
         .share  local

@@ -166,10 +166,13 @@ rays_refracted:   .word 0
 rays_shadow:      .word 0
 
 ; What camera.s makes of the camera.
-        .equ    VIEW_SIZE, 12
-view:             .space VIEW_SIZE ; location, then per axis: the ray through
-                                ; the first pixel, its change per column and
-                                ; per row: base 3, per column 3, per row 3
+        .record VIEW
+        .field  VIEW_LOCATION, 3
+        .field  VIEW_BASE, 3       ; direction of the ray through the first pixel,
+        .field  VIEW_COLUMN, 3     ; its change per column
+        .field  VIEW_ROW, 3        ; and per row
+        .endrecord
+view:             .space VIEW_SIZE
 
 ; Numbers that both forms of the program use.
 constants:

@@ -146,7 +146,7 @@ shade_towards:
         LOD     [loop_at], lit_least
 shade_towards_hit:
         call_hit towards
-        in_hit  HIT_LIGHT + 3, 3, lit_ndotl     ; D . L, distance
+        in_hit  HIT_NDOTL, 3, lit_ndotl         ; D . L, distance
         CFPGE   r0, lit_ndotl, shade_towards_next
         load_at shade_light + 64 * 3, 4, lit_red ; and lit_gleams
         CFPEQ   lit_gleams, r0, shade_towards_next
@@ -154,7 +154,7 @@ shade_towards_hit:
         left_vector 0, lit_red
         left_vector 1, lit_green
         left_vector 2, lit_blue
-        in_hit  HIT_SAMPLE + 9, 6, new_ox       ; point, L
+        in_hit  HIT_SAMPLE + SAMPLE_POINT, 6, new_ox ; point, L
         lit_vector 0, new_ox
         lit_vector 1, new_oy
         lit_vector 2, new_oz
@@ -193,7 +193,7 @@ shade_shine:
         begin_hits
         ES      lit_count, 0
 shade_shine_hit:
-        in_hit  HIT_LIGHT + 3, 1, lit_ndotl
+        in_hit  HIT_NDOTL, 1, lit_ndotl
         CFPGE   r0, lit_ndotl, shade_shine_next
         load_at shade_light + 64 * 6, 1, lit_gleams
         CFPEQ   lit_gleams, r0, shade_shines
@@ -230,7 +230,7 @@ shade_shine_next:
 shade_store:
         begin_hits
 shade_store_hit:
-        in_hit  HIT_RAY + 6, 3, new_distance    ; primitive, place
+        in_hit  HIT_DISTANCE, 3, new_distance   ; primitive, place
         in_hit  HIT_SAMPLE, 6, new_ox           ; colour, normal
         STO     [of_red, new_place], new_ox
         STO     [of_green, new_place], new_oy

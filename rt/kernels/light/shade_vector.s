@@ -28,7 +28,11 @@
         .regs   r238, f_size, f_specular, f_sharpness
         .endshare
 
-        .equ    PART_SIZE, 3            ; primitive, first of its hits, number
+        .record PART
+        .field  PART_PRIMITIVE
+        .field  PART_FIRST              ; of its hits,
+        .field  PART_HITS               ; how many
+        .endrecord
 
         .data
 shade_bases:

@@ -70,7 +70,7 @@ spawn_hits:
         EX      loop_at, queue_importance
         LOD     [loop_at], hit_weight_at
 spawn_hit:
-        in_hit  HIT_RAY + 7, 2, new_primitive   ; and its place
+        in_hit  HIT_PRIMITIVE, 2, new_primitive ; and its place
         RTOR    new_primitive, loop_at
         IX      loop_at, 64 * P_MIRROR
         LOD     [loop_at], is_mirror
@@ -80,7 +80,7 @@ spawn_hit:
         spawn_argument 0, HIT_RAY, 6
         EX      loop_at, spawn_list
         STO     [loop_at, m_index_one], new_primitive
-        spawn_argument 2, HIT_SAMPLE + 3, SAMPLE_SIZE - 3
+        spawn_argument 2, HIT_SAMPLE + SAMPLE_NORMAL, SAMPLE_SIZE - SAMPLE_NORMAL
         SHIFTI  new_place, 6, loop_work
         ADDX    hit_weight_at, loop_work, loop_work
         EX      loop_at, spawn_list + 64 * 3

@@ -33,13 +33,20 @@
         .regs   r48, sp_ox, sp_oy, sp_oz        ; the new ray
         .regs   r51, sp_x, sp_y, sp_z, sp_lower, sp_scaled, sp_weight
         .regs   r57, sp_red, sp_green, sp_blue, sp_greatest
-        .equ    CHILD_SIZE, 12
         .regs   r61, sp_inverted, sp_mirror, sp_clear, sp_index
         .regs   r65, sp_reciprocal
         .regs   r66, sp_own_weight, sp_least, sp_e, sp_k, sp_t0, sp_t1, sp_t2
         .regs   r73, sp_flag, sp_at
         .endshare
         .equ    SPAWN_REGISTERS, 43
+
+; A new ray, as it lies in these registers from sp_ox on.
+        .record CHILD
+        .field  CHILD_RAY, 6            ; O, D
+        .field  CHILD_LEAST, 2          ; least distance, to be scaled
+        .field  CHILD_WEIGHT
+        .field  CHILD_FACTOR, 3         ; of its colour in the parent's
+        .endrecord
 
         .data
 spawn_save:     .space SPAWN_REGISTERS

@@ -11,11 +11,10 @@
         .regs   r58, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10
         .regs   r69, sh11, sh12, sh13, sh14, sh15
         .regs   r74, qx, qy, qz
-        .regs   r77, red, green, blue, nx, ny, nz       ; the sample: colour,
-        .regs   r83, facing, outward, cell              ; normal, N . D, .. of
-        .regs   r86, px, py, pz                         ; the outward normal,
-        .equ    SAMPLE_SIZE, 12                         ; place of the colour,
-        .regs   r89, lx, ly, lz                         ; point
+        .regs   r77, red, green, blue, nx, ny, nz       ; the sample
+        .regs   r83, facing, outward, cell
+        .regs   r86, px, py, pz
+        .regs   r89, lx, ly, lz
         .regs   r92, ndotl, ddotl, light_distance
         .regs   r132, light_x, light_y, light_z, light_r, light_g, light_b
         .regs   r138, light_gleams
@@ -24,6 +23,16 @@
         .regs   r147, ox, oy, oz, dx, dy, dz
         .endshare
         .equ    SHADE_REGISTERS, 121
+
+; A sample, as it lies in these registers.
+        .record SAMPLE
+        .field  SAMPLE_COLOR, 3
+        .field  SAMPLE_NORMAL, 3        ; turned against the ray
+        .field  SAMPLE_FACING           ; N . D
+        .field  SAMPLE_OUTWARD          ; .. of the outward normal
+        .field  SAMPLE_CELL             ; place of the colour
+        .field  SAMPLE_POINT, 3
+        .endrecord
 
         .macro  point o, d, p
         MPYS    t0, \d, t1

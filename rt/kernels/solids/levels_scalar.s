@@ -12,12 +12,13 @@
 ; made once.
 
         .record LEVEL
-        .field  L_RAY, 8                ; O, D, least distance, to be scaled
+        .field  L_RAY, 6                ; O, D
+        .field  L_LEAST, 2              ; least distance, to be scaled
         .field  L_WEIGHT
         .field  L_FACTOR, 3             ; of its colour in the parent's
-        .field  L_SAMPLE, 12            ; as SHADE gives it
+        .field  L_SAMPLE, SAMPLE_SIZE   ; as SHADE gives it
         .field  L_FOLLOWED, 2           ; 1: a reflected ray, a refracted one
-        .field  L_WAITING, 12           ; the refracted one
+        .field  L_WAITING, CHILD_SIZE   ; the refracted one
         .field  L_NEAREST, 2            ; lists of arguments
         .field  L_SHADE, 4
         .field  L_SPAWN, 7
@@ -96,7 +97,7 @@ levels_next:
         hit_argument L_SHADE + 2, 1
         level_argument L_SHADE + 3, L_SAMPLE, SAMPLE_SIZE
         level_argument L_SPAWN, L_RAY, 6
-        level_argument L_SPAWN + 2, L_SAMPLE + 3, SAMPLE_SIZE - 3
+        level_argument L_SPAWN + 2, L_SAMPLE + SAMPLE_NORMAL, SAMPLE_SIZE - SAMPLE_NORMAL
         level_argument L_SPAWN + 3, L_WEIGHT, 1
         level_argument L_SPAWN + 4, L_FOLLOWED, 2
         level_argument L_SPAWN + 5, LEVEL_SIZE + L_RAY, CHILD_SIZE
@@ -104,7 +105,7 @@ levels_next:
         IX      level, 64 * LEVEL_SIZE
         IBXNE   levels_left, m_index_minus_one, r0, levels_next, levels_left
         RTOR    first_level, level
-        of_level L_RAY + 6
+        of_level L_LEAST
         EX      main_t, k_lower
         LOD     [main_t], main_t
         STO     [main_at], m_tmin
