@@ -74,6 +74,38 @@ static void test_assembled(void **state)
     assert_int_equal(programs, 5);
 }
 
+/* The measured programs of the fit, which call as the kernels do. */
+static void test_fit_programs(void **state)
+{
+    static const char folder[] = "rt/study/fit/programs";
+    const char *const search[] = { "rt/kernels", NULL };
+    const struct asm_options how = { .search = search };
+    DIR *programs = opendir(folder);
+    struct dirent *entry;
+    size_t count = 0;
+
+    (void)state;
+    assert_non_null(programs);
+    while ((entry = readdir(programs)) != NULL) {
+        size_t length = strlen(entry->d_name);
+        struct diagnostics found = { 0 };
+        struct object *program;
+        char path[400];
+
+        if (length < 2 || strcmp(entry->d_name + length - 2, ".s") != 0)
+            continue;
+        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
+        program = assemble_file(path, &how, &found);
+        diagnostics_print(&found, stderr);
+        assert_int_equal(found.count, 0);
+        assert_non_null(program);
+        object_free(program);
+        count++;
+    }
+    closedir(programs);
+    assert_true(count > 4);
+}
+
 /* ---- What runs tell ----------------------------------------------------- */
 
 static void run_watched(const struct object *program, c205 *machine,
@@ -263,6 +295,7 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_assembled),
+        cmocka_unit_test(test_fit_programs),
         cmocka_unit_test(test_scenes),
         cmocka_unit_test(test_random_solids),
         cmocka_unit_test(test_roots),

@@ -16,14 +16,20 @@
 ; finds there.  r200-r238 are those of power, r240-r252 the main program's, r253
 ; and r254 scratch.
 
-        .regs   r7, link, arguments, save_at, image_at, target, inner
+        .regs   r7, link, arguments, save_at, image_at, target
+        .share  main
+        .reg    inner, r12
+        .endshare
         .regs   r253, third, fourth               ; scratch, never saved
 
 ; The main program's constants, in the order of records.s, and some more; all
-; subroutines may use them.
+; subroutines may use them; a main program that calls none of these subroutines
+; may have others there.
+        .share  main
         .regs   r18, m_one, m_half, m_two, m_big, m_minus_big, m_tiny, m_tmin
         .regs   r25, m_checker_shift
         .regs   r26, m_minus_one, m_index_one, m_index_minus_one, m_zero
+        .endshare
 
 ; The local registers of the kernels, all alike: constants, arguments, the ray,
 ; the segment found, work, the shape.

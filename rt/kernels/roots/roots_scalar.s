@@ -8,7 +8,7 @@
         .include "frame/linkage.s"
         .include "roots/scaling_scalar.s"
 
-        .share                          ; frame_scalar.s is not here
+        .share  main
         .regs   r12, s0, stride, left, wanted, input, result, at, routine
         .regs   r20, index_minus_one, zero, number
         .endshare

@@ -19,7 +19,9 @@ isamax_list:    .word n, x, next_but
 saxpy_near:     .word n, factor, x, next_but, w, near
 w:              .space 3
         .code
+        .share  main
         .regs   r12, greatest
+        .endshare
         .entry  strides
 strides:
         call    saxpy, saxpy_list

@@ -40,9 +40,11 @@ unit:           .word 1.0
 figure_text:    .text " Mflop/s\n"
         .code
 
+        .share  main
         .regs   r12, seed, step, mask, half, scale, number
         .regs   r18, at, next, rows, columns, minus, factor, back
         .regs   r25, begun, ended, clocks, failed
+        .endshare
         .regs   r160, residual, residual_at, norm_a, norm_a_at, norm_x
         .regs   r165, norm_x_at, allowed, vector, solution, column, sum, linked
 

@@ -30,10 +30,12 @@ seeds:          .space PHOTONS
         .code
 
 ; The tallies of the three forms, and where these return to.
+        .share  main
         .regs   r20, reflected, transmitted, absorbed
         .regs   r23, reflected_r, transmitted_r, absorbed_r
         .regs   r26, reflected_v, transmitted_v, absorbed_v
         .regs   r29, back, failed
+        .endshare
         .reg    jump, r31
 
         .include "photons_scalar.inc"
