@@ -211,6 +211,8 @@ struct assembler {
     struct symbol **waiting;
     size_t waiting_count, waiting_capacity;
 
+    const struct instruction *writing; /* its operands are being read, and
+                                          its form is still to be told */
     const struct line *entry_line;
     const struct expression *entry;
 };

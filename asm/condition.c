@@ -1,5 +1,7 @@
 /* condition.c - .if, .ifdef, .ifndef, .elseif, .else, .endif */
 #include "asm/expand.h"
+#include "asm/suggest.h"
+#include "base/nearest.h"
 #include "asm/expression.h"
 
 bool condition_skips(const struct expander *expander)
@@ -118,6 +120,14 @@ static const struct {
                    { ".else", go_on, NULL },
                    { ".endif", close_one, NULL } };
 enum { DIRECTIVES = sizeof directives / sizeof *directives };
+
+void condition_suggest(struct nearest *nearest)
+{
+    size_t i;
+
+    for (i = 0; i < DIRECTIVES; i++)
+        nearest_try(nearest, directives[i].name);
+}
 
 static size_t find(const struct token *token)
 {

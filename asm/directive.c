@@ -1,5 +1,7 @@
 /* directive.c - the directives that the parser obeys. */
 #include "asm/statement.h"
+#include "asm/suggest.h"
+#include "base/nearest.h"
 
 enum { WORD_BITS = 64, HALF_BITS = 32, WORD_HALVES = 2 };
 
@@ -158,16 +160,22 @@ static bool parse_endkernel(struct cursor *cursor)
 static bool add_values(struct cursor *cursor, enum item_kind kind,
                        uint64_t halves, uint64_t *count)
 {
-    do {
-        const struct expression *value = parse_expression(cursor);
-        struct item *item;
+    bool good = true;
 
-        if (!value || !(item = layout_add(cursor, kind, halves)))
+    do {
+        struct cursor start = *cursor;
+        const struct expression *value = parse_expression(cursor);
+        struct item *item = layout_add(cursor, kind, halves);
+
+        if (!value)
+            cursor_skip(cursor, &start);
+        if (!item)
             return false;
         item->of.values[0] = value;
+        good = good && value;
         ++*count;
     } while (cursor_take(cursor, ','));
-    return true;
+    return good;
 }
 
 static bool parse_word(struct cursor *cursor)
@@ -376,36 +384,45 @@ static bool parse_error(struct cursor *cursor)
                      "%s", text);
 }
 
+static const struct directive directives[] = {
+    { ".equ", parse_equ, false },
+    { ".reg", parse_reg, false },
+    { ".regs", parse_regs, false },
+    { ".share", parse_share, false },
+    { ".endshare", parse_endshare, false },
+    { ".code", parse_code, false },
+    { ".data", parse_data, false },
+    { ".org", parse_org, false },
+    { ".align", parse_align, true },
+    { ".entry", parse_entry, false },
+    { ".record", parse_record, false },
+    { ".field", parse_field, false },
+    { ".at", parse_at, false },
+    { ".endrecord", parse_endrecord, false },
+    { ".kernel", parse_kernel, false },
+    { ".endkernel", parse_endkernel, false },
+    { ".word", parse_word, true },
+    { ".half", parse_half, true },
+    { ".halfword", parse_halfword, true },
+    { ".descriptor", parse_descriptor, true },
+    { ".space", parse_space, true },
+    { ".vector", parse_vector, true },
+    { ".halfvector", parse_halfvector, true },
+    { ".bitvector", parse_bitvector, true },
+    { ".text", parse_text, true },
+    { ".error", parse_error, false }
+};
+
+void directive_suggest(struct nearest *nearest)
+{
+    size_t i;
+
+    for (i = 0; i < sizeof directives / sizeof *directives; i++)
+        nearest_try(nearest, directives[i].name);
+}
+
 const struct directive *find_directive(const struct token *token)
 {
-    static const struct directive directives[] = {
-        { ".equ", parse_equ, false },
-        { ".reg", parse_reg, false },
-        { ".regs", parse_regs, false },
-        { ".share", parse_share, false },
-        { ".endshare", parse_endshare, false },
-        { ".code", parse_code, false },
-        { ".data", parse_data, false },
-        { ".org", parse_org, false },
-        { ".align", parse_align, true },
-        { ".entry", parse_entry, false },
-        { ".record", parse_record, false },
-        { ".field", parse_field, false },
-        { ".at", parse_at, false },
-        { ".endrecord", parse_endrecord, false },
-        { ".kernel", parse_kernel, false },
-        { ".endkernel", parse_endkernel, false },
-        { ".word", parse_word, true },
-        { ".half", parse_half, true },
-        { ".halfword", parse_halfword, true },
-        { ".descriptor", parse_descriptor, true },
-        { ".space", parse_space, true },
-        { ".vector", parse_vector, true },
-        { ".halfvector", parse_halfvector, true },
-        { ".bitvector", parse_bitvector, true },
-        { ".text", parse_text, true },
-        { ".error", parse_error, false }
-    };
     size_t i;
 
     for (i = 0; i < sizeof directives / sizeof *directives; i++)

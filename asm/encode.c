@@ -53,7 +53,11 @@ static bool encode_immediate(struct assembler *assembler,
         if (operands[i].kind == OPERAND_IMMEDIATE)
             return evaluate_range(assembler, item->line, instruction->value,
                                   operands[i].low, operands[i].high,
-                                  "an integer", &fields->immediate);
+                                  instruction->insn
+                                          == c205_insn_named("ELEN", 4)
+                                      ? "a length, of at most 65535 elements,"
+                                      : "an integer",
+                                  &fields->immediate);
     return true;
 }
 
@@ -79,7 +83,8 @@ static c205_word encode_descriptor(struct assembler *assembler,
     uint64_t address = 0;
 
     if (evaluate_range(assembler, item->line, item->of.values[0], 0,
-                       C205_MAX_LENGTH, "a length", &length))
+                       C205_MAX_LENGTH,
+                       "a length, of at most 65535 elements,", &length))
         evaluate_address(assembler, item->line, item->of.values[1], &address);
     return (c205_word)length << ADDRESS_BITS | address;
 }
@@ -101,6 +106,8 @@ static c205_word encode_one(struct assembler *assembler,
 {
     c205_word word = 0;
 
+    if (item->kind != ITEM_INSTRUCTION && !item->of.values[0])
+        return 0; /* what is wrong with it has been told */
     switch (item->kind) {
     case ITEM_INSTRUCTION: return encode_instruction(assembler, item);
     case ITEM_DESCRIPTOR: return encode_descriptor(assembler, item);

@@ -1,4 +1,5 @@
 #include "asm/assembler.h"
+#include "asm/syntax.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -41,6 +42,21 @@ static struct position position_of(const struct line *line, const char *at)
     return position;
 }
 
+/* With the first error of the operands. */
+static void say_form(char *message, size_t size, struct assembler *assembler)
+{
+    const struct instruction *writing = assembler->writing;
+    struct text_line form = { "", 0 };
+    struct sink sink = text_line_sink(&form);
+    size_t used = strlen(message);
+
+    assembler->writing = NULL;
+    if (!writing)
+        return;
+    syntax_write(writing->insn, writing->fields.g & C205_G_HALF, &sink);
+    snprintf(message + used, size - used, "; its form: %s", form.text);
+}
+
 bool report(struct assembler *assembler, const struct line *line,
             const char *at, const char *format, ...)
 {
@@ -53,6 +69,7 @@ bool report(struct assembler *assembler, const struct line *line,
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
+    say_form(message, sizeof message, assembler);
     say_caller(message, sizeof message, line);
     diagnostics_add(assembler->diagnostics, SEVERITY_ERROR, &position,
                     message);

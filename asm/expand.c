@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "asm/expression.h"
+#include "asm/suggest.h"
+#include "base/nearest.h"
 
 /* ---- The stack of texts ---- */
 
@@ -294,16 +296,25 @@ static void call(struct expander *expander, struct cursor *cursor,
 
 typedef void directive(struct expander *, struct cursor *);
 
+static const struct {
+    const char *name;
+    directive *obey;
+} directives[] = { { ".macro", define_macro },
+                   { ".rept", repeat },
+                   { ".include", include },
+                   { ".endm", stray },
+                   { ".endr", stray } };
+
+void expand_suggest(struct nearest *nearest)
+{
+    size_t i;
+
+    for (i = 0; i < sizeof directives / sizeof *directives; i++)
+        nearest_try(nearest, directives[i].name);
+}
+
 static directive *find_directive(const struct token *token)
 {
-    static const struct {
-        const char *name;
-        directive *obey;
-    } directives[] = { { ".macro", define_macro },
-                       { ".rept", repeat },
-                       { ".include", include },
-                       { ".endm", stray },
-                       { ".endr", stray } };
     size_t i;
 
     for (i = 0; i < sizeof directives / sizeof *directives; i++)

@@ -1,4 +1,5 @@
 #include "asm/expression.h"
+#include "asm/suggest.h"
 
 #include <inttypes.h>
 #include <string.h>
@@ -111,6 +112,21 @@ static uint64_t negate(int code, uint64_t a)
 
 /* ---- Evaluation ---- */
 
+static bool report_undefined(struct assembler *assembler,
+                             const struct line *line,
+                             const struct expression *expression)
+{
+    const struct symbol *symbol = expression->symbol;
+    const char *meant = suggest(assembler, SUGGEST_VALUE, symbol->name,
+                                symbol->length);
+
+    return report(assembler, line, expression->at,
+                  "'%s' is not defined%s%s%s%s", symbol->name,
+                  assembler->expander ? " before this line" : "",
+                  meant ? "; did you mean " : "", meant ? meant : "",
+                  meant ? "?" : "");
+}
+
 static bool value_of_symbol(struct assembler *assembler,
                             const struct line *line,
                             const struct expression *expression,
@@ -125,10 +141,7 @@ static bool value_of_symbol(struct assembler *assembler,
     case SYMBOL_HALF_REGISTER:
         return report(assembler, line, expression->at,
                       "expected a number, '%s' is a register", symbol->name);
-    default:
-        return report(assembler, line, expression->at,
-                      "'%s' is not defined%s", symbol->name,
-                      assembler->expander ? " before this line" : "");
+    default: return report_undefined(assembler, line, expression);
     }
 }
 
@@ -160,11 +173,13 @@ static bool evaluate_binary(struct assembler *assembler,
 {
     int64_t left = 0, right = 0;
     const char *problem;
+    bool good = operand(assembler, line, expression->left, &left);
 
-    if (!operand(assembler, line, expression->left, &left))
-        return false;
-    if (!short_circuits(expression->code, left)
-        && !operand(assembler, line, expression->right, &right))
+    if (good && short_circuits(expression->code, left))
+        right = 0;
+    else
+        good = operand(assembler, line, expression->right, &right) && good;
+    if (!good)
         return false;
     problem = calculate(expression->code, left, right, result);
     if (problem)

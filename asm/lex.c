@@ -117,7 +117,12 @@ static void lex_any_number(struct token *token, const char *end)
         lex_number(token, end);
     if (token->kind == TOKEN_NUMBER && token->end < end
         && is_name_part(*token->end))
-        bad(token, token->end + 1, "a number goes over into a name");
+        bad(token, token->end + 1,
+            strchr("fFlLuU", *token->end)
+                    && !(token->end + 1 < end && is_name_part(token->end[1]))
+                ? "a number has no suffix: there is one floating-point format,"
+                  " which is cut where 32 bits are wanted"
+                : "a number goes over into a name");
 }
 
 /* X'FFD2 4000 0000 0000' */
@@ -169,7 +174,10 @@ static void lex_operator(struct token *token, const char *end)
             token->end = at + 2;
         }
     if (*at == '\0' || !strchr("+-*/%~!<>=&^|()[],:?.", *at))
-        bad(token, at + 1, "this character has no meaning here");
+        bad(token, at + 1,
+            *at == '#' ? "'#' has no meaning here: numbers stand without it,"
+                         " and comments begin with ';'"
+                       : "this character has no meaning here");
 }
 
 static void lex_name(struct token *token, const char *end,
@@ -243,6 +251,21 @@ bool cursor_take(struct cursor *cursor, int code)
 bool cursor_at_end(const struct cursor *cursor)
 {
     return cursor->token.kind == TOKEN_END;
+}
+
+void cursor_skip(struct cursor *cursor, const struct cursor *start)
+{
+    int depth = 0;
+
+    *cursor = *start;
+    while (!cursor_at_end(cursor)) {
+        if (depth == 0 && (cursor_at(cursor, ',') || cursor_at(cursor, '?')))
+            return;
+        depth += cursor_at(cursor, '[') || cursor_at(cursor, '(');
+        depth -= cursor_at(cursor, ']') || cursor_at(cursor, ')');
+        depth = depth < 0 ? 0 : depth;
+        cursor_next(cursor);
+    }
 }
 
 bool expected(struct cursor *cursor, const char *what)

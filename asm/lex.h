@@ -41,6 +41,10 @@ bool cursor_at(const struct cursor *cursor, int code);
 bool cursor_take(struct cursor *cursor, int code);
 bool cursor_at_end(const struct cursor *cursor);
 
+/* From a place on to the next comma or control vector, or to the end, past what
+ * was wrong: what follows may be wrong as well. */
+void cursor_skip(struct cursor *cursor, const struct cursor *start);
+
 /* Report what was expected in place of the next token; false. */
 bool expected(struct cursor *cursor, const char *what);
 bool expect_operator(struct cursor *cursor, int code, const char *what);

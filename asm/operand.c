@@ -1,7 +1,23 @@
 /* operand.c - the operands of an instruction, as its syntax says. */
 #include "asm/statement.h"
 
+#include <ctype.h>
+#include <string.h>
+
+#include "asm/suggest.h"
 #include "asm/syntax.h"
+
+/* r256, r01 */
+static bool is_numbered(const struct token *token)
+{
+    const char *at = token->begin;
+
+    if (!strchr("rRhH", *at) || ++at == token->end)
+        return false;
+    while (at < token->end && isdigit((unsigned char)*at))
+        at++;
+    return at == token->end;
+}
 
 bool parse_any_register(struct cursor *cursor, struct register_name *found)
 {
@@ -10,7 +26,7 @@ bool parse_any_register(struct cursor *cursor, struct register_name *found)
     size_t length;
 
     if (token->kind != TOKEN_NAME)
-        return expected(cursor, "a register");
+        return expected_name(cursor, "a register", SUGGEST_REGISTER);
     length = (size_t)(token->end - token->begin);
     symbol = symbol_find(cursor->assembler, token->begin, length);
     if (symbol
@@ -20,7 +36,11 @@ bool parse_any_register(struct cursor *cursor, struct register_name *found)
         found->number = (uint8_t)symbol->value.bits;
         found->naming = symbol->naming;
     } else if (!register_named(token->begin, length, found)) {
-        return expected(cursor, "a register");
+        return expected_name(cursor,
+                             is_numbered(token) ? "a register, r0 .. r255 or"
+                                                  " h0 .. h255"
+                                                : "a register",
+                             SUGGEST_REGISTER);
     }
     cursor_next(cursor);
     return true;
@@ -197,19 +217,33 @@ static bool parse_operands(struct cursor *cursor,
     const char *at[MAX_OPERANDS] = { NULL };
     bool half = instruction->fields.g & C205_G_HALF;
     size_t i, count = syntax_operands(instruction->insn, half, operands);
+    bool good = true;
 
+    cursor->assembler->writing = instruction;
     for (i = 0; i < count; i++) {
-        if (operands[i].may_be_left_out && cursor_at_end(cursor))
+        struct cursor start;
+
+        if ((operands[i].may_be_left_out || !good) && cursor_at_end(cursor))
             break;
         if (i > 0 && operands[i].kind != OPERAND_CONTROL
-            && !expect_operator(cursor, ',', "','"))
-            return false;
+            && !expect_operator(cursor, ',', "','")) {
+            good = false;
+            cursor_skip(cursor, cursor);
+            cursor_take(cursor, ',');
+        }
         at[i] = cursor->token.begin;
-        if (!parse_operand(cursor, &operands[i], instruction))
-            return false;
+        start = *cursor;
+        if (cursor_at_end(cursor) && !good)
+            break;
+        if (!parse_operand(cursor, &operands[i], instruction)) {
+            good = false;
+            cursor_skip(cursor, &start);
+        }
     }
-    return expect_end(cursor)
+    good = good && expect_end(cursor)
            && check_operands(cursor, instruction, operands, count, at);
+    cursor->assembler->writing = NULL;
+    return good;
 }
 
 /* ",H" directly behind the mnemonic. */

@@ -1,10 +1,12 @@
 #include "asm/statement.h"
+#include "asm/suggest.h"
 
 static bool parse_labels(struct cursor *cursor)
 {
     struct cursor label = *cursor;
     const char *name, *at;
     size_t length;
+    bool good = true;
 
     while (label.token.kind == TOKEN_NAME) {
         at = label.token.begin;
@@ -12,10 +14,9 @@ static bool parse_labels(struct cursor *cursor)
         if (!cursor_take(&label, ':'))
             break;
         *cursor = label;
-        if (!layout_label(cursor, name, length, at))
-            return false;
+        good = layout_label(cursor, name, length, at) && good;
     }
-    return true;
+    return good;
 }
 
 static bool parse_directive(struct cursor *cursor)
@@ -23,7 +24,7 @@ static bool parse_directive(struct cursor *cursor)
     const struct directive *directive = find_directive(&cursor->token);
 
     if (!directive)
-        return expected(cursor, "a directive");
+        return expected_name(cursor, "a directive", SUGGEST_DIRECTIVE);
     if (!directive->is_data)
         layout_settle(cursor->assembler);
     cursor_next(cursor);
@@ -37,17 +38,15 @@ static bool parse_mnemonic(struct cursor *cursor)
     const c205_insn *insn = c205_insn_named(name, length);
 
     if (!insn)
-        return expected(cursor, "an instruction or a macro");
+        return expected_name(cursor, "an instruction or a macro",
+                             SUGGEST_MNEMONIC);
     cursor_next(cursor);
     return parse_instruction(cursor, insn);
 }
 
-static bool parse_statement(struct cursor *cursor)
+/* A directive or an instruction. */
+static bool parse_body(struct cursor *cursor)
 {
-    if (!parse_labels(cursor))
-        return false;
-    if (cursor_at_end(cursor))
-        return true;
     if (cursor->token.kind == TOKEN_DIRECTIVE)
         return parse_directive(cursor);
     if (cursor->token.kind == TOKEN_NAME)
@@ -55,9 +54,23 @@ static bool parse_statement(struct cursor *cursor)
     return expected(cursor, "an instruction");
 }
 
+/* What is wrong in one part does not keep the others from being read. */
+static bool parse_statement(struct cursor *cursor)
+{
+    bool good = parse_labels(cursor);
+
+    if (cursor_at_end(cursor))
+        return good;
+    good = parse_body(cursor) && good;
+    while (!cursor_at_end(cursor))
+        cursor_next(cursor);
+    return good;
+}
+
 bool parse_line(struct assembler *assembler, const struct line *line)
 {
     struct cursor cursor = cursor_start(assembler, line);
+    bool good = parse_statement(&cursor);
 
-    return parse_statement(&cursor) && parse_wish(&cursor);
+    return parse_wish(&cursor) && good;
 }

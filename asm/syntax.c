@@ -207,3 +207,43 @@ const char *syntax_refusal(const c205_insn *insn,
     return "a source must be a vector [..], since nothing else tells the"
            " length";
 }
+
+/* ---- The form, as it is told -------------------------------------------- */
+
+static void write_operand(const struct operand *operand,
+                          const struct sink *sink)
+{
+    const char *letter = operand->half ? "h" : "r";
+
+    switch (operand->kind) {
+    case OPERAND_REGISTER: sink_put(sink, letter); break;
+    case OPERAND_BRACKET:
+        sink_put(sink, operand->second && operand->second != SECOND_IS_NEXT
+                           ? "[r, r]"
+                           : "[r]");
+        break;
+    case OPERAND_SOURCE: sink_print(sink, "[r] or %s", letter); break;
+    case OPERAND_IMMEDIATE: sink_put(sink, "number"); break;
+    case OPERAND_TARGET: sink_put(sink, "label or [r]"); break;
+    case OPERAND_CONTROL: sink_put(sink, "? [r]"); break;
+    }
+}
+
+void syntax_write(const c205_insn *insn, bool half, const struct sink *sink)
+{
+    struct operand operands[MAX_OPERANDS];
+    size_t i, open = 0, count = syntax_operands(insn, half, operands);
+
+    sink_print(sink, "%s%s", insn->mnemonic, half ? SYNTAX_HALF : "");
+    for (i = 0; i < count; i++) {
+        bool control = operands[i].kind == OPERAND_CONTROL;
+
+        if (i > 0 && !control)
+            sink_put(sink, ",");
+        sink_put(sink, operands[i].may_be_left_out ? " (" : " ");
+        open += operands[i].may_be_left_out;
+        write_operand(&operands[i], sink);
+    }
+    while (open-- > 0)
+        sink_put(sink, ")");
+}

@@ -6,6 +6,7 @@
 #ifndef ASM_SYNTAX_H
 #define ASM_SYNTAX_H
 
+#include "base/sink.h"
 #include "vm/c205.h"
 
 enum operand_kind {
@@ -40,6 +41,10 @@ enum { MAX_OPERANDS = 8 };
 /* half: with SYNTAX_HALF. */
 size_t syntax_operands(const c205_insn *insn, bool half,
                        struct operand operands[MAX_OPERANDS]);
+
+/* "ADDNV [r] or r, [r] or r, [r] (? [r])": as it is written; what may be left
+ * out is in parentheses. */
+void syntax_write(const c205_insn *insn, bool half, const struct sink *sink);
 
 /* The field with a letter of a syntax. */
 uint8_t *syntax_field(c205_fields *fields, char letter);

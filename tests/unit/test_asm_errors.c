@@ -324,9 +324,80 @@ static void test_operators(void **state)
     }
 }
 
+/* Every error of a line is told, each at its place, and what was meant. */
+static void check_all(const char *text, const struct failure *wanted,
+                      size_t count)
+{
+    struct diagnostics errors = { 0 };
+    size_t i;
+
+    assert_null(assemble_text("test.s", text, NULL, &errors));
+    for (i = 0; i < errors.count; i++)
+        if (i >= count || errors.items[i].line != wanted[i].line
+            || errors.items[i].column != wanted[i].column
+            || !strstr(errors.items[i].message, wanted[i].message))
+            fail_msg("%s\n%zu: %zu:%zu: %s", text, i, errors.items[i].line,
+                     errors.items[i].column, errors.items[i].message);
+    assert_int_equal(errors.count, count);
+    diagnostics_free(&errors);
+}
+
+#define ALL(text, ...) \
+    check_all(text, (const struct failure[]){ __VA_ARGS__ }, \
+              sizeof(const struct failure[]){ __VA_ARGS__ } \
+                  / sizeof(struct failure))
+
+static void test_all_of_a_line(void **state)
+{
+    (void)state;
+    ALL(" ADDNV [1], [r300], 5 ? [)]\n",
+        { NULL, 1, 9,
+          "expected a register, found '1'; its form: ADDNV [r] or"
+          " r, [r] or r, [r] (? [r])" },
+        { NULL, 1, 14, "expected a register, r0 .. r255 or h0 .. h255" },
+        { NULL, 1, 21, "expected '['" }, { NULL, 1, 26, "a register" });
+    ALL(" ADDN r1, [r2], 5\n", { NULL, 1, 11, "a register" },
+        { NULL, 1, 17, "a register" });
+    ALL(" BEQ r1 r2, 5\n", { NULL, 1, 9, "expected ','" },
+        { NULL, 1, 13, "a register" });
+    ALL(" ADDN 1, 2 ; expect: r1\n", { NULL, 1, 7, "its form: ADDN r, r, r" },
+        { NULL, 1, 10, "a register" }, { NULL, 1, 24, "expected '='" });
+    ALL("a: EXIT\na: NOPES\n", { NULL, 2, 1, "defined already" },
+        { NULL, 2, 4, "expected an instruction" });
+    ALL(" .word 1, ), 2+, 4, *\n", { NULL, 1, 11, "found ')'" },
+        { NULL, 1, 16, "found ','" }, { NULL, 1, 21, "found '*'" });
+    ALL(" .word one + two\n", { NULL, 1, 8, "'one'" },
+        { NULL, 1, 14, "'two'" });
+}
+
+static void test_what_was_meant(void **state)
+{
+    (void)state;
+    ALL(" ADDVN [r1], [r2], [r3]\n", { NULL, 1, 2, "did you mean ADDNV?" });
+    ALL(" .dta\n", { NULL, 1, 2, "did you mean .data?" });
+    ALL(" .incldue \"core.s\"\n", { NULL, 1, 2, "did you mean .include?" });
+    ALL(" .edif\n", { NULL, 1, 2, "did you mean .endif?" });
+    ALL(" .include \"core.s\"\n descirptor r1, 0, 5\n",
+        { NULL, 2, 2, "did you mean descriptor?" });
+    ALL(" .reg total, r9\n ES totla, 5\n",
+        { NULL, 2, 5, "did you mean total?" });
+    ALL("here: BIM hree\n", { NULL, 1, 11, "did you mean here?" });
+    ALL(" ES r1, 1.0f\n", { NULL, 1, 9, "a number has no suffix" });
+    ALL(" ES r1, 10x\n", { NULL, 1, 9, "goes over into a name" });
+    ALL(" ES r1, #5\n", { NULL, 1, 9, "numbers stand without it" });
+    ALL(" ELEN r1, 65536\n", { NULL, 1, 11, "at most 65535 elements" });
+    ALL(" .descriptor 65536, 0\n", { NULL, 1, 14, "at most 65535 elements" });
+    ALL(" LOD r1, r2\n",
+        { NULL, 1, 6, "expected '[', found 'r1'; its form: LOD [r, r], r" });
+    ALL(" MPYSH 1, h2, h3\n", { NULL, 1, 8, "its form: MPYSH h, h, h" });
+    ALL(" EXIT 5\n", { NULL, 1, 7, "its form: EXIT (r, (r, (number)))" });
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_expressions),
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_all_of_a_line),
+                                        cmocka_unit_test(test_what_was_meant),
+                                        cmocka_unit_test(test_expressions),
                                         cmocka_unit_test(test_directives),
                                         cmocka_unit_test(test_expansion),
                                         cmocka_unit_test(test_instructions),

@@ -376,11 +376,12 @@ static void test_all_errors_with_carets(void **state)
 {
     static const char text[] = " ADDN r1, r2\n\n\tES\tr1, nowhere\n FROB\n";
     static const char printed[] =
-        "test.s:1:13: error: expected ',', found the end of the statement\n"
+        "test.s:1:13: error: expected ',', found the end of the statement; its"
+        " form: ADDN r, r, r\n"
         "     ADDN r1, r2\n"
         "                ^\n"
         "test.s:4:2: error: expected an instruction or a macro, found"
-        " 'FROB'\n"
+        " 'FROB'; did you mean XORB?\n"
         "     FROB\n"
         "     ^\n"
         "test.s:3:9: error: 'nowhere' is not defined\n"

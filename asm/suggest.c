@@ -1,0 +1,67 @@
+#include "asm/suggest.h"
+
+#include "base/nearest.h"
+
+static bool is_kind(const struct symbol *symbol, enum suggestion kind)
+{
+    switch (kind) {
+    case SUGGEST_MNEMONIC: return symbol->macro != NULL;
+    case SUGGEST_REGISTER:
+        return symbol->kind == SYMBOL_REGISTER
+               || symbol->kind == SYMBOL_HALF_REGISTER;
+    case SUGGEST_VALUE:
+        return symbol->kind == SYMBOL_LABEL
+               || symbol->kind == SYMBOL_CONSTANT;
+    default: return false;
+    }
+}
+
+static void try_symbols(const struct assembler *assembler,
+                        enum suggestion kind, struct nearest *nearest)
+{
+    const struct symbol *symbol;
+    size_t i;
+
+    for (i = 0; i < SYMBOL_BUCKETS; i++)
+        for (symbol = assembler->symbols.buckets[i]; symbol;
+             symbol = symbol->next)
+            if (is_kind(symbol, kind))
+                nearest_try(nearest, symbol->name);
+}
+
+const char *suggest(struct assembler *assembler, enum suggestion kind,
+                    const char *name, size_t length)
+{
+    struct nearest nearest = { .word = arena_text(assembler->arena, name,
+                                                  length) };
+    size_t i;
+
+    if (!nearest.word)
+        return NULL;
+    if (kind == SUGGEST_MNEMONIC)
+        for (i = 0; i < c205_insn_count; i++)
+            nearest_try(&nearest, c205_insns[i].mnemonic);
+    if (kind == SUGGEST_DIRECTIVE) {
+        directive_suggest(&nearest);
+        expand_suggest(&nearest);
+        condition_suggest(&nearest);
+    }
+    try_symbols(assembler, kind, &nearest);
+    return nearest.name;
+}
+
+bool expected_name(struct cursor *cursor, const char *what,
+                   enum suggestion kind)
+{
+    const struct token *token = &cursor->token;
+    size_t length = (size_t)(token->end - token->begin);
+    const char *meant = NULL;
+
+    if (token->kind == TOKEN_NAME || token->kind == TOKEN_DIRECTIVE)
+        meant = suggest(cursor->assembler, kind, token->begin, length);
+    if (!meant)
+        return expected(cursor, what);
+    return report(cursor->assembler, cursor->line, token->begin,
+                  "expected %s, found '%.*s'; did you mean %s?", what,
+                  length < 40 ? (int)length : 40, token->begin, meant);
+}

@@ -1,0 +1,132 @@
+/* test_asm_mutations.c - programs with random mistakes: whatever the text,
+ * there is an object or an error, and every error and warning has a place
+ * within its line. */
+#include "tests/unit/asm_helper.h"
+
+#include "base/file.h"
+#include "tests/random.h"
+
+enum { TRIES = 150, MISTAKES = 4 };
+
+static const char *const programs[] = {
+    "asm/examples/dot.s",          "asm/examples/lookup.s",
+    "asm/examples/sieve.s",        "asm/examples/saxpy_linked.s",
+    "tests/programs/exit.s",       "tests/programs/ibxlt.s",
+    "tests/programs/vxtov.s",      "tests/programs/addnv.s",
+    "tests/programs/half_reduce.s"
+};
+
+/* What a careless hand writes. */
+static const char *const pieces[] = {
+    "[",         "]",     ",",      "(",     ")",          "?",
+    "?!",        "|",     "-",      ";",     ":",          "\"",
+    "'",         "#",     "X'",     "1.0f",  "0x",         "r256",
+    "h300",      ".",     "..",     "\\@",   "\\",         ".rept 3\n",
+    ".endr",     ".if 0", ".endif", "\n",    "~",          ".macro m a\n",
+    ".endm",     ",H",    "ADDVN",  "65536", ".org",       "\t",
+    "; expct: ", "\x80",  "*/",     "<<",    "99999999999"
+};
+
+static size_t below(uint64_t *seed, size_t bound)
+{
+    return (size_t)(xorshift(seed) % bound);
+}
+
+static void cut(char *text, size_t at, size_t count)
+{
+    size_t length = strlen(text);
+
+    if (at + count <= length)
+        memmove(text + at, text + at + count, length - at - count + 1);
+}
+
+static void put(char *text, size_t at, const char *piece)
+{
+    size_t length = strlen(piece);
+
+    memmove(text + at + length, text + at, strlen(text + at) + 1);
+    memcpy(text + at, piece, length);
+}
+
+/* The text has room for a piece more. */
+static void make_mistake(char *text, uint64_t *seed)
+{
+    size_t at = below(seed, strlen(text) + 1);
+
+    switch (below(seed, 4)) {
+    case 0: cut(text, at, 1 + below(seed, 8)); break;
+    case 1:
+        put(text, at, pieces[below(seed, sizeof pieces / sizeof *pieces)]);
+        break;
+    case 2:
+        if (text[at] && text[at + 1]) {
+            char swapped = text[at];
+            text[at] = text[at + 1];
+            text[at + 1] = swapped;
+        }
+        break;
+    default:
+        if (text[at])
+            text[at] = (char)(' ' + below(seed, 95));
+    }
+}
+
+static void check_place(const struct diagnostic *item, const char *text)
+{
+    size_t length = strlen(item->source);
+
+    if (item->line == 0 || item->column < 1 || item->column > length + 1
+        || !*item->message || strchr(item->source, '\n'))
+        fail_msg("%s:%zu:%zu: %s\n%s\nin\n%s", item->file, item->line,
+                 item->column, item->message, item->source, text);
+}
+
+static size_t check_text(const char *path, const char *text)
+{
+    struct diagnostics found = { 0 };
+    struct object *object = assemble_bytes(path, text, strlen(text), NULL,
+                                           &found);
+    size_t i, errors = found.errors;
+
+    if ((object == NULL) != (errors > 0))
+        fail_msg("%s: %zu errors, and %s object in\n%s", path, errors,
+                 object ? "an" : "no", text);
+    for (i = 0; i < found.count; i++)
+        check_place(&found.items[i], text);
+    object_free(object);
+    diagnostics_free(&found);
+    return errors;
+}
+
+static void test_mutations(void **state)
+{
+    uint64_t seed = RANDOM_SEED;
+    size_t i, k, wrong = 0;
+    int try;
+
+    (void)state;
+    for (i = 0; i < sizeof programs / sizeof *programs; i++) {
+        c205_error error;
+        size_t length;
+        char *text = file_read(programs[i], FILE_LARGEST, &length, &error);
+        char *copy = text ? malloc(length + 100 * MISTAKES) : NULL;
+
+        assert_non_null(copy);
+        for (try = 0; try < TRIES; try++) {
+            memcpy(copy, text, length + 1);
+            for (k = 0; k < 1 + below(&seed, MISTAKES); k++)
+                make_mistake(copy, &seed);
+            wrong += check_text(programs[i], copy) > 0;
+        }
+        free(copy);
+        free(text);
+    }
+    assert_true(wrong > TRIES);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_mutations) };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
