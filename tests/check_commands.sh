@@ -786,6 +786,22 @@ tells err 'only one file can be -'
 ends 2 "$build/rt205" render "$scene" -o a.png --resume -
 tells err 'a file that has a name'
 
+# several jobs: the same results in the same order
+several() { # COMMAND ..: prints with --jobs 3 what it prints without
+    ends 0 "$build/rt205" "$@"
+    cp out alone
+    ends 0 "$build/rt205" "$@" --jobs 3
+    cmp -s out alone
+    verdict $? "three jobs print something else: rt205 $*"
+}
+several speedup -W 16 -H 10 --format json
+several sweep queue torus -W 16 -H 12 --format json
+several sweep hits sphere -W 16 -H 12
+several sweep length "$scene" --points 1,2,8,64
+several profile "$scene" -W 40 -H 30
+several quartic good.csv --falsi all
+several render "$scene" -o jobs.png -W 40 -H 30
+
 # Ctrl-C in the middle of a long frame
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \
     >out 2>err &

@@ -9,6 +9,7 @@
 #include "rt/command/rt205_command.h"
 #include "rt/roots/polynomials.h"
 #include "rt/study/quartic_costs.h"
+#include "rt/study/tasks.h"
 
 static const struct table_column root_columns[] = {
     { "polynomial", "polynomial", TABLE_COUNT, 0 },
@@ -215,39 +216,82 @@ static int solve(const struct cmd_arguments *arguments,
 
 /* ---- The rules of falsi beside each other ------------------------------- */
 
-static bool add_rule(struct table *table,
-                     const struct cmd_arguments *arguments,
-                     const struct polynomials *polynomials, enum falsi rule,
+/* What a rule took in a form. */
+struct rule_run {
+    uint64_t clocks;
+    struct iterations iterations;
+};
+
+struct comparison {
+    const struct cmd_arguments *arguments;
+    const struct polynomials *polynomials;
+    struct rule_run runs[FALSI_RULES][TRACE_FORMS];
+};
+
+static bool run_rule(void *context, const struct task *task,
                      c205_error *error)
 {
-    uint64_t scalar = 0;
+    struct comparison *comparison = context;
+    size_t rule = task->number / TRACE_FORMS;
+    size_t mode = task->number % TRACE_FORMS;
+    struct rule_run *run = &comparison->runs[rule][mode];
+    struct roots_options options = search_options(comparison->arguments,
+                                                  (enum trace_mode)mode,
+                                                  (enum falsi)rule);
+    struct root_search *found;
+
+    options.progress = task->progress;
+    options.context = task->context;
+    found = search(comparison->polynomials, &options, &run->iterations,
+                   error);
+    if (found)
+        run->clocks = c205_clock(roots_machine(found));
+    roots_free(found);
+    return found != NULL;
+}
+
+/* The host takes some times as long for the scalar form. */
+static double rule_weight(const void *context, size_t number)
+{
+    (void)context;
+    return number % TRACE_FORMS == TRACE_SCALAR ? 9 : 1;
+}
+
+static void add_rule(struct table *table, const struct comparison *comparison,
+                     size_t rule)
+{
+    size_t polynomials = comparison->polynomials->count;
+    uint64_t scalar = comparison->runs[rule][TRACE_SCALAR].clocks;
 
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
-        const struct roots_options options =
-            search_options(arguments, (enum trace_mode)mode, rule);
-        struct iterations iterations;
-        struct root_search *found = search(polynomials, &options, &iterations,
-                                           error);
-        const struct stage_count *count = iterations.stage;
-        uint64_t clocks;
+        const struct rule_run *run = &comparison->runs[rule][mode];
+        const struct stage_count *count = run->iterations.stage;
 
-        if (!found)
-            return false;
-        clocks = c205_clock(roots_machine(found));
-        roots_free(found);
-        table_text(table, falsi_name(rule));
+        table_text(table, falsi_name((enum falsi)rule));
         table_text(table, trace_mode_name((enum trace_mode)mode));
-        table_count(table, clocks);
-        table_number(table, ratio(clocks, polynomials->count));
+        table_count(table, run->clocks);
+        table_number(table, ratio(run->clocks, polynomials));
         table_number(table,
-                     mode == TRACE_VECTOR ? ratio(scalar, clocks) : NAN);
+                     mode == TRACE_VECTOR ? ratio(scalar, run->clocks) : NAN);
         for (int i = 0; i < STAGES; i++)
             table_number(table, ratio(count[i].steps, count[i].brackets));
         for (int i = 0; i < STAGES; i++)
             table_count(table, count[i].passes);
-        scalar = clocks;
     }
-    return true;
+}
+
+static bool run_rules(struct comparison *comparison, c205_error *error)
+{
+    const struct trace_options *trace = &comparison->arguments->trace;
+    const struct tasks tasks = { .count = FALSI_RULES * TRACE_FORMS,
+                                 .jobs = trace->jobs,
+                                 .run = run_rule,
+                                 .weight = rule_weight,
+                                 .context = comparison,
+                                 .progress = trace->progress,
+                                 .progress_context = trace->context };
+
+    return tasks_run(&tasks, error);
 }
 
 static int compare_rules(const struct cmd_arguments *arguments,
@@ -255,12 +299,12 @@ static int compare_rules(const struct cmd_arguments *arguments,
                          const struct results *results)
 {
     c205_error error = { "no memory" };
+    struct comparison comparison = { arguments, polynomials, { { { 0 } } } };
     struct table *table = table_new(TABLE_COLUMNS(rules));
-    bool good = table != NULL;
+    bool good = table != NULL && run_rules(&comparison, &error);
 
-    for (int rule = 0; good && rule < FALSI_RULES; rule++)
-        good = add_rule(table, arguments, polynomials, (enum falsi)rule,
-                        &error);
+    for (size_t rule = 0; good && rule < FALSI_RULES; rule++)
+        add_rule(table, &comparison, rule);
     if (good) {
         results_say(results, "%s%zu polynomials, a queue of %zu, %s\n",
                     results->format == RESULTS_TEXT ? "# " : "",
@@ -332,6 +376,7 @@ static const struct command_option options[] = {
       .preset = FALSI_DEFAULT,
       .help = "with all a table of their clocks instead of the roots" },
     CMD_MODEL,
+    CMD_JOBS("rules compared at a time"),
     CMD_RESULTS,
     COMMAND_END
 };
