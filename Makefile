@@ -427,4 +427,4 @@ clean:
 	check-timing check-fit fit cover cover-tests wasm-check docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+-include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)
