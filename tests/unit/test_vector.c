@@ -500,7 +500,7 @@ static const c205_insn *draw_linkable(struct bench *bench)
     return row;
 }
 
-/* The first takes one vector at most, the second what the first makes. */
+/* The first takes one vector, mostly, the second what the first makes. */
 static void link_pair(struct bench *bench, c205_fields f[2])
 {
     const bool as_a = one_in(bench, 2), as_b = !as_a || one_in(bench, 4);
@@ -508,7 +508,8 @@ static void link_pair(struct bench *bench, c205_fields f[2])
 
     f[0].z = 0;
     f[0].g &= (uint8_t) ~(C205_G_OFFSET | C205_G_ZEROS);
-    f[0].g |= one_in(bench, 2) ? C205_G_BROADCAST_A : C205_G_BROADCAST_B;
+    if (!one_in(bench, 20))
+        f[0].g |= one_in(bench, 2) ? C205_G_BROADCAST_A : C205_G_BROADCAST_B;
     if (f[0].g & C205_G_BROADCAST_A) {
         f[0].x = 0;
         f[0].a = number;
