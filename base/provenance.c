@@ -97,14 +97,19 @@ static void say_origin(const c205_model *model, const char *before,
     }
 }
 
-static void print_belief(const c205_model *model, const char *before,
-                         FILE *file)
+static void print_claim(const c205_model *model, const char *before,
+                        FILE *file)
 {
     fprintf(file, "%s%s on the model %s", before,
             c205_model_is_projection(model)
                 ? "Projected, not emulated,"
                 : "Cycle-accounted, not cycle-accurate,",
             c205_model_name(model));
+}
+
+static void print_belief(const c205_model *model, const char *before,
+                         FILE *file)
+{
     bool said = say_belief("fitted to", c205_model_fitted(model), before,
                            file);
     said |= say_belief("validated against", c205_model_compared(model),
@@ -132,8 +137,14 @@ static void print_sources(const c205_model *model, const char *before,
     putc('\n', file);
 }
 
-void provenance_print(const c205_model *model, const char *before, FILE *file)
+void provenance_print(const c205_model *model, bool whole, const char *before,
+                      FILE *file)
 {
+    print_claim(model, before, file);
+    if (!whole) {
+        fputs("; more by --provenance\n", file);
+        return;
+    }
     print_belief(model, before, file);
     print_sources(model, before, file);
 }

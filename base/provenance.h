@@ -17,10 +17,11 @@ void provenance_line(const c205_model *model, char line[PROVENANCE_LINE]);
 /* What a model leaves out of the time: "this, that and that". */
 const char *provenance_left_out(const c205_model *model);
 
-/* With every table: what its figures are, on which model, how near that came
- * to published figures, what it leaves out, and from where its constants are.
- * Lines, each behind a text of the caller's ("# ", say). */
-void provenance_print(const c205_model *model, const char *before,
+/* With every table, in one line: what its figures are, on which model, and
+ * where to read on.  Or whole, in several: how near the model came to published
+ * figures, what it leaves out, and from where its constants are.  Each line
+ * stands behind a text of the caller's ("# ", say). */
+void provenance_print(const c205_model *model, bool whole, const char *before,
                       FILE *file);
 /* All of that as the member "model". */
 void provenance_json(const c205_model *model, struct json *json);

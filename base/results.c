@@ -117,7 +117,8 @@ void results_gap(const struct results *results)
 void results_model(const struct results *results, const c205_model *model)
 {
     if (results->file) {
-        provenance_print(model, table_remark(results_table_format(results)),
+        provenance_print(model, results->provenance,
+                         table_remark(results_table_format(results)),
                          results->file);
     }
 }

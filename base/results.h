@@ -30,6 +30,7 @@ enum results_format {
 struct results {
     enum results_format format;
     const char *path; /* of the JSON file, or NULL */
+    bool provenance;  /* of models, the whole of it is printed */
 
     const char *command; /* for complaints */
     FILE *file;          /* what is printed; NULL: nothing, but .. */
@@ -47,6 +48,11 @@ command_choice results_format_choice;
     { .name = "json", .value = "FILE", .kind = COMMAND_OUTPUT, \
       .offset = offsetof(arguments, member.path), \
       .help = "write the results to a file as well; on stdout: alone" }
+/* .. of one that prints figures of a model. */
+#define RESULTS_OPTION_PROVENANCE(arguments, member) \
+    { .name = "provenance", .kind = COMMAND_FLAG, \
+      .offset = offsetof(arguments, member.provenance), \
+      .help = "how far the figures can be trusted, and why" }
 /* clang-format on */
 
 /* The format and the path are set, the rest is zero.  The output is another
@@ -68,7 +74,9 @@ void results_say(const struct results *results, const char *format, ...)
     ;
 /* A blank line of text: to tables of other formats, a heading belongs. */
 void results_gap(const struct results *results);
-/* How far the model's figures can be trusted, printed. */
+/* Of which model the figures are, printed: a line; or with the option
+ * provenance all of how far they can be trusted.  (JSON has that in any case:
+ * provenance_json.) */
 void results_model(const struct results *results, const c205_model *model);
 /* Print a table, and add it to the JSON under its key; the heading stands
  * above it where it is not text.  False: memory ran out, now or while it was

@@ -54,6 +54,9 @@ command_take cmd_take_warning;
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
 #define CMD_RESULTS RESULTS_OPTIONS(struct cmd_arguments, results)
+/* .. of figures on a model. */
+#define CMD_FIGURES \
+    CMD_RESULTS, RESULTS_OPTION_PROVENANCE(struct cmd_arguments, results)
 #define CMD_INCLUDE COMMAND_OPTION_INCLUDE(CMD_PLACE(folders))
 #define CMD_DEFINE \
     { .name = "define", .value = "NAME=VALUE", .kind = COMMAND_OWN, \

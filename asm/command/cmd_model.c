@@ -36,6 +36,7 @@ static int show_models(const char *command, const struct results *results)
 static int show_constants(const c205_model *model,
                           const struct results *results)
 {
+    struct results head = *results;
     struct table *table = table_new(TABLE_COLUMNS(constant_columns));
     for (size_t i = 0; table && i < c205_model_size(model); i++) {
         const c205_constant *constant = c205_model_constant(model, i);
@@ -47,7 +48,8 @@ static int show_constants(const c205_model *model,
         table_text(table, constant->remark);
     }
     results_say(results, "%s\n", c205_model_title(model));
-    results_model(results, model);
+    head.provenance = true;
+    results_model(&head, model);
     if (results->json) {
         provenance_json(model, results->json);
     }

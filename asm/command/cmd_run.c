@@ -381,7 +381,7 @@ static const struct command_option options[] = {
     CMD_DEFINE,
     CMD_INCLUDE,
     CMD_FLAG(trace, "print each instruction as it is executed"),
-    CMD_RESULTS,
+    CMD_FIGURES,
     COMMAND_END
 };
 static const struct command_option operands[] = {

@@ -169,7 +169,7 @@ static const char *measured_choice(size_t number)
 
 static const struct command_option options[] = {
     CMD_MODEL, CMD_FLAG(points, "print each measured point, too"),
-    CMD_RESULTS, COMMAND_END
+    CMD_FIGURES, COMMAND_END
 };
 static const struct command_option operands[] = {
     { .value = "MNEMONIC",

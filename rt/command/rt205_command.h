@@ -51,7 +51,9 @@ command_choice cmd_mode_choice, cmd_visible_choice;
 
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
-#define CMD_RESULTS RESULTS_OPTIONS(struct cmd_arguments, results)
+#define CMD_RESULTS \
+    RESULTS_OPTIONS(struct cmd_arguments, results), \
+    RESULTS_OPTION_PROVENANCE(struct cmd_arguments, results)
 #define CMD_FLAG(flag, place, text) \
     { .name = flag, .kind = COMMAND_FLAG, .offset = CMD_PLACE(place), \
       .help = text }

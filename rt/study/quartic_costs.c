@@ -71,7 +71,7 @@ void quartic_costs_model(const struct results *results,
                          const c205_model *model)
 {
     if (results->format == RESULTS_TEXT)
-        provenance_print(model, "# ", results->file);
+        provenance_print(model, results->provenance, "# ", results->file);
     else
         results_model(results, model);
 }

@@ -44,7 +44,8 @@ static char *text_of(const char *path)
 }
 
 /* What is printed; the caller frees it, here as below. */
-static char *printed(const c205_model *model, const char *before)
+static char *printed_as(const c205_model *model, bool whole,
+                        const char *before)
 {
     char path[] = "/tmp/test_provenance.XXXXXX";
     int file = mkstemp(path), out;
@@ -52,12 +53,17 @@ static char *printed(const c205_model *model, const char *before)
     fflush(stdout);
     out = dup(STDOUT_FILENO);
     dup2(file, STDOUT_FILENO);
-    provenance_print(model, before, stdout);
+    provenance_print(model, whole, before, stdout);
     fflush(stdout);
     dup2(out, STDOUT_FILENO);
     close(out);
     close(file);
     return text_of(path);
+}
+
+static char *printed(const c205_model *model, const char *before)
+{
+    return printed_as(model, true, before);
 }
 
 static char *as_json(const c205_model *model)
@@ -173,6 +179,35 @@ static void test_projection(void **state)
     c205_model_free(model);
 }
 
+/* Where nobody asked for the whole, its first line stands for it. */
+static void test_short(void **state)
+{
+    static const struct {
+        const char *text, *line;
+    } cases[] = {
+        { compared_model, "# Cycle-accounted, not cycle-accurate, on the "
+                          "model test; more by --provenance\n" },
+        { "title T\nlike cyber205-2pipe\n" MOVED,
+          "# Cycle-accounted, not cycle-accurate, on the model test; more by "
+          "--provenance\n" },
+        { "title T\nlike cyber720-prior\n",
+          "# Projected, not emulated, on the model test; more by "
+          "--provenance\n" },
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        c205_model *model = parsed(cases[i].text);
+        char *text = printed_as(model, false, "# ");
+        char *whole = printed_as(model, true, "# ");
+        assert_string_equal(text, cases[i].line);
+        assert_memory_equal(text, whole, strcspn(text, ";"));
+        assert_true(strlen(whole) > 2 * strlen(text));
+        free(text);
+        free(whole);
+        c205_model_free(model);
+    }
+}
+
 /* ---- From where its constants are ---- */
 
 static size_t count_from(const c205_model *model, char source)
@@ -270,7 +305,7 @@ int main(void)
         cmocka_unit_test(test_belief),  cmocka_unit_test(test_no_figure),
         cmocka_unit_test(test_changed), cmocka_unit_test(test_projection),
         cmocka_unit_test(test_sources), cmocka_unit_test(test_one_source),
-        cmocka_unit_test(test_line),
+        cmocka_unit_test(test_line),    cmocka_unit_test(test_short),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
