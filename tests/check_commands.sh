@@ -556,7 +556,21 @@ tells err 'replaced.pov:2:'
 ends 1 "$build/rt205" render replaced.pov -o c.png -W 40 -H 30 --strict
 
 # the paper's table
-ends 0 "$build/rt205" speedup -W 40 -H 25 --queue 200 --json speedup.json
+ends 0 "$build/rt205" speedup -W 40 -H 25 --queue 200 --json short.json
+cp out short
+[ "$(wc -l <short)" -eq 19 ]
+verdict $? "Table 1 and its two lines on the models are not 19 lines"
+tells out "on the model cyber205-2pipe; more by --provenance$"
+tells out "on the model cyber720; more by --provenance$"
+! grep -q -e "root_solver" -e "cdc6600" out
+verdict $? "details are printed though not asked for"
+ends 0 "$build/rt205" speedup -W 40 -H 25 --queue 200 --details \
+    --json speedup.json
+cmp -s short.json speedup.json
+verdict $? "the JSON of the table is not that of its details"
+sed '/^In each row/d' out | grep -v -x -F -f - short >missing
+[ ! -s missing ]
+verdict $? "the details lack something of the short table"
 for row in sphere cylinder Steiner torus; do
     tells out "^$row.* vector "
 done
@@ -574,6 +588,8 @@ for row in Steiner torus; do
     tells out "^$row, ours  *ours "
 done
 tells out "Projected, .* on the model cyber720; more by --provenance$"
+tells out "Projected, .* on the model cdc6600; more by --provenance$"
+tells out "frame are equal"
 for key in table1 projections rays times projected shares steps passes causes; do
     grep -q "\"$key\": \[" speedup.json
     verdict $? "speedup.json has no $key"
@@ -590,7 +606,7 @@ verdict $? "the JSON on stdout is not that of the file"
 ends 0 "$build/rt205" speedup -W 16 -H 10 --json speedup.json
 cmp -s speedup.json both.json
 verdict $? "the JSON is not the same beside text"
-ends 0 "$build/rt205" speedup -W 16 -H 10 --format csv
+ends 0 "$build/rt205" speedup -W 16 -H 10 --format csv --details
 tells out "^# Table 1"
 tells out "^# Cycle-accounted, .* on the model cyber205-2pipe; more by --provenance$"
 tells out "^# Projected, .* on the model cyber720; more by --provenance$"
@@ -599,7 +615,7 @@ tells out "^primitive,figures,scalar,"
 tells out "^\"Steiner, ours\",ours,"
 [ -z "$(sed "/^#/d; /^\$/d; /,/d" out)" ]
 verdict $? "CSV has lines that are neither rows nor remarks"
-ends 0 "$build/rt205" speedup -W 16 -H 10 --format md
+ends 0 "$build/rt205" speedup -W 16 -H 10 --format md --details
 tells out "^## Table 1"
 tells out "^| sphere  *| error % |"
 tells out "on the model cyber720; more by --provenance$"
@@ -771,6 +787,7 @@ formats "$build/c205" model cyber720
 formats "$build/rt205" render "$scene" -o f.png -W 20 -H 15
 formats "$build/rt205" profile "$scene" -W 20 -H 15
 formats "$build/rt205" speedup -W 16 -H 10
+formats "$build/rt205" speedup -W 16 -H 10 --details --passes
 formats "$build/rt205" sweep pipes sphere -W 16 -H 16
 formats "$build/rt205" quartic four.csv
 formats "$build/rt205" quartic four.csv --falsi all

@@ -36,9 +36,10 @@ struct cmd_arguments {
     struct cmd_points points;
     int sweep; /* the number of the kind */
     bool strict, half;
-    bool all, first; /* roots of polynomials */
-    bool passes; /* of the root solver, one by one, in the speedup table */
-    int falsi;   /* the rule; FALSI_RULES: all of them, compared */
+    bool all, first;      /* roots of polynomials */
+    bool details, passes; /* of the speedup table; the passes are the root
+                             solver's, one by one */
+    int falsi;            /* the rule; FALSI_RULES: all of them, compared */
     struct progress progress;
     struct command_texts search; /* folders for includes */
 };

@@ -367,16 +367,18 @@ bool speedup_report_table1(const struct speedup_report *report,
 }
 
 bool speedup_report_detail(const struct speedup_report *report,
-                           bool with_passes, enum table_format format,
-                           FILE *file)
+                           enum table_format format, FILE *file)
 {
-    for (int i = TABLE1 + 1; i < KINDS; i++) {
-        if (i == PASSES && !with_passes)
-            continue;
-        if (!print_table(report, (enum kind)i, format, file))
+    for (int i = TABLE1 + 1; i < KINDS; i++)
+        if (i != PASSES && !print_table(report, (enum kind)i, format, file))
             return false;
-    }
     return true;
+}
+
+bool speedup_report_passes(const struct speedup_report *report,
+                           enum table_format format, FILE *file)
+{
+    return print_table(report, PASSES, format, file);
 }
 
 bool speedup_report_json(const struct speedup_report *report,

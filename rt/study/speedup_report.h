@@ -25,11 +25,12 @@ void speedup_report_add(struct speedup_report *report,
  * many percent ours are off.  False: memory ran out. */
 bool speedup_report_table1(const struct speedup_report *report,
                            enum table_format format, FILE *file);
-/* All other tables; that pass by pass, which is long, only if wanted.  False:
- * memory ran out. */
+/* All other tables, but for that pass by pass, which is long.  False: memory ran
+ * out, here as below. */
 bool speedup_report_detail(const struct speedup_report *report,
-                           bool with_passes, enum table_format format,
-                           FILE *file);
+                           enum table_format format, FILE *file);
+bool speedup_report_passes(const struct speedup_report *report,
+                           enum table_format format, FILE *file);
 /* Every one of them.  False: memory ran out, and the JSON is to be dropped. */
 bool speedup_report_json(const struct speedup_report *report,
                          struct json *json);
