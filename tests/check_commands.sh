@@ -80,6 +80,11 @@ printf 'loop:   BIM loop\n; expect: r1 = 0\n' >endless_test.s
 printf '        .include "print.s"\n        ES r10, N + M\n%s\n        EXIT\n' \
     '        print_integer r10' >defined.s
 
+narrow() { # COMMAND: what it printed is read without scrolling
+    [ -z "$(awk 'length > 100' out)" ]
+    verdict $? "lines of more than 100 characters: $1"
+}
+
 # help and wrong usage: every command and option that the programs list
 for program in c205 rt205; do
     ends 0 "$build/$program" --help
@@ -226,9 +231,17 @@ tells out 'normalised'
 ends 0 "$build/c205" model cyber205-4pipe
 tells out 'startup.vadd'
 ends 0 "$build/c205" time
-tells out "^VXTOV "
-tells out "^ACPSV "
-tells out "^CNTOB "
+narrow "c205 time"
+awk 'NR == 1 { at = index($0, "instructions"); next }
+    !/^Cycle/ { print substr($0, at) }' out | tr -s ' ' '\n' | sort >classes
+tells out "^vadd  *50.1 .* 100.1 .* ADDUV ADDLV ADDNV"
+tells out "^vadd,H  *50.2 .* 200.8 .* ADDUV ADDLV ADDNV"
+ends 0 "$build/c205" time --format csv
+for name in VXTOV ACPSV CNTOB 'ADDNV,H' TRIAD; do
+    tells out "^\"*$name[,\"]"
+done
+sed '/^instruction/d; /^#/d; /^$/d; s/^"\([^,]*\),H"/\1/; s/,.*//' out | sort | cmp -s - classes
+verdict $? "the classes do not have each instruction once"
 
 # what a command does with wrong arguments
 ends 2 "$build/c205" asm

@@ -42,7 +42,7 @@ for model in $fitted; do
     "$build/c205" model "$model" | grep -q '^fitted to [1-9]'
     verdict $? "c205 model does not say that $model is fitted"
 done
-"$build/rt205" speedup --model "$here/a/cyber205-2pipe.model" -W 16 -H 10 \
+"$build/rt205" speedup --model "$here/a/cyber205-2pipe.model" --provenance -W 16 -H 10 \
     > "$here/speedup"
 grep -q '^fitted to [1-9]' "$here/speedup"
 verdict $? "rt205 speedup does not say that the model is fitted"

@@ -1,7 +1,11 @@
 /* cmd_time.c - c205 time: the speed of the vector instructions. */
+#include <stdlib.h>
+#include <string.h>
+
 #include "asm/command/c205_command.h"
 #include "asm/measure.h"
 #include "asm/syntax.h"
+#include "base/array.h"
 
 static const struct table_column speed_columns[] = {
     { "instruction", "instruction", TABLE_TEXT, 0 },
@@ -20,118 +24,267 @@ static const struct table_column point_columns[] = {
     { "clocks", "clocks", TABLE_COUNT, 0 },
 };
 
-struct tables {
-    struct table *speeds, *points;
+/* A row for all that take the same time. */
+static const struct table_column class_columns[] = {
+    { "timing", "timing", TABLE_TEXT, 0 },
+    { "startup", "start-up", TABLE_NUMBER, 1 },
+    { "per_element", "clk/element", TABLE_NUMBER, 4 },
+    { "r_infinity", "r-infin.", TABLE_NUMBER, 1 },
+    { "unit", "unit", TABLE_TEXT, 0 },
+    { "n_half", "n-half", TABLE_NUMBER, 1 },
+    { "deviation", "off line", TABLE_NUMBER, 1 },
+    { "instructions", "instructions", TABLE_TEXT, 0 },
+};
+enum { CLASS_COLUMNS = sizeof class_columns / sizeof *class_columns };
+
+struct measurements {
+    size_t count;
+    struct measurement *items;
 };
 
-static void add_measurement(struct tables *tables,
-                            const struct measurement *measured,
-                            const c205_model *model)
+/* ---- Each for itself ---- */
+
+static const char *unit_of(const struct measurement *measured)
 {
-    struct table *speeds = tables->speeds;
-    table_text(speeds, measured->name);
-    table_text(speeds, measured->timing);
-    table_number(speeds, measured->startup);
-    table_number(speeds, measured->per_element);
-    table_number(speeds, measure_rate(measured, model));
-    table_text(speeds, measured->flops ? "Mflop/s" : "Mresults/s");
-    table_number(speeds, measure_half_length(measured));
-    table_number(speeds, measured->deviation);
-    for (size_t i = 0; i < MEASURE_POINTS; i++) {
-        table_text(tables->points, measured->name);
-        table_count(tables->points, measured->points[i].length);
-        table_count(tables->points, measured->points[i].clocks);
-    }
+    return measured->flops ? "Mflop/s" : "Mresults/s";
 }
+
+static struct table *speed_table(const struct measurements *measured,
+                                 const c205_model *model)
+{
+    struct table *speeds = table_new(TABLE_COLUMNS(speed_columns));
+    for (size_t i = 0; speeds && i < measured->count; i++) {
+        const struct measurement *item = &measured->items[i];
+        table_text(speeds, item->name);
+        table_text(speeds, item->timing);
+        table_number(speeds, item->startup);
+        table_number(speeds, item->per_element);
+        table_number(speeds, measure_rate(item, model));
+        table_text(speeds, unit_of(item));
+        table_number(speeds, measure_half_length(item));
+        table_number(speeds, item->deviation);
+    }
+    return speeds;
+}
+
+static struct table *point_table(const struct measurements *measured)
+{
+    struct table *points = table_new(TABLE_COLUMNS(point_columns));
+    for (size_t i = 0; points && i < measured->count; i++) {
+        const struct measurement *item = &measured->items[i];
+        for (size_t k = 0; k < MEASURE_POINTS; k++) {
+            table_text(points, item->name);
+            table_count(points, item->points[k].length);
+            table_count(points, item->points[k].clocks);
+        }
+    }
+    return points;
+}
+
+/* ---- By class ---- */
+
+static const char *qualifier_of(const struct measurement *measured)
+{
+    return measured->name + strcspn(measured->name, ",");
+}
+
+static bool alike(const struct measurement *a, const struct measurement *b)
+{
+    bool same = strcmp(a->timing, b->timing) == 0
+                && strcmp(qualifier_of(a), qualifier_of(b)) == 0;
+    for (size_t i = 0; same && i < MEASURE_POINTS; i++) {
+        same = a->points[i].clocks == b->points[i].clocks;
+    }
+    return same;
+}
+
+static bool is_first(const struct measurements *measured, size_t number)
+{
+    const struct measurement *items = measured->items;
+    size_t i = 0;
+    while (!alike(&items[i], &items[number])) {
+        i++;
+    }
+    return i == number;
+}
+
+/* Names behind one another in cells of that width; below a full one the next
+ * begins a row that has nothing else. */
+static void add_names(struct table *table,
+                      const struct measurements *measured,
+                      const struct measurement *class, size_t width)
+{
+    enum { ROOM = 1024 };
+    char text[ROOM] = "";
+    size_t length = 0;
+    for (size_t i = 0; i < measured->count; i++) {
+        const struct measurement *item = &measured->items[i];
+        int size = (int)strcspn(item->name, ",");
+        if (!alike(item, class)) {
+            continue;
+        }
+        if (length > 0 && length + 1 + (size_t)size > width) {
+            table_text(table, text);
+            for (int gap = 1; gap < CLASS_COLUMNS; gap++) {
+                table_gap(table);
+            }
+            length = 0;
+        }
+        length += (size_t)snprintf(text + length, ROOM - length, "%s%.*s",
+                                   length > 0 ? " " : "", size, item->name);
+    }
+    table_text(table, text);
+}
+
+/* A line of text has room for so many letters of names; a cell that is not
+ * text for all. */
+static struct table *class_table(const struct measurements *measured,
+                                 const c205_model *model, bool as_text)
+{
+    enum { LINE = 24, LONGEST = 1000 };
+    struct table *table = table_new(class_columns, CLASS_COLUMNS);
+    for (size_t i = 0; table && i < measured->count; i++) {
+        const struct measurement *item = &measured->items[i];
+        char timing[C205_TEXT_SIZE];
+        if (!is_first(measured, i)) {
+            continue;
+        }
+        snprintf(timing, sizeof timing, "%s%s", item->timing,
+                 qualifier_of(item));
+        table_text(table, timing);
+        table_number(table, item->startup);
+        table_number(table, item->per_element);
+        table_number(table, measure_rate(item, model));
+        table_text(table, unit_of(item));
+        table_number(table, measure_half_length(item));
+        table_number(table, item->deviation);
+        add_names(table, measured, item, as_text ? LINE : LONGEST);
+    }
+    return table;
+}
+
+/* ---- What is measured ---- */
 
 static bool add_name(const struct cmd_arguments *arguments,
                      const c205_model *model, const char *name,
-                     struct tables *tables)
+                     struct measurements *measured)
 {
-    struct measurement measured;
-    c205_error error;
-    if (!measure(model, name, &measured, &error)) {
+    struct measurement *items = array_grow(measured->items, measured->count,
+                                           sizeof *items);
+    c205_error error = { "no memory" };
+    if (items) {
+        measured->items = items;
+    }
+    if (!items || !measure(model, name, &items[measured->count], &error)) {
         cmd_failed(arguments->command, "%s", error.message);
         return false;
     }
-    add_measurement(tables, &measured, model);
+    measured->count++;
     return true;
 }
 
 /* All of the table in one size, and the triad. */
 static bool measure_size(const struct cmd_arguments *arguments,
                          const c205_model *model, const char *suffix,
-                         struct tables *tables)
+                         struct measurements *measured)
 {
     char name[MEASURE_NAME_SIZE];
     bool good = true;
     for (size_t i = 0; good && i < c205_insn_count; i++) {
         snprintf(name, sizeof name, "%s%s", c205_insns[i].mnemonic, suffix);
         if (measure_knows(name)) {
-            good = add_name(arguments, model, name, tables);
+            good = add_name(arguments, model, name, measured);
         }
     }
     snprintf(name, sizeof name, "%s%s", measure_triad, suffix);
-    return good && add_name(arguments, model, name, tables);
+    return good && add_name(arguments, model, name, measured);
 }
 
 /* Those that were named, in that order; or all. */
 static bool measure_all(const struct cmd_arguments *arguments,
-                        const c205_model *model, struct tables *tables)
+                        const c205_model *model,
+                        struct measurements *measured)
 {
     bool good = true;
     for (size_t i = 0; good && i < arguments->files.count; i++) {
-        good = add_name(arguments, model, arguments->files.items[i], tables);
+        good = add_name(arguments, model, arguments->files.items[i],
+                        measured);
     }
     if (arguments->files.count > 0) {
         return good;
     }
-    return measure_size(arguments, model, "", tables)
-           && measure_size(arguments, model, SYNTAX_HALF, tables);
+    return measure_size(arguments, model, "", measured)
+           && measure_size(arguments, model, SYNTAX_HALF, measured);
 }
 
-/* Both tables go to the JSON file; the points are printed when asked for. */
+/* ---- What is told ---- */
+
+/* JSON has them in any case. */
+static int show_points(const struct cmd_arguments *arguments,
+                       const struct measurements *measured,
+                       const struct results *results)
+{
+    struct results shown = *results;
+    if (!arguments->points) {
+        shown.file = NULL;
+    }
+    int code = results_show(&shown, point_table(measured), "points",
+                            "Points");
+    if (code == CMD_DONE && arguments->points) {
+        results_gap(results);
+    }
+    return code;
+}
+
+/* Those that were named each for itself; all of them class by class.  Other
+ * programs are told of each in any case. */
+static int show_speeds(const struct cmd_arguments *arguments,
+                       const c205_model *model,
+                       const struct measurements *measured,
+                       const struct results *results)
+{
+    struct results classes = *results, each = *results;
+    if (arguments->files.count > 0 || results->format == RESULTS_CSV
+        || !results->file) {
+        return results_show(results, speed_table(measured, model), "speeds",
+                            "Speeds");
+    }
+    classes.json = NULL;
+    each.file = NULL;
+    bool as_text = results->format == RESULTS_TEXT;
+    int code = results_show(&classes, class_table(measured, model, as_text),
+                            NULL, "Speeds by class");
+    return code != CMD_DONE
+               ? code
+               : results_show(&each, speed_table(measured, model), "speeds",
+                              NULL);
+}
+
 static int show(const struct cmd_arguments *arguments,
-                const c205_model *model, struct tables *tables,
+                const c205_model *model, const struct measurements *measured,
                 const struct results *results)
 {
     if (results->json) {
         provenance_json(model, results->json);
-        if (!table_json(tables->points, results->json, "points")) {
-            return cmd_failed(arguments->command, "no memory");
-        }
     }
-    if (arguments->points) {
-        struct results printed = *results;
-        printed.json = NULL;
-        int code = results_show(&printed, tables->points, NULL, "Points");
-        tables->points = NULL;
-        if (code != CMD_DONE) {
-            return code;
-        }
-        results_gap(results);
+    int code = show_points(arguments, measured, results);
+    if (code == CMD_DONE) {
+        code = show_speeds(arguments, model, measured, results);
     }
-    int code = results_show(results, tables->speeds, "speeds", "Speeds");
-    tables->speeds = NULL;
-    results_model(results, model);
+    if (code == CMD_DONE) {
+        results_model(results, model);
+    }
     return code;
 }
 
 static int time_model(const struct cmd_arguments *arguments,
                       const c205_model *model, const struct results *results)
 {
-    struct tables tables = {
-        table_new(TABLE_COLUMNS(speed_columns)),
-        table_new(TABLE_COLUMNS(point_columns)),
-    };
-    int code = CMD_FAILED;
-    if (!tables.speeds || !tables.points) {
-        cmd_failed(arguments->command, "no memory");
-    } else if (measure_all(arguments, model, &tables)) {
-        code = show(arguments, model, &tables, results);
-    }
-    table_free(tables.speeds);
-    table_free(tables.points);
+    struct measurements measured = { 0, NULL };
+    int code = measure_all(arguments, model, &measured)
+                   ? show(arguments, model, &measured, results)
+                   : CMD_FAILED;
+    free(measured.items);
     return code;
 }
 
@@ -189,6 +342,10 @@ const struct command time_command = {
     .function = run,
     .options = options,
     .operands = operands,
-    .details = "Start-up, clocks per element, r-infinity and n-half of these "
-               "instructions, or of all.",
+    .details =
+        "Start-up (in clocks), clocks per element, r-infinity and n-half of "
+        "these instructions; or of all, a line for those of one class that "
+        "take the same time, \",H\" behind the class: on 32-bit operands. CSV "
+        "and JSON have each for itself. Off line: by how many clocks the "
+        "farthest measured point misses the straight line.",
 };
