@@ -2,6 +2,7 @@
 #include "base/table.h"
 
 #include "base/array.h"
+#include "base/fold.h"
 
 #include <float.h>
 #include <inttypes.h>
@@ -167,19 +168,21 @@ static size_t *widths_of(const struct table *table, measure_text *length_of)
     return widths;
 }
 
-static void plain_cell(const struct table *table, size_t column, size_t width,
-                       const char *text, FILE *file)
+static void plain_cell(const struct table *table, size_t column,
+                       const size_t *widths, const char *text, FILE *file)
 {
     bool last = column + 1 == table->column_count;
+    size_t begins = 0;
     if (table->columns[column].kind != TABLE_TEXT) {
-        fprintf(file, "%*s%s", (int)width, text, last ? "" : between);
-    } else if (last) {
-        fputs(text, file);
+        fprintf(file, "%*s%s", (int)widths[column], text,
+                last ? "\n" : between);
+    } else if (!last) {
+        fprintf(file, "%-*s%s", (int)widths[column], text, between);
     } else {
-        fprintf(file, "%-*s%s", (int)width, text, between);
-    }
-    if (last) {
-        putc('\n', file);
+        for (size_t i = 0; i < column; i++) {
+            begins += widths[i] + strlen(between);
+        }
+        fold_print(text, begins, file);
     }
 }
 
@@ -191,11 +194,10 @@ static bool write_plain(const struct table *table, FILE *file)
         return false;
     }
     for (size_t i = 0; i < count; i++) {
-        plain_cell(table, i, widths[i], table->columns[i].heading, file);
+        plain_cell(table, i, widths, table->columns[i].heading, file);
     }
     for (size_t i = 0; i < table->cell_count; i++) {
-        plain_cell(table, i % count, widths[i % count], table->cells[i].text,
-                   file);
+        plain_cell(table, i % count, widths, table->cells[i].text, file);
     }
     free(widths);
     return true;

@@ -1,7 +1,8 @@
 /* table.h - a table, printed with its columns in line or in other formats.
  *
  * Cells are added from left to right, row after row.  Text stands at the left
- * of its column, numbers at the right.  The same table goes to the reader, to
+ * of its column, numbers at the right.  In print
+ * text in the last column is folded where its line would be long (fold.h).  The same table goes to the reader, to
  * other programs and to the JSON file, so that no figure is worked out twice.
  */
 #ifndef BASE_TABLE_H

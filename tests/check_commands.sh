@@ -228,6 +228,15 @@ ends 0 "$build/c205" isa ADDNV,H
 ends 2 "$build/c205" isa LOD,H
 ends 0 "$build/c205" isa ADDNV
 tells out 'normalised'
+ends 0 "$build/c205" isa
+narrow "c205 isa"
+"$build/c205" isa --names >names
+awk 'NR > 1 && !/^ / { print $1 }' out | cmp -s - names
+verdict $? "not a row of each instruction"
+# The names are words.
+# shellcheck disable=SC2046
+ends 0 "$build/c205" isa $(cat names)
+narrow "c205 isa MNEMONIC"
 ends 0 "$build/c205" model cyber205-4pipe
 tells out 'startup.vadd'
 ends 0 "$build/c205" time

@@ -3,6 +3,17 @@
 
 #include "asm/command/cmd_isa.h"
 #include "asm/syntax.h"
+#include "base/fold.h"
+
+/* What a line has room for. */
+static const struct table_column brief[] = {
+    { "mnemonic", "name", TABLE_TEXT, 0 },
+    { "code", "code", TABLE_TEXT, 0 },
+    { "half", ",H", TABLE_TEXT, 0 },
+    { "operands", "operands", TABLE_TEXT, 0 },
+    { "provenance", "source", TABLE_TEXT, 0 },
+    { "effect", "effect", TABLE_TEXT, 0 },
+};
 
 static const struct table_column columns[] = {
     { "mnemonic", "name", TABLE_TEXT, 0 },
@@ -15,25 +26,29 @@ static const struct table_column columns[] = {
     { "provenance", "source", TABLE_TEXT, 0 },
     { "effect", "effect", TABLE_TEXT, 0 },
 };
-enum { COLUMNS = sizeof columns / sizeof *columns };
 
 /* ---- One instruction ---------------------------------------------------- */
+
+/* Behind the name of a rule. */
+enum { TEXT_BEGINS = 14 };
 
 static void describe_operands(const c205_insn *insn)
 {
     struct isa_operand operand = { 0 };
     const char *letter = NULL;
     while (isa_next_operand(insn, &letter, &operand)) {
-        printf("  %-11s %-3.*s %s\n",
-               letter == insn->operands ? "operands" : "", operand.length,
-               operand.written, operand.meaning ? operand.meaning : "");
+        printf("  %-11s %-3.*s ", letter == insn->operands ? "operands" : "",
+               operand.length, operand.written);
+        fold_print(operand.meaning ? operand.meaning : "", TEXT_BEGINS + 4,
+                   stdout);
     }
 }
 
 static void describe_rule(const char *name, const char *text)
 {
     if (*text) {
-        printf("  %-11s %s\n", name, text);
+        printf("  %-11s ", name);
+        fold_print(text, TEXT_BEGINS, stdout);
     }
 }
 
@@ -70,7 +85,8 @@ static void describe(const c205_insn *insn)
     char code[ISA_CODE], drawing[ISA_DRAWING];
     isa_code(insn, code);
     isa_drawing(insn, drawing);
-    printf("%s   %s\n", insn->mnemonic, insn->effect);
+    printf("%s   ", insn->mnemonic);
+    fold_print(insn->effect, strlen(insn->mnemonic) + 3, stdout);
     printf("  written     %s%s%s%s\n", insn->mnemonic,
            insn->flags & C205_INSN_HALF ? "[" SYNTAX_HALF "]" : "",
            *syntax ? " " : "", syntax);
@@ -88,6 +104,18 @@ static void describe(const c205_insn *insn)
            isa_provenance(insn->provenance));
     describe_example(insn);
     putchar('\n');
+}
+
+static void add_brief(struct table *table, const c205_insn *insn)
+{
+    char code[ISA_CODE], provenance[2] = { insn->provenance, '\0' };
+    isa_code(insn, code);
+    table_text(table, insn->mnemonic);
+    table_text(table, code);
+    table_text(table, insn->flags & C205_INSN_HALF ? "H" : "");
+    table_text(table, c205_format_syntax(insn->format));
+    table_text(table, provenance);
+    table_text(table, insn->effect);
 }
 
 static void add_row(struct table *table, const c205_insn *insn)
@@ -129,33 +157,61 @@ static bool chosen(const struct cmd_arguments *arguments,
     return arguments->files.count == 0;
 }
 
-/* As text a table of all; of those that were named, all that is known; or the
- * names alone.  What is not text has the rows of the table in each case. */
-static int show(const struct cmd_arguments *arguments,
-                const struct results *results)
+static struct table *chosen_rows(const struct cmd_arguments *arguments)
 {
-    struct table *table = table_new(columns, COLUMNS);
-    bool as_text = results->format == RESULTS_TEXT;
-    bool tabular = !as_text
-                   || (arguments->files.count == 0 && !arguments->names);
+    struct table *table = table_new(TABLE_COLUMNS(columns));
     for (size_t i = 0; table && i < c205_insn_count; i++) {
+        if (chosen(arguments, &c205_insns[i])) {
+            add_row(table, &c205_insns[i]);
+        }
+    }
+    return table;
+}
+
+static bool print_brief(void)
+{
+    struct table *table = table_new(TABLE_COLUMNS(brief));
+    for (size_t i = 0; table && i < c205_insn_count; i++) {
+        add_brief(table, &c205_insns[i]);
+    }
+    bool good = table && table_print(table, stdout);
+    table_free(table);
+    return good;
+}
+
+/* The names alone; of those that were named all that is known; or a line of
+ * each. */
+static bool print_text(const struct cmd_arguments *arguments)
+{
+    if (arguments->files.count == 0 && !arguments->names) {
+        return print_brief();
+    }
+    for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
         if (!chosen(arguments, insn)) {
             continue;
         }
-        add_row(table, insn);
-        if (!tabular && arguments->names) {
+        if (arguments->names) {
             puts(insn->mnemonic);
-        } else if (!tabular) {
+        } else {
             describe(insn);
         }
     }
-    if (tabular) {
-        return results_show(results, table, "instructions", NULL);
+    return true;
+}
+
+/* What is not text has the rows of the whole table in each case. */
+static int show(const struct cmd_arguments *arguments,
+                const struct results *results)
+{
+    struct results rest = *results;
+    if (results->format == RESULTS_TEXT) {
+        rest.file = NULL;
+        if (!print_text(arguments)) {
+            return cmd_failed(arguments->command, "no memory");
+        }
     }
-    struct results kept = *results;
-    kept.file = NULL; /* it has been printed */
-    return results_show(&kept, table, "instructions", NULL);
+    return results_show(&rest, chosen_rows(arguments), "instructions", NULL);
 }
 
 static int markdown(const struct cmd_arguments *arguments)

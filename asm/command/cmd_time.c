@@ -35,7 +35,6 @@ static const struct table_column class_columns[] = {
     { "deviation", "off line", TABLE_NUMBER, 1 },
     { "instructions", "instructions", TABLE_TEXT, 0 },
 };
-enum { CLASS_COLUMNS = sizeof class_columns / sizeof *class_columns };
 
 struct measurements {
     size_t count;
@@ -108,11 +107,10 @@ static bool is_first(const struct measurements *measured, size_t number)
     return i == number;
 }
 
-/* Names behind one another in cells of that width; below a full one the next
- * begins a row that has nothing else. */
+/* Their names, one behind another. */
 static void add_names(struct table *table,
                       const struct measurements *measured,
-                      const struct measurement *class, size_t width)
+                      const struct measurement *class)
 {
     enum { ROOM = 1024 };
     char text[ROOM] = "";
@@ -120,29 +118,19 @@ static void add_names(struct table *table,
     for (size_t i = 0; i < measured->count; i++) {
         const struct measurement *item = &measured->items[i];
         int size = (int)strcspn(item->name, ",");
-        if (!alike(item, class)) {
-            continue;
+        if (alike(item, class)) {
+            length += (size_t)snprintf(text + length, ROOM - length, "%s%.*s",
+                                       length > 0 ? " " : "", size,
+                                       item->name);
         }
-        if (length > 0 && length + 1 + (size_t)size > width) {
-            table_text(table, text);
-            for (int gap = 1; gap < CLASS_COLUMNS; gap++) {
-                table_gap(table);
-            }
-            length = 0;
-        }
-        length += (size_t)snprintf(text + length, ROOM - length, "%s%.*s",
-                                   length > 0 ? " " : "", size, item->name);
     }
     table_text(table, text);
 }
 
-/* A line of text has room for so many letters of names; a cell that is not
- * text for all. */
 static struct table *class_table(const struct measurements *measured,
-                                 const c205_model *model, bool as_text)
+                                 const c205_model *model)
 {
-    enum { LINE = 24, LONGEST = 1000 };
-    struct table *table = table_new(class_columns, CLASS_COLUMNS);
+    struct table *table = table_new(TABLE_COLUMNS(class_columns));
     for (size_t i = 0; table && i < measured->count; i++) {
         const struct measurement *item = &measured->items[i];
         char timing[C205_TEXT_SIZE];
@@ -158,7 +146,7 @@ static struct table *class_table(const struct measurements *measured,
         table_text(table, unit_of(item));
         table_number(table, measure_half_length(item));
         table_number(table, item->deviation);
-        add_names(table, measured, item, as_text ? LINE : LONGEST);
+        add_names(table, measured, item);
     }
     return table;
 }
@@ -251,9 +239,8 @@ static int show_speeds(const struct cmd_arguments *arguments,
     }
     classes.json = NULL;
     each.file = NULL;
-    bool as_text = results->format == RESULTS_TEXT;
-    int code = results_show(&classes, class_table(measured, model, as_text),
-                            NULL, "Speeds by class");
+    int code = results_show(&classes, class_table(measured, model), NULL,
+                            "Speeds by class");
     return code != CMD_DONE
                ? code
                : results_show(&each, speed_table(measured, model), "speeds",

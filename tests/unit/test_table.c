@@ -23,6 +23,11 @@ static const struct table_column columns[] = {
     { "remark", "remark", TABLE_TEXT, 0 },
 };
 
+static const struct table_column named[] = {
+    { "name", "name", TABLE_TEXT, 0 },
+    { "text", "text", TABLE_TEXT, 0 },
+};
+
 struct folder {
     char name[32];
     char path[64];
@@ -86,6 +91,67 @@ static void columns_line_up(void **state)
     expect_text(folder->path, "name      clocks      %  remark\n"
                               "a       12345678  100.0  say \"so\"\n"
                               "longer         7         \n");
+}
+
+/* Words of the letters a to z, so many; the text is written there. */
+static void random_words(unsigned *seed, size_t count, char *text)
+{
+    for (size_t i = 0; i < count; i++) {
+        size_t length = 1
+                        + (*seed = *seed * 1103515245u + 12345u) / 65536 % 12;
+        memset(text, (int)('a' + i % 26), length);
+        text[length] = i + 1 < count ? ' ' : '\0';
+        text += length + 1;
+    }
+}
+
+/* Line by line from where the column begins: the whole text, each line as full
+ * as it can be. */
+static void assert_folded(const char *printed, size_t begins,
+                          const char *text)
+{
+    enum { WIDE = 100 };
+    const char *line = strchr(printed, '\n') + 1;
+    while (*text) {
+        size_t length = strcspn(line, "\n"), rest, word;
+        assert_in_range(length, begins + 1, WIDE);
+        assert_memory_equal(line + begins, text, length - begins);
+        text += length - begins;
+        rest = strspn(text, " ");
+        word = strcspn(text + rest, " ");
+        assert_true(word == 0 || length + rest + word > WIDE);
+        text += rest;
+        line += length + 1;
+        assert_int_equal(strspn(line, " "), *text ? begins : 0);
+    }
+    assert_string_equal(line, "");
+}
+
+/* What is too long for a line goes on below, and nowhere but in print. */
+static void long_text_is_folded(void **state)
+{
+    enum { FIRST = 76 };
+    static char printed[1 << 14], csv[1 << 14];
+    unsigned seed = 12;
+    (void)state;
+    for (size_t words = 1; words < 200; words++) {
+        char name[FIRST + 1] = "", text[13 * 200];
+        FILE *file = fmemopen(printed, sizeof printed, "w");
+        FILE *other = fmemopen(csv, sizeof csv, "w");
+        struct table *table = table_new(TABLE_COLUMNS(named));
+        memset(name, 'x', words % FIRST > 0 ? words % FIRST : 1);
+        random_words(&seed, words, text);
+        table_text(table, name);
+        table_text(table, text);
+        assert_true(table_print(table, file));
+        assert_true(table_write(table, TABLE_CSV, other));
+        fclose(file);
+        fclose(other);
+        table_free(table);
+        assert_folded(printed, 2 + (strlen(name) > 4 ? strlen(name) : 4),
+                      text);
+        assert_non_null(strstr(csv, text));
+    }
 }
 
 static void table_as_json(void **state)
@@ -402,6 +468,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(columns_line_up, set_up, tear_down),
+        cmocka_unit_test(long_text_is_folded),
         cmocka_unit_test_setup_teardown(table_as_json, set_up, tear_down),
         cmocka_unit_test(table_as_csv),
         cmocka_unit_test(csv_comes_back),

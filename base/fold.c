@@ -1,0 +1,35 @@
+/* fold.c - see fold.h. */
+#include "base/fold.h"
+
+#include <stdint.h>
+#include <string.h>
+
+enum { NARROWEST = 20 };
+
+/* How much of a text stands in a line of that width: at least a word. */
+static size_t fold(const char *text, size_t width)
+{
+    size_t length = 0;
+    if (strlen(text) <= width) {
+        return strlen(text);
+    }
+    for (size_t i = 0; text[i] && (i <= width || length == 0); i++) {
+        length = text[i] == ' ' ? i : length;
+    }
+    return length > 0 ? length : strlen(text);
+}
+
+void fold_print(const char *text, size_t column, FILE *file)
+{
+    size_t width = column + NARROWEST <= FOLD_WIDTH ? FOLD_WIDTH - column
+                                                    : SIZE_MAX;
+    for (;;) {
+        size_t length = fold(text, width);
+        fprintf(file, "%.*s\n", (int)length, text);
+        text += length + strspn(text + length, " ");
+        if (!*text) {
+            return;
+        }
+        fprintf(file, "%*s", (int)column, "");
+    }
+}
