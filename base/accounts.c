@@ -32,6 +32,24 @@ double accounts_seconds(const c205_model *model, uint64_t clocks)
     return period ? (double)clocks * period->value / 1e9 : NAN;
 }
 
+/* At two decimals of a microsecond no clock of 20 ns is lost. */
+const struct accounts_unit *accounts_unit(double seconds)
+{
+    static const struct accounts_unit us = { "us", "time, us", 1e6, 2 },
+                                      ms = { "ms", "time, ms", 1e3, 3 },
+                                      s = { "s", "time, s", 1, 3 };
+    return seconds < 10e-3 ? &us : seconds < 10 ? &ms : &s;
+}
+
+void accounts_time(const c205_model *model, uint64_t clocks,
+                   char text[ACCOUNTS_TIME])
+{
+    double seconds = accounts_seconds(model, clocks);
+    const struct accounts_unit *unit = accounts_unit(seconds);
+    snprintf(text, ACCOUNTS_TIME, "%.*f %s", unit->decimals,
+             seconds * unit->per_second, unit->name);
+}
+
 uint64_t accounts_clocks(const c205_account *account)
 {
     uint64_t clocks = 0;
@@ -50,6 +68,15 @@ const c205_account *accounts_find(const struct accounts *accounts,
         }
     }
     return NULL;
+}
+
+size_t accounts_regions(const struct accounts *accounts)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < accounts->count; i++) {
+        count += accounts_clocks(&accounts->items[i]) > 0;
+    }
+    return count;
 }
 
 static c205_account *new_account(struct accounts *accounts, const char *name)
@@ -112,7 +139,7 @@ void accounts_free(struct accounts *accounts)
     *accounts = (struct accounts){ .model = accounts->model };
 }
 
-static const char *region_name(const c205_account *account)
+const char *accounts_region(const c205_account *account)
 {
     return account->name[0] ? account->name : "(outside)";
 }
@@ -142,7 +169,7 @@ static void add_causes(struct table *table, const struct accounts *accounts,
     }
 }
 
-static c205_account sum_of_accounts(const struct accounts *accounts)
+c205_account accounts_together(const struct accounts *accounts)
 {
     c205_account sum = { .name = "all" };
     for (size_t i = 0; i < accounts->count; i++) {
@@ -154,7 +181,7 @@ static c205_account sum_of_accounts(const struct accounts *accounts)
 struct table *accounts_of_run(const struct accounts *accounts)
 {
     struct table *table = table_new(TABLE_COLUMNS(by_cause));
-    c205_account sum = sum_of_accounts(accounts);
+    c205_account sum = accounts_together(accounts);
     if (table) {
         add_causes(table, accounts, &sum, sum.name);
     }
@@ -167,7 +194,7 @@ struct table *accounts_by_cause(const struct accounts *accounts)
     size_t count = accounts->count;
     for (size_t i = 0; table && count > 1 && i < count; i++) {
         const c205_account *account = &accounts->items[i];
-        add_causes(table, accounts, account, region_name(account));
+        add_causes(table, accounts, account, accounts_region(account));
     }
     return table;
 }
@@ -177,7 +204,7 @@ struct table *accounts_by_region(const struct accounts *accounts)
     struct table *table = table_new(TABLE_COLUMNS(by_region));
     for (size_t i = 0; table && i < accounts->count; i++) {
         const c205_account *account = &accounts->items[i];
-        table_text(table, region_name(account));
+        table_text(table, accounts_region(account));
         table_count(table, account->entries);
         table_count(table, account->instructions);
         table_count(table, account->vector_instructions);

@@ -25,6 +25,24 @@ void accounts_free(struct accounts *accounts);
 /* By the model's clock.period. */
 double accounts_seconds(const c205_model *model, uint64_t clocks);
 uint64_t accounts_clocks(const c205_account *account);
+/* Clocks as a time that is read easily: "22.78 us". */
+enum { ACCOUNTS_TIME = 48 };
+void accounts_time(const c205_model *model, uint64_t clocks,
+                   char text[ACCOUNTS_TIME]);
+/* What a region is called in print. */
+const char *accounts_region(const c205_account *account);
+/* How many regions took time. */
+size_t accounts_regions(const struct accounts *accounts);
+/* All regions together, by the name "all". */
+c205_account accounts_together(const struct accounts *accounts);
+
+/* A unit of time for figures of which the largest is so long. */
+struct accounts_unit {
+    const char *name, *heading;
+    double per_second;
+    int decimals;
+};
+const struct accounts_unit *accounts_unit(double seconds);
 
 /* Clocks of the whole run by cause; causes without clocks are left out.  NULL:
  * no memory, here as below. */

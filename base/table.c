@@ -24,7 +24,7 @@ struct cell {
 };
 
 struct table {
-    const struct table_column *columns;
+    struct table_column *columns;
     size_t column_count;
     size_t cell_count;
     struct cell *cells;
@@ -34,10 +34,14 @@ struct table {
 struct table *table_new(const struct table_column *columns, size_t count)
 {
     struct table *table = calloc(1, sizeof *table);
-    if (table) {
-        table->columns = columns;
-        table->column_count = count;
+    struct table_column *copy = malloc(count * sizeof *copy);
+    if (!table || !copy) {
+        free(table);
+        free(copy);
+        return NULL;
     }
+    table->columns = memcpy(copy, columns, count * sizeof *copy);
+    table->column_count = count;
     return table;
 }
 
@@ -50,6 +54,7 @@ void table_free(struct table *table)
         free(table->cells[i].text);
     }
     free(table->cells);
+    free(table->columns);
     free(table);
 }
 
@@ -92,28 +97,33 @@ void table_count(struct table *table, uint64_t value)
     add(table, text, (struct cell){ .value.count = value });
 }
 
-void table_number(struct table *table, double value)
+
+static void add_number(struct table *table, const char *format, double value,
+                       int decimals)
 {
     char text[NUMBER_SIZE];
-    size_t column = table->cell_count % table->column_count;
     if (isnan(value)) {
         table_gap(table);
         return;
     }
-    snprintf(text, sizeof text, "%.*f", table->columns[column].decimals,
-             value);
+    snprintf(text, sizeof text, format, decimals, value);
     add(table, text, (struct cell){ .value.number = value });
 }
 
 void table_signed(struct table *table, double value, int decimals)
 {
-    char text[NUMBER_SIZE];
-    if (isnan(value)) {
-        table_gap(table);
-        return;
-    }
-    snprintf(text, sizeof text, "%+.*f", decimals, value);
-    add(table, text, (struct cell){ .value.number = value });
+    add_number(table, "%+.*f", value, decimals);
+}
+
+void table_rounded(struct table *table, double value, int decimals)
+{
+    add_number(table, "%.*f", value, decimals);
+}
+
+void table_number(struct table *table, double value)
+{
+    size_t column = table->cell_count % table->column_count;
+    table_rounded(table, value, table->columns[column].decimals);
 }
 
 size_t table_rows(const struct table *table)
@@ -166,6 +176,17 @@ static size_t *widths_of(const struct table *table, measure_text *length_of)
         widths[i] = width_of(table, i, length_of);
     }
     return widths;
+}
+
+size_t table_width(const struct table *table)
+{
+    size_t *widths = widths_of(table, strlen);
+    size_t width = 0;
+    for (size_t i = 0; widths && i < table->column_count; i++) {
+        width += widths[i] + (i > 0 ? strlen(between) : 0);
+    }
+    free(widths);
+    return widths ? width : SIZE_MAX;
 }
 
 static void plain_cell(const struct table *table, size_t column,

@@ -30,7 +30,7 @@ enum table_format { TABLE_PLAIN, TABLE_CSV, TABLE_MARKDOWN };
 
 struct table;
 
-/* The columns must outlive the table.  NULL: no memory. */
+/* The texts of the columns must outlive the table.  NULL: no memory. */
 struct table *table_new(const struct table_column *columns, size_t count);
 void table_free(struct table *table);
 
@@ -42,6 +42,8 @@ void table_number(struct table *table, double value);
 /* The same in a column of numbers, with its sign and decimals of its own: an
  * error in percent, say. */
 void table_signed(struct table *table, double value, int decimals);
+/* The same without the sign. */
+void table_rounded(struct table *table, double value, int decimals);
 void table_gap(struct table *table);
 
 /* What was put in; a row counts once all its cells are there. */
@@ -49,6 +51,8 @@ size_t table_rows(const struct table *table);
 const char *table_key(const struct table *table, size_t column);
 /* NaN: the cell is empty or holds text. */
 double table_value(const struct table *table, size_t row, size_t column);
+/* How long a line of print is before text is folded; SIZE_MAX: no memory. */
+size_t table_width(const struct table *table);
 /* False: memory ran out while it was filled. */
 bool table_is_whole(const struct table *table);
 

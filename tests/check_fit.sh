@@ -48,8 +48,9 @@ grep -q '^fitted to [1-9]' "$here/speedup"
 verdict $? "rt205 speedup does not say that the model is fitted"
 
 # What a model says of itself is what the machine shows on it.
-"$build/c205" run -I rt/kernels rt/study/fit/programs/photons.s |
-    awk 'NF == 8 && $1 == "scalar" { scalar = $6 }
+"$build/c205" run -I rt/kernels rt/study/fit/programs/photons.s \
+    --format csv 2>"$here/warnings" |
+    awk -F, 'NF == 8 && $1 == "scalar" { scalar = $6 }
         NF == 8 && $1 == "vector" {
             printf "photons %+.1f\n", 100 * (scalar / $6 / 16.5 - 1)
         }' > "$here/photons"

@@ -1,7 +1,7 @@
 /* cmd_run.c - c205 run: a program, and where its clocks went. */
 #include <inttypes.h>
 
-#include "base/accounts.h"
+#include "base/accounts_show.h"
 #include "asm/command/c205_command.h"
 #include "asm/command/interrupt.h"
 #include "asm/disassemble.h"
@@ -60,6 +60,7 @@ static int show_accounts(const struct cmd_arguments *arguments,
 {
     const c205_model *model = c205_machine_model(machine);
     struct accounts accounts = { .model = model };
+    char time[ACCOUNTS_TIME];
     if (!accounts_add(&accounts, machine)) {
         accounts_free(&accounts);
         return cmd_failed(arguments->command, "no memory");
@@ -69,14 +70,10 @@ static int show_accounts(const struct cmd_arguments *arguments,
         provenance_json(model, results->json);
         stop_json(machine, stop, results->json);
     }
-    results_say(results, "%" PRIu64 " clocks\n", c205_clock(machine));
-    int code = results_show(results, accounts_by_cause(&accounts), "causes",
-                            "Clocks by cause");
-    if (code == CMD_DONE) {
-        results_gap(results);
-        code = results_show(results, accounts_by_region(&accounts), "regions",
-                            "By region");
-    }
+    accounts_time(model, c205_clock(machine), time);
+    results_say(results, "%" PRIu64 " clocks, %s\n", c205_clock(machine),
+                time);
+    int code = accounts_show(&accounts, results);
     results_model(results, model);
     accounts_free(&accounts);
     return code;

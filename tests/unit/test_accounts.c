@@ -1,110 +1,277 @@
-/* test_accounts.c - the accounts of several runs as one, by cause and by
- * region. */
+/* test_accounts.c - where the clocks of runs went, for the reader: a matrix
+ * that adds up, has nothing empty, and stays within the width of a page. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
 #include <cmocka.h>
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "base/accounts.h"
+#include "base/accounts_show.h"
+#include "base/fold.h"
 
-static c205_account account(const char *name, uint64_t scale)
+enum { REGIONS_MOST = 20, TRIES = 300 };
+
+static c205_model *model;
+static unsigned seed = 205;
+
+static unsigned any(unsigned below)
 {
-    c205_account made = { .name = name,
-                          .instructions = 30 * scale,
-                          .vector_instructions = 7 * scale,
-                          .elements = 500 * scale,
-                          .entries = 2 * scale };
-
-    made.clocks[C205_ISSUE] = 60 * scale;
-    made.clocks[C205_MEMORY_WAIT] = 15 * scale;
-    return made;
+    seed = seed * 1103515245u + 12345u;
+    return (seed >> 16) % below;
 }
 
-/* The cell of a row in the column with a key. */
-static double cell(const struct table *table, size_t row, const char *key)
+/* Regions "r0".. with clocks for some causes, some of them with none at all;
+ * all clocks below a length that is any, too. */
+static struct accounts random_accounts(void)
 {
-    size_t column = 0;
-
-    while (strcmp(table_key(table, column), key) != 0)
-        column++;
-    return table_value(table, row, column);
-}
-
-static void check(double found, double expected)
-{
-    if (!(fabs(found - expected) <= 1e-12 * expected))
-        fail_msg("%.17g, expected %.17g", found, expected);
-}
-
-static void add_all(struct accounts *accounts)
-{
-    const c205_account runs[] = { account("one", 1), account("two", 2),
-                                  account("one", 4), account("", 3) };
-
-    for (size_t i = 0; i < sizeof runs / sizeof *runs; i++)
-        assert_true(accounts_add_account(accounts, &runs[i]));
-}
-
-static void check_row(const struct table *table, size_t row, double scale)
-{
-    check(cell(table, row, "entries"), 2 * scale);
-    check(cell(table, row, "instructions"), 30 * scale);
-    check(cell(table, row, "vector_instructions"), 7 * scale);
-    check(cell(table, row, "elements"), 500 * scale);
-    check(cell(table, row, "clocks"), 75 * scale);
-    check(cell(table, row, "seconds"), 75 * scale * 20e-9);
-    check(cell(table, row, "percent"), 10 * scale);
-}
-
-static void regions_are_summed(void **state)
-{
-    c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
     struct accounts accounts = { .model = model };
-
-    (void)state;
-    add_all(&accounts);
-    struct table *table = accounts_by_region(&accounts);
-    assert_int_equal(table_rows(table), 3);
-    check_row(table, 0, 5);
-    check_row(table, 1, 2);
-    check_row(table, 2, 3);
-    table_free(table);
-    accounts_free(&accounts);
-    c205_model_free(model);
-}
-
-/* The run's own rows, then three regions with as many. */
-static void causes_are_summed(void **state)
-{
-    static const double scales[] = { 10, 5, 2, 3 };
-    c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
-    struct accounts accounts = { .model = model };
-
-    (void)state;
-    add_all(&accounts);
-    struct table *table = accounts_by_cause(&accounts);
-    assert_int_equal(table_rows(table), 12);
-    for (size_t i = 0; i < 4; i++) {
-        check(cell(table, 3 * i, "clocks"), 75 * scales[i]);
-        check(cell(table, 3 * i, "percent"), 10 * scales[i]);
-        check(cell(table, 3 * i + 1, "clocks")
-                  + cell(table, 3 * i + 2, "clocks"),
-              75 * scales[i]);
-        check(cell(table, 3 * i + 2, "percent"), 2 * scales[i]);
+    unsigned regions = 1 + any(REGIONS_MOST), scale = 1u << any(24);
+    unsigned causes = any(1u << C205_CAUSES);
+    for (unsigned i = 0; i < regions; i++) {
+        char name[C205_TEXT_SIZE] = "";
+        c205_account account = { .name = name };
+        snprintf(name, sizeof name, "r%u%.*s", i, (int)any(9), "_of_many");
+        for (int cause = 0; any(5) > 0 && cause < C205_CAUSES; cause++) {
+            account.clocks[cause] = (causes >> cause & 1) * any(3)
+                                    * any(scale);
+        }
+        if (accounts_clocks(&account) > 0) {
+            account.instructions = 1 + any(1000);
+            account.vector_instructions = any(2) * account.instructions;
+            account.elements = account.vector_instructions * any(100);
+        }
+        assert_true(accounts_add_account(&accounts, &account));
     }
+    return accounts;
+}
+
+/* As it is told: empty is nothing. */
+static double cell(const struct table *table, size_t row, size_t column)
+{
+    double value = table_value(table, row, column);
+    return isnan(value) ? 0 : value;
+}
+
+static void assert_near(double a, double b)
+{
+    if (!(fabs(a - b) <= 1e-9 * (1 + fabs(b)))) {
+        fail_msg("%.17g is not %.17g", a, b);
+    }
+}
+
+static double in_unit(const struct accounts *accounts, uint64_t clocks)
+{
+    const struct accounts_unit *unit = accounts_unit(
+        accounts_seconds(model, accounts->clocks));
+    return accounts_seconds(model, clocks) * unit->per_second;
+}
+
+static size_t used_causes(const c205_account *sum)
+{
+    size_t count = 0;
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
+        count += sum->clocks[cause] > 0;
+    }
+    return count;
+}
+
+/* The figures of a region or of all, cause by cause; which of the matrix's two
+ * numbers is the row, the caller knows. */
+struct view {
+    const struct table *table;
+    bool causes_down;
+};
+
+static double at(struct view view, size_t line, size_t place)
+{
+    return view.causes_down ? cell(view.table, line, place)
+                            : cell(view.table, place, line + 1);
+}
+
+static void check_place(struct view view, const struct accounts *accounts,
+                        const c205_account *sum, const c205_account *account,
+                        size_t place)
+{
+    size_t line = 0;
+    double all = 0;
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
+        if (sum->clocks[cause] > 0) {
+            double value = at(view, line++, place);
+            assert_near(value, in_unit(accounts, account->clocks[cause]));
+            all += value;
+        }
+    }
+    assert_near(at(view, line, place), all);
+    line += view.causes_down ? 1 : 2;
+    assert_near(at(view, line++, place), (double)account->instructions);
+    if (sum->vector_instructions > 0) {
+        assert_near(at(view, line++, place),
+                    (double)account->vector_instructions);
+    }
+    if (sum->elements > 0 && account->vector_instructions > 0) {
+        double seconds = accounts_seconds(model, accounts_clocks(account));
+        double elements = (double)account->elements;
+        assert_near(at(view, line, place),
+                    elements / (double)account->vector_instructions);
+        assert_near(at(view, line + 1, place), elements / seconds / 1e6);
+    }
+}
+
+/* Both matrices say what the accounts say, and have no row or column for what
+ * took no time. */
+static void check_matrix(const struct accounts *accounts,
+                         enum accounts_rows rows)
+{
+    c205_account sum = accounts_together(accounts);
+    struct table *table = accounts_matrix(accounts, rows, 0, REGIONS_MOST);
+    size_t regions = accounts_regions(accounts), place = 0;
+    struct view view = { table, rows == ACCOUNTS_CAUSES };
+    size_t figures = 1u + (sum.vector_instructions > 0 ? 1u : 0u)
+                     + (sum.elements > 0 ? 2u : 0u);
+    assert_non_null(table);
+    assert_int_equal(table_rows(table), view.causes_down
+                                            ? used_causes(&sum) + 1 + figures
+                                        : regions > 1 ? regions + 1
+                                                      : 1);
+    for (size_t i = 0; regions > 1 && i < accounts->count; i++) {
+        if (accounts_clocks(&accounts->items[i]) > 0) {
+            check_place(view, accounts, &sum, &accounts->items[i],
+                        view.causes_down ? 3 + place : place);
+            place++;
+        }
+    }
+    check_place(view, accounts, &sum, &sum, view.causes_down ? 1 : place);
     table_free(table);
-    accounts_free(&accounts);
+}
+
+static void matrices_add_up(void **state)
+{
+    (void)state;
+    for (int i = 0; i < TRIES; i++) {
+        struct accounts accounts = random_accounts();
+        if (accounts.clocks > 0) {
+            check_matrix(&accounts, ACCOUNTS_CAUSES);
+            check_matrix(&accounts, ACCOUNTS_REGIONS);
+        }
+        accounts_free(&accounts);
+    }
+}
+
+static char *shown(const struct accounts *accounts,
+                   enum results_format format)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+    struct results results = { .format = format, .file = file };
+    assert_non_null(file);
+    assert_int_equal(accounts_show(accounts, &results), CMD_DONE);
+    assert_int_equal(fclose(file), 0);
+    return text;
+}
+
+static size_t times_in(const char *text, const char *word)
+{
+    size_t count = 0, length = strlen(word);
+    for (const char *found = text; (found = strstr(found, word));
+         found += length) {
+        count += strchr(" \n", found[length]) != NULL
+                 && (found == text || strchr(" \n", found[-1]));
+    }
+    return count;
+}
+
+/* Whichever way it lies: each region that took time is told of once, no other
+ * is, and no line is longer than a page is wide. */
+static void matrices_are_narrow(void **state)
+{
+    (void)state;
+    for (int i = 0; i < TRIES; i++) {
+        struct accounts accounts = random_accounts();
+        char *text = shown(&accounts, RESULTS_TEXT);
+        size_t regions = accounts_regions(&accounts);
+        for (const char *line = text; *line;) {
+            size_t length = strcspn(line, "\n");
+            assert_in_range(length, 0, FOLD_WIDTH);
+            line += length + 1;
+        }
+        for (size_t k = 0; k < accounts.count; k++) {
+            const c205_account *account = &accounts.items[k];
+            assert_int_equal(times_in(text, account->name),
+                             regions > 1 && accounts_clocks(account) > 0);
+        }
+        free(text);
+        accounts_free(&accounts);
+    }
+}
+
+/* CSV has the clocks themselves. */
+static void csv_is_exact(void **state)
+{
+    (void)state;
+    for (int i = 0; i < TRIES; i++) {
+        struct accounts accounts = random_accounts();
+        char *text = shown(&accounts, RESULTS_CSV), row[200];
+        for (size_t k = 0; k < accounts.count; k++) {
+            const c205_account *account = &accounts.items[k];
+            snprintf(row, sizeof row, "\n%s,0,%llu,%llu,%llu,%llu,",
+                     account->name, (unsigned long long)account->instructions,
+                     (unsigned long long)account->vector_instructions,
+                     (unsigned long long)account->elements,
+                     (unsigned long long)accounts_clocks(account));
+            assert_non_null(strstr(text, row));
+        }
+        free(text);
+        accounts_free(&accounts);
+    }
+}
+
+static void assert_time(uint64_t clocks, const char *expected)
+{
+    char text[ACCOUNTS_TIME];
+    accounts_time(model, clocks, text);
+    assert_string_equal(text, expected);
+}
+
+/* Clocks of 20 ns. */
+static void times_are_short(void **state)
+{
+    (void)state;
+    assert_time(0, "0.00 us");
+    assert_time(1, "0.02 us");
+    assert_time(1139, "22.78 us");
+    assert_time(499999, "9999.98 us");
+    assert_time(500000, "10.000 ms");
+    assert_time(499999999, "10000.000 ms");
+    assert_time(500000000, "10.000 s");
+    assert_time(50000000000, "1000.000 s");
+}
+
+static int set_up(void **state)
+{
+    c205_error error;
+    (void)state;
+    model = c205_model_find(C205_DEFAULT_MODEL, &error);
+    return !model;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
     c205_model_free(model);
+    return 0;
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(regions_are_summed),
-                                        cmocka_unit_test(causes_are_summed) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(matrices_add_up),
+        cmocka_unit_test(matrices_are_narrow),
+        cmocka_unit_test(csv_is_exact),
+        cmocka_unit_test(times_are_short),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
 }
