@@ -16,7 +16,7 @@ static const char indent[] = "        ";
 unsigned disassemble_one(c205_word word, uint64_t address,
                          char text[DISASSEMBLE_TEXT_SIZE])
 {
-    static const struct addresses none;
+    static const struct labels none;
     struct text_line line = { "", 0 };
     struct sink sink = text_line_sink(&line);
     unsigned halves = instruction_write(word, address, 2, &none, &sink);
@@ -25,13 +25,21 @@ unsigned disassemble_one(c205_word word, uint64_t address,
     return halves;
 }
 
+/* Addresses, in order. */
+struct addresses {
+    uint64_t *items;
+    size_t count, capacity;
+};
+
 struct disassembler {
+    const struct object *object;
     const c205_program *program;
     const struct sink *sink;
     const c205_region *region;   /* open in the text, or NULL */
     struct addresses boundaries; /* where instructions begin */
     struct addresses targets;    /* what instructions name .. */
-    struct addresses labels;     /* .. and is a boundary */
+    struct labels labels;        /* .. and is a boundary; and all that has a
+                                    name of its own and can be labelled */
     bool failed;
 };
 
@@ -63,6 +71,14 @@ static void sort(struct addresses *addresses)
     if (addresses->count > 0)
         qsort(addresses->items, addresses->count, sizeof *addresses->items,
               compare_addresses);
+}
+
+static bool addresses_hold(const struct addresses *addresses,
+                           uint64_t address)
+{
+    return addresses->count > 0
+           && bsearch(&address, addresses->items, addresses->count,
+                      sizeof address, compare_addresses);
 }
 
 /* ---- Code ---- */
@@ -206,14 +222,22 @@ static void turn_region(struct disassembler *disassembler,
     }
 }
 
+static void put_label(const struct disassembler *disassembler,
+                      uint64_t address)
+{
+    if (!label_at(&disassembler->labels, address))
+        return;
+    label_write(&disassembler->labels, address, disassembler->sink);
+    sink_put(disassembler->sink, ":\n");
+}
+
 static void show(struct disassembler *disassembler,
                  const c205_segment *segment, uint64_t address,
                  unsigned halves, const char *text)
 {
     (void)halves;
     turn_region(disassembler, segment, address);
-    if (addresses_hold(&disassembler->labels, address))
-        sink_print(disassembler->sink, "L%" PRIX64 ":\n", address);
+    put_label(disassembler, address);
     sink_print(disassembler->sink, "%s%s\n", indent, text);
 }
 
@@ -244,16 +268,42 @@ static size_t put_row(const struct sink *sink, const c205_word *words,
     return i;
 }
 
-static void show_data(const struct sink *sink, const c205_segment *segment)
+/* How many of the words from an address on come before the next label. */
+static size_t words_together(const struct disassembler *disassembler,
+                             uint64_t address, size_t most)
 {
+    const struct labels *labels = &disassembler->labels;
+    size_t low = 0, high = labels->count;
+
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+
+        if (labels->items[middle].address <= address)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    if (low < labels->count
+        && (labels->items[low].address - address) / WORD_BITS < most)
+        most = (size_t)((labels->items[low].address - address) / WORD_BITS);
+    return most;
+}
+
+static void show_data(const struct disassembler *disassembler,
+                      const c205_segment *segment)
+{
+    const struct sink *sink = disassembler->sink;
     const c205_word *words = segment->words;
-    size_t i = 0, zeros;
+    size_t i = 0, zeros, count;
 
     while (i < segment->length) {
-        zeros = words ? count_zeros(words + i, segment->length - i)
-                      : segment->length;
+        uint64_t address = segment->address + WORD_BITS * (uint64_t)i;
+
+        put_label(disassembler, address);
+        count = words_together(disassembler, address, segment->length - i);
+        zeros = words ? count_zeros(words + i, count) : count;
         if (words && zeros < WORDS_A_LINE) {
-            i += put_row(sink, words + i, segment->length - i);
+            i += put_row(sink, words + i, count);
         } else {
             sink_print(sink, "%s.space %zu\n", indent, zeros);
             i += zeros;
@@ -262,6 +312,85 @@ static void show_data(const struct sink *sink, const c205_segment *segment)
 }
 
 /* ---- The program ---- */
+
+static void add_label(struct disassembler *disassembler, uint64_t address,
+                      const char *name)
+{
+    struct labels *labels = &disassembler->labels;
+    size_t capacity = labels->capacity ? 2 * labels->capacity : 64;
+    struct label *items;
+
+    if (labels->count == labels->capacity) {
+        items = realloc(labels->items, capacity * sizeof *items);
+        if (!items) {
+            disassembler->failed = true;
+            return;
+        }
+        labels->items = items;
+        labels->capacity = capacity;
+    }
+    labels->items[labels->count].address = address;
+    labels->items[labels->count++].name = name;
+}
+
+/* By address; of one address names come first. */
+static int compare_labels(const void *a, const void *b)
+{
+    const struct label *first = a, *second = b;
+
+    if (first->address != second->address)
+        return first->address < second->address ? -1 : 1;
+    if (!first->name || !second->name)
+        return (first->name == NULL) - (second->name == NULL);
+    return strcmp(first->name, second->name);
+}
+
+/* One for each address is enough. */
+static void sort_labels(struct labels *labels)
+{
+    size_t i, count = 0;
+
+    if (labels->count > 0)
+        qsort(labels->items, labels->count, sizeof *labels->items,
+              compare_labels);
+    for (i = 0; i < labels->count; i++)
+        if (count == 0
+            || labels->items[i].address != labels->items[count - 1].address)
+            labels->items[count++] = labels->items[i];
+    labels->count = count;
+}
+
+/* Whether a line of the text begins there. */
+static bool can_be_labelled(const struct disassembler *disassembler,
+                            uint64_t address)
+{
+    const c205_program *program = disassembler->program;
+    size_t i;
+
+    for (i = 0; i < program->segment_count; i++)
+        if (lies_in(address, &program->segments[i]))
+            return is_code(program, &program->segments[i])
+                       ? addresses_hold(&disassembler->boundaries, address)
+                       : address % WORD_BITS == 0;
+    return false;
+}
+
+/* An object file may hold any text as a name, and any twice; L400000 is taken.
+ * Symbols are sorted by their names. */
+static bool has_own_name(const struct disassembler *disassembler, size_t i)
+{
+    enum { LONGEST = 40 };
+    const struct asm_symbol *symbol = &disassembler->object->symbols[i];
+    size_t length = strlen(symbol->name);
+    struct register_name named;
+
+    return symbol->is_label && is_name(symbol->name) && length <= LONGEST
+           && !(*symbol->name == 'L'
+                && strspn(symbol->name + 1, "0123456789ABCDEF") == length - 1)
+           && !register_named(symbol->name, length, &named)
+           && (i == 0 || strcmp(symbol->name, symbol[-1].name) != 0)
+           && can_be_labelled(disassembler, (uint64_t)symbol->value);
+}
 
 static void collect(struct disassembler *disassembler)
 {
@@ -276,9 +405,13 @@ static void collect(struct disassembler *disassembler)
     for (i = 0; i < disassembler->targets.count; i++)
         if (addresses_hold(&disassembler->boundaries,
                            disassembler->targets.items[i]))
-            add_address(disassembler, &disassembler->labels,
-                        disassembler->targets.items[i]);
-    sort(&disassembler->labels);
+            add_label(disassembler, disassembler->targets.items[i], NULL);
+    for (i = 0; i < disassembler->object->symbol_count; i++)
+        if (has_own_name(disassembler, i))
+            add_label(disassembler,
+                      (uint64_t)disassembler->object->symbols[i].value,
+                      disassembler->object->symbols[i].name);
+    sort_labels(&disassembler->labels);
 }
 
 static void show_segment(struct disassembler *disassembler,
@@ -291,26 +424,26 @@ static void show_segment(struct disassembler *disassembler,
     if (code)
         walk(disassembler, segment, show);
     else
-        show_data(disassembler->sink, segment);
+        show_data(disassembler, segment);
     turn_region(disassembler, segment, end_of(segment));
 }
 
-bool disassemble(const c205_program *program, const struct sink *sink)
+bool disassemble(const struct object *object, const struct sink *sink)
 {
     static const struct disassembler empty;
     struct disassembler disassembler = empty;
     size_t i;
 
-    disassembler.program = program;
+    disassembler.object = object;
+    disassembler.program = &object->program;
     disassembler.sink = sink;
     collect(&disassembler);
-    sink_print(sink, "%s.entry %s%" PRIX64 "\n", indent,
-               addresses_hold(&disassembler.labels, program->entry) ? "L"
-                                                                    : "0x",
-               program->entry);
-    for (i = 0; i < program->segment_count; i++)
-        if (program->segments[i].length > 0)
-            show_segment(&disassembler, &program->segments[i]);
+    sink_print(sink, "%s.entry ", indent);
+    label_write(&disassembler.labels, object->program.entry, sink);
+    sink_put(sink, "\n");
+    for (i = 0; i < object->program.segment_count; i++)
+        if (object->program.segments[i].length > 0)
+            show_segment(&disassembler, &object->program.segments[i]);
     free(disassembler.boundaries.items);
     free(disassembler.targets.items);
     free(disassembler.labels.items);

@@ -3,16 +3,16 @@
  * Segments that hold the entry or a region are read as code from their
  * beginning, the others as data.  An instruction word that the language
  * cannot express (undefined, or bits set that its format has no name for)
- * becomes a .half.
+ * becomes a .half.  Labels have the names that the object knows; others are
+ * called L and the address.
  */
 #ifndef ASM_DISASSEMBLE_H
 #define ASM_DISASSEMBLE_H
 
-#include "base/sink.h"
-#include "vm/c205.h"
+#include "asm/assemble.h"
 
 /* False: the host has no memory left. */
-bool disassemble(const c205_program *program, const struct sink *sink);
+bool disassemble(const struct object *object, const struct sink *sink);
 
 enum { DISASSEMBLE_TEXT_SIZE = TEXT_LINE_SIZE };
 /* One instruction, in the high half of word if it is short, as it stands at

@@ -15,29 +15,41 @@ enum { HALF_BITS = 32, ADDRESS_BITS = 48 };
 
 struct writer {
     struct sink sink;
-    const struct addresses *labels;
+    const struct labels *labels;
     uint64_t address;
     c205_fields fields, told;
 };
 
 static int compare_addresses(const void *a, const void *b)
 {
-    uint64_t first = *(const uint64_t *)a, second = *(const uint64_t *)b;
+    uint64_t first = *(const uint64_t *)a;
+    uint64_t second = ((const struct label *)b)->address;
 
     return (first > second) - (first < second);
 }
 
-bool addresses_hold(const struct addresses *addresses, uint64_t address)
+const struct label *label_at(const struct labels *labels, uint64_t address)
 {
-    return addresses->count > 0
-           && bsearch(&address, addresses->items, addresses->count,
-                      sizeof address, compare_addresses);
+    return labels->count == 0
+               ? NULL
+               : bsearch(&address, labels->items, labels->count,
+                         sizeof *labels->items, compare_addresses);
+}
+
+void label_write(const struct labels *labels, uint64_t address,
+                 const struct sink *sink)
+{
+    const struct label *label = label_at(labels, address);
+
+    if (label && label->name)
+        sink_put(sink, label->name);
+    else
+        sink_print(sink, "%s%" PRIX64, label ? "L" : "0x", address);
 }
 
 static void write_address(const struct writer *writer, uint64_t address)
 {
-    sink_print(&writer->sink, "%s%" PRIX64,
-               addresses_hold(writer->labels, address) ? "L" : "0x", address);
+    label_write(writer->labels, address, &writer->sink);
 }
 
 static uint8_t tell_field(struct writer *writer, char letter)
@@ -181,7 +193,7 @@ static bool write_instruction(struct writer *writer, const c205_insn *insn,
 }
 
 unsigned instruction_write(c205_word word, uint64_t address,
-                           unsigned available, const struct addresses *labels,
+                           unsigned available, const struct labels *labels,
                            const struct sink *sink)
 {
     static const struct writer empty;

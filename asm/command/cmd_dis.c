@@ -12,7 +12,7 @@ static int disassemble_file(void *given)
     if (!object) {
         return CMD_FAILED;
     }
-    bool good = disassemble(&object->program, &sink);
+    bool good = disassemble(object, &sink);
     object_free(object);
     return good ? CMD_DONE : cmd_failed(arguments->command, "no memory");
 }

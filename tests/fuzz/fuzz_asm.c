@@ -27,7 +27,7 @@ static void go_round(const struct object *object)
     struct diagnostics errors = { 0 };
     struct object *again;
 
-    disassemble(&object->program, &sink);
+    disassemble(object, &sink);
     again = assemble_text("again.s", text.text, NULL, &errors);
     if (!again)
         abort();

@@ -317,7 +317,7 @@ static bool read_object(FILE *out, c205_error *error)
 static bool disassemble_object(FILE *out, c205_error *error)
 {
     struct sink sink = stream_sink(out);
-    return disassemble(&object->program, &sink) || no_memory(error);
+    return disassemble(object, &sink) || no_memory(error);
 }
 
 static bool show(struct table *table, FILE *out, c205_error *error)

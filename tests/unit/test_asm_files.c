@@ -16,7 +16,7 @@ static void check_disassembly(const struct object *object)
     struct sink sink = text_buffer_sink(&text);
     struct object *again;
 
-    assert_true(disassemble(&object->program, &sink));
+    assert_true(disassemble(object, &sink));
     again = good(text.text);
     assert_same_program(&object->program, &again->program);
     object_free(again);
@@ -160,7 +160,7 @@ static bool is_disassembled_as(const struct object *object,
     struct sink sink = text_buffer_sink(&text);
     bool found;
 
-    assert_true(disassemble(&object->program, &sink));
+    assert_true(disassemble(object, &sink));
     found = strstr(text.text, section);
     text_buffer_free(&text);
     return found;
@@ -213,6 +213,39 @@ static void test_any_bits(void **state)
 }
 
 /* No piece of an object file, and none with a byte changed, does harm. */
+/* Labels keep their names, if these can stand in a text: once, on a line. */
+static void test_names(void **state)
+{
+    static const char file[] =
+        "c205-object 1\nentry 400000\nsegment 400000 2\n3E010005BE020000\n"
+        "0080004009000000\nsegment 800000 3\n0000000000000001\n"
+        "0000000000000002\n0000000000000003\nlabel 400000 main\n"
+        "label 800000 r5\nlabel 800000 a b\nlabel 800000 list\n"
+        "label 800040 twice\nlabel 800080 twice\nlabel 800080 L5\n"
+        "label 400040 inside\nlabel 800060 half\nlabel 900000 nowhere\n"
+        "integer 800080 constant\nlabel 800080 $end.\nend\n";
+    static const char *const lines[] = { ".entry main\n",  "\nmain:\n",
+                                         "EX r2, twice\n", "\nlist:\n",
+                                         "\ntwice:\n",     "\n$end.:\n" };
+    c205_error error;
+    struct text_buffer text = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&text);
+    struct object *object = object_read(file, sizeof file - 1, &error);
+    size_t i;
+
+    (void)state;
+    assert_non_null(object);
+    check_disassembly(object);
+    assert_true(disassemble(object, &sink));
+    for (i = 0; i < sizeof lines / sizeof *lines; i++)
+        if (!strstr(text.text, lines[i]))
+            fail_msg("no '%s' in\n%s", lines[i], text.text);
+    assert_null(strstr(text.text, "L5"));
+    assert_null(strstr(text.text, "inside"));
+    text_buffer_free(&text);
+    object_free(object);
+}
+
 static void test_broken_files(void **state)
 {
     struct object *object = good(sample);
@@ -292,6 +325,7 @@ int main(void)
                                         cmocka_unit_test(test_sample),
                                         cmocka_unit_test(test_saved),
                                         cmocka_unit_test(test_any_bits),
+                                        cmocka_unit_test(test_names),
                                         cmocka_unit_test(test_broken_files),
                                         cmocka_unit_test(test_refused_files),
                                         cmocka_unit_test(test_last_address) };
