@@ -189,7 +189,21 @@ static void put_roff_command(FILE *file,
     put_roff_rows(file, command->options);
     put_roff_row(file, &command_help_option);
     put_roff_row(file, &command_version_option);
-    put_roff_examples(file, command->examples);
+}
+
+/* Those of all commands together. */
+static void put_roff_all_examples(FILE *file,
+                                  const struct command_program *program)
+{
+    const struct command *const *command = program->commands;
+    const char *heading = ".SH EXAMPLES\n";
+    for (; *command; command++) {
+        if ((*command)->examples) {
+            fputs(heading, file);
+            put_roff_examples(file, (*command)->examples);
+            heading = "";
+        }
+    }
 }
 
 static void put_roff_head(FILE *file, const struct command_program *program)
@@ -231,4 +245,5 @@ void command_print_man(const struct command_program *program, FILE *file)
         fputs(".SH FILES\n", file);
         put_roff_examples(file, program->files);
     }
+    put_roff_all_examples(file, program);
 }

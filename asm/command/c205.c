@@ -9,11 +9,21 @@ int main(int argc, char **argv)
         &model_command, &time_command, NULL
     };
     static const struct cmd_arguments arguments = { .limit = C205_NO_LIMIT };
+    static const struct command_example files[] = {
+        { "NAME.s",
+          "A program text. The files of macros and routines that it includes "
+          "by name, as print.s, are in c205 itself." },
+        { "NAME.model",
+          "A machine model: constants of time, each with unit and source; or "
+          "changes of one that is built in." },
+        { NULL, NULL }
+    };
     static const struct command_program program = {
         .name = "c205",
         .summary = "programs of a CYBER 205 style machine",
         .version = C205_VERSION,
         .commands = commands,
+        .files = files,
         .arguments_size = sizeof arguments,
         .arguments = &arguments,
     };

@@ -7,11 +7,24 @@ int main(int argc, char **argv)
         &render_command, &profile_command, &speedup_command,
         &sweep_command,  &quartic_command, NULL
     };
+    static const struct command_example files[] = {
+        { "NAME.pov", "A scene, in the part of POV-Ray's language that is "
+                      "read." },
+        { "NAME.model",
+          "A machine model: constants of time, each with unit and source; or "
+          "changes of one that is built in." },
+        { "rt205_oiio.so",
+          "What writes pictures, by OpenImageIO: in the folder that the "
+          "environment's RT205_LIBDIR names, beside rt205, or in "
+          "../lib/rt205 of it." },
+        { NULL, NULL }
+    };
     static const struct command_program program = {
         .name = "rt205",
         .summary = "a ray tracer on a CYBER 205 style machine",
         .version = C205_VERSION,
         .commands = commands,
+        .files = files,
         .arguments_size = sizeof(struct cmd_arguments),
     };
 
