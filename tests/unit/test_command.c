@@ -392,6 +392,21 @@ static void test_wrong_lines(void **state)
     refused("--output=a", "--kept=./a", "--output and --kept name one file");
 }
 
+/* The least and the most of a count are right. */
+static void test_bounds(void **state)
+{
+    char test[] = "test", look[] = "look", first[] = "first";
+    char least[] = "--count=3", most[] = "--count=1000";
+    char *few[] = { test, look, least, first, NULL };
+    char *many[] = { test, look, most, first, NULL };
+
+    (void)state;
+    assert_int_equal(run(4, few), CMD_DONE);
+    assert_non_null(strstr(seen, "|3|"));
+    assert_int_equal(run(4, many), CMD_DONE);
+    assert_non_null(strstr(seen, "|1000|"));
+}
+
 static void test_missing_and_too_many(void **state)
 {
     char test[] = "test", look[] = "look", other[] = "other", loo[] = "lok";
@@ -445,8 +460,12 @@ static void test_nearest(void **state)
             nearest_try(&nearest, names[k]);
         assert_ptr_equal(nearest.name, name);
     }
+    struct nearest swapped = { .word = "rnu" };
+    nearest_try(&swapped, "run");
+    assert_string_equal(swapped.name, "run");
     struct nearest nothing = { .word = "fit" };
     nearest_try(&nothing, "quartic");
+    nearest_try(&nothing, "run");
     nearest_try(&nothing, "a name of more than forty letters is near nobody");
     assert_null(nothing.name);
 }
@@ -471,6 +490,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_right_lines),
         cmocka_unit_test(test_wrong_lines),
+        cmocka_unit_test(test_bounds),
         cmocka_unit_test(test_missing_and_too_many),
         cmocka_unit_test(test_nearest),
         cmocka_unit_test(test_time_left),
