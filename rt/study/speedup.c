@@ -294,7 +294,7 @@ bool speedup_measure(const struct speedup_subject *subject,
                      const struct trace_options *options,
                      struct speedup_measure *measure, c205_error *error)
 {
-    struct projecting projecting[SPEEDUP_PROJECTIONS] = { { NULL } };
+    struct projecting projecting[SPEEDUP_PROJECTIONS] = { { .model = NULL } };
     bool good;
 
     memset(measure, 0, sizeof *measure);
