@@ -9,11 +9,12 @@
 # before its first " | " once for all blocks.  quick leaves out the slow ones.
 # --write puts the output into the pages instead.
 set -u
+. "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd) size=$2 write=${3:-}
 cd "$(dirname "$0")/.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-passed=0 failed=0
+said=$work/diff
 PATH=$build:$PATH
 export PATH
 
@@ -72,14 +73,12 @@ for page in README.md docs/*.md docs/*/*.md; do
         n=$((n + 1))
         print "$command" </dev/null
         if diff "$work/block$n" "$work/out" >"$work/diff"; then
-            passed=$((passed + 1))
+            pass
         elif [ "$write" ]; then
             echo "$page: written: $command"
             cp "$work/out" "$work/block$n"
         else
-            failed=$((failed + 1))
-            echo "FAIL $page: $command"
-            sed 's/^/    /' "$work/diff"
+            fail "$page: $command"
         fi
     done <"$work/commands"
     [ "$write" ] && awk -v work="$work" '
@@ -91,5 +90,4 @@ for page in README.md docs/*.md docs/*/*.md; do
         }
         { print }' "$work/page" >"$work/new" && cp "$work/new" "$page"
 done
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+counted

@@ -230,6 +230,14 @@ static void test_queue_report(void **state)
     assert_int_equal(table_rows(report.parts[0].table), sweep.count);
     difference = report.parts[2].table;
     assert_int_equal(table_rows(difference), SWEEP_GROUPS + 1);
+    for (size_t i = 0; i <= SWEEP_GROUPS; i++) {
+        double best = table_value(difference, i, 1);
+
+        assert_true(table_value(difference, i, 3)
+                    == table_value(difference, i, 2) - best);
+        assert_true(table_value(difference, i, 5)
+                    == table_value(difference, i, 4) - best);
+    }
     for (size_t i = 0; i < SWEEP_GROUPS; i++)
         sum += table_value(difference, i, 3);
     assert_true(fabs(sum - table_value(difference, SWEEP_GROUPS, 3)) < 1e-9);

@@ -117,7 +117,7 @@ static void test_light_straight_behind(void **state)
     for (size_t i = 0; i < PIXELS; i++) {
         assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][i]), 1);
         assert_float_equal(c205_to_double(words->channel[CHANNEL_RED][i]),
-                           .25, 1e-12);
+                           .25, 1e-3);
     }
     free(words);
 }
