@@ -124,15 +124,18 @@ static bool matrix_of(struct matrix *matrix, const struct accounts *accounts)
 
 /* ---- Causes are rows ----------------------------------------------------- */
 
-/* The share stands beside the sum, not below it. */
+/* The share stands beside the sum, not below it, and both in the first part
+ * alone. */
 static void add_cause(struct table *table, const struct matrix *matrix,
                       int line, size_t first, size_t count)
 {
     double all = value(matrix, ALL, &matrix->sum);
     double here = value(matrix, line, &matrix->sum);
     table_text(table, line_name(line));
-    add_value(table, matrix, line, &matrix->sum);
-    table_number(table, line <= ALL ? 100 * here / all : NAN);
+    if (first == 0) {
+        add_value(table, matrix, line, &matrix->sum);
+        table_number(table, line <= ALL ? 100 * here / all : NAN);
+    }
     for (size_t i = first; i < first + count; i++) {
         add_value(table, matrix, line, matrix->regions[i]);
     }
@@ -141,8 +144,8 @@ static void add_cause(struct table *table, const struct matrix *matrix,
 static struct table *causes_down(const struct matrix *matrix, size_t first,
                                  size_t count)
 {
-    enum { BEFORE = 3 };
-    struct table_column *columns = calloc(BEFORE + count, sizeof *columns);
+    size_t before = first == 0 ? 3 : 1;
+    struct table_column *columns = calloc(3 + count, sizeof *columns);
     struct table *table = NULL;
     if (columns) {
         columns[0] = (struct table_column){ "cause", matrix->unit->heading,
@@ -151,10 +154,10 @@ static struct table *causes_down(const struct matrix *matrix, size_t first,
         columns[2] = (struct table_column){ "percent", "%", TABLE_NUMBER, 1 };
         for (size_t i = 0; i < count; i++) {
             const char *name = accounts_region(matrix->regions[first + i]);
-            columns[BEFORE + i] = (struct table_column){ name, name,
+            columns[before + i] = (struct table_column){ name, name,
                                                          TABLE_NUMBER, 0 };
         }
-        table = table_new(columns, BEFORE + count);
+        table = table_new(columns, before + count);
     }
     for (size_t i = 0; table && i < matrix->line_count; i++) {
         if (matrix->lines[i] != SHARE) {

@@ -17,7 +17,8 @@ int accounts_show(const struct accounts *accounts,
 /* The matrix; causes are rows, or regions are, which is narrower where there
  * are many of them. */
 enum accounts_rows { ACCOUNTS_CAUSES, ACCOUNTS_REGIONS };
-/* With so many regions from the first one on, of those that took time (beyond
+/* With so many regions from the first one on, of those that took time, before
+ * them, if that is 0, all (beyond
  * the last of them there are none); where only one took time, its figures are
  * those of all.  NULL: no memory. */
 struct table *accounts_matrix(const struct accounts *accounts,

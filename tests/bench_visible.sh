@@ -51,7 +51,10 @@ write_solid() { # KIND COUNT
 
 clocks() { # SCENE WAY: of visible and of the frame, the frame's checksum
     "$build/rt205" render "$1" -o "$work/picture.png" -W $width -H $height \
-        --visible "$2" 2>&1 | awk '
+        --visible "$2" --accounts --format csv 2>/dev/null | awk -F, '
+        NF == 11 { frame = $8; sum = $10 }
+        NF == 8 && $1 == "visible" { visible = $6 }
+        END { print visible, frame, sum }'| awk '
         /clocks,/ { for (i = 2; i <= NF; i++)
                         if ($i ~ /^clocks/) frame = $(i - 1) }
         /^frame checksum/ { sum = $3 }

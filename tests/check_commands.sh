@@ -558,6 +558,31 @@ ends 2 "$build/rt205" render "$scene" -o a.png \
 ends 0 "$build/rt205" render "$scene" -o a.png -W 40 -H 30 --json a.json
 [ -s a.png ] && [ -s a.json ]
 verdict $? "no picture, or no a.json"
+[ "$(wc -l <out)" -eq 5 ]
+verdict $? "a frame is not told of in five lines"
+tells out 'first.pov: 40 x 30, vector, a queue of 2000; 1200 of 1200 rays hit$'
+tells out '^[0-9]* clocks, [0-9.]* us on the machine$'
+tells out '^frame checksum [0-9A-F]\{16\}$'
+tells out '^picture a.png$'
+for key in '"rays": 1200' '"hits": 1200' '"picture": "a.png"' \
+    '"causes": \[' '"regions": \['; do
+    tells a.json "$key"
+done
+cp out short
+ends 0 "$build/rt205" render "$scene" -o a.png -W 40 -H 30 --json b.json \
+    --accounts
+narrow "rt205 render --accounts"
+head -5 out | cmp -s - short
+verdict $? "the accounts do not follow the result"
+cmp -s a.json b.json
+verdict $? "the accounts are not in the JSON in any case"
+tells out '^page fault '
+tells out '^mean vector length '
+! grep -q -e torus -e ' 0  *0  *0' out
+verdict $? "the accounts tell of what took nothing"
+ends 0 "$build/rt205" render "$scene" -o a.png -W 40 -H 30 --accounts \
+    --format csv
+tells out '^shade,page fault,[0-9]*000,'
 cp a.png b.png
 ends 0 "$build/rt205" render "$scene" -o b.png -W 40 -H 30
 cmp -s a.png b.png
@@ -813,6 +838,7 @@ formats "$build/c205" isa ADDNV
 formats "$build/c205" model
 formats "$build/c205" model cyber720
 formats "$build/rt205" render "$scene" -o f.png -W 20 -H 15
+formats "$build/rt205" render "$scene" -o f.png -W 20 -H 15 --accounts
 formats "$build/rt205" profile "$scene" -W 20 -H 15
 formats "$build/rt205" speedup -W 16 -H 10
 formats "$build/rt205" speedup -W 16 -H 10 --details --passes

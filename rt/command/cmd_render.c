@@ -1,7 +1,7 @@
 /* cmd_render.c - rt205 render: a scene in, a picture out, clocks told. */
 #include <stdio.h>
 
-#include "base/accounts.h"
+#include "base/accounts_show.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 
@@ -38,33 +38,88 @@ static bool write_picture(const struct cmd_arguments *arguments,
     return good;
 }
 
-/* What a run has to tell, for print and for JSON. */
+/* ---- What is told of a frame --------------------------------------------- */
+
+/* What a run has to tell, in lines, in a table and in JSON. */
 struct result {
     const struct cmd_arguments *arguments;
     const c205_model *model;
     uint64_t clocks;
+    size_t rays, hits; /* of the camera */
     char checksum[17];
-    struct table *regions, *causes; /* printed */
-    struct table *detail;           /* causes by region, for JSON */
 };
+
+static struct result result_of(const struct cmd_arguments *arguments,
+                               const struct trace *trace)
+{
+    const struct accounts *accounts = trace_accounts(trace);
+    struct result result = { .arguments = arguments,
+                             .model = accounts->model,
+                             .clocks = accounts->clocks,
+                             .rays = trace_rays(trace, RAY_PRIMARY),
+                             .hits = trace_hits(trace) };
+
+    snprintf(result.checksum, sizeof result.checksum, "%016llX",
+             (unsigned long long)trace_checksum(trace));
+    return result;
+}
 
 static void print_result(const struct result *result,
                          const struct results *results)
 {
-    const struct trace_options *trace = &result->arguments->trace;
-    char queue[48] = "";
+    const struct cmd_arguments *arguments = result->arguments;
+    const struct trace_options *trace = &arguments->trace;
+    char queue[48] = "", time[ACCOUNTS_TIME];
 
     if (trace->mode != TRACE_SCALAR)
         snprintf(queue, sizeof queue, ", a queue of %zu", trace->queue);
+    accounts_time(result->model, result->clocks, time);
+    results_say(results, "%s: %zu x %zu, %s%s; %zu of %zu rays hit\n",
+                arguments->scene, trace->width, trace->height,
+                trace_mode_name(trace->mode), queue, result->hits,
+                result->rays);
     results_say(results,
-                "%s: %zu x %zu, %s%s: %llu clocks, %.4f s on the "
-                "machine\nframe checksum %s\n",
-                result->arguments->scene, trace->width, trace->height,
-                trace_mode_name(trace->mode), queue,
-                (unsigned long long)result->clocks,
-                accounts_seconds(result->model, result->clocks),
-                result->checksum);
-    results_model(results, result->model);
+                "%llu clocks, %s on the machine\n"
+                "frame checksum %s\n"
+                "picture %s\n",
+                (unsigned long long)result->clocks, time, result->checksum,
+                arguments->output);
+}
+
+/* The same, where results are tables. */
+static struct table *table_of(const struct result *result)
+{
+    static const struct table_column columns[] = {
+        { "scene", "scene", TABLE_TEXT, 0 },
+        { "width", "width", TABLE_COUNT, 0 },
+        { "height", "height", TABLE_COUNT, 0 },
+        { "mode", "mode", TABLE_TEXT, 0 },
+        { "queue", "queue", TABLE_COUNT, 0 },
+        { "rays", "rays", TABLE_COUNT, 0 },
+        { "hits", "hits", TABLE_COUNT, 0 },
+        { "clocks", "clocks", TABLE_COUNT, 0 },
+        { "seconds", "s", TABLE_NUMBER, 4 },
+        { "checksum", "checksum", TABLE_TEXT, 0 },
+        { "picture", "picture", TABLE_TEXT, 0 },
+    };
+    const struct cmd_arguments *arguments = result->arguments;
+    const struct trace_options *trace = &arguments->trace;
+    struct table *table = table_new(TABLE_COLUMNS(columns));
+
+    if (!table)
+        return NULL;
+    table_text(table, arguments->scene);
+    table_count(table, trace->width);
+    table_count(table, trace->height);
+    table_text(table, trace_mode_name(trace->mode));
+    table_count(table, trace->queue);
+    table_count(table, result->rays);
+    table_count(table, result->hits);
+    table_count(table, result->clocks);
+    table_number(table, accounts_seconds(result->model, result->clocks));
+    table_text(table, result->checksum);
+    table_text(table, arguments->output);
+    return table;
 }
 
 static void write_result(const struct result *result, struct json *json)
@@ -76,54 +131,50 @@ static void write_result(const struct result *result, struct json *json)
     json_count(json, "width", trace->width);
     json_count(json, "height", trace->height);
     json_count(json, "queue", trace->queue);
+    json_count(json, "rays", result->rays);
+    json_count(json, "hits", result->hits);
     json_count(json, "clocks", result->clocks);
     json_number(json, "seconds",
                 accounts_seconds(result->model, result->clocks));
     json_text(json, "checksum", result->checksum);
+    json_text(json, "picture", result->arguments->output);
     provenance_json(result->model, json);
 }
 
-/* By region, and by cause: in print of the whole run, in JSON region by
- * region. */
-static bool tell_tables(const struct result *result,
-                        const struct results *results)
+static int tell_result(const struct result *result,
+                       const struct results *results)
 {
     struct results printed = *results;
+    int code = CMD_DONE;
 
-    if (!results_table(results, result->regions, "regions", "By region"))
-        return false;
-    if (results->json && !table_json(result->detail, results->json, "causes"))
-        return false;
     printed.json = NULL;
-    results_gap(results);
-    return results_table(&printed, result->causes, NULL, "By cause");
+    if (results->format == RESULTS_TEXT)
+        print_result(result, results);
+    else
+        code = results_show(&printed, table_of(result), NULL, "Frame");
+    results_model(results, result->model);
+    if (results->json)
+        write_result(result, results->json);
+    return code;
 }
 
-static bool tell(const struct cmd_arguments *arguments,
-                 const struct trace *trace, const struct results *results)
+/* JSON has the accounts in any case. */
+static int tell(const struct cmd_arguments *arguments,
+                const struct trace *trace, const struct results *results)
 {
-    const struct accounts *accounts = trace_accounts(trace);
-    struct result result = { .arguments = arguments,
-                             .model = accounts->model,
-                             .clocks = accounts->clocks,
-                             .regions = accounts_by_region(accounts),
-                             .causes = accounts_of_run(accounts),
-                             .detail = accounts_by_cause(accounts) };
-    bool good = result.regions && result.causes && result.detail;
+    const struct result result = result_of(arguments, trace);
+    struct results accounts = *results;
+    int code = tell_result(&result, results);
 
-    if (good) {
-        snprintf(result.checksum, sizeof result.checksum, "%016llX",
-                 (unsigned long long)trace_checksum(trace));
-        print_result(&result, results);
-        if (results->json)
-            write_result(&result, results->json);
-        good = tell_tables(&result, results);
-    }
-    table_free(result.regions);
-    table_free(result.causes);
-    table_free(result.detail);
-    return good;
+    if (!arguments->accounts)
+        accounts.file = NULL;
+    else if (code == CMD_DONE && results->file)
+        results_gap(results);
+    return code == CMD_DONE ? accounts_show(trace_accounts(trace), &accounts)
+                            : code;
 }
+
+/* ---- A frame from its beginning to its end ------------------------------- */
 
 /* What the file that --resume names already has. */
 static void tell_kept(const struct cmd_arguments *arguments,
@@ -203,8 +254,7 @@ static int run(const struct cmd_arguments *arguments, struct trace *trace,
         return end_early(arguments, trace, &error);
     if (write_picture(arguments, trace, &error)) {
         trace_forget(trace);
-        if (tell(arguments, trace, results))
-            return CMD_DONE;
+        return tell(arguments, trace, results);
     }
     return cmd_failed(arguments->command, "%s", error.message);
 }
@@ -277,6 +327,9 @@ static const struct command_option options[] = {
       .kind = COMMAND_FILE,
       .offset = CMD_PLACE(resume),
       .help = "keep finished bands there; go on from those it has" },
+    CMD_FLAG(
+        "accounts", accounts,
+        "also where the clocks went, cause by cause and region by region"),
     CMD_FLAG("half", half, "16-bit colours in an .exr"),
     CMD_READ,
     CMD_RESULTS,
@@ -285,7 +338,7 @@ static const struct command_option options[] = {
 static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
 static const struct command_example examples[] = {
     { "rt205 render SCENE -o PICTURE",
-      "the picture, and where the machine's clocks went" },
+      "the picture, and what it took the machine" },
     { NULL, NULL }
 };
 

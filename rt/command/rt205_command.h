@@ -36,6 +36,7 @@ struct cmd_arguments {
     struct cmd_points points;
     int sweep; /* the number of the kind */
     bool strict, half;
+    bool accounts;        /* of a frame, printed */
     bool all, first;      /* roots of polynomials */
     bool details, passes; /* of the speedup table; the passes are the root
                              solver's, one by one */
