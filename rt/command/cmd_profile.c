@@ -29,11 +29,26 @@ static void tell_head(const struct cmd_arguments *arguments,
     provenance_json(options->model, json);
 }
 
+/* Readers get clocks in groups, in millions; other programs all of them. */
+static struct results results_of(enum profile_table kind,
+                                 const struct results *results)
+{
+    struct results chosen = *results;
+    bool exact = results->format == RESULTS_CSV;
+
+    if (kind == PROFILE_GROUPS)
+        chosen.json = NULL;
+    if (kind == (exact ? PROFILE_GROUPS : PROFILE_CLOCKS))
+        chosen.file = NULL;
+    return chosen;
+}
+
 static bool tell_table(enum profile_table kind, const struct profile *profile,
                        const struct results *results)
 {
+    struct results chosen = results_of(kind, results);
     struct table *table = profile_table(kind, profile);
-    bool good = results_part(results, table, profile_table_key(kind),
+    bool good = results_part(&chosen, table, profile_table_key(kind),
                              profile_table_heading(kind));
 
     table_free(table);

@@ -173,6 +173,107 @@ static void fill_clocks(struct table *table, const struct profile *profile)
     add_clocks(table, profile, "the frame", "", clocks);
 }
 
+/* ---- The same in three groups --------------------------------------------- */
+
+static const struct table_column group_columns[] = {
+    { "part", "part", TABLE_TEXT, 0 },
+    { "scalar", "scalar", TABLE_NUMBER, 2 },
+    { "scalar_percent", "%", TABLE_NUMBER, 1 },
+    { "kernels", "kernels", TABLE_NUMBER, 2 },
+    { "kernels_percent", "%", TABLE_NUMBER, 1 },
+    { "kernels_speedup", "x", TABLE_NUMBER, 2 },
+    { "vector", "vector", TABLE_NUMBER, 2 },
+    { "vector_percent", "%", TABLE_NUMBER, 1 },
+    { "vector_speedup", "x", TABLE_NUMBER, 2 },
+};
+
+/* What belongs together; the part that has kernels of its own is told of by
+ * these. */
+enum { GROUPS = 3 };
+static const struct {
+    const char *name;
+    size_t count;
+    enum profile_part parts[PROFILE_PARTS];
+} groups[GROUPS] = {
+    { "rays", 3, { PART_GENERATE, PART_SPAWN, PART_REST } },
+    { "intersections", 1, { PART_INTERSECT } },
+    { "surfaces", 2, { PART_VISIBLE, PART_SHADE } },
+};
+
+static void add_millions(struct table *table, const struct profile *profile,
+                         const char *indent, const char *name,
+                         const uint64_t clocks[TRACE_MODES])
+{
+    char text[64];
+
+    snprintf(text, sizeof text, "%s%s", indent, name);
+    table_text(table, text);
+    for (int i = 0; i < TRACE_MODES; i++) {
+        table_number(table, (double)clocks[i] / 1e6);
+        table_number(table, 100
+                                * ratio(clocks[i],
+                                        clocks_of_frame(profile->traces[i])));
+        if (i != SERIAL)
+            table_number(table, ratio(clocks[SERIAL], clocks[i]));
+    }
+}
+
+/* Clocks of a part (region NULL) or region in the stages.  False: there are
+ * none. */
+static bool find_clocks(const struct profile *profile, enum profile_part part,
+                        const char *region, uint64_t clocks[TRACE_MODES])
+{
+    uint64_t sum = 0;
+
+    for (int i = 0; i < TRACE_MODES; i++)
+        sum += clocks[i] = region
+                               ? clocks_of_region(profile->traces[i], region)
+                               : clocks_of_part(profile->traces[i], part);
+    return sum > 0;
+}
+
+static void add_members(struct table *table, const struct profile *profile,
+                        enum profile_part part)
+{
+    uint64_t clocks[TRACE_MODES];
+
+    if (part != PART_INTERSECT) {
+        if (find_clocks(profile, part, NULL, clocks))
+            add_millions(table, profile, "  ", part_names[part], clocks);
+        return;
+    }
+    for (size_t i = 0; i < REGIONS; i++)
+        if (regions[i].part == part
+            && find_clocks(profile, part, regions[i].region, clocks))
+            add_millions(table, profile, "  ", regions[i].region, clocks);
+}
+
+static void add_group(struct table *table, const struct profile *profile,
+                      size_t group)
+{
+    uint64_t clocks[TRACE_MODES], sum[TRACE_MODES] = { 0 };
+
+    for (size_t k = 0; k < groups[group].count; k++) {
+        find_clocks(profile, groups[group].parts[k], NULL, clocks);
+        for (int i = 0; i < TRACE_MODES; i++)
+            sum[i] += clocks[i];
+    }
+    add_millions(table, profile, "", groups[group].name, sum);
+    for (size_t k = 0; k < groups[group].count; k++)
+        add_members(table, profile, groups[group].parts[k]);
+}
+
+static void fill_groups(struct table *table, const struct profile *profile)
+{
+    uint64_t clocks[TRACE_MODES];
+
+    for (size_t group = 0; group < GROUPS; group++)
+        add_group(table, profile, group);
+    for (int i = 0; i < TRACE_MODES; i++)
+        clocks[i] = clocks_of_frame(profile->traces[i]);
+    add_millions(table, profile, "", "the frame", clocks);
+}
+
 /* ---- Amdahl's law -------------------------------------------------------- */
 
 static const struct table_column speedup_columns[] = {
@@ -288,6 +389,10 @@ static const struct {
     size_t count;
     void (*fill)(struct table *, const struct profile *);
 } tables[PROFILE_TABLES] = {
+    [PROFILE_GROUPS] = { "groups",
+                         "Millions of clocks; x: how many times as fast as "
+                         "scalar",
+                         TABLE_COLUMNS(group_columns), fill_groups },
     [PROFILE_CLOCKS] = { "clocks",
                          "Clocks part by part; x: how many times "
                          "as fast as scalar",

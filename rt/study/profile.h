@@ -40,7 +40,10 @@ void profile_free(struct profile *profile);
 
 /* The tables of a profile that was run.  NULL: no memory. */
 enum profile_table {
-    PROFILE_CLOCKS,  /* of each part, and of each primitive's kernel */
+    PROFILE_GROUPS,  /* of parts and kernels in three groups, in millions of
+                        clocks: for the reader .. */
+    PROFILE_CLOCKS,  /* .. what others read: of each part, and of each
+                        primitive's kernel, exact */
     PROFILE_SPEEDUP, /* of the frame, and what Amdahl's law says of it */
     PROFILE_VECTORS, /* their length, the density of control vectors */
     PROFILE_RAYS,    /* by kind */

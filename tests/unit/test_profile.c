@@ -142,6 +142,58 @@ static void test_sums(void **state)
     free(text);
 }
 
+/* The groups for the reader: columns of clocks, of shares. */
+static const size_t millions[TRACE_MODES] = { 1, 3, 6 };
+
+/* The sum of rows of the kind that a reader sees: groups, or their members,
+ * which stand indented below them. */
+static double sum_of_rows(const struct table *table, const char *text,
+                          size_t column, bool members)
+{
+    const char *line = strchr(text, '\n') + 1;
+    double sum = 0;
+
+    for (size_t row = 0; row < table_rows(table); row++) {
+        bool is_member = line[0] == ' ';
+        bool is_frame = strncmp(line, "the frame", 9) == 0;
+
+        if (!is_frame && is_member == members)
+            sum += table_value(table, row, column);
+        line = strchr(line, '\n') + 1;
+    }
+    return sum;
+}
+
+/* Groups, and members of groups, are all of the frame, as are their shares. */
+static void test_groups(void **state)
+{
+    static char text[8192];
+    struct table *table = profile_table(PROFILE_GROUPS, &profile);
+    FILE *file = fmemopen(text, sizeof text, "w");
+
+    (void)state;
+    assert_non_null(table);
+    assert_true(table_print(table, file));
+    fclose(file);
+    for (int i = 0; i < TRACE_MODES; i++)
+        for (int members = 0; members < 2; members++) {
+            double sum = sum_of_rows(table, text, millions[i], members);
+            double shares = sum_of_rows(table, text, millions[i] + 1,
+                                        members);
+
+            assert_true(fabs(sum - clocks_of_frame(i) / 1e6) < 1e-9);
+            assert_true(fabs(shares - 100) < 1e-9);
+        }
+    for (const char *line = text; *line; line = strchr(line, '\n') + 1)
+        assert_in_range(strcspn(line, "\n"), 1, 100);
+    for (const char *const *name =
+             (const char *const[]){ "\nrays ", "\nintersections ",
+                                    "\nsurfaces ", "\nthe frame ", NULL };
+         *name; name++)
+        assert_non_null(strstr(text, *name));
+    table_free(table);
+}
+
 /* With all parts in vector form Amdahl's law says what is measured. */
 static void test_amdahl(void **state)
 {
@@ -182,6 +234,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_stages),
         cmocka_unit_test(test_sums),
+        cmocka_unit_test(test_groups),
         cmocka_unit_test(test_amdahl),
     };
 
