@@ -200,10 +200,16 @@ export RT205_LIBDIR = $(abspath $(BUILD))
 oracle_o = $(call objects,$(filter-out $(oracles:$(BUILD)/%=%.c),\
 	$(wildcard tests/oracle/*.c)))
 
+# What the unit tests share.
+helpers = $(BUILD)/tests/unit/libhelpers.a
+$(helpers): $(call objects,$(filter-out tests/unit/test_%,\
+	$(wildcard tests/unit/*.c)))
+
 # All allocations go through the test that makes them fail.
 $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
-$(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(oracle_o) $(libraries)
+$(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(oracle_o) \
+		$(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
 # goal.c alone: what it asks of the fit, the test answers.
 $(BUILD)/tests/unit/test_goal: $(BUILD)/tests/unit/test_goal.o \
