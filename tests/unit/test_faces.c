@@ -22,11 +22,11 @@ static void check_other_ways(const struct scene *scene, const char *text,
 {
     struct words *stepping, *every;
 
-    visible = VISIBLE_STEPPING;
+    traced.visible = VISIBLE_STEPPING;
     stepping = trace_words(scene, TRACE_VECTOR, WIDTH);
-    visible = VISIBLE_EVERY;
+    traced.visible = VISIBLE_EVERY;
     every = trace_words(scene, TRACE_VECTOR, WIDTH);
-    visible = VISIBLE_DEFAULT;
+    traced.visible = VISIBLE_DEFAULT;
     if (memcmp(stepping, expected, sizeof *stepping) != 0
         || memcmp(every, expected, sizeof *every) != 0)
         fail_msg("another way to the nearest gives another frame of\n%s",
@@ -54,9 +54,9 @@ static void check_sight(const struct sight *sight)
 
     snprintf(text, sizeof text, VIEW "%s", sight->text);
     bounded = frame_of_all(text);
-    no_bounds = true;
+    traced.no_bounds = true;
     words = frame_of_all(text);
-    no_bounds = false;
+    traced.no_bounds = false;
     if (memcmp(bounded, words, sizeof *words) != 0)
         fail_msg("bounds change the frame of\n%s", text);
     int64_t id = c205_to_integer(words->channel[CHANNEL_ID][middle]);
@@ -253,5 +253,5 @@ int main(void)
         cmocka_unit_test(test_nearly_parallel),
     };
 
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }

@@ -43,7 +43,7 @@ static struct trace_options how(enum trace_mode mode)
                                    .queue = 2 * WIDTH,
                                    .band = ROWS * WIDTH,
                                    .jobs = 2,
-                                   .model = model };
+                                   .model = prior_model };
 }
 
 static struct trace *begin(const struct scene *scene,
@@ -167,8 +167,8 @@ static void plant(struct trace *trace, size_t first_row, size_t rows)
     struct band_file *file;
 
     assert_non_null(machine);
-    file = band_file_open(path, band_file_key(machine), WIDTH, model, &bands,
-                          &found, &error);
+    file = band_file_open(path, band_file_key(machine), WIDTH, prior_model,
+                          &bands, &found, &error);
     if (!file)
         fail_msg("%s", error.message);
     assert_int_equal(found, 0);
@@ -230,7 +230,8 @@ static int new_name(void **state)
 {
     int file = mkstemp(path);
 
-    return set_up(state) || file < 0 || close(file) != 0 || remove(path) != 0;
+    return set_up_frames(state) || file < 0 || close(file) != 0
+           || remove(path) != 0;
 }
 
 int main(void)
@@ -241,5 +242,5 @@ int main(void)
         cmocka_unit_test(test_planted),
     };
 
-    return cmocka_run_group_tests(tests, new_name, tear_down);
+    return cmocka_run_group_tests(tests, new_name, tear_down_model);
 }

@@ -174,10 +174,10 @@ static void trace_modes(const struct scene *scene, size_t queue,
     struct trace_options options = { .width = COLUMNS,
                                      .height = ROWS,
                                      .queue = queue,
-                                     .historical = historical,
-                                     .visible = visible,
-                                     .no_bounds = no_bounds,
-                                     .model = model };
+                                     .historical = traced.historical,
+                                     .visible = traced.visible,
+                                     .no_bounds = traced.no_bounds,
+                                     .model = prior_model };
 
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         options.mode = (enum trace_mode)mode;
@@ -216,13 +216,13 @@ static void test_scenes(void **state)
 static void write_scene(char *text, size_t size)
 {
     text[0] = '\0';
-    add(text, size,
-        "#version 3.7; global_settings { assumed_gamma 1 "
-        "max_trace_level 3 }\nbackground { rgb <.2, .3, .5> }\n"
-        "light_source { <%.1f, 8, -7>, .7 }\n"
-        "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n"
-        "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n",
-        between(-7, 7), between(2, 6), between(-2, 2), between(-2, 2));
+    add_text(text, size,
+             "#version 3.7; global_settings { assumed_gamma 1 "
+             "max_trace_level 3 }\nbackground { rgb <.2, .3, .5> }\n"
+             "light_source { <%.1f, 8, -7>, .7 }\n"
+             "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n"
+             "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n",
+             between(-7, 7), between(2, 6), between(-2, 2), between(-2, 2));
     for (size_t i = 1 + below(2); i > 0; i--)
         add_solid(text, size, below(3));
 }
@@ -233,14 +233,14 @@ static void test_random_solids(void **state)
     static const size_t queues[] = { 1, COLUMNS - 1, 2000 };
 
     (void)state;
-    solids.clear = solids.patches = reported = true;
+    solids.clear = solids.patches = traced.reported = true;
     for (size_t i = 0; i < scene_count; i++) {
         struct scene *scene;
 
         solids.gridded = below(2);
-        historical = below(3) == 0;
-        no_bounds = below(4) == 0;
-        visible = (enum visible)below(VISIBLE_WAYS);
+        traced.historical = below(3) == 0;
+        traced.no_bounds = below(4) == 0;
+        traced.visible = (enum visible)below(VISIBLE_WAYS);
         write_scene(text, sizeof text);
         scene = read_text(text);
         trace_modes(scene, queues[below(3)], text);
@@ -268,7 +268,7 @@ static void test_roots(void **state)
             .queue = 7,
             .first = i / TRACE_FORMS % 2,
             .falsi = (enum falsi)(i / TRACE_FORMS / 2),
-            .model = model
+            .model = prior_model
         };
         const struct asm_define defines[] = { { "QUEUE", 7 },
                                               { "FALSI", options.falsi },
@@ -304,6 +304,6 @@ int main(int argc, char **argv)
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
-        random_state = strtoul(argv[2], NULL, 10);
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+        traced.random = strtoul(argv[2], NULL, 10);
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }

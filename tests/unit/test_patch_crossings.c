@@ -72,7 +72,8 @@ static void test_pairs_of_lines(void **state)
     for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
         char text[1024] = "";
 
-        add(text, sizeof text,
+        add_text(
+            text, sizeof text,
             "%sintersection { plane { -z, .3 }"
             " steiner_patch { <2, 0, 1>, <0, 2, 1>, 0, <1, 1, 0>, <0, 1, -1>,"
             " <1, 0, -1> translate <-.5, -.5, 0> %s } }",
@@ -83,16 +84,16 @@ static void test_pairs_of_lines(void **state)
 
 static void add_patch(char *text, size_t size)
 {
-    add(text, size, "steiner_patch { ");
+    add_text(text, size, "steiner_patch { ");
     for (int i = 0; i < 6; i++) {
-        add(text, size, "%s", i > 0 ? ", " : "");
+        add_text(text, size, "%s", i > 0 ? ", " : "");
         add_point(text, size, 3);
     }
-    if (xorshift(&random_state) % 2)
+    if (xorshift(&traced.random) % 2)
         for (int i = 0; i < 6; i++)
-            add(text, size, "%s %.6f", i > 0 ? "," : " weights",
-                between(.4, 2.5));
-    add(text, size, " } ");
+            add_text(text, size, "%s %.6f", i > 0 ? "," : " weights",
+                     between(.4, 2.5));
+    add_text(text, size, " } ");
 }
 
 /* Each cut by a plane; the second is clear. */
@@ -106,12 +107,12 @@ static void test_random_patches(void **state)
             "plane { z, 4 pigment { checker rgb .9 rgb .4 } }\n";
 
         for (int k = 0; k < 2; k++) {
-            add(text, sizeof text, "intersection { ");
+            add_text(text, sizeof text, "intersection { ");
             add_patch(text, sizeof text);
-            add(text, sizeof text, "plane { ");
+            add_text(text, sizeof text, "plane { ");
             add_point(text, sizeof text, 1);
-            add(text, sizeof text, ", %.3f } %s }\n", between(-.3, .6),
-                k ? GLASS : "pigment { rgb .8 }");
+            add_text(text, sizeof text, ", %.3f } %s }\n", between(-.3, .6),
+                     k ? GLASS : "pigment { rgb .8 }");
         }
         check_stages(text);
     }
@@ -119,11 +120,11 @@ static void test_random_patches(void **state)
 
 static void test_the_way_of_1984(void **state)
 {
-    historical = true;
+    traced.historical = true;
     test_holes_in_solids(state);
     test_shadows_and_glass(state);
     test_random_patches(state);
-    historical = false;
+    traced.historical = false;
 }
 
 int main(void)
@@ -136,6 +137,6 @@ int main(void)
         cmocka_unit_test(test_the_way_of_1984),
     };
 
-    reported = true; /* that a patch has no inside */
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    traced.reported = true; /* that a patch has no inside */
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }

@@ -22,7 +22,7 @@ static void run(void)
                                            .queue = 200,
                                            .band = 5 * WIDTH,
                                            .jobs = 2,
-                                           .model = model };
+                                           .model = prior_model };
     c205_error error = { "" };
 
     if (!profile_run(&profile, scene, &options, &error))
@@ -215,7 +215,7 @@ static void test_amdahl(void **state)
 
 static int trace_stages(void **state)
 {
-    if (set_up(state) != 0)
+    if (set_up_frames(state) != 0)
         return 1;
     scene = read_text(SCENE);
     run();
@@ -226,7 +226,7 @@ static int free_stages(void **state)
 {
     profile_free(&profile);
     scene_free(scene);
-    return tear_down(state);
+    return tear_down_model(state);
 }
 
 int main(void)

@@ -4,27 +4,27 @@
 
 static void add_quadric(char *text, size_t size)
 {
-    add(text, size, "quadric { <%.6f, %.6f, %.6f>, ", between(-1, 1),
-        between(-1, 1), between(-1, 1));
+    add_text(text, size, "quadric { <%.6f, %.6f, %.6f>, ", between(-1, 1),
+             between(-1, 1), between(-1, 1));
     add_point(text, size, .5);
-    add(text, size, ", ");
+    add_text(text, size, ", ");
     add_point(text, size, 1);
-    add(text, size, ", %.6f ", between(-1, .3));
+    add_text(text, size, ", %.6f ", between(-1, .3));
 }
 
 static void add_shape(char *text, size_t size)
 {
-    if (xorshift(&random_state) % 3 == 0) {
+    if (xorshift(&traced.random) % 3 == 0) {
         add_quadric(text, size);
         return;
     }
-    add(text, size, "cone { ");
+    add_text(text, size, "cone { ");
     add_point(text, size, 2);
-    add(text, size, ", %.9f, ",
-        xorshift(&random_state) % 3 == 0 ? 0 : between(.2, .8));
+    add_text(text, size, ", %.9f, ",
+             xorshift(&traced.random) % 3 == 0 ? 0 : between(.2, .8));
     add_point(text, size, 2);
-    add(text, size, ", %.9f %s", between(.2, .8),
-        xorshift(&random_state) % 2 ? "open " : "");
+    add_text(text, size, ", %.9f %s", between(.2, .8),
+             xorshift(&traced.random) % 2 ? "open " : "");
 }
 
 static void test_random_scenes(void **state)
@@ -114,5 +114,5 @@ int main(void)
         cmocka_unit_test(test_apex_normals),
     };
 
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }

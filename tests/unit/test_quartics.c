@@ -5,12 +5,13 @@
 /* A torus with a tube from half of its thickness to twice. */
 static void add_torus(char *text, size_t size)
 {
-    bool elliptical = xorshift(&random_state) % 2;
+    bool elliptical = xorshift(&traced.random) % 2;
 
-    add(text, size, "%storus { %.9f, %.9f", elliptical ? "elliptical_" : "",
-        between(.5, 1.2), between(.1, .6));
+    add_text(text, size, "%storus { %.9f, %.9f",
+             elliptical ? "elliptical_" : "", between(.5, 1.2),
+             between(.1, .6));
     if (elliptical)
-        add(text, size, ", %.9f", between(.1, .6));
+        add_text(text, size, ", %.9f", between(.1, .6));
 }
 
 /* Closed, since x^4 + y^4 + z^4 are there; the others by chance, many 0. */
@@ -20,26 +21,26 @@ static void add_quartic(char *text, size_t size)
     double terms[35];
 
     for (int i = 0; i < 35; i++)
-        terms[i] = xorshift(&random_state) % 3 == 0 ? between(-.5, .5) : 0;
+        terms[i] = xorshift(&traced.random) % 3 == 0 ? between(-.5, .5) : 0;
     for (int i = 0; i < 3; i++)
         terms[fourth_powers[i]] = between(.9, 1.5);
     terms[34] = between(-1, 0);
-    add(text, size, "quartic { <");
+    add_text(text, size, "quartic { <");
     for (int i = 0; i < 35; i++)
-        add(text, size, "%s%.4f", i > 0 ? ", " : "", terms[i]);
-    add(text, size, "> ");
+        add_text(text, size, "%s%.4f", i > 0 ? ", " : "", terms[i]);
+    add_text(text, size, "> ");
 }
 
 static void add_shape(char *text, size_t size)
 {
-    if (xorshift(&random_state) % 3 == 0)
+    if (xorshift(&traced.random) % 3 == 0)
         add_quartic(text, size);
     else
         add_torus(text, size);
-    add(text, size, " rotate <%.2f, %.2f, %.2f> translate ", between(-90, 90),
-        between(-90, 90), between(-90, 90));
+    add_text(text, size, " rotate <%.2f, %.2f, %.2f> translate ",
+             between(-90, 90), between(-90, 90), between(-90, 90));
     add_point(text, size, 2);
-    add(text, size, " ");
+    add_text(text, size, " ");
 }
 
 static void test_random_scenes(void **state)
@@ -124,5 +125,5 @@ int main(void)
         cmocka_unit_test(test_quartic_surfaces),
     };
 
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }

@@ -14,26 +14,26 @@ static void add_view(char *text, size_t size)
 {
     along = solids.gridded && below(2);
     if (along)
-        add(text, size,
-            "camera { location <0, 0, -%.2f> " STRAIGHT_AHEAD " }\n",
-            size_between(4, 6));
+        add_text(text, size,
+                 "camera { location <0, 0, -%.2f> " STRAIGHT_AHEAD " }\n",
+                 size_between(4, 6));
     else
-        add(text, size,
-            "camera { location <%.3f, %.3f, -5> look_at <%.3f, "
-            "%.3f, 0> angle 45 }\n",
-            between(-2, 2), between(-2, 2), between(-.2, .2),
-            between(-.2, .2));
+        add_text(text, size,
+                 "camera { location <%.3f, %.3f, -5> look_at <%.3f, "
+                 "%.3f, 0> angle 45 }\n",
+                 between(-2, 2), between(-2, 2), between(-.2, .2),
+                 between(-.2, .2));
 }
 
 static void write_scene(char *text, size_t size)
 {
     text[0] = '\0';
-    add(text, size,
-        "#version 3.7; global_settings { assumed_gamma 1 "
-        "max_trace_level 4 }\nbackground { rgb <.2, .3, .5> }\n"
-        "light_source { <%.1f, 8, -7>, .7 }\n"
-        "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n",
-        between(-7, 7), between(2, 6));
+    add_text(text, size,
+             "#version 3.7; global_settings { assumed_gamma 1 "
+             "max_trace_level 4 }\nbackground { rgb <.2, .3, .5> }\n"
+             "light_source { <%.1f, 8, -7>, .7 }\n"
+             "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n",
+             between(-7, 7), between(2, 6));
     add_view(text, size);
     for (size_t i = 1 + below(2); i > 0; i--)
         add_solid(text, size, 1 + below(2));
@@ -44,9 +44,9 @@ static void write_scene(char *text, size_t size)
 static void check_no_bounds(const struct scene *scene, const char *text,
                             const struct words *expected)
 {
-    no_bounds = true;
+    traced.no_bounds = true;
     struct words *found = same_frame_of(scene, text);
-    no_bounds = false;
+    traced.no_bounds = false;
     for (int channel = 0; channel < FRAME_CHANNELS; channel++)
         for (size_t k = 0; k < PIXELS; k++)
             if (found->channel[channel][k] != expected->channel[channel][k])
@@ -138,10 +138,10 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_coincident_clear),
     };
 
-    reported = true; /* patches in intersections */
+    traced.reported = true; /* patches in intersections */
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
-        random_state ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+        traced.random ^= strtoull(argv[2], NULL, 10) << 13;
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }

@@ -6,21 +6,21 @@
 
 static void add_patch(char *text, size_t size, double reach)
 {
-    add(text, size, "steiner_patch { ");
+    add_text(text, size, "steiner_patch { ");
     for (int i = 0; i < 6; i++) {
-        add(text, size, "%s", i > 0 ? ", " : "");
+        add_text(text, size, "%s", i > 0 ? ", " : "");
         add_point(text, size, reach);
     }
-    if (xorshift(&random_state) % 2)
+    if (xorshift(&traced.random) % 2)
         for (int i = 0; i < 6; i++)
-            add(text, size, "%s %.6f", i > 0 ? "," : " weights",
-                between(.4, 2.5));
+            add_text(text, size, "%s %.6f", i > 0 ? "," : " weights",
+                     between(.4, 2.5));
 }
 
 static void add_shape(char *text, size_t size)
 {
     add_patch(text, size, 3.5);
-    add(text, size, " ");
+    add_text(text, size, " ");
 }
 
 static void test_random_scenes(void **state)
@@ -38,7 +38,7 @@ static void test_distant_patches(void **state)
                                " angle .2 }\n";
 
         add_patch(text, sizeof text, 2);
-        add(text, sizeof text, "}");
+        add_text(text, sizeof text, "}");
         free(plain_frame(text));
     }
 }
@@ -67,7 +67,8 @@ static void test_curves_in_planes_of_rays(void **state)
     for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
         char text[1024] = "";
 
-        add(text, sizeof text,
+        add_text(
+            text, sizeof text,
             "%ssteiner_patch { <2, 0, 1>, <0, 2, 1>, 0,"
             " <1, 1, 0>, <0, 1, -1>, <1, 0, -1> translate <-.5, -.5, 0> %s }",
             STRAIGHT, turns[i]);
@@ -180,13 +181,13 @@ static void test_the_triple_point(void **state)
 
 static void test_the_way_of_1984(void **state)
 {
-    historical = true;
+    traced.historical = true;
     test_random_scenes(state);
     test_quadrics(state);
     test_planes(state);
     test_starts(state);
     test_the_triple_point(state);
-    historical = false;
+    traced.historical = false;
 }
 
 int main(void)
@@ -204,5 +205,5 @@ int main(void)
         cmocka_unit_test(test_the_triple_point),
     };
 
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }

@@ -4,30 +4,30 @@
 
 static void add_shape(char *text, size_t size)
 {
-    switch (xorshift(&random_state) % 5) {
+    switch (xorshift(&traced.random) % 5) {
     case 0:
-        add(text, size, "sphere { ");
+        add_text(text, size, "sphere { ");
         add_point(text, size, 2);
-        add(text, size, ", %.9f ", between(.2, 1));
+        add_text(text, size, ", %.9f ", between(.2, 1));
         break;
     case 1:
-        add(text, size, "box { ");
+        add_text(text, size, "box { ");
         add_point(text, size, 2);
-        add(text, size, ", ");
+        add_text(text, size, ", ");
         add_point(text, size, 2);
         break;
     case 2:
-        add(text, size, "plane { ");
+        add_text(text, size, "plane { ");
         add_point(text, size, 1);
-        add(text, size, ", %.9f ", between(-5, -3));
+        add_text(text, size, ", %.9f ", between(-5, -3));
         break;
     default:
-        add(text, size, "cylinder { ");
+        add_text(text, size, "cylinder { ");
         add_point(text, size, 2);
-        add(text, size, ", ");
+        add_text(text, size, ", ");
         add_point(text, size, 2);
-        add(text, size, ", %.9f %s", between(.2, .8),
-            xorshift(&random_state) % 2 ? "open " : "");
+        add_text(text, size, ", %.9f %s", between(.2, .8),
+                 xorshift(&traced.random) % 2 ? "open " : "");
         break;
     }
 }
@@ -159,7 +159,7 @@ static void test_numbers_beyond_doubles(void **state)
                                           "interior { ior 1e-310 } }");
     struct trace_options options = { .width = 1,
                                      .height = 1,
-                                     .model = model };
+                                     .model = prior_model };
     c205_error error = { "" };
 
     (void)state;
@@ -195,5 +195,5 @@ int main(void)
         cmocka_unit_test(test_empty_scene),
     };
 
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }

@@ -6,23 +6,23 @@
 static void write_scene(char *text, size_t size, size_t count)
 {
     text[0] = '\0';
-    add(text, size,
-        "#version 3.7; global_settings { assumed_gamma 1 "
-        "max_trace_level %d }\nbackground { rgb <.2, .3, .5> }\n"
-        "camera { location <0, 1, -6> look_at 0 angle 50 }\n"
-        "light_source { <-6, 8, -7>, .7 }\n"
-        "light_source { <7, 3, -4>, rgb <.3, .2, .4> }\n"
-        "plane { y, -2.5 pigment { checker rgb .9 rgb .4 } }\n",
-        solids.clear ? 6 : 1);
+    add_text(text, size,
+             "#version 3.7; global_settings { assumed_gamma 1 "
+             "max_trace_level %d }\nbackground { rgb <.2, .3, .5> }\n"
+             "camera { location <0, 1, -6> look_at 0 angle 50 }\n"
+             "light_source { <-6, 8, -7>, .7 }\n"
+             "light_source { <7, 3, -4>, rgb <.3, .2, .4> }\n"
+             "plane { y, -2.5 pigment { checker rgb .9 rgb .4 } }\n",
+             solids.clear ? 6 : 1);
     for (size_t i = 0; i < count; i++) {
-        add(text, size, "intersection { sphere { 0, 1.6 ");
+        add_text(text, size, "intersection { sphere { 0, 1.6 ");
         add_look(text, size);
-        add(text, size, "}\n");
+        add_text(text, size, "}\n");
         add_solid(text, size, 2);
         if (solids.clear)
-            add(text, size, "interior { ior %.2f } ", between(1, 1.6));
-        add(text, size, "translate <%.2f, %.2f, %.2f> }\n", between(-2, 2),
-            between(-1, 1), between(-1, 1));
+            add_text(text, size, "interior { ior %.2f } ", between(1, 1.6));
+        add_text(text, size, "translate <%.2f, %.2f, %.2f> }\n",
+                 between(-2, 2), between(-1, 1), between(-1, 1));
     }
 }
 
@@ -63,11 +63,11 @@ static void check_every(const char *text)
     for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
         struct words *expected, *found;
 
-        visible = VISIBLE_STEPPING;
+        traced.visible = VISIBLE_STEPPING;
         expected = trace_words(scene, TRACE_VECTOR, queues[i]);
-        visible = VISIBLE_EVERY;
+        traced.visible = VISIBLE_EVERY;
         found = trace_words(scene, TRACE_VECTOR, queues[i]);
-        visible = VISIBLE_DEFAULT;
+        traced.visible = VISIBLE_DEFAULT;
         if (memcmp(found, expected, sizeof *found) != 0)
             fail_msg("queue %zu, every crossing: another frame of\n%s",
                      queues[i], text);
@@ -113,5 +113,5 @@ int main(void)
         cmocka_unit_test(test_clear),
         cmocka_unit_test(test_every),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }

@@ -1,0 +1,13 @@
+/* prior_model.h - the machine model of tests whose clocks nobody looks at. */
+#ifndef TESTS_PRIOR_MODEL_H
+#define TESTS_PRIOR_MODEL_H
+
+#include "vm/c205.h"
+
+extern c205_model *prior_model;
+
+/* For a group of tests. */
+int set_up_model(void **state);
+int tear_down_model(void **state);
+
+#endif

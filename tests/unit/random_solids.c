@@ -1,0 +1,212 @@
+/* random_solids.c - shapes, their looks and motions, and trees of them. */
+#include "random_solids.h"
+
+struct solids solids;
+
+size_t below(size_t count)
+{
+    return (size_t)(xorshift(&traced.random) % count);
+}
+
+double size_between(double low, double high)
+{
+    double size = between(low, high);
+
+    return solids.gridded ? ceil(4 * size) / 4 : size;
+}
+
+static double place_between(double low, double high)
+{
+    double place = between(low, high);
+
+    return solids.gridded ? round(4 * place) / 4 : place;
+}
+
+double angle(void)
+{
+    double degrees = between(-90, 90);
+
+    return solids.gridded ? 90 * round(degrees / 90) : degrees;
+}
+
+/* --- modifiers ----------------------------------------------------------- */
+
+
+void add_look(char *text, size_t size)
+{
+    double filter = solids.clear && below(2) ? between(0, .7) : 0;
+
+    add_text(text, size, "pigment { %s rgbft <%.3f, %.3f, %.3f, %.3f, %.3f> ",
+             below(3) ? "" : "checker", between(0, 1), between(0, 1),
+             between(0, 1), filter, filter / 3);
+    add_text(text, size, "scale %.3f } finish { ambient .2 diffuse .6 ",
+             between(.2, .6));
+    if (below(3) == 0)
+        add_text(text, size, "phong %.2f ", between(0, 1));
+    if (solids.clear && below(3) == 0)
+        add_text(text, size, "reflection %.2f ", between(.1, .5));
+    add_text(text, size, "} ");
+}
+
+static void add_motion(char *text, size_t size)
+{
+    if (below(2))
+        add_text(text, size, "rotate <%.2f, %.2f, %.2f> ", angle(), angle(),
+                 angle());
+    if (below(4) == 0)
+        add_text(text, size, "scale <%.2f, %.2f, %.2f> ",
+                 size_between(.6, 1.4), size_between(.6, 1.4),
+                 size_between(.6, 1.4));
+    add_text(text, size, "translate <%.3f, %.3f, %.3f> ",
+             place_between(-.6, .6), place_between(-.6, .6),
+             place_between(-.6, .6));
+}
+
+/* --- shapes -------------------------------------------------------------- */
+
+
+static void add_ball(char *text, size_t size)
+{
+    add_text(text, size, "sphere { 0, %.4f ", size_between(.5, 1.2));
+}
+
+static void add_box(char *text, size_t size)
+{
+    add_text(text, size, "box { -<%.4f, %.4f, %.4f>, <%.4f, %.4f, %.4f> ",
+             size_between(.3, 1.2), size_between(.3, 1.2),
+             size_between(.3, 1.2), size_between(.3, 1.2),
+             size_between(.3, 1.2), size_between(.3, 1.2));
+}
+
+static void add_cylinder(char *text, size_t size)
+{
+    add_text(text, size, "cylinder { -%.4f*y, %.4f*y, %.4f %s ",
+             size_between(.3, 1.4), size_between(.3, 1.4),
+             size_between(.3, .8), below(4) ? "" : "open");
+}
+
+static void add_cone(char *text, size_t size)
+{
+    add_text(text, size, "cone { -%.4f*y, %.4f, %.4f*y, %.4f %s ",
+             size_between(.3, 1.4), size_between(.4, .9),
+             size_between(.3, 1.4), place_between(0, .3),
+             below(4) ? "" : "open");
+}
+
+static void add_plane(char *text, size_t size)
+{
+    add_text(text, size, "plane { ");
+    if (solids.gridded)
+        add_text(text, size, "%c", "xyz"[below(3)]);
+    else
+        add_point(text, size, 1);
+    add_text(text, size, ", %.4f ", place_between(-.3, .6));
+}
+
+static void add_quadric(char *text, size_t size)
+{
+    add_text(text, size, "quadric { <1, %.4f, 1>, <0, 0, %.4f>, 0, -%.4f ",
+             place_between(-1, 1), place_between(-.5, .5),
+             size_between(.2, .8));
+}
+
+static void add_torus(char *text, size_t size)
+{
+    add_text(text, size, "torus { %.4f, %.4f ", size_between(.6, 1),
+             size_between(.15, .4));
+}
+
+static void add_elliptical_torus(char *text, size_t size)
+{
+    add_text(text, size, "elliptical_torus { %.4f, %.4f, %.4f ",
+             size_between(.6, 1), size_between(.15, .4),
+             size_between(.15, .6));
+}
+
+static void add_quartic(char *text, size_t size)
+{
+    add_text(text, size,
+             "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,"
+             "0,0,0,0,0,0,0,1,0,0,%.4f,-%.4f> ",
+             place_between(-.3, .3), size_between(.4, 1));
+}
+
+static void add_patch(char *text, size_t size)
+{
+    add_text(text, size,
+             "steiner_patch { <-1, 0, 0>, <0, 2, 0>, <1, 0, 0>, "
+             "<-1, 1, -%.4f>, <1, 1, %.4f>, <0, -.5, -%.4f> ",
+             size_between(.2, 1), place_between(-1, 1), size_between(.2, 1));
+    if (below(2))
+        add_text(text, size, "weights 1, 1, 1, %.2f, .5, 1 ",
+                 size_between(.5, 2));
+}
+
+static void add_leaf(char *text, size_t size)
+{
+    static void (*const add_shape[])(char *, size_t) = {
+        add_ball,    add_box,   add_cylinder,         add_cone,    add_plane,
+        add_quadric, add_torus, add_elliptical_torus, add_quartic, add_patch
+    };
+    size_t kinds = sizeof add_shape / sizeof *add_shape - !solids.patches;
+
+    add_shape[below(kinds)](text, size);
+    add_look(text, size);
+    add_text(text, size, below(8) ? "" : "inverse ");
+    add_motion(text, size);
+    add_text(text, size, "}\n");
+}
+
+/* --- trees --------------------------------------------------------------- */
+
+
+/* What stands from there on once more. */
+static void add_again(char *text, size_t size, size_t from)
+{
+    char *copy = malloc(size);
+
+    assert_non_null(copy);
+    strcpy(copy, text + from);
+    add_text(text, size, "%s", copy);
+    free(copy);
+}
+
+static void add_children(char *text, size_t size, size_t depth)
+{
+    size_t children = 2 + below(2), last = strlen(text);
+
+    for (size_t i = 0; i < children; i++) {
+        size_t from = strlen(text);
+
+        if (i > 0 && solids.gridded && below(6) == 0)
+            add_again(text, size, last);
+        else
+            add_solid(text, size, depth - 1);
+        last = from;
+    }
+}
+
+void add_solid(char *text, size_t size, size_t depth)
+{
+    static const struct {
+        const char *word;
+        bool meets; /* a patch in it is reported */
+    } joined[] = {
+        { "difference", true },   { "difference", true },
+        { "intersection", true }, { "merge", false },
+        { "union", false },
+    };
+    size_t which = below(sizeof joined / sizeof *joined);
+    bool patches = solids.patches;
+
+    if (depth == 0 || below(5) == 0) {
+        add_leaf(text, size);
+        return;
+    }
+    solids.patches = patches && (traced.reported || !joined[which].meets);
+    add_text(text, size, "%s {\n", joined[which].word);
+    add_children(text, size, depth);
+    add_motion(text, size);
+    add_text(text, size, "}\n");
+    solids.patches = patches;
+}

@@ -1,0 +1,211 @@
+/* traced_frame.c - frames of both forms, and scenes by chance to trace. */
+#include "traced_frame.h"
+
+struct traced traced = { .random = RANDOM_SEED };
+
+struct scene *read_text(const char *text)
+{
+    const struct scene_options options = { .strict = !traced.reported };
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read_text("test", text, &options, &reports);
+
+    if (!scene)
+        diagnostics_print(&reports, stderr);
+    assert_non_null(scene);
+    diagnostics_free(&reports);
+    return scene;
+}
+
+struct words *trace_words(const struct scene *scene, enum trace_mode mode,
+                          size_t queue)
+{
+    struct trace_options options = { .mode = mode,
+                                     .width = traced.width,
+                                     .height = traced.height,
+                                     .queue = queue,
+                                     .historical = traced.historical,
+                                     .visible = traced.visible,
+                                     .no_bounds = traced.no_bounds,
+                                     .model = prior_model };
+    c205_error error = { "" };
+    struct trace *trace = trace_new(scene, &options, &error);
+    struct words *words = calloc(1, sizeof *words);
+
+    if (!trace || !trace_run(trace, &error))
+        fail_msg("%s", error.message);
+    assert_non_null(words);
+    for (int i = 0; i < FRAME_CHANNELS; i++)
+        memcpy(words->channel[i], trace_channel(trace, (enum frame_channel)i),
+               traced.pixels * sizeof(c205_word));
+    trace_free(trace);
+    return words;
+}
+
+struct words *same_frame_of(const struct scene *scene, const char *text)
+{
+    const size_t *queue = traced.queues;
+    struct words *scalar = trace_words(scene, TRACE_SCALAR, 1);
+
+    for (size_t i = 0; i < MOST_QUEUES && queue[i]; i++) {
+        struct words *vector = trace_words(scene, TRACE_VECTOR, queue[i]);
+
+        for (int channel = 0; channel < FRAME_CHANNELS; channel++)
+            for (size_t k = 0; k < traced.pixels; k++)
+                if (scalar->channel[channel][k]
+                    != vector->channel[channel][k])
+                    fail_msg("queue %zu, channel %d, pixel %zu: %016llX, "
+                             "scalar %016llX in\n%s",
+                             queue[i], channel, k,
+                             (unsigned long long)vector->channel[channel][k],
+                             (unsigned long long)scalar->channel[channel][k],
+                             text);
+        free(vector);
+    }
+    return scalar;
+}
+
+struct words *same_frame(const char *text)
+{
+    struct scene *scene = read_text(text);
+    struct words *words = same_frame_of(scene, text);
+
+    scene_free(scene);
+    return words;
+}
+
+/* The first channel in which a pixel is not what the plain tracer sees, or
+ * FRAME_CHANNELS. */
+static int other_channel(const struct words *words, const struct frame *plain,
+                         size_t k)
+{
+    for (int channel = 0; channel < FRAME_CHANNELS; channel++) {
+        c205_word word = words->channel[channel][k];
+        double found = channel == CHANNEL_ID ? (double)c205_to_integer(word)
+                                             : c205_to_double(word);
+        double expected = plain->channel[channel][k];
+
+        if (!(fabs(found - expected) <= 1e-7 * (1 + fabs(expected))))
+            return channel;
+    }
+    return FRAME_CHANNELS;
+}
+
+struct words *plain_frame(const char *text)
+{
+    struct scene *scene = read_text(text);
+    struct words *words = same_frame_of(scene, text);
+    struct frame plain;
+    size_t others = 0;
+
+    assert_true(plain_trace(scene, traced.width, traced.height, &plain));
+    for (size_t k = 0; k < traced.pixels; k++) {
+        int channel = other_channel(words, &plain, k);
+
+        others += channel != FRAME_CHANNELS;
+        if (others > 3 * traced.pixels / 1000)
+            fail_msg("channel %d, pixel %zu: not what the plain tracer sees "
+                     "in\n%s",
+                     channel, k, text);
+    }
+    frame_free(&plain);
+    scene_free(scene);
+    return words;
+}
+
+void check_paper_stage(const char *text, const struct words *expected)
+{
+    struct scene *scene = read_text(text);
+    struct words *found = trace_words(scene, TRACE_KERNELS, traced.width + 1);
+
+    if (memcmp(found, expected, sizeof *found) != 0)
+        fail_msg("the paper's stage gives another frame of\n%s", text);
+    free(found);
+    scene_free(scene);
+}
+
+size_t hits(const struct words *words)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < traced.pixels; i++)
+        count += c205_to_integer(words->channel[CHANNEL_ID][i]) != 0;
+    return count;
+}
+
+double between(double low, double high)
+{
+    return low
+           + (high - low) * (double)(xorshift(&traced.random) >> 11)
+                 * 0x1p-53;
+}
+
+void add_text(char *text, size_t size, const char *format, ...)
+{
+    size_t used = strlen(text);
+    va_list list;
+
+    va_start(list, format);
+    vsnprintf(text + used, size - used, format, list);
+    va_end(list);
+}
+
+void add_point(char *text, size_t size, double reach)
+{
+    add_text(text, size, "<%.9f, %.9f, %.9f>", between(-reach, reach),
+             between(-reach, reach), between(-reach, reach));
+}
+
+static void add_surface(char *text, size_t size)
+{
+    add_text(text, size, "pigment { %s rgb <%.3f, %.3f, %.3f> } ",
+             xorshift(&traced.random) % 2 ? "checker" : "color",
+             between(0, 1), between(0, 1), between(0, 1));
+    add_text(text, size,
+             "finish { phong %.2f phong_size %.1f specular %.2f "
+             "roughness %.3f } ",
+             xorshift(&traced.random) % 2 ? between(0, 1) : 0,
+             between(1, 200),
+             xorshift(&traced.random) % 2 ? between(0, 1) : 0,
+             between(.005, .2));
+    if (xorshift(&traced.random) % 2)
+        add_text(text, size,
+                 "scale <%.6f, %.6f, %.6f> rotate <%.3f, %.3f, %.3f>",
+                 between(.5, 1.5), between(.5, 1.5), between(.5, 1.5),
+                 between(-90, 90), between(-90, 90), between(-90, 90));
+}
+
+void check_random_scenes(void (*add_shape)(char *, size_t), size_t scenes)
+{
+    char text[16384];
+    size_t found = 0;
+
+    for (size_t scene = 0; scene < scenes; scene++) {
+        strcpy(text, HEAD "camera { location <0, 1, -6> look_at 0 }\n");
+        for (int i = 0; i < 6; i++) {
+            add_shape(text, sizeof text);
+            add_surface(text, sizeof text);
+            add_text(text, sizeof text, " }\n");
+        }
+        struct words *words = plain_frame(text);
+        found += hits(words);
+        free(words);
+    }
+    assert_true(found > scenes * traced.pixels / 4);
+}
+
+void check_middle_within(const char *text, int64_t id, double depth,
+                         double tolerance)
+{
+    struct words *words = same_frame(text);
+    size_t middle = traced.height / 2 * traced.width + traced.width / 2;
+
+    assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][middle]), id);
+    assert_float_equal(c205_to_double(words->channel[CHANNEL_DEPTH][middle]),
+                       depth, tolerance);
+    free(words);
+}
+
+void check_middle(const char *text, int64_t id, double depth)
+{
+    check_middle_within(text, id, depth, 1e-10);
+}
