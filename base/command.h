@@ -55,20 +55,17 @@ struct command_option {
     bool many;     /* texts and files, any number: struct command_texts */
     bool optional; /* an operand that may be missing, as all behind it */
     double least, most;
-    double preset; /* of counts, numbers and choices; 0: none, but
-                              for a choice its first;
-                              -1: none of a choice */
-    const char
-        *preset_text;       /* of texts and files, or told in help; or NULL */
-    command_choice *choice; /* of a choice; of a text: for example these */
-    command_take *take;     /* COMMAND_OWN only, .. */
-    const char *wants;      /* .. and what it takes, for messages */
+    double preset; /* of counts, numbers and choices; 0: none, but of a choice
+                      its first; -1: no choice */
+    const char *preset_text; /* of texts and files, or told in help */
+    command_choice *choice;  /* of a choice; of a text: for example these */
+    command_take *take;      /* COMMAND_OWN only, .. */
+    const char *wants;       /* .. and what it takes, for messages */
 };
 /* Ends a list of options or operands. */
-#define COMMAND_END \
-    { \
-        .help = NULL \
-    }
+/* clang-format off */
+#define COMMAND_END { .help = NULL }
+/* clang-format on */
 
 struct command_texts {
     const char **items; /* NULL at the end */
@@ -90,8 +87,7 @@ struct command {
     command_function *function;
     const struct command_option *options, *operands; /* NULL: none */
     const char *details;                             /* paragraphs, or NULL */
-    const struct command_example
-        *examples; /* the last has no line; or NULL */
+    const struct command_example *examples; /* the last has no line */
 };
 
 struct command_program {

@@ -25,8 +25,8 @@ struct sweep_part {
 };
 
 struct sweep_report {
-    struct sweep_part
-        parts[SWEEP_PARTS_MOST]; /* the first is of all points */
+    /* The first is of all points. */
+    struct sweep_part parts[SWEEP_PARTS_MOST];
     size_t part_count;
     char lines[SWEEP_LINES_MOST][SWEEP_LINE_SIZE];
     size_t line_count;
