@@ -1,12 +1,14 @@
 #include "asm/storage_map.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 struct span {
     uint64_t begin, end;
     const char *name;
 };
 
+/* Of several names of one address the last has the storage. */
 struct storage_map {
     size_t count;
     struct span spans[];
@@ -16,7 +18,9 @@ static int compare(const void *a, const void *b)
 {
     const struct span *first = a, *second = b;
 
-    return (first->begin > second->begin) - (first->begin < second->begin);
+    if (first->begin != second->begin)
+        return first->begin < second->begin ? -1 : 1;
+    return strcmp(first->name, second->name);
 }
 
 static bool holds(const c205_segment *segment, uint64_t address)
@@ -65,13 +69,9 @@ struct storage_map *storage_map_new(const struct object *object)
     for (i = 0; i < map->count; i++) {
         struct span *span = &map->spans[i];
         uint64_t end = end_of_data(&object->program, span->begin);
-        size_t next = i + 1;
 
-        while (next < map->count && map->spans[next].begin == span->begin)
-            next++;
-        span->end = next < map->count && map->spans[next].begin < end
-                        ? map->spans[next].begin
-                        : end;
+        span->end = i + 1 < map->count && span[1].begin < end ? span[1].begin
+                                                              : end;
     }
     return map;
 }

@@ -2,6 +2,8 @@
  * turned off, into errors, and meant. */
 #include "tests/unit/asm_helper.h"
 
+#include "base/file.h"
+
 struct case_of {
     const char *text;
     size_t line, column; /* of the one warning; line 0: none */
@@ -151,11 +153,34 @@ static void test_choice(void **state)
     assert_false(warning_choose(&choice, ""));
 }
 
+/* The manual tells of each. */
+static void test_manual(void **state)
+{
+    c205_error error;
+    size_t length;
+    char *text = file_read("docs/assembly.md", FILE_LARGEST, &length, &error);
+    unsigned i;
+
+    (void)state;
+    assert_non_null(text);
+    for (i = 0; i < WARNINGS; i++) {
+        char row[80];
+
+        snprintf(row, sizeof row, "\n| `%s` | ",
+                 warning_name((enum warning)i));
+        if (!strstr(text, row))
+            fail_msg("no row%s in docs/assembly.md", row);
+        assert_int_equal(warning_named(warning_name((enum warning)i)), i);
+    }
+    free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(test_misspelt),
                                         cmocka_unit_test(test_run_off),
-                                        cmocka_unit_test(test_choice) };
+                                        cmocka_unit_test(test_choice),
+                                        cmocka_unit_test(test_manual) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

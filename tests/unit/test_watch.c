@@ -161,6 +161,27 @@ static void test_storage(void **state)
           "'y' ends at 800240");
 }
 
+/* An instruction that is executed so many times with numbers and once more
+ * with integers. */
+#define LATE(times) \
+    DATA " ES r20, " #times "\n EX r21, top\n ES r24, 1\n ES r25, 2\n" \
+         "top: MPYSV [fs], [fs], [ys]\n DBNZ r20, [r21]\n RTOR xs, fs\n" \
+         " ES r20, 1\n IBXLT r23, r24, r25, top, r23\n EXIT\n"
+
+static void test_how_often(void **state)
+{
+    (void)state;
+    check(LATE(9), "element 2 of [r11] is the integer 3");
+    check(LATE(15), "element 2 of [r11] is the integer 3");
+    check(LATE(16), "");
+    check(LATE(31), "element 2 of [r11] is the integer 3");
+    check(" .include \"core.s\"\n .data\nalias: .vector y, 3\n"
+          " .vector after, 3\n .code\n descriptor r10, y, 4\n"
+          " descriptor r11, after, 3\n VTOV [r11], [r11]\n"
+          " VTOV [r11], [r10]\n EXIT\n",
+          "the storage of 'y' ends at 8000C0");
+}
+
 static void test_choice(void **state)
 {
     static const char text[] = " ES r1, 3\n ES r2, 1\n"
@@ -286,9 +307,10 @@ static void test_loss(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_integers), cmocka_unit_test(test_lengths),
-        cmocka_unit_test(test_indices),  cmocka_unit_test(test_storage),
-        cmocka_unit_test(test_choice),   cmocka_unit_test(test_loss),
+        cmocka_unit_test(test_integers),  cmocka_unit_test(test_lengths),
+        cmocka_unit_test(test_indices),   cmocka_unit_test(test_storage),
+        cmocka_unit_test(test_how_often), cmocka_unit_test(test_choice),
+        cmocka_unit_test(test_loss),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
