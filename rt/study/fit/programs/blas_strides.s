@@ -34,5 +34,3 @@ strides:
 ; expect: [y] = 12.0, 0, 0, 10.0, 0, 0, 36.0
 ; expect: [z] = 2.0, 7.0, 4.0, 7.0, 6.0
 ; expect: [w] = 2.0, -10.0, 6.0
-; Its routines name the registers of the linkage anew.
-; expect-warning: shared-register

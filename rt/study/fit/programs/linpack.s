@@ -150,5 +150,3 @@ generate_row:
         VTOV    r0, [vector]
         BIM     0, back
 ; expect: failed = 0
-; Its routines name the registers of the linkage anew.
-; expect-warning: shared-register

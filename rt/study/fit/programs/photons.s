@@ -83,5 +83,3 @@ sow:    MPYL    seed, jump, seed
 differs:
         EXIT    failed
 ; expect: failed = 0
-; Its routines name the registers of the linkage anew.
-; expect-warning: shared-register
