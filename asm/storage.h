@@ -7,8 +7,8 @@
 #include "asm/expect.h"
 
 struct storage {
-    struct object
-        object; /* first: object_free() goes from one to the other */
+    /* First: object_free() goes from one to the other. */
+    struct object object;
     struct arena arena;
     size_t segment_capacity, region_capacity, symbol_capacity;
     size_t line_capacity, expectation_capacity;
