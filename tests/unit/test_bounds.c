@@ -17,7 +17,7 @@ static double between(double low, double high)
 
 static struct bound first_bound(const char *text)
 {
-    struct scene *scene = read(text);
+    struct scene *scene = read_scene(text);
     struct bound *bounds = calloc(scene->node_count, sizeof *bounds);
     struct bound first;
 
@@ -162,7 +162,7 @@ static void test_crossings(void **state)
                  between(-3, -.2), between(0, 360), between(0, 360),
                  between(0, 360), between(-2, 2), between(-2, 2),
                  between(-9, 9));
-        struct scene *scene = read(text);
+        struct scene *scene = read_scene(text);
         struct bound bound;
 
         bound_primitive(scene->primitives, &bound);

@@ -21,7 +21,7 @@ static void see(const struct look *look, const char *text, double color[3])
     char whole[4096];
     struct frame frame;
     snprintf(whole, sizeof whole, HEAD "%s", text);
-    struct scene *const scene = read(whole);
+    struct scene *const scene = read_scene(whole);
     scene->camera = (struct camera){ .location = { 0 } };
     copy(scene->camera.location, look->from);
     copy(scene->camera.direction, look->along);

@@ -184,7 +184,7 @@ static void test_nodes(void **state)
         uint64_t leaf = field_of(&stage, nodes, "N_SIZE", i, "N_PRIMITIVE");
         uint64_t bound = symbol(&stage, "N_BOUND") + 3;
         double radius = c205_to_double(
-            word_at(&stage, nodes + size * i + 64 * bound));
+            stage_word(&stage, nodes + size * i + 64 * bound));
 
         assert_int_equal(leaf,
                          rows[i].leaf ? primitive_at(&stage, first) : 0);
@@ -202,9 +202,9 @@ static void check_bound(const struct stage *stage, uint64_t address,
 {
     uint64_t bound = address + 64 * symbol(stage, name);
 
-    assert_int_equal(word_at(stage, bound + 64 * 3),
+    assert_int_equal(stage_word(stage, bound + 64 * 3),
                      scene_word(stage, "k_big"));
-    assert_number(word_at(stage, bound + 64 * 4), 1e60);
+    assert_number(stage_word(stage, bound + 64 * 4), 1e60);
 }
 
 /* No bounds, where there are none and where nobody wants them. */
@@ -237,10 +237,10 @@ static void test_bounds(void **state)
     bound = scene_word(&stage, "scene_regions")
             + 64 * symbol(&stage, "R_BOUND");
     for (int i = 0; i < 3; i++)
-        assert_number(word_at(&stage, bound + 64 * (uint64_t)i), i + 1);
-    double radius = c205_to_double(word_at(&stage, bound + 64 * 3));
+        assert_number(stage_word(&stage, bound + 64 * (uint64_t)i), i + 1);
+    double radius = c205_to_double(stage_word(&stage, bound + 64 * 3));
     assert_close(radius, 2.002, 1e-6);
-    assert_close(c205_to_double(word_at(&stage, bound + 64 * 4)),
+    assert_close(c205_to_double(stage_word(&stage, bound + 64 * 4)),
                  radius * radius, 1e-9);
     drop_curtain(&stage);
 }
@@ -358,7 +358,7 @@ static void test_values(void **state)
 
     (void)state;
     for (size_t i = 0; i < COUNT(texts); i++) {
-        struct scene *scene = read(texts[i]);
+        struct scene *scene = read_scene(texts[i]);
         struct tree_step steps[8];
         struct tree_plan plan = { .steps = steps };
         size_t leaves = scene->primitive_count, parts[16] = { 0 };
@@ -387,5 +387,6 @@ int main(void)
         cmocka_unit_test(test_steps),      cmocka_unit_test(test_values),
     };
 
-    return cmocka_run_group_tests_name("regions", tests, set_up, tear_down);
+    return cmocka_run_group_tests_name("regions", tests, set_up_model,
+                                       tear_down_model);
 }

@@ -16,7 +16,7 @@ static void map(const struct transform *transform, const double from[3],
 
 static void test_defaults(void **state)
 {
-    struct scene *scene = read("sphere { 0, 1 }");
+    struct scene *scene = read_scene("sphere { 0, 1 }");
     const struct primitive *sphere = scene->primitives;
 
     (void)state;
@@ -104,7 +104,7 @@ static void test_expressions(void **state)
                  "#declare F = rgbft <.1, .2, .3, .4, .5>; #local G = 0*x;"
                  "plane { y, %s }",
                  rows[i].text);
-        struct scene *scene = read(text);
+        struct scene *scene = read_scene(text);
         assert_close(scene->primitives->shape.plane.distance, rows[i].value,
                      CLOSE);
         scene_free(scene);
@@ -134,7 +134,7 @@ static void test_rotations(void **state)
         char text[200];
         snprintf(text, sizeof text, "#declare V = <1, 2 3>; sphere { %s 1 }",
                  rows[i].text);
-        struct scene *scene = read(text);
+        struct scene *scene = read_scene(text);
         for (int k = 0; k < 3; k++)
             assert_close(scene->primitives->shape.sphere.center[k],
                          rows[i].value[k], PRINTED);
@@ -171,7 +171,7 @@ static void test_colors(void **state)
                  "#include \"colors.inc\"\n#declare W = rgb 1;"
                  "background { %s }",
                  rows[i].text);
-        struct scene *scene = read(text);
+        struct scene *scene = read_scene(text);
         for (int k = 0; k < 3; k++)
             assert_close(scene->background[k], rows[i].rgb[k], PRINTED);
         scene_free(scene);
@@ -180,8 +180,8 @@ static void test_colors(void **state)
 
 static void test_camera(void **state)
 {
-    struct scene *scene = read("camera { look_at 0 angle 90 right x*4/3"
-                               " location <0, 0, -5> }");
+    struct scene *scene = read_scene("camera { look_at 0 angle 90 right x*4/3"
+                                     " location <0, 0, -5> }");
 
     (void)state;
     assert_vector(scene->camera.location, 0, 0, -5);
@@ -190,15 +190,15 @@ static void test_camera(void **state)
     scene_free(scene);
 
     /* Seen from the right, right-handed, upright on x. */
-    scene = read("camera { right -2*x sky x up 3*y direction 2*z"
-                 " location 4*z look_at 0 }");
+    scene = read_scene("camera { right -2*x sky x up 3*y direction 2*z"
+                       " location 4*z look_at 0 }");
     assert_vector(scene->camera.direction, 0, 0, -2);
     assert_vector(scene->camera.right, 0, -2, 0);
     assert_vector(scene->camera.up, 3, 0, 0);
     scene_free(scene);
 
-    scene = read("#declare C = camera { perspective location -z }"
-                 "camera { C rotate 90*y translate 5*y scale 2 }");
+    scene = read_scene("#declare C = camera { perspective location -z }"
+                       "camera { C rotate 90*y translate 5*y scale 2 }");
     assert_vector(scene->camera.location, -2, 10, 0);
     assert_vector(scene->camera.direction, 2, 0, 0);
     assert_vector(scene->camera.up, 0, 2, 0);
@@ -210,11 +210,11 @@ static void test_camera(void **state)
 
 static void test_primitives(void **state)
 {
-    struct scene *scene = read("sphere { <1, 2, 3>, -2 }\n"
-                               "box { <1, -1, 1>, <-1, 1, -2> }\n"
-                               "cylinder { 0, 2*y, .5 open }\n"
-                               "cylinder { 0, 2*y, .5 no_shadow }\n"
-                               "plane { <0, 3, 4>, 2 }\n");
+    struct scene *scene = read_scene("sphere { <1, 2, 3>, -2 }\n"
+                                     "box { <1, -1, 1>, <-1, 1, -2> }\n"
+                                     "cylinder { 0, 2*y, .5 open }\n"
+                                     "cylinder { 0, 2*y, .5 no_shadow }\n"
+                                     "plane { <0, 3, 4>, 2 }\n");
     const struct primitive *p = scene->primitives;
 
     (void)state;
@@ -275,7 +275,7 @@ static void test_transforms(void **state)
                  "scale <1, 2, 1> }"
                  "sphere { 0, 1 %s }",
                  rows[i].text);
-        struct scene *scene = read(text);
+        struct scene *scene = read_scene(text);
         map(&scene->primitives->to_world, point, image);
         assert_vector(image, rows[i].image[0], rows[i].image[1],
                       rows[i].image[2]);
@@ -310,7 +310,7 @@ static void assert_pattern_at(const struct pigment *pigment, double world_x,
 
 static void test_textures_move(void **state)
 {
-    struct scene *scene = read(
+    struct scene *scene = read_scene(
         "#declare P = pigment { checker rgb 1 rgb 0 scale 2 }\n"
         "sphere { 0, 1 pigment { P translate x } scale 3 translate 4*x }\n"
         "sphere { 0, 1 scale 3 translate 4*x pigment { P translate x } }\n"
@@ -332,7 +332,7 @@ static void test_textures_move(void **state)
 
 static void test_unions(void **state)
 {
-    struct scene *scene = read(
+    struct scene *scene = read_scene(
         "#default { finish { ambient 0 } }\n"
         "#declare U = union {\n"
         "    sphere { 0, 1 pigment { checker } translate x }\n"
@@ -371,7 +371,7 @@ static void test_unions(void **state)
 
 static void test_declarations(void **state)
 {
-    struct scene *scene = read(
+    struct scene *scene = read_scene(
         "#version 3.7;\n"
         "#declare R = 1; #declare R = R + 1;\n"
         "#declare F = finish { phong .25 phong_size 10 }\n"
@@ -400,7 +400,7 @@ static void test_declarations(void **state)
 
 static void test_settings(void **state)
 {
-    struct scene *scene = read(
+    struct scene *scene = read_scene(
         "global_settings { assumed_gamma 1 ambient_light rgb <.5, 1, 2>"
         " max_trace_level 7 }");
 
@@ -423,7 +423,7 @@ static void test_trace_levels(void **state)
 
         snprintf(text, sizeof text, "global_settings { max_trace_level %d }",
                  levels[i]);
-        scene = read(text);
+        scene = read_scene(text);
         assert_int_equal(scene->max_trace_level, levels[i]);
         scene_free(scene);
     }
@@ -454,7 +454,7 @@ static void test_our_scenes(void **state)
     (void)state;
     for (size_t i = 0; i < COUNT(paths); i++) {
         struct diagnostics reports = { 0 };
-        struct scene *scene = scene_read(paths[i], &strict, &reports);
+        struct scene *scene = scene_read(paths[i], &strict_options, &reports);
         diagnostics_print(&reports, stderr);
         assert_non_null(scene);
         assert_int_equal(scene->light_count, 2);
@@ -488,7 +488,7 @@ static void test_manual(void **state)
         end = strstr(start, close);
         assert_non_null(end);
         *end++ = '\0';
-        scene_free(read(start));
+        scene_free(read_scene(start));
     }
     assert_true(count > 5);
     free(text);

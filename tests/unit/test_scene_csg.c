@@ -102,9 +102,9 @@ static void test_trees(void **state)
 /* A transform of the whole moves all parts. */
 static void test_transforms(void **state)
 {
-    struct scene *scene = read("#declare H = difference { " A
-                               " box { 0, 1 translate x } scale 2 }\n"
-                               "object { H translate <0, 3, 0> no_shadow }");
+    struct scene *scene = read_scene(
+        "#declare H = difference { " A " box { 0, 1 translate x } scale 2 }\n"
+        "object { H translate <0, 3, 0> no_shadow }");
     const struct primitive *p = scene->primitives;
 
     (void)state;
@@ -140,7 +140,7 @@ static void test_no_shadow(void **state)
 
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct scene *scene = read(rows[i].text);
+        struct scene *scene = read_scene(rows[i].text);
 
         for (int k = 0; k < 2; k++)
             assert_int_equal(scene->primitives[k].no_shadow,
@@ -153,7 +153,7 @@ static void test_no_shadow(void **state)
 
 static void test_textures(void **state)
 {
-    struct scene *scene = read(
+    struct scene *scene = read_scene(
         "difference {\n"
         "    sphere { 0, 1 pigment { rgb <1, 0, 0> } }\n"
         "    union { " B C " pigment { rgb <0, 1, 0> } }\n"
@@ -174,7 +174,7 @@ static void test_textures(void **state)
 
 static void test_interiors(void **state)
 {
-    struct scene *scene = read(
+    struct scene *scene = read_scene(
         "#declare L = intersection {\n"
         "    sphere { 0, 1 interior { ior 1.2 } }\n" B
         "    interior { ior 1.5 }\n"
@@ -194,7 +194,7 @@ static void test_interiors(void **state)
 /* By name, with more behind the name. */
 static void test_materials(void **state)
 {
-    struct scene *scene = read(
+    struct scene *scene = read_scene(
         "#declare I = interior { ior 1.25 }\n"
         "#declare J = interior { I }\n"
         "#declare M = material { interior { J }\n"
@@ -248,7 +248,7 @@ static void test_clear_pigments(void **state)
                  "#declare Glass = rgbft <1, 1, 1, .9, .1>;\n"
                  "sphere { 0, 1 pigment { %s } }",
                  rows[i].text);
-        struct scene *scene = read(text);
+        struct scene *scene = read_scene(text);
         for (int k = 0; k < 2; k++) {
             assert_close(scene->primitives->pigment.filter[k],
                          rows[i].filter[k], 0);
@@ -277,7 +277,7 @@ static void test_reflections(void **state)
         char text[200];
         snprintf(text, sizeof text, "sphere { 0, 1 finish { %s } }",
                  rows[i].text);
-        struct scene *scene = read(text);
+        struct scene *scene = read_scene(text);
         const double *color = rows[i].color;
         assert_vector(scene->primitives->finish.reflection, color[0],
                       color[1], color[2]);
@@ -287,9 +287,9 @@ static void test_reflections(void **state)
 
 static void test_settings(void **state)
 {
-    struct scene *plain = read(A);
-    struct scene *scene = read("global_settings { adc_bailout 1/100 "
-                               "max_trace_level 12 } " A);
+    struct scene *plain = read_scene(A);
+    struct scene *scene = read_scene("global_settings { adc_bailout 1/100 "
+                                     "max_trace_level 12 } " A);
 
     (void)state;
     assert_close(plain->adc_bailout, 1. / 255, 0);
@@ -307,7 +307,8 @@ static void check_error(const char *text, const char *message)
 {
     struct diagnostics reports = { 0 };
 
-    assert_null(scene_read_text("test.pov", text, &options, &reports));
+    assert_null(
+        scene_read_text("test.pov", text, &reading_options, &reports));
     assert_true(reports.errors > 0);
     assert_non_null(strstr(reports.items->message, message));
     diagnostics_free(&reports);
@@ -339,7 +340,7 @@ static void test_large_solids(void **state)
     (void)state;
     for (int i = 1; i < 14; i++)
         strcat(text, "#declare U = union { object { U } object { U } }\n");
-    scene_free(read(text));
+    scene_free(read_scene(text));
     end = text + strlen(text);
     strcpy(end, "object { U inverse }");
     check_error(text, "more than 10000 primitives in one solid");

@@ -33,7 +33,7 @@ static void check_list(const char *name)
     char path[100], *expected;
 
     snprintf(path, sizeof path, "tests/language/%s.pov", name);
-    scene = scene_read(path, &options, &reports);
+    scene = scene_read(path, &reading_options, &reports);
     snprintf(path, sizeof path, "tests/language/%s.txt", name);
     expected = file_text(path);
     if (!scene || reports.count != 1) {
@@ -139,7 +139,7 @@ static void test_errors(void **state)
 
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++)
-        assert_error(rows[i].text, &options, 1, rows[i].column,
+        assert_error(rows[i].text, &reading_options, 1, rows[i].column,
                      rows[i].message);
     assert_refused("#declare A = array[2]; sphere { 0, A[2] }", 2,
                    "2 is not between 0 and 1");
@@ -153,7 +153,7 @@ static void test_debug(void **state)
         "#debug \"one, \"\n#declare A = 2; #debug str(A, 0, 1)\n"
         "#render \"\\n\" #statistics \"three\\n\" sphere { 0, 1 }";
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("test.pov", text, &strict,
+    struct scene *scene = scene_read_text("test.pov", text, &strict_options,
                                           &reports);
 
     (void)state;
@@ -174,7 +174,7 @@ static void test_warnings(void **state)
         "    #warning concat(\"other \", str(div(I, 5), 0, 0))\n"
         "#end";
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("test.pov", text, &options,
+    struct scene *scene = scene_read_text("test.pov", text, &reading_options,
                                           &reports);
 
     (void)state;
@@ -191,7 +191,7 @@ static void test_too_much_said(void **state)
     struct scene *scene =
         scene_read_text("test.pov",
                         "#for (I, 1, 9999) #debug \"0123456789\" #end",
-                        &options, &reports);
+                        &reading_options, &reports);
 
     (void)state;
     assert_non_null(scene);

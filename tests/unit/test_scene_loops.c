@@ -651,7 +651,7 @@ static bool same_scene(const struct scene *a, const struct scene *b)
 static struct scene *read_any(const char *text, struct diagnostics *reports)
 {
     *reports = (struct diagnostics){ 0 };
-    return scene_read_text("test.pov", text, &options, reports);
+    return scene_read_text("test.pov", text, &reading_options, reports);
 }
 
 static void compare(const struct text_buffer *written,

@@ -79,7 +79,7 @@ static void test_spheres(void **state)
 
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct scene *scene = read(rows[i].text);
+        struct scene *scene = read_scene(rows[i].text);
         if (scene->primitive_count != rows[i].count)
             fail_msg("%zu spheres of: %s", scene->primitive_count,
                      rows[i].text);
@@ -93,9 +93,9 @@ static void test_spheres(void **state)
 /* A primitive's line is that of the call in the main file. */
 static void test_lines(void **state)
 {
-    struct scene *scene = read("#macro S(R)\n  sphere { 0, R }\n#end\n"
-                               "#macro T()\n  S(1)\n  S(2)\n#end\n\n"
-                               "S(3)\nT()\n");
+    struct scene *scene = read_scene("#macro S(R)\n  sphere { 0, R }\n#end\n"
+                                     "#macro T()\n  S(1)\n  S(2)\n#end\n\n"
+                                     "S(3)\nT()\n");
     static const size_t lines[] = { 9, 10, 10 };
 
     (void)state;
@@ -143,8 +143,8 @@ static void test_errors(void **state)
 
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++)
-        assert_error(rows[i].text, &options, rows[i].line, rows[i].column,
-                     rows[i].message);
+        assert_error(rows[i].text, &reading_options, rows[i].line,
+                     rows[i].column, rows[i].message);
 }
 
 /* ---- Bounds ------------------------------------------------------------- */

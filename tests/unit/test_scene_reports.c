@@ -79,8 +79,8 @@ static void test_errors(void **state)
 
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++)
-        assert_error(rows[i].text, &options, rows[i].line, rows[i].column,
-                     rows[i].message);
+        assert_error(rows[i].text, &reading_options, rows[i].line,
+                     rows[i].column, rows[i].message);
 }
 
 /* Each text has this one report; it is an error under strict. */
@@ -133,7 +133,7 @@ static void test_reports(void **state)
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         scene_free(read_with(rows[i].text, 1));
-        assert_error(rows[i].text, &strict, 1, rows[i].column,
+        assert_error(rows[i].text, &strict_options, 1, rows[i].column,
                      rows[i].message);
     }
 }
@@ -156,8 +156,8 @@ static void test_first_colors(void **state)
         snprintf(text, sizeof text,
                  "#declare C = rgb <1, 2, 3>; sphere { 0, 1 pigment { %s } }",
                  texts[i]);
-        struct scene *scene = scene_read_text("test.pov", text, &options,
-                                              &reports);
+        struct scene *scene = scene_read_text("test.pov", text,
+                                              &reading_options, &reports);
         if (!scene)
             diagnostics_print(&reports, stderr);
         assert_non_null(scene);
@@ -180,7 +180,8 @@ static void test_all_errors(void **state)
     struct diagnostics reports = { 0 };
 
     (void)state;
-    assert_null(scene_read_text("test.pov", text, &options, &reports));
+    assert_null(
+        scene_read_text("test.pov", text, &reading_options, &reports));
     if (reports.count != COUNT(lines))
         diagnostics_print(&reports, stderr);
     assert_int_equal(reports.count, COUNT(lines));
@@ -202,7 +203,7 @@ static void test_print(void **state)
 
     (void)state;
     scene_read_text("test.pov", "/*\n\xc3\xa4\x01 */  \tovus { 1, 2 }\r\n",
-                    &options, &reports);
+                    &reading_options, &reports);
     diagnostics_print(&reports, out);
     fclose(out);
     diagnostics_free(&reports);
@@ -250,7 +251,7 @@ static void test_includes(void **state)
                "\n\nbox { -1, L }");
     write_file(folder, "loop.inc", "#include \"loop.inc\"\n");
     snprintf(path, sizeof path, "%s/main.pov", folder);
-    scene = scene_read(path, &options, &reports);
+    scene = scene_read(path, &reading_options, &reports);
     assert_non_null(scene);
     assert_int_equal(scene->primitives[0].line, 2); /* of the #include */
     assert_int_equal(scene->primitives[1].line, 3);
@@ -258,13 +259,14 @@ static void test_includes(void **state)
     scene_free(scene);
 
     write_file(folder, "main.pov", "#include \"part.inc\"\nsphere { 0, L }");
-    assert_null(scene_read(path, &options, &reports)); /* L was local */
+    assert_null(
+        scene_read(path, &reading_options, &reports)); /* L was local */
     assert_int_equal(reports.count, 1);
     assert_int_equal(reports.items[0].line, 2);
     diagnostics_free(&reports);
 
     write_file(folder, "main.pov", "#include \"loop.inc\"\n");
-    assert_null(scene_read(path, &options, &reports));
+    assert_null(scene_read(path, &reading_options, &reports));
     assert_non_null(strstr(reports.items[0].file, "loop.inc"));
     assert_non_null(strstr(reports.items[0].message, "include each other"));
     diagnostics_free(&reports);
@@ -278,7 +280,7 @@ static void test_includes(void **state)
     assert_non_null(scene);
     scene_free(scene);
     delete_files(folder, names);
-    assert_null(scene_read(path, &options, &reports));
+    assert_null(scene_read(path, &reading_options, &reports));
     assert_int_equal(reports.items[0].line, 0);
     diagnostics_free(&reports);
 }

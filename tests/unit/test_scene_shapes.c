@@ -6,9 +6,10 @@
 
 static void test_cones(void **state)
 {
-    struct scene *scene = read("cone { <1, 2, 3>, 2, 5*y, 0 }\n"
-                               "cone { 0, 0, x, .5 open no_shadow scale 2 }\n"
-                               "cone { -x, 1.5, x, 1.5 open }\n");
+    struct scene *scene = read_scene(
+        "cone { <1, 2, 3>, 2, 5*y, 0 }\n"
+        "cone { 0, 0, x, .5 open no_shadow scale 2 }\n"
+        "cone { -x, 1.5, x, 1.5 open }\n");
     const struct primitive *p = scene->primitives;
 
     (void)state;
@@ -31,9 +32,10 @@ static void test_cones(void **state)
 
 static void test_tori(void **state)
 {
-    struct scene *scene = read("torus { 2, .5 sturm rotate 90*x }\n"
-                               "torus { .5 1 sturm off pigment { rgb 1 } }\n"
-                               "elliptical_torus { 3, .4, .2 }\n");
+    struct scene *scene = read_scene(
+        "torus { 2, .5 sturm rotate 90*x }\n"
+        "torus { .5 1 sturm off pigment { rgb 1 } }\n"
+        "elliptical_torus { 3, .4, .2 }\n");
     const struct primitive *p = scene->primitives;
 
     (void)state;
@@ -52,7 +54,7 @@ static void test_tori(void **state)
 
 static void test_polynomials(void **state)
 {
-    struct scene *scene = read(
+    struct scene *scene = read_scene(
         "quadric { <1, 2, 3>, <4, 5, 6>, <7, 8, 9>, -1 translate x }\n"
         "quartic { <1, 2 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16,\n"
         "  17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32,\n"
@@ -73,7 +75,7 @@ static void test_polynomials(void **state)
 
 static void test_patches(void **state)
 {
-    struct scene *scene = read(
+    struct scene *scene = read_scene(
         "#declare A = <4, 0, 1>;\n"
         "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x }\n"
         "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x\n"
@@ -153,7 +155,7 @@ static void test_errors(void **state)
 
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++)
-        assert_error(rows[i].text, &options, 1, rows[i].column,
+        assert_error(rows[i].text, &reading_options, 1, rows[i].column,
                      rows[i].message);
 }
 
@@ -193,7 +195,7 @@ static void test_conditions(void **state)
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[300];
         snprintf(text, sizeof text, "#declare A = 1;\n%s", rows[i].text);
-        struct scene *scene = read(text);
+        struct scene *scene = read_scene(text);
         assert_int_equal(scene->primitive_count, 1);
         assert_close(scene->primitives->shape.sphere.radius, rows[i].radius,
                      0);

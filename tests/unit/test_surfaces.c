@@ -118,5 +118,6 @@ int main(void)
         cmocka_unit_test(test_levels),
     };
 
-    return cmocka_run_group_tests_name("surfaces", tests, set_up, tear_down);
+    return cmocka_run_group_tests_name("surfaces", tests, set_up_model,
+                                       tear_down_model);
 }

@@ -1,0 +1,154 @@
+/* laid_out.c - a stage: a scene, a program with the records, a machine. */
+#include "laid_out.h"
+
+#include "rt/layout/layout.h"
+#include "rt/layout/program.h"
+#include "vm/text.h"
+
+/* A program that has the records and, as places only, the kernels. */
+static const char *const kernels[] = {
+    "transformed",
+    "sphere",
+    "box",
+    "cylinder",
+    "open_cylinder",
+    "plane",
+    "cone",
+    "open_cone",
+    "torus",
+    "torus_solid",
+    "elliptical_torus",
+    "elliptical_torus_solid",
+    "quadric",
+    "quadric_solid",
+    "quartic_surface",
+    "quartic_solid",
+    "steiner",
+    "rational_steiner",
+    "steiner_crossings",
+    "rational_steiner_crossings",
+    "normal_sphere",
+    "normal_box",
+    "normal_cylinder",
+    "normal_open_cylinder",
+    "normal_plane",
+    "normal_cone",
+    "normal_open_cone",
+    "normal_torus",
+    "normal_quadric",
+    "normal_quartic",
+    "normal_steiner",
+    "normal_rational_steiner",
+};
+
+static struct object *stage_program(void)
+{
+    const struct text *const texts[] = { kernel_texts, NULL };
+    struct asm_options how = { .texts = texts };
+    struct diagnostics errors = { 0 };
+    char text[4000];
+    char *end = text
+                + sprintf(text, "        .equ CROSSING_SIZE, 2\n"
+                                "        .equ VALUE_SIZE, 3\n"
+                                "        .equ LEVEL_SIZE, 10\n"
+                                "        .include \"frame/records.s\"\n"
+                                "        .entry first\nfirst:  EXIT\n"
+                                "        .data\n");
+    struct object *program;
+
+    for (size_t i = 0; i < COUNT(kernels); i++)
+        end += sprintf(end, "%s: .word 0\n", kernels[i]);
+    program = assemble_text("stage", text, &how, &errors);
+    if (!program)
+        fail_msg("%s", errors.items[0].message);
+    return program;
+}
+
+void raise_curtain(struct stage *stage, const char *text, bool bounds)
+{
+    struct frame_layout frame = { .width = 4, .height = 2, .rows = 2 };
+    c205_error error = { "" };
+
+    stage->scene = read_scene(text);
+    stage->program = stage_program();
+    stage->machine = c205_new(prior_model, &error);
+    if (!stage->machine
+        || !c205_load(stage->machine, &stage->program->program, &error)
+        || !layout_scene(stage->machine, stage->program, stage->scene, bounds,
+                         &frame, &error))
+        fail_msg("%s: %s", text, error.message);
+}
+
+void drop_curtain(struct stage *stage)
+{
+    c205_free(stage->machine);
+    object_free(stage->program);
+    scene_free(stage->scene);
+}
+
+uint64_t symbol(const struct stage *stage, const char *name)
+{
+    const struct asm_symbol *found = object_symbol(stage->program, name);
+
+    if (!found)
+        fail_msg("no symbol %s", name);
+    return (uint64_t)found->value;
+}
+
+c205_word stage_word(const struct stage *stage, uint64_t address)
+{
+    c205_word word;
+
+    assert_true(c205_read(stage->machine, address, &word, 1));
+    return word;
+}
+
+c205_word scene_word(const struct stage *stage, const char *name)
+{
+    return stage_word(stage, symbol(stage, name));
+}
+
+c205_word field_of(const struct stage *stage, uint64_t first,
+                   const char *size, size_t i, const char *name)
+{
+    uint64_t words = symbol(stage, size) * i + symbol(stage, name);
+
+    return stage_word(stage, first + 64 * words);
+}
+
+c205_word primitive(const struct stage *stage, size_t i, const char *name)
+{
+    return field_of(stage, scene_word(stage, "scene_primitives"), "P_SIZE", i,
+                    name);
+}
+
+c205_word region(const struct stage *stage, size_t i, const char *name)
+{
+    return field_of(stage, scene_word(stage, "scene_regions"), "R_SIZE", i,
+                    name);
+}
+
+uint64_t primitive_at(const struct stage *stage, size_t i)
+{
+    return scene_word(stage, "scene_primitives")
+           + 64 * symbol(stage, "P_SIZE") * i;
+}
+
+void assert_integer(c205_word word, int64_t expected)
+{
+    assert_int_equal(c205_to_integer(word), expected);
+}
+
+void assert_number(c205_word word, double expected)
+{
+    assert_close(c205_to_double(word), expected, 1e-13 * fabs(expected));
+}
+
+void check_numbers(const struct stage *stage, size_t i, const char *name,
+                   const double *expected, size_t count)
+{
+    uint64_t first = primitive_at(stage, i) + 64 * symbol(stage, name);
+
+    for (size_t k = 0; k < count; k++)
+        assert_number(stage_word(stage, first + 64 * k), expected[k]);
+}

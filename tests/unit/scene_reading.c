@@ -1,0 +1,73 @@
+/* scene_reading.c - texts that must be read, and others that must not. */
+#include "scene_reading.h"
+
+const struct scene_options reading_options = { .width = 640, .height = 480 };
+const struct scene_options strict_options = { .width = 640,
+                                              .height = 480,
+                                              .strict = true };
+
+void assert_close(double a, double b, double within)
+{
+    if (!(fabs(a - b) <= within))
+        fail_msg("%.15g is not %.15g", a, b);
+}
+
+void assert_vector(const double a[3], double x, double y, double z)
+{
+    assert_close(a[0], x, CLOSE);
+    assert_close(a[1], y, CLOSE);
+    assert_close(a[2], z, CLOSE);
+}
+
+struct scene *read_with(const char *text, size_t expected)
+{
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read_text("test.pov", text, &reading_options,
+                                          &reports);
+
+    if (!scene || reports.count != expected) {
+        diagnostics_print(&reports, stderr);
+        fail_msg("%zu reports, expected %zu: %s", reports.count, expected,
+                 text);
+    }
+    diagnostics_free(&reports);
+    return scene;
+}
+
+struct scene *read_scene(const char *text)
+{
+    return read_with(text, 0);
+}
+
+void assert_error(const char *text, const struct scene_options *how,
+                  size_t line, size_t column, const char *message)
+{
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read_text("test.pov", text, how, &reports);
+    const struct diagnostic *report = reports.items;
+
+    if (scene || reports.count != 1 || report->severity != SEVERITY_ERROR
+        || report->line != line || report->column != column
+        || !strstr(report->message, message)) {
+        diagnostics_print(&reports, stderr);
+        fail_msg("expected %zu:%zu %s, of: %s", line, column, message, text);
+    }
+    diagnostics_free(&reports);
+}
+
+void assert_refused(const char *text, size_t most, const char *message)
+{
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read_text("test.pov", text, &reading_options,
+                                          &reports);
+    bool said = false;
+
+    for (size_t i = 0; i < reports.count; i++)
+        said = said || strstr(reports.items[i].message, message);
+    if (scene || !said || reports.count > most) {
+        diagnostics_print(&reports, stderr);
+        fail_msg("%zu reports, not '%s', of: %.80s", reports.count, message,
+                 text);
+    }
+    diagnostics_free(&reports);
+}
