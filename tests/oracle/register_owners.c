@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/unit/operand_letters.h"
+#include "tests/oracle/operand_letters.h"
 
 enum {
     ANYONE = -1,

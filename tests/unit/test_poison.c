@@ -60,7 +60,7 @@ static bool is_selected(const struct vector_case *one, enum role role,
 {
     const bool ones = role == ROLE_A;
 
-    if (is_one_of(one->row, "MRGV MRGB"))
+    if (is_row_of(one->row, "MRGV MRGB"))
         return i < count_chosen(one, ones);
     return is_chosen(one, i) == ones;
 }
@@ -69,12 +69,12 @@ static bool is_used(const struct vector_case *one, enum role role, size_t i)
 {
     if (role == ROLE_B && one->row->format == C205_FORMAT_SCAN)
         return true;
-    if (is_one_of(one->row, "DELTAV ADJMV"))
+    if (is_row_of(one->row, "DELTAV ADJMV"))
         return (i < one->n && is_permitted(one, i))
                || (i > 0 && i - 1 < one->n && is_permitted(one, i - 1));
     if (i >= one->n)
         return false;
-    if (is_one_of(one->row, "VREVV"))
+    if (is_row_of(one->row, "VREVV"))
         return is_permitted(one, one->n - 1 - i);
     if (z_selects(one->row))
         return is_selected(one, role, i);
@@ -283,7 +283,7 @@ static void run_twice(struct little *little, struct vector_case *one,
 static bool time_is_known(const struct vector_case *one)
 {
     return !(one->row->format == C205_FORMAT_SCAN && one->fields.z
-             && is_one_of(one->row, "SCHEQV SCHNEV SCHGEV SCHLTV"));
+             && is_row_of(one->row, "SCHEQV SCHNEV SCHGEV SCHLTV"));
 }
 
 static void check_images(struct vector_case *one, const struct image *before,

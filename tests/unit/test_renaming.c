@@ -8,7 +8,7 @@
  * together (C and C+1) stay together.
  */
 #include "tests/unit/machine_fixture.h"
-#include "tests/unit/operand_letters.h"
+#include "tests/oracle/operand_letters.h"
 
 #include "tests/oracle/random_program.h"
 

@@ -11,9 +11,11 @@
  */
 #include "machine_fixture.h"
 
+#include "tests/oracle/operand_letters.h"
 #include "tests/oracle/operands.h"
 #include "tests/oracle/reference.h"
-#include "tests/unit/operand_letters.h"
+
+#include <ctype.h>
 
 enum { CASES = 600 }; /* of each instruction, and ten times as many pairs */
 

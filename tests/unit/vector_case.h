@@ -10,8 +10,7 @@
 
 #include "machine_fixture.h"
 
-#include "tests/unit/operand_letters.h"
-
+#include "tests/oracle/operand_letters.h"
 #include "tests/oracle/operands.h"
 #include "tests/oracle/reference.h"
 
@@ -47,396 +46,61 @@ struct vector_case {
     struct bits_of defined, written;
 };
 
+#define ADDRESS_BITS UINT64_C(0xFFFFFFFFFFFF)
+
 /* ---- What the row says -------------------------------------------------- */
 
-static inline bool is_one_of(const c205_insn *row, const char *names)
-{
-    const char *found = strstr(names, row->mnemonic);
-    const char after = found ? found[strlen(row->mnemonic)] : 'x';
-
-    return after == ' ' || after == '\0';
-}
+bool is_row_of(const c205_insn *row, const char *names);
 
 /* Rows of which Z says where A and B go, and holds nothing back. */
-static inline bool z_selects(const c205_insn *row)
-{
-    return strstr(c205_format_syntax(row->format), "!Z");
-}
-
-static inline bool has_control(const struct vector_case *one)
-{
-    return one->fields.z && letter_of(one->row, ROLE_Z) == 'z';
-}
-
-static inline unsigned width_of(const struct vector_case *one, enum role role)
-{
-    const char letter = sized_letter(one->row, one->fields.g, role);
-
-    if (letter && strchr("beoz", letter))
-        return 1;
-    return isupper((unsigned char)letter) ? HALF : WORD;
-}
+bool z_selects(const c205_insn *row);
+bool has_control(const struct vector_case *one);
 
 /* ---- Bits --------------------------------------------------------------- */
 
-static inline void mark(struct bits_of *bits, uint64_t address,
-                        uint64_t count)
-{
-    for (uint64_t at = address - DATA; count > 0; at++, count--)
-        bits->memory[at / WORD] |= UINT64_C(1) << (WORD - 1 - at % WORD);
-}
-
-static inline void mark_element(struct bits_of *bits,
-                                const struct extent_of *vector, size_t i)
-{
-    if (i < vector->length)
-        mark(bits, vector->address + i * vector->width, vector->width);
-}
-
-static inline bool bit_of(const struct vector_case *one, enum role role,
-                          size_t i)
-{
-    const uint64_t at = one->vector[role].address + i - DATA;
-
-    return i < one->vector[role].length
-           && one->memory[at / WORD] >> (WORD - 1 - at % WORD) & 1;
-}
+void mark(struct bits_of *bits, uint64_t address, uint64_t count);
+void mark_element(struct bits_of *bits, const struct extent_of *vector,
+                  size_t i);
+bool bit_of(const struct vector_case *one, enum role role, size_t i);
 
 /* The control vector has a one, or a zero where those count. */
-static inline bool is_chosen(const struct vector_case *one, size_t i)
-{
-    const struct extent_of *z = &one->vector[ROLE_Z];
-    const uint64_t at = z->address + i - DATA;
-    const bool bit = one->memory[at / WORD] >> (WORD - 1 - at % WORD) & 1;
-
-    return bit != !!(one->fields.g & C205_G_ZEROS);
-}
-
-static inline bool is_permitted(const struct vector_case *one, size_t i)
-{
-    return !has_control(one) || z_selects(one->row) || is_chosen(one, i);
-}
-
-static inline size_t count_chosen(const struct vector_case *one, bool chosen)
-{
-    size_t count = 0;
-
-    for (size_t i = 0; i < one->n; i++)
-        count += is_chosen(one, i) == chosen;
-    return count;
-}
+bool is_chosen(const struct vector_case *one, size_t i);
+bool is_permitted(const struct vector_case *one, size_t i);
+size_t count_chosen(const struct vector_case *one, bool chosen);
 
 /* ---- Registers ---------------------------------------------------------- */
 
 /* Which register has which role; offsets stand in those after A .. C.  A half
  * register is the right or the left one of its own. */
-static const uint8_t role_register[ROLES] = { 130, 140, 150, 160, 170, 180 };
-static const uint8_t role_half[ROLES] = { 201, 202, 205, 206, 209, 210 };
+extern const uint8_t role_register[ROLES], role_half[ROLES];
 
-static inline bool is_half(const struct vector_case *one, enum role role)
-{
-    return is_half_register(one->row, one->fields.g, role);
-}
+bool is_half(const struct vector_case *one, enum role role);
 
 /* What the field of the instruction says. */
-static inline uint8_t register_name(const struct vector_case *one,
-                                    enum role role)
-{
-    return is_half(one, role) ? role_half[role] : role_register[role];
-}
+uint8_t register_name(const struct vector_case *one, enum role role);
 
-static inline void define(struct vector_case *one, unsigned number,
-                          c205_word word, c205_word bits)
-{
-    one->reg[number] = word;
-    one->defined.reg[number] = bits;
-}
-
-static inline void define_half(struct vector_case *one, unsigned number,
-                               c205_word word)
-{
-    const unsigned shift = number % 2 ? 0 : HALF;
-
-    define(one, number / 2, (word & UINT32_MAX) << shift,
-           (c205_word)UINT32_MAX << shift);
-}
-
-#define ADDRESS_BITS UINT64_C(0xFFFFFFFFFFFF)
-
-/* The length of a table, of a result that the machine sets, and of a control
- * vector does not matter. */
-static inline bool length_matters(const struct vector_case *one,
-                                  enum role role)
-{
-    const char letter = letter_of(one->row, role);
-
-    if (letter == 'z')
-        return one->row->format == C205_FORMAT_SQUEEZE
-               || one->row->format == C205_FORMAT_SQUEEZEB;
-    if (role == ROLE_Z && letter == 'e')
-        return false;
-    return !strchr("cox", letter);
-}
+void define(struct vector_case *one, unsigned number, c205_word word,
+            c205_word bits);
+void define_half(struct vector_case *one, unsigned number, c205_word word);
 
 /* ---- Lengths and places ------------------------------------------------- */
 
-static inline size_t draw(uint64_t *random, size_t low, size_t high)
-{
-    return (size_t)random_between(random, (int64_t)low, (int64_t)high);
-}
-
-static inline size_t draw_size(uint64_t *random)
-{
-    const size_t kind = draw(random, 0, 9);
-
-    return kind == 0 ? 0 : draw(random, 1, kind == 1 ? LENGTH : 150);
-}
-
-/* The descriptor of a vector that begins offset elements before its extent
- * and is as much longer. */
-static inline void place_vector(struct vector_case *one, enum role role,
-                                uint64_t *random, size_t length,
-                                size_t offset)
-{
-    struct extent_of *vector = &one->vector[role];
-    const size_t start = WORD / (vector->width = width_of(one, role));
-    const uint64_t zone = DATA + (uint64_t)(role * ZONE_WORDS + LEAD) * WORD
-                          + draw(random, 0, start - 1) * vector->width;
-    const bool counts = length_matters(one, role);
-
-    define(one, role_register[role],
-           descriptor(zone, counts ? length + offset : 0),
-           counts ? UINT64_MAX : ADDRESS_BITS);
-    vector->address = zone + offset * vector->width;
-    vector->length = length;
-}
-
-static inline c205_word draw_of(const struct oracle_format *format,
-                                uint64_t *random)
-{
-    struct operands operands = operands_begin(format, random_bits(random));
-    c205_word a, b;
-
-    operands.position = draw(random, 0, 100000);
-    operands_next(&operands, &a, &b, 1);
-    return a;
-}
-
-static inline c205_word draw_word(uint64_t *random)
-{
-    return draw_of(&oracle_full, random);
-}
+size_t draw(uint64_t *random, size_t low, size_t high);
+size_t draw_size(uint64_t *random);
+c205_word draw_word(uint64_t *random);
 
 /* Right-justified. */
-static inline c205_word draw_half(uint64_t *random)
-{
-    return draw_of(&oracle_half, random) >> HALF;
-}
-
-static inline void place_scalar(struct vector_case *one, enum role role,
-                                uint64_t *random)
-{
-    const char letter = letter_of(one->row, role);
-
-    if (letter == 'i') /* the groups of a repeated mask */
-        define(one, role_register[role], (c205_word)draw(random, 1, 20),
-               ADDRESS_BITS);
-    else if (is_half(one, role) && letter != 'w')
-        define_half(one, role_half[role], draw_half(random));
-    else if (letter && !strchr("wk", letter))
-        define(one, role_register[role], draw_word(random), UINT64_MAX);
-}
-
-static inline size_t draw_offset(struct vector_case *one, uint64_t *random,
-                                 uint8_t *field, enum role role)
-{
-    const size_t offset = draw(random, 0, OFFSET_MOST);
-
-    *field = (uint8_t)(role_register[role] + 1);
-    define(one, *field, offset, ADDRESS_BITS);
-    return offset;
-}
-
-/* One in four has one, if it may. */
-static inline size_t source_offset(struct vector_case *one, uint64_t *random,
-                                   enum role role)
-{
-    const char *syntax = c205_format_syntax(one->row->format);
-    const bool may = role == ROLE_A
-                         ? strchr(syntax, 'a') || strstr(syntax, "A+X")
-                         : strchr(syntax, 'b') || strstr(syntax, "B+Y");
-
-    if (!may || draw(random, 0, 3) > 0)
-        return 0;
-    return draw_offset(one, random,
-                       role == ROLE_A ? &one->fields.x : &one->fields.y,
-                       role);
-}
-
-static inline size_t source_length(uint64_t *random, size_t n)
-{
-    return draw(random, 0, 1) ? n : draw(random, 0, n + 20);
-}
-
-/* ---- G ------------------------------------------------------------------ */
-
-/* Reductions and moves of one number only are no instructions. */
-static inline bool makes_sense(const c205_insn *row, unsigned g)
-{
-    const bool a = g & C205_G_BROADCAST_A, b = g & C205_G_BROADCAST_B;
-
-    switch (row->format) {
-    case C205_FORMAT_REDUCE: return !a;
-    case C205_FORMAT_REDUCE2:
-    case C205_FORMAT_SIEVE:
-    case C205_FORMAT_SPREAD: return !(a && b);
-    default: return true;
-    }
-}
-
-static inline void draw_g(struct vector_case *one, uint64_t *random)
-{
-    const char *syntax = c205_format_syntax(one->row->format);
-    const bool is_short = c205_format_halves(one->row->format) == 1;
-    unsigned legal = reference_bits_of_g(one->row), g;
-
-    legal |= one->row->flags & C205_INSN_HALF ? C205_G_HALF : 0;
-    legal &= ~(unsigned)one->row->subop_mask;
-    do
-        g = (unsigned)(random_bits(random) & random_bits(random)) & legal;
-    while (!makes_sense(one->row, g));
-    one->fields.f = one->row->opcode;
-    one->fields.g = (uint8_t)(is_short ? 0 : g | one->row->subop);
-    if (strstr(syntax, "?Z") && draw(random, 0, 2) == 0)
-        one->fields.g &= (uint8_t)~C205_G_ZEROS;
-    else if (strchr(syntax, 'Z'))
-        one->fields.z = role_register[ROLE_Z];
-}
+c205_word draw_half(uint64_t *random);
+size_t source_length(uint64_t *random, size_t n);
 
 /* ---- Contents ----------------------------------------------------------- */
 
-static inline void put_word(struct vector_case *one, uint64_t address,
-                            c205_word word)
-{
-    one->memory[(address - DATA) / WORD] = word;
-}
-
-/* Indices of elements of the zone of a table. */
-static inline void fill_indices(struct vector_case *one, uint64_t *random)
-{
-    for (size_t i = 0; i < LENGTH; i++)
-        put_word(one, one->vector[ROLE_A].address + i * WORD,
-                 draw(random, 0, draw(random, 0, 1) ? 600 : 30));
-    if (one->fields.g & C205_G_BROADCAST_A)
-        define(one, role_register[ROLE_A], draw(random, 0, 99), ADDRESS_BITS);
-}
-
-static inline bool has_indices(const c205_insn *row)
-{
-    return row->format == C205_FORMAT_TABLE
-           || row->format == C205_FORMAT_SPREAD;
-}
-
-static inline bool has_halves(const struct vector_case *one, int zone)
-{
-    return zone < ROLES && letter_of(one->row, (enum role)zone)
-           && width_of(one, (enum role)zone) == HALF;
-}
-
-static inline void fill_memory(struct vector_case *one, uint64_t *random)
-{
-    for (size_t i = 0; i < MEMORY_WORDS; i++)
-        if (has_halves(one, (int)(i / ZONE_WORDS))) {
-            one->memory[i] = draw_half(random) << HALF;
-            one->memory[i] |= draw_half(random);
-        } else {
-            one->memory[i] = draw_word(random);
-        }
-    if (has_indices(one->row))
-        fill_indices(one, random);
-    for (size_t i = 0; i < ZONE_WORDS; i++) /* bits, not numbers */
-        for (int role = ROLE_X; role < ROLES; role++)
-            one->memory[(size_t)role * ZONE_WORDS + i] = random_bits(random);
-}
-
-/* ---- How many elements -------------------------------------------------- */
-
-static inline size_t scanned(const struct vector_case *one)
-{
-    return one->vector[one->scalar[ROLE_A] ? ROLE_B : ROLE_A].length;
-}
-
-static inline size_t elements_of(const struct vector_case *one)
-{
-    const struct extent_of *v = one->vector;
-    size_t n = v[ROLE_C].length;
-
-    switch (one->row->format) {
-    case C205_FORMAT_REDUCE:
-    case C205_FORMAT_REDUCE2:
-    case C205_FORMAT_SIEVE:
-    case C205_FORMAT_SPREAD:
-    case C205_FORMAT_BITS1: return scanned(one);
-    case C205_FORMAT_SQUEEZE:
-    case C205_FORMAT_SQUEEZEB: return v[ROLE_Z].length;
-    case C205_FORMAT_SPARSE:
-        return v[ROLE_X].length > v[ROLE_Y].length ? v[ROLE_X].length
-                                                   : v[ROLE_Y].length;
-    case C205_FORMAT_TABLE:
-        return one->scalar[ROLE_A] || v[ROLE_A].length > n ? n
-                                                           : v[ROLE_A].length;
-    default: return n;
-    }
-}
+bool has_indices(const c205_insn *row);
 
 /* ---- The whole ---------------------------------------------------------- */
 
-static inline void place_operand(struct vector_case *one, enum role role,
-                                 uint64_t *random, size_t n, size_t offset)
-{
-    const bool exact = role == ROLE_C || role == ROLE_Z;
-
-    if (!letter_of(one->row, role)
-        || (letter_of(one->row, role) == 'z' && !one->fields.z))
-        return;
-    *field_of_role(&one->fields, one->row, role) = register_name(one, role);
-    one->scalar[role] = is_scalar(one->row, one->fields.g, role);
-    if (one->scalar[role])
-        place_scalar(one, role, random);
-    else
-        place_vector(one, role, random, exact ? n : source_length(random, n),
-                     offset);
-}
-
-static inline void place_operands(struct vector_case *one, uint64_t *random,
-                                  size_t n)
-{
-    size_t offset;
-
-    for (int role = ROLE_A; role <= ROLE_B; role++) {
-        offset = is_scalar(one->row, one->fields.g, (enum role)role)
-                     ? 0
-                     : source_offset(one, random, (enum role)role);
-        place_operand(one, (enum role)role, random, n, offset);
-    }
-    offset = one->fields.g & C205_G_OFFSET & reference_bits_of_g(one->row)
-                 ? draw_offset(one, random, &(uint8_t){ 0 }, ROLE_C)
-                 : 0;
-    for (int role = ROLE_C; role < ROLES; role++)
-        place_operand(one, (enum role)role, random, n,
-                      role == ROLE_C || role == ROLE_Z ? offset : 0);
-}
-
 /* Operands for a row; what of them is defined and written: mark_case. */
-static inline void draw_case(struct vector_case *one, const c205_insn *row,
-                             uint64_t *random, size_t n)
-{
-    memset(one, 0, sizeof *one);
-    one->row = row;
-    draw_g(one, random);
-    place_operands(one, random, n);
-    fill_memory(one, random);
-    one->n = elements_of(one);
-}
+void draw_case(struct vector_case *one, const c205_insn *row,
+               uint64_t *random, size_t n);
 
 #endif

@@ -1,18 +1,10 @@
-/* operand_letters.h - what the instruction table says of the operands of an
- * instruction: their letters (vm/insn.def), and which are half registers.
- */
-#ifndef OPERAND_LETTERS_H
-#define OPERAND_LETTERS_H
-
-#include "vm/c205.h"
+/* operand_letters.c - the syntax of a format beside the letters of a row. */
+#include "operand_letters.h"
 
 #include <ctype.h>
 #include <string.h>
 
-/* R, S, T of the short formats are A, B, C. */
-enum role { ROLE_A, ROLE_B, ROLE_C, ROLE_X, ROLE_Y, ROLE_Z, ROLES };
-
-static inline int role_of_letter(char letter)
+static int role_of_letter(char letter)
 {
     switch (letter) {
     case 'A':
@@ -31,13 +23,13 @@ static inline int role_of_letter(char letter)
 }
 
 /* A short or an immediate format has R, S and T. */
-static inline bool has_short_fields(const c205_insn *row)
+static bool has_short_fields(const c205_insn *row)
 {
     return !strpbrk(c205_format_syntax(row->format), "ABCab");
 }
 
-static inline uint8_t *field_of_role(c205_fields *fields,
-                                     const c205_insn *row, enum role role)
+uint8_t *field_of_role(c205_fields *fields, const c205_insn *row,
+                       enum role role)
 {
     const bool is_short = has_short_fields(row);
 
@@ -51,8 +43,7 @@ static inline uint8_t *field_of_role(c205_fields *fields,
     }
 }
 
-/* What the row's operands say of a role; 0: it has none. */
-static inline char letter_of(const c205_insn *row, enum role role)
+char letter_of(const c205_insn *row, enum role role)
 {
     const char *letters = row->operands;
     const char *syntax = c205_format_syntax(row->format);
@@ -70,9 +61,7 @@ static inline char letter_of(const c205_insn *row, enum role role)
     return 0;
 }
 
-/* The same, a capital where the operands are of 32 bits. */
-static inline char sized_letter(const c205_insn *row, unsigned g,
-                                enum role role)
+char sized_letter(const c205_insn *row, unsigned g, enum role role)
 {
     const char letter = letter_of(row, role);
     const bool half = row->flags & C205_INSN_HALF && g & C205_G_HALF;
@@ -82,8 +71,7 @@ static inline char sized_letter(const c205_insn *row, unsigned g,
                : letter;
 }
 
-/* A register and no vector, though it may be broadcast as one. */
-static inline bool is_scalar(const c205_insn *row, unsigned g, enum role role)
+bool is_scalar(const c205_insn *row, unsigned g, enum role role)
 {
     const char letter = (char)tolower((unsigned char)letter_of(row, role));
 
@@ -95,12 +83,9 @@ static inline bool is_scalar(const c205_insn *row, unsigned g, enum role role)
                && strchr(c205_format_syntax(row->format), 'b'));
 }
 
-static inline bool is_half_register(const c205_insn *row, unsigned g,
-                                    enum role role)
+bool is_half_register(const c205_insn *row, unsigned g, enum role role)
 {
     const char letter = sized_letter(row, g, role);
 
     return isupper((unsigned char)letter) && is_scalar(row, g, role);
 }
-
-#endif
