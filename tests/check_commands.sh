@@ -595,6 +595,27 @@ for ending in jpg exr tif; do
     [ -s a.$ending ]
     verdict $? "no a.$ending"
 done
+dated() { # DATE: whether a.exr has it
+    grep -a -q -e "$1" a.exr
+}
+ends 0 "$build/rt205" render "$scene" -o a.exr -W 40 -H 30
+! dated capDate && ! dated ':[0-9][0-9]:[0-9][0-9] '
+verdict $? "a picture has a date that nobody asked for"
+version=$("$build/rt205" --version)
+tells a.exr "$version"
+cp a.exr b.exr
+sleep 1
+ends 0 "$build/rt205" render "$scene" -o a.exr -W 40 -H 30
+cmp -s a.exr b.exr
+verdict $? "the same frame a second later is another file"
+ends 0 env SOURCE_DATE_EPOCH=86400 "$build/rt205" render "$scene" -o a.exr \
+    -W 40 -H 30
+dated '1970:01:02 00:00:00'
+verdict $? "a picture lacks the date of SOURCE_DATE_EPOCH"
+ends 0 env SOURCE_DATE_EPOCH=today "$build/rt205" render "$scene" -o a.exr \
+    -W 40 -H 30
+cmp -s a.exr b.exr
+verdict $? "what is no date changes a picture"
 ends 1 "$build/rt205" render missing.pov -o a.png
 ends 1 "$build/rt205" render beyond.pov -o a.png
 tells err "beyond.pov:2:1"

@@ -14,7 +14,7 @@ static bool write_picture(const struct cmd_arguments *arguments,
     struct picture_error why;
     char clocks[32], rows[48];
     const struct picture_note notes[] = {
-        { "Software", "rt205" },
+        { "Software", "rt205 " C205_VERSION },
         { "rt205:scene", arguments->scene },
         { "rt205:model", c205_model_name(accounts->model) },
         { "rt205:mode", trace_mode_name(arguments->trace.mode) },

@@ -46,7 +46,9 @@ struct picture_error {
  * name; each is an attribute of its own where the kind of file has them (EXR,
  * PNG), and all are lines of the picture's description everywhere.  half:
  * 16-bit samples for the colours of EXR (else 32-bit); depth, normal and id
- * are always 32-bit.  To stdout, "-", goes a .png.  The bytes do not depend on the time of day. */
+ * are always 32-bit.  To stdout, "-", goes a .png.  The bytes do not
+ * depend on the time of day: a picture has a date only if the environment's
+ * SOURCE_DATE_EPOCH names one. */
 bool picture_write(const char *path, const struct frame *frame,
                    const struct picture_note *notes, bool half,
                    struct picture_error *error);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <memory>
 #include <stdexcept>
@@ -23,9 +24,9 @@ extern const struct picture_adapter rt205_picture_adapter;
 namespace
 {
 
-// Kinds of file that have a date get this one, the year of the paper:
-// otherwise the library writes the time of day.
-const char fixed_date[] = "1984:01:01 00:00:00";
+// When reproducible builds have it that things were made, in seconds since
+// 1970 (reproducible-builds.org/specs/source-date-epoch).
+const char date_variable[] = "SOURCE_DATE_EPOCH";
 
 // JPEG as near to the frame as the format allows.
 const char jpeg_compression[] = "jpeg:98";
@@ -42,6 +43,7 @@ template <class Body> bool guarded(picture_error *error, Body body)
 {
     try {
         OIIO::attribute("threads", 1);
+        OIIO::attribute("debug", 0);
         body();
         return true;
     } catch (const std::exception &caught) {
@@ -63,6 +65,21 @@ OIIO::TypeDesc type_of(sample_format format)
     }
 }
 
+// A picture has no date but one that is asked for: the same frame is the same
+// file.  Where there is none, the library would write the time of day; a
+// number, which is no date, it leaves out.
+void annotate_date(OIIO::ImageSpec &spec)
+{
+    const char *text = std::getenv(date_variable);
+    char *end = nullptr, date[32];
+    const std::time_t seconds = text ? std::strtoll(text, &end, 10) : 0;
+    const std::tm *utc = std::gmtime(&seconds);
+    spec.attribute("DateTime", 0);
+    if (text && end > text && *end == '\0' && utc
+        && std::strftime(date, sizeof date, "%Y:%m:%d %H:%M:%S", utc) > 0)
+        spec.attribute("DateTime", date);
+}
+
 void annotate(OIIO::ImageSpec &spec, const picture_note *notes)
 {
     std::string description;
@@ -72,7 +89,7 @@ void annotate(OIIO::ImageSpec &spec, const picture_note *notes)
     }
     if (!description.empty())
         spec.attribute("ImageDescription", description);
-    spec.attribute("DateTime", fixed_date);
+    annotate_date(spec);
 }
 
 OIIO::ImageSpec spec_of(const picture_image &image)

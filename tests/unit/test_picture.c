@@ -222,6 +222,38 @@ static void test_notes(void **state)
     frame_free(&frame);
 }
 
+/* A date only if it is asked for; one that is none is as if it were not. */
+static void test_date(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *epoch, *date;
+    } cases[] = { { NULL, "" },
+                  { "0", "1970:01:01 00:00:00" },
+                  { "951786061", "2000:02:29 01:01:01" },
+                  { "", "" },
+                  { "1e9", "" },
+                  { "now", "" } };
+    static const char *const names[] = { "d.exr", "d.tif" };
+    struct frame frame = sample_frame();
+    struct picture_error error = { "" };
+    for (size_t i = 0; i < 2 * (sizeof cases / sizeof *cases); i++) {
+        const char *const path = in_folder(names[i % 2]);
+        char text[64];
+        if (cases[i / 2].epoch)
+            setenv("SOURCE_DATE_EPOCH", cases[i / 2].epoch, 1);
+        else
+            unsetenv("SOURCE_DATE_EPOCH");
+        if (!picture_write(path, &frame, notes, false, &error)
+            || !picture_read_note(path, "DateTime", text, sizeof text,
+                                  &error))
+            fail_msg("%s", error.message);
+        assert_string_equal(text, cases[i / 2].date);
+    }
+    unsetenv("SOURCE_DATE_EPOCH");
+    frame_free(&frame);
+}
+
 static size_t contents(const char *path, char *bytes, size_t size)
 {
     FILE *file = fopen(path, "rb");
@@ -368,6 +400,7 @@ int main(void)
         cmocka_unit_test(test_half_is_smaller),
         cmocka_unit_test(test_bytes_are_srgb),
         cmocka_unit_test(test_notes),
+        cmocka_unit_test(test_date),
         cmocka_unit_test(test_same_bytes_later),
         cmocka_unit_test(test_bad_paths),
         cmocka_unit_test(test_unwritable_folder),
