@@ -10,6 +10,18 @@
 #include "rt/shapes/shape_words.h"
 #include "rt/layout/surface.h"
 
+static void put_table(struct record *record,
+                      const struct primitive *primitive, size_t count)
+{
+    double *table = shape_table(primitive, count);
+
+    if (table)
+        record_table(record, "P_TABLE", table, count);
+    else
+        layout_fail(record->layout, "no memory");
+    free(table);
+}
+
 static void put_shape(struct record *record,
                       const struct primitive *primitive,
                       const struct leaf_plan *plan)
@@ -41,7 +53,7 @@ static void put_shape(struct record *record,
     record_integer(record, "P_INVERTED", primitive->inverted);
     record_numbers(record, "P_SHAPE", shape.words, shape.count);
     if (shape.table_count > 0)
-        record_table(record, "P_TABLE", shape.table, shape.table_count);
+        put_table(record, primitive, shape.table_count);
     record_numbers(record, "P_LOCAL", &primitive->to_local.rows[0][0], 12);
 }
 

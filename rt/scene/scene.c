@@ -2,17 +2,6 @@
 
 #include <stdlib.h>
 
-const char *primitive_kind_name(enum primitive_kind kind)
-{
-    static const char *const names[PRIMITIVE_KINDS] = {
-        "sphere",  "box",          "cylinder",         "plane",
-        "cone",    "torus",        "elliptical_torus", "quadric",
-        "quartic", "steiner_patch"
-    };
-
-    return names[kind];
-}
-
 bool pigment_is_clear(const struct pigment *pigment)
 {
     int colors = pigment->kind == PIGMENT_CHECKER ? 2 : 1;

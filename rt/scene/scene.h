@@ -55,78 +55,7 @@ struct pigment {
 /* Light passes, for one of its colours at least. */
 bool pigment_is_clear(const struct pigment *pigment);
 
-enum primitive_kind {
-    PRIMITIVE_SPHERE,
-    PRIMITIVE_BOX,
-    PRIMITIVE_CYLINDER,
-    PRIMITIVE_PLANE,
-    PRIMITIVE_CONE,
-    PRIMITIVE_TORUS,
-    PRIMITIVE_ELLIPTICAL_TORUS,
-    PRIMITIVE_QUADRIC,
-    PRIMITIVE_QUARTIC,
-    PRIMITIVE_STEINER_PATCH,
-    PRIMITIVE_KINDS
-};
-const char *primitive_kind_name(enum primitive_kind kind);
-
-enum { QUADRIC_TERMS = 10, QUARTIC_TERMS = 35, STEINER_POINTS = 6 };
-
-/* A primitive as it is written, and the transform that then applies. */
-struct primitive {
-    enum primitive_kind kind;
-    union {
-        struct {
-            double center[3], radius;
-        } sphere;
-        struct {
-            double corner[2][3]; /* the lesser and the greater of each axis */
-        } box;
-        struct {
-            double base[3], cap[3], radius;
-            bool open; /* without its two disks */
-        } cylinder;
-        struct {
-            double normal[3], distance; /* of length one; solid below it */
-        } plane;
-        struct {
-            /* one radius may be 0; they differ: else it is a cylinder */
-            double base[3], base_radius, cap[3], cap_radius;
-            bool open;
-        } cone;
-        struct {
-            double major, minor; /* about y, its centre the origin */
-        } torus;
-        struct {
-            /* the tube's half axes: away from y, and along it */
-            double major, radial, axial;
-        } elliptical_torus;
-        struct {
-            double coefficients[QUADRIC_TERMS]; /* of x2 y2 z2 xy xz yz
-                                                   x y z 1 */
-        } quadric;
-        struct {
-            double coefficients[QUARTIC_TERMS]; /* of x^4 x^3y x^3z x^3 x^2y^2
-                                                   .. z 1: falling in x, then
-                                                   y, then z */
-        } quartic;
-        struct {
-            /* b200 b020 b002 b110 b011 b101; weights above 0 */
-            double points[STEINER_POINTS][3], weights[STEINER_POINTS];
-        } steiner_patch;
-    } shape;
-    struct transform to_world;
-    struct transform to_local; /* the inverse of to_world */
-    bool transformed;          /* to_world is not the identity */
-    struct pigment pigment;
-    struct finish finish;
-    bool no_shadow;
-    double ior;    /* index of refraction of its inside; 1 */
-    bool inverted; /* an odd number of complements stands above
-                                  it: its outward normal points to what is
-                                  solid */
-    size_t line;   /* where it is written, in the scene's main file */
-};
+struct primitive; /* rt/shapes/primitive.h */
 
 /* A Boolean tree over primitives, its nodes in preorder: a node, then all that
  * is below its first child, and so on.  A difference is the intersection of

@@ -1,18 +1,12 @@
-/* shape_words.h - a primitive's shape as its kernel wants it.
+/* shape_words.h - a primitive's shape as its kernels want it.
  *
- * What a set-up program would work out once per primitive: reciprocals, the
- * axes of a cylinder, a plane or a uniformly scaled sphere carried into the
- * world.  The order of the words is that of rt/kernels/frame/records.s.
+ * The words that have room in its record, how many more there are in a table,
+ * which routines it has and what they find of a ray.
  */
 #ifndef RT_SHAPE_WORDS_H
 #define RT_SHAPE_WORDS_H
 
-#include "rt/scene/scene.h"
-
-/* How closely roots are found, beside the size of the shape. */
-#define ROOT_RESOLUTION 0x1p-44
-
-enum { SHAPE_WORDS_MOST = 16, SHAPE_TABLE_MOST = 96 };
+#include "rt/shapes/shape.h"
 
 /* The most crossings of a ray with a patch, of the fourth degree; records.s
  * has the same. */
@@ -21,7 +15,6 @@ enum { PATCH_CROSSINGS = 4 };
 struct shape_words {
     double words[SHAPE_WORDS_MOST];
     size_t count;
-    double table[SHAPE_TABLE_MOST]; /* what has no room among the words */
     size_t table_count;
     bool transformed;            /* it stands in a space of its own */
     bool on_patch;               /* a hit has two parameters, too */
@@ -36,9 +29,12 @@ struct shape_words {
 };
 
 void shape_words(const struct primitive *primitive,
-                 struct shape_words *shape);
+                 struct shape_words *words);
+/* The table, of that many words; the caller frees it.  NULL: no memory. */
+double *shape_table(const struct primitive *primitive, size_t count);
 /* Whether all of that is finite: what squares and reciprocals make of a
- * shape's numbers may be beyond a double. */
+ * shape's numbers may be beyond a double.  Without memory for the table that
+ * is not asked. */
 bool shape_is_finite(const struct primitive *primitive);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "rt/shapes/moving_planes.h"
 #include "rt/scene/vector.h"
-#include "rt/shapes/shape_words.h"
+#include "rt/shapes/shape.h"
 
 /* Control points as x y z w, told from the centre, in the order of struct
  * primitive: b200 b020 b002 b110 b011 b101. */

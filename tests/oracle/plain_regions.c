@@ -1,6 +1,8 @@
 /* plain_regions.c - see plain_regions.h. */
 #include "tests/oracle/plain_regions.h"
 
+#include "rt/shapes/shape.h"
+
 #include <stdlib.h>
 
 struct place {
@@ -140,9 +142,8 @@ static bool is_inside(const struct probe *probe,
 {
     double local[3];
     to_other_space(&primitive->to_local, probe->point, local);
-    return primitive->kind == PRIMITIVE_STEINER_PATCH
-               ? is_behind(probe, primitive)
-               : plain_encloses(primitive, local);
+    return shape_is_surface(primitive) ? is_behind(probe, primitive)
+                                       : plain_encloses(primitive, local);
 }
 
 static bool value_of(const struct probe *probe, size_t at)
@@ -236,7 +237,7 @@ static void describe(const struct place *place, bool solid_behind,
     hit->primitive = place->primitive;
     normal_to_world(&place->primitive->to_local, place->normal, hit->normal);
     const double along = dot(hit->normal, direction);
-    hit->entering = place->primitive->kind == PRIMITIVE_STEINER_PATCH
+    hit->entering = shape_is_surface(place->primitive)
                         ? (along < 0) != place->primitive->inverted
                         : solid_behind;
     if (along > 0)

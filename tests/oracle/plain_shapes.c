@@ -13,9 +13,8 @@ static size_t quadratic(double a, double b, double c, double roots[2])
     return a != 0 ? 2 : b != 0;
 }
 
-static size_t cross_sphere(const struct primitive *primitive,
-                           const struct ray *ray,
-                           struct crossing crossings[MOST_CROSSINGS])
+size_t cross_sphere(const struct primitive *primitive, const struct ray *ray,
+                    struct crossing crossings[MOST_CROSSINGS])
 {
     const double *const center = primitive->shape.sphere.center;
     const double radius = primitive->shape.sphere.radius;
@@ -41,9 +40,8 @@ static void face_crossing(struct crossing *crossing, double distance,
 
 /* The part of the line between each pair of faces; the box is what all three
  * have in common. */
-static size_t cross_box(const struct primitive *primitive,
-                        const struct ray *ray,
-                        struct crossing crossings[MOST_CROSSINGS])
+size_t cross_box(const struct primitive *primitive, const struct ray *ray,
+                 struct crossing crossings[MOST_CROSSINGS])
 {
     const double(*const corner)[3] = primitive->shape.box.corner;
     crossings[0].distance = -INFINITY;
@@ -134,9 +132,9 @@ static size_t cross_disks(const struct axial_view *view,
     return count + cross_disk(view, view->length, &crossings[count]);
 }
 
-static size_t cross_cylinder(const struct primitive *primitive,
-                             const struct ray *ray,
-                             struct crossing crossings[MOST_CROSSINGS])
+size_t cross_cylinder(const struct primitive *primitive,
+                      const struct ray *ray,
+                      struct crossing crossings[MOST_CROSSINGS])
 {
     struct axial_view view;
     view_along(primitive->shape.cylinder.base, primitive->shape.cylinder.cap,
@@ -149,9 +147,8 @@ static size_t cross_cylinder(const struct primitive *primitive,
                : count + cross_disks(&view, &crossings[count]);
 }
 
-static size_t cross_cone(const struct primitive *primitive,
-                         const struct ray *ray,
-                         struct crossing crossings[MOST_CROSSINGS])
+size_t cross_cone(const struct primitive *primitive, const struct ray *ray,
+                  struct crossing crossings[MOST_CROSSINGS])
 {
     struct axial_view view;
     view_along(primitive->shape.cone.base, primitive->shape.cone.cap, ray,
@@ -165,9 +162,8 @@ static size_t cross_cone(const struct primitive *primitive,
                : count + cross_disks(&view, &crossings[count]);
 }
 
-static size_t cross_plane(const struct primitive *primitive,
-                          const struct ray *ray,
-                          struct crossing crossings[MOST_CROSSINGS])
+size_t cross_plane(const struct primitive *primitive, const struct ray *ray,
+                   struct crossing crossings[MOST_CROSSINGS])
 {
     const double *const normal = primitive->shape.plane.normal;
     const double along = dot(normal, ray->direction);
@@ -193,9 +189,8 @@ static void quadric_gradient(const double c[QUADRIC_TERMS],
 
 /* f(o + t d) = f(o) + t d.grad f(o) + t^2 / 2 d.H d, the Hessian H being
  * constant; and f(o) by Euler's rule for its quadratic and linear parts. */
-static size_t cross_quadric(const struct primitive *primitive,
-                            const struct ray *ray,
-                            struct crossing crossings[MOST_CROSSINGS])
+size_t cross_quadric(const struct primitive *primitive, const struct ray *ray,
+                     struct crossing crossings[MOST_CROSSINGS])
 {
     const double *const c = primitive->shape.quadric.coefficients;
     double at[3], along[3], roots[2], point[3];
@@ -219,16 +214,8 @@ size_t plain_crossings(const struct primitive *primitive,
                        struct crossing crossings[MOST_CROSSINGS])
 {
     static cross_shape *const cross[PRIMITIVE_KINDS] = {
-        [PRIMITIVE_SPHERE] = cross_sphere,
-        [PRIMITIVE_BOX] = cross_box,
-        [PRIMITIVE_CYLINDER] = cross_cylinder,
-        [PRIMITIVE_PLANE] = cross_plane,
-        [PRIMITIVE_CONE] = cross_cone,
-        [PRIMITIVE_TORUS] = cross_torus,
-        [PRIMITIVE_ELLIPTICAL_TORUS] = cross_elliptical_torus,
-        [PRIMITIVE_QUADRIC] = cross_quadric,
-        [PRIMITIVE_QUARTIC] = cross_quartic,
-        [PRIMITIVE_STEINER_PATCH] = cross_steiner_patch,
+#define SHAPE(KIND, name, ...) cross_##name,
+#include "rt/shapes/shapes.def"
     };
 
     return cross[primitive->kind](primitive, ray, crossings);

@@ -6,7 +6,7 @@
 #ifndef PLAIN_SHAPES_H
 #define PLAIN_SHAPES_H
 
-#include "rt/scene/scene.h"
+#include "rt/shapes/primitive.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -31,13 +31,15 @@ cross_shape plain_crossings;
 
 /* Is a point of the primitive's own space inside of it?  A patch has no
  * inside. */
-bool plain_encloses(const struct primitive *primitive, const double point[3]);
+typedef bool enclose_point(const struct primitive *primitive,
+                           const double point[3]);
+enclose_point plain_encloses;
 
-/* plain_quartic.c, plain_steiner.c */
-cross_shape cross_torus;
-cross_shape cross_elliptical_torus;
-cross_shape cross_quartic;
-cross_shape cross_steiner_patch;
+/* Of each: plain_shapes.c, plain_solids.c, plain_quartic.c, plain_steiner.c */
+#define SHAPE(KIND, name, ...) \
+    cross_shape cross_##name; \
+    enclose_point in_##name;
+#include "rt/shapes/shapes.def"
 
 /* --- vectors ----------------------------------------------------------- */
 

@@ -1,11 +1,7 @@
 /* plain_solids.c - is a point inside of a primitive? */
 #include "tests/oracle/plain_shapes.h"
 
-typedef bool encloses(const struct primitive *primitive,
-                      const double point[3]);
-
-static bool in_sphere(const struct primitive *primitive,
-                      const double point[3])
+bool in_sphere(const struct primitive *primitive, const double point[3])
 {
     const double radius = primitive->shape.sphere.radius;
     double from[3];
@@ -13,7 +9,7 @@ static bool in_sphere(const struct primitive *primitive,
     return dot(from, from) < radius * radius;
 }
 
-static bool in_box(const struct primitive *primitive, const double point[3])
+bool in_box(const struct primitive *primitive, const double point[3])
 {
     const double(*const corner)[3] = primitive->shape.box.corner;
     for (int i = 0; i < 3; i++)
@@ -22,7 +18,7 @@ static bool in_box(const struct primitive *primitive, const double point[3])
     return true;
 }
 
-static bool in_plane(const struct primitive *primitive, const double point[3])
+bool in_plane(const struct primitive *primitive, const double point[3])
 {
     return dot(primitive->shape.plane.normal, point)
            < primitive->shape.plane.distance;
@@ -44,15 +40,14 @@ static bool about_axis(const double base[3], double base_radius,
 
 /* An open cylinder or cone encloses what the closed one does, as in
  * POV-Ray. */
-static bool in_cylinder(const struct primitive *primitive,
-                        const double point[3])
+bool in_cylinder(const struct primitive *primitive, const double point[3])
 {
     const double radius = primitive->shape.cylinder.radius;
     return about_axis(primitive->shape.cylinder.base, radius,
                       primitive->shape.cylinder.cap, radius, point);
 }
 
-static bool in_cone(const struct primitive *primitive, const double point[3])
+bool in_cone(const struct primitive *primitive, const double point[3])
 {
     return about_axis(primitive->shape.cone.base,
                       primitive->shape.cone.base_radius,
@@ -74,22 +69,21 @@ static bool in_ellipses(double major, double radial, double axial,
            && beyond * beyond + along * along > 1;
 }
 
-static bool in_torus(const struct primitive *primitive, const double point[3])
+bool in_torus(const struct primitive *primitive, const double point[3])
 {
     const double minor = primitive->shape.torus.minor;
     return in_ellipses(primitive->shape.torus.major, minor, minor, point);
 }
 
-static bool in_elliptical_torus(const struct primitive *primitive,
-                                const double point[3])
+bool in_elliptical_torus(const struct primitive *primitive,
+                         const double point[3])
 {
     return in_ellipses(primitive->shape.elliptical_torus.major,
                        primitive->shape.elliptical_torus.radial,
                        primitive->shape.elliptical_torus.axial, point);
 }
 
-static bool in_quadric(const struct primitive *primitive,
-                       const double point[3])
+bool in_quadric(const struct primitive *primitive, const double point[3])
 {
     const double *const c = primitive->shape.quadric.coefficients;
     const double x = point[0], y = point[1], z = point[2];
@@ -107,8 +101,7 @@ static double raised(double value, int exponent)
     return product;
 }
 
-static bool in_quartic(const struct primitive *primitive,
-                       const double point[3])
+bool in_quartic(const struct primitive *primitive, const double point[3])
 {
     const double *c = primitive->shape.quartic.coefficients;
     double sum = 0;
@@ -120,20 +113,20 @@ static bool in_quartic(const struct primitive *primitive,
     return sum < 0;
 }
 
+bool in_steiner_patch(const struct primitive *primitive,
+                      const double point[3])
+{
+    (void)primitive;
+    (void)point;
+    return false;
+}
+
 bool plain_encloses(const struct primitive *primitive, const double point[3])
 {
-    static encloses *const table[PRIMITIVE_KINDS] = {
-        [PRIMITIVE_SPHERE] = in_sphere,
-        [PRIMITIVE_BOX] = in_box,
-        [PRIMITIVE_CYLINDER] = in_cylinder,
-        [PRIMITIVE_PLANE] = in_plane,
-        [PRIMITIVE_CONE] = in_cone,
-        [PRIMITIVE_TORUS] = in_torus,
-        [PRIMITIVE_ELLIPTICAL_TORUS] = in_elliptical_torus,
-        [PRIMITIVE_QUADRIC] = in_quadric,
-        [PRIMITIVE_QUARTIC] = in_quartic,
+    static enclose_point *const inside[PRIMITIVE_KINDS] = {
+#define SHAPE(KIND, name, ...) in_##name,
+#include "rt/shapes/shapes.def"
     };
-    encloses *const inside = table[primitive->kind];
 
-    return inside && inside(primitive, point);
+    return inside[primitive->kind](primitive, point);
 }

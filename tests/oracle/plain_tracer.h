@@ -13,7 +13,7 @@
 #define PLAIN_TRACER_H
 
 #include "rt/picture/picture.h"
-#include "rt/scene/scene.h"
+#include "rt/shapes/primitive.h"
 
 /* False when memory is short; the caller frees the frame. */
 bool plain_trace(const struct scene *scene, size_t width, size_t height,

@@ -3,49 +3,52 @@
 
 #include "rt/layout/layout.h"
 #include "rt/layout/program.h"
+#include "rt/shapes/shape.h"
 #include "vm/text.h"
 
-/* A program that has the records and, as places only, the kernels. */
-static const char *const kernels[] = {
-    "transformed",
-    "sphere",
-    "box",
-    "cylinder",
-    "open_cylinder",
-    "plane",
-    "cone",
-    "open_cone",
-    "torus",
-    "torus_solid",
-    "elliptical_torus",
-    "elliptical_torus_solid",
-    "quadric",
-    "quadric_solid",
-    "quartic_surface",
-    "quartic_solid",
-    "steiner",
-    "rational_steiner",
-    "steiner_crossings",
-    "rational_steiner_crossings",
-    "normal_sphere",
-    "normal_box",
-    "normal_cylinder",
-    "normal_open_cylinder",
-    "normal_plane",
-    "normal_cone",
-    "normal_open_cone",
-    "normal_torus",
-    "normal_quadric",
-    "normal_quartic",
-    "normal_steiner",
-    "normal_rational_steiner",
+/* For a program that has the records and, as places only, the kernels. */
+enum { PLACES_MOST = 8 * PRIMITIVE_KINDS + 1 };
+struct places {
+    const char *names[PLACES_MOST];
+    size_t count;
 };
+
+static void add_place(struct places *places, const char *name)
+{
+    for (size_t i = 0; name && i < places->count; i++)
+        if (strcmp(places->names[i], name) == 0)
+            return;
+    if (name)
+        places->names[places->count++] = name;
+}
+
+static void add_kernels(struct places *places,
+                        const struct shape_kernels *kernels)
+{
+    add_place(places, kernels->kernel);
+    add_place(places, kernels->normal);
+    add_place(places, kernels->solid);
+    add_place(places, kernels->state);
+}
+
+static struct places all_places(void)
+{
+    struct places places = { .count = 0 };
+
+    add_place(&places, "transformed");
+    for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
+        add_kernels(&places, &shapes[i]->kernels);
+        add_kernels(&places, &shapes[i]->other);
+    }
+    return places;
+}
 
 static struct object *stage_program(void)
 {
     const struct text *const texts[] = { kernel_texts, NULL };
     struct asm_options how = { .texts = texts };
     struct diagnostics errors = { 0 };
+    const struct places places = all_places();
     char text[4000];
     char *end = text
                 + sprintf(text, "        .equ CROSSING_SIZE, 2\n"
@@ -56,8 +59,8 @@ static struct object *stage_program(void)
                                 "        .data\n");
     struct object *program;
 
-    for (size_t i = 0; i < COUNT(kernels); i++)
-        end += sprintf(end, "%s: .word 0\n", kernels[i]);
+    for (size_t i = 0; i < places.count; i++)
+        end += sprintf(end, "%s: .word 0\n", places.names[i]);
     program = assemble_text("stage", text, &how, &errors);
     if (!program)
         fail_msg("%s", errors.items[0].message);

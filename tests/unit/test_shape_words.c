@@ -91,11 +91,22 @@ static void test_least_squares(void **state)
     }
 }
 
-static struct shape_words words_of(const struct primitive *primitive)
-{
-    struct shape_words words;
+/* The words of a shape, its table with them. */
+struct words {
+    struct shape_words shape;
+    double table[STEINER_TABLE_MOST];
+};
 
-    shape_words(primitive, &words);
+static struct words words_of(const struct primitive *primitive)
+{
+    struct words words;
+    double *table;
+
+    shape_words(primitive, &words.shape);
+    table = shape_table(primitive, words.shape.table_count);
+    assert_true(table && words.shape.table_count <= STEINER_TABLE_MOST);
+    memcpy(words.table, table, words.shape.table_count * sizeof *table);
+    free(table);
     return words;
 }
 
@@ -125,13 +136,13 @@ static void test_centers_of_quadrics(void **state)
     (void)state;
     for (size_t k = 0; k < 3; k++) {
         struct primitive primitive;
-        struct shape_words words;
+        struct words words;
 
         set_quadric(&primitive, terms[k]);
         words = words_of(&primitive);
-        assert_int_equal(words.count, 13);
+        assert_int_equal(words.shape.count, 13);
         for (size_t i = 0; i < 13; i++)
-            assert_close(words.words[i], expected[k][i], 1e-13);
+            assert_close(words.shape.words[i], expected[k][i], 1e-13);
     }
 }
 
@@ -142,8 +153,8 @@ static void test_quadrics_keep_their_values(void **state)
     for (int try = 0; try < 100; try++) {
         double terms[10], x[3], y[3], value, again;
         struct primitive primitive;
-        struct shape_words words;
-        const double *w = words.words;
+        struct words words;
+        const double *w = words.shape.words;
 
         for (size_t i = 0; i < 10; i++)
             terms[i] = try % 3 == 0 && i % 2 == 0 ? 0 : between(-1, 1);
@@ -267,26 +278,26 @@ static void set_patch(struct primitive *primitive)
 static void test_kernels_of_patches(void **state)
 {
     struct primitive patch;
-    struct shape_words words;
+    struct words words;
 
     (void)state;
     set_patch(&patch);
     words = words_of(&patch);
-    assert_string_equal(words.kernel, "rational_steiner");
-    assert_string_equal(words.solid, "rational_steiner_crossings");
-    assert_string_equal(words.historical, "rational_steiner_implicit");
-    assert_true(words.on_patch);
+    assert_string_equal(words.shape.kernel, "rational_steiner");
+    assert_string_equal(words.shape.solid, "rational_steiner_crossings");
+    assert_string_equal(words.shape.historical, "rational_steiner_implicit");
+    assert_true(words.shape.on_patch);
     for (int i = 0; i < STEINER_POINTS; i++)
         patch.shape.steiner_patch.weights[i] = 3;
     words = words_of(&patch);
-    assert_string_equal(words.kernel, "steiner");
-    assert_string_equal(words.solid, "steiner_crossings");
-    assert_string_equal(words.historical, "steiner_implicit");
+    assert_string_equal(words.shape.kernel, "steiner");
+    assert_string_equal(words.shape.solid, "steiner_crossings");
+    assert_string_equal(words.shape.historical, "steiner_implicit");
     for (int i = 0; i < STEINER_POINTS; i++)
         patch.shape.steiner_patch.points[i][1] = 2;
     words = words_of(&patch);
-    assert_null(words.historical);
-    assert_int_equal(words.table_count, STEINER_TABLE);
+    assert_null(words.shape.historical);
+    assert_int_equal(words.shape.table_count, STEINER_TABLE);
 }
 
 /* Whichever corner comes first, H(0, 0), H(1, 0) and H(0, 1) are corners, the
@@ -296,7 +307,7 @@ static void test_polynomials_of_patches(void **state)
     (void)state;
     for (int try = 0; try < 50; try++) {
         struct primitive patch;
-        struct shape_words words;
+        struct words words;
         const double *k = words.table;
         int corners = 0;
 
@@ -307,13 +318,13 @@ static void test_polynomials_of_patches(void **state)
             double distance = 0;
 
             for (int axis = 0; axis < 3; axis++)
-                distance += fabs(k[axis] / k[18] + words.words[axis]
+                distance += fabs(k[axis] / k[18] + words.shape.words[axis]
                                  - corner[axis]);
             corners += distance < 1e-12;
             distance = 0;
             for (int axis = 0; axis < 3; axis++)
-                distance += pow(corner[axis] - words.words[axis], 2);
-            assert_true(distance < words.words[3]);
+                distance += pow(corner[axis] - words.shape.words[axis], 2);
+            assert_true(distance < words.shape.words[3]);
         }
         assert_int_equal(corners, 1);
     }
@@ -353,7 +364,7 @@ static void test_other_planes(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof straight / sizeof *straight; i++) {
         struct primitive patch;
-        struct shape_words words;
+        struct words words;
         const double *last, *other;
 
         set_patch(&patch);
@@ -366,7 +377,7 @@ static void test_other_planes(void **state)
         other = words.table + 24;
         assert_close(other[0] * other[0] + other[1] * other[1]
                          + other[2] * other[2],
-                     words.words[3], 1e-12);
+                     words.shape.words[3], 1e-12);
         assert_close(last[0] * other[0] + last[1] * other[1]
                          + last[2] * other[2],
                      0, 1e-12);
@@ -381,7 +392,7 @@ static void test_weights_of_one_patch(void **state)
         { 0, 0 }, { 1, 1 }, { 2, 2 }, { 0, 1 }, { 1, 2 }, { 2, 0 }
     };
     struct primitive patch;
-    struct shape_words words, other;
+    struct words words, other;
 
     (void)state;
     set_patch(&patch);

@@ -94,7 +94,9 @@ static bool declare_camera(struct reader *reader, void *subject,
 }
 
 static const struct keyword declared_words[] = {
-    SHAPE_WORDS(declare_object),
+#define SHAPE(KIND, name, ...) { #name, declare_object, PRIMITIVE_##KIND },
+#include "rt/shapes/shapes.def"
+    OTHER_SHAPE_WORDS(declare_object),
     { "pigment", declare_pigment, 0 },
     { "finish", declare_finish, 0 },
     { "texture", declare_texture, 0 },

@@ -11,6 +11,7 @@
 #define RT_SCENE_OBJECT_H
 
 #include "rt/scene/transform.h"
+#include "rt/shapes/primitive.h"
 
 struct texture {
     struct pigment pigment;

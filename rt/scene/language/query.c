@@ -5,6 +5,7 @@
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/element.h"
 #include "rt/scene/language/string_value.h"
+#include "rt/shapes/shape.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -101,16 +102,24 @@ static bool read_file_exists(struct reader *reader, double *value)
 
 /* ---- Names and arrays --------------------------------------------------- */
 
+/* A shape that POV-Ray has not. */
+static bool is_own_shape(const struct token *token)
+{
+    for (int kind = 0; kind < PRIMITIVE_KINDS; kind++)
+        if (!shapes[kind]->povray
+            && is_token(token,
+                        primitive_kind_name((enum primitive_kind)kind)))
+            return true;
+    return false;
+}
+
 /* The words that this language has and POV-Ray's has not count as defined;
  * words of POV-Ray's own do not, as there. */
 bool read_defined(struct reader *reader, double *value)
 {
-    static const char *const own[] = { "elliptical_torus", "steiner_patch",
-                                       NULL };
-
     if (reader->token.kind != TOKEN_WORD)
         return reader_expected(reader, "a name");
-    *value = is_one_of(&reader->token, own);
+    *value = is_own_shape(&reader->token);
     if (reader_look_up(reader, &reader->token)) {
         if (reader->token.value->kind == VALUE_ARRAY
             && !element_read_place(reader))

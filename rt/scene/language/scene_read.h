@@ -3,7 +3,7 @@
 #define RT_SCENE_READ_H
 
 #include "base/diagnostic.h"
-#include "rt/scene/scene.h"
+#include "rt/shapes/primitive.h"
 
 struct scene_options {
     int width, height;         /* of the picture in pixels: image_width and

@@ -1,6 +1,7 @@
 /* shape.c - solids made of others, objects and their modifiers. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/statement.h"
+#include "rt/shapes/shape.h"
 
 #include <string.h>
 
@@ -247,7 +248,7 @@ static void report_patches(struct reader *reader, const struct object *child,
                            const struct token *at)
 {
     for (size_t i = 0; i < child->part_count; i++)
-        if (child->parts[i].primitive.kind == PRIMITIVE_STEINER_PATCH) {
+        if (shape_is_surface(&child->parts[i].primitive)) {
             reader_report(reader, at,
                           "a patch in an intersection or difference has no "
                           "inside");
@@ -273,7 +274,9 @@ static bool read_child(struct reader *reader, void *subject,
 }
 
 static const struct keyword children[] = {
-    SHAPE_WORDS(read_child),
+#define SHAPE(KIND, name, ...) { #name, read_child, PRIMITIVE_##KIND },
+#include "rt/shapes/shapes.def"
+    OTHER_SHAPE_WORDS(read_child),
     { NULL, NULL, 0 },
 };
 
@@ -304,7 +307,7 @@ static bool read_base(struct reader *reader, struct object *object)
                : item.keyword->read(reader, object, &item);
 }
 
-static bool is_joined(enum shape shape)
+static bool is_joined(enum shape_word shape)
 {
     return shape >= SHAPE_UNION && shape <= SHAPE_DIFFERENCE;
 }
@@ -312,7 +315,7 @@ static bool is_joined(enum shape shape)
 static bool read_first(struct reader *reader, struct object *object,
                        const struct item *item)
 {
-    enum shape shape = (enum shape)item->keyword->detail;
+    enum shape_word shape = (enum shape_word)item->keyword->detail;
     struct primitive primitive;
 
     if (is_joined(shape)) {
@@ -321,7 +324,7 @@ static bool read_first(struct reader *reader, struct object *object,
     }
     if (shape == SHAPE_OBJECT)
         return read_base(reader, object);
-    return primitive_read(reader, shape, &primitive)
+    return primitive_read(reader, (enum primitive_kind)shape, &primitive)
            && add_primitive(reader, object, &primitive, &item->at);
 }
 
@@ -342,7 +345,7 @@ static bool finish_joined(struct reader *reader, struct object *object,
 bool shape_read(struct reader *reader, struct object *object,
                 const struct item *item)
 {
-    enum shape shape = (enum shape)item->keyword->detail;
+    enum shape_word shape = (enum shape_word)item->keyword->detail;
     struct block block;
     bool good;
 

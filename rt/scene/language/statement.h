@@ -7,6 +7,7 @@
 #define RT_SCENE_STATEMENT_H
 
 #include "rt/scene/language/block.h"
+#include "rt/shapes/primitive.h"
 
 /* translate, rotate, scale, matrix, transform: rows of a grammar's table. */
 enum step {
@@ -40,18 +41,10 @@ bool camera_read(struct reader *reader, const struct token *at,
 extern const struct camera_setting camera_default;
 bool settings_read(struct reader *reader, struct scene *scene);
 
-enum shape {
-    SHAPE_SPHERE,
-    SHAPE_BOX,
-    SHAPE_CYLINDER,
-    SHAPE_PLANE,
-    SHAPE_CONE,
-    SHAPE_TORUS,
-    SHAPE_ELLIPTICAL_TORUS,
-    SHAPE_QUADRIC,
-    SHAPE_QUARTIC,
-    SHAPE_STEINER_PATCH,
-    SHAPE_UNION, /* in the order of enum joining, up to the difference */
+/* What a shape's word stands for: its PRIMITIVE_KIND, or one of these. */
+enum shape_word {
+    SHAPE_UNION = PRIMITIVE_KINDS, /* in the order of enum joining, up to the
+                                      difference */
     SHAPE_MERGE,
     SHAPE_INTERSECTION,
     SHAPE_DIFFERENCE,
@@ -59,15 +52,7 @@ enum shape {
     SHAPE_LIGHT
 };
 /* clang-format off */
-#define SHAPE_WORDS(read) \
-    { "sphere", read, SHAPE_SPHERE }, { "box", read, SHAPE_BOX }, \
-    { "cylinder", read, SHAPE_CYLINDER }, \
-    { "plane", read, SHAPE_PLANE }, { "cone", read, SHAPE_CONE }, \
-    { "torus", read, SHAPE_TORUS }, \
-    { "elliptical_torus", read, SHAPE_ELLIPTICAL_TORUS }, \
-    { "quadric", read, SHAPE_QUADRIC }, \
-    { "quartic", read, SHAPE_QUARTIC }, \
-    { "steiner_patch", read, SHAPE_STEINER_PATCH }, \
+#define OTHER_SHAPE_WORDS(read) \
     { "union", read, SHAPE_UNION }, { "merge", read, SHAPE_MERGE }, \
     { "intersection", read, SHAPE_INTERSECTION }, \
     { "difference", read, SHAPE_DIFFERENCE }, \
@@ -78,7 +63,7 @@ enum shape {
 bool shape_read(struct reader *reader, struct object *object,
                 const struct item *item);
 /* The arguments of one primitive, behind its '{'. */
-bool primitive_read(struct reader *reader, enum shape shape,
+bool primitive_read(struct reader *reader, enum primitive_kind kind,
                     struct primitive *primitive);
 bool light_read(struct reader *reader, struct object *object);
 /* Another copy of an object, within the bound of PRIMITIVES_MOST. */

@@ -5,10 +5,10 @@
  * each b the control point times its weight and the weight itself; the point
  * is H's first three over the fourth.
  */
-#ifndef RT_SCENE_PATCH_H
-#define RT_SCENE_PATCH_H
+#ifndef RT_PATCH_H
+#define RT_PATCH_H
 
-#include "rt/scene/scene.h"
+#include "rt/shapes/primitive.h"
 
 /* Whether it is a surface, and not a curve or a point. */
 bool patch_has_area(const struct primitive *patch);

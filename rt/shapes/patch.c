@@ -1,5 +1,5 @@
 /* patch.c - quadratic triangular patches. */
-#include "rt/scene/language/patch.h"
+#include "rt/shapes/patch.h"
 
 #include "rt/scene/vector.h"
 

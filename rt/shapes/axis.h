@@ -1,0 +1,11 @@
+/* axis.h - shapes about an axis: cylinders and cones. */
+#ifndef RT_AXIS_H
+#define RT_AXIS_H
+
+/* To words: the middle of an axis 3, and the unit frame u 3, v 3, w 3 about
+ * it, w along.  Returns the axis's length. */
+double axis_words(const double base[3], const double cap[3], double *words);
+/* What is wrong with an axis, or NULL. */
+const char *axis_fault(const double base[3], const double cap[3]);
+
+#endif

@@ -1,0 +1,191 @@
+#include "rt/shapes/bound.h"
+
+#include <math.h>
+
+#include "rt/scene/transform.h"
+#include "rt/scene/vector.h"
+#include "rt/shapes/shape.h"
+#include "rt/shapes/singular.h"
+
+/* Beyond this the square of a sum of distances may tell nothing. */
+#define GREATEST 1e12
+
+const struct bound bound_none = { { 0, 0, 0 }, BOUND_NONE };
+
+bool bound_is_none(const struct bound *bound)
+{
+    return bound->radius >= BOUND_NONE;
+}
+
+static bool is_sound(const struct bound *bound)
+{
+    return bound->radius <= GREATEST && length3(bound->center) <= GREATEST;
+}
+
+/* --- about others -------------------------------------------------------- */
+
+static double distance_to(const double *from, const struct bound *part)
+{
+    const double way[3] = { part->center[0] - from[0],
+                            part->center[1] - from[1],
+                            part->center[2] - from[2] };
+
+    return length3(way);
+}
+
+/* The part that reaches farthest from a point; how far. */
+static const struct bound *farthest(const struct bound *parts, size_t count,
+                                    const double *from, double *reach)
+{
+    const struct bound *found = parts;
+
+    *reach = 0;
+    for (size_t i = 0; i < count; i++) {
+        double far = distance_to(from, &parts[i]) + parts[i].radius;
+
+        if (far > *reach) {
+            *reach = far;
+            found = &parts[i];
+        }
+    }
+    return found;
+}
+
+/* The middle of the box about all parts. */
+static void middle(const struct bound *parts, size_t count, double *center)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        double low = INFINITY, high = -INFINITY;
+
+        for (size_t i = 0; i < count; i++) {
+            low = fmin(low, parts[i].center[axis] - parts[i].radius);
+            high = fmax(high, parts[i].center[axis] + parts[i].radius);
+        }
+        center[axis] = (low + high) / 2;
+    }
+}
+
+/* To the farthest point, by shorter and shorter steps; the best centre on the
+ * way is taken.  Source: Badoiu and Clarkson 2003. */
+void bound_enclose(const struct bound *parts, size_t count,
+                   struct bound *whole)
+{
+    enum { STEPS = 24 };
+    double center[3], reach;
+
+    *whole = bound_none;
+    for (size_t i = 0; i < count; i++)
+        if (!is_sound(&parts[i]))
+            return;
+    middle(parts, count, center);
+    for (int step = 1; step <= STEPS && count > 0; step++) {
+        const struct bound *far = farthest(parts, count, center, &reach);
+        double distance = distance_to(center, far);
+
+        if (reach < whole->radius) {
+            copy3(center, whole->center);
+            whole->radius = reach;
+        }
+        for (int i = 0; i < 3 && distance > 0; i++)
+            center[i] += (far->center[i] - center[i])
+                         * (reach / distance / (step + 1));
+    }
+    whole->radius *= 1 + 1e-12;
+}
+
+/* --- hulls --------------------------------------------------------------- */
+
+void hull_point(struct hull *hull, const struct primitive *primitive,
+                const double point[3])
+{
+    struct bound *added = &hull->points[hull->count++];
+
+    copy3(point, added->center);
+    transform_point(&primitive->to_world, added->center);
+    added->radius = 0;
+}
+
+/* A polygon about the circle: its points stand a little farther out. */
+void hull_ring(struct hull *hull, const struct primitive *primitive,
+               const double center[3], const double axis[3], double radius)
+{
+    double across[3] = { 0, 0, 0 }, u[3], v[3];
+
+    across[fabs(axis[0]) <= fmax(fabs(axis[1]), fabs(axis[2])) ? 0 : 1] = 1;
+    cross3(axis, across, u);
+    scale3(1 / length3(u), u);
+    cross3(axis, u, v);
+    scale3(1 / length3(v), v);
+    radius /= cos(PI / RING);
+    for (int i = 0; i < RING; i++) {
+        double c = radius * cos(2 * PI * i / RING);
+        double s = radius * sin(2 * PI * i / RING);
+        double point[3];
+
+        for (int k = 0; k < 3; k++)
+            point[k] = center[k] + c * u[k] + s * v[k];
+        hull_point(hull, primitive, point);
+    }
+}
+
+void hull_rings(struct hull *hull, const struct primitive *primitive,
+                const double base[3], double base_radius, const double cap[3],
+                double cap_radius)
+{
+    const double axis[3] = { cap[0] - base[0], cap[1] - base[1],
+                             cap[2] - base[2] };
+
+    hull_ring(hull, primitive, base, axis, base_radius);
+    hull_ring(hull, primitive, cap, axis, cap_radius);
+}
+
+void bound_hull(const struct hull *hull, struct bound *bound)
+{
+    bound_enclose(hull->points, hull->count, bound);
+}
+
+/* --- how far a shape reaches --------------------------------------------- */
+
+double bound_stretch(const struct primitive *primitive, double x, double y,
+                     double z)
+{
+    const double weights[3] = { x, y, z };
+    struct singular matrix = { .rows = 3, .columns = 3 };
+
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            matrix.scaled[i][j] = primitive->to_world.rows[i][j] * weights[j];
+    singular_decompose(&matrix);
+    return fmax(matrix.values[0], fmax(matrix.values[1], matrix.values[2]));
+}
+
+void bound_about(const struct primitive *primitive, const double center[3],
+                 double reach, struct bound *bound)
+{
+    copy3(center, bound->center);
+    transform_point(&primitive->to_world, bound->center);
+    bound->radius = reach;
+}
+
+void bound_without(const struct primitive *primitive, struct bound *bound)
+{
+    (void)primitive;
+    *bound = bound_none;
+}
+
+/* A part in a thousand, what a ray from far away may lose, and what an event
+ * is looked at from (twice k_delta, docs/solids.md): a solid that is left out is
+ * on neither side of an event. */
+static void add_margin(struct bound *bound)
+{
+    bound->radius = 1.001 * bound->radius + 1e-9 * length3(bound->center)
+                    + 2e-7;
+    if (!is_sound(bound))
+        *bound = bound_none;
+}
+
+void bound_primitive(const struct primitive *primitive, struct bound *bound)
+{
+    shape_of(primitive)->bound(primitive, bound);
+    add_margin(bound);
+}

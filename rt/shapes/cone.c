@@ -1,0 +1,85 @@
+#include "rt/shapes/shape.h"
+
+#include <math.h>
+
+#include "rt/scene/vector.h"
+#include "rt/shapes/axis.h"
+
+static const struct shape_field fields[] = {
+    { TAKES_VECTOR, SHAPE_AT(cone, base), NULL, 0, NULL },
+    { TAKES_WIDTH, SHAPE_AT(cone, base_radius), "radius of a cone", 0, NULL },
+    { TAKES_VECTOR, SHAPE_AT(cone, cap), NULL, 0, NULL },
+    { TAKES_WIDTH, SHAPE_AT(cone, cap_radius), "radius of a cone", 0, NULL },
+    { TAKES_WORD, SHAPE_AT(cone, open), "open", 0, NULL },
+    { TAKES_END, 0, NULL, 0, NULL },
+};
+
+/* As in POV-Ray. */
+static void become_cylinder(struct primitive *primitive)
+{
+    struct primitive cone = *primitive;
+
+    primitive->kind = PRIMITIVE_CYLINDER;
+    copy3(cone.shape.cone.base, primitive->shape.cylinder.base);
+    copy3(cone.shape.cone.cap, primitive->shape.cylinder.cap);
+    primitive->shape.cylinder.radius = cone.shape.cone.base_radius;
+    primitive->shape.cylinder.open = cone.shape.cone.open;
+}
+
+static const char *settle(struct primitive *primitive)
+{
+    double base = primitive->shape.cone.base_radius;
+    double cap = primitive->shape.cone.cap_radius;
+    const char *fault = axis_fault(primitive->shape.cone.base,
+                                   primitive->shape.cone.cap);
+
+    if (!fault && base == 0 && cap == 0)
+        fault = "both radii of the cone are 0";
+    if (!fault && base == cap)
+        become_cylinder(primitive);
+    return fault;
+}
+
+static void put_bound(const struct primitive *primitive, struct bound *bound)
+{
+    struct hull hull = { .count = 0 };
+
+    hull_rings(&hull, primitive, primitive->shape.cone.base,
+               primitive->shape.cone.base_radius, primitive->shape.cone.cap,
+               primitive->shape.cone.cap_radius);
+    bound_hull(&hull, bound);
+}
+
+static size_t put_words(const struct primitive *primitive, double *words)
+{
+    double base = primitive->shape.cone.base_radius;
+    double cap = primitive->shape.cone.cap_radius;
+    double length = axis_words(primitive->shape.cone.base,
+                               primitive->shape.cone.cap, words);
+    double slope = (cap - base) / length;
+
+    words[12] = (base + cap) / 2;
+    words[13] = slope;
+    words[14] = length / 2;
+    words[15] = 1 / sqrt(1 + slope * slope);
+    return 16;
+}
+
+static bool is_open(const struct primitive *primitive)
+{
+    return primitive->shape.cone.open;
+}
+
+const struct shape shape_cone = {
+    .fields = fields,
+    .settle = settle,
+    .povray = "cone",
+    .bound = put_bound,
+    .words = put_words,
+    .kernels = { .kernel = "cone", .normal = "normal_cone", .segments = 1 },
+    .is_other = is_open,
+    .other = { .kernel = "open_cone",
+               .normal = "normal_open_cone",
+               .segments = 1,
+               .state = "cone" },
+};

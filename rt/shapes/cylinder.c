@@ -1,0 +1,60 @@
+#include "rt/shapes/axis.h"
+#include "rt/shapes/shape.h"
+
+static const struct shape_field fields[] = {
+    { TAKES_VECTOR, SHAPE_AT(cylinder, base), NULL, 0, NULL },
+    { TAKES_VECTOR, SHAPE_AT(cylinder, cap), NULL, 0, NULL },
+    { TAKES_RADIUS, SHAPE_AT(cylinder, radius), NULL, 0, NULL },
+    { TAKES_WORD, SHAPE_AT(cylinder, open), "open", 0, NULL },
+    { TAKES_END, 0, NULL, 0, NULL },
+};
+
+static const char *settle(struct primitive *primitive)
+{
+    return axis_fault(primitive->shape.cylinder.base,
+                      primitive->shape.cylinder.cap);
+}
+
+static void put_bound(const struct primitive *primitive, struct bound *bound)
+{
+    double radius = primitive->shape.cylinder.radius;
+    struct hull hull = { .count = 0 };
+
+    hull_rings(&hull, primitive, primitive->shape.cylinder.base, radius,
+               primitive->shape.cylinder.cap, radius);
+    bound_hull(&hull, bound);
+}
+
+static size_t put_words(const struct primitive *primitive, double *words)
+{
+    double r = primitive->shape.cylinder.radius;
+    double length = axis_words(primitive->shape.cylinder.base,
+                               primitive->shape.cylinder.cap, words);
+
+    words[12] = r * r;
+    words[13] = length / 2;
+    words[14] = 1 / (2 * r);
+    words[15] = 1 / r;
+    return 16;
+}
+
+static bool is_open(const struct primitive *primitive)
+{
+    return primitive->shape.cylinder.open;
+}
+
+const struct shape shape_cylinder = {
+    .fields = fields,
+    .settle = settle,
+    .povray = "cylinder",
+    .bound = put_bound,
+    .words = put_words,
+    .kernels = { .kernel = "cylinder",
+                 .normal = "normal_cylinder",
+                 .segments = 1 },
+    .is_other = is_open,
+    .other = { .kernel = "open_cylinder",
+               .normal = "normal_open_cylinder",
+               .segments = 1,
+               .state = "cylinder" },
+};

@@ -1,0 +1,44 @@
+#include "rt/shapes/shape.h"
+
+#include "rt/shapes/torus_words.h"
+
+static const struct shape_field fields[] = {
+    { TAKES_SIZE, SHAPE_AT(elliptical_torus, major), "major radius", 0,
+      NULL },
+    { TAKES_SIZE, SHAPE_AT(elliptical_torus, radial),
+      "tube's radial half axis", 0, NULL },
+    { TAKES_SIZE, SHAPE_AT(elliptical_torus, axial), "tube's axial half axis",
+      0, NULL },
+    { TAKES_END, 0, NULL, 0, NULL },
+};
+
+static void put_bound(const struct primitive *primitive, struct bound *bound)
+{
+    static const double origin[3] = { 0, 0, 0 };
+    double major = primitive->shape.elliptical_torus.major;
+    double radial = primitive->shape.elliptical_torus.radial;
+    double axial = primitive->shape.elliptical_torus.axial;
+
+    bound_about(primitive, origin,
+                bound_stretch(primitive, major, 0, major)
+                    + bound_stretch(primitive, radial, axial, radial),
+                bound);
+}
+
+static size_t put_words(const struct primitive *primitive, double *words)
+{
+    return torus_words(primitive->shape.elliptical_torus.major,
+                       primitive->shape.elliptical_torus.radial,
+                       primitive->shape.elliptical_torus.axial, words);
+}
+
+const struct shape shape_elliptical_torus = {
+    .fields = fields,
+    .settle = shape_as_read,
+    .bound = put_bound,
+    .words = put_words,
+    .kernels = { .kernel = "elliptical_torus",
+                 .normal = "normal_torus",
+                 .segments = 2,
+                 .solid = "elliptical_torus_solid" },
+};

@@ -1,0 +1,57 @@
+#include "rt/shapes/shape.h"
+
+#include "rt/scene/vector.h"
+
+static const struct shape_field fields[] = {
+    { TAKES_VECTOR, SHAPE_AT(plane, normal), NULL, 0, NULL },
+    { TAKES_NUMBER, SHAPE_AT(plane, distance), NULL, 0, NULL },
+    { TAKES_END, 0, NULL, 0, NULL },
+};
+
+/* The distance is along the normal of length one. */
+static const char *settle(struct primitive *primitive)
+{
+    double *normal = primitive->shape.plane.normal;
+    double length = length3(normal);
+
+    if (length == 0 || !isfinite(length))
+        return "the normal has no direction";
+    scale3(1 / length, normal);
+    return NULL;
+}
+
+/* A plane is carried into the world here: P^T n' with P the way back. */
+static size_t put_words(const struct primitive *primitive, double *words)
+{
+    const struct transform *back = &primitive->to_local;
+    const double *normal = primitive->shape.plane.normal;
+    double length;
+
+    for (size_t i = 0; i < 3; i++)
+        words[i] = normal[0] * back->rows[0][i] + normal[1] * back->rows[1][i]
+                   + normal[2] * back->rows[2][i];
+    words[3] = primitive->shape.plane.distance;
+    for (size_t i = 0; i < 3; i++)
+        words[3] -= normal[i] * back->rows[i][3];
+    length = length3(words);
+    for (size_t i = 0; i < 4; i++)
+        words[i] /= length;
+    return 4;
+}
+
+static bool carry(const struct primitive *primitive, double *words)
+{
+    (void)primitive;
+    (void)words;
+    return true;
+}
+
+const struct shape shape_plane = {
+    .fields = fields,
+    .settle = settle,
+    .povray = "plane",
+    .bound = bound_without,
+    .words = put_words,
+    .carry = carry,
+    .kernels = { .kernel = "plane", .normal = "normal_plane", .segments = 1 },
+};

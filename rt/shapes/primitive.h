@@ -1,0 +1,41 @@
+/* primitive.h - a primitive of a scene: its shape as it is written, and the
+ * transform that then applies. */
+#ifndef RT_PRIMITIVE_H
+#define RT_PRIMITIVE_H
+
+#include "rt/scene/scene.h"
+
+enum primitive_kind {
+#define SHAPE(KIND, ...) PRIMITIVE_##KIND,
+#include "rt/shapes/shapes.def"
+    PRIMITIVE_KINDS
+};
+/* Its word in the scene language. */
+const char *primitive_kind_name(enum primitive_kind kind);
+
+enum { QUADRIC_TERMS = 10, QUARTIC_TERMS = 35, STEINER_POINTS = 6 };
+
+struct primitive {
+    enum primitive_kind kind;
+    union {
+/* The members end with semicolons of their own. */
+#define SHAPE(KIND, name, ...) \
+    struct { \
+        __VA_ARGS__ \
+    } name;
+#include "rt/shapes/shapes.def"
+    } shape;
+    struct transform to_world;
+    struct transform to_local; /* the inverse of to_world */
+    bool transformed;          /* to_world is not the identity */
+    struct pigment pigment;
+    struct finish finish;
+    bool no_shadow;
+    double ior;    /* index of refraction of its inside; 1 */
+    bool inverted; /* an odd number of complements stands above
+                                  it: its outward normal points to what is
+                                  solid */
+    size_t line;   /* where it is written, in the scene's main file */
+};
+
+#endif

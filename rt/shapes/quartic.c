@@ -1,0 +1,54 @@
+#include "rt/shapes/shape.h"
+
+#include <string.h>
+
+#include "rt/shapes/terms.h"
+
+static const struct shape_field fields[] = {
+    { TAKES_TERMS, SHAPE_AT(quartic, coefficients), NULL, QUARTIC_TERMS,
+      NULL },
+    { TAKES_END, 0, NULL, 0, NULL },
+};
+
+const char *terms_fault(const double *coefficients, size_t count)
+{
+    for (size_t i = 0; i + 1 < count; i++)
+        if (coefficients[i] != 0)
+            return NULL;
+    return "all coefficients of the surface are 0";
+}
+
+static const char *settle(struct primitive *primitive)
+{
+    return terms_fault(primitive->shape.quartic.coefficients, QUARTIC_TERMS);
+}
+
+/* The bound is POV-Ray's: it looks no farther. */
+static size_t put_words(const struct primitive *primitive, double *words)
+{
+    (void)primitive;
+    words[0] = 1e7;
+    words[1] = ROOT_RESOLUTION;
+    return 2;
+}
+
+static size_t put_table(const struct primitive *primitive, double *table)
+{
+    if (table)
+        memcpy(table, primitive->shape.quartic.coefficients,
+               QUARTIC_TERMS * sizeof *table);
+    return QUARTIC_TERMS;
+}
+
+const struct shape shape_quartic = {
+    .fields = fields,
+    .settle = settle,
+    .povray = "quartic",
+    .bound = bound_without,
+    .words = put_words,
+    .table = put_table,
+    .kernels = { .kernel = "quartic_surface",
+                 .normal = "normal_quartic",
+                 .segments = 3,
+                 .solid = "quartic_solid" },
+};

@@ -1,0 +1,104 @@
+/* shape.h - what all of the house knows of a sort of primitive.
+ *
+ * Each has one descriptor, in its own file: what is read of it, its bound, its
+ * words for the machine, its routines among the kernels.  rt/shapes/shapes.def
+ * lists them; a row without its descriptor does not link.
+ */
+#ifndef RT_SHAPE_H
+#define RT_SHAPE_H
+
+#include "rt/shapes/bound.h"
+#include "rt/shapes/primitive.h"
+
+/* How closely roots are found, beside the size of the shape. */
+#define ROOT_RESOLUTION 0x1p-44
+
+/* ---- What stands in its braces ------------------------------------------- */
+
+/* Its arguments, one after another, with commas between them that may be left
+ * out.  Messages say what it is. */
+enum shape_takes {
+    TAKES_END,
+    TAKES_NUMBER,
+    TAKES_VECTOR,
+    TAKES_RADIUS, /* counts by its size, and is not 0 */
+    TAKES_SIZE,   /* a number above 0 */
+    TAKES_WIDTH,  /* a number not below 0 */
+    TAKES_TERMS,  /* numbers in < > */
+    TAKES_WORD,   /* may stand there: a bool says whether it does */
+};
+
+struct shape_field {
+    enum shape_takes takes;
+    size_t offset;      /* where it goes, within struct primitive */
+    const char *what;   /* its name in messages; the word itself */
+    size_t count;       /* of them; 0: one */
+    const char *behind; /* they may be left out, and stand behind this word */
+};
+/* Where a member of shape.name stands. */
+#define SHAPE_AT(name, member) offsetof(struct primitive, shape.name.member)
+
+/* ---- Its routines -------------------------------------------------------- */
+
+/* Names among the kernels, the same in both forms of the program. */
+struct shape_kernels {
+    const char *kernel; /* the crossing of a ray that it meets first */
+    const char *normal;
+    size_t segments;        /* of a ray, inside, at the most; 0: a surface,
+                               that has no inside */
+    const char *solid;      /* of one that stands in a tree: all crossings;
+                               NULL: the first routine finds them all */
+    const char *state;      /* in a tree, of an open shape: the segments
+                               inside of the closed one; else NULL */
+    const char *historical; /* the kernel of 1984 */
+};
+
+/* ---- The descriptor ------------------------------------------------------ */
+
+enum { SHAPE_WORDS_MOST = 16 };
+
+struct shape {
+    const struct shape_field *fields; /* up to TAKES_END */
+    /* What is read becomes what is traced.  Returns what is wrong with it, or
+     * NULL; shape_as_read if there is nothing to do. */
+    const char *(*settle)(struct primitive *primitive);
+    const char *povray; /* its name in POV-Ray; NULL: it has none */
+
+    /* A sphere in the world that nothing of it reaches beyond, or
+     * bound_none. */
+    void (*bound)(const struct primitive *primitive, struct bound *bound);
+
+    /* What a set-up program would work out once: reciprocals, axes, the words
+     * of P_SHAPE in the order of rt/kernels/frame/records.s.  Returns how
+     * many. */
+    size_t (*words)(const struct primitive *primitive, double *words);
+    /* Any number of further words, to which the record has an address: how
+     * many, and, if table is not NULL, the words.  NULL: none. */
+    size_t (*table)(const struct primitive *primitive, double *table);
+    /* Whether it needs no space of its own: its words are told, or are told
+     * anew, in the world.  NULL: it needs one. */
+    bool (*carry)(const struct primitive *primitive, double *words);
+
+    struct shape_kernels kernels;
+    /* Some have two sorts: when it is the other one (or NULL), and the
+     * routines of that. */
+    bool (*is_other)(const struct primitive *primitive);
+    struct shape_kernels other;
+    /* Whether the kernel of 1984 can trace it; NULL: there is none. */
+    bool (*is_historical)(const struct primitive *primitive);
+};
+
+#define SHAPE(KIND, name, ...) extern const struct shape shape_##name;
+#include "rt/shapes/shapes.def"
+
+/* By PRIMITIVE_.. */
+extern const struct shape *const shapes[PRIMITIVE_KINDS];
+const struct shape *shape_of(const struct primitive *primitive);
+/* Those of its sort. */
+const struct shape_kernels *
+shape_kernels_of(const struct primitive *primitive);
+/* Has it no inside? */
+bool shape_is_surface(const struct primitive *primitive);
+const char *shape_as_read(struct primitive *primitive);
+
+#endif

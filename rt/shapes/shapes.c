@@ -1,0 +1,42 @@
+/* shapes.c - the descriptors by their kinds, and what they all mean. */
+#include "rt/shapes/shape.h"
+
+const struct shape *const shapes[PRIMITIVE_KINDS] = {
+#define SHAPE(KIND, name, ...) &shape_##name,
+#include "rt/shapes/shapes.def"
+};
+
+const char *primitive_kind_name(enum primitive_kind kind)
+{
+    static const char *const names[PRIMITIVE_KINDS] = {
+#define SHAPE(KIND, name, ...) #name,
+#include "rt/shapes/shapes.def"
+    };
+
+    return names[kind];
+}
+
+const struct shape *shape_of(const struct primitive *primitive)
+{
+    return shapes[primitive->kind];
+}
+
+const struct shape_kernels *
+shape_kernels_of(const struct primitive *primitive)
+{
+    const struct shape *shape = shape_of(primitive);
+
+    return shape->is_other && shape->is_other(primitive) ? &shape->other
+                                                         : &shape->kernels;
+}
+
+bool shape_is_surface(const struct primitive *primitive)
+{
+    return shape_of(primitive)->kernels.segments == 0;
+}
+
+const char *shape_as_read(struct primitive *primitive)
+{
+    (void)primitive;
+    return NULL;
+}

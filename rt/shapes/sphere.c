@@ -1,0 +1,66 @@
+#include "rt/shapes/shape.h"
+
+#include "rt/scene/vector.h"
+
+static const struct shape_field fields[] = {
+    { TAKES_VECTOR, SHAPE_AT(sphere, center), NULL, 0, NULL },
+    { TAKES_RADIUS, SHAPE_AT(sphere, radius), NULL, 0, NULL },
+    { TAKES_END, 0, NULL, 0, NULL },
+};
+
+static void put_bound(const struct primitive *primitive, struct bound *bound)
+{
+    double r = primitive->shape.sphere.radius;
+
+    bound_about(primitive, primitive->shape.sphere.center,
+                bound_stretch(primitive, r, r, r), bound);
+}
+
+static size_t put_words(const struct primitive *primitive, double *words)
+{
+    double r = primitive->shape.sphere.radius;
+
+    copy3(primitive->shape.sphere.center, words);
+    words[3] = r * r;
+    words[4] = 1 / r;
+    return 5;
+}
+
+/* Does the transform keep every sphere a sphere?  Then it is carried
+ * into the world here. */
+static bool carry(const struct primitive *primitive, double *words)
+{
+    const double(*rows)[4] = primitive->to_world.rows;
+    double scale = length3(
+        (const double[]){ rows[0][0], rows[1][0], rows[2][0] });
+    const double *center = primitive->shape.sphere.center;
+    double r = primitive->shape.sphere.radius * scale;
+
+    for (size_t i = 0; i < 3; i++)
+        for (size_t j = 0; j < 3; j++) {
+            double dot = rows[0][i] * rows[0][j] + rows[1][i] * rows[1][j]
+                         + rows[2][i] * rows[2][j];
+            double want = i == j ? scale * scale : 0;
+
+            if (fabs(dot - want) > 1e-12 * scale * scale)
+                return false;
+        }
+    for (size_t i = 0; i < 3; i++)
+        words[i] = rows[i][0] * center[0] + rows[i][1] * center[1]
+                   + rows[i][2] * center[2] + rows[i][3];
+    words[3] = r * r;
+    words[4] = 1 / r;
+    return true;
+}
+
+const struct shape shape_sphere = {
+    .fields = fields,
+    .settle = shape_as_read,
+    .povray = "sphere",
+    .bound = put_bound,
+    .words = put_words,
+    .carry = carry,
+    .kernels = { .kernel = "sphere",
+                 .normal = "normal_sphere",
+                 .segments = 1 },
+};

@@ -1,0 +1,75 @@
+#include "rt/shapes/shape.h"
+
+#include <string.h>
+
+#include "rt/shapes/patch.h"
+#include "rt/shapes/steiner.h"
+
+static const struct shape_field fields[] = {
+    { TAKES_VECTOR, SHAPE_AT(steiner_patch, points), NULL, STEINER_POINTS,
+      NULL },
+    { TAKES_SIZE, SHAPE_AT(steiner_patch, weights), "weight", STEINER_POINTS,
+      "weights" },
+    { TAKES_END, 0, NULL, 0, NULL },
+};
+
+/* Weights that are not given are one. */
+static const char *settle(struct primitive *primitive)
+{
+    double *weights = primitive->shape.steiner_patch.weights;
+
+    for (size_t i = 0; i < STEINER_POINTS && weights[i] == 0; i++)
+        weights[i] = 1;
+    return patch_has_area(primitive) ? NULL : "the patch has no area";
+}
+
+/* With weights above 0 a patch lies in the hull of its control points. */
+static void put_bound(const struct primitive *primitive, struct bound *bound)
+{
+    struct hull hull = { .count = 0 };
+
+    for (int i = 0; i < STEINER_POINTS; i++)
+        hull_point(&hull, primitive,
+                   primitive->shape.steiner_patch.points[i]);
+    bound_hull(&hull, bound);
+}
+
+static size_t put_words(const struct primitive *primitive, double *words)
+{
+    steiner_shape(primitive, words);
+    return STEINER_SHAPE;
+}
+
+static size_t put_table(const struct primitive *primitive, double *table)
+{
+    double found[STEINER_TABLE_MOST];
+    size_t count = steiner_table(primitive, found);
+
+    if (table)
+        memcpy(table, found, count * sizeof *table);
+    return count;
+}
+
+/* The implicit way wants a surface of the fourth degree. */
+static bool is_historical(const struct primitive *primitive)
+{
+    return put_table(primitive, NULL) > STEINER_TABLE;
+}
+
+const struct shape shape_steiner_patch = {
+    .fields = fields,
+    .settle = settle,
+    .bound = put_bound,
+    .words = put_words,
+    .table = put_table,
+    .kernels = { .kernel = "rational_steiner",
+                 .normal = "normal_rational_steiner",
+                 .solid = "rational_steiner_crossings",
+                 .historical = "rational_steiner_implicit" },
+    .is_other = steiner_is_polynomial,
+    .other = { .kernel = "steiner",
+               .normal = "normal_steiner",
+               .solid = "steiner_crossings",
+               .historical = "steiner_implicit" },
+    .is_historical = is_historical,
+};

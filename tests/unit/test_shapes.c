@@ -1,0 +1,171 @@
+/* Every row of rt/shapes/shapes.def: its descriptor is whole, its routines are
+ * among the kernels of each form, a scene of the tests has one, and the plain
+ * tracer finds where lines cross it and what is inside. */
+#include "tests/unit/scene_reading.h"
+
+#include "rt/layout/program.h"
+#include "rt/scene/transform.h"
+#include "rt/shapes/shape_words.h"
+#include "tests/oracle/plain_shapes.h"
+#include "tests/random.h"
+
+#include <glob.h>
+
+static uint64_t random_state = RANDOM_SEED;
+
+static double between(double low, double high)
+{
+    return low
+           + (high - low) * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
+}
+
+/* ---- Descriptors --------------------------------------------------------- */
+
+static void test_descriptors(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
+        const struct shape *shape = shapes[i];
+        const char *name = primitive_kind_name((enum primitive_kind)i);
+
+        if (!shape->fields || shape->fields[0].takes == TAKES_END
+            || !shape->settle || !shape->bound || !shape->words)
+            fail_msg("the descriptor of %s has a gap", name);
+        if (shape->povray)
+            assert_string_equal(shape->povray, name);
+        for (size_t k = 0; k < i; k++)
+            assert_ptr_not_equal(shape, shapes[k]);
+    }
+}
+
+/* ---- Kernels ------------------------------------------------------------- */
+
+static void check_routine(const struct object *program, const char *name)
+{
+    if (name && !object_symbol(program, name))
+        fail_msg("%s is no routine of the kernels", name);
+}
+
+static void check_routines(const struct object *program,
+                           const struct shape_kernels *kernels,
+                           bool historical)
+{
+    assert_true(kernels->kernel && kernels->normal);
+    check_routine(program, kernels->kernel);
+    check_routine(program, kernels->normal);
+    check_routine(program, kernels->solid);
+    check_routine(program, kernels->state);
+    if (historical)
+        check_routine(program, kernels->historical);
+}
+
+static void check_program(const char *kernel, bool historical)
+{
+    const struct asm_define defines[] = {
+        { "QUEUE", 100 },
+        { historical ? "HISTORICAL" : NULL, 1 },
+        { NULL, 0 },
+    };
+    c205_error error = { "" };
+    struct object *program = program_assemble(kernel, defines, &error);
+
+    if (!program)
+        fail_msg("%s", error.message);
+    for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
+        const struct shape *shape = shapes[i];
+
+        check_routines(program, &shape->kernels, historical);
+        if (shape->is_other)
+            check_routines(program, &shape->other, historical);
+    }
+    object_free(program);
+}
+
+static void test_kernels(void **state)
+{
+    (void)state;
+    for (int historical = 0; historical < 2; historical++) {
+        check_program("frame/frame_scalar.s", historical);
+        check_program("frame/frame_vector.s", historical);
+    }
+    check_program("frame/frame_1984.s", false);
+}
+
+/* ---- Scenes and the plain tracer ----------------------------------------- */
+
+/* Of each kind: how many there are in the scenes, where lines cross them, how
+ * many points lie inside. */
+static struct {
+    size_t count, crossings, inside;
+} found[PRIMITIVE_KINDS];
+
+/* Lines through a primitive's bound, and points within. */
+static void look_through(const struct primitive *primitive)
+{
+    struct bound bound;
+
+    bound_primitive(primitive, &bound);
+    if (bound_is_none(&bound))
+        bound = (struct bound){ { 0, 0, 0 }, 3 };
+    for (int try = 0; try < 200; try++) {
+        struct crossing crossings[MOST_CROSSINGS];
+        struct ray ray;
+        double point[3];
+
+        for (int i = 0; i < 3; i++) {
+            ray.direction[i] = between(-1, 1);
+            point[i] = bound.center[i] + bound.radius * between(-1, 1);
+        }
+        transform_point(&primitive->to_local, point);
+        copy(ray.origin, point);
+        found[primitive->kind].crossings += plain_crossings(primitive, &ray,
+                                                            crossings);
+        found[primitive->kind].inside += plain_encloses(primitive, point);
+    }
+}
+
+static void look_at_scene(const char *path)
+{
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read(path, &options, &reports);
+
+    if (!scene)
+        fail_msg("%s is not read", path);
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        if (found[scene->primitives[i].kind].count++ < 20)
+            look_through(&scene->primitives[i]);
+    scene_free(scene);
+    diagnostics_free(&reports);
+}
+
+static void test_scenes(void **state)
+{
+    glob_t scenes;
+
+    (void)state;
+    assert_int_equal(glob("tests/scenes/*.pov", 0, NULL, &scenes), 0);
+    for (size_t i = 0; i < scenes.gl_pathc; i++)
+        look_at_scene(scenes.gl_pathv[i]);
+    globfree(&scenes);
+    for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
+        const char *name = primitive_kind_name((enum primitive_kind)i);
+
+        if (found[i].count == 0)
+            fail_msg("no scene of the tests has a %s", name);
+        if (found[i].crossings == 0)
+            fail_msg("the plain tracer finds no %s", name);
+        if (shapes[i]->kernels.segments > 0 && found[i].inside == 0)
+            fail_msg("the plain tracer finds nothing inside of a %s", name);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_descriptors),
+        cmocka_unit_test(test_kernels),
+        cmocka_unit_test(test_scenes),
+    };
+
+    return cmocka_run_group_tests_name("shapes", tests, NULL, NULL);
+}
