@@ -2,13 +2,13 @@
 
 #include <stdio.h>
 
-#include "vm/text.h"
+#include "rt/shapes/kernels.h"
 
 struct object *program_assemble(const char *kernel,
                                 const struct asm_define *defines,
                                 c205_error *error)
 {
-    const struct text *const texts[] = { kernel_texts, NULL };
+    const struct text *const texts[] = { kernel_texts, shape_texts, NULL };
     struct asm_options how = { .defines = defines,
                                .texts = texts,
                                .warnings = { .errors = true } };

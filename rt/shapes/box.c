@@ -54,5 +54,6 @@ const struct shape shape_box = {
     .povray = "box",
     .bound = put_bound,
     .words = put_words,
+    .region = "box",
     .kernels = { .kernel = "box", .normal = "normal_box", .segments = 1 },
 };

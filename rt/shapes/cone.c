@@ -76,6 +76,7 @@ const struct shape shape_cone = {
     .povray = "cone",
     .bound = put_bound,
     .words = put_words,
+    .region = "cone",
     .kernels = { .kernel = "cone", .normal = "normal_cone", .segments = 1 },
     .is_other = is_open,
     .other = { .kernel = "open_cone",

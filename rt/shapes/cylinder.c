@@ -49,6 +49,7 @@ const struct shape shape_cylinder = {
     .povray = "cylinder",
     .bound = put_bound,
     .words = put_words,
+    .region = "cylinder",
     .kernels = { .kernel = "cylinder",
                  .normal = "normal_cylinder",
                  .segments = 1 },

@@ -37,6 +37,7 @@ const struct shape shape_elliptical_torus = {
     .settle = shape_as_read,
     .bound = put_bound,
     .words = put_words,
+    .region = "torus",
     .kernels = { .kernel = "elliptical_torus",
                  .normal = "normal_torus",
                  .segments = 2,

@@ -53,5 +53,6 @@ const struct shape shape_plane = {
     .bound = bound_without,
     .words = put_words,
     .carry = carry,
+    .region = "plane",
     .kernels = { .kernel = "plane", .normal = "normal_plane", .segments = 1 },
 };

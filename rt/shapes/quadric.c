@@ -54,6 +54,7 @@ const struct shape shape_quadric = {
     .povray = "quadric",
     .bound = bound_without,
     .words = put_words,
+    .region = "quadric",
     .kernels = { .kernel = "quadric",
                  .normal = "normal_quadric",
                  .segments = 2,

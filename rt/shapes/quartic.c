@@ -47,6 +47,7 @@ const struct shape shape_quartic = {
     .bound = bound_without,
     .words = put_words,
     .table = put_table,
+    .region = "quartic_surface",
     .kernels = { .kernel = "quartic_surface",
                  .normal = "normal_quartic",
                  .segments = 3,

@@ -79,6 +79,7 @@ struct shape {
      * anew, in the world.  NULL: it needs one. */
     bool (*carry)(const struct primitive *primitive, double *words);
 
+    const char *region; /* of the accounts, in which its kernels run */
     struct shape_kernels kernels;
     /* Some have two sorts: when it is the other one (or NULL), and the
      * routines of that. */

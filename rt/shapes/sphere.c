@@ -60,6 +60,7 @@ const struct shape shape_sphere = {
     .bound = put_bound,
     .words = put_words,
     .carry = carry,
+    .region = "sphere",
     .kernels = { .kernel = "sphere",
                  .normal = "normal_sphere",
                  .segments = 1 },

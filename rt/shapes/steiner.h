@@ -3,7 +3,7 @@
  * The patch is told from its centre, its weights with equal corners, and its
  * three corners are taken in the order that suits the kernel: the second
  * difference of the edge from the second to the third is the greatest.
- * Formulas: rt/kernels/shapes/steiner_vector.s.
+ * Formulas: rt/kernels/shapes/steiner_patch_vector.s.
  */
 #ifndef RT_STEINER_H
 #define RT_STEINER_H

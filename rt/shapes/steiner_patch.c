@@ -62,6 +62,7 @@ const struct shape shape_steiner_patch = {
     .bound = put_bound,
     .words = put_words,
     .table = put_table,
+    .region = "steiner",
     .kernels = { .kernel = "rational_steiner",
                  .normal = "normal_rational_steiner",
                  .solid = "rational_steiner_crossings",

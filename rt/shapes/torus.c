@@ -55,6 +55,7 @@ const struct shape shape_torus = {
     .povray = "torus",
     .bound = put_bound,
     .words = put_words,
+    .region = "torus",
     .kernels = { .kernel = "torus",
                  .normal = "normal_torus",
                  .segments = 2,

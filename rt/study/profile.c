@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "rt/shapes/shape.h"
 #include "rt/study/tasks.h"
 
 const enum trace_mode profile_stages[TRACE_MODES] = { TRACE_SCALAR,
@@ -21,36 +22,48 @@ static const char *const part_names[PROFILE_PARTS] = {
 };
 
 /* The .kernel regions of rt/kernels/. */
-static const struct {
-    const char *region;
+struct profile_region {
+    const char *name; /* NULL: those of the shapes */
     enum profile_part part;
-} regions[] = {
-    { "camera", PART_GENERATE },
-    { "generate", PART_GENERATE },
-    { "bound", PART_INTERSECT },
-    { "call", PART_INTERSECT },
-    { "transform", PART_INTERSECT },
-    { "sphere", PART_INTERSECT },
-    { "box", PART_INTERSECT },
-    { "cylinder", PART_INTERSECT },
-    { "plane", PART_INTERSECT },
-    { "cone", PART_INTERSECT },
-    { "quadric", PART_INTERSECT },
-    { "torus", PART_INTERSECT },
-    { "quartic_surface", PART_INTERSECT },
-    { "steiner", PART_INTERSECT },
-    { "quartic", PART_INTERSECT },
-    { "root_solver", PART_INTERSECT },
-    { "visible", PART_VISIBLE },
-    { "shade", PART_SHADE },
-    { "power", PART_SHADE },
-    { "shadow", PART_SHADE },
-    { "spawn", PART_SPAWN },
-    { "resolve", PART_SPAWN },
-    { "frame", PART_REST },
-    { "", PART_REST },
 };
-enum { REGIONS = sizeof regions / sizeof *regions };
+static const struct profile_region regions[] = {
+    { "camera", PART_GENERATE },     { "generate", PART_GENERATE },
+    { "bound", PART_INTERSECT },     { "call", PART_INTERSECT },
+    { "transform", PART_INTERSECT }, { NULL, PART_INTERSECT },
+    { "quartic", PART_INTERSECT },   { "root_solver", PART_INTERSECT },
+    { "visible", PART_VISIBLE },     { "shade", PART_SHADE },
+    { "power", PART_SHADE },         { "shadow", PART_SHADE },
+    { "spawn", PART_SPAWN },         { "resolve", PART_SPAWN },
+    { "frame", PART_REST },          { "", PART_REST },
+};
+enum {
+    REGIONS = sizeof regions / sizeof *regions,
+    REGIONS_MOST = REGIONS + PRIMITIVE_KINDS
+};
+
+/* Some shapes share one. */
+static bool is_first_of_region(size_t kind)
+{
+    for (size_t i = 0; i < kind; i++)
+        if (strcmp(shapes[i]->region, shapes[kind]->region) == 0)
+            return false;
+    return true;
+}
+
+static size_t list_regions(struct profile_region list[REGIONS_MOST])
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < REGIONS; i++) {
+        if (regions[i].name)
+            list[count++] = regions[i];
+        for (size_t k = 0; !regions[i].name && k < PRIMITIVE_KINDS; k++)
+            if (is_first_of_region(k))
+                list[count++] = (struct profile_region){ shapes[k]->region,
+                                                         regions[i].part };
+    }
+    return count;
+}
 
 const char *profile_part_name(enum profile_part part)
 {
@@ -59,9 +72,12 @@ const char *profile_part_name(enum profile_part part)
 
 bool profile_part_of(const char *region, enum profile_part *part)
 {
-    for (size_t i = 0; i < REGIONS; i++)
-        if (strcmp(regions[i].region, region) == 0) {
-            *part = regions[i].part;
+    struct profile_region list[REGIONS_MOST];
+    size_t count = list_regions(list);
+
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(list[i].name, region) == 0) {
+            *part = list[i].part;
             return true;
         }
     return false;
@@ -81,11 +97,13 @@ static uint64_t clocks_of_region(const struct trace *trace,
 static uint64_t clocks_of_part(const struct trace *trace,
                                enum profile_part part)
 {
+    struct profile_region list[REGIONS_MOST];
+    size_t count = list_regions(list);
     uint64_t clocks = 0;
 
-    for (size_t i = 0; i < REGIONS; i++)
-        if (regions[i].part == part)
-            clocks += clocks_of_region(trace, regions[i].region);
+    for (size_t i = 0; i < count; i++)
+        if (list[i].part == part)
+            clocks += clocks_of_region(trace, list[i].name);
     return clocks;
 }
 
@@ -152,14 +170,16 @@ static void add_region(struct table *table, const struct profile *profile,
 static void add_part(struct table *table, const struct profile *profile,
                      enum profile_part part)
 {
+    struct profile_region list[REGIONS_MOST];
+    size_t count = list_regions(list);
     uint64_t clocks[TRACE_MODES];
 
     for (int i = 0; i < TRACE_MODES; i++)
         clocks[i] = clocks_of_part(profile->traces[i], part);
     add_clocks(table, profile, part_names[part], "", clocks);
-    for (size_t i = 0; part == PART_INTERSECT && i < REGIONS; i++)
-        if (regions[i].part == part)
-            add_region(table, profile, regions[i].region);
+    for (size_t i = 0; part == PART_INTERSECT && i < count; i++)
+        if (list[i].part == part)
+            add_region(table, profile, list[i].name);
 }
 
 static void fill_clocks(struct table *table, const struct profile *profile)

@@ -29,7 +29,8 @@ static void test_descriptors(void **state)
         const char *name = primitive_kind_name((enum primitive_kind)i);
 
         if (!shape->fields || shape->fields[0].takes == TAKES_END
-            || !shape->settle || !shape->bound || !shape->words)
+            || !shape->settle || !shape->bound || !shape->words
+            || !shape->region)
             fail_msg("the descriptor of %s has a gap", name);
         if (shape->povray)
             assert_string_equal(shape->povray, name);

@@ -42,7 +42,7 @@
                                 ;             what is parallel, what nothing;
                                 ;             resolution of distances;
                                 ;             table: K0 .. K5, their weights,
-                                ;             another plane (steiner_vector.s)
+                                ;             another plane (steiner_patch_vector.s)
         .field  P_LOCAL, 12        ; rows of the matrix from world to own
                                 ; space, each three factors and a shift
         .field  P_COLOR, 6         ; pigment, and the checker's second

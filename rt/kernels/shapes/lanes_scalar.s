@@ -1,6 +1,8 @@
 ; lanes_scalar.s - one ray and a shape whose crossings the root solver finds;
 ; see lanes_vector.s.  What shows a miss ends the work.
 
+        .include "roots/quartic_scalar.s"
+
         .share  local
         .reg    lower, tin                      ; comes where tin will be
         .regs   r74, k4, k3, k2, k1, k0         ; of the quartic
@@ -76,3 +78,5 @@ come_near_ahead\@:
         RTOR    minus_big, tout
         leave_solver \save, \registers
         .endm
+
+        .include "solids/segments_scalar.s"

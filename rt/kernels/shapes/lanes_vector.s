@@ -14,6 +14,8 @@
 ;
 ; Source: the project's notes on ray tracing, 0 and 1.1.
 
+        .include "roots/quartic_vector.s"
+
         .reg    lane_link, r123
         .share  hits
         .regs   r136, lane_at                           ; places in the queue
@@ -115,3 +117,5 @@ lane_store:     .space (LANE_VECTORS + SHADE_VECTORS - 4) * QUEUE
         VTOV    minus_big, [tout]
         BIM     0, link_kernel
         .endm
+
+        .include "solids/segments_vector.s"

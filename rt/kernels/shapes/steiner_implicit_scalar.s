@@ -5,7 +5,7 @@
 ;       CALL RATIONAL_STEINER_IMPLICIT (RAY, PRIMITIVE, SEGMENT)
 ;
 ; Arguments as in sphere_scalar.s, method as in steiner_implicit_vector.s,
-; what is written beside as in steiner_scalar.s.  The solver looks for no root
+; what is written beside as in steiner_patch_scalar.s.  The solver looks for no root
 ; beyond the first acceptable one.
 
         .share  local

@@ -25,7 +25,7 @@
 ; The smaller N, the more of the quartic is noise, and for a ray through T it
 ; is all 0.  Where |N|^2 <= 2^-20 bound^2 (T a vector of length one, in units of
 ; the bound) the noise may be 2^-27 of it: such a ray goes the way of
-; steiner_vector.s.  It is counted, and costs nothing where there is none.
+; steiner_patch_vector.s.  It is counted, and costs nothing where there is none.
 ;
 ; steiner_implicit, rational_steiner_implicit: which way that is.
 ;

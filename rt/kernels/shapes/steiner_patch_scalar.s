@@ -1,14 +1,19 @@
-; steiner_scalar.s - one ray meets a Steiner patch.
+; steiner_patch_scalar.s - one ray meets a Steiner patch.
 ;
 ;       CALL STEINER (RAY, PRIMITIVE, SEGMENT)
 ;       CALL RATIONAL_STEINER (RAY, PRIMITIVE, SEGMENT)
 ;       CALL STEINER_CROSSINGS (RAY, PRIMITIVE, CROSSINGS)
 ;       CALL RATIONAL_STEINER_CROSSINGS (RAY, PRIMITIVE, CROSSINGS)
 ;
-; Arguments as in sphere_scalar.s, method as in steiner_vector.s.  Where on the
+; Arguments as in sphere_scalar.s, method as in steiner_patch_vector.s.  Where on the
 ; patch the ray meets it is written to the primitive's P_PATCH_POINT.  CROSSINGS
 ; = all of them, in no order, then big (PATCH_CROSSINGS words); where they are
 ; on the patch is written to P_PATCH_POINTS.
+
+        .ifndef LANE_REGISTERS
+        .include "shapes/lanes_scalar.s"
+        .endif
+        .include "shapes/steiner_constants.s"
 
         .share  local
         .regs   r92, pa0, pa1, pa2, pa3, pa4, pa5, pb0, pb1, pb2, pb3, pb4
@@ -450,3 +455,7 @@ polynomial_crossing:
 rational_crossing:
         patch_crossing 1
         .endkernel
+
+        .ifdef  HISTORICAL
+        .include "shapes/steiner_implicit_scalar.s"
+        .endif

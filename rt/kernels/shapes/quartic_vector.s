@@ -1,4 +1,4 @@
-; quartic_surface_vector.s - a queue of rays meets a quartic surface, POV-Ray's
+; quartic_vector.s - a queue of rays meets a quartic surface, POV-Ray's
 ; quartic with its 35 coefficients.
 ;
 ; The ray's origin is moved to o, its closest approach to the origin of the
@@ -15,6 +15,11 @@
 ; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
 ;      quartic_solid: three segments (segments_vector.s).
 ; Source: derived here; the bound is Fujiwara's, made without cube roots.
+
+        .ifndef LANE_VECTORS
+        .include "shapes/lanes_vector.s"
+        .endif
+        .include "shapes/quartic_terms.s"
 
         .reg    table_at, s1
         .reg    seen_terms, s2

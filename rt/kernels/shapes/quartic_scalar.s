@@ -1,11 +1,16 @@
-; quartic_surface_scalar.s - one ray meets a quartic surface.
+; quartic_scalar.s - one ray meets a quartic surface.
 ;
 ;       CALL QUARTIC_SURFACE (RAY, PRIMITIVE, SEGMENT)
 ;       CALL QUARTIC_SOLID (RAY, PRIMITIVE, SEGMENTS)
 ;
-; Arguments as in sphere_scalar.s, method as in quartic_surface_vector.s.
+; Arguments as in sphere_scalar.s, method as in quartic_vector.s.
 ; SEGMENTS = the ray's way inside, where the polynomial is below 0
 ; (segments_scalar.s), three of them (6 words).
+
+        .ifndef LANE_REGISTERS
+        .include "shapes/lanes_scalar.s"
+        .endif
+        .include "shapes/quartic_terms.s"
 
         .share  local
         .regs   r92, a0, a1, a2, a3, a4, b0, b1, b2, b3, b4

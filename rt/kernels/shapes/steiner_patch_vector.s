@@ -1,4 +1,4 @@
-; steiner_vector.s - a queue of rays meets a Steiner patch, a triangle of degree
+; steiner_patch_vector.s - a queue of rays meets a Steiner patch, a triangle of degree
 ; two with six control points and weights, by the quartic in one of its
 ; parameters.
 ;
@@ -44,6 +44,11 @@
 ; Out: in these the crossings ahead, in no order, and then big; their
 ;      parameters.
 ; Source: the project's notes on ray tracing, 2.3, where it is derived.
+
+        .ifndef LANE_VECTORS
+        .include "shapes/lanes_vector.s"
+        .endif
+        .include "shapes/steiner_constants.s"
 
 ; The patch's table.
         .share  shape
@@ -558,3 +563,7 @@ polynomial_crossing:
 rational_crossing:
         patch_crossing 1
         .endkernel
+
+        .ifdef  HISTORICAL
+        .include "shapes/steiner_implicit_vector.s"
+        .endif

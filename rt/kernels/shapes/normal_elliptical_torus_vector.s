@@ -1,0 +1,1 @@
+; normal_elliptical_torus_vector.s - the routine of normal_torus_vector.s.
