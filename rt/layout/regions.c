@@ -54,6 +54,20 @@ size_t plan_leaves(const struct scene *scene, struct leaf_plan *plans)
     return most;
 }
 
+size_t most_crossings(const struct scene *scene)
+{
+    size_t most = 0;
+
+    for (size_t i = 0; i < scene->primitive_count; i++) {
+        struct shape_words shape;
+
+        shape_words(&scene->primitives[i], &shape);
+        if (shape.events > most)
+            most = shape.events;
+    }
+    return most;
+}
+
 /* --- the tree ------------------------------------------------------------ */
 
 /* A value under way: where it stands, or where its complement does. */

@@ -22,6 +22,9 @@ struct leaf_plan {
 /* One for each of the scene's primitives.  Returns the crossings of the region
  * that has most. */
 size_t plan_leaves(const struct scene *scene, struct leaf_plan *plans);
+/* The crossings of the primitive that has most: what the kernels have room
+ * for, if it is more than they have anyway (CROSSINGS_MOST in records.s). */
+size_t most_crossings(const struct scene *scene);
 
 /* A step of the evaluation, with the numbers of T_OPERATION. */
 enum step_operation { STEP_AND, STEP_OR, STEP_AND_NOT };

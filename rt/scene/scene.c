@@ -20,5 +20,6 @@ void scene_free(struct scene *scene)
     free(scene->primitives);
     free(scene->nodes);
     free(scene->regions);
+    arena_free(&scene->kept);
     free(scene);
 }

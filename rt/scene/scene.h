@@ -10,6 +10,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/arena.h"
+
 /* x' = rows[i][0..2] . x + rows[i][3] */
 struct transform {
     double rows[3][4];
@@ -92,6 +94,7 @@ struct scene {
     struct tree_node *nodes;
     size_t region_count;
     struct region *regions; /* in file order */
+    struct arena kept;      /* what primitives point to */
 };
 void scene_free(struct scene *scene);
 

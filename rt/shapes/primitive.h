@@ -15,6 +15,12 @@ const char *primitive_kind_name(enum primitive_kind kind);
 
 enum { QUADRIC_TERMS = 10, QUARTIC_TERMS = 35, STEINER_POINTS = 6 };
 
+/* Points of a plane, as many as there are; the scene keeps them. */
+struct outline {
+    size_t count;
+    double (*points)[2];
+};
+
 struct primitive {
     enum primitive_kind kind;
     union {

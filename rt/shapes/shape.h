@@ -26,6 +26,10 @@ enum shape_takes {
     TAKES_WIDTH,  /* a number not below 0 */
     TAKES_TERMS,  /* numbers in < > */
     TAKES_WORD,   /* may stand there: a bool says whether it does */
+    TAKES_USUAL,  /* a word that may stand there and says what is so anyway */
+    TAKES_OTHER,  /* a word of POV-Ray's that is not supported */
+    TAKES_PATH,   /* a number of points, and the points, to a struct outline;
+                     there is room for one more */
 };
 
 struct shape_field {
@@ -55,7 +59,7 @@ struct shape_kernels {
 
 /* ---- The descriptor ------------------------------------------------------ */
 
-enum { SHAPE_WORDS_MOST = 16 };
+enum { SHAPE_WORDS_MOST = 16, PATH_MOST = 2000 };
 
 struct shape {
     const struct shape_field *fields; /* up to TAKES_END */
@@ -79,6 +83,8 @@ struct shape {
      * anew, in the world.  NULL: it needs one. */
     bool (*carry)(const struct primitive *primitive, double *words);
 
+    /* Where it is not kernels.segments; NULL: it is. */
+    size_t (*segments)(const struct primitive *primitive);
     const char *region; /* of the accounts, in which its kernels run */
     struct shape_kernels kernels;
     /* Some have two sorts: when it is the other one (or NULL), and the

@@ -22,7 +22,8 @@ void shape_words(const struct primitive *primitive, struct shape_words *words)
                             ? kernels->historical
                             : NULL;
     words->on_patch = shape_is_surface(primitive);
-    words->segments = kernels->segments;
+    words->segments = shape->segments ? shape->segments(primitive)
+                                      : kernels->segments;
     words->events = words->on_patch ? PATCH_CROSSINGS : 2 * words->segments;
 }
 

@@ -9,6 +9,7 @@
 #include "rt/trace/band_file.h"
 #include "base/hash.h"
 #include "rt/layout/program.h"
+#include "rt/layout/regions.h"
 
 struct trace {
     struct trace_options options;
@@ -111,11 +112,15 @@ static bool go_on(void *context)
 
 /* ---- To begin ------------------------------------------------------------ */
 
+/* What the kernels have room for unless they are told. */
+enum { CROSSINGS_USUAL = 6 };
+
 static struct object *assemble_form(const struct trace_options *options,
-                                    c205_error *error)
+                                    size_t crossings, c205_error *error)
 {
     struct asm_define defines[] = {
         { "QUEUE", (int64_t)options->queue },
+        { NULL, 0 },
         { NULL, 0 },
         { NULL, 0 },
         { NULL, 0 },
@@ -125,7 +130,9 @@ static struct object *assemble_form(const struct trace_options *options,
     if (options->historical)
         *next++ = (struct asm_define){ "HISTORICAL", 1 };
     if (options->visible != VISIBLE_DEFAULT)
-        *next = (struct asm_define){ "VISIBLE", options->visible };
+        *next++ = (struct asm_define){ "VISIBLE", options->visible };
+    if (crossings > CROSSINGS_USUAL)
+        *next = (struct asm_define){ "CROSSINGS_MOST", (int64_t)crossings };
 
     return program_assemble(forms[options->mode].program, defines, error);
 }
@@ -163,8 +170,9 @@ static bool prepare(struct trace *trace, c205_error *error)
     size_t pixels = trace->options.width * trace->options.height;
     c205 *machine;
 
-    trace->work.program = trace->program = assemble_form(&trace->options,
-                                                         error);
+    trace->work.program = trace->program =
+        assemble_form(&trace->options, most_crossings(trace->work.scene),
+                      error);
     if (!trace->program)
         return false;
     machine = trace_machine(trace, error);

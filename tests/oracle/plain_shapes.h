@@ -21,7 +21,7 @@ struct crossing {
     double normal[3]; /* of any length and either side */
 };
 
-enum { MOST_CROSSINGS = 4 };
+enum { MOST_CROSSINGS = 40 }; /* of a prism; a quartic has 4 */
 
 /* Every crossing of the whole line, in no order; returns how many. */
 typedef size_t cross_shape(const struct primitive *primitive,

@@ -50,9 +50,6 @@
 kernel_image:
         .word 1.0, 1e30, -1e30, 1e-12, 1
         .space KERNEL_REGISTERS_MOST - 5
-
-; The most crossings of a ray with a primitive.
-        .equ    CROSSINGS_MOST, 6
         .code
 
         .macro  call routine, list

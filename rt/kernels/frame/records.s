@@ -84,6 +84,12 @@
                                 ; form only
         .endrecord
 
+; The most crossings of a ray with a primitive: if it is more, the host says so
+; when the program is assembled.
+        .ifndef CROSSINGS_MOST
+        .equ    CROSSINGS_MOST, 6
+        .endif
+
 ; A region: what is traced as one thing, a primitive or a Boolean tree of them.
         .record R
         .field  R_BOUND, 5         ; its bounding sphere: centre 3, radius, its

@@ -53,6 +53,19 @@ transformed_carried:
         IBXLT   segments_wanted, r0, s0, transformed_done
         scale_back tin3
         scale_back tout3
+        .if     CROSSINGS_MOST > 6
+        RTOR    tout3, s3
+        ES      s0, -3
+        ADDX    segments_wanted, s0, s2
+transformed_more:
+        IBXEQ   s2, r0, r0, transformed_done
+        EX      s0, 64 * CROSSING_SIZE
+        ADDX    s3, s0, s3
+        scale_back s3
+        ADDX    s3, s0, s3
+        scale_back s3
+        IBXNE   s2, minus_one_index, r0, transformed_more, s2
+        .endif
 transformed_done:
         BIM     0, link_kernel
 

@@ -15,11 +15,18 @@
         .reg    link_few, r188
         .endshare
 
+; So many crossings of them, at the most.
+        .if     CROSSINGS_MOST > 3 * PATCH_CROSSINGS
+        .equ    FEW_CROSSINGS, CROSSINGS_MOST
+        .else
+        .equ    FEW_CROSSINGS, 3 * PATCH_CROSSINGS
+        .endif
+
         .data
 few_saved:      .space 9
 few_outer:      .word 0                 ; how many rays were at hand
         .align  64
-few_store:      .space (7 + 3 * PATCH_CROSSINGS) * QUEUE ; places, rays, crossings
+few_store:      .space (7 + FEW_CROSSINGS) * QUEUE ; places, rays, crossings
         .code
 
         .macro  gather_few vector, number
@@ -125,6 +132,19 @@ few_solid:
         IBXEQ   leaf_segments, r0, s1, few_spread
         spread_few tin3, big
         spread_few tout3, minus_big
+        .if     CROSSINGS_MOST > 6
+        RTOR    tout3, s3
+        ES      s1, -3
+        ADDX    leaf_segments, s1, leaf_segments
+few_more:
+        IBXEQ   leaf_segments, r0, r0, few_spread
+        EX      s1, 64 * QUEUE
+        ADDX    s3, s1, s3
+        spread_few s3, big
+        ADDX    s3, s1, s3
+        spread_few s3, minus_big
+        IBXNE   leaf_segments, minus_one_index, r0, few_more, leaf_segments
+        .endif
 few_spread:
         BIM     0, link_few
 few_patch:

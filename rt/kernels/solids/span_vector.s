@@ -65,6 +65,18 @@ node_met:
         ES      s0, 2
         IBXEQ   segments_wanted, r0, s0, node_limit
         later_end tout3, tout, w1
+        .if     CROSSINGS_MOST > 6
+        RTOR    w1, tout
+        RTOR    tout3, s3
+        ES      s0, -3
+        ADDX    segments_wanted, s0, segments_wanted
+node_later:
+        IBXEQ   segments_wanted, r0, r0, node_limit
+        EX      s0, 64 * CROSSING_SIZE * 2
+        ADDX    s3, s0, s3
+        later_end s3, tout, w1
+        IBXNE   segments_wanted, minus_one_index, r0, node_later, segments_wanted
+        .endif
 node_limit:
         ADDNV   [tout], s2, [w0]
         CMPLTV  [w0], [near_limit], [bits0]

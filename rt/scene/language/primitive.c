@@ -61,6 +61,44 @@ static bool read_terms(struct reader *reader, double *terms, size_t count)
     return reader_expect_sign(reader, '>') && found == count;
 }
 
+/* ---- Paths --------------------------------------------------------------- */
+
+static bool read_count(struct reader *reader, size_t *count)
+{
+    struct token at = reader->token;
+    double number;
+
+    if (!read_number(reader, &number))
+        return false;
+    if (number < 3)
+        return reader_fault(reader, &at, "a path needs three points");
+    if (number > PATH_MOST)
+        return reader_fault(reader, &at, "more than %d points in one path",
+                            PATH_MOST);
+    *count = (size_t)number;
+    return true;
+}
+
+/* Their number, then the points; of each x and z stand as two numbers. */
+static bool read_path(struct reader *reader, struct outline *path)
+{
+    double vector[3];
+
+    if (!read_count(reader, &path->count))
+        return false;
+    path->points = arena_take(&reader->scene->kept,
+                              (path->count + 1) * sizeof *path->points);
+    if (!path->points)
+        return reader_no_memory(reader);
+    for (size_t i = 0; i < path->count; i++) {
+        reader_comma(reader);
+        if (!read_vector(reader, vector))
+            return false;
+        memcpy(path->points[i], vector, sizeof path->points[i]);
+    }
+    return true;
+}
+
 /* ---- All of them --------------------------------------------------------- */
 
 /* How many doubles each takes. */
@@ -80,6 +118,9 @@ static bool read_one(struct reader *reader, const struct shape_field *field,
     case TAKES_WIDTH: return read_width(reader, field->what, to);
     case TAKES_TERMS: return read_terms(reader, to, field->count);
     case TAKES_WORD:
+    case TAKES_USUAL:
+    case TAKES_OTHER:
+    case TAKES_PATH:
     case TAKES_END: break;
     }
     return false;
@@ -102,23 +143,43 @@ static bool read_row(struct reader *reader, const struct shape_field *field,
     return true;
 }
 
+static bool is_word(const struct shape_field *field)
+{
+    return field->takes == TAKES_WORD || field->takes == TAKES_USUAL
+           || field->takes == TAKES_OTHER;
+}
+
+static bool read_word(struct reader *reader, const struct shape_field *field,
+                      bool *to)
+{
+    struct token at = reader->token;
+    bool there = reader_accept(reader, field->what);
+
+    if (field->takes == TAKES_WORD)
+        *to = there;
+    return !there || field->takes != TAKES_OTHER
+           || reader_fault(reader, &at, "'%s' is not supported", field->what);
+}
+
 /* What may be left out has its word before it; the comma before that word is
  * the one of the argument before. */
 static bool read_field(struct reader *reader, const struct shape_field *field,
                        bool first, struct primitive *primitive)
 {
-    char *to = (char *)primitive + field->offset;
+    void *to = (char *)primitive + field->offset;
 
-    if (field->takes == TAKES_WORD) {
-        *(bool *)(void *)to = reader_accept(reader, field->what);
-        return true;
+    if (is_word(field))
+        return read_word(reader, field, to);
+    if (field->takes == TAKES_PATH) {
+        reader_comma(reader);
+        return read_path(reader, to);
     }
     if (field->behind) {
         reader_comma(reader);
         if (!reader_accept(reader, field->behind))
             return true;
     }
-    return read_row(reader, field, first, (double *)(void *)to);
+    return read_row(reader, field, first, to);
 }
 
 bool primitive_read(struct reader *reader, enum primitive_kind kind,
