@@ -95,6 +95,41 @@ static void test_patches(void **state)
     scene_free(scene);
 }
 
+/* Heights in order; each loop closed, without points that repeat the one
+ * before; loops that enclose nothing gone. */
+static void test_prisms(void **state)
+{
+    struct scene *scene = read(
+        "prism { linear_spline linear_sweep 2, -1, 12,"
+        " <0, 0>, <1, 0>, <1, 0>, <0, 1>, <0, 1e-11>, <5, 5>, <6, 5>, <5, 5>,"
+        " <2, 2>, <3, 2>, <3, 3>, <2, 3> }\n"
+        "prism { 0, 1, 3, <0, 0> <1, 0> <0, 1> open translate x }\n"
+        "#declare P = prism { 0, 1, 4, x, 2*x, <2, 2>, x }\n"
+        "object { P } object { P scale 2 }");
+    const struct primitive *p = scene->primitives;
+    const struct outline *path = &p[0].shape.prism.path;
+    static const double expected[][2] = {
+        { 0, 0 }, { 1, 0 }, { 0, 1 }, { 0, 0 }, { 2, 2 },
+        { 3, 2 }, { 3, 3 }, { 2, 3 }, { 2, 2 },
+    };
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, 4);
+    assert_int_equal(p[0].kind, PRIMITIVE_PRISM);
+    assert_close(p[0].shape.prism.low, -1, 0);
+    assert_close(p[0].shape.prism.high, 2, 0);
+    assert_false(p[0].shape.prism.open);
+    assert_int_equal(path->count, COUNT(expected));
+    for (size_t i = 0; i < path->count; i++)
+        for (int k = 0; k < 2; k++)
+            assert_close(path->points[i][k], expected[i][k], 0);
+    assert_true(p[1].shape.prism.open && p[1].transformed);
+    assert_int_equal(p[1].shape.prism.path.count, 4);
+    assert_int_equal(p[2].shape.prism.path.count, 4);
+    assert_close(p[3].shape.prism.path.points[1][0], 2, 0);
+    scene_free(scene);
+}
+
 /* Each text has this one error. */
 static void test_errors(void **state)
 {
@@ -130,6 +165,16 @@ static void test_errors(void **state)
         { "quartic { <0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,"
           "0,0,0,0,0,0,0,0,0,1> }",
           11, "are 0" },
+        { "prism { 0, 1, 2, <0, 0>, <1, 0> }", 15, "three points" },
+        { "prism { 0, 1, 3, <0, 0>, <1, 0> }", 33, "expected a number" },
+        { "prism { 0, 1, 2001, <0, 0> }", 15, "more than 2000 points" },
+        { "prism { 1, 1, 3, <0, 0>, <1, 0>, <0, 1> }", 9, "no height" },
+        { "prism { 0, 1, 4, <0, 0>, <1, 0>, <0, 0>, <1, 1> }", 9,
+          "encloses nothing" },
+        { "prism { conic_sweep 0, 1, 3, <0, 0>, <1, 0>, <0, 1> }", 9,
+          "'conic_sweep' is not supported" },
+        { "prism { linear_sweep bezier_spline 0, 1, 4, x, y, z, 0 }", 22,
+          "'bezier_spline' is not supported" },
         { "steiner_patch { x, y, z, 0, 0 }", 31, "expected a number" },
         { "steiner_patch { x, y, z, 0, 0, 0 weights 1, 1, 1, 1, 1 }", 56,
           "expected a number" },
@@ -221,6 +266,7 @@ int main(void)
         cmocka_unit_test(test_tori),
         cmocka_unit_test(test_polynomials),
         cmocka_unit_test(test_patches),
+        cmocka_unit_test(test_prisms),
         cmocka_unit_test(test_errors),
         cmocka_unit_test(test_conditions),
         cmocka_unit_test(test_many_conditions),

@@ -43,6 +43,8 @@
                                 ;             resolution of distances;
                                 ;             table: K0 .. K5, their weights,
                                 ;             another plane (steiner_patch_vector.s)
+                                ;   prism     low, high, how many rows; table:
+                                ;             rows, as below
         .field  P_LOCAL, 12        ; rows of the matrix from world to own
                                 ; space, each three factors and a shift
         .field  P_COLOR, 6         ; pigment, and the checker's second
@@ -89,6 +91,16 @@
         .ifndef CROSSINGS_MOST
         .equ    CROSSINGS_MOST, 6
         .endif
+
+; A row of a prism's table: a corner of its path, and the edge back to the one
+; before, as its normal wants it.
+        .record PRISM
+        .field  PRISM_POINT, 2     ; x, z
+        .field  PRISM_BEGINS       ; 1: a loop begins here, and there is no edge
+        .field  PRISM_DIRECTION, 2
+        .field  PRISM_LENGTH
+        .field  PRISM_NORMAL, 2    ; outward
+        .endrecord
 
 ; A region: what is traced as one thing, a primitive or a Boolean tree of them.
         .record R

@@ -19,7 +19,6 @@ const struct keyword other_shapes[] = {
     { "poly", item_unsupported, 0 },
     { "polygon", item_unsupported, 0 },
     { "polynomial", item_unsupported, 0 },
-    { "prism", item_unsupported, 0 },
     { "smooth_triangle", item_unsupported, 0 },
     { "sor", item_unsupported, 0 },
     { "sphere_sweep", item_unsupported, 0 },

@@ -1,0 +1,69 @@
+; normal_prism_vector.s - the normals of prisms; see normal_vector.s.
+;
+; A point belongs to what is nearest: a cap, or an edge, seen along y.  Of the
+; edge from a corner P back to the one before, with its direction u, length l
+; and outward normal n:
+;
+;   along = (X - P) . u    across = (X - P) . n
+;   distance^2 = across^2 + max(along - l, 0)^2 + min(along, 0)^2
+
+        .kernel shade
+
+; The least square of a distance so far in [v0].
+        .macro  take_edge
+        SUBNV   [qx], sh3, [v1]
+        SUBNV   [qz], sh4, [v2]
+        MPYSV   [v1], sh6, [v3]
+        LINKV
+        MPYSV   [v2], sh7, [v4]
+        ADDNV   [v4], [v3], [v3]
+        MPYSV   [v1], sh9, [v4]
+        LINKV
+        MPYSV   [v2], sh10, [v5]
+        ADDNV   [v5], [v4], [v4]
+        MPYSV   [v4], [v4], [v4]
+        SUBNV   [v3], sh8, [v5]
+        CMPLTV  r0, [v5], [hits0]
+        MPYSV   [v5], [v5], [v5]
+        ADDNV   [v4], [v5], [v4] ? [hits0]
+        CMPLTV  [v3], r0, [hits0]
+        MPYSV   [v3], [v3], [v3]
+        ADDNV   [v4], [v3], [v4] ? [hits0]
+        CMPLTV  [v4], [v0], [hits0]
+        VTOV    [v4], [v0] ? [hits0]
+        VTOV    sh9, [nx] ? [hits0]
+        VTOV    r0, [ny] ? [hits0]
+        VTOV    sh10, [nz] ? [hits0]
+        .endm
+
+normal_open_prism:
+        load_record P_SHAPE, 3, sh0
+        VTOV    big, [v0]
+        VTOV    one, [nx]
+        VTOV    r0, [ny]
+        BIM     normal_prism_sides
+normal_prism:
+        load_record P_SHAPE, 3, sh0
+        SUBNV   [qy], sh0, [v0]
+        SUBNV   [qy], sh1, [v1]
+        MPYSV   [v0], [v0], [v0]
+        MPYSV   [v1], [v1], [v1]
+        VTOV    r0, [nx]
+        VTOV    minus_one, [ny]
+        CMPLTV  [v1], [v0], [hits0]
+        VTOV    [v1], [v0] ? [hits0]
+        VTOV    one, [ny] ? [hits0]
+normal_prism_sides:
+        VTOV    r0, [nz]
+        load_field P_TABLE, s1
+normal_prism_row:
+        ELEN    s1, PRISM_SIZE
+        SWAP    [s1], sh3, [r0]
+        IX      s1, 64 * PRISM_SIZE
+        CFPNE   sh5, r0, normal_prism_next
+        take_edge
+normal_prism_next:
+        SUBN    sh2, one, sh2
+        CFPLT   r0, sh2, normal_prism_row
+        BIM     0, link_kernel
+        .endkernel

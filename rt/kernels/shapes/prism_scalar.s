@@ -1,0 +1,239 @@
+; prism_scalar.s - one ray meets a prism: loops of edges, swept along y.
+;
+;       CALL PRISM (RAY, PRIMITIVE, SEGMENT)
+;       CALL OPEN_PRISM (RAY, PRIMITIVE, SEGMENT)
+;       CALL PRISM_SOLID (RAY, PRIMITIVE, SEGMENTS)
+;       CALL OPEN_PRISM_SIDES (RAY, PRIMITIVE, CROSSINGS)
+;
+; Arguments as in sphere_scalar.s, method as in prism_vector.s.  SEGMENTS = the
+; ray's way inside, as many as P_SEGMENTS says; CROSSINGS = those with the sides
+; between the caps, twice as many words: ascending, the last once more if their
+; number is odd, then misses.
+
+        .ifndef LANE_REGISTERS
+        .include "shapes/lanes_scalar.s"
+        .endif
+
+        .share  local
+        .regs   r85, row_at, rows_left, here_x, here_z, begins
+        .regs   r90, path_dx, path_dz, inverse, side, side_before, way, way_before
+        .regs   r97, edge_low, edge_high, cap_low, cap_high, crossed_at, least
+        .regs   r103, inside_low, inside_high, list_end, list_last, list_at
+        .endshare
+        .equ    PRISM_REGISTERS, 76
+
+        .data
+prism_save:     .space PRISM_REGISTERS
+        .code
+
+; The part between the caps' planes, or to miss; the ray's way across y.
+        .macro  enter_prism miss
+        enter_solver 3, prism_save, PRISM_REGISTERS
+        RTOR    lower, least
+        RTOR    minus_big, tin
+        RTOR    big, tout
+        slab    oy, dy, sh0, sh1, \miss
+        RTOR    tin, cap_low
+        RTOR    tout, cap_high
+        RTOR    tin, edge_low
+        RTOR    tout, edge_high
+        ES      inside_low, 0
+        ES      inside_high, 0
+        MPYS    dx, dx, t0
+        MPYS    dz, dz, t1
+        MPYS    tiny, tiny, t2
+        RTOR    dx, path_dx
+        RTOR    dz, path_dz
+        ADDN    t1, t0, t0
+        CFPGE   t0, t2, prism_slanted\@
+        RTOR    one, t0
+        RTOR    one, path_dx
+        RTOR    r0, path_dz
+        RTOR    r0, edge_low
+        RTOR    r0, edge_high
+prism_slanted\@:
+        DIVS    one, t0, inverse
+        .endm
+
+; Each crossing with an edge, at crossed_at, to found.
+        .macro  walk_edges found
+        RTOR    a_primitive, t0
+        IX      t0, 64 * P_TABLE
+        LOD     [t0], row_at
+        RTOR    sh2, rows_left
+prism_row\@:
+        ELEN    row_at, 3
+        SWAP    [row_at], here_x, [r0]          ; and here_z, begins
+        IX      row_at, 64 * PRISM_SIZE
+        SUBN    here_x, ox, t0
+        SUBN    here_z, oz, t1
+        MPYS    path_dx, t1, t2
+        MPYS    path_dz, t0, t3
+        MPYS    path_dx, t0, t4
+        MPYS    path_dz, t1, t5
+        SUBN    t2, t3, side
+        ADDN    t5, t4, way
+        CFPNE   begins, r0, prism_next\@
+        CFPGE   side, r0, prism_left\@
+        CFPLT   side_before, r0, prism_next\@
+        BIM     prism_crossed\@
+prism_left\@:
+        CFPGE   side_before, r0, prism_next\@
+prism_crossed\@:
+        SUBN    side_before, side, t0
+        DIVS    side_before, t0, t0
+        SUBN    way, way_before, t1
+        MPYS    t1, t0, t0
+        ADDN    way_before, t0, t0
+        MPYS    t0, inverse, crossed_at
+        \found
+prism_next\@:
+        RTOR    side, side_before
+        RTOR    way, way_before
+        SUBN    rows_left, one, rows_left
+        CFPLT   r0, rows_left, prism_row\@
+        .endm
+
+; The sides that are met first: tin.
+        .macro  side_ahead
+        CFPLT   crossed_at, edge_low, side_not\@
+        CFPLT   edge_high, crossed_at, side_not\@
+        CFPGE   least, crossed_at, side_not\@
+        CFPGE   crossed_at, tin, side_not\@
+        RTOR    crossed_at, tin
+side_not\@:
+        .endm
+
+        .macro  side_or_cap_ahead
+        CFPGE   crossed_at, edge_low, cap_low_not\@
+        XOR     inside_low, index_one, inside_low
+cap_low_not\@:
+        CFPGE   crossed_at, edge_high, cap_high_not\@
+        XOR     inside_high, index_one, inside_high
+cap_high_not\@:
+        side_ahead
+        .endm
+
+        .macro  cap_ahead inside, cap
+        IBXEQ   \inside, r0, r0, cap_not\@
+        CFPGE   least, \cap, cap_not\@
+        CFPGE   \cap, tin, cap_not\@
+        RTOR    \cap, tin
+cap_not\@:
+        .endm
+
+        .macro  leave_prism
+        CFPGE   tin, big, prism_miss
+        RTOR    tin, tout
+        leave_solver prism_save, PRISM_REGISTERS
+        .endm
+
+        .kernel prism
+prism:
+        enter_prism prism_miss
+        RTOR    big, tin
+        walk_edges side_or_cap_ahead
+        cap_ahead inside_low, cap_low
+        cap_ahead inside_high, cap_high
+        leave_prism
+open_prism:
+        enter_prism prism_miss
+        RTOR    big, tin
+        walk_edges side_ahead
+        leave_prism
+prism_miss:
+        miss_near prism_save, PRISM_REGISTERS
+
+; The list of crossings, ascending, a_segment .. list_last; what has no room
+; before list_end is dropped from its far end.
+        .macro  begin_list
+        RTOR    a_primitive, t0
+        IX      t0, 64 * P_SEGMENTS
+        LOD     [t0], t0
+        ADDX    t0, t0, t0
+        SHIFTI  t0, 6, t0
+        ADDX    a_segment, t0, list_end
+        RTOR    a_segment, list_last
+        .endm
+
+        .macro  insert
+        IBXNE   list_last, r0, list_end, insert_here\@
+        IX      list_last, -64
+        LOD     [list_last], t1
+        CFPLT   crossed_at, t1, insert_here\@
+        IX      list_last, 64
+        BIM     insert_done\@
+insert_here\@:
+        RTOR    list_last, list_at
+        IX      list_last, 64
+insert_next\@:
+        IBXEQ   list_at, r0, a_segment, insert_store\@
+        IX      list_at, -64
+        LOD     [list_at], t1
+        CFPGE   crossed_at, t1, insert_behind\@
+        STO     [list_at, index_one], t1
+        BIM     insert_next\@
+insert_behind\@:
+        IX      list_at, 64
+insert_store\@:
+        STO     [list_at], crossed_at
+insert_done\@:
+        .endm
+
+; inside_high = 1: an odd number is in the list.
+        .macro  between_caps
+        CFPLT   edge_low, crossed_at, between_above\@
+        XOR     inside_low, index_one, inside_low
+        BIM     between_not\@
+between_above\@:
+        CFPGE   crossed_at, edge_high, between_not\@
+        XOR     inside_high, index_one, inside_high
+        insert
+between_not\@:
+        .endm
+
+        .macro  side_between
+        CFPLT   crossed_at, edge_low, between_not\@
+        CFPLT   edge_high, crossed_at, between_not\@
+        insert
+between_not\@:
+        .endm
+
+prism_solid:
+        enter_prism prism_passed
+        begin_list
+        walk_edges between_caps
+        XOR     inside_high, inside_low, inside_high
+        IBXEQ   inside_low, r0, r0, prism_above
+        RTOR    cap_low, crossed_at
+        insert
+prism_above:
+        IBXEQ   inside_high, r0, r0, prism_fill
+        RTOR    cap_high, crossed_at
+        insert
+        BIM     prism_fill
+open_prism_sides:
+        enter_prism prism_passed
+        begin_list
+        walk_edges side_between
+        BIM     prism_fill
+prism_passed:
+        begin_list
+prism_fill:
+        SUBX    list_last, a_segment, t0
+        SHIFTI  t0, -6, t0
+        AND     t0, index_one, t0
+        IBXEQ   t0, r0, r0, prism_even
+        IX      list_last, -64
+        LOD     [list_last], t1
+        STO     [list_last, index_one], t1
+        IX      list_last, 64 * 2
+prism_even:
+        IBXEQ   list_last, r0, list_end, prism_filled
+        STO     [list_last], big
+        STO     [list_last, index_one], minus_big
+        IX      list_last, 64 * 2
+        BIM     prism_even
+prism_filled:
+        leave_segments prism_save, PRISM_REGISTERS
+        .endkernel
