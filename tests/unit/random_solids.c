@@ -131,6 +131,19 @@ static void add_quartic(char *text, size_t size)
              place_between(-.3, .3), size_between(.4, 1));
 }
 
+/* A corner piece, or an arrow. */
+static void add_prism(char *text, size_t size)
+{
+    double x = size_between(.4, 1.1), z = size_between(.4, 1.1);
+
+    add_text(text, size,
+             "prism { -%.4f, %.4f, 6, <-%.4f, -%.4f>, <%.4f, -%.4f>, "
+             "<%.4f, %.4f>, <%.4f, %.4f>, <0, %.4f>, <-%.4f, %.4f> %s ",
+             size_between(.3, 1), size_between(.3, 1), x, z, x, z, x,
+             place_between(-.3, .3), place_between(-.2, .2),
+             place_between(-.3, .3), z, x, z, below(4) ? "" : "open");
+}
+
 static void add_patch(char *text, size_t size)
 {
     add_text(text, size,
@@ -145,8 +158,9 @@ static void add_patch(char *text, size_t size)
 static void add_leaf(char *text, size_t size)
 {
     static void (*const add_shape[])(char *, size_t) = {
-        add_ball,    add_box,   add_cylinder,         add_cone,    add_plane,
-        add_quadric, add_torus, add_elliptical_torus, add_quartic, add_patch
+        add_ball,    add_box,     add_cylinder, add_cone,
+        add_plane,   add_quadric, add_torus,    add_elliptical_torus,
+        add_quartic, add_prism,   add_patch
     };
     size_t kinds = sizeof add_shape / sizeof *add_shape - !solids.patches;
 

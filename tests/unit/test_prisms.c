@@ -8,6 +8,7 @@
 #include "tests/unit/random_solids.h"
 
 #include "rt/shapes/shape_words.h"
+#include "tests/oracle/plain_shapes.h"
 
 static size_t scene_count = 4; /* of each sort */
 
@@ -32,7 +33,7 @@ static size_t add_loop(char *text, size_t size, double x, double z,
             memcpy(first, point, sizeof first);
         if (i == corners)
             memcpy(point, first, sizeof first);
-        add(text, size, ", <%.6f, %.6f>", point[0], point[1]);
+        add_text(text, size, ", <%.6f, %.6f>", point[0], point[1]);
     }
     return corners + 1;
 }
@@ -43,7 +44,8 @@ static size_t add_tangle(char *text, size_t size)
     size_t corners = 3 + below(9);
 
     for (size_t i = 0; i < corners; i++)
-        add(text, size, ", <%.6f, %.6f>", between(-1, 1), between(-1, 1));
+        add_text(text, size, ", <%.6f, %.6f>", between(-1, 1),
+                 between(-1, 1));
     return corners;
 }
 
@@ -53,15 +55,15 @@ static size_t add_comb(char *text, size_t size)
     size_t teeth = 2 + below(10);
     double step = 2. / (double)teeth, depth = between(-.4, .6);
 
-    add(text, size, ", <-1, -.7>");
+    add_text(text, size, ", <-1, -.7>");
     for (size_t i = 0; i < teeth; i++) {
         double x = -1 + step * (double)i;
 
-        add(text, size,
-            ", <%.6f, .7>, <%.6f, .7>, <%.6f, %.6f>, <%.6f, %.6f>", x,
-            x + .5 * step, x + .6 * step, -depth, x + step, -depth);
+        add_text(text, size,
+                 ", <%.6f, .7>, <%.6f, .7>, <%.6f, %.6f>, <%.6f, %.6f>", x,
+                 x + .5 * step, x + .6 * step, -depth, x + step, -depth);
     }
-    add(text, size, ", <1, -.7>");
+    add_text(text, size, ", <1, -.7>");
     return 4 * teeth + 2;
 }
 
@@ -78,18 +80,18 @@ static void add_any_prism(char *text, size_t size, bool tangles)
         for (size_t loops = 1 + below(3); loops > 0; loops--)
             count += add_loop(path, sizeof path, between(-.4, .4),
                               between(-.4, .4), between(.3, 1));
-    add(text, size, "prism { %s%.4f, %.4f, %zu%s %s ",
-        below(2) ? "linear_sweep " : "", between(-.8, -.1), between(.1, .8),
-        count, path, below(4) ? "" : "open");
+    add_text(text, size, "prism { %s%.4f, %.4f, %zu%s %s ",
+             below(2) ? "linear_sweep " : "", between(-.8, -.1),
+             between(.1, .8), count, path, below(4) ? "" : "open");
 }
 
 static void add_tangled_prism(char *text, size_t size)
 {
     add_any_prism(text, size, true);
-    add(text, size, " scale 1.6 rotate <%.2f, %.2f, %.2f> translate ",
-        between(-90, 90), between(-90, 90), between(-90, 90));
+    add_text(text, size, " scale 1.6 rotate <%.2f, %.2f, %.2f> translate ",
+             between(-90, 90), between(-90, 90), between(-90, 90));
     add_point(text, size, 1.3);
-    add(text, size, " ");
+    add_text(text, size, " ");
 }
 
 static void test_random_scenes(void **state)
@@ -100,18 +102,30 @@ static void test_random_scenes(void **state)
 
 /* ---- Solids -------------------------------------------------------------- */
 
+static void add_motion(char *text, size_t size)
+{
+    if (below(2))
+        add_text(text, size, "rotate <%.2f, %.2f, %.2f> ", angle(), angle(),
+                 angle());
+    add_text(text, size, "translate ");
+    add_point(text, size, .6);
+}
+
 static void add_part(char *text, size_t size)
 {
     if (below(3))
         add_any_prism(text, size, false);
     else if (below(2))
-        add_ball(text, size);
+        add_text(text, size, "sphere { 0, %.4f ", between(.5, 1.2));
     else
-        add_torus(text, size);
+        add_text(text, size, "torus { %.4f, %.4f ", between(.6, 1),
+                 between(.15, .4));
     add_look(text, size);
-    add(text, size, below(8) ? "" : "inverse ");
+    add_text(text, size, below(8) ? "" : "inverse ");
+    add_text(text, size, "scale <%.3f, %.3f, %.3f> ", between(.7, 1.4),
+             between(.7, 1.4), between(.7, 1.4));
     add_motion(text, size);
-    add(text, size, "}\n");
+    add_text(text, size, "}\n");
 }
 
 static void write_solids(char *text, size_t size)
@@ -120,17 +134,18 @@ static void write_solids(char *text, size_t size)
                                           "merge", "union" };
 
     text[0] = '\0';
-    add(text, size,
+    add_text(
+        text, size,
         "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
         "background { rgb <.2, .3, .5> } light_source { <%.1f, 8, -7>, .7 }\n"
         "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n",
         between(-7, 7), between(-2, 2), between(-2, 2));
     for (size_t solids_left = 2; solids_left > 0; solids_left--) {
-        add(text, size, "%s {\n", joined[below(4)]);
+        add_text(text, size, "%s {\n", joined[below(4)]);
         for (size_t i = 2 + below(3); i > 0; i--)
             add_part(text, size);
         add_motion(text, size);
-        add(text, size, "}\n");
+        add_text(text, size, "}\n");
     }
 }
 
@@ -140,11 +155,11 @@ static void check_solids(const char *text)
     struct words *words = plain_frame(text), *others;
 
     check_paper_stage(text, words);
-    visible = VISIBLE_EVERY;
-    no_bounds = true;
+    traced.visible = VISIBLE_EVERY;
+    traced.no_bounds = true;
     others = same_frame(text);
-    visible = VISIBLE_DEFAULT;
-    no_bounds = false;
+    traced.visible = VISIBLE_DEFAULT;
+    traced.no_bounds = false;
     if (memcmp(words, others, sizeof *words) != 0)
         fail_msg("every crossing without bounds gives another frame of\n%s",
                  text);
@@ -234,23 +249,69 @@ static void test_segments(void **state)
                                  " <3, 2>, <3, 3>, <0, 3>"),
                      3);
     for (int i = 0; i < 48; i++)
-        add(circle, sizeof circle, ", <%.9f, %.9f>", cos(i * acos(-1) / 24),
-            sin(i * acos(-1) / 24));
+        add_text(circle, sizeof circle, ", <%.9f, %.9f>",
+                 cos(i * acos(-1) / 24), sin(i * acos(-1) / 24));
     assert_int_equal(segments_of(circle), 1);
+}
+
+/* ---- Normals ------------------------------------------------------------- */
+
+/* The normal of each edge leads from inside to outside. */
+static void check_normals(const struct primitive *prism)
+{
+    struct shape_words words;
+    double *table;
+
+    shape_words(prism, &words);
+    table = shape_table(prism, words.table_count);
+    assert_non_null(table);
+    for (double *row = table; row < table + words.table_count; row += 8) {
+        double outside[3], inside[3];
+
+        if (row[2] == 1)
+            continue;
+        for (int k = 0; k < 2; k++) {
+            double middle = row[k] + row[3 + k] * row[5] / 2;
+
+            outside[2 * k] = middle + 1e-7 * row[6 + k];
+            inside[2 * k] = middle - 1e-7 * row[6 + k];
+        }
+        outside[1] = inside[1] = 0;
+        assert_true(plain_encloses(prism, inside));
+        assert_false(plain_encloses(prism, outside));
+    }
+    free(table);
+}
+
+static void test_normals(void **state)
+{
+    char text[8000];
+
+    (void)state;
+    for (int try = 0; try < 300; try++) {
+        struct scene *scene;
+
+        strcpy(text, "");
+        add_any_prism(text, sizeof text, try % 2);
+        add_text(text, sizeof text, "}");
+        scene = read_text(text);
+        check_normals(scene->primitives);
+        scene_free(scene);
+    }
 }
 
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_segments),
-        cmocka_unit_test(test_middle),
-        cmocka_unit_test(test_random_scenes),
+        cmocka_unit_test(test_segments), cmocka_unit_test(test_normals),
+        cmocka_unit_test(test_middle),   cmocka_unit_test(test_random_scenes),
         cmocka_unit_test(test_solids),
     };
 
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
-        random_state ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests_name("prisms", tests, set_up, tear_down);
+        traced.random ^= strtoull(argv[2], NULL, 10) << 13;
+    return cmocka_run_group_tests_name("prisms", tests, set_up_frames,
+                                       tear_down_model);
 }

@@ -10,6 +10,7 @@ static uint64_t random_state = RANDOM_SEED;
 /* --- primitives ---------------------------------------------------------- */
 
 #define PATCH "steiner_patch { x, y, z, 0, 0, 0 "
+#define SQUARE "prism { 0, 1, 4, <0, 0>, <1, 0>, <1, 1>, <0, 1> "
 
 static const struct shape_row {
     const char *text;
@@ -31,6 +32,11 @@ static const struct shape_row {
     { "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,"
       "1,0,0,0,-1>",
       "quartic_surface", "quartic_solid", NULL, 3, 6, 0 },
+    { SQUARE, "prism", "prism_solid", NULL, 1, 2, 0 },
+    { SQUARE "open", "open_prism", "open_prism_sides", "prism_solid", 1, 2,
+      2 },
+    { "prism { 0, 1, 4, <0, 0>, <2, 1>, <0, 2>, <1, 1>", "prism",
+      "prism_solid", NULL, 2, 4, 0 },
     { PATCH, "steiner", "steiner_crossings", NULL, 0, 4, 0 },
     { PATCH "weights 1,2,1,1,1,1", "rational_steiner",
       "rational_steiner_crossings", NULL, 0, 4, 0 },
@@ -97,6 +103,9 @@ static void test_crossings(void **state)
         { "merge { " PATCH "} sphere { 0, 1 } }", 14, 1, 12 },
         { "sphere { 0, 1 pigment { rgbt 1 } } torus { 1, .2 }", 2, 0, 0 },
         { "cylinder { 0, y, 1 open pigment { rgbt 1 } }", 4, 0, 2 },
+        { "prism { 0, 1, 4, <0, 0>, <2, 1>, <0, 2>, <1, 1> open "
+          "pigment { rgbt 1 } }",
+          8, 0, 4 },
     };
 
     (void)state;
