@@ -255,17 +255,20 @@ static bool find_clocks(const struct profile *profile, enum profile_part part,
 static void add_members(struct table *table, const struct profile *profile,
                         enum profile_part part)
 {
+    struct profile_region list[REGIONS_MOST];
     uint64_t clocks[TRACE_MODES];
+    size_t count;
 
     if (part != PART_INTERSECT) {
         if (find_clocks(profile, part, NULL, clocks))
             add_millions(table, profile, "  ", part_names[part], clocks);
         return;
     }
-    for (size_t i = 0; i < REGIONS; i++)
-        if (regions[i].part == part
-            && find_clocks(profile, part, regions[i].region, clocks))
-            add_millions(table, profile, "  ", regions[i].region, clocks);
+    count = list_regions(list);
+    for (size_t i = 0; i < count; i++)
+        if (list[i].part == part
+            && find_clocks(profile, part, list[i].name, clocks))
+            add_millions(table, profile, "  ", list[i].name, clocks);
 }
 
 static void add_group(struct table *table, const struct profile *profile,

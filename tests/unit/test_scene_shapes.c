@@ -99,7 +99,7 @@ static void test_patches(void **state)
  * before; loops that enclose nothing gone. */
 static void test_prisms(void **state)
 {
-    struct scene *scene = read(
+    struct scene *scene = read_scene(
         "prism { linear_spline linear_sweep 2, -1, 12,"
         " <0, 0>, <1, 0>, <1, 0>, <0, 1>, <0, 1e-11>, <5, 5>, <6, 5>, <5, 5>,"
         " <2, 2>, <3, 2>, <3, 3>, <2, 3> }\n"

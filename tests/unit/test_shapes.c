@@ -128,7 +128,7 @@ static void look_through(const struct primitive *primitive)
 static void look_at_scene(const char *path)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read(path, &options, &reports);
+    struct scene *scene = scene_read(path, &reading_options, &reports);
 
     if (!scene)
         fail_msg("%s is not read", path);
