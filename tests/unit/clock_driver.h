@@ -15,101 +15,27 @@
 
 #include <cmocka.h>
 
-static inline struct clock *clock_of(const char *text)
-{
-    c205_error error;
-    c205_model *model = c205_model_parse("test", text, &error);
-    if (!model)
-        fail_msg("%s", error.message);
-    struct clock *clock = clock_new(model, &error);
-    assert_non_null(clock);
-    c205_model_free(model);
-    return clock;
-}
+struct clock *clock_of(const char *text);
+struct clock *two_pipes(void);
 
-static inline struct clock *two_pipes(void)
-{
-    return clock_of("title T\nlike cyber205-2pipe-prior\n");
-}
-
-static uint64_t pc;
+/* Where the code goes on. */
+extern uint64_t driven_pc;
 
 /* The next instruction of the code: of region, with one or two sources and a
  * result (0: none). */
-static inline struct decoded insn(const char *name, unsigned r, unsigned s,
-                                  unsigned t)
-{
-    struct decoded decoded;
-    memset(&decoded, 0, sizeof decoded);
-    decoded.insn = c205_insn_named(name, strlen(name));
-    assert_non_null(decoded.insn);
-    decoded.pc = pc;
-    decoded.next = pc + 32 * c205_format_halves(decoded.insn->format);
-    if (r)
-        decoded.source[decoded.source_count++] = (uint16_t)r;
-    if (s)
-        decoded.source[decoded.source_count++] = (uint16_t)s;
-    if (t)
-        decoded.result[decoded.result_count++] = (uint16_t)t;
-    return decoded;
-}
+struct decoded insn(const char *name, unsigned r, unsigned s, unsigned t);
 
-static const struct effect no_effect;
-
-static inline void charge(struct clock *clock, struct decoded decoded,
-                          const struct effect *effect)
-{
-    clock_charge(clock, &decoded, effect);
-    pc = effect->taken ? effect->target : decoded.next;
-}
-
-static inline void scalar(struct clock *clock, const char *name, unsigned r,
-                          unsigned s, unsigned t)
-{
-    charge(clock, insn(name, r, s, t), &no_effect);
-}
-
-static inline void vector(struct clock *clock, const char *name,
-                          size_t elements)
-{
-    struct effect effect = no_effect;
-    effect.elements = elements;
-    charge(clock, insn(name, 1, 2, 0), &effect);
-}
-
-static inline void branch(struct clock *clock, const char *name,
-                          uint64_t target)
-{
-    struct effect effect = no_effect;
-    effect.taken = true;
-    effect.target = target;
-    charge(clock, insn(name, 0, 0, 0), &effect);
-}
-
-static inline void at_address(struct clock *clock, const char *name,
-                              uint64_t address)
-{
-    struct effect effect = no_effect;
-    effect.touch_count = 1;
-    effect.touch[0].address = address;
-    effect.touch[0].bits = 64;
-    charge(clock, insn(name, 1, 0, 9), &effect);
-}
-
-static inline uint64_t clocks_for(const struct clock *clock, c205_cause cause)
-{
-    uint64_t sum = 0;
-    for (size_t i = 0; i < clock_account_count(clock); i++)
-        sum += clock_account(clock, i)->clocks[cause];
-    return sum;
-}
+extern const struct effect no_effect;
+void charge(struct clock *clock, struct decoded decoded,
+            const struct effect *effect);
+void scalar(struct clock *clock, const char *name, unsigned r, unsigned s,
+            unsigned t);
+void vector(struct clock *clock, const char *name, size_t elements);
+void branch(struct clock *clock, const char *name, uint64_t target);
+void at_address(struct clock *clock, const char *name, uint64_t address);
+uint64_t clocks_for(const struct clock *clock, c205_cause cause);
 
 /* Drain and look at the total, then start anew. */
-static inline void assert_total(struct clock *clock, uint64_t expected)
-{
-    clock_drain(clock);
-    assert_int_equal(clock_now(clock), expected);
-    clock_reset(clock);
-}
+void assert_total(struct clock *clock, uint64_t expected);
 
 #endif

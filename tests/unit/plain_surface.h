@@ -20,24 +20,9 @@
 #define CLOSE 1e-12
 #define START 1e-6 /* nearer crossings are the ray's own start */
 
-static inline void assert_near(double found, double expected, double within)
-{
-    if (!(fabs(found - expected) <= within))
-        fail_msg("%.17g is not %.17g", found, expected);
-}
-
-static inline double between(uint64_t *random, double low, double high)
-{
-    return low + (high - low) * (double)(xorshift(random) >> 11) * 0x1p-53;
-}
-
-static inline void random_direction(uint64_t *random, double direction[3])
-{
-    do
-        for (int i = 0; i < 3; i++)
-            direction[i] = between(random, -1, 1);
-    while (dot(direction, direction) > 1 || dot(direction, direction) < .01);
-}
+void assert_near(double found, double expected, double within);
+double number_between(uint64_t *random, double low, double high);
+void random_direction(uint64_t *random, double direction[3]);
 
 /* --- crossings of a surface of many parts -------------------------------- */
 
@@ -52,35 +37,8 @@ struct nearest {
     double normal[3];
 };
 
-static inline struct nearest shoot(const struct surface *surface,
-                                   const struct ray *ray)
-{
-    struct nearest nearest = { INFINITY, { 0 } };
-    for (size_t i = 0; i < surface->count; i++) {
-        struct crossing crossings[MOST_CROSSINGS];
-        const size_t count = plain_crossings(&surface->parts[i], ray,
-                                             crossings);
-        assert_true(count <= MOST_CROSSINGS);
-        for (size_t k = 0; k < count; k++)
-            if (crossings[k].distance > START
-                && crossings[k].distance < nearest.distance) {
-                nearest.distance = crossings[k].distance;
-                copy(nearest.normal, crossings[k].normal);
-            }
-    }
-    if (dot(nearest.normal, nearest.normal) > 0)
-        normalise(nearest.normal);
-    if (dot(nearest.normal, ray->direction) > 0)
-        scale_by(nearest.normal, -1);
-    return nearest;
-}
-
-static inline struct surface one(enum primitive_kind kind)
-{
-    struct surface surface = { .count = 1 };
-    surface.parts[0].kind = kind;
-    return surface;
-}
+struct nearest shoot(const struct surface *surface, const struct ray *ray);
+struct surface one(enum primitive_kind kind);
 
 /* One ray: the distance (0: none), the normal that faces it. */
 struct expectation {
@@ -88,111 +46,24 @@ struct expectation {
     double distance, normal[3];
 };
 
-static inline void assert_hits(const struct surface *surface,
-                               const struct expectation *rows, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        struct ray ray;
-        copy(ray.origin, rows[i].origin);
-        copy(ray.direction, rows[i].direction);
-        const struct nearest found = shoot(surface, &ray);
-        if (rows[i].distance == 0) {
-            assert_true(isinf(found.distance));
-            continue;
-        }
-        assert_near(found.distance, rows[i].distance, CLOSE);
-        for (int k = 0; k < 3; k++)
-            assert_near(found.normal[k], rows[i].normal[k], CLOSE);
-    }
-}
+void assert_hits(const struct surface *surface,
+                 const struct expectation *rows, size_t count);
 #define ASSERT_HITS(surface, rows) \
     assert_hits(surface, rows, sizeof(rows) / sizeof *(rows))
 
 /* --- volumes ------------------------------------------------------------- */
 
-static inline int compare_distances(const void *a, const void *b)
-{
-    const struct crossing *x = a, *y = b;
-    return (x->distance > y->distance) - (x->distance < y->distance);
-}
-
-/* Between the first crossing and the second, the third and the fourth: the
- * inside of a closed surface. */
-static inline double inside(const struct surface *surface,
-                            const struct ray *ray)
-{
-    struct crossing crossings[MOST_CROSSINGS];
-    const size_t count = plain_crossings(&surface->parts[0], ray, crossings);
-    double sum = 0;
-    assert_int_equal(count % 2, 0);
-    qsort(crossings, count, sizeof *crossings, compare_distances);
-    for (size_t i = 0; i < count; i += 2)
-        sum += crossings[i + 1].distance - crossings[i].distance;
-    return sum;
-}
-
 /* By parallel rays from a grid over -size .. size, in a slanted direction. */
-static inline double volume(const struct surface *surface, double size)
-{
-    const int steps = 150;
-    const double across[2][3] = { { .6, .8, 0 }, { 0, 0, 1 } };
-    double sum = 0;
-    for (int i = 0; i < steps; i++)
-        for (int j = 0; j < steps; j++) {
-            struct ray ray = { { 0 }, { -.8, .6, 0 } };
-            const double u = (2 * i + 1. - steps) / steps * size;
-            const double v = (2 * j + 1. - steps) / steps * size;
-            add_scaled(ray.origin, ray.origin, u, across[0]);
-            add_scaled(ray.origin, ray.origin, v, across[1]);
-            sum += inside(surface, &ray);
-        }
-    return sum * 4 * size * size / steps / steps;
-}
+double volume(const struct surface *surface, double size);
 
 /* --- two surfaces that are one -------------------------------------------- */
 
 /* A coefficient of a quartic by the powers of x and y and z. */
-static inline void set(struct surface *surface, int x, int y, int z,
-                       double value)
-{
-    size_t at = 0;
-    for (int i = 4; i >= 0; i--)
-        for (int j = 4 - i; j >= 0; j--)
-            for (int k = 4 - i - j; k >= 0; k--, at++)
-                if (i == x && j == y && k == z)
-                    surface->parts[0].shape.quartic.coefficients[at] = value;
-}
-
-static inline struct ray random_ray(uint64_t *random, double size)
-{
-    struct ray ray;
-    double target[3];
-    random_direction(random, ray.origin);
-    random_direction(random, target);
-    scale_by(target, size);
-    scale_by(ray.origin, 5 / sqrt(dot(ray.origin, ray.origin)));
-    add_scaled(ray.direction, target, -1, ray.origin);
-    return ray;
-}
+void set_coefficient(struct surface *surface, int x, int y, int z,
+                     double value);
 
 /* Random rays at both; where they graze, a rounding decides. */
-static inline void assert_same_surface(const struct surface *a,
-                                       const struct surface *b, double size)
-{
-    uint64_t random = RANDOM_SEED;
-    int hits = 0, strays = 0;
-    for (int i = 0; i < 2000; i++) {
-        const struct ray ray = random_ray(&random, size);
-        const struct nearest x = shoot(a, &ray), y = shoot(b, &ray);
-        hits += !isinf(x.distance);
-        if (isinf(x.distance) && isinf(y.distance))
-            continue;
-        const double dn = 1 - fabs(dot(x.normal, y.normal));
-        strays += !(fabs(x.distance - y.distance) < 1e-11 && dn < 1e-9);
-    }
-    assert_true(hits > 400);
-    if (strays > 1)
-        fail_msg("%d of %d differ", strays, hits);
-}
+void assert_same_surface(const struct surface *a, const struct surface *b,
+                         double size);
 
 #endif

@@ -10,98 +10,17 @@ struct bytes {
     size_t reserved;
 };
 
-static inline bool append(void *context, const void *more, size_t count)
-{
-    struct bytes *bytes = context;
-    if (bytes->count + count > bytes->reserved) {
-        bytes->reserved = 2 * bytes->count + count;
-        bytes->byte = realloc(bytes->byte, bytes->reserved);
-        assert_non_null(bytes->byte);
-    }
-    if (bytes->room && bytes->count + count > bytes->room)
-        return false;
-    memcpy(bytes->byte + bytes->count, more, count);
-    bytes->count += count;
-    return true;
-}
-
-static inline struct bytes save(const c205 *machine)
-{
-    struct bytes bytes = { 0, 0, NULL, 0 };
-    c205_error error = { "" };
-    if (!c205_save(machine, append, &bytes, &error))
-        fail_msg("%s", error.message);
-    return bytes;
-}
-
-static inline c205 *restore(const struct bytes *bytes,
-                            const c205_model *model)
-{
-    c205_error error = { "" };
-    c205 *machine = c205_restore(bytes->byte, bytes->count, model, &error);
-    if (!machine)
-        fail_msg("%s", error.message);
-    return machine;
-}
-
-static inline void assert_saved_as(const c205 *machine,
-                                   const struct bytes *expected)
-{
-    struct bytes bytes = save(machine);
-    assert_int_equal(bytes.count, expected->count);
-    assert_memory_equal(bytes.byte, expected->byte, bytes.count);
-    free(bytes.byte);
-}
+bool append(void *context, const void *more, size_t count);
+struct bytes save(const c205 *machine);
+c205 *restore(const struct bytes *bytes, const c205_model *model);
 
 /* All that a machine is, is saved: two with the same bytes are the same. */
-static inline void assert_same(const c205 *a, const c205 *b)
-{
-    struct bytes bytes = save(a);
-    assert_saved_as(b, &bytes);
-    free(bytes.byte);
-}
+void assert_same(const c205 *a, const c205 *b);
 
 /* The machine in another one's place. */
-static inline c205 *replace(c205 *machine)
-{
-    struct bytes bytes = save(machine);
-    c205 *other = restore(&bytes, c205_machine_model(machine));
-    assert_saved_as(other, &bytes);
-    assert_int_equal(c205_clock(machine), c205_clock(other));
-    assert_int_equal(c205_loaded_program(machine),
-                     c205_loaded_program(other));
-    free(bytes.byte);
-    c205_free(machine);
-    return other;
-}
-
-static inline void assert_same_stop(const c205_stop *a, const c205_stop *b)
-{
-    assert_int_equal(a->trap, b->trap);
-    assert_int_equal(a->pc, b->pc);
-    assert_int_equal(a->address, b->address);
-    assert_int_equal(a->status, b->status);
-}
-
-static inline c205 *machine_with(const c205_program *program,
-                                 const c205_model *model)
-{
-    c205_error error = { "" };
-    c205 *machine = c205_new(model, &error);
-    if (!machine || !c205_load(machine, program, &error))
-        fail_msg("%s", error.message);
-    return machine;
-}
-
-static inline c205 *machine_from(const char *path, const c205_model *model)
-{
-    struct diagnostics errors = { 0 };
-    struct object *object = assemble_file(path, NULL, &errors);
-    if (!object)
-        fail_msg("%s cannot be assembled", path);
-    c205 *machine = machine_with(&object->program, model);
-    object_free(object);
-    return machine;
-}
+c205 *replace(c205 *machine);
+void assert_same_stop(const c205_stop *a, const c205_stop *b);
+c205 *machine_with(const c205_program *program, const c205_model *model);
+c205 *machine_from(const char *path, const c205_model *model);
 
 #endif

@@ -356,10 +356,10 @@ static void test_branches(void **state)
 {
     (void)state;
     struct clock *clock = two_pipes();
-    pc = 0x10000;
+    driven_pc = 0x10000;
     scalar(clock, "BEQ", 0, 0, 0);
     assert_total(clock, 1);
-    pc = 0x10000;
+    driven_pc = 0x10000;
     scalar(clock, "ES", 0, 0, 9);
     branch(clock, "BEQ", 0x10000); /* back to where the code began */
     assert_int_equal(clocks_for(clock, C205_BRANCH), 8);
@@ -378,7 +378,7 @@ static void test_stack_size(void **state)
     (void)state;
     struct clock *clock = two_pipes();
     for (unsigned words = 63; words <= 65; words++) {
-        pc = 0x40000;
+        driven_pc = 0x40000;
         for (unsigned half = 0; half < 2 * words - 1; half++)
             scalar(clock, "ES", 0, 0, 9);
         branch(clock, "BEQ", 0x40000);
@@ -387,7 +387,7 @@ static void test_stack_size(void **state)
         clock_reset(clock);
     }
     for (unsigned back = 63; back <= 64; back++) { /* of longer code, too */
-        pc = 0x40000;
+        driven_pc = 0x40000;
         for (unsigned half = 0; half < 199; half++)
             scalar(clock, "ES", 0, 0, 9);
         branch(clock, "BEQ", 0x40000 + (99 - back) * 64);
@@ -402,7 +402,7 @@ static void test_forward_branch(void **state)
 {
     (void)state;
     struct clock *clock = two_pipes();
-    pc = 0x10000;
+    driven_pc = 0x10000;
     for (int i = 0; i < 9; i++)
         scalar(clock, "ES", 0, 0, 9);
     branch(clock, "BEQ", 0x10000);

@@ -7,10 +7,10 @@
 static struct surface roman_quartic(void)
 {
     struct surface surface = one(PRIMITIVE_QUARTIC);
-    set(&surface, 2, 2, 0, 1);
-    set(&surface, 0, 2, 2, 1);
-    set(&surface, 2, 0, 2, 1);
-    set(&surface, 1, 1, 1, -1);
+    set_coefficient(&surface, 2, 2, 0, 1);
+    set_coefficient(&surface, 0, 2, 2, 1);
+    set_coefficient(&surface, 2, 0, 2, 1);
+    set_coefficient(&surface, 1, 1, 1, -1);
     return surface;
 }
 
@@ -18,13 +18,13 @@ static struct surface roman_quartic(void)
 static struct surface cross_cap_quartic(void)
 {
     struct surface surface = one(PRIMITIVE_QUARTIC);
-    set(&surface, 4, 0, 0, 4);
-    set(&surface, 2, 2, 0, 4);
-    set(&surface, 2, 0, 2, 4);
-    set(&surface, 2, 0, 1, 4);
-    set(&surface, 0, 4, 0, 1);
-    set(&surface, 0, 2, 2, 1);
-    set(&surface, 0, 2, 0, -1);
+    set_coefficient(&surface, 4, 0, 0, 4);
+    set_coefficient(&surface, 2, 2, 0, 4);
+    set_coefficient(&surface, 2, 0, 2, 4);
+    set_coefficient(&surface, 2, 0, 1, 4);
+    set_coefficient(&surface, 0, 4, 0, 1);
+    set_coefficient(&surface, 0, 2, 2, 1);
+    set_coefficient(&surface, 0, 2, 0, -1);
     return surface;
 }
 
@@ -165,10 +165,10 @@ static void random_patch(uint64_t *random, struct primitive *patch)
     for (int k = 0; k < STEINER_POINTS; k++) {
         double *const point = patch->shape.steiner_patch.points[k];
         for (int i = 0; i < 3; i++)
-            point[i] = between(random, -.4, .4);
+            point[i] = number_between(random, -.4, .4);
         for (int i = 0; i < 2; i++)
             point[i] += (corner[pairs[k][0]][i] + corner[pairs[k][1]][i]) / 2;
-        patch->shape.steiner_patch.weights[k] = between(random, .3, 3);
+        patch->shape.steiner_patch.weights[k] = number_between(random, .3, 3);
     }
 }
 
@@ -191,8 +191,8 @@ static void point_of(const struct primitive *patch, const double p[3],
  * other of its crossings does it leave the patch. */
 static void assert_round_trip(uint64_t *random, const struct primitive *patch)
 {
-    const double s = between(random, 0, 1);
-    const double t = between(random, 0, 1 - s);
+    const double s = number_between(random, 0, 1);
+    const double t = number_between(random, 0, 1 - s);
     const double p[3] = { s, t, 1 - s - t };
     struct crossing crossings[MOST_CROSSINGS];
     double point[3];
@@ -200,7 +200,7 @@ static void assert_round_trip(uint64_t *random, const struct primitive *patch)
     bool found = false;
     point_of(patch, p, point);
     random_direction(random, ray.origin);
-    scale_by(ray.origin, between(random, 1, 20));
+    scale_by(ray.origin, number_between(random, 1, 20));
     add_scaled(ray.direction, point, -1, ray.origin);
     const size_t count = plain_crossings(patch, &ray, crossings);
     for (size_t i = 0; i < count; i++)

@@ -168,11 +168,14 @@ static void test_torus_in_other_ways(void **state)
     (void)state;
     for (int i = 0; i < 3; i++) {
         const double inner = i == 1 ? 1.5 : 1.5 - 4;
-        set(&quartic, 4 * (i == 0), 4 * (i == 1), 4 * (i == 2), 1);
-        set(&quartic, 2 * (i != 0), 2 * (i != 1), 2 * (i != 2), 2);
-        set(&quartic, 2 * (i == 0), 2 * (i == 1), 2 * (i == 2), inner);
+        set_coefficient(&quartic, 4 * (i == 0), 4 * (i == 1), 4 * (i == 2),
+                        1);
+        set_coefficient(&quartic, 2 * (i != 0), 2 * (i != 1), 2 * (i != 2),
+                        2);
+        set_coefficient(&quartic, 2 * (i == 0), 2 * (i == 1), 2 * (i == 2),
+                        inner);
     }
-    set(&quartic, 0, 0, 0, .5625);
+    set_coefficient(&quartic, 0, 0, 0, .5625);
     assert_same_surface(&round, &quartic, 1.2);
     assert_same_surface(&round, &elliptical, 1.2);
 }

@@ -1,0 +1,91 @@
+/* saved_machine.c - all that a machine is, as bytes. */
+#include "saved_machine.h"
+
+bool append(void *context, const void *more, size_t count)
+{
+    struct bytes *bytes = context;
+    if (bytes->count + count > bytes->reserved) {
+        bytes->reserved = 2 * bytes->count + count;
+        bytes->byte = realloc(bytes->byte, bytes->reserved);
+        assert_non_null(bytes->byte);
+    }
+    if (bytes->room && bytes->count + count > bytes->room)
+        return false;
+    memcpy(bytes->byte + bytes->count, more, count);
+    bytes->count += count;
+    return true;
+}
+
+struct bytes save(const c205 *machine)
+{
+    struct bytes bytes = { 0, 0, NULL, 0 };
+    c205_error error = { "" };
+    if (!c205_save(machine, append, &bytes, &error))
+        fail_msg("%s", error.message);
+    return bytes;
+}
+
+c205 *restore(const struct bytes *bytes, const c205_model *model)
+{
+    c205_error error = { "" };
+    c205 *machine = c205_restore(bytes->byte, bytes->count, model, &error);
+    if (!machine)
+        fail_msg("%s", error.message);
+    return machine;
+}
+
+static void assert_saved_as(const c205 *machine, const struct bytes *expected)
+{
+    struct bytes bytes = save(machine);
+    assert_int_equal(bytes.count, expected->count);
+    assert_memory_equal(bytes.byte, expected->byte, bytes.count);
+    free(bytes.byte);
+}
+
+void assert_same(const c205 *a, const c205 *b)
+{
+    struct bytes bytes = save(a);
+    assert_saved_as(b, &bytes);
+    free(bytes.byte);
+}
+
+c205 *replace(c205 *machine)
+{
+    struct bytes bytes = save(machine);
+    c205 *other = restore(&bytes, c205_machine_model(machine));
+    assert_saved_as(other, &bytes);
+    assert_int_equal(c205_clock(machine), c205_clock(other));
+    assert_int_equal(c205_loaded_program(machine),
+                     c205_loaded_program(other));
+    free(bytes.byte);
+    c205_free(machine);
+    return other;
+}
+
+void assert_same_stop(const c205_stop *a, const c205_stop *b)
+{
+    assert_int_equal(a->trap, b->trap);
+    assert_int_equal(a->pc, b->pc);
+    assert_int_equal(a->address, b->address);
+    assert_int_equal(a->status, b->status);
+}
+
+c205 *machine_with(const c205_program *program, const c205_model *model)
+{
+    c205_error error = { "" };
+    c205 *machine = c205_new(model, &error);
+    if (!machine || !c205_load(machine, program, &error))
+        fail_msg("%s", error.message);
+    return machine;
+}
+
+c205 *machine_from(const char *path, const c205_model *model)
+{
+    struct diagnostics errors = { 0 };
+    struct object *object = assemble_file(path, NULL, &errors);
+    if (!object)
+        fail_msg("%s cannot be assembled", path);
+    c205 *machine = machine_with(&object->program, model);
+    object_free(object);
+    return machine;
+}
