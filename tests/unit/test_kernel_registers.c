@@ -8,6 +8,7 @@
 
 #include <dirent.h>
 
+#include "rt/shapes/kernels.h"
 #include "rt/layout/program.h"
 #include "rt/roots/roots.h"
 #include "tests/oracle/register_owners.h"
@@ -29,7 +30,7 @@ static bool is_program(const struct text *kernel)
 static void check_assembled(const char *kernel,
                             const struct asm_define *defines)
 {
-    const struct text *const texts[] = { kernel_texts, NULL };
+    const struct text *const texts[] = { kernel_texts, shape_texts, NULL };
     const struct asm_options how = { .defines = defines, .texts = texts };
     struct diagnostics found = { 0 };
     char text[100];

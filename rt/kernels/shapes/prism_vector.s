@@ -37,11 +37,23 @@
         .include "shapes/lanes_vector.s"
         .endif
 
-; Of the lanes, all rays at hand.
+; Of the lanes, all rays at hand, in the lanes' own vectors.
+        .reg    way, lane_at
+        .reg    way_before, lane_ox
+        .reg    side, lane_oy
+        .reg    side_before, lane_oz
+        .reg    inverse, lane_dx
+        .reg    path_dx, lane_dy
+        .reg    path_dz, lane_dz
+        .reg    edge_low, lane_along
+        .reg    edge_high, lane_low
+        .reg    cap_low, lane_high
+        .reg    cap_high, k4
+        .reg    crossed_at, k3
+        .reg    from_x, k2
+        .reg    from_z, k1
+        .reg    path_work, k0
         .share  hits
-        .regs   r136, way, way_before, side, side_before, inverse
-        .regs   r141, path_dx, path_dz, edge_low, edge_high, cap_low, cap_high
-        .regs   r147, crossed_at, from_x, from_z, path_work
         .regs   r164, left, left_before, crossed, inside_low
         .endshare
         .reg    inside_high, bits2
