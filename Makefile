@@ -237,6 +237,7 @@ check-unit: $(unit_tests) $(adapter)
 check-rooms: $(libraries)
 	sh tests/check_rooms.sh
 	sh tests/check_state.sh $(BUILD)
+	sh tests/check_names.sh $(BUILD)
 
 check-programs: $(BUILD)/c205
 	sh tests/run_programs.sh $(BUILD)/c205

@@ -37,7 +37,7 @@ static void start(struct assembler *assembler)
 }
 
 static struct object *run_passes(struct assembler *assembler,
-                                 const struct source *source)
+                                 const struct asm_source *source)
 {
     const struct line *line;
     bool halted;
@@ -56,7 +56,7 @@ static struct object *run_passes(struct assembler *assembler,
     return encode_program(assembler);
 }
 
-static struct object *assemble(const struct source *source,
+static struct object *assemble(const struct asm_source *source,
                                const struct asm_options *options,
                                struct diagnostics *diagnostics)
 {
@@ -85,7 +85,7 @@ struct object *assemble_bytes(const char *name, const char *text,
                               const struct asm_options *options,
                               struct diagnostics *diagnostics)
 {
-    struct source source;
+    struct asm_source source;
 
     source.name = name;
     source.text = text;

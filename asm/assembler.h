@@ -80,8 +80,8 @@ struct register_name {
 };
 
 /* From .share to .endshare. */
-struct share {
-    const struct share *outer;
+struct register_share {
+    const struct register_share *outer;
     const struct line *line;
     const char *word; /* NULL: none */
     unsigned depth;
@@ -93,9 +93,9 @@ struct naming {
     const char *at;
     const struct symbol *symbol;
     struct register_name named;
-    size_t owner;              /* the first naming of what this is */
-    const struct share *share; /* the block it stands in, or NULL */
-    bool ended;                /* the name has moved on */
+    size_t owner;                       /* the first naming of what this is */
+    const struct register_share *share; /* the block it stands in, or NULL */
+    bool ended;                         /* the name has moved on */
     size_t below; /* the one of this register before it, from 1 */
 };
 
@@ -105,7 +105,7 @@ struct registers {
     size_t newest[C205_REGISTERS]; /* naming of each, from 1 */
     size_t *mentions;              /* namings, as instructions have them */
     size_t mention_count, mention_capacity;
-    const struct share *share; /* the block that is open, or NULL */
+    const struct register_share *share; /* the block that is open, or NULL */
 };
 
 struct symbols {
@@ -131,7 +131,7 @@ enum item_kind {
     ITEM_SPACE       /* zeros */
 };
 
-struct item {
+struct layout_item {
     enum item_kind kind;
     const struct line *line;
     uint64_t address;
@@ -144,7 +144,7 @@ struct item {
     } of;
 };
 
-struct region {
+struct asm_region {
     const char *name;
     const struct line *line;
     uint64_t begin, end;
@@ -196,11 +196,11 @@ struct assembler {
     struct section *section;
     uint64_t words; /* put so far */
 
-    struct item *items;
+    struct layout_item *items;
     size_t item_count, item_capacity;
-    struct region *regions;
+    struct asm_region *regions;
     size_t region_count, region_capacity;
-    struct region open_region; /* line NULL: none */
+    struct asm_region open_region; /* line NULL: none */
     const struct section *region_section;
     struct open_record record;
     struct wish *wishes;

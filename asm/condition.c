@@ -55,7 +55,7 @@ static void open(struct expander *expander, struct cursor *cursor,
                  bool (*test)(struct cursor *))
 {
     bool outside = !condition_skips(expander);
-    struct condition *condition;
+    struct asm_condition *condition;
 
     if (expander->condition_depth == MAX_CONDITIONS) {
         report(expander->assembler, cursor->line, cursor->line->begin,
@@ -72,10 +72,10 @@ static void open(struct expander *expander, struct cursor *cursor,
     expander->condition_depth++;
 }
 
-static struct condition *innermost(struct expander *expander,
-                                   struct cursor *cursor)
+static struct asm_condition *innermost(struct expander *expander,
+                                       struct cursor *cursor)
 {
-    const struct frame *frame = &expander->frames[expander->depth - 1];
+    const struct expansion *frame = &expander->frames[expander->depth - 1];
 
     if (expander->condition_depth > frame->conditions)
         return &expander->conditions[expander->condition_depth - 1];
@@ -87,7 +87,7 @@ static struct condition *innermost(struct expander *expander,
 static void go_on(struct expander *expander, struct cursor *cursor,
                   bool (*test)(struct cursor *))
 {
-    struct condition *condition = innermost(expander, cursor);
+    struct asm_condition *condition = innermost(expander, cursor);
 
     if (!condition)
         return;

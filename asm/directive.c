@@ -113,7 +113,7 @@ static const char *parse_region_name(struct cursor *cursor)
 static bool parse_kernel(struct cursor *cursor)
 {
     struct assembler *assembler = cursor->assembler;
-    struct region *open = &assembler->open_region;
+    struct asm_region *open = &assembler->open_region;
 
     if (open->line)
         return report(assembler, cursor->line, cursor->line->begin,
@@ -128,9 +128,9 @@ static bool parse_kernel(struct cursor *cursor)
     return true;
 }
 
-static bool add_region(struct assembler *assembler, struct region region)
+static bool add_region(struct assembler *assembler, struct asm_region region)
 {
-    struct region *regions;
+    struct asm_region *regions;
 
     regions = arena_grow(assembler->arena, assembler->regions,
                          assembler->region_count, &assembler->region_capacity,
@@ -145,7 +145,7 @@ static bool add_region(struct assembler *assembler, struct region region)
 static bool parse_endkernel(struct cursor *cursor)
 {
     struct assembler *assembler = cursor->assembler;
-    struct region *open = &assembler->open_region, region = *open;
+    struct asm_region *open = &assembler->open_region, region = *open;
 
     if (!open->line)
         return report(assembler, cursor->line, cursor->line->begin,
@@ -165,7 +165,7 @@ static bool add_values(struct cursor *cursor, enum item_kind kind,
     do {
         struct cursor start = *cursor;
         const struct expression *value = parse_expression(cursor);
-        struct item *item = layout_add(cursor, kind, halves);
+        struct layout_item *item = layout_add(cursor, kind, halves);
 
         if (!value)
             cursor_skip(cursor, &start);
@@ -203,7 +203,7 @@ static bool parse_halfword(struct cursor *cursor)
 static bool parse_descriptor(struct cursor *cursor)
 {
     const struct expression *length, *address;
-    struct item *item;
+    struct layout_item *item;
 
     layout_align(cursor->assembler, WORD_BITS);
     if (!(length = parse_expression(cursor)) || !comma(cursor)
@@ -292,7 +292,7 @@ static bool parse_halfvector(struct cursor *cursor)
 static bool add_words(struct cursor *cursor, const c205_word *words,
                       uint64_t count)
 {
-    struct item *item;
+    struct layout_item *item;
 
     if (count == 0)
         return true;

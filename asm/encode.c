@@ -17,7 +17,7 @@ enum {
 
 /* The distance of a branch is counted in half words from itself. */
 static bool encode_target(struct assembler *assembler,
-                          const struct item *item,
+                          const struct layout_item *item,
                           const struct instruction *instruction,
                           c205_fields *fields)
 {
@@ -42,7 +42,7 @@ static bool encode_target(struct assembler *assembler,
 }
 
 static bool encode_immediate(struct assembler *assembler,
-                             const struct item *item,
+                             const struct layout_item *item,
                              const struct instruction *instruction,
                              c205_fields *fields)
 {
@@ -62,7 +62,7 @@ static bool encode_immediate(struct assembler *assembler,
 }
 
 static c205_word encode_instruction(struct assembler *assembler,
-                                    const struct item *item)
+                                    const struct layout_item *item)
 {
     const struct instruction *instruction = item->of.instruction;
     c205_fields fields = instruction->fields;
@@ -77,7 +77,7 @@ static c205_word encode_instruction(struct assembler *assembler,
 /* ---- Data ---- */
 
 static c205_word encode_descriptor(struct assembler *assembler,
-                                   const struct item *item)
+                                   const struct layout_item *item)
 {
     int64_t length = 0;
     uint64_t address = 0;
@@ -91,7 +91,7 @@ static c205_word encode_descriptor(struct assembler *assembler,
 
 /* Those that fit 32 bits, with a sign or without. */
 static c205_word encode_half(struct assembler *assembler,
-                             const struct item *item)
+                             const struct layout_item *item)
 {
     int64_t integer = 0;
 
@@ -102,7 +102,7 @@ static c205_word encode_half(struct assembler *assembler,
 
 /* In the high half, if it is one half long. */
 static c205_word encode_one(struct assembler *assembler,
-                            const struct item *item)
+                            const struct layout_item *item)
 {
     c205_word word = 0;
 
@@ -126,8 +126,9 @@ static void put_half(c205_word *words, uint64_t bits, c205_word half)
     words[bits / WORD_BITS] |= bits % WORD_BITS ? half : half << HALF_BITS;
 }
 
-static void encode_item(struct assembler *assembler, const struct item *item,
-                        c205_word *words, uint64_t origin)
+static void encode_item(struct assembler *assembler,
+                        const struct layout_item *item, c205_word *words,
+                        uint64_t origin)
 {
     uint64_t bits = item->address - origin;
     c205_word word;
@@ -147,14 +148,14 @@ static void encode_item(struct assembler *assembler, const struct item *item,
 
 /* ---- Segments ---- */
 
-static uint64_t end_of(const struct item *item)
+static uint64_t end_of(const struct layout_item *item)
 {
     return item->address + item->halves * HALF_BITS;
 }
 
 static int compare_items(const void *a, const void *b)
 {
-    const struct item *first = a, *second = b;
+    const struct layout_item *first = a, *second = b;
 
     if (first->address != second->address)
         return first->address < second->address ? -1 : 1;
@@ -163,7 +164,7 @@ static int compare_items(const void *a, const void *b)
 
 static bool check_overlap(struct assembler *assembler)
 {
-    const struct item *items = assembler->items;
+    const struct layout_item *items = assembler->items;
     size_t i, last = 0, before = assembler->diagnostics->errors;
 
     for (i = 1; i < assembler->item_count; i++) {
@@ -178,14 +179,14 @@ static bool check_overlap(struct assembler *assembler)
     return assembler->diagnostics->errors == before;
 }
 
-static bool is_zero_run(const struct item *item)
+static bool is_zero_run(const struct layout_item *item)
 {
     return item->kind == ITEM_SPACE && item->halves >= 2 * (uint64_t)ZERO_RUN;
 }
 
 /* How many items from this one on belong to one segment: no word between
  * them is free. */
-static size_t count_together(const struct item *item, size_t count)
+static size_t count_together(const struct layout_item *item, size_t count)
 {
     uint64_t end = end_of(item);
     size_t i;
@@ -203,7 +204,7 @@ static size_t count_together(const struct item *item, size_t count)
 }
 
 static bool add_segment(struct assembler *assembler, struct storage *storage,
-                        const struct item *items, size_t count)
+                        const struct layout_item *items, size_t count)
 {
     uint64_t begin = items->address / WORD_BITS * WORD_BITS;
     uint64_t end = end_of(&items[count - 1]);
@@ -292,7 +293,7 @@ static bool add_symbols(struct assembler *assembler, struct storage *storage)
     return true;
 }
 
-static bool add_line(struct storage *storage, const struct item *item)
+static bool add_line(struct storage *storage, const struct layout_item *item)
 {
     struct asm_line *line = storage_add_line(storage);
     const struct line *from = item->line;
@@ -311,11 +312,11 @@ static bool add_line(struct storage *storage, const struct item *item)
 /* Items of one line that lie side by side are one. */
 static bool add_lines(struct assembler *assembler, struct storage *storage)
 {
-    const struct item *items = assembler->items;
+    const struct layout_item *items = assembler->items;
     size_t i, next;
 
     for (i = 0; i < assembler->item_count; i = next) {
-        struct item whole = items[i];
+        struct layout_item whole = items[i];
 
         for (next = i + 1;
              next < assembler->item_count && items[next].line == whole.line
@@ -351,7 +352,7 @@ static bool add_registers(struct assembler *assembler,
 
 static bool add_mentions(struct assembler *assembler, struct storage *storage)
 {
-    const struct item *item = assembler->items;
+    const struct layout_item *item = assembler->items;
     size_t i, j;
 
     for (i = 0; i < assembler->item_count; i++, item++) {
@@ -464,7 +465,7 @@ static bool fill(struct assembler *assembler, struct storage *storage)
 struct object *encode_program(struct assembler *assembler)
 {
     struct storage *storage = storage_new();
-    const struct region *open = &assembler->open_region;
+    const struct asm_region *open = &assembler->open_region;
     bool good;
 
     if (!storage) {

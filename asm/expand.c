@@ -15,11 +15,11 @@ static bool halt(struct expander *expander, const struct line *line,
     return report(expander->assembler, line, line->begin, "%s", message);
 }
 
-static struct frame *push(struct expander *expander, const struct line *line,
-                          enum frame_kind kind)
+static struct expansion *push(struct expander *expander,
+                              const struct line *line, enum frame_kind kind)
 {
-    static const struct frame empty;
-    struct frame *frame;
+    static const struct expansion empty;
+    struct expansion *frame;
 
     if (expander->depth == MAX_FRAMES) {
         halt(expander, line,
@@ -36,9 +36,9 @@ static struct frame *push(struct expander *expander, const struct line *line,
 }
 
 static void push_source(struct expander *expander, const struct line *line,
-                        const struct source *source)
+                        const struct asm_source *source)
 {
-    struct frame *frame = push(expander, line, FRAME_FILE);
+    struct expansion *frame = push(expander, line, FRAME_FILE);
 
     if (frame) {
         frame->name = source->name;
@@ -50,7 +50,7 @@ static void push_source(struct expander *expander, const struct line *line,
 /* False: the text on top has ended and is gone. */
 static bool repeat_or_pop(struct expander *expander)
 {
-    struct frame *frame = &expander->frames[expander->depth - 1];
+    struct expansion *frame = &expander->frames[expander->depth - 1];
 
     condition_close(expander, frame->conditions);
     if (frame->kind == FRAME_REPEAT && ++frame->count < frame->repeats) {
@@ -75,7 +75,8 @@ static bool spend(struct expander *expander, const struct line *line,
     return halt(expander, line, "macros and repetitions make too much text");
 }
 
-static struct line *file_line(struct expander *expander, struct frame *frame)
+static struct line *file_line(struct expander *expander,
+                              struct expansion *frame)
 {
     struct line *line = NULL;
     const char *newline;
@@ -104,7 +105,7 @@ static struct line *file_line(struct expander *expander, struct frame *frame)
 
 /* Inside a definition of a macro, \@ is that of its own expansions; what is
  * inside .rept keeps its \+ and is left alone. */
-static struct substitution rules(const struct frame *frame,
+static struct substitution rules(const struct expansion *frame,
                                  enum purpose purpose)
 {
     struct substitution rules = { NULL, NULL, NULL, NULL };
@@ -119,8 +120,8 @@ static struct substitution rules(const struct frame *frame,
     return rules;
 }
 
-static struct line *body_line(struct expander *expander, struct frame *frame,
-                              enum purpose purpose)
+static struct line *body_line(struct expander *expander,
+                              struct expansion *frame, enum purpose purpose)
 {
     struct substitution substitution = rules(frame, purpose);
     const struct line *model;
@@ -151,7 +152,7 @@ static struct line *body_line(struct expander *expander, struct frame *frame,
 /* The next line of the text on top; NULL at its end. */
 static struct line *read_line(struct expander *expander, enum purpose purpose)
 {
-    struct frame *frame = &expander->frames[expander->depth - 1];
+    struct expansion *frame = &expander->frames[expander->depth - 1];
 
     return frame->kind == FRAME_FILE ? file_line(expander, frame)
                                      : body_line(expander, frame, purpose);
@@ -234,7 +235,7 @@ static void define_macro(struct expander *expander, struct cursor *cursor)
 static void repeat(struct expander *expander, struct cursor *cursor)
 {
     struct macro *body = arena_take(expander->assembler->arena, sizeof *body);
-    struct frame *frame;
+    struct expansion *frame;
     int64_t count = 0;
     bool good;
 
@@ -255,7 +256,7 @@ static void repeat(struct expander *expander, struct cursor *cursor)
 static void include(struct expander *expander, struct cursor *cursor)
 {
     const char *at = cursor->token.begin, *from = "";
-    struct source source;
+    struct asm_source source;
     size_t length;
     char *name = expect_string(cursor, &length);
     unsigned i;
@@ -282,7 +283,7 @@ static void call(struct expander *expander, struct cursor *cursor,
                  const struct macro *macro)
 {
     const struct span *arguments;
-    struct frame *frame;
+    struct expansion *frame;
 
     cursor_next(cursor);
     arguments = macro_arguments(cursor, macro);
@@ -413,7 +414,7 @@ const struct line *expander_next(struct expander *expander)
 }
 
 struct expander *expander_new(struct assembler *assembler,
-                              const struct source *source)
+                              const struct asm_source *source)
 {
     struct expander *expander = arena_take(assembler->arena,
                                            sizeof *expander);

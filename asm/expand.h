@@ -12,7 +12,7 @@
 
 enum frame_kind { FRAME_FILE, FRAME_MACRO, FRAME_REPEAT };
 
-struct frame {
+struct expansion {
     enum frame_kind kind;
     const char *name; /* FRAME_FILE .. */
     const char *at, *end;
@@ -25,7 +25,7 @@ struct frame {
     unsigned conditions; /* open when it began */
 };
 
-struct condition {
+struct asm_condition {
     const struct line *line;
     bool outside; /* what stands around it is assembled */
     bool active;  /* so is this branch */
@@ -35,9 +35,9 @@ struct condition {
 
 struct expander {
     struct assembler *assembler;
-    struct frame frames[MAX_FRAMES];
+    struct expansion frames[MAX_FRAMES];
     unsigned depth;
-    struct condition conditions[MAX_CONDITIONS];
+    struct asm_condition conditions[MAX_CONDITIONS];
     unsigned condition_depth;
     const struct line *pending; /* the rest of a line after its labels */
     uint64_t unique;
@@ -47,7 +47,7 @@ struct expander {
 };
 
 struct expander *expander_new(struct assembler *assembler,
-                              const struct source *source);
+                              const struct asm_source *source);
 /* NULL at the end. */
 const struct line *expander_next(struct expander *expander);
 

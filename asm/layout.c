@@ -27,11 +27,11 @@ static bool check_room(struct cursor *cursor, uint64_t halves)
     return true;
 }
 
-struct item *layout_add(struct cursor *cursor, enum item_kind kind,
-                        uint64_t halves)
+struct layout_item *layout_add(struct cursor *cursor, enum item_kind kind,
+                               uint64_t halves)
 {
     struct assembler *assembler = cursor->assembler;
-    struct item *item;
+    struct layout_item *item;
 
     if (!check_room(cursor, halves))
         return NULL;

@@ -169,13 +169,13 @@ const struct span *macro_arguments(struct cursor *cursor,
 
 /* ---- Substitution ---- */
 
-struct output {
+struct macro_text {
     char *text;
     size_t length;
     bool full;
 };
 
-static void append(struct output *output, const char *text, size_t length)
+static void append(struct macro_text *output, const char *text, size_t length)
 {
     output->full = output->full || length >= MAX_LINE - output->length;
     if (output->full)
@@ -184,7 +184,7 @@ static void append(struct output *output, const char *text, size_t length)
     output->length += length;
 }
 
-static void append_number(struct output *output, uint64_t number)
+static void append_number(struct macro_text *output, uint64_t number)
 {
     char text[24];
 
@@ -223,7 +223,7 @@ static size_t name_length(const char *at, const char *end)
  * meaning stays as it is, so that strings keep their escapes. */
 static const char *substitute_one(const struct substitution *substitution,
                                   const char *at, const char *end,
-                                  struct output *output)
+                                  struct macro_text *output)
 {
     char next = end - at > 1 ? at[1] : '\0';
     size_t length = name_length(at + 1, end);
@@ -249,7 +249,7 @@ static const char *substitute_one(const struct substitution *substitution,
 size_t substitute(const struct substitution *substitution,
                   const struct line *line, char text[MAX_LINE])
 {
-    struct output output = { NULL, 0, false };
+    struct macro_text output = { NULL, 0, false };
     const char *at = line->text, *next;
 
     output.text = text;

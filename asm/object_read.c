@@ -6,7 +6,7 @@
 #include "asm/object.h"
 #include "asm/storage.h"
 
-struct reader {
+struct object_reader {
     struct storage *storage;
     const char *at, *end;         /* of what is not read yet */
     const char *field, *line_end; /* of the line being read */
@@ -15,14 +15,14 @@ struct reader {
     const char *problem;
 };
 
-static bool wrong(struct reader *reader, const char *problem)
+static bool wrong(struct object_reader *reader, const char *problem)
 {
     if (!reader->problem)
         reader->problem = problem;
     return false;
 }
 
-static bool next_line(struct reader *reader)
+static bool next_line(struct object_reader *reader)
 {
     const char *newline;
 
@@ -40,7 +40,7 @@ static bool next_line(struct reader *reader)
 
 /* ---- Fields of a line, a blank between them ---- */
 
-static bool end_field(struct reader *reader, const char *end)
+static bool end_field(struct object_reader *reader, const char *end)
 {
     if (end < reader->line_end && *end != ' ')
         return wrong(reader, "a field holds what it should not");
@@ -48,7 +48,7 @@ static bool end_field(struct reader *reader, const char *end)
     return true;
 }
 
-static bool take_hex(struct reader *reader, uint64_t *number)
+static bool take_hex(struct object_reader *reader, uint64_t *number)
 {
     static const char digits[] = "0123456789ABCDEF";
     const char *at = reader->field, *found;
@@ -64,7 +64,8 @@ static bool take_hex(struct reader *reader, uint64_t *number)
     return end_field(reader, at);
 }
 
-static bool take_count(struct reader *reader, uint64_t most, size_t *count)
+static bool take_count(struct object_reader *reader, uint64_t most,
+                       size_t *count)
 {
     const char *at = reader->field;
     uint64_t number = 0;
@@ -80,14 +81,14 @@ static bool take_count(struct reader *reader, uint64_t most, size_t *count)
     return end_field(reader, at);
 }
 
-static bool take_address(struct reader *reader, uint64_t *address)
+static bool take_address(struct object_reader *reader, uint64_t *address)
 {
     return take_hex(reader, address)
            && (*address >> ADDRESS_BITS == 0
                || wrong(reader, "an address has 48 bits"));
 }
 
-static const char *take_rest(struct reader *reader)
+static const char *take_rest(struct object_reader *reader)
 {
     const char *field = reader->field;
 
@@ -96,7 +97,7 @@ static const char *take_rest(struct reader *reader)
                       (size_t)(reader->line_end - field));
 }
 
-static bool take_keyword(struct reader *reader, const char *keyword)
+static bool take_keyword(struct object_reader *reader, const char *keyword)
 {
     size_t length = strlen(keyword);
     const char *end = reader->field + length;
@@ -110,7 +111,7 @@ static bool take_keyword(struct reader *reader, const char *keyword)
 
 /* Lines of one word each; there must be bytes for them before there is
  * memory. */
-static const c205_word *take_words(struct reader *reader, size_t count)
+static const c205_word *take_words(struct object_reader *reader, size_t count)
 {
     enum { LINE = 17 };
     c205_word *words;
@@ -129,12 +130,12 @@ static const c205_word *take_words(struct reader *reader, size_t count)
 
 /* ---- Kinds of lines ---- */
 
-static bool read_entry(struct reader *reader)
+static bool read_entry(struct object_reader *reader)
 {
     return take_address(reader, &reader->storage->object.program.entry);
 }
 
-static bool read_extent(struct reader *reader, c205_segment *segment)
+static bool read_extent(struct object_reader *reader, c205_segment *segment)
 {
     if (!segment || !take_address(reader, &segment->address)
         || !take_count(reader, MAX_WORDS, &segment->length))
@@ -150,7 +151,7 @@ static bool read_extent(struct reader *reader, c205_segment *segment)
     return true;
 }
 
-static bool read_segment(struct reader *reader)
+static bool read_segment(struct object_reader *reader)
 {
     c205_segment *segment = storage_add_segment(reader->storage);
 
@@ -160,12 +161,12 @@ static bool read_segment(struct reader *reader)
     return segment->words != NULL;
 }
 
-static bool read_zeros(struct reader *reader)
+static bool read_zeros(struct object_reader *reader)
 {
     return read_extent(reader, storage_add_segment(reader->storage));
 }
 
-static bool read_region(struct reader *reader)
+static bool read_region(struct object_reader *reader)
 {
     c205_region *region = storage_add_region(reader->storage);
 
@@ -178,7 +179,8 @@ static bool read_region(struct reader *reader)
     return region->name != NULL;
 }
 
-static bool read_symbol(struct reader *reader, bool is_label, bool is_word)
+static bool read_symbol(struct object_reader *reader, bool is_label,
+                        bool is_word)
 {
     struct asm_symbol *symbol = storage_add_symbol(reader->storage);
     uint64_t value;
@@ -192,22 +194,23 @@ static bool read_symbol(struct reader *reader, bool is_label, bool is_word)
     return symbol->name != NULL;
 }
 
-static bool read_label(struct reader *reader)
+static bool read_label(struct object_reader *reader)
 {
     return read_symbol(reader, true, false);
 }
 
-static bool read_integer(struct reader *reader)
+static bool read_integer(struct object_reader *reader)
 {
     return read_symbol(reader, false, false);
 }
 
-static bool read_word(struct reader *reader)
+static bool read_word(struct object_reader *reader)
 {
     return read_symbol(reader, false, true);
 }
 
-static bool take_kind(struct reader *reader, enum expectation_kind *kind)
+static bool take_kind(struct object_reader *reader,
+                      enum expectation_kind *kind)
 {
     unsigned i;
 
@@ -219,7 +222,7 @@ static bool take_kind(struct reader *reader, enum expectation_kind *kind)
     return wrong(reader, "expected the name of an expectation");
 }
 
-static bool read_text(struct reader *reader, const char **text)
+static bool read_text(struct object_reader *reader, const char **text)
 {
     if (!next_line(reader))
         return false;
@@ -230,7 +233,7 @@ static bool read_text(struct reader *reader, const char **text)
 }
 
 /* Only where the next line says so. */
-static bool read_tolerance(struct reader *reader,
+static bool read_tolerance(struct object_reader *reader,
                            struct asm_expectation *made)
 {
     static const char keyword[] = "within ";
@@ -252,7 +255,7 @@ static size_t words_of(const struct asm_expectation *expectation)
     return expectation->count;
 }
 
-static bool check_count(struct reader *reader,
+static bool check_count(struct object_reader *reader,
                         const struct asm_expectation *expectation)
 {
     static const size_t counts[EXPECT_KINDS] = { [EXPECT_REGISTER] = 1,
@@ -272,7 +275,7 @@ static bool has_text(enum expectation_kind kind)
     return kind >= EXPECT_TRAP;
 }
 
-static bool read_expectation(struct reader *reader)
+static bool read_expectation(struct object_reader *reader)
 {
     struct asm_expectation *made = storage_add_expectation(reader->storage);
     size_t number;
@@ -294,11 +297,11 @@ static bool read_expectation(struct reader *reader)
 
 /* ---- The file ---- */
 
-static bool read_line(struct reader *reader)
+static bool read_line(struct object_reader *reader)
 {
     static const struct {
         const char *keyword;
-        bool (*read)(struct reader *);
+        bool (*read)(struct object_reader *);
     } kinds[] = { { "entry", read_entry }, { "segment", read_segment },
                   { "zeros", read_zeros }, { "region", read_region },
                   { "label", read_label }, { "integer", read_integer },
@@ -311,7 +314,7 @@ static bool read_line(struct reader *reader)
     return wrong(reader, "no line of an object file begins like this");
 }
 
-static bool read_all(struct reader *reader)
+static bool read_all(struct object_reader *reader)
 {
     if (!next_line(reader) || !take_keyword(reader, "c205-object"))
         return wrong(reader, "this is no object file");
@@ -329,7 +332,9 @@ static bool read_all(struct reader *reader)
 
 struct object *object_read(const char *text, size_t length, c205_error *error)
 {
-    struct reader reader = { NULL, NULL, NULL, NULL, NULL, 0, 0, NULL };
+    struct object_reader reader = {
+        NULL, NULL, NULL, NULL, NULL, 0, 0, NULL
+    };
 
     reader.storage = storage_new();
     reader.at = text;

@@ -269,7 +269,7 @@ bool parse_instruction(struct cursor *cursor, const c205_insn *insn)
 {
     unsigned halves = c205_format_halves(insn->format);
     struct instruction *instruction;
-    struct item *item;
+    struct layout_item *item;
     bool good;
 
     instruction = arena_take(cursor->assembler->arena, sizeof *instruction);

@@ -27,7 +27,8 @@ static struct naming *naming_at(const struct registers *registers,
     return index > 0 ? &registers->namings[index - 1] : NULL;
 }
 
-static bool encloses(const struct share *outer, const struct share *share)
+static bool encloses(const struct register_share *outer,
+                     const struct register_share *share)
 {
     while (share && share != outer)
         share = share->outer;
@@ -35,8 +36,8 @@ static bool encloses(const struct share *outer, const struct share *share)
 }
 
 /* Words are compared as pointers: they are names of symbols. */
-static bool has_word(const struct share *share, const struct share *other,
-                     const char *word)
+static bool has_word(const struct register_share *share,
+                     const struct register_share *other, const char *word)
 {
     for (; share; share = share->outer)
         if (share->word == word && !encloses(share, other))
@@ -46,9 +47,10 @@ static bool has_word(const struct share *share, const struct share *other,
 
 /* What is declared in the one block says that it may stand where what is
  * declared in the other does. */
-static bool says_so(const struct share *share, const struct share *other)
+static bool says_so(const struct register_share *share,
+                    const struct register_share *other)
 {
-    const struct share *block;
+    const struct register_share *block;
 
     for (block = share; block; block = block->outer)
         if (!encloses(block, other)
@@ -221,7 +223,8 @@ bool parse_regs(struct cursor *cursor)
 bool parse_share(struct cursor *cursor)
 {
     struct registers *registers = &cursor->assembler->registers;
-    struct share *share = arena_take(cursor->assembler->arena, sizeof *share);
+    struct register_share *share = arena_take(cursor->assembler->arena,
+                                              sizeof *share);
     const struct symbol *symbol;
     const char *name;
     size_t length;

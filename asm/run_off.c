@@ -6,7 +6,8 @@
 enum { HALF_BITS = 32 };
 
 /* EXIT with request 0, which may be left out. */
-static bool ends_program(struct assembler *assembler, const struct item *item)
+static bool ends_program(struct assembler *assembler,
+                         const struct layout_item *item)
 {
     const struct instruction *instruction = item->of.instruction;
     struct value value = { VALUE_INTEGER, 0 };
@@ -26,7 +27,8 @@ static bool always_branches(const c205_insn *insn)
 }
 
 /* .half makes instructions, too. */
-static bool goes_on_with(const struct item *next, const struct item *item)
+static bool goes_on_with(const struct layout_item *next,
+                         const struct layout_item *item)
 {
     return next->address == item->address + item->halves * HALF_BITS
            && (next->kind == ITEM_INSTRUCTION || next->kind == ITEM_HALF);
@@ -45,7 +47,7 @@ static bool expects_trap(const struct assembler *assembler)
 /* The items are in the order of their addresses. */
 void check_ends(struct assembler *assembler)
 {
-    const struct item *items = assembler->items;
+    const struct layout_item *items = assembler->items;
     size_t i, count = assembler->item_count;
 
     for (i = 0; i < count && !expects_trap(assembler); i++)

@@ -8,7 +8,7 @@
 #include "vm/text.h"
 
 static bool join_lines(struct assembler *assembler, const struct text *text,
-                       struct source *source)
+                       struct asm_source *source)
 {
     struct text_buffer buffer = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&buffer);
@@ -47,7 +47,7 @@ static const struct text *find_carried(const struct asm_options *options,
 }
 
 static bool read_source(struct assembler *assembler, const char *path,
-                        struct source *source)
+                        struct asm_source *source)
 {
     c205_error error;
     size_t length;
@@ -66,7 +66,8 @@ static bool read_source(struct assembler *assembler, const char *path,
 
 /* folder is not NUL-terminated. */
 static bool read_from(struct assembler *assembler, const char *folder,
-                      size_t length, const char *name, struct source *source)
+                      size_t length, const char *name,
+                      struct asm_source *source)
 {
     char path[4096];
     const char *slash = length && folder[length - 1] != '/' ? "/" : "";
@@ -79,7 +80,7 @@ static bool read_from(struct assembler *assembler, const char *folder,
 }
 
 bool source_find(struct assembler *assembler, const char *name,
-                 const char *from, struct source *source)
+                 const char *from, struct asm_source *source)
 {
     const struct asm_options *options = assembler->options;
     const struct text *carried = find_carried(options, name);

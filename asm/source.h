@@ -4,7 +4,7 @@
 
 #include "asm/assembler.h"
 
-struct source {
+struct asm_source {
     const char *name;
     const char *text, *end;
 };
@@ -12,6 +12,6 @@ struct source {
 /* A text that the caller or the library carries under this name; else a file
  * in the folder of the file from; else one in the folders to search. */
 bool source_find(struct assembler *assembler, const char *name,
-                 const char *from, struct source *source);
+                 const char *from, struct asm_source *source);
 
 #endif

@@ -14,14 +14,14 @@ static void tell(c205_error *error, const char *path, const char *why)
 }
 
 /* A saved machine is read again by file_read, so it may be no larger. */
-struct output {
+struct state_file {
     FILE *file;
     size_t left;
 };
 
 static bool put(void *context, const void *bytes, size_t count)
 {
-    struct output *output = context;
+    struct state_file *output = context;
     if (output->left < count) {
         return false;
     }
@@ -36,7 +36,7 @@ bool state_save(const c205 *machine, const char *path, c205_error *error)
     if (!whole) {
         return false;
     }
-    struct output output = { whole->file, FILE_LARGEST };
+    struct state_file output = { whole->file, FILE_LARGEST };
     if (c205_save(machine, put, &output, &reason)) {
         return whole_commit(whole, error);
     }

@@ -5,8 +5,8 @@
 #include "asm/expression.h"
 
 /* layout.c: where things go. */
-struct item *layout_add(struct cursor *cursor, enum item_kind kind,
-                        uint64_t halves);
+struct layout_item *layout_add(struct cursor *cursor, enum item_kind kind,
+                               uint64_t halves);
 /* Data begin on words; labels that wait for them go along. */
 void layout_align(struct assembler *assembler, uint64_t bits);
 bool layout_label(struct cursor *cursor, const char *name, size_t length,

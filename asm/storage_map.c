@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct span {
+struct storage_span {
     uint64_t begin, end;
     const char *name;
 };
@@ -11,12 +11,12 @@ struct span {
 /* Of several names of one address the last has the storage. */
 struct storage_map {
     size_t count;
-    struct span spans[];
+    struct storage_span spans[];
 };
 
 static int compare(const void *a, const void *b)
 {
-    const struct span *first = a, *second = b;
+    const struct storage_span *first = a, *second = b;
 
     if (first->begin != second->begin)
         return first->begin < second->begin ? -1 : 1;
@@ -59,7 +59,7 @@ struct storage_map *storage_map_new(const struct object *object)
     map->count = 0;
     for (i = 0; i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
-        struct span *span = &map->spans[map->count];
+        struct storage_span *span = &map->spans[map->count];
 
         span->begin = (uint64_t)symbol->value;
         span->name = symbol->name;
@@ -67,7 +67,7 @@ struct storage_map *storage_map_new(const struct object *object)
     }
     qsort(map->spans, map->count, sizeof *map->spans, compare);
     for (i = 0; i < map->count; i++) {
-        struct span *span = &map->spans[i];
+        struct storage_span *span = &map->spans[i];
         uint64_t end = end_of_data(&object->program, span->begin);
 
         span->end = i + 1 < map->count && span[1].begin < end ? span[1].begin

@@ -11,6 +11,7 @@
 #include <time.h>
 
 #include "base/diagnostic.h"
+#include "rt/scene/language/scene_read.h"
 #include "rt/trace/trace.h"
 
 static struct scene *read_scene(const char *path, size_t width, size_t height)

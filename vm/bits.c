@@ -68,17 +68,17 @@ static void set_bit(uint64_t *bits, size_t i, bool value)
 
 /* As move.c does with words: mask takes the bit in the same place, merge the
  * next one that has not been taken. */
-struct choice {
+struct bit_choice {
     struct c205 *machine;
     struct vector a, b, c;
     struct control control;
     size_t next_a, next_b;
 };
 
-typedef void chooser(struct choice *choice, size_t first, size_t n,
+typedef void chooser(struct bit_choice *choice, size_t first, size_t n,
                      const uint64_t *from_a, uint64_t *bits);
 
-static void mask_bits(struct choice *choice, size_t first, size_t n,
+static void mask_bits(struct bit_choice *choice, size_t first, size_t n,
                       const uint64_t *from_a, uint64_t *bits)
 {
     uint64_t a[STRING_WORDS], b[STRING_WORDS];
@@ -88,7 +88,7 @@ static void mask_bits(struct choice *choice, size_t first, size_t n,
         bits[i] = (a[i] & from_a[i]) | (b[i] & ~from_a[i]);
 }
 
-static void merge_bits(struct choice *choice, size_t first, size_t n,
+static void merge_bits(struct bit_choice *choice, size_t first, size_t n,
                        const uint64_t *from_a, uint64_t *bits)
 {
     uint64_t a[STRING_WORDS], b[STRING_WORDS];
@@ -103,7 +103,7 @@ static void merge_bits(struct choice *choice, size_t first, size_t n,
     choice->next_b += n - count;
 }
 
-static c205_trap open_choice(struct choice *choice, struct c205 *machine,
+static c205_trap open_choice(struct bit_choice *choice, struct c205 *machine,
                              const struct decoded *decoded)
 {
     struct vector *a = &choice->a, *b = &choice->b, *c = &choice->c;
@@ -129,7 +129,7 @@ static c205_trap open_choice(struct choice *choice, struct c205 *machine,
 static c205_trap choose(struct c205 *machine, const struct decoded *decoded,
                         chooser *chosen)
 {
-    struct choice choice;
+    struct bit_choice choice;
     const struct vector *c = &choice.c;
     uint64_t bits[STRING_WORDS], from_a[STRING_WORDS];
     c205_trap trap = open_choice(&choice, machine, decoded);
@@ -169,7 +169,7 @@ c205_trap execute_bits_merge(struct c205 *machine,
 
 /* ---- Compress ---------------------------------------------------------- */
 
-struct sieve {
+struct bit_sieve {
     struct c205 *machine;
     struct vector a, c;
     struct control control;
@@ -178,7 +178,7 @@ struct sieve {
     struct turn turn;
 };
 
-static size_t keep_bits(const struct sieve *sieve, size_t first, size_t n,
+static size_t keep_bits(const struct bit_sieve *sieve, size_t first, size_t n,
                         uint64_t *kept)
 {
     uint64_t bits[STRING_WORDS], keep[STRING_WORDS];
@@ -193,7 +193,7 @@ static size_t keep_bits(const struct sieve *sieve, size_t first, size_t n,
 
 /* The result has as many bits as are kept; where it changes what is read,
  * there must be room for all. */
-static c205_trap claim_sieve(struct sieve *sieve, bool ahead)
+static c205_trap claim_sieve(struct bit_sieve *sieve, bool ahead)
 {
     struct c205 *machine = sieve->machine;
     const struct turn *turn = &sieve->turn;
@@ -215,7 +215,7 @@ static c205_trap claim_sieve(struct sieve *sieve, bool ahead)
     return trap;
 }
 
-static c205_trap store_kept(struct sieve *sieve, size_t chunk)
+static c205_trap store_kept(struct bit_sieve *sieve, size_t chunk)
 {
     struct memory *memory = &sieve->machine->memory;
     const struct turn *turn = &sieve->turn;
@@ -236,7 +236,7 @@ static c205_trap store_kept(struct sieve *sieve, size_t chunk)
 c205_trap execute_bits_compress(struct c205 *machine,
                                 const struct decoded *decoded)
 {
-    struct sieve sieve = { .machine = machine };
+    struct bit_sieve sieve = { .machine = machine };
     c205_trap trap = describe_string(&sieve.a, machine, decoded->a,
                                      decoded->x);
     if (trap == C205_TRAP_NONE)

@@ -138,7 +138,7 @@ const c205_insn *c205_insn_coded(uint8_t opcode, uint8_t g)
 
 /* Each byte field: its letter, how far it stands from the right end of the
  * word, and where c205_fields keeps it. */
-static const struct place {
+static const struct field_place {
     char letter;
     unsigned shift;
     size_t offset;
@@ -160,7 +160,7 @@ enum immediate { NO_IMMEDIATE, SIGNED, UNSIGNED, IF_RELATIVE };
 
 /* Which byte fields a format has, and where its immediate lies.  That of a
  * branch with G_RELATIVE lies over its fields Y and B, and is signed. */
-static const struct layout {
+static const struct format_layout {
     const char *letters;
     enum immediate immediate;
     unsigned shift, width;
@@ -204,19 +204,20 @@ static const struct layout {
     [C205_FORMAT_SQUEEZEB] = { "gxazc", NO_IMMEDIATE, 0, 0 }
 };
 
-static bool has_immediate(const struct layout *layout, uint8_t g)
+static bool has_immediate(const struct format_layout *layout, uint8_t g)
 {
     if (layout->immediate == IF_RELATIVE)
         return g & C205_G_RELATIVE;
     return layout->immediate != NO_IMMEDIATE;
 }
 
-static uint64_t immediate_mask(const struct layout *layout)
+static uint64_t immediate_mask(const struct format_layout *layout)
 {
     return (UINT64_C(1) << layout->width) - 1;
 }
 
-static int64_t take_immediate(const struct layout *layout, c205_word word)
+static int64_t take_immediate(const struct format_layout *layout,
+                              c205_word word)
 {
     uint64_t bits = word >> layout->shift & immediate_mask(layout);
     uint64_t sign = UINT64_C(1) << (layout->width - 1);
@@ -227,7 +228,7 @@ static int64_t take_immediate(const struct layout *layout, c205_word word)
 
 c205_fields c205_decode(const c205_insn *insn, c205_word word)
 {
-    const struct layout *layout = &layouts[insn->format];
+    const struct format_layout *layout = &layouts[insn->format];
     c205_fields fields;
     memset(&fields, 0, sizeof fields);
     fields.f = (uint8_t)(word >> OPCODE_SHIFT);
@@ -242,7 +243,7 @@ c205_fields c205_decode(const c205_insn *insn, c205_word word)
 
 c205_word c205_encode(const c205_insn *insn, const c205_fields *fields)
 {
-    const struct layout *layout = &layouts[insn->format];
+    const struct format_layout *layout = &layouts[insn->format];
     const uint8_t *bytes = (const uint8_t *)fields;
     c205_word word = (c205_word)insn->opcode << OPCODE_SHIFT;
     for (size_t i = 0; i < PLACES; i++)

@@ -50,7 +50,7 @@ struct c205 {
     const c205_model *model;
     struct effect effect;           /* of the instruction being executed .. */
     const struct decoded *executed; /* .. which listeners are told of */
-    struct progress progress;       /* of the one that was interrupted */
+    struct package progress;        /* of the one that was interrupted */
     size_t allowed;      /* elements of this one before the clock limit
                                  comes, SIZE_MAX: any number */
     uint64_t resumed_at; /* the clock shown when the run began */

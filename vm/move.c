@@ -74,7 +74,7 @@ static void merge_words(struct choice *choice, size_t first, size_t n,
 static c205_trap store_chosen(struct choice *choice, chooser *chosen)
 {
     struct stream *stream = &choice->stream;
-    struct progress *progress = &stream->machine->progress;
+    struct package *progress = &stream->machine->progress;
     c205_word words[CHUNK];
     uint64_t from_a[CHUNK_WORDS];
     choice->next_a = progress->count[0];

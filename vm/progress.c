@@ -8,7 +8,7 @@
 
 /* ---- The instruction itself --------------------------------------------- */
 
-static void keep_instruction(struct progress *progress,
+static void keep_instruction(struct package *progress,
                              const struct decoded *decoded)
 {
     c205_word word = c205_encode(decoded->insn, &decoded->fields);
@@ -19,7 +19,7 @@ static void keep_instruction(struct progress *progress,
 }
 
 /* Of one that was interrupted before, that is what was kept then. */
-void progress_interrupt(struct progress *progress,
+void progress_interrupt(struct package *progress,
                         const struct decoded *decoded)
 {
     progress->interrupted = true;
@@ -29,7 +29,7 @@ void progress_interrupt(struct progress *progress,
         keep_instruction(progress, decoded->linked[i]);
 }
 
-bool progress_holds(const struct progress *progress, uint64_t pc,
+bool progress_holds(const struct package *progress, uint64_t pc,
                     uint64_t address, c205_word *half)
 {
     uint64_t i = ((address - pc) & ADDRESS_MASK) / HALF_BITS;
@@ -41,7 +41,7 @@ bool progress_holds(const struct progress *progress, uint64_t pc,
 
 /* ---- On a tape ---------------------------------------------------------- */
 
-static void walk_instruction(struct progress *progress, struct tape *tape)
+static void walk_instruction(struct package *progress, struct tape *tape)
 {
     size_t halves = progress->halves;
     tape_size(tape, &halves, PACKAGE_HALVES);
@@ -63,7 +63,7 @@ static void walk_flag(bool *flag, struct tape *tape)
 }
 
 /* Whatever numbers a tape holds, the loops stay within what is claimed. */
-void progress_walk(struct progress *progress, struct tape *tape)
+void progress_walk(struct package *progress, struct tape *tape)
 {
     walk_flag(&progress->interrupted, tape);
     if (!progress->interrupted)

@@ -16,7 +16,7 @@
 /* A linked pair: a short prefix and two long instructions. */
 enum { PACKAGE_HALVES = 5 };
 
-struct progress {
+struct package {
     bool interrupted; /* the instruction at the program counter was; if not,
                          all of this is zero */
     size_t first;     /* elements done */
@@ -42,13 +42,13 @@ struct turn {
 struct tape;
 
 /* The instruction was interrupted; its loop has left the rest. */
-void progress_interrupt(struct progress *progress,
+void progress_interrupt(struct package *progress,
                         const struct decoded *decoded);
 /* The half word at an address belongs to the instruction at pc that was
  * interrupted. */
-bool progress_holds(const struct progress *progress, uint64_t pc,
+bool progress_holds(const struct package *progress, uint64_t pc,
                     uint64_t address, c205_word *half);
 /* To or from a tape; SCRATCH_KEPT aside. */
-void progress_walk(struct progress *progress, struct tape *tape);
+void progress_walk(struct package *progress, struct tape *tape);
 
 #endif

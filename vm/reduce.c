@@ -46,7 +46,7 @@ static c205_trap run_reduction(struct stream *stream,
                                const struct reduction *reduction,
                                c205_word *accumulator)
 {
-    struct progress *progress = &stream->machine->progress;
+    struct package *progress = &stream->machine->progress;
     uint64_t *flags = &stream->machine->data_flags;
     c205_word pairs[CHUNK];
     struct some some;
@@ -144,7 +144,7 @@ static void find_best(struct best *best, const c205_word *a, size_t first,
 }
 
 /* The one found before the instruction was interrupted, if it was. */
-static void resume_extreme(struct best *best, const struct progress *progress)
+static void resume_extreme(struct best *best, const struct package *progress)
 {
     if (!progress->found)
         return;
@@ -154,7 +154,7 @@ static void resume_extreme(struct best *best, const struct progress *progress)
     best->indefinite = word_is_indefinite(best->word);
 }
 
-static c205_trap interrupt_extreme(struct progress *progress,
+static c205_trap interrupt_extreme(struct package *progress,
                                    const struct best *best)
 {
     progress->word = best->word;
@@ -212,7 +212,7 @@ c205_trap execute_select(struct c205 *machine, const struct decoded *decoded)
 {
     lanes_compare *comparison = operation_of(decoded)->compare;
     struct stream stream;
-    struct progress *progress = &machine->progress;
+    struct package *progress = &machine->progress;
     uint64_t bits[CHUNK_WORDS], permitted[CHUNK_WORDS];
     bool found = progress->found;
     c205_trap trap = open_sources(&stream, machine, decoded);

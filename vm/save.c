@@ -59,13 +59,13 @@ uint64_t c205_program_hash(const c205_program *program)
 /* ---- Memory -------------------------------------------------------------- */
 
 /* So many words of zero, then so many that follow. */
-struct run {
+struct zero_run {
     size_t zeros, words;
 };
 
 /* From a word of a page on: up to the next two zeros, as a lone one costs no
  * more than what begins another run. */
-static struct run find_run(const c205_word *word, size_t left)
+static struct zero_run find_run(const c205_word *word, size_t left)
 {
     size_t begin = 0;
     while (begin < left && word[begin] == 0)
@@ -73,7 +73,7 @@ static struct run find_run(const c205_word *word, size_t left)
     size_t end = begin;
     while (end < left && (word[end] || (end + 1 < left && word[end + 1])))
         end++;
-    struct run run = { begin, end - begin };
+    struct zero_run run = { begin, end - begin };
     return run;
 }
 
@@ -81,7 +81,7 @@ static struct run find_run(const c205_word *word, size_t left)
 static void walk_words(c205_word *words, struct tape *tape)
 {
     for (size_t i = 0; i < C205_PAGE_WORDS;) {
-        struct run run = { 0, 0 };
+        struct zero_run run = { 0, 0 };
         if (!tape_is_read(tape))
             run = find_run(words + i, C205_PAGE_WORDS - i);
         tape_size(tape, &run.zeros, C205_PAGE_WORDS - i);
@@ -169,7 +169,7 @@ static void walk_registers(struct c205 *machine, struct tape *tape)
 
 static void walk_progress(struct c205 *machine, struct tape *tape)
 {
-    struct progress *progress = &machine->progress;
+    struct package *progress = &machine->progress;
     progress_walk(progress, tape);
     if (progress->kept == 0)
         return;

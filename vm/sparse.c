@@ -10,7 +10,7 @@
 enum { ORDER_BITS = C205_MAX_LENGTH + 1, ORDER_WORDS = ORDER_BITS / 64 };
 
 /* Where elements are present. */
-struct order {
+struct order_vector {
     struct vector vector;
     uint64_t bits[ORDER_WORDS]; /* zeros behind its end */
     size_t ones;
@@ -25,7 +25,7 @@ struct sparse {
     struct turn turn; /* through the places of the order vectors */
     struct source a, b;
     struct vector result;
-    struct order x, y, z;
+    struct order_vector x, y, z;
     size_t next_a, next_b, next_result;
 };
 
@@ -54,7 +54,7 @@ static c205_trap keep_orders(struct sparse *sparse)
     return C205_TRAP_NONE;
 }
 
-static c205_trap read_order(struct c205 *machine, struct order *order,
+static c205_trap read_order(struct c205 *machine, struct order_vector *order,
                             c205_word descriptor, const uint64_t *kept)
 {
     struct vector *vector = &order->vector;
@@ -75,8 +75,8 @@ static c205_trap read_order(struct c205 *machine, struct order *order,
 /* The result is as long as the longer one. */
 static void combine_orders(struct sparse *sparse, enum presence presence)
 {
-    const struct order *x = &sparse->x, *y = &sparse->y;
-    struct order *z = &sparse->z;
+    const struct order_vector *x = &sparse->x, *y = &sparse->y;
+    struct order_vector *z = &sparse->z;
     z->vector.length = x->vector.length > y->vector.length ? x->vector.length
                                                            : y->vector.length;
     for (size_t i = 0; i < ORDER_WORDS; i++)
@@ -85,7 +85,8 @@ static void combine_orders(struct sparse *sparse, enum presence presence)
     z->ones = count_ones(z->bits, z->vector.length);
 }
 
-static size_t ones_from(const struct order *order, size_t first, size_t n)
+static size_t ones_from(const struct order_vector *order, size_t first,
+                        size_t n)
 {
     size_t count = 0;
     for (size_t i = first; i < first + n; i++)
@@ -116,7 +117,7 @@ static c205_trap describe_packed(struct sparse *sparse,
 static c205_trap claim_packed(struct sparse *sparse)
 {
     struct c205 *machine = sparse->machine;
-    struct order *z = &sparse->z;
+    struct order_vector *z = &sparse->z;
     sparse->result.length = z->ones;
     c205_trap trap = claim_source(machine, &sparse->a, sparse->x.ones);
     if (trap == C205_TRAP_NONE)

@@ -254,7 +254,7 @@ static void make_interval(struct c205 *machine,
 
 static c205_trap run_interval(struct stream *stream)
 {
-    struct progress *progress = &stream->machine->progress;
+    struct package *progress = &stream->machine->progress;
     bool half = stream->result.width == HALF_BITS;
     struct progression progression = { half ? half_add_upper
                                             : arith_add_upper,

@@ -8,7 +8,7 @@ int main(int argc, char **argv)
         &run_command,   &asm_command,  &dis_command, &isa_command,
         &model_command, &time_command, NULL
     };
-    static const struct cmd_arguments arguments = { .limit = C205_NO_LIMIT };
+    static const struct c205_arguments arguments = { .limit = C205_NO_LIMIT };
     static const struct command_example files[] = {
         { "NAME.s",
           "A program text. The files of macros and routines that it includes "

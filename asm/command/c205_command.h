@@ -27,7 +27,7 @@ struct cmd_warnings {
     bool list; /* all that there are, and do nothing else */
 };
 
-struct cmd_arguments {
+struct c205_arguments {
     const char *command;
     const char *model;
     struct results results;
@@ -44,7 +44,7 @@ struct cmd_arguments {
 
 /* ---- Options of several commands ---------------------------------------- */
 
-#define CMD_PLACE(member) offsetof(struct cmd_arguments, member)
+#define CMD_PLACE(member) offsetof(struct c205_arguments, member)
 
 /* NAME=VALUE into cmd_defines. */
 command_take cmd_take_define;
@@ -53,10 +53,10 @@ command_take cmd_take_warning;
 
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
-#define CMD_RESULTS RESULTS_OPTIONS(struct cmd_arguments, results)
+#define CMD_RESULTS RESULTS_OPTIONS(struct c205_arguments, results)
 /* .. of figures on a model. */
 #define CMD_FIGURES \
-    CMD_RESULTS, RESULTS_OPTION_PROVENANCE(struct cmd_arguments, results)
+    CMD_RESULTS, RESULTS_OPTION_PROVENANCE(struct c205_arguments, results)
 #define CMD_INCLUDE COMMAND_OPTION_INCLUDE(CMD_PLACE(folders))
 #define CMD_DEFINE \
     { .name = "define", .value = "NAME=VALUE", .kind = COMMAND_OWN, \
@@ -82,11 +82,11 @@ command_take cmd_take_warning;
 /* ---- Their work --------------------------------------------------------- */
 
 /* run --check: test programs and what they expect. */
-int cmd_check(const struct cmd_arguments *arguments);
+int cmd_check(const struct c205_arguments *arguments);
 
 /* A program from its text or from an object file; NULL after all errors have
  * gone to the report. */
-struct object *cmd_read_program(const struct cmd_arguments *arguments,
+struct object *cmd_read_program(const struct c205_arguments *arguments,
                                 const char *path, const struct sink *report);
 
 /* -W list. */

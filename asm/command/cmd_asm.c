@@ -5,7 +5,7 @@
 
 static int assemble(void *given)
 {
-    const struct cmd_arguments *arguments = given;
+    const struct c205_arguments *arguments = given;
     if (arguments->warnings.list) {
         return cmd_list_warnings();
     }

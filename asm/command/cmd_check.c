@@ -14,7 +14,7 @@
 static const uint64_t patience = 100000000;
 
 struct checker {
-    const struct cmd_arguments *arguments;
+    const struct c205_arguments *arguments;
     const struct results *results;
     struct table *table; /* where results are not text */
     c205_model *model;   /* of the last program, kept for the next */
@@ -213,7 +213,7 @@ static void check_one(struct checker *checker, const char *path)
 
 static int check_all(struct checker *checker)
 {
-    const struct cmd_arguments *arguments = checker->arguments;
+    const struct c205_arguments *arguments = checker->arguments;
     const struct results *results = checker->results;
     bool tabular = results->file && results->format != RESULTS_TEXT;
     if (tabular && !(checker->table = table_new(TABLE_COLUMNS(columns)))) {
@@ -241,7 +241,7 @@ static int check_all(struct checker *checker)
 }
 
 /* A model that the user names must be there. */
-static bool check_model(const struct cmd_arguments *arguments)
+static bool check_model(const struct c205_arguments *arguments)
 {
     c205_model *model = model_open(arguments->command, arguments->model);
     c205_model_free(model);
@@ -249,7 +249,7 @@ static bool check_model(const struct cmd_arguments *arguments)
 }
 
 /* What failed is a result, too: the JSON is kept. */
-int cmd_check(const struct cmd_arguments *arguments)
+int cmd_check(const struct c205_arguments *arguments)
 {
     struct results results = arguments->results;
     struct checker checker = { .arguments = arguments, .results = &results };

@@ -4,7 +4,7 @@
 
 static int disassemble_file(void *given)
 {
-    const struct cmd_arguments *arguments = given;
+    const struct c205_arguments *arguments = given;
     struct sink sink = stream_sink(stdout);
     struct sink report = stream_sink(stderr);
     struct object *object = cmd_read_program(arguments, arguments->file,

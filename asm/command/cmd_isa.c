@@ -146,7 +146,7 @@ static const c205_insn *row_named(const char *name)
     return NULL;
 }
 
-static bool chosen(const struct cmd_arguments *arguments,
+static bool chosen(const struct c205_arguments *arguments,
                    const c205_insn *insn)
 {
     for (size_t i = 0; i < arguments->files.count; i++) {
@@ -157,7 +157,7 @@ static bool chosen(const struct cmd_arguments *arguments,
     return arguments->files.count == 0;
 }
 
-static struct table *chosen_rows(const struct cmd_arguments *arguments)
+static struct table *chosen_rows(const struct c205_arguments *arguments)
 {
     struct table *table = table_new(TABLE_COLUMNS(columns));
     for (size_t i = 0; table && i < c205_insn_count; i++) {
@@ -181,7 +181,7 @@ static bool print_brief(void)
 
 /* The names alone; of those that were named all that is known; or a line of
  * each. */
-static bool print_text(const struct cmd_arguments *arguments)
+static bool print_text(const struct c205_arguments *arguments)
 {
     if (arguments->files.count == 0 && !arguments->names) {
         return print_brief();
@@ -201,7 +201,7 @@ static bool print_text(const struct cmd_arguments *arguments)
 }
 
 /* What is not text has the rows of the whole table in each case. */
-static int show(const struct cmd_arguments *arguments,
+static int show(const struct c205_arguments *arguments,
                 const struct results *results)
 {
     struct results rest = *results;
@@ -214,7 +214,7 @@ static int show(const struct cmd_arguments *arguments,
     return results_show(&rest, chosen_rows(arguments), "instructions", NULL);
 }
 
-static int markdown(const struct cmd_arguments *arguments)
+static int markdown(const struct c205_arguments *arguments)
 {
     c205_model *model;
     int code;
@@ -230,7 +230,7 @@ static int markdown(const struct cmd_arguments *arguments)
 
 static int run(void *given)
 {
-    const struct cmd_arguments *arguments = given;
+    const struct c205_arguments *arguments = given;
     struct results results = arguments->results;
     if (arguments->markdown) {
         return markdown(arguments);

@@ -73,7 +73,7 @@ static int show(const char *command, const char *name,
 
 static int run(void *given)
 {
-    const struct cmd_arguments *arguments = given;
+    const struct c205_arguments *arguments = given;
     struct results results = arguments->results;
     if (!results_open(&results, arguments->command, NULL)) {
         return CMD_FAILED;

@@ -48,13 +48,13 @@ static void stop_json(const c205 *machine, const c205_stop *stop,
     json_count(json, "clocks", c205_clock(machine));
 }
 
-static const char *program_name(const struct cmd_arguments *arguments)
+static const char *program_name(const struct c205_arguments *arguments)
 {
     return arguments->files.count ? arguments->files.items[0]
                                   : arguments->restore;
 }
 
-static int show_accounts(const struct cmd_arguments *arguments,
+static int show_accounts(const struct c205_arguments *arguments,
                          const c205 *machine, const c205_stop *stop,
                          const struct results *results)
 {
@@ -82,7 +82,7 @@ static int show_accounts(const struct cmd_arguments *arguments,
 /* ---- How it ended -------------------------------------------------------- */
 
 /* As an exit code. */
-static int judge_trap(const struct cmd_arguments *arguments,
+static int judge_trap(const struct c205_arguments *arguments,
                       const struct object *object, const c205 *machine,
                       const c205_stop *stop)
 {
@@ -101,7 +101,7 @@ static int judge_trap(const struct cmd_arguments *arguments,
     return CMD_FAILED;
 }
 
-static int judge(const struct cmd_arguments *arguments,
+static int judge(const struct c205_arguments *arguments,
                  const struct object *object, const c205 *machine,
                  const c205_stop *stop)
 {
@@ -125,7 +125,7 @@ static bool may_go_on(const c205_stop *stop)
     return stop->trap == C205_TRAP_CLOCK_LIMIT;
 }
 
-static int save(const struct cmd_arguments *arguments,
+static int save(const struct c205_arguments *arguments,
                 const struct object *object, const c205 *machine,
                 const c205_stop *stop, const struct results *results)
 {
@@ -152,7 +152,7 @@ static struct printer printer_beside(const struct results *results)
 }
 
 /* A watch for a program whose object is known; not if nothing is warned of. */
-static bool start_watch(const struct cmd_arguments *arguments, c205 *machine,
+static bool start_watch(const struct c205_arguments *arguments, c205 *machine,
                         const struct object *object,
                         struct program_watch **watch)
 {
@@ -171,7 +171,7 @@ static bool start_watch(const struct cmd_arguments *arguments, c205 *machine,
 }
 
 /* An interruption is not lost among the results. */
-static int conclude(const struct cmd_arguments *arguments,
+static int conclude(const struct c205_arguments *arguments,
                     const struct object *object, const c205 *machine,
                     const c205_stop *stop, const struct results *results)
 {
@@ -190,7 +190,7 @@ static int conclude(const struct cmd_arguments *arguments,
 
 /* ---- The run ------------------------------------------------------------- */
 
-static uint64_t find_limit(const struct cmd_arguments *arguments,
+static uint64_t find_limit(const struct c205_arguments *arguments,
                            const c205 *machine)
 {
     return arguments->limit != C205_NO_LIMIT || arguments->no_limit
@@ -212,7 +212,7 @@ static c205_stop run_slices(c205 *machine, uint64_t limit)
     return stop;
 }
 
-static int run(const struct cmd_arguments *arguments, c205 *machine,
+static int run(const struct c205_arguments *arguments, c205 *machine,
                const struct object *object)
 {
     struct program_watch *watch;
@@ -268,7 +268,7 @@ static c205 *restore(const char *path, const c205_model *model,
     return machine;
 }
 
-static int make_and_run(const struct cmd_arguments *arguments,
+static int make_and_run(const struct c205_arguments *arguments,
                         const c205_model *model, const struct object *object)
 {
     c205_error error;
@@ -283,7 +283,7 @@ static int make_and_run(const struct cmd_arguments *arguments,
     return code;
 }
 
-static int read_and_run(const struct cmd_arguments *arguments,
+static int read_and_run(const struct c205_arguments *arguments,
                         const c205_model *model)
 {
     struct sink report = stream_sink(stderr);
@@ -299,7 +299,7 @@ static int read_and_run(const struct cmd_arguments *arguments,
 }
 
 /* CMD_DONE: these arguments make sense together. */
-static int check_usage(const struct cmd_arguments *arguments)
+static int check_usage(const struct c205_arguments *arguments)
 {
     const char *command = arguments->command;
     bool state = arguments->save || arguments->restore;
@@ -322,7 +322,7 @@ static int check_usage(const struct cmd_arguments *arguments)
 
 static int run_command_line(void *given)
 {
-    const struct cmd_arguments *arguments = given;
+    const struct c205_arguments *arguments = given;
     if (arguments->warnings.list) {
         return cmd_list_warnings();
     }

@@ -37,7 +37,7 @@ static struct object *read_object(const char *path, const char *text,
     return object;
 }
 
-static struct object *assemble(const struct cmd_arguments *arguments,
+static struct object *assemble(const struct c205_arguments *arguments,
                                const char *path, const char *text,
                                size_t length, const struct sink *report)
 {
@@ -55,7 +55,7 @@ static struct object *assemble(const struct cmd_arguments *arguments,
     return object;
 }
 
-struct object *cmd_read_program(const struct cmd_arguments *arguments,
+struct object *cmd_read_program(const struct c205_arguments *arguments,
                                 const char *path, const struct sink *report)
 {
     c205_error error;

@@ -153,7 +153,7 @@ static struct table *class_table(const struct measurements *measured,
 
 /* ---- What is measured ---- */
 
-static bool add_name(const struct cmd_arguments *arguments,
+static bool add_name(const struct c205_arguments *arguments,
                      const c205_model *model, const char *name,
                      struct measurements *measured)
 {
@@ -172,7 +172,7 @@ static bool add_name(const struct cmd_arguments *arguments,
 }
 
 /* All of the table in one size, and the triad. */
-static bool measure_size(const struct cmd_arguments *arguments,
+static bool measure_size(const struct c205_arguments *arguments,
                          const c205_model *model, const char *suffix,
                          struct measurements *measured)
 {
@@ -189,7 +189,7 @@ static bool measure_size(const struct cmd_arguments *arguments,
 }
 
 /* Those that were named, in that order; or all. */
-static bool measure_all(const struct cmd_arguments *arguments,
+static bool measure_all(const struct c205_arguments *arguments,
                         const c205_model *model,
                         struct measurements *measured)
 {
@@ -208,7 +208,7 @@ static bool measure_all(const struct cmd_arguments *arguments,
 /* ---- What is told ---- */
 
 /* JSON has them in any case. */
-static int show_points(const struct cmd_arguments *arguments,
+static int show_points(const struct c205_arguments *arguments,
                        const struct measurements *measured,
                        const struct results *results)
 {
@@ -226,7 +226,7 @@ static int show_points(const struct cmd_arguments *arguments,
 
 /* Those that were named each for itself; all of them class by class.  Other
  * programs are told of each in any case. */
-static int show_speeds(const struct cmd_arguments *arguments,
+static int show_speeds(const struct c205_arguments *arguments,
                        const c205_model *model,
                        const struct measurements *measured,
                        const struct results *results)
@@ -247,7 +247,7 @@ static int show_speeds(const struct cmd_arguments *arguments,
                               NULL);
 }
 
-static int show(const struct cmd_arguments *arguments,
+static int show(const struct c205_arguments *arguments,
                 const c205_model *model, const struct measurements *measured,
                 const struct results *results)
 {
@@ -264,7 +264,7 @@ static int show(const struct cmd_arguments *arguments,
     return code;
 }
 
-static int time_model(const struct cmd_arguments *arguments,
+static int time_model(const struct c205_arguments *arguments,
                       const c205_model *model, const struct results *results)
 {
     struct measurements measured = { 0, NULL };
@@ -277,7 +277,7 @@ static int time_model(const struct cmd_arguments *arguments,
 
 static int run(void *given)
 {
-    const struct cmd_arguments *arguments = given;
+    const struct c205_arguments *arguments = given;
     struct results results = arguments->results;
     for (size_t i = 0; i < arguments->files.count; i++) {
         const char *name = arguments->files.items[i];

@@ -5,7 +5,7 @@
 #include "rt/command/rt205_command.h"
 #include "rt/study/profile.h"
 
-static void tell_head(const struct cmd_arguments *arguments,
+static void tell_head(const struct rt205_arguments *arguments,
                       uint64_t checksum, const struct results *results)
 {
     const struct trace_options *options = &arguments->trace;
@@ -55,7 +55,7 @@ static bool tell_table(enum profile_table kind, const struct profile *profile,
     return good;
 }
 
-static bool tell(const struct cmd_arguments *arguments,
+static bool tell(const struct rt205_arguments *arguments,
                  const struct profile *profile, const struct results *results)
 {
     bool good = true;
@@ -66,7 +66,7 @@ static bool tell(const struct cmd_arguments *arguments,
     return good;
 }
 
-static int run(const struct cmd_arguments *arguments,
+static int run(const struct rt205_arguments *arguments,
                const struct results *results)
 {
     struct scene *scene = cmd_read_scene(arguments);

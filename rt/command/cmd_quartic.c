@@ -83,7 +83,7 @@ static void write_roots(size_t index, const struct polynomial_roots *roots,
 }
 
 /* Returns how many polynomials were refused; those are named on stderr. */
-static size_t tell_roots(const struct cmd_arguments *arguments,
+static size_t tell_roots(const struct rt205_arguments *arguments,
                          const struct polynomials *polynomials,
                          const struct polynomial_roots *roots,
                          struct table *table, const struct results *results)
@@ -139,7 +139,7 @@ static size_t count_roots(const struct polynomial_roots *roots, size_t count)
 /* ---- The search --------------------------------------------------------- */
 
 static struct roots_options
-search_options(const struct cmd_arguments *arguments, enum trace_mode mode,
+search_options(const struct rt205_arguments *arguments, enum trace_mode mode,
                enum falsi falsi)
 {
     struct roots_options options = {
@@ -173,7 +173,7 @@ static struct root_search *search(const struct polynomials *polynomials,
     return NULL;
 }
 
-static int solve(const struct cmd_arguments *arguments,
+static int solve(const struct rt205_arguments *arguments,
                  const struct polynomials *polynomials,
                  const struct results *results)
 {
@@ -223,7 +223,7 @@ struct rule_run {
 };
 
 struct comparison {
-    const struct cmd_arguments *arguments;
+    const struct rt205_arguments *arguments;
     const struct polynomials *polynomials;
     struct rule_run runs[FALSI_RULES][TRACE_FORMS];
 };
@@ -294,7 +294,7 @@ static bool run_rules(struct comparison *comparison, c205_error *error)
     return tasks_run(&tasks, error);
 }
 
-static int compare_rules(const struct cmd_arguments *arguments,
+static int compare_rules(const struct rt205_arguments *arguments,
                          const struct polynomials *polynomials,
                          const struct results *results)
 {
@@ -323,7 +323,7 @@ static int compare_rules(const struct cmd_arguments *arguments,
 
 /* ---- The command -------------------------------------------------------- */
 
-static int run(const struct cmd_arguments *arguments,
+static int run(const struct rt205_arguments *arguments,
                const struct results *results)
 {
     struct polynomials polynomials = { 0, NULL, NULL };
@@ -342,7 +342,7 @@ static int run(const struct cmd_arguments *arguments,
 
 static int run_command_line(void *given)
 {
-    struct cmd_arguments *arguments = given;
+    struct rt205_arguments *arguments = given;
 
     if (arguments->all && arguments->first)
         return cmd_usage(arguments->command,

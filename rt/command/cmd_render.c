@@ -5,7 +5,7 @@
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 
-static bool write_picture(const struct cmd_arguments *arguments,
+static bool write_picture(const struct rt205_arguments *arguments,
                           const struct trace *trace, c205_error *error)
 {
     const struct accounts *accounts = trace_accounts(trace);
@@ -42,14 +42,14 @@ static bool write_picture(const struct cmd_arguments *arguments,
 
 /* What a run has to tell, in lines, in a table and in JSON. */
 struct result {
-    const struct cmd_arguments *arguments;
+    const struct rt205_arguments *arguments;
     const c205_model *model;
     uint64_t clocks;
     size_t rays, hits; /* of the camera */
     char checksum[17];
 };
 
-static struct result result_of(const struct cmd_arguments *arguments,
+static struct result result_of(const struct rt205_arguments *arguments,
                                const struct trace *trace)
 {
     const struct accounts *accounts = trace_accounts(trace);
@@ -67,7 +67,7 @@ static struct result result_of(const struct cmd_arguments *arguments,
 static void print_result(const struct result *result,
                          const struct results *results)
 {
-    const struct cmd_arguments *arguments = result->arguments;
+    const struct rt205_arguments *arguments = result->arguments;
     const struct trace_options *trace = &arguments->trace;
     char queue[48] = "", time[ACCOUNTS_TIME];
 
@@ -102,7 +102,7 @@ static struct table *table_of(const struct result *result)
         { "checksum", "checksum", TABLE_TEXT, 0 },
         { "picture", "picture", TABLE_TEXT, 0 },
     };
-    const struct cmd_arguments *arguments = result->arguments;
+    const struct rt205_arguments *arguments = result->arguments;
     const struct trace_options *trace = &arguments->trace;
     struct table *table = table_new(TABLE_COLUMNS(columns));
 
@@ -159,7 +159,7 @@ static int tell_result(const struct result *result,
 }
 
 /* JSON has the accounts in any case. */
-static int tell(const struct cmd_arguments *arguments,
+static int tell(const struct rt205_arguments *arguments,
                 const struct trace *trace, const struct results *results)
 {
     const struct result result = result_of(arguments, trace);
@@ -177,7 +177,7 @@ static int tell(const struct cmd_arguments *arguments,
 /* ---- A frame from its beginning to its end ------------------------------- */
 
 /* What the file that --resume names already has. */
-static void tell_kept(const struct cmd_arguments *arguments,
+static void tell_kept(const struct rt205_arguments *arguments,
                       const struct trace *trace)
 {
     size_t kept = trace_bands_done(trace);
@@ -191,7 +191,7 @@ static void tell_kept(const struct cmd_arguments *arguments,
                 arguments->command, arguments->resume);
 }
 
-static bool keep(const struct cmd_arguments *arguments, struct trace *trace,
+static bool keep(const struct rt205_arguments *arguments, struct trace *trace,
                  c205_error *error)
 {
     if (!arguments->resume)
@@ -203,7 +203,7 @@ static bool keep(const struct cmd_arguments *arguments, struct trace *trace,
 }
 
 /* The rows that are done when Ctrl-C was pressed, and what became of them. */
-static void save_rows(const struct cmd_arguments *arguments,
+static void save_rows(const struct rt205_arguments *arguments,
                       const struct trace *trace, char *told, size_t size)
 {
     size_t rows = trace_rows_done(trace);
@@ -220,7 +220,7 @@ static void save_rows(const struct cmd_arguments *arguments,
 }
 
 /* What a later run with --resume begins with. */
-static void tell_resume(const struct cmd_arguments *arguments,
+static void tell_resume(const struct rt205_arguments *arguments,
                         const struct trace *trace, char *told, size_t size)
 {
     size_t kept = trace_bands_done(trace);
@@ -233,7 +233,7 @@ static void tell_resume(const struct cmd_arguments *arguments,
         snprintf(told, size, "; no band is done: --resume begins anew");
 }
 
-static int end_early(const struct cmd_arguments *arguments,
+static int end_early(const struct rt205_arguments *arguments,
                      const struct trace *trace, const c205_error *why)
 {
     char rows[300] = "", bands[200] = "";
@@ -245,7 +245,7 @@ static int end_early(const struct cmd_arguments *arguments,
                       bands);
 }
 
-static int run(const struct cmd_arguments *arguments, struct trace *trace,
+static int run(const struct rt205_arguments *arguments, struct trace *trace,
                const struct results *results)
 {
     c205_error error = { "no memory" };
@@ -259,7 +259,7 @@ static int run(const struct cmd_arguments *arguments, struct trace *trace,
     return cmd_failed(arguments->command, "%s", error.message);
 }
 
-static int render(const struct cmd_arguments *arguments,
+static int render(const struct rt205_arguments *arguments,
                   const struct scene *scene, const struct results *results)
 {
     c205_error error = { "no memory" };
@@ -272,7 +272,7 @@ static int render(const struct cmd_arguments *arguments,
     return code;
 }
 
-static int render_scene(const struct cmd_arguments *arguments,
+static int render_scene(const struct rt205_arguments *arguments,
                         const struct results *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
@@ -284,7 +284,7 @@ static int render_scene(const struct cmd_arguments *arguments,
 
 /* What is wrong with the files asked for: the exit code, CMD_DONE if
  * nothing. */
-static int check_files(const struct cmd_arguments *arguments)
+static int check_files(const struct rt205_arguments *arguments)
 {
     struct picture_error why;
 
@@ -301,7 +301,7 @@ static int check_files(const struct cmd_arguments *arguments)
 
 static int run_command_line(void *given)
 {
-    struct cmd_arguments *arguments = given;
+    struct rt205_arguments *arguments = given;
     int code = check_files(arguments);
 
     return code == CMD_DONE ? cmd_with_machine(arguments, render_scene)

@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 /* What is not drawn has its other results, and they are kept. */
-static int work_and_close(const struct cmd_arguments *arguments,
+static int work_and_close(const struct rt205_arguments *arguments,
                           struct results *results, cmd_work *work)
 {
     int code = work(arguments, results);
@@ -15,7 +15,7 @@ static int work_and_close(const struct cmd_arguments *arguments,
     return code == CMD_UNDRAWN ? CMD_FAILED : kept;
 }
 
-static int open_and_work(struct cmd_arguments *arguments, cmd_work *work)
+static int open_and_work(struct rt205_arguments *arguments, cmd_work *work)
 {
     struct results results = arguments->results;
 
@@ -29,7 +29,7 @@ static int open_and_work(struct cmd_arguments *arguments, cmd_work *work)
     return work_and_close(arguments, &results, work);
 }
 
-int cmd_with_machine(struct cmd_arguments *arguments, cmd_work *work)
+int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work)
 {
     const struct trace_options *trace = &arguments->trace;
     c205_model *model;
@@ -54,7 +54,7 @@ static bool go_on(void *context)
 }
 
 /* No pixel can show an object: it is told, for the picture does not tell. */
-static void warn_of_nothing(const struct cmd_arguments *arguments,
+static void warn_of_nothing(const struct rt205_arguments *arguments,
                             const struct scene *scene)
 {
     if (scene->primitive_count == 0)
@@ -64,7 +64,7 @@ static void warn_of_nothing(const struct cmd_arguments *arguments,
                 arguments->scene);
 }
 
-struct scene *cmd_read_scene(const struct cmd_arguments *arguments)
+struct scene *cmd_read_scene(const struct rt205_arguments *arguments)
 {
     struct scene_options options = {
         .width = (int)arguments->trace.width,

@@ -6,7 +6,7 @@
 #include "rt/command/rt205_command.h"
 #include "rt/study/speedup_report.h"
 
-static void print_head(const struct cmd_arguments *arguments,
+static void print_head(const struct rt205_arguments *arguments,
                        const struct results *results)
 {
     const struct trace_options *trace = &arguments->trace;
@@ -27,10 +27,10 @@ static void print_head(const struct cmd_arguments *arguments,
 
 /* The models of so many projections, one after another: Table 1 needs the
  * first. */
-static bool each_projection(const struct cmd_arguments *arguments, int count,
-                            void (*tell)(const c205_model *model,
-                                         void *context),
-                            void *context, c205_error *error)
+static bool
+each_projection(const struct rt205_arguments *arguments, int count,
+                void (*tell)(const c205_model *model, void *context),
+                void *context, c205_error *error)
 {
     for (int i = 0; i < count; i++) {
         const char *name = speedup_projection_model(arguments->trace.model,
@@ -64,7 +64,7 @@ static void print_projection(const c205_model *model, void *context)
     results_model(results, model);
 }
 
-static bool print(const struct cmd_arguments *arguments,
+static bool print(const struct rt205_arguments *arguments,
                   const struct speedup_report *report,
                   const struct results *results, c205_error *error)
 {
@@ -89,7 +89,7 @@ static bool print(const struct cmd_arguments *arguments,
                || speedup_report_passes(report, format, results->file));
 }
 
-static bool write_json(const struct cmd_arguments *arguments,
+static bool write_json(const struct rt205_arguments *arguments,
                        const struct speedup_report *report, struct json *json,
                        c205_error *error)
 {
@@ -107,7 +107,7 @@ static bool write_json(const struct cmd_arguments *arguments,
     return good && speedup_report_json(report, json);
 }
 
-static bool measure_all(const struct cmd_arguments *arguments,
+static bool measure_all(const struct rt205_arguments *arguments,
                         struct speedup_report *report, c205_error *error)
 {
     struct speedup_measure(
@@ -124,7 +124,7 @@ static bool measure_all(const struct cmd_arguments *arguments,
     return good;
 }
 
-static int speedup(const struct cmd_arguments *arguments,
+static int speedup(const struct rt205_arguments *arguments,
                    const struct results *results)
 {
     struct speedup_report *report = speedup_report_new(

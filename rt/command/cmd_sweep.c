@@ -33,7 +33,7 @@ static const struct speedup_subject *subject_named(const char *name)
     return NULL;
 }
 
-static int check_lengths(const struct cmd_arguments *arguments,
+static int check_lengths(const struct rt205_arguments *arguments,
                          const struct sweep_kind *kind)
 {
     size_t rays = arguments->trace.width * arguments->trace.height;
@@ -56,7 +56,7 @@ static int check_lengths(const struct cmd_arguments *arguments,
     return CMD_DONE;
 }
 
-static int check_subject(const struct cmd_arguments *arguments,
+static int check_subject(const struct rt205_arguments *arguments,
                          const struct sweep_kind *kind)
 {
     const char *name = arguments->scene;
@@ -75,7 +75,7 @@ static int check_subject(const struct cmd_arguments *arguments,
 }
 
 /* The plot's three files, and the JSON. */
-static int check_files(const struct cmd_arguments *arguments)
+static int check_files(const struct rt205_arguments *arguments)
 {
     const char *endings[] = { NULL, "dat", "gp" };
     c205_error error;
@@ -101,7 +101,7 @@ static int check_files(const struct cmd_arguments *arguments)
     return CMD_DONE;
 }
 
-static int check(const struct cmd_arguments *arguments)
+static int check(const struct rt205_arguments *arguments)
 {
     const struct sweep_kind *kind = sweep_kinds[arguments->sweep];
     int code;
@@ -120,7 +120,7 @@ static bool has_frame(const struct sweep_kind *kind)
     return kind != &sweep_length;
 }
 
-static void print_head(const struct cmd_arguments *arguments,
+static void print_head(const struct rt205_arguments *arguments,
                        const struct sweep *sweep,
                        const struct sweep_kind *kind,
                        const struct results *results)
@@ -149,7 +149,7 @@ static void print_head(const struct cmd_arguments *arguments,
 }
 
 /* What has no part in this sweep is left out. */
-static void write_head(const struct cmd_arguments *arguments,
+static void write_head(const struct rt205_arguments *arguments,
                        const struct sweep *sweep,
                        const struct sweep_kind *kind, struct json *json)
 {
@@ -172,7 +172,7 @@ static void write_head(const struct cmd_arguments *arguments,
     provenance_json(trace->model, json);
 }
 
-static bool draw(const struct cmd_arguments *arguments,
+static bool draw(const struct rt205_arguments *arguments,
                  const struct sweep *sweep, const struct sweep_kind *kind,
                  const struct sweep_report *report, c205_error *error)
 {
@@ -195,7 +195,7 @@ static bool draw(const struct cmd_arguments *arguments,
 }
 
 /* All but the plot. */
-static bool tell(const struct cmd_arguments *arguments,
+static bool tell(const struct rt205_arguments *arguments,
                  const struct sweep *sweep, const struct sweep_kind *kind,
                  const struct sweep_report *report,
                  const struct results *results, c205_error *error)
@@ -214,7 +214,7 @@ static bool tell(const struct cmd_arguments *arguments,
     return good;
 }
 
-static struct sweep sweep_of(const struct cmd_arguments *arguments,
+static struct sweep sweep_of(const struct rt205_arguments *arguments,
                              const struct scene *scene,
                              const struct sweep_kind *kind)
 {
@@ -231,7 +231,7 @@ static struct sweep sweep_of(const struct cmd_arguments *arguments,
     return sweep;
 }
 
-static int sweep_target(const struct cmd_arguments *arguments,
+static int sweep_target(const struct rt205_arguments *arguments,
                         const struct scene *scene,
                         const struct results *results)
 {
@@ -255,7 +255,7 @@ static int sweep_target(const struct cmd_arguments *arguments,
     return code;
 }
 
-static int sweep(const struct cmd_arguments *arguments,
+static int sweep(const struct rt205_arguments *arguments,
                  const struct results *results)
 {
     struct scene *scene;
@@ -271,7 +271,7 @@ static int sweep(const struct cmd_arguments *arguments,
 
 static int run_command_line(void *given)
 {
-    struct cmd_arguments *arguments = given;
+    struct rt205_arguments *arguments = given;
     int code = check(arguments);
 
     return code == CMD_DONE ? cmd_with_machine(arguments, sweep) : code;

@@ -31,7 +31,7 @@ static bool watch_progress(void *context, size_t done, size_t all)
     return !interrupted;
 }
 
-void cmd_watch(struct cmd_arguments *arguments)
+void cmd_watch(struct rt205_arguments *arguments)
 {
     struct sigaction action = { .sa_handler = on_interrupt };
 

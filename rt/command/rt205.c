@@ -25,7 +25,7 @@ int main(int argc, char **argv)
         .version = C205_VERSION,
         .commands = commands,
         .files = files,
-        .arguments_size = sizeof(struct cmd_arguments),
+        .arguments_size = sizeof(struct rt205_arguments),
     };
 
     return command_main(&program, argc, argv);

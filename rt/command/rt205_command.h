@@ -23,7 +23,7 @@ struct cmd_points {
     size_t items[SWEEP_LENGTHS_MOST];
 };
 
-struct cmd_arguments {
+struct rt205_arguments {
     const char *command;
     const char *scene;  /* the file to work on, or NULL; of a sweep
                                    perhaps a primitive */
@@ -47,15 +47,15 @@ struct cmd_arguments {
 
 /* ---- Options of several commands ---------------------------------------- */
 
-#define CMD_PLACE(member) offsetof(struct cmd_arguments, member)
+#define CMD_PLACE(member) offsetof(struct rt205_arguments, member)
 
 command_choice cmd_mode_choice, cmd_visible_choice;
 
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
 #define CMD_RESULTS \
-    RESULTS_OPTIONS(struct cmd_arguments, results), \
-    RESULTS_OPTION_PROVENANCE(struct cmd_arguments, results)
+    RESULTS_OPTIONS(struct rt205_arguments, results), \
+    RESULTS_OPTION_PROVENANCE(struct rt205_arguments, results)
 #define CMD_FLAG(flag, place, text) \
     { .name = flag, .kind = COMMAND_FLAG, .offset = CMD_PLACE(place), \
       .help = text }
@@ -108,22 +108,22 @@ command_choice cmd_mode_choice, cmd_visible_choice;
 /* What a command does with its model, which is found and set, and with its
  * results, which are open.  The exit code, or CMD_UNDRAWN: all results are
  * there, but not their picture. */
-typedef int cmd_work(const struct cmd_arguments *arguments,
+typedef int cmd_work(const struct rt205_arguments *arguments,
                      const struct results *results);
 enum { CMD_UNDRAWN = CMD_USAGE + 1 };
 /* Do that, if the frame is not too large.  JSON is kept if the work ends with
  * CMD_DONE or CMD_UNDRAWN, else dropped.  The exit code: of what is not drawn
  * CMD_FAILED. */
-int cmd_with_machine(struct cmd_arguments *arguments, cmd_work *work);
+int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work);
 
 /* The scene of the arguments; its reports go to stderr.  NULL: it has errors,
  * which have been told. */
-struct scene *cmd_read_scene(const struct cmd_arguments *arguments);
+struct scene *cmd_read_scene(const struct rt205_arguments *arguments);
 
 /* Let Ctrl-C ask a trace to stop, a second one end the process, and show
  * progress on stderr where that is a terminal: by the progress of the trace
  * options. */
-void cmd_watch(struct cmd_arguments *arguments);
+void cmd_watch(struct rt205_arguments *arguments);
 /* Whether Ctrl-C has been pressed since. */
 bool cmd_interrupted(void);
 

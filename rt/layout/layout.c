@@ -133,7 +133,7 @@ static size_t table_words(const struct scene *scene)
 }
 
 /* The address of the first is returned. */
-static uint64_t layout_primitives(struct layout *layout,
+static uint64_t layout_primitives(struct record_layout *layout,
                                   const struct scene *scene,
                                   const struct leaf_plan *plans)
 {
@@ -161,8 +161,8 @@ static uint64_t layout_primitives(struct layout *layout,
     return first;
 }
 
-static void layout_solids(struct layout *layout, const struct scene *scene,
-                          bool bounds)
+static void layout_solids(struct record_layout *layout,
+                          const struct scene *scene, bool bounds)
 {
     struct leaf_plan *plans = calloc(scene->primitive_count + 1,
                                      sizeof *plans);
@@ -192,7 +192,8 @@ static size_t count_levels(const struct scene *scene)
     return 1;
 }
 
-static void layout_levels(struct layout *layout, const struct scene *scene)
+static void layout_levels(struct record_layout *layout,
+                          const struct scene *scene)
 {
     size_t levels = count_levels(scene);
 
@@ -205,7 +206,8 @@ static void layout_levels(struct layout *layout, const struct scene *scene)
                 c205_from_double(scene->adc_bailout));
 }
 
-static void layout_lights(struct layout *layout, const struct scene *scene)
+static void layout_lights(struct record_layout *layout,
+                          const struct scene *scene)
 {
     struct record record;
 
@@ -225,7 +227,8 @@ static void layout_lights(struct layout *layout, const struct scene *scene)
                 c205_from_integer((int64_t)scene->light_count));
 }
 
-static void layout_camera(struct layout *layout, const struct scene *scene)
+static void layout_camera(struct record_layout *layout,
+                          const struct scene *scene)
 {
     const struct camera *camera = &scene->camera;
     c205_word words[12];
@@ -239,7 +242,8 @@ static void layout_camera(struct layout *layout, const struct scene *scene)
     layout_words(layout, layout_symbol(layout, "scene_background"), words, 3);
 }
 
-static void layout_frame(struct layout *layout, struct frame_layout *frame)
+static void layout_frame(struct record_layout *layout,
+                         struct frame_layout *frame)
 {
     size_t pixels = frame->width * frame->rows;
     const double band[2] = { (double)frame->first_row,
@@ -264,12 +268,12 @@ bool layout_scene(c205 *machine, const struct object *program,
                   const struct scene *scene, bool bounds,
                   struct frame_layout *frame, c205_error *error)
 {
-    struct layout layout = { .machine = machine,
-                             .program = program,
-                             .error = error,
-                             .free = program_end(program),
-                             .go_on = frame->go_on,
-                             .context = frame->context };
+    struct record_layout layout = { .machine = machine,
+                                    .program = program,
+                                    .error = error,
+                                    .free = program_end(program),
+                                    .go_on = frame->go_on,
+                                    .context = frame->context };
 
     layout_camera(&layout, scene);
     layout_solids(&layout, scene, bounds);

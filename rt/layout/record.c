@@ -8,7 +8,7 @@
 
 #include "rt/layout/program.h"
 
-void layout_fail(struct layout *layout, const char *format, ...)
+void layout_fail(struct record_layout *layout, const char *format, ...)
 {
     va_list arguments;
 
@@ -21,7 +21,7 @@ void layout_fail(struct layout *layout, const char *format, ...)
     va_end(arguments);
 }
 
-uint64_t layout_symbol(struct layout *layout, const char *name)
+uint64_t layout_symbol(struct record_layout *layout, const char *name)
 {
     const struct asm_symbol *found = object_symbol(layout->program, name);
 
@@ -31,7 +31,7 @@ uint64_t layout_symbol(struct layout *layout, const char *name)
     return 0;
 }
 
-void layout_words(struct layout *layout, uint64_t address,
+void layout_words(struct record_layout *layout, uint64_t address,
                   const c205_word *words, size_t count)
 {
     if (!layout->failed
@@ -40,12 +40,13 @@ void layout_words(struct layout *layout, uint64_t address,
                     (unsigned long long)address);
 }
 
-void layout_word(struct layout *layout, const char *name, c205_word word)
+void layout_word(struct record_layout *layout, const char *name,
+                 c205_word word)
 {
     layout_words(layout, layout_symbol(layout, name), &word, 1);
 }
 
-uint64_t layout_reserve(struct layout *layout, size_t words)
+uint64_t layout_reserve(struct record_layout *layout, size_t words)
 {
     uint64_t address = layout->free;
 
@@ -58,7 +59,7 @@ uint64_t layout_reserve(struct layout *layout, size_t words)
     return address;
 }
 
-void record_begin(struct record *record, struct layout *layout,
+void record_begin(struct record *record, struct record_layout *layout,
                   const char *size, size_t count, size_t more)
 {
     record->layout = layout;
@@ -72,7 +73,7 @@ void record_begin(struct record *record, struct layout *layout,
 }
 
 /* After every so many records. */
-static void ask(struct layout *layout)
+static void ask(struct record_layout *layout)
 {
     enum { ASKED_EACH = 4096 };
 

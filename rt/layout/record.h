@@ -10,7 +10,7 @@
 #include "rt/layout/bounds.h"
 
 /* The state of one layout: errors stay in it, and make the rest idle. */
-struct layout {
+struct record_layout {
     c205 *machine;
     const struct object *program;
     c205_error *error;
@@ -21,20 +21,21 @@ struct layout {
     void *context;
 };
 
-void layout_fail(struct layout *layout, const char *format, ...);
+void layout_fail(struct record_layout *layout, const char *format, ...);
 /* A value of the program's; a symbol that is not there is a failure. */
-uint64_t layout_symbol(struct layout *layout, const char *name);
-void layout_words(struct layout *layout, uint64_t address,
+uint64_t layout_symbol(struct record_layout *layout, const char *name);
+void layout_words(struct record_layout *layout, uint64_t address,
                   const c205_word *words, size_t count);
 /* One word, to the place of that name. */
-void layout_word(struct layout *layout, const char *name, c205_word word);
+void layout_word(struct record_layout *layout, const char *name,
+                 c205_word word);
 /* Room for words from a page of its own on. */
-uint64_t layout_reserve(struct layout *layout, size_t words);
+uint64_t layout_reserve(struct record_layout *layout, size_t words);
 
 /* A row of records of one size, written one after another: the words of the
  * next one, and its fields by name. */
 struct record {
-    struct layout *layout;
+    struct record_layout *layout;
     c205_word *words;
     size_t size;
     uint64_t address;
@@ -44,7 +45,7 @@ struct record {
 
 /* With the program's symbol for the size, and room for that many records and
  * more words behind them, where the table begins. */
-void record_begin(struct record *record, struct layout *layout,
+void record_begin(struct record *record, struct record_layout *layout,
                   const char *size, size_t count, size_t more);
 void record_write(struct record *record);
 void record_end(struct record *record);

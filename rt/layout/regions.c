@@ -71,7 +71,7 @@ size_t most_crossings(const struct scene *scene)
 /* --- the tree ------------------------------------------------------------ */
 
 /* A value under way: where it stands, or where its complement does. */
-struct term {
+struct tree_term {
     size_t place;
     bool complement;
 };
@@ -80,13 +80,13 @@ struct term {
 struct evaluation {
     struct tree_plan *plan;
     size_t leaf_count, depth;
-    struct term *stack;
+    struct tree_term *stack;
 };
 
 /* x and y, by de Morgan's rules without complements of their own.  Each step
  * has a value to itself, so that all can be looked at afterwards. */
-static struct term both(struct evaluation *evaluation, struct term x,
-                        struct term y)
+static struct tree_term both(struct evaluation *evaluation,
+                             struct tree_term x, struct tree_term y)
 {
     struct tree_plan *plan = evaluation->plan;
     size_t result = evaluation->leaf_count + plan->step_count;
@@ -99,13 +99,13 @@ static struct term both(struct evaluation *evaluation, struct term x,
     step->left = turned ? y.place : x.place;
     step->right = turned ? x.place : y.place;
     step->result = result;
-    return (struct term){ result, x.complement && y.complement };
+    return (struct tree_term){ result, x.complement && y.complement };
 }
 
-static struct term either(struct evaluation *evaluation, struct term x,
-                          struct term y)
+static struct tree_term either(struct evaluation *evaluation,
+                               struct tree_term x, struct tree_term y)
 {
-    struct term value;
+    struct tree_term value;
 
     x.complement = !x.complement;
     y.complement = !y.complement;
@@ -118,8 +118,9 @@ static struct term either(struct evaluation *evaluation, struct term x,
 static void join(struct evaluation *evaluation, size_t count,
                  enum tree_operation operation)
 {
-    struct term *children = evaluation->stack + evaluation->depth - count;
-    struct term value = children[0];
+    struct tree_term *children = evaluation->stack + evaluation->depth
+                                 - count;
+    struct tree_term value = children[0];
 
     for (size_t i = 1; i < count; i++)
         value = operation == TREE_AND
@@ -142,7 +143,7 @@ static size_t count_children(const struct scene *scene, size_t node)
 static void evaluate(struct evaluation *evaluation, const struct scene *scene,
                      const struct region *region, size_t node)
 {
-    struct term *top = evaluation->stack + evaluation->depth;
+    struct tree_term *top = evaluation->stack + evaluation->depth;
 
     switch (scene->nodes[node].operation) {
     case TREE_LEAF:
@@ -244,7 +245,7 @@ static void layout_node(struct record *record, const struct places *places,
     record_write(record);
 }
 
-static void layout_nodes(struct layout *layout, struct places *places)
+static void layout_nodes(struct record_layout *layout, struct places *places)
 {
     const struct scene *scene = places->scene;
     struct record record;
@@ -324,7 +325,8 @@ static void layout_region(struct record *record, struct record *steps,
     record_write(record);
 }
 
-static void layout_records(struct layout *layout, struct places *places)
+static void layout_records(struct record_layout *layout,
+                           struct places *places)
 {
     const struct scene *scene = places->scene;
     struct record record, steps;
@@ -352,7 +354,7 @@ static bool fill_bounds(struct places *places, bool bounds)
     return !bounds || bound_nodes(places->scene, places->bounds);
 }
 
-void layout_regions(struct layout *layout, const struct scene *scene,
+void layout_regions(struct record_layout *layout, const struct scene *scene,
                     bool bounds, uint64_t primitives)
 {
     size_t room = scene->node_count + 1;

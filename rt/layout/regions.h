@@ -46,7 +46,7 @@ bool plan_tree(const struct scene *scene, const struct region *region,
                struct tree_plan *plan);
 
 /* All regions, behind primitives that stand at that address. */
-void layout_regions(struct layout *layout, const struct scene *scene,
+void layout_regions(struct record_layout *layout, const struct scene *scene,
                     bool bounds, uint64_t primitives);
 
 #endif

@@ -14,14 +14,15 @@ static const char *const headings[COLUMNS] = { "c4", "c3", "c2",
                                                "c1", "c0", "bound" };
 
 /* One line of the file as it is read. */
-struct line {
+struct polynomial_line {
     const char *file;
     size_t number;
     const char *text, *end, *at;
     struct diagnostics *reports;
 };
 
-static bool bad(struct line *line, const char *at, const char *message)
+static bool bad(struct polynomial_line *line, const char *at,
+                const char *message)
 {
     const struct position position = {
         .file = line->file,
@@ -44,13 +45,13 @@ static bool failed(struct diagnostics *reports, const char *path,
     return false;
 }
 
-static void skip_blanks(struct line *line)
+static void skip_blanks(struct polynomial_line *line)
 {
     while (line->at < line->end && (*line->at == ' ' || *line->at == '\t'))
         line->at++;
 }
 
-static bool at_comma_or_end(const struct line *line)
+static bool at_comma_or_end(const struct polynomial_line *line)
 {
     return line->at == line->end || *line->at == ',';
 }
@@ -69,7 +70,7 @@ static bool has_value(const char *text, const char *end)
     return false;
 }
 
-static bool take_number(struct line *line, c205_word *word)
+static bool take_number(struct polynomial_line *line, c205_word *word)
 {
     const char *begin, *end;
 
@@ -91,7 +92,7 @@ static bool take_number(struct line *line, c205_word *word)
     return true;
 }
 
-static bool take_comma(struct line *line)
+static bool take_comma(struct polynomial_line *line)
 {
     if (line->at == line->end)
         return bad(line, line->at,
@@ -101,7 +102,7 @@ static bool take_comma(struct line *line)
     return true;
 }
 
-static bool take_bound(struct line *line, c205_word *bound)
+static bool take_bound(struct polynomial_line *line, c205_word *bound)
 {
     *bound = C205_MACHINE_ZERO;
     if (line->at == line->end)
@@ -116,7 +117,8 @@ static bool take_bound(struct line *line, c205_word *bound)
            || bad(line, line->at, "more than six numbers");
 }
 
-static bool take_polynomial(struct line *line, struct polynomial *polynomial)
+static bool take_polynomial(struct polynomial_line *line,
+                            struct polynomial *polynomial)
 {
     for (int i = 0; i < COEFFICIENTS; i++)
         if ((i > 0 && !take_comma(line))
@@ -126,7 +128,7 @@ static bool take_polynomial(struct line *line, struct polynomial *polynomial)
 }
 
 /* Does the line name the columns? */
-static bool is_heading(struct line line)
+static bool is_heading(struct polynomial_line line)
 {
     for (int i = 0; i < COLUMNS; i++) {
         size_t length = strlen(headings[i]);
@@ -166,7 +168,7 @@ static bool add(struct polynomials *polynomials, size_t line,
 }
 
 /* The line from text on, without its end; returns where the next begins. */
-static const char *cut_line(struct line *line, const char *text,
+static const char *cut_line(struct polynomial_line *line, const char *text,
                             const char *end)
 {
     const char *newline = memchr(text, '\n', (size_t)(end - text));
@@ -194,7 +196,7 @@ static bool read_lines(struct polynomials *polynomials, const char *path,
                        const char *text, size_t length,
                        struct diagnostics *reports)
 {
-    struct line line = { .file = path, .reports = reports };
+    struct polynomial_line line = { .file = path, .reports = reports };
     const char *end = text + length;
     bool first = true;
 

@@ -14,7 +14,7 @@ struct patch {
 };
 
 /* K0 .. K5 of H(s, t). */
-struct polynomials {
+struct patch_polynomials {
     double k[6][4];
 };
 
@@ -87,7 +87,7 @@ static void turn_patch(const struct patch *patch, int first,
 }
 
 static void form_polynomials(const struct patch *patch,
-                             struct polynomials *polynomials)
+                             struct patch_polynomials *polynomials)
 {
     const double *ss = patch->point[0], *tt = patch->point[1];
     const double *uu = patch->point[2], *st = patch->point[3];
@@ -106,10 +106,10 @@ static void form_polynomials(const struct patch *patch,
 
 /* The turn with the greatest second difference, and its polynomials. */
 static void read_best(const struct primitive *primitive, struct patch *best,
-                      struct polynomials *polynomials)
+                      struct patch_polynomials *polynomials)
 {
     struct patch patch, turned;
-    struct polynomials other;
+    struct patch_polynomials other;
 
     read_patch(primitive, &patch);
     *best = patch;
@@ -143,8 +143,8 @@ static bool square_to_last(const double (*k)[3], double *square)
  * apart: it is square to K5 and K2 or, where K2 is along K5, to K4.  Of a
  * patch without K5 any ray wants it: it is square to K2, in the plane of the
  * patch. */
-static void other_plane(const struct polynomials *polynomials, double bound,
-                        double *other)
+static void other_plane(const struct patch_polynomials *polynomials,
+                        double bound, double *other)
 {
     double k[6][3], normal[3], length;
 
@@ -165,7 +165,7 @@ static void other_plane(const struct polynomials *polynomials, double bound,
 void steiner_shape(const struct primitive *primitive, double *shape)
 {
     struct patch patch;
-    struct polynomials best;
+    struct patch_polynomials best;
 
     read_best(primitive, &patch, &best);
     memcpy(shape, patch.center, sizeof patch.center);
@@ -205,7 +205,7 @@ static size_t put_implicit(const struct patch *patch, double *table)
 size_t steiner_table(const struct primitive *primitive, double *table)
 {
     struct patch patch;
-    struct polynomials best;
+    struct patch_polynomials best;
 
     read_best(primitive, &patch, &best);
     for (int k = 0; k < 6; k++) {

@@ -70,7 +70,7 @@ static const struct table_column causes[] = {
     { "percent", "%", TABLE_NUMBER, 1 },
 };
 
-enum kind {
+enum row_kind {
     TABLE1,
     RAYS,
     TIMES,
@@ -353,8 +353,9 @@ void speedup_report_add(struct speedup_report *report,
     add_passes(tables[PASSES], subject, &measures[TRACE_VECTOR]);
 }
 
-static bool print_table(const struct speedup_report *report, enum kind kind,
-                        enum table_format format, FILE *file)
+static bool print_table(const struct speedup_report *report,
+                        enum row_kind kind, enum table_format format,
+                        FILE *file)
 {
     table_heading(kinds[kind].heading, format, file);
     return table_write(report->tables[kind], format, file);
@@ -370,7 +371,8 @@ bool speedup_report_detail(const struct speedup_report *report,
                            enum table_format format, FILE *file)
 {
     for (int i = TABLE1 + 1; i < KINDS; i++)
-        if (i != PASSES && !print_table(report, (enum kind)i, format, file))
+        if (i != PASSES
+            && !print_table(report, (enum row_kind)i, format, file))
             return false;
     return true;
 }

@@ -52,7 +52,7 @@ static const char *file_of(const char *text)
 
 /* ---- Fewer rays --------------------------------------------------------- */
 
-static double clocks_of_rows(const struct run *run)
+static double clocks_of_rows(const struct fit_run *run)
 {
     bool chosen[RUN_REGIONS_MOST];
     double clocks[RUN_REGIONS_MOST], sum = 0;
@@ -83,7 +83,7 @@ static void test_fewer_rays(void **state)
         struct speedup_measure all;
         c205_error error = { "" };
         char program[64];
-        struct run *run;
+        struct fit_run *run;
         double scaled;
 
         if (subject->paper.speedup == 0)
@@ -232,7 +232,7 @@ static double photon_draws(void)
     return draws;
 }
 
-static double region_clocks(const struct run *run, const char *region,
+static double region_clocks(const struct fit_run *run, const char *region,
                             const c205_setting *setting)
 {
     bool chosen[RUN_REGIONS_MOST];
@@ -249,7 +249,7 @@ static double region_clocks(const struct run *run, const char *region,
 }
 
 /* How much longer a form takes when a SWAP does by a clock. */
-static double slower_swaps(const struct run *run, const char *form)
+static double slower_swaps(const struct fit_run *run, const char *form)
 {
     static const c205_setting swaps[] = { { "latency.swap", 15 },
                                           { "latency.swap", 16 } };
@@ -258,11 +258,11 @@ static double slower_swaps(const struct run *run, const char *form)
            - region_clocks(run, form, &swaps[0]);
 }
 
-static struct run *photons(const char *program)
+static struct fit_run *photons(const char *program)
 {
     struct run_options how = small();
     c205_error error = { "" };
-    struct run *run = run_new(program, &how, &error);
+    struct fit_run *run = run_new(program, &how, &error);
 
     if (!run)
         fail_msg("%s", error.message);
@@ -274,7 +274,7 @@ static struct run *photons(const char *program)
  * photon. */
 static void test_photons(void **state)
 {
-    struct run *run = photons("photons.s OWN_RANF=1");
+    struct fit_run *run = photons("photons.s OWN_RANF=1");
     double calls = slower_swaps(run, "scalar") / 2;
 
     (void)state;

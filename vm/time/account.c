@@ -30,12 +30,13 @@ static size_t names_size(const char *const *names, size_t count)
     return size;
 }
 
-bool accounts_open(struct accounts *accounts, const char *const *names,
+bool accounts_open(struct clock_accounts *accounts, const char *const *names,
                    size_t count)
 {
-    struct accounts opened = { count, calloc(count, sizeof(c205_account)),
-                               calloc(count, sizeof(c205_account)),
-                               malloc(names_size(names, count)) };
+    struct clock_accounts opened = { count,
+                                     calloc(count, sizeof(c205_account)),
+                                     calloc(count, sizeof(c205_account)),
+                                     malloc(names_size(names, count)) };
     if (!opened.account || !opened.kept || !opened.names) {
         accounts_close(&opened);
         return false;
@@ -52,14 +53,14 @@ bool accounts_open(struct accounts *accounts, const char *const *names,
     return true;
 }
 
-void accounts_close(struct accounts *accounts)
+void accounts_close(struct clock_accounts *accounts)
 {
     free(accounts->account);
     free(accounts->kept);
     free(accounts->names);
 }
 
-void accounts_clear(struct accounts *accounts)
+void accounts_clear(struct clock_accounts *accounts)
 {
     for (size_t i = 0; i < accounts->count; i++) {
         c205_account empty = { accounts->account[i].name, { 0 }, 0, 0, 0, 0 };
@@ -67,13 +68,13 @@ void accounts_clear(struct accounts *accounts)
     }
 }
 
-void accounts_keep(struct accounts *accounts)
+void accounts_keep(struct clock_accounts *accounts)
 {
     memcpy(accounts->kept, accounts->account,
            accounts->count * sizeof *accounts->account);
 }
 
-void accounts_put_back(struct accounts *accounts)
+void accounts_put_back(struct clock_accounts *accounts)
 {
     memcpy(accounts->account, accounts->kept,
            accounts->count * sizeof *accounts->account);
@@ -88,12 +89,12 @@ static uint64_t sum_of(const c205_account *account, size_t count)
     return sum;
 }
 
-uint64_t accounts_sum(const struct accounts *accounts)
+uint64_t accounts_sum(const struct clock_accounts *accounts)
 {
     return sum_of(accounts->account, accounts->count);
 }
 
-uint64_t accounts_sum_kept(const struct accounts *accounts)
+uint64_t accounts_sum_kept(const struct clock_accounts *accounts)
 {
     return sum_of(accounts->kept, accounts->count);
 }

@@ -8,7 +8,7 @@
 
 #include "vm/c205.h"
 
-struct accounts {
+struct clock_accounts {
     size_t count;
     c205_account *account;
     c205_account *kept; /* room for a copy */
@@ -17,16 +17,16 @@ struct accounts {
 
 /* Accounts for these regions, all zero, in place of the former ones.  False:
  * the host has no memory left, and nothing has changed. */
-bool accounts_open(struct accounts *accounts, const char *const *names,
+bool accounts_open(struct clock_accounts *accounts, const char *const *names,
                    size_t count);
-void accounts_close(struct accounts *accounts);
-void accounts_clear(struct accounts *accounts);
+void accounts_close(struct clock_accounts *accounts);
+void accounts_clear(struct clock_accounts *accounts);
 
 /* Copy all that stands in them, and put it back. */
-void accounts_keep(struct accounts *accounts);
-void accounts_put_back(struct accounts *accounts);
+void accounts_keep(struct clock_accounts *accounts);
+void accounts_put_back(struct clock_accounts *accounts);
 
-uint64_t accounts_sum(const struct accounts *accounts);
-uint64_t accounts_sum_kept(const struct accounts *accounts);
+uint64_t accounts_sum(const struct clock_accounts *accounts);
+uint64_t accounts_sum_kept(const struct clock_accounts *accounts);
 
 #endif

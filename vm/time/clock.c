@@ -81,7 +81,7 @@ static uint64_t at_rate(struct rate rate, uint64_t n)
 static uint64_t issue(struct clock *clock, const struct decoded *decoded,
                       c205_cause awaits)
 {
-    const struct timing *timing = &clock->timing[decoded->insn->timing];
+    const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
     uint64_t *free_at = &clock->free_at[decoded->insn->unit];
     wait_until(clock, *free_at, C205_UNIT_BUSY);
     uint64_t ready = clock->now + timing->latency;
@@ -240,7 +240,7 @@ static uint64_t vector_free_at(const struct clock *clock, uint64_t startup)
 }
 
 /* A linked pair is of one size. */
-static struct rate stream_rate(const struct timing *timing,
+static struct rate stream_rate(const struct clock_timing *timing,
                                const struct decoded *decoded)
 {
     const struct decoded *first = decoded->linked[0];
@@ -248,7 +248,7 @@ static struct rate stream_rate(const struct timing *timing,
     return g & C205_G_HALF ? timing->half_stream : timing->stream;
 }
 
-static void add_phases(struct clock *clock, const struct timing *timing,
+static void add_phases(struct clock *clock, const struct clock_timing *timing,
                        struct rate rate, const struct effect *effect)
 {
     struct translation met = translate(clock, effect);
@@ -279,7 +279,7 @@ static void wait_for_pair(struct clock *clock, const struct decoded *decoded)
 static void charge_vector(struct clock *clock, const struct decoded *decoded,
                           const struct effect *effect)
 {
-    const struct timing *timing = &clock->timing[decoded->insn->timing];
+    const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
     wait_for_pair(clock, decoded);
     wait_until(clock, clock->loads_done, C205_MEMORY_WAIT);
     wait_through_phases(clock, vector_free_at(clock, timing->startup));
@@ -381,7 +381,7 @@ static size_t in_clocks(struct rate rate, uint64_t clocks)
 size_t clock_elements(const struct clock *clock,
                       const struct decoded *decoded, uint64_t until)
 {
-    const struct timing *timing = &clock->timing[decoded->insn->timing];
+    const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
     uint64_t begin = stream_begin(clock, decoded);
     return in_clocks(stream_rate(timing, decoded),
                      until > begin ? until - begin : 0);

@@ -9,7 +9,7 @@ static void read_timings(struct clock *clock, const c205_model *model)
 {
     for (unsigned i = 0; i < C205_TIMINGS; i++) {
         c205_timing id = (c205_timing)i;
-        struct timing *timing = &clock->timing[i];
+        struct clock_timing *timing = &clock->timing[i];
         if (c205_timing_is_vector(id)) {
             timing->startup = model_whole(model, startup_constant(id));
             timing->stream = model_rate(model, stream_constant(id));

@@ -10,7 +10,7 @@
 #include "vm/time/pages.h"
 
 /* A timing class, its constants taken from the model. */
-struct timing {
+struct clock_timing {
     uint64_t latency, busy;          /* scalar */
     uint64_t startup;                /* vector .. */
     struct rate stream, half_stream; /* of words, of half words */
@@ -53,14 +53,14 @@ struct clock {
     uint64_t next;                  /* address, if control runs straight on */
     uint64_t stack_low, stack_high; /* words in the instruction stack */
 
-    struct timing timing[C205_TIMINGS];
+    struct clock_timing timing[C205_TIMINGS];
     uint64_t issue_interval, loads_in_flight, stack_words, overlap;
     uint64_t branch_taken, branch_not_taken, branch_out_of_stack;
     uint64_t translation_miss, page_fault;
     struct rate swap_word;
     struct pages pages;
     struct banks banks;
-    struct accounts accounts;
+    struct clock_accounts accounts;
 };
 
 #endif

@@ -6,12 +6,12 @@
 
 #include "vm/time/model.h"
 
-enum kind { WHOLE, DECIMAL, RATE, PAGE };
+enum constant_kind { WHOLE, DECIMAL, RATE, PAGE };
 
 /* What a constant may be. */
 struct rule {
     const char *name;
-    enum kind kind;
+    enum constant_kind kind;
     const char *unit;
     uint64_t least, most;
 };

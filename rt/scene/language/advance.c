@@ -51,7 +51,7 @@ void reader_step(struct reader *reader)
     else if (reader_at_sign(reader, '}') && reader->braces)
         reader->braces--;
     while (!reader->stopped) {
-        struct frame *top = lexer_top(&reader->lexer);
+        struct open_text *top = lexer_top(&reader->lexer);
         reader->before = top->place;
         reader->token = lexer_next(&reader->lexer);
         if (reader->token.fault)
@@ -66,7 +66,7 @@ void reader_step(struct reader *reader)
 
 void reader_back(struct reader *reader)
 {
-    struct frame *top = lexer_top(&reader->lexer);
+    struct open_text *top = lexer_top(&reader->lexer);
 
     if (reader->stopped)
         return;
@@ -75,7 +75,7 @@ void reader_back(struct reader *reader)
     reader->token.kind = TOKEN_END;
 }
 
-void reader_jump(struct reader *reader, const struct place *place)
+void reader_jump(struct reader *reader, const struct text_place *place)
 {
     if (reader->stopped)
         return;
@@ -133,7 +133,7 @@ static bool carry_out(struct reader *reader)
 /* The token's name is looked up; a macro's is called. */
 static bool resolve(struct reader *reader, bool *done)
 {
-    struct token *token = &reader->token;
+    struct scene_token *token = &reader->token;
 
     if (!reader_look_up(reader, token))
         return false;

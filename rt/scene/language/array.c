@@ -38,7 +38,7 @@ void array_free(struct array *array)
     free(array);
 }
 
-static bool array_takes(struct array *array, const struct value *value)
+static bool array_takes(struct array *array, const struct scene_value *value)
 {
     int terms = value->kind == VALUE_NUMBERS ? value->is.numbers.count : 0;
 
@@ -53,9 +53,9 @@ static bool array_takes(struct array *array, const struct value *value)
 }
 
 const char *array_set(struct array *array, size_t element,
-                      struct value *value)
+                      struct scene_value *value)
 {
-    struct value **cell = &array->cell[element];
+    struct scene_value **cell = &array->cell[element];
 
     if (!array_takes(array, value)) {
         value_free(value);
@@ -78,7 +78,7 @@ static const char *copy_cells(struct array *copy, const struct array *array)
     const char *fault = NULL;
 
     for (size_t i = 0; i < array->count && !fault; i++) {
-        struct value value;
+        struct scene_value value;
         if (!array->cell[i])
             continue;
         fault = value_copy(&value, array->cell[i]);
@@ -118,7 +118,7 @@ size_t array_primitives(const struct array *array)
     size_t sum = 0;
 
     for (size_t i = 0; i < array->count; i++) {
-        const struct value *value = array->cell[i];
+        const struct scene_value *value = array->cell[i];
         if (value && value->kind == VALUE_ARRAY)
             sum += array_primitives(value->is.array);
         else if (value && value->kind == VALUE_OBJECT)

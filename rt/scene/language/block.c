@@ -6,7 +6,7 @@
 #include <string.h>
 
 static const struct keyword *table_find(const struct keyword *table,
-                                        const struct token *token)
+                                        const struct scene_token *token)
 {
     for (; table && table->word; table++)
         if (is_token(token, table->word))
@@ -15,7 +15,7 @@ static const struct keyword *table_find(const struct keyword *table,
 }
 
 const struct keyword *grammar_find(const struct grammar *grammar,
-                                   const struct token *token)
+                                   const struct scene_token *token)
 {
     const struct keyword *found = NULL;
 
@@ -45,9 +45,9 @@ bool block_open(struct reader *reader, struct block *block, int opening)
 }
 
 bool block_open_from(struct reader *reader, struct block *block,
-                     enum value_kind kind, void *subject, size_t size)
+                     enum scene_value_kind kind, void *subject, size_t size)
 {
-    const struct value *value;
+    const struct scene_value *value;
 
     if (!block_open(reader, block, '{'))
         return false;
@@ -86,7 +86,7 @@ static void recover(struct reader *reader, const struct block *block,
                     const struct grammar *grammar)
 {
     while (!at_close(reader, block)) {
-        const struct token *token = &reader->token;
+        const struct scene_token *token = &reader->token;
         if (reader->braces == block->level
             && (reader->closed || reader->directed
                 || grammar_find(grammar, token)

@@ -22,7 +22,7 @@ struct keyword {
 /* A word that stands in the file; its token is read already. */
 struct item {
     const struct keyword *keyword;
-    struct token at;
+    struct scene_token at;
 };
 
 enum { GRAMMAR_TABLES = 4 };
@@ -33,13 +33,13 @@ struct grammar {
 };
 
 struct block {
-    struct token open;
+    struct scene_token open;
     size_t level; /* of braces inside */
     int closing;  /* the sign at its end; 0: the end of the file */
 };
 
 const struct keyword *grammar_find(const struct grammar *grammar,
-                                   const struct token *token);
+                                   const struct scene_token *token);
 
 /* What stands outside all braces, up to the end of the file. */
 struct block block_file(const struct reader *reader);
@@ -48,7 +48,7 @@ bool block_open(struct reader *reader, struct block *block, int opening);
 /* A block that may begin with a name of the kind: its value replaces the
  * subject. */
 bool block_open_from(struct reader *reader, struct block *block,
-                     enum value_kind kind, void *subject, size_t size);
+                     enum scene_value_kind kind, void *subject, size_t size);
 /* The words up to the closing brace, and that brace.  With `good` false (the
  * arguments before are wrong) it first looks for a word.  False when anything
  * was wrong. */

@@ -140,7 +140,7 @@ static double handedness(const struct camera *camera)
 
 /* Re-aim direction, right and up, keeping their lengths and whether they were
  * left- or right-handed. */
-static bool apply_look_at(struct reader *reader, const struct token *at,
+static bool apply_look_at(struct reader *reader, const struct scene_token *at,
                           struct camera_reading *reading)
 {
     struct camera *camera = &reading->setting.camera, before = *camera;
@@ -184,7 +184,7 @@ static bool is_sound(const struct camera *camera)
            && isfinite(dot3(camera->location, camera->location));
 }
 
-bool camera_read(struct reader *reader, const struct token *at,
+bool camera_read(struct reader *reader, const struct scene_token *at,
                  struct camera_setting *setting)
 {
     struct camera_reading reading = {

@@ -11,9 +11,9 @@
 static const char *const to_case[] = { "case", "range", "else", "end", NULL };
 
 /* To the next case, of which is then asked whether it fits. */
-static bool to_next(struct reader *reader, struct condition *condition)
+static bool to_next(struct reader *reader, struct scene_condition *condition)
 {
-    struct token at = condition->at;
+    struct scene_token at = condition->at;
 
     if (condition_skip(reader, &at, to_case, 1))
         return true;
@@ -26,7 +26,7 @@ bool switch_begin(struct reader *reader, void *subject,
 {
     double value = 0;
     bool good = condition_read(reader, &value);
-    struct condition *condition = NULL;
+    struct scene_condition *condition = NULL;
 
     (void)subject;
     if (good)
@@ -60,7 +60,7 @@ static bool read_bounds(struct reader *reader, bool range, double *lowest,
 bool switch_case(struct reader *reader, void *subject,
                  const struct item *item)
 {
-    struct condition *condition = condition_top(reader);
+    struct scene_condition *condition = condition_top(reader);
     double lowest = 0, highest = 0;
     size_t sealed;
     bool good;
@@ -86,7 +86,7 @@ bool switch_case(struct reader *reader, void *subject,
     return condition->chosen || to_next(reader, condition);
 }
 
-bool switch_else(struct reader *reader, struct condition *condition)
+bool switch_else(struct reader *reader, struct scene_condition *condition)
 {
     (void)reader;
     condition->in_else = true;

@@ -12,7 +12,7 @@
 enum { RED, GREEN, BLUE, FILTER, TRANSMIT };
 
 /* The terms that a word's numbers go to. */
-static const struct order {
+static const struct color_order {
     const char *word;
     int count;
     int terms[COLOR_TERMS];
@@ -33,7 +33,7 @@ static const struct order {
     { "transmit", 1, { TRANSMIT }, false },
 };
 
-static const struct order *order_find(const struct token *token)
+static const struct color_order *order_find(const struct scene_token *token)
 {
     for (size_t i = 0; i < sizeof orders / sizeof *orders; i++)
         if (is_token(token, orders[i].word))
@@ -41,19 +41,19 @@ static const struct order *order_find(const struct token *token)
     return NULL;
 }
 
-static bool is_color(const struct token *token)
+static bool is_color(const struct scene_token *token)
 {
     return is_token(token, "color") || is_token(token, "colour");
 }
 
-bool is_color_word(const struct token *token)
+bool is_color_word(const struct scene_token *token)
 {
     return is_color(token) || order_find(token);
 }
 
 bool starts_color(const struct reader *reader)
 {
-    const struct value *value = reader_value_of(reader, VALUE_NUMBERS);
+    const struct scene_value *value = reader_value_of(reader, VALUE_NUMBERS);
 
     return is_color_word(&reader->token)
            || (value && value->is.numbers.count == COLOR_TERMS);
@@ -69,10 +69,11 @@ static double from_srgb(double value, double gamma)
                                                  : linear;
 }
 
-static bool read_ordered(struct reader *reader, const struct order *order,
+static bool read_ordered(struct reader *reader,
+                         const struct color_order *order,
                          struct numbers *color)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     struct numbers given;
 
     if (!read_expression(reader, &given))
@@ -97,7 +98,7 @@ static bool read_ordered(struct reader *reader, const struct order *order,
 /* red, green, ... one by one, as long as they follow. */
 static bool read_terms(struct reader *reader, struct numbers *color)
 {
-    const struct order *order = order_find(&reader->token);
+    const struct color_order *order = order_find(&reader->token);
 
     for (; order && order->count == 1; order = order_find(&reader->token)) {
         reader_next(reader);
@@ -115,10 +116,10 @@ static bool read_plain(struct reader *reader, struct numbers *color)
     return true;
 }
 
-bool read_color_after(struct reader *reader, const struct token *word,
+bool read_color_after(struct reader *reader, const struct scene_token *word,
                       struct numbers *color)
 {
-    const struct order *order = order_find(word);
+    const struct color_order *order = order_find(word);
 
     *color = numbers_of(0);
     color->count = COLOR_TERMS;
@@ -136,7 +137,7 @@ bool read_color_after(struct reader *reader, const struct token *word,
 
 bool read_color(struct reader *reader, struct numbers *color)
 {
-    struct token word = reader->token;
+    struct scene_token word = reader->token;
 
     if (is_color_word(&word))
         reader_next(reader);

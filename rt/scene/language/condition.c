@@ -14,13 +14,13 @@ static const char *const to_other[] = { "else", "elseif", "end", NULL };
 
 /* ---- The stack ---------------------------------------------------------- */
 
-static bool unclosed(struct reader *reader, const struct token *at)
+static bool unclosed(struct reader *reader, const struct scene_token *at)
 {
     return reader_fault(reader, at, "no '#end' closes this '#%.*s'",
                         (int)at->length, at->text);
 }
 
-bool condition_skip(struct reader *reader, const struct token *at,
+bool condition_skip(struct reader *reader, const struct scene_token *at,
                     const char *const *words, size_t depth)
 {
     size_t braces = reader->braces;
@@ -39,7 +39,7 @@ bool condition_skip(struct reader *reader, const struct token *at,
     return found || unclosed(reader, at);
 }
 
-struct condition *condition_top(struct reader *reader)
+struct scene_condition *condition_top(struct reader *reader)
 {
     const size_t serial = lexer_top(&reader->lexer)->serial;
     size_t count = reader->condition_count;
@@ -50,11 +50,11 @@ struct condition *condition_top(struct reader *reader)
                : NULL;
 }
 
-struct condition *condition_push(struct reader *reader,
-                                 enum condition_kind kind,
-                                 const struct token *at)
+struct scene_condition *condition_push(struct reader *reader,
+                                       enum condition_kind kind,
+                                       const struct scene_token *at)
 {
-    struct condition *condition;
+    struct scene_condition *condition;
 
     if (reader->condition_count == CONDITIONS_MOST) {
         reader_fault(reader, at, "more than %d conditions within each other",
@@ -83,9 +83,9 @@ void condition_unseal(struct reader *reader, size_t before)
     reader->sealed = before;
 }
 
-bool condition_leave(struct reader *reader, struct condition *condition)
+bool condition_leave(struct reader *reader, struct scene_condition *condition)
 {
-    struct token at = condition->at;
+    struct scene_token at = condition->at;
 
     reader->condition_count--;
     if (!condition_skip(reader, &at, skip_to_end, 1))
@@ -96,7 +96,7 @@ bool condition_leave(struct reader *reader, struct condition *condition)
 
 void conditions_close(struct reader *reader)
 {
-    const struct condition *top;
+    const struct scene_condition *top;
 
     while ((top = condition_top(reader))) {
         unclosed(reader, &top->at);
@@ -129,12 +129,12 @@ bool condition_read(struct reader *reader, double *value)
     return done;
 }
 
-static bool choose(struct reader *reader, struct condition *condition)
+static bool choose(struct reader *reader, struct scene_condition *condition)
 {
     double value;
 
     for (;;) {
-        struct token at = condition->at;
+        struct scene_token at = condition->at;
         if (!condition_skip(reader, &at, to_other, 1)) {
             reader->condition_count--;
             return false;
@@ -161,10 +161,10 @@ static bool choose(struct reader *reader, struct condition *condition)
 
 /* The token is the last one of the condition, or that is wrong: then all that
  * depends on it is left out. */
-static bool begin(struct reader *reader, const struct token *at, bool good,
-                  bool holds)
+static bool begin(struct reader *reader, const struct scene_token *at,
+                  bool good, bool holds)
 {
-    struct condition *condition = NULL;
+    struct scene_condition *condition = NULL;
 
     if (good)
         condition = condition_push(reader, CONDITION_IF, at);
@@ -217,7 +217,7 @@ bool condition_ifdef(struct reader *reader, void *subject,
 bool condition_else(struct reader *reader, void *subject,
                     const struct item *item)
 {
-    struct condition *condition = condition_top(reader);
+    struct scene_condition *condition = condition_top(reader);
 
     (void)subject;
     if (condition && condition->kind == CONDITION_SWITCH
@@ -233,7 +233,7 @@ bool condition_else(struct reader *reader, void *subject,
 bool condition_end(struct reader *reader, void *subject,
                    const struct item *item)
 {
-    struct condition *condition = condition_top(reader);
+    struct scene_condition *condition = condition_top(reader);
 
     (void)subject;
     if (!condition)
@@ -249,14 +249,14 @@ bool condition_end(struct reader *reader, void *subject,
 /* ---- #break ------------------------------------------------------------- */
 
 /* The innermost loop or #switch of this frame, or NULL. */
-static struct condition *breakable(struct reader *reader)
+static struct scene_condition *breakable(struct reader *reader)
 {
     size_t serial = lexer_top(&reader->lexer)->serial;
     size_t count = reader->condition_count;
 
     while (count > reader->sealed
            && reader->conditions[count - 1].frame == serial) {
-        struct condition *condition = &reader->conditions[--count];
+        struct scene_condition *condition = &reader->conditions[--count];
         if (condition->kind != CONDITION_IF)
             return condition;
     }
@@ -264,10 +264,10 @@ static struct condition *breakable(struct reader *reader)
 }
 
 /* As in POV-Ray, a #break that is in no loop ends its macro. */
-static bool end_macro(struct reader *reader, const struct token *at)
+static bool end_macro(struct reader *reader, const struct scene_token *at)
 {
-    const struct frame *top = lexer_top(&reader->lexer);
-    struct place end = top->place;
+    const struct open_text *top = lexer_top(&reader->lexer);
+    struct text_place end = top->place;
 
     if (!top->is_macro)
         return reader_fault(reader, at, "there is nothing to break off");
@@ -281,7 +281,7 @@ static bool end_macro(struct reader *reader, const struct token *at)
 bool condition_break(struct reader *reader, void *subject,
                      const struct item *item)
 {
-    struct condition *condition = breakable(reader);
+    struct scene_condition *condition = breakable(reader);
     size_t inner;
 
     (void)subject;

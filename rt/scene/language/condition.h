@@ -27,7 +27,7 @@ void conditions_close(struct reader *reader);
 /* What is not to be read, to the first of the words that is at the depth of
  * the `depth` innermost directives that an #end closes; that token comes next,
  * as it stands.  False: it is the frame's end, which is an error. */
-bool condition_skip(struct reader *reader, const struct token *at,
+bool condition_skip(struct reader *reader, const struct scene_token *at,
                     const char *const *words, size_t depth);
 extern const char *const skip_to_end[];
 
@@ -38,15 +38,16 @@ bool condition_holds(double value);
 size_t condition_seal(struct reader *reader);
 void condition_unseal(struct reader *reader, size_t before);
 /* A new condition on the stack; NULL after an error. */
-struct condition *condition_push(struct reader *reader,
-                                 enum condition_kind kind,
-                                 const struct token *at);
+struct scene_condition *condition_push(struct reader *reader,
+                                       enum condition_kind kind,
+                                       const struct scene_token *at);
 /* The innermost one, if it is of this frame; or NULL. */
-struct condition *condition_top(struct reader *reader);
+struct scene_condition *condition_top(struct reader *reader);
 /* To behind its #end; it is forgotten. */
-bool condition_leave(struct reader *reader, struct condition *condition);
+bool condition_leave(struct reader *reader,
+                     struct scene_condition *condition);
 /* The #end of a loop comes next: another turn, or none. */
-bool loop_end(struct reader *reader, struct condition *loop);
-bool switch_else(struct reader *reader, struct condition *condition);
+bool loop_end(struct reader *reader, struct scene_condition *loop);
+bool switch_else(struct reader *reader, struct scene_condition *condition);
 
 #endif

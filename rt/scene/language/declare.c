@@ -13,7 +13,7 @@
 static bool declare_object(struct reader *reader, void *subject,
                            const struct item *item)
 {
-    struct value *value = subject;
+    struct scene_value *value = subject;
 
     value->kind = VALUE_OBJECT;
     return shape_read(reader, &value->is.object, item);
@@ -22,7 +22,7 @@ static bool declare_object(struct reader *reader, void *subject,
 static bool declare_pigment(struct reader *reader, void *subject,
                             const struct item *item)
 {
-    struct value *value = subject;
+    struct scene_value *value = subject;
 
     (void)item;
     value->kind = VALUE_PIGMENT;
@@ -33,7 +33,7 @@ static bool declare_pigment(struct reader *reader, void *subject,
 static bool declare_finish(struct reader *reader, void *subject,
                            const struct item *item)
 {
-    struct value *value = subject;
+    struct scene_value *value = subject;
 
     (void)item;
     value->kind = VALUE_FINISH;
@@ -44,7 +44,7 @@ static bool declare_finish(struct reader *reader, void *subject,
 static bool declare_texture(struct reader *reader, void *subject,
                             const struct item *item)
 {
-    struct value *value = subject;
+    struct scene_value *value = subject;
 
     (void)item;
     value->kind = VALUE_TEXTURE;
@@ -55,7 +55,7 @@ static bool declare_texture(struct reader *reader, void *subject,
 static bool declare_interior(struct reader *reader, void *subject,
                              const struct item *item)
 {
-    struct value *value = subject;
+    struct scene_value *value = subject;
 
     (void)item;
     value->kind = VALUE_INTERIOR;
@@ -66,7 +66,7 @@ static bool declare_interior(struct reader *reader, void *subject,
 static bool declare_material(struct reader *reader, void *subject,
                              const struct item *item)
 {
-    struct value *value = subject;
+    struct scene_value *value = subject;
 
     (void)item;
     value->kind = VALUE_MATERIAL;
@@ -76,7 +76,7 @@ static bool declare_material(struct reader *reader, void *subject,
 static bool declare_transform(struct reader *reader, void *subject,
                               const struct item *item)
 {
-    struct value *value = subject;
+    struct scene_value *value = subject;
 
     (void)item;
     value->kind = VALUE_TRANSFORM;
@@ -86,7 +86,7 @@ static bool declare_transform(struct reader *reader, void *subject,
 static bool declare_camera(struct reader *reader, void *subject,
                            const struct item *item)
 {
-    struct value *value = subject;
+    struct scene_value *value = subject;
 
     value->kind = VALUE_CAMERA;
     value->is.camera = camera_default;
@@ -111,10 +111,10 @@ static const struct grammar declared_grammar = {
     "a value", { declared_words, other_shapes }, NULL
 };
 
-static bool copy_array(struct reader *reader, struct value *value,
+static bool copy_array(struct reader *reader, struct scene_value *value,
                        const struct array *array)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
 
     reader->primitives_made += array_primitives(array);
     if (reader->primitives_made > PRIMITIVES_MOST)
@@ -128,9 +128,9 @@ static bool copy_array(struct reader *reader, struct value *value,
     return true;
 }
 
-static bool copy_named(struct reader *reader, struct value *value)
+static bool copy_named(struct reader *reader, struct scene_value *value)
 {
-    const struct value *from = reader_value(reader);
+    const struct scene_value *from = reader_value(reader);
     bool done = true;
 
     if (from->kind == VALUE_OBJECT) {
@@ -145,7 +145,7 @@ static bool copy_named(struct reader *reader, struct value *value)
     return done;
 }
 
-static bool read_string(struct reader *reader, struct value *value)
+static bool read_string(struct reader *reader, struct scene_value *value)
 {
     if (!string_read(reader, &value->is.string))
         return false;
@@ -153,7 +153,7 @@ static bool read_string(struct reader *reader, struct value *value)
     return true;
 }
 
-static bool read_numbers(struct reader *reader, struct value *value)
+static bool read_numbers(struct reader *reader, struct scene_value *value)
 {
     value->kind = VALUE_NUMBERS;
     return is_color_word(&reader->token)
@@ -161,11 +161,11 @@ static bool read_numbers(struct reader *reader, struct value *value)
                : read_expression(reader, &value->is.numbers);
 }
 
-static bool read_statement(struct reader *reader, struct value *value)
+static bool read_statement(struct reader *reader, struct scene_value *value)
 {
     struct item item = { grammar_find(&declared_grammar, &reader->token),
                          reader->token };
-    const struct value *named = reader_value(reader);
+    const struct scene_value *named = reader_value(reader);
 
     if (item.keyword) {
         reader_next(reader);
@@ -176,7 +176,7 @@ static bool read_statement(struct reader *reader, struct value *value)
     return copy_named(reader, value);
 }
 
-bool value_read(struct reader *reader, struct value *value)
+bool value_read(struct reader *reader, struct scene_value *value)
 {
     bool done;
 
@@ -194,7 +194,7 @@ bool value_read(struct reader *reader, struct value *value)
     return done;
 }
 
-bool is_reserved(const struct token *token)
+bool is_reserved(const struct scene_token *token)
 {
     return is_expression_word(token) || is_color_word(token)
            || is_string_word(token) || is_token(token, "array")
@@ -202,9 +202,9 @@ bool is_reserved(const struct token *token)
            || grammar_find(&modifier_grammar, token);
 }
 
-bool name_expected(struct reader *reader, const struct token *token)
+bool name_expected(struct reader *reader, const struct scene_token *token)
 {
-    struct token name = *token;
+    struct scene_token name = *token;
 
     if (name.kind != TOKEN_WORD)
         return reader_expected(reader, "a name");
@@ -221,7 +221,7 @@ bool name_expected(struct reader *reader, const struct token *token)
 /* Behind "=" to behind the ";", which only numbers must have: behind another
  * value nothing is looked at, for it may depend on the name that is made. */
 static bool read_right_side(struct reader *reader, size_t depth,
-                            struct value *value)
+                            struct scene_value *value)
 {
     size_t hold = reader_hold(reader);
     bool done = value_read(reader, value);
@@ -239,7 +239,7 @@ static bool read_right_side(struct reader *reader, size_t depth,
 
 /* A name, or an element: what is to get a value. */
 struct target {
-    struct token name;
+    struct scene_token name;
     bool is_element, local;
     size_t level; /* where the directive stands */
 };
@@ -247,11 +247,11 @@ struct target {
 /* As in POV-Ray, #declare changes the innermost value of a name that there
  * is, and #local one of its own level. */
 static const char *assign(struct reader *reader, const struct target *target,
-                          struct value *value)
+                          struct scene_value *value)
 {
-    const struct token *name = &target->name;
-    struct symbols *symbols = &reader->symbols;
-    struct symbol *symbol;
+    const struct scene_token *name = &target->name;
+    struct declared_names *symbols = &reader->symbols;
+    struct declared_name *symbol;
     struct reference reference;
 
     if (target->is_element)
@@ -303,13 +303,13 @@ static bool read_target(struct reader *reader, struct target *target)
  * not told again at each use. */
 static bool declare_value(struct reader *reader, struct target *target)
 {
-    struct value value;
+    struct scene_value value;
     bool done = reader_expect_sign(reader, '=')
                 && read_right_side(reader, target->level, &value);
     const char *fault;
 
     if (!done)
-        value = (struct value){ VALUE_FAULTY, { .string = NULL } };
+        value = (struct scene_value){ VALUE_FAULTY, { .string = NULL } };
     if (target->level > reader->lexer.depth)
         target->level = reader->lexer.depth;
     fault = assign(reader, target, &value);
@@ -320,7 +320,7 @@ bool read_declare(struct reader *reader, void *subject,
                   const struct item *item)
 {
     struct target target = { .local = item->keyword->detail };
-    struct symbol *symbol;
+    struct declared_name *symbol;
     bool done;
 
     (void)subject;
@@ -337,7 +337,7 @@ bool read_declare(struct reader *reader, void *subject,
 
 bool read_undef(struct reader *reader, void *subject, const struct item *item)
 {
-    struct token name = reader->token;
+    struct scene_token name = reader->token;
 
     (void)subject;
     (void)item;

@@ -14,7 +14,8 @@
 
 enum { MESSAGE_SAYS, MESSAGE_WARNS, MESSAGE_IS_ERROR };
 
-static bool cannot_include(struct reader *reader, const struct token *at)
+static bool cannot_include(struct reader *reader,
+                           const struct scene_token *at)
 {
     int why = errno;
 
@@ -28,7 +29,7 @@ static bool cannot_include(struct reader *reader, const struct token *at)
  * after the file, so it is left there. */
 static char *read_file_name(struct reader *reader, size_t depth)
 {
-    const struct token at = reader->token;
+    const struct scene_token at = reader->token;
     size_t hold;
     char *name = NULL;
 
@@ -53,10 +54,10 @@ static char *read_file_name(struct reader *reader, size_t depth)
     return name;
 }
 
-static bool open_file(struct reader *reader, const struct token *at,
+static bool open_file(struct reader *reader, const struct scene_token *at,
                       const char *name)
 {
-    const struct source *source;
+    const struct scene_source *source;
     bool opened;
 
     if (!*name)
@@ -81,7 +82,7 @@ static bool read_include(struct reader *reader, void *subject,
                          const struct item *item)
 {
     size_t depth = reader->lexer.depth;
-    struct token at;
+    struct scene_token at;
     char *name;
     bool done;
 
@@ -99,7 +100,7 @@ static bool read_include(struct reader *reader, void *subject,
 static bool read_version(struct reader *reader, void *subject,
                          const struct item *item)
 {
-    struct token at;
+    struct scene_token at;
     double version;
 
     (void)subject;
@@ -242,7 +243,7 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct keyword *find(const struct token *token)
+static const struct keyword *find(const struct scene_token *token)
 {
     for (const struct keyword *keyword = words; keyword->word; keyword++) {
         const char *const word[] = { keyword->word, NULL };

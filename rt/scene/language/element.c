@@ -14,7 +14,7 @@
  * at yet.  POV-Ray cuts what is behind the point. */
 static bool read_size(struct reader *reader, double most, size_t *size)
 {
-    struct token at;
+    struct scene_token at;
     double value;
 
     if (!reader_at_sign(reader, '['))
@@ -32,8 +32,8 @@ static bool read_size(struct reader *reader, double most, size_t *size)
 
 static bool bracket_follows(struct reader *reader)
 {
-    struct place place = lexer_top(&reader->lexer)->place;
-    struct token token = lexer_next(&reader->lexer);
+    struct text_place place = lexer_top(&reader->lexer)->place;
+    struct scene_token token = lexer_next(&reader->lexer);
 
     lexer_top(&reader->lexer)->place = place;
     return token_is_sign(&token, '[');
@@ -58,7 +58,7 @@ static bool read_indices(struct reader *reader, const struct array *array,
 }
 
 /* One array's indices; what is read in them may have changed the array. */
-static bool read_hop(struct reader *reader, struct token *name)
+static bool read_hop(struct reader *reader, struct scene_token *name)
 {
     struct reference *reference = &name->reference;
 
@@ -75,7 +75,7 @@ static bool read_hop(struct reader *reader, struct token *name)
     return true;
 }
 
-static bool read_hops(struct reader *reader, struct token *name)
+static bool read_hops(struct reader *reader, struct scene_token *name)
 {
     bool done = true;
 
@@ -87,7 +87,7 @@ static bool read_hops(struct reader *reader, struct token *name)
 
 bool element_read_place(struct reader *reader)
 {
-    struct token name = reader->token;
+    struct scene_token name = reader->token;
     size_t hold = reader_nest(reader);
     bool done = false;
 
@@ -105,7 +105,8 @@ bool element_read_place(struct reader *reader)
 
 bool element_read(struct reader *reader)
 {
-    static const struct value faulty = { VALUE_FAULTY, { .string = NULL } };
+    static const struct scene_value faulty = { VALUE_FAULTY,
+                                               { .string = NULL } };
 
     if (!element_read_place(reader))
         return false;
@@ -124,8 +125,8 @@ static bool read_row(struct reader *reader, struct array *array,
 static bool read_cell(struct reader *reader, struct array *array,
                       size_t dimension, size_t *element)
 {
-    struct token at = reader->token;
-    struct value value;
+    struct scene_token at = reader->token;
+    struct scene_value value;
 
     if (dimension + 1 < array->dimensions)
         return read_row(reader, array, dimension + 1, element);
@@ -160,7 +161,7 @@ static bool read_sizes(struct reader *reader, size_t *dimensions,
 {
     *dimensions = 0;
     do {
-        struct token at = reader->token;
+        struct scene_token at = reader->token;
         if (*dimensions == DIMENSIONS_MOST)
             return reader_fault(reader, &at, "more than %d dimensions",
                                 DIMENSIONS_MOST);
@@ -174,9 +175,9 @@ static bool read_sizes(struct reader *reader, size_t *dimensions,
 }
 
 /* The rows may be left out; the array's elements are then not set. */
-bool array_read(struct reader *reader, struct value *value)
+bool array_read(struct reader *reader, struct scene_value *value)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     size_t dimensions, sizes[DIMENSIONS_MOST], element = 0;
 
     reader_step(reader);

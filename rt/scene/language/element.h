@@ -10,6 +10,6 @@ bool element_read(struct reader *reader);
 /* The same for an element that need not be set. */
 bool element_read_place(struct reader *reader);
 /* An array as a value; the token is its word. */
-bool array_read(struct reader *reader, struct value *value);
+bool array_read(struct reader *reader, struct scene_value *value);
 
 #endif

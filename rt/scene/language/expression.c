@@ -45,7 +45,7 @@ static void negate(struct numbers *value)
 
 static bool read_factor(struct reader *reader, struct numbers *value)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     char prefix;
     bool done;
 
@@ -99,8 +99,8 @@ static bool is_sign_of(const struct reader *reader, const struct level *level)
     return false;
 }
 
-static bool apply(struct reader *reader, const struct token *at, bool floats,
-                  struct numbers *left, struct numbers *right)
+static bool apply(struct reader *reader, const struct scene_token *at,
+                  bool floats, struct numbers *left, struct numbers *right)
 {
     if (floats
         && !(operand_float(reader, at, left)
@@ -123,7 +123,7 @@ static bool read_level(struct reader *reader, const struct level *level,
     if (!level->read(reader, value))
         return false;
     while (is_sign_of(reader, level)) {
-        struct token at = reader->token;
+        struct scene_token at = reader->token;
         struct numbers right;
         reader_next(reader);
         if (!level->read(reader, &right)
@@ -151,7 +151,7 @@ bool read_expression(struct reader *reader, struct numbers *value)
 static bool compare_strings(struct reader *reader, const char *left,
                             struct numbers *value)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     char *right;
 
     reader_next(reader);
@@ -199,7 +199,7 @@ static bool read_logic(struct reader *reader, struct numbers *value)
 
 bool read_full(struct reader *reader, struct numbers *value)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     struct numbers other;
     bool first, done;
 
@@ -220,7 +220,7 @@ bool read_full(struct reader *reader, struct numbers *value)
 
 bool read_full_number(struct reader *reader, double *value)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     struct numbers numbers;
 
     if (!read_full(reader, &numbers) || !operand_float(reader, &at, &numbers))
@@ -231,7 +231,7 @@ bool read_full_number(struct reader *reader, double *value)
 
 bool read_number(struct reader *reader, double *value)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     struct numbers numbers;
 
     if (!read_expression(reader, &numbers)
@@ -243,7 +243,7 @@ bool read_number(struct reader *reader, double *value)
 
 bool read_vector(struct reader *reader, double vector[3])
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     struct numbers numbers;
 
     if (!read_expression(reader, &numbers))

@@ -8,9 +8,9 @@
 bool starts_expression(const struct reader *reader);
 /* A word like rgb or red, or the name of a colour. */
 bool starts_color(const struct reader *reader);
-bool is_color_word(const struct token *token);
+bool is_color_word(const struct scene_token *token);
 /* A constant or a function of the language. */
-bool is_expression_word(const struct token *token);
+bool is_expression_word(const struct scene_token *token);
 
 /* Sums; comparisons, logic and ?: stand only in parentheses. */
 bool read_expression(struct reader *reader, struct numbers *value);
@@ -25,7 +25,7 @@ bool read_vector(struct reader *reader, double vector[3]);
 /* All five terms. */
 bool read_color(struct reader *reader, struct numbers *color);
 /* The same after its first word, which is a colour word. */
-bool read_color_after(struct reader *reader, const struct token *word,
+bool read_color_after(struct reader *reader, const struct scene_token *word,
                       struct numbers *color);
 /* The three that a light or a background has. */
 bool read_rgb(struct reader *reader, double rgb[3]);
@@ -40,6 +40,6 @@ struct function {
     double (*plain)(double); /* instead, for one float */
 };
 enum { ARGUMENTS_MOST = 32 };
-const struct function *function_find(const struct token *token);
+const struct function *function_find(const struct scene_token *token);
 
 #endif

@@ -221,7 +221,7 @@ static const struct function functions[] = {
     { "vrotate", "vv", apply_vrotate, NULL },
 };
 
-const struct function *function_find(const struct token *token)
+const struct function *function_find(const struct scene_token *token)
 {
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
         if (is_token(token, functions[i].name))

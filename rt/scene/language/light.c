@@ -7,7 +7,7 @@
 static bool read_shadowless(struct reader *reader, void *subject,
                             const struct item *item)
 {
-    struct object *object = subject;
+    struct scene_object *object = subject;
 
     (void)reader;
     (void)item;
@@ -65,7 +65,7 @@ static const struct grammar grammar = { "a word of light_source",
                                         { words, left_out, unsupported },
                                         NULL };
 
-static bool read_point(struct reader *reader, struct object *object)
+static bool read_point(struct reader *reader, struct scene_object *object)
 {
     struct light light;
 
@@ -78,9 +78,9 @@ static bool read_point(struct reader *reader, struct object *object)
     return object_add_light(object, &light) || reader_no_memory(reader);
 }
 
-bool light_read(struct reader *reader, struct object *object)
+bool light_read(struct reader *reader, struct scene_object *object)
 {
-    const struct value *value;
+    const struct scene_value *value;
     struct block block;
     bool good;
 

@@ -4,7 +4,7 @@
 #include "rt/scene/language/expression.h"
 
 /* Nothing of a loop is read: its start is wrong. */
-static bool leave_out(struct reader *reader, const struct token *at)
+static bool leave_out(struct reader *reader, const struct scene_token *at)
 {
     if (condition_skip(reader, at, skip_to_end, 1))
         reader_step(reader);
@@ -12,7 +12,8 @@ static bool leave_out(struct reader *reader, const struct token *at)
 }
 
 /* The text that a turn begins with is in the frame of its #end. */
-static bool same_frame(struct reader *reader, const struct condition *loop)
+static bool same_frame(struct reader *reader,
+                       const struct scene_condition *loop)
 {
     return lexer_top(&reader->lexer)->serial == loop->frame
            || reader_fault(reader, &loop->at,
@@ -20,8 +21,8 @@ static bool same_frame(struct reader *reader, const struct condition *loop)
 }
 
 /* The token is the last one before the body. */
-static bool turn(struct reader *reader, struct condition *loop, bool good,
-                 bool holds)
+static bool turn(struct reader *reader, struct scene_condition *loop,
+                 bool good, bool holds)
 {
     if (!good || !holds)
         return condition_leave(reader, loop) && good;
@@ -30,7 +31,7 @@ static bool turn(struct reader *reader, struct condition *loop, bool good,
 }
 
 /* A turn with an error in it is the last one: its variable may stand still. */
-static bool may_go_on(struct reader *reader, struct condition *loop)
+static bool may_go_on(struct reader *reader, struct scene_condition *loop)
 {
     if (++loop->turns == TURNS_MOST)
         return reader_fault(reader, &loop->at, "more than %d turns",
@@ -40,7 +41,7 @@ static bool may_go_on(struct reader *reader, struct condition *loop)
 
 /* ---- #while ------------------------------------------------------------- */
 
-static bool begin_turn(struct reader *reader, struct condition *loop)
+static bool begin_turn(struct reader *reader, struct scene_condition *loop)
 {
     double value = 0;
     bool good = condition_read(reader, &value) && same_frame(reader, loop);
@@ -50,8 +51,8 @@ static bool begin_turn(struct reader *reader, struct condition *loop)
 
 bool loop_while(struct reader *reader, void *subject, const struct item *item)
 {
-    struct condition *loop = condition_push(reader, CONDITION_WHILE,
-                                            &item->at);
+    struct scene_condition *loop = condition_push(reader, CONDITION_WHILE,
+                                                  &item->at);
 
     (void)subject;
     if (!loop)
@@ -62,13 +63,14 @@ bool loop_while(struct reader *reader, void *subject, const struct item *item)
 
 /* ---- #for --------------------------------------------------------------- */
 
-static bool set_variable(struct reader *reader, const struct token *name,
-                         double number)
+static bool set_variable(struct reader *reader,
+                         const struct scene_token *name, double number)
 {
-    struct value value = { VALUE_NUMBERS, { .numbers = numbers_of(number) } };
+    struct scene_value value = { VALUE_NUMBERS,
+                                 { .numbers = numbers_of(number) } };
     size_t level = reader->lexer.depth;
-    struct symbol *symbol = symbols_find_at(&reader->symbols, level,
-                                            name->text, name->length);
+    struct declared_name *symbol = symbols_find_at(&reader->symbols, level,
+                                                   name->text, name->length);
     struct reference reference;
 
     if (!symbol)
@@ -80,10 +82,10 @@ static bool set_variable(struct reader *reader, const struct token *name,
 }
 
 /* The body may have changed it, as in POV-Ray. */
-static bool get_variable(struct reader *reader, const struct token *name,
-                         double *number)
+static bool get_variable(struct reader *reader,
+                         const struct scene_token *name, double *number)
 {
-    struct token found = *name;
+    struct scene_token found = *name;
 
     if (!reader_look_up(reader, &found) || found.value->kind != VALUE_NUMBERS
         || found.value->is.numbers.count != 1)
@@ -93,7 +95,7 @@ static bool get_variable(struct reader *reader, const struct token *name,
     return true;
 }
 
-static bool is_past(const struct condition *loop, double value)
+static bool is_past(const struct scene_condition *loop, double value)
 {
     return loop->step > 0 ? value > loop->end + EXPRESSION_SAME
                           : value < loop->end - EXPRESSION_SAME;
@@ -101,7 +103,7 @@ static bool is_past(const struct condition *loop, double value)
 
 static bool read_step(struct reader *reader, double *step)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
 
     *step = 1;
     if (!reader_accept_sign(reader, ','))
@@ -112,7 +114,7 @@ static bool read_step(struct reader *reader, double *step)
 }
 
 /* "(" name, start, end [, step] ")"; the last stays the token. */
-static bool read_head(struct reader *reader, struct condition *loop,
+static bool read_head(struct reader *reader, struct scene_condition *loop,
                       double *start)
 {
     if (!reader_at_sign(reader, '('))
@@ -131,7 +133,8 @@ static bool read_head(struct reader *reader, struct condition *loop,
 
 bool loop_for(struct reader *reader, void *subject, const struct item *item)
 {
-    struct condition *loop = condition_push(reader, CONDITION_FOR, &item->at);
+    struct scene_condition *loop = condition_push(reader, CONDITION_FOR,
+                                                  &item->at);
     double start = 0;
     size_t sealed;
     bool good;
@@ -147,7 +150,7 @@ bool loop_for(struct reader *reader, void *subject, const struct item *item)
     return turn(reader, loop, good, good && !is_past(loop, start));
 }
 
-static bool next_turn(struct reader *reader, struct condition *loop)
+static bool next_turn(struct reader *reader, struct scene_condition *loop)
 {
     double value = 0;
     bool good = get_variable(reader, &loop->name, &value)
@@ -158,7 +161,7 @@ static bool next_turn(struct reader *reader, struct condition *loop)
 
 /* ---- Both --------------------------------------------------------------- */
 
-bool loop_end(struct reader *reader, struct condition *loop)
+bool loop_end(struct reader *reader, struct scene_condition *loop)
 {
     bool is_for = loop->kind == CONDITION_FOR;
 

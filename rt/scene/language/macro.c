@@ -9,9 +9,9 @@
 
 /* ---- Definition --------------------------------------------------------- */
 
-static bool read_parameter(struct reader *reader, struct macro *macro)
+static bool read_parameter(struct reader *reader, struct scene_macro *macro)
 {
-    const struct token *token = &reader->token;
+    const struct scene_token *token = &reader->token;
 
     if (token->kind != TOKEN_WORD)
         return reader_expected(reader, "the name of a parameter, or ')'");
@@ -32,7 +32,7 @@ static bool read_parameter(struct reader *reader, struct macro *macro)
 }
 
 /* From "(" to the start of the body. */
-static bool read_parameters(struct reader *reader, struct macro *macro)
+static bool read_parameters(struct reader *reader, struct scene_macro *macro)
 {
     if (!reader_at_sign(reader, '('))
         return reader_expected(reader, "'('");
@@ -45,12 +45,12 @@ static bool read_parameters(struct reader *reader, struct macro *macro)
     return true;
 }
 
-static bool add_macro(struct reader *reader, const struct token *name,
-                      struct macro *macro)
+static bool add_macro(struct reader *reader, const struct scene_token *name,
+                      struct scene_macro *macro)
 {
-    struct symbol *before = symbols_find(&reader->symbols, name->text,
-                                         name->length);
-    struct value value = { VALUE_MACRO, { .macro = macro } };
+    struct declared_name *before = symbols_find(&reader->symbols, name->text,
+                                                name->length);
+    struct scene_value value = { VALUE_MACRO, { .macro = macro } };
     struct reference reference;
 
     if (!before)
@@ -64,8 +64,8 @@ static bool add_macro(struct reader *reader, const struct token *name,
 bool macro_define(struct reader *reader, void *subject,
                   const struct item *item)
 {
-    struct macro *macro = calloc(1, sizeof *macro);
-    struct token name = reader->token;
+    struct scene_macro *macro = calloc(1, sizeof *macro);
+    struct scene_token name = reader->token;
     bool done = macro || reader_no_memory(reader);
     bool found;
 
@@ -91,20 +91,20 @@ bool macro_define(struct reader *reader, void *subject,
 
 struct argument {
     struct reference reference; /* held; or no symbol: */
-    struct value value;
+    struct scene_value value;
 };
 
 struct call {
-    struct macro macro; /* its own copy: an argument may redefine it */
-    struct token at;
+    struct scene_macro macro; /* its own copy: an argument may redefine it */
+    struct scene_token at;
     size_t count;
     struct argument arguments[]; /* as many as it has parameters */
 };
 
-static struct token peek(struct reader *reader)
+static struct scene_token peek(struct reader *reader)
 {
-    struct place place = lexer_top(&reader->lexer)->place;
-    struct token token = lexer_next(&reader->lexer);
+    struct text_place place = lexer_top(&reader->lexer)->place;
+    struct scene_token token = lexer_next(&reader->lexer);
 
     lexer_top(&reader->lexer)->place = place;
     return token;
@@ -112,7 +112,7 @@ static struct token peek(struct reader *reader)
 
 static bool is_alone(struct reader *reader)
 {
-    struct token behind;
+    struct scene_token behind;
 
     if (reader->token.kind != TOKEN_WORD || !reader->token.reference.symbol)
         return false;
@@ -132,7 +132,7 @@ static bool read_argument(struct reader *reader, struct argument *argument)
 
 static bool read_arguments(struct reader *reader, struct call *call)
 {
-    const struct macro *macro = &call->macro;
+    const struct scene_macro *macro = &call->macro;
 
     while (call->count < macro->count) {
         if (reader_at_sign(reader, ')'))
@@ -173,7 +173,7 @@ static bool bind(struct reader *reader, struct call *call)
  * behind it. */
 static bool enter_body(struct reader *reader, struct call *call)
 {
-    const struct macro *macro = &call->macro;
+    const struct scene_macro *macro = &call->macro;
 
     if (!lexer_call(&reader->lexer, macro->source, macro->body, macro->end,
                     &call->at)) {
@@ -201,7 +201,7 @@ static void call_free(struct call *call)
 
 static struct call *new_call(const struct reader *reader)
 {
-    const struct macro *macro = reader->token.value->is.macro;
+    const struct scene_macro *macro = reader->token.value->is.macro;
     struct call *call = calloc(1,
                                sizeof *call
                                    + macro->count * sizeof *call->arguments);

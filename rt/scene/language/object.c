@@ -11,10 +11,11 @@ void pigment_move(struct pigment *pigment, const struct placement *step)
     pigment->to_local = transform_then(&step->to_local, &pigment->to_local);
 }
 
-static bool add_part(struct object *object, const struct part *part)
+static bool add_part(struct scene_object *object,
+                     const struct scene_part *part)
 {
-    struct part *parts = array_grow(object->parts, object->part_count,
-                                    sizeof *parts);
+    struct scene_part *parts = array_grow(object->parts, object->part_count,
+                                          sizeof *parts);
 
     if (!parts)
         return false;
@@ -23,8 +24,8 @@ static bool add_part(struct object *object, const struct part *part)
     return true;
 }
 
-static bool add_branch(struct object *object, enum tree_operation operation,
-                       size_t size)
+static bool add_branch(struct scene_object *object,
+                       enum tree_operation operation, size_t size)
 {
     struct branch *branches = array_grow(object->branches,
                                          object->branch_count,
@@ -37,17 +38,17 @@ static bool add_branch(struct object *object, enum tree_operation operation,
     return true;
 }
 
-bool object_add_primitive(struct object *object,
+bool object_add_primitive(struct scene_object *object,
                           const struct primitive *primitive)
 {
-    struct part part;
+    struct scene_part part;
 
     memset(&part, 0, sizeof part);
     part.primitive = *primitive;
     return add_part(object, &part) && add_branch(object, TREE_LEAF, 1);
 }
 
-bool object_add_light(struct object *object, const struct light *light)
+bool object_add_light(struct scene_object *object, const struct light *light)
 {
     struct light *lights = array_grow(object->lights, object->light_count,
                                       sizeof *lights);
@@ -59,7 +60,8 @@ bool object_add_light(struct object *object, const struct light *light)
     return true;
 }
 
-static void inherit(struct part *part, const struct object *object)
+static void inherit(struct scene_part *part,
+                    const struct scene_object *object)
 {
     if (!part->textured && object->textured) {
         part->primitive.pigment = object->texture.pigment;
@@ -72,10 +74,10 @@ static void inherit(struct part *part, const struct object *object)
     }
 }
 
-bool object_add(struct object *object, const struct object *child)
+bool object_add(struct scene_object *object, const struct scene_object *child)
 {
     for (size_t i = 0; i < child->part_count; i++) {
-        struct part part = child->parts[i];
+        struct scene_part part = child->parts[i];
         inherit(&part, child);
         if (!add_part(object, &part))
             return false;
@@ -91,7 +93,8 @@ bool object_add(struct object *object, const struct object *child)
 }
 
 /* A new root over all branches. */
-static bool add_root(struct object *object, enum tree_operation operation)
+static bool add_root(struct scene_object *object,
+                     enum tree_operation operation)
 {
     size_t count = object->branch_count;
 
@@ -103,14 +106,14 @@ static bool add_root(struct object *object, enum tree_operation operation)
     return true;
 }
 
-static void remove_root(struct object *object)
+static void remove_root(struct scene_object *object)
 {
     object->branch_count--;
     memmove(object->branches, object->branches + 1,
             object->branch_count * sizeof *object->branches);
 }
 
-bool object_join(struct object *object)
+bool object_join(struct scene_object *object)
 {
     bool meet = object->joining == JOIN_INTERSECTION
                 || object->joining == JOIN_DIFFERENCE;
@@ -120,7 +123,7 @@ bool object_join(struct object *object)
            || add_root(object, meet ? TREE_AND : TREE_OR);
 }
 
-bool object_invert(struct object *object)
+bool object_invert(struct scene_object *object)
 {
     if (!object_join(object))
         return false;
@@ -135,13 +138,13 @@ bool object_invert(struct object *object)
 }
 
 /* As in POV-Ray it counts on the whole of a solid only. */
-static void forget_no_shadow(struct object *object)
+static void forget_no_shadow(struct scene_object *object)
 {
     for (size_t i = 0; i < object->part_count; i++)
         object->parts[i].primitive.no_shadow = false;
 }
 
-bool object_add_child(struct object *object, struct object *child)
+bool object_add_child(struct scene_object *object, struct scene_object *child)
 {
     bool first = object->child_count++ == 0;
 
@@ -156,9 +159,9 @@ bool object_add_child(struct object *object, struct object *child)
     return object_add(object, child);
 }
 
-bool object_copy(struct object *copy, const struct object *object)
+bool object_copy(struct scene_object *copy, const struct scene_object *object)
 {
-    struct object bare = *object;
+    struct scene_object bare = *object;
 
     bare.textured = bare.filled = false;
     copy->textured = object->textured;
@@ -168,7 +171,7 @@ bool object_copy(struct object *copy, const struct object *object)
     return object_add(copy, &bare);
 }
 
-static void part_move(struct part *part, const struct placement *step)
+static void part_move(struct scene_part *part, const struct placement *step)
 {
     struct primitive *primitive = &part->primitive;
 
@@ -180,7 +183,7 @@ static void part_move(struct part *part, const struct placement *step)
         pigment_move(&primitive->pigment, step);
 }
 
-void object_move(struct object *object, const struct placement *step)
+void object_move(struct scene_object *object, const struct placement *step)
 {
     for (size_t i = 0; i < object->part_count; i++)
         part_move(&object->parts[i], step);
@@ -190,7 +193,7 @@ void object_move(struct object *object, const struct placement *step)
         pigment_move(&object->texture.pigment, step);
 }
 
-void scene_object_free(struct object *object)
+void scene_object_free(struct scene_object *object)
 {
     free(object->parts);
     free(object->branches);

@@ -18,7 +18,7 @@ struct texture {
     struct finish finish;
 };
 
-struct part {
+struct scene_part {
     struct primitive primitive; /* pigment and finish once textured, ior once
                                    filled */
     bool textured, filled;
@@ -32,9 +32,9 @@ struct branch {
     size_t size; /* branches from this one to the last below it */
 };
 
-struct object {
+struct scene_object {
     size_t part_count;
-    struct part *parts;
+    struct scene_part *parts;
     size_t branch_count;
     struct branch *branches;
     size_t light_count;
@@ -50,21 +50,24 @@ struct object {
 void pigment_move(struct pigment *pigment, const struct placement *step);
 
 /* Those that return false are out of memory. */
-bool object_add_primitive(struct object *object,
+bool object_add_primitive(struct scene_object *object,
                           const struct primitive *primitive);
-bool object_add_light(struct object *object, const struct light *light);
+bool object_add_light(struct scene_object *object, const struct light *light);
 /* Add the solids of another; parts without texture or interior get its own, if
  * any. */
-bool object_add(struct object *object, const struct object *child);
+bool object_add(struct scene_object *object,
+                const struct scene_object *child);
 /* The same as the object's joining says: one solid of the child's, or what is
  * outside of it. */
-bool object_add_child(struct object *object, struct object *child);
+bool object_add_child(struct scene_object *object,
+                      struct scene_object *child);
 /* All solids become one. */
-bool object_join(struct object *object);
+bool object_join(struct scene_object *object);
 /* The same, and what was outside becomes inside. */
-bool object_invert(struct object *object);
-bool object_copy(struct object *copy, const struct object *object);
-void object_move(struct object *object, const struct placement *step);
-void scene_object_free(struct object *object);
+bool object_invert(struct scene_object *object);
+bool object_copy(struct scene_object *copy,
+                 const struct scene_object *object);
+void object_move(struct scene_object *object, const struct placement *step);
+void scene_object_free(struct scene_object *object);
 
 #endif

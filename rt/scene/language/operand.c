@@ -24,7 +24,7 @@ static const struct constant {
     { "z", { 3, { 0, 0, 1 } } },
 };
 
-static const struct constant *constant_find(const struct token *token)
+static const struct constant *constant_find(const struct scene_token *token)
 {
     for (size_t i = 0; i < sizeof constants / sizeof *constants; i++)
         if (is_token(token, constants[i].name))
@@ -32,12 +32,12 @@ static const struct constant *constant_find(const struct token *token)
     return NULL;
 }
 
-static bool is_picture_size(const struct token *token)
+static bool is_picture_size(const struct scene_token *token)
 {
     return is_token(token, "image_width") || is_token(token, "image_height");
 }
 
-bool is_expression_word(const struct token *token)
+bool is_expression_word(const struct scene_token *token)
 {
     return constant_find(token) || function_find(token)
            || is_picture_size(token) || is_query_word(token)
@@ -46,7 +46,7 @@ bool is_expression_word(const struct token *token)
 
 bool starts_expression(const struct reader *reader)
 {
-    const struct token *token = &reader->token;
+    const struct scene_token *token = &reader->token;
 
     if (token->kind == TOKEN_SIGN)
         return token->sign && token->sign < SIGN_UNEQUAL
@@ -56,7 +56,7 @@ bool starts_expression(const struct reader *reader)
            || is_expression_word(token);
 }
 
-bool operand_found_vector(struct reader *reader, const struct token *at,
+bool operand_found_vector(struct reader *reader, const struct scene_token *at,
                           const char *expected, const struct numbers *value)
 {
     return reader_fault(reader, at, "expected %s, found %d components",
@@ -64,14 +64,14 @@ bool operand_found_vector(struct reader *reader, const struct token *at,
 }
 
 /* Neither overflow nor the argument outside of a function's domain. */
-bool operand_finite(struct reader *reader, const struct token *at,
+bool operand_finite(struct reader *reader, const struct scene_token *at,
                     const struct numbers *value)
 {
     return numbers_are_finite(value)
            || reader_fault(reader, at, "the value is not a finite number");
 }
 
-bool operand_float(struct reader *reader, const struct token *at,
+bool operand_float(struct reader *reader, const struct scene_token *at,
                    const struct numbers *value)
 {
     return value->count == 1
@@ -97,7 +97,7 @@ static bool read_components(struct reader *reader, struct numbers *value)
 static bool read_argument(struct reader *reader, char kind,
                           struct numbers *argument)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
 
     if (!read_full(reader, argument))
         return false;
@@ -137,7 +137,7 @@ static bool read_call(struct reader *reader, const struct function *function,
                       struct numbers *value)
 {
     struct numbers arguments[ARGUMENTS_MOST];
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     size_t count;
 
     reader_next(reader);
@@ -168,7 +168,7 @@ static bool read_picture_size(struct reader *reader, struct numbers *value)
 
 static bool read_query(struct reader *reader, struct numbers *value)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
 
     *value = numbers_of(0);
     return query_read(reader, &value->n[0])
@@ -186,8 +186,9 @@ static bool take(struct reader *reader, struct numbers taken,
 /* Names that are declared first, for there are the most of them. */
 static bool read_name(struct reader *reader, struct numbers *value)
 {
-    const struct token *token = &reader->token;
-    const struct value *declared = reader_value_of(reader, VALUE_NUMBERS);
+    const struct scene_token *token = &reader->token;
+    const struct scene_value *declared = reader_value_of(reader,
+                                                         VALUE_NUMBERS);
     const struct constant *constant;
 
     if (declared)

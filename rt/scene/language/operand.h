@@ -9,12 +9,12 @@ bool operand_read(struct reader *reader, struct numbers *value);
 
 /* The error, at the token, of a value that is not a float; not finite: from
  * overflow, or from an argument outside of a function's domain. */
-bool operand_float(struct reader *reader, const struct token *at,
+bool operand_float(struct reader *reader, const struct scene_token *at,
                    const struct numbers *value);
-bool operand_finite(struct reader *reader, const struct token *at,
+bool operand_finite(struct reader *reader, const struct scene_token *at,
                     const struct numbers *value);
 /* The error that so many components are too many.  Returns false. */
-bool operand_found_vector(struct reader *reader, const struct token *at,
+bool operand_found_vector(struct reader *reader, const struct scene_token *at,
                           const char *expected, const struct numbers *value);
 
 #endif

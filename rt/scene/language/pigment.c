@@ -80,7 +80,7 @@ static bool read_nested(struct reader *reader, struct pigment *pattern,
                         int which)
 {
     struct pigment pigment = reader->default_texture.pigment;
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
 
     reader_next(reader);
     if (!pigment_read(reader, &pigment))
@@ -236,7 +236,7 @@ static const struct grammar grammar = {
 bool pigment_body(struct reader *reader, const struct block *block,
                   void *subject)
 {
-    const struct value *value = reader_value_of(reader, VALUE_PIGMENT);
+    const struct scene_value *value = reader_value_of(reader, VALUE_PIGMENT);
     struct pigment *pigment = subject;
     bool done = true;
 

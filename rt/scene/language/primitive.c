@@ -11,7 +11,7 @@
 /* A radius counts by its size; without one there is nothing to see. */
 static bool read_radius(struct reader *reader, double *radius)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
 
     if (!read_number(reader, radius))
         return false;
@@ -21,7 +21,7 @@ static bool read_radius(struct reader *reader, double *radius)
 
 static bool read_size(struct reader *reader, const char *what, double *size)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
 
     if (!read_number(reader, size))
         return false;
@@ -31,7 +31,7 @@ static bool read_size(struct reader *reader, const char *what, double *size)
 
 static bool read_width(struct reader *reader, const char *what, double *width)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
 
     if (!read_number(reader, width))
         return false;
@@ -41,7 +41,7 @@ static bool read_width(struct reader *reader, const char *what, double *width)
 /* All of <..> are read, that their number can be told. */
 static bool read_terms(struct reader *reader, double *terms, size_t count)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     size_t found = 0;
     double value;
 
@@ -65,7 +65,7 @@ static bool read_terms(struct reader *reader, double *terms, size_t count)
 
 static bool read_count(struct reader *reader, size_t *count)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     double number;
 
     if (!read_number(reader, &number))
@@ -152,7 +152,7 @@ static bool is_word(const struct shape_field *field)
 static bool read_word(struct reader *reader, const struct shape_field *field,
                       bool *to)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     bool there = reader_accept(reader, field->what);
 
     if (field->takes == TAKES_WORD)
@@ -186,7 +186,7 @@ bool primitive_read(struct reader *reader, enum primitive_kind kind,
                     struct primitive *primitive)
 {
     const struct shape_field *fields = shapes[kind]->fields;
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
 
     memset(primitive, 0, sizeof *primitive);
     primitive->kind = kind;

@@ -83,7 +83,7 @@ static bool read_strcmp(struct reader *reader, double *value)
 
 static bool read_file_exists(struct reader *reader, double *value)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     char *name;
 
     if (!string_read(reader, &name))
@@ -103,7 +103,7 @@ static bool read_file_exists(struct reader *reader, double *value)
 /* ---- Names and arrays --------------------------------------------------- */
 
 /* A shape that POV-Ray has not. */
-static bool is_own_shape(const struct token *token)
+static bool is_own_shape(const struct scene_token *token)
 {
     for (int kind = 0; kind < PRIMITIVE_KINDS; kind++)
         if (!shapes[kind]->povray
@@ -134,7 +134,7 @@ bool read_defined(struct reader *reader, double *value)
 /* NULL: the token is no array, which is an error. */
 static const struct array *expect_array(struct reader *reader)
 {
-    const struct value *value = reader_value_of(reader, VALUE_ARRAY);
+    const struct scene_value *value = reader_value_of(reader, VALUE_ARRAY);
 
     if (!value)
         reader_expected(reader, "an array");
@@ -179,7 +179,7 @@ static bool read_dimension_size(struct reader *reader, double *value)
 static bool read_seed(struct reader *reader, double *value)
 {
     const double most = 2147483648.;
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     uint32_t *seeds;
     double seed;
 
@@ -202,7 +202,7 @@ static bool read_seed(struct reader *reader, double *value)
 /* POV-Ray's generator: 32 bits, congruential. */
 static bool read_rand(struct reader *reader, double *value)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     double stream;
     uint32_t *seed;
 
@@ -248,7 +248,7 @@ static const struct query {
     { "vturbulence", NULL, false },
 };
 
-static const struct query *find(const struct token *token)
+static const struct query *find(const struct scene_token *token)
 {
     for (size_t i = 0; i < sizeof queries / sizeof *queries; i++)
         if (is_token(token, queries[i].name))
@@ -256,7 +256,7 @@ static const struct query *find(const struct token *token)
     return NULL;
 }
 
-bool is_query_word(const struct token *token)
+bool is_query_word(const struct scene_token *token)
 {
     return find(token);
 }

@@ -5,7 +5,7 @@
 
 #include "rt/scene/language/reader.h"
 
-bool is_query_word(const struct token *token);
+bool is_query_word(const struct scene_token *token);
 /* The token is such a word. */
 bool query_read(struct reader *reader, double *value);
 /* Between the brackets, as it stands: a name, or an element of an array. */

@@ -7,21 +7,22 @@
 
 enum { MESSAGE_LONGEST = 1000, TOKEN_LONGEST = 40, CALLS_TOLD = 3 };
 
-static int short_length(const struct token *token)
+static int short_length(const struct scene_token *token)
 {
     return token->length > TOKEN_LONGEST ? TOKEN_LONGEST : (int)token->length;
 }
 
 /* Where the macros are called that lead to a token, the innermost first. */
-static void add_calls(const struct reader *reader, const struct token *at,
-                      char *message, size_t room)
+static void add_calls(const struct reader *reader,
+                      const struct scene_token *at, char *message,
+                      size_t room)
 {
     const struct lexer *lexer = &reader->lexer;
     size_t depth = at->depth < lexer->depth ? at->depth : lexer->depth;
     size_t calls = 0;
 
     for (; depth && calls < CALLS_TOLD; depth--) {
-        const struct frame *frame = &lexer->frames[depth - 1];
+        const struct open_text *frame = &lexer->frames[depth - 1];
         size_t length = strlen(message);
         struct position position;
         if (!frame->is_macro)
@@ -35,8 +36,9 @@ static void add_calls(const struct reader *reader, const struct token *at,
     }
 }
 
-static void add(struct reader *reader, bool error, const struct token *at,
-                const char *format, va_list arguments)
+static void add(struct reader *reader, bool error,
+                const struct scene_token *at, const char *format,
+                va_list arguments)
 {
     char message[MESSAGE_LONGEST];
     struct position position = token_position(at);
@@ -57,7 +59,7 @@ static void add(struct reader *reader, bool error, const struct token *at,
     }
 }
 
-bool reader_fault(struct reader *reader, const struct token *at,
+bool reader_fault(struct reader *reader, const struct scene_token *at,
                   const char *format, ...)
 {
     va_list arguments;
@@ -76,7 +78,7 @@ bool reader_fault(struct reader *reader, const struct token *at,
     return false;
 }
 
-void reader_report(struct reader *reader, const struct token *at,
+void reader_report(struct reader *reader, const struct scene_token *at,
                    const char *format, ...)
 {
     va_list arguments;
@@ -87,7 +89,7 @@ void reader_report(struct reader *reader, const struct token *at,
     va_end(arguments);
 }
 
-bool reader_check(struct reader *reader, const struct token *at,
+bool reader_check(struct reader *reader, const struct scene_token *at,
                   const char *fault)
 {
     return !fault || reader_fault(reader, at, "%s", fault);
@@ -101,7 +103,7 @@ bool reader_no_memory(struct reader *reader)
 
 static bool is_undeclared(const struct reader *reader)
 {
-    const struct token *token = &reader->token;
+    const struct scene_token *token = &reader->token;
 
     return token->kind == TOKEN_WORD && token->length < TOKEN_LONGEST
            && !reader_value(reader) && token->text[0] >= 'A'
@@ -110,8 +112,8 @@ static bool is_undeclared(const struct reader *reader)
 
 bool reader_expected(struct reader *reader, const char *what)
 {
-    const struct token *token = &reader->token;
-    const struct value *value = reader_value(reader);
+    const struct scene_token *token = &reader->token;
+    const struct scene_value *value = reader_value(reader);
     const char *mark = token->kind == TOKEN_DIRECTIVE ? "#" : "";
     const char *more = token->length > TOKEN_LONGEST ? "..." : "";
     const char *note = is_undeclared(reader) ? ", which is not declared" : "";
@@ -166,12 +168,13 @@ void reader_comma(struct reader *reader)
     reader_accept_sign(reader, ',');
 }
 
-bool reader_look_up(struct reader *reader, struct token *token)
+bool reader_look_up(struct reader *reader, struct scene_token *token)
 {
-    struct symbol *symbol = token->kind == TOKEN_WORD
-                                ? symbols_find(&reader->symbols, token->text,
-                                               token->length)
-                                : NULL;
+    struct declared_name *symbol = token->kind == TOKEN_WORD
+                                       ? symbols_find(&reader->symbols,
+                                                      token->text,
+                                                      token->length)
+                                       : NULL;
 
     if (!symbol)
         return false;
@@ -180,15 +183,15 @@ bool reader_look_up(struct reader *reader, struct token *token)
     return token->value;
 }
 
-const struct value *reader_value(const struct reader *reader)
+const struct scene_value *reader_value(const struct reader *reader)
 {
     return reader->token.value;
 }
 
-const struct value *reader_value_of(const struct reader *reader,
-                                    enum value_kind kind)
+const struct scene_value *reader_value_of(const struct reader *reader,
+                                          enum scene_value_kind kind)
 {
-    const struct value *value = reader_value(reader);
+    const struct scene_value *value = reader_value(reader);
 
     return value && value->kind == kind ? value : NULL;
 }

@@ -35,14 +35,14 @@ enum condition_kind {
     CONDITION_FOR,
     CONDITION_SWITCH
 };
-struct condition {
+struct scene_condition {
     enum condition_kind kind;
-    struct token at;
+    struct scene_token at;
     size_t frame; /* its serial number */
     bool in_else;
-    struct place again; /* of a loop: where each turn begins */
+    struct text_place again; /* of a loop: where each turn begins */
     size_t turns, errors;
-    struct token name; /* of #for */
+    struct scene_token name; /* of #for */
     double end, step;
     double value; /* of #switch */
     bool chosen;  /* .. a case is */
@@ -50,27 +50,27 @@ struct condition {
 
 struct reader {
     struct lexer lexer;
-    struct source *sources;
+    struct scene_source *sources;
     size_t includes;
-    size_t bytes;        /* read */
-    struct token token;  /* the next to be read, */
-    struct place before; /* .. behind the one before it */
-    size_t braces;       /* open before it */
-    bool closed;         /* the one before is a closing brace */
-    bool directed;       /* .. or a directive that was read well, */
-    bool lost;           /* .. or one that was not */
-    size_t hold;         /* of a directive's value: the braces around it */
+    size_t bytes;             /* read */
+    struct scene_token token; /* the next to be read, */
+    struct text_place before; /* .. behind the one before it */
+    size_t braces;            /* open before it */
+    bool closed;              /* the one before is a closing brace */
+    bool directed;            /* .. or a directive that was read well, */
+    bool lost;                /* .. or one that was not */
+    size_t hold; /* of a directive's value: the braces around it */
     size_t nesting;
     size_t condition_count, sealed; /* the latter of them cannot be closed */
-    struct condition conditions[CONDITIONS_MOST];
+    struct scene_condition conditions[CONDITIONS_MOST];
     size_t cells;    /* of all arrays */
     uint32_t *seeds; /* of the streams of random numbers */
     size_t seed_count;
     double version; /* by #version */
 
-    struct symbols symbols;
+    struct declared_names symbols;
     struct texture default_texture;
-    struct object world;
+    struct scene_object world;
     size_t primitives_made;
     struct scene *scene;
     bool camera_given;
@@ -78,7 +78,7 @@ struct reader {
     const struct scene_options *options;
     struct diagnostics *reports;
     struct {
-        const struct source *source;
+        const struct scene_source *source;
         size_t at;
     } faults[REPORTS_MOST]; /* where errors are */
     size_t fault_count;
@@ -101,7 +101,7 @@ void reader_pass(struct reader *reader);
 void reader_back(struct reader *reader);
 /* On from another place of the frame: the token is not read, nor is it a brace
  * that opens or closes anything. */
-void reader_jump(struct reader *reader, const struct place *place);
+void reader_jump(struct reader *reader, const struct text_place *place);
 /* The rest of the frames above, if it is directives. */
 void reader_close_frames(struct reader *reader, size_t depth);
 enum { HOLD_NONE = -1 };
@@ -122,16 +122,16 @@ bool reader_spend(struct reader *reader, size_t bytes);
 #define FORMAT(n)
 #endif
 /* An error at the token, unless there is one.  Returns false. */
-bool reader_fault(struct reader *reader, const struct token *at,
+bool reader_fault(struct reader *reader, const struct scene_token *at,
                   const char *format, ...) FORMAT(3);
 /* Something that is replaced or left out. */
-void reader_report(struct reader *reader, const struct token *at,
+void reader_report(struct reader *reader, const struct scene_token *at,
                    const char *format, ...) FORMAT(3);
 /* The error that `what` stands not here.  Returns false. */
 bool reader_expected(struct reader *reader, const char *what);
 bool reader_no_memory(struct reader *reader);
 /* The error that text says, if any. */
-bool reader_check(struct reader *reader, const struct token *at,
+bool reader_check(struct reader *reader, const struct scene_token *at,
                   const char *fault);
 
 bool reader_at_sign(const struct reader *reader, int sign);
@@ -142,12 +142,12 @@ bool reader_accept(struct reader *reader, const char *word);
 void reader_comma(struct reader *reader);
 
 /* The value of what a word names, into the token; false: it names nothing. */
-bool reader_look_up(struct reader *reader, struct token *token);
+bool reader_look_up(struct reader *reader, struct scene_token *token);
 /* The value that the next token names, or NULL. */
-const struct value *reader_value(const struct reader *reader);
+const struct scene_value *reader_value(const struct reader *reader);
 /* The same if it is of the kind. */
-const struct value *reader_value_of(const struct reader *reader,
-                                    enum value_kind kind);
+const struct scene_value *reader_value_of(const struct reader *reader,
+                                          enum scene_value_kind kind);
 
 /* Enter and leave what may stand within itself; false: too deep. */
 bool reader_enter(struct reader *reader);

@@ -6,7 +6,7 @@
 #include <string.h>
 
 static bool count_primitives(struct reader *reader, size_t more,
-                             const struct token *at)
+                             const struct scene_token *at)
 {
     reader->primitives_made += more;
     return reader->primitives_made <= PRIMITIVES_MOST
@@ -15,10 +15,10 @@ static bool count_primitives(struct reader *reader, size_t more,
                            PRIMITIVES_MOST);
 }
 
-bool shape_copy(struct reader *reader, struct object *copy,
-                const struct object *object)
+bool shape_copy(struct reader *reader, struct scene_object *copy,
+                const struct scene_object *object)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     size_t more = object->part_count + object->light_count;
 
     if (!count_primitives(reader, more, &at))
@@ -26,8 +26,9 @@ bool shape_copy(struct reader *reader, struct object *copy,
     return object_copy(copy, object) || reader_no_memory(reader);
 }
 
-static bool add_primitive(struct reader *reader, struct object *object,
-                          struct primitive *primitive, const struct token *at)
+static bool add_primitive(struct reader *reader, struct scene_object *object,
+                          struct primitive *primitive,
+                          const struct scene_token *at)
 {
     primitive->line = at->main_line;
     primitive->to_world = placement_none.to_world;
@@ -43,7 +44,7 @@ static bool add_primitive(struct reader *reader, struct object *object,
 static bool read_texture(struct reader *reader, void *subject,
                          const struct item *item)
 {
-    struct object *object = subject;
+    struct scene_object *object = subject;
     bool below = object->textured;
 
     object->texture = reader->default_texture;
@@ -59,7 +60,7 @@ static bool read_texture(struct reader *reader, void *subject,
 
 /* pigment and finish change the texture that the object has. */
 static struct texture *own_texture(struct reader *reader,
-                                   struct object *object)
+                                   struct scene_object *object)
 {
     if (!object->textured)
         object->texture = reader->default_texture;
@@ -84,7 +85,7 @@ static bool read_finish(struct reader *reader, void *subject,
 static bool read_interior(struct reader *reader, void *subject,
                           const struct item *item)
 {
-    struct object *object = subject;
+    struct scene_object *object = subject;
 
     (void)item;
     if (!object->filled)
@@ -94,8 +95,9 @@ static bool read_interior(struct reader *reader, void *subject,
 }
 
 /* Before all of an object becomes one solid. */
-static bool check_solid(struct reader *reader, const struct object *object,
-                        const struct token *at)
+static bool check_solid(struct reader *reader,
+                        const struct scene_object *object,
+                        const struct scene_token *at)
 {
     return object->part_count <= SOLID_MOST
            || reader_fault(reader, at, "more than %d primitives in one solid",
@@ -123,7 +125,7 @@ static bool read_step(struct reader *reader, void *subject,
 static bool read_no_shadow(struct reader *reader, void *subject,
                            const struct item *item)
 {
-    struct object *object = subject;
+    struct scene_object *object = subject;
 
     (void)reader;
     (void)item;
@@ -147,7 +149,7 @@ static bool read_sturm(struct reader *reader, void *subject,
 static bool read_material_step(struct reader *reader, void *subject,
                                const struct item *item)
 {
-    struct object *object = subject;
+    struct scene_object *object = subject;
     struct placement step;
 
     if (!step_read(reader, item, &step))
@@ -167,8 +169,8 @@ static const struct grammar material_grammar = { "a word of material",
                                                  { material_words },
                                                  NULL };
 
-static void take_material(struct object *object,
-                          const struct object *material)
+static void take_material(struct scene_object *object,
+                          const struct scene_object *material)
 {
     if (material->textured)
         object->texture = material->texture;
@@ -178,9 +180,9 @@ static void take_material(struct object *object,
     object->filled |= material->filled;
 }
 
-bool material_read(struct reader *reader, struct object *object)
+bool material_read(struct reader *reader, struct scene_object *object)
 {
-    const struct value *value;
+    const struct scene_value *value;
     struct block block;
 
     if (!block_open(reader, &block, '{'))
@@ -244,8 +246,9 @@ const struct grammar modifier_grammar = { "a word that changes the object",
                                           NULL };
 
 /* As POV-Ray does. */
-static void report_patches(struct reader *reader, const struct object *child,
-                           const struct token *at)
+static void report_patches(struct reader *reader,
+                           const struct scene_object *child,
+                           const struct scene_token *at)
 {
     for (size_t i = 0; i < child->part_count; i++)
         if (shape_is_surface(&child->parts[i].primitive)) {
@@ -259,8 +262,8 @@ static void report_patches(struct reader *reader, const struct object *child,
 static bool read_child(struct reader *reader, void *subject,
                        const struct item *item)
 {
-    struct object *object = subject;
-    struct object child;
+    struct scene_object *object = subject;
+    struct scene_object child;
     bool done;
 
     memset(&child, 0, sizeof child);
@@ -288,9 +291,9 @@ static const struct grammar solid_grammar = {
 };
 
 /* The object that object { ... } begins with: a name, or a shape. */
-static bool read_base(struct reader *reader, struct object *object)
+static bool read_base(struct reader *reader, struct scene_object *object)
 {
-    const struct value *value = reader_value_of(reader, VALUE_OBJECT);
+    const struct scene_value *value = reader_value_of(reader, VALUE_OBJECT);
     struct item item = { grammar_find(&solid_grammar, &reader->token),
                          reader->token };
 
@@ -312,7 +315,7 @@ static bool is_joined(enum shape_word shape)
     return shape >= SHAPE_UNION && shape <= SHAPE_DIFFERENCE;
 }
 
-static bool read_first(struct reader *reader, struct object *object,
+static bool read_first(struct reader *reader, struct scene_object *object,
                        const struct item *item)
 {
     enum shape_word shape = (enum shape_word)item->keyword->detail;
@@ -329,7 +332,7 @@ static bool read_first(struct reader *reader, struct object *object,
 }
 
 /* All of a union, merge, intersection or difference is read. */
-static bool finish_joined(struct reader *reader, struct object *object,
+static bool finish_joined(struct reader *reader, struct scene_object *object,
                           const struct item *item)
 {
     if (object->child_count < 2)
@@ -342,7 +345,7 @@ static bool finish_joined(struct reader *reader, struct object *object,
            && (object_join(object) || reader_no_memory(reader));
 }
 
-bool shape_read(struct reader *reader, struct object *object,
+bool shape_read(struct reader *reader, struct scene_object *object,
                 const struct item *item)
 {
     enum shape_word shape = (enum shape_word)item->keyword->detail;

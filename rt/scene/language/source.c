@@ -20,10 +20,10 @@ static char *copy(const char *text, size_t length)
 }
 
 /* Takes the text over. */
-static struct source *adopt(struct source **list, const char *name,
-                            char *text, size_t length)
+static struct scene_source *adopt(struct scene_source **list,
+                                  const char *name, char *text, size_t length)
 {
-    struct source *source = malloc(sizeof *source);
+    struct scene_source *source = malloc(sizeof *source);
     char *own_name = copy(name, strlen(name));
 
     if (!source || !own_name || !text) {
@@ -40,8 +40,8 @@ static struct source *adopt(struct source **list, const char *name,
     return *list = source;
 }
 
-struct source *source_add(struct source **list, const char *name,
-                          const char *text, size_t length)
+struct scene_source *source_add(struct scene_source **list, const char *name,
+                                const char *text, size_t length)
 {
     if (length > SOURCE_LONGEST) {
         errno = EFBIG;
@@ -50,7 +50,7 @@ struct source *source_add(struct source **list, const char *name,
     return adopt(list, name, copy(text, length), length);
 }
 
-struct source *source_load(struct source **list, const char *path)
+struct scene_source *source_load(struct scene_source **list, const char *path)
 {
     c205_error error;
     size_t length;
@@ -59,7 +59,7 @@ struct source *source_load(struct source **list, const char *path)
     return text ? adopt(list, path, text, length) : NULL;
 }
 
-static struct source *find(struct source *list, const char *name)
+static struct scene_source *find(struct scene_source *list, const char *name)
 {
     while (list && strcmp(list->name, name))
         list = list->next;
@@ -81,11 +81,12 @@ static char *join(const char *folder, size_t length, const char *name)
     return path;
 }
 
-static struct source *include_from(struct source **list, const char *folder,
-                                   size_t length, const char *name)
+static struct scene_source *include_from(struct scene_source **list,
+                                         const char *folder, size_t length,
+                                         const char *name)
 {
     char *path = join(folder, length, name);
-    struct source *source;
+    struct scene_source *source;
 
     if (!path)
         return NULL;
@@ -96,7 +97,8 @@ static struct source *include_from(struct source **list, const char *folder,
     return source;
 }
 
-static struct source *carried(struct source **list, const char *name)
+static struct scene_source *carried(struct scene_source **list,
+                                    const char *name)
 {
     const struct text *text = scene_texts;
     size_t length = 0;
@@ -119,13 +121,14 @@ static struct source *carried(struct source **list, const char *name)
     return adopt(list, name, all, length);
 }
 
-struct source *source_include(struct source **list, const char *name,
-                              const struct source *from,
-                              const char *const *search)
+struct scene_source *source_include(struct scene_source **list,
+                                    const char *name,
+                                    const struct scene_source *from,
+                                    const char *const *search)
 {
     const char *slash = strrchr(from->name, '/');
     size_t folder = slash ? (size_t)(slash - from->name) + 1 : 0;
-    struct source *source;
+    struct scene_source *source;
 
     if (name[0] == '/')
         folder = 0;
@@ -135,10 +138,10 @@ struct source *source_include(struct source **list, const char *name,
     return source ? source : carried(list, name);
 }
 
-void sources_free(struct source *list)
+void sources_free(struct scene_source *list)
 {
     while (list) {
-        struct source *next = list->next;
+        struct scene_source *next = list->next;
         free(list->name);
         free(list->text);
         free(list);

@@ -34,9 +34,9 @@ bool finish_read(struct reader *reader, struct finish *finish);
 bool texture_read(struct reader *reader, struct texture *texture);
 bool interior_read(struct reader *reader, double *ior);
 /* Texture and interior of an object, which may have no parts. */
-bool material_read(struct reader *reader, struct object *object);
+bool material_read(struct reader *reader, struct scene_object *object);
 
-bool camera_read(struct reader *reader, const struct token *at,
+bool camera_read(struct reader *reader, const struct scene_token *at,
                  struct camera_setting *setting);
 extern const struct camera_setting camera_default;
 bool settings_read(struct reader *reader, struct scene *scene);
@@ -60,15 +60,15 @@ enum shape_word {
     { "light_source", read, SHAPE_LIGHT }
 /* clang-format on */
 /* Into an empty object; the caller frees it also after an error. */
-bool shape_read(struct reader *reader, struct object *object,
+bool shape_read(struct reader *reader, struct scene_object *object,
                 const struct item *item);
 /* The arguments of one primitive, behind its '{'. */
 bool primitive_read(struct reader *reader, enum primitive_kind kind,
                     struct primitive *primitive);
-bool light_read(struct reader *reader, struct object *object);
+bool light_read(struct reader *reader, struct scene_object *object);
 /* Another copy of an object, within the bound of PRIMITIVES_MOST. */
-bool shape_copy(struct reader *reader, struct object *copy,
-                const struct object *object);
+bool shape_copy(struct reader *reader, struct scene_object *copy,
+                const struct scene_object *object);
 /* Shapes of POV-Ray that are not supported. */
 extern const struct keyword other_shapes[];
 

@@ -37,7 +37,7 @@ static void add(struct made_string *buffer, const char *text, size_t length)
 }
 
 /* The text becomes the string, unless something went wrong. */
-static bool give(struct reader *reader, const struct token *at,
+static bool give(struct reader *reader, const struct scene_token *at,
                  struct made_string *buffer, bool good, char **string)
 {
     add(buffer, "", 0);
@@ -113,7 +113,7 @@ static size_t add_escape(struct made_string *buffer, const char *text,
     return 1;
 }
 
-static bool add_quoted(struct reader *reader, const struct token *token,
+static bool add_quoted(struct reader *reader, const struct scene_token *token,
                        struct made_string *buffer)
 {
     const char *text = token->text, *end = text + token->length;
@@ -156,7 +156,7 @@ static bool read_concat(struct reader *reader, struct made_string *buffer)
  * point, negative for 6. */
 static bool read_format(struct reader *reader, int *width, int *digits)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     double given[2];
 
     for (int i = 0; i < 2; i++)
@@ -199,7 +199,7 @@ static bool read_str(struct reader *reader, struct made_string *buffer)
 
 static bool read_vstr(struct reader *reader, struct made_string *buffer)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     double count;
     struct numbers vector;
     char *between = NULL;
@@ -225,7 +225,7 @@ static bool read_vstr(struct reader *reader, struct made_string *buffer)
 
 static bool read_chr(struct reader *reader, struct made_string *buffer)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     double code;
 
     if (!read_full_number(reader, &code))
@@ -239,7 +239,7 @@ static bool read_chr(struct reader *reader, struct made_string *buffer)
 static bool read_range(struct reader *reader, size_t length, size_t *from,
                        size_t *count)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     double first, wanted;
 
     *from = *count = 0;
@@ -306,7 +306,7 @@ static const struct string_function {
     { "vstr", read_vstr },
 };
 
-static const struct string_function *find(const struct token *token)
+static const struct string_function *find(const struct scene_token *token)
 {
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
         if (is_token(token, functions[i].name))
@@ -316,7 +316,7 @@ static const struct string_function *find(const struct token *token)
 
 /* ---- Strings ------------------------------------------------------------ */
 
-bool is_string_word(const struct token *token)
+bool is_string_word(const struct scene_token *token)
 {
     return find(token);
 }
@@ -349,9 +349,9 @@ static bool read_call(struct reader *reader,
 
 bool string_read(struct reader *reader, char **string)
 {
-    struct token at = reader->token;
+    struct scene_token at = reader->token;
     const struct string_function *function = find(&at);
-    const struct value *named = reader_value_of(reader, VALUE_STRING);
+    const struct scene_value *named = reader_value_of(reader, VALUE_STRING);
     struct made_string buffer = { NULL, 0, false };
     bool done = true;
 

@@ -11,7 +11,7 @@
 
 enum { STRING_LONGEST = 4096 };
 
-bool is_string_word(const struct token *token);
+bool is_string_word(const struct scene_token *token);
 bool starts_string(const struct reader *reader);
 bool string_read(struct reader *reader, char **string);
 /* The same as a part of something else. */

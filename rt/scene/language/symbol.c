@@ -7,11 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct symbol {
-    struct symbol *next;       /* of its bucket: of no higher level */
-    struct symbol *next_local; /* of the row of locals */
+struct declared_name {
+    struct declared_name *next;       /* of its bucket: of no higher level */
+    struct declared_name *next_local; /* of the row of locals */
     size_t level, held;
-    struct value value;
+    struct scene_value value;
     struct reference target; /* what it stands for, held; or no symbol */
     size_t length;
     char name[]; /* not ended */
@@ -23,26 +23,27 @@ static size_t bucket_of(const char *name, size_t length)
            % SYMBOL_BUCKETS;
 }
 
-static bool has_name(const struct symbol *symbol, const char *name,
+static bool has_name(const struct declared_name *symbol, const char *name,
                      size_t length)
 {
     return symbol->length == length && !memcmp(symbol->name, name, length);
 }
 
-struct symbol *symbols_find(const struct symbols *symbols, const char *name,
-                            size_t length)
+struct declared_name *symbols_find(const struct declared_names *symbols,
+                                   const char *name, size_t length)
 {
-    struct symbol *symbol = symbols->buckets[bucket_of(name, length)];
+    struct declared_name *symbol = symbols->buckets[bucket_of(name, length)];
 
     while (symbol && !has_name(symbol, name, length))
         symbol = symbol->next;
     return symbol;
 }
 
-struct symbol *symbols_find_at(const struct symbols *symbols, size_t level,
-                               const char *name, size_t length)
+struct declared_name *symbols_find_at(const struct declared_names *symbols,
+                                      size_t level, const char *name,
+                                      size_t length)
 {
-    struct symbol *symbol = symbols->buckets[bucket_of(name, length)];
+    struct declared_name *symbol = symbols->buckets[bucket_of(name, length)];
 
     while (symbol
            && !(symbol->level == level && has_name(symbol, name, length)))
@@ -52,8 +53,8 @@ struct symbol *symbols_find_at(const struct symbols *symbols, size_t level,
 
 /* The value that a path from a symbol leads to; NULL: an element that is not
  * set, or that is not there any more. */
-static struct value **walk(struct value **value, const size_t *element,
-                           size_t hops)
+static struct scene_value **walk(struct scene_value **value,
+                                 const size_t *element, size_t hops)
 {
     for (size_t i = 0; i < hops && value && *value; i++) {
         struct array *array = (*value)->is.array;
@@ -65,27 +66,28 @@ static struct value **walk(struct value **value, const size_t *element,
     return value;
 }
 
-const struct value *reference_value(const struct reference *reference)
+const struct scene_value *reference_value(const struct reference *reference)
 {
-    struct value *own = &reference->symbol->value;
-    struct value **found = walk(&own, reference->element, reference->hops);
+    struct scene_value *own = &reference->symbol->value;
+    struct scene_value **found = walk(&own, reference->element,
+                                      reference->hops);
 
     return found ? *found : NULL;
 }
 
-struct reference reference_to(struct symbol *symbol)
+struct reference reference_to(struct declared_name *symbol)
 {
     struct reference reference = { symbol, 0, { 0 } };
 
     return symbol->target.symbol ? symbol->target : reference;
 }
 
-void symbol_hold(struct symbol *symbol)
+void symbol_hold(struct declared_name *symbol)
 {
     symbol->held++;
 }
 
-void symbol_release(struct symbol *symbol)
+void symbol_release(struct declared_name *symbol)
 {
     if (--symbol->held)
         return;
@@ -96,11 +98,12 @@ void symbol_release(struct symbol *symbol)
 }
 
 /* A new symbol, in the table; NULL: no memory. */
-static struct symbol *add(struct symbols *symbols, size_t level,
-                          const char *name, size_t length)
+static struct declared_name *add(struct declared_names *symbols, size_t level,
+                                 const char *name, size_t length)
 {
-    struct symbol **bucket = &symbols->buckets[bucket_of(name, length)];
-    struct symbol *symbol = calloc(1, sizeof *symbol + length);
+    struct declared_name **bucket = &symbols
+                                         ->buckets[bucket_of(name, length)];
+    struct declared_name *symbol = calloc(1, sizeof *symbol + length);
 
     if (!symbol)
         return NULL;
@@ -119,10 +122,11 @@ static struct symbol *add(struct symbols *symbols, size_t level,
     return symbol;
 }
 
-const char *symbols_add(struct symbols *symbols, size_t level,
-                        const char *name, size_t length, struct value *value)
+const char *symbols_add(struct declared_names *symbols, size_t level,
+                        const char *name, size_t length,
+                        struct scene_value *value)
 {
-    struct symbol *symbol = add(symbols, level, name, length);
+    struct declared_name *symbol = add(symbols, level, name, length);
 
     if (!symbol) {
         value_free(value);
@@ -133,11 +137,11 @@ const char *symbols_add(struct symbols *symbols, size_t level,
 }
 
 static const char *assign_element(const struct reference *reference,
-                                  struct value *value)
+                                  struct scene_value *value)
 {
-    struct value *own = &reference->symbol->value;
+    struct scene_value *own = &reference->symbol->value;
     size_t last = reference->hops - 1;
-    struct value **found = walk(&own, reference->element, last);
+    struct scene_value **found = walk(&own, reference->element, last);
     struct array *array = found && *found && (*found)->kind == VALUE_ARRAY
                               ? (*found)->is.array
                               : NULL;
@@ -156,9 +160,9 @@ static const char *assign_element(const struct reference *reference,
 }
 
 const char *reference_assign(const struct reference *reference,
-                             struct value *value)
+                             struct scene_value *value)
 {
-    struct symbol *symbol = reference->symbol;
+    struct declared_name *symbol = reference->symbol;
 
     if (reference->hops)
         return assign_element(reference, value);
@@ -167,11 +171,11 @@ const char *reference_assign(const struct reference *reference,
     return NULL;
 }
 
-const char *symbols_refer(struct symbols *symbols, size_t level,
+const char *symbols_refer(struct declared_names *symbols, size_t level,
                           const char *name, size_t length,
                           const struct reference *reference)
 {
-    struct symbol *symbol = add(symbols, level, name, length);
+    struct declared_name *symbol = add(symbols, level, name, length);
 
     if (!symbol)
         return no_memory;
@@ -181,9 +185,10 @@ const char *symbols_refer(struct symbols *symbols, size_t level,
 }
 
 /* Out of its bucket; the row of locals is left to the caller. */
-static void unlink_symbol(struct symbols *symbols, struct symbol *symbol)
+static void unlink_symbol(struct declared_names *symbols,
+                          struct declared_name *symbol)
 {
-    struct symbol *
+    struct declared_name *
         *link = &symbols->buckets[bucket_of(symbol->name, symbol->length)];
 
     while (*link != symbol)
@@ -192,10 +197,11 @@ static void unlink_symbol(struct symbols *symbols, struct symbol *symbol)
     symbol_release(symbol);
 }
 
-bool symbols_remove(struct symbols *symbols, const char *name, size_t length)
+bool symbols_remove(struct declared_names *symbols, const char *name,
+                    size_t length)
 {
-    struct symbol *symbol = symbols_find(symbols, name, length);
-    struct symbol **link = &symbols->locals;
+    struct declared_name *symbol = symbols_find(symbols, name, length);
+    struct declared_name **link = &symbols->locals;
 
     if (!symbol)
         return false;
@@ -207,16 +213,16 @@ bool symbols_remove(struct symbols *symbols, const char *name, size_t length)
     return true;
 }
 
-void symbols_leave(struct symbols *symbols, size_t level)
+void symbols_leave(struct declared_names *symbols, size_t level)
 {
     while (symbols->locals && symbols->locals->level > level) {
-        struct symbol *symbol = symbols->locals;
+        struct declared_name *symbol = symbols->locals;
         symbols->locals = symbol->next_local;
         unlink_symbol(symbols, symbol);
     }
 }
 
-void symbols_free(struct symbols *symbols)
+void symbols_free(struct declared_names *symbols)
 {
     symbols_leave(symbols, 0);
     for (size_t i = 0; i < SYMBOL_BUCKETS; i++)

@@ -11,40 +11,44 @@
 #include "rt/scene/language/value.h"
 
 enum { SYMBOL_BUCKETS = 1024 };
-struct symbols {
-    struct symbol *buckets[SYMBOL_BUCKETS];
-    struct symbol *locals; /* above level 0, the innermost level first */
+struct declared_names {
+    struct declared_name *buckets[SYMBOL_BUCKETS];
+    struct declared_name
+        *locals; /* above level 0, the innermost level first */
 };
 
 /* The symbol of the innermost level that has the name, or NULL. */
-struct symbol *symbols_find(const struct symbols *symbols, const char *name,
-                            size_t length);
+struct declared_name *symbols_find(const struct declared_names *symbols,
+                                   const char *name, size_t length);
 /* .. of that level. */
-struct symbol *symbols_find_at(const struct symbols *symbols, size_t level,
-                               const char *name, size_t length);
+struct declared_name *symbols_find_at(const struct declared_names *symbols,
+                                      size_t level, const char *name,
+                                      size_t length);
 /* What a symbol stands for: itself, or what it refers to. */
-struct reference reference_to(struct symbol *symbol);
+struct reference reference_to(struct declared_name *symbol);
 /* NULL: an element that is not set, or that is not there any more. */
-const struct value *reference_value(const struct reference *reference);
+const struct scene_value *reference_value(const struct reference *reference);
 
 /* These take the value over in any case, and return why they failed, or NULL.
  * A new symbol of a level above 0 must be of the innermost level. */
 const char *reference_assign(const struct reference *reference,
-                             struct value *value);
-const char *symbols_add(struct symbols *symbols, size_t level,
-                        const char *name, size_t length, struct value *value);
+                             struct scene_value *value);
+const char *symbols_add(struct declared_names *symbols, size_t level,
+                        const char *name, size_t length,
+                        struct scene_value *value);
 /* A new symbol that stands for another. */
-const char *symbols_refer(struct symbols *symbols, size_t level,
+const char *symbols_refer(struct declared_names *symbols, size_t level,
                           const char *name, size_t length,
                           const struct reference *reference);
 
 /* A symbol lives on, without its name, as long as it is held. */
-void symbol_hold(struct symbol *symbol);
-void symbol_release(struct symbol *symbol);
+void symbol_hold(struct declared_name *symbol);
+void symbol_release(struct declared_name *symbol);
 /* Forget the innermost symbol of a name; false: there is none. */
-bool symbols_remove(struct symbols *symbols, const char *name, size_t length);
+bool symbols_remove(struct declared_names *symbols, const char *name,
+                    size_t length);
 /* Forget all names of the levels above. */
-void symbols_leave(struct symbols *symbols, size_t level);
-void symbols_free(struct symbols *symbols);
+void symbols_leave(struct declared_names *symbols, size_t level);
+void symbols_free(struct declared_names *symbols);
 
 #endif

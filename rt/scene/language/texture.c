@@ -28,7 +28,7 @@ static const struct grammar reflection_grammar = { "a word of reflection",
 
 static bool read_least_and_most(struct reader *reader, double least[3])
 {
-    struct token more;
+    struct scene_token more;
     double most[3];
 
     if (!read_rgb(reader, least))
@@ -62,7 +62,7 @@ static bool read_amount(struct reader *reader, void *subject,
                         const struct item *item)
 {
     void *amount = (char *)subject + item->keyword->detail;
-    struct token more = reader->token;
+    struct scene_token more = reader->token;
     double inside;
 
     if (reader_accept(reader, "albedo"))
@@ -208,7 +208,7 @@ static const struct grammar texture_grammar = {
 bool texture_body(struct reader *reader, const struct block *block,
                   void *subject)
 {
-    const struct value *value = reader_value_of(reader, VALUE_TEXTURE);
+    const struct scene_value *value = reader_value_of(reader, VALUE_TEXTURE);
 
     if (value) {
         memcpy(subject, &value->is.texture, sizeof value->is.texture);

@@ -7,16 +7,16 @@
 
 enum { NUMBER_LONGEST = 300 };
 
-struct frame *lexer_top(struct lexer *lexer)
+struct open_text *lexer_top(struct lexer *lexer)
 {
     return &lexer->frames[lexer->depth - 1];
 }
 
 /* A frame in which all of the source comes next; NULL: too deep. */
-static struct frame *open_frame(struct lexer *lexer,
-                                const struct source *source)
+static struct open_text *open_frame(struct lexer *lexer,
+                                    const struct scene_source *source)
 {
-    struct frame *frame = &lexer->frames[lexer->depth];
+    struct open_text *frame = &lexer->frames[lexer->depth];
 
     if (lexer->depth == FRAMES_MOST)
         return NULL;
@@ -29,10 +29,10 @@ static struct frame *open_frame(struct lexer *lexer,
     return frame;
 }
 
-bool lexer_open(struct lexer *lexer, const struct source *source)
+bool lexer_open(struct lexer *lexer, const struct scene_source *source)
 {
     static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, at the start */
-    struct frame *frame;
+    struct open_text *frame;
 
     if (lexer->files == INCLUDE_DEPTH)
         return false;
@@ -45,10 +45,11 @@ bool lexer_open(struct lexer *lexer, const struct source *source)
     return true;
 }
 
-bool lexer_call(struct lexer *lexer, const struct source *source,
-                struct place place, size_t end, const struct token *call)
+bool lexer_call(struct lexer *lexer, const struct scene_source *source,
+                struct text_place place, size_t end,
+                const struct scene_token *call)
 {
-    struct frame *frame = open_frame(lexer, source);
+    struct open_text *frame = open_frame(lexer, source);
 
     if (!frame)
         return false;
@@ -84,7 +85,7 @@ static bool is_blank(char c)
 /* The byte that is `ahead` of the next; NUL beyond the end. */
 static char look(const struct lexer *lexer, size_t ahead)
 {
-    const struct frame *frame = &lexer->frames[lexer->depth - 1];
+    const struct open_text *frame = &lexer->frames[lexer->depth - 1];
     size_t at = frame->place.at + ahead;
 
     return at < frame->end ? frame->source->text[at] : '\0';
@@ -92,14 +93,14 @@ static char look(const struct lexer *lexer, size_t ahead)
 
 static bool at_end(const struct lexer *lexer)
 {
-    const struct frame *frame = &lexer->frames[lexer->depth - 1];
+    const struct open_text *frame = &lexer->frames[lexer->depth - 1];
 
     return frame->place.at >= frame->end;
 }
 
 static void step(struct lexer *lexer, size_t count)
 {
-    struct place *place = &lexer_top(lexer)->place;
+    struct text_place *place = &lexer_top(lexer)->place;
 
     for (; count && !at_end(lexer); count--) {
         char c = look(lexer, 0);
@@ -143,10 +144,11 @@ static bool skip_comment(struct lexer *lexer)
     return false;
 }
 
-static struct token here(const struct lexer *lexer, enum token_kind kind)
+static struct scene_token here(const struct lexer *lexer,
+                               enum scene_token_kind kind)
 {
-    const struct frame *frame = &lexer->frames[lexer->depth - 1];
-    struct token token;
+    const struct open_text *frame = &lexer->frames[lexer->depth - 1];
+    struct scene_token token;
 
     memset(&token, 0, sizeof token);
     token.kind = kind;
@@ -158,7 +160,8 @@ static struct token here(const struct lexer *lexer, enum token_kind kind)
     return token;
 }
 
-static struct token bad(struct token token, size_t length, const char *fault)
+static struct scene_token bad(struct scene_token token, size_t length,
+                              const char *fault)
 {
     token.kind = TOKEN_BAD;
     token.length = length;
@@ -166,9 +169,9 @@ static struct token bad(struct token token, size_t length, const char *fault)
     return token;
 }
 
-static struct token read_word(struct lexer *lexer)
+static struct scene_token read_word(struct lexer *lexer)
 {
-    struct token token = here(lexer, TOKEN_WORD);
+    struct scene_token token = here(lexer, TOKEN_WORD);
 
     while (is_letter(look(lexer, token.length))
            || is_digit(look(lexer, token.length)))
@@ -201,9 +204,9 @@ static size_t number_length(const struct lexer *lexer)
                                    : length;
 }
 
-static struct token read_number(struct lexer *lexer)
+static struct scene_token read_number(struct lexer *lexer)
 {
-    struct token token = here(lexer, TOKEN_NUMBER);
+    struct scene_token token = here(lexer, TOKEN_NUMBER);
     char text[NUMBER_LONGEST + 1];
 
     token.length = number_length(lexer);
@@ -222,9 +225,9 @@ static struct token read_number(struct lexer *lexer)
     return token;
 }
 
-static struct token read_string(struct lexer *lexer)
+static struct scene_token read_string(struct lexer *lexer)
 {
-    struct token token = here(lexer, TOKEN_STRING);
+    struct scene_token token = here(lexer, TOKEN_STRING);
 
     step(lexer, 1);
     token.text++;
@@ -239,10 +242,10 @@ static struct token read_string(struct lexer *lexer)
     return token;
 }
 
-static struct token read_directive(struct lexer *lexer)
+static struct scene_token read_directive(struct lexer *lexer)
 {
-    struct token token = here(lexer, TOKEN_DIRECTIVE);
-    struct token word;
+    struct scene_token token = here(lexer, TOKEN_DIRECTIVE);
+    struct scene_token word;
 
     step(lexer, 1);
     while (is_blank(look(lexer, 0)))
@@ -255,9 +258,9 @@ static struct token read_directive(struct lexer *lexer)
     return token;
 }
 
-static struct token read_sign(struct lexer *lexer)
+static struct scene_token read_sign(struct lexer *lexer)
 {
-    struct token token = here(lexer, TOKEN_SIGN);
+    struct scene_token token = here(lexer, TOKEN_SIGN);
     char c = look(lexer, 0);
 
     token.length = 1;
@@ -275,7 +278,7 @@ static struct token read_sign(struct lexer *lexer)
 }
 
 /* Blanks and comments; false at a comment without end, *opened its start. */
-static bool skip_blank(struct lexer *lexer, struct token *opened)
+static bool skip_blank(struct lexer *lexer, struct scene_token *opened)
 {
     while (!at_end(lexer)) {
         if (is_blank(look(lexer, 0))) {
@@ -293,9 +296,9 @@ static bool skip_blank(struct lexer *lexer, struct token *opened)
     return true;
 }
 
-struct token lexer_next(struct lexer *lexer)
+struct scene_token lexer_next(struct lexer *lexer)
 {
-    struct token opened;
+    struct scene_token opened;
     char c;
 
     if (!skip_blank(lexer, &opened))
@@ -312,18 +315,18 @@ struct token lexer_next(struct lexer *lexer)
     return c == '#' ? read_directive(lexer) : read_sign(lexer);
 }
 
-static bool has_text(const struct token *token, const char *word)
+static bool has_text(const struct scene_token *token, const char *word)
 {
     return !strncmp(token->text, word, token->length)
            && word[token->length] == '\0';
 }
 
-bool is_token(const struct token *token, const char *word)
+bool is_token(const struct scene_token *token, const char *word)
 {
     return token->kind == TOKEN_WORD && has_text(token, word);
 }
 
-bool is_one_of(const struct token *token, const char *const *words)
+bool is_one_of(const struct scene_token *token, const char *const *words)
 {
     for (; *words; words++)
         if (has_text(token, *words))
@@ -331,19 +334,19 @@ bool is_one_of(const struct token *token, const char *const *words)
     return false;
 }
 
-bool is_directive(const struct token *token, const char *const *words)
+bool is_directive(const struct scene_token *token, const char *const *words)
 {
     return token->kind == TOKEN_DIRECTIVE && is_one_of(token, words);
 }
 
-bool token_is_sign(const struct token *token, int sign)
+bool token_is_sign(const struct scene_token *token, int sign)
 {
     return token->kind == TOKEN_SIGN && token->sign == sign;
 }
 
-struct position token_position(const struct token *token)
+struct position token_position(const struct scene_token *token)
 {
-    const struct source *source = token->source;
+    const struct scene_source *source = token->source;
     struct position position;
     const char *line = source->text + token->place.line_at;
     const char *end = memchr(line, '\n',

@@ -14,7 +14,7 @@
 
 #include <stdint.h>
 
-enum token_kind {
+enum scene_token_kind {
     TOKEN_END,
     TOKEN_WORD,
     TOKEN_DIRECTIVE, /* text is the word after '#' */
@@ -28,30 +28,30 @@ enum token_kind {
 enum sign { SIGN_UNEQUAL = 256, SIGN_NOT_ABOVE, SIGN_NOT_BELOW };
 
 /* A place between two tokens of a source. */
-struct place {
+struct text_place {
     size_t at;      /* offset in the source */
     size_t line;    /* from 1 */
     size_t line_at; /* offset of its line */
 };
 
-struct symbol;
-struct value;
+struct declared_name;
+struct scene_value;
 
 /* A symbol's value, or an element of an array in it: `hops` arrays are within
  * each other, each with its element. */
 enum { ARRAY_NESTING_MOST = 5 };
 struct reference {
-    struct symbol *symbol;
+    struct declared_name *symbol;
     size_t hops;
     size_t element[ARRAY_NESTING_MOST];
 };
 
-struct token {
-    enum token_kind kind;
-    const struct source *source;
-    struct place place; /* before its first byte */
-    size_t depth;       /* of frames, when it was read */
-    size_t main_line;   /* the line of the main file: its own or that of the
+struct scene_token {
+    enum scene_token_kind kind;
+    const struct scene_source *source;
+    struct text_place place; /* before its first byte */
+    size_t depth;            /* of frames, when it was read */
+    size_t main_line; /* the line of the main file: its own or that of the
                            #include or the macro that leads to it */
     const char *text;
     size_t length;
@@ -61,7 +61,7 @@ struct token {
 
     /* What a word names, once the reader has looked it up; or NULL. */
     struct reference reference;
-    const struct value *value;
+    const struct scene_value *value;
 };
 
 enum {
@@ -70,35 +70,36 @@ enum {
     FRAMES_MOST = 200 /* files and macros within each other */
 };
 
-struct frame {
-    const struct source *source;
-    struct place place; /* what comes next */
-    size_t end;         /* offset */
-    size_t serial;      /* no other frame has it */
+struct open_text {
+    const struct scene_source *source;
+    struct text_place place; /* what comes next */
+    size_t end;              /* offset */
+    size_t serial;           /* no other frame has it */
     bool is_macro;
-    struct token call; /* the macro's name where it is called */
+    struct scene_token call; /* the macro's name where it is called */
 };
 
 struct lexer {
     size_t depth, files; /* open frames, and those of files */
     size_t serial;
-    struct frame frames[FRAMES_MOST];
+    struct open_text frames[FRAMES_MOST];
 };
 
 /* The tokens of a source come next; false: too deep. */
-bool lexer_open(struct lexer *lexer, const struct source *source);
+bool lexer_open(struct lexer *lexer, const struct scene_source *source);
 /* .. those of a macro's body, which `call` calls. */
-bool lexer_call(struct lexer *lexer, const struct source *source,
-                struct place place, size_t end, const struct token *call);
+bool lexer_call(struct lexer *lexer, const struct scene_source *source,
+                struct text_place place, size_t end,
+                const struct scene_token *call);
 /* The frame below goes on. */
 void lexer_close(struct lexer *lexer);
-struct frame *lexer_top(struct lexer *lexer);
-struct token lexer_next(struct lexer *lexer);
+struct open_text *lexer_top(struct lexer *lexer);
+struct scene_token lexer_next(struct lexer *lexer);
 
-bool is_token(const struct token *token, const char *word);
-bool is_one_of(const struct token *token, const char *const *words);
-bool is_directive(const struct token *token, const char *const *words);
-bool token_is_sign(const struct token *token, int sign);
-struct position token_position(const struct token *token);
+bool is_token(const struct scene_token *token, const char *word);
+bool is_one_of(const struct scene_token *token, const char *const *words);
+bool is_directive(const struct scene_token *token, const char *const *words);
+bool token_is_sign(const struct scene_token *token, int sign);
+struct position token_position(const struct scene_token *token);
 
 #endif

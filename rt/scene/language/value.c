@@ -11,7 +11,7 @@ static const char *const kind_names[] = {
     "an array",   "a macro",     "nothing",
 };
 
-const char *value_kind_name(enum value_kind kind)
+const char *value_kind_name(enum scene_value_kind kind)
 {
     return kind_names[kind];
 }
@@ -42,7 +42,7 @@ bool numbers_are_finite(const struct numbers *numbers)
 
 const char no_memory[] = "there is not enough memory";
 
-static const char *copy_string(struct value *copy, const char *text)
+static const char *copy_string(struct scene_value *copy, const char *text)
 {
     size_t size = strlen(text) + 1;
 
@@ -53,7 +53,8 @@ static const char *copy_string(struct value *copy, const char *text)
     return NULL;
 }
 
-const char *value_copy(struct value *copy, const struct value *value)
+const char *value_copy(struct scene_value *copy,
+                       const struct scene_value *value)
 {
     *copy = *value;
     switch (value->kind) {
@@ -69,7 +70,7 @@ const char *value_copy(struct value *copy, const struct value *value)
     }
 }
 
-void value_free(struct value *value)
+void value_free(struct scene_value *value)
 {
     switch (value->kind) {
     case VALUE_OBJECT: scene_object_free(&value->is.object); break;

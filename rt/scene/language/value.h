@@ -24,7 +24,7 @@ struct camera_setting {
     double sky[3];
 };
 
-enum value_kind {
+enum scene_value_kind {
     VALUE_NUMBERS,
     VALUE_PIGMENT,
     VALUE_FINISH,
@@ -39,25 +39,26 @@ enum value_kind {
     VALUE_MACRO,
     VALUE_FAULTY /* its declaration has an error, reported there */
 };
-const char *value_kind_name(enum value_kind kind);
+const char *value_kind_name(enum scene_value_kind kind);
 
 /* A row of values of one kind, of one dimension or more. */
 enum { DIMENSIONS_MOST = 5, CELLS_MOST = 100000 };
 struct array {
     size_t dimensions, sizes[DIMENSIONS_MOST];
-    size_t count;         /* the product of the sizes */
-    bool typed;           /* by the first value: */
-    enum value_kind kind; /* all are of its kind, */
-    int terms;            /* numbers of as many terms */
-    size_t *cells;        /* of all arrays, with these */
-    struct value *cell[]; /* the last index runs fastest; NULL: not set */
+    size_t count;               /* the product of the sizes */
+    bool typed;                 /* by the first value: */
+    enum scene_value_kind kind; /* all are of its kind, */
+    int terms;                  /* numbers of as many terms */
+    size_t *cells;              /* of all arrays, with these */
+    struct scene_value
+        *cell[]; /* the last index runs fastest; NULL: not set */
 };
 
 /* The body of a macro, as it stands in its source. */
 enum { PARAMETERS_MOST = 56 };
-struct macro {
-    const struct source *source;
-    struct place body;
+struct scene_macro {
+    const struct scene_source *source;
+    struct text_place body;
     size_t end; /* offset */
     size_t count;
     struct {
@@ -66,27 +67,28 @@ struct macro {
     } parameters[PARAMETERS_MOST];
 };
 
-struct value {
-    enum value_kind kind;
+struct scene_value {
+    enum scene_value_kind kind;
     union {
         struct numbers numbers;
         struct pigment pigment;
         struct finish finish;
         struct texture texture;
-        double interior;        /* its index of refraction */
-        struct object material; /* without parts */
+        double interior;              /* its index of refraction */
+        struct scene_object material; /* without parts */
         struct placement transform;
         struct camera_setting camera;
-        struct object object;
+        struct scene_object object;
         char *string;
         struct array *array;
-        struct macro *macro;
+        struct scene_macro *macro;
     } is;
 };
 
-void value_free(struct value *value);
+void value_free(struct scene_value *value);
 /* A copy; NULL, or why there is none. */
-const char *value_copy(struct value *copy, const struct value *value);
+const char *value_copy(struct scene_value *copy,
+                       const struct scene_value *value);
 
 /* The functions that return text return why they failed, or NULL. */
 extern const char no_memory[];
@@ -98,7 +100,7 @@ const char *array_copy(struct array **copy, const struct array *array);
 void array_free(struct array *array);
 /* Takes the value over in any case. */
 const char *array_set(struct array *array, size_t element,
-                      struct value *value);
+                      struct scene_value *value);
 /* The arrays within each other, this one counted. */
 size_t array_nesting(const struct array *array);
 /* Primitives and lights in all objects. */

@@ -25,8 +25,8 @@ static const struct texture texture_default = {
 enum { TRACE_LEVEL_DEFAULT = 5 };
 #define LANGUAGE_VERSION 3.7
 
-static bool check_part(struct reader *reader, struct part *part,
-                       const struct token *at)
+static bool check_part(struct reader *reader, struct scene_part *part,
+                       const struct scene_token *at)
 {
     struct primitive *primitive = &part->primitive;
     struct placement own = { primitive->to_world, primitive->to_local };
@@ -43,8 +43,8 @@ static bool check_part(struct reader *reader, struct part *part,
                            primitive_kind_name(primitive->kind));
 }
 
-static bool add_to_world(struct reader *reader, struct object *object,
-                         const struct token *at)
+static bool add_to_world(struct reader *reader, struct scene_object *object,
+                         const struct scene_token *at)
 {
     size_t first = reader->world.part_count;
 
@@ -62,7 +62,7 @@ static bool add_to_world(struct reader *reader, struct object *object,
 static bool read_object(struct reader *reader, void *subject,
                         const struct item *item)
 {
-    struct object object;
+    struct scene_object object;
     bool done;
 
     (void)subject;
@@ -133,7 +133,7 @@ const struct grammar file_grammar = { "a statement",
 
 static bool take_primitives(struct reader *reader)
 {
-    const struct object *world = &reader->world;
+    const struct scene_object *world = &reader->world;
     struct scene *scene = reader->scene;
 
     scene->primitives = calloc(world->part_count ? world->part_count : 1,
@@ -147,7 +147,7 @@ static bool take_primitives(struct reader *reader)
 }
 
 /* The parts are the leaves, in their order. */
-static void fill_nodes(struct scene *scene, const struct object *world)
+static void fill_nodes(struct scene *scene, const struct scene_object *world)
 {
     size_t leaf = 0;
 
@@ -217,7 +217,7 @@ static struct scene *new_scene(void)
     return scene;
 }
 
-static bool read_all(struct reader *reader, const struct source *source)
+static bool read_all(struct reader *reader, const struct scene_source *source)
 {
     struct block file;
 
@@ -230,7 +230,7 @@ static bool read_all(struct reader *reader, const struct source *source)
 }
 
 static struct scene *read_source(struct reader *reader,
-                                 const struct source *source)
+                                 const struct scene_source *source)
 {
     size_t before = reader->reports->errors;
     struct scene *scene = new_scene();
@@ -264,7 +264,7 @@ static struct scene *read_from(const char *name, const char *text,
                                struct diagnostics *reports)
 {
     struct reader *reader = calloc(1, sizeof *reader);
-    const struct source *source = NULL;
+    const struct scene_source *source = NULL;
     struct scene *scene = NULL;
     size_t before = reports->errors;
 

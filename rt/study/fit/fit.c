@@ -42,7 +42,7 @@ static bool time_one(const struct work *work, size_t i, c205_error *error)
     const struct observations *all = work->fit->observations;
     struct point *point = &work->points[i / all->timing_count];
     size_t which = i % all->timing_count;
-    const struct timing *timing = &all->timings[which];
+    const struct run_timing *timing = &all->timings[which];
     c205_setting settings[SETTINGS_MOST];
     size_t count;
 

@@ -32,12 +32,12 @@ static bool fail(c205_error *error, const char *what, const char *name)
 
 /* ---- Runs, models, timings: each once ----------------------------------- */
 
-static const struct run *find_run(struct observations *all,
-                                  const char *program,
-                                  const struct run_options *options,
-                                  c205_error *error)
+static const struct fit_run *find_run(struct observations *all,
+                                      const char *program,
+                                      const struct run_options *options,
+                                      c205_error *error)
 {
-    struct run **runs, *run;
+    struct fit_run **runs, *run;
 
     for (size_t i = 0; i < all->run_count; i++)
         if (strcmp(all->runs[i]->program, program) == 0)
@@ -86,11 +86,11 @@ static const c205_model *find_model(struct observations *all,
     return model;
 }
 
-static bool find_timing(struct observations *all, const struct run *run,
+static bool find_timing(struct observations *all, const struct fit_run *run,
                         const c205_model *model, size_t *found,
                         c205_error *error)
 {
-    struct timing *timings;
+    struct run_timing *timings;
 
     for (*found = 0; *found < all->timing_count; ++*found)
         if (all->timings[*found].run == run
@@ -100,7 +100,7 @@ static bool find_timing(struct observations *all, const struct run *run,
     if (!timings)
         return fail(error, "%s", "no memory");
     all->timings = timings;
-    timings[all->timing_count++] = (struct timing){ run, model };
+    timings[all->timing_count++] = (struct run_timing){ run, model };
     return true;
 }
 
@@ -133,7 +133,7 @@ static void take_regions(const char *text, char program[TEXT_MOST],
 }
 
 static bool add_term(struct observations *all, struct observation *item,
-                     const struct run *run, const char *region,
+                     const struct fit_run *run, const char *region,
                      const char *machine, c205_error *error)
 {
     struct term *term = &item->terms[item->term_count++];
@@ -145,7 +145,7 @@ static bool add_term(struct observations *all, struct observation *item,
 
 static bool add_terms(struct observations *all, struct observation *item,
                       const struct run_options *options,
-                      const struct run **run, c205_error *error)
+                      const struct fit_run **run, c205_error *error)
 {
     char program[TEXT_MOST], regions[TEXT_MOST], machines[TEXT_MOST];
     const char *region, *machine;
@@ -178,7 +178,7 @@ static const struct unit {
     { "ratio", NULL, false, 1 },
 };
 
-static bool set_unit(struct observation *item, const struct run *run,
+static bool set_unit(struct observation *item, const struct fit_run *run,
                      c205_error *error)
 {
     for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
@@ -211,7 +211,7 @@ static bool read_row(struct observations *all, const struct csv *file,
     struct observation *items = array_grow(all->items, all->count,
                                            sizeof *items);
     struct observation *item;
-    const struct run *run;
+    const struct fit_run *run;
 
     if (!items)
         return csv_wrong(file, row, NAME, "no memory", diagnostics);
@@ -277,7 +277,7 @@ void observations_free(struct observations *all)
 static double seconds(const struct observations *all, const struct term *term,
                       double (*clocks)[RUN_REGIONS_MOST])
 {
-    const struct timing *timing = &all->timings[term->timing];
+    const struct run_timing *timing = &all->timings[term->timing];
     double sum = 0;
 
     for (size_t i = 0; i < timing->run->region_count; i++)

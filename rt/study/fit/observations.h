@@ -27,8 +27,8 @@
 #define PRIOR_SUFFIX "-prior"
 
 /* A program on a machine. */
-struct timing {
-    const struct run *run;
+struct run_timing {
+    const struct fit_run *run;
     const c205_model *model;
 };
 
@@ -51,8 +51,8 @@ struct observation {
 struct observations {
     size_t count, timing_count, run_count, model_count, file_count;
     struct observation *items;
-    struct timing *timings;
-    struct run **runs;
+    struct run_timing *timings;
+    struct fit_run **runs;
     c205_model **models;
     struct csv *files; /* hold the texts */
 };

@@ -286,7 +286,7 @@ static void fill_without(const struct study *study, const double *written,
 
 /* ---- The whole ---------------------------------------------------------- */
 
-static const struct part {
+static const struct report_part {
     const char *key, *heading;
     const struct table_column *columns;
     size_t count;
@@ -349,8 +349,9 @@ static void write_head(const struct study *study, struct json *json)
     json_text(json, "not_modelled", provenance_left_out(fitted_model(study)));
 }
 
-static bool add_part(const struct study *study, const struct part *part,
-                     const double *written, const struct results *results)
+static bool add_part(const struct study *study,
+                     const struct report_part *part, const double *written,
+                     const struct results *results)
 {
     struct table *table = table_new(part->columns, part->count);
     bool good;

@@ -24,7 +24,7 @@ static char *copied(const char *text)
 /* ---- Frames ------------------------------------------------------------- */
 
 /* "Steiner scalar": the subject and the form. */
-static bool find_subject(struct run *run, enum trace_mode *mode)
+static bool find_subject(struct fit_run *run, enum trace_mode *mode)
 {
     for (size_t i = 0; i < speedup_subject_count; i++) {
         const char *name = speedup_subjects[i].name;
@@ -41,7 +41,7 @@ static bool find_subject(struct run *run, enum trace_mode *mode)
     return false;
 }
 
-static c205 *frame_machine(struct run *run, enum trace_mode mode,
+static c205 *frame_machine(struct fit_run *run, enum trace_mode mode,
                            const struct run_options *options,
                            c205_error *error)
 {
@@ -79,7 +79,7 @@ static bool cut_words(char *words, struct asm_define *defines,
     return true;
 }
 
-static bool assemble(struct run *run, const struct run_options *options,
+static bool assemble(struct fit_run *run, const struct run_options *options,
                      c205_error *error)
 {
     const struct text *const texts[] = { kernel_texts, NULL };
@@ -100,7 +100,8 @@ static bool assemble(struct run *run, const struct run_options *options,
     return run->object != NULL;
 }
 
-static c205 *text_machine(struct run *run, const struct run_options *options,
+static c205 *text_machine(struct fit_run *run,
+                          const struct run_options *options,
                           c205_error *error)
 {
     c205 *machine = assemble(run, options, error)
@@ -116,7 +117,7 @@ static c205 *text_machine(struct run *run, const struct run_options *options,
 
 /* ---- Both --------------------------------------------------------------- */
 
-static bool name_regions(struct run *run, const c205 *machine,
+static bool name_regions(struct fit_run *run, const c205 *machine,
                          c205_error *error)
 {
     run->region_count = c205_account_count(machine);
@@ -130,7 +131,7 @@ static bool name_regions(struct run *run, const c205 *machine,
     return true;
 }
 
-static bool record(struct run *run, c205 *machine, c205_error *error)
+static bool record(struct fit_run *run, c205 *machine, c205_error *error)
 {
     c205_stop stop;
 
@@ -145,10 +146,10 @@ static bool record(struct run *run, c205 *machine, c205_error *error)
     return false;
 }
 
-struct run *run_new(const char *program, const struct run_options *options,
-                    c205_error *error)
+struct fit_run *run_new(const char *program,
+                        const struct run_options *options, c205_error *error)
 {
-    struct run *run = calloc(1, sizeof *run);
+    struct fit_run *run = calloc(1, sizeof *run);
     enum trace_mode mode;
     c205 *machine = NULL;
     bool good;
@@ -166,7 +167,7 @@ struct run *run_new(const char *program, const struct run_options *options,
     return NULL;
 }
 
-void run_free(struct run *run)
+void run_free(struct fit_run *run)
 {
     if (!run)
         return;
@@ -180,7 +181,7 @@ void run_free(struct run *run)
     free(run);
 }
 
-bool run_symbol(const struct run *run, const char *name, double *value)
+bool run_symbol(const struct fit_run *run, const char *name, double *value)
 {
     const struct asm_symbol *symbol = !run->object
                                           ? NULL
@@ -192,7 +193,7 @@ bool run_symbol(const struct run *run, const char *name, double *value)
     return true;
 }
 
-static bool is_timed(const struct run *run, const char *region)
+static bool is_timed(const struct fit_run *run, const char *region)
 {
     if (!run->subject)
         return *region != '\0';
@@ -203,7 +204,7 @@ static bool is_timed(const struct run *run, const char *region)
     return false;
 }
 
-bool run_select(const struct run *run, const char *name,
+bool run_select(const struct fit_run *run, const char *name,
                 bool chosen[RUN_REGIONS_MOST], c205_error *error)
 {
     bool found = false;
@@ -216,7 +217,7 @@ bool run_select(const struct run *run, const char *name,
     return found || fail(error, "there is no region %.60s", name);
 }
 
-bool run_time(const struct run *run, const c205_model *model,
+bool run_time(const struct fit_run *run, const c205_model *model,
               const c205_setting *settings, size_t count, unsigned ticks,
               double clocks[RUN_REGIONS_MOST], c205_error *error)
 {

@@ -21,7 +21,7 @@ struct run_options {
 
 enum { RUN_REGIONS_MOST = 128 };
 
-struct run {
+struct fit_run {
     char *program;
     size_t rays;                           /* of a frame; 0: it is none */
     const struct speedup_subject *subject; /* of a frame */
@@ -34,17 +34,17 @@ struct run {
 };
 
 /* NULL: the error says why. */
-struct run *run_new(const char *program, const struct run_options *options,
-                    c205_error *error);
-void run_free(struct run *run);
+struct fit_run *run_new(const char *program,
+                        const struct run_options *options, c205_error *error);
+void run_free(struct fit_run *run);
 
 /* The value of an integer symbol of a program text.  False: there is none. */
-bool run_symbol(const struct run *run, const char *name, double *value);
+bool run_symbol(const struct fit_run *run, const char *name, double *value);
 
 /* Which regions: that of the name, or where it is empty those by which the
  * program is timed: a frame by its subject's regions, a program text by all
  * that have names.  False: there is no such region. */
-bool run_select(const struct run *run, const char *name,
+bool run_select(const struct fit_run *run, const char *name,
                 bool chosen[RUN_REGIONS_MOST], c205_error *error);
 
 /* Ticks of a clock: 1 as the machine has it, or so many that a tenth of a clock
@@ -52,7 +52,7 @@ bool run_select(const struct run *run, const char *name,
 enum { RUN_WHOLE = 1, RUN_FINE = 1000 };
 
 /* Clocks of its regions; time advances in ticks. */
-bool run_time(const struct run *run, const c205_model *model,
+bool run_time(const struct fit_run *run, const c205_model *model,
               const c205_setting *settings, size_t count, unsigned ticks,
               double clocks[RUN_REGIONS_MOST], c205_error *error);
 

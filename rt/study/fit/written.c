@@ -67,7 +67,7 @@ static bool time_all(const struct study *study,
     bool good = true;
 
     for (size_t i = 0; good && i < all->timing_count; i++) {
-        const struct timing *timing = &all->timings[i];
+        const struct run_timing *timing = &all->timings[i];
         size_t count = written_settings(study, timing->model, settings);
 
         good = run_time(timing->run, timing->model, settings, count,

@@ -38,7 +38,7 @@ struct flag {
     int row; /* from 0, upwards */
 };
 
-struct layout {
+struct plot_layout {
     double left, right, top;
     size_t flag_count;
     struct flag *flags;
@@ -125,7 +125,7 @@ static int row_of(const struct flag *flags, size_t i)
 }
 
 static void place_flags(const struct plot *plot, const struct axis *x,
-                        struct layout *layout)
+                        struct plot_layout *layout)
 {
     struct flag *flags = layout->flags;
     size_t count = 0;
@@ -155,7 +155,7 @@ static size_t small_print(const struct plot *plot,
 }
 
 static bool lay_out(const struct plot *plot, const struct plot_axes *axes,
-                    struct layout *layout)
+                    struct plot_layout *layout)
 {
     int rows = 0;
 
@@ -207,7 +207,7 @@ static void write_picture(const char *name, FILE *file)
     putc('\n', file);
 }
 
-static void write_margins(const struct layout *layout, FILE *file)
+static void write_margins(const struct plot_layout *layout, FILE *file)
 {
     fprintf(file, "\nset lmargin at screen %.4f\n", across(layout->left));
     fprintf(file, "set rmargin at screen %.4f\n", across(layout->right));
@@ -240,7 +240,7 @@ static void tell_cut_off(const struct plot_axes *axes, double left,
 
 static void write_titles(const struct plot *plot,
                          const struct plot_axes *axes,
-                         const struct layout *layout, FILE *file)
+                         const struct plot_layout *layout, FILE *file)
 {
     double line = HEIGHT - TITLE;
 
@@ -306,8 +306,8 @@ static void write_flag(const struct flag *flag, double top, FILE *file)
                 flag->mark->at, up(height));
 }
 
-static void write_frame(const struct plot *plot, const struct layout *layout,
-                        FILE *file)
+static void write_frame(const struct plot *plot,
+                        const struct plot_layout *layout, FILE *file)
 {
     bool areas = plot->form == PLOT_AREAS;
 
@@ -369,7 +369,7 @@ static void write_curves(const struct plot *plot, FILE *file)
 bool plot_script_write(const struct plot *plot, const struct plot_axes *axes,
                        const char *name, FILE *file)
 {
-    struct layout layout;
+    struct plot_layout layout;
 
     if (!lay_out(plot, axes, &layout))
         return false;
