@@ -479,8 +479,8 @@ ends 2 "$build/c205" run --check good.s --save state --limit 10
 ends 2 "$build/c205" run --restore late good.s trap.s
 
 # kernels are programs like any other
-ends 0 "$build/c205" asm -I "$kernels" "$kernels/frame/frame_vector.s" --define QUEUE=2000
-ends 0 "$build/c205" asm -I "$kernels" "$kernels/frame/frame_scalar.s"
+ends 0 "$build/c205" asm -I "$kernels" "$kernels/roots/roots_vector.s" --define QUEUE=2000
+ends 0 "$build/c205" asm -I "$kernels" "$kernels/roots/roots_scalar.s"
 
 # polynomials
 cat >good.csv <<'END'
