@@ -13,6 +13,7 @@ CXXFLAGS ?= -g
 VERSION := $(shell sed -n 's/^.define C205_VERSION "\(.*\)"/\1/p' vm/c205.h)
 PREFIX ?= /usr/local
 LIBDIR = $(PREFIX)/lib/rt205
+DOCDIR = $(PREFIX)/share/doc/c205
 WASM_CC ?= clang --target=wasm32-wasi --sysroot=/usr
 
 WARN = -Wall -Wextra -Wshadow
@@ -48,9 +49,9 @@ asm_api = $(addprefix asm/,assemble.h disassemble.h expect.h listing.h object.h 
 	print.h state.h trap_report.h warning.def warning.h watch.h) \
 	base/diagnostic.h base/sink.h
 rt_api = $(addprefix rt/,scene/scene.h scene/language/scene_read.h \
-	layout/layout.h picture/picture.h trace/band.h trace/observer.h \
+	shapes/primitive.h shapes/shapes.def layout/layout.h picture/picture.h trace/band.h trace/observer.h \
 	trace/trace.h trace/vector_use.h trace/visible.h) \
-	$(addprefix base/,accounts.h json.h table.h)
+	$(addprefix base/,accounts.h arena.h json.h table.h)
 unit_tests = $(addprefix $(BUILD)/tests/unit/,$(UNITS))
 oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_narrow \
@@ -423,6 +424,10 @@ install: all $(installed) $(installed_pc) $(pages)
 	for header in $(vm_api) $(asm_api) $(rt_api); do \
 		install -D -m 644 $$header \
 			$(DESTDIR)$(PREFIX)/include/c205/$$header; done
+	for file in README.md docs/*.md docs/pictures/*; do \
+		install -D -m 644 $$file $(DESTDIR)$(DOCDIR)/$$file; done
+	for file in asm/examples/* scenes/*; do \
+		install -D -m 644 $$file $(DESTDIR)$(DOCDIR)/$$file; done
 
 clean:
 	rm -rf $(BUILD)

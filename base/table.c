@@ -34,13 +34,15 @@ struct table {
 struct table *table_new(const struct table_column *columns, size_t count)
 {
     struct table *table = calloc(1, sizeof *table);
-    struct table_column *copy = malloc(count * sizeof *copy);
-    if (!table || !copy) {
-        free(table);
-        free(copy);
+    if (!table) {
         return NULL;
     }
-    table->columns = memcpy(copy, columns, count * sizeof *copy);
+    table->columns = malloc(count * sizeof *columns);
+    if (!table->columns) {
+        free(table);
+        return NULL;
+    }
+    memcpy(table->columns, columns, count * sizeof *columns);
     table->column_count = count;
     return table;
 }

@@ -27,6 +27,10 @@ cd "$work" || exit 1
 succeeds "$root/bin/rt205" render "$scene" -o a.png -W 40 -H 30
 succeeds test -s a.png
 succeeds "$root/bin/c205" isa ADDNV
+documents=$root/share/doc/c205
+succeeds "$root/bin/c205" run --check "$documents"/asm/examples/*.s
+succeeds "$root/bin/rt205" render "$documents/scenes/first.pov" -o b.png -W 20 -H 15
+succeeds test -s "$documents/docs/machine.md"
 export PKG_CONFIG_PATH="$root/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$work/root"
 
 client() { # NAME PACKAGE
