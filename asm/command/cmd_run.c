@@ -3,7 +3,7 @@
 
 #include "base/accounts_show.h"
 #include "asm/command/c205_command.h"
-#include "asm/command/interrupt.h"
+#include "base/interrupt.h"
 #include "asm/disassemble.h"
 #include "asm/print.h"
 #include "asm/state.h"

@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "base/accounts_show.h"
+#include "base/interrupt.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 
@@ -238,7 +239,7 @@ static int end_early(const struct rt205_arguments *arguments,
 {
     char rows[300] = "", bands[200] = "";
 
-    if (cmd_interrupted())
+    if (interrupt_came())
         save_rows(arguments, trace, rows, sizeof rows);
     tell_resume(arguments, trace, bands, sizeof bands);
     return cmd_failed(arguments->command, "%s%s%s", why->message, rows,

@@ -1,6 +1,7 @@
 /* cmd_shared.c - see rt205_command.h. */
 #include "rt/command/rt205_command.h"
 
+#include "base/interrupt.h"
 #include "base/model.h"
 
 #include <stdio.h>
@@ -50,7 +51,7 @@ int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work)
 static bool go_on(void *context)
 {
     (void)context;
-    return !cmd_interrupted();
+    return !interrupt_came();
 }
 
 /* No pixel can show an object: it is told, for the picture does not tell. */

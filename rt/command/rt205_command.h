@@ -124,7 +124,5 @@ struct scene *cmd_read_scene(const struct rt205_arguments *arguments);
  * progress on stderr where that is a terminal: by the progress of the trace
  * options. */
 void cmd_watch(struct rt205_arguments *arguments);
-/* Whether Ctrl-C has been pressed since. */
-bool cmd_interrupted(void);
 
 #endif

@@ -1,4 +1,4 @@
-#include "asm/command/interrupt.h"
+#include "base/interrupt.h"
 
 /* WebAssembly's system interface has no signals. */
 #ifdef __wasi__
@@ -19,9 +19,13 @@ bool interrupt_came(void)
 
 static volatile sig_atomic_t came;
 
+/* The second time it is as if nobody had asked for the first. */
 static void note(int number)
 {
-    (void)number;
+    if (came) {
+        signal(number, SIG_DFL);
+        raise(number);
+    }
     came = 1;
 }
 

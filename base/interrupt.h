@@ -1,10 +1,11 @@
 /* interrupt.h - Ctrl-C as a question that a command asks now and then. */
-#ifndef ASM_INTERRUPT_H
-#define ASM_INTERRUPT_H
+#ifndef BASE_INTERRUPT_H
+#define BASE_INTERRUPT_H
 
 #include <stdbool.h>
 
-/* From now on Ctrl-C does not end the command. */
+/* From now on Ctrl-C (or SIGTERM) does not end the program, but the second one
+ * does. */
 void interrupt_catch(void);
 /* It was pressed. */
 bool interrupt_came(void);
