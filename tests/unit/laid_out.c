@@ -64,6 +64,7 @@ static struct object *stage_program(void)
     program = assemble_text("stage", text, &how, &errors);
     if (!program)
         fail_msg("%s", errors.items[0].message);
+    diagnostics_free(&errors);
     return program;
 }
 

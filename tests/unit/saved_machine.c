@@ -85,6 +85,7 @@ c205 *machine_from(const char *path, const c205_model *model)
     struct object *object = assemble_file(path, NULL, &errors);
     if (!object)
         fail_msg("%s cannot be assembled", path);
+    diagnostics_free(&errors);
     c205 *machine = machine_with(&object->program, model);
     object_free(object);
     return machine;

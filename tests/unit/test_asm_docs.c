@@ -54,6 +54,7 @@ static void check_block(const char *name, const char *text, size_t length)
     memcpy(copy, text, length);
     object = assemble_text(name, copy, NULL, &errors);
     diagnostics_put(&errors, &sink);
+    diagnostics_free(&errors);
     assert_non_null(object);
     if (object->expectation_count > 0)
         run(object, name);

@@ -265,6 +265,7 @@ static double projected(const char *model_text)
                                                     &error);
     if (!object || !projection_model)
         fail_msg("%s", object ? error.message : errors.items[0].message);
+    diagnostics_free(&errors);
     c205 *machine = c205_new(model, &error);
     c205_projection *projection = c205_projection_new(projection_model,
                                                       &error);

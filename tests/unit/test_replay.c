@@ -116,6 +116,7 @@ static void check_text(const char *name, const char *text)
     struct object *object = assemble_text(name, text, NULL, &errors);
     if (!object)
         fail_msg("%s: %s", name, errors.items[0].message);
+    diagnostics_free(&errors);
     check(name, object);
     object_free(object);
 }
@@ -133,6 +134,7 @@ static size_t check_files(const char *pattern)
         struct object *object = assemble_file(path, NULL, &errors);
         if (!object)
             fail_msg("%s: %s", path, errors.items[0].message);
+        diagnostics_free(&errors);
         check(path, object);
         object_free(object);
     }
@@ -235,6 +237,7 @@ static void test_operations(void **state)
     c205_model *times = c205_model_parse("powers", powers, &error);
     if (!object || !times)
         fail_msg("%s", times ? errors.items[0].message : error.message);
+    diagnostics_free(&errors);
     c205 *machine = loaded(object, model);
     c205_projection *projection = c205_projection_new(times, &error);
     (void)state;
