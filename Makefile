@@ -66,7 +66,7 @@ benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
 
 build_packages = build-essential pkg-config libopenimageio-dev
 fit_packages = libceres-dev
-test_packages = $(build_packages) $(fit_packages) libcmocka-dev \
+test_packages = $(build_packages) $(fit_packages) libcmocka-dev groff-base \
 	libmpfr-dev libgmp-dev povray povray-includes gnuplot-nox \
 	clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
