@@ -154,7 +154,8 @@ static void say_other(struct sweep_report *report, const char *what,
                       "%s (%+.2f).",
                       what, queue_of(other), sweep_cost(other, SWEEP_QUEUED),
                       percent_above(other, best), sweep_group_name(most),
-                      group_cost(other, most) - group_cost(best, most));
+                      group_cost(other, (int)most)
+                          - group_cost(best, (int)most));
 }
 
 /* The queues around the best that cost hardly more. */
