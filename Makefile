@@ -356,6 +356,8 @@ format:
 lint:
 	@sh .ci/need git clang-format cppcheck
 	clang-format --dry-run --Werror $(formatted)
+	sh tests/check_dialect.sh
+	sh tests/planted/fresh.sh
 	cppcheck --quiet --std=c99 --enable=warning,performance \
 		--suppressions-list=.ci/cppcheck.suppressions --error-exitcode=1 \
 		-I. vm base asm rt

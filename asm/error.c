@@ -61,7 +61,7 @@ bool report(struct assembler *assembler, const struct line *line,
             const char *at, const char *format, ...)
 {
     char message[512];
-    const struct position position = position_of(line, at);
+    struct position position = position_of(line, at);
     va_list arguments;
 
     if (too_many_errors(assembler))

@@ -182,7 +182,7 @@ void diagnostics_put(const struct diagnostics *diagnostics,
 
 void diagnostics_print(const struct diagnostics *diagnostics, FILE *out)
 {
-    const struct sink sink = stream_sink(out);
+    struct sink sink = stream_sink(out);
 
     diagnostics_put(diagnostics, &sink);
 }

@@ -30,7 +30,7 @@ static c205_model *read_model(const char *command, const char *name,
     c205_model *model = c205_model_read(name, text, &place, &error);
 
     if (!model && place.line) {
-        const struct position position = position_of(name, text, &place);
+        struct position position = position_of(name, text, &place);
         struct diagnostics found = { 0 };
 
         diagnostics_add(&found, SEVERITY_ERROR, &position, error.message);

@@ -69,10 +69,10 @@ static double nanoseconds(task *run)
     double best = HUGE_VAL;
 
     for (int trial = 0; trial < TRIALS; trial++) {
-        const double start = now();
+        double start = now();
         for (int i = 0; i < REPEATS; i++)
             run();
-        const double each = (now() - start) / REPEATS / LENGTH;
+        double each = (now() - start) / REPEATS / LENGTH;
         best = each < best ? each : best;
     }
     sink = z[LENGTH / 2];

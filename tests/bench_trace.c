@@ -33,9 +33,9 @@ static double time_trace(const struct scene *scene,
                          c205_error *error)
 {
     struct trace *trace = trace_new(scene, options, error);
-    const clock_t begin = clock();
-    const bool good = trace && trace_run(trace, error);
-    const clock_t end = clock();
+    clock_t begin = clock();
+    bool good = trace && trace_run(trace, error);
+    clock_t end = clock();
 
     trace_free(trace);
     return good ? (double)(end - begin) / CLOCKS_PER_SEC : -1;
@@ -48,7 +48,7 @@ static bool print_best(const struct scene *scene,
     double best = time_trace(scene, options, &error);
 
     for (int i = 1; i < trials && best >= 0; i++) {
-        const double seconds = time_trace(scene, options, &error);
+        double seconds = time_trace(scene, options, &error);
         best = seconds < best ? seconds : best;
     }
     if (best < 0)

@@ -73,7 +73,7 @@ struct decode_cache {
 static inline const struct decoded *
 decode_cached(const struct decode_cache *cache, uint64_t version, uint64_t pc)
 {
-    const size_t i = pc / INSTRUCTION_STEP % DECODE_ENTRIES;
+    size_t i = pc / INSTRUCTION_STEP % DECODE_ENTRIES;
     const struct decoded *entry = &cache->entry[i];
     return entry->pc == pc && entry->version == version ? entry : NULL;
 }

@@ -96,7 +96,7 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
 
 uint64_t memory_next_page(const struct memory *memory, uint64_t address)
 {
-    const uint64_t directory_bits = UINT64_C(1) << DIRECTORY_SHIFT;
+    uint64_t directory_bits = UINT64_C(1) << DIRECTORY_SHIFT;
     while (address <= ADDRESS_MASK && !memory_page(memory, address))
         if (memory->directory[address >> DIRECTORY_SHIFT])
             address += PAGE_BITS;
@@ -118,7 +118,7 @@ static c205_trap check_page(const struct memory *memory, uint64_t address,
 c205_trap memory_check(const struct memory *memory, uint64_t address,
                        uint64_t bits, bool write, uint64_t *fault)
 {
-    const uint64_t page_mask = PAGE_BITS - 1;
+    uint64_t page_mask = PAGE_BITS - 1;
     uint64_t end = address + bits;
     while (address < end) {
         c205_trap trap = address > ADDRESS_MASK

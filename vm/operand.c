@@ -366,8 +366,8 @@ size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits,
  * byte. */
 static size_t ones_in(uint64_t word)
 {
-    const uint64_t pairs = UINT64_MAX / 3, fours = UINT64_MAX / 5;
-    const uint64_t bytes = UINT64_MAX / 17, each = UINT64_MAX / 255;
+    uint64_t pairs = UINT64_MAX / 3, fours = UINT64_MAX / 5;
+    uint64_t bytes = UINT64_MAX / 17, each = UINT64_MAX / 255;
     word -= word >> 1 & pairs;
     word = (word & fours) + (word >> 2 & fours);
     word = (word + (word >> 4)) & bytes;

@@ -9,7 +9,7 @@
 #define TO_T(name, value) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
     { \
-        const c205_word a = machine->slot[d->a], b = machine->slot[d->b]; \
+        c205_word a = machine->slot[d->a], b = machine->slot[d->b]; \
         (void)a, (void)b; \
         machine->slot[d->c] = (value); \
         return C205_TRAP_NONE; \
@@ -19,8 +19,8 @@
 #define TO_R(name, value) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
     { \
-        const c205_word a = machine->slot[d->a]; \
-        const uint64_t i = (uint64_t)d->fields.immediate; \
+        c205_word a = machine->slot[d->a]; \
+        uint64_t i = (uint64_t)d->fields.immediate; \
         (void)a; \
         machine->slot[d->result[0]] = (value); \
         return C205_TRAP_NONE; \
@@ -86,10 +86,8 @@ c205_trap execute_set_timer(struct c205 *machine,
 #define TO_HALF(name, value) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
     { \
-        const c205_word a = machine_half(machine, d->a, \
-                                         d->shift[OPERAND_A]); \
-        const c205_word b = machine_half(machine, d->b, \
-                                         d->shift[OPERAND_B]); \
+        c205_word a = machine_half(machine, d->a, d->shift[OPERAND_A]); \
+        c205_word b = machine_half(machine, d->b, d->shift[OPERAND_B]); \
         (void)a, (void)b; \
         machine_deliver(machine, d, value); \
         return C205_TRAP_NONE; \

@@ -103,7 +103,7 @@ size_t tape_room(const struct tape *tape)
 
 void tape_count(struct tape *tape, size_t *count)
 {
-    const size_t room = tape_room(tape); /* with that of the number itself */
+    size_t room = tape_room(tape); /* with that of the number itself */
     tape_size(tape, count, room > 0 ? room - 1 : 0);
 }
 

@@ -108,7 +108,7 @@ static bool run_watched(struct checker *checker, const struct object *object)
 static bool run(struct checker *checker, const struct object *object,
                 const char *path)
 {
-    const struct sink report = text_buffer_sink(&checker->report);
+    struct sink report = text_buffer_sink(&checker->report);
     c205_error error;
     if (!have_machine(checker, object)) {
         return false;

@@ -86,7 +86,7 @@ static int judge_trap(const struct c205_arguments *arguments,
                       const struct object *object, const c205 *machine,
                       const c205_stop *stop)
 {
-    const struct sink report = stream_sink(stderr);
+    struct sink report = stream_sink(stderr);
     fflush(stdout);
     trap_report(object, program_name(arguments), machine, stop, &report);
     if (stop->trap == C205_TRAP_CLOCK_LIMIT
@@ -157,7 +157,7 @@ static bool start_watch(const struct c205_arguments *arguments, c205 *machine,
                         struct program_watch **watch)
 {
     const struct warning_choice *choice = &arguments->warnings.choice;
-    const struct sink report = stream_sink(stderr);
+    struct sink report = stream_sink(stderr);
     *watch = NULL;
     if (!object || !warning_any(choice)) {
         return true;

@@ -179,10 +179,10 @@ static int solve(const struct rt205_arguments *arguments,
 {
     c205_error error = { "no memory" };
     struct iterations iterations;
-    const struct roots_options options = search_options(arguments,
-                                                        arguments->trace.mode,
-                                                        (enum falsi)
-                                                            arguments->falsi);
+    struct roots_options options = search_options(arguments,
+                                                  arguments->trace.mode,
+                                                  (enum falsi)
+                                                      arguments->falsi);
     struct root_search *found = search(polynomials, &options, &iterations,
                                        &error);
     struct polynomial_roots *roots = calloc(polynomials->count + 1,

@@ -163,7 +163,7 @@ static int tell_result(const struct result *result,
 static int tell(const struct rt205_arguments *arguments,
                 const struct trace *trace, const struct results *results)
 {
-    const struct result result = result_of(arguments, trace);
+    struct result result = result_of(arguments, trace);
     struct results accounts = *results;
     int code = tell_result(&result, results);
 

@@ -53,7 +53,7 @@ bool program_run(c205 *machine,
 
 uint64_t program_round_up(uint64_t address)
 {
-    const uint64_t page = UINT64_C(64) * C205_PAGE_WORDS;
+    uint64_t page = UINT64_C(64) * C205_PAGE_WORDS;
 
     return (address + page - 1) / page * page;
 }

@@ -58,7 +58,7 @@ static const char stream_name[] = "-.png";
 
 static const struct picture_kind *kind_of(const char *path)
 {
-    const size_t count = sizeof picture_kinds / sizeof picture_kinds[0];
+    size_t count = sizeof picture_kinds / sizeof picture_kinds[0];
     const char *name = strrchr(path, '/');
     const char *ending = strrchr(name ? name : path, '.');
     if (file_is_stream(path))
@@ -98,7 +98,7 @@ bool frame_allocate(struct frame *frame, size_t width, size_t height)
     memset(frame, 0, sizeof *frame);
     if (!width || !height || height > SIZE_MAX / width / FRAME_CHANNELS)
         return false;
-    const size_t pixels = width * height;
+    size_t pixels = width * height;
     double *samples = calloc(pixels * FRAME_CHANNELS, sizeof *samples);
     if (!samples)
         return false;
@@ -127,7 +127,7 @@ static void interleave(const struct frame *frame,
     float *sample = image->samples;
     for (size_t i = 0; i < frame->width * frame->height; i++)
         for (size_t channel = 0; channel < image->channels; channel++) {
-            const double value = frame->channel[channel][i];
+            double value = frame->channel[channel][i];
             *sample++ = (float)(image->srgb ? srgb_encode(value) : value);
         }
 }
@@ -138,7 +138,7 @@ static void separate(const struct picture_image *image,
     const float *sample = image->samples;
     for (size_t i = 0; i < frame->width * frame->height; i++)
         for (size_t channel = 0; channel < image->channels; channel++) {
-            const double value = (double)*sample++;
+            double value = (double)*sample++;
             frame->channel[channel][i] = image->srgb && is_color(channel)
                                              ? srgb_decode(value)
                                              : value;
@@ -149,7 +149,7 @@ static void separate(const struct picture_image *image,
 
 static bool program_folder(char *folder, size_t size)
 {
-    const ssize_t length = readlink("/proc/self/exe", folder, size - 1);
+    ssize_t length = readlink("/proc/self/exe", folder, size - 1);
     if (length <= 0)
         return false;
     folder[length] = '\0';
@@ -197,7 +197,7 @@ static const struct picture_adapter *adapter(struct picture_error *error)
     pthread_mutex_lock(&loading);
     if (!loaded)
         loaded = find_adapter(error);
-    const struct picture_adapter *const found = loaded;
+    const struct picture_adapter *found = loaded;
     pthread_mutex_unlock(&loading);
     return found;
 }
@@ -241,7 +241,7 @@ static bool write_file(const char *path, const struct picture_file *file,
                        struct picture_error *error)
 {
     c205_error cause;
-    struct whole *const whole = whole_open(path, &cause);
+    struct whole *whole = whole_open(path, &cause);
     if (!whole)
         return fail(error, "%s", cause.message);
     fwrite(file->bytes, 1, file->size, whole->file);
@@ -255,13 +255,13 @@ static bool encode_and_write(const char *path,
 {
     struct picture_error cause;
     struct picture_file file = { NULL, 0 };
-    const struct picture_adapter *const files = adapter(error);
+    const struct picture_adapter *files = adapter(error);
     if (!files)
         return false;
-    const char *const name = file_is_stream(path) ? stream_name : path;
+    const char *name = file_is_stream(path) ? stream_name : path;
     if (!files->encode(name, image, notes, &file, &cause))
         return fail(error, "%s: %s", path, cause.message);
-    const bool good = write_file(path, &file, error);
+    bool good = write_file(path, &file, error);
     free(file.bytes);
     return good;
 }
@@ -280,7 +280,7 @@ bool picture_write(const char *path, const struct frame *frame,
 {
     if (!picture_check_path(path, error))
         return false;
-    const struct picture_kind *const kind = kind_of(path);
+    const struct picture_kind *kind = kind_of(path);
     struct picture_image image = { .width = frame->width,
                                    .height = frame->height,
                                    .channels = kind->channels,
@@ -292,7 +292,7 @@ bool picture_write(const char *path, const struct frame *frame,
     if (!image.samples)
         return fail(error, "out of memory");
     interleave(frame, &image);
-    const bool good = encode_and_write(path, &image, notes, error);
+    bool good = encode_and_write(path, &image, notes, error);
     free(image.samples);
     return good;
 }
@@ -303,13 +303,13 @@ bool picture_read(const char *path, struct frame *frame,
     struct picture_error cause;
     struct picture_image image = { .channels = FRAME_CHANNELS,
                                    .names = channel_names };
-    const struct picture_adapter *const files = adapter(error);
+    const struct picture_adapter *files = adapter(error);
     memset(frame, 0, sizeof *frame);
     if (!files)
         return false;
     if (!files->read(path, &image, &cause))
         return fail(error, "%s: %s", path, cause.message);
-    const bool good = frame_allocate(frame, image.width, image.height);
+    bool good = frame_allocate(frame, image.width, image.height);
     if (good)
         separate(&image, frame);
     free(image.samples);
@@ -320,7 +320,7 @@ bool picture_read_note(const char *path, const char *name, char *text,
                        size_t size, struct picture_error *error)
 {
     struct picture_error cause;
-    const struct picture_adapter *const files = adapter(error);
+    const struct picture_adapter *files = adapter(error);
     if (!files)
         return false;
     return files->read_note(path, name, text, size, &cause)

@@ -30,7 +30,7 @@ static struct homogeneous row_at(const struct primitive *patch, int i,
  * products of small edges may be beyond a double. */
 static bool is_regular(const struct primitive *patch, const double p[3])
 {
-    const double least = 1e-12; /* of height to length */
+    double least = 1e-12; /* of height to length */
     struct homogeneous rows[3];
     double edges[2][3], normal[3], size = 0;
 

@@ -454,8 +454,7 @@ static bool run_stage(void *context, const struct task *task,
     const struct profiling *profiling = context;
     struct profile *profile = profiling->profile;
     size_t stage = task->number;
-    const struct observer vectors = vector_use_observer(
-        &profile->vectors[stage]);
+    struct observer vectors = vector_use_observer(&profile->vectors[stage]);
     const struct observer *const observers[] = { &vectors, NULL };
     struct trace_options how = *profiling->options;
     struct trace *trace;

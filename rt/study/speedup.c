@@ -254,7 +254,7 @@ static bool run_observed(const struct speedup_subject *subject,
                          struct projecting projecting[SPEEDUP_PROJECTIONS],
                          struct speedup_measure *measure, c205_error *error)
 {
-    const bool scalar = options->mode == TRACE_SCALAR;
+    bool scalar = options->mode == TRACE_SCALAR;
     struct trace_options how = *options;
     struct observer watching[1 + SPEEDUP_PROJECTIONS];
     const struct observer *observers[2 + SPEEDUP_PROJECTIONS] = { NULL };

@@ -68,7 +68,7 @@ static c205 *restore(const uint8_t *data, size_t size)
 /* Whole words only, the last of them a hash of the others. */
 static size_t seal(uint8_t *byte, size_t size)
 {
-    const size_t words = size / WORD_BYTES;
+    size_t words = size / WORD_BYTES;
     uint64_t hash = HASH_BEGIN;
 
     for (size_t i = 0; i + 1 < words; i++) {

@@ -46,7 +46,7 @@ void oracle_end(void)
 /* The first bits, a two's complement number. */
 static long first_bits(c205_word word, long bits)
 {
-    const long number = (long)(word >> (64 - bits));
+    long number = (long)(word >> (64 - bits));
 
     return word >> 63 == 1 ? number - (1l << bits) : number;
 }
@@ -54,7 +54,7 @@ static long first_bits(c205_word word, long bits)
 static void take(struct number *number, const struct oracle_format *format,
                  c205_word word)
 {
-    const long exponent_bits = format->width - format->digits - 1;
+    long exponent_bits = format->width - format->digits - 1;
 
     number->kind = word >> 60 == 8   ? MACHINE_ZERO
                    : word >> 60 == 7 ? INDEFINITE
@@ -121,15 +121,15 @@ static long significant_bits(const mpz_t c)
 static c205_word make(const struct oracle_format *format,
                       const mpz_t coefficient, long exponent, uint64_t *flags)
 {
-    const long coefficient_bits = format->digits + 1;
-    const c205_word end = 1ul << (coefficient_bits - 1) << 1;
+    long coefficient_bits = format->digits + 1;
+    c205_word end = 1ul << (coefficient_bits - 1) << 1;
 
     if (exponent > format->exponent_max)
         return indefinite(FLAG_EXPONENT_OVERFLOW, flags);
     if (exponent < format->exponent_min)
         return machine_zero(flags);
     assert(significant_bits(coefficient) <= format->digits);
-    const c205_word c = (c205_word)mpz_get_si(coefficient) % end;
+    c205_word c = (c205_word)mpz_get_si(coefficient) % end;
     return ((c205_word)exponent * end + c) << (64 - format->width);
 }
 
@@ -156,7 +156,7 @@ static long shorten(const struct oracle_format *format, mpz_t c,
 static c205_word make_significant(const struct oracle_format *format,
                                   long bits, long exponent, uint64_t *flags)
 {
-    const long k = significant_bits(wide) - bits;
+    long k = significant_bits(wide) - bits;
 
     scale_down(wide, k);
     assert(significant_bits(wide) == bits);
@@ -165,9 +165,9 @@ static c205_word make_significant(const struct oracle_format *format,
 
 static long less_significant_operand(void)
 {
-    const long a = significant_bits(left.coefficient);
-    const long b = significant_bits(right.coefficient);
-    const long s = a < b ? a : b;
+    long a = significant_bits(left.coefficient);
+    long b = significant_bits(right.coefficient);
+    long s = a < b ? a : b;
 
     return s < 1 ? 1 : s;
 }
@@ -200,8 +200,8 @@ static long add_aligned(const struct oracle_format *format, bool subtract)
         weaken(&left, right.exponent);
     if (right.kind == MACHINE_ZERO)
         weaken(&right, left.exponent);
-    const long exponent = left.exponent > right.exponent ? left.exponent
-                                                         : right.exponent;
+    long exponent = left.exponent > right.exponent ? left.exponent
+                                                   : right.exponent;
     align(wide, format, &left, exponent);
     align(aligned, format, &right, exponent);
     if (subtract)
@@ -219,7 +219,7 @@ static c205_word normalised_sum(const struct oracle_format *format,
 {
     if (mpz_sgn(wide) == 0)
         return machine_zero(flags);
-    const long places = 2 * format->digits - significant_bits(wide);
+    long places = 2 * format->digits - significant_bits(wide);
     scale_down(wide, -places);
     scale_down(wide, format->digits);
     return make(format, wide, exponent - places, flags);
@@ -234,7 +234,7 @@ static c205_word add(const struct oracle_format *format, c205_word a,
         return indefinite(0, flags);
     if (left.kind == MACHINE_ZERO && right.kind == MACHINE_ZERO)
         return machine_zero(flags);
-    const long exponent = add_aligned(format, subtract);
+    long exponent = add_aligned(format, subtract);
     if (form == NORMALISED)
         return normalised_sum(format, exponent, flags);
     if (form == LOWER) {
@@ -304,7 +304,7 @@ c205_word oracle_multiply_upper(const struct oracle_format *format,
 
     if (!multiply(format, a, b, &special, flags))
         return special;
-    const long exponent = left.exponent + right.exponent + format->digits;
+    long exponent = left.exponent + right.exponent + format->digits;
     scale_down(wide, format->digits);
     return make(format, wide, shorten(format, wide, exponent), flags);
 }
@@ -398,11 +398,11 @@ c205_word oracle_square_root(const struct oracle_format *format, c205_word a,
         return machine_zero(flags);
     if (mpz_sgn(left.coefficient) < 0)
         return indefinite(FLAG_IMAGINARY_ROOT, flags);
-    const long places = format->digits - significant_bits(left.coefficient);
+    long places = format->digits - significant_bits(left.coefficient);
     scale_down(left.coefficient, -places);
-    const long exponent = left.exponent - places;
-    const long odd = (exponent - format->digits) % 2 != 0;
-    const long k = format->digits - odd;
+    long exponent = left.exponent - places;
+    long odd = (exponent - format->digits) % 2 != 0;
+    long k = format->digits - odd;
     /* The root has as many digits, so that rounding it down is floor. */
     mpfr_set_prec(root, format->digits);
     mpfr_set_z_2exp(radicand, left.coefficient, k, MPFR_RNDD);
@@ -528,8 +528,8 @@ c205_word oracle_adjust_exponent(const struct oracle_format *format,
                                  c205_word a, c205_word b, uint64_t *flags)
 {
     take_both(format, a, b);
-    const long exponent = mpz_get_si(right.coefficient);
-    const long places = left.exponent - exponent;
+    long exponent = mpz_get_si(right.coefficient);
+    long places = left.exponent - exponent;
     if (left.kind != NUMBER)
         return plain(left.kind, flags);
     if (places <= 0)
@@ -545,14 +545,14 @@ c205_word oracle_adjust_exponent(const struct oracle_format *format,
 /* Adds what makes the cut that follows a rounding, or 0. */
 static c205_word contract(c205_word a, unsigned long addend, uint64_t *flags)
 {
-    const long places = oracle_full.digits - oracle_half.digits;
+    long places = oracle_full.digits - oracle_half.digits;
 
     take(&left, &oracle_full, a);
     if (left.kind != NUMBER)
         return plain(left.kind, flags);
     mpz_add_ui(wide, left.coefficient, addend);
     scale_down(wide, places);
-    const long exponent = shorten(&oracle_half, wide, left.exponent + places);
+    long exponent = shorten(&oracle_half, wide, left.exponent + places);
     return make(&oracle_half, wide, exponent, flags);
 }
 
@@ -573,7 +573,7 @@ c205_word oracle_contract_rounded(const struct oracle_format *format,
 c205_word oracle_extend(const struct oracle_format *format, c205_word a,
                         c205_word b, uint64_t *flags)
 {
-    const long places = oracle_full.digits - oracle_half.digits;
+    long places = oracle_full.digits - oracle_half.digits;
 
     (void)format, (void)b;
     take(&left, &oracle_half, a);
@@ -624,6 +624,6 @@ c205_word oracle_word(const struct oracle_format *format, const mpfr_t value)
         return C205_INDEFINITE;
     if (mpfr_zero_p(value))
         return C205_MACHINE_ZERO;
-    const long exponent = mpfr_get_z_2exp(wide, value);
+    long exponent = mpfr_get_z_2exp(wide, value);
     return make_significant(format, format->digits, exponent, &flags);
 }

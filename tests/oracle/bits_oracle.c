@@ -12,11 +12,11 @@ static c205_word bit(c205_word word, long i)
 static c205_word join(const struct oracle_format *format, c205_word high,
                       c205_word low)
 {
-    const long middle = format->width - format->digits - 1;
+    long middle = format->width - format->digits - 1;
     c205_word word = 0;
 
     for (long i = 0; i < 64; i++) {
-        const c205_word from = i < middle ? high : low;
+        c205_word from = i < middle ? high : low;
         word = word << 1 | (i < format->width ? bit(from, i) : 0);
     }
     return word;
@@ -37,7 +37,7 @@ static c205_word as_number(const struct oracle_format *format, c205_word word)
 c205_word oracle_pack(const struct oracle_format *format, c205_word a,
                       c205_word b, uint64_t *flags)
 {
-    const c205_word exponent = as_number(format, a) << (format->digits + 1);
+    c205_word exponent = as_number(format, a) << (format->digits + 1);
 
     (void)flags;
     return join(format, justified(format, exponent), b);
@@ -64,7 +64,7 @@ c205_word oracle_subtract_index(const struct oracle_format *format,
 /* The coefficient field as an integer: its first bit counts negative. */
 static long as_integer(const struct oracle_format *format, c205_word word)
 {
-    const long first = format->width - format->digits - 1;
+    long first = format->width - format->digits - 1;
     long integer = -(long)bit(word, first);
 
     for (long i = first + 1; i < format->width; i++)
@@ -75,15 +75,15 @@ static long as_integer(const struct oracle_format *format, c205_word word)
 c205_word oracle_shift(const struct oracle_format *format, c205_word a,
                        c205_word b, uint64_t *flags)
 {
-    const long width = format->width;
-    const long count = as_integer(format, b);
+    long width = format->width;
+    long count = as_integer(format, b);
     c205_word shifted = 0;
 
     (void)flags;
     for (long i = 0; i < width; i++) {
-        const long from = count >= 0      ? (i + count % width) % width
-                          : i + count < 0 ? 0
-                                          : i + count;
+        long from = count >= 0      ? (i + count % width) % width
+                    : i + count < 0 ? 0
+                                    : i + count;
         shifted = shifted << 1 | bit(a, from);
     }
     return justified(format, shifted);

@@ -74,13 +74,13 @@ static bool check_scalars(const struct operation *operation,
                           struct span *span)
 {
     for (size_t i = 0; i < span->n; i++) {
-        const c205_word a = span->a[i], b = span->b[i];
-        const struct outcome expected = expect(operation->expected,
-                                               operation->format, a, b);
+        c205_word a = span->a[i], b = span->b[i];
+        struct outcome expected = expect(operation->expected,
+                                         operation->format, a, b);
         span->expected[i] = expected;
         if (!operation->scalar)
             continue;
-        const struct outcome got = apply(operation->scalar, a, b);
+        struct outcome got = apply(operation->scalar, a, b);
         if (!same(expected, got)) {
             show_mismatch("scalar", operation->name, a, b, expected, got);
             return false;
@@ -92,7 +92,7 @@ static bool check_scalars(const struct operation *operation,
 /* The words as computed; of the flags, the union alone is known. */
 static bool check_span(const struct operation *operation, struct span *span)
 {
-    const c205_word guard = UINT64_C(0x0123456789ABCDEF);
+    c205_word guard = UINT64_C(0x0123456789ABCDEF);
     uint64_t flags = EARLIER_FLAG, expected_flags = EARLIER_FLAG;
 
     span->c[span->n] = guard;
@@ -119,7 +119,7 @@ static bool check_span(const struct operation *operation, struct span *span)
 /* Short spans show a flag that is wrong, long ones the vectorised loops. */
 static size_t span_length(uint64_t *random)
 {
-    const int64_t longest = random_bits(random) % 2 == 0 ? 9 : SPAN;
+    int64_t longest = random_bits(random) % 2 == 0 ? 9 : SPAN;
 
     return (size_t)random_between(random, 1, longest);
 }
@@ -187,8 +187,8 @@ static bool check_masked_store(uint64_t seed, size_t cases)
         memcpy(span.c, span.b, sizeof span.b);
         lanes_store_masked(span.c, span.a, bits, span.n);
         for (size_t i = 0; i < SPAN; i++) {
-            const bool taken = i < span.n && choice[i] == 1;
-            const c205_word expected = taken ? span.a[i] : span.b[i];
+            bool taken = i < span.n && choice[i] == 1;
+            c205_word expected = taken ? span.a[i] : span.b[i];
             if (span.c[i] != expected) {
                 show_mismatch("span", "store_masked", span.a[i], span.b[i],
                               (struct outcome){ expected, 0 },
@@ -224,7 +224,7 @@ static void count(struct run *run, const char *name, size_t cases, bool pass)
 
 static void check_everything(struct run *run)
 {
-    const size_t conversion_cases = run->cases / 10;
+    size_t conversion_cases = run->cases / 10;
 
     for (size_t i = 0; i < operation_count; i++)
         if (wanted(run, operations[i].name))

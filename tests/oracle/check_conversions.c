@@ -50,7 +50,7 @@ static double double_of_bits(uint64_t bits)
 static int64_t usual_power(uint64_t *random)
 {
     static const int64_t ends[] = { 134, -90 };
-    const int64_t end = ends[random_bits(random) % 2];
+    int64_t end = ends[random_bits(random) % 2];
 
     return random_bits(random) % 4 == 0 ? end + random_between(random, -3, 3)
                                         : random_between(random, -60, 60);
@@ -59,11 +59,11 @@ static int64_t usual_power(uint64_t *random)
 /* Any double; every other one of usual size, every third with few bits. */
 static double random_double(uint64_t *random)
 {
-    const uint64_t choice = random_bits(random);
+    uint64_t choice = random_bits(random);
     uint64_t bits = random_bits(random);
 
     if (choice % 2 == 0) {
-        const int64_t exponent = 1023 + usual_power(random);
+        int64_t exponent = 1023 + usual_power(random);
         bits = bits >> 63 << 63 | bits << 12 >> 12 | (uint64_t)exponent << 52;
     }
     if (choice % 3 == 0)
@@ -73,14 +73,14 @@ static double random_double(uint64_t *random)
 
 static bool from_double_agrees(const struct converters *as, uint64_t *random)
 {
-    const double value = random_double(random);
+    double value = random_double(random);
     char what[64];
     mpfr_t cut;
 
     mpfr_init2(cut, as->format->digits);
     mpfr_set_d(cut, value, MPFR_RNDD);
     snprintf(what, sizeof what, "from %a", value);
-    const c205_word expected = oracle_word(as->format, cut);
+    c205_word expected = oracle_word(as->format, cut);
     mpfr_clear(cut);
     return same_word(what, expected, as->from_double(value));
 }
@@ -89,11 +89,11 @@ static bool from_double_agrees(const struct converters *as, uint64_t *random)
 static c205_word word_near_doubles(const struct oracle_format *format,
                                    uint64_t *random)
 {
-    const long bits = format->width - format->digits - 1;
-    const c205_word digits = random_word(format, random) << bits >> bits;
-    const int64_t low = format->exponent_min, high = format->exponent_max;
-    const int64_t exponent = random_between(random, low < -1200 ? -1200 : low,
-                                            high > 1100 ? 1100 : high);
+    long bits = format->width - format->digits - 1;
+    c205_word digits = random_word(format, random) << bits >> bits;
+    int64_t low = format->exponent_min, high = format->exponent_max;
+    int64_t exponent = random_between(random, low < -1200 ? -1200 : low,
+                                      high > 1100 ? 1100 : high);
 
     return random_bits(random) % 4 == 0
                ? random_word(format, random)
@@ -102,14 +102,14 @@ static c205_word word_near_doubles(const struct oracle_format *format,
 
 static bool to_double_agrees(const struct converters *as, uint64_t *random)
 {
-    const c205_word word = word_near_doubles(as->format, random);
+    c205_word word = word_near_doubles(as->format, random);
     mpfr_t value;
 
     mpfr_init2(value, 48);
     oracle_value(as->format, value, word);
-    const double expected = mpfr_get_d(value, MPFR_RNDN);
+    double expected = mpfr_get_d(value, MPFR_RNDN);
     mpfr_clear(value);
-    const double got = as->to_double(word);
+    double got = as->to_double(word);
     if (expected != expected ? got != got
                              : !memcmp(&expected, &got, sizeof got))
         return true;
@@ -121,16 +121,16 @@ static bool to_double_agrees(const struct converters *as, uint64_t *random)
 
 static bool from_integer_agrees(const struct converters *as, uint64_t *random)
 {
-    const int64_t end = INT64_C(1) << random_between(random, 0, 47);
-    const int64_t value = random_between(random, -end, end - 1);
+    int64_t end = INT64_C(1) << random_between(random, 0, 47);
+    int64_t value = random_between(random, -end, end - 1);
     char what[64];
     mpfr_t exact;
 
     mpfr_init2(exact, 48);
     mpfr_set_si(exact, value, MPFR_RNDD);
-    const c205_word word = c205_from_integer(value);
+    c205_word word = c205_from_integer(value);
     oracle_value(as->format, exact, word);
-    const bool right = mpfr_cmp_si(exact, value) == 0 && word >> 48 == 0;
+    bool right = mpfr_cmp_si(exact, value) == 0 && word >> 48 == 0;
     mpfr_clear(exact);
     snprintf(what, sizeof what, "from %" PRId64, value);
     return right || same_word(what, (c205_word)value << 16 >> 16, word);
@@ -138,12 +138,11 @@ static bool from_integer_agrees(const struct converters *as, uint64_t *random)
 
 static bool to_integer_agrees(const struct converters *as, uint64_t *random)
 {
-    const c205_word word = random_word(as->format, random);
-    const int64_t low = (int64_t)(word % (UINT64_C(1) << 48));
-    const int64_t expected = low >= INT64_C(1) << 47
-                                 ? low - (INT64_C(1) << 48)
-                                 : low;
-    const int64_t got = c205_to_integer(word);
+    c205_word word = random_word(as->format, random);
+    int64_t low = (int64_t)(word % (UINT64_C(1) << 48));
+    int64_t expected = low >= INT64_C(1) << 47 ? low - (INT64_C(1) << 48)
+                                               : low;
+    int64_t got = c205_to_integer(word);
 
     if (got != expected)
         printf("%016" PRIX64 ": expected %" PRId64 ", got %" PRId64 "\n",
@@ -167,9 +166,10 @@ static const char *chosen(uint64_t *random, const char *const *texts,
 static void random_digits(const struct converters *as, uint64_t *random,
                           char digits[DIGITS + 2], long *exponent)
 {
-    const size_t wanted = (size_t)
-        random_between(random, 1, random_bits(random) % 2 ? 20 : DIGITS);
-    const mpfr_rnd_t way = random_bits(random) % 2 ? MPFR_RNDU : MPFR_RNDD;
+    size_t wanted = (size_t)random_between(random, 1,
+                                           random_bits(random) % 2 ? 20
+                                                                   : DIGITS);
+    mpfr_rnd_t way = random_bits(random) % 2 ? MPFR_RNDU : MPFR_RNDD;
     mpfr_t value;
 
     mpfr_init2(value, 48);
@@ -197,7 +197,7 @@ static void random_text(const struct converters *as, uint64_t *random,
     long exponent;
 
     random_digits(as, random, digits, &exponent);
-    const long n = (long)strlen(digits);
+    long n = (long)strlen(digits);
     long point = random_between(random, 0, n);
     if (exponent >= 0 && exponent <= n && random_bits(random) % 2)
         point = exponent;
@@ -284,9 +284,9 @@ static bool from_text_agrees(const struct converters *as, uint64_t *random)
                                                              text);
     mpfr_init2(cut, as->format->digits);
     mpfr_strtofr(cut, text, &expected_end, 10, MPFR_RNDD);
-    const c205_word expected = oracle_word(as->format, cut);
+    c205_word expected = oracle_word(as->format, cut);
     mpfr_clear(cut);
-    const c205_word got = as->from_text(text, &end);
+    c205_word got = as->from_text(text, &end);
     if (end != expected_end)
         printf("\"%s\": ends at \"%s\", not at \"%s\"\n", text, expected_end,
                end);
@@ -318,7 +318,7 @@ static size_t significant_digits(const char *text)
 static bool fewer_digits_do(const struct converters *as, const mpfr_t value,
                             size_t digits)
 {
-    const bool negative = mpfr_sgn(value) < 0;
+    bool negative = mpfr_sgn(value) < 0;
     char shorter[64], text[128];
     mpfr_exp_t point;
     mpfr_t back;
@@ -330,7 +330,7 @@ static bool fewer_digits_do(const struct converters *as, const mpfr_t value,
              shorter + negative, (long)point);
     mpfr_init2(back, as->format->digits);
     mpfr_strtofr(back, text, NULL, 10, MPFR_RNDD);
-    const bool same = mpfr_equal_p(back, value) != 0;
+    bool same = mpfr_equal_p(back, value) != 0;
     mpfr_clear(back);
     return same;
 }
@@ -345,7 +345,7 @@ static bool reads_back(const struct converters *as, const mpfr_t value,
 
     mpfr_init2(back, as->format->digits);
     mpfr_strtofr(back, text, &expected_end, 10, MPFR_RNDD);
-    const bool same = *expected_end == '\0' && mpfr_equal_p(back, value);
+    bool same = *expected_end == '\0' && mpfr_equal_p(back, value);
     mpfr_clear(back);
     return same && as->from_text(text, &end) == oracle_word(as->format, value)
            && *end == '\0';
@@ -358,8 +358,8 @@ static bool text_is_right(const struct converters *as, c205_word word,
         return same_text(word, "indefinite", text);
     if (mpfr_zero_p(value))
         return same_text(word, "0", text);
-    const bool back = reads_back(as, value, text);
-    const bool fewer = fewer_digits_do(as, value, significant_digits(text));
+    bool back = reads_back(as, value, text);
+    bool fewer = fewer_digits_do(as, value, significant_digits(text));
     if (!back || fewer)
         printf("%016" PRIX64 ": \"%s\" %s\n", word, text,
                !back ? "does not read back" : "is not the shortest");
@@ -368,22 +368,22 @@ static bool text_is_right(const struct converters *as, c205_word word,
 
 static bool to_text_agrees(const struct converters *as, uint64_t *random)
 {
-    const c205_word word = word_near_doubles(as->format, random);
+    c205_word word = word_near_doubles(as->format, random);
     char text[C205_TEXT_SIZE];
     mpfr_t value;
 
     as->to_text(word, text);
     mpfr_init2(value, 48);
     oracle_value(as->format, value, word);
-    const bool right = memchr(text, '\0', sizeof text) != NULL
-                       && text_is_right(as, word, value, text);
+    bool right = memchr(text, '\0', sizeof text) != NULL
+                 && text_is_right(as, word, value, text);
     mpfr_clear(value);
     return right;
 }
 
 static bool to_hex_agrees(const struct converters *as, uint64_t *random)
 {
-    const c205_word word = random_word(as->format, random);
+    c205_word word = random_word(as->format, random);
     char text[C205_TEXT_SIZE], expected[C205_TEXT_SIZE];
 
     snprintf(expected, sizeof expected, "%04X %04X %04X %04X",

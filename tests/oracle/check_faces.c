@@ -144,9 +144,9 @@ static bool same_in_all_forms(const struct scene *scene,
 {
     static c205_word words[WORDS];
     for (size_t i = 1; i < FORMS; i++) {
-        const struct form *const form = &forms[i];
+        const struct form *form = &forms[i];
         trace_form(form, scene, words);
-        const size_t other = first_other(words, expected, WORDS);
+        size_t other = first_other(words, expected, WORDS);
         if (other < WORDS) {
             snprintf(reason, REASON,
                      "--mode %s --queue %zu%s%s: another frame than --mode "
@@ -172,8 +172,8 @@ static bool same_in_any_order(const struct grid_scene *grid,
     if (!scene)
         give_up("parts in another order make no scene");
     trace_form(&forms[ANY_ORDER], scene, words);
-    const size_t depth = (size_t)CHANNEL_DEPTH * PIXELS;
-    const size_t other = first_other(words + depth, expected + depth, PIXELS);
+    size_t depth = (size_t)CHANNEL_DEPTH * PIXELS;
+    size_t other = first_other(words + depth, expected + depth, PIXELS);
     if (other < PIXELS)
         snprintf(reason, REASON,
                  "parts in another order: another depth at pixel %zu", other);
@@ -187,9 +187,9 @@ static bool same_in_any_order(const struct grid_scene *grid,
 static bool in_one_region(const struct scene *scene, size_t id, size_t other)
 {
     for (size_t i = 0; i < scene->region_count; i++) {
-        const struct region *const region = &scene->regions[i];
-        const size_t first = region->first_primitive;
-        const size_t last = first + region->primitive_count;
+        const struct region *region = &scene->regions[i];
+        size_t first = region->first_primitive;
+        size_t last = first + region->primitive_count;
         if (id > first && id <= last)
             return other > first && other <= last;
     }
@@ -199,10 +199,10 @@ static bool in_one_region(const struct scene *scene, size_t id, size_t other)
 static bool same_sight(const struct scene *scene, const struct frame *plain,
                        const c205_word *words, size_t k)
 {
-    const double depth = c205_to_double(words[CHANNEL_DEPTH * PIXELS + k]);
-    const double expected = plain->channel[CHANNEL_DEPTH][k];
-    const size_t id = (size_t)c205_to_integer(words[CHANNEL_ID * PIXELS + k]);
-    const size_t other = (size_t)plain->channel[CHANNEL_ID][k];
+    double depth = c205_to_double(words[CHANNEL_DEPTH * PIXELS + k]);
+    double expected = plain->channel[CHANNEL_DEPTH][k];
+    size_t id = (size_t)c205_to_integer(words[CHANNEL_ID * PIXELS + k]);
+    size_t other = (size_t)plain->channel[CHANNEL_ID][k];
     return fabs(depth - expected) <= 1e-6 * (1 + depth)
            && (id == other || (id && !in_one_region(scene, id, other)));
 }
@@ -239,10 +239,10 @@ static bool passes(const struct grid_scene *grid, uint64_t seed, char *reason)
         give_up("this is no scene");
     }
     trace_form(&forms[0], scene, expected);
-    const bool good = same_in_all_forms(scene, expected, reason)
-                      && same_in_any_order(grid, expected, seed, reason)
-                      && (!grid_scene_is_aslant(grid)
-                          || same_as_plain(scene, expected, reason));
+    bool good = same_in_all_forms(scene, expected, reason)
+                && same_in_any_order(grid, expected, seed, reason)
+                && (!grid_scene_is_aslant(grid)
+                    || same_as_plain(scene, expected, reason));
     scene_free(scene);
     free(text);
     return good;
@@ -256,7 +256,7 @@ static struct grid_scene *shrink(struct grid_scene *grid, uint64_t seed)
     struct grid_scene *smaller;
     char reason[REASON];
     for (size_t way = 0; (smaller = grid_scene_without(grid, way)) != NULL;) {
-        const bool good = passes(smaller, seed, reason);
+        bool good = passes(smaller, seed, reason);
         grid_scene_free(good ? smaller : grid);
         grid = good ? grid : smaller;
         way = good ? way + 1 : 0;
@@ -287,7 +287,7 @@ static bool check_scene(size_t number, bool first)
                      ^ (number + 1) * UINT64_C(0x9E3779B97F4A7C15);
     struct grid_scene *grid = grid_scene_random(&state);
     char reason[REASON];
-    const bool good = passes(grid, state, reason);
+    bool good = passes(grid, state, reason);
     if (!good && first) {
         printf("scene %zu: %s\n", number, reason);
     } else if (!good) {
@@ -300,7 +300,7 @@ static bool check_scene(size_t number, bool first)
 
 int main(int count, char **words)
 {
-    const bool first = count > 1 && strcmp(words[count - 1], "--first") == 0;
+    bool first = count > 1 && strcmp(words[count - 1], "--first") == 0;
     count -= first;
     size_t scenes = count > 1 ? strtoul(words[1], NULL, 10) : 300;
     size_t of = count > 3 ? strtoul(words[2], NULL, 10) : 1;

@@ -125,8 +125,8 @@ static bool pair_agrees(const struct operation *operation, c205_word a,
                         c205_word b)
 {
     uint64_t expected_flags = EARLIER_FLAG, flags = EARLIER_FLAG;
-    const c205_word expected = operation->expected(a, b, &expected_flags);
-    const c205_word got = operation->machine(a, b, &flags);
+    c205_word expected = operation->expected(a, b, &expected_flags);
+    c205_word got = operation->machine(a, b, &flags);
 
     if (expected == got && expected_flags == flags)
         return true;
@@ -141,7 +141,7 @@ static bool pair_agrees(const struct operation *operation, c205_word a,
 static bool check_operation(const struct operation *operation,
                             const struct words *words)
 {
-    const size_t second = operation->unary ? 1 : words->n;
+    size_t second = operation->unary ? 1 : words->n;
 
     for (size_t i = 0; i < words->n; i++)
         for (size_t j = 0; j < second; j++)
@@ -159,11 +159,10 @@ static bool oracles_agree(const struct operation *operation,
 
     for (size_t i = 0; i < words->n * PARTNERS; i++) {
         uint64_t one = 0, other = 0;
-        const c205_word a = words->at[i / PARTNERS];
-        const c205_word b = words->at[random_bits(&random) % words->n];
-        const c205_word small = operation->expected(a, b, &one);
-        const c205_word exact = operation->oracle(&oracle_narrow, a, b,
-                                                  &other);
+        c205_word a = words->at[i / PARTNERS];
+        c205_word b = words->at[random_bits(&random) % words->n];
+        c205_word small = operation->expected(a, b, &one);
+        c205_word exact = operation->oracle(&oracle_narrow, a, b, &other);
         if (small != exact || one != other) {
             printf("the oracles differ: %s\n", operation->name);
             show("of      ", a, 0);
@@ -193,12 +192,12 @@ static void check_everything(struct run *run)
         const struct operation *operation = operations + i;
         if (run->only && strcmp(run->only, operation->name) != 0)
             continue;
-        const size_t cases = operation->unary ? every.n
-                                              : run->words.n * run->words.n;
-        const bool pass = oracles_agree(operation, &every)
-                          && check_operation(operation, operation->unary
-                                                            ? &every
-                                                            : &run->words);
+        size_t cases = operation->unary ? every.n
+                                        : run->words.n * run->words.n;
+        bool pass = oracles_agree(operation, &every)
+                    && check_operation(operation, operation->unary
+                                                      ? &every
+                                                      : &run->words);
         run->passed += pass;
         run->failed += !pass;
         printf("%-24s %9zu %s\n", operation->name, cases,
@@ -219,7 +218,7 @@ static bool read_arguments(struct run *run, int argc, char **argv)
             return false;
         run->only = optarg;
     }
-    const char *const wanted = optind < argc ? argv[optind++] : "some";
+    const char *wanted = optind < argc ? argv[optind++] : "some";
     if (strcmp(wanted, "some") == 0)
         some_words(&run->words);
     else if (strcmp(wanted, "all") == 0)

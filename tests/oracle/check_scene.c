@@ -60,10 +60,9 @@ static bool report(const char *who, const struct comparison *comparison,
                    const struct frame *expected, const struct frame *found,
                    const bool *inner)
 {
-    const struct picture_difference is = compare_pictures(comparison,
-                                                          expected, found,
-                                                          inner);
-    const bool good = within(comparison, &is);
+    struct picture_difference is = compare_pictures(comparison, expected,
+                                                    found, inner);
+    bool good = within(comparison, &is);
     printf("%-6s %-6s mean %8.2e  greatest %8.2e at %zu, %zu  "
            "beyond %.2e: %zu of %zu  %s\n",
            who, comparison->name, is.mean, is.greatest, is.worst_x,
@@ -85,7 +84,7 @@ static bool same_size(const char *who, const struct frame *expected,
 static bool check_frame(const struct frame *expected, const char *path,
                         const bool *inner)
 {
-    const size_t count = sizeof with_frame / sizeof with_frame[0];
+    size_t count = sizeof with_frame / sizeof with_frame[0];
     struct picture_error error;
     struct frame found;
     if (!picture_read(path, &found, &error)) {
@@ -108,8 +107,8 @@ static bool check_directly(const struct frame *povray, const char *path,
         fprintf(stderr, "%s\n", error.message);
         return false;
     }
-    const bool good = same_size("both", povray, &frame)
-                      && report("both", &with_povray, povray, &frame, inner);
+    bool good = same_size("both", povray, &frame)
+                && report("both", &with_povray, povray, &frame, inner);
     frame_free(&frame);
     return good;
 }
@@ -166,7 +165,7 @@ static bool compare(const struct request *request, const struct scene *scene)
     struct frame expected;
     if (!plain_trace(scene, request->width, request->height, &expected))
         return false;
-    bool *const inner = inner_pixels(&expected);
+    bool *inner = inner_pixels(&expected);
     bool good = inner != NULL;
     if (good && request->frame)
         good = check_frame(&expected, request->frame, inner);
@@ -185,8 +184,8 @@ int main(int count, char **words)
                         "FRAME.exr [--povray]\n");
         return 2;
     }
-    struct scene *const scene = read_scene(&request);
-    const bool good = scene && compare(&request, scene);
+    struct scene *scene = read_scene(&request);
+    bool good = scene && compare(&request, scene);
     scene_free(scene);
     return good ? 0 : 1;
 }

@@ -6,8 +6,8 @@
 
 static bool is_inner(const struct frame *frame, size_t x, size_t y)
 {
-    const double *const id = frame->channel[CHANNEL_ID];
-    const double here = id[y * frame->width + x];
+    const double *id = frame->channel[CHANNEL_ID];
+    double here = id[y * frame->width + x];
     for (size_t j = y ? y - 1 : 0; j <= y + 1 && j < frame->height; j++)
         for (size_t i = x ? x - 1 : 0; i <= x + 1 && i < frame->width; i++)
             if (id[j * frame->width + i] != here)
@@ -28,10 +28,10 @@ bool *inner_pixels(const struct frame *frame)
 static double difference_of(const struct comparison *comparison,
                             double expected, double found)
 {
-    const double a = fmin(expected, comparison->ceiling);
-    const double b = isnan(found) ? NAN : fmin(found, comparison->ceiling);
-    const double unit = comparison->relative ? fmax(1, fabs(a)) : 1;
-    const double difference = fabs(a - b) / unit;
+    double a = fmin(expected, comparison->ceiling);
+    double b = isnan(found) ? NAN : fmin(found, comparison->ceiling);
+    double unit = comparison->relative ? fmax(1, fabs(a)) : 1;
+    double difference = fabs(a - b) / unit;
     return isnan(difference) ? INFINITY : difference;
 }
 
@@ -42,10 +42,10 @@ static double add_pixel(const struct comparison *comparison,
 {
     double greatest = 0;
     for (size_t i = 0; i < comparison->channels; i++) {
-        const size_t channel = comparison->first + i;
-        const double difference =
-            difference_of(comparison, expected->channel[channel][pixel],
-                          found->channel[channel][pixel]);
+        size_t channel = comparison->first + i;
+        double difference = difference_of(comparison,
+                                          expected->channel[channel][pixel],
+                                          found->channel[channel][pixel]);
         *sum += difference;
         greatest = fmax(greatest, difference);
     }
@@ -64,8 +64,7 @@ compare_pictures(const struct comparison *comparison,
             result.ignored++;
             continue;
         }
-        const double greatest = add_pixel(comparison, expected, found, i,
-                                          &sum);
+        double greatest = add_pixel(comparison, expected, found, i, &sum);
         result.compared++;
         result.beyond += greatest > comparison->tolerance;
         if (greatest > result.greatest) {

@@ -116,16 +116,15 @@ static size_t at_most(size_t count, size_t limit)
 /* The words of an area and those around it, as far as there are pages. */
 static void compare_area(struct trial *trial, const struct random_area *area)
 {
-    const uint64_t margin = WORD * MARGIN;
+    uint64_t margin = WORD * MARGIN;
     uint64_t address = random_image(area->address - margin)
                            ? area->address - margin
                            : area->address;
-    const uint64_t end = area->address + WORD * area->words + margin;
+    uint64_t end = area->address + WORD * area->words + margin;
 
     while (address < end && random_image(address)) {
-        const size_t in_page = C205_PAGE_WORDS
-                               - address / WORD % C205_PAGE_WORDS;
-        const size_t count = at_most((size_t)(end - address) / WORD, in_page);
+        size_t in_page = C205_PAGE_WORDS - address / WORD % C205_PAGE_WORDS;
+        size_t count = at_most((size_t)(end - address) / WORD, in_page);
         compare_memory(trial, address, random_image(address), count);
         address += WORD * count;
     }
@@ -137,7 +136,7 @@ static void follow_changes(struct trial *trial)
     const struct plain_memory *memory = &trial->reference.memory;
 
     for (size_t i = 0; i < memory->change_count; i++) {
-        const uint64_t address = memory->changes[i].address;
+        uint64_t address = memory->changes[i].address;
         *random_image(address) = plain_read(memory, address);
         compare_memory(trial, address, random_image(address), 1);
     }
@@ -163,7 +162,7 @@ static void compare_states(struct trial *trial)
 static void compare_all_memory(struct trial *trial)
 {
     for (size_t i = 0; i < RANDOM_PAGES; i++) {
-        const uint64_t address = random_pages[i].address;
+        uint64_t address = random_pages[i].address;
         compare_memory(trial, address, random_image(address),
                        C205_PAGE_WORDS);
     }
@@ -247,8 +246,8 @@ static void differ_in_faults(struct trial *trial, const c205_stop *stop)
  * cannot. */
 static bool skip(struct trial *trial)
 {
-    const uint64_t pc = trial->reference.deed.pc;
-    const unsigned halves = random_insn_halves(trial->machine, pc);
+    uint64_t pc = trial->reference.deed.pc;
+    unsigned halves = random_insn_halves(trial->machine, pc);
 
     trial->reference.now.pc = plain_address(pc + HALF * halves);
     c205_set_pc(trial->machine, trial->reference.now.pc);
@@ -306,10 +305,10 @@ static bool step_both(struct trial *trial)
 
 static c205_word word_at(const struct trial *trial, uint64_t address)
 {
-    const c205_word first = plain_read(&trial->reference.memory,
-                                       address / WORD * WORD);
-    const c205_word second = plain_read(&trial->reference.memory,
-                                        address / WORD * WORD + WORD);
+    c205_word first = plain_read(&trial->reference.memory,
+                                 address / WORD * WORD);
+    c205_word second = plain_read(&trial->reference.memory,
+                                  address / WORD * WORD + WORD);
 
     return address % WORD == 0 ? first : first << HALF | second >> HALF;
 }
@@ -333,7 +332,7 @@ static void run_steps(struct trial *trial)
 /* They load the machine anew. */
 static void compare_other_ways(struct trial *trial)
 {
-    const uint64_t hash = machine_hash(trial->machine);
+    uint64_t hash = machine_hash(trial->machine);
     const char *way = disagreeing_way(trial->program,
                                       trial->reference.ended ? &hash : NULL);
 

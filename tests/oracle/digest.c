@@ -96,9 +96,8 @@ static void run_texts(struct digest *digest, char **paths)
 static void run_on(c205 *machine)
 {
     for (int i = 0; i < TRAPS_MOST; i++) {
-        const c205_stop stop = c205_run(machine, CLOCKS);
-        const unsigned halves = stop.insn
-                                    ? c205_format_halves(stop.insn->format)
+        c205_stop stop = c205_run(machine, CLOCKS);
+        unsigned halves = stop.insn ? c205_format_halves(stop.insn->format)
                                     : 1;
         if (stop.trap == C205_TRAP_NONE || stop.trap == C205_TRAP_CLOCK_LIMIT)
             break;
@@ -109,7 +108,7 @@ static void run_on(c205 *machine)
 static void run_random(struct digest *digest, c205 *const *machines,
                        uint64_t seed)
 {
-    const struct random_program program = random_program(seed);
+    struct random_program program = random_program(seed);
     c205 *machine = machines[program.model];
     c205_error error;
     char name[40];

@@ -364,7 +364,7 @@ bool grid_scene_is_aslant(const struct grid_scene *scene)
 
 static void add(char *text, const char *format, ...)
 {
-    const size_t used = strlen(text);
+    size_t used = strlen(text);
     va_list values;
     va_start(values, format);
     vsnprintf(text + used, TEXT - used, format, values);
@@ -430,7 +430,7 @@ static void shuffle(struct solid **solids, size_t count, uint64_t *state)
 /* What a difference takes away may be taken in any order. */
 static void shuffle_parts(struct solid *solid, uint64_t *state)
 {
-    const size_t kept = solid->joining == DIFFERENCE && solid->count > 0;
+    size_t kept = solid->joining == DIFFERENCE && solid->count > 0;
     for (size_t i = 0; i < solid->count; i++)
         shuffle_parts(solid->parts[i], state);
     shuffle(solid->parts + kept, solid->count - kept, state);

@@ -17,8 +17,8 @@ struct number {
 
 c205_word narrow_word(int64_t exponent, int64_t coefficient)
 {
-    const uint64_t low = (uint64_t)coefficient % (1u << (DIGITS + 1));
-    const uint64_t high = (uint64_t)exponent << (DIGITS + 1);
+    uint64_t low = (uint64_t)coefficient % (1u << (DIGITS + 1));
+    uint64_t high = (uint64_t)exponent << (DIGITS + 1);
 
     return (high | low) << PADDING;
 }
@@ -67,7 +67,7 @@ static c205_word special_word(struct number a, uint64_t *flags)
 
 static c205_word unchanged(c205_word word, uint64_t *flags)
 {
-    const struct number a = take(word);
+    struct number a = take(word);
 
     *flags |= (a.zero ? FLAG_MACHINE_ZERO : 0)
               | (a.indefinite ? FLAG_INDEFINITE : 0);
@@ -111,9 +111,9 @@ static int64_t significant_bits(int64_t c)
 
 static int64_t less_significant(struct number a, struct number b)
 {
-    const int64_t m = significant_bits(a.coefficient);
-    const int64_t n = significant_bits(b.coefficient);
-    const int64_t least = m < n ? m : n;
+    int64_t m = significant_bits(a.coefficient);
+    int64_t n = significant_bits(b.coefficient);
+    int64_t least = m < n ? m : n;
 
     return least < 1 ? 1 : least;
 }
@@ -129,8 +129,8 @@ static c205_word make_significant(int64_t exponent, int64_t c, int64_t bits,
 {
     if (c == 0)
         return machine_zero(flags);
-    const int64_t k = significant_bits(c) - bits;
-    const int64_t shifted = k >= 0 ? right(c, k) : c * (1 << -k);
+    int64_t k = significant_bits(c) - bits;
+    int64_t shifted = k >= 0 ? right(c, k) : c * (1 << -k);
     return make(exponent + k, shifted, flags);
 }
 
@@ -150,7 +150,7 @@ static c205_word cut_sum(int64_t exponent, int64_t sum, enum form form,
     if (form == NORMALISED) {
         if (sum == 0)
             return machine_zero(flags);
-        const int64_t places = SUM_DIGITS - significant_bits(sum);
+        int64_t places = SUM_DIGITS - significant_bits(sum);
         sum *= 1 << places;
         exponent -= places;
     }
@@ -171,9 +171,9 @@ static c205_word add(c205_word word_a, c205_word word_b, int64_t sign,
         a = (struct number){ .exponent = b.exponent };
     if (b.zero)
         b = (struct number){ .exponent = a.exponent };
-    const int64_t e = a.exponent > b.exponent ? a.exponent : b.exponent;
-    const int64_t x = right(a.coefficient * (1 << DIGITS), e - a.exponent);
-    const int64_t y = right(b.coefficient * (1 << DIGITS), e - b.exponent);
+    int64_t e = a.exponent > b.exponent ? a.exponent : b.exponent;
+    int64_t x = right(a.coefficient * (1 << DIGITS), e - a.exponent);
+    int64_t y = right(b.coefficient * (1 << DIGITS), e - b.exponent);
     return cut_sum(e, x + sign * y, form, flags);
 }
 
@@ -192,7 +192,7 @@ SUM(subtract_normalised, -1, NORMALISED)
 
 static c205_word halved(c205_word word, uint64_t *flags)
 {
-    const struct number sum = take(word);
+    struct number sum = take(word);
 
     return is_special(sum) ? word
                            : make(sum.exponent - 1, sum.coefficient, flags);
@@ -224,10 +224,10 @@ static int64_t product(struct number a, struct number b, c205_word *special,
 c205_word small_multiply_upper(c205_word word_a, c205_word word_b,
                                uint64_t *flags)
 {
-    const struct number a = take(word_a), b = take(word_b);
+    struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
-    const int64_t p = right(product(a, b, &special, flags), DIGITS);
-    const int64_t e = a.exponent + b.exponent + DIGITS;
+    int64_t p = right(product(a, b, &special, flags), DIGITS);
+    int64_t e = a.exponent + b.exponent + DIGITS;
 
     if (special)
         return special;
@@ -237,9 +237,9 @@ c205_word small_multiply_upper(c205_word word_a, c205_word word_b,
 c205_word small_multiply_lower(c205_word word_a, c205_word word_b,
                                uint64_t *flags)
 {
-    const struct number a = take(word_a), b = take(word_b);
+    struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
-    const int64_t p = product(a, b, &special, flags) & LARGEST;
+    int64_t p = product(a, b, &special, flags) & LARGEST;
 
     return special ? special : make(a.exponent + b.exponent, p, flags);
 }
@@ -247,9 +247,9 @@ c205_word small_multiply_lower(c205_word word_a, c205_word word_b,
 c205_word small_multiply_significant(c205_word word_a, c205_word word_b,
                                      uint64_t *flags)
 {
-    const struct number a = take(word_a), b = take(word_b);
+    struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
-    const int64_t p = product(a, b, &special, flags);
+    int64_t p = product(a, b, &special, flags);
 
     return special ? special
                    : make_significant(a.exponent + b.exponent, p,
@@ -273,7 +273,7 @@ static int64_t quotient(struct number a, struct number b, c205_word *special,
 c205_word small_divide_upper(c205_word word_a, c205_word word_b,
                              uint64_t *flags)
 {
-    const struct number a = take(word_a), b = take(word_b);
+    struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
     int64_t q = quotient(a, b, &special, flags);
     int64_t e = a.exponent - b.exponent - DIGITS;
@@ -286,9 +286,9 @@ c205_word small_divide_upper(c205_word word_a, c205_word word_b,
 c205_word small_divide_significant(c205_word word_a, c205_word word_b,
                                    uint64_t *flags)
 {
-    const struct number a = take(word_a), b = take(word_b);
+    struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
-    const int64_t q = quotient(a, b, &special, flags);
+    int64_t q = quotient(a, b, &special, flags);
 
     return special ? special
                    : make_significant(a.exponent - b.exponent - DIGITS, q,
@@ -323,8 +323,8 @@ c205_word small_square_root(c205_word word, c205_word b, uint64_t *flags)
     for (; a.coefficient * 2 <= LARGEST; places++)
         a.coefficient *= 2;
     a.exponent -= places;
-    const int64_t k = (a.exponent - DIGITS) % 2 == 0 ? DIGITS : DIGITS - 1;
-    const int64_t root = floor_of_root(a.coefficient * (1 << k));
+    int64_t k = (a.exponent - DIGITS) % 2 == 0 ? DIGITS : DIGITS - 1;
+    int64_t root = floor_of_root(a.coefficient * (1 << k));
     return make((a.exponent - k) / 2 + places, right(root, places), flags);
 }
 
@@ -337,7 +337,7 @@ static bool is_whole(struct number a)
 
 c205_word small_floor(c205_word word, c205_word b, uint64_t *flags)
 {
-    const struct number a = take(word);
+    struct number a = take(word);
 
     (void)b;
     return is_whole(a) ? unchanged(word, flags)
@@ -346,7 +346,7 @@ c205_word small_floor(c205_word word, c205_word b, uint64_t *flags)
 
 c205_word small_ceiling(c205_word word, c205_word b, uint64_t *flags)
 {
-    const struct number a = take(word);
+    struct number a = take(word);
 
     (void)b;
     return is_whole(a) ? unchanged(word, flags)
@@ -361,8 +361,8 @@ c205_word small_truncate(c205_word word, c205_word b, uint64_t *flags)
 
 c205_word small_negate(c205_word word, c205_word b, uint64_t *flags)
 {
-    const struct number a = take(word);
-    const int64_t half = 1 << (DIGITS - 1);
+    struct number a = take(word);
+    int64_t half = 1 << (DIGITS - 1);
 
     (void)b;
     if (is_special(a))
@@ -391,10 +391,10 @@ c205_word small_exponent(c205_word word, c205_word b, uint64_t *flags)
 c205_word small_adjust_significance(c205_word word, c205_word b,
                                     uint64_t *flags)
 {
-    const struct number a = take(word);
-    const int64_t wanted = narrow_coefficient_of(b);
-    const int64_t most = DIGITS - significant_bits(a.coefficient);
-    const int64_t places = wanted < most ? wanted : most;
+    struct number a = take(word);
+    int64_t wanted = narrow_coefficient_of(b);
+    int64_t most = DIGITS - significant_bits(a.coefficient);
+    int64_t places = wanted < most ? wanted : most;
 
     if (is_special(a))
         return special_word(a, flags);
@@ -406,9 +406,9 @@ c205_word small_adjust_significance(c205_word word, c205_word b,
 
 c205_word small_adjust_exponent(c205_word word, c205_word b, uint64_t *flags)
 {
-    const struct number a = take(word);
-    const int64_t exponent = narrow_coefficient_of(b);
-    const int64_t places = a.exponent - exponent;
+    struct number a = take(word);
+    int64_t exponent = narrow_coefficient_of(b);
+    int64_t places = a.exponent - exponent;
 
     if (is_special(a))
         return special_word(a, flags);
@@ -430,10 +430,10 @@ c205_word small_pack(c205_word a, c205_word b, uint64_t *flags)
 
 c205_word small_shift(c205_word a, c205_word b, uint64_t *flags)
 {
-    const int64_t bits = (int64_t)a >> PADDING; /* signed */
-    const int64_t count = narrow_coefficient_of(b);
-    const int64_t left = count < 0 ? 0 : count % NARROW_WIDTH;
-    const uint64_t circle = (a >> PADDING) * ((1u << NARROW_WIDTH) + 1);
+    int64_t bits = (int64_t)a >> PADDING; /* signed */
+    int64_t count = narrow_coefficient_of(b);
+    int64_t left = count < 0 ? 0 : count % NARROW_WIDTH;
+    uint64_t circle = (a >> PADDING) * ((1u << NARROW_WIDTH) + 1);
 
     (void)flags;
     return (count < 0 ? (uint64_t)right(bits, -count)
@@ -456,7 +456,7 @@ static int64_t value(struct number a)
     c205_word small_##name(c205_word word_a, c205_word word_b, \
                            uint64_t *flags) \
     { \
-        const struct number a = take(word_a), b = take(word_b); \
+        struct number a = take(word_a), b = take(word_b); \
 \
         (void)flags; \
         if (a.indefinite || b.indefinite) \

@@ -31,7 +31,7 @@ static bool has_short_fields(const c205_insn *row)
 uint8_t *field_of_role(c205_fields *fields, const c205_insn *row,
                        enum role role)
 {
-    const bool is_short = has_short_fields(row);
+    bool is_short = has_short_fields(row);
 
     switch (role) {
     case ROLE_A: return is_short ? &fields->r : &fields->a;
@@ -49,7 +49,7 @@ char letter_of(const c205_insn *row, enum role role)
     const char *syntax = c205_format_syntax(row->format);
 
     for (const char *p = syntax; *p && *letters; p++) {
-        const int found = role_of_letter(*p);
+        int found = role_of_letter(*p);
         if (*p == '@' || *p == 'I')
             letters++;
         if (found < 0 || (p > syntax && p[-1] == '+'))
@@ -63,8 +63,8 @@ char letter_of(const c205_insn *row, enum role role)
 
 char sized_letter(const c205_insn *row, unsigned g, enum role role)
 {
-    const char letter = letter_of(row, role);
-    const bool half = row->flags & C205_INSN_HALF && g & C205_G_HALF;
+    char letter = letter_of(row, role);
+    bool half = row->flags & C205_INSN_HALF && g & C205_G_HALF;
 
     return half && letter && strchr("fwvudcx", letter)
                ? (char)toupper((unsigned char)letter)
@@ -73,7 +73,7 @@ char sized_letter(const c205_insn *row, unsigned g, enum role role)
 
 bool is_scalar(const c205_insn *row, unsigned g, enum role role)
 {
-    const char letter = (char)tolower((unsigned char)letter_of(row, role));
+    char letter = (char)tolower((unsigned char)letter_of(row, role));
 
     if (letter == 0 || strchr("fiwkm", letter))
         return true;
@@ -85,7 +85,7 @@ bool is_scalar(const c205_insn *row, unsigned g, enum role role)
 
 bool is_half_register(const c205_insn *row, unsigned g, enum role role)
 {
-    const char letter = sized_letter(row, g, role);
+    char letter = sized_letter(row, g, role);
 
     return isupper((unsigned char)letter) && is_scalar(row, g, role);
 }

@@ -13,7 +13,7 @@ uint64_t random_bits(uint64_t *random)
 
 int64_t random_between(uint64_t *random, int64_t low, int64_t high)
 {
-    const uint64_t span = (uint64_t)(high - low) + 1;
+    uint64_t span = (uint64_t)(high - low) + 1;
 
     return low + (int64_t)(random_bits(random) % span);
 }
@@ -37,7 +37,7 @@ static int64_t between(struct draw draw, int64_t low, int64_t high)
 static c205_word pack(const struct oracle_format *format, int64_t exponent,
                       int64_t coefficient)
 {
-    const long exponent_bits = format->width - format->digits - 1;
+    long exponent_bits = format->width - format->digits - 1;
 
     return (c205_word)exponent << (64 - exponent_bits)
            | (c205_word)coefficient << (63 - format->digits) >> exponent_bits;
@@ -93,7 +93,7 @@ enum {
 
 static int64_t edge_exponent(const struct oracle_format *format, size_t i)
 {
-    const int64_t past = two(format->width - format->digits - 2);
+    int64_t past = two(format->width - format->digits - 2);
     const int64_t places[] = { [FIRST] = -past,
                                [SMALLEST] = format->exponent_min,
                                [NOUGHT] = 0,
@@ -107,8 +107,8 @@ static int64_t edge_exponent(const struct oracle_format *format, size_t i)
 
 static int64_t edge_coefficient(const struct oracle_format *format, size_t i)
 {
-    const int64_t power = edge_coefficients[i].halves * format->digits / 2
-                          + edge_coefficients[i].places;
+    int64_t power = edge_coefficients[i].halves * format->digits / 2
+                    + edge_coefficients[i].places;
 
     return edge_coefficients[i].times * two(power)
            + edge_coefficients[i].more;
@@ -127,7 +127,7 @@ static c205_word edge(const struct oracle_format *format, size_t i)
 static int64_t coefficient(struct draw draw, int64_t digits)
 {
     uint64_t bits = random_bits(draw.random);
-    const uint64_t choice = random_bits(draw.random);
+    uint64_t choice = random_bits(draw.random);
 
     if (choice % 8 == 0)
         bits &= random_bits(draw.random) & random_bits(draw.random);
@@ -135,8 +135,8 @@ static int64_t coefficient(struct draw draw, int64_t digits)
         bits |= random_bits(draw.random) | random_bits(draw.random);
     if (digits == 0)
         return choice & 8 ? 0 : -1;
-    const int64_t top = two(digits - 1);
-    const int64_t magnitude = top | (int64_t)(bits & (uint64_t)(top - 1));
+    int64_t top = two(digits - 1);
+    int64_t magnitude = top | (int64_t)(bits & (uint64_t)(top - 1));
     return choice & 8 ? magnitude : ~magnitude;
 }
 
@@ -159,7 +159,7 @@ static c205_word normalised(struct draw draw, int64_t exponent)
 /* Of values around one, the ends of the range far off. */
 static int64_t usual_exponent(struct draw draw)
 {
-    const int64_t digits = draw.format->digits;
+    int64_t digits = draw.format->digits;
 
     return between(draw, -2 * digits - 16, digits / 2 - 3);
 }
@@ -167,7 +167,7 @@ static int64_t usual_exponent(struct draw draw)
 /* Past the digits of a sum, either way. */
 static int64_t difference(struct draw draw)
 {
-    const int64_t past = 2 * draw.format->digits + 6;
+    int64_t past = 2 * draw.format->digits + 6;
 
     return between(draw, -past, past);
 }
@@ -181,8 +181,8 @@ static int64_t clamp(struct draw draw, int64_t exponent)
 
 c205_word random_word(const struct oracle_format *format, uint64_t *random)
 {
-    const uint64_t bits = random_bits(random);
-    const long unused = 64 - format->width;
+    uint64_t bits = random_bits(random);
+    long unused = 64 - format->width;
 
     return bits % 4 == 0 ? edge(format, bits / 4 % EDGES)
                          : random_bits(random) >> unused << unused;
@@ -200,7 +200,7 @@ static void fast_path(struct draw draw, c205_word *a, c205_word *b)
 
 static void aligned_normalised(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t exponent = usual_exponent(draw);
+    int64_t exponent = usual_exponent(draw);
 
     *a = normalised(draw, exponent);
     *b = normalised(draw, exponent + difference(draw));
@@ -208,7 +208,7 @@ static void aligned_normalised(struct draw draw, c205_word *a, c205_word *b)
 
 static void aligned_unnormalised(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t exponent = usual_exponent(draw);
+    int64_t exponent = usual_exponent(draw);
 
     *a = any_digits(draw, exponent);
     *b = any_digits(draw, exponent + difference(draw));
@@ -217,12 +217,12 @@ static void aligned_unnormalised(struct draw draw, c205_word *a, c205_word *b)
 /* b is plus or minus a, or nearly. */
 static void cancelling(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t most = draw.format->digits;
-    const int64_t exponent = usual_exponent(draw);
-    const int64_t c = coefficient(draw, between(draw, most / 2 - 3, most));
-    const int64_t near = between(draw, -3, 3);
-    const int64_t sign = one_in(draw, 2) ? 1 : -1;
-    const int64_t doubled = between(draw, 0, 1);
+    int64_t most = draw.format->digits;
+    int64_t exponent = usual_exponent(draw);
+    int64_t c = coefficient(draw, between(draw, most / 2 - 3, most));
+    int64_t near = between(draw, -3, 3);
+    int64_t sign = one_in(draw, 2) ? 1 : -1;
+    int64_t doubled = between(draw, 0, 1);
 
     *a = pack(draw.format, exponent, c);
     *b = pack(draw.format, exponent + doubled,
@@ -232,11 +232,11 @@ static void cancelling(struct draw draw, c205_word *a, c205_word *b)
 /* The same value, or nearly, differently shifted. */
 static void equal_values(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t digits = between(draw, 1, draw.format->digits);
-    const int64_t places = between(draw, 0, draw.format->digits - digits);
-    const int64_t c = coefficient(draw, digits);
-    const int64_t exponent = usual_exponent(draw);
-    const int64_t near = between(draw, -4, 4) / 4;
+    int64_t digits = between(draw, 1, draw.format->digits);
+    int64_t places = between(draw, 0, draw.format->digits - digits);
+    int64_t c = coefficient(draw, digits);
+    int64_t exponent = usual_exponent(draw);
+    int64_t near = between(draw, -4, 4) / 4;
 
     *a = pack(draw.format, exponent, c);
     *b = pack(draw.format, exponent - places, c * two(places) + near);
@@ -252,10 +252,10 @@ static int64_t end_of_range(struct draw draw)
  * up to about the largest or the smallest. */
 static void extreme_exponents(struct draw draw, int64_t *a, int64_t *b)
 {
-    const struct oracle_format *const format = draw.format;
-    const int64_t end = end_of_range(draw);
-    const int64_t past = 3 * format->digits + 9;
-    const int64_t sign = one_in(draw, 2) ? 1 : -1;
+    const struct oracle_format *format = draw.format;
+    int64_t end = end_of_range(draw);
+    int64_t past = 3 * format->digits + 9;
+    int64_t sign = one_in(draw, 2) ? 1 : -1;
 
     *a = between(draw, format->exponent_min, format->exponent_max);
     *b = clamp(draw, sign * (end - *a + between(draw, -past, past)));
@@ -281,9 +281,9 @@ static void extreme_normalised(struct draw draw, c205_word *a, c205_word *b)
 
 static void extreme_sums(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t end = end_of_range(draw);
-    const int64_t first = clamp(draw, end + difference(draw));
-    const int64_t second = clamp(draw, end + difference(draw));
+    int64_t end = end_of_range(draw);
+    int64_t first = clamp(draw, end + difference(draw));
+    int64_t second = clamp(draw, end + difference(draw));
 
     *a = any_digits(draw, first);
     *b = any_digits(draw, second);
@@ -292,9 +292,9 @@ static void extreme_sums(struct draw draw, c205_word *a, c205_word *b)
 /* a is a square, or one off it; roots to just below that of 2^digits. */
 static void squares(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t last = two(draw.format->digits / 2) * 1414 / 1000;
-    const int64_t root = between(draw, 1, last);
-    const int64_t near = between(draw, -1, 1);
+    int64_t last = two(draw.format->digits / 2) * 1414 / 1000;
+    int64_t root = between(draw, 1, last);
+    int64_t near = between(draw, -1, 1);
 
     *a = pack(draw.format, usual_exponent(draw), root * root + near);
     *b = pack(draw.format, usual_exponent(draw), root);
@@ -303,11 +303,11 @@ static void squares(struct draw draw, c205_word *a, c205_word *b)
 /* a is a multiple of b, or one off it. */
 static void multiples(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t most = draw.format->digits - 1;
-    const int64_t digits = between(draw, 1, most);
-    const int64_t divisor = coefficient(draw, digits);
-    const int64_t quotient = coefficient(draw, most - digits);
-    const int64_t near = between(draw, -1, 1);
+    int64_t most = draw.format->digits - 1;
+    int64_t digits = between(draw, 1, most);
+    int64_t divisor = coefficient(draw, digits);
+    int64_t quotient = coefficient(draw, most - digits);
+    int64_t near = between(draw, -1, 1);
 
     *a = pack(draw.format, usual_exponent(draw), divisor * quotient + near);
     *b = pack(draw.format, usual_exponent(draw), divisor);
@@ -316,7 +316,7 @@ static void multiples(struct draw draw, c205_word *a, c205_word *b)
 /* b is a count to shift by. */
 static void counts(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t most = 3 * draw.format->width + 8;
+    int64_t most = 3 * draw.format->width + 8;
 
     *a = random_word(draw.format, draw.random);
     *b = pack(draw.format, 0, between(draw, -most, most));
@@ -345,11 +345,11 @@ static void with_zeros(struct draw draw, c205_word *a, c205_word *b)
 /* b is an exponent to be brought to, near that of a. */
 static void other_exponents(struct draw draw, c205_word *a, c205_word *b)
 {
-    const int64_t digits = draw.format->digits;
-    const int64_t exponent = usual_exponent(draw);
-    const int64_t digit = between(draw, -9, 9);
-    const int64_t places = between(draw, 0, digits - 4);
-    const int64_t distance = between(draw, -digits - 3, digits + 3);
+    int64_t digits = draw.format->digits;
+    int64_t exponent = usual_exponent(draw);
+    int64_t digit = between(draw, -9, 9);
+    int64_t places = between(draw, 0, digits - 4);
+    int64_t distance = between(draw, -digits - 3, digits + 3);
 
     *a = pack(draw.format, exponent, digit * two(places));
     *b = pack(draw.format, 0, exponent + distance);
@@ -359,13 +359,12 @@ static void other_exponents(struct draw draw, c205_word *a, c205_word *b)
  * half words are near the ends of their range. */
 static void nearly_halves(struct draw draw, c205_word *a, c205_word *b)
 {
-    const struct oracle_format *const format = draw.format;
-    const long cut = format->digits / 2 + 1;
-    const int64_t end = end_of_range(
-        (struct draw){ &oracle_half, draw.random });
-    const int64_t exponent = end - cut + between(draw, -3, 3);
-    const int64_t above = any_coefficient(draw) >> cut;
-    const int64_t near = between(draw, -2, 2);
+    const struct oracle_format *format = draw.format;
+    long cut = format->digits / 2 + 1;
+    int64_t end = end_of_range((struct draw){ &oracle_half, draw.random });
+    int64_t exponent = end - cut + between(draw, -3, 3);
+    int64_t above = any_coefficient(draw) >> cut;
+    int64_t near = between(draw, -2, 2);
 
     *a = pack(format, exponent, above * two(cut) + two(cut - 1) + near);
     *b = any_digits(draw, exponent);
@@ -423,8 +422,8 @@ void operands_next(struct operands *operands, c205_word *a, c205_word *b,
     const struct draw draw = { operands->format, &operands->random };
 
     for (size_t i = 0; i < n; i++) {
-        const size_t at = operands->position++;
-        const size_t block = at / BLOCK;
+        size_t at = operands->position++;
+        size_t block = at / BLOCK;
         if (block % 2 == 0 && block / 2 < EDGES)
             edge_pair(draw.format, block / 2, at % BLOCK, a + i, b + i);
         else

@@ -107,9 +107,8 @@ static void change_machine(struct run *run)
 
 static uint64_t next_limit(struct run *run)
 {
-    const uint64_t end = c205_clock(run->machine)
-                         + (uint64_t)random_between(&run->random, 1,
-                                                    LONGEST_SLICE);
+    uint64_t end = c205_clock(run->machine)
+                   + (uint64_t)random_between(&run->random, 1, LONGEST_SLICE);
 
     return run->way->sliced && end < run->limit ? end : run->limit;
 }
@@ -117,7 +116,7 @@ static uint64_t next_limit(struct run *run)
 /* Behind what trapped.  False: it cannot go on. */
 static bool skip(struct run *run, const c205_stop *stop)
 {
-    const unsigned halves = random_insn_halves(run->machine, stop->pc);
+    unsigned halves = random_insn_halves(run->machine, stop->pc);
 
     c205_set_pc(run->machine, stop->pc + HALF * halves);
     return halves != 0 && ++run->traps < TRAPS;
@@ -126,7 +125,7 @@ static bool skip(struct run *run, const c205_stop *stop)
 /* One slice.  False: it was the last. */
 static bool run_on(struct run *run)
 {
-    const c205_stop stop = c205_run(run->machine, next_limit(run));
+    c205_stop stop = c205_run(run->machine, next_limit(run));
 
     if (stop.trap == C205_TRAP_NONE)
         return false;
@@ -162,8 +161,8 @@ const char *disagreeing_way(const struct random_program *program,
         { "a run in slices", true, false },
         { "a run saved and restored", true, true },
     };
-    const uint64_t limit = stepped ? C205_NO_LIMIT : CLOCKS;
-    const uint64_t expected = hash_at_end(program, &whole, limit);
+    uint64_t limit = stepped ? C205_NO_LIMIT : CLOCKS;
+    uint64_t expected = hash_at_end(program, &whole, limit);
 
     if (stepped && *stepped != expected)
         return whole.name;

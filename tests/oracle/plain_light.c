@@ -32,12 +32,12 @@ static void passing_color(const struct pigment *pigment, int cell,
 void plain_describe(const struct ray *ray, const struct plain_hit *hit,
                     struct plain_surface *surface)
 {
-    const struct pigment *const pigment = &hit->primitive->pigment;
+    const struct pigment *pigment = &hit->primitive->pigment;
     surface->ray = ray;
     surface->finish = &hit->primitive->finish;
     point_on(ray, hit->distance, surface->point);
     copy(surface->normal, hit->normal);
-    const int cell = pigment_cell(pigment, surface->point);
+    int cell = pigment_cell(pigment, surface->point);
     passing_color(pigment, cell, surface->passing);
     copy(surface->color, pigment->color[cell]);
     scale_by(surface->color,
@@ -54,8 +54,8 @@ static double highlight(const struct finish *finish, const double eye[3],
     add_scaled(mirrored, eye, -2 * dot(eye, normal), normal);
     add_scaled(halfway, to_light, -1, eye);
     normalise(halfway);
-    const double phong = dot(mirrored, to_light);
-    const double specular = dot(halfway, normal);
+    double phong = dot(mirrored, to_light);
+    double specular = dot(halfway, normal);
     if (finish->phong > 0 && phong > 0)
         sum += finish->phong * pow(phong, finish->phong_size);
     if (finish->specular > 0 && specular > 0)
@@ -85,7 +85,7 @@ static void pass_region(const struct plain_tracer *tracer,
     plain_cross_region(tracer->crossings, tracer->scene, region, ray);
     while (plain_next_hit(tracer->crossings, last, distance - SHADOW_DISTANCE,
                           &hit)) {
-        const struct pigment *const pigment = &hit.primitive->pigment;
+        const struct pigment *pigment = &hit.primitive->pigment;
         double point[3], passing[3];
         point_on(ray, hit.distance, point);
         passing_color(pigment, pigment_cell(pigment, point), passing);
@@ -99,7 +99,7 @@ static void pass_scene(const struct plain_tracer *tracer,
                        const struct ray *ray, double distance,
                        double color[3])
 {
-    const struct scene *const scene = tracer->scene;
+    const struct scene *scene = tracer->scene;
     for (size_t i = 0; i < scene->region_count; i++)
         if (dot(color, color) > 0 && casts_shadow(scene, &scene->regions[i]))
             pass_region(tracer, &scene->regions[i], ray, distance, color);
@@ -117,20 +117,18 @@ static void add_light(const struct plain_tracer *tracer,
     double left[3];
     copy(to_light.origin, surface->point);
     add_scaled(to_light.direction, light->position, -1, surface->point);
-    const double distance = sqrt(dot(to_light.direction, to_light.direction));
+    double distance = sqrt(dot(to_light.direction, to_light.direction));
     scale_by(to_light.direction, 1 / distance);
-    const double cosine = dot(surface->normal, to_light.direction);
+    double cosine = dot(surface->normal, to_light.direction);
     if (cosine < SMALL_ANGLE)
         return;
     copy(left, light->color);
     if (!light->shadowless)
         pass_scene(tracer, &to_light, distance, left);
-    const double bright = light->shadowless
-                              ? 0
-                              : highlight(surface->finish,
-                                          surface->ray->direction,
-                                          surface->normal,
-                                          to_light.direction);
+    double bright = light->shadowless
+                        ? 0
+                        : highlight(surface->finish, surface->ray->direction,
+                                    surface->normal, to_light.direction);
     for (int i = 0; i < 3; i++)
         color[i] += left[i]
                     * (surface->finish->diffuse * cosine * surface->color[i]
@@ -140,7 +138,7 @@ static void add_light(const struct plain_tracer *tracer,
 void plain_shade(const struct plain_tracer *tracer,
                  const struct plain_surface *surface, double color[3])
 {
-    const struct scene *const scene = tracer->scene;
+    const struct scene *scene = tracer->scene;
     for (int i = 0; i < 3; i++)
         color[i] = surface->finish->ambient[i] * scene->ambient_light[i]
                    * surface->color[i];

@@ -49,7 +49,7 @@ static void free_slots(struct plain_memory *memory, size_t count)
 static struct plain_slot *find(const struct plain_memory *memory,
                                uint64_t address)
 {
-    const uint64_t mixed = address * UINT64_C(0x9E3779B97F4A7C15);
+    uint64_t mixed = address * UINT64_C(0x9E3779B97F4A7C15);
     size_t i = (size_t)(mixed >> 32) & (memory->slot_count - 1);
 
     while (memory->slots[i].address != NO_ADDRESS
@@ -69,7 +69,7 @@ static void put(struct plain_memory *memory, uint64_t address, c205_word word)
 static void grow(struct plain_memory *memory)
 {
     struct plain_slot *old = memory->slots;
-    const size_t count = memory->slot_count;
+    size_t count = memory->slot_count;
 
     free_slots(memory, 2 * count);
     for (size_t i = 0; i < count; i++)
@@ -144,7 +144,7 @@ static void map_page(struct plain_memory *memory, uint64_t address,
 void plain_map(struct plain_memory *memory, uint64_t address, size_t words,
                c205_access access)
 {
-    const uint64_t last = address + WORD_BITS * (uint64_t)(words - 1);
+    uint64_t last = address + WORD_BITS * (uint64_t)(words - 1);
 
     for (uint64_t page = plain_page_number(address);
          page <= plain_page_number(last); page++)

@@ -12,7 +12,7 @@ struct edges {
 
 static bool take_edge(struct edges *edges)
 {
-    const struct outline *const path = edges->path;
+    const struct outline *path = edges->path;
     if (edges->next + 1 >= path->count)
         return false;
     edges->from = path->points[edges->next];
@@ -31,8 +31,8 @@ static bool is_round(const struct outline *path, double x, double z)
     struct edges edges = { .path = path };
     double sum = 0;
     while (take_edge(&edges)) {
-        const double x0 = edges.from[0] - x, z0 = edges.from[1] - z;
-        const double x1 = edges.to[0] - x, z1 = edges.to[1] - z;
+        double x0 = edges.from[0] - x, z0 = edges.from[1] - z;
+        double x1 = edges.to[0] - x, z1 = edges.to[1] - z;
         sum += atan2(x0 * z1 - z0 * x1, x0 * x1 + z0 * z1);
     }
     return llround(sum / (2 * acos(-1))) % 2 != 0;
@@ -53,7 +53,7 @@ static bool cross_side(const struct edges *edge, double low, double high,
                               edge->to[1] - edge->from[1] };
     const double corner[3] = { edge->from[0], 0, edge->from[1] };
     const double normal[3] = { along[2], 0, -along[0] };
-    const double rate = dot(normal, ray->direction);
+    double rate = dot(normal, ray->direction);
     double from[3], point[3];
     if (rate == 0)
         return false;
@@ -62,7 +62,7 @@ static bool cross_side(const struct edges *edge, double low, double high,
     copy(crossing->normal, normal);
     point_on(ray, crossing->distance, point);
     add_scaled(from, point, -1, corner);
-    const double share = dot(from, along) / dot(along, along);
+    double share = dot(from, along) / dot(along, along);
     return share >= 0 && share < 1 && point[1] >= low && point[1] <= high;
 }
 
@@ -83,8 +83,8 @@ size_t cross_prism(const struct primitive *primitive, const struct ray *ray,
                    struct crossing crossings[MOST_CROSSINGS])
 {
     struct edges edges = { .path = &primitive->shape.prism.path };
-    const double low = primitive->shape.prism.low;
-    const double high = primitive->shape.prism.high;
+    double low = primitive->shape.prism.low;
+    double high = primitive->shape.prism.high;
     size_t count = 0;
     while (take_edge(&edges) && count < MOST_CROSSINGS - 2)
         count += cross_side(&edges, low, high, ray, &crossings[count]);

@@ -58,7 +58,7 @@ static size_t cross_surface(const struct along *surface,
                             struct crossing crossings[MOST_CROSSINGS])
 {
     long double roots[HIGHEST_DEGREE];
-    const size_t count = plain_roots(surface->c, HIGHEST_DEGREE, roots);
+    size_t count = plain_roots(surface->c, HIGHEST_DEGREE, roots);
     for (size_t i = 0; i < count; i++)
         crossings[i].distance = (double)(line->start + roots[i] * line->step);
     return count;
@@ -77,11 +77,11 @@ struct torus {
 static struct along torus_along(const struct torus *torus,
                                 const struct along coordinate[3])
 {
-    const long double major = torus->major, radial = torus->radial;
-    const long double ratio = radial / torus->axial;
-    const struct along xx = times(&coordinate[0], &coordinate[0]);
-    const struct along yy = times(&coordinate[1], &coordinate[1]);
-    const struct along zz = times(&coordinate[2], &coordinate[2]);
+    long double major = torus->major, radial = torus->radial;
+    long double ratio = radial / torus->axial;
+    struct along xx = times(&coordinate[0], &coordinate[0]);
+    struct along yy = times(&coordinate[1], &coordinate[1]);
+    struct along zz = times(&coordinate[2], &coordinate[2]);
     struct along across = xx, sum;
     add_times(&across, 1, &zz);
     sum = across;
@@ -95,11 +95,11 @@ static struct along torus_along(const struct torus *torus,
 static void torus_normal(const struct torus *torus, const double point[3],
                          double normal[3])
 {
-    const double ratio = torus->radial / torus->axial;
-    const double across = point[0] * point[0] + point[2] * point[2];
-    const double sum = across + ratio * ratio * point[1] * point[1]
-                       + torus->major * torus->major
-                       - torus->radial * torus->radial;
+    double ratio = torus->radial / torus->axial;
+    double across = point[0] * point[0] + point[2] * point[2];
+    double sum = across + ratio * ratio * point[1] * point[1]
+                 + torus->major * torus->major
+                 - torus->radial * torus->radial;
     normal[0] = point[0] * (sum - 2 * torus->major * torus->major);
     normal[1] = point[1] * ratio * ratio * sum;
     normal[2] = point[2] * (sum - 2 * torus->major * torus->major);
@@ -109,9 +109,9 @@ static size_t cross_any_torus(const struct torus *torus,
                               const struct ray *ray,
                               struct crossing crossings[MOST_CROSSINGS])
 {
-    const struct centred_line line = centre(ray);
-    const struct along surface = torus_along(torus, line.coordinate);
-    const size_t count = cross_surface(&surface, &line, crossings);
+    struct centred_line line = centre(ray);
+    struct along surface = torus_along(torus, line.coordinate);
+    size_t count = cross_surface(&surface, &line, crossings);
     double point[3];
     for (size_t i = 0; i < count; i++) {
         point_on(ray, crossings[i].distance, point);
@@ -123,7 +123,7 @@ static size_t cross_any_torus(const struct torus *torus,
 size_t cross_torus(const struct primitive *primitive, const struct ray *ray,
                    struct crossing crossings[MOST_CROSSINGS])
 {
-    const double minor = primitive->shape.torus.minor;
+    double minor = primitive->shape.torus.minor;
     const struct torus torus = { primitive->shape.torus.major, minor, minor };
     return cross_any_torus(&torus, ray, crossings);
 }
@@ -199,10 +199,10 @@ static void quartic_normal(const double *coefficients, const double point[3],
 size_t cross_quartic(const struct primitive *primitive, const struct ray *ray,
                      struct crossing crossings[MOST_CROSSINGS])
 {
-    const double *const c = primitive->shape.quartic.coefficients;
-    const struct centred_line line = centre(ray);
-    const struct along surface = quartic_along(c, line.coordinate);
-    const size_t count = cross_surface(&surface, &line, crossings);
+    const double *c = primitive->shape.quartic.coefficients;
+    struct centred_line line = centre(ray);
+    struct along surface = quartic_along(c, line.coordinate);
+    size_t count = cross_surface(&surface, &line, crossings);
     double point[3];
     for (size_t i = 0; i < count; i++) {
         point_on(ray, crossings[i].distance, point);

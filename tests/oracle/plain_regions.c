@@ -81,7 +81,7 @@ static void cross_primitive(struct crossing_list *list,
     struct ray local;
     to_other_space(&primitive->to_local, list->ray->origin, local.origin);
     turn(&primitive->to_local, list->ray->direction, local.direction);
-    const size_t count = plain_crossings(primitive, &local, crossings);
+    size_t count = plain_crossings(primitive, &local, crossings);
     for (size_t i = 0; i < count; i++) {
         struct place place = { primitive, crossings[i].distance, { 0 } };
         copy(place.normal, crossings[i].normal);
@@ -148,13 +148,13 @@ static bool is_inside(const struct probe *probe,
 
 static bool value_of(const struct probe *probe, size_t at)
 {
-    const struct scene *const scene = probe->list->scene;
-    const struct tree_node *const node = &scene->nodes[at];
+    const struct scene *scene = probe->list->scene;
+    const struct tree_node *node = &scene->nodes[at];
     if (node->operation == TREE_LEAF)
         return is_inside(probe, &scene->primitives[node->primitive]);
     if (node->operation == TREE_NOT)
         return !value_of(probe, at + 1);
-    const bool decides = node->operation == TREE_OR;
+    bool decides = node->operation == TREE_OR;
     for (size_t child = at + 1; child < node->next;
          child = scene->nodes[child].next)
         if (value_of(probe, child) == decides)
@@ -169,9 +169,9 @@ static bool is_alone(const struct region *region)
 
 static bool is_solid(const struct probe *probe)
 {
-    const struct region *const region = probe->list->region;
-    const struct primitive *const first =
-        &probe->list->scene->primitives[region->first_primitive];
+    const struct region *region = probe->list->region;
+    const struct primitive
+        *first = &probe->list->scene->primitives[region->first_primitive];
     return is_alone(region) ? is_inside(probe, first) != first->inverted
                             : value_of(probe, region->first_node);
 }
@@ -188,8 +188,8 @@ struct sides {
 static bool shows_below(const struct sides *sides, size_t at,
                         const struct primitive *primitive)
 {
-    const struct scene *const scene = sides->before.list->scene;
-    const struct tree_node *const node = &scene->nodes[at];
+    const struct scene *scene = sides->before.list->scene;
+    const struct tree_node *node = &scene->nodes[at];
     if (value_of(&sides->before, at) == value_of(&sides->behind, at))
         return false;
     if (node->operation == TREE_LEAF)
@@ -205,7 +205,7 @@ static bool shows_below(const struct sides *sides, size_t at,
 static bool shows(const struct sides *sides,
                   const struct primitive *primitive)
 {
-    const struct region *const region = sides->before.list->region;
+    const struct region *region = sides->before.list->region;
     return is_alone(region)
            || shows_below(sides, region->first_node, primitive);
 }
@@ -216,12 +216,12 @@ static const struct place *first_shown(const struct crossing_list *list,
                                        const struct sides *sides,
                                        const struct place *seen)
 {
-    const double distance = seen->distance;
+    double distance = seen->distance;
     for (size_t i = 0; i < list->count; i++) {
-        const struct place *const place = &list->places[i];
-        const bool nearer = place->primitive == seen->primitive
-                            && fabs(place->distance - distance)
-                                   < fabs(seen->distance - distance);
+        const struct place *place = &list->places[i];
+        bool nearer = place->primitive == seen->primitive
+                      && fabs(place->distance - distance)
+                             < fabs(seen->distance - distance);
         if (is_near(place, distance)
             && (place->primitive < seen->primitive || nearer)
             && shows(sides, place->primitive))
@@ -236,7 +236,7 @@ static void describe(const struct place *place, bool solid_behind,
 {
     hit->primitive = place->primitive;
     normal_to_world(&place->primitive->to_local, place->normal, hit->normal);
-    const double along = dot(hit->normal, direction);
+    double along = dot(hit->normal, direction);
     hit->entering = shape_is_surface(place->primitive)
                         ? (along < 0) != place->primitive->inverted
                         : solid_behind;
@@ -261,7 +261,7 @@ bool plain_next_hit(const struct crossing_list *list, double last,
                     double limit, struct plain_hit *hit)
 {
     for (size_t i = 0; i < list->count; i++) {
-        const struct place *const place = &list->places[i];
+        const struct place *place = &list->places[i];
         if (place->distance > last && place->distance < limit
             && look_at(list, place, hit))
             return true;

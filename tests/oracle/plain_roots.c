@@ -29,10 +29,10 @@ static struct polynomial derivative(const struct polynomial *f)
 static long double bisect(const struct polynomial *f, long double low,
                           long double high)
 {
-    const long double close = 1e-24L; /* far less than a double's last bit */
-    const bool below = is_below(f, low);
+    long double close = 1e-24L; /* far less than a double's last bit */
+    bool below = is_below(f, low);
     while (high - low > close) {
-        const long double middle = low + (high - low) / 2;
+        long double middle = low + (high - low) / 2;
         if (middle <= low || middle >= high)
             break;
         if (is_below(f, middle) == below)
@@ -51,7 +51,7 @@ static size_t roots_between(const struct polynomial *f, long double low,
     size_t inner = 0, count = 0;
     if (f->degree == 0)
         return 0;
-    const struct polynomial slope = derivative(f);
+    struct polynomial slope = derivative(f);
     inner = roots_between(&slope, low, high, knots + 1);
     knots[inner + 1] = high;
     for (size_t i = 0; i <= inner; i++)
@@ -72,7 +72,7 @@ size_t plain_roots(const long double *c, int degree,
     for (int i = 0; i <= degree; i++)
         forward.c[i] = backward.c[degree - i] = c[i];
     size_t count = roots_between(&forward, -1, 1, roots);
-    const size_t beyond = roots_between(&backward, -1, 1, inverse);
+    size_t beyond = roots_between(&backward, -1, 1, inverse);
     for (size_t i = 0; i < beyond; i++)
         if (isfinite((double)(1 / inverse[i])) && count < (size_t)degree)
             roots[count++] = 1 / inverse[i];

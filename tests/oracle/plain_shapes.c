@@ -4,10 +4,10 @@
 /* The real roots of a t^2 + 2 b t + c, by the form that does not cancel. */
 static size_t quadratic(double a, double b, double c, double roots[2])
 {
-    const double discriminant = b * b - a * c;
+    double discriminant = b * b - a * c;
     if (discriminant < 0)
         return 0;
-    const double q = -(b + copysign(sqrt(discriminant), b));
+    double q = -(b + copysign(sqrt(discriminant), b));
     roots[0] = q == 0 ? 0 : c / q;
     roots[1] = q / a;
     return a != 0 ? 2 : b != 0;
@@ -16,13 +16,13 @@ static size_t quadratic(double a, double b, double c, double roots[2])
 size_t cross_sphere(const struct primitive *primitive, const struct ray *ray,
                     struct crossing crossings[MOST_CROSSINGS])
 {
-    const double *const center = primitive->shape.sphere.center;
-    const double radius = primitive->shape.sphere.radius;
+    const double *center = primitive->shape.sphere.center;
+    double radius = primitive->shape.sphere.radius;
     double from[3], roots[2], point[3];
     add_scaled(from, ray->origin, -1, center);
-    const size_t count = quadratic(dot(ray->direction, ray->direction),
-                                   dot(from, ray->direction),
-                                   dot(from, from) - radius * radius, roots);
+    size_t count = quadratic(dot(ray->direction, ray->direction),
+                             dot(from, ray->direction),
+                             dot(from, from) - radius * radius, roots);
     for (size_t i = 0; i < count; i++) {
         crossings[i].distance = roots[i];
         point_on(ray, roots[i], point);
@@ -47,13 +47,13 @@ size_t cross_box(const struct primitive *primitive, const struct ray *ray,
     crossings[0].distance = -INFINITY;
     crossings[1].distance = INFINITY;
     for (int axis = 0; axis < 3; axis++) {
-        const double from = ray->origin[axis], along = ray->direction[axis];
+        double from = ray->origin[axis], along = ray->direction[axis];
         if (along == 0 && (from < corner[0][axis] || from > corner[1][axis]))
             return 0;
         if (along == 0)
             continue;
-        const double a = (corner[0][axis] - from) / along;
-        const double b = (corner[1][axis] - from) / along;
+        double a = (corner[0][axis] - from) / along;
+        double b = (corner[1][axis] - from) / along;
         if (fmin(a, b) > crossings[0].distance)
             face_crossing(&crossings[0], fmin(a, b), axis);
         if (fmax(a, b) < crossings[1].distance)
@@ -90,17 +90,19 @@ static void view_along(const double base[3], const double cap[3],
 static size_t cross_wall(const struct axial_view *view,
                          struct crossing *crossings)
 {
-    const double radius = view->radius + view->slope * view->height;
-    const double growth = view->slope * view->rise;
+    double radius = view->radius + view->slope * view->height;
+    double growth = view->slope * view->rise;
     double roots[2];
     size_t count = 0;
-    const size_t found =
-        quadratic(dot(view->direction, view->direction) - growth * growth,
-                  dot(view->from, view->direction) - radius * growth,
-                  dot(view->from, view->from) - radius * radius, roots);
+    size_t found = quadratic(dot(view->direction, view->direction)
+                                 - growth * growth,
+                             dot(view->from, view->direction)
+                                 - radius * growth,
+                             dot(view->from, view->from) - radius * radius,
+                             roots);
     for (size_t i = 0; i < found; i++) {
-        const double height = view->height + roots[i] * view->rise;
-        double *const normal = crossings[count].normal;
+        double height = view->height + roots[i] * view->rise;
+        double *normal = crossings[count].normal;
         if (!(height >= 0 && height <= view->length))
             continue;
         crossings[count++].distance = roots[i];
@@ -115,7 +117,7 @@ static size_t cross_wall(const struct axial_view *view,
 static size_t cross_disk(const struct axial_view *view, double height,
                          struct crossing *crossing)
 {
-    const double radius = view->radius + view->slope * height;
+    double radius = view->radius + view->slope * height;
     double across[3];
     if (view->rise == 0)
         return 0;
@@ -128,7 +130,7 @@ static size_t cross_disk(const struct axial_view *view, double height,
 static size_t cross_disks(const struct axial_view *view,
                           struct crossing *crossings)
 {
-    const size_t count = cross_disk(view, 0, crossings);
+    size_t count = cross_disk(view, 0, crossings);
     return count + cross_disk(view, view->length, &crossings[count]);
 }
 
@@ -141,7 +143,7 @@ size_t cross_cylinder(const struct primitive *primitive,
                ray, &view);
     view.radius = primitive->shape.cylinder.radius;
     view.slope = 0;
-    const size_t count = cross_wall(&view, crossings);
+    size_t count = cross_wall(&view, crossings);
     return primitive->shape.cylinder.open
                ? count
                : count + cross_disks(&view, &crossings[count]);
@@ -156,7 +158,7 @@ size_t cross_cone(const struct primitive *primitive, const struct ray *ray,
     view.radius = primitive->shape.cone.base_radius;
     view.slope = (primitive->shape.cone.cap_radius - view.radius)
                  / view.length;
-    const size_t count = cross_wall(&view, crossings);
+    size_t count = cross_wall(&view, crossings);
     return primitive->shape.cone.open
                ? count
                : count + cross_disks(&view, &crossings[count]);
@@ -165,8 +167,8 @@ size_t cross_cone(const struct primitive *primitive, const struct ray *ray,
 size_t cross_plane(const struct primitive *primitive, const struct ray *ray,
                    struct crossing crossings[MOST_CROSSINGS])
 {
-    const double *const normal = primitive->shape.plane.normal;
-    const double along = dot(normal, ray->direction);
+    const double *normal = primitive->shape.plane.normal;
+    double along = dot(normal, ray->direction);
     if (along == 0)
         return 0;
     crossings[0].distance = (primitive->shape.plane.distance
@@ -181,7 +183,7 @@ static void quadric_gradient(const double c[QUADRIC_TERMS],
                              const double at[3], double linear,
                              double gradient[3])
 {
-    const double x = at[0], y = at[1], z = at[2];
+    double x = at[0], y = at[1], z = at[2];
     gradient[0] = 2 * c[0] * x + c[3] * y + c[4] * z + linear * c[6];
     gradient[1] = c[3] * x + 2 * c[1] * y + c[5] * z + linear * c[7];
     gradient[2] = c[4] * x + c[5] * y + 2 * c[2] * z + linear * c[8];
@@ -192,15 +194,14 @@ static void quadric_gradient(const double c[QUADRIC_TERMS],
 size_t cross_quadric(const struct primitive *primitive, const struct ray *ray,
                      struct crossing crossings[MOST_CROSSINGS])
 {
-    const double *const c = primitive->shape.quadric.coefficients;
+    const double *c = primitive->shape.quadric.coefficients;
     double at[3], along[3], roots[2], point[3];
     quadric_gradient(c, ray->direction, 0, along);
-    const double a = dot(along, ray->direction) / 2;
+    double a = dot(along, ray->direction) / 2;
     quadric_gradient(c, ray->origin, 1, at);
-    const double b = dot(at, ray->direction) / 2;
+    double b = dot(at, ray->direction) / 2;
     quadric_gradient(c, ray->origin, 2, at);
-    const size_t count = quadratic(a, b, dot(at, ray->origin) / 2 + c[9],
-                                   roots);
+    size_t count = quadratic(a, b, dot(at, ray->origin) / 2 + c[9], roots);
     for (size_t i = 0; i < count; i++) {
         crossings[i].distance = roots[i];
         point_on(ray, roots[i], point);

@@ -3,7 +3,7 @@
 
 bool in_sphere(const struct primitive *primitive, const double point[3])
 {
-    const double radius = primitive->shape.sphere.radius;
+    double radius = primitive->shape.sphere.radius;
     double from[3];
     add_scaled(from, point, -1, primitive->shape.sphere.center);
     return dot(from, from) < radius * radius;
@@ -32,8 +32,8 @@ static bool about_axis(const double base[3], double base_radius,
     double axis[3], from[3];
     add_scaled(axis, cap, -1, base);
     add_scaled(from, point, -1, base);
-    const double share = dot(from, axis) / dot(axis, axis);
-    const double radius = base_radius + share * (cap_radius - base_radius);
+    double share = dot(from, axis) / dot(axis, axis);
+    double radius = base_radius + share * (cap_radius - base_radius);
     add_scaled(from, from, -share, axis);
     return share > 0 && share < 1 && dot(from, from) < radius * radius;
 }
@@ -42,7 +42,7 @@ static bool about_axis(const double base[3], double base_radius,
  * POV-Ray. */
 bool in_cylinder(const struct primitive *primitive, const double point[3])
 {
-    const double radius = primitive->shape.cylinder.radius;
+    double radius = primitive->shape.cylinder.radius;
     return about_axis(primitive->shape.cylinder.base, radius,
                       primitive->shape.cylinder.cap, radius, point);
 }
@@ -61,17 +61,17 @@ bool in_cone(const struct primitive *primitive, const double point[3])
 static bool in_ellipses(double major, double radial, double axial,
                         const double point[3])
 {
-    const double across = hypot(point[0], point[2]);
-    const double along = point[1] / axial;
-    const double here = (across - major) / radial;
-    const double beyond = (across + major) / radial;
+    double across = hypot(point[0], point[2]);
+    double along = point[1] / axial;
+    double here = (across - major) / radial;
+    double beyond = (across + major) / radial;
     return here * here + along * along < 1
            && beyond * beyond + along * along > 1;
 }
 
 bool in_torus(const struct primitive *primitive, const double point[3])
 {
-    const double minor = primitive->shape.torus.minor;
+    double minor = primitive->shape.torus.minor;
     return in_ellipses(primitive->shape.torus.major, minor, minor, point);
 }
 
@@ -85,8 +85,8 @@ bool in_elliptical_torus(const struct primitive *primitive,
 
 bool in_quadric(const struct primitive *primitive, const double point[3])
 {
-    const double *const c = primitive->shape.quadric.coefficients;
-    const double x = point[0], y = point[1], z = point[2];
+    const double *c = primitive->shape.quadric.coefficients;
+    double x = point[0], y = point[1], z = point[2];
     return x * (c[0] * x + c[3] * y + c[4] * z + c[6])
                + y * (c[1] * y + c[5] * z + c[7]) + z * (c[2] * z + c[8])
                + c[9]

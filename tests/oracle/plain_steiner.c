@@ -44,7 +44,7 @@ static long double polar(const struct conic *conic, const struct place *a,
 {
     long double sum = 0;
     for (int k = 0; k < STEINER_POINTS; k++) {
-        const int i = first_index[k], j = second_index[k];
+        int i = first_index[k], j = second_index[k];
         sum += conic->c[k] * a->p[i] * b->p[j];
         if (i != j)
             sum += conic->c[k] * a->p[j] * b->p[i];
@@ -58,7 +58,7 @@ static void cross_product(const double a[3], const double b[3],
                           double result[3])
 {
     for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        int j = (i + 1) % 3, k = (i + 2) % 3;
         result[i] = a[j] * b[k] - a[k] * b[j];
     }
 }
@@ -66,7 +66,7 @@ static void cross_product(const double a[3], const double b[3],
 /* Two directions across the ray, and across each other. */
 static void plane_normals(const struct ray *ray, double normals[2][3])
 {
-    const double *const d = ray->direction;
+    const double *d = ray->direction;
     double axis[3] = { 0, 0, 0 };
     int least = fabs(d[0]) < fabs(d[1]) ? 0 : 1;
     if (fabs(d[2]) < fabs(d[least]))
@@ -84,7 +84,7 @@ static struct conic conic_of(const struct primitive *primitive,
 {
     struct conic conic;
     for (int k = 0; k < STEINER_POINTS; k++) {
-        const double *const point = primitive->shape.steiner_patch.points[k];
+        const double *point = primitive->shape.steiner_patch.points[k];
         conic.c[k] = 0;
         for (int i = 0; i < 3; i++)
             conic.c[k] += (long double)normal[i]
@@ -102,7 +102,7 @@ static void note(struct search *search, const struct place *place)
         if (!(place->p[i] >= -EDGE))
             return;
     for (size_t k = 0; k < search->count; k++) {
-        const long double *const p = search->found[k].p;
+        const long double *p = search->found[k].p;
         if (fabsl(p[0] - place->p[0]) + fabsl(p[1] - place->p[1]) < SAME)
             return;
     }
@@ -117,7 +117,7 @@ static void linearise(const struct conic *conic, const struct place *at,
     static const struct place corner[3] = { { { 1, 0, 0 } },
                                             { { 0, 1, 0 } },
                                             { { 0, 0, 1 } } };
-    const long double last = polar(conic, at, &corner[2]);
+    long double last = polar(conic, at, &corner[2]);
     terms[0] = polar(conic, at, at);
     terms[1] = 2 * (polar(conic, at, &corner[0]) - last);
     terms[2] = 2 * (polar(conic, at, &corner[1]) - last);
@@ -129,9 +129,9 @@ static void refine(struct search *search, struct place place)
         long double a[3], b[3];
         linearise(&search->conics[0], &place, a);
         linearise(&search->conics[1], &place, b);
-        const long double determinant = a[1] * b[2] - a[2] * b[1];
-        const long double ds = (a[2] * b[0] - a[0] * b[2]) / determinant;
-        const long double dt = (a[0] * b[1] - a[1] * b[0]) / determinant;
+        long double determinant = a[1] * b[2] - a[2] * b[1];
+        long double ds = (a[2] * b[0] - a[0] * b[2]) / determinant;
+        long double dt = (a[0] * b[1] - a[1] * b[0]) / determinant;
         if (!(fabsl(ds) + fabsl(dt) < 2))
             return;
         place.p[0] += ds;
@@ -148,8 +148,8 @@ static bool one_sign(const struct conic *conic, const struct place corners[3])
 {
     int above = 0, below = 0;
     for (int k = 0; k < STEINER_POINTS; k++) {
-        const long double value = polar(conic, &corners[first_index[k]],
-                                        &corners[second_index[k]]);
+        long double value = polar(conic, &corners[first_index[k]],
+                                  &corners[second_index[k]]);
         above += value > 0;
         below += value < 0;
     }
@@ -198,11 +198,11 @@ static struct homogeneous row_of(const struct primitive *primitive, int row,
 {
     struct homogeneous sum = { { 0 }, 0 };
     for (int k = 0; k < STEINER_POINTS; k++) {
-        const int i = first_index[k], j = second_index[k];
-        const double weight = primitive->shape.steiner_patch.weights[k];
+        int i = first_index[k], j = second_index[k];
+        double weight = primitive->shape.steiner_patch.weights[k];
         if (i != row && j != row)
             continue;
-        const double share = (double)at->p[i == row ? j : i] * weight;
+        double share = (double)at->p[i == row ? j : i] * weight;
         add_scaled(sum.xyz, sum.xyz, share,
                    primitive->shape.steiner_patch.points[k]);
         sum.w += share;

@@ -25,7 +25,7 @@ static void trace_path(const struct plain_tracer *tracer,
 static void find_nearest(const struct plain_tracer *tracer,
                          const struct ray *ray, struct plain_hit *hit)
 {
-    const struct scene *const scene = tracer->scene;
+    const struct scene *scene = tracer->scene;
     *hit = (struct plain_hit){ .primitive = NULL, .distance = INFINITY };
     for (size_t i = 0; i < scene->region_count; i++) {
         plain_cross_region(tracer->crossings, scene, &scene->regions[i], ray);
@@ -53,7 +53,7 @@ static double greatest(const double color[3])
 static void follow(const struct branching *from, const double direction[3],
                    double share, const double weight[3])
 {
-    const struct scene *const scene = from->tracer->scene;
+    const struct scene *scene = from->tracer->scene;
     struct path path = { .level = from->path->level + 1,
                          .importance = from->path->importance * share };
     struct plain_hit hit;
@@ -70,7 +70,7 @@ static void follow(const struct branching *from, const double direction[3],
 
 static void mirror(const struct plain_surface *surface, double direction[3])
 {
-    const double *const d = surface->ray->direction;
+    const double *d = surface->ray->direction;
     add_scaled(direction, d, -2 * dot(d, surface->normal), surface->normal);
 }
 
@@ -79,14 +79,14 @@ static void mirror(const struct plain_surface *surface, double direction[3])
 static bool refract(const struct plain_surface *surface, double ratio,
                     double direction[3])
 {
-    const double *const n = surface->normal;
+    const double *n = surface->normal;
     double across[3];
     copy(direction, surface->ray->direction);
     if (ratio == 1)
         return true;
     add_scaled(across, direction, -dot(direction, n), n);
     scale_by(across, ratio);
-    const double left = 1 - dot(across, across);
+    double left = 1 - dot(across, across);
     if (left < 0)
         return false;
     add_scaled(direction, across, -sqrt(left), n);
@@ -106,14 +106,14 @@ static bool is_clear(const struct scene *scene, const double passing[3])
 static void branch(const struct branching *from, const struct plain_hit *hit)
 {
     static const double all[3] = { 1, 1, 1 };
-    const struct plain_surface *const surface = from->surface;
-    const double *const reflection = surface->finish->reflection;
-    const double *const passing = surface->passing;
-    const double index = hit->primitive->ior;
-    const bool clear = is_clear(from->tracer->scene, passing);
+    const struct plain_surface *surface = from->surface;
+    const double *reflection = surface->finish->reflection;
+    const double *passing = surface->passing;
+    double index = hit->primitive->ior;
+    bool clear = is_clear(from->tracer->scene, passing);
     double mirrored[3], refracted[3];
-    const bool leaves = refract(surface, hit->entering ? 1 / index : index,
-                                refracted);
+    bool leaves = refract(surface, hit->entering ? 1 / index : index,
+                          refracted);
     mirror(surface, mirrored);
     if (clear && !leaves) {
         follow(from, mirrored, greatest(passing), all);
@@ -158,7 +158,7 @@ static struct ray camera_ray(const struct camera *camera, double u, double v)
 /* Colours computed for a display of some gamma: its power of them is light. */
 static double as_light(const struct scene *scene, double color)
 {
-    const double gamma = scene->assumed_gamma;
+    double gamma = scene->assumed_gamma;
     return gamma > 0 && gamma != 1 ? pow(fmax(color, 0), gamma) : color;
 }
 
@@ -166,9 +166,9 @@ static void store(const struct scene *scene, const struct frame *frame,
                   size_t pixel, const double color[3],
                   const struct plain_hit *hit)
 {
-    const double id = hit->primitive
-                          ? (double)(hit->primitive - scene->primitives + 1)
-                          : 0;
+    double id = hit->primitive
+                    ? (double)(hit->primitive - scene->primitives + 1)
+                    : 0;
     for (size_t i = 0; i < 3; i++) {
         frame->channel[CHANNEL_RED + i][pixel] = as_light(scene, color[i]);
         frame->channel[CHANNEL_NORMAL_X + i][pixel] = hit->normal[i];
@@ -180,9 +180,9 @@ static void store(const struct scene *scene, const struct frame *frame,
 static void trace_pixel(const struct plain_tracer *tracer,
                         const struct frame *frame, size_t x, size_t y)
 {
-    const struct scene *const scene = tracer->scene;
-    const double u = ((double)x + .5) / (double)frame->width - .5;
-    const double v = .5 - ((double)y + .5) / (double)frame->height;
+    const struct scene *scene = tracer->scene;
+    double u = ((double)x + .5) / (double)frame->width - .5;
+    double v = .5 - ((double)y + .5) / (double)frame->height;
     const struct path path = { camera_ray(&scene->camera, u, v), 1, 1 };
     struct plain_hit hit;
     double color[3];

@@ -239,7 +239,7 @@ static double dot(const double *a, const double *b)
  * Source: POV-Ray's torus.cpp; the project's notes on ray tracing, 1. */
 static void make_torus(struct polynomial *polynomial, uint64_t *state)
 {
-    const double major = 1, minor = 0.25;
+    double major = 1, minor = 0.25;
     double p[3], d[3], k1, k2, length;
 
     direction(p, state);

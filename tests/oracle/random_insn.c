@@ -69,8 +69,8 @@ static bool is_prefix(const c205_insn *insn)
 static const c205_insn *draw_insn(uint64_t *random,
                                   const c205_insn *const *rows, size_t i)
 {
-    const bool linked = (i > 0 && is_prefix(rows[i - 1]))
-                        || (i > 1 && is_prefix(rows[i - 2]));
+    bool linked = (i > 0 && is_prefix(rows[i - 1]))
+                  || (i > 1 && is_prefix(rows[i - 2]));
 
     if (linked && !one_in(random, 30))
         return draw_where(random, may_link);
@@ -116,7 +116,7 @@ static char integer_role(uint64_t *random, const c205_insn *insn, char field)
 
 static char vector_role(uint64_t *random, unsigned g, char role)
 {
-    const char of_other_size = role == 'v' ? 'w' : 'v';
+    char of_other_size = role == 'v' ? 'w' : 'v';
 
     if (g & C205_G_OFFSET)
         return role == 'v' ? 'p' : 'o';
@@ -137,9 +137,9 @@ static bool is_broadcast(char field, unsigned g)
 static char role_of(uint64_t *random, const c205_insn *insn, char field,
                     unsigned g)
 {
-    const char letter = reference_letter(insn, g, (char)toupper(field));
-    const bool number = is_broadcast(field, g);
-    const unsigned sources = g & ~C205_G_OFFSET;
+    char letter = reference_letter(insn, g, (char)toupper(field));
+    bool number = is_broadcast(field, g);
+    unsigned sources = g & ~C205_G_OFFSET;
 
     switch (letter) {
     case 'v':
@@ -195,11 +195,11 @@ static uint8_t *field_of(c205_fields *fields, char name)
 
 static unsigned draw_bits_of_g(uint64_t *random, const c205_insn *insn)
 {
-    const unsigned legal = reference_bits_of_g(insn);
+    unsigned legal = reference_bits_of_g(insn);
 
     if (one_in(random, 80))
         return (unsigned)random_bits(random) & 0xFF;
-    const unsigned size = one_in(random, 2) ? C205_G_HALF : 0;
+    unsigned size = one_in(random, 2) ? C205_G_HALF : 0;
 
     return (((unsigned)(random_bits(random) & random_bits(random))
              & ~C205_G_HALF)
@@ -318,7 +318,7 @@ static c205_fields draw_fields(uint64_t *random,
 static void link_fields(uint64_t *random, c205_fields *first,
                         c205_fields *second)
 {
-    const bool a = one_in(random, 2);
+    bool a = one_in(random, 2);
 
     if (!one_in(random, 20)) {
         first->z = 0;
@@ -358,7 +358,7 @@ static void link_pairs(uint64_t *random, struct random_program *program,
 void draw_insns(uint64_t *random, struct random_program *program)
 {
     const c205_insn *rows[PROGRAM_INSNS];
-    const size_t count = program->insn_count;
+    size_t count = program->insn_count;
 
     for (size_t i = 0; i + 1 < count; i++) {
         rows[i] = draw_insn(random, rows, i);

@@ -11,16 +11,15 @@ enum {
 /* Long instructions may begin in the middle of a word. */
 static void put_code(c205 *machine, const struct random_program *program)
 {
-    const uint64_t begin = program->code / WORD * WORD;
+    uint64_t begin = program->code / WORD * WORD;
     c205_word code[CODE_WORDS] = { 0 };
 
     for (size_t i = 0; i < program->insn_count; i++) {
-        const uint64_t at = program_address(program, i) - begin;
+        uint64_t at = program_address(program, i) - begin;
         for (unsigned k = 0; k < program->insns[i].halves; k++) {
-            const size_t half = (size_t)(at / HALF) + k;
-            const c205_word bits = program->insns[i].word
-                                       >> (k == 0 ? HALF : 0)
-                                   & UINT32_MAX;
+            size_t half = (size_t)(at / HALF) + k;
+            c205_word bits = program->insns[i].word >> (k == 0 ? HALF : 0)
+                             & UINT32_MAX;
             code[half / 2] |= bits << (half % 2 == 0 ? HALF : 0);
         }
     }

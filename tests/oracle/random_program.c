@@ -72,7 +72,7 @@ bool one_in(uint64_t *random, int64_t n)
 
 static c205_word integer(const struct oracle_format *format, int64_t value)
 {
-    const long exponent_bits = format->width - format->digits - 1;
+    long exponent_bits = format->width - format->digits - 1;
 
     return (c205_word)value << (WORD - format->digits - 1) >> exponent_bits;
 }
@@ -94,8 +94,8 @@ static c205_word number(uint64_t *random, const struct oracle_format *format)
 static c205_word near_half(uint64_t *random)
 {
     static const c205_word beyond[] = { 0, 0x7FFFFF, 0x800000, 0xFFFFFF };
-    const c205_word half = number(random, &oracle_half);
-    const int64_t exponent = ((int64_t)half >> 56) - 24;
+    c205_word half = number(random, &oracle_half);
+    int64_t exponent = ((int64_t)half >> 56) - 24;
 
     return (c205_word)exponent << 48 | (half >> HALF & LOW_24) << 24
            | beyond[random_between(random, 0, 3)];
@@ -110,7 +110,7 @@ static c205_word word_number(uint64_t *random)
 /* Two half words. */
 static c205_word half_numbers(uint64_t *random)
 {
-    const c205_word left = number(random, &oracle_half);
+    c205_word left = number(random, &oracle_half);
 
     return left | number(random, &oracle_half) >> HALF;
 }
@@ -212,8 +212,8 @@ static const struct pool *pool_of(char role)
 unsigned draw_register(uint64_t *random, char role)
 {
     const struct pool *pool = pool_of(role);
-    const bool pairs = strchr("poq", role);
-    const bool halves = strchr("hj", role);
+    bool pairs = strchr("poq", role);
+    bool halves = strchr("hj", role);
 
     if (one_in(random, 40))
         return (unsigned)random_between(random, 0, C205_REGISTERS - 1);
@@ -264,10 +264,9 @@ static const struct random_area *draw_area(uint64_t *random, char role)
 c205_word draw_descriptor(uint64_t *random, char role)
 {
     const struct random_area *area = draw_area(random, role);
-    const int64_t words = (int64_t)area->words;
-    const int64_t at = one_in(random, 3)
-                           ? random_between(random, 0, words - 1)
-                           : random_between(random, 0, words / 3);
+    int64_t words = (int64_t)area->words;
+    int64_t at = one_in(random, 3) ? random_between(random, 0, words - 1)
+                                   : random_between(random, 0, words / 3);
     uint64_t address = area->address + WORD * (uint64_t)at;
 
     if (role == 'b')
@@ -284,9 +283,9 @@ c205_word draw_descriptor(uint64_t *random, char role)
 c205_word draw_code_address(uint64_t *random,
                             const struct random_program *program)
 {
-    const size_t i = (size_t)random_between(random, 0,
-                                            (int64_t)program->insn_count - 1);
-    const uint64_t address = program_address(program, i);
+    size_t i = (size_t)random_between(random, 0,
+                                      (int64_t)program->insn_count - 1);
+    uint64_t address = program_address(program, i);
 
     return one_in(random, 30) ? address + 8 : address;
 }
@@ -295,7 +294,7 @@ c205_word draw_code_address(uint64_t *random,
 static c205_word code_vector(uint64_t *random,
                              const struct random_program *program)
 {
-    const uint64_t address = draw_code_address(random, program);
+    uint64_t address = draw_code_address(random, program);
 
     return (c205_word)random_between(random, 1, 5) << 48
            | address / WORD * WORD;
@@ -303,7 +302,7 @@ static c205_word code_vector(uint64_t *random,
 
 static c205_word half_integers(uint64_t *random)
 {
-    const c205_word left = (c205_word)draw_integer(random) & LOW_24;
+    c205_word left = (c205_word)draw_integer(random) & LOW_24;
 
     return left << HALF | ((c205_word)draw_integer(random) & LOW_24);
 }
@@ -348,9 +347,9 @@ static c205_word near_another(uint64_t *random,
                               const struct random_program *program, char role,
                               unsigned number)
 {
-    const unsigned other = role == 'w' && one_in(random, 2)
-                               ? draw_register(random, 'v')
-                               : number - 1;
+    unsigned other = role == 'w' && one_in(random, 2)
+                         ? draw_register(random, 'v')
+                         : number - 1;
 
     return program->registers[other]
            + step_of(role) * (uint64_t)random_between(random, -3, 3);
@@ -361,7 +360,7 @@ static void preset_registers(uint64_t *random, struct random_program *program)
 {
     for (size_t p = 0; p < POOLS; p++)
         for (unsigned i = 0; i < pools[p].count; i++) {
-            const unsigned number = pools[p].first + i;
+            unsigned number = pools[p].first + i;
             program->registers[number] = strchr("vw", pools[p].role) && i > 0
                                                  && one_in(random, 4)
                                              ? near_another(random, program,
@@ -386,10 +385,10 @@ uint64_t program_address(const struct random_program *program, size_t i)
 /* Anywhere, often such that the program runs on into the next page. */
 static uint64_t draw_beginning(uint64_t *random)
 {
-    const uint64_t words = one_in(random, 3)
-                               ? C205_PAGE_WORDS
-                                     - (uint64_t)random_between(random, 1, 20)
-                               : (uint64_t)random_between(random, 0, 200);
+    uint64_t words = one_in(random, 3)
+                         ? C205_PAGE_WORDS
+                               - (uint64_t)random_between(random, 1, 20)
+                         : (uint64_t)random_between(random, 0, 200);
 
     return IN_PAGE(1, words) + HALF * (random_bits(random) & 1);
 }

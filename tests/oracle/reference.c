@@ -42,7 +42,7 @@ static bool certain_fault(const struct reference *reference)
 /* With 32-bit operands some letters become capitals. */
 static char in_size(const c205_insn *insn, unsigned g, char letter)
 {
-    const bool half = insn->flags & C205_INSN_HALF && g & C205_G_HALF;
+    bool half = insn->flags & C205_INSN_HALF && g & C205_G_HALF;
 
     return half && strchr("fwvudcx", letter) ? (char)toupper(letter) : letter;
 }
@@ -110,9 +110,9 @@ static bool is_number(char letter)
 c205_word read_operand(const struct reference *reference, char letter,
                        unsigned number)
 {
-    const bool half = width_of_letter(letter) == HALF_BITS;
-    const unsigned whole = half ? whole_register(number) : number;
-    const c205_word word = read_bits(reference, whole);
+    bool half = width_of_letter(letter) == HALF_BITS;
+    unsigned whole = half ? whole_register(number) : number;
+    c205_word word = read_bits(reference, whole);
 
     if (whole == 0)
         return is_number(letter) ? C205_MACHINE_ZERO : 0;
@@ -122,8 +122,8 @@ c205_word read_operand(const struct reference *reference, char letter,
 void write_operand(struct reference *reference, char letter, unsigned number,
                    c205_word word)
 {
-    const unsigned whole = whole_register(number);
-    const c205_word mask = LEFT_HALF >> shift_of_half(number);
+    unsigned whole = whole_register(number);
+    c205_word mask = LEFT_HALF >> shift_of_half(number);
 
     if (width_of_letter(letter) == HALF_BITS)
         write_register(reference, whole,
@@ -177,8 +177,8 @@ c205_word read_memory(struct reference *reference, uint64_t address,
 void write_memory(struct reference *reference, uint64_t address,
                   unsigned width, c205_word word)
 {
-    const c205_word old = plain_read(&reference->memory, word_of(address));
-    const uint64_t mask = bits_in_word(address, width);
+    c205_word old = plain_read(&reference->memory, word_of(address));
+    uint64_t mask = bits_in_word(address, width);
 
     check_write(reference, address, width, true);
     if (width == BIT)
@@ -245,7 +245,7 @@ static bool fetch(struct reference *reference)
 static unsigned vector_bits(const c205_insn *insn)
 {
     const char *syntax = c205_format_syntax(insn->format);
-    const bool signs = insn->flags & C205_INSN_SIGN;
+    bool signs = insn->flags & C205_INSN_SIGN;
     unsigned bits = insn->subop_mask;
 
     if (strchr(syntax, 'a'))
@@ -278,7 +278,7 @@ unsigned reference_bits_of_g(const c205_insn *insn)
 static bool has_only(const c205_insn *insn, c205_word word,
                      const c205_fields *fields)
 {
-    const unsigned g = fields->g;
+    unsigned g = fields->g;
 
     if ((g & ~reference_bits_of_g(insn)) != 0
         || c205_encode(insn, fields) != word)

@@ -72,12 +72,12 @@ static uint64_t long_target(const struct reference *reference,
 static void branch_on_index(struct reference *reference,
                             const c205_insn *insn, const c205_fields *fields)
 {
-    const c205_word a = read_bits(reference, fields->a);
-    const c205_word sum = (a + read_bits(reference, fields->x)) & LOW_48;
-    const c205_word limit = read_bits(reference, fields->z);
-    const uint64_t target = long_target(reference, fields);
-    const enum relation found = compare_integers(as_integer(sum),
-                                                 as_integer(limit));
+    c205_word a = read_bits(reference, fields->a);
+    c205_word sum = (a + read_bits(reference, fields->x)) & LOW_48;
+    c205_word limit = read_bits(reference, fields->z);
+    uint64_t target = long_target(reference, fields);
+    enum relation found = compare_integers(as_integer(sum),
+                                           as_integer(limit));
 
     write_register(reference, fields->c, sum);
     go_to(reference, target,
@@ -88,11 +88,10 @@ static void branch_on_numbers(struct reference *reference,
                               const c205_insn *insn, unsigned a, unsigned b,
                               uint64_t target)
 {
-    const char letter = insn->operands[0];
-    const enum relation found =
-        compare_numbers(format_of(width_of_letter(letter)),
-                        read_operand(reference, letter, a),
-                        read_operand(reference, letter, b));
+    char letter = insn->operands[0];
+    enum relation found = compare_numbers(format_of(width_of_letter(letter)),
+                                          read_operand(reference, letter, a),
+                                          read_operand(reference, letter, b));
 
     go_to(reference, target,
           branches_on(reference_which(insn)) & (unsigned)found);
@@ -102,8 +101,8 @@ static void count_and_branch(struct reference *reference,
                              const c205_fields *fields, uint64_t step,
                              uint64_t target)
 {
-    const c205_word r = read_bits(reference, fields->r);
-    const c205_word count = with_low(r, r + step);
+    c205_word r = read_bits(reference, fields->r);
+    c205_word count = with_low(r, r + step);
 
     write_register(reference, fields->r, count);
     go_to(reference, target, (count & LOW_48) != 0);
@@ -134,8 +133,8 @@ static c205_word branch_on_bit(struct reference *reference,
                                const c205_fields *fields, c205_word word,
                                c205_word number)
 {
-    const uint64_t mask = UINT64_C(1) << (BITS - 1 - number % BITS);
-    const bool bit = word & mask;
+    uint64_t mask = UINT64_C(1) << (BITS - 1 - number % BITS);
+    bool bit = word & mask;
 
     go_to(reference, read_bits(reference, fields->c),
           holds(fields->immediate, bit));
@@ -145,9 +144,9 @@ static c205_word branch_on_bit(struct reference *reference,
 static void branch_on_memory(struct reference *reference,
                              const c205_fields *fields)
 {
-    const uint64_t address = plain_address(read_bits(reference, fields->a)
-                                           + read_bits(reference, fields->b));
-    const bool bit = read_memory(reference, address, BIT);
+    uint64_t address = plain_address(read_bits(reference, fields->a)
+                                     + read_bits(reference, fields->b));
+    bool bit = read_memory(reference, address, BIT);
 
     add_extent(reference, address, 1);
     go_to(reference, read_bits(reference, fields->c),
@@ -161,7 +160,7 @@ static void branch_on_one_bit(struct reference *reference,
                               const c205_insn *insn,
                               const c205_fields *fields)
 {
-    const c205_word a = read_bits(reference, fields->a);
+    c205_word a = read_bits(reference, fields->a);
 
     if (reference_which(insn) == DO_BAB)
         branch_on_memory(reference, fields);
@@ -198,7 +197,7 @@ static void look_at(struct reference *reference, c205_word descriptor,
 static void ask_monitor(struct reference *reference,
                         const c205_fields *fields)
 {
-    const c205_word r = read_bits(reference, fields->r);
+    c205_word r = read_bits(reference, fields->r);
 
     if (fields->immediate >= REQUESTS)
         add_fault(reference, C205_TRAP_BAD_REQUEST, 0, true);
@@ -210,8 +209,8 @@ static void ask_monitor(struct reference *reference,
 void do_branch(struct reference *reference, const c205_insn *insn,
                const c205_fields *fields)
 {
-    const uint64_t t = read_bits(reference, fields->t);
-    const uint64_t called = t + HALF_BITS * read_bits(reference, fields->s);
+    uint64_t t = read_bits(reference, fields->t);
+    uint64_t called = t + HALF_BITS * read_bits(reference, fields->s);
 
     switch (reference_which(insn)) {
     case DO_IBNZ: count_and_branch(reference, fields, 1, called); break;

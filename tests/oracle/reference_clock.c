@@ -94,10 +94,10 @@ static void name_operand(struct named *named, const c205_insn *insn,
                          const c205_fields *fields, char field,
                          unsigned number)
 {
-    const unsigned bit = field == 'A'   ? C205_G_BROADCAST_A
-                         : field == 'B' ? C205_G_BROADCAST_B
-                                        : 0;
-    const char letter = reference_letter(insn, fields->g, field);
+    unsigned bit = field == 'A'   ? C205_G_BROADCAST_A
+                   : field == 'B' ? C205_G_BROADCAST_B
+                                  : 0;
+    char letter = reference_letter(insn, fields->g, field);
 
     name_register(named, reference_is_half_register(letter, fields->g & bit)
                              ? number / 2
@@ -128,7 +128,7 @@ static void name_result(struct named *named, const c205_insn *insn,
 static void name_field(struct named *named, const c205_insn *insn,
                        const c205_fields *fields, char field)
 {
-    const bool vector = insn->unit == C205_UNIT_VECTOR;
+    bool vector = insn->unit == C205_UNIT_VECTOR;
 
     switch (field) {
     case 'R': name_operand(named, insn, fields, 'R', fields->r); break;
@@ -201,13 +201,13 @@ static char written_field(const c205_insn *insn)
 /* The register that gets the result, whole or a half of it. */
 static unsigned written(const c205_insn *insn, const c205_fields *fields)
 {
-    const char field = written_field(insn);
-    const unsigned number = field == 'A'   ? fields->a
-                            : field == 'C' ? fields->c
-                            : field == 'R' ? fields->r
-                            : field == 'T' ? fields->t
-                                           : NO_REGISTER;
-    const char letter = reference_letter(insn, fields->g, field);
+    char field = written_field(insn);
+    unsigned number = field == 'A'   ? fields->a
+                      : field == 'C' ? fields->c
+                      : field == 'R' ? fields->r
+                      : field == 'T' ? fields->t
+                                     : NO_REGISTER;
+    char letter = reference_letter(insn, fields->g, field);
 
     return reference_is_half_register(letter, false) ? number / 2 : number;
 }
@@ -216,7 +216,7 @@ static unsigned written(const c205_insn *insn, const c205_fields *fields)
 static void deliver(struct reference_clock *clock, const c205_insn *insn,
                     const c205_fields *fields, struct awaited awaited)
 {
-    const unsigned number = written(insn, fields);
+    unsigned number = written(insn, fields);
 
     if (number == NO_REGISTER)
         return;
@@ -238,8 +238,8 @@ struct translation {
 /* Real memory has room for a page at least. */
 static struct translation nothing_met(const struct reference_clock *clock)
 {
-    const uint64_t words = constant(clock, "page", "words");
-    const uint64_t pages = constant(clock, "memory", "real_words") / words;
+    uint64_t words = constant(clock, "page", "words");
+    uint64_t pages = constant(clock, "memory", "real_words") / words;
 
     return (struct translation){
         .page_bits = words * WORD,
@@ -255,10 +255,10 @@ static size_t touch(struct reference_clock *clock, uint64_t page)
 
     while (depth < clock->page_count && clock->pages[depth] != page)
         depth++;
-    const bool known = depth < clock->page_count;
+    bool known = depth < clock->page_count;
     if (!known && clock->page_count < CLOCK_PAGES)
         clock->page_count++;
-    const size_t above = lesser(depth, CLOCK_PAGES - 1);
+    size_t above = lesser(depth, CLOCK_PAGES - 1);
     memmove(clock->pages + 1, clock->pages, above * sizeof *clock->pages);
     clock->pages[0] = page;
     return known ? depth : CLOCK_PAGES;
@@ -267,7 +267,7 @@ static size_t touch(struct reference_clock *clock, uint64_t page)
 static void look_up(struct reference_clock *clock, uint64_t page,
                     struct translation *translation)
 {
-    const size_t depth = touch(clock, page);
+    size_t depth = touch(clock, page);
 
     if (depth >= translation->registers || depth >= translation->real_pages)
         translation->misses++;
@@ -279,11 +279,11 @@ static struct translation translate(struct reference_clock *clock,
                                     const struct deed *deed)
 {
     struct translation translation = nothing_met(clock);
-    const uint64_t page_bits = translation.page_bits;
+    uint64_t page_bits = translation.page_bits;
 
     for (size_t i = 0; i < deed->extent_count; i++) {
         const struct extent *extent = deed->extents + i;
-        const uint64_t last = extent->address + extent->bits - 1;
+        uint64_t last = extent->address + extent->bits - 1;
         for (uint64_t page = plain_address(extent->address) / page_bits;
              page <= plain_address(last) / page_bits; page++)
             look_up(clock, page, &translation);
@@ -337,10 +337,9 @@ static void reach_memory(struct reference_clock *clock,
 
 static void step_swap(struct reference_clock *clock, const struct deed *deed)
 {
-    const uint64_t words = deed->swapped * millionths(clock, "swap", "word")
-                           + MILLION - 1;
-    const uint64_t clocks = constant(clock, "latency", "swap")
-                            + words / MILLION;
+    uint64_t words = deed->swapped * millionths(clock, "swap", "word")
+                     + MILLION - 1;
+    uint64_t clocks = constant(clock, "latency", "swap") + words / MILLION;
     uint64_t begin;
 
     wait_for_registers(clock, deed->insns[0], deed->fields);
@@ -357,7 +356,7 @@ static void step_scalar(struct reference_clock *clock,
                         const struct deed *deed)
 {
     const c205_insn *insn = deed->insns[0];
-    const bool load = insn->timing == C205_TIMING_load;
+    bool load = insn->timing == C205_TIMING_load;
     uint64_t ready;
 
     wait_for_registers(clock, insn, deed->fields);
@@ -389,7 +388,7 @@ static void run_on(struct reference_clock *clock, const struct deed *deed)
     end = (deed->pc + HALF * halves + WORD - 1) / WORD;
     if (end > clock->stack_high)
         clock->stack_high = end;
-    const uint64_t words = constant(clock, "branch", "stack_words");
+    uint64_t words = constant(clock, "branch", "stack_words");
     if (clock->stack_high - clock->stack_low > words)
         clock->stack_low = clock->stack_high - words;
 }
@@ -397,8 +396,8 @@ static void run_on(struct reference_clock *clock, const struct deed *deed)
 static void step_branch(struct reference_clock *clock,
                         const struct deed *deed)
 {
-    const uint64_t word = deed->target / WORD;
-    const bool inside = word >= clock->stack_low && word < clock->stack_high;
+    uint64_t word = deed->target / WORD;
+    bool inside = word >= clock->stack_low && word < clock->stack_high;
 
     if (deed->insns[0]->timing == C205_TIMING_monitor)
         pass(clock, C205_BRANCH, constant(clock, "latency", "monitor") - 1);
@@ -418,13 +417,13 @@ static void step_branch(struct reference_clock *clock,
 static uint64_t conflicts(const struct reference_clock *clock,
                           const struct deed *deed)
 {
-    const uint64_t banks = constant(clock, "memory", "banks");
-    const uint64_t busy = constant(clock, "memory", "bank_busy");
+    uint64_t banks = constant(clock, "memory", "banks");
+    uint64_t busy = constant(clock, "memory", "bank_busy");
     uint64_t free[1024] = { 0 };
     uint64_t time = 0;
 
     for (size_t k = 0; k < deed->indexed_count; k++) {
-        const uint64_t bank = deed->indexed[k] / WORD % banks;
+        uint64_t bank = deed->indexed[k] / WORD % banks;
         if (k > 0)
             time++;
         if (free[bank] > time)
@@ -476,10 +475,9 @@ static void forget_phases(struct reference_clock *clock)
 /* Part of the start-up hides under the stream before. */
 static void wait_for_overlap(struct reference_clock *clock, uint64_t startup)
 {
-    const uint64_t hidden = lesser(lesser(constant(clock, "vector",
-                                                   "overlap"),
-                                          clock->vector_stream),
-                                   startup);
+    uint64_t hidden = lesser(lesser(constant(clock, "vector", "overlap"),
+                                    clock->vector_stream),
+                             startup);
 
     if (clock->vector_done > hidden)
         wait_for_vector(clock, clock->vector_done - hidden);
@@ -488,9 +486,9 @@ static void wait_for_overlap(struct reference_clock *clock, uint64_t startup)
 static void step_vector(struct reference_clock *clock,
                         const struct deed *deed)
 {
-    const size_t last = deed->insn_count - 1;
-    const c205_timing timing = deed->insns[0]->timing;
-    const uint64_t startup = of_class(clock, "startup", timing);
+    size_t last = deed->insn_count - 1;
+    c205_timing timing = deed->insns[0]->timing;
+    uint64_t startup = of_class(clock, "startup", timing);
     struct translation translation;
     uint64_t end;
 

@@ -21,7 +21,7 @@ static void use_operands(struct reference *reference,
 /* As if A had the length of C. */
 static void reverse(struct reference *reference, const struct vector *vector)
 {
-    const uint64_t length = vector->c.length;
+    uint64_t length = vector->c.length;
 
     use_operands(reference, vector, length, length);
     for (uint64_t i = 0; i < length; i++)
@@ -49,7 +49,7 @@ static uint64_t indexed(struct reference *reference,
                         const struct vector *vector, uint64_t i,
                         const struct target *table)
 {
-    const c205_word index = element(reference, &vector->sources.a, i);
+    c205_word index = element(reference, &vector->sources.a, i);
     return plain_address(table->address + table->width * (index & LOW_48));
 }
 
@@ -59,12 +59,11 @@ static void gather(struct reference *reference, const struct vector *vector)
     const struct target table = { .width = vector->c.width,
                                   .address = read_bits(reference,
                                                        vector->fields->b) };
-    const uint64_t length = lesser(vector->c.length,
-                                   vector->sources.a.length);
+    uint64_t length = lesser(vector->c.length, vector->sources.a.length);
 
     use_operands(reference, vector, length, length);
     for (uint64_t i = 0; i < length; i++) {
-        const uint64_t from = indexed(reference, vector, i, &table);
+        uint64_t from = indexed(reference, vector, i, &table);
         if (permitted(reference, vector, i)) {
             note_index(reference, from);
             store_element(reference, &vector->c, i,
@@ -78,12 +77,12 @@ static void gather(struct reference *reference, const struct vector *vector)
 
 static void scatter(struct reference *reference, const struct vector *vector)
 {
-    const uint64_t length = vector->sources.a.length;
+    uint64_t length = vector->sources.a.length;
 
     use_operands(reference, vector, length, 0);
     for (uint64_t i = 0; i < length; i++) {
-        const uint64_t to = indexed(reference, vector, i, &vector->c);
-        const c205_word word = element(reference, &vector->sources.b, i);
+        uint64_t to = indexed(reference, vector, i, &vector->c);
+        c205_word word = element(reference, &vector->sources.b, i);
         if (permitted(reference, vector, i)) {
             note_index(reference, to);
             write_memory(reference, to, vector->c.width, word);
@@ -98,8 +97,8 @@ static void mask(struct reference *reference, const struct vector *vector)
 {
     use_operands(reference, vector, vector->c.length, vector->c.length);
     for (uint64_t i = 0; i < vector->c.length; i++) {
-        const c205_word a = element(reference, &vector->sources.a, i);
-        const c205_word b = element(reference, &vector->sources.b, i);
+        c205_word a = element(reference, &vector->sources.a, i);
+        c205_word b = element(reference, &vector->sources.b, i);
         store_element(reference, &vector->c, i,
                       permitted(reference, vector, i) ? a : b);
     }
@@ -114,10 +113,9 @@ static void merge(struct reference *reference, const struct vector *vector)
     may_need(reference, &sources->a, vector->c.length);
     may_need(reference, &sources->b, vector->c.length);
     for (uint64_t i = 0; i < vector->c.length; i++) {
-        const c205_word word = permitted(reference, vector, i)
-                                   ? element(reference, &sources->a, from_a++)
-                                   : element(reference, &sources->b,
-                                             from_b++);
+        c205_word word = permitted(reference, vector, i)
+                             ? element(reference, &sources->a, from_a++)
+                             : element(reference, &sources->b, from_b++);
         store_element(reference, &vector->c, i, word);
     }
 }
@@ -136,7 +134,7 @@ static void compress(struct reference *reference, const struct vector *vector)
 
     may_store(reference, vector, vector->z.length);
     for (uint64_t i = 0; i < vector->z.length; i++) {
-        const c205_word word = element(reference, &vector->sources.a, i);
+        c205_word word = element(reference, &vector->sources.a, i);
         if (permitted(reference, vector, i))
             store_element(reference, &vector->c, stored++, word);
     }
@@ -153,10 +151,9 @@ static void sieve(struct reference *reference, const struct vector *vector)
         return;
     may_store(reference, vector, length);
     for (uint64_t i = 0; i < length; i++) {
-        const c205_word a = element(reference, &vector->sources.a, i);
-        const c205_word b = element(reference, &vector->sources.b, i);
-        const bool passes = oracle_not_less(vector->sources.format, a, b,
-                                            &flags);
+        c205_word a = element(reference, &vector->sources.a, i);
+        c205_word b = element(reference, &vector->sources.b, i);
+        bool passes = oracle_not_less(vector->sources.format, a, b, &flags);
         if (passes)
             store_element(reference, &vector->c, stored++, a);
         store_element(reference, &vector->z, i, passes);

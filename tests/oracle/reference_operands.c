@@ -42,8 +42,8 @@ c205_word element(struct reference *reference, const struct source *source,
 c205_word join(struct reference *reference, const struct pair *pair,
                uint64_t i, uint64_t *flags)
 {
-    const c205_word a = element(reference, &pair->a, i);
-    const c205_word b = pair->has_b ? element(reference, &pair->b, i) : 0;
+    c205_word a = element(reference, &pair->a, i);
+    c205_word b = pair->has_b ? element(reference, &pair->b, i) : 0;
 
     return pair->rule(pair->format, a, b, flags);
 }
@@ -53,7 +53,7 @@ c205_word join(struct reference *reference, const struct pair *pair,
 bool permitted(struct reference *reference, const struct vector *vector,
                uint64_t i)
 {
-    const bool on_zeros = vector->fields->g & C205_G_ZEROS;
+    bool on_zeros = vector->fields->g & C205_G_ZEROS;
 
     if (vector->fields->z == 0)
         return true;
@@ -90,7 +90,7 @@ bool scan_length(struct reference *reference, const struct vector *vector,
                  uint64_t *length)
 {
     const struct pair *sources = &vector->sources;
-    const bool of_b = sources->a.kind == NUMBER;
+    bool of_b = sources->a.kind == NUMBER;
 
     *length = of_b ? sources->b.length : sources->a.length;
     if (!of_b || (sources->has_b && sources->b.kind != NUMBER))
@@ -102,7 +102,7 @@ bool scan_length(struct reference *reference, const struct vector *vector,
 void set_length(struct reference *reference, const struct vector *vector,
                 uint64_t length)
 {
-    const unsigned c = vector->fields->c;
+    unsigned c = vector->fields->c;
 
     write_register(reference, c,
                    with_length(read_bits(reference, c), length));
@@ -115,9 +115,9 @@ static struct target behind_offset(struct reference *reference,
                                    c205_word descriptor, unsigned offset,
                                    unsigned width)
 {
-    const int64_t skipped = as_integer(read_bits(reference, offset));
-    const uint64_t length = length_of(descriptor);
-    const uint64_t count = (uint64_t)skipped;
+    int64_t skipped = as_integer(read_bits(reference, offset));
+    uint64_t length = length_of(descriptor);
+    uint64_t count = (uint64_t)skipped;
 
     if (skipped < 0)
         add_fault(reference, C205_TRAP_BAD_DESCRIPTOR, 0, true);
@@ -149,10 +149,10 @@ struct source vector_source(struct reference *reference,
                             const c205_insn *insn, char letter,
                             unsigned number, unsigned offset)
 {
-    const unsigned width = width_of_letter(letter);
-    const struct target place = behind_offset(reference,
-                                              read_bits(reference, number),
-                                              offset, width);
+    unsigned width = width_of_letter(letter);
+    struct target place = behind_offset(reference,
+                                        read_bits(reference, number), offset,
+                                        width);
 
     return (struct source){
         .kind = VECTOR,
@@ -177,9 +177,9 @@ static void take_sources(struct reference *reference, struct vector *vector)
 {
     const c205_insn *insn = vector->insn;
     const c205_fields *fields = vector->fields;
-    const char a = reference_letter(insn, fields->g, 'A');
-    const char b = reference_letter(insn, fields->g, 'B');
-    const bool signs = insn->flags & C205_INSN_SIGN;
+    char a = reference_letter(insn, fields->g, 'A');
+    char b = reference_letter(insn, fields->g, 'B');
+    bool signs = insn->flags & C205_INSN_SIGN;
     struct pair *pair = &vector->sources;
 
     pair->rule = reference_rule(insn);
@@ -200,12 +200,10 @@ void take_targets(struct reference *reference, struct vector *vector)
 {
     const c205_insn *insn = vector->insn;
     const c205_fields *fields = vector->fields;
-    const unsigned width = width_of_letter(
-        reference_letter(insn, fields->g, 'C'));
-    const unsigned offset = fields->g & reference_bits_of_g(insn)
-                                    & C205_G_OFFSET
-                                ? fields->c + 1u
-                                : 0;
+    unsigned width = width_of_letter(reference_letter(insn, fields->g, 'C'));
+    unsigned offset = fields->g & reference_bits_of_g(insn) & C205_G_OFFSET
+                          ? fields->c + 1u
+                          : 0;
 
     vector->c = behind_offset(reference, read_bits(reference, fields->c),
                               offset, width);
@@ -232,7 +230,7 @@ bool take_operands(struct reference *reference, const c205_insn *insn,
 void use_source(struct reference *reference, const struct source *source,
                 uint64_t n)
 {
-    const uint64_t used = n < source->length ? n : source->length;
+    uint64_t used = n < source->length ? n : source->length;
 
     if (source->kind == VECTOR)
         add_extent(reference, source->address, source->width * used);

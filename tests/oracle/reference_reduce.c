@@ -8,7 +8,7 @@ static void select_first(struct reference *reference,
     uint64_t first = length, flags = 0;
 
     for (uint64_t i = length; i-- > 0;) {
-        const bool passes = join(reference, &vector->sources, i, &flags);
+        bool passes = join(reference, &vector->sources, i, &flags);
         if (permitted(reference, vector, i) && passes)
             first = i;
     }
@@ -21,7 +21,7 @@ static c205_word term(struct reference *reference,
                       uint64_t *flags)
 {
     const struct pair *sources = &vector->sources;
-    const c205_word a = element(reference, &sources->a, i);
+    c205_word a = element(reference, &sources->a, i);
 
     if (!sources->has_b)
         return a;
@@ -47,9 +47,8 @@ static void accumulate(struct reference *reference,
 {
     for (uint64_t i = 0; i < length; i++) {
         uint64_t flags = 0;
-        const c205_word next = term(reference, vector, i, &flags);
-        const c205_word sum = rule(vector->sources.format, total, next,
-                                   &flags);
+        c205_word next = term(reference, vector, i, &flags);
+        c205_word sum = rule(vector->sources.format, total, next, &flags);
         if (permitted(reference, vector, i)) {
             reference->now.flags |= flags;
             total = sum;
@@ -89,7 +88,7 @@ static void extreme(struct reference *reference, const struct vector *vector,
     uint64_t index = length;
 
     for (uint64_t i = 0; i < length; i++) {
-        const c205_word word = element(reference, &vector->sources.a, i);
+        c205_word word = element(reference, &vector->sources.a, i);
         if (permitted(reference, vector, i)
             && (index == length
                 || surpasses(vector->sources.format, word, best, greatest))) {
@@ -106,7 +105,7 @@ static void extreme(struct reference *reference, const struct vector *vector,
 
 void do_reduction(struct reference *reference, const struct vector *vector)
 {
-    const enum reference_insn which = reference_which(vector->insn);
+    enum reference_insn which = reference_which(vector->insn);
     uint64_t length;
 
     if (!scan_length(reference, vector, &length))

@@ -19,8 +19,8 @@ static void apply_rule(struct reference *reference, const c205_insn *insn,
                        const c205_fields *fields)
 {
     const char *letters = insn->operands;
-    const c205_word r = read_operand(reference, letters[0], fields->r);
-    const c205_word s = read_operand(reference, letters[1], fields->s);
+    c205_word r = read_operand(reference, letters[0], fields->r);
+    c205_word s = read_operand(reference, letters[1], fields->s);
     const struct oracle_format *format = format_of(
         width_of_letter(letters[0]));
 
@@ -37,8 +37,8 @@ static c205_word half_of(uint64_t high, uint64_t low)
 static void enter_half(struct reference *reference, const c205_fields *fields,
                        bool add)
 {
-    const c205_word old = read_operand(reference, 'I', fields->r);
-    const uint64_t immediate = (uint64_t)fields->immediate;
+    c205_word old = read_operand(reference, 'I', fields->r);
+    uint64_t immediate = (uint64_t)fields->immediate;
 
     write_operand(reference, 'W', fields->r,
                   add ? half_of(old, (old >> HALF_BITS) + immediate)
@@ -62,7 +62,7 @@ static void set_timer(struct reference *reference, c205_word clocks)
 static void exchange_flags(struct reference *reference,
                            const c205_fields *fields)
 {
-    const c205_word old = reference->now.flags;
+    c205_word old = reference->now.flags;
 
     reference->now.flags = read_bits(reference, fields->r);
     write_register(reference, fields->t, old);
@@ -77,8 +77,8 @@ struct field {
 static struct field describe_field(struct reference *reference,
                                    c205_word descriptor)
 {
-    const uint64_t length = length_of(descriptor);
-    const uint64_t first = descriptor & LOW_48;
+    uint64_t length = length_of(descriptor);
+    uint64_t first = descriptor & LOW_48;
     struct field none = { 0, 0 };
 
     if (first + length > BITS)
@@ -91,9 +91,8 @@ static struct field describe_field(struct reference *reference,
 
 static void extract(struct reference *reference, const c205_fields *fields)
 {
-    const struct field field = describe_field(reference,
-                                              read_bits(reference,
-                                                        fields->s));
+    struct field field = describe_field(reference,
+                                        read_bits(reference, fields->s));
 
     write_register(reference, fields->t,
                    read_bits(reference, fields->r) >> field.shift
@@ -102,12 +101,11 @@ static void extract(struct reference *reference, const c205_fields *fields)
 
 static void insert(struct reference *reference, const c205_fields *fields)
 {
-    const struct field field = describe_field(reference,
-                                              read_bits(reference,
-                                                        fields->s));
-    const c205_word bits = read_bits(reference, fields->r) & field.mask;
-    const c205_word rest = read_bits(reference, fields->t)
-                           & ~(field.mask << field.shift);
+    struct field field = describe_field(reference,
+                                        read_bits(reference, fields->s));
+    c205_word bits = read_bits(reference, fields->r) & field.mask;
+    c205_word rest = read_bits(reference, fields->t)
+                     & ~(field.mask << field.shift);
 
     write_register(reference, fields->t, rest | bits << field.shift);
 }
@@ -131,9 +129,9 @@ static void look_at_vectors(struct reference *reference, c205_word from,
 /* Saved first, then loaded; the descriptors are read before either. */
 static void swap(struct reference *reference, const c205_fields *fields)
 {
-    const c205_word from = read_bits(reference, fields->r);
-    const c205_word to = read_bits(reference, fields->t);
-    const uint64_t saved = length_of(to), loaded = length_of(from);
+    c205_word from = read_bits(reference, fields->r);
+    c205_word to = read_bits(reference, fields->t);
+    uint64_t saved = length_of(to), loaded = length_of(from);
 
     if (fields->s + saved > C205_REGISTERS
         || fields->s + loaded > C205_REGISTERS) {
@@ -156,11 +154,11 @@ static void swap(struct reference *reference, const c205_fields *fields)
 static void reach_memory(struct reference *reference, const c205_insn *insn,
                          const c205_fields *fields, bool store)
 {
-    const char letter = reference_letter(insn, 0, 'T');
-    const unsigned width = width_of_letter(letter);
-    const uint64_t address = plain_address(
-        read_bits(reference, fields->r)
-        + width * read_bits(reference, fields->s));
+    char letter = reference_letter(insn, 0, 'T');
+    unsigned width = width_of_letter(letter);
+    uint64_t address = plain_address(read_bits(reference, fields->r)
+                                     + width
+                                           * read_bits(reference, fields->s));
 
     add_extent(reference, address, width);
     if (store)
@@ -174,10 +172,10 @@ static void reach_memory(struct reference *reference, const c205_insn *insn,
 void do_scalar(struct reference *reference, const c205_insn *insn,
                const c205_fields *fields)
 {
-    const uint64_t immediate = (uint64_t)fields->immediate;
-    const c205_word r = read_bits(reference, fields->r);
-    const c205_word s = read_bits(reference, fields->s);
-    const unsigned first = fields->r, result = fields->t;
+    uint64_t immediate = (uint64_t)fields->immediate;
+    c205_word r = read_bits(reference, fields->r);
+    c205_word s = read_bits(reference, fields->s);
+    unsigned first = fields->r, result = fields->t;
 
     switch (reference_which(insn)) {
     case DO_ES:

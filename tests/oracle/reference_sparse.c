@@ -68,8 +68,8 @@ static uint64_t make_elements(struct reference *reference,
     uint64_t next_a = 0, next_b = 0, made = 0;
 
     for (uint64_t i = 0; i < n; i++) {
-        const c205_word x = next_element(reference, a, i, &next_a);
-        const c205_word y = next_element(reference, b, i, &next_b);
+        c205_word x = next_element(reference, a, i, &next_a);
+        c205_word y = next_element(reference, b, i, &next_b);
         if (is_made(vector, a, b, i))
             store_element(reference, &vector->c, made++,
                           vector->sources.rule(vector->sources.format, x, y,
@@ -81,8 +81,8 @@ static uint64_t make_elements(struct reference *reference,
 static void set_lengths(struct reference *reference,
                         const c205_fields *fields, uint64_t made, uint64_t n)
 {
-    const c205_word c = read_bits(reference, fields->c);
-    const c205_word z = read_bits(reference, fields->z);
+    c205_word c = read_bits(reference, fields->c);
+    c205_word z = read_bits(reference, fields->z);
 
     write_register(reference, fields->c, with_length(c, made));
     write_register(reference, fields->z, with_length(z, n));
@@ -92,7 +92,7 @@ static void do_packed(struct reference *reference,
                       const struct vector *vector, struct packed *a,
                       struct packed *b)
 {
-    const uint64_t n = greater(a->order.length, b->order.length);
+    uint64_t n = greater(a->order.length, b->order.length);
     uint64_t made;
 
     read_order(reference, a, n);
@@ -113,7 +113,7 @@ void do_sparse(struct reference *reference, const c205_insn *insn,
                const c205_fields *fields)
 {
     struct vector vector = { .insn = insn, .fields = fields };
-    const char letter = reference_letter(insn, fields->g, 'A');
+    char letter = reference_letter(insn, fields->g, 'A');
     struct packed a, b;
 
     vector.sources.rule = reference_rule(insn);

@@ -10,7 +10,7 @@ static void each_element(struct reference *reference,
 {
     for (uint64_t i = 0; i < vector->c.length; i++) {
         uint64_t flags = 0;
-        const c205_word word = join(reference, &vector->sources, i, &flags);
+        c205_word word = join(reference, &vector->sources, i, &flags);
         write_element(reference, vector, i, word, flags);
     }
 }
@@ -23,10 +23,10 @@ static void each_neighbour(struct reference *reference,
 
     for (uint64_t i = 0; i < vector->c.length; i++) {
         uint64_t flags = 0;
-        const c205_word here = element(reference, a, i);
-        const c205_word next = element(reference, a, i + 1);
-        const c205_word word = vector->sources.rule(vector->sources.format,
-                                                    next, here, &flags);
+        c205_word here = element(reference, a, i);
+        c205_word next = element(reference, a, i + 1);
+        c205_word word = vector->sources.rule(vector->sources.format, next,
+                                              here, &flags);
         write_element(reference, vector, i, word, flags);
     }
 }
@@ -81,10 +81,9 @@ static void each_scan(struct reference *reference,
     may_need(reference, &pair->b, vector->c.length > 0 ? pair->b.length : 0);
     for (uint64_t i = 0; i < vector->c.length; i++) {
         uint64_t flags = 0;
-        const c205_word x = element(reference, &pair->a, i);
-        const c205_word word = pair->rule
-                                   ? search(reference, pair, x, &steps)
-                                   : polynomial(reference, pair, x, &flags);
+        c205_word x = element(reference, &pair->a, i);
+        c205_word word = pair->rule ? search(reference, pair, x, &steps)
+                                    : polynomial(reference, pair, x, &flags);
         write_element(reference, vector, i, word, flags);
     }
     reference->deed.elements = pair->rule ? steps
@@ -93,7 +92,7 @@ static void each_scan(struct reference *reference,
 
 static void interval(struct reference *reference, const struct vector *vector)
 {
-    const c205_word step = element(reference, &vector->sources.b, 0);
+    c205_word step = element(reference, &vector->sources.b, 0);
     c205_word word = element(reference, &vector->sources.a, 0);
     uint64_t flags = 0;
 
@@ -117,16 +116,15 @@ static void each_bit(struct reference *reference, const struct vector *vector)
 static void count_bits(struct reference *reference, const c205_fields *fields,
                        bool leading)
 {
-    const c205_word string = read_bits(reference, fields->r);
-    const bool first = length_of(string) > 0
-                       && read_memory(reference, string, BIT);
+    c205_word string = read_bits(reference, fields->r);
+    bool first = length_of(string) > 0 && read_memory(reference, string, BIT);
     uint64_t count = 0;
     bool equal = true;
 
     reference->deed.elements = length_of(string);
     add_extent(reference, string, length_of(string));
     for (uint64_t i = 0; i < length_of(string); i++) {
-        const bool bit = read_memory(reference, string + i, BIT);
+        bool bit = read_memory(reference, string + i, BIT);
         equal = equal && bit == first;
         count += leading ? equal : bit;
     }
@@ -137,9 +135,9 @@ static void count_bits(struct reference *reference, const c205_fields *fields,
 static void repeat_bits(struct reference *reference,
                         const c205_fields *fields, bool ones)
 {
-    const int64_t r = as_integer(read_bits(reference, fields->r));
-    const int64_t s = as_integer(read_bits(reference, fields->s));
-    const c205_word string = read_bits(reference, fields->t);
+    int64_t r = as_integer(read_bits(reference, fields->r));
+    int64_t s = as_integer(read_bits(reference, fields->s));
+    c205_word string = read_bits(reference, fields->t);
 
     if (s < 1) {
         add_fault(reference, C205_TRAP_BAD_DESCRIPTOR, 0, true);
@@ -165,7 +163,7 @@ static bool takes_neighbours(const c205_insn *insn)
 static void use_operands(struct reference *reference,
                          const struct vector *vector)
 {
-    const uint64_t n = vector->c.length;
+    uint64_t n = vector->c.length;
     struct source next = vector->sources.a;
 
     reference->deed.elements = n;
@@ -251,12 +249,10 @@ static bool is_plain(const struct vector *first)
 static bool can_be_linked(const struct vector *first, struct vector *second)
 {
     const c205_fields *fields = second->fields;
-    const bool a = link_source(&second->sources.a, fields->a, fields->x,
-                               first);
-    const bool b = link_source(&second->sources.b, fields->b, fields->y,
-                               first);
-    const bool linked = second->sources.a.kind == STREAM
-                        || second->sources.b.kind == STREAM;
+    bool a = link_source(&second->sources.a, fields->a, fields->x, first);
+    bool b = link_source(&second->sources.b, fields->b, fields->y, first);
+    bool linked = second->sources.a.kind == STREAM
+                  || second->sources.b.kind == STREAM;
 
     return is_plain(first) && linked && a && b
            && first->c.width == second->c.width

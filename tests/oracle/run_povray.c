@@ -40,7 +40,7 @@ static void become_povray(const char *scene, size_t width, size_t height,
                           const struct workplace *place)
 {
     char input[LONGEST_PATH], output[128], wide[32], high[32];
-    const int log = open(place->log, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    int log = open(place->log, O_WRONLY | O_CREAT | O_TRUNC, 0600);
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);
     snprintf(input, sizeof input, "+I%s", scene);
@@ -87,12 +87,12 @@ bool run_povray(const char *scene, size_t width, size_t height,
                  place.folder, strerror(errno));
         return false;
     }
-    const pid_t child = fork();
+    pid_t child = fork();
     if (child == 0)
         become_povray(scene, width, height, &place);
-    const bool good = child > 0 && succeeded(child)
-                          ? picture_read(place.picture, frame, error)
-                          : fail_with_log(&place, error);
+    bool good = child > 0 && succeeded(child)
+                    ? picture_read(place.picture, frame, error)
+                    : fail_with_log(&place, error);
     close_workplace(&place);
     return good;
 }

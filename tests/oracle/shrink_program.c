@@ -36,8 +36,8 @@ static bool without_insns(struct random_program *program)
 enum { SIMPLER = 6 };
 static void simpler_words(c205_word word, c205_word simpler[SIMPLER])
 {
-    const uint64_t low = word & UINT64_C(0xFFFFFFFFFFFF);
-    const uint64_t length = word >> 48;
+    uint64_t low = word & UINT64_C(0xFFFFFFFFFFFF);
+    uint64_t length = word >> 48;
 
     simpler[0] = 0;
     simpler[1] = C205_ONE;
@@ -49,7 +49,7 @@ static void simpler_words(c205_word word, c205_word simpler[SIMPLER])
 
 static bool simpler_register(struct random_program *program, unsigned number)
 {
-    c205_word *const word = program->registers + number;
+    c205_word *word = program->registers + number;
     c205_word simpler[SIMPLER];
 
     simpler_words(*word, simpler);

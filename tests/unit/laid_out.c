@@ -48,7 +48,7 @@ static struct object *stage_program(void)
     const struct text *const texts[] = { kernel_texts, NULL };
     struct asm_options how = { .texts = texts };
     struct diagnostics errors = { 0 };
-    const struct places places = all_places();
+    struct places places = all_places();
     char text[4000];
     char *end = text
                 + sprintf(text, "        .equ CROSSING_SIZE, 2\n"

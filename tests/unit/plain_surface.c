@@ -28,8 +28,7 @@ struct nearest shoot(const struct surface *surface, const struct ray *ray)
     struct nearest nearest = { INFINITY, { 0 } };
     for (size_t i = 0; i < surface->count; i++) {
         struct crossing crossings[MOST_CROSSINGS];
-        const size_t count = plain_crossings(&surface->parts[i], ray,
-                                             crossings);
+        size_t count = plain_crossings(&surface->parts[i], ray, crossings);
         assert_true(count <= MOST_CROSSINGS);
         for (size_t k = 0; k < count; k++)
             if (crossings[k].distance > START
@@ -59,7 +58,7 @@ void assert_hits(const struct surface *surface,
         struct ray ray;
         copy(ray.origin, rows[i].origin);
         copy(ray.direction, rows[i].direction);
-        const struct nearest found = shoot(surface, &ray);
+        struct nearest found = shoot(surface, &ray);
         if (rows[i].distance == 0) {
             assert_true(isinf(found.distance));
             continue;
@@ -84,7 +83,7 @@ static int compare_distances(const void *a, const void *b)
 static double inside(const struct surface *surface, const struct ray *ray)
 {
     struct crossing crossings[MOST_CROSSINGS];
-    const size_t count = plain_crossings(&surface->parts[0], ray, crossings);
+    size_t count = plain_crossings(&surface->parts[0], ray, crossings);
     double sum = 0;
     assert_int_equal(count % 2, 0);
     qsort(crossings, count, sizeof *crossings, compare_distances);
@@ -95,14 +94,14 @@ static double inside(const struct surface *surface, const struct ray *ray)
 
 double volume(const struct surface *surface, double size)
 {
-    const int steps = 150;
+    int steps = 150;
     const double across[2][3] = { { .6, .8, 0 }, { 0, 0, 1 } };
     double sum = 0;
     for (int i = 0; i < steps; i++)
         for (int j = 0; j < steps; j++) {
             struct ray ray = { { 0 }, { -.8, .6, 0 } };
-            const double u = (2 * i + 1. - steps) / steps * size;
-            const double v = (2 * j + 1. - steps) / steps * size;
+            double u = (2 * i + 1. - steps) / steps * size;
+            double v = (2 * j + 1. - steps) / steps * size;
             add_scaled(ray.origin, ray.origin, u, across[0]);
             add_scaled(ray.origin, ray.origin, v, across[1]);
             sum += inside(surface, &ray);
@@ -142,12 +141,12 @@ void assert_same_surface(const struct surface *a, const struct surface *b,
     uint64_t random = RANDOM_SEED;
     int hits = 0, strays = 0;
     for (int i = 0; i < 2000; i++) {
-        const struct ray ray = random_ray(&random, size);
-        const struct nearest x = shoot(a, &ray), y = shoot(b, &ray);
+        struct ray ray = random_ray(&random, size);
+        struct nearest x = shoot(a, &ray), y = shoot(b, &ray);
         hits += !isinf(x.distance);
         if (isinf(x.distance) && isinf(y.distance))
             continue;
-        const double dn = 1 - fabs(dot(x.normal, y.normal));
+        double dn = 1 - fabs(dot(x.normal, y.normal));
         strays += !(fabs(x.distance - y.distance) < 1e-11 && dn < 1e-9);
     }
     assert_true(hits > 400);

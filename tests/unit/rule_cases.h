@@ -33,7 +33,7 @@ static inline void gives(const char *what, c205_word result, uint64_t flags,
 #define BINARY_GIVES(op, a, b, expected, expected_flags) \
     do { \
         uint64_t flags_ = 0; \
-        const c205_word result_ = op(a, b, &flags_); \
+        c205_word result_ = op(a, b, &flags_); \
         gives(#op "(" #a ", " #b ")", result_, flags_, expected, \
               expected_flags); \
     } while (0)
@@ -41,7 +41,7 @@ static inline void gives(const char *what, c205_word result, uint64_t flags,
 #define UNARY_GIVES(op, a, expected, expected_flags) \
     do { \
         uint64_t flags_ = 0; \
-        const c205_word result_ = op(a, &flags_); \
+        c205_word result_ = op(a, &flags_); \
         gives(#op "(" #a ")", result_, flags_, expected, expected_flags); \
     } while (0)
 

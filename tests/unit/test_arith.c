@@ -305,7 +305,7 @@ static const c205_word ladder[][4] = {
 static void compare_steps(size_t i, size_t j)
 {
     for (size_t k = 0; k < 16; k++) {
-        const c205_word a = ladder[i][k / 4], b = ladder[j][k % 4];
+        c205_word a = ladder[i][k / 4], b = ladder[j][k % 4];
         assert_int_equal(arith_equal(a, b), i == j);
         assert_int_equal(arith_not_equal(a, b), i != j);
         assert_int_equal(arith_not_less(a, b), i >= j);
@@ -315,7 +315,7 @@ static void compare_steps(size_t i, size_t j)
 
 static void test_compare(void **state)
 {
-    const size_t steps = sizeof ladder / sizeof *ladder;
+    size_t steps = sizeof ladder / sizeof *ladder;
 
     (void)state;
     for (size_t i = 0; i < steps; i++)
@@ -342,7 +342,7 @@ static void test_compare_indefinite(void **state)
 static c205_word shifted(c205_word a, int64_t count)
 {
     uint64_t flags = 0;
-    const c205_word result = arith_shift(a, W(0x7123, count), &flags);
+    c205_word result = arith_shift(a, W(0x7123, count), &flags);
 
     assert_int_equal(flags, 0);
     return result;
@@ -350,7 +350,7 @@ static c205_word shifted(c205_word a, int64_t count)
 
 static void test_shift(void **state)
 {
-    const c205_word a = UINT64_C(0x8123456789ABCDEF);
+    c205_word a = UINT64_C(0x8123456789ABCDEF);
 
     (void)state;
     assert_int_equal(shifted(a, 0), a);
@@ -377,7 +377,7 @@ static void test_add_and_multiply_commute(void **state)
 
     (void)state;
     for (int i = 0; i < ROUNDS; i++) {
-        const c205_word a = any(&seed), b = any(&seed);
+        c205_word a = any(&seed), b = any(&seed);
         assert_int_equal(arith_add_upper(a, b, &flags),
                          arith_add_upper(b, a, &flags));
         assert_int_equal(arith_add_lower(a, b, &flags),
@@ -395,9 +395,9 @@ static void test_upper_and_lower_make_the_whole(void **state)
 
     (void)state;
     for (int i = 0; i < ROUNDS; i++) {
-        const c205_word a = any(&seed), b = any(&seed);
-        const c205_word upper = arith_subtract_upper(a, b, &flags);
-        const c205_word lower = arith_subtract_lower(a, b, &flags);
+        c205_word a = any(&seed), b = any(&seed);
+        c205_word upper = arith_subtract_upper(a, b, &flags);
+        c205_word lower = arith_subtract_lower(a, b, &flags);
         assert_int_equal(arith_add_normalised(upper, lower, &flags),
                          arith_subtract_normalised(a, b, &flags));
     }
@@ -410,13 +410,11 @@ static void test_roots_and_squares(void **state)
 
     (void)state;
     for (int i = 0; i < ROUNDS; i++) {
-        const c205_word a = arith_absolute(xorshift_normalised(&seed, -99,
-                                                               99),
-                                           &flags);
-        const c205_word r = arith_square_root(a, &flags);
-        const c205_word square = arith_multiply_significant(r, r, &flags);
-        const c205_word next = arith_multiply_significant(r + 1, r + 1,
-                                                          &flags);
+        c205_word a = arith_absolute(xorshift_normalised(&seed, -99, 99),
+                                     &flags);
+        c205_word r = arith_square_root(a, &flags);
+        c205_word square = arith_multiply_significant(r, r, &flags);
+        c205_word next = arith_multiply_significant(r + 1, r + 1, &flags);
         assert_true(word_is_normalised(r));
         assert_true(arith_not_less(a, square));
         assert_true(arith_not_less(next, a));

@@ -88,7 +88,7 @@ static size_t check_text(const char *path, const char *text)
                                            &found);
     size_t i, errors = found.errors;
 
-    if ((object == NULL) != (errors > 0))
+    if (!object != (errors > 0))
         fail_msg("%s: %zu errors, and %s object in\n%s", path, errors,
                  object ? "an" : "no", text);
     for (i = 0; i < found.count; i++)

@@ -208,8 +208,8 @@ static void test_refused(void **state)
  * doubles and its own logarithm. */
 static double photon_draws(void)
 {
-    const uint64_t multiplier = UINT64_C(44485709377909);
-    const uint64_t modulus = UINT64_C(1) << 47;
+    uint64_t multiplier = UINT64_C(44485709377909);
+    uint64_t modulus = UINT64_C(1) << 47;
     uint64_t jump = 1, first = 1, seed;
     double draws = 0;
 

@@ -276,7 +276,7 @@ static const c205_word ladder[][4] = {
 static void compare_steps(size_t i, size_t j)
 {
     for (size_t k = 0; k < 16; k++) {
-        const c205_word a = ladder[i][k / 4], b = ladder[j][k % 4];
+        c205_word a = ladder[i][k / 4], b = ladder[j][k % 4];
         assert_int_equal(half_equal(a, b), i == j);
         assert_int_equal(half_not_equal(a, b), i != j);
         assert_int_equal(half_not_less(a, b), i >= j);
@@ -286,7 +286,7 @@ static void compare_steps(size_t i, size_t j)
 
 static void test_compare(void **state)
 {
-    const size_t steps = sizeof ladder / sizeof *ladder;
+    size_t steps = sizeof ladder / sizeof *ladder;
 
     (void)state;
     for (size_t i = 0; i < steps; i++)
@@ -302,7 +302,7 @@ static void test_compare(void **state)
 static c205_word shifted(c205_word a, int64_t count)
 {
     uint64_t flags = 0;
-    const c205_word result = half_shift(a, H(0x71, count), &flags);
+    c205_word result = half_shift(a, H(0x71, count), &flags);
 
     assert_int_equal(flags, 0);
     return result;
@@ -310,8 +310,8 @@ static c205_word shifted(c205_word a, int64_t count)
 
 static void test_shift(void **state)
 {
-    const c205_word a = UINT64_C(0x8123456700000000);
-    const c205_word ones = UINT64_C(0xFFFFFFFF00000000);
+    c205_word a = UINT64_C(0x8123456700000000);
+    c205_word ones = UINT64_C(0xFFFFFFFF00000000);
 
     (void)state;
     assert_int_equal(shifted(a, 0), a);
@@ -386,9 +386,9 @@ static void test_extended_come_back(void **state)
 
     (void)state;
     for (int i = 0; i < ROUNDS; i++) {
-        const c205_word a = xorshift_unnormalised_of(half_words, &seed,
-                                                     BOTTOM, TOP);
-        const c205_word word = extended(a);
+        c205_word a = xorshift_unnormalised_of(half_words, &seed, BOTTOM,
+                                               TOP);
+        c205_word word = extended(a);
         assert_int_equal(arith_contract(word, &flags), a);
         assert_int_equal(arith_contract_rounded(word, &flags), a);
         assert_true(c205_to_double(word) == c205_half_to_double(a));
@@ -403,16 +403,14 @@ static void test_half_results_are_cut(void **state)
 
     (void)state;
     for (int i = 0; i < ROUNDS; i++) {
-        const c205_word a = half_absolute(xorshift_normalised_of(half_words,
-                                                                 &seed, -40,
-                                                                 30),
-                                          &flags);
-        const c205_word b = xorshift_normalised_of(half_words, &seed, -40,
-                                                   30);
-        const c205_word x = extended(a), y = extended(b);
-        const c205_word sum = arith_add_normalised(x, y, &flags);
-        const c205_word product = arith_multiply_significant(x, y, &flags);
-        const c205_word root = arith_square_root(x, &flags);
+        c205_word a = half_absolute(xorshift_normalised_of(half_words, &seed,
+                                                           -40, 30),
+                                    &flags);
+        c205_word b = xorshift_normalised_of(half_words, &seed, -40, 30);
+        c205_word x = extended(a), y = extended(b);
+        c205_word sum = arith_add_normalised(x, y, &flags);
+        c205_word product = arith_multiply_significant(x, y, &flags);
+        c205_word root = arith_square_root(x, &flags);
         assert_int_equal(half_add_normalised(a, b, &flags),
                          arith_contract(sum, &flags));
         assert_int_equal(half_multiply_significant(a, b, &flags),

@@ -209,7 +209,7 @@ static void test_operations(void **state)
     for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
         const char *rule = c205_operation_specials(insn->operation);
-        const bool has_numbers = strpbrk(insn->operands, "fvFV") != NULL;
+        bool has_numbers = strpbrk(insn->operands, "fvFV") != NULL;
         if (has_numbers && strcmp(rule, of_bits) == 0)
             fail_msg("%s: numbers, but %s", insn->mnemonic, rule);
         if (!has_numbers && strcmp(rule, of_bits) != 0

@@ -35,10 +35,10 @@ enum {
 
 static c205_word special_at(word_format f, size_t i)
 {
-    const int32_t top = format_exponent_max(f);
-    const int32_t bottom = format_exponent_min(f);
-    const int32_t end = 1 << (f.exponent_bits - 1);
-    const int64_t half = INT64_C(1) << (f.digits - 1);
+    int32_t top = format_exponent_max(f);
+    int32_t bottom = format_exponent_min(f);
+    int32_t end = 1 << (f.exponent_bits - 1);
+    int64_t half = INT64_C(1) << (f.digits - 1);
     const int32_t exponents[EXPONENTS] = { -end,     bottom - 1, top + 1,
                                            end - 1,  bottom,     top,
                                            0,        -1,         1 - f.digits,
@@ -68,14 +68,14 @@ static c205_word around(word_format f, uint64_t *seed)
 
 static c205_word near_top(word_format f, uint64_t *seed)
 {
-    const int32_t top = format_exponent_max(f);
+    int32_t top = format_exponent_max(f);
 
     return xorshift_normalised_of(f, seed, top - 3, top);
 }
 
 static c205_word near_bottom(word_format f, uint64_t *seed)
 {
-    const int32_t bottom = format_exponent_min(f);
+    int32_t bottom = format_exponent_min(f);
 
     return xorshift_normalised_of(f, seed, bottom, bottom + f.digits + 3);
 }
@@ -104,10 +104,9 @@ static c205_word any_bits(word_format f, uint64_t *seed)
 /* Coefficients of few ones or zeros: where carries go far. */
 static c205_word sparse(word_format f, uint64_t *seed)
 {
-    const c205_word word = around(f, seed);
-    const int64_t c = format_coefficient(f, word);
-    const int64_t kept = -(INT64_C(1)
-                           << xorshift_between(seed, 0, f.digits - 1));
+    c205_word word = around(f, seed);
+    int64_t c = format_coefficient(f, word);
+    int64_t kept = -(INT64_C(1) << xorshift_between(seed, 0, f.digits - 1));
 
     return format_make(f, format_exponent(f, word),
                        c < 0 ? c | ~kept : c & kept);
@@ -121,7 +120,7 @@ static c205_word mostly_usual(word_format f, uint64_t *seed)
 static c205_word positive(word_format f, uint64_t *seed)
 {
     uint64_t flags = 0;
-    const c205_word word = anywhere(f, seed);
+    c205_word word = anywhere(f, seed);
 
     return f.digits == WORD_DIGITS ? arith_absolute(word, &flags)
                                    : half_absolute(word, &flags);
@@ -130,8 +129,8 @@ static c205_word positive(word_format f, uint64_t *seed)
 /* Squares and their neighbours, where a root turns. */
 static c205_word about_a_square(word_format f, uint64_t *seed)
 {
-    const int64_t least = INT64_C(1) << (f.digits / 2);
-    const int64_t root = xorshift_between(seed, least, least * 707 / 500);
+    int64_t least = INT64_C(1) << (f.digits / 2);
+    int64_t root = xorshift_between(seed, least, least * 707 / 500);
 
     return format_make(f, (int32_t)xorshift_between(seed, -90, 90),
                        root * root - (int64_t)(xorshift(seed) & 1));
@@ -291,7 +290,7 @@ static void check_binary(const binary *op, const c205_word *a,
     memset(c, 0x5A, (n + SLACK) * sizeof *c);
     op->span(c, a, b, n, &flags);
     for (size_t i = 0; i < n; i++) {
-        const c205_word exact = op->exact(a[i], b[i], &exact_flags);
+        c205_word exact = op->exact(a[i], b[i], &exact_flags);
         if (c[i] != exact)
             fail_msg("%s(%016llX, %016llX) = %016llX, not %016llX; "
                      "lane %zu of %zu",
@@ -316,7 +315,7 @@ static void check_unary(const unary *op, const c205_word *a, size_t n,
     memset(c, 0x5A, (n + SLACK) * sizeof *c);
     op->span(c, a, n, &flags);
     for (size_t i = 0; i < n; i++) {
-        const c205_word exact = op->exact(a[i], &exact_flags);
+        c205_word exact = op->exact(a[i], &exact_flags);
         if (c[i] != exact)
             fail_msg("%s(%016llX) = %016llX, not %016llX; lane %zu of %zu",
                      op->name, (unsigned long long)a[i],
@@ -348,7 +347,7 @@ static void check_comparison(const comparison *op, const c205_word *a,
 static void check_pairs(const operations *size, const c205_word *a,
                         const c205_word *b, size_t n, size_t place)
 {
-    const size_t compared = n < LENGTH_MAX ? n : LENGTH_MAX;
+    size_t compared = n < LENGTH_MAX ? n : LENGTH_MAX;
 
     for (size_t i = 0; i < BINARIES; i++)
         check_binary(&size->binaries[i], a, b, n, place);
@@ -367,11 +366,11 @@ static void check_unaries(const operations *size, const c205_word *a,
 static void check_lengths(const operations *size, size_t place, uint64_t seed)
 {
     static c205_word a[SPAN], b[SPAN];
-    const size_t turns = SIZE(supplies);
+    size_t turns = SIZE(supplies);
 
     for (size_t n = 0; n <= LENGTH_MAX; n++) {
-        c205_word *const placed_a = a + place;
-        c205_word *const placed_b = b + 3 * place % PLACES;
+        c205_word *placed_a = a + place;
+        c205_word *placed_b = b + 3 * place % PLACES;
         fill(placed_a, n, supplies[n % turns], size->format, &seed);
         fill(placed_b, n, supplies[n / turns % turns], size->format, &seed);
         check_pairs(size, placed_a, placed_b, n, 5 * place % PLACES);
@@ -391,10 +390,10 @@ static void test_every_length_and_place(void **state)
 static void check_specials(const operations *size)
 {
     for (size_t i = 0; i < SPECIALS; i++) {
-        const c205_word a = special_at(size->format, i);
+        c205_word a = special_at(size->format, i);
         check_unaries(size, &a, 1, 0);
         for (size_t j = 0; j < SPECIALS; j++) {
-            const c205_word b = special_at(size->format, j);
+            c205_word b = special_at(size->format, j);
             check_pairs(size, &a, &b, 1, 0);
         }
     }
@@ -411,7 +410,7 @@ static void test_every_pair_of_specials(void **state)
 static void check_supplies(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
-    const size_t turns = SIZE(supplies);
+    size_t turns = SIZE(supplies);
 
     for (size_t s = 0; s < turns * turns; s++) {
         fill(a, LONG_LENGTH, supplies[s / turns], size->format, &seed);
@@ -430,9 +429,9 @@ static void test_every_pair_of_supplies(void **state)
 /* Close operands: cancellation, quotients near 1, sums near 0. */
 static c205_word close_to(word_format f, c205_word a, uint64_t *seed)
 {
-    const uint64_t shift = xorshift(seed) % 7;
-    const int32_t e = format_exponent(f, a) + (int32_t)(xorshift(seed) % 3);
-    const int64_t c = format_coefficient(f, a) + (int64_t)shift - 3;
+    uint64_t shift = xorshift(seed) % 7;
+    int32_t e = format_exponent(f, a) + (int32_t)(xorshift(seed) % 3);
+    int64_t c = format_coefficient(f, a) + (int64_t)shift - 3;
 
     return format_make(f, e, shift & 1 ? -c : c);
 }
@@ -501,7 +500,7 @@ static void test_unary_operands(void **state)
 static void test_every_root_of_a_half_word(void **state)
 {
     static c205_word a[LONG_LENGTH];
-    const unary square_root = HALVES(square_root, square_root);
+    unary square_root = HALVES(square_root, square_root);
 
     (void)state;
     for (int64_t c = INT64_C(1) << 22; c < INT64_C(1) << 23;

@@ -313,7 +313,7 @@ static void test_fields_that_are_not_there(void **state)
 static void test_operand_traps(void **state)
 {
     (void)state;
-    const uint64_t odd = DATA + 1, out = 0x800000;
+    uint64_t odd = DATA + 1, out = 0x800000;
     struct little l = make_little();
     const char *bad = "bad-descriptor", *misaligned = "misaligned-operand";
     const char *unmapped = "unmapped-address";
@@ -443,7 +443,7 @@ static void test_compress_leaves_no_fault(void **state)
 {
     (void)state;
     struct little little = make_little();
-    const uint64_t end = DATA + C205_PAGE_WORDS * UINT64_C(64);
+    uint64_t end = DATA + C205_PAGE_WORDS * UINT64_C(64);
     add(&little, "CPSV", F(.a = 1, .z = 2, .c = 3));
     add(&little, "SUMV", F(.g = C205_G_BROADCAST_A, .a = 1, .c = 5));
     load(&little, 100);

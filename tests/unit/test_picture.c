@@ -71,8 +71,8 @@ static struct frame sample_frame(void)
     struct frame frame;
     assert_true(frame_allocate(&frame, WIDTH, HEIGHT));
     for (size_t i = 0; i < PIXELS; i++) {
-        const double u = (double)(i % WIDTH) / (WIDTH - 1);
-        const double v = (double)(i / WIDTH) / (HEIGHT - 1);
+        double u = (double)(i % WIDTH) / (WIDTH - 1);
+        double v = (double)(i / WIDTH) / (HEIGHT - 1);
         frame.channel[CHANNEL_RED][i] = 1.25 * u;
         frame.channel[CHANNEL_GREEN][i] = v;
         frame.channel[CHANNEL_BLUE][i] = .5 * u * v;
@@ -112,13 +112,13 @@ static const struct round_trip round_trips[] = {
 static void compare(const struct round_trip *trip, const struct frame *frame,
                     const struct frame *back, size_t channel)
 {
-    const bool color = channel <= CHANNEL_BLUE;
+    bool color = channel <= CHANNEL_BLUE;
     for (size_t i = 0; i < PIXELS; i++) {
-        const double raw = frame->channel[channel][i];
-        const double value = color && trip->clip ? clipped(raw) : raw;
-        const double kept = channel < trip->channels ? value : 0;
-        const double allowed = (color ? trip->relative : 0x1p-24) * fabs(kept)
-                               + (color ? trip->absolute : 0);
+        double raw = frame->channel[channel][i];
+        double value = color && trip->clip ? clipped(raw) : raw;
+        double kept = channel < trip->channels ? value : 0;
+        double allowed = (color ? trip->relative : 0x1p-24) * fabs(kept)
+                         + (color ? trip->absolute : 0);
         if (fabs(back->channel[channel][i] - kept) > allowed)
             fail_msg("%s, channel %zu, pixel %zu: %g is %g", trip->name,
                      channel, i, kept, back->channel[channel][i]);
@@ -131,8 +131,8 @@ static void test_round_trips(void **state)
     struct frame frame = sample_frame(), back;
     struct picture_error error = { "" };
     for (size_t i = 0; i < sizeof round_trips / sizeof *round_trips; i++) {
-        const struct round_trip *const trip = &round_trips[i];
-        const char *const path = in_folder(trip->name);
+        const struct round_trip *trip = &round_trips[i];
+        const char *path = in_folder(trip->name);
         if (!picture_write(path, &frame, notes, trip->half, &error)
             || !picture_read(path, &back, &error))
             fail_msg("%s", error.message);
@@ -210,8 +210,8 @@ static void test_notes(void **state)
     struct frame frame = sample_frame();
     struct picture_error error = { "" };
     for (size_t i = 0; i < sizeof note_places / sizeof *note_places; i++) {
-        const struct note_place *const place = &note_places[i];
-        const char *const path = in_folder(place->file);
+        const struct note_place *place = &note_places[i];
+        const char *path = in_folder(place->file);
         char text[256];
         if (!picture_write(path, &frame, notes, false, &error)
             || !picture_read_note(path, place->name, text, sizeof text,
@@ -238,7 +238,7 @@ static void test_date(void **state)
     struct frame frame = sample_frame();
     struct picture_error error = { "" };
     for (size_t i = 0; i < 2 * (sizeof cases / sizeof *cases); i++) {
-        const char *const path = in_folder(names[i % 2]);
+        const char *path = in_folder(names[i % 2]);
         char text[64];
         if (cases[i / 2].epoch)
             setenv("SOURCE_DATE_EPOCH", cases[i / 2].epoch, 1);
@@ -258,7 +258,7 @@ static size_t contents(const char *path, char *bytes, size_t size)
 {
     FILE *file = fopen(path, "rb");
     assert_non_null(file);
-    const size_t length = fread(bytes, 1, size, file);
+    size_t length = fread(bytes, 1, size, file);
     fclose(file);
     return length;
 }
@@ -274,7 +274,7 @@ static void test_same_bytes_later(void **state)
     struct picture_error error;
     for (size_t round = 0; round < 2; round++) {
         for (size_t i = 0; i < 4; i++) {
-            const char *const path = in_folder(names[i]);
+            const char *path = in_folder(names[i]);
             assert_true(picture_write(path, &frame, notes, true, &error));
             length[i][round] = contents(path, bytes[i][round],
                                         sizeof bytes[i][round]);
@@ -309,7 +309,7 @@ static void test_bad_paths(void **state)
     fclose(fopen(in_folder("plain"), "w"));
     assert_int_equal(mkdir(in_folder("folder.png"), 0700), 0);
     for (size_t i = 0; i < sizeof bad_paths / sizeof *bad_paths; i++) {
-        const char *const path = in_folder(bad_paths[i].name);
+        const char *path = in_folder(bad_paths[i].name);
         struct picture_error error = { "" };
         assert_false(picture_check_path(path, &error));
         assert_non_null(strstr(error.message, bad_paths[i].message));
@@ -351,14 +351,14 @@ static void test_failure_keeps_the_old_file(void **state)
     empty_folder();
     signal(SIGXFSZ, SIG_IGN);
     for (size_t i = 0; i < 4; i++) {
-        const char *const path = in_folder(names[i]);
+        const char *path = in_folder(names[i]);
         struct picture_error error = { "" };
         char bytes[16];
         FILE *old = fopen(path, "w");
         fputs("old", old);
         fclose(old);
         limit_file_size(200);
-        const bool written = picture_write(path, &frame, NULL, false, &error);
+        bool written = picture_write(path, &frame, NULL, false, &error);
         limit_file_size(RLIM_INFINITY);
         if (written)
             fail_msg("%s is said to be written", names[i]);

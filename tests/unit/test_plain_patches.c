@@ -31,19 +31,19 @@ static struct surface cross_cap_quartic(void)
 /* From the triple point: t = lmn / (l^2 m^2 + m^2 n^2 + n^2 l^2). */
 static void test_roman_from_the_triple_point(void **state)
 {
-    const struct surface roman = roman_quartic();
+    struct surface roman = roman_quartic();
     uint64_t random = RANDOM_SEED;
     (void)state;
     for (int i = 0; i < 2000; i++) {
         struct ray ray = { { 0 }, { 0 } };
         random_direction(&random, ray.direction);
-        const double l = ray.direction[0], m = ray.direction[1],
-                     n = ray.direction[2];
-        const double t = l * m * n
-                         / (l * l * m * m + m * m * n * n + n * n * l * l);
+        double l = ray.direction[0], m = ray.direction[1],
+               n = ray.direction[2];
+        double t = l * m * n
+                   / (l * l * m * m + m * m * n * n + n * n * l * l);
         if (fabs(t) < 1e-4) /* near to a double line */
             continue;
-        const double found = shoot(&roman, &ray).distance;
+        double found = shoot(&roman, &ray).distance;
         if (t > 0)
             assert_near(found, t, 1e-12);
         else
@@ -53,7 +53,7 @@ static void test_roman_from_the_triple_point(void **state)
 
 static void test_roman_volume(void **state)
 {
-    const struct surface roman = roman_quartic();
+    struct surface roman = roman_quartic();
     (void)state;
     assert_near(volume(&roman, .6), 1. / 6, 1e-3);
 }
@@ -91,7 +91,7 @@ static double polar_value(const double form[STEINER_POINTS],
 {
     double sum = 0;
     for (int k = 0; k < STEINER_POINTS; k++) {
-        const int i = pairs[k][0], j = pairs[k][1];
+        int i = pairs[k][0], j = pairs[k][1];
         sum += form[k] * a[i] * b[j];
         if (i != j)
             sum += form[k] * a[j] * b[i];
@@ -105,9 +105,9 @@ static void put_patch(struct primitive *patch, const four_forms forms,
 {
     patch->kind = PRIMITIVE_STEINER_PATCH;
     for (int k = 0; k < STEINER_POINTS; k++) {
-        const double *const a = corners[pairs[k][0]];
-        const double *const b = corners[pairs[k][1]];
-        const double w = polar_value(forms[3], a, b);
+        const double *a = corners[pairs[k][0]];
+        const double *b = corners[pairs[k][1]];
+        double w = polar_value(forms[3], a, b);
         assert_true(w > 0);
         patch->shape.steiner_patch.weights[k] = w;
         for (int i = 0; i < 3; i++)
@@ -144,10 +144,10 @@ static struct surface whole(const four_forms forms)
 
 static void test_two_ways(void **state)
 {
-    const struct surface roman = roman_quartic(), cap = cross_cap_quartic();
-    const struct surface roman_patches = whole(roman_forms);
-    const struct surface cap_patches = whole(cross_cap_forms);
-    const struct surface ball_patches = whole(sphere_forms);
+    struct surface roman = roman_quartic(), cap = cross_cap_quartic();
+    struct surface roman_patches = whole(roman_forms);
+    struct surface cap_patches = whole(cross_cap_forms);
+    struct surface ball_patches = whole(sphere_forms);
     struct surface ball = one(PRIMITIVE_SPHERE);
     (void)state;
     ball.parts[0].shape.sphere.radius = 1;
@@ -163,7 +163,7 @@ static void random_patch(uint64_t *random, struct primitive *patch)
     static const double corner[3][2] = { { 1, 0 }, { 0, 1 }, { 0, 0 } };
     patch->kind = PRIMITIVE_STEINER_PATCH;
     for (int k = 0; k < STEINER_POINTS; k++) {
-        double *const point = patch->shape.steiner_patch.points[k];
+        double *point = patch->shape.steiner_patch.points[k];
         for (int i = 0; i < 3; i++)
             point[i] = number_between(random, -.4, .4);
         for (int i = 0; i < 2; i++)
@@ -177,9 +177,9 @@ static void point_of(const struct primitive *patch, const double p[3],
 {
     double weight = 0, sum[3] = { 0 };
     for (int k = 0; k < STEINER_POINTS; k++) {
-        const int i = pairs[k][0], j = pairs[k][1];
-        const double share = patch->shape.steiner_patch.weights[k] * p[i]
-                             * p[j] * (i == j ? 1 : 2);
+        int i = pairs[k][0], j = pairs[k][1];
+        double share = patch->shape.steiner_patch.weights[k] * p[i] * p[j]
+                       * (i == j ? 1 : 2);
         add_scaled(sum, sum, share, patch->shape.steiner_patch.points[k]);
         weight += share;
     }
@@ -191,8 +191,8 @@ static void point_of(const struct primitive *patch, const double p[3],
  * other of its crossings does it leave the patch. */
 static void assert_round_trip(uint64_t *random, const struct primitive *patch)
 {
-    const double s = number_between(random, 0, 1);
-    const double t = number_between(random, 0, 1 - s);
+    double s = number_between(random, 0, 1);
+    double t = number_between(random, 0, 1 - s);
     const double p[3] = { s, t, 1 - s - t };
     struct crossing crossings[MOST_CROSSINGS];
     double point[3];
@@ -202,7 +202,7 @@ static void assert_round_trip(uint64_t *random, const struct primitive *patch)
     random_direction(random, ray.origin);
     scale_by(ray.origin, number_between(random, 1, 20));
     add_scaled(ray.direction, point, -1, ray.origin);
-    const size_t count = plain_crossings(patch, &ray, crossings);
+    size_t count = plain_crossings(patch, &ray, crossings);
     for (size_t i = 0; i < count; i++)
         found = found || fabs(crossings[i].distance - 1) < 1e-11;
     if (!found)

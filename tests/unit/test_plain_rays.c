@@ -21,7 +21,7 @@ static void see(const struct look *look, const char *text, double color[3])
     char whole[4096];
     struct frame frame;
     snprintf(whole, sizeof whole, HEAD "%s", text);
-    struct scene *const scene = read_scene(whole);
+    struct scene *scene = read_scene(whole);
     scene->camera = (struct camera){ .location = { 0 } };
     copy(scene->camera.location, look->from);
     copy(scene->camera.direction, look->along);
@@ -117,7 +117,7 @@ static void test_levels(void **state)
 static void check_slab(double n, double depth)
 {
     const struct look look = { { 0, 2, -2 }, { 0, -1, 1 } };
-    const double s = sqrt(.5) / n, shift = depth * s / sqrt(1 - s * s);
+    double s = sqrt(.5) / n, shift = depth * s / sqrt(1 - s * s);
     char text[512];
     snprintf(text, sizeof text,
              "box { <-9, -9, 0>, <9, 9, %.17g> "
@@ -154,7 +154,7 @@ static void test_ball_lens(void **state)
  * well. */
 static void check_from_below(double degrees, double red, double blue)
 {
-    const double angle = degrees * 3.14159265358979323846 / 180;
+    double angle = degrees * 3.14159265358979323846 / 180;
     const struct look look = { { 0, -1, 0 }, { sin(angle), cos(angle), 0 } };
     check(&look,
           "background { rgb z } plane { y, 0 pigment { rgbt .25 } "
@@ -176,7 +176,7 @@ static void test_total_reflection(void **state)
  * highlights. */
 static void test_what_passes(void **state)
 {
-    const struct look look = ZAHEAD;
+    struct look look = ZAHEAD;
     (void)state;
     check(&look,
           "background { rgb 1 } plane { -z, 0 "
@@ -205,10 +205,10 @@ static void test_what_passes(void **state)
  * brightness. */
 static void test_too_dark(void **state)
 {
-    const struct look look = ZAHEAD;
-    const char *const text =
-        "background { rgb 1 } "
-        "global_settings { adc_bailout .5 } plane { -z, 0 pigment { ";
+    struct look look = ZAHEAD;
+    const char
+        *text = "background { rgb 1 } "
+                "global_settings { adc_bailout .5 } plane { -z, 0 pigment { ";
     static const struct {
         const char *pigment;
         double red, green;

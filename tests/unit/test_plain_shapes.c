@@ -8,7 +8,7 @@
 /* From radius 3 at y = 0 to radius 1 at y = 4: 1 in 2. */
 static void test_frustum(void **state)
 {
-    const double c = 2 / sqrt(5), s = 1 / sqrt(5);
+    double c = 2 / sqrt(5), s = 1 / sqrt(5);
     const struct expectation both[] = {
         { { 9, 2, 0 }, { -2, 0, 0 }, 3.5, { c, s, 0 } },
         { { 0, 2, 0 }, { 0, 0, 1 }, 2, { 0, -s, -c } },
@@ -41,7 +41,7 @@ static void test_frustum(void **state)
  * behind the point is no part of it. */
 static void test_pointed_cone(void **state)
 {
-    const double h = sqrt(.5);
+    double h = sqrt(.5);
     const struct expectation rows[] = {
         { { .5, 9, 0 }, { 0, -1, 0 }, 8.5, { -h, h, 0 } },
         { { -.5, 9, 0 }, { 0, -1, 0 }, 0, { 0 } },
@@ -70,7 +70,7 @@ static void test_quadrics(void **state)
     static const double paraboloid[] = { 1, 0, 1, 0, 0, 0, 0, -1, 0, 0 };
     static const double saddle[] = { 0, 0, 0, 1, 0, 0, 0, 0, -1, 2 };
     static const double plane[] = { 0, 0, 0, 0, 0, 0, 0, 2, 0, -6 };
-    const double h = sqrt(.5), t = sqrt(1. / 3);
+    double h = sqrt(.5), t = sqrt(1. / 3);
     const struct expectation bowl[] = {
         { { .5, 9, 0 }, { 0, -1, 0 }, 8.75, { -h, h, 0 } }, /* one crossing */
         { { 9, 4, 0 }, { -1, 0, 0 }, 7, { 4 / sqrt(17), -1 / sqrt(17), 0 } },
@@ -138,22 +138,22 @@ static void test_torus(void **state)
 /* The normal of the ellipse at the angle a is (cos a / p, sin a / n). */
 static void test_elliptical_torus(void **state)
 {
-    const double x = .8 / .5, y = .6 / .25, l = sqrt(x * x + y * y);
+    double x = .8 / .5, y = .6 / .25, l = sqrt(x * x + y * y);
     const struct expectation rows[] = {
         { { 9, 0, 0 }, { -1, 0, 0 }, 6.5, { 1, 0, 0 } },
         { { 2, 9, 0 }, { 0, -1, 0 }, 8.75, { 0, 1, 0 } },
         { { 2.4, 9, 0 }, { 0, -1, 0 }, 8.85, { x / l, y / l, 0 } },
         { { 9, .251, 0 }, { -1, 0, 0 }, 0, { 0 } },
     };
-    const struct surface surface = elliptical_torus(2, .5, .25);
+    struct surface surface = elliptical_torus(2, .5, .25);
     (void)state;
     ASSERT_HITS(&surface, rows);
 }
 
 static void test_volumes(void **state)
 {
-    const struct surface round = torus(1, .25);
-    const struct surface flat = elliptical_torus(1, .4, .2);
+    struct surface round = torus(1, .25);
+    struct surface flat = elliptical_torus(1, .4, .2);
     (void)state;
     assert_near(volume(&round, 1.25), 2 * PI * PI * .0625, 1e-3);
     assert_near(volume(&flat, 1.4), 2 * PI * PI * .08, 1e-3);
@@ -163,11 +163,11 @@ static void test_volumes(void **state)
 static void test_torus_in_other_ways(void **state)
 {
     struct surface quartic = one(PRIMITIVE_QUARTIC);
-    const struct surface round = torus(1, .5);
-    const struct surface elliptical = elliptical_torus(1, .5, .5);
+    struct surface round = torus(1, .5);
+    struct surface elliptical = elliptical_torus(1, .5, .5);
     (void)state;
     for (int i = 0; i < 3; i++) {
-        const double inner = i == 1 ? 1.5 : 1.5 - 4;
+        double inner = i == 1 ? 1.5 : 1.5 - 4;
         set_coefficient(&quartic, 4 * (i == 0), 4 * (i == 1), 4 * (i == 2),
                         1);
         set_coefficient(&quartic, 2 * (i != 0), 2 * (i != 1), 2 * (i != 2),
@@ -201,7 +201,7 @@ static void test_roots(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         long double roots[HIGHEST_DEGREE];
-        const size_t count = plain_roots(rows[i].c, 4, roots);
+        size_t count = plain_roots(rows[i].c, 4, roots);
         assert_true(count >= rows[i].count);
         for (size_t k = 0; k < rows[i].count; k++) {
             bool found = false;

@@ -66,15 +66,15 @@ static struct passage pass(const struct solid *solid, const struct ray *ray)
 /* By parallel rays from a grid over -size .. size, in a slanted direction. */
 static double volume(const struct solid *solid, double size)
 {
-    const int steps = 200;
+    int steps = 200;
     const double across[2][3] = { { 2. / 3, -1. / 3, 2. / 3 },
                                   { 2. / 3, 2. / 3, -1. / 3 } };
     double sum = 0;
     for (int i = 0; i < steps; i++)
         for (int j = 0; j < steps; j++) {
             struct ray ray = { { 0 }, { -1. / 3, 2. / 3, 2. / 3 } };
-            const double u = (2 * i + 1. - steps) / steps * size;
-            const double v = (2 * j + 1. - steps) / steps * size;
+            double u = (2 * i + 1. - steps) / steps * size;
+            double v = (2 * j + 1. - steps) / steps * size;
             add_scaled(ray.origin, ray.origin, u, across[0]);
             add_scaled(ray.origin, ray.origin, v, across[1]);
             sum += pass(solid, &ray).length;
@@ -86,7 +86,7 @@ static double volume(const struct solid *solid, double size)
 static void check_volume(const char *text, double size, double expected)
 {
     struct solid solid = solid_of(text);
-    const double found = volume(&solid, size);
+    double found = volume(&solid, size);
     if (!(fabs(found - expected) <= .002 * expected))
         fail_msg("%s: volume %.6g, expected %.6g", text, found, expected);
     solid_free(&solid);
@@ -94,7 +94,7 @@ static void check_volume(const char *text, double size, double expected)
 
 static double lens(double r, double s, double d)
 {
-    const double depth = r + s - d;
+    double depth = r + s - d;
     return PI * depth * depth
            * (d * d + 2 * d * (r + s) - 3 * (r - s) * (r - s)) / (12 * d);
 }
@@ -168,7 +168,7 @@ static void test_other_solids(void **state)
 /* De Morgan: what is in neither is out of both. */
 static void test_nested_solids(void **state)
 {
-    const double both = lens(1, .8, .9);
+    double both = lens(1, .8, .9);
     (void)state;
     check_volume("difference { box { -3, 3 } "
                  "union { sphere { 0, 1 } sphere { .9*x, .8 } } }",
@@ -189,7 +189,7 @@ static struct passage along(const char *text, double x, double y)
 {
     struct solid solid = solid_of(text);
     const struct ray ray = { { x, y, -5 }, { 0, 0, 1 } };
-    const struct passage passage = pass(&solid, &ray);
+    struct passage passage = pass(&solid, &ray);
     solid_free(&solid);
     return passage;
 }
@@ -230,7 +230,7 @@ static void test_coincident_faces(void **state)
     };
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
-        const struct passage is = along(rows[i].text, rows[i].x, rows[i].y);
+        struct passage is = along(rows[i].text, rows[i].x, rows[i].y);
         if (is.events != rows[i].events
             || !(fabs(is.length - rows[i].length) <= PLAIN_DELTA))
             fail_msg("%s: %d events, inside for %.9g", rows[i].text,
@@ -256,7 +256,7 @@ static void test_joined_boxes(void **state)
                                - 1;
         }
         normalise(ray.direction);
-        const struct passage a = pass(&pair, &ray), b = pass(&whole, &ray);
+        struct passage a = pass(&pair, &ray), b = pass(&whole, &ray);
         assert_int_equal(a.events, b.events);
         assert_close(a.length, b.length, 1e-6);
     }

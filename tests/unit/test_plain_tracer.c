@@ -190,7 +190,7 @@ static void test_transform(void **state)
         { { 1, 0, 0, 0 }, { 0, 2, 0, -6 }, { .5, 0, 1, 0 } }
     };
     assert_hit(look(&scene, 0, 9, 0, 0, -2, 0), 1, 5.5, 0, 1, 0);
-    const double length = sqrt(1.25);
+    double length = sqrt(1.25);
     assert_hit(look(&scene, 0, 3, -9, 0, 0, 1), 1, 8, -.5 / length, 0,
                -1 / length);
 }
@@ -222,7 +222,7 @@ static void test_pixel_centres(void **state)
     each_alone(&scene, regions);
     assert_true(plain_trace(&scene, 4, 2, &frame));
     for (size_t i = 0; i < 8; i++) {
-        const double x = (double)(i % 4) - 1.5, z = i < 4 ? .5 : -.5;
+        double x = (double)(i % 4) - 1.5, z = i < 4 ? .5 : -.5;
         assert_close(frame.channel[CHANNEL_DEPTH][i],
                      sqrt(1 + x * x + z * z));
     }
@@ -282,7 +282,7 @@ static void test_highlights(void **state)
     (void)state;
     struct stage stage;
     set_stage(&stage);
-    struct finish *const finish = &stage.primitives[0].finish;
+    struct finish *finish = &stage.primitives[0].finish;
     finish->diffuse = 0;
     finish->phong = .5;
     assert_close(seen(&stage), .5 * .5);
@@ -300,7 +300,7 @@ static void test_shadows(void **state)
     (void)state;
     struct stage stage;
     set_stage(&stage);
-    const double lit = .5 * .8 * .8;
+    double lit = .5 * .8 * .8;
     stage.primitives[1] = unit_sphere();
     stage.primitives[1].shape.sphere.center[0] = 1.5;
     stage.primitives[1].shape.sphere.center[1] = 2;
@@ -331,9 +331,9 @@ static void test_checker(void **state)
     plane.pigment.to_local.rows[0][0] = .5; /* squares 2 wide in x */
     for (int x = -3; x < 4; x++)
         for (int z = -3; z < 4; z++) {
-            const bool odd = (x + z) % 2 != 0;
-            const struct sample sample = look(&scene, 2 * x + 1, 1, z + .5, 0,
-                                              -1, 0);
+            bool odd = (x + z) % 2 != 0;
+            struct sample sample = look(&scene, 2 * x + 1, 1, z + .5, 0, -1,
+                                        0);
             assert_true(fabs(red(sample) - !odd) < 1e-6);
         }
 }
@@ -349,7 +349,7 @@ static void test_compare(void **state)
     assert_true(frame_allocate(&a, 8, 5) && frame_allocate(&b, 8, 5));
     for (size_t i = 0; i < 40; i++)
         a.channel[CHANNEL_ID][i] = i % 8 < 4;
-    bool *const inner = inner_pixels(&a);
+    bool *inner = inner_pixels(&a);
     b.channel[CHANNEL_RED][3] = 9;    /* on the edge: ignored */
     b.channel[CHANNEL_GREEN][15] = 9; /* counts as 1 */
     b.channel[CHANNEL_BLUE][0] = .05; /* allowed */

@@ -39,10 +39,10 @@ static size_t present_before(const struct vector_case *one, enum role role,
 /* Products need both. */
 static void mark_sparse(struct vector_case *one)
 {
-    const bool both = one->row->flags & C205_INSN_PADO;
+    bool both = one->row->flags & C205_INSN_PADO;
 
     for (size_t i = 0; i < one->n; i++) {
-        const bool x = bit_of(one, ROLE_X, i), y = bit_of(one, ROLE_Y, i);
+        bool x = bit_of(one, ROLE_X, i), y = bit_of(one, ROLE_Y, i);
         mark_element(&one->defined, &one->vector[ROLE_X], i);
         mark_element(&one->defined, &one->vector[ROLE_Y], i);
         if (both ? x && y : x)
@@ -58,7 +58,7 @@ static void mark_sparse(struct vector_case *one)
 static bool is_selected(const struct vector_case *one, enum role role,
                         size_t i)
 {
-    const bool ones = role == ROLE_A;
+    bool ones = role == ROLE_A;
 
     if (is_row_of(one->row, "MRGV MRGB"))
         return i < count_chosen(one, ones);
@@ -99,7 +99,7 @@ static void mark_control(struct vector_case *one)
 static struct extent_of indexed(const struct vector_case *one, enum role role,
                                 size_t i)
 {
-    const uint64_t list = one->vector[ROLE_A].address - DATA;
+    uint64_t list = one->vector[ROLE_A].address - DATA;
     struct extent_of element = one->vector[role];
 
     element.address += one->memory[list / WORD + i] * element.width;
@@ -112,7 +112,7 @@ static void mark_table(struct vector_case *one, enum role role,
 {
     for (size_t i = 0; i < one->n; i++)
         if (is_permitted(one, i)) {
-            const struct extent_of element = indexed(one, role, i);
+            struct extent_of element = indexed(one, role, i);
             mark_element(bits, &element, 0);
         }
 }
@@ -136,8 +136,8 @@ static void mark_sources(struct vector_case *one)
 static void mark_result(struct vector_case *one, const struct image *after)
 {
     const struct extent_of *c = &one->vector[ROLE_C];
-    const c205_word set = after->reg[role_register[ROLE_C]] >> 48;
-    const bool counted = strchr("co", letter_of(one->row, ROLE_C));
+    c205_word set = after->reg[role_register[ROLE_C]] >> 48;
+    bool counted = strchr("co", letter_of(one->row, ROLE_C));
 
     if (one->row->format == C205_FORMAT_SPREAD)
         mark_table(one, ROLE_C, &one->written);
@@ -157,7 +157,7 @@ static void mark_registers(struct vector_case *one)
     c205_word *reg = one->written.reg;
 
     for (int role = ROLE_C; role < ROLES; role++) {
-        const char letter = letter_of(one->row, (enum role)role);
+        char letter = letter_of(one->row, (enum role)role);
         if (is_half(one, (enum role)role))
             reg[role_half[role] / 2] = role_half[role] % 2
                                            ? UINT32_MAX
@@ -178,7 +178,7 @@ static c205_word poison(uint64_t *random)
     static const c205_word kinds[] = { C205_INDEFINITE, C205_MACHINE_ZERO,
                                        UINT64_MAX, 0,
                                        UINT64_C(0x6FFF7FFFFFFFFFFF) };
-    const size_t kind = draw(random, 0, 9);
+    size_t kind = draw(random, 0, 9);
 
     return kind < 5 ? kinds[kind] : random_bits(random);
 }

@@ -65,7 +65,7 @@ static void tie_pairs(struct renaming *renaming,
 {
     for (size_t i = 0; i < program->insn_count; i++) {
         const c205_insn *row = row_of(&program->insns[i]);
-        const c205_fields fields = c205_decode(row, program->insns[i].word);
+        c205_fields fields = c205_decode(row, program->insns[i].word);
         if (row->unit == C205_UNIT_VECTOR
             && !is_half_register(row, fields.g, ROLE_C))
             renaming->tied[fields.c] = true;
@@ -84,8 +84,8 @@ static size_t below(size_t n)
 static void shuffle(unsigned *order, unsigned first, unsigned end)
 {
     for (unsigned i = end - 1; i > first; i--) {
-        const size_t other = first + below(i - first + 1);
-        const unsigned one = order[i];
+        size_t other = first + below(i - first + 1);
+        unsigned one = order[i];
         order[i] = order[other];
         order[other] = one;
     }
@@ -161,7 +161,7 @@ static c205 *machines[TWO][8];
 static bool holds_code_address(const c205 *machine, unsigned number,
                                const struct random_program *program)
 {
-    const uint64_t address = c205_register(machine, number) << 16 >> 16;
+    uint64_t address = c205_register(machine, number) << 16 >> 16;
 
     return address >= random_pages[0].address
            && address < program_address(program, program->insn_count);
@@ -195,7 +195,7 @@ static bool next_uses_code(const c205 *machine,
         return true;
     for (end = i + 1; i < end && i < program->insn_count; i++) {
         const c205_insn *row = row_of(&program->insns[i]);
-        const c205_fields fields = c205_decode(row, program->insns[i].word);
+        c205_fields fields = c205_decode(row, program->insns[i].word);
         if (uses_code(machine, row, &fields, program))
             return true;
         if (row->format == C205_FORMAT_NONE)
@@ -241,7 +241,7 @@ static bool step_both(c205 *machine, c205 *other,
 {
     c205_stop stop = { .trap = C205_TRAP_NONE };
     c205_stop its_stop = { .trap = C205_TRAP_NONE };
-    const bool goes_on = c205_step(machine, &stop);
+    bool goes_on = c205_step(machine, &stop);
 
     assert_int_equal(goes_on, c205_step(other, &its_stop));
     assert_int_equal(stop.trap, its_stop.trap);
@@ -276,7 +276,7 @@ static void test_renaming(void **state)
     unsigned long tried = 0;
     (void)state;
     for (uint64_t seed = 1; tried < program_count; seed++) {
-        const struct random_program program = random_program(seed);
+        struct random_program program = random_program(seed);
         if (can_be_renamed(&program)) {
             try_program(&program);
             tried++;

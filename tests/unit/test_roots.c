@@ -242,11 +242,11 @@ static struct iterations watched(enum trace_mode mode, size_t queue)
 static void test_iterations(void **state)
 {
     static const size_t queues[] = { 1, 7, 2000 };
-    const struct iterations scalar = watched(TRACE_SCALAR, 1);
+    struct iterations scalar = watched(TRACE_SCALAR, 1);
 
     (void)state;
     for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
-        const struct iterations vector = watched(TRACE_VECTOR, queues[i]);
+        struct iterations vector = watched(TRACE_VECTOR, queues[i]);
 
         for (int k = 0; k < STAGES; k++) {
             const struct stage_count *one = &scalar.stage[k];

@@ -97,7 +97,7 @@ static void test_kernels(void **state)
 
 static void test_access(void **state)
 {
-    const uint64_t address = UINT64_C(0xFFFFFFFFFFC0);
+    uint64_t address = UINT64_C(0xFFFFFFFFFFC0);
     c205 *machine = machine_from("asm/examples/dot.s", model);
     c205_word word = 205;
     c205_error error;
@@ -247,7 +247,7 @@ static void test_forged(void **state)
     (void)state;
     bytes.byte = realloc(bytes.byte, bytes.count); /* nothing behind */
     assert_non_null(bytes.byte);
-    const size_t words = bytes.count / WORD_BYTES;
+    size_t words = bytes.count / WORD_BYTES;
     for (size_t i = 0; i + 1 < words; i++) {
         uint64_t random = xorshift(&random_state);
         try_word(&bytes, i, words - i); /* one more than follow */

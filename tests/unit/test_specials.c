@@ -70,7 +70,7 @@ static struct outcome result_of(const struct trial *t)
 
 static void expect(const struct trial *t, struct outcome expected)
 {
-    const struct outcome result = result_of(t);
+    struct outcome result = result_of(t);
 
     if (result.word != expected.word || result.flags != expected.flags)
         fail_msg("%s of %016llX and %016llX, %d digits: %016llX, flags %llX, "
@@ -96,7 +96,7 @@ static bool either_indefinite(const struct trial *t)
 
 static void check_BITS(const struct trial *t)
 {
-    const struct outcome result = result_of(t);
+    struct outcome result = result_of(t);
 
     assert_int_equal(result.flags, 0);
     assert_int_equal(result.word & ~format_mask(t->f), 0);
@@ -105,9 +105,9 @@ static void check_BITS(const struct trial *t)
 /* A machine zero counts as 0 with the smallest exponent. */
 static void check_SUM(const struct trial *t)
 {
-    const c205_word zero = format_make(t->f, format_exponent_min(t->f), 0);
-    const bool a_zero = word_is_machine_zero(t->a);
-    const bool b_zero = word_is_machine_zero(t->b);
+    c205_word zero = format_make(t->f, format_exponent_min(t->f), 0);
+    bool a_zero = word_is_machine_zero(t->a);
+    bool b_zero = word_is_machine_zero(t->b);
     struct trial same = *t;
 
     same.a = a_zero ? zero : t->a;
@@ -172,7 +172,7 @@ static void check_MAGNITUDE(const struct trial *t)
 /* A normalised number has no room for one place more. */
 static void check_FITTED(const struct trial *t)
 {
-    const int32_t exponent = format_exponent(t->f, t->a);
+    int32_t exponent = format_exponent(t->f, t->a);
     struct trial too_long = *t;
 
     check_PLAIN(t);
@@ -183,7 +183,7 @@ static void check_FITTED(const struct trial *t)
 
 static void check_FIELD(const struct trial *t)
 {
-    const int32_t exponent = format_exponent(t->f, t->a);
+    int32_t exponent = format_exponent(t->f, t->a);
 
     expect(t, (struct outcome){ format_make(t->f, 0, exponent), 0 });
 }
@@ -192,7 +192,7 @@ static void check_FIELD(const struct trial *t)
  * coefficient too long. */
 static void check_CONTRACTED(const struct trial *t)
 {
-    const int32_t exponent = format_exponent(t->f, t->a) + 24;
+    int32_t exponent = format_exponent(t->f, t->a) + 24;
 
     check_PLAIN(t);
     if (word_is_machine_zero(t->a) || word_is_indefinite(t->a))
@@ -280,12 +280,12 @@ static const struct ordering {
  * good as any zero. */
 static void check_relation(const struct ordering *relation, uint64_t *seed)
 {
-    const word_format f = relation->f;
-    const c205_word a = any_word(f, seed), b = any_word(f, seed);
-    const c205_word odd = any_indefinite(f, seed) & format_mask(f);
-    const c205_word none = any_machine_zero(f, seed) & format_mask(f);
-    const c205_word zero = format_make(f, any_exponent(f, seed), 0);
-    const bool of_nothing = relation->holds == relation->not_equal;
+    word_format f = relation->f;
+    c205_word a = any_word(f, seed), b = any_word(f, seed);
+    c205_word odd = any_indefinite(f, seed) & format_mask(f);
+    c205_word none = any_machine_zero(f, seed) & format_mask(f);
+    c205_word zero = format_make(f, any_exponent(f, seed), 0);
+    bool of_nothing = relation->holds == relation->not_equal;
 
     assert_int_equal(relation->holds(odd, b), of_nothing);
     assert_int_equal(relation->holds(a, odd), of_nothing);

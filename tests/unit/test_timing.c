@@ -100,9 +100,9 @@ static double constant(const c205_model *model, const char *kind,
 static uint64_t stream(const c205_model *model, const char *name, uint64_t n,
                        bool half)
 {
-    const uint64_t million = 1000000;
-    const double value = constant(model, "stream", name);
-    const uint64_t rate = (uint64_t)llround(value * 1e6);
+    uint64_t million = 1000000;
+    double value = constant(model, "stream", name);
+    uint64_t rate = (uint64_t)llround(value * 1e6);
     uint64_t pipes = 1;
     char text[64];
 
@@ -136,7 +136,7 @@ static c205_word unsigned_element(const struct vector_case *one,
                                   enum role role, size_t i)
 {
     const struct extent_of *vector = &one->vector[role];
-    const uint64_t at = vector->address - DATA + i * vector->width;
+    uint64_t at = vector->address - DATA + i * vector->width;
     unsigned left = role_half[role] % 2 ? HALF : 0;
     c205_word word;
 
@@ -155,8 +155,8 @@ static c205_word unsigned_element(const struct vector_case *one,
 static c205_word element(const struct vector_case *one, enum role role,
                          size_t i)
 {
-    const unsigned g = one->fields.g;
-    const bool half = g & C205_G_HALF;
+    unsigned g = one->fields.g;
+    bool half = g & C205_G_HALF;
     c205_word word = unsigned_element(one, role, i);
     uint64_t flags = 0;
 
@@ -170,7 +170,7 @@ static c205_word element(const struct vector_case *one, enum role role,
 
 static uint64_t comparisons(const struct vector_case *one)
 {
-    relation *const compares = relation_of(one->row, one->fields.g);
+    relation *compares = relation_of(one->row, one->fields.g);
     uint64_t count = 0;
 
     for (size_t i = 0; i < one->n; i++)
@@ -194,7 +194,7 @@ static size_t ones(const struct vector_case *one, bool x, bool y)
 
 static size_t longest_packed(const struct vector_case *one)
 {
-    const size_t x = ones(one, true, false), y = ones(one, false, true);
+    size_t x = ones(one, true, false), y = ones(one, false, true);
 
     if (!(one->row->flags & C205_INSN_PADO))
         return ones(one, true, true);
@@ -216,18 +216,17 @@ static uint64_t elements(const struct vector_case *one)
 static uint64_t conflicts(const struct vector_case *one,
                           const c205_model *model)
 {
-    const uint64_t list = one->vector[ROLE_A].address - DATA;
-    const uint64_t banks = (uint64_t)constant(model, "memory", "banks");
-    const uint64_t busy = (uint64_t)constant(model, "memory", "bank_busy");
-    const enum role table = one->row->format == C205_FORMAT_TABLE ? ROLE_B
-                                                                  : ROLE_C;
+    uint64_t list = one->vector[ROLE_A].address - DATA;
+    uint64_t banks = (uint64_t)constant(model, "memory", "banks");
+    uint64_t busy = (uint64_t)constant(model, "memory", "bank_busy");
+    enum role table = one->row->format == C205_FORMAT_TABLE ? ROLE_B : ROLE_C;
     uint64_t free_at[BANKS_MOST] = { 0 }, t = 0, accesses = 0;
 
     for (size_t i = 0; has_indices(one->row) && i < one->n; i++) {
-        const uint64_t word = (one->vector[table].address
-                               + one->memory[list / WORD + i]
-                                     * one->vector[table].width)
-                              / WORD;
+        uint64_t word = (one->vector[table].address
+                         + one->memory[list / WORD + i]
+                               * one->vector[table].width)
+                        / WORD;
         if (!is_permitted(one, i))
             continue;
         t = t + 1 > free_at[word % banks] ? t + 1 : free_at[word % banks];
@@ -366,7 +365,7 @@ static bool step_all(void)
 static void try_program(uint64_t seed)
 {
     enum { STEPS = 200 };
-    const struct random_program program = random_program(seed);
+    struct random_program program = random_program(seed);
     c205_error error = { "" };
 
     for (int i = 0; i < MODELS; i++)
@@ -453,7 +452,7 @@ static void test_small_programs(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
-        const uint64_t clocks = clocks_of(programs[i].text);
+        uint64_t clocks = clocks_of(programs[i].text);
         if (clocks != programs[i].clocks)
             fail_msg("%llu clocks, not %llu: %s", (unsigned long long)clocks,
                      (unsigned long long)programs[i].clocks,

@@ -115,7 +115,7 @@ static void draw_vectors(struct bench *bench, const struct pool *pool,
                          uint64_t begin, uint64_t spread, size_t longest)
 {
     c205_word *registers = bench->reference.now.registers;
-    const uint64_t places = spread * WORD / pool->width;
+    uint64_t places = spread * WORD / pool->width;
 
     for (unsigned i = 0; i < SINGLES; i++)
         registers[pool->first + i] = descriptor(begin
@@ -163,9 +163,8 @@ static void spoil(struct bench *bench)
 static void draw_registers(struct bench *bench, size_t longest)
 {
     c205_word *registers = bench->reference.now.registers;
-    const uint64_t begin = borders[0].address - 60 * WORD
-                           + below(bench, 60) * WORD;
-    const uint64_t spread = one_in(bench, 2) ? 2 : 20;
+    uint64_t begin = borders[0].address - 60 * WORD + below(bench, 60) * WORD;
+    uint64_t spread = one_in(bench, 2) ? 2 : 20;
 
     for (size_t i = 0; i < POOLS; i++)
         draw_vectors(bench, pools + i, begin, spread, longest);
@@ -194,9 +193,9 @@ static bool has_vectors(const c205_insn *row)
 
 static const struct pool *pool_of_letter(char letter)
 {
-    const unsigned width = strchr("beoz", letter)           ? 1
-                           : isupper((unsigned char)letter) ? HALF_WORD
-                                                            : WORD;
+    unsigned width = strchr("beoz", letter)           ? 1
+                     : isupper((unsigned char)letter) ? HALF_WORD
+                                                      : WORD;
     size_t i = 0;
 
     while (pools[i].width != width)
@@ -234,7 +233,7 @@ static uint64_t draw_swap(struct bench *bench, enum role role)
 static uint64_t draw_operand(struct bench *bench, const c205_insn *row,
                              unsigned g, enum role role)
 {
-    const char letter = sized_letter(row, g, role);
+    char letter = sized_letter(row, g, role);
 
     if (row->format == C205_FORMAT_SWAP)
         return draw_swap(bench, role);
@@ -251,11 +250,10 @@ static uint64_t draw_operand(struct bench *bench, const c205_insn *row,
 
 static uint8_t draw_g(struct bench *bench, const c205_insn *row)
 {
-    const unsigned legal = reference_bits_of_g(row)
-                           & ~(unsigned)row->subop_mask;
-    const uint64_t some = random_bits(&bench->random)
-                          & random_bits(&bench->random) & ~C205_G_HALF;
-    const unsigned half = one_in(bench, 2) ? C205_G_HALF : 0;
+    unsigned legal = reference_bits_of_g(row) & ~(unsigned)row->subop_mask;
+    uint64_t some = random_bits(&bench->random) & random_bits(&bench->random)
+                    & ~C205_G_HALF;
+    unsigned half = one_in(bench, 2) ? C205_G_HALF : 0;
 
     return (uint8_t)(row->subop | (((unsigned)some | half) & legal));
 }
@@ -264,9 +262,8 @@ static uint8_t draw_offset(struct bench *bench, const c205_insn *row,
                            unsigned g, enum role role)
 {
     const char *syntax = c205_format_syntax(row->format);
-    const bool may = role == ROLE_A
-                         ? strchr(syntax, 'a') || strstr(syntax, "A+X")
-                         : strchr(syntax, 'b') || strstr(syntax, "B+Y");
+    bool may = role == ROLE_A ? strchr(syntax, 'a') || strstr(syntax, "A+X")
+                              : strchr(syntax, 'b') || strstr(syntax, "B+Y");
 
     return may && !is_scalar(row, g, role) && one_in(bench, 3) ? OFFSET : 0;
 }
@@ -354,7 +351,7 @@ static void fail_case(const struct bench *bench, const char *what)
 static c205_word *place(struct bench *bench, uint64_t address)
 {
     for (size_t i = 0; i < BORDERS; i++) {
-        const uint64_t word = (address - begin_of(i)) / WORD;
+        uint64_t word = (address - begin_of(i)) / WORD;
         if (word < borders[i].words)
             return bench->memory[i] + word;
     }
@@ -366,8 +363,8 @@ static void follow_changes(struct bench *bench)
     const struct plain_memory *memory = &bench->reference.memory;
 
     for (size_t i = 0; i < memory->change_count; i++) {
-        const uint64_t address = memory->changes[i].address;
-        const c205_word word = plain_read(memory, address);
+        uint64_t address = memory->changes[i].address;
+        c205_word word = plain_read(memory, address);
         c205_word *to_be = place(bench, address);
         if (to_be)
             *to_be = word;
@@ -382,7 +379,7 @@ static void compare_memory(struct bench *bench)
 
     follow_changes(bench);
     for (size_t i = 0; i < BORDERS; i++) {
-        const size_t count = borders[i].words;
+        size_t count = borders[i].words;
         assert_true(
             c205_read(bench->little.machine, begin_of(i), words, count));
         if (memcmp(words, bench->memory[i], count * sizeof *words) != 0)
@@ -404,8 +401,8 @@ static void compare_registers(const struct bench *bench)
 /* That of a missing or a protected word names its address. */
 static bool has_fault(const struct bench *bench, const c205_stop *stop)
 {
-    const bool names_address = stop->trap == C205_TRAP_UNMAPPED_ADDRESS
-                               || stop->trap == C205_TRAP_PROTECTED_ADDRESS;
+    bool names_address = stop->trap == C205_TRAP_UNMAPPED_ADDRESS
+                         || stop->trap == C205_TRAP_PROTECTED_ADDRESS;
 
     return names_address ? reference_has_fault(&bench->reference, stop->trap,
                                                stop->address)
@@ -416,8 +413,8 @@ static bool has_fault(const struct bench *bench, const c205_stop *stop)
 static bool step_both(struct bench *bench)
 {
     c205_stop stop = { .trap = C205_TRAP_NONE };
-    const bool done = reference_step(&bench->reference);
-    const bool traps = !c205_step(bench->little.machine, &stop);
+    bool done = reference_step(&bench->reference);
+    bool traps = !c205_step(bench->little.machine, &stop);
 
     assert_false(bench->reference.lost);
     if (traps && !has_fault(bench, &stop))
@@ -484,7 +481,7 @@ static size_t draw_longest(struct bench *bench)
 
 static bool one_case(struct bench *bench, const c205_insn *row)
 {
-    const c205_fields fields = draw_fields(bench, row);
+    c205_fields fields = draw_fields(bench, row);
 
     begin_case(bench);
     add_insn(bench, row, &fields);
@@ -505,8 +502,8 @@ static const c205_insn *draw_linkable(struct bench *bench)
 /* The first takes one vector, mostly, the second what the first makes. */
 static void link_pair(struct bench *bench, c205_fields f[2])
 {
-    const bool as_a = one_in(bench, 2), as_b = !as_a || one_in(bench, 4);
-    const uint8_t number = f[0].g & C205_G_HALF ? 2 * HALF_NUMBER : NUMBER;
+    bool as_a = one_in(bench, 2), as_b = !as_a || one_in(bench, 4);
+    uint8_t number = f[0].g & C205_G_HALF ? 2 * HALF_NUMBER : NUMBER;
 
     f[0].z = 0;
     f[0].g &= (uint8_t) ~(C205_G_OFFSET | C205_G_ZEROS);
@@ -538,9 +535,8 @@ static void describe_handed(struct bench *bench, const c205_fields *second)
 {
     c205_word *registers = bench->reference.now.registers;
     uint64_t length = registers[second->c] >> 48;
-    const uint64_t offset = second->g & C205_G_OFFSET
-                                ? registers[second->c + 1]
-                                : 0;
+    uint64_t offset = second->g & C205_G_OFFSET ? registers[second->c + 1]
+                                                : 0;
 
     length = offset < length ? length - offset : 0;
     registers[HANDED] = descriptor(WORD, one_in(bench, 30) ? 7 : length);

@@ -23,7 +23,7 @@ static struct vector_use use_of(const char *instruction)
     char text[600];
     c205_error error;
     struct vector_use sum = { 0, 0, 0, 0 };
-    const struct observer observer = vector_use_observer(&sum);
+    struct observer observer = vector_use_observer(&sum);
     struct hearing hearing = { &observer, NULL };
     c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
     c205 *machine = c205_new(model, &error);
@@ -54,7 +54,7 @@ static struct vector_use use_of(const char *instruction)
 static void check(const char *instruction, uint64_t controlled,
                   uint64_t wanted)
 {
-    const struct vector_use use = use_of(instruction);
+    struct vector_use use = use_of(instruction);
 
     assert_int_equal(use.instructions, 1);
     assert_int_equal(use.elements, 150);

@@ -96,7 +96,7 @@ static void test_kernels(void **state)
                                           "tests/scenes/csg_culled.pov",
                                           "tests/scenes/csg_patches.pov",
                                           "tests/scenes/csg_prisms.pov" };
-    const struct sink sink = stream_sink(stderr);
+    struct sink sink = stream_sink(stderr);
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
     size_t i;

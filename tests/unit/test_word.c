@@ -20,7 +20,7 @@ typedef struct known {
 static c205_word read_all(const char *text)
 {
     const char *end;
-    const c205_word word = c205_from_text(text, &end);
+    c205_word word = c205_from_text(text, &end);
 
     assert_true(end != text);
     assert_int_equal(*end, '\0');
@@ -99,7 +99,7 @@ static void test_doubles_come_back(void **state)
 
     (void)state;
     for (int i = 0; i < ROUNDS; i++) {
-        const c205_word word = xorshift_normalised(&seed, -1000, 900);
+        c205_word word = xorshift_normalised(&seed, -1000, 900);
         assert_int_equal(c205_from_double(c205_to_double(word)), word);
     }
 }
@@ -140,7 +140,7 @@ static void test_where_text_ends(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const char *end;
-        const c205_word word = c205_from_text(cases[i].text, &end);
+        c205_word word = c205_from_text(cases[i].text, &end);
         assert_int_equal(end - cases[i].text, cases[i].used);
         assert_int_equal(word, read_all(cases[i].same));
     }
@@ -226,8 +226,8 @@ static void test_exact_text_of_doubles(void **state)
     (void)state;
     for (int i = 0; i < WORDS; i++) {
         char text[DIGITS + 20];
-        const c205_word word = xorshift_normalised(&seed, -1060, 970);
-        const double value = c205_to_double(word);
+        c205_word word = xorshift_normalised(&seed, -1060, 970);
+        double value = c205_to_double(word);
         snprintf(text, sizeof text, "%.*e", DIGITS, value);
         assert_int_equal(read_all(text), word);
         snprintf(text, sizeof text, "%.*e", DIGITS,
@@ -271,15 +271,15 @@ static void test_text_is_shortest(void **state)
     (void)state;
     for (int i = 0; i < ROUNDS; i++) {
         char text[C205_TEXT_SIZE], shorter[C205_TEXT_SIZE];
-        const c205_word word = xorshift_normalised(&seed, 20, 40);
+        c205_word word = xorshift_normalised(&seed, 20, 40);
         c205_to_text(word, text);
         char *e = strchr(text, 'e');
         assert_non_null(e);
-        const int digits = (int)(e - text) - (text[0] == '-') - 1;
+        int digits = (int)(e - text) - (text[0] == '-') - 1;
         assert_true(digits <= 16);
         *e = '\0';
         for (int up = -1; digits > 2 && up <= 1; up++) {
-            const double ulp = pow(10, 2 - digits) * up;
+            double ulp = pow(10, 2 - digits) * up;
             snprintf(shorter, sizeof shorter, "%.*f%s%s", digits - 2,
                      strtod(text, NULL) + ulp, "e", e + 1);
             assert_true(read_all(shorter) != word);
@@ -349,7 +349,7 @@ static void test_significant_bits(void **state)
 static c205_word read_half(const char *text)
 {
     const char *end;
-    const c205_word half = c205_half_from_text(text, &end);
+    c205_word half = c205_half_from_text(text, &end);
 
     assert_true(end != text);
     assert_int_equal(*end, '\0');
@@ -429,12 +429,12 @@ static void test_halves_come_back(void **state)
     (void)state;
     for (int i = 0; i < ROUNDS; i++) {
         char text[C205_TEXT_SIZE], exact[200];
-        const c205_word half = xorshift_normalised_of(half_words, &seed,
-                                                      format_exponent_min(
-                                                          half_words),
-                                                      format_exponent_max(
-                                                          half_words));
-        const double value = c205_half_to_double(half);
+        c205_word half = xorshift_normalised_of(half_words, &seed,
+                                                format_exponent_min(
+                                                    half_words),
+                                                format_exponent_max(
+                                                    half_words));
+        double value = c205_half_to_double(half);
         c205_half_to_text(half, text);
         assert_int_equal(read_half(text), half);
         snprintf(exact, sizeof exact, "%.150e", value);

@@ -9,7 +9,7 @@
 bool is_row_of(const c205_insn *row, const char *names)
 {
     const char *found = strstr(names, row->mnemonic);
-    const char after = found ? found[strlen(row->mnemonic)] : 'x';
+    char after = found ? found[strlen(row->mnemonic)] : 'x';
 
     return after == ' ' || after == '\0';
 }
@@ -26,7 +26,7 @@ bool has_control(const struct vector_case *one)
 
 static unsigned width_of(const struct vector_case *one, enum role role)
 {
-    const char letter = sized_letter(one->row, one->fields.g, role);
+    char letter = sized_letter(one->row, one->fields.g, role);
 
     if (letter && strchr("beoz", letter))
         return 1;
@@ -51,7 +51,7 @@ void mark_element(struct bits_of *bits, const struct extent_of *vector,
 
 bool bit_of(const struct vector_case *one, enum role role, size_t i)
 {
-    const uint64_t at = one->vector[role].address + i - DATA;
+    uint64_t at = one->vector[role].address + i - DATA;
 
     return i < one->vector[role].length
            && one->memory[at / WORD] >> (WORD - 1 - at % WORD) & 1;
@@ -60,8 +60,8 @@ bool bit_of(const struct vector_case *one, enum role role, size_t i)
 bool is_chosen(const struct vector_case *one, size_t i)
 {
     const struct extent_of *z = &one->vector[ROLE_Z];
-    const uint64_t at = z->address + i - DATA;
-    const bool bit = one->memory[at / WORD] >> (WORD - 1 - at % WORD) & 1;
+    uint64_t at = z->address + i - DATA;
+    bool bit = one->memory[at / WORD] >> (WORD - 1 - at % WORD) & 1;
 
     return bit != !!(one->fields.g & C205_G_ZEROS);
 }
@@ -105,7 +105,7 @@ void define(struct vector_case *one, unsigned number, c205_word word,
 
 void define_half(struct vector_case *one, unsigned number, c205_word word)
 {
-    const unsigned shift = number % 2 ? 0 : HALF;
+    unsigned shift = number % 2 ? 0 : HALF;
 
     define(one, number / 2, (word & UINT32_MAX) << shift,
            (c205_word)UINT32_MAX << shift);
@@ -115,7 +115,7 @@ void define_half(struct vector_case *one, unsigned number, c205_word word)
  * vector does not matter. */
 static bool length_matters(const struct vector_case *one, enum role role)
 {
-    const char letter = letter_of(one->row, role);
+    char letter = letter_of(one->row, role);
 
     if (letter == 'z')
         return one->row->format == C205_FORMAT_SQUEEZE
@@ -135,7 +135,7 @@ size_t draw(uint64_t *random, size_t low, size_t high)
 
 size_t draw_size(uint64_t *random)
 {
-    const size_t kind = draw(random, 0, 9);
+    size_t kind = draw(random, 0, 9);
 
     return kind == 0 ? 0 : draw(random, 1, kind == 1 ? LENGTH : 150);
 }
@@ -146,10 +146,10 @@ static void place_vector(struct vector_case *one, enum role role,
                          uint64_t *random, size_t length, size_t offset)
 {
     struct extent_of *vector = &one->vector[role];
-    const size_t start = WORD / (vector->width = width_of(one, role));
-    const uint64_t zone = DATA + (uint64_t)(role * ZONE_WORDS + LEAD) * WORD
-                          + draw(random, 0, start - 1) * vector->width;
-    const bool counts = length_matters(one, role);
+    size_t start = WORD / (vector->width = width_of(one, role));
+    uint64_t zone = DATA + (uint64_t)(role * ZONE_WORDS + LEAD) * WORD
+                    + draw(random, 0, start - 1) * vector->width;
+    bool counts = length_matters(one, role);
 
     define(one, role_register[role],
            descriptor(zone, counts ? length + offset : 0),
@@ -181,7 +181,7 @@ c205_word draw_half(uint64_t *random)
 static void place_scalar(struct vector_case *one, enum role role,
                          uint64_t *random)
 {
-    const char letter = letter_of(one->row, role);
+    char letter = letter_of(one->row, role);
 
     if (letter == 'i') /* the groups of a repeated mask */
         define(one, role_register[role], (c205_word)draw(random, 1, 20),
@@ -195,7 +195,7 @@ static void place_scalar(struct vector_case *one, enum role role,
 static size_t draw_offset(struct vector_case *one, uint64_t *random,
                           uint8_t *field, enum role role)
 {
-    const size_t offset = draw(random, 0, OFFSET_MOST);
+    size_t offset = draw(random, 0, OFFSET_MOST);
 
     *field = (uint8_t)(role_register[role] + 1);
     define(one, *field, offset, ADDRESS_BITS);
@@ -207,9 +207,8 @@ static size_t source_offset(struct vector_case *one, uint64_t *random,
                             enum role role)
 {
     const char *syntax = c205_format_syntax(one->row->format);
-    const bool may = role == ROLE_A
-                         ? strchr(syntax, 'a') || strstr(syntax, "A+X")
-                         : strchr(syntax, 'b') || strstr(syntax, "B+Y");
+    bool may = role == ROLE_A ? strchr(syntax, 'a') || strstr(syntax, "A+X")
+                              : strchr(syntax, 'b') || strstr(syntax, "B+Y");
 
     if (!may || draw(random, 0, 3) > 0)
         return 0;
@@ -229,7 +228,7 @@ size_t source_length(uint64_t *random, size_t n)
 /* Reductions and moves of one number only are no instructions. */
 static bool makes_sense(const c205_insn *row, unsigned g)
 {
-    const bool a = g & C205_G_BROADCAST_A, b = g & C205_G_BROADCAST_B;
+    bool a = g & C205_G_BROADCAST_A, b = g & C205_G_BROADCAST_B;
 
     switch (row->format) {
     case C205_FORMAT_REDUCE: return !a;
@@ -243,7 +242,7 @@ static bool makes_sense(const c205_insn *row, unsigned g)
 static void draw_g(struct vector_case *one, uint64_t *random)
 {
     const char *syntax = c205_format_syntax(one->row->format);
-    const bool is_short = c205_format_halves(one->row->format) == 1;
+    bool is_short = c205_format_halves(one->row->format) == 1;
     unsigned legal = reference_bits_of_g(one->row), g;
 
     legal |= one->row->flags & C205_INSN_HALF ? C205_G_HALF : 0;
@@ -343,7 +342,7 @@ static size_t elements_of(const struct vector_case *one)
 static void place_operand(struct vector_case *one, enum role role,
                           uint64_t *random, size_t n, size_t offset)
 {
-    const bool exact = role == ROLE_C || role == ROLE_Z;
+    bool exact = role == ROLE_C || role == ROLE_Z;
 
     if (!letter_of(one->row, role)
         || (letter_of(one->row, role) == 'z' && !one->fields.z))

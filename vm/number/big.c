@@ -53,8 +53,8 @@ int32_t big_bit_length(const big *number)
 
 uint64_t big_low(const big *number)
 {
-    const uint64_t low = number->count > 0 ? number->limb[0] : 0;
-    const uint64_t high = number->count > 1 ? number->limb[1] : 0;
+    uint64_t low = number->count > 0 ? number->limb[0] : 0;
+    uint64_t high = number->count > 1 ? number->limb[1] : 0;
 
     return high << LIMB_BITS | low;
 }
@@ -103,7 +103,7 @@ bool big_divide_power_of_5(big *number, int32_t power)
 
 void big_shift_left(big *number, int32_t places)
 {
-    const size_t limbs = (size_t)(places / LIMB_BITS);
+    size_t limbs = (size_t)(places / LIMB_BITS);
 
     big_multiply(number, UINT32_C(1) << places % LIMB_BITS, 0);
     if (number->count == 0)

@@ -13,8 +13,8 @@ enum { MORE_DIGITS = 24 };
 /* From a sum of the coefficient and what rounds it. */
 static c205_word contracted(c205_word a, int64_t rounding, uint64_t *flags)
 {
-    const int64_t c = (word_coefficient(a) + rounding) >> MORE_DIGITS;
-    const bool fits = c <= MAX_COEFFICIENT;
+    int64_t c = (word_coefficient(a) + rounding) >> MORE_DIGITS;
+    bool fits = c <= MAX_COEFFICIENT;
 
     if (word_is_indefinite(a))
         return indefinite(0, flags);

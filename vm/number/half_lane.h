@@ -27,9 +27,9 @@ static inline lane lower(int64_t e, int64_t t)
 /* A sum of more than 47 bits loses the last one. */
 static inline lane sum_lower(c205_word a, c205_word b, int64_t t)
 {
-    const c205_word l = larger(a, b);
-    const int64_t e = exponent(l) - DIGITS;
-    const uint64_t places = excess(t, 2 * DIGITS);
+    c205_word l = larger(a, b);
+    int64_t e = exponent(l) - DIGITS;
+    uint64_t places = excess(t, 2 * DIGITS);
 
     return odd_if(indefinite(l),
                   zero_if(is_zero(l),
@@ -52,7 +52,7 @@ static inline lane lane_subtract_lower(c205_word a, c205_word b)
  * one. */
 static inline int64_t least_significance(int64_t ca, int64_t cb)
 {
-    const int64_t ma = ca ^ ca >> 63, mb = cb ^ cb >> 63;
+    int64_t ma = ca ^ ca >> 63, mb = cb ^ cb >> 63;
 
     return LENGTH - (int64_t)room((ma < mb ? ma : mb) | 1);
 }
@@ -64,7 +64,7 @@ static inline int64_t product(c205_word a, c205_word b)
 
 static inline lane lane_multiply_upper(c205_word a, c205_word b)
 {
-    const int64_t e = exponent(a) + exponent(b) + DIGITS;
+    int64_t e = exponent(a) + exponent(b) + DIGITS;
 
     return special_product(a, b, fitted(e, product(a, b) >> DIGITS));
 }
@@ -77,8 +77,8 @@ static inline lane lane_multiply_lower(c205_word a, c205_word b)
 
 static inline lane lane_multiply_significant(c205_word a, c205_word b)
 {
-    const int64_t e = exponent(a) + exponent(b), p = product(a, b);
-    const int64_t bits = least_significance(coefficient(a), coefficient(b));
+    int64_t e = exponent(a) + exponent(b), p = product(a, b);
+    int64_t bits = least_significance(coefficient(a), coefficient(b));
 
     return special_product(a, b, zero_if(p == 0, significant(e, p, bits)));
 }
@@ -96,8 +96,8 @@ static inline int64_t below(double d)
  * 1 / cb or more, which is more than a double errs. */
 static inline int64_t quotient(int64_t ca, int64_t cb)
 {
-    const double dividend = to_double(magnitude(ca) << DIGITS) + 0.5;
-    const int64_t q = below(dividend / to_double(magnitude(cb)));
+    double dividend = to_double(magnitude(ca) << DIGITS) + 0.5;
+    int64_t q = below(dividend / to_double(magnitude(cb)));
 
     return (ca ^ cb) < 0 ? -q : q;
 }
@@ -110,7 +110,7 @@ static inline int64_t quotient_exponent(c205_word a, c205_word b)
 /* The divisor 0, as number or machine zero, is at fault. */
 static inline lane special_quotient(c205_word a, c205_word b, lane result)
 {
-    const uint64_t without_digits = magnitude(coefficient(b)) - 1;
+    uint64_t without_digits = magnitude(coefficient(b)) - 1;
 
     return odd_if(without_digits | zero(b) | indefinite(larger(a, b)),
                   zero_if(is_zero(a), result));
@@ -119,8 +119,8 @@ static inline lane special_quotient(c205_word a, c205_word b, lane result)
 /* Shortened where it is too long. */
 static inline lane lane_divide_upper(c205_word a, c205_word b)
 {
-    const int64_t q = quotient(coefficient(a), coefficient(b));
-    const int64_t bits = LENGTH - (int64_t)room(q);
+    int64_t q = quotient(coefficient(a), coefficient(b));
+    int64_t bits = LENGTH - (int64_t)room(q);
 
     return special_quotient(a, b,
                             significant(quotient_exponent(a, b), q,
@@ -129,9 +129,9 @@ static inline lane lane_divide_upper(c205_word a, c205_word b)
 
 static inline lane lane_divide_significant(c205_word a, c205_word b)
 {
-    const int64_t ca = coefficient(a), cb = coefficient(b);
-    const int64_t e = quotient_exponent(a, b), q = quotient(ca, cb);
-    const int64_t bits = least_significance(ca, cb);
+    int64_t ca = coefficient(a), cb = coefficient(b);
+    int64_t e = quotient_exponent(a, b), q = quotient(ca, cb);
+    int64_t bits = least_significance(ca, cb);
 
     return special_quotient(a, b, zero_if(q == 0, significant(e, q, bits)));
 }
@@ -140,7 +140,7 @@ static inline lane lane_divide_significant(c205_word a, c205_word b)
  * integers by 2^-25 or more. */
 static inline int64_t root(uint64_t n)
 {
-    const double x = to_double(n) + 0.5;
+    double x = to_double(n) + 0.5;
 
     return below(reciprocal_root(x) * x);
 }
@@ -148,12 +148,12 @@ static inline int64_t root(uint64_t n)
 /* The root of the normalised operand, shifted back. */
 static inline lane lane_square_root(c205_word a)
 {
-    const int64_t c = value(a);
-    const int64_t places = (int64_t)room(c) - (LENGTH - DIGITS);
-    const int64_t e = exponent(a) - places;
-    const int64_t k = DIGITS - 1 + (e & 1);
-    const int64_t r = root((uint64_t)c << (places + k));
-    const lane result = number(((e - k) >> 1) + places, r >> places);
+    int64_t c = value(a);
+    int64_t places = (int64_t)room(c) - (LENGTH - DIGITS);
+    int64_t e = exponent(a) - places;
+    int64_t k = DIGITS - 1 + (e & 1);
+    int64_t r = root((uint64_t)c << (places + k));
+    lane result = number(((e - k) >> 1) + places, r >> places);
 
     return odd_if((uint64_t)c | indefinite(a), zero_if(c == 0, result));
 }
@@ -165,8 +165,8 @@ enum { MORE_DIGITS = 24 };
 /* From a sum of the coefficient and what rounds it. */
 static inline lane contracted(c205_word a, int64_t rounding)
 {
-    const int64_t e = word_exponent(a) + MORE_DIGITS;
-    const int64_t c = (word_coefficient(a) + rounding) >> MORE_DIGITS;
+    int64_t e = word_exponent(a) + MORE_DIGITS;
+    int64_t c = (word_coefficient(a) + rounding) >> MORE_DIGITS;
 
     return special_product(a, a, fitted(e, c));
 }
@@ -184,7 +184,7 @@ static inline lane lane_contract_rounded(c205_word a)
 /* As many bits as the exponent is longer, the digits move to the right. */
 static inline lane lane_extend(c205_word a)
 {
-    const c205_word digits = (a & ~EXPONENT_MASK) >> 8;
+    c205_word digits = (a & ~EXPONENT_MASK) >> 8;
     const lane result = {
         (c205_word)(exponent(a) - MORE_DIGITS) << 48 | digits, 0, 0
     };

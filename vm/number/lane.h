@@ -12,16 +12,16 @@
 /* floor(ca x cb / 2^(48 - keep)), by halves of 24 bits. */
 static inline int64_t product(c205_word a, c205_word b, int keep)
 {
-    const int64_t a1 = (int64_t)(a << 16) >> 40, a0 = a & 0xFFFFFF;
-    const int64_t b1 = (int64_t)(b << 16) >> 40, b0 = b & 0xFFFFFF;
-    const int64_t middle = a1 * b0 + a0 * b1 + (a0 * b0 >> 24);
+    int64_t a1 = (int64_t)(a << 16) >> 40, a0 = a & 0xFFFFFF;
+    int64_t b1 = (int64_t)(b << 16) >> 40, b0 = b & 0xFFFFFF;
+    int64_t middle = a1 * b0 + a0 * b1 + (a0 * b0 >> 24);
 
     return (int64_t)((uint64_t)(a1 * b1) << keep) + (middle >> (24 - keep));
 }
 
 static inline lane lane_multiply_upper(c205_word a, c205_word b)
 {
-    const int64_t e = exponent(a) + exponent(b) + WORD_DIGITS;
+    int64_t e = exponent(a) + exponent(b) + WORD_DIGITS;
 
     return special_product(a, b, fitted(e, product(a, b, 1)));
 }
@@ -29,10 +29,9 @@ static inline lane lane_multiply_upper(c205_word a, c205_word b)
 /* The product of normalised operands lies in 2^92 .. 2^94, or below -2^92. */
 static inline lane lane_multiply_significant(c205_word a, c205_word b)
 {
-    const int64_t e = exponent(a) + exponent(b) + (WORD_DIGITS - 1);
-    const int64_t p = product(a, b, 2);
-    const lane result = odd_if(unnormalised(a) | unnormalised(b),
-                               fitted(e, p));
+    int64_t e = exponent(a) + exponent(b) + (WORD_DIGITS - 1);
+    int64_t p = product(a, b, 2);
+    lane result = odd_if(unnormalised(a) | unnormalised(b), fitted(e, p));
 
     return special_product(a, b, result);
 }
@@ -44,21 +43,21 @@ static inline lane lane_multiply_significant(c205_word a, c205_word b)
  * 2^64, tells. */
 static inline int64_t quotient(int64_t ca, int64_t cb)
 {
-    const uint64_t dividend = magnitude(ca), divisor = magnitude(cb);
-    const double scale = (double)(INT64_C(1) << WORD_DIGITS);
-    const uint64_t nearest = to_nearest(to_double(dividend) * scale
-                                        / to_double(divisor));
-    const uint64_t remainder = (dividend << WORD_DIGITS) - nearest * divisor;
-    const int64_t q = (int64_t)(nearest - (remainder >> 63));
+    uint64_t dividend = magnitude(ca), divisor = magnitude(cb);
+    double scale = (double)(INT64_C(1) << WORD_DIGITS);
+    uint64_t nearest = to_nearest(to_double(dividend) * scale
+                                  / to_double(divisor));
+    uint64_t remainder = (dividend << WORD_DIGITS) - nearest * divisor;
+    int64_t q = (int64_t)(nearest - (remainder >> 63));
 
     return (ca ^ cb) < 0 ? -q : q;
 }
 
 static inline lane lane_divide_significant(c205_word a, c205_word b)
 {
-    const int64_t e = exponent(a) - exponent(b) - WORD_DIGITS;
-    const int64_t q = quotient(coefficient(a), coefficient(b));
-    const lane result = odd_if(unnormalised(a), normalised(e, q));
+    int64_t e = exponent(a) - exponent(b) - WORD_DIGITS;
+    int64_t q = quotient(coefficient(a), coefficient(b));
+    lane result = odd_if(unnormalised(a), normalised(e, q));
 
     return odd_if(unnormalised(b) | zero(b) | indefinite(larger(a, b)),
                   zero_if(is_zero(a), result));
@@ -68,9 +67,9 @@ static inline lane lane_divide_significant(c205_word a, c205_word b)
  * quotient is; the radicand is c x 2^(k - 46). */
 static inline int64_t root(uint64_t radicand)
 {
-    const double x = to_double(radicand);
-    const uint64_t nearest = to_nearest(reciprocal_root(x) * x * (1 << 23));
-    const uint64_t remainder = (radicand << 46) - nearest * nearest;
+    double x = to_double(radicand);
+    uint64_t nearest = to_nearest(reciprocal_root(x) * x * (1 << 23));
+    uint64_t remainder = (radicand << 46) - nearest * nearest;
 
     return (int64_t)(nearest - (remainder >> 63));
 }
@@ -78,11 +77,11 @@ static inline int64_t root(uint64_t radicand)
 /* k is 46 for even exponents, 47 for odd ones. */
 static inline lane lane_square_root(c205_word a)
 {
-    const uint64_t digits = a & WORD_COEFFICIENT_MASK;
-    const bool is_even = (a >> EXPONENT_PLACE & 1) == 0;
-    const int64_t r = root(is_even ? digits : digits << 1);
-    const lane result = number((exponent(a) >> 1) - 23, r);
-    const uint64_t negative = a << 16;
+    uint64_t digits = a & WORD_COEFFICIENT_MASK;
+    bool is_even = (a >> EXPONENT_PLACE & 1) == 0;
+    int64_t r = root(is_even ? digits : digits << 1);
+    lane result = number((exponent(a) >> 1) - 23, r);
+    uint64_t negative = a << 16;
 
     return zero_if(is_zero(a),
                    odd_if(unnormalised(a) | negative | indefinite(a),

@@ -44,7 +44,7 @@ static inline int64_t coefficient(c205_word w)
 /* c x 2^LANE_GUARD, also of machine zeros; as it counts in arithmetic */
 static inline int64_t guarded(c205_word w)
 {
-    const int64_t digits = (int64_t)(w << LANE_FORMAT.exponent_bits);
+    int64_t digits = (int64_t)(w << LANE_FORMAT.exponent_bits);
 
     return digits >> (63 - DIGITS - LANE_GUARD);
 }
@@ -63,7 +63,7 @@ static inline uint64_t magnitude(int64_t c)
  * whatever the exponent. */
 static inline uint64_t unnormalised(c205_word w)
 {
-    const uint64_t digits = w << LANE_FORMAT.exponent_bits;
+    uint64_t digits = w << LANE_FORMAT.exponent_bits;
 
     return digits ^ digits << 1 ^ first_bit;
 }
@@ -115,7 +115,7 @@ enum { LENGTH = 51 };
 static inline uint64_t room(int64_t t)
 {
     enum { BIAS = 1023 };
-    const uint64_t bits = bits_of_double(
+    uint64_t bits = bits_of_double(
         to_double((uint64_t)(t ^ t >> 63) << 1 | 1));
 
     return (((uint64_t)(BIAS + LENGTH + 1) << 52) - 1 - bits) >> 52;
@@ -125,7 +125,7 @@ static inline uint64_t room(int64_t t)
  * digit (to 3.5 %), and each step of Newton's doubles the digits. */
 static inline double reciprocal_root(double x)
 {
-    const uint64_t one_and_a_half_exponents = UINT64_C(0x5FE6EB50C7B537A9);
+    uint64_t one_and_a_half_exponents = UINT64_C(0x5FE6EB50C7B537A9);
     double y = double_of_bits(one_and_a_half_exponents
                               - (bits_of_double(x) >> 1));
 
@@ -171,9 +171,9 @@ static inline lane odd_if(uint64_t odd, lane result)
  * DIGITS. */
 static inline lane significant(int64_t e, int64_t t, int64_t bits)
 {
-    const uint64_t places = room(t);
-    const int64_t top = (int64_t)((uint64_t)t << places);
-    const int64_t excess = LENGTH - bits;
+    uint64_t places = room(t);
+    int64_t top = (int64_t)((uint64_t)t << places);
+    int64_t excess = LENGTH - bits;
 
     return number(e + excess - (int64_t)places, top >> excess);
 }
@@ -194,7 +194,7 @@ static inline uint64_t excess(int64_t t, int digits)
  * The first bits are not looked at: it may be shifted as a natural number. */
 static inline lane fitted(int64_t e, int64_t t)
 {
-    const uint64_t places = excess(t, DIGITS);
+    uint64_t places = excess(t, DIGITS);
 
     return number(e + (int64_t)places, (int64_t)((uint64_t)t >> places));
 }
@@ -228,7 +228,7 @@ static inline int64_t shifted(int64_t c, int64_t places, int64_t limit)
  * there is. */
 static inline int64_t sum(c205_word a, c205_word b)
 {
-    const c205_word l = larger(a, b), s = smaller(a, b);
+    c205_word l = larger(a, b), s = smaller(a, b);
 
     return guarded(l) + shifted(guarded_value(s), distance(l, s), 63);
 }
@@ -237,11 +237,11 @@ static inline int64_t sum(c205_word a, c205_word b)
  * DIGITS down, before its sign changes. */
 static inline int64_t difference(c205_word a, c205_word b)
 {
-    const int64_t reach = DIGITS - LANE_GUARD;
-    const c205_word l = larger(a, b), s = smaller(a, b);
-    const int64_t places = distance(l, s), more = places - reach;
-    const int64_t kept = shifted(guarded_value(s), more > 0 ? more : 0, 63);
-    const bool is_subtrahend = (int64_t)b <= (int64_t)a;
+    int64_t reach = DIGITS - LANE_GUARD;
+    c205_word l = larger(a, b), s = smaller(a, b);
+    int64_t places = distance(l, s), more = places - reach;
+    int64_t kept = shifted(guarded_value(s), more > 0 ? more : 0, 63);
+    bool is_subtrahend = (int64_t)b <= (int64_t)a;
 
     return (is_subtrahend ? guarded(l) : -guarded(l))
            + shifted(is_subtrahend ? -kept : kept, places, reach);
@@ -250,7 +250,7 @@ static inline int64_t difference(c205_word a, c205_word b)
 /* The exponent of an indefinite is out of range. */
 static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
 {
-    const c205_word l = larger(a, b);
+    c205_word l = larger(a, b);
 
     return zero_if(is_zero(l), fitted(exponent(l), t >> LANE_GUARD));
 }
@@ -259,10 +259,9 @@ static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
  * words. */
 static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
 {
-    const c205_word l = larger(a, b);
-    const uint64_t too_short = LANE_GUARD < DIGITS ? unnormalised(l) : 0;
-    const lane result = odd_if(too_short,
-                               normalised(exponent(l) - LANE_GUARD, t));
+    c205_word l = larger(a, b);
+    uint64_t too_short = LANE_GUARD < DIGITS ? unnormalised(l) : 0;
+    lane result = odd_if(too_short, normalised(exponent(l) - LANE_GUARD, t));
 
     return odd_if(indefinite(l), zero_if(is_zero(l), result));
 }
@@ -289,7 +288,7 @@ static inline lane lane_subtract_normalised(c205_word a, c205_word b)
 
 static inline lane halved(lane sum)
 {
-    const uint64_t is_number = ~zero(sum.word) >> 63;
+    uint64_t is_number = ~zero(sum.word) >> 63;
 
     sum.word -= is_number << EXPONENT_PLACE;
     sum.odd |= zero(sum.word) & (0 - is_number);
@@ -317,7 +316,7 @@ static inline int64_t without_fraction(int64_t c, c205_word a)
 
 static inline lane integer_part(c205_word a, int64_t part)
 {
-    const c205_word whole = integer(part);
+    c205_word whole = integer(part);
     const lane result = { exponent(a) >= 0 ? a
                           : is_zero(a)     ? a
                                            : whole,
@@ -338,8 +337,8 @@ static inline lane lane_ceiling(c205_word a)
 
 static inline lane lane_truncate(c205_word a)
 {
-    const int64_t c = coefficient(a);
-    const int64_t part = without_fraction((int64_t)magnitude(c), a);
+    int64_t c = coefficient(a);
+    int64_t part = without_fraction((int64_t)magnitude(c), a);
 
     return integer_part(a, c < 0 ? -part : part);
 }
@@ -347,10 +346,10 @@ static inline lane lane_truncate(c205_word a)
 /* Two coefficients change the exponent when their sign changes. */
 static inline lane lane_negate(c205_word a)
 {
-    const int64_t c = coefficient(a), e = exponent(a);
-    const int64_t half = -format_coefficient_min(LANE_FORMAT) / 2;
-    const bool too_long = c == -2 * half, too_short = c == half;
-    const int64_t moved = too_short ? e - 1 : e;
+    int64_t c = coefficient(a), e = exponent(a);
+    int64_t half = -format_coefficient_min(LANE_FORMAT) / 2;
+    bool too_long = c == -2 * half, too_short = c == half;
+    int64_t moved = too_short ? e - 1 : e;
 
     return odd_if(indefinite(a),
                   zero_if(is_zero(a), number(too_long ? e + 1 : moved,
@@ -363,9 +362,9 @@ static inline lane lane_negate(c205_word a)
  * number. */
 static inline lane lane_absolute(c205_word a)
 {
-    const int64_t c = coefficient(a);
+    int64_t c = coefficient(a);
     const lane zero_number = { c < 0 ? C205_MACHINE_ZERO : a, 0, first_bit };
-    const lane result = fitted(exponent(a), (int64_t)magnitude(c));
+    lane result = fitted(exponent(a), (int64_t)magnitude(c));
 
     return odd_if(indefinite(a), is_zero(a) ? zero_number : result);
 }

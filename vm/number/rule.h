@@ -91,7 +91,7 @@ static bool wide_is_zero(wide w)
 
 static wide wide_negate(wide w)
 {
-    const int64_t borrow = w.lo != 0;
+    int64_t borrow = w.lo != 0;
     const wide negated = { -w.hi - borrow, -w.lo & MAX_COEFFICIENT,
                            w.exponent };
 
@@ -108,7 +108,7 @@ static int32_t wide_significant_bits(wide w)
 /* floor(w / 2^places), which must fit; places of either sign. */
 static int64_t wide_floor(wide w, int32_t places)
 {
-    const int32_t up = DIGITS - places;
+    int32_t up = DIGITS - places;
 
     if (up <= 0)
         return w.hi >> (up < -63 ? 63 : -up);
@@ -134,7 +134,7 @@ static c205_word wide_significant(wide w, int32_t bits, uint64_t *flags)
 /* Its high part, or if that has no room in a word, half of it. */
 static c205_word wide_upper(wide w, uint64_t *flags)
 {
-    const bool fits = word_significant_bits(w.hi) <= DIGITS;
+    bool fits = word_significant_bits(w.hi) <= DIGITS;
 
     return wide_cut(w, fits ? DIGITS : DIGITS + 1, flags);
 }
@@ -167,9 +167,9 @@ static wide aligned(int64_t c, int32_t places)
  * exponent is below all others, so that it is never the one aligned to. */
 static wide sum(c205_word a, c205_word b, bool subtract)
 {
-    const int32_t distance = exponent_of(a) - exponent_of(b);
-    const int64_t ca = value_of(a);
-    const int64_t cb = value_of(b);
+    int32_t distance = exponent_of(a) - exponent_of(b);
+    int64_t ca = value_of(a);
+    int64_t cb = value_of(b);
     wide w;
 
     if (distance >= 0) {
@@ -284,13 +284,13 @@ c205_word RULE(average_difference)(c205_word a, c205_word b, uint64_t *flags)
  * 2^h + a0 b0. */
 static wide product(c205_word a, c205_word b)
 {
-    const int32_t half = (DIGITS + 1) / 2;
-    const int64_t mask = (INT64_C(1) << half) - 1;
-    const int64_t ca = coefficient_of(a), cb = coefficient_of(b);
-    const int64_t a1 = ca >> half, a0 = ca & mask;
-    const int64_t b1 = cb >> half, b0 = cb & mask;
-    const int64_t low = a0 * b0;
-    const int64_t middle = a1 * b0 + a0 * b1 + (low >> half);
+    int32_t half = (DIGITS + 1) / 2;
+    int64_t mask = (INT64_C(1) << half) - 1;
+    int64_t ca = coefficient_of(a), cb = coefficient_of(b);
+    int64_t a1 = ca >> half, a0 = ca & mask;
+    int64_t b1 = cb >> half, b0 = cb & mask;
+    int64_t low = a0 * b0;
+    int64_t middle = a1 * b0 + a0 * b1 + (low >> half);
     const wide w = { a1 * b1 * 2 + (middle >> (half - 1)),
                      (middle & mask >> 1) << half | (low & mask),
                      exponent_of(a) + exponent_of(b) };
@@ -314,9 +314,9 @@ static bool special_product(c205_word a, c205_word b, c205_word *special,
 /* Significant bits of the less significant operand, but at least one. */
 static int32_t least_significance(c205_word a, c205_word b)
 {
-    const int32_t sa = word_significant_bits(coefficient_of(a));
-    const int32_t sb = word_significant_bits(coefficient_of(b));
-    const int32_t least = sa < sb ? sa : sb;
+    int32_t sa = word_significant_bits(coefficient_of(a));
+    int32_t sb = word_significant_bits(coefficient_of(b));
+    int32_t least = sa < sb ? sa : sb;
 
     return least < 1 ? 1 : least;
 }
@@ -355,13 +355,13 @@ c205_word RULE(multiply_significant)(c205_word a, c205_word b,
  * below it, as many at a time as the remainder leaves room for. */
 static wide quotient(c205_word a, c205_word b)
 {
-    const int64_t ca = coefficient_of(a), cb = coefficient_of(b);
-    const int64_t dividend = ca < 0 ? -ca : ca, divisor = cb < 0 ? -cb : cb;
+    int64_t ca = coefficient_of(a), cb = coefficient_of(b);
+    int64_t dividend = ca < 0 ? -ca : ca, divisor = cb < 0 ? -cb : cb;
     int64_t remainder = dividend % divisor;
     wide w = { dividend / divisor, 0, 0 };
 
     for (int32_t left = DIGITS; left > 0;) {
-        const int32_t places = left < 16 ? left : 16;
+        int32_t places = left < 16 ? left : 16;
         remainder <<= places;
         w.lo = w.lo << places | remainder / divisor;
         remainder %= divisor;
@@ -392,8 +392,8 @@ c205_word RULE(divide_upper)(c205_word a, c205_word b, uint64_t *flags)
 
     if (special_quotient(a, b, &special, flags))
         return special;
-    const wide w = quotient(a, b);
-    const int32_t excess = wide_significant_bits(w) - DIGITS;
+    wide w = quotient(a, b);
+    int32_t excess = wide_significant_bits(w) - DIGITS;
     return wide_cut(w, excess > 0 ? excess : 0, flags);
 }
 
@@ -413,15 +413,15 @@ c205_word RULE(divide_significant)(c205_word a, c205_word b, uint64_t *flags)
  * 2^64, tells. */
 static int64_t root(int64_t c, int32_t k)
 {
-    const uint64_t estimate = (uint64_t)sqrt(ldexp((double)c, k));
-    const uint64_t remainder = ((uint64_t)c << k) - estimate * estimate;
+    uint64_t estimate = (uint64_t)sqrt(ldexp((double)c, k));
+    uint64_t remainder = ((uint64_t)c << k) - estimate * estimate;
 
     return (int64_t)(estimate - (remainder >> 63));
 }
 
 c205_word RULE(square_root)(c205_word a, uint64_t *flags)
 {
-    const int64_t c = value_of(a);
+    int64_t c = value_of(a);
 
     if (word_is_indefinite(a))
         return indefinite(0, flags);
@@ -429,9 +429,9 @@ c205_word RULE(square_root)(c205_word a, uint64_t *flags)
         return machine_zero(flags);
     if (c < 0)
         return indefinite(FLAG_IMAGINARY_ROOT, flags);
-    const int32_t places = DIGITS - word_significant_bits(c);
-    const int32_t exponent = exponent_of(a) - places;
-    const int32_t k = exponent % 2 == 0 ? DIGITS - 1 : DIGITS;
+    int32_t places = DIGITS - word_significant_bits(c);
+    int32_t exponent = exponent_of(a) - places;
+    int32_t k = exponent % 2 == 0 ? DIGITS - 1 : DIGITS;
     return ranged((exponent - k) / 2 + places, root(c << places, k) >> places,
                   flags);
 }
@@ -450,7 +450,7 @@ static c205_word kept(c205_word a, uint64_t *flags)
 
 c205_word RULE(floor)(c205_word a, uint64_t *flags)
 {
-    const int32_t exponent = exponent_of(a);
+    int32_t exponent = exponent_of(a);
 
     if (exponent >= 0 || word_is_machine_zero(a))
         return kept(a, flags);
@@ -459,7 +459,7 @@ c205_word RULE(floor)(c205_word a, uint64_t *flags)
 
 c205_word RULE(ceiling)(c205_word a, uint64_t *flags)
 {
-    const int32_t exponent = exponent_of(a);
+    int32_t exponent = exponent_of(a);
 
     if (exponent >= 0 || word_is_machine_zero(a))
         return kept(a, flags);
@@ -477,8 +477,8 @@ c205_word RULE(truncate)(c205_word a, uint64_t *flags)
  * not normalised. */
 c205_word RULE(negate)(c205_word a, uint64_t *flags)
 {
-    const int32_t exponent = exponent_of(a);
-    const int64_t c = coefficient_of(a);
+    int32_t exponent = exponent_of(a);
+    int64_t c = coefficient_of(a);
 
     if (word_is_indefinite(a))
         return indefinite(0, flags);
@@ -520,7 +520,7 @@ static int32_t room(int64_t c)
 /* With another exponent, the coefficient shifted to suit. */
 static c205_word with_exponent(c205_word a, int64_t exponent, uint64_t *flags)
 {
-    const int64_t c = coefficient_of(a), left = exponent_of(a) - exponent;
+    int64_t c = coefficient_of(a), left = exponent_of(a) - exponent;
 
     if (word_is_indefinite(a))
         return indefinite(0, flags);
@@ -536,9 +536,9 @@ static c205_word with_exponent(c205_word a, int64_t exponent, uint64_t *flags)
 
 c205_word RULE(adjust_significance)(c205_word a, c205_word b, uint64_t *flags)
 {
-    const int64_t wanted = coefficient_of(b);
-    const int64_t most = room(coefficient_of(a));
-    const int64_t places = wanted < most ? wanted : most;
+    int64_t wanted = coefficient_of(b);
+    int64_t most = room(coefficient_of(a));
+    int64_t places = wanted < most ? wanted : most;
 
     return with_exponent(a, exponent_of(a) - places, flags);
 }

@@ -13,10 +13,10 @@ enum { BITS = 64 /* of a word */ };
 #define LOGICAL_SPAN(name, format, result) \
     CLONED void name BINARY_PARAMETERS \
     { \
-        const word_format f = format; \
+        word_format f = format; \
         (void)flags; \
         for (size_t i = 0; i < n; i++) { \
-            const c205_word x = a[i], y = b[i]; \
+            c205_word x = a[i], y = b[i]; \
             c[i] = (result)&format_mask(f); \
         } \
     }
@@ -28,7 +28,7 @@ enum { BITS = 64 /* of a word */ };
 static inline c205_word with_coefficient(word_format f, c205_word high,
                                          c205_word low)
 {
-    const c205_word mask = format_coefficient_mask(f);
+    c205_word mask = format_coefficient_mask(f);
 
     return (high & ~mask) | (low & mask);
 }
@@ -67,7 +67,7 @@ static inline c205_word zero_as_number(c205_word w)
 /* In the first bit: 1, it is. */
 static inline uint64_t unnormalised(word_format f, c205_word number)
 {
-    const uint64_t digits = number << f.exponent_bits;
+    uint64_t digits = number << f.exponent_bits;
 
     return number == LEAST_NUMBER ? 0 : ~(digits ^ digits << 1);
 }
@@ -76,8 +76,8 @@ static inline uint64_t unnormalised(word_format f, c205_word number)
  * with their exponents complemented. */
 static inline c205_word order(word_format f, c205_word w)
 {
-    const c205_word exponent = ~format_coefficient_mask(f);
-    const int64_t sign = (int64_t)(w << f.exponent_bits) >> 63;
+    c205_word exponent = ~format_coefficient_mask(f);
+    int64_t sign = (int64_t)(w << f.exponent_bits) >> 63;
 
     return w ^ (exponent & (c205_word)sign);
 }
@@ -85,16 +85,16 @@ static inline c205_word order(word_format f, c205_word w)
 /* In the first bit: 1, it is. */
 static inline uint64_t less_integer(uint64_t x, uint64_t y)
 {
-    const uint64_t difference = x - y;
+    uint64_t difference = x - y;
 
     return difference ^ ((x ^ y) & (difference ^ x));
 }
 
 static inline uint64_t less_number(word_format f, c205_word x, c205_word y)
 {
-    const uint64_t of_one_sign = less_integer(order(f, x), order(f, y));
-    const uint64_t sign_x = x << f.exponent_bits;
-    const uint64_t sign_y = y << f.exponent_bits;
+    uint64_t of_one_sign = less_integer(order(f, x), order(f, y));
+    uint64_t sign_x = x << f.exponent_bits;
+    uint64_t sign_y = y << f.exponent_bits;
 
     return of_one_sign ^ ((of_one_sign ^ sign_x) & (sign_x ^ sign_y));
 }
@@ -125,11 +125,10 @@ static inline uint64_t copied(uint64_t bit)
  * or where it does not hold. */
 #define BY_RANK(format, relation, inverse) \
     for (size_t j = 0; j < length; j++) { \
-        const c205_word x = a[i + j], y = b[i + j]; \
-        const uint64_t holds = (uint64_t)(format_rank(format, x) \
-                                              relation format_rank(format, \
-                                                                   y)) \
-                               & ~indefinite(larger(x, y)) >> 63; \
+        c205_word x = a[i + j], y = b[i + j]; \
+        uint64_t holds = (uint64_t)(format_rank(format, x) \
+                                        relation format_rank(format, y)) \
+                         & ~indefinite(larger(x, y)) >> 63; \
         word |= (holds ^ inverse) << (BITS - 1 - j); \
     }
 
@@ -140,12 +139,12 @@ static inline uint64_t copied(uint64_t bit)
                      const c205_word *restrict b, size_t n) \
     { \
         for (size_t i = 0; i < n; i += BITS) { \
-            const size_t length = lesser(n - i, BITS); \
+            size_t length = lesser(n - i, BITS); \
             uint64_t word = 0, odd = 0; \
             c205_word most = LEAST_NUMBER; \
             for (size_t j = 0; j < length; j++) { \
-                const c205_word x = zero_as_number(a[i + j]); \
-                const c205_word y = zero_as_number(b[i + j]); \
+                c205_word x = zero_as_number(a[i + j]); \
+                c205_word y = zero_as_number(b[i + j]); \
                 word |= copied(is(format, x, y)) & places[j]; \
                 odd |= unnormalised(format, x) | unnormalised(format, y); \
                 most = larger(most, larger(x, y)); \
@@ -186,8 +185,8 @@ CLONED void lanes_store_masked(c205_word *restrict c,
                                const uint64_t *restrict bits, size_t n)
 {
     for (size_t i = 0; i < n; i += BITS) {
-        const size_t length = lesser(n - i, BITS);
-        const uint64_t permitted = bits[i / BITS];
+        size_t length = lesser(n - i, BITS);
+        uint64_t permitted = bits[i / BITS];
         for (size_t j = 0; j < length; j++)
             c[i + j] = permitted & places[j] ? a[i + j] : c[i + j];
     }

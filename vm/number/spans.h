@@ -63,10 +63,10 @@ enum { BLOCK = 512 };
     { \
         uint64_t odd[BLOCK]; \
         for (size_t i = 0; i < n; i += BLOCK) { \
-            const size_t end = i + lesser(n - i, BLOCK); \
+            size_t end = i + lesser(n - i, BLOCK); \
             uint64_t odds = 0, zeros = 0; \
             for (size_t j = i; j < end; j++) { \
-                const lane result = of_lane; \
+                lane result = of_lane; \
                 odd[j - i] = result.odd; \
                 odds |= result.odd; \
                 zeros |= result.zero; \

@@ -40,15 +40,15 @@ int64_t c205_to_integer(c205_word word)
 static c205_word from_double(word_format f, double value)
 {
     enum { DOUBLE_DIGITS = 53 };
-    const int32_t excess = DOUBLE_DIGITS - f.digits;
+    int32_t excess = DOUBLE_DIGITS - f.digits;
     int exponent;
 
     if (!isfinite(value))
         return C205_INDEFINITE;
     if (value == 0)
         return C205_MACHINE_ZERO;
-    const double fraction = frexp(fabs(value), &exponent);
-    const int64_t digits = (int64_t)ldexp(fraction, DOUBLE_DIGITS);
+    double fraction = frexp(fabs(value), &exponent);
+    int64_t digits = (int64_t)ldexp(fraction, DOUBLE_DIGITS);
     return cut(f, value < 0, digits >> excess,
                (digits & ((INT64_C(1) << excess) - 1)) != 0,
                exponent - f.digits);
@@ -154,7 +154,7 @@ static const char *take_exponent(decimal *d, const char *text)
 
     if (*text != 'e' && *text != 'E')
         return text;
-    const bool negative = *p == '-';
+    bool negative = *p == '-';
     if (*p == '-' || *p == '+')
         p++;
     if (!is_digit(*p))
@@ -176,8 +176,8 @@ static bool scale(big *number, int32_t power, int32_t *exponent)
         big_multiply_power_of_5(number, power);
     } else {
         /* 5^p < 2^(7p/3), and so the quotient keeps over 64 bits */
-        const int32_t room = 64 + -power / 3 * 7 + 7 - big_bit_length(number);
-        const int32_t places = room > 0 ? room : 0;
+        int32_t room = 64 + -power / 3 * 7 + 7 - big_bit_length(number);
+        int32_t places = room > 0 ? room : 0;
         big_shift_left(number, places);
         *exponent -= places;
         inexact = big_divide_power_of_5(number, -power);
@@ -191,7 +191,7 @@ static c205_word word_of_decimal(word_format f, decimal *d)
 
     if (d->length == 0)
         return C205_MACHINE_ZERO;
-    const int64_t places = (int64_t)d->length + d->exponent;
+    int64_t places = (int64_t)d->length + d->exponent;
     if (places < -PLACES_MAX)
         return C205_MACHINE_ZERO;
     if (places > PLACES_MAX)
@@ -241,7 +241,7 @@ c205_word c205_half_from_text(const char *text, const char **end)
 static uint64_t count_units(int64_t c, int32_t exponent, int32_t power,
                             bool ceiling)
 {
-    const int32_t twos = exponent - power;
+    int32_t twos = exponent - power;
     bool lost = false;
     big number;
 
@@ -267,12 +267,12 @@ typedef struct digits {
  * above the one lies above the other. */
 static digits shortest(word_format f, int64_t c, int32_t exponent)
 {
-    const bool negative = c < 0;
-    const int64_t near = negative ? -c : c;
-    const int64_t far = negative ? near - 1 : near + 1;
+    bool negative = c < 0;
+    int64_t near = negative ? -c : c;
+    int64_t far = negative ? near - 1 : near + 1;
     /* 18 or 19 digits: log10(2) is 0.30103 */
-    const int32_t twos = exponent + f.digits - 1;
-    const int32_t log10 = (int32_t)floor(twos * 0.30103);
+    int32_t twos = exponent + f.digits - 1;
+    int32_t log10 = (int32_t)floor(twos * 0.30103);
     digits d = { 0, log10 - 17 };
     uint64_t from = count_units(near, exponent, d.power, !negative);
     uint64_t to = count_units(far, exponent, d.power, !negative);
@@ -292,9 +292,9 @@ static void write_decimal(char *text, bool negative, digits d)
 {
     enum { LEAST = -4, GREATEST = 16 };
     char number[24];
-    const int length = snprintf(number, sizeof number, "%llu",
-                                (unsigned long long)d.number);
-    const int places = length + d.power; /* before the point */
+    int length = snprintf(number, sizeof number, "%llu",
+                          (unsigned long long)d.number);
+    int places = length + d.power; /* before the point */
     const char *sign = negative ? "-" : "";
     const char *point = length > 1 ? "." : "";
 
@@ -314,8 +314,8 @@ static void write_decimal(char *text, bool negative, digits d)
 
 static void to_text(word_format f, c205_word word, char text[C205_TEXT_SIZE])
 {
-    const int64_t c = format_value_coefficient(f, word);
-    const int32_t places = f.digits - word_significant_bits(c);
+    int64_t c = format_value_coefficient(f, word);
+    int32_t places = f.digits - word_significant_bits(c);
 
     if (word_is_indefinite(word))
         snprintf(text, C205_TEXT_SIZE, "indefinite");

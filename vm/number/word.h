@@ -91,7 +91,7 @@ static inline int64_t format_coefficient(word_format f, c205_word w)
 static inline c205_word format_make(word_format f, int32_t exponent,
                                     int64_t coefficient)
 {
-    const c205_word placed = (c205_word)coefficient << format_padding(f);
+    c205_word placed = (c205_word)coefficient << format_padding(f);
 
     return (c205_word)(int64_t)exponent << (64 - f.exponent_bits)
            | (placed & format_coefficient_mask(f));
@@ -182,12 +182,12 @@ static inline int64_t word_value_coefficient(c205_word w)
  * before its coefficient, a negative one the same of its complement. */
 static inline int64_t format_rank(word_format f, c205_word w)
 {
-    const int64_t c = format_value_coefficient(f, w);
-    const int64_t sign = c >> 63;
-    const int32_t places = f.digits - word_significant_bits(c);
-    const int64_t exponent = format_exponent(f, w) - places
-                             + (1 - format_exponent_min(f) + f.digits);
-    const int64_t digits = word_shift_left(c, places) ^ sign;
+    int64_t c = format_value_coefficient(f, w);
+    int64_t sign = c >> 63;
+    int32_t places = f.digits - word_significant_bits(c);
+    int64_t exponent = format_exponent(f, w) - places
+                       + (1 - format_exponent_min(f) + f.digits);
+    int64_t digits = word_shift_left(c, places) ^ sign;
 
     return c == 0 ? 0 : (exponent << f.digits | digits) ^ sign;
 }
@@ -205,11 +205,11 @@ static inline c205_word format_pack(word_format f, c205_word a, c205_word b)
 static inline c205_word format_shift(word_format f, c205_word a,
                                      int64_t count)
 {
-    const int32_t width = format_width(f);
-    const uint64_t left = (uint64_t)count % (uint64_t)width;
-    const c205_word around = a >> (((uint64_t)width - left) & 63);
-    const c205_word right = (c205_word)((int64_t)a
-                                        >> (count < -63 ? 63 : -count & 63));
+    int32_t width = format_width(f);
+    uint64_t left = (uint64_t)count % (uint64_t)width;
+    c205_word around = a >> (((uint64_t)width - left) & 63);
+    c205_word right = (c205_word)((int64_t)a
+                                  >> (count < -63 ? 63 : -count & 63));
 
     return (count < 0 ? right : a << left | around) & format_mask(f);
 }

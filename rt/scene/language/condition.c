@@ -41,7 +41,7 @@ bool condition_skip(struct reader *reader, const struct scene_token *at,
 
 struct scene_condition *condition_top(struct reader *reader)
 {
-    const size_t serial = lexer_top(&reader->lexer)->serial;
+    size_t serial = lexer_top(&reader->lexer)->serial;
     size_t count = reader->condition_count;
 
     return count > reader->sealed

@@ -29,7 +29,7 @@ static bool cannot_include(struct reader *reader,
  * after the file, so it is left there. */
 static char *read_file_name(struct reader *reader, size_t depth)
 {
-    const struct scene_token at = reader->token;
+    struct scene_token at = reader->token;
     size_t hold;
     char *name = NULL;
 

@@ -178,7 +178,7 @@ static bool read_dimension_size(struct reader *reader, double *value)
 /* A new stream; its number. */
 static bool read_seed(struct reader *reader, double *value)
 {
-    const double most = 2147483648.;
+    double most = 2147483648.;
     struct scene_token at = reader->token;
     uint32_t *seeds;
     double seed;

@@ -188,8 +188,8 @@ static double up(double pixels)
 static void write_picture(const char *name, FILE *file)
 {
     const char *ending = strrchr(name, '.');
-    const size_t stem = (size_t)(ending - name);
-    const bool svg = strcmp(ending, ".svg") == 0;
+    size_t stem = (size_t)(ending - name);
+    bool svg = strcmp(ending, ".svg") == 0;
 
     fputs("# Draws the picture from the numbers beside it, in whose folder\n"
           "# gnuplot is to run.\n"

@@ -40,7 +40,7 @@ static bool count_crossings(const struct scene *scene, size_t *crossings,
 bool sweep_memory(struct sweep *sweep, struct sweep_memory *memory,
                   c205_error *error)
 {
-    const double rays = SIDE * SIDE;
+    double rays = SIDE * SIDE;
     double few, many;
 
     memset(memory, 0, sizeof *memory);

@@ -1,0 +1,28 @@
+#!/bin/sh
+# fresh.sh - the text that each fault of bugs.list replaces stands once in its
+# file.  Whether the fault is found is for run.sh to say.
+set -u
+cd "$(dirname "$0")/../.."
+
+awk '
+    function times(text, path, line, count) {
+        while ((getline line < path) > 0)
+            if (index(line, text))
+                count++
+        close(path)
+        return count + 0
+    }
+    /^# / { what = substr($0, 3) }
+    /^= / { path = substr($0, 3) }
+    /^- / {
+        if (times(substr($0, 3), path) == 1)
+            passed++
+        else {
+            print "FAIL stale in " path ": " what
+            failed++
+        }
+    }
+    END {
+        printf "%d passed, %d failed\n", passed, failed
+        exit failed > 0
+    }' tests/planted/bugs.list
