@@ -16,14 +16,6 @@ static const size_t lengths[MEASURE_POINTS] = {
     300, 500, 1000, 2000, 5000, 10000, 20000, 50000, C205_MAX_LENGTH,
 };
 
-/* Floating operations of one element of each class that has any. */
-static const unsigned flops_of[C205_TIMINGS] = {
-    [C205_TIMING_vadd] = 1,    [C205_TIMING_vmultiply] = 1,
-    [C205_TIMING_vdivide] = 1, [C205_TIMING_vsqrt] = 1,
-    [C205_TIMING_vsum] = 1,    [C205_TIMING_vproduct] = 1,
-    [C205_TIMING_vdot] = 2,    [C205_TIMING_vlink] = 2,
-};
-
 /* The operands of every program, each in a page of its own. */
 enum operand_place { A, B, C, Z, OPERANDS };
 enum { FIRST_REGISTER = 16, SCALAR = 32, LOADED = 33, FIRST_PAGE = 64 };
@@ -292,16 +284,30 @@ static bool clocks_of(const struct rig *rig, uint64_t entry, size_t length,
     return good;
 }
 
+static uint64_t operations_of(const c205 *machine)
+{
+    uint64_t operations = 0;
+    for (size_t i = 0; i < c205_account_count(machine); i++) {
+        operations += c205_account_at(machine, i)->operations;
+    }
+    return operations;
+}
+
+/* The flops stay those of the longest one. */
 static bool measure_points(const struct rig *rig, uint64_t entry,
                            uint64_t last, struct measurement *result,
                            c205_error *error)
 {
     for (size_t i = 0; i < MEASURE_POINTS; i++) {
-        uint64_t whole, empty;
-        if (!clocks_of(rig, entry, lengths[i], &whole, error)
-            || !clocks_of(rig, last, lengths[i], &empty, error)) {
+        uint64_t whole, empty, operations;
+        if (!clocks_of(rig, entry, lengths[i], &whole, error)) {
             return false;
         }
+        operations = operations_of(rig->machine);
+        if (!clocks_of(rig, last, lengths[i], &empty, error)) {
+            return false;
+        }
+        result->flops = (double)operations / (double)lengths[i];
         result->points[i].length = lengths[i];
         result->points[i].clocks = whole - empty;
     }
@@ -368,7 +374,6 @@ bool measure(const c205_model *model, const char *name,
              subject.insn ? subject.insn->mnemonic : measure_triad,
              subject.half ? SYNTAX_HALF : "");
     result->timing = c205_timing_name(timing);
-    result->flops = flops_of[timing];
     bool good = object
                 && measure_object(model, object, &subject, result, error);
     if (good) {
@@ -386,9 +391,9 @@ double measure_rate(const struct measurement *measurement,
                     const c205_model *model)
 {
     const c205_constant *period = c205_model_lookup(model, "clock.period");
-    unsigned results = measurement->flops ? measurement->flops : 1;
+    double results = measurement->flops > 0 ? measurement->flops : 1;
     return period
-               ? 1000.0 * results / (measurement->per_element * period->value)
+               ? 1000 * results / (measurement->per_element * period->value)
                : NAN;
 }
 

@@ -25,7 +25,7 @@ struct measure_point {
 struct measurement {
     char name[MEASURE_NAME_SIZE];
     const char *timing;
-    unsigned flops; /* per element; 0: it makes results, not flops */
+    double flops; /* done for each element; 0: it makes results, not flops */
     struct measure_point points[MEASURE_POINTS];
     double startup;     /* clocks */
     double per_element; /* clocks */

@@ -21,6 +21,7 @@ static const struct table_column by_region[] = {
     { "instructions", "instructions", TABLE_COUNT, 0 },
     { "vector_instructions", "vector", TABLE_COUNT, 0 },
     { "elements", "elements", TABLE_COUNT, 0 },
+    { "operations", "operations", TABLE_COUNT, 0 },
     { "clocks", "clocks", TABLE_COUNT, 0 },
     { "seconds", "seconds", TABLE_NUMBER, 8 },
     { "percent", "%", TABLE_NUMBER, 1 },
@@ -103,6 +104,7 @@ static void add_account(c205_account *sum, const c205_account *account)
     sum->instructions += account->instructions;
     sum->vector_instructions += account->vector_instructions;
     sum->elements += account->elements;
+    sum->operations += account->operations;
     sum->entries += account->entries;
 }
 
@@ -209,6 +211,7 @@ struct table *accounts_by_region(const struct accounts *accounts)
         table_count(table, account->instructions);
         table_count(table, account->vector_instructions);
         table_count(table, account->elements);
+        table_count(table, account->operations);
         add_clocks(table, accounts, accounts_clocks(account));
     }
     return table;

@@ -34,7 +34,7 @@ static double mean_length(const c205_model *model,
 
 static double rate(const c205_model *model, const c205_account *account)
 {
-    return or_nothing(account->elements)
+    return or_nothing(account->operations)
            / accounts_seconds(model, accounts_clocks(account)) / 1e6;
 }
 
@@ -46,7 +46,7 @@ static const struct figure {
     { "instructions", 0, instructions },
     { "of them vector", 0, vectors },
     { "mean vector length", 1, mean_length },
-    { "Melements/s", 2, rate },
+    { "Mflop/s", 2, rate },
 };
 enum {
     FIGURES = sizeof figures / sizeof *figures,

@@ -205,7 +205,7 @@ tells out '^page fault  *20.00 '
 tells out '^all  *[0-9.]*  *100.0$'
 ends 0 "$build/c205" run good.s --format csv
 tells out '^all,page fault,1000,2[.e0-9-]*,'
-tells out '^region,entries,instructions,vector_instructions,elements,clocks,seconds,percent$'
+tells out '^region,entries,instructions,vector_instructions,elements,operations,clocks,seconds,percent$'
 ends 1 "$build/c205" run missing.s
 ends 1 "$build/c205" run bad.s
 tells err 'bad.s:1:'

@@ -176,6 +176,8 @@ const char *c205_timing_name(c205_timing timing);
 bool c205_timing_is_vector(c205_timing timing);
 /* What it makes of machine zeros and indefinites. */
 const char *c205_operation_specials(c205_operation operation);
+/* Floating-point operations that it counts as, on one element. */
+unsigned c205_operation_flops(c205_operation operation);
 
 /* The fields of an instruction, wherever they lie in its word.  F8 G8 X8 A8
  * Y8 B8 Z8 C8 for the long formats, F8 R8 S8 T8 for the short ones. */
@@ -344,8 +346,10 @@ typedef struct c205_account {
     uint64_t clocks[C205_CAUSES];
     uint64_t instructions; /* all that were issued */
     uint64_t vector_instructions;
-    uint64_t elements; /* of vector results or scanned operands */
-    uint64_t entries;  /* times control came in from elsewhere */
+    uint64_t elements;   /* of vector results or scanned operands */
+    uint64_t operations; /* floating-point ones that were done, scalar or on
+                            elements */
+    uint64_t entries;    /* times control came in from elsewhere */
 } c205_account;
 
 /* What a listener is told: one event after each instruction. */

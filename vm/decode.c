@@ -263,6 +263,7 @@ static c205_trap decode(struct c205 *machine, uint64_t pc,
     decoded->next = (pc + HALF_BITS * c205_format_halves(insn->format))
                     & ADDRESS_MASK;
     decoded->region = machine_region(machine, pc);
+    decoded->flops = (uint8_t)c205_operation_flops(insn->operation);
     bind_all(decoded);
     return C205_TRAP_NONE;
 }
@@ -298,6 +299,8 @@ c205_trap decode_pair(struct c205 *machine, const struct decoded *prefix)
             return machine_refuse(machine, RULE_PAIR);
         pc = entry->linked[i]->next;
     }
+    entry->flops = (uint8_t)(entry->linked[0]->flops
+                             + entry->linked[1]->flops);
     entry->next = pc;
     return C205_TRAP_NONE;
 }

@@ -33,6 +33,7 @@ struct decoded {
     uint8_t shift[OPERANDS]; /* bits of the slot left of a half register; 0
                                 also for those of register 0 */
     uint32_t region;
+    uint8_t flops; /* of each element; of LINKV, those of the pair */
     uint8_t source_count, result_count;
     uint16_t source[DECODED_SOURCES]; /* slots read, register 0 left out */
     uint16_t result[DECODED_RESULTS]; /* slots written; register 0 is not
@@ -50,7 +51,8 @@ enum { EFFECT_TOUCHES = 6 };
  * no time: they say what happened, not what it costs. */
 struct effect {
     size_t elements; /* vector length: results made or operands scanned */
-    bool taken;      /* a branch that was taken .. */
+    size_t idle; /* those that took time with nothing done: sparse vectors */
+    bool taken;  /* a branch that was taken .. */
     uint64_t target; /* .. and where it went */
     unsigned touch_count;
     struct touch touch[EFFECT_TOUCHES];

@@ -45,13 +45,18 @@ static const struct {
 };
 
 enum {
-#define SPECIALS(rule, text) SPECIALS_##rule,
+#define SPECIALS(rule, flops, text) SPECIALS_##rule,
 #include "vm/arith.def"
     SPECIALS_RULES
 };
 
 static const char *const specials_texts[SPECIALS_RULES] = {
-#define SPECIALS(rule, text) text,
+#define SPECIALS(rule, flops, text) text,
+#include "vm/arith.def"
+};
+
+static const uint8_t specials_flops[SPECIALS_RULES] = {
+#define SPECIALS(rule, flops, text) flops,
 #include "vm/arith.def"
 };
 
@@ -96,6 +101,11 @@ const char *c205_timing_name(c205_timing timing)
 const char *c205_operation_specials(c205_operation operation)
 {
     return specials_texts[specials[operation]];
+}
+
+unsigned c205_operation_flops(c205_operation operation)
+{
+    return specials_flops[specials[operation]];
 }
 
 bool c205_timing_is_vector(c205_timing timing)

@@ -269,7 +269,7 @@ static bool attend(struct c205 *machine, const struct decoded *decoded,
 
 static inline void clear_effect(struct effect *effect)
 {
-    effect->elements = 0;
+    effect->elements = effect->idle = 0;
     effect->taken = false;
     effect->touch_count = 0;
     effect->indices = NULL;

@@ -247,6 +247,7 @@ static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,
         return trap;
     machine->effect.elements = longest(sparse.x.ones, sparse.y.ones,
                                        sparse.z.ones);
+    machine->effect.idle = machine->effect.elements - sparse.z.ones;
     trap = begin_turn(&sparse);
     if (trap == C205_TRAP_NONE)
         trap = run_sparse(&sparse, operation_of(decoded));

@@ -45,7 +45,7 @@ struct measurements {
 
 static const char *unit_of(const struct measurement *measured)
 {
-    return measured->flops ? "Mflop/s" : "Mresults/s";
+    return measured->flops > 0 ? "Mflop/s" : "Mresults/s";
 }
 
 static struct table *speed_table(const struct measurements *measured,
@@ -89,7 +89,7 @@ static const char *qualifier_of(const struct measurement *measured)
 
 static bool alike(const struct measurement *a, const struct measurement *b)
 {
-    bool same = strcmp(a->timing, b->timing) == 0
+    bool same = strcmp(a->timing, b->timing) == 0 && a->flops == b->flops
                 && strcmp(qualifier_of(a), qualifier_of(b)) == 0;
     for (size_t i = 0; same && i < MEASURE_POINTS; i++) {
         same = a->points[i].clocks == b->points[i].clocks;

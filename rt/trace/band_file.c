@@ -13,7 +13,7 @@
 /* A file is a list of 64-bit words, the highest byte first: the magic word,
  * the key, the width; then for each band the number of words that follow, the
  * words of the band (put_band), and a checksum of these. */
-#define MAGIC UINT64_C(0x7274323035626432) /* rt205bd2 */
+#define MAGIC UINT64_C(0x7274323035626433) /* rt205bd3 */
 
 struct band_file {
     FILE *stream;
@@ -93,6 +93,7 @@ static void put_account(struct words *words, const c205_account *account)
     put(words, account->instructions);
     put(words, account->vector_instructions);
     put(words, account->elements);
+    put(words, account->operations);
     put(words, account->entries);
 }
 
@@ -126,6 +127,7 @@ static bool take_account(struct words *words, struct accounts *accounts)
     account.instructions = take(words);
     account.vector_instructions = take(words);
     account.elements = take(words);
+    account.operations = take(words);
     account.entries = take(words);
     return !words->failed && accounts_add_account(accounts, &account);
 }

@@ -195,6 +195,8 @@ static void compare_account(struct trial *trial, size_t region,
                   account->vector_instructions, counts->vector_instructions);
     compare_words(trial, "elements in region", region, account->elements,
                   counts->elements);
+    compare_words(trial, "operations in region", region, account->operations,
+                  counts->operations);
     compare_words(trial, "entries to region", region, account->entries,
                   counts->entries);
 }

@@ -48,6 +48,7 @@ struct deed {
     c205_word words[PAIR + 1]; /* a short one in its high half */
     c205_fields fields[PAIR + 1];
     uint64_t elements;
+    uint64_t results; /* sparse vectors: made of so many of the elements */
     size_t extent_count;
     struct extent extents[EXTENTS];
     size_t indexed_count, indexed_room;

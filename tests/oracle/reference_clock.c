@@ -527,13 +527,46 @@ void reference_clock_enter(struct reference_clock *clock, uint64_t pc)
     clock->stack_low = clock->stack_high = pc / WORD;
 }
 
-/* Instructions, elements, and how often control came from elsewhere. */
+/* Floating-point operations of one element, or of one scalar instruction, by
+ * how the mnemonics begin. */
+static unsigned flops(const c205_insn *insn)
+{
+    static const char ones[][7] = {
+        "ADDU", "ADDN", "SUBU", "SUBL",  "SUBN",  "MPYU",   "MPYL",
+        "MPYS", "DIVU", "DIVS", "SQRT",  "AVG",   "DELTAV", "SUMV",
+        "PROD", "ADJM", "INTV", "ADDLV", "ADDLH", "ADDLS"
+    };
+    static const char twos[][5] = { "DOTV", "POLY" };
+
+    for (size_t i = 0; i < sizeof twos / sizeof twos[0]; i++)
+        if (strncmp(insn->mnemonic, twos[i], strlen(twos[i])) == 0)
+            return 2;
+    for (size_t i = 0; i < sizeof ones / sizeof ones[0]; i++)
+        if (strncmp(insn->mnemonic, ones[i], strlen(ones[i])) == 0)
+            return 1;
+    return strcmp(insn->mnemonic, "ADDL") == 0;
+}
+
+static uint64_t operations(const struct deed *deed)
+{
+    uint64_t all = 0, times = 1;
+
+    if (deed->insns[0]->unit == C205_UNIT_VECTOR)
+        times = deed->insns[0]->format == C205_FORMAT_SPARSE ? deed->results
+                                                             : deed->elements;
+    for (size_t i = 0; i < deed->insn_count; i++)
+        all += flops(deed->insns[i]) * times;
+    return all;
+}
+
+/* Instructions, elements, operations, and how often control came from elsewhere. */
 static void count(struct reference_clock *clock, const struct deed *deed,
                   size_t region)
 {
     struct counts *counts = clock->counts + region;
 
     counts->instructions++;
+    counts->operations += operations(deed);
     if (deed->insns[0]->unit == C205_UNIT_VECTOR) {
         counts->vector_instructions++;
         counts->elements += deed->elements;

@@ -36,7 +36,7 @@ struct phase {
 
 /* Beside the clocks of a region. */
 struct counts {
-    uint64_t instructions, vector_instructions, elements, entries;
+    uint64_t instructions, vector_instructions, elements, operations, entries;
 };
 
 struct reference_clock {

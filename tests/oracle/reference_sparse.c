@@ -104,6 +104,7 @@ static void do_packed(struct reference *reference,
     use_target(reference, &vector->c, made);
     use_target(reference, &vector->z, n);
     reference->deed.elements = greater(made, greater(a->ones, b->ones));
+    reference->deed.results = made;
     set_lengths(reference, vector->fields, made, n);
     free(a->present);
     free(b->present);

@@ -29,6 +29,7 @@ struct decoded insn(const char *name, unsigned r, unsigned s, unsigned t)
     assert_non_null(decoded.insn);
     decoded.pc = driven_pc;
     decoded.next = driven_pc + 32 * c205_format_halves(decoded.insn->format);
+    decoded.flops = (uint8_t)c205_operation_flops(decoded.insn->operation);
     if (r)
         decoded.source[decoded.source_count++] = (uint16_t)r;
     if (s)

@@ -325,6 +325,7 @@ static void test_load_after_vector(void **state)
     assert_int_equal(account->clocks[C205_VECTOR_STARTUP], 51);
     assert_int_equal(account->clocks[C205_VECTOR_STREAM], 50);
     assert_int_equal(account->elements, 100);
+    assert_int_equal(account->operations, 100);
     assert_int_equal(account->vector_instructions, 1);
     account = clock_account(clock, 2);
     assert_string_equal(account->name, "scalar");

@@ -63,7 +63,7 @@ void accounts_close(struct clock_accounts *accounts)
 void accounts_clear(struct clock_accounts *accounts)
 {
     for (size_t i = 0; i < accounts->count; i++) {
-        c205_account empty = { accounts->account[i].name, { 0 }, 0, 0, 0, 0 };
+        c205_account empty = { .name = accounts->account[i].name };
         accounts->account[i] = empty;
     }
 }

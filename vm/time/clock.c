@@ -291,6 +291,8 @@ static void charge_vector(struct clock *clock, const struct decoded *decoded,
     set_results(clock, decoded, clock->vector_end, FOR_VECTOR);
     clock->account->vector_instructions++;
     clock->account->elements += effect->elements;
+    clock->account->operations += decoded->flops
+                                  * (effect->elements - effect->idle);
 }
 
 /* ---- One instruction ----------------------------------------------------- */
@@ -321,7 +323,10 @@ void clock_charge(struct clock *clock, const struct decoded *decoded,
         else
             charge_branch(clock, decoded, effect);
         break;
-    default: issue(clock, decoded, C205_OPERAND_WAIT); break;
+    default:
+        issue(clock, decoded, C205_OPERAND_WAIT);
+        clock->account->operations += decoded->flops;
+        break;
     }
 }
 

@@ -22,6 +22,7 @@ static void walk_account(c205_account *account, struct tape *tape)
     tape_word(tape, &account->instructions);
     tape_word(tape, &account->vector_instructions);
     tape_word(tape, &account->elements);
+    tape_word(tape, &account->operations);
     tape_word(tape, &account->entries);
 }
 

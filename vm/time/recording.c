@@ -14,7 +14,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { HAS_ELEMENTS = 1, HAS_TARGET = 2, HAS_SWAPPED = 4, HAS_INDICES = 8 };
+enum {
+    HAS_ELEMENTS = 1,
+    HAS_TARGET = 2,
+    HAS_SWAPPED = 4,
+    HAS_INDICES = 8,
+    HAS_IDLE = 16
+};
 enum { FLAG_SHIFT = 48, TOUCH_SHIFT = 32, FINDERS = 1 << 14 };
 
 /* An instruction, and of a linked pair its members. */
@@ -127,6 +133,7 @@ static uint32_t number_of(c205_recording *recording,
 static unsigned flags_of(const struct effect *effect)
 {
     return (effect->elements ? HAS_ELEMENTS : 0u)
+           | (effect->idle ? HAS_IDLE : 0u)
            | (effect->taken ? HAS_TARGET : 0u)
            | (effect->swapped ? HAS_SWAPPED : 0u)
            | (effect->indices ? HAS_INDICES : 0u);
@@ -150,6 +157,8 @@ static void add_effect(c205_recording *recording, const struct effect *effect)
     }
     if (effect->elements)
         add_word(recording, effect->elements);
+    if (effect->idle)
+        add_word(recording, effect->idle);
     if (effect->taken)
         add_word(recording, effect->target);
     if (effect->swapped) {
@@ -185,6 +194,7 @@ static const uint64_t *read_effect(const uint64_t *at, uint64_t head,
         effect->touch[i].bits = *at++;
     }
     effect->elements = flags & HAS_ELEMENTS ? (size_t)*at++ : 0;
+    effect->idle = flags & HAS_IDLE ? (size_t)*at++ : 0;
     effect->taken = flags & HAS_TARGET;
     effect->target = effect->taken ? *at++ : 0;
     effect->swapped = flags & HAS_SWAPPED ? (size_t)*at++ : 0;
