@@ -96,13 +96,12 @@ static bool hold_out(const struct arguments *arguments,
 
 /* ---- Writing ------------------------------------------------------------ */
 
-/* Write the models, and see what they show as they are written. */
+/* See what the models show as they are written, and write those asked for. */
 static bool write_models(const struct arguments *arguments,
                          const struct study *study, double *written,
                          c205_error *error)
 {
-    bool good = arguments->written.count == 0
-                || written_predict(study, written, error);
+    bool good = written_predict(study, written, error);
 
     for (size_t i = 0; good && i < arguments->written.count; i++)
         good = written_model(study, written, arguments->written.items[i],
@@ -128,8 +127,7 @@ static bool tell(const struct arguments *arguments, const struct study *study,
     if (!write_models(arguments, study, written, error))
         return false;
     snprintf(error->message, sizeof error->message, "no memory");
-    if (!report_tell(study, arguments->written.count > 0 ? written : NULL,
-                     results))
+    if (!report_tell(study, written, results))
         return false;
     goal_tell(study, results);
     return true;

@@ -82,7 +82,7 @@ static void add_observation(const struct study *study, size_t i,
     table_number(table, study->best.predicted[i]);
     table_number(table, 100 * error);
     table_number(table, error / item->uncertainty);
-    table_number(table, !written ? NAN : 100 * fit_error(item, written[i]));
+    table_number(table, 100 * fit_error(item, written[i]));
 }
 
 static void fill_fitted(const struct study *study, const double *written,

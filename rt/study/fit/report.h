@@ -6,7 +6,7 @@
 #include "base/results.h"
 #include "rt/study/fit/study.h"
 
-/* written is what the model file predicts, or NULL.  False: no memory. */
+/* written is what the model file predicts.  False: no memory. */
 bool report_tell(const struct study *study, const double *written,
                  const struct results *results);
 
