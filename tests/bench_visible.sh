@@ -53,12 +53,7 @@ clocks() { # SCENE WAY: of visible and of the frame, the frame's checksum
     "$build/rt205" render "$1" -o "$work/picture.png" -W $width -H $height \
         --visible "$2" --accounts --format csv 2>/dev/null | awk -F, '
         NF == 11 { frame = $8; sum = $10 }
-        NF == 8 && $1 == "visible" { visible = $6 }
-        END { print visible, frame, sum }'| awk '
-        /clocks,/ { for (i = 2; i <= NF; i++)
-                        if ($i ~ /^clocks/) frame = $(i - 1) }
-        /^frame checksum/ { sum = $3 }
-        $1 == "visible" { visible = $6 }
+        $1 == "visible" && $2 == "all" { visible = $3 }
         END { print visible, frame, sum }'
 }
 
