@@ -1,7 +1,7 @@
 # make demo       installs what is missing, builds, renders a scene on the
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
-# make fit        fits the timing model, writes the fitted ones and isa.md
+# make fit        fits the timing model, writes the fitted ones and docs/
 # make all | docs | bench | san | fuzz | cover | check-long | wasm-check |
 #      format | lint | install | clean
 
@@ -66,8 +66,9 @@ benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
 
 build_packages = build-essential pkg-config libopenimageio-dev
 fit_packages = libceres-dev
-test_packages = $(build_packages) $(fit_packages) libcmocka-dev groff-base \
-	libmpfr-dev libgmp-dev povray povray-includes gnuplot-nox \
+exact_packages = libmpfr-dev libgmp-dev
+test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
+	libcmocka-dev groff-base povray povray-includes gnuplot-nox \
 	clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
 # What check runs, and in what size: cases an operation, pairs of narrow words,
@@ -85,9 +86,10 @@ FACES ?= 300
 TRIES ?= 300
 HOSTS ?= quick
 DOCS ?= quick
-# Of the unit tests and scenes those named, all unless told.
+# Of the unit tests, scenes and pages those named, all unless told.
 UNITS ?= $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 SCENES ?= $(wildcard scenes/*.pov tests/scenes/*.pov)
+PAGES ?= $(wildcard README.md docs/*.md docs/*/*.md)
 # So many compilers, unit tests and scenes at a time.
 JOBS ?= 2
 
@@ -125,7 +127,7 @@ check-long:
 		check-planted san cover
 
 fit:
-	@sh .ci/need $(build_packages) $(fit_packages)
+	@sh .ci/need $(build_packages) $(fit_packages) $(exact_packages)
 	@$(MAKE) --no-print-directory $(BUILD)/fit205
 	$(BUILD)/fit205 --write vm/models/cyber205-2pipe.model \
 		--write vm/models/cyber720.model \
@@ -188,10 +190,12 @@ $(BUILD)/vm/number/lanes.o $(BUILD)/vm/number/halves.o \
 	C_FLAGS += -fno-trapping-math
 
 # The reference of the instructions, and what the pages say is printed.
-docs: $(BUILD)/c205 $(programs) $(adapter)
+shown = $(programs) $(BUILD)/fit205 $(BUILD)/tests/oracle/check_quartic \
+	$(adapter)
+docs: $(BUILD)/c205 $(shown)
 	$< isa --markdown >$(BUILD)/isa.md
 	@mv $(BUILD)/isa.md docs/isa.md
-	sh tests/check_docs.sh $(BUILD) full --write
+	sh tests/check_docs.sh $(BUILD) full --write $(PAGES)
 
 # --- tests ------------------------------------------------------------------
 
@@ -246,8 +250,8 @@ check-programs: $(BUILD)/c205
 check-isa: $(BUILD)/c205
 	sh tests/check_isa.sh $(BUILD)/c205
 
-check-docs: $(programs) $(adapter)
-	sh tests/check_docs.sh $(BUILD) $(DOCS)
+check-docs: $(shown)
+	sh tests/check_docs.sh $(BUILD) $(DOCS) $(PAGES)
 
 check-bugs: $(replays) $(BUILD)/c205
 	sh tests/run_bugs.sh $(BUILD)

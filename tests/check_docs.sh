@@ -1,22 +1,29 @@
 #!/bin/sh
-# check_docs.sh BUILD quick|full [--write] - what the pages print is what the
-# commands print.  In a page, a comment
+# check_docs.sh BUILD quick|full [--write] PAGE .. - what the pages print is what
+# the commands print.  In a page, a comment
 #
 #     <!-- printed by: COMMAND -->        (or: <!-- printed slowly by: COMMAND -->)
 #
 # stands above an indented block, which must be the output of the command; the
-# shell runs it with the build's programs first in its path, and what comes
-# before its first " | " once for all blocks.  quick leaves out the slow ones.
+# shell runs it with the build's programs first in its path and the build's
+# folder in BUILD, and what comes before its first " | " once for all blocks.
+# quick leaves out the slow ones, which take more than about two seconds.
 # --write puts the output into the pages instead.
 set -u
 . "$(dirname "$0")/count.sh"
-build=$(cd "$1" && pwd) size=$2 write=${3:-}
+BUILD=$(cd "$1" && pwd) size=$2
+shift 2
+write=
+if [ "${1:-}" = --write ]; then
+    write=$1
+    shift
+fi
 cd "$(dirname "$0")/.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 said=$work/diff
-PATH=$build:$PATH
-export PATH
+PATH=$BUILD:$PATH
+export BUILD PATH
 
 # The output of a command line, into $work/out.
 print() {
@@ -63,8 +70,7 @@ cut_blocks() {
         END { printf "%s", gap >(work "/page") }' "$1"
 }
 
-for page in README.md docs/*.md docs/*/*.md; do
-    [ -f "$page" ] && grep -q '^<!-- printed' "$page" || continue
+for page in "$@"; do
     rm -f "$work/page" "$work/commands" "$work"/block*
     cut_blocks "$page"
     [ -f "$work/commands" ] || continue
