@@ -183,7 +183,9 @@ static bool write_instruction(struct writer *writer, const c205_insn *insn,
     for (i = 0; i < count; i++) {
         if (is_absent(writer, &operands[i]))
             continue;
-        if (operands[i].kind != OPERAND_CONTROL)
+        if (tell_bit(writer, operands[i].given))
+            sink_put(&writer->sink, " ? ");
+        else if (operands[i].kind != OPERAND_CONTROL)
             sink_put(&writer->sink, i > 0 ? ", " : " ");
         write_operand(writer, &operands[i]);
     }

@@ -246,7 +246,8 @@ static bool fill(c205 *machine, const struct subject *subject,
 
 /* A machine with operands.  An instruction that goes through B once for each
  * element of A gets a B of one element: its rate is that of one step.  The
- * scalar is one, in the left half if it is a half word. */
+ * scalar is one: a number, in the left half if it is a half word, or the
+ * period of a gather or scatter. */
 struct rig {
     c205 *machine;
     bool one_step;
@@ -340,6 +341,16 @@ static void fit_line(struct measurement *result)
     }
 }
 
+static c205_word one_for(const struct subject *subject)
+{
+    bool period = subject->insn
+                  && (subject->insn->format == C205_FORMAT_PERIODIC
+                      || subject->insn->format == C205_FORMAT_SPACED);
+    return period          ? c205_from_integer(1)
+           : subject->half ? C205_HALF_ONE
+                           : C205_ONE;
+}
+
 static bool measure_object(const c205_model *model,
                            const struct object *object,
                            const struct subject *subject,
@@ -350,7 +361,7 @@ static bool measure_object(const c205_model *model,
     struct rig rig = { machine,
                        subject->insn
                            && subject->insn->format == C205_FORMAT_SCAN,
-                       subject->half ? C205_HALF_ONE : C205_ONE };
+                       one_for(subject) };
     bool good = machine && c205_load(machine, &object->program, error)
                 && fill(machine, subject, error)
                 && measure_points(&rig, object->program.entry,

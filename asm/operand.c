@@ -210,6 +210,19 @@ static bool check_operands(struct cursor *cursor,
                      problem);
 }
 
+/* What stands before an operand that is not the first. */
+static bool parse_between(struct cursor *cursor,
+                          const struct operand *operand, c205_fields *fields)
+{
+    if (operand->kind == OPERAND_CONTROL)
+        return true;
+    if (!operand->given || !cursor_take(cursor, '?'))
+        return expect_operator(cursor, ',',
+                               operand->given ? "',' or '?'" : "','");
+    fields->g |= operand->given;
+    return true;
+}
+
 static bool parse_operands(struct cursor *cursor,
                            struct instruction *instruction)
 {
@@ -225,8 +238,8 @@ static bool parse_operands(struct cursor *cursor,
 
         if ((operands[i].may_be_left_out || !good) && cursor_at_end(cursor))
             break;
-        if (i > 0 && operands[i].kind != OPERAND_CONTROL
-            && !expect_operator(cursor, ',', "','")) {
+        if (i > 0
+            && !parse_between(cursor, &operands[i], &instruction->fields)) {
             good = false;
             cursor_skip(cursor, cursor);
             cursor_take(cursor, ',');

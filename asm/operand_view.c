@@ -49,12 +49,15 @@ static unsigned width_of(char letter)
 }
 
 /* "a" and "[A+X]" have it in X; a result and the control vector in the register
- * after the result. */
+ * after the result, unless that bit says that Z is given. */
 static void add_offset(struct operand_view *operand,
-                       const c205_fields *fields, const char *syntax)
+                       const struct instruction_view *view,
+                       const char *syntax)
 {
+    const c205_fields *fields = &view->fields;
     bool after = strchr("cdeqoz", tolower((unsigned char)operand->letter))
-                 && fields->g & C205_G_OFFSET;
+                 && fields->g & C205_G_OFFSET
+                 && !strchr(view->insn->operands, 'g');
 
     if (syntax[1] == '+')
         operand->offset = field_of(fields, syntax[2]);
@@ -69,9 +72,11 @@ static void decode_one(struct operand_view *operand,
                        const char *syntax, char letter)
 {
     bool half = view->insn->flags & C205_INSN_HALF
-                && view->fields.g & C205_G_HALF && strchr("fwvudcx", letter);
+                && view->fields.g & C205_G_HALF && strchr("fwpvudcx", letter);
 
     memset(operand, 0, sizeof *operand);
+    if (letter == 'g')
+        letter = view->fields.g & C205_G_GIVEN ? 'b' : 'o';
     operand->letter = half ? (char)toupper((unsigned char)letter) : letter;
     if (strchr("nt", letter))
         return;
@@ -86,7 +91,7 @@ static void decode_one(struct operand_view *operand,
     operand->width = width_of(operand->letter);
     operand->is_half = !operand->is_vector && operand->width == HALF_BITS;
     if (operand->is_vector)
-        add_offset(operand, &view->fields, syntax);
+        add_offset(operand, view, syntax);
 }
 
 /* One letter of insn.def for each field of the syntax but the offset "+X". */

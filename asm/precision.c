@@ -9,7 +9,6 @@ static const struct {
     enum precision_rule rule;
 } rules[] = {
     { "MPYS", PRECISION_PRODUCT },
-    { "DOT", PRECISION_PRODUCT },
     { "DIVS", PRECISION_QUOTIENT },
     { "SQRT", PRECISION_ROOT },
     { "ADDU", PRECISION_UPPER_SUM },

@@ -43,6 +43,7 @@ static const struct format_rule {
                      { C205_FORMAT_INDEX, 0, 0, 1, false },
                      { C205_FORMAT_REDUCE, 0, 0, 0, true },
                      { C205_FORMAT_REDUCE2, 0, 0, 0, true },
+                     { C205_FORMAT_EXTREME, 0, 0, 0, true },
                      { C205_FORMAT_SIEVE, 0, 0, 0, true } };
 
 static const struct format_rule *find_rule(c205_format format)
@@ -71,9 +72,10 @@ static void add_sign(struct operand *operand, const c205_insn *insn,
 }
 
 /* "[R, S]", "[A+X]" or "[R]"; after a result vector stands its offset,
- * register C+1.  Returns the end of the operand and counts its letters. */
+ * register C+1, unless that bit says that Z is given.  Returns the end of the
+ * operand and counts its letters. */
 static const char *read_bracket(struct operand *operand, const char *at,
-                                const char **letter)
+                                const c205_insn *insn, const char **letter)
 {
     operand->kind = OPERAND_BRACKET;
     operand->field = at[1];
@@ -82,7 +84,10 @@ static const char *read_bracket(struct operand *operand, const char *at,
         ++*letter;
     } else if (at[2] == '+') {
         operand->second = at[3];
-    } else if (operand->field == 'C' && strchr("dDeqco", **letter)) {
+    } else if (**letter == 'g') {
+        operand->given = C205_G_GIVEN;
+    } else if (operand->field == 'C' && strchr("dDeqco", **letter)
+               && !strchr(insn->operands, 'g')) {
         operand->second = SECOND_IS_NEXT;
     }
     return strchr(at, ']') + 1;
@@ -102,9 +107,9 @@ static void read_source(struct operand *operand, char field)
 static bool is_half(const struct operand *operand, const c205_insn *insn,
                     char letter, bool half)
 {
-    if (half && (insn->flags & C205_INSN_HALF) && strchr("fwvu", letter))
+    if (half && (insn->flags & C205_INSN_HALF) && strchr("fwpvu", letter))
         letter = (char)toupper((unsigned char)letter);
-    return (operand->kind == OPERAND_REGISTER && strchr("FIWM", letter))
+    return (operand->kind == OPERAND_REGISTER && strchr("FIWMP", letter))
            || (operand->kind == OPERAND_SOURCE && strchr("VU", letter));
 }
 
@@ -114,7 +119,7 @@ static const char *read_operand(struct operand *operand, const char *at,
     const struct format_rule *rule = find_rule(insn->format);
 
     if (*at == '[')
-        return read_bracket(operand, at, letter);
+        return read_bracket(operand, at, insn, letter);
     if (*at == 'I' && isdigit((unsigned char)at[1])) {
         operand->kind = OPERAND_IMMEDIATE;
         operand->low = rule->low;
@@ -155,6 +160,7 @@ size_t syntax_operands(const c205_insn *insn, bool half,
         operands[count] = empty;
         at = read_operand(&operands[count], at, insn, &letter);
         add_sign(&operands[count], insn, first);
+        operands[count].in_two = first == 'p';
         operands[count].half = is_half(&operands[count], insn, first, half);
         count++;
         letter += *letter != '\0';
@@ -166,8 +172,7 @@ size_t syntax_operands(const c205_insn *insn, bool half,
 
 /* ---- What no machine executes ---- */
 
-static const char *refuse_one(const c205_insn *insn,
-                              const struct operand *operand,
+static const char *refuse_one(const struct operand *operand,
                               c205_fields *fields)
 {
     uint8_t number = *syntax_field(fields, operand->field);
@@ -176,10 +181,9 @@ static const char *refuse_one(const c205_insn *insn,
         && (fields->g & C205_G_OFFSET))
         return "the offset of a result is in the register after it, and"
                " there is none after r255";
-    if (operand->field == 'C' && number == LAST_REGISTER
-        && (insn->flags & C205_INSN_INDEX))
-        return "the index goes to the register with the next number, and"
-               " 255 is the last";
+    if (operand->in_two && number % 2)
+        return "the sum has two parts, in a register with an even number and"
+               " the one after it";
     if (operand->kind == OPERAND_CONTROL && number == 0
         && (!operand->may_be_left_out || (fields->g & C205_G_ZEROS)))
         return "r0 is no control vector";
@@ -197,7 +201,7 @@ const char *syntax_refusal(const c205_insn *insn,
 
     for (i = 0; i < count && !problem; i++) {
         *blamed = i;
-        problem = refuse_one(insn, &operands[i], fields);
+        problem = refuse_one(&operands[i], fields);
         vector |= operands[i].kind == OPERAND_SOURCE
                   && !(fields->g & operands[i].broadcast);
     }
@@ -220,7 +224,8 @@ static void write_operand(const struct operand *operand,
     case OPERAND_BRACKET:
         sink_put(sink, operand->second && operand->second != SECOND_IS_NEXT
                            ? "[r, r]"
-                           : "[r]");
+                       : operand->given ? "[r] or ? [r]"
+                                        : "[r]");
         break;
     case OPERAND_SOURCE: sink_print(sink, "[r] or %s", letter); break;
     case OPERAND_IMMEDIATE: sink_put(sink, "number"); break;

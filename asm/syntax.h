@@ -24,12 +24,14 @@ enum operand_kind {
 struct operand {
     enum operand_kind kind;
     bool half;            /* a bare register is a half register */
+    bool in_two;          /* a result in this register and the one after it */
     char field;           /* letter of the c205_fields member */
     char second;          /* inside the brackets, after a comma; 0: none */
     bool may_be_left_out; /* with all that follow it; the field is 0 then */
     uint8_t broadcast;    /* G bits of a bare register, .. */
     uint8_t negate;       /* .. of -[A], .. */
-    uint8_t magnitude;    /* .. of |[A]|; 0: not allowed */
+    uint8_t magnitude;    /* .. of |[A]|, .. */
+    uint8_t given;        /* .. of ? [Z] in place of , [Z]; 0: not allowed */
     int64_t low, high;    /* of an immediate */
 };
 

@@ -56,7 +56,7 @@ static void put_operand(const struct sink *sink,
     bool number = strchr("fFvV", operand->letter) != NULL;
     char name = operand->is_half ? 'h' : 'r';
 
-    if (!operand->field || strchr("wW", operand->letter)
+    if (!operand->field || strchr("wWpP", operand->letter)
         || (operand->letter == 'z' && operand->number == 0))
         return;
     if (!operand->is_vector) {

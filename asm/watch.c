@@ -156,18 +156,20 @@ void watch_listen(void *context, const c205 *machine, const c205_event *event)
     if (event->kind != C205_EVENT_INSTRUCTION
         && event->kind != C205_EVENT_REQUEST)
         return;
-    if (event->insn->unit == C205_UNIT_VECTOR) {
+    if (c205_unit_is_vector(event->insn->unit)) {
         struct spot *spot = watch_spot(watch, machine, event->pc);
 
         if (spot->after)
             spot->after(watch, machine, spot);
+        if (event->recurrent > 0)
+            watch_recurrence(watch, machine, spot, event->recurrent);
     }
     look_ahead(watch, machine);
 }
 
 /* ---- The beginning ------------------------------------------------------ */
 
-/* What an instruction writes: w m k, and where the machine sets lengths.  SWAP
+/* What an instruction writes: w p m k, and where the machine sets lengths.  SWAP
  * may write all. */
 static void note_writes(struct program_watch *watch,
                         const struct instruction_view *view)
@@ -178,11 +180,11 @@ static void note_writes(struct program_watch *watch,
         const struct operand_view *operand = &view->operands[i];
         unsigned r = operand->number;
 
-        if (!strchr("wmkco", tolower((unsigned char)operand->letter)))
+        if (!strchr("wpmkco", tolower((unsigned char)operand->letter)))
             continue;
         watch->is_written[operand->is_half ? r / 2 : r] = true;
-        if (view->insn->flags & C205_INSN_INDEX && r + 1 < C205_REGISTERS)
-            watch->is_written[operand->is_half ? r / 2 + 1 : r + 1] = true;
+        if (operand->letter == 'p' && r + 1 < C205_REGISTERS)
+            watch->is_written[r + 1] = true;
     }
     if (view->insn->format == C205_FORMAT_SWAP)
         memset(watch->is_written, true, sizeof watch->is_written);

@@ -22,7 +22,8 @@ static bool is_due(struct spot *spot)
  * in Z, which gets a bit for each that was compared. */
 static bool has_length(const struct operand_view *operand)
 {
-    return operand->is_vector && operand->field != 'Z'
+    return operand->is_vector
+           && (operand->field != 'Z' || operand->letter == 'b')
            && strchr("vubldeq", tolower((unsigned char)operand->letter));
 }
 
@@ -106,14 +107,14 @@ static void tell_float_index(struct program_watch *watch,
 
 static void look_at_index(struct program_watch *watch,
                           const struct spot *spot,
-                          const struct operand_view *index)
+                          const struct operand_view *index, const char *what)
 {
     struct text_line which = { "", 0 };
     struct sink sink = text_line_sink(&which);
 
     if (!is_float(index->word))
         return;
-    sink_print(&sink, "the index in r%u", index->number);
+    sink_print(&sink, "the %s in r%u", what, index->number);
     tell_float_index(watch, spot, which.text, index->word);
 }
 
@@ -153,6 +154,22 @@ static void look_at_indices(struct program_watch *watch, const c205 *machine,
                               c205_to_integer(words[i]), table->width);
         }
     }
+}
+
+/* Of a periodic gather or scatter; a scatter goes as far as its source is long. */
+static void look_at_period(struct program_watch *watch,
+                           const struct spot *spot,
+                           const struct operand_view *period)
+{
+    const struct operand_view *source = view_find(&spot->view, "uU");
+    const struct operand_view *table = view_find(&spot->view, "xX");
+    int64_t distance = c205_to_integer(period->word);
+
+    if (is_float(period->word))
+        look_at_index(watch, spot, period, "period");
+    else if (source && source->length > 0)
+        look_at_store(watch, spot, table->word & ADDRESS_MASK,
+                      distance * (int64_t)(source->length - 1), table->width);
 }
 
 /* ---- Integers ----------------------------------------------------------- */
@@ -332,6 +349,9 @@ static void before_vector(struct program_watch *watch, const c205 *machine,
         if (operand->letter == 'l' && due)
             look_at_indices(watch, machine, spot, operand);
     }
+    if (spot->view.insn->format == C205_FORMAT_PERIODIC
+        || spot->view.insn->format == C205_FORMAT_SPACED)
+        look_at_period(watch, spot, &spot->view.operands[0]);
     if (spot->rule != PRECISION_FULL && due)
         look_at_numbers(watch, machine, spot);
 }
@@ -349,6 +369,41 @@ static void after_vector(struct program_watch *watch, const c205 *machine,
             look_at_storage(watch, spot, &spot->view.operands[i]);
 }
 
+static bool recurs(const struct operand_view *read,
+                   const struct operand_view *written)
+{
+    return strchr("vVuU", read->letter) && read->is_vector && !read->is_bad
+           && read->address < written->address
+           && written->address
+                  < read->address + (uint64_t)read->length * read->width;
+}
+
+/* Of a linked pair the prefix is told, but the two are not looked into. */
+void watch_recurrence(struct program_watch *watch, const c205 *machine,
+                      struct spot *spot, size_t elements)
+{
+    const struct instruction_view *view = &spot->view;
+    const struct operand_view *read = NULL, *written;
+
+    view_fill(&spot->view, machine);
+    written = view_find(view, "dDe");
+    for (size_t i = 0; written && i < view->count; i++)
+        if (recurs(&view->operands[i], written))
+            read = &view->operands[i];
+    if (read)
+        watch_tell(watch, spot, WARNING_RECURRENCE,
+                   "%zu elements of [r%u] are results of this instruction,"
+                   " and wait for them one by one; the real machine promised"
+                   " nothing here",
+                   elements, read->number);
+    else
+        watch_tell(watch, spot, WARNING_RECURRENCE,
+                   "%zu elements of a source are results of this pair, and"
+                   " wait for them one by one; the real machine promised"
+                   " nothing here",
+                   elements);
+}
+
 /* The two after the prefix run as one stream. */
 static void before_link(struct program_watch *watch, const c205 *machine,
                         struct spot *spot)
@@ -359,8 +414,8 @@ static void before_link(struct program_watch *watch, const c205 *machine,
     pc += 32 * (uint64_t)first->view.halves;
     second = watch_spot(watch, machine, pc);
     if (!first->view.insn || !second->view.insn
-        || !(first->view.insn->flags & C205_INSN_LINK)
-        || !(second->view.insn->flags & C205_INSN_LINK))
+        || !c205_unit_links(first->view.insn->unit)
+        || !c205_unit_links(second->view.insn->unit))
         return;
     first->hands_over = second->is_handed = first->view.fields.c;
     first->before(watch, machine, first);
@@ -377,7 +432,7 @@ static void before_memory(struct program_watch *watch, const c205 *machine,
     if (operands[1].number == 0)
         return;
     view_fill(&spot->view, machine);
-    look_at_index(watch, spot, &operands[1]);
+    look_at_index(watch, spot, &operands[1], "index");
     if (tolower((unsigned char)operands[2].letter) == 'i')
         look_at_store(watch, spot, operands[0].word & ADDRESS_MASK,
                       c205_to_integer(operands[1].word), width);
@@ -421,7 +476,7 @@ void spot_choose(struct spot *spot)
                                                     : precision_rule(insn);
     if (insn->timing == C205_TIMING_vlink)
         spot->before = before_link;
-    else if (insn->unit == C205_UNIT_VECTOR)
+    else if (c205_unit_is_vector(insn->unit))
         spot->before = before_vector;
     else if (spot->rule != PRECISION_FULL)
         spot->before = before_scalar;
@@ -431,6 +486,6 @@ void spot_choose(struct spot *spot)
         spot->before = before_enter;
     else if (is_named(insn, "ELEN"))
         spot->before = before_length;
-    if (insn->unit == C205_UNIT_VECTOR && view_find(&spot->view, "cCo"))
+    if (c205_unit_is_vector(insn->unit) && view_find(&spot->view, "cCo"))
         spot->after = after_vector;
 }

@@ -55,6 +55,8 @@ struct program_watch {
 
 /* watch_look.c: set before and after. */
 void spot_choose(struct spot *spot);
+void watch_recurrence(struct program_watch *watch, const c205 *machine,
+                      struct spot *spot, size_t elements);
 
 /* watch.c */
 struct spot *watch_spot(struct program_watch *watch, const c205 *machine,

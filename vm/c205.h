@@ -109,7 +109,12 @@ typedef enum c205_unit {
     C205_UNIT_LOGICAL,
     C205_UNIT_MEMORY,
     C205_UNIT_BRANCH,
-    C205_UNIT_VECTOR,
+    C205_UNIT_VECTOR, /* all of it; the rest are parts of it */
+    C205_UNIT_V_ADD,
+    C205_UNIT_V_MULTIPLY,
+    C205_UNIT_V_DIVIDE,
+    C205_UNIT_V_SHIFT,
+    C205_UNIT_V_LOGICAL,
     C205_UNITS
 } c205_unit;
 
@@ -128,20 +133,19 @@ typedef enum c205_operation {
 
 /* insn.flags */
 #define C205_INSN_SIGN 1u
-#define C205_INSN_LINK 2u
-#define C205_INSN_PADZ 4u
-#define C205_INSN_PADO 8u
-#define C205_INSN_INDEX 16u
-#define C205_INSN_HALF 32u
+#define C205_INSN_PADZ 2u
+#define C205_INSN_PADO 4u
+#define C205_INSN_HALF 8u
 
 /* Bits of the G byte, as values of that byte. */
 #define C205_G_HALF 0x80u   /* 32-bit operands */
 #define C205_G_ZEROS 0x40u  /* control vector acts on zeros */
 #define C205_G_OFFSET 0x20u /* C+1 holds the offset of C and Z */
+#define C205_G_GIVEN 0x20u  /* of sparse rows instead: Z is given */
 #define C205_G_BROADCAST_A 0x10u
 #define C205_G_BROADCAST_B 0x08u
-#define C205_G_NEGATE_A 0x04u /* after the magnitude, if both */
-#define C205_G_MAGNITUDE_A 0x02u
+#define C205_G_MAGNITUDE_A 0x04u
+#define C205_G_NEGATE_A 0x02u /* after the magnitude, if both */
 #define C205_G_MAGNITUDE_B 0x01u
 #define C205_G_RELATIVE 0x40u /* in B0-B5 */
 
@@ -172,6 +176,9 @@ const char *c205_format_name(c205_format format);
 const char *c205_format_syntax(c205_format format);
 unsigned c205_format_halves(c205_format format);
 const char *c205_unit_name(c205_unit unit);
+bool c205_unit_is_vector(c205_unit unit);
+/* Whether its instructions can be linked with those of another such unit. */
+bool c205_unit_links(c205_unit unit);
 const char *c205_timing_name(c205_timing timing);
 bool c205_timing_is_vector(c205_timing timing);
 /* What it makes of machine zeros and indefinites. */
@@ -365,11 +372,12 @@ typedef struct c205_event {
     uint64_t pc;
     const c205_insn *insn;
     c205_fields fields;
-    size_t region;   /* index into the accounts */
-    uint64_t issued; /* the clock at which it issued */
-    uint64_t clocks; /* by how much it moved the clock */
-    size_t elements; /* vector length, 0 for scalar instructions */
-    bool taken;      /* branches */
+    size_t region;    /* index into the accounts */
+    uint64_t issued;  /* the clock at which it issued */
+    uint64_t clocks;  /* by how much it moved the clock */
+    size_t elements;  /* vector length, 0 for scalar instructions */
+    size_t recurrent; /* those that waited for an earlier one's result */
+    bool taken;       /* branches */
     /* C205_EVENT_REQUEST */
     unsigned request;
     c205_word r, s; /* its operands */

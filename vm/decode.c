@@ -66,17 +66,24 @@ static char result_letter(const c205_insn *insn)
 {
     const char *syntax = c205_format_syntax(insn->format);
     size_t commas = 0;
-    if (insn->unit != C205_UNIT_VECTOR || !has_letter(syntax, "C"))
+    if (!c205_unit_is_vector(insn->unit) || !has_letter(syntax, "C"))
         return '\0';
     for (const char *c = syntax; *c != 'C'; c++)
         commas += *c == ',';
     return insn->operands[commas];
 }
 
-static bool result_is_vector(const c205_insn *insn)
+/* Z may be given as well as made. */
+static bool may_be_given(const c205_insn *insn)
+{
+    return has_letter(insn->operands, "g");
+}
+
+/* Then the bit that tells of an offset tells of that. */
+static bool may_have_offset(const c205_insn *insn)
 {
     char letter = result_letter(insn);
-    return letter && strchr("dDeqco", letter);
+    return letter && strchr("dDeqco", letter) && !may_be_given(insn);
 }
 
 /* The bits of G that an instruction may have. */
@@ -92,14 +99,17 @@ static uint8_t possible_g(const c205_insn *insn, const c205_fields *fields)
         g |= C205_G_BROADCAST_B;
     if (insn->flags & C205_INSN_SIGN)
         g |= C205_G_NEGATE_A | C205_G_MAGNITUDE_A;
-    if (insn->flags & C205_INSN_SIGN && has_letter(syntax, "bB"))
+    if (insn->flags & C205_INSN_SIGN && has_letter(syntax, "bB")
+        && insn->format != C205_FORMAT_EXTREME)
         g |= C205_G_MAGNITUDE_B;
     if (has_letter(syntax, "?!") && fields->z)
         g |= C205_G_ZEROS;
     if (insn->flags & C205_INSN_HALF)
         g |= C205_G_HALF;
-    if (result_is_vector(insn) && fields->c + 1 < C205_REGISTERS)
+    if (may_have_offset(insn) && fields->c + 1 < C205_REGISTERS)
         g |= C205_G_OFFSET;
+    if (may_be_given(insn))
+        g |= C205_G_GIVEN;
     return (uint8_t)g;
 }
 
@@ -107,11 +117,12 @@ static c205_trap check_coding(struct c205 *machine, const c205_insn *insn,
                               c205_word word, const c205_fields *fields)
 {
     if (c205_encode(insn, fields) != word
-        || fields->g & ~possible_g(insn, fields)
-        || (insn->flags & C205_INSN_INDEX && fields->c + 1 == C205_REGISTERS))
+        || fields->g & ~possible_g(insn, fields))
         return machine_refuse(machine, RULE_CODING);
     if (has_letter(c205_format_syntax(insn->format), "!") && !fields->z)
         return machine_refuse(machine, RULE_CONTROL);
+    if (result_letter(insn) == 'p' && fields->c % 2)
+        return machine_refuse(machine, RULE_EVEN);
     return C205_TRAP_NONE;
 }
 
@@ -135,7 +146,7 @@ static uint16_t add_result(struct decoded *decoded, unsigned number)
 static uint16_t slot_of(struct decoded *decoded, unsigned number, char letter,
                         bool broadcast)
 {
-    if (letter == 'w' || letter == 'k')
+    if (letter && strchr("wkp", letter))
         return add_result(decoded, number);
     add_source(decoded, number);
     if (letter && strchr("mco", letter))
@@ -150,7 +161,9 @@ static char sized(const struct decoded *decoded, char letter)
 {
     bool half = decoded->insn->flags & C205_INSN_HALF
                 && decoded->fields.g & C205_G_HALF;
-    if (!half || !strchr("fwvudcx", letter))
+    if (letter == 'g')
+        return decoded->fields.g & C205_G_GIVEN ? 'b' : 'o';
+    if (!half || !strchr("fwvudcxp", letter))
         return letter;
     return (char)toupper((unsigned char)letter);
 }
@@ -168,7 +181,7 @@ static uint16_t bind_operand(struct decoded *decoded, unsigned operand,
 {
     letter = sized(decoded, letter);
     decoded->width[operand] = width_of(letter);
-    if (strchr("FIWM", letter) || (broadcast && strchr("VU", letter))) {
+    if (strchr("FIWMP", letter) || (broadcast && strchr("VU", letter))) {
         bool right = number > 1 && number % 2;
         decoded->shift[operand] = right ? HALF_BITS : 0;
         number /= 2;
@@ -192,6 +205,8 @@ static void bind_b(struct decoded *decoded, uint8_t number, char letter,
 static void bind_c(struct decoded *decoded, uint8_t number, char letter)
 {
     decoded->c = bind_operand(decoded, OPERAND_C, number, letter, false);
+    if (sized(decoded, letter) == 'p')
+        add_result(decoded, number ? number + 1u : 0);
 }
 
 static void bind(struct decoded *decoded, char field, char letter)
@@ -202,11 +217,18 @@ static void bind(struct decoded *decoded, char field, char letter)
     case 'S': bind_b(decoded, f->s, letter, false); break;
     case 'T': bind_c(decoded, f->t, letter); break;
     case 'A': bind_a(decoded, f->a, letter, false); break;
-    case 'B': bind_b(decoded, f->b, letter, false); break;
+    case 'B':
+        if (letter == 'k')
+            decoded->index = slot_of(decoded, f->b, letter, false);
+        else
+            bind_b(decoded, f->b, letter, false);
+        break;
     case 'C': bind_c(decoded, f->c, letter); break;
     case 'X': decoded->x = slot_of(decoded, f->x, letter, false); break;
     case 'Y': decoded->y = slot_of(decoded, f->y, letter, false); break;
-    case 'Z': decoded->z = slot_of(decoded, f->z, letter, false); break;
+    case 'Z':
+        decoded->z = slot_of(decoded, f->z, sized(decoded, letter), false);
+        break;
     case 'a':
         bind_a(decoded, f->a, letter, f->g & C205_G_BROADCAST_A);
         decoded->x = slot_of(decoded, f->x, 'i', false);
@@ -236,10 +258,8 @@ static void bind_all(struct decoded *decoded)
             bind(decoded, *++c, 'i');
         else if (!strchr("[],?! 0123456789", *c))
             bind(decoded, *c, *letter++);
-    if (result_is_vector(insn) && decoded->fields.g & C205_G_OFFSET)
+    if (may_have_offset(insn) && decoded->fields.g & C205_G_OFFSET)
         add_source(decoded, decoded->fields.c + 1u);
-    if (insn->flags & C205_INSN_INDEX)
-        add_result(decoded, decoded->fields.c + 1u);
 }
 
 /* ---- The cache ---------------------------------------------------------- */
@@ -295,7 +315,7 @@ c205_trap decode_pair(struct c205 *machine, const struct decoded *prefix)
         c205_trap trap = decode_at(machine, pc, &entry->linked[i]);
         if (trap != C205_TRAP_NONE)
             return trap;
-        if (!(entry->linked[i]->insn->flags & C205_INSN_LINK))
+        if (!c205_unit_links(entry->linked[i]->insn->unit))
             return machine_refuse(machine, RULE_PAIR);
         pc = entry->linked[i]->next;
     }

@@ -29,6 +29,7 @@ struct decoded {
     c205_fields fields;      /* as written */
     uint16_t a, b, c;        /* slots; for short formats R, S, T */
     uint16_t x, y, z;        /* slots of offsets and control vector */
+    uint16_t index;          /* slot of the index of a maximum, a minimum */
     uint8_t width[OPERANDS]; /* of A, B, C: bits of an element */
     uint8_t shift[OPERANDS]; /* bits of the slot left of a half register; 0
                                 also for those of register 0 */
@@ -52,8 +53,9 @@ enum { EFFECT_TOUCHES = 6 };
 struct effect {
     size_t elements; /* vector length: results made or operands scanned */
     size_t idle; /* those that took time with nothing done: sparse vectors */
-    bool taken;  /* a branch that was taken .. */
-    uint64_t target; /* .. and where it went */
+    size_t recurrent; /* those that read what an earlier one stored */
+    bool taken;       /* a branch that was taken .. */
+    uint64_t target;  /* .. and where it went */
     unsigned touch_count;
     struct touch touch[EFFECT_TOUCHES];
     const c205_word *indices; /* gather, scatter: the indices that were used,

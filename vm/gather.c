@@ -1,12 +1,15 @@
-/* gather.c - gather and scatter: elements by the addresses of an index list.
+/* gather.c - gather and scatter: elements by the addresses of an index list,
+ * or one after another at a period.
  */
 #include "vm/vector.h"
 
-/* A is the index list; its elements count words from a base on.  Gather
- * moves from there to the result C, scatter from the source B to there. */
+/* A is the index list, or the distance from one index to the next; indices
+ * count elements from a base on.  Gather moves from there to the result C,
+ * scatter from the source B to there. */
 struct transfer {
     struct stream stream;
-    bool gather;
+    bool gather, periodic;
+    c205_word period;    /* modulo 2^48, as addresses are */
     struct vector table; /* its length is not known */
     c205_word *indices;  /* those permitted, one behind the other */
     size_t count;        /* how many */
@@ -22,6 +25,18 @@ static uint64_t table_address(const struct transfer *transfer,
 
 /* ---- The index list ----------------------------------------------------- */
 
+/* Those of a period are not in memory: 0, A, 2A .. */
+static const c205_word *read_indices(struct transfer *transfer, size_t first,
+                                     size_t n)
+{
+    struct source *a = &transfer->stream.a;
+    if (!transfer->periodic)
+        return source_read(a, first, n);
+    for (size_t i = 0; i < n; i++)
+        a->space[i] = (first + i) * transfer->period;
+    return a->space;
+}
+
 /* Those used before the instruction was interrupted were kept; the list may
  * have been overwritten there. */
 static void collect_indices(struct transfer *transfer)
@@ -36,7 +51,7 @@ static void collect_indices(struct transfer *transfer)
         n = least(stream->n - first, CHUNK);
         control_read(&stream->control, first, n, permitted);
         transfer->count += compress_words(transfer->indices + transfer->count,
-                                          source_read(&stream->a, first, n),
+                                          read_indices(transfer, first, n),
                                           permitted, n);
     }
 }
@@ -175,7 +190,7 @@ static c205_trap transfer_one(struct transfer *transfer, size_t i,
 {
     struct stream *stream = &transfer->stream;
     struct c205 *machine = stream->machine;
-    c205_word index = *source_read(&stream->a, i, 1), word;
+    c205_word index = *read_indices(transfer, i, 1), word;
     uint64_t table = table_address(transfer, index), to = table;
     unsigned width = transfer->table.width;
     c205_trap trap = C205_TRAP_NONE;
@@ -266,33 +281,93 @@ static c205_trap run_transfer(struct transfer *transfer)
     return trap;
 }
 
+static c205_trap execute_gather(struct transfer *transfer)
+{
+    c205_trap trap = stream_claim(&transfer->stream);
+    return trap == C205_TRAP_NONE ? run_transfer(transfer) : trap;
+}
+
+static c205_trap execute_scatter(struct transfer *transfer)
+{
+    c205_trap trap = stream_claim_sources(&transfer->stream);
+    return trap == C205_TRAP_NONE ? run_transfer(transfer) : trap;
+}
+
+/* B is no stream but the table. */
+static c205_trap describe_gather(struct transfer *transfer,
+                                 struct c205 *machine,
+                                 const struct decoded *decoded)
+{
+    struct stream *stream = &transfer->stream;
+    c205_trap trap = stream_describe(stream, machine, decoded);
+    stream->b.vector.length = 0;
+    transfer->gather = true;
+    transfer->periodic = false;
+    transfer->table = describe_table(machine, decoded, OPERAND_B, decoded->b);
+    return trap;
+}
+
+static c205_trap describe_scatter(struct transfer *transfer,
+                                  struct c205 *machine,
+                                  const struct decoded *decoded)
+{
+    c205_trap trap = stream_describe_sources(&transfer->stream, machine,
+                                             decoded);
+    transfer->gather = transfer->periodic = false;
+    transfer->table = describe_table(machine, decoded, OPERAND_C, decoded->c);
+    return trap;
+}
+
+/* A is no list but the period. */
+static void take_period(struct transfer *transfer,
+                        const struct decoded *decoded)
+{
+    struct stream *stream = &transfer->stream;
+    transfer->periodic = true;
+    transfer->period = stream->machine->slot[decoded->a];
+    stream->a.vector.length = 0;
+}
+
 c205_trap execute_vector_gather(struct c205 *machine,
                                 const struct decoded *decoded)
 {
     struct transfer transfer;
     struct stream *stream = &transfer.stream;
-    c205_trap trap = stream_describe(stream, machine, decoded);
+    c205_trap trap = describe_gather(&transfer, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
     if (stream->n > stream->a.vector.length)
         stream->n = stream->a.vector.length;
-    stream->b.vector.length = 0; /* B is no stream but the table */
-    transfer.gather = true;
-    transfer.table = describe_table(machine, decoded, OPERAND_B, decoded->b);
-    trap = stream_claim(stream);
-    return trap == C205_TRAP_NONE ? run_transfer(&transfer) : trap;
+    return execute_gather(&transfer);
+}
+
+c205_trap execute_vector_gather_periodic(struct c205 *machine,
+                                         const struct decoded *decoded)
+{
+    struct transfer transfer;
+    c205_trap trap = describe_gather(&transfer, machine, decoded);
+    if (trap != C205_TRAP_NONE)
+        return trap;
+    take_period(&transfer, decoded);
+    return execute_gather(&transfer);
 }
 
 c205_trap execute_vector_scatter(struct c205 *machine,
                                  const struct decoded *decoded)
 {
     struct transfer transfer;
-    struct stream *stream = &transfer.stream;
-    c205_trap trap = stream_describe_sources(stream, machine, decoded);
+    c205_trap trap = describe_scatter(&transfer, machine, decoded);
+    return trap == C205_TRAP_NONE ? execute_scatter(&transfer) : trap;
+}
+
+c205_trap execute_vector_scatter_periodic(struct c205 *machine,
+                                          const struct decoded *decoded)
+{
+    struct transfer transfer;
+    c205_trap trap = describe_scatter(&transfer, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
-    transfer.gather = false;
-    transfer.table = describe_table(machine, decoded, OPERAND_C, decoded->c);
-    trap = stream_claim_sources(stream);
-    return trap == C205_TRAP_NONE ? run_transfer(&transfer) : trap;
+    take_period(&transfer, decoded);
+    transfer.stream.n = transfer.stream.b.vector.length;
+    return execute_scatter(&transfer);
 }

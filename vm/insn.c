@@ -8,10 +8,8 @@
 /* Names that the rows of the table use in their column of flags. */
 enum {
     SIGN = C205_INSN_SIGN,
-    LINK = C205_INSN_LINK,
     PADZ = C205_INSN_PADZ,
     PADO = C205_INSN_PADO,
-    INDEX = C205_INSN_INDEX,
     HALF = C205_INSN_HALF
 };
 
@@ -67,10 +65,19 @@ static const uint8_t specials[C205_OPERATIONS] = {
 };
 
 static const char *const unit_names[C205_UNITS] = {
-    [C205_UNIT_SINGLE] = "single",     [C205_UNIT_ADD] = "add",
-    [C205_UNIT_MULTIPLY] = "multiply", [C205_UNIT_DIVIDE] = "divide",
-    [C205_UNIT_LOGICAL] = "logical",   [C205_UNIT_MEMORY] = "memory",
-    [C205_UNIT_BRANCH] = "branch",     [C205_UNIT_VECTOR] = "vector"
+    [C205_UNIT_SINGLE] = "single",
+    [C205_UNIT_ADD] = "add",
+    [C205_UNIT_MULTIPLY] = "multiply",
+    [C205_UNIT_DIVIDE] = "divide",
+    [C205_UNIT_LOGICAL] = "logical",
+    [C205_UNIT_MEMORY] = "memory",
+    [C205_UNIT_BRANCH] = "branch",
+    [C205_UNIT_VECTOR] = "vector",
+    [C205_UNIT_V_ADD] = "vector add",
+    [C205_UNIT_V_MULTIPLY] = "vector multiply",
+    [C205_UNIT_V_DIVIDE] = "vector divide",
+    [C205_UNIT_V_SHIFT] = "vector shift",
+    [C205_UNIT_V_LOGICAL] = "vector logical"
 };
 
 const char *c205_format_name(c205_format format)
@@ -91,6 +98,16 @@ unsigned c205_format_halves(c205_format format)
 const char *c205_unit_name(c205_unit unit)
 {
     return unit_names[unit];
+}
+
+bool c205_unit_is_vector(c205_unit unit)
+{
+    return unit >= C205_UNIT_VECTOR;
+}
+
+bool c205_unit_links(c205_unit unit)
+{
+    return unit > C205_UNIT_VECTOR;
 }
 
 const char *c205_timing_name(c205_timing timing)
@@ -201,6 +218,7 @@ static const struct format_layout {
     [C205_FORMAT_UNARY] = { "gxazc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_REDUCE2] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_REDUCE] = { "gxazc", NO_IMMEDIATE, 0, 0 },
+    [C205_FORMAT_EXTREME] = { "gxabzc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_SCALARS] = { "gabzc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_SELECTED] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_SQUEEZE] = { "gxazc", NO_IMMEDIATE, 0, 0 },
@@ -208,6 +226,8 @@ static const struct format_layout {
     [C205_FORMAT_SPARSE] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_TABLE] = { "gxabzc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_SPREAD] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
+    [C205_FORMAT_PERIODIC] = { "gabzc", NO_IMMEDIATE, 0, 0 },
+    [C205_FORMAT_SPACED] = { "gaybzc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_STRING] = { "gxaybc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_SCAN] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
     [C205_FORMAT_SELECTEDB] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },

@@ -5,29 +5,40 @@
  */
 #include "vm/vector.h"
 
+static bool is_vector_a(const struct decoded *decoded)
+{
+    return !(decoded->fields.g & C205_G_BROADCAST_A);
+}
+
+static bool is_vector_b(const struct decoded *decoded)
+{
+    return decoded->insn->format != C205_FORMAT_UNARY
+           && !(decoded->fields.g & C205_G_BROADCAST_B);
+}
+
 static bool is_linked_a(const struct decoded *first,
                         const struct decoded *second)
 {
-    return !(second->fields.g & C205_G_BROADCAST_A)
-           && second->fields.a == first->fields.c;
+    return is_vector_a(second) && second->fields.a == first->fields.c;
 }
 
 static bool is_linked_b(const struct decoded *first,
                         const struct decoded *second)
 {
-    return !(second->fields.g & C205_G_BROADCAST_B)
-           && second->fields.b == first->fields.c;
+    return is_vector_b(second) && second->fields.b == first->fields.c;
 }
 
 static int read_paths(const struct decoded *first,
                       const struct decoded *second)
 {
-    return !(first->fields.g & C205_G_BROADCAST_A)
-           + !(first->fields.g & C205_G_BROADCAST_B)
-           + (!(second->fields.g & C205_G_BROADCAST_A)
-              && !is_linked_a(first, second))
-           + (!(second->fields.g & C205_G_BROADCAST_B)
-              && !is_linked_b(first, second));
+    return is_vector_a(first) + is_vector_b(first)
+           + (is_vector_a(second) && !is_linked_a(first, second))
+           + (is_vector_b(second) && !is_linked_b(first, second));
+}
+
+static bool makes_bits(const struct decoded *decoded)
+{
+    return decoded->width[OPERAND_C] == 1;
 }
 
 /* The first rule that does not hold, or RULE_NONE. */
@@ -35,6 +46,10 @@ static enum rule rule_against(const struct decoded *first,
                               const struct decoded *second)
 {
     bool a = is_linked_a(first, second), b = is_linked_b(first, second);
+    if (first->insn->unit == second->insn->unit)
+        return RULE_PAIR_UNITS;
+    if (makes_bits(first))
+        return RULE_PAIR_RESULT;
     if ((first->fields.g ^ second->fields.g) & C205_G_HALF)
         return RULE_PAIR_SIZE;
     if (first->fields.z != 0)
@@ -87,6 +102,10 @@ static c205_trap claim_pair(struct pair *pair)
         trap = stream_claim(&pair->second);
     if (trap != C205_TRAP_NONE)
         return trap;
+    const struct source *const sources[] = { &pair->first.a, &pair->first.b,
+                                             &pair->second.a,
+                                             &pair->second.b };
+    tell_recurrence(pair->second.machine, result, pair->second.n, sources, 4);
     size_t chunk = pair->second.chunk;
     chunk = operand_lead(&pair->first.a.vector, result, chunk);
     pair->second.chunk = operand_lead(&pair->first.b.vector, result, chunk);
@@ -104,27 +123,40 @@ static c205_word *pair_space(struct pair *pair, size_t first, size_t n,
                : result_space(&pair->second, first, n, words);
 }
 
+/* The second: stored as words, or as the bits of a comparison. */
+static void run_second(struct pair *pair, size_t first, size_t n)
+{
+    struct stream *two = &pair->second;
+    const struct operation *operation = pair->operation_second;
+    const c205_word *a = source_read(&two->a, first, n);
+    const c205_word *b = source_read(&two->b, first, n);
+    c205_word words[CHUNK];
+    uint64_t bits[CHUNK_WORDS], permitted[CHUNK_WORDS];
+    if (operation->compare) {
+        operation->compare(bits, a, b, n);
+        result_store_bits(two->machine, &two->result, &two->control, first,
+                          bits, n);
+        return;
+    }
+    c205_word *c = pair_space(pair, first, n, words);
+    control_read(&two->control, first, n, permitted);
+    operate(two->machine, operation, c, a, b, n,
+            two->control.present ? permitted : NULL);
+    if (c == words)
+        result_store(two->machine, &two->result, &two->control, first, words,
+                     n);
+}
+
 static c205_trap run_pair(struct pair *pair)
 {
     struct stream *one = &pair->first, *two = &pair->second;
-    struct c205 *machine = two->machine;
-    c205_word words[CHUNK];
-    uint64_t permitted[CHUNK_WORDS];
     for (size_t first = two->turn.first, n; first < two->turn.end;
          first += n) {
         n = stream_next(two, first);
-        operate(machine, pair->operation_first, pair->handed,
+        operate(two->machine, pair->operation_first, pair->handed,
                 source_read(&one->a, first, n),
                 source_read(&one->b, first, n), n, NULL);
-        control_read(&two->control, first, n, permitted);
-        c205_word *c = pair_space(pair, first, n, words);
-        operate(machine, pair->operation_second, c,
-                source_read(&two->a, first, n),
-                source_read(&two->b, first, n), n,
-                two->control.present ? permitted : NULL);
-        if (c == words)
-            result_store(machine, &two->result, &two->control, first, words,
-                         n);
+        run_second(pair, first, n);
     }
     return stream_end(two);
 }

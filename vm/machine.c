@@ -148,6 +148,7 @@ static void tell_instruction(struct c205 *machine,
     event.fields = decoded->fields;
     event.region = decoded->region;
     event.elements = machine->effect.elements;
+    event.recurrent = machine->effect.recurrent;
     event.taken = machine->effect.taken;
     if (request) {
         event.request = machine->request;
@@ -269,7 +270,7 @@ static bool attend(struct c205 *machine, const struct decoded *decoded,
 
 static inline void clear_effect(struct effect *effect)
 {
-    effect->elements = effect->idle = 0;
+    effect->elements = effect->idle = effect->recurrent = 0;
     effect->taken = false;
     effect->touch_count = 0;
     effect->indices = NULL;
@@ -280,8 +281,9 @@ static inline void clear_effect(struct effect *effect)
 static void limit_elements(struct c205 *machine,
                            const struct decoded *decoded, uint64_t limit)
 {
-    if (decoded->insn->timing == C205_TIMING_vlink)
-        decode_pair(machine, decoded);
+    if (decoded->insn->timing == C205_TIMING_vlink
+        && decode_pair(machine, decoded) != C205_TRAP_NONE)
+        return; /* it will trap */
     machine->allowed = clock_elements(machine->clock, decoded, limit);
 }
 
@@ -299,7 +301,7 @@ static inline bool step(struct c205 *machine, uint64_t limit, c205_stop *stop)
         trap = decode_at(machine, machine->pc, &decoded);
     if (trap != C205_TRAP_NONE)
         return stop_before(machine, trap, decoded->insn, stop);
-    if (limit != C205_NO_LIMIT && decoded->insn->unit == C205_UNIT_VECTOR)
+    if (limit != C205_NO_LIMIT && c205_unit_is_vector(decoded->insn->unit))
         limit_elements(machine, decoded, limit);
     clear_effect(&machine->effect);
     trap = decoded->execute(machine, decoded);

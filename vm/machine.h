@@ -119,6 +119,22 @@ static inline void machine_deliver(struct c205 *machine,
         machine->slot[decoded->c] = number;
 }
 
+/* To C and the register behind it, or the two halves of a register. */
+static inline void machine_deliver_parts(struct c205 *machine,
+                                         const struct decoded *decoded,
+                                         c205_word upper, c205_word lower)
+{
+    bool half = decoded->width[OPERAND_C] == HALF_BITS;
+    if (decoded->c == SLOT_SINK)
+        return;
+    if (half)
+        machine->slot[decoded->c] = upper | lower >> HALF_BITS;
+    else {
+        machine->slot[decoded->c] = upper;
+        machine->slot[decoded->c + 1] = lower;
+    }
+}
+
 /* Of n elements those from where the instruction was interrupted up to where
  * it will be, which is after so many. */
 static inline struct turn machine_turn(const struct c205 *machine, size_t n,

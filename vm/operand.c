@@ -192,6 +192,14 @@ size_t operand_lead(const struct vector *read, const struct vector *written,
 
 /* An element never moves up: a result at or below its source overwrites what
  * has been read. */
+bool operand_recurs(const struct vector *read, const struct vector *written,
+                    size_t i)
+{
+    return i < read->length && i > 0
+           && vector_at(read, i) < vector_at(written, i)
+           && vector_at(written, 0) < vector_at(read, i + 1);
+}
+
 bool operand_is_ahead(const struct vector *read, const struct vector *written)
 {
     return !operands_overlap(read, written)

@@ -74,6 +74,7 @@ void progress_walk(struct package *progress, struct tape *tape)
     for (size_t i = 0; i < 2; i++)
         tape_size(tape, &progress->count[i], MOST_COMPARED);
     tape_word(tape, &progress->word);
+    tape_word(tape, &progress->lower);
     tape_word(tape, &progress->flags);
     tape_size(tape, &progress->kept, C205_MAX_LENGTH);
 }

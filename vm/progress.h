@@ -26,6 +26,7 @@ struct package {
     bool found;
     c205_word word;  /* reductions: the result so far; an interval: the next
                          element .. */
+    c205_word lower; /* the lower part of a sum so far */
     uint64_t flags;  /* .. and its data flags */
     size_t kept;     /* words in SCRATCH_KEPT: the indices of a gather or
                          scatter, the order vectors of a sparse operation */

@@ -1,4 +1,4 @@
-/* reduce.c - vectors to one number in a register. */
+/* reduce.c - vectors to one number, in a register or in two. */
 #include "vm/vector.h"
 
 static c205_trap open_sources(struct stream *stream, struct c205 *machine,
@@ -10,14 +10,77 @@ static c205_trap open_sources(struct stream *stream, struct c205 *machine,
 
 /* ---- Sum, product, dot -------------------------------------------------- */
 
-typedef void fold(c205_word *accumulator, const c205_word *a, size_t n,
-                  uint64_t *flags);
+/* A number in two parts, neither normalised: the result so far.  A product
+ * has the upper alone. */
+struct parts {
+    c205_word upper, lower;
+};
+
+/* Arithmetic of one size. */
+struct arithmetic {
+    c205_word one;
+    arith_binary *add_upper, *add_lower;
+    lanes_binary *multiply_upper, *multiply_lower;
+    lanes_reduction *product;
+};
+static const struct arithmetic of_words = { C205_ONE,
+                                            arith_add_upper,
+                                            arith_add_lower,
+                                            lanes_multiply_upper,
+                                            lanes_multiply_lower,
+                                            lanes_product };
+static const struct arithmetic of_halves = {
+    C205_HALF_ONE,         half_add_upper,        half_add_lower,
+    halves_multiply_upper, halves_multiply_lower, halves_product
+};
+
+typedef void folding(const struct arithmetic *arithmetic, struct parts *parts,
+                     const c205_word *a, const c205_word *b, size_t n,
+                     uint64_t *flags);
 
 struct reduction {
-    c205_word start;    /* the result of no element */
-    lanes_binary *pair; /* makes one number of A and B; NULL: take A */
-    fold *fold;
+    const struct arithmetic *arithmetic;
+    folding *fold;
+    struct parts start; /* the result of no element */
+    bool of_pairs;      /* B is read */
 };
+
+static void fold_sum(const struct arithmetic *arithmetic, struct parts *parts,
+                     const c205_word *a, const c205_word *b, size_t n,
+                     uint64_t *flags)
+{
+    struct parts sum = *parts;
+    (void)b;
+    for (size_t i = 0; i < n; i++) {
+        c205_word rest = arithmetic->add_lower(sum.upper, a[i], flags);
+        sum.upper = arithmetic->add_upper(sum.upper, a[i], flags);
+        sum.lower = arithmetic->add_upper(sum.lower, rest, flags);
+    }
+    *parts = sum;
+}
+
+/* The lower parts of the products join that of the sum, one behind the sum's
+ * own. */
+static void fold_dot(const struct arithmetic *arithmetic, struct parts *parts,
+                     const c205_word *a, const c205_word *b, size_t n,
+                     uint64_t *flags)
+{
+    c205_word upper[CHUNK], lower[CHUNK];
+    arithmetic->multiply_upper(upper, a, b, n, flags);
+    arithmetic->multiply_lower(lower, a, b, n, flags);
+    for (size_t i = 0; i < n; i++) {
+        fold_sum(arithmetic, parts, &upper[i], NULL, 1, flags);
+        parts->lower = arithmetic->add_upper(parts->lower, lower[i], flags);
+    }
+}
+
+static void fold_product(const struct arithmetic *arithmetic,
+                         struct parts *parts, const c205_word *a,
+                         const c205_word *b, size_t n, uint64_t *flags)
+{
+    (void)b;
+    arithmetic->product(&parts->upper, a, n, flags);
+}
 
 /* The elements that the control vector lets through, in their order. */
 struct some {
@@ -41,74 +104,81 @@ static size_t take_permitted(const struct stream *stream, size_t first,
     return n;
 }
 
-/* What the accumulator holds at first, and when the turn is over. */
+/* What the parts are at first, and when the turn is over. */
 static c205_trap run_reduction(struct stream *stream,
                                const struct reduction *reduction,
-                               c205_word *accumulator)
+                               struct parts *parts)
 {
     struct package *progress = &stream->machine->progress;
-    uint64_t *flags = &stream->machine->data_flags;
-    c205_word pairs[CHUNK];
+    struct parts kept = { progress->word, progress->lower };
     struct some some;
-    *accumulator = stream->turn.first > 0 ? progress->word : reduction->start;
+    *parts = stream->turn.first > 0 ? kept : reduction->start;
     for (size_t first = stream->turn.first, n; first < stream->turn.end;
          first += n) {
         n = stream_next(stream, first);
         const c205_word *a = source_read(&stream->a, first, n);
-        const c205_word *b = reduction->pair
+        const c205_word *b = reduction->of_pairs
                                  ? source_read(&stream->b, first, n)
                                  : a;
         size_t count = take_permitted(stream, first, n, &some, &a, &b);
-        if (reduction->pair) {
-            reduction->pair(pairs, a, b, count, flags);
-            a = pairs;
-        }
-        reduction->fold(accumulator, a, count, flags);
+        reduction->fold(reduction->arithmetic, parts, a, b, count,
+                        &stream->machine->data_flags);
     }
     c205_trap trap = stream_end(stream);
-    if (trap != C205_TRAP_NONE)
-        progress->word = *accumulator;
+    if (trap != C205_TRAP_NONE) {
+        progress->word = parts->upper;
+        progress->lower = parts->lower;
+    }
     return trap;
 }
 
 static c205_trap reduce(struct c205 *machine, const struct decoded *decoded,
-                        const struct reduction *reduction)
+                        folding *fold, bool of_pairs, struct parts *parts)
 {
+    bool half = decoded->width[OPERAND_A] == HALF_BITS;
+    struct reduction reduction = { half ? &of_halves : &of_words,
+                                   fold,
+                                   { C205_MACHINE_ZERO, C205_MACHINE_ZERO },
+                                   of_pairs };
     struct stream stream;
-    c205_word accumulator;
+    if (fold == fold_product)
+        reduction.start.upper = reduction.arithmetic->one;
     c205_trap trap = open_sources(&stream, machine, decoded);
+    return trap == C205_TRAP_NONE ? run_reduction(&stream, &reduction, parts)
+                                  : trap;
+}
+
+static c205_trap deliver_sum(struct c205 *machine,
+                             const struct decoded *decoded, folding *fold,
+                             bool of_pairs)
+{
+    struct parts parts;
+    c205_trap trap = reduce(machine, decoded, fold, of_pairs, &parts);
     if (trap == C205_TRAP_NONE)
-        trap = run_reduction(&stream, reduction, &accumulator);
-    if (trap == C205_TRAP_NONE)
-        machine_deliver(machine, decoded, accumulator);
+        machine_deliver_parts(machine, decoded, parts.upper, parts.lower);
     return trap;
 }
 
 c205_trap execute_vector_sum(struct c205 *machine,
                              const struct decoded *decoded)
 {
-    const struct reduction sum = { C205_MACHINE_ZERO, NULL,
-                                   SIZED(decoded, sum) };
-    return reduce(machine, decoded, &sum);
-}
-
-c205_trap execute_vector_product(struct c205 *machine,
-                                 const struct decoded *decoded)
-{
-    const struct reduction product = { decoded->width[OPERAND_A] == HALF_BITS
-                                           ? C205_HALF_ONE
-                                           : C205_ONE,
-                                       NULL, SIZED(decoded, product) };
-    return reduce(machine, decoded, &product);
+    return deliver_sum(machine, decoded, fold_sum, false);
 }
 
 c205_trap execute_vector_dot(struct c205 *machine,
                              const struct decoded *decoded)
 {
-    const struct reduction dot = { C205_MACHINE_ZERO,
-                                   SIZED(decoded, multiply_significant),
-                                   SIZED(decoded, sum) };
-    return reduce(machine, decoded, &dot);
+    return deliver_sum(machine, decoded, fold_dot, true);
+}
+
+c205_trap execute_vector_product(struct c205 *machine,
+                                 const struct decoded *decoded)
+{
+    struct parts parts;
+    c205_trap trap = reduce(machine, decoded, fold_product, false, &parts);
+    if (trap == C205_TRAP_NONE)
+        machine_deliver(machine, decoded, parts.upper);
+    return trap;
 }
 
 /* ---- Maximum, minimum --------------------------------------------------- */
@@ -189,8 +259,8 @@ static c205_trap extreme(struct c205 *machine, const struct decoded *decoded,
         machine->data_flags |= FLAG_INDEFINITE;
     if (word_is_machine_zero(best.word))
         machine->data_flags |= FLAG_MACHINE_ZERO;
+    machine->slot[decoded->index] = best.found ? best.index : stream.n;
     machine_deliver(machine, decoded, best.word);
-    machine->slot[decoded->fields.c + 1] = best.found ? best.index : stream.n;
     return C205_TRAP_NONE;
 }
 

@@ -3,7 +3,7 @@
  * each, a zero for each that is absent.
  *
  * The order vectors are read as a whole before an element is stored, and that
- * of the result is stored as a whole after the last.
+ * of the result is stored as a whole after the last, unless it was given.
  */
 #include "vm/vector.h"
 
@@ -17,11 +17,12 @@ struct order_vector {
 };
 
 /* Elements of the result are present where one operand is, or where both
- * are. */
-enum presence { EITHER, BOTH };
+ * are; or where Z says, if it is given. */
+enum presence { EITHER, BOTH, GIVEN };
 
 struct sparse {
     struct c205 *machine;
+    enum presence presence;
     struct turn turn; /* through the places of the order vectors */
     struct source a, b;
     struct vector result;
@@ -31,34 +32,43 @@ struct sparse {
 
 /* ---- Order vectors ----------------------------------------------------- */
 
-/* Those of an instruction that was interrupted were kept, X before Y, as its
- * result may lie upon them. */
-enum { KEPT_ORDERS = 2 * ORDER_WORDS };
+/* Those that are read: X, Y, and Z if it is given. */
+enum { ORDERS = 3 };
 
-static const uint64_t *kept_orders(struct c205 *machine)
+static size_t orders_read(const struct sparse *sparse)
 {
-    return machine->progress.kept == KEPT_ORDERS
+    return sparse->presence == GIVEN ? ORDERS : ORDERS - 1;
+}
+
+/* Those of an instruction that was interrupted were kept, one behind the
+ * other, as its result may lie upon them. */
+static const uint64_t *kept_orders(const struct sparse *sparse)
+{
+    struct c205 *machine = sparse->machine;
+    return machine->progress.kept == orders_read(sparse) * ORDER_WORDS
                ? machine_scratch(machine, SCRATCH_KEPT)
                : NULL;
 }
 
-static c205_trap keep_orders(struct sparse *sparse)
+static c205_trap keep_orders(const struct sparse *sparse)
 {
     struct c205 *machine = sparse->machine;
+    const struct order_vector *orders[ORDERS] = { &sparse->x, &sparse->y,
+                                                  &sparse->z };
     c205_word *kept = machine_scratch(machine, SCRATCH_KEPT);
     if (!kept)
         return C205_TRAP_NO_MEMORY;
-    memcpy(kept, sparse->x.bits, sizeof sparse->x.bits);
-    memcpy(kept + ORDER_WORDS, sparse->y.bits, sizeof sparse->y.bits);
-    machine->progress.kept = KEPT_ORDERS;
+    for (size_t i = 0; i < orders_read(sparse); i++)
+        memcpy(kept + i * ORDER_WORDS, orders[i]->bits,
+               sizeof orders[i]->bits);
+    machine->progress.kept = orders_read(sparse) * ORDER_WORDS;
     return C205_TRAP_NONE;
 }
 
 static c205_trap read_order(struct c205 *machine, struct order_vector *order,
-                            c205_word descriptor, const uint64_t *kept)
+                            const uint64_t *kept)
 {
     struct vector *vector = &order->vector;
-    *vector = describe_bits(descriptor);
     c205_trap trap = claim_vector(machine, vector, vector->length, false);
     if (trap != C205_TRAP_NONE)
         return trap;
@@ -72,16 +82,26 @@ static c205_trap read_order(struct c205 *machine, struct order_vector *order,
     return C205_TRAP_NONE;
 }
 
-/* The result is as long as the longer one. */
-static void combine_orders(struct sparse *sparse, enum presence presence)
+static c205_trap read_orders(struct sparse *sparse)
+{
+    struct order_vector *orders[ORDERS] = { &sparse->x, &sparse->y,
+                                            &sparse->z };
+    const uint64_t *kept = kept_orders(sparse);
+    c205_trap trap = C205_TRAP_NONE;
+    for (size_t i = 0; i < orders_read(sparse) && trap == C205_TRAP_NONE; i++)
+        trap = read_order(sparse->machine, orders[i],
+                          kept ? kept + i * ORDER_WORDS : NULL);
+    return trap;
+}
+
+/* The order vector of the result, where the machine makes it. */
+static void combine_orders(struct sparse *sparse)
 {
     const struct order_vector *x = &sparse->x, *y = &sparse->y;
     struct order_vector *z = &sparse->z;
-    z->vector.length = x->vector.length > y->vector.length ? x->vector.length
-                                                           : y->vector.length;
     for (size_t i = 0; i < ORDER_WORDS; i++)
-        z->bits[i] = presence == EITHER ? x->bits[i] | y->bits[i]
-                                        : x->bits[i] & y->bits[i];
+        z->bits[i] = sparse->presence == EITHER ? x->bits[i] | y->bits[i]
+                                                : x->bits[i] & y->bits[i];
     z->ones = count_ones(z->bits, z->vector.length);
 }
 
@@ -96,7 +116,7 @@ static size_t ones_from(const struct order_vector *order, size_t first,
 
 /* ---- Operands ---------------------------------------------------------- */
 
-/* X and Y are no offsets here. */
+/* X and Y are no offsets here, and there is none of the result. */
 static c205_trap describe_packed(struct sparse *sparse,
                                  const struct decoded *decoded)
 {
@@ -104,14 +124,30 @@ static c205_trap describe_packed(struct sparse *sparse,
     struct decoded packed = *decoded;
     struct control z;
     packed.x = packed.y = 0;
+    packed.fields.g &= (uint8_t)~C205_G_OFFSET;
     c205_trap trap = describe_a(&sparse->a, machine, &packed);
     if (trap == C205_TRAP_NONE)
         trap = describe_b(&sparse->b, machine, &packed);
     if (trap == C205_TRAP_NONE)
         trap = describe_result(&sparse->result, &z, machine, &packed);
-    if (trap == C205_TRAP_NONE)
-        sparse->z.vector = z.vector;
     return trap;
+}
+
+/* There are as many places as Z has if it is given, else as the longer one
+ * of X and Y; what these have beyond is not used. */
+static void describe_orders(struct sparse *sparse,
+                            const struct decoded *decoded)
+{
+    const c205_word *slot = sparse->machine->slot;
+    struct vector *x = &sparse->x.vector, *y = &sparse->y.vector;
+    struct vector *z = &sparse->z.vector;
+    *x = describe_bits(slot[decoded->x]);
+    *y = describe_bits(slot[decoded->y]);
+    *z = describe_bits(slot[decoded->z]);
+    if (sparse->presence != GIVEN)
+        z->length = x->length > y->length ? x->length : y->length;
+    x->length = least(x->length, z->length);
+    y->length = least(y->length, z->length);
 }
 
 static c205_trap claim_packed(struct sparse *sparse)
@@ -124,7 +160,7 @@ static c205_trap claim_packed(struct sparse *sparse)
         trap = claim_source(machine, &sparse->b, sparse->y.ones);
     if (trap == C205_TRAP_NONE)
         trap = claim_vector(machine, &sparse->result, z->ones, true);
-    if (trap == C205_TRAP_NONE)
+    if (trap == C205_TRAP_NONE && sparse->presence != GIVEN)
         trap = claim_vector(machine, &z->vector, z->vector.length, true);
     return trap;
 }
@@ -134,17 +170,15 @@ static c205_trap open_sparse(struct sparse *sparse, struct c205 *machine,
                              enum presence presence)
 {
     sparse->machine = machine;
-    const uint64_t *kept = kept_orders(machine);
+    sparse->presence = decoded->fields.g & C205_G_GIVEN ? GIVEN : presence;
+    describe_orders(sparse, decoded);
     c205_trap trap = describe_packed(sparse, decoded);
     if (trap == C205_TRAP_NONE)
-        trap = read_order(machine, &sparse->x, machine->slot[decoded->x],
-                          kept);
-    if (trap == C205_TRAP_NONE)
-        trap = read_order(machine, &sparse->y, machine->slot[decoded->y],
-                          kept ? kept + ORDER_WORDS : NULL);
+        trap = read_orders(sparse);
     if (trap != C205_TRAP_NONE)
         return trap;
-    combine_orders(sparse, presence);
+    if (sparse->presence != GIVEN)
+        combine_orders(sparse);
     return claim_packed(sparse);
 }
 
@@ -190,7 +224,7 @@ static c205_trap run_sparse(struct sparse *sparse,
         sparse->next_result += count;
     }
     c205_trap trap = machine_end_turn(machine, turn);
-    if (trap == C205_TRAP_NONE)
+    if (trap == C205_TRAP_NONE && sparse->presence != GIVEN)
         memory_write_bits(&machine->memory, sparse->z.vector.address,
                           sparse->z.bits, sparse->z.vector.length);
     return trap;
@@ -254,7 +288,8 @@ static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,
     if (trap != C205_TRAP_NONE)
         return trap;
     set_length(machine, decoded->c, sparse.z.ones);
-    set_length(machine, decoded->z, sparse.z.vector.length);
+    if (sparse.presence != GIVEN)
+        set_length(machine, decoded->z, sparse.z.vector.length);
     return C205_TRAP_NONE;
 }
 

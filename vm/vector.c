@@ -22,7 +22,8 @@ c205_trap stream_take_length(struct stream *stream,
                              const struct decoded *decoded)
 {
     const struct source *a = &stream->a, *b = &stream->b;
-    bool unary = decoded->insn->format == C205_FORMAT_REDUCE;
+    bool unary = decoded->insn->format == C205_FORMAT_REDUCE
+                 || decoded->insn->format == C205_FORMAT_EXTREME;
     if (a->broadcast && (unary || b->broadcast))
         return machine_refuse(stream->machine, RULE_VECTOR);
     stream->n = a->broadcast ? b->vector.length : a->vector.length;
@@ -99,6 +100,34 @@ c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
     return trap;
 }
 
+/* ---- Recurrences -------------------------------------------------------- */
+
+static bool recurs(const struct vector *result, size_t i,
+                   const struct source *const *sources, size_t count)
+{
+    bool found = false;
+    for (size_t k = 0; k < count; k++)
+        found = found || operand_recurs(&sources[k]->vector, result, i);
+    return found;
+}
+
+void tell_recurrence(struct c205 *machine, const struct vector *result,
+                     size_t n, const struct source *const *sources,
+                     size_t count)
+{
+    bool overlap = false;
+    for (size_t k = 0; k < count; k++)
+        overlap = overlap || operands_overlap(&sources[k]->vector, result);
+    for (size_t i = 1; overlap && i < n; i++)
+        machine->effect.recurrent += recurs(result, i, sources, count);
+}
+
+static void tell_recurrence_of(const struct stream *stream)
+{
+    const struct source *const sources[] = { &stream->a, &stream->b };
+    tell_recurrence(stream->machine, &stream->result, stream->n, sources, 2);
+}
+
 /* ---- Operations -------------------------------------------------------- */
 
 static uint64_t flags_of(const struct operation *operation, c205_word *words,
@@ -152,6 +181,7 @@ static c205_trap run_stream(struct stream *stream,
 {
     c205_word words[CHUNK];
     uint64_t permitted[CHUNK_WORDS];
+    tell_recurrence_of(stream);
     for (size_t first = stream->turn.first, n; first < stream->turn.end;
          first += n) {
         n = stream_next(stream, first);
@@ -356,6 +386,7 @@ c205_trap execute_compare(struct c205 *machine, const struct decoded *decoded)
     c205_trap trap = stream_open(&stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
+    tell_recurrence_of(&stream);
     for (size_t first = stream.turn.first, n; first < stream.turn.end;
          first += n) {
         n = stream_next(&stream, first);

@@ -66,6 +66,7 @@ static void describe_rules(const c205_insn *insn)
             describe_rule("note", isa_flag(insn, flag));
         }
     }
+    describe_rule("note", isa_link(insn));
 }
 
 static void describe_example(const c205_insn *insn)

@@ -46,6 +46,8 @@ void isa_half(const c205_insn *insn, char text[ISA_HALF]);
 #define ISA_TOLD (C205_INSN_PADZ | C205_INSN_PADO | C205_INSN_HALF)
 /* What another flag of a row means; NULL: nobody has explained it. */
 const char *isa_flag(const c205_insn *insn, unsigned flag);
+/* Whether it can be linked; empty: no. */
+const char *isa_link(const c205_insn *insn);
 const char *isa_provenance(char letter);
 
 /* The lines of a short program that shows it; NULL: there is none. */

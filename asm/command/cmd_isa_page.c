@@ -28,15 +28,18 @@ static const struct {
     { C205_G_ZEROS, "the control vector acts where it has zeros",
       "Z among the operands, and not 0" },
     { C205_G_OFFSET, "register C+1 holds an offset of C and Z",
-      "the result is a vector" },
+      "the result is a vector, not a sparse one" },
+    { C205_G_GIVEN, "the order vector Z is given, written `? [z]`",
+      "the result is a sparse vector" },
     { C205_G_BROADCAST_A, "A is one number, broadcast",
       "a among the operands, no offset X" },
     { C205_G_BROADCAST_B, "B is one number, broadcast",
       "b among the operands, no offset Y" },
-    { C205_G_NEGATE_A, "A negated, after the magnitude",
+    { C205_G_MAGNITUDE_A, "the magnitude of A (P)",
       "rows with sign control" },
-    { C205_G_MAGNITUDE_A, "the magnitude of A", "rows with sign control" },
-    { C205_G_MAGNITUDE_B, "the magnitude of B",
+    { C205_G_NEGATE_A, "A negated, after the magnitude (R)",
+      "rows with sign control" },
+    { C205_G_MAGNITUDE_B, "the magnitude of B (P)",
       "rows with sign control and a source B" },
 };
 enum { G_BITS = sizeof g_bits / sizeof *g_bits };
@@ -271,6 +274,9 @@ static bool put_flags(const c205_insn *insn)
             put_row("note", note ? note : "?");
             good = good && note;
         }
+    }
+    if (*isa_link(insn)) {
+        put_row("note", isa_link(insn));
     }
     return good;
 }

@@ -21,6 +21,7 @@ static const struct operand_meaning {
     { 'f', "register, read as a number; r0 is machine zero", NULL },
     { 'i', "register, read as bits, an index or an address; r0 is 0", NULL },
     { 'w', "register, written", NULL },
+    { 'p', "register, an even one, and the one after it, written", NULL },
     { 'm', "register, read as bits, then written", NULL },
     { 'k', "register, written with an index", NULL },
     { 'F', "half register, read as a number; h0, h1 are machine zero", NULL },
@@ -38,6 +39,10 @@ static const struct operand_meaning {
     { 'e', "bit vector, written", NULL },
     { 'c', "vector, written; the machine sets its length", NULL },
     { 'o', "bit vector, written; the machine sets its length", NULL },
+    { 'g',
+      "bit vector: `, [z]`, written, the machine sets its length; `? [z]`, "
+      "given: C has an element where it has ones",
+      NULL },
     { 'x', "address of a table; its length is not used", NULL },
     { 'n', "immediate", NULL },
     { 't', "branch target, a label", NULL },
@@ -58,8 +63,6 @@ static const struct {
     const char *text;
 } flag_notes[] = {
     { C205_INSN_SIGN, "sign control: -A, |A|, -|A|" },
-    { C205_INSN_LINK, "may stand after the link prefix" },
-    { C205_INSN_INDEX, "the register after the result gets an index" },
 };
 enum { FLAG_NOTES = sizeof flag_notes / sizeof *flag_notes };
 
@@ -80,13 +83,21 @@ const char *isa_flag(const c205_insn *insn, unsigned flag)
 {
     size_t i = 0;
     if (flag == C205_INSN_SIGN
-        && strpbrk(c205_format_syntax(insn->format), "bB")) {
+        && strpbrk(c205_format_syntax(insn->format), "bB")
+        && insn->format != C205_FORMAT_EXTREME) {
         return "sign control: -A, |A|, -|A|, |B|";
     }
     while (i < FLAG_NOTES && flag_notes[i].flag != flag) {
         i++;
     }
     return i < FLAG_NOTES ? flag_notes[i].text : NULL;
+}
+
+const char *isa_link(const c205_insn *insn)
+{
+    return c205_unit_links(insn->unit)
+               ? "may stand after the link prefix, with one of another unit"
+               : "";
 }
 
 void isa_code(const c205_insn *insn, char text[ISA_CODE])
@@ -172,8 +183,8 @@ void isa_drawing(const c205_insn *insn, char text[ISA_DRAWING])
 /* A reduction of one number is refused. */
 static bool is_in_brackets(const c205_insn *insn, char field)
 {
-    return isupper((unsigned char)field)
-           || insn->format == C205_FORMAT_REDUCE;
+    return isupper((unsigned char)field) || insn->format == C205_FORMAT_REDUCE
+           || insn->format == C205_FORMAT_EXTREME;
 }
 
 static const char *operand_meaning(char letter, bool in_brackets)
@@ -216,7 +227,7 @@ static bool has_operand(const c205_insn *insn, const char *letters)
 
 static bool is_vector(const c205_insn *insn)
 {
-    return insn->unit == C205_UNIT_VECTOR
+    return c205_unit_is_vector(insn->unit)
            && has_operand(insn, "vulVbdDeqcox");
 }
 
@@ -232,8 +243,11 @@ static const struct {
 } lengths[] = {
     { C205_FORMAT_SCAN, "that of C; each element goes through all of B",
       "n elements of B gone through in all" },
+    { C205_FORMAT_PERIODIC, "that of C", "" },
+    { C205_FORMAT_SPACED, "that of B", "" },
     { C205_FORMAT_SPARSE,
-      "that of X or Y, the longer; those of C and Z are set",
+      "that of X or Y, the longer; C's and Z's are set. With `? [z]` that "
+      "of Z; C's is set",
       "n the most elements present in A, B or C" },
 };
 enum { LENGTHS = sizeof lengths / sizeof *lengths };
@@ -288,7 +302,7 @@ const char *isa_padding(const c205_insn *insn)
     if (insn->flags & C205_INSN_PADO) {
         return "continues with normalised ones";
     }
-    if (!has_operand(insn, "vub") || has_operand(insn, "xw")) {
+    if (!has_operand(insn, "vub") || has_operand(insn, "xwp")) {
         return "";
     }
     return has_operand(insn, "b") ? "continues with zero bits"
@@ -304,7 +318,7 @@ const char *isa_control(const c205_insn *insn)
         return "must be there: Z chooses, `? [z]` with its ones, `?! [z]` "
                "with its zeros";
     }
-    return has_operand(insn, "wk")
+    return has_operand(insn, "wkp")
                ? "`? [z]`: only elements where Z has ones take part; "
                  "`?! [z]`: zeros"
                : "`? [z]`: C keeps what it had where Z has zeros; "
@@ -361,7 +375,7 @@ void isa_half(const c205_insn *insn, char text[ISA_HALF])
     }
     length = put_group(insn, "vudcx", "elements of %s of 32 bits",
                        "elements of %s of 32 bits", text, ISA_HALF);
-    length += put_group(insn, "fw", "; %s is a half register",
+    length += put_group(insn, "fwp", "; %s is a half register",
                         "; %s are half registers", text + length,
                         ISA_HALF - length);
     length += (size_t)snprintf(text + length, ISA_HALF - length, "%s",
@@ -371,13 +385,8 @@ void isa_half(const c205_insn *insn, char text[ISA_HALF])
     length += put_group(insn, "lq", "; the indices of %s have 64 bits",
                         "; the indices of %s have 64 bits", text + length,
                         ISA_HALF - length);
-    length += put_group(insn, "k", "; %s is a whole register",
-                        "; %s are whole registers", text + length,
-                        ISA_HALF - length);
-    if (insn->flags & C205_INSN_INDEX) {
-        snprintf(text + length, ISA_HALF - length,
-                 "; the index is in the whole register with the next number");
-    }
+    put_group(insn, "k", "; %s is a whole register",
+              "; %s are whole registers", text + length, ISA_HALF - length);
 }
 
 /* ---- Special values ----------------------------------------------------- */
@@ -385,7 +394,7 @@ void isa_half(const c205_insn *insn, char text[ISA_HALF])
 const char *isa_specials(const c205_insn *insn)
 {
     bool has_numbers = has_operand(insn, "fvFV");
-    bool has_elements = insn->unit == C205_UNIT_VECTOR && *insn->operands;
+    bool has_elements = c205_unit_is_vector(insn->unit) && *insn->operands;
     return has_numbers || has_elements
                ? c205_operation_specials(insn->operation)
                : "";

@@ -12,7 +12,12 @@
         halves  e, 10.0, 20.0
         halves  f
         ADDNS,H [d, x], [e, y], [f], [z]
+        .regs   r25, sums, third
+        bits    third, "10010"
+        words   sums
+        ADDNS   [a, x], [b, y], [sums] ? [third]
         EXIT
+; expect: [sums.words] = 1.0, 3.0, 0
 ; expect: [c.words] = 1.0, 12.0, 3.0, 20.0
 ; expect-halves: [f.halves] = 1.0, 12.0, 3.0, 20.0
 ; expect-bits: [z.bits] = 11011

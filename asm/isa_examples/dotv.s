@@ -1,12 +1,15 @@
         .include "vectors.s"
-        .regs   r16, a, b, c
+        .regs   r16, a, b, upper, lower, d, e
         words   a, 1.0, -2.0, 3.0, 4.5
         words   b, 10.0, 0.5, -3.0, 1.5
-        DOTV    [a], [b], c
-        .regs   r19, d, e               ; the same of 32 bits
-        halves  d, 1.0, -2.0, 3.0, 4.5
+        DOTV    [a], [b], upper         ; and lower, the register after it
+        ADDN    upper, r0, upper        ; normalised
+        ADDN    upper, lower, upper     ; one number of the two parts
+        halves  d, 1.0, -2.0, 3.0, 4.5  ; the same of 32 bits
         halves  e, 10.0, 0.5, -3.0, 1.5
         DOTV,H  [d], [e], h60
+        ADDNH   h60, h0, h60
+        ADDNH   h60, h61, h60
         EXIT
-; expect: c = 6.75
+; expect: upper = 6.75
 ; expect: h60 = 6.75

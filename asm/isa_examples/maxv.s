@@ -1,12 +1,13 @@
         .include "vectors.s"
-        .regs   r16, a, value, index
+        .regs   r16, a, index, value, d
         words   a, 1.0, -2.0, 3.0, 4.5
-        MAXV    [a], value              ; index is the register after value
-        .reg    d, r19                  ; the same of 32 bits
-        halves  d, 1.0, -2.0, 3.0, 4.5
-        MAXV,H  [d], h60                ; the value in a half of r30
+        MAXV    [a], index, value
+        MAXV    |[a]|, r20, r0          ; the index alone
+        halves  d, 1.0, -2.0, 3.0, 4.5  ; the same of 32 bits
+        MAXV,H  [d], r21, h60           ; the value in a half of r30
         EXIT
-; expect: value = 4.5
 ; expect: index = 3
+; expect: value = 4.5
+; expect: r20 = 3
 ; expect: h60 = 4.5
-; expect: r61 = 3
+; expect: r21 = 3

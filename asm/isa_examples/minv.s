@@ -1,7 +1,7 @@
         .include "vectors.s"
-        .regs   r16, a, value, index
+        .regs   r16, a, index, value
         words   a, 1.0, -2.0, 3.0, 4.5
-        MINV    [a], value           ; index is the register after value
+        MINV    [a], index, value
         EXIT
-; expect: value = -2.0
 ; expect: index = 1
+; expect: value = -2.0

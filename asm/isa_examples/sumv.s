@@ -1,10 +1,13 @@
         .include "vectors.s"
-        .regs   r16, a, c
+        .regs   r16, a, d, upper, lower
         words   a, 1.0, -2.0, 3.0, 4.5
-        SUMV    [a], c
-        .reg    d, r18                  ; the same of 32 bits
-        halves  d, 1.0, -2.0, 3.0, 4.5
+        SUMV    [a], upper              ; and lower, the register after it
+        ADDN    upper, r0, upper        ; normalised
+        ADDN    upper, lower, upper     ; one number of the two parts
+        halves  d, 1.0, -2.0, 3.0, 4.5  ; the same of 32 bits
         SUMV,H  [d], h60
+        ADDNH   h60, h0, h60
+        ADDNH   h60, h61, h60
         EXIT
-; expect: c = 6.5
+; expect: upper = 6.5
 ; expect: h60 = 6.5

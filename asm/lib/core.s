@@ -28,6 +28,14 @@ load_half.\@:
         LODH    [\scratch], \h
         .endm
 
+; number := the sum of two parts that SUMV and DOTV leave in an even register
+; and the one after it, as programs of the time had it (ACM Algorithm 663, P):
+; the upper part is normalised first, so that it has room for the lower.
+        .macro  join_parts upper, lower, number
+        ADDN    \upper, r0, \upper
+        ADDN    \upper, \lower, \number
+        .endm
+
 ; Call a routine: its address goes to scratch, that of the next instruction
 ; to link.  The routine ends with: return link
         .macro  call routine, link, scratch

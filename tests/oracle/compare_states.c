@@ -146,7 +146,7 @@ static void follow_changes(struct trial *trial)
  * next one that does not, or at the end. */
 static bool may_store(const struct deed *deed)
 {
-    return deed->insn_count == 0 || deed->insns[0]->unit == C205_UNIT_VECTOR
+    return deed->insn_count == 0 || c205_unit_is_vector(deed->insns[0]->unit)
            || deed->insns[0]->unit == C205_UNIT_MEMORY;
 }
 

@@ -66,7 +66,9 @@ char sized_letter(const c205_insn *row, unsigned g, enum role role)
     char letter = letter_of(row, role);
     bool half = row->flags & C205_INSN_HALF && g & C205_G_HALF;
 
-    return half && letter && strchr("fwvudcx", letter)
+    if (letter == 'g')
+        return g & C205_G_GIVEN ? 'b' : 'o';
+    return half && letter && strchr("fwpvudcx", letter)
                ? (char)toupper((unsigned char)letter)
                : letter;
 }
@@ -75,7 +77,7 @@ bool is_scalar(const c205_insn *row, unsigned g, enum role role)
 {
     char letter = (char)tolower((unsigned char)letter_of(row, role));
 
-    if (letter == 0 || strchr("fiwkm", letter))
+    if (letter == 0 || strchr("fiwpkm", letter))
         return true;
     return (role == ROLE_A && g & C205_G_BROADCAST_A
             && strchr(c205_format_syntax(row->format), 'a'))

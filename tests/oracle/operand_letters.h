@@ -15,7 +15,8 @@ uint8_t *field_of_role(c205_fields *fields, const c205_insn *row,
 /* What the row's operands say of a role; 0: it has none. */
 char letter_of(const c205_insn *row, enum role role);
 
-/* The same, a capital where the operands are of 32 bits. */
+/* The same, a capital where the operands are of 32 bits; of what may be made or
+ * given, which of both. */
 char sized_letter(const c205_insn *row, unsigned g, enum role role);
 
 /* A register and no vector, though it may be broadcast as one. */

@@ -10,10 +10,13 @@
 /* ---- Instructions ------------------------------------------------------ */
 
 static const unsigned unit_weights[C205_UNITS] = {
-    [C205_UNIT_SINGLE] = 10,  [C205_UNIT_ADD] = 6,
-    [C205_UNIT_MULTIPLY] = 4, [C205_UNIT_DIVIDE] = 3,
-    [C205_UNIT_LOGICAL] = 4,  [C205_UNIT_MEMORY] = 9,
-    [C205_UNIT_BRANCH] = 14,  [C205_UNIT_VECTOR] = 50,
+    [C205_UNIT_SINGLE] = 10,   [C205_UNIT_ADD] = 6,
+    [C205_UNIT_MULTIPLY] = 4,  [C205_UNIT_DIVIDE] = 3,
+    [C205_UNIT_LOGICAL] = 4,   [C205_UNIT_MEMORY] = 9,
+    [C205_UNIT_BRANCH] = 14,   [C205_UNIT_VECTOR] = 28,
+    [C205_UNIT_V_ADD] = 9,     [C205_UNIT_V_MULTIPLY] = 4,
+    [C205_UNIT_V_DIVIDE] = 4,  [C205_UNIT_V_SHIFT] = 2,
+    [C205_UNIT_V_LOGICAL] = 3,
 };
 
 static c205_unit draw_unit(uint64_t *random)
@@ -30,7 +33,7 @@ typedef bool insn_filter(const c205_insn *insn);
 
 static bool may_link(const c205_insn *insn)
 {
-    return insn->flags & C205_INSN_LINK;
+    return c205_unit_links(insn->unit);
 }
 
 static const c205_insn *draw_any(uint64_t *random)
@@ -64,16 +67,29 @@ static bool is_prefix(const c205_insn *insn)
     return insn->format == C205_FORMAT_NONE;
 }
 
+/* One that can be linked, each unit as often; mostly of another one than the
+ * first of the pair. */
+static const c205_insn *draw_linked(uint64_t *random, const c205_insn *first)
+{
+    c205_unit unit;
+
+    do
+        unit = draw_where(random, may_link)->unit;
+    while ((unit == C205_UNIT_V_ADD && one_in(random, 2))
+           || (first && unit == first->unit && !one_in(random, 20)));
+    return draw_of_unit(random, unit);
+}
+
 /* After a prefix mostly two that can be linked; often the same once more, so
  * that units and memory are kept busy. */
 static const c205_insn *draw_insn(uint64_t *random,
                                   const c205_insn *const *rows, size_t i)
 {
-    bool linked = (i > 0 && is_prefix(rows[i - 1]))
-                  || (i > 1 && is_prefix(rows[i - 2]));
+    bool first = i > 0 && is_prefix(rows[i - 1]);
+    bool second = i > 1 && is_prefix(rows[i - 2]);
 
-    if (linked && !one_in(random, 30))
-        return draw_where(random, may_link);
+    if ((first || second) && !one_in(random, 30))
+        return draw_linked(random, first ? NULL : rows[i - 1]);
     if (one_in(random, 20))
         return draw_where(random, is_prefix);
     if (i > 0 && !is_prefix(rows[i - 1]) && one_in(random, 4))
@@ -123,6 +139,12 @@ static char vector_role(uint64_t *random, unsigned g, char role)
     return one_in(random, role == 'v' ? 20 : 6) ? of_other_size : role;
 }
 
+/* A sparse result has no offset. */
+static unsigned result_bits(const c205_insn *insn, unsigned g)
+{
+    return insn->format == C205_FORMAT_SPARSE ? g & ~C205_G_OFFSET : g;
+}
+
 static char bits_role(unsigned g, char field)
 {
     return g & C205_G_OFFSET && field == 'C' ? 'q' : 'b';
@@ -151,9 +173,9 @@ static char role_of(uint64_t *random, const c205_insn *insn, char field,
     case 'X': return vector_role(random, sources, 'w');
     case 'c':
     case 'd':
-    case 'q': return vector_role(random, g, 'v');
+    case 'q': return vector_role(random, result_bits(insn, g), 'v');
     case 'C':
-    case 'D': return vector_role(random, g, 'w');
+    case 'D': return vector_role(random, result_bits(insn, g), 'w');
     case 'e':
     case 'o': return bits_role(g, field);
     case 'b': return 'b';
@@ -162,8 +184,10 @@ static char role_of(uint64_t *random, const c205_insn *insn, char field,
                        || one_in(random, 3)
                    ? 'b'
                    : '0';
-    case 'f': return 'n';
-    case 'F': return 'h';
+    case 'f':
+    case 'p': return 'n';
+    case 'F':
+    case 'P': return 'h';
     case 'm': return one_in(random, 3) ? 'v' : 'i';
     case 'M': return 'j';
     case 'I':
@@ -260,6 +284,23 @@ static void draw_registers(uint64_t *random, const c205_insn *insn,
     }
 }
 
+/* A sum is mostly in an even register; the index of an extreme now and then in
+ * that of its value; and now and then a vector begins near its first source,
+ * as their registers lie beside each other, so that it recurs. */
+static void draw_result(uint64_t *random, const c205_insn *insn,
+                        c205_fields *fields)
+{
+    char letter = reference_letter(insn, fields->g, 'C');
+
+    if (letter && strchr("pP", letter) && !one_in(random, 15))
+        fields->c &= (uint8_t)~1u;
+    else if (insn->format == C205_FORMAT_EXTREME && one_in(random, 10))
+        fields->c = letter == 'W' ? (uint8_t)(2u * fields->b) : fields->b;
+    else if (letter && strchr("deD", letter) && one_in(random, 6))
+        fields->c = (uint8_t)(fields->a
+                              + (unsigned)random_between(random, -1, 1));
+}
+
 static void draw_offsets(uint64_t *random, const c205_insn *insn,
                          c205_fields *fields)
 {
@@ -306,19 +347,48 @@ static c205_fields draw_fields(uint64_t *random,
     fields.g = (uint8_t)size_of_pair(random, program, rows, i,
                                      draw_bits_of_g(random, insn));
     draw_registers(random, insn, &fields);
+    draw_result(random, insn, &fields);
     if (c205_format_halves(insn->format) == 2)
         draw_offsets(random, insn, &fields);
-    if (fields.z == 0 && insn->unit == C205_UNIT_VECTOR)
+    if (fields.z == 0 && c205_unit_is_vector(insn->unit))
         fields.g &= (uint8_t)~C205_G_ZEROS;
     fields.immediate = draw_immediate(random, program, insn, i);
     return fields;
 }
 
-/* Make the second of a pair read what the first makes, mostly. */
-static void link_fields(uint64_t *random, c205_fields *first,
-                        c205_fields *second)
+static void broadcast(uint64_t *random, c205_fields *fields, bool a)
 {
-    bool a = one_in(random, 2);
+    uint8_t number = (uint8_t)draw_register(random, fields->g & C205_G_HALF
+                                                        ? 'h'
+                                                        : 'n');
+
+    fields->g |= a ? C205_G_BROADCAST_A : C205_G_BROADCAST_B;
+    *(a ? &fields->a : &fields->b) = number;
+    *(a ? &fields->x : &fields->y) = 0;
+}
+
+static bool has_b(const c205_insn *insn)
+{
+    return reference_bits_of_g(insn) & C205_G_BROADCAST_B;
+}
+
+/* What a source is that is neither handed over nor a vector, so that memory
+ * has to feed two at the most: one of the first's, or the other one of the
+ * second. */
+static void spare_a_stream(uint64_t *random, const c205_insn *const *rows,
+                           c205_fields *first, c205_fields *second, bool a)
+{
+    if (has_b(rows[0]) && (!has_b(rows[1]) || !one_in(random, 3)))
+        broadcast(random, first, one_in(random, 4));
+    else if (has_b(rows[1]))
+        broadcast(random, second, !a);
+}
+
+/* Make the second of a pair read what the first makes, mostly. */
+static void link_fields(uint64_t *random, const c205_insn *const *rows,
+                        c205_fields *first, c205_fields *second)
+{
+    bool a = !has_b(rows[1]) || one_in(random, 2);
 
     if (!one_in(random, 20)) {
         first->z = 0;
@@ -327,15 +397,13 @@ static void link_fields(uint64_t *random, c205_fields *first,
     second->g &= (uint8_t) ~(a ? C205_G_BROADCAST_A : C205_G_BROADCAST_B);
     if (!one_in(random, 20))
         *(a ? &second->a : &second->b) = first->c;
-    if (one_in(random, 2))
+    if (!one_in(random, 3))
         second->c = first->c; /* of one length */
-    if (!one_in(random, 20)) {
-        first->g |= C205_G_BROADCAST_B;
-        first->y = 0;
-        first->b = (uint8_t)draw_register(random,
-                                          first->g & C205_G_HALF ? 'h' : 'n');
-    }
-    if (!one_in(random, 4))
+    if (!one_in(random, 20))
+        spare_a_stream(random, rows, first, second, a);
+    if (has_b(rows[1]) && one_in(random, 12))
+        second->a = second->b = first->c;
+    if (!one_in(random, 8))
         *(a ? &second->x : &second->y) = 0;
 }
 
@@ -349,7 +417,7 @@ static void link_pairs(uint64_t *random, struct random_program *program,
             continue;
         first = c205_decode(rows[i + 1], program->insns[i + 1].word);
         second = c205_decode(rows[i + 2], program->insns[i + 2].word);
-        link_fields(random, &first, &second);
+        link_fields(random, rows + i + 1, &first, &second);
         put_insn(program, i + 1, rows[i + 1], &first);
         put_insn(program, i + 2, rows[i + 2], &second);
     }

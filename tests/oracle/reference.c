@@ -39,12 +39,16 @@ static bool certain_fault(const struct reference *reference)
 
 /* ---- Operands by their letters ----------------------------------------- */
 
-/* With 32-bit operands some letters become capitals. */
-static char in_size(const c205_insn *insn, unsigned g, char letter)
+/* With 32-bit operands some letters become capitals.  An order vector is a
+ * source if it is given, else a result. */
+static char by_g(const c205_insn *insn, unsigned g, char letter)
 {
     bool half = insn->flags & C205_INSN_HALF && g & C205_G_HALF;
 
-    return half && strchr("fwvudcx", letter) ? (char)toupper(letter) : letter;
+    if (letter == 'g')
+        return g & C205_G_GIVEN ? 'b' : 'o';
+    return half && strchr("fwpvudcx", letter) ? (char)toupper(letter)
+                                              : letter;
 }
 
 /* What comes behind a + is an offset and has no letter. */
@@ -57,7 +61,7 @@ char reference_letter(const c205_insn *insn, unsigned g, char field)
         if ((!isalpha(*p) && *p != '@') || (p > syntax && p[-1] == '+'))
             continue;
         if (toupper(*p) == field)
-            return in_size(insn, g, *letter);
+            return by_g(insn, g, *letter);
         letter++;
     }
     return '\0';
@@ -65,7 +69,7 @@ char reference_letter(const c205_insn *insn, unsigned g, char field)
 
 bool reference_is_half_register(char letter, bool broadcast)
 {
-    return letter && strchr(broadcast ? "FIWMVU" : "FIWM", letter);
+    return letter && strchr(broadcast ? "FIWPMVU" : "FIWPM", letter);
 }
 
 unsigned width_of_letter(char letter)
@@ -254,11 +258,13 @@ static unsigned vector_bits(const c205_insn *insn)
         bits |= C205_G_BROADCAST_B;
     if (strstr(syntax, "?Z") || strstr(syntax, "!Z"))
         bits |= C205_G_ZEROS;
-    if (strstr(syntax, "[C]") && insn->format != C205_FORMAT_SPREAD)
+    /* of a sparse vector C205_G_GIVEN, which is the same bit */
+    if (strstr(syntax, "[C]") && insn->format != C205_FORMAT_SPREAD
+        && insn->format != C205_FORMAT_SPACED)
         bits |= C205_G_OFFSET;
     if (signs)
         bits |= C205_G_NEGATE_A | C205_G_MAGNITUDE_A;
-    if (signs && strpbrk(syntax, "bB"))
+    if (signs && strpbrk(syntax, "bB") && insn->format != C205_FORMAT_EXTREME)
         bits |= C205_G_MAGNITUDE_B;
     if (insn->flags & C205_INSN_HALF)
         bits |= C205_G_HALF;
@@ -267,14 +273,27 @@ static unsigned vector_bits(const c205_insn *insn)
 
 unsigned reference_bits_of_g(const c205_insn *insn)
 {
-    return insn->unit == C205_UNIT_VECTOR
+    return c205_unit_is_vector(insn->unit)
                ? vector_bits(insn)
                : insn->subop_mask | C205_G_RELATIVE;
 }
 
+bool reference_has_offset(const c205_insn *insn, const c205_fields *fields)
+{
+    return c205_unit_is_vector(insn->unit)
+           && insn->format != C205_FORMAT_SPARSE
+           && fields->g & reference_bits_of_g(insn) & C205_G_OFFSET;
+}
+
+/* In two parts: "p". */
+static bool is_sum(const c205_insn *insn)
+{
+    return strchr(insn->operands, 'p');
+}
+
 /* Fields that a format lacks are zero; so is the offset of what is broadcast,
  * and the zeros of a control vector that there is not; r255 has no register
- * after it. */
+ * after it, and a sum in two registers begins with an even one. */
 static bool has_only(const c205_insn *insn, c205_word word,
                      const c205_fields *fields)
 {
@@ -283,13 +302,13 @@ static bool has_only(const c205_insn *insn, c205_word word,
     if ((g & ~reference_bits_of_g(insn)) != 0
         || c205_encode(insn, fields) != word)
         return false;
-    return insn->unit != C205_UNIT_VECTOR
+    return !c205_unit_is_vector(insn->unit)
            || !((g & C205_G_BROADCAST_A && fields->x != 0)
                 || (g & C205_G_BROADCAST_B && fields->y != 0)
                 || (g & C205_G_ZEROS && fields->z == 0)
                 || (fields->c == C205_REGISTERS - 1
-                    && (g & C205_G_OFFSET & reference_bits_of_g(insn)
-                        || insn->flags & C205_INSN_INDEX)));
+                    && reference_has_offset(insn, fields))
+                || (is_sum(insn) && fields->c % 2 != 0));
 }
 
 static bool lacks_control(const c205_insn *insn, const c205_fields *fields)
@@ -324,7 +343,7 @@ uint64_t reference_flags(const struct reference *reference, uint64_t clock)
 static void do_one(struct reference *reference, const c205_insn *insn,
                    const c205_fields *fields)
 {
-    if (insn->unit == C205_UNIT_VECTOR)
+    if (c205_unit_is_vector(insn->unit))
         do_vector(reference, insn, fields);
     else if (insn->unit == C205_UNIT_BRANCH)
         do_branch(reference, insn, fields);
@@ -378,7 +397,8 @@ static void begin_step(struct reference *reference)
     plain_settle(&reference->memory);
     deed->pc = reference->now.pc;
     deed->insn_count = deed->extent_count = deed->indexed_count = 0;
-    deed->elements = deed->swapped = deed->target = 0;
+    deed->elements = deed->recurrent = 0;
+    deed->swapped = deed->target = 0;
     deed->taken = false;
 }
 

@@ -11,15 +11,9 @@
  * Everything else is certain.  When an instruction has several faults any of
  * them may be the one that is told.
  *
- * In two points it follows the machine and not the text: MAXV and MINV give
- * an indefinite element as it stands (machine.md: indefinite), and masked
- * elements of a gather or scatter use no memory (timing.md: included).
- *
  * What the text does not say was settled by comparing with the machine:
- * MAXV and MINV raise the flags of their result; a linked pair must agree in
- * length, and its first member raises all its flags; IBX.. clears the high
- * 16 bits; an unused field, the offset of a number broadcast and zeros of no
- * control vector are undefined.
+ * IBX.. clears the high 16 bits; an unused field, and zeros of no control
+ * vector, are undefined.
  */
 #ifndef REFERENCE_H
 #define REFERENCE_H
@@ -48,7 +42,8 @@ struct deed {
     c205_word words[PAIR + 1]; /* a short one in its high half */
     c205_fields fields[PAIR + 1];
     uint64_t elements;
-    uint64_t results; /* sparse vectors: made of so many of the elements */
+    uint64_t recurrent; /* elements that read what one before has stored */
+    uint64_t results;   /* sparse vectors: made of so many of the elements */
     size_t extent_count;
     struct extent extents[EXTENTS];
     size_t indexed_count, indexed_room;
@@ -99,8 +94,12 @@ uint64_t reference_flags(const struct reference *reference, uint64_t clock);
 /* The bits of G that an instruction may have. */
 unsigned reference_bits_of_g(const c205_insn *insn);
 
+/* Register C+1 holds an offset of the result. */
+bool reference_has_offset(const c205_insn *insn, const c205_fields *fields);
+
 /* What a field of the syntax is, A for a, by the letters of the table: in
- * capitals if it is of 32 bits, also where G says so.  0: no such field. */
+ * capitals if it is of 32 bits, also where G says so; an order vector that may
+ * be made or given is what G says.  0: no such field. */
 char reference_letter(const c205_insn *insn, unsigned g, char field);
 /* A half register, as a number broadcast if it may be a vector. */
 bool reference_is_half_register(char letter, bool broadcast);

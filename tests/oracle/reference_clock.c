@@ -104,31 +104,34 @@ static void name_operand(struct named *named, const c205_insn *insn,
                              : number);
 }
 
-static bool has_offset(const c205_insn *insn, const c205_fields *fields)
-{
-    return fields->g & C205_G_OFFSET && insn->unit == C205_UNIT_VECTOR
-           && reference_bits_of_g(insn) & C205_G_OFFSET;
-}
-
 /* C is a register that is only written, so waited for last. */
 static bool is_reduction(const c205_insn *insn)
 {
     return insn->format == C205_FORMAT_REDUCE
-           || insn->format == C205_FORMAT_REDUCE2;
+           || insn->format == C205_FORMAT_REDUCE2
+           || insn->format == C205_FORMAT_EXTREME;
 }
 
-static void name_result(struct named *named, const c205_insn *insn,
-                        const c205_fields *fields)
+/* A sum has two registers, but neither of them if the first is 0. */
+static bool has_second_part(const c205_insn *insn, const c205_fields *fields)
 {
+    return strchr(insn->operands, 'p') && fields->c != 0;
+}
+
+static void name_results(struct named *named, const c205_insn *insn,
+                         const c205_fields *fields)
+{
+    if (insn->format == C205_FORMAT_EXTREME)
+        name_register(named, fields->b);
     name_operand(named, insn, fields, 'C', fields->c);
-    if (insn->flags & C205_INSN_INDEX)
-        name_register(named, fields->c + 1u);
+    if (has_second_part(insn, fields))
+        name_operand(named, insn, fields, 'C', fields->c + 1u);
 }
 
 static void name_field(struct named *named, const c205_insn *insn,
                        const c205_fields *fields, char field)
 {
-    bool vector = insn->unit == C205_UNIT_VECTOR;
+    bool vector = c205_unit_is_vector(insn->unit);
 
     switch (field) {
     case 'R': name_operand(named, insn, fields, 'R', fields->r); break;
@@ -142,6 +145,8 @@ static void name_field(struct named *named, const c205_insn *insn,
         break;
     case 'b':
     case 'B':
+        if (insn->format == C205_FORMAT_EXTREME)
+            break;
         name_operand(named, insn, fields, 'B', fields->b);
         if (vector)
             name_register(named, fields->y);
@@ -149,7 +154,7 @@ static void name_field(struct named *named, const c205_insn *insn,
     case 'C':
         if (!is_reduction(insn))
             name_register(named, fields->c);
-        if (has_offset(insn, fields))
+        if (reference_has_offset(insn, fields))
             name_register(named, fields->c + 1u);
         break;
     case 'X': name_register(named, fields->x); break;
@@ -175,56 +180,62 @@ static void wait_for_registers(struct reference_clock *clock,
         if (p == syntax || p[-1] != '+')
             name_field(&named, insn, fields, *p);
     if (is_reduction(insn))
-        name_result(&named, insn, fields);
+        name_results(&named, insn, fields);
     for (size_t i = 0; i < named.count; i++)
         wait_for(clock, clock->registers + named.numbers[i]);
 }
-
-enum { NO_REGISTER = C205_REGISTERS };
 
 /* The field that an instruction writes; 0: none. */
 static char written_field(const c205_insn *insn)
 {
     const char *letters = insn->operands;
 
-    if (!strpbrk(letters, "wmkcoWM"))
+    if (!strpbrk(letters, "wpmkcoWM"))
         return '\0';
     if (insn->format == C205_FORMAT_ALTER)
         return 'A';
     if (insn->format == C205_FORMAT_INDEX
-        || (insn->unit == C205_UNIT_VECTOR
+        || (c205_unit_is_vector(insn->unit)
             && insn->format != C205_FORMAT_BITS1))
         return 'C';
     return strchr("wmWM", letters[0]) && letters[1] != '\0' ? 'R' : 'T';
 }
 
-/* The register that gets the result, whole or a half of it. */
-static unsigned written(const c205_insn *insn, const c205_fields *fields)
+/* The register that gets the result, or the one so far behind it, whole or a
+ * half of it. */
+static unsigned written(const c205_insn *insn, const c205_fields *fields,
+                        unsigned behind)
 {
     char field = written_field(insn);
     unsigned number = field == 'A'   ? fields->a
                       : field == 'C' ? fields->c
                       : field == 'R' ? fields->r
-                      : field == 'T' ? fields->t
-                                     : NO_REGISTER;
+                                     : fields->t;
     char letter = reference_letter(insn, fields->g, field);
 
+    number += behind;
     return reference_is_half_register(letter, false) ? number / 2 : number;
 }
 
 /* Nobody reads a result on its way to register 0, but it is one. */
+static void deliver_to(struct reference_clock *clock, unsigned number,
+                       struct awaited awaited)
+{
+    if (number != 0 || awaited.ready > clock->registers[0].ready)
+        clock->registers[number] = awaited;
+}
+
 static void deliver(struct reference_clock *clock, const c205_insn *insn,
                     const c205_fields *fields, struct awaited awaited)
 {
-    unsigned number = written(insn, fields);
-
-    if (number == NO_REGISTER)
+    if (!written_field(insn))
         return;
-    if (number != 0 || awaited.ready > clock->registers[0].ready)
-        clock->registers[number] = awaited;
-    if (insn->flags & C205_INSN_INDEX)
-        clock->registers[fields->c + 1] = awaited;
-    if (insn->format == C205_FORMAT_SPARSE)
+    deliver_to(clock, written(insn, fields, 0), awaited);
+    if (has_second_part(insn, fields))
+        deliver_to(clock, written(insn, fields, 1), awaited);
+    if (insn->format == C205_FORMAT_EXTREME)
+        deliver_to(clock, fields->b, awaited);
+    if (reference_letter(insn, fields->g, 'Z') == 'o')
         clock->registers[fields->z] = awaited;
 }
 
@@ -483,12 +494,42 @@ static void wait_for_overlap(struct reference_clock *clock, uint64_t startup)
         wait_for_vector(clock, clock->vector_done - hidden);
 }
 
+/* A linked pair starts up later by as much as each of the two does than an
+ * addition. */
+static uint64_t startup_of(const struct reference_clock *clock,
+                           const struct deed *deed)
+{
+    uint64_t addition = of_class(clock, "startup", C205_TIMING_vadd);
+    uint64_t clocks = of_class(clock, "startup", deed->insns[0]->timing);
+
+    for (size_t i = 1; i < deed->insn_count; i++) {
+        uint64_t own = of_class(clock, "startup", deed->insns[i]->timing);
+        clocks += own > addition ? own - addition : 0;
+    }
+    return clocks;
+}
+
+/* A linked pair goes at the rate of its slowest; each element that recurs
+ * waits until the one before is through. */
+static uint64_t stream_of(const struct reference_clock *clock,
+                          const struct deed *deed, uint64_t startup)
+{
+    bool halves = deed->fields[deed->insn_count - 1].g & C205_G_HALF;
+    uint64_t longest = 0;
+
+    for (size_t i = 0; i < deed->insn_count; i++) {
+        uint64_t clocks = stream(clock, deed->insns[i]->timing, halves,
+                                 deed->elements);
+        longest = clocks > longest ? clocks : longest;
+    }
+    return longest + deed->recurrent * startup;
+}
+
 static void step_vector(struct reference_clock *clock,
                         const struct deed *deed)
 {
     size_t last = deed->insn_count - 1;
-    c205_timing timing = deed->insns[0]->timing;
-    uint64_t startup = of_class(clock, "startup", timing);
+    uint64_t startup = startup_of(clock, deed);
     struct translation translation;
     uint64_t end;
 
@@ -503,9 +544,7 @@ static void step_vector(struct reference_clock *clock,
     add_phase(clock, C205_TRANSLATION_MISS, &end, translation.misses);
     add_phase(clock, C205_PAGE_FAULT, &end, translation.faults);
     add_phase(clock, C205_BANK_CONFLICT, &end, conflicts(clock, deed));
-    clock->vector_stream = stream(clock, timing,
-                                  deed->fields[last].g & C205_G_HALF,
-                                  deed->elements);
+    clock->vector_stream = stream_of(clock, deed, startup);
     add_phase(clock, C205_VECTOR_STREAM, &end, clock->vector_stream);
     clock->vector_done = end;
     deliver(clock, deed->insns[last], deed->fields + last,
@@ -551,7 +590,7 @@ static uint64_t operations(const struct deed *deed)
 {
     uint64_t all = 0, times = 1;
 
-    if (deed->insns[0]->unit == C205_UNIT_VECTOR)
+    if (c205_unit_is_vector(deed->insns[0]->unit))
         times = deed->insns[0]->format == C205_FORMAT_SPARSE ? deed->results
                                                              : deed->elements;
     for (size_t i = 0; i < deed->insn_count; i++)
@@ -567,7 +606,7 @@ static void count(struct reference_clock *clock, const struct deed *deed,
 
     counts->instructions++;
     counts->operations += operations(deed);
-    if (deed->insns[0]->unit == C205_UNIT_VECTOR) {
+    if (c205_unit_is_vector(deed->insns[0]->unit)) {
         counts->vector_instructions++;
         counts->elements += deed->elements;
     }
@@ -587,7 +626,7 @@ void reference_clock_step(struct reference_clock *clock,
     run_on(clock, deed);
     if (insn->timing == C205_TIMING_swap)
         step_swap(clock, deed);
-    else if (insn->unit == C205_UNIT_VECTOR)
+    else if (c205_unit_is_vector(insn->unit))
         step_vector(clock, deed);
     else
         step_scalar(clock, deed);

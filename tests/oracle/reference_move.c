@@ -53,26 +53,62 @@ static uint64_t indexed(struct reference *reference,
     return plain_address(table->address + table->width * (index & LOW_48));
 }
 
+/* Element i of the table by the period, which is A and may be negative. */
+static uint64_t periodic(struct reference *reference,
+                         const struct vector *vector, uint64_t i,
+                         const struct target *table)
+{
+    int64_t period = as_integer(read_bits(reference, vector->fields->a));
+    uint64_t count = (uint64_t)(period * (int64_t)i);
+
+    return plain_address(table->address + table->width * count);
+}
+
+static void gather_one(struct reference *reference,
+                       const struct vector *vector, uint64_t i, uint64_t from)
+{
+    if (permitted(reference, vector, i)) {
+        note_index(reference, from);
+        store_element(reference, &vector->c, i,
+                      read_memory(reference, from, vector->c.width));
+    } else {
+        pass_by_memory(reference, from, vector->c.width);
+        leave_element(reference, &vector->c, i);
+    }
+}
+
+static void scatter_one(struct reference *reference,
+                        const struct vector *vector, uint64_t i, uint64_t to)
+{
+    c205_word word = element(reference, &vector->sources.b, i);
+
+    if (permitted(reference, vector, i)) {
+        note_index(reference, to);
+        write_memory(reference, to, vector->c.width, word);
+    } else
+        leave_memory(reference, to, vector->c.width);
+}
+
+/* The table of a gather is B. */
+static struct target gathered_table(struct reference *reference,
+                                    const struct vector *vector)
+{
+    return (struct target){
+        .width = vector->c.width,
+        .address = read_bits(reference, vector->fields->b),
+    };
+}
+
 /* As many as there are indices, and room for them. */
 static void gather(struct reference *reference, const struct vector *vector)
 {
-    const struct target table = { .width = vector->c.width,
-                                  .address = read_bits(reference,
-                                                       vector->fields->b) };
+    struct target table = gathered_table(reference, vector);
     uint64_t length = lesser(vector->c.length, vector->sources.a.length);
 
     use_operands(reference, vector, length, length);
-    for (uint64_t i = 0; i < length; i++) {
-        uint64_t from = indexed(reference, vector, i, &table);
-        if (permitted(reference, vector, i)) {
-            note_index(reference, from);
-            store_element(reference, &vector->c, i,
-                          read_memory(reference, from, table.width));
-        } else {
-            pass_by_memory(reference, from, table.width);
-            leave_element(reference, &vector->c, i);
-        }
-    }
+    for (uint64_t i = 0; i < length; i++)
+        gather_one(reference, vector, i,
+                   indexed(reference, vector, i, &table));
 }
 
 static void scatter(struct reference *reference, const struct vector *vector)
@@ -80,15 +116,38 @@ static void scatter(struct reference *reference, const struct vector *vector)
     uint64_t length = vector->sources.a.length;
 
     use_operands(reference, vector, length, 0);
-    for (uint64_t i = 0; i < length; i++) {
-        uint64_t to = indexed(reference, vector, i, &vector->c);
-        c205_word word = element(reference, &vector->sources.b, i);
-        if (permitted(reference, vector, i)) {
-            note_index(reference, to);
-            write_memory(reference, to, vector->c.width, word);
-        } else
-            leave_memory(reference, to, vector->c.width);
-    }
+    for (uint64_t i = 0; i < length; i++)
+        scatter_one(reference, vector, i,
+                    indexed(reference, vector, i, &vector->c));
+}
+
+/* As many as there is room for. */
+static void gather_periodic(struct reference *reference,
+                            const struct vector *vector)
+{
+    struct target table = gathered_table(reference, vector);
+    uint64_t length = vector->c.length;
+
+    reference->deed.elements = length;
+    use_control(reference, vector, length);
+    use_target(reference, &vector->c, length);
+    for (uint64_t i = 0; i < length; i++)
+        gather_one(reference, vector, i,
+                   periodic(reference, vector, i, &table));
+}
+
+/* As many as there are to scatter. */
+static void scatter_periodic(struct reference *reference,
+                             const struct vector *vector)
+{
+    const struct source *b = &vector->sources.b;
+
+    reference->deed.elements = b->length;
+    use_source(reference, b, b->length);
+    use_control(reference, vector, b->length);
+    for (uint64_t i = 0; i < b->length; i++)
+        scatter_one(reference, vector, i,
+                    periodic(reference, vector, i, &vector->c));
 }
 
 /* ---- Mask, merge, compress --------------------------------------------- */
@@ -168,6 +227,8 @@ bool do_move(struct reference *reference, const struct vector *vector)
     case DO_VREVV: reverse(reference, vector); return true;
     case DO_VXTOV: gather(reference, vector); return true;
     case DO_VTOVX: scatter(reference, vector); return true;
+    case DO_VGATHP: gather_periodic(reference, vector); return true;
+    case DO_VSCATP: scatter_periodic(reference, vector); return true;
     case DO_MASKV:
     case DO_MASKB: mask(reference, vector); return true;
     case DO_MRGV:

@@ -201,9 +201,7 @@ void take_targets(struct reference *reference, struct vector *vector)
     const c205_insn *insn = vector->insn;
     const c205_fields *fields = vector->fields;
     unsigned width = width_of_letter(reference_letter(insn, fields->g, 'C'));
-    unsigned offset = fields->g & reference_bits_of_g(insn) & C205_G_OFFSET
-                          ? fields->c + 1u
-                          : 0;
+    unsigned offset = reference_has_offset(insn, fields) ? fields->c + 1u : 0;
 
     vector->c = behind_offset(reference, read_bits(reference, fields->c),
                               offset, width);

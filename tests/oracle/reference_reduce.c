@@ -15,46 +15,91 @@ static void select_first(struct reference *reference,
     write_register(reference, vector->fields->c, first);
 }
 
-/* Element i of A, or its product with that of B. */
-static c205_word term(struct reference *reference,
-                      const struct vector *vector, uint64_t i,
-                      uint64_t *flags)
-{
-    const struct pair *sources = &vector->sources;
-    c205_word a = element(reference, &sources->a, i);
-
-    if (!sources->has_b)
-        return a;
-    return oracle_multiply_significant(sources->format, a,
-                                       element(reference, &sources->b, i),
-                                       flags);
-}
-
-/* To the register, or half register, C. */
+/* To the register, or half register, C, or to one behind it. */
 static void write_result(struct reference *reference,
-                         const struct vector *vector, c205_word word)
+                         const struct vector *vector, unsigned behind,
+                         c205_word word)
 {
     const c205_fields *fields = vector->fields;
 
     write_operand(reference, reference_letter(vector->insn, fields->g, 'C'),
-                  fields->c, word);
+                  fields->c + behind, word);
 }
 
-/* From a first value on, in element order. */
-static void accumulate(struct reference *reference,
-                       const struct vector *vector, uint64_t length,
-                       c205_word total, oracle_rule *rule)
+/* A sum in double precision, unnormalised. */
+struct parts {
+    c205_word upper, lower;
+};
+
+/* One more term, which has itself an upper and perhaps a lower part. */
+static struct parts add_term(const struct oracle_format *format,
+                             struct parts sum, const struct parts *term,
+                             bool both, uint64_t *flags)
 {
+    c205_word below = oracle_add_lower(format, sum.upper, term->upper, flags);
+
+    sum.lower = oracle_add_upper(format, sum.lower, below, flags);
+    if (both)
+        sum.lower = oracle_add_upper(format, sum.lower, term->lower, flags);
+    sum.upper = oracle_add_upper(format, sum.upper, term->upper, flags);
+    return sum;
+}
+
+/* Element i of A, or the parts of its product with that of B. */
+static struct parts term(struct reference *reference,
+                         const struct vector *vector, uint64_t i,
+                         uint64_t *flags)
+{
+    const struct pair *sources = &vector->sources;
+    c205_word a = element(reference, &sources->a, i), b;
+
+    if (!sources->has_b)
+        return (struct parts){ a, 0 };
+    b = element(reference, &sources->b, i);
+    return (struct parts){
+        .upper = oracle_multiply_upper(sources->format, a, b, flags),
+        .lower = oracle_multiply_lower(sources->format, a, b, flags),
+    };
+}
+
+/* Register 0 has none behind it: neither part is wanted. */
+static void sum_up(struct reference *reference, const struct vector *vector,
+                   uint64_t length)
+{
+    const struct pair *sources = &vector->sources;
+    struct parts sum = { C205_MACHINE_ZERO, C205_MACHINE_ZERO };
+
     for (uint64_t i = 0; i < length; i++) {
         uint64_t flags = 0;
-        c205_word next = term(reference, vector, i, &flags);
-        c205_word sum = rule(vector->sources.format, total, next, &flags);
+        struct parts next = term(reference, vector, i, &flags);
+        next = add_term(sources->format, sum, &next, sources->has_b, &flags);
         if (permitted(reference, vector, i)) {
             reference->now.flags |= flags;
-            total = sum;
+            sum = next;
         }
     }
-    write_result(reference, vector, total);
+    if (vector->fields->c == 0)
+        return;
+    write_result(reference, vector, 0, sum.upper);
+    write_result(reference, vector, 1, sum.lower);
+}
+
+static void multiply_up(struct reference *reference,
+                        const struct vector *vector, uint64_t length)
+{
+    const struct oracle_format *format = vector->sources.format;
+    c205_word total = format == &oracle_half ? HALF_ONE : C205_ONE;
+
+    for (uint64_t i = 0; i < length; i++) {
+        uint64_t flags = 0;
+        c205_word next = element(reference, &vector->sources.a, i);
+        next = oracle_multiply_significant(format, total, next, &flags);
+        if (permitted(reference, vector, i)) {
+            reference->now.flags |= flags;
+            total = next;
+        }
+    }
+    write_result(reference, vector, 0, total);
 }
 
 static bool is_indefinite(c205_word word)
@@ -81,6 +126,7 @@ static bool surpasses(const struct oracle_format *format, c205_word word,
                     : oracle_less(format, word, best, &flags);
 }
 
+/* If both go to one register the value stays. */
 static void extreme(struct reference *reference, const struct vector *vector,
                     uint64_t length, bool greatest)
 {
@@ -99,8 +145,8 @@ static void extreme(struct reference *reference, const struct vector *vector,
     reference->now.flags |= is_indefinite(best)     ? FLAG_INDEFINITE
                             : is_machine_zero(best) ? FLAG_MACHINE_ZERO
                                                     : 0;
-    write_result(reference, vector, best);
-    write_register(reference, vector->fields->c + 1u, index);
+    write_register(reference, vector->fields->b, index);
+    write_result(reference, vector, 0, best);
 }
 
 void do_reduction(struct reference *reference, const struct vector *vector)
@@ -116,15 +162,8 @@ void do_reduction(struct reference *reference, const struct vector *vector)
     use_control(reference, vector, length);
     switch (which) {
     case DO_SUMV:
-    case DO_DOTV:
-        accumulate(reference, vector, length, C205_MACHINE_ZERO,
-                   oracle_add_normalised);
-        break;
-    case DO_PRODV:
-        accumulate(reference, vector, length,
-                   vector->c.width == HALF_BITS ? HALF_ONE : C205_ONE,
-                   oracle_multiply_significant);
-        break;
+    case DO_DOTV: sum_up(reference, vector, length); break;
+    case DO_PRODV: multiply_up(reference, vector, length); break;
     case DO_MAXV:
     case DO_MINV: extreme(reference, vector, length, which == DO_MAXV); break;
     default: select_first(reference, vector, length);

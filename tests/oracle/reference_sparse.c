@@ -15,6 +15,13 @@ static uint64_t greater(uint64_t a, uint64_t b)
     return a > b ? a : b;
 }
 
+/* The order vector of the result. */
+struct order {
+    bool given;
+    bool *present;
+    uint64_t places, ones;
+};
+
 /* Order vectors are read as a whole; a shorter one continues with zeros. */
 static void read_order(struct reference *reference, struct packed *packed,
                        uint64_t n)
@@ -28,11 +35,14 @@ static void read_order(struct reference *reference, struct packed *packed,
 }
 
 /* The order vectors first, as they are read first. */
-static void use_packed(struct reference *reference, const struct packed *a,
-                       const struct packed *b, uint64_t n)
+static void use_packed(struct reference *reference,
+                       const struct vector *vector, const struct packed *a,
+                       const struct packed *b, const struct order *z)
 {
-    use_source(reference, &a->order, n);
-    use_source(reference, &b->order, n);
+    use_source(reference, &a->order, z->places);
+    use_source(reference, &b->order, z->places);
+    if (z->given)
+        use_target(reference, &vector->z, z->places);
     use_source(reference, &a->elements, a->ones);
     use_source(reference, &b->elements, b->ones);
 }
@@ -50,6 +60,21 @@ static bool is_made(const struct vector *vector, const struct packed *a,
                                     : a->present[i] || b->present[i];
 }
 
+/* Which places have a result: where Z says so if it is given. */
+static void find_results(struct reference *reference,
+                         const struct vector *vector, const struct packed *a,
+                         const struct packed *b, struct order *z)
+{
+    z->present = plain_room(NULL, (size_t)z->places + 1, sizeof(bool));
+    z->ones = 0;
+    for (uint64_t i = 0; i < z->places; i++) {
+        z->present[i] = z->given ? read_memory(reference,
+                                               vector->z.address + i, BIT)
+                                 : is_made(vector, a, b, i);
+        z->ones += z->present[i];
+    }
+}
+
 /* The next packed element if place i has one; absent, it is machine zero. */
 static c205_word next_element(struct reference *reference,
                               const struct packed *packed, uint64_t i,
@@ -60,54 +85,62 @@ static c205_word next_element(struct reference *reference,
                : C205_MACHINE_ZERO;
 }
 
-static uint64_t make_elements(struct reference *reference,
-                              const struct vector *vector,
-                              const struct packed *a, const struct packed *b,
-                              uint64_t n)
+static void make_elements(struct reference *reference,
+                          const struct vector *vector, const struct packed *a,
+                          const struct packed *b, const struct order *z)
 {
     uint64_t next_a = 0, next_b = 0, made = 0;
 
-    for (uint64_t i = 0; i < n; i++) {
+    for (uint64_t i = 0; i < z->places; i++) {
         c205_word x = next_element(reference, a, i, &next_a);
         c205_word y = next_element(reference, b, i, &next_b);
-        if (is_made(vector, a, b, i))
+        if (z->present[i])
             store_element(reference, &vector->c, made++,
                           vector->sources.rule(vector->sources.format, x, y,
                                                &reference->now.flags));
     }
-    return made;
 }
 
-static void set_lengths(struct reference *reference,
-                        const c205_fields *fields, uint64_t made, uint64_t n)
+static void set_length_in(struct reference *reference, unsigned number,
+                          uint64_t length)
 {
-    c205_word c = read_bits(reference, fields->c);
-    c205_word z = read_bits(reference, fields->z);
+    c205_word descriptor = read_bits(reference, number);
 
-    write_register(reference, fields->c, with_length(c, made));
-    write_register(reference, fields->z, with_length(z, n));
+    write_register(reference, number, with_length(descriptor, length));
+}
+
+/* A Z that is made is stored last, and has as many bits as there are places. */
+static void store_order(struct reference *reference,
+                        const struct vector *vector, const struct order *z)
+{
+    for (uint64_t i = 0; i < z->places; i++)
+        store_element(reference, &vector->z, i, z->present[i]);
+    use_target(reference, &vector->z, z->places);
+    set_length_in(reference, vector->fields->z, z->places);
 }
 
 static void do_packed(struct reference *reference,
                       const struct vector *vector, struct packed *a,
                       struct packed *b)
 {
-    uint64_t n = greater(a->order.length, b->order.length);
-    uint64_t made;
+    struct order z = { .given = vector->fields->g & C205_G_GIVEN };
 
-    read_order(reference, a, n);
-    read_order(reference, b, n);
-    use_packed(reference, a, b, n);
-    made = make_elements(reference, vector, a, b, n);
-    for (uint64_t i = 0; i < n; i++)
-        store_element(reference, &vector->z, i, is_made(vector, a, b, i));
-    use_target(reference, &vector->c, made);
-    use_target(reference, &vector->z, n);
-    reference->deed.elements = greater(made, greater(a->ones, b->ones));
-    reference->deed.results = made;
-    set_lengths(reference, vector->fields, made, n);
+    z.places = z.given ? vector->z.length
+                       : greater(a->order.length, b->order.length);
+    read_order(reference, a, z.places);
+    read_order(reference, b, z.places);
+    find_results(reference, vector, a, b, &z);
+    use_packed(reference, vector, a, b, &z);
+    make_elements(reference, vector, a, b, &z);
+    use_target(reference, &vector->c, z.ones);
+    reference->deed.elements = greater(z.ones, greater(a->ones, b->ones));
+    reference->deed.results = z.ones;
+    set_length_in(reference, vector->fields->c, z.ones);
+    if (!z.given)
+        store_order(reference, vector, &z);
     free(a->present);
     free(b->present);
+    free(z.present);
 }
 
 void do_sparse(struct reference *reference, const c205_insn *insn,
@@ -124,6 +157,9 @@ void do_sparse(struct reference *reference, const c205_insn *insn,
     b.elements = vector_source(reference, insn, letter, fields->b, 0);
     b.order = vector_source(reference, insn, 'b', fields->y, 0);
     a.order.pad = b.order.pad = 0;
+    a.elements.magnitude = fields->g & C205_G_MAGNITUDE_A;
+    a.elements.negate = fields->g & C205_G_NEGATE_A;
+    b.elements.magnitude = fields->g & C205_G_MAGNITUDE_B;
     take_targets(reference, &vector);
     if (!has_bad_operand(reference))
         do_packed(reference, &vector, &a, &b);

@@ -158,20 +158,27 @@ static bool takes_neighbours(const c205_insn *insn)
            || reference_which(insn) == DO_ADJMV;
 }
 
-/* n elements of A, B, Z and C.  For neighbours A is
- * two sources, the first one element on. */
+/* For neighbours A is two sources, the first one element on. */
+static struct source next_of(const struct vector *vector)
+{
+    struct source next = vector->sources.a;
+
+    if (!takes_neighbours(vector->insn) || next.length == 0)
+        return (struct source){ .kind = NUMBER };
+    next.address = plain_address(next.address + next.width);
+    next.length--;
+    return next;
+}
+
+/* n elements of A, B, Z and C. */
 static void use_operands(struct reference *reference,
                          const struct vector *vector)
 {
     uint64_t n = vector->c.length;
-    struct source next = vector->sources.a;
+    struct source next = next_of(vector);
 
     reference->deed.elements = n;
-    if (takes_neighbours(vector->insn) && next.length > 0) {
-        next.address = plain_address(next.address + next.width);
-        next.length--;
-        use_source(reference, &next, n);
-    }
+    use_source(reference, &next, n);
     use_source(reference, &vector->sources.a, n);
     use_source(reference, &vector->sources.b,
                n > 0 && vector->insn->format == C205_FORMAT_SCAN
@@ -181,28 +188,89 @@ static void use_operands(struct reference *reference,
     use_target(reference, &vector->c, n);
 }
 
+/* ---- Recurrences ------------------------------------------------------- */
+
+/* Whether element i of a source lies where those of the result before it go,
+ * whatever the control vector holds back of them. */
+static bool recurs(const struct source *source, const struct target *c,
+                   uint64_t i)
+{
+    uint64_t address = source->address + source->width * i;
+
+    return source->kind == VECTOR && i < source->length
+           && address + source->width > c->address
+           && address < c->address + c->width * i;
+}
+
+/* Elements of the result for which one of the sources at the least does. */
+static uint64_t recurrences(const struct source *sources, size_t count,
+                            const struct target *c)
+{
+    uint64_t elements = 0;
+
+    for (uint64_t i = 1; i < c->length; i++) {
+        bool found = false;
+        for (size_t k = 0; k < count; k++)
+            found |= recurs(sources + k, c, i);
+        elements += found;
+    }
+    return elements;
+}
+
+static uint64_t own_recurrences(const struct vector *vector)
+{
+    const struct source sources[] = { vector->sources.a, vector->sources.b,
+                                      next_of(vector) };
+
+    return recurrences(sources, sizeof sources / sizeof sources[0],
+                       &vector->c);
+}
+
+/* What both read; the result is the second one's. */
+static uint64_t linked_recurrences(const struct vector *first,
+                                   const struct vector *second)
+{
+    const struct source sources[] = { first->sources.a, first->sources.b,
+                                      second->sources.a, second->sources.b };
+
+    return recurrences(sources, sizeof sources / sizeof sources[0],
+                       &second->c);
+}
+
+/* ---- By kind ----------------------------------------------------------- */
+
+/* Words, bits or half words, one for each element of the sources. */
+static void each_result(struct reference *reference,
+                        const struct vector *vector)
+{
+    if (strchr(vector->insn->operands, 'e'))
+        each_bit(reference, vector);
+    else
+        each_element(reference, vector);
+}
+
 static void do_operands(struct reference *reference,
                         const struct vector *vector)
 {
-    const char *letters = vector->insn->operands;
-
-    if (strpbrk(letters, "wk")) {
+    if (strpbrk(vector->insn->operands, "wkp")) {
         do_reduction(reference, vector);
         return;
     }
     if (do_move(reference, vector))
         return;
     use_operands(reference, vector);
+    if (vector->insn->format == C205_FORMAT_SCAN) {
+        each_scan(reference, vector);
+        return;
+    }
+    if (vector->insn->format != C205_FORMAT_STRING)
+        reference->deed.recurrent = own_recurrences(vector);
     if (takes_neighbours(vector->insn))
         each_neighbour(reference, vector);
-    else if (vector->insn->format == C205_FORMAT_SCAN)
-        each_scan(reference, vector);
     else if (reference_which(vector->insn) == DO_INTVLV)
         interval(reference, vector);
-    else if (strchr(letters, 'e'))
-        each_bit(reference, vector);
     else
-        each_element(reference, vector);
+        each_result(reference, vector);
 }
 
 void do_vector(struct reference *reference, const c205_insn *insn,
@@ -241,9 +309,11 @@ static bool link_source(struct source *source, unsigned number,
     return offset == 0;
 }
 
+/* What the first must be for itself: no compare, whose result are bits. */
 static bool is_plain(const struct vector *first)
 {
-    return first->fields->z == 0 && !(first->fields->g & C205_G_OFFSET);
+    return first->c.width != BIT && first->fields->z == 0
+           && !(first->fields->g & C205_G_OFFSET);
 }
 
 static bool can_be_linked(const struct vector *first, struct vector *second)
@@ -255,14 +325,18 @@ static bool can_be_linked(const struct vector *first, struct vector *second)
                   || second->sources.b.kind == STREAM;
 
     return is_plain(first) && linked && a && b
-           && first->c.width == second->c.width
+           && first->c.width == second->sources.a.width
            && first->c.length == second->c.length
            && streams(&first->sources) + streams(&second->sources) <= PAIR;
 }
 
+/* Two of the units that work element by element. */
 static bool may_link(const struct deed *deed)
 {
-    return deed->insns[1]->flags & deed->insns[2]->flags & C205_INSN_LINK;
+    c205_unit first = deed->insns[1]->unit, second = deed->insns[2]->unit;
+
+    return c205_unit_links(first) && c205_unit_links(second)
+           && first != second;
 }
 
 void do_linked(struct reference *reference)
@@ -282,6 +356,7 @@ void do_linked(struct reference *reference)
         use_source(reference, &first.sources.a, first.c.length);
         use_source(reference, &first.sources.b, first.c.length);
         use_operands(reference, &second);
-        each_element(reference, &second);
+        reference->deed.recurrent = linked_recurrences(&first, &second);
+        each_result(reference, &second);
     }
 }

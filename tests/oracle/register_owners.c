@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "tests/oracle/operand_letters.h"
+#include "tests/oracle/reference.h"
 
 enum {
     ANYONE = -1,
@@ -286,7 +287,7 @@ static void read_operands(struct register_owners *owners,
     const uint8_t offsets[] = { fields.x, fields.y };
 
     for (int role = 0; role < ROLES; role++)
-        if (row->letters[role] && !strchr("wWk", row->letters[role]))
+        if (row->letters[role] && !strchr("wWpk", row->letters[role]))
             read_register(owners, event->pc, names,
                           *field_of_role(&fields, event->insn,
                                          (enum role)role));
@@ -294,7 +295,7 @@ static void read_operands(struct register_owners *owners,
         read_register(owners, event->pc, names, offsets[i]);
     if (row->target)
         read_register(owners, event->pc, names, fields.b);
-    if (fields.g & C205_G_OFFSET && fields.c < C205_REGISTERS - 1)
+    if (reference_has_offset(event->insn, &fields))
         read_register(owners, event->pc, names, fields.c + 1u);
 }
 
@@ -311,10 +312,10 @@ static void write_results(struct register_owners *owners,
                                          (enum role)role);
         long name = name_of(program, names, number);
 
-        if (!letter || number == 0 || !strchr("wWkmM", letter))
+        if (!letter || number == 0 || !strchr("wWpkmM", letter))
             continue;
         write_register(owners, event->pc, number, name);
-        if (letter == 'k' || event->insn->flags & C205_INSN_INDEX)
+        if (letter == 'p')
             write_register(owners, event->pc, number + 1,
                            name_behind(program, name, 1));
     }

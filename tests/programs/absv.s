@@ -37,3 +37,4 @@ odd_a:  .word   5, -7, X'0000 8000 0000 0000', 0.0, X'7000 0000 0000 0000'
 
         EXIT
 ; expect-flags: X'0000 0000 0032 0000'
+; expect-warning: recurrence

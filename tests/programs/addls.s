@@ -5,8 +5,9 @@
         uses    ADDLS
 ; expect-bits: [plain_order] = 11110111
 ; expect: [plain_lengths] = 5, 6
-; expect-bits: [offset_order] = 111110111
-; expect: [offset_lengths] = 5, 6
+; expect-bits: [wanted] = 1100101
+; expect: [given_lengths] = 4, 7
+; expect: [given_few_lengths] = 2, 3
 ; expect-bits: [short_order_order] = 11110011
 ; expect: [short_order_lengths] = 4, 6
 ; expect-bits: [short_packed_order] = 11110111
@@ -16,9 +17,9 @@
 ; expect: [plain] = X'FFA6 0000 0000 0000', X'FFA3 0000 0000 0000'
 ; expect: [plain + 2*64] = X'FFA4 0000 0000 0000', X'FFA6 0000 0000 0000'
 ; expect: [plain + 4*64] = X'FFA0 0000 0000 0000', 9.0
-; expect: [offset] = 9.0, X'FFA6 0000 0000 0000', X'FFA3 0000 0000 0000'
-; expect: [offset + 3*64] = X'FFA4 0000 0000 0000', X'FFA6 0000 0000 0000'
-; expect: [offset + 5*64] = X'FFA0 0000 0000 0000'
+; expect: [given] = X'FFA6 0000 0000 0000', X'FFA3 0000 0000 0000'
+; expect: [given + 2*64] = 0.0, 0.0, 9.0, 9.0
+; expect: [given_few] = X'FFA6 0000 0000 0000', X'FFA4 0000 0000 0000', 9.0
 ; expect: [short_order] = X'FFA6 0000 0000 0000', X'FFA3 0000 0000 0000'
 ; expect: [short_order + 2*64] = X'FFA4 0000 0000 0000'
 ; expect: [short_order + 3*64] = X'FFA5 0000 0000 0000', 9.0
@@ -30,5 +31,5 @@
 ; expect: r0 = 0
 
         EXIT
-; expect-flags: X'0000 0000 0000 0000'
+; expect-flags: X'0000 0000 0010 0000'
 ; expect-warning: zero-length

@@ -37,3 +37,4 @@ odd_a:  .word   5, 3, X'7000 0000 0000 0000', 1.0, 0.0, 2.0
 
         EXIT
 ; expect-flags: X'0000 0000 0012 0000'
+; expect-warning: recurrence

@@ -36,3 +36,4 @@ odd_a:  .word   5, 8, 8, 0.0, X'7000 0000 0000 0000', X'6FFF 7FFF FFFF FFFF'
 
         EXIT
 ; expect-flags: X'0000 0000 0012 0000'
+; expect-warning: recurrence

@@ -5,8 +5,9 @@
         uses    DIVSS
 ; expect-bits: [plain_order] = 10010011
 ; expect: [plain_lengths] = 2, 6
-; expect-bits: [offset_order] = 110010011
-; expect: [offset_lengths] = 2, 6
+; expect-bits: [wanted] = 1100101
+; expect: [given_lengths] = 4, 7
+; expect: [given_few_lengths] = 2, 3
 ; expect-bits: [short_order_order] = 10000011
 ; expect: [short_order_lengths] = 1, 6
 ; expect-bits: [short_packed_order] = 10010011
@@ -14,12 +15,14 @@
 ; expect: [nothing_order] = X'FFFF FFFF FFFF FFFF'
 ; expect: [nothing_lengths] = 0, 0
 ; expect: [plain] = X'FFCE 6666 6666 6666', 1.0, 9.0
-; expect: [offset] = 9.0, X'FFCE 6666 6666 6666', 1.0, 9.0
+; expect: [given] = X'FFCE 6666 6666 6666', X'7000 0000 0000 0000', X'7000 0000 0000 0000'
+; expect: [given + 3*64] = X'7000 0000 0000 0000', 9.0, 9.0
+; expect: [given_few] = X'FFCE 9999 9999 999A', 0.0, 9.0
 ; expect: [short_order] = X'FFCE 6666 6666 6666', 9.0
 ; expect: [short_packed] = X'FFCE 6666 6666 6666', X'FFCF 71C7 1C71 C71C', 9.0
 ; expect: [nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
 ; expect: r0 = 0
 
         EXIT
-; expect-flags: X'0000 0000 0000 0000'
+; expect-flags: X'0000 0000 0052 0000'
 ; expect-warning: zero-length

@@ -36,3 +36,4 @@ odd_a:  .word   5, X'6FFF 7FFF FFFF FFFF', X'9000 4000 0000 0000', 0.0
 
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'
+; expect-warning: recurrence

@@ -40,3 +40,4 @@ over:   .halfword 1.0, 2.0, 3.0, 4.0, 5.0, 6.0
 
         EXIT
 ; expect-flags: X'0000 0000 0012 0000'
+; expect-warning: recurrence

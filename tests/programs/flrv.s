@@ -36,3 +36,4 @@ odd_a:  .word   5, -7, X'FFFF 0000 0000 0005', 0.0, X'7000 0000 0000 0000'
 
         EXIT
 ; expect-flags: X'0000 0000 0012 0000'
+; expect-warning: recurrence

@@ -85,3 +85,4 @@ chain:  .halfword 1.0, kept, kept, kept, kept, kept
 
         EXIT
 ; expect-flags: X'0000 0000 0012 0000'
+; expect-warning: recurrence

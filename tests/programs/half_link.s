@@ -31,11 +31,11 @@ handed: .halfword kept, kept, kept, kept, kept
         MPYSV,H [t], y, [to] ? [vz]
 ; expect-halves: [scaled_sum] = -5.5, kept, 0.0, -4.5, kept
 
-        into    second_source           ; b - (a - x)
+        into    second_source           ; b - x a
         LINKV
-        SUBNV,H [va], x, [t]
+        MPYSV,H [va], x, [t]
         SUBNV,H [vb], [t], [to]
-; expect-halves: [second_source] = 17.0, 10.5, 2.0, 8.0, 10.5
+; expect-halves: [second_source] = 2.0, 16.5, -27.0, -31.5, 6.0
 
         into    short_source            ; ones, then machine zeros follow
         ELEN    vb, 2
@@ -58,3 +58,4 @@ chain:  .halfword 1.0, 2.0, 3.0, 4.0
 
         EXIT
 ; expect-flags: X'0000 0000 0010 0000'
+; expect-warning: recurrence

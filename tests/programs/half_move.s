@@ -38,6 +38,21 @@ table:  .halfword 20.0, 21.0, 22.0, 23.0, 24.0
         VTOVX,H [va], x, [to] ? [vz]
 ; expect-halves: [scattered_some] = 3.0, kept, kept, 3.0, 3.0
 
+; A period counts half words, too, and is in a whole register.
+        .regs   r64, period
+        ES      period, 2
+        EX      vb, table
+        into    gathered_second
+        ELEN    to, 3
+        VGATHP,H period, [vb], [to]
+; expect-halves: [gathered_second] = 20.0, 22.0, 24.0, kept, kept
+        ES      period, -1
+        descriptor vb, a, n
+        into    scattered_back
+        EX      to, scattered_back + 4*32
+        VSCATP,H period, [vb], [to] ? [vz]
+; expect-halves: [scattered_back] = kept, 4.0, 3.0, kept, 1.0
+
         descriptor va, a, n
         descriptor vb, b, n
         into    masked

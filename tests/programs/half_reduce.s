@@ -1,4 +1,4 @@
-; Vectors of half words to one half word.
+; Vectors of half words to one half register or two.
 
         .include "half_vector.inc"
 
@@ -14,73 +14,93 @@ scalars:
         .halfword 2.0, 0.0
         odd
 large:  .halfword X'1840 0000', 1.0, X'1780 0000', 1.0
+        odd
+larger: .halfword X'0840 0000', 1.0
+        odd
+fine:   .halfword X'EA40 0001'
         .code
 
         operands
 
-; The value goes to one half of a register, the index to the whole register
-; with the next number.
+; The value goes to one half of a register, the index to a whole register.
         EXH     right, 7
-        MAXV,H  [va], left              ; the first of equals
+        MAXV,H  [va], r100, left        ; the first of equals
 ; expect: r60 = X'F064 0000 0000 0007'
-; expect: r121 = 3
-        MAXV,H  |[va]|, h122
+; expect: r100 = 3
+        MAXV,H  |[va]|, r101, h122
 ; expect: h122 = 200.0
-; expect: r123 = 1
-        MAXV,H  [va, once], h125 ?! [vz] ; 3.0 alone
+; expect: r101 = 1
+        MAXV,H  [va, once], r102, h125 ?! [vz] ; 3.0 alone
 ; expect: r62 = X'0000 0000 EB60 0000'
-; expect: r126 = 1
-        MINV,H  [va], h126
+; expect: r102 = 1
+        MINV,H  [va], r103, h126
 ; expect: h126 = -200.0
-; expect: r127 = 1
-        MINV,H  [va], h128 ? [vz]
+; expect: r103 = 1
+        MINV,H  [va], r104, h128 ? [vz]
 ; expect: h128 = 1.5
-; expect: r129 = 0
-        MINV,H  -[va], h130
+; expect: r104 = 0
+        MINV,H  -[va], r105, h130
 ; expect: h130 = -100.0
-; expect: r131 = 3
+; expect: r105 = 3
+        MAXV,H  [va], r106, h213        ; the right half of r106
+; expect: r106 = X'0000 0000 F064 0000'
 
+; Both parts of a sum in one register.  200.0 has the exponent -15, which the sum
+; keeps: 4.5 is 9 x 2^14 above; below it is nothing, with the exponent -15 - 23.
         SUMV,H  [va], h132
-        SUMV,H  [va], h133 ?! [vz]
-; expect: h132 = 4.5
-; expect: h133 = -100.0
-; In element order: the first 1.0 is lost beside 2^46, the last is not.
+        SUMV,H  [va], h134 ?! [vz]
+; expect: r66 = X'F102 4000 DA00 0000'
+; expect: h134 = -100.0 ~ 0
+; expect: h135 = 0.0 ~ 0
+; 1.0 is lost beside 2^46, and beside what that leaves when it cancels; beside
+; 2^30 it is 2^15 below, with the exponent 8 - 23.
         descriptor from, large, 4
-        SUMV,H  [from], h134
-; expect: h134 = 1.0
+        SUMV,H  [from], h136
+; expect: r68 = X'1800 0000 0100 0000'
+        descriptor from, larger, 2
+        SUMV,H  [from], h138
+; expect: r69 = X'0840 0000 F100 8000'
 
-        PRODV,H [va], h136
-        PRODV,H [va], h137 ? [vz]
-; expect: h136 = -9000000.0
-; expect: h137 = 450.0
+        PRODV,H [va], h140
+        PRODV,H [va], h141 ? [vz]
+; expect: h140 = -9000000.0
+; expect: h141 = 450.0
 
-        DOTV,H  [va], [vb], h138
-        DOTV,H  x, [vb], h139
-        DOTV,H  [va], [vb], h140 ? [vz]
+        DOTV,H  [va], [vb], h142
+        DOTV,H  x, [vb], h144
+        DOTV,H  [va], [vb], h146 ? [vz]
         ELEN    vb, 2                   ; ones follow
-        DOTV,H  [va], [vb], h141
-; expect: h138 = -169.0
-; expect: h139 = 5.5
-; expect: h140 = -94.0
-; expect: h141 = 106.0
+        DOTV,H  [va], [vb], h148
+; expect: h142 = -169.0 ~ 0
+; expect: h143 = 0.0 ~ 0
+; expect: h144 = 5.5 ~ 0
+; expect: h146 = -94.0 ~ 0
+; expect: h148 = 106.0 ~ 0
+; (1 + 2^-22)^2: of the product of coefficients, 2^44 + 2^23 + 1, the lower part
+; is 1 with the exponent -44.
+        descriptor from, fine, 1
+        DOTV,H  [from], [from], h150
+; expect: r75 = X'EB20 0001 D400 0001'
 
 ; Nothing to add, to multiply, to look at.
         ELEN    va, 0
-        SUMV,H  [va], h142
-        PRODV,H [va], h143
-        MAXV,H  [va], h144
-; expect: h142 = 0.0
-; expect: h143 = 1.0
-; expect: h144 = X'7000 0000'
+        SUMV,H  [va], h152
+        PRODV,H [va], h154
+        MAXV,H  [va], r107, h155
+; expect: r76 = X'8000 0000 8000 0000'
+; expect: h154 = 1.0
+; expect: h155 = X'7000 0000'
+; expect: r107 = 0
 
 ; h0 and h1 take no result.
         ELEN    va, 5
+        ES      r1, 7
         SUMV,H  [va], h0
-        SUMV,H  [va], h1
-        MAXV,H  [va], h1
+        MAXV,H  [va], r108, h1
 ; expect: r0 = 0
-; expect: r2 = 3
+; expect: r1 = 7
+; expect: r108 = 3
 
         EXIT
-; expect-flags: X'0000 0000 0012 0000'
+; expect-flags: X'0000 0000 0002 0000'
 ; expect-warning: zero-length

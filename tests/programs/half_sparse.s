@@ -77,15 +77,17 @@ b:      .halfword 10.0, -3.0, 4.5, -0.25
 ; expect-bits: [DIVUS.order] = 100100 11
 ; expect: [DIVUS.lengths] = 0, 6
 
-; The offset of a result, of its order vector as well.
-        into    offset
+; The order vector of the result is given; its third place is that of B alone.
+        into    given
         .data
-offset_order: .word X'FFFF FFFF FFFF FFFF'
+        .bitvector wanted, 4, "1011"
         .code
-        EX      vz, offset_order
-        MPYSS,H [va, vx], [vb, vy], [to, by], [vz]
-; expect-halves: [offset] = kept, 10.0, 20.25, kept, kept
-; expect-bits: [offset_order] = 1 100100 11
+        descriptor vz, wanted, 4
+        SUBNS,H |[va, vx]|, |[vb, vy]|, [to] ? [vz]
+        LTOR    vz, places
+; expect-halves: [given] = -9.0, -3.0, 0.0, kept, kept
+; expect-bits: [wanted] = 1011
+; expect: places = 4
 
 ; A packed vector that is too short: machine zero follows -2.0.
         ELEN    va, 2

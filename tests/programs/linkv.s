@@ -30,11 +30,11 @@ kept:   .word   9.0, 9.0, 9.0, 9.0, 9.0, 9.0
         MPYSV   [t], y, [to]
 ; expect: [scaled_sum] = -5.5, 0.75, 0.0, -4.5, -0.75, -49.875
 
-        into    second_source           ; b - (a - x)
+        into    second_source           ; b - x a
         LINKV
-        SUBNV   [va], x, [t]
+        MPYSV   [va], x, [t]
         SUBNV   [vb], [t], [to]
-; expect: [second_source] = 17.0, 10.5, 2.0, 8.0, 10.5, -92.25
+; expect: [second_source] = 2.0, 16.5, -27.0, -31.5, 6.0, -800.25
 
         into    controlled              ; only the second has a control vector
         LINKV
@@ -53,6 +53,19 @@ kept:   .word   9.0, 9.0, 9.0, 9.0, 9.0, 9.0
         MPYSV   [va], x, [t]
         ADDNV   -|[t]|, [vb], [to]
 ; expect: [signs] = 2.0, -15.5, -27.0, -31.5, -2.0, -800.25
+
+        into    square                  ; (a + b)^2: both sources are the same
+        LINKV
+        ADDNV   [va], [vb], [t]
+        MPYSV   [t], [t], [to]
+; expect: [square] = 121.0, 2.25, 0.0, 81.0, 2.25, 9950.0625
+
+        into    with_offset             ; of the second result and its control vector
+        ELEN    t, n - 1
+        LINKV
+        MPYSV   [va], x, [t]
+        ADDNV   [t], [vb], [to, by] ? [vz]
+; expect: [with_offset] = 9.0, 9.0, -15.5, 21.0, 9.0, 9.0
 
         into    nothing, 0
         ELEN    t, 0                    ; both have one length
@@ -76,3 +89,4 @@ chain:  .word   1.0, 2.0, 3.0, 4.0
         EXIT
 ; expect-flags: X'0000 0000 0010 0000'
 ; expect-warning: zero-length
+; expect-warning: recurrence

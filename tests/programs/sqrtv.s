@@ -47,3 +47,4 @@ odd_a:  .word   16, X'0001 0000 0000 0009', 0.0, X'0010 0000 0000 0000'
 
         EXIT
 ; expect-flags: X'0000 0000 0016 0000'
+; expect-warning: recurrence

@@ -37,3 +37,4 @@ odd_a:  .word   5, X'8FFF 1234 5678 9ABC', X'7ABC 0000 0000 0001', 0
 
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'
+; expect-warning: recurrence

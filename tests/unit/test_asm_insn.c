@@ -60,17 +60,19 @@ static void test_encodings(void **state)
         { "ADDNV [a, x], [b, y], [c, o]", 0x8220111013120014 },
         { "ADDNV [a], [b], [c] ? [z]", 0x8200001000121614 },
         { "ADDNV [a], [b], [c, o] ?! [z]", 0x8260001000121614 },
-        { "ADDNV -[a], [b], [c]", 0x8204001000120014 },
-        { "ADDNV |[a]|, |[b]|, [c]", 0x8203001000120014 },
+        { "ADDNV -[a], [b], [c]", 0x8202001000120014 },
+        { "ADDNV |[a]|, |[b]|, [c]", 0x8205001000120014 },
         { "ADDNV -|a|, |b|, [c]", 0x821F001000120014 },
         { "ORNV [a], b, [c]", 0x9D0D001000120014 },
         { "INTVLV a, b, [c]", 0xDF00001000120014 },
-        { "SUMV [a], s ? [z]", 0xDA00001000001617 },
+        { "SUMV [a], c ? [z]", 0xDA00001000001614 },
         { "CPSV [a], [c] ? [z]", 0xBC00001000001614 },
         { "CPSV a, [c] ?! [z]", 0xBC50001000001614 },
         { "ACPSV [a], b, [c], [z]", 0xCF08001000121614 },
         { "VXTOV [a], [b], [c, o]", 0xBA20001000120014 },
         { "VTOVX [a], b, [c]", 0xB708001000120014 },
+        { "VGATHP a, [b], [c, o] ?! [z]", 0xB960001000121614 },
+        { "VSCATP a, [b, y], [c] ? [z]", 0xCC00001013121614 },
         { "XORB [a], [b], [c]", 0xF000001000120014 },
         { "LINKV", 0x5600000000000000 },
         { "ADDNH h, h255, i", 0x4232FF3300000000 },
@@ -89,15 +91,21 @@ static void test_encodings(void **state)
         { "ANDV,H [a], j, [c]", 0x9D89001000340014 },
         { "INTVLV,H h, i, [c]", 0xDF80003200330014 },
         { "SUMV,H [a], h ? [z]", 0xDA80001000001632 },
-        { "MAXV,H [a], h254", 0xD8800010000000FE },
+        { "MAXV,H [a], s, h254", 0xD8800010001700FE },
         { "SELEQV,H [a], h, s", 0xC088001000320017 },
         { "SCHEQV,H h, [b], [c, o]", 0xC8B0003200120014 },
         { "VXTOV,H [a], [b], [c]", 0xBA80001000120014 },
         { "VTOVX,H [a], h, [c]", 0xB788001000320014 },
-        { "ADDNS,H [a, x], [b, y], [c, o], [z]", 0xA2A0111013121614 },
+        { "ADDNS [a, x], [b, y], [c], [z]", 0xA200111013121614 },
+        { "ADDNS,H [a, x], [b, y], [c] ? [z]", 0xA2A0111013121614 },
+        { "ADDNS |[a, x]|, |[b, y]|, [c] ? [z]",
+          0xA220111013121614
+              | (uint64_t)(C205_G_MAGNITUDE_A | C205_G_MAGNITUDE_B) << 48 },
+        { "VGATHP,H a, [b], [c]", 0xB980001000120014 },
+        { "VSCATP,H a, [b], [c]", 0xCC80001000120014 },
         { "CPSV,H h, [c] ? [z]", 0xBC90003200001614 },
         { "CONV s, [c, o]", 0x9630001700000014 },
-        { "EXTV -h, [c]", 0x9C14003200000014 }
+        { "EXTV -h, [c]", 0x9C12003200000014 }
     };
     size_t i;
 
@@ -136,6 +144,9 @@ static void test_errors(void **state)
         { "ADDNV [a], [b], [c] ? z", 23, "'['" },
         { "CPSV [a], [c]", 14, "a control vector" },
         { "VXTOV [a], [b, x], [c]", 14, "no offset" },
+        { "ADDNS [a, x], [b, y], [c, o], [z]", 25, "no offset" },
+        { "ADDNS [a, x], [b, y], [c] [z]", 27, "',' or '?'" },
+        { "ADDNS [a, x], [b, y], [c] ?! [z]", 28, "'['" },
         { "ES a, 65536", 7, "from -32768 to 65535" },
         { "ES a, -32769", 7, "from -32768 to 65535" },
         { "ES a, 1.5", 7, "an integer" },
@@ -167,10 +178,10 @@ static void test_errors(void **state)
         { "ADDNH,H h, i, j", 6, "ADDNH has no form with ,H" },
         { "ADDNV,Q [a], [b], [c]", 7, "expected H, for 32-bit operands" },
         { "EXH h, 0x1000000", 8, "from -8388608 to 16777215" },
-        { "MAXV [a], r255", 11, "255 is the last" },
-        { "MINV,H [a], h255", 13, "255 is the last" },
+        { "SUMV [a], s", 11, "an even number" },
+        { "SUMV,H [a], h255", 13, "an even number" },
         { "ADDNV [a], [b], [r255, r0]", 17, "there is none after r255" },
-        { "SUMV a, s", 6, "a source must be a vector" },
+        { "SUMV a, c", 6, "a source must be a vector" },
         { "SELEQV a, b, s", 8, "a source must be a vector" },
         { "ACPSV a, b, [c], [z]", 7, "a source must be a vector" },
         { "ADDNV [a], [b], [c] ? [r0]", 23, "r0 is no control vector" },
@@ -271,10 +282,10 @@ static void test_sizes(void **state)
 static void test_refused(void **state)
 {
     static const c205_word words[] = {
-        0xDA10001000000017, /* SUMV r16, r23 */
+        0xDA10001000000014, /* SUMV r16, r20 */
         0xC018001000120017, /* SELEQV r16, r18, r23 */
-        0xD8000010000000FF, /* MAXV [r16], r255 */
-        0xD8800010000000FF, /* MAXV,H [r16], h255 */
+        0xD810001000170014, /* MAXV r16, r23, r20 */
+        0xDA00001000000017, /* SUMV [r16], r23 */
         0x82200010001200FF, /* ADDNV [r16], [r18], [r255, r0] */
         0x8240001000120014, /* ADDNV [r16], [r18], [r20] ?! [r0] */
         0xBC00001000000014, /* CPSV [r16], [r20] ? [r0] */

@@ -182,6 +182,82 @@ static void test_linked_pair(void **state)
     clock_free(clock);
 }
 
+/* A prefix and two without registers. */
+static void charge_pair(struct clock *clock, const char *first_name,
+                        const char *second_name, uint8_t g, size_t recurrent)
+{
+    struct effect effect = no_effect;
+    struct decoded first = insn(first_name, 0, 0, 0);
+    struct decoded second = insn(second_name, 0, 0, 0);
+    struct decoded prefix = insn("LINKV", 0, 0, 0);
+
+    first.fields.g = second.fields.g = g;
+    prefix.linked[0] = &first;
+    prefix.linked[1] = &second;
+    effect.elements = 1001;
+    effect.recurrent = recurrent;
+    charge(clock, prefix, &effect);
+    clock_drain(clock);
+}
+
+/* Of the slowest of the pair, whichever it is; what starts up later than an
+ * addition adds that. */
+static void test_linked_rates(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *first, *second;
+        uint8_t g;
+        uint64_t startup, stream;
+    } cases[] = {
+        { "MPYSV", "ADDNV", 0, 84, 501 },
+        { "SHIFTV", "ORV", 0, 84 + 4 + 4, 501 },
+        { "TRUV", "CMPGEV", 0, 84 + 9, 501 },
+        { "DIVSV", "ADDNV", 0, 84 + 29, 1627 },
+        { "ADDNV", "DIVSV", 0, 84 + 29, 1627 },
+        { "ORV", "SQRTV", C205_G_HALF, 84 + 29 + 4, 814 },
+        { "MPYSV", "SHIFTV", C205_G_HALF, 84 + 4, 251 },
+    };
+    struct clock *clock = clock_of("title T\nlike cyber205-2pipe-prior\n"
+                                   "startup.vtransmit 60 clk R\n"
+                                   "startup.vmultiply 40 clk R\n"
+                                   "startup.vlogical 55 clk R\n");
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        clock_reset(clock);
+        charge_pair(clock, cases[i].first, cases[i].second, cases[i].g, 0);
+        assert_int_equal(clocks_for(clock, C205_VECTOR_STARTUP),
+                         cases[i].startup);
+        assert_int_equal(clocks_for(clock, C205_VECTOR_STREAM),
+                         cases[i].stream);
+        assert_total(clock, cases[i].startup + cases[i].stream);
+    }
+    clock_free(clock);
+}
+
+/* Each element that waits for one before costs the start-up once more, that
+ * of a pair what the pair takes; all of it is stream, under which the next
+ * may begin. */
+static void test_recurrences(void **state)
+{
+    (void)state;
+    struct clock *clock = two_pipes();
+    struct effect effect = no_effect;
+    effect.elements = 6;
+    effect.recurrent = 5;
+    charge(clock, insn("ADDNV", 1, 2, 0), &effect);
+    clock_drain(clock);
+    assert_int_equal(clocks_for(clock, C205_VECTOR_STARTUP), 51);
+    assert_int_equal(clocks_for(clock, C205_VECTOR_STREAM), 3 + 5 * 51);
+    assert_total(clock, 51 + 3 + 5 * 51);
+    charge_pair(clock, "DIVSV", "ADDNV", 0, 7);
+    assert_total(clock, 113 + 1627 + 7 * 113);
+    charge(clock, insn("ADDNV", 1, 2, 0), &effect);
+    vector(clock, "ADDNV", 100);
+    clock_drain(clock);
+    assert_total(clock, 51 + 3 + 5 * 51 + 51 + 50 - 10);
+    clock_free(clock);
+}
+
 /* ---- Gather and scatter -------------------------------------------------- */
 
 static uint64_t gather_clocks(struct clock *clock, const c205_word *indices,
@@ -428,12 +504,12 @@ static void random_instruction(struct clock *clock, c205_word *indices)
     effect.taken = row->unit == C205_UNIT_BRANCH && random_bits() % 2;
     effect.target = random_bits() % 32768 / 32 * 32;
     effect.swapped = random_bits() % 16;
-    effect.touch_count = row->unit == C205_UNIT_VECTOR ? 3 : 1;
+    effect.touch_count = c205_unit_is_vector(row->unit) ? 3 : 1;
     for (unsigned i = 0; i < effect.touch_count; i++) {
         effect.touch[i].address = random_bits() % (24 * PAGE_BITS);
         effect.touch[i].bits = 64 * (random_bits() % 100);
     }
-    if (row->unit == C205_UNIT_VECTOR)
+    if (c205_unit_is_vector(row->unit))
         effect.elements = random_bits() % 100;
     if (row->timing == C205_TIMING_vgather)
         effect.indices = indices;
@@ -490,6 +566,8 @@ int main(void)
         cmocka_unit_test(test_concurrent_scalar),
         cmocka_unit_test(test_vector_result),
         cmocka_unit_test(test_linked_pair),
+        cmocka_unit_test(test_linked_rates),
+        cmocka_unit_test(test_recurrences),
         cmocka_unit_test(test_bank_conflicts),
         cmocka_unit_test(test_random_gather),
         cmocka_unit_test(test_latencies),

@@ -159,7 +159,7 @@ static const char *allowed_letters(const char **syntax, bool *bracket)
     if (islower((unsigned char)c))
         return "vulV";
     if (c != 'I')
-        return *bracket ? "ivuldeqcoxbD" : "fiwmkFIWM";
+        return *bracket ? "ivuldeqcogxbD" : "fiwpmkFIWM";
     while (isdigit((unsigned char)**syntax))
         ++*syntax;
     return "n";
@@ -190,7 +190,7 @@ static void test_columns(void **state)
         const c205_insn *insn = &c205_insns[i];
         assert_non_null(strchr("PSDR", insn->provenance));
         assert_int_equal(c205_timing_is_vector(insn->timing),
-                         insn->unit == C205_UNIT_VECTOR);
+                         c205_unit_is_vector(insn->unit));
         if ((insn->flags & C205_INSN_PADZ) && (insn->flags & C205_INSN_PADO))
             fail_msg("%s is padded with zeros and ones", insn->mnemonic);
     }

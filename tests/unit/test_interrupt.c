@@ -37,7 +37,7 @@ static void check_stop(const c205 *machine, const c205_stop *stop,
         return;
     }
     assert_int_equal(c205_clock(machine), limit);
-    assert_int_equal(stop->insn->unit, C205_UNIT_VECTOR);
+    assert_true(c205_unit_is_vector(stop->insn->unit));
     divided[stop->insn - c205_insns] |= machine->progress.first > 0;
 }
 
@@ -99,7 +99,7 @@ static void test_rows(void **state)
 {
     (void)state;
     for (size_t i = 0; i < c205_insn_count; i++)
-        if (c205_insns[i].unit == C205_UNIT_VECTOR)
+        if (c205_unit_is_vector(c205_insns[i].unit))
             compare_row(c205_insns + i);
 }
 
@@ -124,6 +124,7 @@ static const char preamble[] =
     "        .equ    n, 3000\n"
     "        .regs   r10, a, b, c, list, bits, more, next, one, half, x, y, z\n"
     "        .regs   r30, zero, seven, three, short, coefficients, two\n"
+    "        .regs   r40, sum, sum_low, dot, dot_low, most, where\n"
     "        .data\n"
     "in_a:   .space  4000\n"
     "in_b:   .space  4000\n"
@@ -160,6 +161,12 @@ static const char *const long_programs[] = {
     "        LINKV\n"
     "        MPYSV   [a], half, [c]\n"
     "        ADDNV   [c], [b], [next] ?! [bits]\n",
+    "        LINKV\n"
+    "        DIVSV   [a], [b], [c]\n"
+    "        SHIFTV  [c], two, [next] ? [bits]\n"
+    "        LINKV\n"
+    "        ORV     [a], [b], [c]\n"
+    "        CMPGEV  [c], one, [more]\n",
     "        INTVLV  one, half, [c] ? [bits]\n",
     "        VREVV   [a], [a]\n",
     "        MRGV    [a], [b], [next] ? [bits]\n"
@@ -167,19 +174,29 @@ static const char *const long_programs[] = {
     "        CPSV    [a], [a] ? [bits]\n"
     "        CPSV    [b], [next] ?! [more]\n",
     "        ACPSV   [a], [b], [next], [bits]\n",
-    "        SUMV    [a], x ? [bits]\n"
-    "        DOTV    [a], [b], y\n"
-    "        MAXV    [a], x ?! [bits]\n"
+    "        SUMV    [a], sum ? [bits]\n"
+    "        DOTV    [a], [b], dot\n"
+    "        MAXV    [a], where, most ?! [bits]\n"
     "        SELGEV  [a], two, z\n",
     "        ELEN    list, 500\n"
     "        VXTOV   [list], [a], [list]\n",
     "        EX      x, in_list\n"
     "        ELEN    list, 500\n"
     "        VTOVX   [list], [a], [x]\n",
+    "        ES      x, -3\n"
+    "        EX      y, in_a + 64*3900\n"
+    "        ELEN    a, 1200\n"
+    "        VGATHP  x, [y], [a] ? [bits]\n",
+    "        ELEN    b, 600\n"
+    "        EX      x, in_b\n"
+    "        VSCATP  seven, [b], [x] ?! [more]\n",
     "        POLYV   [a], [coefficients], [next]\n",
     "        SCHGEV  [short], [a], [c]\n"
     "        SCHEQV  [b], [short], [next]\n",
     "        ADDNS   [a, bits], [b, more], [c], [z]\n",
+    "        EX      x, in_bits\n"
+    "        ELEN    x, 900\n"
+    "        SUBNS   [a, more], |[b, bits]|, [x] ? [bits]\n",
     "        EX      z, in_more + 640\n"
     "        RTOR    bits, c\n"
     "        MPYSS   [a, bits], [b, more], [c], [z]\n",
@@ -227,7 +244,7 @@ static void test_overwritten_instruction(void **state)
         "        ELEN    r6, 2\n"
         "        .align  64\n"
         "there:  VTOV    [r5], [r6]\n"
-        "        SUMV    [r6], r7\n"
+        "        SUMV    [r6], r8\n"
         "        EXIT\n";
     struct object *object = good(program);
     c205 *whole = machine_with(&object->program, slow);
@@ -235,7 +252,7 @@ static void test_overwritten_instruction(void **state)
     (void)state;
     c205_stop one = c205_run(whole, C205_NO_LIMIT);
     c205_stop other = run_broken(&broken, 1, true);
-    assert_int_equal(c205_register(whole, 7), 0);
+    assert_int_equal(c205_register(whole, 8), 0);
     assert_same_stop(&one, &other);
     assert_same(whole, broken);
     c205_set_pc(broken, one.pc - 64); /* now it is the new one */
@@ -252,7 +269,7 @@ static void load_sum(struct little *little)
 {
     begin(little);
     add(little, "ADDNV", F(.a = 1, .b = 1, .c = 2));
-    add(little, "SUMV", F(.a = 2, .c = 3));
+    add(little, "SUMV", F(.a = 2, .c = 4));
     add(little, "EXIT", F(.r = 0));
     load(little, 300);
     set(little, 1, descriptor(DATA, 100));
@@ -314,9 +331,64 @@ static void test_result_at_the_end(void **state)
            && !little.machine->progress.first)
         limit++;
     assert_int_equal(c205_pc(little.machine), CODE + 64);
-    assert_int_equal(get(&little, 3), 0);
+    assert_int_equal(get(&little, 4), 0);
     assert_int_equal(run(&little).trap, C205_TRAP_NONE);
-    assert_int_equal(get(&little, 3), c205_from_double(200));
+    assert_int_equal(get(&little, 4), c205_from_double(200));
+    free_little(&little);
+}
+
+/* Quotients of one by two, and one, as a linked pair: by the clock 113 + k that
+ * many elements at 1.625. */
+static void test_in_the_middle_of_a_pair(void **state)
+{
+    struct little little = make_little();
+    c205_word one_and_half = c205_from_double(1.5);
+    (void)state;
+    begin(&little);
+    add(&little, "LINKV", F(.f = 0));
+    add(&little, "DIVSV", F(.g = C205_G_BROADCAST_B, .a = 1, .b = 3, .c = 2));
+    add(&little, "ADDNV", F(.g = C205_G_BROADCAST_B, .a = 2, .b = 4, .c = 2));
+    load(&little, 300);
+    set(&little, 1, descriptor(DATA, 100));
+    set(&little, 2, descriptor(DATA + 200 * 64, 100));
+    set(&little, 3, c205_from_double(2));
+    set(&little, 4, C205_ONE);
+    for (size_t i = 0; i < 100; i++)
+        put_at(&little, DATA + i * 64, C205_ONE);
+    c205_stop stop = c205_run(little.machine, 113 + 26);
+    assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
+    assert_int_equal(stop.pc, CODE);
+    assert_int_equal(charged(&little, C205_VECTOR_STARTUP), 113);
+    assert_int_equal(charged(&little, C205_VECTOR_STREAM), 26);
+    for (size_t i = 0; i < 100; i++)
+        assert_int_equal(word_at(&little, DATA + (200 + i) * 64),
+                         i < 16 ? one_and_half : 0);
+    free_little(&little);
+}
+
+/* What waits for one before does not count until it is done. */
+static void test_in_the_middle_of_a_recurrence(void **state)
+{
+    struct little little = make_little();
+    uint64_t fault = 1030;
+    c205_stop stop;
+    (void)state;
+    begin(&little);
+    add(&little, "ADDNV", F(.g = C205_G_BROADCAST_B, .a = 1, .b = 3, .c = 2));
+    add(&little, "EXIT", F(.r = 0));
+    load(&little, 300);
+    set(&little, 1, descriptor(DATA, 100));
+    set(&little, 2, descriptor(DATA + 64, 100));
+    set(&little, 3, C205_ONE);
+    c205_run(little.machine, 51 + 20);
+    assert_int_equal(c205_clock(little.machine), 51 + 20);
+    assert_int_equal(word_at(&little, DATA + 40 * 64), c205_from_double(40));
+    assert_int_equal(word_at(&little, DATA + 41 * 64), 0);
+    stop = run(&little);
+    assert_int_equal(stop.trap, C205_TRAP_NONE);
+    assert_int_equal(word_at(&little, DATA + 100 * 64),
+                     c205_from_double(100));
+    assert_int_equal(c205_clock(little.machine), 51 + fault + 50 + 99 * 51);
     free_little(&little);
 }
 
@@ -550,6 +622,8 @@ int main(void)
         cmocka_unit_test(test_long_vectors),
         cmocka_unit_test(test_overwritten_instruction),
         cmocka_unit_test(test_in_the_middle),
+        cmocka_unit_test(test_in_the_middle_of_a_pair),
+        cmocka_unit_test(test_in_the_middle_of_a_recurrence),
         cmocka_unit_test(test_result_at_the_end),
         cmocka_unit_test(test_given_up),
         cmocka_unit_test(test_reset_clock),

@@ -266,7 +266,9 @@ static void test_undefined(void **state)
     } wrong[] = {
         { "CONV", { .g = C205_G_HALF, .a = 1, .c = 1 } },
         { "XORB", { .g = C205_G_HALF, .a = 1, .b = 1, .c = 1 } },
-        { "MAXV", { .g = C205_G_HALF, .a = 1, .c = 255 } },
+        { "MAXV", { .g = C205_G_BROADCAST_B, .a = 1, .c = 1 } },
+        { "SUMV", { .a = 1, .c = 5 } },
+        { "DOTV", { .g = C205_G_HALF, .a = 1, .b = 1, .c = 5 } },
         { "ADDNV", { .g = C205_G_ZEROS, .a = 1, .b = 1, .c = 1 } },
         { "ADDNV", { .g = C205_G_OFFSET, .a = 1, .b = 1, .c = 255 } },
         { "ADDNV", { .g = C205_G_BROADCAST_A, .x = 5, .a = 1, .c = 1 } },
@@ -274,10 +276,10 @@ static void test_undefined(void **state)
         { "VTOV", { .g = C205_G_BROADCAST_B, .a = 1, .c = 1 } },
         { "VTOV", { .g = C205_G_MAGNITUDE_B, .a = 1, .c = 1 } },
         { "INTVLV", { .g = C205_G_BROADCAST_A, .a = 1, .c = 1 } },
-        { "SUMV", { .g = C205_G_OFFSET, .a = 1, .c = 1 } },
+        { "SUMV", { .g = C205_G_OFFSET, .a = 1, .c = 2 } },
         { "VTOVX", { .g = C205_G_OFFSET, .a = 1, .b = 1, .c = 1 } },
         { "XORB", { .g = C205_G_ZEROS, .a = 1, .b = 1, .c = 1 } },
-        { "MAXV", { .a = 1, .c = 255 } },
+        { "SUMV", { .a = 1, .c = 255 } },
         { "IBXEQ", { .g = 1, .a = 1 } }
     };
     struct little little = make_little();
@@ -296,6 +298,36 @@ static void test_undefined(void **state)
     assert_string_equal(text.message,
                         "trap undefined-instruction at 400000: FF000000: no "
                         "instruction has this code");
+    free_little(&little);
+}
+
+/* As programs that ran had it: ADDNV with G = 05 adds magnitudes.  -2 and 2, to
+ * each -3. */
+static void test_sign_bits(void **state)
+{
+    static const double sums[][2] = { { -5, -1 }, { 1, 5 },   { -1, -5 },
+                                      { 5, 1 },   { -1, -1 }, { 5, 5 },
+                                      { -5, -5 }, { 1, 1 } };
+    struct little little = make_little();
+    (void)state;
+    for (uint32_t g = 0; g < 8; g++) {
+        begin(&little);
+        add_half(&little, 0x82000001 | (c205_word)g << 16);
+        add_half(&little, 0x00020003);
+        add(&little, "EXIT", F(.r = 0));
+        load(&little, 300);
+        set(&little, 1, descriptor(DATA, 2));
+        set(&little, 2, descriptor(DATA + 128, 2));
+        set(&little, 3, descriptor(DATA + 256, 2));
+        for (uint64_t i = 0; i < 2; i++) {
+            put_at(&little, DATA + i * 64, c205_from_double(i == 0 ? -2 : 2));
+            put_at(&little, DATA + (2 + i) * 64, c205_from_double(-3));
+        }
+        expect_end(run(&little));
+        for (uint64_t i = 0; i < 2; i++)
+            assert_int_equal(word_at(&little, DATA + (4 + i) * 64),
+                             c205_from_double(sums[g][i]));
+    }
     free_little(&little);
 }
 
@@ -328,10 +360,10 @@ static void test_operand_traps(void **state)
     expect_trap(&l, bad, 0, "ADDNV", F(.a = 1, .x = 4, .b = 1, .c = 1));
     expect_trap(&l, bad, 0, "MASKV", F(.a = 1, .b = 1, .c = 1));
     expect_trap(&l, bad, 0, "SUMV",
-                F(.g = C205_G_BROADCAST_A, .a = 1, .c = 5));
+                F(.g = C205_G_BROADCAST_A, .a = 1, .c = 6));
     expect_trap(&l, bad, 0, "DOTV",
                 F(.g = C205_G_BROADCAST_A | C205_G_BROADCAST_B, .a = 1,
-                  .b = 1, .c = 5));
+                  .b = 1, .c = 6));
     expect_trap(&l, bad, DATA, "SWAP", F(.r = 1, .s = 253));
     expect_trap(&l, unmapped, out, "SWAP", F(.r = 1, .s = 10, .t = 3));
     expect_trap(&l, "bad-request", 0, "EXIT", F(.immediate = 8));
@@ -445,7 +477,7 @@ static void test_compress_leaves_no_fault(void **state)
     struct little little = make_little();
     uint64_t end = DATA + C205_PAGE_WORDS * UINT64_C(64);
     add(&little, "CPSV", F(.a = 1, .z = 2, .c = 3));
-    add(&little, "SUMV", F(.g = C205_G_BROADCAST_A, .a = 1, .c = 5));
+    add(&little, "SUMV", F(.g = C205_G_BROADCAST_A, .a = 1, .c = 6));
     load(&little, 100);
     set(&little, 1, descriptor(DATA, 2));
     set(&little, 2, descriptor(DATA, 2)); /* zeros: none is kept */
@@ -585,6 +617,7 @@ int main(void)
         cmocka_unit_test(test_call),
         cmocka_unit_test(test_self_modifying_code),
         cmocka_unit_test(test_undefined),
+        cmocka_unit_test(test_sign_bits),
         cmocka_unit_test(test_fields_that_are_not_there),
         cmocka_unit_test(test_operand_traps),
         cmocka_unit_test(test_address_0_is_told),

@@ -36,21 +36,33 @@ static size_t present_before(const struct vector_case *one, enum role role,
     return count;
 }
 
-/* Products need both. */
+/* There is a result where Z has a one, if it is given; else products need
+ * both. */
+static bool has_result(const struct vector_case *one, size_t i)
+{
+    bool x = bit_of(one, ROLE_X, i), y = bit_of(one, ROLE_Y, i);
+
+    if (is_given(one))
+        return bit_of(one, ROLE_Z, i);
+    return one->row->flags & C205_INSN_PADO ? x && y : x || y;
+}
+
+static void mark_packed(struct vector_case *one, enum role packed,
+                        enum role order, size_t i)
+{
+    mark_element(&one->defined, &one->vector[order], i);
+    if (bit_of(one, order, i) && has_result(one, i))
+        mark_element(&one->defined, &one->vector[packed],
+                     present_before(one, order, i));
+}
+
 static void mark_sparse(struct vector_case *one)
 {
-    bool both = one->row->flags & C205_INSN_PADO;
-
     for (size_t i = 0; i < one->n; i++) {
-        bool x = bit_of(one, ROLE_X, i), y = bit_of(one, ROLE_Y, i);
-        mark_element(&one->defined, &one->vector[ROLE_X], i);
-        mark_element(&one->defined, &one->vector[ROLE_Y], i);
-        if (both ? x && y : x)
-            mark_element(&one->defined, &one->vector[ROLE_A],
-                         present_before(one, ROLE_X, i));
-        if (both ? x && y : y)
-            mark_element(&one->defined, &one->vector[ROLE_B],
-                         present_before(one, ROLE_Y, i));
+        mark_packed(one, ROLE_A, ROLE_X, i);
+        mark_packed(one, ROLE_B, ROLE_Y, i);
+        if (is_given(one))
+            mark_element(&one->defined, &one->vector[ROLE_Z], i);
     }
 }
 
@@ -95,26 +107,18 @@ static void mark_control(struct vector_case *one)
         mark(&one->defined, one->vector[ROLE_Z].address, one->n);
 }
 
-/* Element i of the table that the index list names. */
-static struct extent_of indexed(const struct vector_case *one, enum role role,
-                                size_t i)
+static void mark_table(struct vector_case *one, struct bits_of *bits)
 {
-    uint64_t list = one->vector[ROLE_A].address - DATA;
-    struct extent_of element = one->vector[role];
+    unsigned width = one->vector[table_of(one->row)].width;
 
-    element.address += one->memory[list / WORD + i] * element.width;
-    element.length = 1;
-    return element;
+    for (size_t i = 0; i < one->n; i++)
+        if (is_permitted(one, i))
+            mark(bits, indexed(one, i), width);
 }
 
-static void mark_table(struct vector_case *one, enum role role,
-                       struct bits_of *bits)
+static bool scatters(const c205_insn *row)
 {
-    for (size_t i = 0; i < one->n; i++)
-        if (is_permitted(one, i)) {
-            struct extent_of element = indexed(one, role, i);
-            mark_element(bits, &element, 0);
-        }
+    return has_indices(row) && table_of(row) == ROLE_C;
 }
 
 static void mark_sources(struct vector_case *one)
@@ -125,8 +129,8 @@ static void mark_sources(struct vector_case *one)
         return;
     }
     mark_source(one, ROLE_A);
-    if (one->row->format == C205_FORMAT_TABLE)
-        mark_table(one, ROLE_B, &one->defined);
+    if (has_indices(one->row) && !scatters(one->row))
+        mark_table(one, &one->defined);
     else
         mark_source(one, ROLE_B);
 }
@@ -139,36 +143,45 @@ static void mark_result(struct vector_case *one, const struct image *after)
     c205_word set = after->reg[role_register[ROLE_C]] >> 48;
     bool counted = strchr("co", letter_of(one->row, ROLE_C));
 
-    if (one->row->format == C205_FORMAT_SPREAD)
-        mark_table(one, ROLE_C, &one->written);
+    if (scatters(one->row))
+        mark_table(one, &one->written);
     else if (counted)
         mark(&one->written, c->address, set * c->width);
     else
         for (size_t i = 0; i < one->n; i++)
             if (is_permitted(one, i))
                 mark_element(&one->written, c, i);
-    if (letter_of(one->row, ROLE_Z) && !has_control(one)
+    if (letter_of(one->row, ROLE_Z) && !has_control(one) && !is_given(one)
         && letter_of(one->row, ROLE_Z) != 'z')
         mark(&one->written, one->vector[ROLE_Z].address, one->n);
 }
 
-static void mark_registers(struct vector_case *one)
+static void mark_number(struct vector_case *one, enum role role,
+                        unsigned behind)
 {
     c205_word *reg = one->written.reg;
+    unsigned number = register_name(one, role) + behind;
 
-    for (int role = ROLE_C; role < ROLES; role++) {
+    if (is_half(one, role))
+        reg[number / 2] |= number % 2 ? UINT32_MAX
+                                      : (c205_word)UINT32_MAX << HALF;
+    else
+        reg[number] = UINT64_MAX;
+}
+
+static void mark_registers(struct vector_case *one)
+{
+    for (int role = ROLE_A; role < ROLES; role++) {
         char letter = letter_of(one->row, (enum role)role);
-        if (is_half(one, (enum role)role))
-            reg[role_half[role] / 2] = role_half[role] % 2
-                                           ? UINT32_MAX
-                                           : (c205_word)UINT32_MAX << HALF;
-        else if (letter == 'w' || letter == 'k')
-            reg[role_register[role]] = UINT64_MAX;
-        if (letter == 'c' || letter == 'o')
-            reg[role_register[role]] = ~ADDRESS_BITS;
+        if (!letter)
+            continue;
+        if (strchr("wpk", letter))
+            mark_number(one, (enum role)role, 0);
+        if (letter == 'p')
+            mark_number(one, (enum role)role, 1);
+        if (strchr("co", letter) || (letter == 'g' && !is_given(one)))
+            one->written.reg[role_register[role]] = ~ADDRESS_BITS;
     }
-    if (one->row->flags & C205_INSN_INDEX)
-        reg[register_name(one, ROLE_C) + 1] = UINT64_MAX;
 }
 
 /* ---- Running ----------------------------------------------------------- */
@@ -323,7 +336,7 @@ static void test_rows(void **state)
     uint64_t random = 1205;
     (void)state;
     for (size_t i = 0; i < c205_insn_count; i++)
-        if (c205_insns[i].unit == C205_UNIT_VECTOR
+        if (c205_unit_is_vector(c205_insns[i].unit)
             && c205_insns[i].format != C205_FORMAT_NONE)
             for (size_t k = 0; k < cases; k++)
                 try_row(&little, &c205_insns[i], &random);
@@ -338,12 +351,36 @@ static const c205_insn *draw_linked(uint64_t *random)
 
     do
         row = c205_insns + draw(random, 0, c205_insn_count - 1);
-    while (!(row->flags & C205_INSN_LINK));
+    while (!c205_unit_links(row->unit));
     return row;
 }
 
-/* [x] and a number make what the second takes as its A: that is stored
- * nowhere. */
+/* Of another unit, and it makes words. */
+static const c205_insn *draw_first(uint64_t *random, c205_unit second)
+{
+    const c205_insn *row;
+
+    do
+        row = draw_linked(random);
+    while (row->unit == second || row->timing == C205_TIMING_vcompare);
+    return row;
+}
+
+/* [x], and a number if it takes one. */
+static c205_fields first_fields(const c205_insn *row, unsigned half)
+{
+    c205_fields fields = { .g = (uint8_t)(row->subop | half),
+                           .a = role_register[ROLE_X],
+                           .c = role_register[ROLE_A] };
+
+    if (letter_of(row, ROLE_B)) {
+        fields.g |= C205_G_BROADCAST_B;
+        fields.b = half ? role_half[ROLE_Y] : role_register[ROLE_Y];
+    }
+    return fields;
+}
+
+/* What the first makes the second takes as its A: that is stored nowhere. */
 static void draw_pair(uint64_t *random)
 {
     unsigned half;
@@ -353,12 +390,8 @@ static void draw_pair(uint64_t *random)
     while (one.scalar[ROLE_A] || one.fields.x || one.scalar[ROLE_B]);
     half = one.fields.g & C205_G_HALF;
     memset(&other, 0, sizeof other);
-    other.row = draw_linked(random);
-    other.fields = (c205_fields){ .g = (uint8_t)(C205_G_BROADCAST_B | half),
-                                  .a = role_register[ROLE_X],
-                                  .b = half ? role_half[ROLE_Y]
-                                            : role_register[ROLE_Y],
-                                  .c = role_register[ROLE_A] };
+    other.row = draw_first(random, one.row->unit);
+    other.fields = first_fields(other.row, half);
     if (half)
         define_half(&one, role_half[ROLE_Y], draw_half(random));
     else

@@ -102,7 +102,8 @@ static void test_same_clocks(void **state)
     static const char *const paths[] = {
         "asm/examples/sieve.s",           "asm/examples/lookup.s",
         "asm/examples/saxpy_linked.s",    "rt/study/fit/programs/linpack.s",
-        "rt/study/fit/programs/gather.s", "rt/study/fit/programs/photons.s"
+        "rt/study/fit/programs/gather.s", "rt/study/fit/programs/photons.s",
+        "tests/programs/recurrence.s",    "tests/programs/link_recurrence.s"
     };
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
         compare(paths[i], "cyber205-2pipe-prior", NULL, 0);

@@ -83,10 +83,16 @@ static void test_lost(void **state)
         /* Written by other ways. */
         { " EX r9, on\n BSAVE b, [r9]\non: ADDX a, r8, r8\n", 2,
           "r5 is read as 'a'", "'b'", 1 },
-        { " EX r9, data\n ELEN r9, 2\n SUMV [r9], b\n ADDX a, r8, r8\n", 3,
+        { " EX r9, data\n ELEN r9, 2\n PRODV [r9], b\n ADDX a, r8, r8\n", 3,
           "r5 is read as 'a'", "'b'", 2 },
-        { " EX r9, data\n ELEN r9, 2\n MAXV [r9], p\n ADDX v, r8, r8\n", 3,
+        { " EX r9, data\n ELEN r9, 2\n SUMV [r9], p\n ADDX u, r8, r8\n", 3,
+          "r20 is read as 'u'", "'p'", 2 },
+        { " EX r9, data\n ELEN r9, 2\n SUMV [r9], p\n ADDX v, r8, r8\n", 3,
           "r21 is read as 'v'", "'q'", 2 },
+        { " EX r9, data\n ELEN r9, 2\n MAXV [r9], b, p\n ADDX a, r8, r8\n", 3,
+          "r5 is read as 'a'", "'b'", 2 },
+        { " EX r9, data\n ELEN r9, 2\n MAXV [r9], p, b\n ADDX a, r8, r8\n", 3,
+          "r5 is read as 'a'", "'b'", 2 },
         { " EX r9, data\n ELEN r9, 2\n SWAP [r9], p, [r0]\n"
           " ADDX v, r8, r8\n",
           3, "r21 is read as 'v'", "'q'", 2 },

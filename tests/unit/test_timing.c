@@ -46,7 +46,7 @@ static int free_machines(void **state)
 
 static bool is_vector(const c205_insn *row)
 {
-    return row->unit == C205_UNIT_VECTOR && row->format != C205_FORMAT_NONE;
+    return c205_unit_is_vector(row->unit) && row->format != C205_FORMAT_NONE;
 }
 
 /* ---- Measured ---------------------------------------------------------- */
@@ -194,9 +194,12 @@ static size_t ones(const struct vector_case *one, bool x, bool y)
 
 static size_t longest_packed(const struct vector_case *one)
 {
-    size_t x = ones(one, true, false), y = ones(one, false, true);
+    size_t x = ones(one, true, false), y = ones(one, false, true), z = 0;
 
-    if (!(one->row->flags & C205_INSN_PADO))
+    for (size_t i = 0; is_given(one) && i < one->n; i++)
+        z += bit_of(one, ROLE_Z, i);
+    x = x > z ? x : z;
+    if (!is_given(one) && !(one->row->flags & C205_INSN_PADO))
         return ones(one, true, true);
     return x > y ? x : y;
 }
@@ -216,17 +219,12 @@ static uint64_t elements(const struct vector_case *one)
 static uint64_t conflicts(const struct vector_case *one,
                           const c205_model *model)
 {
-    uint64_t list = one->vector[ROLE_A].address - DATA;
     uint64_t banks = (uint64_t)constant(model, "memory", "banks");
     uint64_t busy = (uint64_t)constant(model, "memory", "bank_busy");
-    enum role table = one->row->format == C205_FORMAT_TABLE ? ROLE_B : ROLE_C;
     uint64_t free_at[BANKS_MOST] = { 0 }, t = 0, accesses = 0;
 
     for (size_t i = 0; has_indices(one->row) && i < one->n; i++) {
-        uint64_t word = (one->vector[table].address
-                         + one->memory[list / WORD + i]
-                               * one->vector[table].width)
-                        / WORD;
+        uint64_t word = indexed(one, i) / WORD;
         if (!is_permitted(one, i))
             continue;
         t = t + 1 > free_at[word % banks] ? t + 1 : free_at[word % banks];
@@ -278,8 +276,8 @@ static void draw_plain(struct vector_case *one, const c205_insn *row,
     do
         draw_case(one, row, random, LENGTH);
     while (
-        one->fields.g
-            & (C205_G_OFFSET | C205_G_BROADCAST_A | C205_G_BROADCAST_B)
+        reference_has_offset(row, &one->fields)
+        || one->fields.g & (C205_G_BROADCAST_A | C205_G_BROADCAST_B)
         || one->fields.x
                != (row->format == C205_FORMAT_SPARSE ? role_register[ROLE_X]
                                                      : 0)

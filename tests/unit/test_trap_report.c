@@ -55,6 +55,8 @@ static void test_rules(void **state)
     CHECK(DATA " ES b, -1\n EXTB a, b, c\n", "must end within its word");
     CHECK(DATA " SWAP [a], r254, [r0]\n", "must end with 255");
     CHECK(DATA " MRKO a, r0, [c]\n", "one bit at the least");
+    CHECK(" .half X'DA00 000A', 11\n", "trap undefined-instruction",
+          "a sum in two registers begins with an even one");
     CHECK(DATA " EX c, x + 32\n ELEN c, 2\n VTOV [a], [c]\n",
           "trap misaligned-operand", "words must lie on words",
           "[r12]: 2 words from 800020 on");
@@ -72,7 +74,14 @@ static void test_rules(void **state)
 static void test_links(void **state)
 {
     (void)state;
-    CHECK(LINK("ES a, 1", "ADDNV [c], [b], [c]"), "must follow the prefix");
+    CHECK(LINK("ES a, 1", "ADDNV [c], [b], [c]"),
+          "behind the prefix must stand two vector instructions");
+    CHECK(LINK("MPYSV [a], o, [c]", "SUMV [c], z"),
+          "behind the prefix must stand two vector instructions");
+    CHECK(LINK("SQRTV [a], [c]", "DIVSV [c], [b], [c]"),
+          "must be of different units");
+    CHECK(LINK("CMPGEV [a], [b], [c]", "MPYSV [c], o, [c]"),
+          "must make numbers, not bits");
     CHECK(LINK("MPYSV,H [a], h40, [c]", "ADDNV [c], [b], [c]"),
           "both on half words");
     CHECK(LINK("MPYSV [a], o, [c] ? [z]", "ADDNV [c], [b], [c]"),

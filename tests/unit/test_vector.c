@@ -174,7 +174,7 @@ static void draw_registers(struct bench *bench, size_t longest)
         registers[NUMBER + i] = draw_number(bench);
         registers[HALF_NUMBER + i] = draw_half_words(bench);
     }
-    registers[COUNT] = below(bench, 12);
+    registers[COUNT] = c205_from_integer((int64_t)below(bench, 18) - 6);
     registers[RESULT] = registers[FLAGS] = 0;
     if (one_in(bench, 10))
         spoil(bench);
@@ -187,7 +187,7 @@ static void draw_registers(struct bench *bench, size_t longest)
 static bool has_vectors(const c205_insn *row)
 {
     return row->format == C205_FORMAT_SWAP
-           || (row->unit == C205_UNIT_VECTOR
+           || (c205_unit_is_vector(row->unit)
                && row->format != C205_FORMAT_NONE);
 }
 
@@ -213,8 +213,12 @@ static uint64_t draw_vector(struct bench *bench, char letter, bool offset)
 
 static uint64_t draw_scalar(struct bench *bench, char letter, bool half)
 {
-    if (strchr("wkWK", letter))
-        return half ? 2 * RESULT + below(bench, 2) : RESULT;
+    if (strchr("wkpWP", letter) && one_in(bench, 10))
+        return 0;
+    if (strchr("pP", letter)) /* the odd one of two is none of a sum */
+        return (half ? 2 * RESULT : RESULT) + (uint64_t)one_in(bench, 10);
+    if (strchr("wkW", letter))
+        return (half ? 2 * RESULT : RESULT) + below(bench, 2);
     if (letter == 'i')
         return COUNT;
     if (one_in(bench, 4))
@@ -245,7 +249,9 @@ static uint64_t draw_operand(struct bench *bench, const c205_insn *row,
     return strchr("xX", letter)
                ? TABLE
                : draw_vector(bench, letter,
-                             role == ROLE_C && g & C205_G_OFFSET);
+                             role == ROLE_C
+                                 && row->format != C205_FORMAT_SPARSE
+                                 && g & C205_G_OFFSET);
 }
 
 static uint8_t draw_g(struct bench *bench, const c205_insn *row)
@@ -495,19 +501,33 @@ static const c205_insn *draw_linkable(struct bench *bench)
 
     do
         row = c205_insns + below(bench, c205_insn_count);
-    while (!(row->flags & C205_INSN_LINK));
+    while (!c205_unit_links(row->unit));
     return row;
 }
 
-/* The first takes one vector, mostly, the second what the first makes. */
-static void link_pair(struct bench *bench, c205_fields f[2])
+/* Of two units, and the first makes words, mostly. */
+static void draw_linkables(struct bench *bench, const c205_insn *rows[2])
 {
-    bool as_a = one_in(bench, 2), as_b = !as_a || one_in(bench, 4);
+    do
+        for (size_t i = 0; i < 2; i++)
+            rows[i] = draw_linkable(bench);
+    while ((rows[0]->unit == rows[1]->unit
+            || rows[0]->timing == C205_TIMING_vcompare)
+           && !one_in(bench, 40));
+}
+
+/* The first takes one vector, mostly, the second what the first makes. */
+static void link_pair(struct bench *bench, const c205_insn *const rows[2],
+                      c205_fields f[2])
+{
+    bool takes_b = letter_of(rows[1], ROLE_B);
+    bool as_a = !takes_b || one_in(bench, 2);
+    bool as_b = takes_b && (!as_a || one_in(bench, 4));
     uint8_t number = f[0].g & C205_G_HALF ? 2 * HALF_NUMBER : NUMBER;
 
     f[0].z = 0;
     f[0].g &= (uint8_t) ~(C205_G_OFFSET | C205_G_ZEROS);
-    if (!one_in(bench, 20))
+    if (letter_of(rows[0], ROLE_B) && !one_in(bench, 20))
         f[0].g |= one_in(bench, 2) ? C205_G_BROADCAST_A : C205_G_BROADCAST_B;
     if (f[0].g & C205_G_BROADCAST_A) {
         f[0].x = 0;
@@ -544,14 +564,15 @@ static void describe_handed(struct bench *bench, const c205_fields *second)
 
 static bool one_pair(struct bench *bench)
 {
-    const c205_insn *rows[2] = { draw_linkable(bench), draw_linkable(bench) };
+    const c205_insn *rows[2];
     c205_fields f[2];
 
+    draw_linkables(bench, rows);
     do
         for (size_t i = 0; i < 2; i++)
             f[i] = draw_fields(bench, rows[i]);
     while ((f[0].g ^ f[1].g) & C205_G_HALF);
-    link_pair(bench, f);
+    link_pair(bench, rows, f);
     begin_case(bench);
     add(&bench->little, "LINKV", (c205_fields){ .r = 0 });
     for (size_t i = 0; i < 2; i++)

@@ -19,6 +19,11 @@ bool z_selects(const c205_insn *row)
     return strstr(c205_format_syntax(row->format), "!Z");
 }
 
+bool is_given(const struct vector_case *one)
+{
+    return letter_of(one->row, ROLE_Z) == 'g' && one->fields.g & C205_G_GIVEN;
+}
+
 bool has_control(const struct vector_case *one)
 {
     return one->fields.z && letter_of(one->row, ROLE_Z) == 'z';
@@ -91,9 +96,13 @@ bool is_half(const struct vector_case *one, enum role role)
     return is_half_register(one->row, one->fields.g, role);
 }
 
+/* A sum is in two half registers, the left one first. */
 uint8_t register_name(const struct vector_case *one, enum role role)
 {
-    return is_half(one, role) ? role_half[role] : role_register[role];
+    if (!is_half(one, role))
+        return role_register[role];
+    return letter_of(one->row, role) == 'p' ? role_half[role] & 0xFE
+                                            : role_half[role];
 }
 
 void define(struct vector_case *one, unsigned number, c205_word word,
@@ -115,14 +124,14 @@ void define_half(struct vector_case *one, unsigned number, c205_word word)
  * vector does not matter. */
 static bool length_matters(const struct vector_case *one, enum role role)
 {
-    char letter = letter_of(one->row, role);
+    char letter = sized_letter(one->row, one->fields.g, role);
 
     if (letter == 'z')
         return one->row->format == C205_FORMAT_SQUEEZE
                || one->row->format == C205_FORMAT_SQUEEZEB;
     if (role == ROLE_Z && letter == 'e')
         return false;
-    return !strchr("cox", letter);
+    return !strchr("cCoxX", letter);
 }
 
 /* ---- Lengths and places ------------------------------------------------- */
@@ -186,9 +195,11 @@ static void place_scalar(struct vector_case *one, enum role role,
     if (letter == 'i') /* the groups of a repeated mask */
         define(one, role_register[role], (c205_word)draw(random, 1, 20),
                ADDRESS_BITS);
-    else if (is_half(one, role) && letter != 'w')
+    else if (letter && strchr("wpk", letter)) /* results */
+        return;
+    else if (is_half(one, role))
         define_half(one, role_half[role], draw_half(random));
-    else if (letter && !strchr("wk", letter))
+    else
         define(one, role_register[role], draw_word(random), UINT64_MAX);
 }
 
@@ -231,7 +242,8 @@ static bool makes_sense(const c205_insn *row, unsigned g)
     bool a = g & C205_G_BROADCAST_A, b = g & C205_G_BROADCAST_B;
 
     switch (row->format) {
-    case C205_FORMAT_REDUCE: return !a;
+    case C205_FORMAT_REDUCE:
+    case C205_FORMAT_EXTREME: return !a;
     case C205_FORMAT_REDUCE2:
     case C205_FORMAT_SIEVE:
     case C205_FORMAT_SPREAD: return !(a && b);
@@ -277,10 +289,53 @@ static void fill_indices(struct vector_case *one, uint64_t *random)
         define(one, role_register[ROLE_A], draw(random, 0, 99), ADDRESS_BITS);
 }
 
-bool has_indices(const c205_insn *row)
+static bool has_list(const c205_insn *row)
 {
     return row->format == C205_FORMAT_TABLE
            || row->format == C205_FORMAT_SPREAD;
+}
+
+static bool is_periodic(const c205_insn *row)
+{
+    return row->format == C205_FORMAT_PERIODIC
+           || row->format == C205_FORMAT_SPACED;
+}
+
+bool has_indices(const c205_insn *row)
+{
+    return has_list(row) || is_periodic(row);
+}
+
+enum role table_of(const c205_insn *row)
+{
+    return letter_of(row, ROLE_B) == 'x' ? ROLE_B : ROLE_C;
+}
+
+uint64_t indexed(const struct vector_case *one, size_t i)
+{
+    const struct extent_of *table = &one->vector[table_of(one->row)];
+    uint64_t list = one->vector[ROLE_A].address - DATA;
+    uint64_t index = is_periodic(one->row)
+                         ? (uint64_t)(one->period * (int64_t)i)
+                         : one->memory[list / WORD + i];
+
+    return table->address + index * table->width;
+}
+
+/* All n elements of the table in its zone, from its beginning on or from its
+ * end. */
+static void place_period(struct vector_case *one, uint64_t *random)
+{
+    enum role role = table_of(one->row);
+    struct extent_of *table = &one->vector[role];
+    int64_t room = ZONE_WORDS - 2 * LEAD;
+    int64_t most = room / (int64_t)(one->n > 0 ? one->n : 1);
+
+    one->period = random_between(random, -most, most);
+    define(one, role_register[ROLE_A], (c205_word)one->period, ADDRESS_BITS);
+    if (one->period < 0)
+        table->address += (uint64_t)room * WORD;
+    define(one, role_register[role], table->address, ADDRESS_BITS);
 }
 
 static bool has_halves(const struct vector_case *one, int zone)
@@ -298,7 +353,7 @@ static void fill_memory(struct vector_case *one, uint64_t *random)
         } else {
             one->memory[i] = draw_word(random);
         }
-    if (has_indices(one->row))
+    if (has_list(one->row))
         fill_indices(one, random);
     for (size_t i = 0; i < ZONE_WORDS; i++) /* bits, not numbers */
         for (int role = ROLE_X; role < ROLES; role++)
@@ -321,12 +376,16 @@ static size_t elements_of(const struct vector_case *one)
     switch (one->row->format) {
     case C205_FORMAT_REDUCE:
     case C205_FORMAT_REDUCE2:
+    case C205_FORMAT_EXTREME:
     case C205_FORMAT_SIEVE:
     case C205_FORMAT_SPREAD:
+    case C205_FORMAT_SPACED:
     case C205_FORMAT_BITS1: return scanned(one);
     case C205_FORMAT_SQUEEZE:
     case C205_FORMAT_SQUEEZEB: return v[ROLE_Z].length;
     case C205_FORMAT_SPARSE:
+        if (is_given(one))
+            return v[ROLE_Z].length;
         return v[ROLE_X].length > v[ROLE_Y].length ? v[ROLE_X].length
                                                    : v[ROLE_Y].length;
     case C205_FORMAT_TABLE:
@@ -367,7 +426,7 @@ static void place_operands(struct vector_case *one, uint64_t *random,
                      : source_offset(one, random, (enum role)role);
         place_operand(one, (enum role)role, random, n, offset);
     }
-    offset = one->fields.g & C205_G_OFFSET & reference_bits_of_g(one->row)
+    offset = reference_has_offset(one->row, &one->fields)
                  ? draw_offset(one, random, &(uint8_t){ 0 }, ROLE_C)
                  : 0;
     for (int role = ROLE_C; role < ROLES; role++)
@@ -384,4 +443,6 @@ void draw_case(struct vector_case *one, const c205_insn *row,
     place_operands(one, random, n);
     fill_memory(one, random);
     one->n = elements_of(one);
+    if (is_periodic(row))
+        place_period(one, random);
 }

@@ -41,7 +41,8 @@ struct vector_case {
     c205_fields fields;
     struct extent_of vector[ROLES];
     bool scalar[ROLES]; /* no vector but a register */
-    size_t n; /* elements of the result, or of the operand scanned */
+    size_t n;       /* elements of the result, or of the operand scanned */
+    int64_t period; /* of a periodic gather or scatter */
     c205_word memory[MEMORY_WORDS], reg[C205_REGISTERS];
     struct bits_of defined, written;
 };
@@ -55,6 +56,8 @@ bool is_row_of(const c205_insn *row, const char *names);
 /* Rows of which Z says where A and B go, and holds nothing back. */
 bool z_selects(const c205_insn *row);
 bool has_control(const struct vector_case *one);
+/* The order vector of a sparse result is an operand. */
+bool is_given(const struct vector_case *one);
 
 /* ---- Bits --------------------------------------------------------------- */
 
@@ -95,7 +98,11 @@ size_t source_length(uint64_t *random, size_t n);
 
 /* ---- Contents ----------------------------------------------------------- */
 
+/* Elements of a table, by a list of indices or by a period: where the table
+ * is, and its element that is the i-th used. */
 bool has_indices(const c205_insn *row);
+enum role table_of(const c205_insn *row);
+uint64_t indexed(const struct vector_case *one, size_t i);
 
 /* ---- The whole ---------------------------------------------------------- */
 

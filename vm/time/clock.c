@@ -239,23 +239,59 @@ static uint64_t vector_free_at(const struct clock *clock, uint64_t startup)
     return clock->vector_end - hidden;
 }
 
-/* A linked pair is of one size. */
-static struct rate stream_rate(const struct clock_timing *timing,
-                               const struct decoded *decoded)
+static bool is_slower(struct rate rate, struct rate than)
 {
-    const struct decoded *first = decoded->linked[0];
-    uint8_t g = first ? first->fields.g : decoded->fields.g;
-    return g & C205_G_HALF ? timing->half_stream : timing->stream;
+    return rate.clocks * than.per > than.clocks * rate.per;
 }
 
-static void add_phases(struct clock *clock, const struct clock_timing *timing,
-                       struct rate rate, const struct effect *effect)
+static struct rate class_rate(const struct clock *clock,
+                              const struct decoded *decoded, bool half)
+{
+    const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
+    return half ? timing->half_stream : timing->stream;
+}
+
+/* A linked pair is of one size, and goes at the rate of the slowest. */
+static struct rate stream_rate(const struct clock *clock,
+                               const struct decoded *decoded)
+{
+    const struct decoded *const *linked = decoded->linked;
+    uint8_t g = linked[0] ? linked[0]->fields.g : decoded->fields.g;
+    bool half = g & C205_G_HALF;
+    struct rate slowest = class_rate(clock, decoded, half);
+    for (size_t i = 0; i < 2 && linked[i]; i++) {
+        struct rate rate = class_rate(clock, linked[i], half);
+        if (is_slower(rate, slowest))
+            slowest = rate;
+    }
+    return slowest;
+}
+
+/* That of a linked pair is of two units that start up as the addition does;
+ * what one of them takes longer comes on top. */
+static uint64_t startup_of(const struct clock *clock,
+                           const struct decoded *decoded)
+{
+    uint64_t startup = clock->timing[decoded->insn->timing].startup;
+    uint64_t addition = clock->timing[C205_TIMING_vadd].startup;
+    for (size_t i = 0; i < 2 && decoded->linked[i]; i++) {
+        c205_timing member = decoded->linked[i]->insn->timing;
+        uint64_t own = clock->timing[member].startup;
+        startup += own > addition ? own - addition : 0;
+    }
+    return startup;
+}
+
+static void add_phases(struct clock *clock, const struct decoded *decoded,
+                       const struct effect *effect)
 {
     struct translation met = translate(clock, effect);
-    uint64_t stream = at_rate(rate, effect->elements);
+    uint64_t startup = startup_of(clock, decoded);
+    uint64_t stream = at_rate(stream_rate(clock, decoded), effect->elements)
+                      + effect->recurrent * startup;
     clock->vector_end = clock->now;
     clock->vector_tail = stream;
-    add_phase(clock, timing->startup, C205_VECTOR_STARTUP);
+    add_phase(clock, startup, C205_VECTOR_STARTUP);
     add_phase(clock, met.misses * clock->translation_miss,
               C205_TRANSLATION_MISS);
     add_phase(clock, met.faults * clock->page_fault, C205_PAGE_FAULT);
@@ -279,13 +315,13 @@ static void wait_for_pair(struct clock *clock, const struct decoded *decoded)
 static void charge_vector(struct clock *clock, const struct decoded *decoded,
                           const struct effect *effect)
 {
-    const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
     wait_for_pair(clock, decoded);
     wait_until(clock, clock->loads_done, C205_MEMORY_WAIT);
-    wait_through_phases(clock, vector_free_at(clock, timing->startup));
+    wait_through_phases(clock,
+                        vector_free_at(clock, startup_of(clock, decoded)));
     drop_phases(clock);
     uint64_t issued = clock->now + clock->issue_interval;
-    add_phases(clock, timing, stream_rate(timing, decoded), effect);
+    add_phases(clock, decoded, effect);
     wait_through_phases(clock, lesser(issued, clock->vector_end));
     wait_until(clock, issued, C205_ISSUE);
     set_results(clock, decoded, clock->vector_end, FOR_VECTOR);
@@ -315,7 +351,12 @@ void clock_charge(struct clock *clock, const struct decoded *decoded,
     clock->account->instructions++;
     wait_for_registers(clock, decoded);
     switch (decoded->insn->unit) {
-    case C205_UNIT_VECTOR: charge_vector(clock, decoded, effect); break;
+    case C205_UNIT_VECTOR:
+    case C205_UNIT_V_ADD:
+    case C205_UNIT_V_MULTIPLY:
+    case C205_UNIT_V_DIVIDE:
+    case C205_UNIT_V_SHIFT:
+    case C205_UNIT_V_LOGICAL: charge_vector(clock, decoded, effect); break;
     case C205_UNIT_MEMORY: charge_memory(clock, decoded, effect); break;
     case C205_UNIT_BRANCH:
         if (decoded->insn->timing == C205_TIMING_monitor)
@@ -365,7 +406,7 @@ static uint64_t registers_ready(const struct clock *clock,
 static uint64_t stream_begin(const struct clock *clock,
                              const struct decoded *decoded)
 {
-    uint64_t startup = clock->timing[decoded->insn->timing].startup;
+    uint64_t startup = startup_of(clock, decoded);
     uint64_t issue = later(clock->now, registers_ready(clock, decoded));
     for (size_t i = 0; i < 2; i++)
         if (decoded->linked[i])
@@ -386,9 +427,8 @@ static size_t in_clocks(struct rate rate, uint64_t clocks)
 size_t clock_elements(const struct clock *clock,
                       const struct decoded *decoded, uint64_t until)
 {
-    const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
     uint64_t begin = stream_begin(clock, decoded);
-    return in_clocks(stream_rate(timing, decoded),
+    return in_clocks(stream_rate(clock, decoded),
                      until > begin ? until - begin : 0);
 }
 

@@ -19,7 +19,8 @@ enum {
     HAS_TARGET = 2,
     HAS_SWAPPED = 4,
     HAS_INDICES = 8,
-    HAS_IDLE = 16
+    HAS_IDLE = 16,
+    HAS_RECURRENT = 32
 };
 enum { FLAG_SHIFT = 48, TOUCH_SHIFT = 32, FINDERS = 1 << 14 };
 
@@ -134,6 +135,7 @@ static unsigned flags_of(const struct effect *effect)
 {
     return (effect->elements ? HAS_ELEMENTS : 0u)
            | (effect->idle ? HAS_IDLE : 0u)
+           | (effect->recurrent ? HAS_RECURRENT : 0u)
            | (effect->taken ? HAS_TARGET : 0u)
            | (effect->swapped ? HAS_SWAPPED : 0u)
            | (effect->indices ? HAS_INDICES : 0u);
@@ -159,6 +161,8 @@ static void add_effect(c205_recording *recording, const struct effect *effect)
         add_word(recording, effect->elements);
     if (effect->idle)
         add_word(recording, effect->idle);
+    if (effect->recurrent)
+        add_word(recording, effect->recurrent);
     if (effect->taken)
         add_word(recording, effect->target);
     if (effect->swapped) {
@@ -195,6 +199,7 @@ static const uint64_t *read_effect(const uint64_t *at, uint64_t head,
     }
     effect->elements = flags & HAS_ELEMENTS ? (size_t)*at++ : 0;
     effect->idle = flags & HAS_IDLE ? (size_t)*at++ : 0;
+    effect->recurrent = flags & HAS_RECURRENT ? (size_t)*at++ : 0;
     effect->taken = flags & HAS_TARGET;
     effect->target = effect->taken ? *at++ : 0;
     effect->swapped = flags & HAS_SWAPPED ? (size_t)*at++ : 0;

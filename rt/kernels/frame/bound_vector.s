@@ -71,6 +71,7 @@ bound_store:    .space 4 * QUEUE
         ADDN    s3, s5, s3
         MPYS    s3, s7, s3
         SUBN    s3, bound_r2, s3
+        LINKV
         MPYSV   [bound_g1], [bound_g1], [bound_g0]
         CMPGEV  [bound_g0], s3, [near_bits]
         .endm

@@ -35,6 +35,7 @@ generate:
         ADDX    first_pixel, position, first_pixel
         INTVLV  first_pixel, one_index, [w0]
         ADDNV   [w0], r0, [w0]
+        LINKV
         DIVSV   [w0], width, [w1]
         FLRV    [w1], [w1]
         ADDNV   [w1], r0, [w1]

@@ -25,6 +25,7 @@ find_checker:
         pattern_floor px, py, pz, m10, m11, m12, m13, v3
         pattern_floor px, py, pz, m20, m21, m22, m23, v4
         ADDUV   [v2], [v3], [v2]
+        LINKV
         ADDUV   [v2], [v4], [v2]
         ANDV    [v2], one_index, [v2]
         CMPNEV  [v2], r0, [hits3]

@@ -52,6 +52,7 @@ power:
         LINKV
         MPYSV   [v0], p_two_over_ln2, [v4]
         ADDNV   [v4], [v1], [v0]
+        LINKV
         SUBNV   [v0], half, [v0]        ; log2 x
         MPYSV   [v0], exponent, [v0]
         CMPLTV  [v0], p_floor, [hits1]
@@ -59,6 +60,7 @@ power:
         FLRV    [v0], [v1]
         ADDNV   [v1], r0, [v2]
         SUBNV   [v0], [v2], [v2]
+        LINKV
         SUBNV   [v2], half, [v2]
         MPYSV   [v2], p_ln2, [v2]
         horner_start v2, exp13, exp12
@@ -75,6 +77,7 @@ power:
         horner v2, one
         horner v2, one
         MPYSV   [v0], p_root_two, [v0]
+        LINKV
         ADDUV   [v1], p_minus_46, [v1]
         SHIFTV  [v1], p_48, [v1]
         ANDV    [v1], p_upper, [v1]

@@ -111,8 +111,10 @@ spawn_bend:
 spawn_enters:
         MASKV   spawn_reciprocal, spawn_index, [v0] ? [hits2]
         MPYSV   [v0], [v0], [v7]
+        LINKV
         MPYSV   [facing], [facing], [v6]
         SUBNV   one, [v6], [v6]
+        LINKV
         MPYSV   [v7], [v6], [v7]
         SUBNV   one, [v7], [v7]
         CMPLTV  [v7], r0, [hits2]

@@ -72,6 +72,7 @@
         DIVSV   [q_fb], [q_t], [q_t]
         MPYSV   [q_fa], [q_t], [q_fa] ?! [q_change]
         .elseif FALSI == ANDERSON_BJORCK
+        LINKV
         DIVSV   [q_fx], [q_fb], [q_t]
         SUBNV   q_one, [q_t], [q_t]
         CMPLTV  r0, [q_t], [q_bits]

@@ -531,6 +531,7 @@ enter_alive\@:
         MPYSV   [q_right_slope], [q_right_slope], [q_knot]
         MPYSV   [q_next], [q_c2], [q_knot_f]
         SUBNV   [q_knot], [q_knot_f], [q_root]
+        LINKV
         ADDNV   |[q_knot_f]|, [q_knot], [q_knot]
         MPYSV   [q_knot], q_tolerance, [q_knot]
         CMPGEV  [q_knot], |[q_root]|, [q_need]

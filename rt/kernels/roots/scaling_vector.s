@@ -45,6 +45,7 @@
 
 ; e := the new exponent, counted from that of d_p.
         .macro  shift_exponent e, present, power
+        LINKV
         MPYSV   [k], \power, [t0]
         ADDNV   [\e], [t0], [\e]
         SUBNV   [\e], [top], [\e]
@@ -96,6 +97,7 @@ scaling_moved:
         find_top e3, present3, three
         find_top e4, present4, four
         SUBNV   [e0], [top], [t0]
+        LINKV
         DIVSV   [t0], [degree], [t0]
         FLRV    [t0], [t0]
         ADDNV   [t0], r0, [k]

@@ -46,8 +46,8 @@
         ADDNV   [w8], [w1], [w1]
         MPYSV   [w0], [w0], [w0]
         MPYSV   [w1], [w1], [w1]
-        LINKV
         ADDNV   [w1], [w0], [w4]
+        LINKV
         SUBNV   sh12, [w4], [w0]
         MPYSV   [w0], [w2], [w0]
         VTOV    big, [tin]

@@ -26,19 +26,25 @@
         ADDNV   [e5], [e2], [e5]
         ADDNV   [e5], sh1, [e5]                 ; c
         MPYSV   [e3], [e3], [k4]
+        LINKV
         MPYSV   [e3], [e4], [k3]
         ADDNV   [k3], [k3], [k3]
+        LINKV
         MPYSV   [e3], [e5], [k2]
         ADDNV   [k2], [k2], [k2]
         MPYSV   [e4], [e4], [e6]
         ADDNV   [e6], [k2], [k2]
+        LINKV
         MPYSV   [e0], sh2, [e6]
         SUBNV   [k2], [e6], [k2]
+        LINKV
         MPYSV   [e4], [e5], [k1]
         ADDNV   [k1], [k1], [k1]
+        LINKV
         MPYSV   [e1], sh7, [e6]
         SUBNV   [k1], [e6], [k1]
         MPYSV   [e5], [e5], [k0]
+        LINKV
         MPYSV   [e2], sh2, [e6]
         SUBNV   [k0], [e6], [k0]
         .endm

@@ -45,6 +45,7 @@ normal_cone:
         LINKV
         MPYSV   [v2], sh13, [v0]
         ADDNV   [v0], sh12, [v0]
+        LINKV
         SUBNV   [v7], [v0], [v0]
         MPYSV   [v0], sh15, [v0]
         SUBNV   |[v2]|, sh14, [v1]

@@ -45,8 +45,8 @@ normal_cylinder:
         cylinder_side_normal
         MPYSV   [v0], [v0], [v0]
         MPYSV   [v1], [v1], [v1]
-        LINKV
         ADDNV   [v1], [v0], [v3]
+        LINKV
         SUBNV   [v3], sh12, [v0]
         MPYSV   [v0], sh14, [v0]
         SUBNV   |[v2]|, sh13, [v1]

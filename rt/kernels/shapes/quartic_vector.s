@@ -153,6 +153,7 @@ times_none\@:
 ; z^2, z^3, z^4, each the one before times o + d t.
         .macro  power_of_z
         MPYSV   [w2], [w2], [z20]
+        LINKV
         MPYSV   [w2], [dz], [z21]
         ADDNV   [z21], [z21], [z21]
         MPYSV   [dz], [dz], [z22]
@@ -193,9 +194,11 @@ times_none\@:
         MPYSV   |[k3]|, [w4], [w6]
         VTOV    one, [w5]
         at_least w6, w5
+        LINKV
         MPYSV   |[k2]|, [w4], [w6]
         SQRTV   [w6], [w6]
         at_least w6, w5
+        LINKV
         MPYSV   |[k0]|, [w4], [w6]
         SQRTV   [w6], [w6]
         SQRTV   [w6], [w6]

@@ -32,7 +32,6 @@ sphere:
         MPYSV   [w1], [w1], [w1]
         ADDNV   [w1], [w0], [w0]
         MPYSV   [w2], [w2], [w2]
-        LINKV
         ADDNV   [w2], [w0], [w1]
         SUBNV   sh3, [w1], [w0]
         VTOV    big, [tin]

@@ -204,11 +204,14 @@ planes_found\@:
         MPYSV   [pa3], [pb4], [e3]
         subtract_product pa4, pb3, e3
         MPYSV   [pb0], [pb0], [e4]
+        LINKV
         MPYSV   [pb0], [pb1], [e5]
         ADDNV   [e5], [e5], [e5]
+        LINKV
         MPYSV   [pb0], [pb3], [e6]
         ADDNV   [e6], [e6], [e6]
         add_product pb1, pb1, e6
+        LINKV
         MPYSV   [pb1], [pb3], [e7]
         ADDNV   [e7], [e7], [e7]
         MPYSV   [pb3], [pb3], [e8]
@@ -243,6 +246,7 @@ planes_found\@:
         ADDNV   |[k0]|, |[k1]|, [e4]
         ADDNV   |[k2]|, [e4], [e4]
         ADDNV   |[k3]|, [e4], [e4]
+        LINKV
         ADDNV   |[k4]|, [e4], [e4]
         MPYSV   [e4], s5, [e4]
         MPYSV   [k1], s3, [e5]
@@ -523,6 +527,7 @@ steiner_miss:
 ; A pair of lines, in the lanes of hits1: t from the first conic.
 steiner_lines:
         MPYSV   [pa4], [root0], [e1]
+        LINKV
         ADDNV   [e1], [pa2], [e1]
         MPYSV   [e1], half, [e1]
         MPYSV   [pa3], [root0], [e0]

@@ -1,5 +1,5 @@
 ; A sum over one broadcast number has no length.
-        ES      r11, 7
-        .half   X'DA10 000A', X'0000 000B' ; SUMV r10, r11
+        ES      r12, 7
+        .half   X'DA10 000A', X'0000 000C' ; SUMV r10, r12
 ; expect-trap: bad-descriptor
-; expect: r11 = 7
+; expect: r12 = 7

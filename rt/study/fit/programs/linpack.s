@@ -79,7 +79,7 @@ next\@:
 ; The greatest magnitude of a vector.
         .macro  norm result, address, length
         vector  vector, \address, \length
-        MAXV    |[vector]|, \result
+        MAXV    |[vector]|, r0, \result
         .endm
 
         .entry  linpack

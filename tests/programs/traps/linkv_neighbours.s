@@ -1,4 +1,4 @@
-; Divide cannot be linked.
+; Neighbours do not go element by element.
         .include "../vector.inc"
         .data
 a:      .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0
@@ -12,7 +12,7 @@ kept:   .word   9.0, 9.0, 9.0, 9.0, 9.0, 9.0
         into    nothing
         LINKV
         MPYSV   [va], x, [from]
-        DIVSV   [from], [va], [to]
+        DELTAV  [from], [to]
 ; expect-trap: bad-link
 ; expect: [nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
 ; expect: [kept] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0

@@ -1,6 +1,6 @@
-; Number 255 has no register after it for the index.
+; A sum in two half registers begins with the left one.
         ES      r10, 1
-        .half   X'D880 000A', X'0000 00FF' ; MAXV,H [r10], h255
+        .half   X'DC80 000A', X'000A 0015' ; DOTV,H [r10], [r10], h21
         ES      r10, 2
 ; expect-trap: undefined-instruction
 ; expect: r10 = 1

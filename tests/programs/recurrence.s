@@ -1,0 +1,28 @@
+; Results that lie upon what is still to be read: each is made from the one
+; before, and waits until that has come through the pipe.
+        .equ    n, 6
+        .regs   r10, counted, next, one, few, further
+        .data
+count:  .word   1
+        .space  n
+        .code
+        EX      counted, count          ; at 0
+        ELEN    counted, n
+        EX      next, count + 64
+        ELEN    next, n
+        ES      one, 1
+        ADDXV   [counted], one, [next]  ; at 5
+        EX      few, count
+        ELEN    few, n - 2
+        EX      further, count + 3*64
+        ELEN    further, n - 2
+        ADDXV   [few], [few], [further]
+        EXIT
+; expect: [count] = 1, 2, 3, 2, 4, 6, 4
+; expect-flags: X'0000 0000 0000 0000'
+; expect-warning: recurrence
+; Start-up 51, the page 30 + 1,000, six elements on two pipes 3, and five of them
+; wait 51 each.  Then 51 again, of which 10 under the stream before, 2 for four
+; elements, of which one waits.
+; expect-clocks: 5 + 51 + 1030 + 3 + 5 * 51 + 51 - 10 + 2 + 51
+; expect-model: cyber205-2pipe-prior
