@@ -31,25 +31,33 @@
         .regs   r26, m_minus_one, m_index_one, m_index_minus_one, m_zero
         .endshare
 
-; The local registers of the kernels, all alike: constants, arguments, the ray,
-; the segment found, work, the shape.
+; The local registers of the kernels: constants, arguments, the ray, the segment
+; found, work, and behind the work that a kernel needs the words of its shape
+; (shape_from).  A kernel begins with the first constant that it needs.
         .share  local
-        .regs   r32, one, big, minus_big, tiny, index_one
+        .regs   r32, one, tiny, index_one, big, minus_big
         .regs   r37, a_ray, a_primitive, a_segment
         .regs   r40, ox, oy, oz, dx, dy, dz
         .regs   r46, tin, tout
         .regs   r48, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9
-        .regs   r58, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10
-        .regs   r69, sh11, sh12, sh13, sh14, sh15
         .endshare
 
+        .macro  shape_from register
+        .share  local
+        .regs   \register, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, sh12, sh13, sh14
+        .endshare
+        .endm
+        shape_from r58                  ; behind all of the work
+
         .data
-; What the local registers hold when a kernel begins: the constants, as in
-; records.s, and nothing in the others.
-        .equ    KERNEL_REGISTERS_MOST, 57
+; The constants, as in records.s.
 kernel_image:
-        .word 1.0, 1e30, -1e30, 1e-12, 1
-        .space KERNEL_REGISTERS_MOST - 5
+image_one:      .word 1.0
+image_tiny:     .word 1e-12
+image_index_one: .word 1
+image_big:      .word 1e30
+image_minus_big: .word -1e30
+        .equ    KERNEL_CONSTANTS, 5
         .code
 
         .macro  call routine, list
@@ -73,13 +81,14 @@ kernel_image:
         ADDN    r0, r0, m_zero
         .endm
 
-; Save the first number local registers at save, load them from image.
-        .macro  enter image, save, number
+; Save number local registers from first on, load as many of them as there are
+; constants in the image.
+        .macro  enter image, constants, save, number, first=r32
         EX      image_at, \image
-        ELEN    image_at, \number
+        ELEN    image_at, \constants
         EX      save_at, \save
         ELEN    save_at, \number
-        SWAP    [image_at], r32, [save_at]
+        SWAP    [image_at], \first, [save_at]
         .endm
 
         .macro  leave save, number
@@ -89,9 +98,10 @@ kernel_image:
         BIM     0, link
         .endm
 
-; Enter a kernel: its arguments, the ray, number words of the shape.
-        .macro  enter_kernel save, registers, shape_words
-        enter   kernel_image, \save, \registers
+; Enter a kernel that calls nothing: its constants from first on, its arguments,
+; the ray, number words of the shape.
+        .macro  enter_kernel save, registers, shape_words, first=one
+        enter   image_\first, KERNEL_CONSTANTS - (image_\first - kernel_image) / 64, \save, \registers, \first
         ELEN    arguments, 3
         SWAP    [arguments], a_ray, [r0]
         SWAP    [a_ray], ox, [r0]
@@ -100,10 +110,14 @@ kernel_image:
         SWAP    [a_primitive], sh0, [r0]
         .endm
 
-; Give back tin, tout.
-        .macro  leave_kernel save, registers
+        .macro  give_segment
         STO     [a_segment], tin
         STO     [a_segment, index_one], tout
-        leave   \save, \registers
         .endm
 
+; Give back tin, tout.  save_at is as it was.
+        .macro  leave_kernel first=one
+        give_segment
+        SWAP    [save_at], \first, [r0]
+        BIM     0, link
+        .endm

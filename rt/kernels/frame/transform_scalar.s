@@ -9,10 +9,11 @@
 ; carried over once: who takes a new ray clears own_space.
 
         .share  local
-        .regs   r80, own_ox, own_oy, own_oz, own_dx, own_dy, own_dz
-        .regs   r86, own_lower, own_scale, link_saved
+        .regs   r70, own_ox, own_oy, own_oz, own_dx, own_dy, own_dz
+        .regs   r76, own_lower, own_scale, link_saved
         .endshare
-        .equ    TRANSFORM_REGISTERS, KERNEL_REGISTERS_MOST
+        shape_from r58                  ; the rows of the matrix
+        .equ    TRANSFORM_REGISTERS, 47
 
         .data
 transform_save: .space TRANSFORM_REGISTERS
@@ -27,7 +28,7 @@ own_arguments:
         .code
         .kernel transform
 transformed:
-        enter   kernel_image, transform_save, TRANSFORM_REGISTERS
+        enter   kernel_image, KERNEL_CONSTANTS, transform_save, TRANSFORM_REGISTERS
         ELEN    arguments, 3
         SWAP    [arguments], a_ray, [r0]
         RTOR    a_primitive, t0

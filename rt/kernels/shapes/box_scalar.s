@@ -4,20 +4,23 @@
 ;
 ; Arguments as in sphere_scalar.s, method as in box_vector.s.
 
+        shape_from r52                  ; behind t3
+        .equ    BOX_REGISTERS, 26
+
         .data
-box_save:       .space 32
+box_save:       .space BOX_REGISTERS
         .code
         .kernel box
 box:
-        enter_kernel box_save, 32, 6
+        enter_kernel box_save, BOX_REGISTERS, 6
         RTOR    minus_big, tin
         RTOR    big, tout
         slab    ox, dx, sh0, sh3, box_miss
         slab    oy, dy, sh1, sh4, box_miss
         slab    oz, dz, sh2, sh5, box_miss
-        leave_kernel box_save, 32
+        leave_kernel
 box_miss:
         RTOR    big, tin
         RTOR    minus_big, tout
-        leave_kernel box_save, 32
+        leave_kernel
         .endkernel

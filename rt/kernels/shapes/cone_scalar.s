@@ -5,6 +5,9 @@
 ;
 ; Arguments as in sphere_scalar.s, method as in cone_vector.s.
 
+        shape_from r65                  ; behind quad_c
+        .equ    CONE_REGISTERS, 48
+
 ; The side: tin, tout, or to miss.  Leaves o along w in o_along, d along w in
 ; d_along, the shift of the origin in shift, a in quad_a; k_along > 0 where a ray
 ; with a <= 0 goes inside.
@@ -58,11 +61,11 @@ cone_sided\@:
         .endm
 
         .data
-cone_save:      .space QUADRATIC_REGISTERS
+cone_save:      .space CONE_REGISTERS
         .code
         .kernel cone
 cone:
-        enter_kernel cone_save, QUADRATIC_REGISTERS, 15
+        enter_kernel cone_save, CONE_REGISTERS, 15
         cone_side cone_miss
         CFPLT   r0, quad_a, cone_cut
         CFPLT   r0, k_along, cone_goes
@@ -76,16 +79,16 @@ cone_cut:
         SUBN    r0, sh14, t9
         slab    o_along, d_along, t9, sh14, cone_miss
         move_back shift
-        leave_kernel cone_save, QUADRATIC_REGISTERS
+        leave_kernel
 cone_miss:
         RTOR    big, tin
         RTOR    minus_big, tout
-        leave_kernel cone_save, QUADRATIC_REGISTERS
+        leave_kernel
 
 open_cone:
-        enter_kernel cone_save, QUADRATIC_REGISTERS, 15
+        enter_kernel cone_save, CONE_REGISTERS, 15
         cone_side cone_miss
         keep_between_disks o_along, d_along, sh14, cone_miss
         move_back shift
-        leave_kernel cone_save, QUADRATIC_REGISTERS
+        leave_kernel
         .endkernel

@@ -5,6 +5,9 @@
 ;
 ; Arguments as in sphere_scalar.s, method as in cylinder_vector.s.
 
+        shape_from r58                  ; behind t9
+        .equ    CYLINDER_REGISTERS, 40
+
 ; The side: tin, tout, or to miss.  Leaves o along the axis in t5, d along it
 ; in t6.
         .macro  cylinder_side miss
@@ -49,19 +52,19 @@ cylinder_sided\@:
         .endm
 
         .data
-cylinder_save:  .space 41
+cylinder_save:  .space CYLINDER_REGISTERS
         .code
         .kernel cylinder
 cylinder:
-        enter_kernel cylinder_save, 41, 15
+        enter_kernel cylinder_save, CYLINDER_REGISTERS, 14
         cylinder_side cylinder_miss
         SUBN    r0, sh13, t9
         slab    t5, t6, t9, sh13, cylinder_miss
-        leave_kernel cylinder_save, 41
+        leave_kernel
 cylinder_miss:
         RTOR    big, tin
         RTOR    minus_big, tout
-        leave_kernel cylinder_save, 41
+        leave_kernel
 
 ; Open: t1 = the first crossing, t2 = the second; t3, t4 their distances from
 ; the middle along the axis; o, d along the axis.
@@ -85,8 +88,8 @@ disks_done\@:
         .endm
 
 open_cylinder:
-        enter_kernel cylinder_save, 41, 15
+        enter_kernel cylinder_save, CYLINDER_REGISTERS, 14
         cylinder_side cylinder_miss
         keep_between_disks t5, t6, sh13, cylinder_miss
-        leave_kernel cylinder_save, 41
+        leave_kernel
         .endkernel

@@ -5,12 +5,13 @@
 
         .share  local
         .reg    lower, tin                      ; comes where tin will be
-        .regs   r74, k4, k3, k2, k1, k0         ; of the quartic
-        .regs   r79, near_low, near_high, near_resolution
-        .regs   r82, along, near_o2, link_kept
-        .regs   r85, e0, e1, e2, e3, e4, e5, e6
+        .regs   r58, k4, k3, k2, k1, k0         ; of the quartic
+        .regs   r63, near_low, near_high, near_resolution
+        .regs   r66, along, near_o2, link_kept
+        .regs   r69, e0, e1, e2, e3, e4, e5, e6
         .endshare
-        .equ    LANE_REGISTERS, 60
+        shape_from r76
+        .equ    LANE_REGISTERS, 54              ; up to sh9, the last of a torus
 
         .data
 near_save:      .space LANE_REGISTERS
@@ -22,11 +23,7 @@ near_list:      .descriptor 5, near_input
         .code
 
         .macro  enter_solver words, save=near_save, registers=LANE_REGISTERS
-        EX      image_at, kernel_image
-        ELEN    image_at, 5
-        EX      save_at, \save
-        ELEN    save_at, \registers
-        SWAP    [image_at], r32, [save_at]
+        enter   kernel_image, KERNEL_CONSTANTS, \save, \registers
         ELEN    arguments, 3
         SWAP    [arguments], a_ray, [r0]
         ELEN    a_ray, 7
@@ -40,7 +37,8 @@ near_list:      .descriptor 5, near_input
 
         .macro  leave_solver save=near_save, registers=LANE_REGISTERS
         RTOR    link_kept, link
-        leave_kernel \save, \registers
+        give_segment
+        leave   \save, \registers
         .endm
 
 ; o in t0-t2, o . o in near_o2, near_low, near_high; or to miss.

@@ -4,12 +4,15 @@
 ;
 ; Arguments as in sphere_scalar.s, method as in plane_vector.s.
 
+        shape_from r51                  ; behind t2
+        .equ    PLANE_REGISTERS, 22
+
         .data
-plane_save:     .space 30
+plane_save:     .space PLANE_REGISTERS
         .code
         .kernel plane
 plane:
-        enter_kernel plane_save, 30, 4
+        enter_kernel plane_save, PLANE_REGISTERS, 4, tiny
         dot     ox, oy, oz, sh0, sh1, sh2, t0, t2
         SUBN    sh3, t0, t0             ; d - N . O
         dot     dx, dy, dz, sh0, sh1, sh2, t1, t2
@@ -19,18 +22,18 @@ plane:
         CFPLT   t1, r0, plane_enters
         RTOR    minus_big, tin
         RTOR    t2, tout
-        leave_kernel plane_save, 30
+        leave_kernel tiny
 plane_enters:
         RTOR    t2, tin
         RTOR    big, tout
-        leave_kernel plane_save, 30
+        leave_kernel tiny
 plane_parallel:
         CFPGE   t0, r0, plane_inside
         RTOR    big, tin
         RTOR    minus_big, tout
-        leave_kernel plane_save, 30
+        leave_kernel tiny
 plane_inside:
         RTOR    minus_big, tin
         RTOR    big, tout
-        leave_kernel plane_save, 30
+        leave_kernel tiny
         .endkernel

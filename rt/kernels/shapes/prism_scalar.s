@@ -15,12 +15,12 @@
         .endif
 
         .share  local
-        .regs   r85, row_at, rows_left, here_x, here_z, begins
-        .regs   r90, path_dx, path_dz, inverse, side, side_before, way, way_before
-        .regs   r97, edge_low, edge_high, cap_low, cap_high, crossed_at, least
-        .regs   r103, inside_low, inside_high, list_end, list_last, list_at
+        .regs   r79, row_at, rows_left, here_x, here_z, begins
+        .regs   r84, path_dx, path_dz, inverse, side, side_before, way, way_before
+        .regs   r91, edge_low, edge_high, cap_low, cap_high, crossed_at, least
+        .regs   r97, inside_low, inside_high, list_end, list_last, list_at
         .endshare
-        .equ    PRISM_REGISTERS, 76
+        .equ    PRISM_REGISTERS, 70
 
         .data
 prism_save:     .space PRISM_REGISTERS

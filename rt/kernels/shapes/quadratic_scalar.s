@@ -2,11 +2,10 @@
 ; quadratic_vector.s.  Without real roots to miss, with a = 0 to no_first, with
 ; q = 0 (and any a) to no_second; second is there at no_first.
 
-; Registers of the kernels that solve one.
+; Registers of the kernels that solve one: behind t9.
         .share  local
-        .regs   r74, o_along, d_along, k_along, shift, quad_a, quad_b, quad_c
+        .regs   r58, o_along, d_along, k_along, shift, quad_a, quad_b, quad_c
         .endshare
-        .equ    QUADRATIC_REGISTERS, 49
 
         .macro  discriminant a, b, c, disc, work
         MPYS    \b, \b, \disc

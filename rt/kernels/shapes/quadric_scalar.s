@@ -6,8 +6,11 @@
 ; Arguments as in sphere_scalar.s, method as in quadric_vector.s.  SEGMENTS = the
 ; ray's way inside, where the polynomial is below 0, two of them (4 words).
 
+        shape_from r65                  ; behind quad_c
+        .equ    QUADRIC_REGISTERS, 44
+
         .data
-quadric_save:   .space QUADRATIC_REGISTERS
+quadric_save:   .space QUADRIC_REGISTERS
         .code
 ; a, b, c and in t2 b^2 - a c.
         .macro  quadric_polynomial
@@ -32,7 +35,7 @@ quadric_save:   .space QUADRATIC_REGISTERS
 
         .kernel quadric
 quadric:
-        enter_kernel quadric_save, QUADRATIC_REGISTERS, 13
+        enter_kernel quadric_save, QUADRIC_REGISTERS, 13, index_one
         quadric_polynomial
         CFPLT   t2, r0, quadric_miss
         quadratic_roots quad_a, quad_b, quad_c, t2, t0, t1, quadric_one, quadric_double
@@ -46,17 +49,17 @@ quadric_one:
         RTOR    t1, tout
 quadric_crossed:
         move_back shift
-        leave_kernel quadric_save, QUADRATIC_REGISTERS
+        leave_kernel index_one
 quadric_miss:
         RTOR    big, tin
         RTOR    minus_big, tout
-        leave_kernel quadric_save, QUADRATIC_REGISTERS
+        leave_kernel index_one
 
 ; Two crossings: what is inside lies between them or, with a < 0, before the
 ; first and behind the second.  One: before it where the polynomial rises.
 ; None: all or nothing.
 quadric_solid:
-        enter_kernel quadric_save, QUADRATIC_REGISTERS, 13
+        enter_kernel quadric_save, QUADRIC_REGISTERS, 13, index_one
         quadric_polynomial
         RTOR    big, t8
         RTOR    minus_big, t9
@@ -98,5 +101,5 @@ solid_given:
         STO     [a_segment, t7], t8
         IX      t7, 1
         STO     [a_segment, t7], t9
-        leave_kernel quadric_save, QUADRATIC_REGISTERS
+        leave_kernel index_one
         .endkernel

@@ -13,11 +13,11 @@
         .include "shapes/quartic_terms.s"
 
         .share  local
-        .regs   r92, a0, a1, a2, a3, a4, b0, b1, b2, b3, b4
-        .regs   r102, z20, z21, z22, z30, z31, z32, z33, z40, z41, z42, z43
-        .regs   r113, z44, table_at, seen_terms, seen_groups
+        .regs   r91, a0, a1, a2, a3, a4, b0, b1, b2, b3, b4
+        .regs   r101, z20, z21, z22, z30, z31, z32, z33, z40, z41, z42, z43
+        .regs   r112, z44, table_at, seen_terms, seen_groups
         .endshare
-        .equ    SURFACE_REGISTERS, 85
+        .equ    SURFACE_REGISTERS, 84
 
         .data
 surface_save:   .space SURFACE_REGISTERS

@@ -7,12 +7,15 @@
 ; tin, tout (2 words); a miss is big, minus_big.  Formulas and order of the
 ; operations as in sphere_vector.s, but a miss ends before the square root.
 
+        shape_from r55                  ; behind t6
+        .equ    SPHERE_REGISTERS, 25
+
         .data
-sphere_save:    .space 30
+sphere_save:    .space SPHERE_REGISTERS
         .code
         .kernel sphere
 sphere:
-        enter_kernel sphere_save, 30, 4
+        enter_kernel sphere_save, SPHERE_REGISTERS, 4, index_one
         SUBN    sh0, ox, t0             ; L = C - O
         SUBN    sh1, oy, t1
         SUBN    sh2, oz, t2
@@ -32,10 +35,10 @@ sphere:
         CFPGE   t0, r0, sphere_hit
         RTOR    big, tin
         RTOR    minus_big, tout
-        leave_kernel sphere_save, 30
+        leave_kernel index_one
 sphere_hit:
         SQRT    t0, t0
         SUBN    t3, t0, tin
         ADDN    t3, t0, tout
-        leave_kernel sphere_save, 30
+        leave_kernel index_one
         .endkernel

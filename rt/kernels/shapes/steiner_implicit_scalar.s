@@ -9,26 +9,26 @@
 ; beyond the first acceptable one.
 
         .share  local
-        .regs   r92, ma0, ma1, ma2, da0, da1, da2, mb0, mb1, mb2, db0, db1, db2
-        .regs   r104, c00, c01, c02, c10, c11, c12, c20, c21, c22
-        .regs   r113, nx, ny, nz, no
-        .regs   r119, patch_s, patch_t
-        .regs   r121, la00, la01, la02, la03, la10, la11, la12, la13
-        .regs   r129, la20, la21, la22, la23
-        .regs   r133, lb00, lb01, lb02, lb03, lb10, lb11, lb12, lb13
-        .regs   r141, lb20, lb21, lb22, lb23
-        .regs   r145, triple_x, triple_y, triple_z, triple_w
+        .regs   r87, ma0, ma1, ma2, da0, da1, da2, mb0, mb1, mb2, db0, db1, db2
+        .regs   r99, c00, c01, c02, c10, c11, c12, c20, c21, c22
+        .regs   r108, nx, ny, nz, no
+        .regs   r113, patch_s, patch_t
+        .regs   r116, la00, la01, la02, la03, la10, la11, la12, la13
+        .regs   r124, la20, la21, la22, la23
+        .regs   r128, lb00, lb01, lb02, lb03, lb10, lb11, lb12, lb13
+        .regs   r136, lb20, lb21, lb22, lb23
+        .regs   r140, triple_x, triple_y, triple_z, triple_w
         .endshare
         .equ    PLANES_TABLE, 28
         .share  local                   ; after those
-        .regs   r121, qxss, qxtt, qxuu, qxst, qxtu, qxus
-        .regs   r127, qyss, qytt, qyuu, qyst, qytu, qyus
-        .regs   r133, qzss, qztt, qzuu, qzst, qztu, qzus
-        .regs   r139, qwss, qwtt, qwuu, qwst, qwtu, qwus
+        .regs   r116, qxss, qxtt, qxuu, qxst, qxtu, qxus
+        .regs   r122, qyss, qytt, qyuu, qyst, qytu, qyus
+        .regs   r128, qzss, qztt, qzuu, qzst, qztu, qzus
+        .regs   r134, qwss, qwtt, qwuu, qwst, qwtu, qwus
         .equ    FORMS_TABLE, 24
-        .regs   r92, fss, ftt, fuu, fst, ftu, fus
-        .regs   r101, margin_low, margin_high, through
-        .regs   r149, table_at
+        .regs   r87, fss, ftt, fuu, fst, ftu, fus
+        .regs   r145, margin_low, margin_high, through
+        .regs   r144, table_at
         .endshare
 
         .macro  plane_rows la00, la01, la02, la03, la10, la11, la12, la13, la20, la21, la22, la23, a0, a1, a2, d0, d1, d2

@@ -16,21 +16,21 @@
         .include "shapes/steiner_constants.s"
 
         .share  local
-        .regs   r92, pa0, pa1, pa2, pa3, pa4, pa5, pb0, pb1, pb2, pb3, pb4
-        .regs   r103, n1x, n1y, n1z, n2x, n2y, n2z
-        .regs   r109, spread, patch_low, patch_high, patch_least
-        .regs   r113, patch_link, candidate_routine, roots_left, root_at
-        .regs   r117, candidate_s, candidate_t, patch_s, patch_t
-        .regs   r121, quarter, sixth, noise, last_step
-        .regs   r125, kx0, ky0, kz0, kx1, ky1, kz1, kx2, ky2, kz2, kx3, ky3
-        .regs   r136, kz3, kx4, ky4, kz4, kx5, ky5, kz5
-        .regs   r143, kw0, kw1, kw2, kw3, kw4, kw5
-        .regs   r149, other_x, other_y, other_z
-        .regs   r152, g0, g1, g2, g3
-        .regs   r64, crossings_wanted, crossings_left, point_at
+        .regs   r86, pa0, pa1, pa2, pa3, pa4, pa5, pb0, pb1, pb2, pb3, pb4
+        .regs   r97, n1x, n1y, n1z, n2x, n2y, n2z
+        .regs   r103, spread, patch_low, patch_high, patch_least
+        .regs   r107, patch_link, candidate_routine, roots_left, root_at
+        .regs   r111, candidate_s, candidate_t, patch_s, patch_t
+        .regs   r115, quarter, sixth, noise, last_step
+        .regs   r119, kx0, ky0, kz0, kx1, ky1, kz1, kx2, ky2, kz2, kx3, ky3
+        .regs   r130, kz3, kx4, ky4, kz4, kx5, ky5, kz5
+        .regs   r137, kw0, kw1, kw2, kw3, kw4, kw5
+        .regs   r143, other_x, other_y, other_z
+        .regs   r146, g0, g1, g2, g3
+        .regs   r83, crossings_wanted, crossings_left, point_at
         .endshare
         .equ    PATCH_TABLE, 27
-        .equ    PATCH_REGISTERS, 124
+        .equ    PATCH_REGISTERS, 118
 
         .data
 patch_save:     .space PATCH_REGISTERS
