@@ -29,11 +29,10 @@ static void put_shape(struct record *record,
     struct shape_words shape;
     const char *kernel;
 
-    shape_words(primitive, &shape);
+    if (!plan->simple || !shape_words_historical(primitive, &shape)
+        || !object_symbol(record->layout->program, shape.kernel))
+        shape_words(primitive, &shape);
     kernel = plan->simple ? shape.kernel : shape.solid;
-    if (plan->simple && shape.historical
-        && object_symbol(record->layout->program, shape.historical))
-        kernel = shape.historical;
     record_routine(record, "P_KERNEL",
                    shape.transformed ? "transformed" : kernel);
     record_routine(record, "P_INNER", kernel);

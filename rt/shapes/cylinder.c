@@ -1,6 +1,8 @@
 #include "rt/shapes/axis.h"
 #include "rt/shapes/shape.h"
 
+#include "rt/scene/vector.h"
+
 static const struct shape_field fields[] = {
     { TAKES_VECTOR, SHAPE_AT(cylinder, base), NULL, 0, NULL },
     { TAKES_VECTOR, SHAPE_AT(cylinder, cap), NULL, 0, NULL },
@@ -38,6 +40,34 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 16;
 }
 
+/* The plane across the axis through a point of it, as p . X + q = 0; p points
+ * along the axis, or against it. */
+static void put_end(double along, const double axis[3], const double point[3],
+                    double *plane)
+{
+    for (size_t i = 0; i < 3; i++)
+        plane[i] = along * axis[i];
+    plane[3] = -dot3(plane, point);
+}
+
+static size_t put_historical_words(const struct primitive *primitive,
+                                   double *words)
+{
+    const double *base = primitive->shape.cylinder.base;
+    const double *cap = primitive->shape.cylinder.cap;
+    double frame[12];
+    const double *axis = frame + 9; /* along it */
+
+    axis_words(base, cap, frame);
+    copy3(base, words);
+    copy3(axis, words + 3);
+    words[6] = primitive->shape.cylinder.radius;
+    put_end(-1, axis, base, words + 7);
+    put_end(1, axis, cap, words + 11);
+    words[15] = 1 / words[6];
+    return 16;
+}
+
 static bool is_open(const struct primitive *primitive)
 {
     return primitive->shape.cylinder.open;
@@ -52,10 +82,15 @@ const struct shape shape_cylinder = {
     .region = "cylinder",
     .kernels = { .kernel = "cylinder",
                  .normal = "normal_cylinder",
-                 .segments = 1 },
+                 .segments = 1,
+                 .historical = "clipped_cylinder",
+                 .historical_normal = "normal_clipped_cylinder" },
     .is_other = is_open,
     .other = { .kernel = "open_cylinder",
                .normal = "normal_open_cylinder",
                .segments = 1,
-               .state = "cylinder" },
+               .state = "cylinder",
+               .historical = "open_clipped_cylinder",
+               .historical_normal = "normal_open_clipped_cylinder" },
+    .historical_words = put_historical_words,
 };

@@ -55,6 +55,8 @@ struct shape_kernels {
     const char *state;      /* in a tree, of an open shape: the segments
                                inside of the closed one; else NULL */
     const char *historical; /* the kernel of 1984 */
+    const char *historical_normal; /* where that notes what a normal needs:
+                                      two parameters of a hit; else NULL */
 };
 
 /* ---- The descriptor ------------------------------------------------------ */
@@ -91,8 +93,11 @@ struct shape {
      * routines of that. */
     bool (*is_other)(const struct primitive *primitive);
     struct shape_kernels other;
-    /* Whether the kernel of 1984 can trace it; NULL: there is none. */
+    /* Whether the kernel of 1984 can trace it; NULL: where there is one. */
     bool (*is_historical)(const struct primitive *primitive);
+    /* Its words, as above; NULL: the same. */
+    size_t (*historical_words)(const struct primitive *primitive,
+                               double *words);
 };
 
 #define SHAPE(KIND, name, ...) extern const struct shape shape_##name;

@@ -17,14 +17,30 @@ void shape_words(const struct primitive *primitive, struct shape_words *words)
     words->normal = kernels->normal;
     words->solid = kernels->solid ? kernels->solid : kernels->kernel;
     words->state = kernels->state;
-    words->historical = shape->is_historical
-                                && shape->is_historical(primitive)
-                            ? kernels->historical
-                            : NULL;
     words->on_patch = shape_is_surface(primitive);
     words->segments = shape->segments ? shape->segments(primitive)
                                       : kernels->segments;
     words->events = words->on_patch ? PATCH_CROSSINGS : 2 * words->segments;
+}
+
+bool shape_words_historical(const struct primitive *primitive,
+                            struct shape_words *words)
+{
+    const struct shape *shape = shape_of(primitive);
+    const struct shape_kernels *kernels = shape_kernels_of(primitive);
+
+    shape_words(primitive, words);
+    if (!kernels->historical
+        || (shape->is_historical && !shape->is_historical(primitive)))
+        return false;
+    words->kernel = kernels->historical;
+    if (kernels->historical_normal) {
+        words->normal = kernels->historical_normal;
+        words->on_patch = true;
+    }
+    if (shape->historical_words)
+        words->count = shape->historical_words(primitive, words->words);
+    return true;
 }
 
 double *shape_table(const struct primitive *primitive, size_t count)

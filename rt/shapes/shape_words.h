@@ -19,17 +19,20 @@ struct shape_words {
     bool transformed;            /* it stands in a space of its own */
     bool on_patch;               /* a hit has two parameters, too */
     const char *kernel, *normal; /* routines, in both forms of the program */
-    const char *solid;      /* for all crossings of a ray: the kernel that
-                                    is used in trees */
-    const char *state;      /* for the segments inside of the closed shape,
-                                    if it is open; or NULL */
-    size_t segments;        /* of a ray, inside, at the most */
-    size_t events;          /* crossings of a ray that can be seen */
-    const char *historical; /* the kernel of 1984, or NULL */
+    const char *solid; /* for all crossings of a ray: the kernel that
+                          is used in trees */
+    const char *state; /* for the segments inside of the closed shape,
+                          if it is open; or NULL */
+    size_t segments;   /* of a ray, inside, at the most */
+    size_t events;     /* crossings of a ray that can be seen */
 };
 
 void shape_words(const struct primitive *primitive,
                  struct shape_words *words);
+/* Of one that is traced alone, not in a tree, as the program of 1984 has it.
+ * False: that has no kernel for it; the words are those of today. */
+bool shape_words_historical(const struct primitive *primitive,
+                            struct shape_words *words);
 /* The table, of that many words; the caller frees it.  NULL: no memory. */
 double *shape_table(const struct primitive *primitive, size_t count);
 /* Whether all of that is finite: what squares and reciprocals make of a

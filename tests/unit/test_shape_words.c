@@ -275,6 +275,14 @@ static void set_patch(struct primitive *primitive)
     }
 }
 
+/* The kernel of 1984, or NULL. */
+static const char *historical_kernel(const struct primitive *primitive)
+{
+    struct shape_words words;
+
+    return shape_words_historical(primitive, &words) ? words.kernel : NULL;
+}
+
 static void test_kernels_of_patches(void **state)
 {
     struct primitive patch;
@@ -285,19 +293,51 @@ static void test_kernels_of_patches(void **state)
     words = words_of(&patch);
     assert_string_equal(words.shape.kernel, "rational_steiner");
     assert_string_equal(words.shape.solid, "rational_steiner_crossings");
-    assert_string_equal(words.shape.historical, "rational_steiner_implicit");
+    assert_string_equal(historical_kernel(&patch),
+                        "rational_steiner_implicit");
     assert_true(words.shape.on_patch);
     for (int i = 0; i < STEINER_POINTS; i++)
         patch.shape.steiner_patch.weights[i] = 3;
     words = words_of(&patch);
     assert_string_equal(words.shape.kernel, "steiner");
     assert_string_equal(words.shape.solid, "steiner_crossings");
-    assert_string_equal(words.shape.historical, "steiner_implicit");
+    assert_string_equal(historical_kernel(&patch), "steiner_implicit");
     for (int i = 0; i < STEINER_POINTS; i++)
         patch.shape.steiner_patch.points[i][1] = 2;
     words = words_of(&patch);
-    assert_null(words.shape.historical);
+    assert_null(historical_kernel(&patch));
     assert_int_equal(words.shape.table_count, STEINER_TABLE);
+}
+
+/* Base, axis, radius and the planes of both ends, as the kernel of 1984 wants
+ * them; a hit has the surfaces of entry and exit. */
+static void test_historical_cylinders(void **state)
+{
+    static const double expected[] = { 1, 2,   3, .6, 0, .8, .5,  -.6,
+                                       0, -.8, 3, .6, 0, .8, -13, 2 };
+    struct primitive cylinder = {
+        .kind = PRIMITIVE_CYLINDER,
+        .shape.cylinder = { .base = { 1, 2, 3 },
+                            .cap = { 7, 2, 11 },
+                            .radius = .5 },
+    };
+    struct shape_words words, today;
+
+    (void)state;
+    assert_true(shape_words_historical(&cylinder, &words));
+    assert_string_equal(words.kernel, "clipped_cylinder");
+    assert_string_equal(words.normal, "normal_clipped_cylinder");
+    assert_string_equal(words.solid, "cylinder");
+    assert_true(words.on_patch);
+    assert_int_equal(words.count, sizeof expected / sizeof *expected);
+    for (size_t i = 0; i < words.count; i++)
+        assert_close(words.words[i], expected[i], 1e-14);
+    cylinder.shape.cylinder.open = true;
+    assert_true(shape_words_historical(&cylinder, &words));
+    assert_string_equal(words.kernel, "open_clipped_cylinder");
+    shape_words(&cylinder, &today);
+    assert_string_equal(today.kernel, "open_cylinder");
+    assert_false(today.on_patch);
 }
 
 /* Whichever corner comes first, H(0, 0), H(1, 0) and H(0, 1) are corners, the
@@ -413,6 +453,7 @@ int main(void)
         cmocka_unit_test(test_centers_of_quadrics),
         cmocka_unit_test(test_quadrics_keep_their_values),
         cmocka_unit_test(test_types_of_surfaces),
+        cmocka_unit_test(test_historical_cylinders),
         cmocka_unit_test(test_kernels_of_patches),
         cmocka_unit_test(test_polynomials_of_patches),
         cmocka_unit_test(test_other_planes),

@@ -56,8 +56,10 @@ static void check_routines(const struct object *program,
     check_routine(program, kernels->normal);
     check_routine(program, kernels->solid);
     check_routine(program, kernels->state);
-    if (historical)
+    if (historical) {
         check_routine(program, kernels->historical);
+        check_routine(program, kernels->historical_normal);
+    }
 }
 
 static void check_program(const char *kernel, bool historical)

@@ -227,6 +227,33 @@ near_set\@:
         ADDNV   [\work], [\sum], [\sum]
         .endm
 
+; [c] = [a] x [b]
+        .macro  cross_part a0, b1, a1, b0, c, work
+        MPYSV   [\a1], [\b0], [\work]
+        MPYSV   [\a0], [\b1], [\c]
+        SUBNV   [\c], [\work], [\c]
+        .endm
+
+        .macro  cross a0, a1, a2, b0, b1, b2, c0, c1, c2, work
+        cross_part \a1, \b2, \a2, \b1, \c0, \work
+        cross_part \a2, \b0, \a0, \b2, \c1, \work
+        cross_part \a0, \b1, \a1, \b0, \c2, \work
+        .endm
+
+; The same with a vector constant b.
+        .macro  cross_constant_part a0, b1, a1, b0, c, work
+        MPYSV   [\a1], \b0, [\work]
+        LINKV
+        MPYSV   [\a0], \b1, [\c]
+        SUBNV   [\c], [\work], [\c]
+        .endm
+
+        .macro  cross_constant a0, a1, a2, b0, b1, b2, c0, c1, c2, work
+        cross_constant_part \a1, \b2, \a2, \b1, \c0, \work
+        cross_constant_part \a2, \b0, \a0, \b2, \c1, \work
+        cross_constant_part \a0, \b1, \a1, \b0, \c2, \work
+        .endm
+
 ; Divide x0, x1, x2 by the length of the vector they make.  [length] gets that
 ; length, [work] its reciprocal.
         .macro  normalise x0, x1, x2, length, work

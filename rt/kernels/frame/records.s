@@ -13,7 +13,9 @@
                                 ;    P_KERNEL = transformed
         .field  P_NORMAL           ; address of the routine for the normal
         .field  P_ID               ; its number, from 1, as an integer
-        .field  P_ON_PATCH         ; 1: a hit has two parameters, too
+        .field  P_ON_PATCH         ; 1: a hit has two parameters, too: on a
+                                ;    patch s and t, on a cylinder of 1984
+                                ;    the surfaces of entry and exit
         .field  P_CHECKER          ; 1: the pigment is a checker
         .field  P_TRANSFORMED      ; 1: the shape stands in a space of its own
         .field  P_TABLE            ; address of the words that P_SHAPE has no
@@ -25,6 +27,10 @@
                                 ;   cylinder  centre 3, unit axes u 3, v 3,
                                 ;             w 3 (along), r^2, half length,
                                 ;             1/(2 r), 1/r
+                                ;             of 1984: base 3, unit axis 3,
+                                ;             r, planes of base and cap, each
+                                ;             p 3 and q, outside p . X + q > 0,
+                                ;             1/r
                                 ;   plane     unit normal 3, distance
                                 ;   cone      centre 3, unit axes 9, mean
                                 ;             radius, slope, half length,

@@ -51,16 +51,26 @@ cylinder_along\@:
 cylinder_sided\@:
         .endm
 
+        .ifdef  CYLINDER_HALF_SPACES
+        .include "shapes/cylinder_half_spaces_scalar.s"
+        .else
+        .macro  cut_by_ends miss
+        SUBN    r0, sh13, t9
+        slab    t5, t6, t9, sh13, \miss
+        .endm
+        .endif
+
         .data
 cylinder_save:  .space CYLINDER_REGISTERS
         .code
         .kernel cylinder
+        .ifndef CYLINDER_IN_FRAME
 cylinder:
         enter_kernel cylinder_save, CYLINDER_REGISTERS, 14
         cylinder_side cylinder_miss
-        SUBN    r0, sh13, t9
-        slab    t5, t6, t9, sh13, cylinder_miss
+        cut_by_ends cylinder_miss
         leave_kernel
+        .endif
 cylinder_miss:
         RTOR    big, tin
         RTOR    minus_big, tout
@@ -93,3 +103,11 @@ open_cylinder:
         keep_between_disks t5, t6, sh13, cylinder_miss
         leave_kernel
         .endkernel
+
+        .ifdef  CYLINDER_IN_FRAME
+        .include "shapes/cylinder_in_frame_scalar.s"
+        .endif
+
+        .ifdef  HISTORICAL
+        .include "shapes/cylinder_clipped_scalar.s"
+        .endif

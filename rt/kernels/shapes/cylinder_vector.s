@@ -70,14 +70,24 @@
 cylinder_crossed\@:
         .endm
 
-        .kernel cylinder
-cylinder:
-        load_record P_SHAPE, 15, sh0
-        cylinder_side
+        .ifdef  CYLINDER_HALF_SPACES
+        .include "shapes/cylinder_half_spaces_vector.s"
+        .else
+        .macro  cut_by_ends
         SUBN    r0, sh13, s1
         slab    w5, w6, s1, sh13
+        .endm
+        .endif
+
+        .kernel cylinder
+        .ifndef CYLINDER_IN_FRAME
+cylinder:
+        load_record P_SHAPE, 14, sh0
+        cylinder_side
+        cut_by_ends
         close_segment
         BIM     0, link_kernel
+        .endif
 
 ; Of the crossings tin and tout those that lie between the disks, half from the
 ; middle; [w5], [w6] = o, d along the axis.  Uses w0-w2, bits0-bits2.
@@ -103,8 +113,16 @@ cylinder:
         .endm
 
 open_cylinder:
-        load_record P_SHAPE, 15, sh0
+        load_record P_SHAPE, 14, sh0
         cylinder_side
         keep_between_disks sh13
         BIM     0, link_kernel
         .endkernel
+
+        .ifdef  CYLINDER_IN_FRAME
+        .include "shapes/cylinder_in_frame_vector.s"
+        .endif
+
+        .ifdef  HISTORICAL
+        .include "shapes/cylinder_clipped_vector.s"
+        .endif

@@ -51,3 +51,7 @@ normal_side:
         side_normal sh5, sh8, nz
         BIM     0, normal_link
         .endkernel
+
+        .ifdef  HISTORICAL
+        .include "shapes/normal_cylinder_clipped_scalar.s"
+        .endif

@@ -57,3 +57,7 @@ normal_open_cylinder:
         cylinder_side_normal
         BIM     0, link_kernel
         .endkernel
+
+        .ifdef  HISTORICAL
+        .include "shapes/normal_cylinder_clipped_vector.s"
+        .endif

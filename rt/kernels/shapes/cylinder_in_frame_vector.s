@@ -1,0 +1,105 @@
+; cylinder_in_frame_vector.s - a queue of rays meets a cylinder in the cylinder's
+; own frame, its ends as planes.
+;
+; One of the formulations that were tried for Table 1 (docs/tracer.md).  Frame
+; and record as in cylinder_vector.s; across the axis
+;
+;   a = du^2 + dv^2,  b = ou du + ov dv,  c = ou^2 + ov^2 - r^2
+;   t = (-b - sqrt(b^2 - a c)) / a,  (-b + sqrt(b^2 - a c)) / a
+;                                  valid if |ow + t dw| <= half
+;   t = (-half - ow) / dw,  (half - ow) / dw
+;                                  valid if (ou + t du)^2 + (ov + t dv)^2 <= r^2
+;
+; tin is the least that is valid, tout the greatest.  a < tiny^2: no sides;
+; |dw| < tiny: no ends.
+;
+; In:  ox oy oz dx dy dz, n long; the primitive's record.
+; Out: tin, tout; a miss is big, minus_big.
+; Source: textbook.
+
+; Where bits1 has ones.
+        .macro  candidate t
+        CMPLTV  [\t], [tin], [bits2]
+        ANDB    [bits2], [bits1], [bits2]
+        VTOV    [\t], [tin] ? [bits2]
+        CMPLTV  [tout], [\t], [bits2]
+        ANDB    [bits2], [bits1], [bits2]
+        VTOV    [\t], [tout] ? [bits2]
+        .endm
+
+        .macro  on_side t
+        DIVSV   [\t], [w9], [\t]
+        MPYSV   [\t], [w6], [w10]
+        ADDNV   [w10], [w5], [w10]
+        CMPGEV  sh13, |[w10]|, [bits1]
+        ANDB    [bits1], [bits0], [bits1]
+        candidate \t
+        .endm
+
+        .macro  on_end at
+        SUBNV   \at, [w5], [w2]
+        DIVSV   [w2], [w9], [w2]
+        MPYSV   [w2], [w0], [w3]
+        ADDNV   [w3], [w7], [w3]
+        MPYSV   [w2], [w1], [w4]
+        ADDNV   [w4], [w8], [w4]
+        MPYSV   [w3], [w3], [w3]
+        MPYSV   [w4], [w4], [w4]
+        ADDNV   [w4], [w3], [w3]
+        CMPGEV  sh12, [w3], [bits1]
+        ANDB    [bits1], [bits0], [bits1]
+        candidate w2
+        .endm
+
+; bits2 = the rays along the axis.
+        .macro  along_axis
+        MPYS    tiny, tiny, s0
+        CMPLTV  [w2], s0, [bits2]
+        .endm
+
+        .kernel cylinder
+cylinder:
+        load_record P_SHAPE, 14, sh0
+        SUBNV   [ox], sh0, [w0]
+        SUBNV   [oy], sh1, [w1]
+        SUBNV   [oz], sh2, [w2]
+        dot_constant w0, w1, w2, sh3, sh4, sh5, w7, w9
+        dot_constant w0, w1, w2, sh6, sh7, sh8, w8, w9
+        dot_constant w0, w1, w2, sh9, sh10, sh11, w5, w9
+        dot_constant dx, dy, dz, sh3, sh4, sh5, w0, w9
+        dot_constant dx, dy, dz, sh6, sh7, sh8, w1, w9
+        dot_constant dx, dy, dz, sh9, sh10, sh11, w6, w9
+        MPYSV   [w0], [w0], [w2]
+        MPYSV   [w1], [w1], [w9]
+        ADDNV   [w9], [w2], [w2]                ; a
+        MPYSV   [w7], [w0], [w3]
+        MPYSV   [w8], [w1], [w9]
+        ADDNV   [w9], [w3], [w3]                ; b
+        MPYSV   [w7], [w7], [w4]
+        MPYSV   [w8], [w8], [w9]
+        ADDNV   [w9], [w4], [w4]
+        SUBNV   [w4], sh12, [w4]                ; c
+        VTOV    big, [tin]
+        VTOV    minus_big, [tout]
+        along_axis
+        MASKV   one, [w2], [w9] ? [bits2]
+        MPYSV   [w3], [w3], [w10]
+        MPYSV   [w2], [w4], [w11]
+        SUBNV   [w10], [w11], [w4]
+        CMPGEV  [w4], r0, [bits0]
+        ANDNB   [bits0], [bits2], [bits0]
+        SQRTV   [w4], [w4] ? [bits0]
+        SUBNV   -[w3], [w4], [w11]
+        on_side w11
+        ADDNV   -[w3], [w4], [w11]
+        on_side w11
+        along_axis
+        ORB     [bits0], [bits2], [bits0]
+        CMPLTV  |[w6]|, tiny, [bits2]
+        ANDNB   [bits0], [bits2], [bits0]
+        MASKV   one, [w6], [w9] ? [bits2]
+        SUBN    r0, sh13, s1
+        on_end  s1
+        on_end  sh13
+        BIM     0, link_kernel
+        .endkernel
