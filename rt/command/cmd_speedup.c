@@ -4,6 +4,7 @@
 
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
+#include "rt/study/formulations.h"
 #include "rt/study/speedup_report.h"
 
 static void print_head(const struct rt205_arguments *arguments,
@@ -89,22 +90,30 @@ static bool print(const struct rt205_arguments *arguments,
                || speedup_report_passes(report, format, results->file));
 }
 
-static bool write_json(const struct rt205_arguments *arguments,
-                       const struct speedup_report *report, struct json *json,
-                       c205_error *error)
+/* On what, and how it was measured; models of so many projections. */
+static bool write_head(const struct rt205_arguments *arguments,
+                       int projections, struct json *json, c205_error *error)
 {
     bool good;
 
     provenance_json(arguments->trace.model, json);
     json_array(json, "projections");
-    good = each_projection(arguments, SPEEDUP_PROJECTIONS, write_projection,
-                           json, error);
+    good = each_projection(arguments, projections, write_projection, json,
+                           error);
     json_end(json);
     json_count(json, "queue", arguments->trace.queue);
     json_number(json, "distance", arguments->view.distance);
     json_number(json, "angle", arguments->view.angle);
     json_truth(json, "equal_frames", true);
-    return good && speedup_report_json(report, json);
+    return good;
+}
+
+static bool write_json(const struct rt205_arguments *arguments,
+                       const struct speedup_report *report, struct json *json,
+                       c205_error *error)
+{
+    return write_head(arguments, SPEEDUP_PROJECTIONS, json, error)
+           && speedup_report_json(report, json);
 }
 
 static bool measure_all(const struct rt205_arguments *arguments,
@@ -114,7 +123,9 @@ static bool measure_all(const struct rt205_arguments *arguments,
         *measures)[TRACE_FORMS] = calloc(speedup_subject_count,
                                          sizeof *measures);
     bool good = measures
-                && speedup_measure_all(&arguments->view, &arguments->trace,
+                && speedup_measure_all(speedup_subjects,
+                                       speedup_subject_count,
+                                       &arguments->view, &arguments->trace,
                                        measures, error);
 
     for (size_t i = 0; good && i < speedup_subject_count; i++)
@@ -141,9 +152,67 @@ static int speedup(const struct rt205_arguments *arguments,
                 : cmd_failed(arguments->command, "%s", error.message);
 }
 
-static int run_command_line(void *arguments)
+/* ---- Formulations of the cylinder ---------------------------------------- */
+
+static bool tell_formulations(const struct rt205_arguments *arguments,
+                              const struct table *table,
+                              const struct results *results,
+                              c205_error *error)
 {
-    return cmd_with_machine(arguments, speedup);
+    struct results printed = *results;
+
+    if (results->file) {
+        enum table_format format = results_table_format(results);
+
+        print_head(arguments, results);
+        table_heading("Table 1's cylinder in other formulations, CPU seconds "
+                      "for 100,000 rays",
+                      format, results->file);
+        if (!table_write(table, format, results->file))
+            return false;
+        putc('\n', results->file);
+        results_model(results, arguments->trace.model);
+        if (!each_projection(arguments, SPEEDUP_720 + 1, print_projection,
+                             &printed, error))
+            return false;
+    }
+    return !results->json
+           || (write_head(arguments, SPEEDUP_720 + 1, results->json, error)
+               && table_json(table, results->json, "formulations"));
+}
+
+static int formulations(const struct rt205_arguments *arguments,
+                        const struct results *results)
+{
+    struct speedup_measure(
+        *measures)[TRACE_FORMS] = calloc(speedup_formulation_count,
+                                         sizeof *measures);
+    struct table *table = NULL;
+    c205_error error = { "no memory" };
+    bool good;
+
+    if (measures
+        && speedup_measure_all(speedup_formulations,
+                               speedup_formulation_count, &arguments->view,
+                               &arguments->trace, measures, &error))
+        table = formulations_table(arguments->trace.model,
+                                   (const struct speedup_measure(
+                                           *)[TRACE_FORMS])measures);
+    good = table && tell_formulations(arguments, table, results, &error);
+    table_free(table);
+    free(measures);
+    return good ? CMD_DONE
+                : cmd_failed(arguments->command, "%s", error.message);
+}
+
+/* ---- The command --------------------------------------------------------- */
+
+static int run_command_line(void *given)
+{
+    struct rt205_arguments *arguments = given;
+
+    return cmd_with_machine(arguments,
+                            arguments->formulations ? formulations : speedup);
 }
 
 static const struct command_option options[] = {
@@ -154,6 +223,9 @@ static const struct command_option options[] = {
              "also where the clocks went, what the root solver takes, and a "
              "machine that Table 1 lacks"),
     CMD_FLAG("passes", passes, "also the root solver's vectors pass by pass"),
+    CMD_FLAG("formulations", formulations,
+             "the cylinder in the formulations that were tried, in place of "
+             "Table 1"),
     CMD_MODEL,
     CMD_JOBS("frames traced at a time"),
     CMD_RESULTS,

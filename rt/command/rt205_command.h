@@ -40,6 +40,7 @@ struct rt205_arguments {
     bool all, first;      /* roots of polynomials */
     bool details, passes; /* of the speedup table; the passes are the root
                              solver's, one by one */
+    bool formulations;    /* of the cylinder, in place of that table */
     int falsi;            /* the rule; FALSI_RULES: all of them, compared */
     struct progress progress;
     struct command_texts search; /* folders for includes */
@@ -88,7 +89,7 @@ command_choice cmd_mode_choice, cmd_visible_choice;
       .preset = TRACE_VECTOR, .help = what }
 #define CMD_BOUNDS \
     CMD_FLAG("historical", trace.historical, \
-             "Steiner patches the way of 1984"), \
+             "cylinders and Steiner patches the way of 1984"), \
     CMD_FLAG("no-bounds", trace.no_bounds, \
              "every ray goes against every primitive"), \
     { .name = "visible", .value = "WAY", .kind = COMMAND_CHOICE, \

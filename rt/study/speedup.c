@@ -30,6 +30,10 @@ const char *speedup_projection_model(const c205_model *model,
     "steiner_patch { <-1.1, -.8, .5>, <1.2, -.8, .5>, <0, .9, .5>," \
     " <.1, -1.5, -1>, <1.3, .6, -.8>, <-1.4, .5, -.8> }"
 
+#define CYLINDER "cylinder { <-1, -.6, .4>, <1, .6, -.4>, .75 }"
+#define CYLINDER_ROW \
+    .shape = CYLINDER, .from = { 0, 0, -1 }, .regions = { "call", "cylinder" }
+
 /* Source of the times and of the share: Plunkett, Cychosz, Bailey 1984. */
 const struct speedup_subject speedup_subjects[] = {
     { .name = "sphere",
@@ -38,10 +42,10 @@ const struct speedup_subject speedup_subjects[] = {
       .regions = { "call", "sphere" },
       .paper = { { .944, .0279 }, 33.81, { { 13.1, 469 } }, 0 } },
     { .name = "cylinder",
-      .shape = "cylinder { <-1, -.6, .4>, <1, .6, -.4>, .75 }",
-      .from = { 0, 0, -1 },
-      .regions = { "call", "cylinder" },
+      CYLINDER_ROW,
+      .historical = true,
       .paper = { { 2.729, .1614 }, 16.91, { { 51.48, 318 } }, 0 } },
+    { .name = "cylinder, ours", CYLINDER_ROW },
     { .name = "Steiner",
       .shape = PATCH,
       .from = { .48, .6, -.64 },
@@ -60,6 +64,29 @@ const struct speedup_subject speedup_subjects[] = {
 };
 const size_t speedup_subject_count = sizeof speedup_subjects
                                      / sizeof *speedup_subjects;
+
+const struct speedup_subject speedup_formulations[] = {
+    { .name = "Cychosz and Waggenspack, surfaces noted",
+      CYLINDER_ROW,
+      .historical = true },
+    { .name = "the same without surfaces",
+      CYLINDER_ROW,
+      .historical = true,
+      .variant = "CYLINDER_UNNOTED" },
+    { .name = "the first, one reciprocal for three divisions",
+      CYLINDER_ROW,
+      .historical = true,
+      .variant = "CYLINDER_RECIPROCALS" },
+    { .name = "own frame, both ends as planes",
+      CYLINDER_ROW,
+      .variant = "CYLINDER_IN_FRAME" },
+    { .name = "side and two half spaces, merged",
+      CYLINDER_ROW,
+      .variant = "CYLINDER_HALF_SPACES" },
+    { .name = "ours", CYLINDER_ROW },
+};
+const size_t speedup_formulation_count = sizeof speedup_formulations
+                                         / sizeof *speedup_formulations;
 
 static void print_scene(char *text, size_t size,
                         const struct speedup_subject *subject,
@@ -283,6 +310,7 @@ struct trace *speedup_trace(const struct speedup_subject *subject,
     struct trace_options how = *options;
 
     how.historical = subject->historical;
+    how.variant = subject->variant;
     how.no_bounds = true;
     how.band = options->width * options->height;
     *scene = read_scene(subject, view, options, error);
@@ -307,9 +335,10 @@ bool speedup_measure(const struct speedup_subject *subject,
     return good;
 }
 
-/* ---- All of Table 1 ------------------------------------------------------ */
+/* ---- All of a table ------------------------------------------------------ */
 
 struct measuring {
+    const struct speedup_subject *subjects;
     const struct speedup_view *view;
     const struct trace_options *options;
     struct speedup_measure (*measures)[TRACE_FORMS];
@@ -327,7 +356,7 @@ static bool measure_form(void *context, const struct task *task,
     options.jobs = 1;
     options.progress = task->progress;
     options.context = task->context;
-    return speedup_measure(&speedup_subjects[subject], measuring->view,
+    return speedup_measure(&measuring->subjects[subject], measuring->view,
                            &options, &measuring->measures[subject][mode],
                            error);
 }
@@ -336,22 +365,23 @@ static bool measure_form(void *context, const struct task *task,
  * those with long kernels. */
 static double form_weight(const void *context, size_t number)
 {
+    const struct measuring *measuring = context;
     const struct speedup_subject
-        *subject = &speedup_subjects[number / TRACE_FORMS];
+        *subject = &measuring->subjects[number / TRACE_FORMS];
 
-    (void)context;
     if (number % TRACE_FORMS == TRACE_VECTOR)
         return 1;
     return subject->regions[2] ? 20 : 3;
 }
 
-bool speedup_measure_all(const struct speedup_view *view,
+bool speedup_measure_all(const struct speedup_subject *subjects, size_t count,
+                         const struct speedup_view *view,
                          const struct trace_options *options,
                          struct speedup_measure (*measures)[TRACE_FORMS],
                          c205_error *error)
 {
-    struct measuring measuring = { view, options, measures };
-    const struct tasks tasks = { .count = TRACE_FORMS * speedup_subject_count,
+    struct measuring measuring = { subjects, view, options, measures };
+    const struct tasks tasks = { .count = TRACE_FORMS * count,
                                  .jobs = options->jobs,
                                  .run = measure_form,
                                  .weight = form_weight,
@@ -361,14 +391,14 @@ bool speedup_measure_all(const struct speedup_view *view,
 
     if (!tasks_run(&tasks, error))
         return false;
-    for (size_t i = 0; i < speedup_subject_count; i++) {
+    for (size_t i = 0; i < count; i++) {
         const struct speedup_measure *forms = measures[i];
 
         if (forms[TRACE_SCALAR].checksum == forms[TRACE_VECTOR].checksum)
             continue;
         snprintf(error->message, sizeof error->message,
                  "%s: the scalar and the vector form do not agree",
-                 speedup_subjects[i].name);
+                 subjects[i].name);
         return false;
     }
     return true;

@@ -36,16 +36,22 @@ struct speedup_paper {
 };
 
 struct speedup_subject {
-    const char *name;  /* of the row */
-    const char *shape; /* its text in the scene language */
-    double from[3];    /* the eye, seen from the origin; of length one */
-    bool historical;   /* by the paper's methods */
+    const char *name;    /* of the row */
+    const char *shape;   /* its text in the scene language */
+    double from[3];      /* the eye, seen from the origin; of length one */
+    bool historical;     /* by the paper's methods */
+    const char *variant; /* as in trace_options; or NULL */
     const char *regions[SPEEDUP_REGIONS_MOST]; /* NULL after the last */
     struct speedup_paper paper;
 };
 
 extern const struct speedup_subject speedup_subjects[];
 extern const size_t speedup_subject_count;
+
+/* Table 1's cylinder in the formulations that were tried, its own the first. */
+extern const struct speedup_subject speedup_formulations[];
+extern const size_t speedup_formulation_count;
+
 /* The region whose share the paper tells. */
 extern const char speedup_solver[];
 
@@ -90,10 +96,11 @@ bool speedup_measure(const struct speedup_subject *subject,
                      const struct trace_options *options,
                      struct speedup_measure *measure, c205_error *error);
 
-/* All subjects in both forms, options.jobs frames at a time: measures[i] of
- * speedup_subjects[i].  The frames of both forms are equal; false: they are
+/* Count subjects in both forms, options.jobs frames at a time: measures[i] of
+ * subjects[i].  The frames of both forms are equal; false: they are
  * not, or the error says why else. */
-bool speedup_measure_all(const struct speedup_view *view,
+bool speedup_measure_all(const struct speedup_subject *subjects, size_t count,
+                         const struct speedup_view *view,
                          const struct trace_options *options,
                          struct speedup_measure (*measures)[TRACE_FORMS],
                          c205_error *error);

@@ -161,44 +161,50 @@ static double scaled(double seconds, const struct speedup_measure *measure)
     return seconds * SPEEDUP_PAPER_RAYS / (double)measure->rays;
 }
 
-static double scaled_seconds(const struct speedup_report *report,
+static double scaled_seconds(const c205_model *model,
                              const struct speedup_measure *measure)
 {
-    return scaled(accounts_seconds(report->model, measure->total), measure);
+    return scaled(accounts_seconds(model, measure->total), measure);
 }
 
-/* The figures of a line of Table 1, in the order of its columns. */
-enum { SCALAR_S, VECTOR_S, OTHER_S, OVER_SCALAR, OVER_OTHER, FIGURES };
-
-static void find_ours(const struct speedup_report *report,
-                      const struct speedup_measure measures[TRACE_FORMS],
-                      double figures[FIGURES])
+void speedup_figures(const c205_model *model,
+                     const struct speedup_measure measures[TRACE_FORMS],
+                     double figures[SPEEDUP_FIGURES])
 {
     const struct speedup_measure *scalar = &measures[TRACE_SCALAR];
 
-    figures[SCALAR_S] = scaled_seconds(report, scalar);
-    figures[VECTOR_S] = scaled_seconds(report, &measures[TRACE_VECTOR]);
-    figures[OTHER_S] = scaled(scalar->projected[SPEEDUP_720], scalar);
-    figures[OVER_SCALAR] = figures[SCALAR_S] / figures[VECTOR_S];
-    figures[OVER_OTHER] = figures[OTHER_S] / figures[VECTOR_S];
+    double vector = scaled_seconds(model, &measures[TRACE_VECTOR]);
+
+    figures[SPEEDUP_SCALAR_SECONDS] = scaled_seconds(model, scalar);
+    figures[SPEEDUP_VECTOR_SECONDS] = vector;
+    figures[SPEEDUP_720_SECONDS] = scaled(scalar->projected[SPEEDUP_720],
+                                          scalar);
+    figures[SPEEDUP_OVER_SCALAR] = figures[SPEEDUP_SCALAR_SECONDS] / vector;
+    figures[SPEEDUP_OVER_720] = figures[SPEEDUP_720_SECONDS] / vector;
 }
 
-static void find_paper(const struct speedup_paper *paper,
-                       double figures[FIGURES])
+void speedup_paper_figures(const struct speedup_paper *paper,
+                           double figures[SPEEDUP_FIGURES])
 {
-    figures[SCALAR_S] = paper->seconds[TRACE_SCALAR];
-    figures[VECTOR_S] = paper->seconds[TRACE_VECTOR];
-    figures[OTHER_S] = paper->projected[SPEEDUP_720].seconds;
-    figures[OVER_SCALAR] = paper->speedup;
-    figures[OVER_OTHER] = paper->projected[SPEEDUP_720].speedup;
+    figures[SPEEDUP_SCALAR_SECONDS] = paper->seconds[TRACE_SCALAR];
+    figures[SPEEDUP_VECTOR_SECONDS] = paper->seconds[TRACE_VECTOR];
+    figures[SPEEDUP_720_SECONDS] = paper->projected[SPEEDUP_720].seconds;
+    figures[SPEEDUP_OVER_SCALAR] = paper->speedup;
+    figures[SPEEDUP_OVER_720] = paper->projected[SPEEDUP_720].speedup;
+}
+
+double speedup_error(double figure, double told)
+{
+    return 100 * (figure / told - 1);
 }
 
 static void add_figures(struct table *table, const char *primitive,
-                        const char *whose, const double figures[FIGURES])
+                        const char *whose,
+                        const double figures[SPEEDUP_FIGURES])
 {
     table_text(table, primitive);
     table_text(table, whose);
-    for (int i = 0; i < FIGURES; i++)
+    for (int i = 0; i < SPEEDUP_FIGURES; i++)
         table_number(table, figures[i]);
 }
 
@@ -207,18 +213,18 @@ static void add_table1(struct speedup_report *report,
                        const struct speedup_measure measures[TRACE_FORMS])
 {
     struct table *table = report->tables[TABLE1];
-    double ours[FIGURES], paper[FIGURES];
+    double ours[SPEEDUP_FIGURES], paper[SPEEDUP_FIGURES];
 
-    find_ours(report, measures, ours);
-    find_paper(&subject->paper, paper);
+    speedup_figures(report->model, measures, ours);
+    speedup_paper_figures(&subject->paper, paper);
     add_figures(table, subject->name, "ours", ours);
-    if (paper[SCALAR_S] == 0)
+    if (paper[SPEEDUP_SCALAR_SECONDS] == 0)
         return;
     add_figures(table, subject->name, "paper", paper);
     table_text(table, subject->name);
     table_text(table, "error %");
-    for (int i = 0; i < FIGURES; i++)
-        table_signed(table, 100 * (ours[i] / paper[i] - 1), 1);
+    for (int i = 0; i < SPEEDUP_FIGURES; i++)
+        table_signed(table, speedup_error(ours[i], paper[i]), 1);
 }
 
 static void add_rays(struct table *table,
@@ -268,8 +274,9 @@ static void add_projected(struct speedup_report *report,
     table_text(table, subject->name);
     table_text(table, speedup_projections[SPEEDUP_6600]);
     table_number(table, seconds);
-    table_number(table,
-                 seconds / scaled_seconds(report, &measures[TRACE_VECTOR]));
+    table_number(table, seconds
+                            / scaled_seconds(report->model,
+                                             &measures[TRACE_VECTOR]));
 }
 
 static void add_shares(struct table *table,

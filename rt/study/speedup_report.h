@@ -8,6 +8,24 @@
 #include "base/table.h"
 #include "rt/study/speedup.h"
 
+/* A line of Table 1: CPU seconds for SPEEDUP_PAPER_RAYS, and how much faster
+ * the 205's vector form is. */
+enum speedup_figure {
+    SPEEDUP_SCALAR_SECONDS,
+    SPEEDUP_VECTOR_SECONDS,
+    SPEEDUP_720_SECONDS,
+    SPEEDUP_OVER_SCALAR,
+    SPEEDUP_OVER_720,
+    SPEEDUP_FIGURES
+};
+void speedup_figures(const c205_model *model,
+                     const struct speedup_measure measures[TRACE_FORMS],
+                     double figures[SPEEDUP_FIGURES]);
+void speedup_paper_figures(const struct speedup_paper *paper,
+                           double figures[SPEEDUP_FIGURES]);
+/* By how many percent a figure is off. */
+double speedup_error(double figure, double told);
+
 struct speedup_report;
 
 /* The model, whose seconds count, must outlive it.  NULL: no memory. */

@@ -124,11 +124,14 @@ static struct object *assemble_form(const struct trace_options *options,
         { NULL, 0 },
         { NULL, 0 },
         { NULL, 0 },
+        { NULL, 0 },
     };
     struct asm_define *next = &defines[1];
 
     if (options->historical)
         *next++ = (struct asm_define){ "HISTORICAL", 1 };
+    if (options->variant)
+        *next++ = (struct asm_define){ options->variant, 1 };
     if (options->visible != VISIBLE_DEFAULT)
         *next++ = (struct asm_define){ "VISIBLE", options->visible };
     if (crossings > CROSSINGS_USUAL)

@@ -44,8 +44,11 @@ struct trace_options {
     size_t band;          /* pixels of a band at the most, but one row at
                                 the least; 0: TRACE_BAND */
     size_t jobs;          /* bands traced at a time; 0: one */
-    bool historical;      /* the paper's way to Steiner patches: by their
-                                implicit quartic, with its falsi */
+    bool historical;      /* the paper's ways: to Steiner patches by their
+                                implicit quartic, with its falsi; to
+                                cylinders by the distance from the axis */
+    const char *variant;  /* a constant more that the kernels know, of a
+                                formulation that is studied; or NULL */
     enum visible visible; /* of solids; vector mode only */
     bool no_bounds;       /* every ray goes against every primitive */
     const struct observer *const *observers; /* of every machine; end with

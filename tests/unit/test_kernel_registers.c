@@ -11,6 +11,7 @@
 #include "rt/shapes/kernels.h"
 #include "rt/layout/program.h"
 #include "rt/roots/roots.h"
+#include "rt/study/speedup.h"
 #include "tests/oracle/register_owners.h"
 #include "vm/text.h"
 
@@ -75,6 +76,24 @@ static void test_assembled(void **state)
     assert_int_equal(programs, 5);
 }
 
+/* The cylinder as it is studied. */
+static void test_formulations(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < speedup_formulation_count; i++) {
+        const struct speedup_subject *subject = &speedup_formulations[i];
+        const struct asm_define defines[] = {
+            { "QUEUE", 10 },
+            { subject->historical ? "HISTORICAL" : "PRESENT", 1 },
+            { subject->variant, 1 },
+            { NULL, 0 },
+        };
+
+        check_assembled("frame/frame_scalar.s", defines);
+        check_assembled("frame/frame_vector.s", defines);
+    }
+}
+
 /* The measured programs of the fit, which call as the kernels do. */
 static void test_fit_programs(void **state)
 {
@@ -136,13 +155,15 @@ static struct object *assemble(const struct trace_options *options)
         [TRACE_VECTOR] = "frame/frame_vector.s",
         [TRACE_KERNELS] = "frame/frame_1984.s",
     };
-    struct asm_define defines[4] = { { "QUEUE", (int64_t)options->queue } };
+    struct asm_define defines[5] = { { "QUEUE", (int64_t)options->queue } };
     size_t count = 1;
     c205_error error = { "" };
     struct object *program;
 
     if (options->historical)
         defines[count++] = (struct asm_define){ "HISTORICAL", 1 };
+    if (options->variant)
+        defines[count++] = (struct asm_define){ options->variant, 1 };
     if (options->visible != VISIBLE_DEFAULT)
         defines[count] = (struct asm_define){ "VISIBLE", options->visible };
     program = program_assemble(programs[options->mode], defines, &error);
@@ -168,7 +189,7 @@ static void trace_watched(const struct scene *scene,
     object_free(program);
 }
 
-/* In all modes; no_bounds, historical and visible as they are. */
+/* In all modes; no_bounds, historical, variant and visible as they are. */
 static void trace_modes(const struct scene *scene, size_t queue,
                         const char *what)
 {
@@ -176,6 +197,7 @@ static void trace_modes(const struct scene *scene, size_t queue,
                                      .height = ROWS,
                                      .queue = queue,
                                      .historical = traced.historical,
+                                     .variant = traced.variant,
                                      .visible = traced.visible,
                                      .no_bounds = traced.no_bounds,
                                      .model = prior_model };
@@ -184,6 +206,25 @@ static void trace_modes(const struct scene *scene, size_t queue,
         options.mode = (enum trace_mode)mode;
         trace_watched(scene, &options, what);
     }
+}
+
+static void test_cylinders(void **state)
+{
+    static const char text[] = HEAD
+        "camera { location <0, 1, -6> look_at 0 }\n"
+        "cylinder { -x, <1, .5, .3>, .6 }"
+        "cylinder { <-1, 1, -1>, <1, 1, 1>, .4 open rotate 30*x }";
+    struct scene *scene = read_text(text);
+
+    (void)state;
+    for (size_t i = 0; i < speedup_formulation_count; i++) {
+        traced.historical = speedup_formulations[i].historical;
+        traced.variant = speedup_formulations[i].variant;
+        trace_modes(scene, COLUMNS - 1, speedup_formulations[i].name);
+    }
+    traced.historical = false;
+    traced.variant = NULL;
+    scene_free(scene);
 }
 
 static void test_scenes(void **state)
@@ -296,7 +337,9 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_assembled),
+        cmocka_unit_test(test_formulations),
         cmocka_unit_test(test_fit_programs),
+        cmocka_unit_test(test_cylinders),
         cmocka_unit_test(test_scenes),
         cmocka_unit_test(test_random_solids),
         cmocka_unit_test(test_roots),

@@ -1,4 +1,5 @@
 /* test_speedup.c - the rows of rt205 speedup, in small frames. */
+#include "rt/study/formulations.h"
 #include "rt/study/speedup_report.h"
 
 #include <math.h>
@@ -392,6 +393,58 @@ static void test_width(void **state)
     }
 }
 
+/* ---- Formulations ---------------------------------------------------------- */
+
+/* All see the same, each takes its own time, and the first is Table 1's. */
+static void test_formulations(void **state)
+{
+    struct speedup_measure(
+        *measures)[TRACE_FORMS] = calloc(speedup_formulation_count,
+                                         sizeof *measures);
+    const struct csv_table *table1 = read_table1();
+    static struct csv_table csv;
+    struct table *table;
+    FILE *stream;
+
+    (void)state;
+    assert_non_null(measures);
+    for (size_t i = 0; i < speedup_formulation_count; i++) {
+        measure(&speedup_formulations[i], &view, measures[i]);
+        assert_true(measures[i][TRACE_SCALAR].checksum
+                    == measures[i][TRACE_VECTOR].checksum);
+        assert_int_equal(measures[i][TRACE_SCALAR].hits,
+                         measures[0][TRACE_SCALAR].hits);
+        for (size_t k = 0; k < i; k++)
+            for (int mode = 0; mode < TRACE_FORMS; mode++)
+                assert_true(measures[i][mode].total
+                            != measures[k][mode].total);
+    }
+    table = formulations_table(model,
+                               (const struct speedup_measure(*)[TRACE_FORMS])
+                                   measures);
+    stream = fmemopen(text, sizeof text, "w");
+    assert_true(table && stream);
+    assert_true(table_write(table, TABLE_CSV, stream));
+    assert_int_equal(fclose(stream), 0);
+    assert_string_equal(csv_table(text, &csv), "");
+    assert_int_equal(csv.rows, 2 + speedup_formulation_count);
+    for (int i = 0; i < TRACE_FORMS + 1; i++) {
+        double told = strtod(csv.cell[1][1 + 2 * i], NULL);
+
+        assert_true(told == printed[1].figures[i]);
+        assert_string_equal(csv.cell[1][2 + 2 * i], "");
+        assert_near(strtod(csv.cell[2][1 + 2 * i], NULL),
+                    figure(table1, line_of(table1, "cylinder", "ours"), i));
+        for (size_t row = 2; row < csv.rows; row++)
+            assert_near(strtod(csv.cell[row][2 + 2 * i], NULL),
+                        100
+                            * (strtod(csv.cell[row][1 + 2 * i], NULL) / told
+                               - 1));
+    }
+    table_free(table);
+    free(measures);
+}
+
 /* ---- Formats ------------------------------------------------------------ */
 
 /* The shapes have commas. */
@@ -503,6 +556,7 @@ int main(void)
         cmocka_unit_test(test_our_lines),
         cmocka_unit_test(test_scale),
         cmocka_unit_test(test_width),
+        cmocka_unit_test(test_formulations),
         cmocka_unit_test(test_csv),
         cmocka_unit_test(test_markdown),
         cmocka_unit_test(test_projection_models),

@@ -24,6 +24,7 @@ struct words *trace_words(const struct scene *scene, enum trace_mode mode,
                                      .height = traced.height,
                                      .queue = queue,
                                      .historical = traced.historical,
+                                     .variant = traced.variant,
                                      .visible = traced.visible,
                                      .no_bounds = traced.no_bounds,
                                      .model = prior_model };

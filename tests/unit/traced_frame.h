@@ -58,6 +58,7 @@ struct traced {
     size_t queues[MOST_QUEUES]; /* as long as those of QUEUES; then 0 */
     uint64_t random;            /* of the scenes */
     bool historical, no_bounds; /* as in trace_options */
+    const char *variant;        /* likewise */
     enum visible visible;       /* likewise */
     bool reported;              /* there may be reports about the scene */
 };

@@ -1,0 +1,179 @@
+/* Cylinders, in every formulation that the kernels know: both forms of the
+ * tracer agree, and meet them where the plain tracer does and geometry says,
+ * with the normals of the surfaces that are hit. */
+#define SMALL_FRAMES
+#include "tests/unit/traced_frame.h"
+
+#include "rt/study/speedup.h"
+
+/* Of the middle ray: how far it is to the cylinder, and the normal there,
+ * turned against it. */
+struct hit {
+    double depth, normal[3];
+};
+
+static void check_hit(const char *text, struct hit hit)
+{
+    struct words *words = same_frame(text);
+    size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
+    const double expected[] = { hit.depth, hit.normal[0], hit.normal[1],
+                                hit.normal[2] };
+
+    assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][middle]), 1);
+    for (int i = 0; i < 4; i++) {
+        double found = c205_to_double(
+            words->channel[CHANNEL_DEPTH + i][middle]);
+
+        if (!(fabs(found - expected[i]) <= 5e-11 * (1 + fabs(expected[i]) / 100)))
+            fail_msg("%s: %d is %.15g, not %.15g", text, i, found,
+                     expected[i]);
+    }
+    check_paper_stage(text, words);
+    free(words);
+}
+
+/* The ends of an axis; a third of them point at the eye. */
+static void add_axis(char *text, size_t size)
+{
+    static const char *const axes[] = {
+        "<.4, .2, -1>, <.4, .2, 1.5>", "<-1, .3, 0>, <2, .3, 0>"
+    };
+    unsigned which = (unsigned)(xorshift(&traced.random) % 6);
+
+    if (which < 2) {
+        add_text(text, size, "%s", axes[which]);
+        return;
+    }
+    add_point(text, size, 2.5);
+    add_text(text, size, ", ");
+    add_point(text, size, 2.5);
+}
+
+static void add_cylinder(char *text, size_t size)
+{
+    add_text(text, size, "cylinder { ");
+    add_axis(text, size);
+    add_text(text, size, ", %.6f %s ", between(.2, 1.2),
+             xorshift(&traced.random) % 3 ? "" : "open");
+}
+
+static void check_scenes(void)
+{
+    char text[4096] = AHEAD;
+
+    check_random_scenes(add_cylinder, 3);
+    for (int i = 0; i < 5; i++) {
+        add_cylinder(text, sizeof text);
+        add_text(text, sizeof text, "pigment { rgb <.3, .5, .%d> } }\n", i);
+    }
+    free(plain_frame(text));
+}
+
+/* Side and ends from outside, along the axis and aslant, and from inside. */
+#define SOLID "cylinder { <0, 0, -1>, <0, 0, 2>, .5 "
+#define SLOPE "cylinder { <-.6, 0, -.8>, <.6, 0, .8>, .5 "
+
+static void check_solids(void)
+{
+    check_hit(STRAIGHT SOLID "}", (struct hit){ 4, { 0, 0, -1 } });
+    check_hit(STRAIGHT SOLID "rotate 180*y }",
+              (struct hit){ 3, { 0, 0, -1 } });
+    check_hit(STRAIGHT SOLID "rotate 90*y }",
+              (struct hit){ 4.5, { 0, 0, -1 } });
+    check_hit(STRAIGHT SOLID "rotate 90*x translate -.3*x }",
+              (struct hit){ 4.6, { .6, 0, -.8 } });
+    check_hit(STRAIGHT SOLID "translate <.2, .1, -5> }",
+              (struct hit){ 2, { 0, 0, -1 } });
+    check_hit(STRAIGHT SOLID "rotate 180*y translate -5*z }",
+              (struct hit){ 1, { 0, 0, -1 } });
+    check_hit(STRAIGHT SOLID "rotate 90*x translate -5*z }",
+              (struct hit){ .5, { 0, 0, -1 } });
+    check_hit(STRAIGHT SLOPE "}",
+              (struct hit){ 5 - .5 / .6, { .8, 0, -.6 } });
+    check_hit(STRAIGHT SLOPE "translate .4*x }",
+              (struct hit){ 4.05, { -.6, 0, -.8 } });
+    check_hit(STRAIGHT SLOPE "translate <.9, 0, 1.2> }",
+              (struct hit){ 5.625, { -.6, 0, -.8 } });
+    check_hit(STRAIGHT SLOPE "translate -5*z }",
+              (struct hit){ .5 / .6, { .8, 0, -.6 } });
+    check_hit(STRAIGHT SLOPE "translate <-.4, 0, -5> }",
+              (struct hit){ .95, { -.6, 0, -.8 } });
+    check_hit(STRAIGHT SLOPE "scale 1000 translate 4000*z }",
+              (struct hit){ 4005 - 500 / .6, { .8, 0, -.6 } });
+}
+
+static void check_misses(void)
+{
+    check_middle(STRAIGHT SOLID "translate .6*x }", 0, 0);
+    check_middle(STRAIGHT SOLID "translate <.36, .36, 0> }", 0, 0);
+    check_middle(STRAIGHT SOLID "rotate 90*y translate .6*y }", 0, 0);
+    check_middle(STRAIGHT SOLID "rotate 90*x translate -1.1*y }", 0, 0);
+    check_middle(STRAIGHT SOLID "translate -8*z }", 0, 0);
+    check_middle(STRAIGHT SLOPE "translate <1.4, 0, 1.2> }", 0, 0);
+}
+
+/* Without the ends: seen through one, the side from within. */
+static void check_tubes(void)
+{
+    check_middle(STRAIGHT SOLID "open }", 0, 0);
+    check_middle(STRAIGHT SOLID "open translate .6*x }", 0, 0);
+    check_hit(STRAIGHT SOLID "open rotate 90*y }",
+              (struct hit){ 4.5, { 0, 0, -1 } });
+    check_hit(STRAIGHT SLOPE "open }",
+              (struct hit){ 5 - .5 / .6, { .8, 0, -.6 } });
+    check_hit(STRAIGHT SLOPE "open translate .4*x }",
+              (struct hit){ 5.3, { .8, 0, -.6 } });
+    check_hit(STRAIGHT SLOPE "open translate -.4*x }",
+              (struct hit){ 4.7, { .8, 0, -.6 } });
+    check_hit(STRAIGHT SLOPE "open translate -5*z }",
+              (struct hit){ .5 / .6, { .8, 0, -.6 } });
+    check_middle(STRAIGHT SLOPE "open translate <-.4, 0, -5> }", 0, 0);
+}
+
+static void check_all(void)
+{
+    check_scenes();
+    check_solids();
+    check_misses();
+    check_tubes();
+}
+
+static void test_formulations(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < speedup_formulation_count; i++) {
+        traced.historical = speedup_formulations[i].historical;
+        traced.variant = speedup_formulations[i].variant;
+        check_all();
+    }
+    traced.historical = false;
+    traced.variant = NULL;
+}
+
+/* In a tree and where it is clear it is that of today. */
+static void test_trees(void **state)
+{
+    static const char text[] =
+        AHEAD "difference { " SOLID "rotate 40*y } sphere { -z, .8 } }"
+              "cylinder { -2*y, 2*y, .4 translate 1.2*x"
+              " pigment { rgbf <1, .5, .5, .6> } }";
+    struct words *today = plain_frame(text), *then;
+
+    (void)state;
+    traced.historical = true;
+    then = plain_frame(text);
+    assert_memory_equal(today, then, sizeof *today);
+    traced.historical = false;
+    free(today);
+    free(then);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_formulations),
+        cmocka_unit_test(test_trees),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
+}
