@@ -4,8 +4,8 @@
 # The three stages, with queues of any length, with and without bounding
 # volumes, give the same frame, bit for bit; the frame is the plain C tracer's,
 # and that one is POV-Ray's picture of the same file, within the tolerances that
-# check_scene states.  The way of 1984 to patches gives the plain tracer's frame,
-# too.
+# check_scene states.  The way of 1984 to patches and cylinders gives the plain
+# tracer's frame, too.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1
@@ -20,6 +20,8 @@ without_povray="scenes/car.pov scenes/steiner.pov tests/scenes/patches.pov
     tests/scenes/csg_patches.pov"
 # What POV-Ray leaves to the rounding of its numbers.
 not_for_povray="tests/scenes/coincident.pov tests/scenes/csg_coincident.pov"
+# A face of a cylinder in that of a box: rounding says which is met.
+not_historical="scenes/bearing.pov"
 
 is_listed() { # SCENE LIST
     case " $(echo $2) " in *" $1 "*) return 0 ;; esac
@@ -76,7 +78,9 @@ for scene in "$@"; do
     same_frames "$scene"
     same_as_others "$scene" "" "$povray"
     verdict $? "$scene: not what the other tracers see"
-    is_listed "$scene" "$without_povray" || continue
+    is_listed "$scene" "$not_historical" && continue
+    is_listed "$scene" "$without_povray" || grep -q cylinder "$scene" ||
+        continue
     same_historical "$scene"
     same_as_others "$scene" --historical ""
     verdict $? "$scene: the way of 1984 sees something else"
