@@ -43,7 +43,7 @@ static void test_formulas(void **state)
                   { "SQRTV", 80 + 1627 }, { "ORV", 51 + 501 },
                   { "CMPGEV", 51 + 501 }, { "VTOV", 51 + 501 },
                   { "SUMV", 96 + 501 },   { "PRODV", 96 + 501 },
-                  { "DOTV", 116 + 501 },  { "MAXV", 95 + 501 },
+                  { "DOTV", 116 + 1001 }, { "MAXV", 95 + 501 },
                   { "SELGEV", 95 + 501 }, { "CPSV", 55 + 501 },
                   { "VXTOV", 69 + 1001 }, { "VTOVX", 71 + 1001 },
                   { "ANDB", 40 + 16 },    { "LINKV", 84 + 501 } };

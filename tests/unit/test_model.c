@@ -41,7 +41,9 @@ static void test_built_in(void **state)
                                                   "cyber205-4pipe-prior",
                                                   "cyber205-4pipe",
                                                   "cyber720-prior",
-                                                  "cyber720" };
+                                                  "cyber720",
+                                                  "eta10g-prior",
+                                                  "eta10g" };
     enum { NAMES = sizeof expected_names / sizeof expected_names[0] };
     const char *const *names = c205_model_names();
     for (size_t i = 0; i < NAMES; i++)
