@@ -44,7 +44,8 @@ static bool is_read(bool good, const char *path,
 static bool read_sources(const struct arguments *arguments,
                          struct sources *sources, c205_error *error)
 {
-    static const char *const files[] = { "table1.csv", "machine.csv" };
+    static const char *const files[] = { "table1.csv", "machine.csv",
+                                         "livermore.csv" };
     char path[PATH_SIZE], programs[PATH_SIZE];
     struct run_options how = { .folder = programs };
     struct diagnostics found = { 0 };

@@ -138,6 +138,15 @@ static void test_units(void **state)
     assert_near(predicted("a,vector_add.s:add LENGTH=0,"
                           "cyber205-2pipe,1,ns/TIMES,1,s,fit"),
                 1020);
+    assert_near(predicted("a,vector_add.s:add LENGTH=0,"
+                          "cyber205-2pipe,1,clk,1,s,compare"),
+                5100);
+    assert_near(predicted("a,vector_add.s:add LENGTH=0,"
+                          "eta10g,1 to 2,clk,,s,range"),
+                5100);
+    assert_near(predicted("a,vector_add.s:add LENGTH=0,"
+                          "eta10g,1,ns/TIMES,1,s,fit"),
+                357);
     assert_near(predicted("a,vector_add.s:add LENGTH=100,"
                           "cyber205-2pipe,1,Mflop/s,1,\"a, b\",fit"),
                 100 / (101 * .02));
@@ -188,7 +197,17 @@ static void test_refused(void **state)
     assert_refused(HEAD "a,b,c,d,e,f,g,h,i\n",
                    "test_fit.csv:2:17: too many fields");
     assert_refused(HEAD "a,b,c,d,e,f,g,h\n",
+                   "test_fit.csv:2:15: fit, compare or range is expected");
+    assert_refused(HEAD "a,b,c,d,e,f,g,fit\n",
                    "test_fit.csv:2:7: a positive number is expected");
+    assert_refused(HEAD "a,b,c,1 to,e,f,g,range\n",
+                   "test_fit.csv:2:7: a positive number or LEAST to MOST is "
+                   "expected");
+    assert_refused(HEAD "a,b,c,2 to 1,e,f,g,range\n",
+                   "test_fit.csv:2:7: a positive number or LEAST to MOST is "
+                   "expected");
+    assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,s/100000,1,s,fit\n",
+                   "test_fit.csv:2:33: vector_add.s has no rays");
     assert_refused(HEAD "a,vector_add.s:sub,cyber205-2pipe,1,ratio,1,s,fit\n",
                    "test_fit.csv:2:3: there is no region sub");
     assert_refused(HEAD "a,vector_add.s,cyber205-9pipe,1,ratio,1,s,fit\n",
@@ -288,6 +307,53 @@ static void test_photons(void **state)
     run_free(run);
 }
 
+/* ---- Groups and ranges -------------------------------------------------- */
+
+static void assert_group(const char *name, const char *group)
+{
+    const struct observation item = { .name = name };
+
+    assert_int_equal(observation_group(&item), strlen(group));
+    assert_memory_equal(name, group, strlen(group));
+}
+
+static void test_groups(void **state)
+{
+    (void)state;
+    assert_group("sphere scalar", "sphere");
+    assert_group("start-up", "start-up");
+    assert_group("photons, in registers", "photons");
+    assert_group("720 to 6600, sphere", "720 to 6600");
+}
+
+static void test_ranges(void **state)
+{
+    struct observations all = { 0 };
+    struct run_options how = small();
+    struct diagnostics found = { 0 };
+
+    (void)state;
+    assert_true(observations_read(
+        &all,
+        file_of(HEAD "a,vector_add.s,cyber205-2pipe,1.5 to 3,clk,,s,"
+                     "range\n"
+                     "b,vector_add.s,cyber205-2pipe,4,clk,,s,range\n"
+                     "c,vector_add.s,cyber205-2pipe,5,clk,.1,s,fit\n"),
+        &how, &found));
+    for (size_t i = 0; i < all.count; i++) {
+        static const double expected[][2] = { { 1.5, 3 },
+                                              { 4, 4 },
+                                              { 5, 5 } };
+
+        assert_near(all.items[i].least, expected[i][0]);
+        assert_near(all.items[i].most, expected[i][1]);
+        assert_int_equal(all.items[i].use,
+                         i < 2 ? OBSERVATION_RANGE : OBSERVATION_FIT);
+    }
+    observations_free(&all);
+    remove("test_fit.csv");
+}
+
 /* ---- Free constants ----------------------------------------------------- */
 
 static void test_constants(void **state)
@@ -297,8 +363,11 @@ static void test_constants(void **state)
     double places[FREE_MOST] = { .5 };
     struct diagnostics found = { 0 };
     const struct free_constant *first = &constants.items[0];
+    c205_error error;
+    c205_model *like = c205_model_find("eta10g", &error);
 
     (void)state;
+    assert_non_null(like);
     if (!constants_read(&constants,
                         file_of("name,machine,constants,source,least,most,"
                                 "why\n"
@@ -309,6 +378,12 @@ static void test_constants(void **state)
     assert_int_equal(constants.count, 2);
     assert_true(constant_is_of(first, model));
     assert_false(constant_is_of(&constants.items[1], model));
+    assert_true(constant_is_of(first, like));
+    assert_false(constant_is_of(&constants.items[1], like));
+    assert_string_equal(c205_model_name(
+                            constants_prior(&constants, "cyber720")),
+                        "cyber720-prior");
+    assert_null(constants_prior(&constants, "eta10g"));
     assert_near(constant_value(first, .5), 15 * 1.2);
     assert_near(constant_place(first, 15 * 1.2), .5);
     assert_int_equal(constants_settings(&constants, places, model, settings),
@@ -316,6 +391,7 @@ static void test_constants(void **state)
     assert_string_equal(settings[1].name, "swap.word");
     assert_near(settings[1].value, 1.2);
     constants_free(&constants);
+    c205_model_free(like);
     remove("test_fit.csv");
 }
 
@@ -324,6 +400,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_units),      cmocka_unit_test(test_refused),
         cmocka_unit_test(test_photons),    cmocka_unit_test(test_constants),
+        cmocka_unit_test(test_groups),     cmocka_unit_test(test_ranges),
         cmocka_unit_test(test_fewer_rays),
     };
     c205_error error = { "" };

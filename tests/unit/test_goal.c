@@ -10,9 +10,11 @@
 
 #include "rt/study/fit/goal.h"
 
-enum { ROWS = 6 };
+enum { ROWS = 12 };
 
-static const double speedups[] = { 1.0499, 1.0501, .9501, .9499 };
+/* They are asked for twice. */
+static const double speedups[] = { 1.0999, 1.1001, .9001, .8999,
+                                   1.0499, 1.0501, .9501, .9499 };
 static size_t speedups_asked;
 
 bool study_is_row(const struct observation *observation)
@@ -43,15 +45,24 @@ double constant_value(const struct free_constant *constant, double place)
 
 static const struct observation rows[ROWS] = {
     { .name = "high", .unit = "s", .value = 1 },
-    { .name = "too high", .unit = "s", .value = 1 },
+    { .name = "higher", .unit = "s", .value = 1 },
     { .name = "low", .unit = "s", .value = 1 },
+    { .name = "lower", .unit = "s", .value = 1 },
+    { .name = "too high", .unit = "s", .value = 1 },
     { .name = "too low", .unit = "s", .value = 1 },
+    { .name = "Livermore 1", .unit = NULL, .value = 1 },
+    { .name = "Livermore 2", .unit = NULL, .value = 1 },
+    { .name = "Livermore 3", .unit = NULL, .value = 1 },
+    { .name = "Livermore 4", .unit = NULL, .value = 1 },
     { .name = "no row", .unit = NULL, .value = 1 },
     { .name = "equal", .unit = "s", .value = 1 },
 };
 
-static const double times[ROWS] = { 1.0499, 1.0501, .9501, .9499, 2, 1 };
-static const double left_out[ROWS] = { 1.2499, 1.2501, .7501, .7499, 2, 1 };
+static const double times[ROWS] = { 1.0499, 1.0999, .9501, .9001,
+                                    1.1001, .8999,  .9001, .8999,
+                                    1.0999, 1.1001, 2,     1 };
+static const double left_out[ROWS] = { 1.2499, 1.2501, .7501, .7499, 1, 1,
+                                       1,      1,      1,     1,     2, 1 };
 static const double places[] = { 2, 2.01, -2, -2.01, 0, 5, -5 };
 enum { CONSTANTS = sizeof places / sizeof *places };
 
@@ -81,11 +92,19 @@ static void test_limits(void **state)
     fclose(results.file);
     assert_string_equal(text,
                         "\nThe goal:\n\n"
-                        "Times of Table 1 within 5 %: 3 of 5; not\n"
-                        "    too high +5.0 %,\n    too low -5.0 %.\n"
+                        "Times of Table 1 within 10 %: 5 of 7; not\n"
+                        "    too high +10.0 %,\n    too low -10.0 %.\n"
+                        "Speedups within 10 %: 2 of 4.\n"
+                        "Times of Table 1 within 5 %: 3 of 7; not\n"
+                        "    higher +10.0 %,\n    lower -10.0 %,\n"
+                        "    too high +10.0 %,\n    too low -10.0 %.\n"
                         "Speedups within 5 %: 2 of 4.\n"
-                        "Rows left out within 25 %: 3 of 5; not\n"
-                        "    too high +25.0 %,\n    too low -25.0 %.\n"
+                        "Livermore kernels within 10 %: 2 of 4; not\n"
+                        "    Livermore 2 -10.0 %,\n"
+                        "    Livermore 4 +10.0 %.\n"
+                        "Rows left out within 25 %: 9 of 12; not\n"
+                        "    higher +25.0 %,\n    lower -25.0 %,\n"
+                        "    no row +100.0 %.\n"
                         "Constants inside their bounds: 5 of 7; within 2 "
                         "prior widths: 3.\n");
 }

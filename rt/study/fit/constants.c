@@ -79,13 +79,12 @@ static bool set_width(struct free_constant *constant, const char *source,
     return fail(error, "there is no source %.20s", source);
 }
 
-static const c205_model *prior_of(const struct constants *constants,
-                                  const char *machine, c205_error *error)
+const c205_model *constants_prior(const struct constants *constants,
+                                  const char *machine)
 {
     for (size_t i = 0; i < FREE_MACHINES; i++)
         if (strcmp(priors[i].machine, machine) == 0)
             return constants->priors[i];
-    fail(error, "there are no priors of %.60s", machine);
     return NULL;
 }
 
@@ -95,11 +94,12 @@ static bool read_row(struct constants *constants, const struct csv_row *row,
     const struct csv *file = &constants->file;
     struct free_constant *constant = &constants->items[constants->count];
     c205_error error;
-    const c205_model *prior = prior_of(constants, row->fields[MACHINE],
-                                       &error);
+    const c205_model *prior = constants_prior(constants,
+                                              row->fields[MACHINE]);
 
     if (!prior)
-        return csv_wrong(file, row, MACHINE, error.message, diagnostics);
+        return csv_wrong(file, row, MACHINE, "there are no priors of it",
+                         diagnostics);
     if (constants->count == FREE_MOST)
         return csv_wrong(file, row, NAME, "too many constants", diagnostics);
     constants->count++;
@@ -162,12 +162,17 @@ double constant_place(const struct free_constant *constant, double value)
     return (value / constant->prior - 1) / constant->width;
 }
 
+bool model_is_of(const c205_model *model, const char *machine, size_t length)
+{
+    while (model && strncmp(c205_model_name(model), machine, length) != 0)
+        model = c205_model_like(model);
+    return model != NULL;
+}
+
 bool constant_is_of(const struct free_constant *constant,
                     const c205_model *model)
 {
-    return strncmp(c205_model_name(model), constant->machine,
-                   strlen(constant->machine))
-           == 0;
+    return model_is_of(model, constant->machine, strlen(constant->machine));
 }
 
 size_t constants_settings(const struct constants *constants,

@@ -13,7 +13,7 @@
 enum { FREE_MOST = 24, MEMBERS_MOST = 24 };
 
 struct free_constant {
-    const char *name, *machine; /* what the names of its models begin with */
+    const char *name, *machine;
     char source;
     double width;       /* of the prior, relative */
     double prior;       /* of the first member, in its unit */
@@ -40,9 +40,16 @@ bool constants_read(struct constants *constants, const char *path,
                     struct diagnostics *diagnostics);
 void constants_free(struct constants *constants);
 
+/* The model of a machine's priors; NULL: there is none. */
+const c205_model *constants_prior(const struct constants *constants,
+                                  const char *machine);
+
 /* The first member's value at a place, and the other way round. */
 double constant_value(const struct free_constant *constant, double place);
 double constant_place(const struct free_constant *constant, double value);
+/* Whether a model is a machine's, or of one like it: the name of such a model,
+ * "cyber205-2pipe", begins with the machine's. */
+bool model_is_of(const c205_model *model, const char *machine, size_t length);
 /* Whether it is one of this model's. */
 bool constant_is_of(const struct free_constant *constant,
                     const c205_model *model);

@@ -277,7 +277,7 @@ static void find_needed(const struct fit *fit,
     memset(needed, 0, FIT_TIMINGS_MOST * sizeof *needed);
     for (size_t i = 0; i < all->count; i++)
         for (size_t k = 0; k < all->items[i].term_count; k++)
-            if (all->items[i].fit && !change->held[i])
+            if (all->items[i].use == OBSERVATION_FIT && !change->held[i])
                 needed[all->items[i].terms[k].timing] = true;
 }
 
@@ -313,7 +313,7 @@ static void choose(struct asked *asked)
     const struct observations *all = asked->fit->observations;
 
     for (size_t i = 0; i < all->count; i++)
-        if (all->items[i].fit && !asked->change->held[i])
+        if (all->items[i].use == OBSERVATION_FIT && !asked->change->held[i])
             asked->used[asked->use_count++] = i;
 }
 
@@ -322,7 +322,7 @@ static void choose(struct asked *asked)
 static void find_errors(const struct ceres_outcome *found, size_t constants,
                         struct fit_outcome *outcome)
 {
-    double scale = sqrt(2 * found->cost / (double)outcome->used);
+    double scale = fmax(1, sqrt(2 * found->cost / (double)outcome->used));
 
     for (size_t i = 0; i < constants; i++) {
         double error = found->determined

@@ -144,9 +144,9 @@ static bool add_term(struct observations *all, struct observation *item,
 }
 
 static bool add_terms(struct observations *all, struct observation *item,
-                      const struct run_options *options,
-                      const struct fit_run **run, c205_error *error)
+                      const struct run_options *options, c205_error *error)
 {
+    const struct fit_run *run;
     char program[TEXT_MOST], regions[TEXT_MOST], machines[TEXT_MOST];
     const char *region, *machine;
     bool share = strcmp(item->unit, "%") == 0;
@@ -155,52 +155,130 @@ static bool add_terms(struct observations *all, struct observation *item,
     snprintf(machines, sizeof machines, "%s", item->machine);
     split(regions, &region);
     split(machines, &machine);
-    *run = find_run(all, program, options, error);
-    if (!*run || !add_term(all, item, *run, regions, machines, error))
+    run = find_run(all, program, options, error);
+    if (!run || !add_term(all, item, run, regions, machines, error))
         return false;
     if (*region == '\0' && *machine == '\0' && !share)
         return true;
-    return add_term(all, item, *run, *machine != '\0' ? regions : region,
+    return add_term(all, item, run, *machine != '\0' ? regions : region,
                     *machine != '\0' ? machine : machines, error);
 }
 
-/* Units and the constants of programs that they count by. */
+/* Units, and by what they count: a constant of the program, its rays, the
+ * machine's clocks. */
+enum counted {
+    COUNTED_SYMBOL,
+    COUNTED_RAYS,
+    COUNTED_PERIOD,
+    COUNTED_NOTHING
+};
+
 static const struct unit {
-    const char *name, *symbol;
+    const char *name;
+    enum counted by;
+    const char *symbol;
     bool rate;
     double factor;
 } units[] = {
-    { "s/100000", NULL, false, 1e5 },
-    { "ns/TIMES", "TIMES", false, 1e9 },
-    { "Mflop/s", "FLOPS", true, 1e-6 },
-    { "Melements/s", "ELEMENTS", true, 1e-6 },
-    { "%", NULL, false, 100 },
-    { "ratio", NULL, false, 1 },
+    { "s/100000", COUNTED_RAYS, NULL, false, 1e5 },
+    { "clk", COUNTED_PERIOD, NULL, false, 1e9 },
+    { "ns/TIMES", COUNTED_SYMBOL, "TIMES", false, 1e9 },
+    { "Mflop/s", COUNTED_SYMBOL, "FLOPS", true, 1e-6 },
+    { "Melements/s", COUNTED_SYMBOL, "ELEMENTS", true, 1e-6 },
+    { "%", COUNTED_NOTHING, NULL, false, 100 },
+    { "ratio", COUNTED_NOTHING, NULL, false, 1 },
 };
 
-static bool set_unit(struct observation *item, const struct fit_run *run,
+/* How much of what a unit counts there is. */
+static bool find_count(const struct run_timing *timing,
+                       const struct unit *unit, double *count,
+                       c205_error *error)
+{
+    *count = 1;
+    switch (unit->by) {
+    case COUNTED_SYMBOL:
+        return run_symbol(timing->run, unit->symbol, count)
+               || fail(error, "the program does not define %s", unit->symbol);
+    case COUNTED_RAYS:
+        *count = (double)timing->run->rays;
+        return *count > 0
+               || fail(error, "%s has no rays", timing->run->program);
+    case COUNTED_PERIOD:
+        *count = c205_model_lookup(timing->model, "clock.period")->value;
+        break;
+    case COUNTED_NOTHING: break;
+    }
+    return true;
+}
+
+static bool set_unit(const struct observations *all, struct observation *item,
                      c205_error *error)
 {
-    for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
-        const struct unit *unit = &units[i];
-        double count = 1;
+    const struct run_timing *timing = &all->timings[item->terms[0].timing];
+    size_t i = 0;
+    double count;
 
-        if (strcmp(unit->name, item->unit) != 0)
-            continue;
-        if (unit->symbol && !run_symbol(run, unit->symbol, &count))
-            return fail(error, "the program does not define %s",
-                        unit->symbol);
-        if (!unit->symbol && item->term_count == 1)
-            count = (double)run->rays;
-        item->rate = unit->rate;
-        item->factor = unit->rate ? unit->factor * count
-                                  : unit->factor / count;
-        return true;
-    }
-    return fail(error, "there is no unit %.60s", item->unit);
+    while (i < sizeof units / sizeof *units
+           && strcmp(units[i].name, item->unit) != 0)
+        i++;
+    if (i == sizeof units / sizeof *units)
+        return fail(error, "there is no unit %.60s", item->unit);
+    if (!find_count(timing, &units[i], &count, error))
+        return false;
+    item->rate = units[i].rate;
+    item->factor = units[i].rate ? units[i].factor * count
+                                 : units[i].factor / count;
+    return true;
 }
 
 /* ---- Reading ------------------------------------------------------------ */
+
+static bool read_use(const struct csv *file, const struct csv_row *row,
+                     enum observation_use *use,
+                     struct diagnostics *diagnostics)
+{
+    static const char *const uses[OBSERVATION_USES] = { "fit", "compare",
+                                                        "range" };
+    int i = 0;
+
+    while (i < OBSERVATION_USES && strcmp(uses[i], row->fields[USE]) != 0)
+        i++;
+    *use = (enum observation_use)i;
+    return i < OBSERVATION_USES
+           || csv_wrong(file, row, USE, "fit, compare or range is expected",
+                        diagnostics);
+}
+
+/* "15 to 18", or one number. */
+static bool read_range(const struct csv *file, const struct csv_row *row,
+                       struct observation *item,
+                       struct diagnostics *diagnostics)
+{
+    static const char between[] = " to ";
+    char *end;
+
+    item->least = item->most = strtod(row->fields[VALUE], &end);
+    if (strncmp(end, between, strlen(between)) == 0)
+        item->most = strtod(end + strlen(between), &end);
+    item->value = (item->least + item->most) / 2;
+    return (*end == '\0' && item->least > 0 && item->most >= item->least)
+           || csv_wrong(file, row, VALUE,
+                        "a positive number or LEAST to MOST is expected",
+                        diagnostics);
+}
+
+static bool read_figure(const struct csv *file, const struct csv_row *row,
+                        struct observation *item,
+                        struct diagnostics *diagnostics)
+{
+    if (item->use == OBSERVATION_RANGE)
+        return read_range(file, row, item, diagnostics);
+    if (!csv_positive(file, row, VALUE, &item->value, diagnostics))
+        return false;
+    item->least = item->most = item->value;
+    return csv_positive(file, row, UNCERTAINTY, &item->uncertainty,
+                        diagnostics);
+}
 
 static bool read_row(struct observations *all, const struct csv *file,
                      const struct csv_row *row,
@@ -211,7 +289,6 @@ static bool read_row(struct observations *all, const struct csv *file,
     struct observation *items = array_grow(all->items, all->count,
                                            sizeof *items);
     struct observation *item;
-    const struct fit_run *run;
 
     if (!items)
         return csv_wrong(file, row, NAME, "no memory", diagnostics);
@@ -221,15 +298,12 @@ static bool read_row(struct observations *all, const struct csv *file,
                                   .program = row->fields[PROGRAM],
                                   .machine = row->fields[MACHINE],
                                   .unit = row->fields[UNIT],
-                                  .source = row->fields[SOURCE],
-                                  .fit = strcmp(row->fields[USE], "fit")
-                                         == 0 };
-    return csv_positive(file, row, VALUE, &item->value, diagnostics)
-           && csv_positive(file, row, UNCERTAINTY, &item->uncertainty,
-                           diagnostics)
-           && (add_terms(all, item, options, &run, &error)
+                                  .source = row->fields[SOURCE] };
+    return read_use(file, row, &item->use, diagnostics)
+           && read_figure(file, row, item, diagnostics)
+           && (add_terms(all, item, options, &error)
                || csv_wrong(file, row, PROGRAM, error.message, diagnostics))
-           && (set_unit(item, run, &error)
+           && (set_unit(all, item, &error)
                || csv_wrong(file, row, UNIT, error.message, diagnostics));
 }
 
@@ -285,6 +359,15 @@ static double seconds(const struct observations *all, const struct term *term,
             sum += clocks[term->timing][i];
     return 1e-9 * sum
            * c205_model_lookup(timing->model, "clock.period")->value;
+}
+
+size_t observation_group(const struct observation *observation)
+{
+    const char *comma = strchr(observation->name, ',');
+    const char *last = comma ? comma : strrchr(observation->name, ' ');
+
+    return !last ? strlen(observation->name)
+                 : (size_t)(last - observation->name);
 }
 
 double observation_predict(const struct observations *all,

@@ -7,13 +7,17 @@
  *   machine   a model, or two, MODEL/MODEL; where there is a MODEL-prior, which
  *             no fit has touched, it is that
  *   unit      s/100000   seconds for 100,000 rays
+ *             clk        clocks
  *             ns/SYMBOL  nanoseconds, divided by that constant of the program
  *             Mflop/s    FLOPS of the program, by its time
  *             Melements/s  ELEMENTS of the program, by its time
  *             %          the region's share of the program
  *             ratio      the first region's or machine's time by the second's
- *   uncertainty   relative: one standard deviation
- *   use       fit, or validate: only compared
+ *   value     a number; of a range "LEAST to MOST", or a number
+ *   uncertainty   relative: one standard deviation; of a range empty
+ *   use       fit; compare; or range: what is known as a range, or from a
+ *             program that can be written in several ways, a row for each,
+ *             "NAME, WAY"
  *
  * Each program runs once; its clocks with other constants come from the
  * recording, by the machine's own clock (vm/time/recording.c) or a projection.
@@ -38,10 +42,18 @@ struct term {
     bool chosen[RUN_REGIONS_MOST];
 };
 
+enum observation_use {
+    OBSERVATION_FIT,
+    OBSERVATION_COMPARE,
+    OBSERVATION_RANGE,
+    OBSERVATION_USES
+};
+
 struct observation {
     const char *name, *program, *machine, *unit, *source;
     double value, uncertainty;
-    bool fit;
+    double least, most; /* of a range */
+    enum observation_use use;
     bool rate; /* factor / seconds; else factor x seconds */
     double factor;
     size_t term_count; /* of two: the first by the second */
@@ -63,6 +75,10 @@ bool observations_read(struct observations *observations, const char *path,
                        const struct run_options *options,
                        struct diagnostics *diagnostics);
 void observations_free(struct observations *observations);
+
+/* The first words of its name, which a group of observations shares: up to a
+ * comma, or up to the last word. */
+size_t observation_group(const struct observation *observation);
 
 /* From the clocks of each timing's regions. */
 double observation_predict(const struct observations *observations,

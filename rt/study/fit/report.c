@@ -40,6 +40,25 @@ static const struct table_column constants[] = {
     { "moved", "moved", TABLE_TEXT, 0 },
 };
 
+static const struct table_column ranges[] = {
+    { "name", "observation", TABLE_TEXT, 0 },
+    { "unit", "unit", TABLE_TEXT, 0 },
+    { "least", "from", TABLE_NUMBER, 2 },
+    { "most", "to", TABLE_NUMBER, 2 },
+    { "predicted", "predicted", TABLE_NUMBER, 2 },
+    { "error", "outside by %", TABLE_NUMBER, 1 },
+    { "written", "written", TABLE_NUMBER, 2 },
+};
+
+static const struct table_column spans[] = {
+    { "name", "observation", TABLE_TEXT, 0 },
+    { "ways", "ways", TABLE_COUNT, 0 },
+    { "least", "from", TABLE_NUMBER, 2 },
+    { "most", "to", TABLE_NUMBER, 2 },
+    { "least_predicted", "predicted from", TABLE_NUMBER, 2 },
+    { "most_predicted", "to", TABLE_NUMBER, 2 },
+};
+
 static const struct table_column left_out[] = {
     { "name", "row", TABLE_TEXT, 0 },
     { "observed", "observed", TABLE_NUMBER, 4 },
@@ -59,11 +78,12 @@ static const struct table_column doubled[] = {
     { "change", "by %", TABLE_NUMBER, 1 },
 };
 
-static const struct table_column missing[] = {
-    { "primitive", "primitive", TABLE_TEXT, 0 },
-    { "scalar", "205 scalar", TABLE_NUMBER, 2 },
-    { "vector", "205 vector", TABLE_NUMBER, 2 },
-    { "projected", "720", TABLE_NUMBER, 2 },
+static const struct table_column untouched[] = {
+    { "machine", "machine", TABLE_TEXT, 0 },
+    { "constant", "constant", TABLE_TEXT, 0 },
+    { "prior", "prior", TABLE_NUMBER, 2 },
+    { "source", "src", TABLE_TEXT, 0 },
+    { "moved_by", "moved all the same by", TABLE_TEXT, 0 },
 };
 
 /* ---- Observations ------------------------------------------------------- */
@@ -97,8 +117,79 @@ static void fill_held(const struct study *study, const double *written,
                       struct table *table)
 {
     for (size_t i = 0; i < study->fit.observations->count; i++)
-        if (!study_is_fitted(study, i))
+        if (!study_is_fitted(study, i)
+            && study->fit.observations->items[i].use != OBSERVATION_RANGE)
             add_observation(study, i, written, table);
+}
+
+/* How far a figure lies outside of a range, relative. */
+static double outside(const struct observation *item, double predicted)
+{
+    return predicted < item->least  ? predicted / item->least - 1
+           : predicted > item->most ? predicted / item->most - 1
+                                    : 0;
+}
+
+static void fill_ranges(const struct study *study, const double *written,
+                        struct table *table)
+{
+    for (size_t i = 0; i < study->fit.observations->count; i++) {
+        const struct observation *item = &study->fit.observations->items[i];
+        double predicted = study->best.predicted[i];
+
+        if (item->use != OBSERVATION_RANGE)
+            continue;
+        table_text(table, item->name);
+        table_text(table, item->unit);
+        table_number(table, item->least);
+        table_number(table, item->most);
+        table_number(table, predicted);
+        table_number(table, 100 * outside(item, predicted));
+        table_number(table, written[i]);
+    }
+}
+
+/* One figure, as all the programs for it show it that stand one after the
+ * other from this on; gives their number. */
+static size_t add_span(const struct study *study, size_t first,
+                       struct table *table)
+{
+    const struct observations *all = study->fit.observations;
+    const struct observation *item = &all->items[first];
+    size_t length = observation_group(item), ways = 0;
+    double least = INFINITY, most = 0;
+
+    for (; first + ways < all->count
+           && strncmp(item[ways].name, item->name, length) == 0
+           && observation_group(&item[ways]) == length;
+         ways++) {
+        least = fmin(least, study->best.predicted[first + ways]);
+        most = fmax(most, study->best.predicted[first + ways]);
+    }
+    if (ways > 1) {
+        char name[64];
+
+        snprintf(name, sizeof name, "%.*s", (int)length, item->name);
+        table_text(table, name);
+        table_count(table, ways);
+        table_number(table, item->least);
+        table_number(table, item->most);
+        table_number(table, least);
+        table_number(table, most);
+    }
+    return ways;
+}
+
+static void fill_spans(const struct study *study, const double *written,
+                       struct table *table)
+{
+    const struct observations *all = study->fit.observations;
+
+    (void)written;
+    for (size_t i = 0; i < all->count;)
+        i += all->items[i].use == OBSERVATION_RANGE
+                 ? add_span(study, i, table)
+                 : 1;
 }
 
 /* ---- Table 1, primitive by primitive ------------------------------------ */
@@ -126,34 +217,6 @@ static void fill_speedups(const struct study *study, const double *written,
     }
 }
 
-static double missing_factor(const struct study *study,
-                             const struct speedup_subject *subject,
-                             enum trace_mode mode, const char *machine)
-{
-    const struct observations *all = study->fit.observations;
-    size_t i = study_row(study, subject, mode, machine);
-
-    return i == all->count ? NAN
-                           : all->items[i].value / study->best.predicted[i];
-}
-
-static void fill_missing(const struct study *study, const double *written,
-                         struct table *table)
-{
-    (void)written;
-    for (size_t i = 0; i < study->subject_count; i++) {
-        const struct speedup_subject *subject = study->subjects[i];
-
-        table_text(table, subject->name);
-        table_number(table, missing_factor(study, subject, TRACE_SCALAR,
-                                           "cyber205"));
-        table_number(table, missing_factor(study, subject, TRACE_VECTOR,
-                                           "cyber205"));
-        table_number(table, missing_factor(study, subject, TRACE_SCALAR,
-                                           speedup_projections[0]));
-    }
-}
-
 /* ---- Constants ---------------------------------------------------------- */
 
 /* Of the certainty about a constant how much comes from the data; and whether
@@ -165,7 +228,6 @@ static void add_constant(const struct study *study, size_t i,
     const struct fit_outcome *best = &study->best;
     const char source[2] = { constant->source, '\0' };
     double width = constant->prior * constant->width;
-    double left = best->raw_errors[i] * best->raw_errors[i];
 
     table_text(table, constant->name);
     table_text(table, constant->members[0].name);
@@ -177,7 +239,7 @@ static void add_constant(const struct study *study, size_t i,
     table_number(table, constant_value(constant, best->places[i]));
     table_number(table, best->errors[i] * width);
     table_number(table, best->places[i]);
-    table_number(table, 100 * fmax(0, 1 - left));
+    table_number(table, 100 * study_known_of(study, i));
     table_text(table, fabs(best->places[i]) >= .1 ? "yes" : "no");
 }
 
@@ -200,7 +262,7 @@ static void fill_left_out(const struct study *study, const double *written,
     for (size_t i = 0; i < all->count; i++) {
         const struct observation *item = &all->items[i];
 
-        if (!study_is_fitted(study, i) || !study_is_row(item))
+        if (!study_is_fitted(study, i))
             continue;
         table_text(table, item->name);
         table_number(table, item->value);
@@ -251,7 +313,6 @@ static void fill_doubled(const struct study *study, const double *written,
     }
 }
 
-/* A column for each primitive whose rows were left out. */
 static const struct table_column without[] = {
     { "left_out", "rows left out", TABLE_TEXT, 0 },
     { "cost", "cost", TABLE_NUMBER, 2 },
@@ -266,22 +327,39 @@ static void fill_without(const struct study *study, const double *written,
     const struct observations *all = study->fit.observations;
 
     (void)written;
-    for (size_t k = 0; k < study->subject_count; k++)
+    for (size_t k = 0; k < study->group_count; k++) {
+        const struct study_group *group = &study->groups[k];
+
         for (size_t i = 0; i < all->count; i++) {
             const struct observation *item = &all->items[i];
+            double predicted = group->without.predicted[i];
 
-            if (!study_is_fitted(study, i) || !study_is_row(item))
+            if (!study_is_fitted(study, i) || !study_is_of(group, item))
                 continue;
-            table_text(table, study->subjects[k]->name);
-            table_number(table, study->without[k].cost);
+            table_text(table, group->name);
+            table_number(table, group->without.cost);
             table_text(table, item->name);
             table_number(table,
                          100 * fit_error(item, study->best.predicted[i]));
-            table_number(table,
-                         100
-                             * fit_error(item,
-                                         study->without[k].predicted[i]));
+            table_number(table, 100 * fit_error(item, predicted));
         }
+    }
+}
+
+static void fill_untouched(const struct study *study, const double *written,
+                           struct table *table)
+{
+    (void)written;
+    for (size_t i = 0; i < study->untouched.count; i++) {
+        const struct untouched *item = &study->untouched.items[i];
+        const char source[2] = { item->constant->source, '\0' };
+
+        table_text(table, item->machine);
+        table_text(table, item->constant->name);
+        table_number(table, item->constant->value);
+        table_text(table, source);
+        table_text(table, item->moved_by ? item->moved_by->name : "");
+    }
 }
 
 /* ---- The whole ---------------------------------------------------------- */
@@ -300,17 +378,19 @@ static const struct report_part {
       fill_held },
     { "speedups", "The speedups of Table 1", TABLE_COLUMNS(speedups), true,
       fill_speedups },
+    { "ranges",
+      "Known as a range, or of programs that can be written in several ways",
+      TABLE_COLUMNS(ranges), true, fill_ranges },
+    { "spans", "The range of these ways", TABLE_COLUMNS(spans), true,
+      fill_spans },
     { "constants", "The free constants", TABLE_COLUMNS(constants), true,
       fill_constants },
-    { "missing",
-      "Observed by predicted.  Alike on all machines: the program of"
-      " 1984 did so much\nmore; in one form alone: that form, or its part of "
-      "the model",
-      TABLE_COLUMNS(missing), true, fill_missing },
-    { "left_out", "Each row of Table 1 left out", TABLE_COLUMNS(left_out),
-      false, fill_left_out },
-    { "without", "All rows of a primitive left out", TABLE_COLUMNS(without),
+    { "left_out", "Each row left out", TABLE_COLUMNS(left_out), false,
+      fill_left_out },
+    { "without", "All rows of a group left out", TABLE_COLUMNS(without),
       false, fill_without },
+    { "untouched", "Constants on which no row depends",
+      TABLE_COLUMNS(untouched), false, fill_untouched },
     { "doubled", "Priors doubled, in width and in value, one at a time",
       TABLE_COLUMNS(doubled), false, fill_doubled },
 };
@@ -325,18 +405,22 @@ static void print_head(const struct study *study,
                        const struct results *results)
 {
     const struct fit_outcome *best = &study->best;
+    double known = study_known(study);
 
     results_say(
         results,
         "%zu observations, %zu free constants; cost %.3f after %d steps, "
         "%s.\n"
+        "Of the constants the data tell as much as of %.1f that nothing else "
+        "was known of:\n%.1f degrees of freedom are left.\n"
         "Residuals: relative errors of the machine's own clocks by their "
         "uncertainty, Cauchy\nloss from %g on; and the constants' "
         "distances from their priors, in widths: P 2 %%,\nD 5 %%, S 10 "
         "%%, R 40 %%.\nCycle-accounted, not cycle-accurate.  Not modelled: "
         "%s.\n",
         best->used, study->fit.constants->count, best->cost, best->steps,
-        best->converged ? "converged" : "not converged", FIT_LOSS,
+        best->converged ? "converged" : "not converged", known,
+        (double)best->used - known, FIT_LOSS,
         provenance_left_out(fitted_model(study)));
 }
 
@@ -346,6 +430,7 @@ static void write_head(const struct study *study, struct json *json)
     json_count(json, "steps", (uint64_t)study->best.steps);
     json_truth(json, "converged", study->best.converged);
     json_count(json, "observations", study->best.used);
+    json_number(json, "known", study_known(study));
     json_text(json, "not_modelled", provenance_left_out(fitted_model(study)));
 }
 

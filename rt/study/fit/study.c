@@ -1,6 +1,7 @@
 #include "rt/study/fit/study.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 bool study_is_row(const struct observation *observation)
@@ -10,7 +11,8 @@ bool study_is_row(const struct observation *observation)
 
 bool study_is_fitted(const struct study *study, size_t i)
 {
-    return study->fit.observations->items[i].fit && !study->held.held[i];
+    return study->fit.observations->items[i].use == OBSERVATION_FIT
+           && !study->held.held[i];
 }
 
 static const struct speedup_subject *
@@ -38,6 +40,11 @@ static void find_subjects(struct study *study)
     }
 }
 
+/* ---- Rows left out ------------------------------------------------------ */
+
+/* Where the fit itself began: it shall know nothing of what is left out. */
+static const double priors[FREE_MOST];
+
 static bool leave_rows_out(struct study *study, c205_error *error)
 {
     const struct observations *all = study->fit.observations;
@@ -47,33 +54,77 @@ static bool leave_rows_out(struct study *study, c205_error *error)
         struct fit_outcome outcome;
 
         study->left_out[i] = NAN;
-        if (!study_is_fitted(study, i) || !study_is_row(&all->items[i]))
+        if (!study_is_fitted(study, i))
             continue;
         change.held[i] = true;
-        if (!fit_solve(&study->fit, &change, study->best.places, &outcome,
-                       error))
+        if (!fit_solve(&study->fit, &change, priors, &outcome, error))
             return false;
         study->left_out[i] = outcome.predicted[i];
     }
     return true;
 }
 
-static bool leave_subjects_out(struct study *study, c205_error *error)
+bool study_is_of(const struct study_group *group,
+                 const struct observation *item)
+{
+    size_t length = observation_group(item);
+
+    return strlen(group->name) == length
+           && strncmp(group->name, item->name, length) == 0;
+}
+
+static void add_to_groups(struct study *study, const struct observation *item)
+{
+    struct study_group *group = study->groups;
+    struct study_group *end = group + study->group_count;
+
+    while (group < end && !study_is_of(group, item))
+        group++;
+    if (group == study->groups + STUDY_GROUPS_MOST)
+        return;
+    if (group == end) {
+        snprintf(group->name, sizeof group->name, "%.*s",
+                 (int)observation_group(item), item->name);
+        group->rows = 0;
+        study->group_count++;
+    }
+    group->rows++;
+}
+
+/* Those of one row have been left out before. */
+static void find_groups(struct study *study)
+{
+    const struct observations *all = study->fit.observations;
+    size_t kept = 0;
+
+    study->group_count = 0;
+    for (size_t i = 0; i < all->count; i++)
+        if (study_is_fitted(study, i))
+            add_to_groups(study, &all->items[i]);
+    for (size_t k = 0; k < study->group_count; k++)
+        if (study->groups[k].rows > 1)
+            study->groups[kept++] = study->groups[k];
+    study->group_count = kept;
+}
+
+static bool leave_groups_out(struct study *study, c205_error *error)
 {
     const struct observations *all = study->fit.observations;
 
-    for (size_t k = 0; k < study->subject_count; k++) {
+    for (size_t k = 0; k < study->group_count; k++) {
+        struct study_group *group = &study->groups[k];
         struct fit_change change = study->held;
 
         for (size_t i = 0; i < all->count; i++)
-            if (subject_of(all, &all->items[i]) == study->subjects[k])
+            if (study_is_of(group, &all->items[i]))
                 change.held[i] = true;
-        if (!fit_solve(&study->fit, &change, study->best.places,
-                       &study->without[k], error))
+        if (!fit_solve(&study->fit, &change, priors, &group->without, error))
             return false;
     }
     return true;
 }
+
+/* ---- Priors doubled ----------------------------------------------------- */
 
 static bool double_priors(struct study *study, c205_error *error)
 {
@@ -91,19 +142,37 @@ static bool double_priors(struct study *study, c205_error *error)
     return true;
 }
 
+/* ---- The whole ---------------------------------------------------------- */
+
 bool study_make(struct study *study, c205_error *error)
 {
-    static const double priors[FREE_MOST];
-
     find_subjects(study);
+    find_groups(study);
     if (!fit_begin(&study->fit, error)
         || !fit_predict(&study->fit, priors, study->at_prior, error)
         || !fit_solve(&study->fit, &study->held, priors, &study->best, error))
         return false;
     return study->brief
-           || (leave_rows_out(study, error)
-               && leave_subjects_out(study, error)
+           || (leave_rows_out(study, error) && leave_groups_out(study, error)
+               && untouched_find(&study->fit, &study->held, &study->untouched,
+                                 error)
                && double_priors(study, error));
+}
+
+double study_known_of(const struct study *study, size_t constant)
+{
+    double left = study->best.raw_errors[constant];
+
+    return fmax(0, 1 - left * left);
+}
+
+double study_known(const struct study *study)
+{
+    double sum = 0;
+
+    for (size_t i = 0; i < study->fit.constants->count; i++)
+        sum += study_known_of(study, i);
+    return sum;
 }
 
 size_t study_row(const struct study *study,

@@ -1,12 +1,20 @@
-/* study.h - the fit, and how far it can be believed: the same with a row or
- * a primitive left out and with priors doubled.
+/* study.h - the fit, and how far it can be believed: the same with a row or a
+ * group of rows left out, and with priors doubled.
  */
 #ifndef RT_FIT_STUDY_H
 #define RT_FIT_STUDY_H
 
-#include "rt/study/fit/fit.h"
+#include "rt/study/fit/untouched.h"
 
-enum { STUDY_SUBJECTS_MOST = 8 };
+enum { STUDY_SUBJECTS_MOST = 8, STUDY_GROUPS_MOST = 8 };
+
+/* Rows of the fit that share the first words of their names, and the fit
+ * without them. */
+struct study_group {
+    char name[32];
+    size_t rows;
+    struct fit_outcome without;
+};
 
 struct study {
     struct fit fit;
@@ -14,12 +22,13 @@ struct study {
     bool brief;             /* the fit alone was made */
     double at_prior[FIT_OBSERVATIONS_MOST];
     struct fit_outcome best;
-    /* A fit without each row of Table 1: what it predicts for that row. */
-    double left_out[FIT_OBSERVATIONS_MOST];
-    /* Without all rows of a primitive. */
-    size_t subject_count;
+    size_t subject_count; /* primitives of Table 1 */
     const struct speedup_subject *subjects[STUDY_SUBJECTS_MOST];
-    struct fit_outcome without[STUDY_SUBJECTS_MOST];
+    /* A fit without each row, from the priors: what it predicts for it. */
+    double left_out[FIT_OBSERVATIONS_MOST];
+    size_t group_count; /* of more than one row */
+    struct study_group groups[STUDY_GROUPS_MOST];
+    struct untouched_list untouched;
     /* With the width of each constant's prior doubled, or the prior itself. */
     struct fit_outcome wide[FREE_MOST], moved[FREE_MOST];
 };
@@ -32,6 +41,14 @@ bool study_make(struct study *study, c205_error *error);
 bool study_is_row(const struct observation *observation);
 /* Whether it is in the fit. */
 bool study_is_fitted(const struct study *study, size_t observation);
+
+bool study_is_of(const struct study_group *group,
+                 const struct observation *observation);
+
+/* How many constants' worth the data tell: of each that part of the certainty
+ * about it that is not its prior's. */
+double study_known(const struct study *study);
+double study_known_of(const struct study *study, size_t constant);
 
 /* The row of a primitive in a form on a machine; the number of observations if
  * there is none. */

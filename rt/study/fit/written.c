@@ -109,7 +109,8 @@ static size_t machine_length(const char *name)
     return strcspn(name, "-");
 }
 
-/* Whether an observation is one of that machine, with one or more pipes. */
+/* Whether an observation is one of that machine, with one or more pipes, or of
+ * one like it. */
 static bool is_of(const struct observations *all,
                   const struct observation *item, const c205_model *model)
 {
@@ -118,9 +119,8 @@ static bool is_of(const struct observations *all,
     for (size_t i = 0; i < item->term_count; i++) {
         size_t timing = item->terms[i].timing;
 
-        if (strncmp(c205_model_name(all->timings[timing].model), name,
-                    machine_length(name) + 1)
-            == 0)
+        if (model_is_of(all->timings[timing].model, name,
+                        machine_length(name) + 1))
             return true;
     }
     return false;
@@ -139,7 +139,8 @@ static void write_belief(const struct study *study, const c205_model *model,
         const struct observation *item = &all->items[i];
         double error = 100 * fit_error(item, predicted[i]);
 
-        if (study_is_fitted(study, i) != fitted || !is_of(all, item, model))
+        if (study_is_fitted(study, i) != fitted
+            || item->use == OBSERVATION_RANGE || !is_of(all, item, model))
             continue;
         figures++;
         if (fabs(error) >= fabs(largest)) {
@@ -167,7 +168,8 @@ static void write_head(const struct study *study, const c205_model *model,
         "constants,\n# cost %.2f.\n",
         study->best.used, study->fit.constants->count, study->best.cost);
     for (size_t i = 0; i < all->count; i++)
-        if (is_of(all, &all->items[i], model))
+        if (is_of(all, &all->items[i], model)
+            && all->items[i].use != OBSERVATION_RANGE)
             fprintf(file, "#   %-16s %10.4f %-12s %+6.1f %%%s\n",
                     all->items[i].name, all->items[i].value,
                     all->items[i].unit,

@@ -1,0 +1,154 @@
+#include "rt/study/fit/untouched.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef double region_clocks[RUN_REGIONS_MOST];
+
+/* What is asked of all constants. */
+struct question {
+    const struct fit *fit;
+    const struct fit_change *change;
+    region_clocks *before; /* of each timing */
+};
+
+/* Whether the clocks of a region are part of what is fitted. */
+static bool is_shown(const struct question *question, size_t timing,
+                     size_t region)
+{
+    const struct observations *all = question->fit->observations;
+
+    for (size_t i = 0; i < all->count; i++) {
+        const struct observation *item = &all->items[i];
+
+        if (item->use != OBSERVATION_FIT || question->change->held[i])
+            continue;
+        for (size_t k = 0; k < item->term_count; k++)
+            if (item->terms[k].timing == timing
+                && item->terms[k].chosen[region])
+                return true;
+    }
+    return false;
+}
+
+static bool differs(const struct question *question, size_t timing,
+                    const region_clocks after)
+{
+    const struct observations *all = question->fit->observations;
+
+    for (size_t i = 0; i < all->timings[timing].run->region_count; i++)
+        if (question->before[timing][i] != after[i]
+            && is_shown(question, timing, i))
+            return true;
+    return false;
+}
+
+/* A value that the model refuses is no change. */
+static bool changes_timing(const struct question *question, size_t timing,
+                           const char *name)
+{
+    static const double factors[] = { 2, .5, .125 };
+    const struct run_timing *timed = &question->fit->observations
+                                          ->timings[timing];
+    double value = c205_model_lookup(timed->model, name)->value;
+
+    for (size_t i = 0; i < sizeof factors / sizeof *factors; i++) {
+        double moved = value == 0 ? 1 : value * factors[i];
+        c205_setting setting = { name, value == floor(value) ? floor(moved)
+                                                             : moved };
+        region_clocks after;
+        c205_error refused;
+
+        if (run_time(timed->run, timed->model, &setting, 1, RUN_FINE, after,
+                     &refused)
+            && differs(question, timing, after))
+            return true;
+    }
+    return false;
+}
+
+/* Every time is so many clocks, of which each takes a period. */
+static bool is_touched(const struct question *question, const char *machine,
+                       const c205_constant *constant)
+{
+    const struct observations *all = question->fit->observations;
+    bool touched = strcmp(constant->name, "clock.period") == 0;
+
+    for (size_t i = 0; i < all->timing_count && !touched; i++)
+        touched = model_is_of(all->timings[i].model, machine, strlen(machine))
+                  && changes_timing(question, i, constant->name);
+    return touched;
+}
+
+static const struct free_constant *
+find_mover(const struct constants *constants, const char *machine,
+           const char *name)
+{
+    for (size_t i = 0; i < constants->count; i++) {
+        const struct free_constant *item = &constants->items[i];
+
+        for (size_t k = 0; k < item->member_count; k++)
+            if (strcmp(item->machine, machine) == 0
+                && strcmp(item->members[k].name, name) == 0)
+                return item;
+    }
+    return NULL;
+}
+
+static void add_machine(const struct question *question, const char *machine,
+                        struct untouched_list *untouched)
+{
+    const struct constants *constants = question->fit->constants;
+    const c205_model *prior = constants_prior(constants, machine);
+
+    for (size_t i = 0; i < c205_model_size(prior); i++) {
+        const c205_constant *constant = c205_model_constant(prior, i);
+
+        if (untouched->count < UNTOUCHED_MOST
+            && !is_touched(question, machine, constant))
+            untouched->items[untouched->count++] = (struct untouched){
+                machine, constant,
+                find_mover(constants, machine, constant->name)
+            };
+    }
+}
+
+/* Each machine once. */
+static void add_machines(const struct question *question,
+                         struct untouched_list *untouched)
+{
+    const struct constants *constants = question->fit->constants;
+
+    for (size_t i = 0; i < constants->count; i++) {
+        const char *machine = constants->items[i].machine;
+        size_t first = 0;
+
+        while (strcmp(constants->items[first].machine, machine) != 0)
+            first++;
+        if (first == i)
+            add_machine(question, machine, untouched);
+    }
+}
+
+bool untouched_find(const struct fit *fit, const struct fit_change *change,
+                    struct untouched_list *untouched, c205_error *error)
+{
+    const struct observations *all = fit->observations;
+    struct question question = {
+        fit, change, calloc(all->timing_count, sizeof(region_clocks))
+    };
+    bool good = question.before != NULL;
+
+    untouched->count = 0;
+    if (!good)
+        snprintf(error->message, sizeof error->message, "no memory");
+    for (size_t i = 0; good && i < all->timing_count; i++)
+        good = run_time(all->timings[i].run, all->timings[i].model, NULL, 0,
+                        RUN_FINE, question.before[i], error);
+    if (good)
+        add_machines(&question, untouched);
+    free(question.before);
+    return good;
+}

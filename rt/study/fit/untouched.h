@@ -1,0 +1,29 @@
+/* untouched.h - the constants of the models on which no fitted observation
+ * depends: of them the fit can tell nothing, whatever it makes of those with
+ * which they move.
+ */
+#ifndef RT_FIT_UNTOUCHED_H
+#define RT_FIT_UNTOUCHED_H
+
+#include "rt/study/fit/fit.h"
+
+enum { UNTOUCHED_MOST = 128 };
+
+struct untouched {
+    const char *machine;
+    const c205_constant *constant;
+    const struct free_constant *moved_by; /* with others; NULL: it stays */
+};
+
+struct untouched_list {
+    size_t count;
+    struct untouched items[UNTOUCHED_MOST];
+};
+
+/* Constants of the machines that have free ones which change no clock that is
+ * fitted when they are doubled, halved or divided by eight, as far as they can
+ * be.  False: the error says why. */
+bool untouched_find(const struct fit *fit, const struct fit_change *change,
+                    struct untouched_list *untouched, c205_error *error);
+
+#endif
