@@ -33,7 +33,8 @@ rt_c = $(call c_of,$(addprefix rt/,scene scene/language shapes layout trace \
 	picture roots study study/sweep study/plot))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # What knows observations, and what fits them.
-observing_c = $(addprefix rt/study/fit/,csv.c run.c observations.c constants.c)
+observing_c = $(addprefix rt/study/fit/,csv.c run.c observations.c constants.c \
+	untouched.c)
 fit205_c = rt/command/fit205.c \
 	$(filter-out $(observing_c),$(call c_of,rt/study/fit))
 objects = $(patsubst %.c,$(BUILD)/%.o,$(1))

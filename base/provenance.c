@@ -39,7 +39,7 @@ const char *provenance_left_out(const c205_model *model)
     return c205_model_is_projection(model) ? left_out_projected : left_out;
 }
 
-static const char unknown[] = "validated against no published figure";
+static const char unknown[] = "compared with no published figure";
 
 /* Whether there is anything to tell. */
 static bool tell_belief(const char *how, c205_belief belief,
@@ -55,8 +55,7 @@ static bool tell_belief(const char *how, c205_belief belief,
 void provenance_line(const c205_model *model, char line[PROVENANCE_LINE])
 {
     if (!tell_belief("fitted to", c205_model_fitted(model), line)
-        && !tell_belief("validated against", c205_model_compared(model),
-                        line)) {
+        && !tell_belief("compared with", c205_model_compared(model), line)) {
         snprintf(line, PROVENANCE_LINE, "%s", unknown);
     }
 }
@@ -112,8 +111,8 @@ static void print_belief(const c205_model *model, const char *before,
 {
     bool said = say_belief("fitted to", c205_model_fitted(model), before,
                            file);
-    said |= say_belief("validated against", c205_model_compared(model),
-                       before, file);
+    said |= say_belief("compared with", c205_model_compared(model), before,
+                       file);
     if (!said) {
         say_origin(model, before, file);
     }
@@ -184,7 +183,7 @@ void provenance_json(const c205_model *model, struct json *json)
     json_text(json, "title", c205_model_title(model));
     json_truth(json, "fitted", provenance_is_fitted(model));
     write_belief("fit", c205_model_fitted(model), json);
-    write_belief("validation", c205_model_compared(model), json);
+    write_belief("comparison", c205_model_compared(model), json);
     write_origin(model, json);
     json_text(json, "not_modelled", provenance_left_out(model));
     json_object(json, "constants");

@@ -820,8 +820,8 @@ whole() { # COMMAND ..: with --provenance the rest of the line and more
     tells out 'on the model cyber205-2pipe; more by --provenance$'
     ends 0 "$@" --provenance
     tells out 'on the model cyber205-2pipe,$'
-    tells out 'fitted to 10 published figures, the largest error'
-    tells out 'validated against 4 published figures'
+    tells out 'fitted to 15 published figures, the largest error'
+    tells out 'compared with 1 published figure,'
     tells out 'Not modelled: fetching instructions'
     tells out '77 constants: 10 from a primary source (P)'
     ends 0 "$@" --json model.json
@@ -837,7 +837,7 @@ whole "$build/rt205" speedup -W 16 -H 10
 whole "$build/rt205" sweep pipes sphere -W 16 -H 16
 whole "$build/rt205" quartic four.csv
 ends 0 "$build/c205" model cyber205-2pipe
-tells out 'validated against 4 published figures'
+tells out 'compared with 1 published figure,'
 
 # every result in every format, from and to streams
 formats() { # COMMAND ..: its results as text, CSV, Markdown and JSON

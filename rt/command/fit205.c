@@ -130,7 +130,7 @@ static bool tell(const struct arguments *arguments, const struct study *study,
     snprintf(error->message, sizeof error->message, "no memory");
     if (!report_tell(study, written, results))
         return false;
-    goal_tell(study, results);
+    goal_tell(study, written, results);
     return true;
 }
 

@@ -2,6 +2,7 @@
  * frames of fewer rays. */
 #include "rt/study/fit/constants.h"
 #include "rt/study/fit/observations.h"
+#include "rt/study/fit/untouched.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -395,13 +396,70 @@ static void test_constants(void **state)
     remove("test_fit.csv");
 }
 
+static bool is_among(const struct untouched_list *untouched, const char *name,
+                     const char **moved_by)
+{
+    for (size_t i = 0; i < untouched->count; i++)
+        if (strcmp(untouched->items[i].constant->name, name) == 0) {
+            assert_string_equal(untouched->items[i].machine, "cyber205");
+            *moved_by = untouched->items[i].moved_by
+                            ? untouched->items[i].moved_by->name
+                            : "";
+            return true;
+        }
+    return false;
+}
+
+/* Of a fit to additions alone; a gather is only compared. */
+static void test_untouched(void **state)
+{
+    static struct constants constants;
+    static struct untouched_list untouched;
+    static const struct fit_change none;
+    struct observations all = { 0 };
+    struct run_options how = small();
+    struct diagnostics found = { 0 };
+    struct fit fit = { .observations = &all, .constants = &constants };
+    c205_error error = { "" };
+    const char *moved_by;
+
+    (void)state;
+    assert_true(observations_read(
+        &all,
+        file_of(HEAD "a,vector_add.s:add LENGTH=100,cyber205-2pipe,1,"
+                     "clk,1,s,fit\n"
+                     "b,stride.s:gather,cyber205-2pipe,1,clk,1,s,"
+                     "compare\n"),
+        &how, &found));
+    assert_true(
+        constants_read(&constants,
+                       file_of(
+                           "name,machine,constants,source,least,most,why\n"
+                           "start-ups,cyber205,startup.vadd startup.vdivide,"
+                           "R,5,90,?\n"),
+                       &found));
+    assert_true(untouched_find(&fit, &none, &untouched, &error));
+    assert_false(is_among(&untouched, "startup.vadd", &moved_by));
+    assert_false(is_among(&untouched, "stream.vadd", &moved_by));
+    assert_false(is_among(&untouched, "machine.pipes", &moved_by));
+    assert_false(is_among(&untouched, "clock.period", &moved_by));
+    assert_true(is_among(&untouched, "startup.vdivide", &moved_by));
+    assert_string_equal(moved_by, "start-ups");
+    assert_true(is_among(&untouched, "stream.vgather", &moved_by));
+    assert_string_equal(moved_by, "");
+    assert_true(is_among(&untouched, "latency.store", &moved_by));
+    constants_free(&constants);
+    observations_free(&all);
+    remove("test_fit.csv");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_units),      cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_photons),    cmocka_unit_test(test_constants),
-        cmocka_unit_test(test_groups),     cmocka_unit_test(test_ranges),
-        cmocka_unit_test(test_fewer_rays),
+        cmocka_unit_test(test_units),     cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_photons),   cmocka_unit_test(test_constants),
+        cmocka_unit_test(test_groups),    cmocka_unit_test(test_ranges),
+        cmocka_unit_test(test_untouched), cmocka_unit_test(test_fewer_rays),
     };
     c205_error error = { "" };
     int failed;

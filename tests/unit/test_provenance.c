@@ -103,7 +103,7 @@ static void test_belief(void **state)
     begins(text, "# Cycle-accounted, not cycle-accurate, on the model test,\n"
                  "# fitted to 3 published figures, the largest error -12.5 % "
                  "(the worst),\n"
-                 "# validated against 1 published figure, the largest error "
+                 "# compared with 1 published figure, the largest error "
                  "+7.0 % (another).\n"
                  "# Not modelled: fetching instructions, ");
     free(text);
@@ -113,7 +113,7 @@ static void test_belief(void **state)
                 "    \"fit\": {\n      \"figures\": 3,\n"
                 "      \"largest_error_percent\": -12.5,\n"
                 "      \"of\": \"the worst\"\n    },\n"
-                "    \"validation\": {\n      \"figures\": 1,\n"
+                "    \"comparison\": {\n      \"figures\": 1,\n"
                 "      \"largest_error_percent\": 7,\n"
                 "      \"of\": \"another\"\n    },\n"
                 "    \"not_modelled\": \"fetching instructions, ");
@@ -127,11 +127,11 @@ static void test_no_figure(void **state)
     c205_model *model = parsed("title T\nlike cyber205-2pipe-prior\n");
     char *text = printed(model, "");
     begins(text, "Cycle-accounted, not cycle-accurate, on the model test,\n"
-                 "validated against no published figure.\nNot modelled: ");
+                 "compared with no published figure.\nNot modelled: ");
     free(text);
     text = as_json(model);
     holds(text, "\"fitted\": false,\n    \"fit\": null,\n"
-                "    \"validation\": null,\n    \"not_modelled\": ");
+                "    \"comparison\": null,\n    \"not_modelled\": ");
     assert_false(provenance_is_fitted(model));
     free(text);
     c205_model_free(model);
@@ -148,7 +148,7 @@ static void test_changed(void **state)
     assert_true(belief.figures > 1);
     snprintf(expected, sizeof expected,
              "Cycle-accounted, not cycle-accurate, on the model test,\n"
-             "validated against no published figure; it changes "
+             "compared with no published figure; it changes "
              "cyber205-2pipe,\n"
              "which was fitted to %u published figures, the largest error "
              "%+.1f %% (%s).\n",
@@ -293,10 +293,10 @@ static void test_line(void **state)
                 "(a b)");
     assert_line("title T\ncompared 1 figures, at most 2 % off: c\n"
                 "like cyber205-2pipe-prior\n",
-                "validated against 1 published figure, the largest error "
+                "compared with 1 published figure, the largest error "
                 "+2.0 % (c)");
     assert_line("title T\nlike cyber205-2pipe\n",
-                "validated against no published figure");
+                "compared with no published figure");
 }
 
 int main(void)

@@ -58,14 +58,15 @@ static void print_rows(const struct study *study, chosen_rows *is_chosen,
     text_buffer_free(&text);
 }
 
-static void print_speedups(const struct study *study, double within,
-                           const struct results *results)
+static void print_speedups(const struct study *study, const double *written,
+                           double within, const struct results *results)
 {
     size_t good = 0;
 
     for (size_t i = 0; i < 2 * study->subject_count; i++) {
-        double told, found = study_speedup(study, study->subjects[i / 2],
-                                           i % 2 != 0, &told);
+        double told,
+            found = study_speedup(study, written, study->subjects[i / 2],
+                                  i % 2 != 0, &told);
 
         good += fabs(found / told - 1) <= within;
     }
@@ -92,18 +93,19 @@ static void print_constants(const struct study *study,
                 inside, constants->count, WIDTHS_WITHIN, near);
 }
 
-void goal_tell(const struct study *study, const struct results *results)
+void goal_tell(const struct study *study, const double *written,
+               const struct results *results)
 {
     static const double limits[] = { TIMES_WITHIN, TIMES_GOAL };
 
     results_say(results, "\nThe goal:\n\n");
     for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) {
-        print_rows(study, study_is_row, study->best.predicted, limits[i],
+        print_rows(study, study_is_row, written, limits[i],
                    "Times of Table 1", results);
-        print_speedups(study, limits[i], results);
+        print_speedups(study, written, limits[i], results);
     }
-    print_rows(study, is_kernel, study->best.predicted, TIMES_WITHIN,
-               "Livermore kernels", results);
+    print_rows(study, is_kernel, written, TIMES_WITHIN, "Livermore kernels",
+               results);
     if (!study->brief)
         print_rows(study, is_any, study->left_out, LEFT_OUT_WITHIN,
                    "Rows left out", results);

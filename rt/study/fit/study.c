@@ -193,7 +193,7 @@ size_t study_row(const struct study *study,
     return i;
 }
 
-double study_speedup(const struct study *study,
+double study_speedup(const struct study *study, const double *predicted,
                      const struct speedup_subject *subject, bool other,
                      double *told)
 {
@@ -204,7 +204,6 @@ double study_speedup(const struct study *study,
 
     *told = other ? subject->paper.projected[0].speedup
                   : subject->paper.speedup;
-    return slow == count || fast == count
-               ? NAN
-               : study->best.predicted[slow] / study->best.predicted[fast];
+    return slow == count || fast == count ? NAN
+                                          : predicted[slow] / predicted[fast];
 }

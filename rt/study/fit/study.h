@@ -57,8 +57,9 @@ size_t study_row(const struct study *study,
                  const char *machine);
 
 /* By how much the vector form is faster than the scalar one, on the other
- * machine if that is wanted; and what Table 1 tells.  NaN: none. */
-double study_speedup(const struct study *study,
+ * machine if that is wanted, by what is predicted; and what Table 1 tells.
+ * NaN: none. */
+double study_speedup(const struct study *study, const double *predicted,
                      const struct speedup_subject *subject, bool other,
                      double *told);
 

@@ -14,34 +14,43 @@ struct question {
     region_clocks *before; /* of each timing */
 };
 
-/* Whether the clocks of a region are part of what is fitted. */
-static bool is_shown(const struct question *question, size_t timing,
-                     size_t region)
+/* By how much a time must change, relative. */
+#define CHANGED .01
+
+static double sum_of(const struct term *term, const region_clocks clocks,
+                     size_t regions)
+{
+    double sum = 0;
+
+    for (size_t i = 0; i < regions; i++)
+        if (term->chosen[i])
+            sum += clocks[i];
+    return sum;
+}
+
+/* Whether a fitted time that comes from the timing changes. */
+static bool differs(const struct question *question, size_t timing,
+                    const region_clocks after)
 {
     const struct observations *all = question->fit->observations;
+    size_t regions = all->timings[timing].run->region_count;
 
     for (size_t i = 0; i < all->count; i++) {
         const struct observation *item = &all->items[i];
 
         if (item->use != OBSERVATION_FIT || question->change->held[i])
             continue;
-        for (size_t k = 0; k < item->term_count; k++)
-            if (item->terms[k].timing == timing
-                && item->terms[k].chosen[region])
+        for (size_t k = 0; k < item->term_count; k++) {
+            const struct term *term = &item->terms[k];
+
+            if (term->timing == timing
+                && fabs(sum_of(term, after, regions)
+                            / sum_of(term, question->before[timing], regions)
+                        - 1)
+                       >= CHANGED)
                 return true;
+        }
     }
-    return false;
-}
-
-static bool differs(const struct question *question, size_t timing,
-                    const region_clocks after)
-{
-    const struct observations *all = question->fit->observations;
-
-    for (size_t i = 0; i < all->timings[timing].run->region_count; i++)
-        if (question->before[timing][i] != after[i]
-            && is_shown(question, timing, i))
-            return true;
     return false;
 }
 

@@ -20,9 +20,9 @@ struct untouched_list {
     struct untouched items[UNTOUCHED_MOST];
 };
 
-/* Constants of the machines that have free ones which change no clock that is
- * fitted when they are doubled, halved or divided by eight, as far as they can
- * be.  False: the error says why. */
+/* Constants of the machines that have free ones which change no time that is
+ * fitted by a hundredth when they are doubled, halved or divided by eight, as
+ * far as they can be.  False: the error says why. */
 bool untouched_find(const struct fit *fit, const struct fit_change *change,
                     struct untouched_list *untouched, c205_error *error);
 
