@@ -104,7 +104,7 @@ static void test_fewer_rays(void **state)
 
 /* ---- Observations ------------------------------------------------------- */
 
-#define HEAD "name,program,machine,value,unit,uncertainty,source,use\n"
+#define HEAD "name,program,machine,value,unit,uncertainty,shared,source,use\n"
 
 /* What the machine shows of the only observation in a file. */
 static double predicted(const char *row)
@@ -137,29 +137,28 @@ static void test_units(void **state)
 {
     (void)state;
     assert_near(predicted("a,vector_add.s:add LENGTH=0,"
-                          "cyber205-2pipe,1,ns/TIMES,1,s,fit"),
+                          "cyber205-2pipe,1,ns/TIMES,1,,s,fit"),
                 1020);
     assert_near(predicted("a,vector_add.s:add LENGTH=0,"
-                          "cyber205-2pipe,1,clk,1,s,compare"),
+                          "cyber205-2pipe,1,clk,1,,s,compare"),
                 5100);
     assert_near(predicted("a,vector_add.s:add LENGTH=0,"
-                          "eta10g,1 to 2,clk,,s,range"),
+                          "eta10g,1 to 2,clk,,,s,range"),
                 5100);
     assert_near(predicted("a,vector_add.s:add LENGTH=0,"
-                          "eta10g,1,ns/TIMES,1,s,fit"),
+                          "eta10g,1,ns/TIMES,1,,s,fit"),
                 357);
     assert_near(predicted("a,vector_add.s:add LENGTH=100,"
-                          "cyber205-2pipe,1,Mflop/s,1,\"a, b\",fit"),
+                          "cyber205-2pipe,1,Mflop/s,1,,\"a, b\",fit"),
                 100 / (101 * .02));
     assert_near(predicted("a,vector_add.s:add LENGTH=100,"
-                          "cyber205-2pipe/cyber205-1pipe,1,ratio,1,"
-                          "s,fit"),
+                          "cyber205-2pipe/cyber205-1pipe,1,ratio,1,,s,fit"),
                 101 / 151.);
     assert_near(predicted("a,vector_add.s:add/add LENGTH=3,"
-                          "cyber205-2pipe,1,ratio,1,s,fit"),
+                          "cyber205-2pipe,1,ratio,1,,s,fit"),
                 1);
     assert_near(predicted("a,vector_add.s:add LENGTH=3,"
-                          "cyber205-2pipe,1,%,1,s,fit"),
+                          "cyber205-2pipe,1,%,1,,s,fit"),
                 100);
 }
 
@@ -192,33 +191,34 @@ static void test_refused(void **state)
 {
     (void)state;
     assert_refused("", "test_fit.csv:0:0: holds no table");
-    assert_refused("a,b,c,d,e,f,g,h\n",
+    assert_refused("a,b,c,d,e,f,g,h,i\n",
                    "test_fit.csv:1:1: another column is expected");
     assert_refused(HEAD "a,b\n", "test_fit.csv:2:1: fields are missing");
+    assert_refused(HEAD "a,b,c,d,e,f,g,h,i,j\n",
+                   "test_fit.csv:2:19: too many fields");
     assert_refused(HEAD "a,b,c,d,e,f,g,h,i\n",
-                   "test_fit.csv:2:17: too many fields");
-    assert_refused(HEAD "a,b,c,d,e,f,g,h\n",
-                   "test_fit.csv:2:15: fit, compare or range is expected");
-    assert_refused(HEAD "a,b,c,d,e,f,g,fit\n",
+                   "test_fit.csv:2:17: fit, compare or range is expected");
+    assert_refused(HEAD "a,b,c,d,e,f,g,h,fit\n",
                    "test_fit.csv:2:7: a positive number is expected");
-    assert_refused(HEAD "a,b,c,1 to,e,f,g,range\n",
+    assert_refused(HEAD "a,b,c,1 to,e,f,,g,range\n",
                    "test_fit.csv:2:7: a positive number or LEAST to MOST is "
                    "expected");
-    assert_refused(HEAD "a,b,c,2 to 1,e,f,g,range\n",
+    assert_refused(HEAD "a,b,c,2 to 1,e,f,,g,range\n",
                    "test_fit.csv:2:7: a positive number or LEAST to MOST is "
                    "expected");
-    assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,s/100000,1,s,fit\n",
+    assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,s/100000,1,,s,fit\n",
                    "test_fit.csv:2:33: vector_add.s has no rays");
-    assert_refused(HEAD "a,vector_add.s:sub,cyber205-2pipe,1,ratio,1,s,fit\n",
+    assert_refused(HEAD
+                   "a,vector_add.s:sub,cyber205-2pipe,1,ratio,1,,s,fit\n",
                    "test_fit.csv:2:3: there is no region sub");
-    assert_refused(HEAD "a,vector_add.s,cyber205-9pipe,1,ratio,1,s,fit\n",
+    assert_refused(HEAD "a,vector_add.s,cyber205-9pipe,1,ratio,1,,s,fit\n",
                    "test_fit.csv:2:3: there is no machine model "
                    "'cyber205-9pipe'");
-    assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,miles,1,s,fit\n",
+    assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,miles,1,,s,fit\n",
                    "test_fit.csv:2:33: there is no unit miles");
-    assert_refused(HEAD "a,vector_add.s X,cyber205-2pipe,1,%,1,s,fit\n",
+    assert_refused(HEAD "a,vector_add.s X,cyber205-2pipe,1,%,1,,s,fit\n",
                    "test_fit.csv:2:3: 'X' does not define a constant");
-    assert_refused(HEAD "a,stride.s,cyber205-2pipe,1,Mflop/s,1,s,fit\n",
+    assert_refused(HEAD "a,stride.s,cyber205-2pipe,1,Mflop/s,1,,s,fit\n",
                    "test_fit.csv:2:29: the program does not define FLOPS");
 }
 
@@ -325,6 +325,12 @@ static void test_groups(void **state)
     assert_group("start-up", "start-up");
     assert_group("photons, in registers", "photons");
     assert_group("720 to 6600, sphere", "720 to 6600");
+    assert_true(observation_same_group(
+        &(const struct observation){ .name = "sphere scalar" },
+        &(const struct observation){ .name = "sphere 720" }));
+    assert_false(observation_same_group(
+        &(const struct observation){ .name = "sphere scalar" },
+        &(const struct observation){ .name = "spheres, scalar" }));
 }
 
 static void test_ranges(void **state)
@@ -336,10 +342,10 @@ static void test_ranges(void **state)
     (void)state;
     assert_true(observations_read(
         &all,
-        file_of(HEAD "a,vector_add.s,cyber205-2pipe,1.5 to 3,clk,,s,"
+        file_of(HEAD "a,vector_add.s,cyber205-2pipe,1.5 to 3,clk,,,s,"
                      "range\n"
-                     "b,vector_add.s,cyber205-2pipe,4,clk,,s,range\n"
-                     "c,vector_add.s,cyber205-2pipe,5,clk,.1,s,fit\n"),
+                     "b,vector_add.s,cyber205-2pipe,4,clk,,,s,range\n"
+                     "c,vector_add.s,cyber205-2pipe,5,clk,.3,.4,s,fit\n"),
         &how, &found));
     for (size_t i = 0; i < all.count; i++) {
         static const double expected[][2] = { { 1.5, 3 },
@@ -351,6 +357,9 @@ static void test_ranges(void **state)
         assert_int_equal(all.items[i].use,
                          i < 2 ? OBSERVATION_RANGE : OBSERVATION_FIT);
     }
+    assert_near(all.items[2].uncertainty, .3);
+    assert_near(all.items[2].shared, .4);
+    assert_near(observation_uncertainty(&all.items[2]), .5);
     observations_free(&all);
     remove("test_fit.csv");
 }
@@ -427,8 +436,8 @@ static void test_untouched(void **state)
     assert_true(observations_read(
         &all,
         file_of(HEAD "a,vector_add.s:add LENGTH=100,cyber205-2pipe,1,"
-                     "clk,1,s,fit\n"
-                     "b,stride.s:gather,cyber205-2pipe,1,clk,1,s,"
+                     "clk,1,,s,fit\n"
+                     "b,stride.s:gather,cyber205-2pipe,1,clk,1,,s,"
                      "compare\n"),
         &how, &found));
     assert_true(

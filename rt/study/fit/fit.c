@@ -159,14 +159,57 @@ static double width_of(const struct asked *asked, size_t constant)
     return wider > 0 ? wider : 1;
 }
 
-static double residual_at(const struct asked *asked, size_t i,
-                          struct point *point)
+static const struct observation *used_at(const struct asked *asked, size_t i)
 {
-    const struct observations *all = asked->fit->observations;
-    const struct observation *item = &all->items[asked->used[i]];
-    double predicted = observation_predict(all, item, point->clocks);
+    return &asked->fit->observations->items[asked->used[i]];
+}
 
-    return fit_error(item, predicted) / item->uncertainty;
+static double error_at(const struct asked *asked, size_t i,
+                       struct point *point)
+{
+    const struct observation *item = used_at(asked, i);
+
+    return fit_error(item, observation_predict(asked->fit->observations, item,
+                                               point->clocks));
+}
+
+/* The mean of a column of errors over the rows of a group, or what of it a
+ * residual leaves out. */
+static double shared_error(const struct asked *asked, size_t i,
+                           const double *errors, size_t columns)
+{
+    const struct observation *item = used_at(asked, i);
+    double own = item->uncertainty, sum = 0, rows = 0;
+
+    for (size_t k = 0; k < asked->use_count; k++)
+        if (observation_same_group(item, used_at(asked, k))) {
+            sum += errors[k * columns];
+            rows++;
+        }
+    return sum / rows
+           * (1 - own / sqrt(own * own + rows * item->shared * item->shared));
+}
+
+/* Relative errors as residuals, column by column.  The errors of a group of k
+ * rows have the covariance u^2 I + s^2 1 1^T, with u their own uncertainty and s
+ * what they share.  Its inverse root makes of them
+ *
+ *     (e - b mean e) / u,   b = 1 - u / sqrt (u^2 + k s^2).
+ */
+static void weigh_errors(const struct asked *asked, double *errors,
+                         size_t columns)
+{
+    for (size_t k = 0; k < columns; k++) {
+        double shared[FIT_OBSERVATIONS_MOST];
+
+        for (size_t i = 0; i < asked->use_count; i++)
+            shared[i] = shared_error(asked, i, errors + k, columns);
+        for (size_t i = 0; i < asked->use_count; i++) {
+            double *error = &errors[i * columns + k];
+
+            *error = (*error - shared[i]) / used_at(asked, i)->uncertainty;
+        }
+    }
 }
 
 static void find_residuals(const struct asked *asked, struct point *points,
@@ -175,7 +218,8 @@ static void find_residuals(const struct asked *asked, struct point *points,
     const struct fit_change *change = asked->change;
 
     for (size_t i = 0; i < asked->use_count; i++)
-        residuals[i] = residual_at(asked, i, &points[0]);
+        residuals[i] = error_at(asked, i, &points[0]);
+    weigh_errors(asked, residuals, 1);
     for (size_t i = 0; i < asked->fit->constants->count; i++)
         residuals[asked->use_count + i] = (points[0].places[i]
                                            - change->center[i])
@@ -190,11 +234,12 @@ static void find_derivatives(const struct asked *asked, struct point *points,
 
     for (size_t i = 0; i < asked->use_count; i++)
         for (size_t k = 0; k < constants; k++)
-            derivatives[i * constants + k] = (residual_at(asked, i,
-                                                          &points[k + 1])
-                                              - residual_at(asked, i,
-                                                            &points[0]))
+            derivatives[i * constants + k] = (error_at(asked, i,
+                                                       &points[k + 1])
+                                              - error_at(asked, i,
+                                                         &points[0]))
                                              / STEP;
+    weigh_errors(asked, derivatives, constants);
     memset(prior, 0, constants * constants * sizeof *prior);
     for (size_t i = 0; i < constants; i++)
         prior[i * constants + i] = 1 / width_of(asked, i);

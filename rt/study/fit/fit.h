@@ -2,7 +2,8 @@
  *
  * Residuals: of each observation in use, the relative error of the machine's
  * own clocks for its program, by its uncertainty, with a Cauchy loss of
- * FIT_LOSS; of each free constant, how far it is from its prior, in the
+ * FIT_LOSS, where a group of rows shares a part of the uncertainty the shared
+ * error counting once; of each free constant, how far it is from its prior, in the
  * prior's widths.  Derivatives are differences between programs timed again.
  *
  * Everything is the same in every run: threads only share the timing out.

@@ -2,6 +2,7 @@
 
 #include "base/array.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,14 +14,15 @@ enum {
     VALUE,
     UNIT,
     UNCERTAINTY,
+    SHARED,
     SOURCE,
     USE,
     FIELDS
 };
-static const char *const columns[FIELDS] = { "name",    "program",
-                                             "machine", "value",
-                                             "unit",    "uncertainty",
-                                             "source",  "use" };
+static const char *const columns[FIELDS] = {
+    "name",        "program", "machine", "value", "unit",
+    "uncertainty", "shared",  "source",  "use"
+};
 
 enum { TEXT_MOST = 128 };
 
@@ -277,7 +279,10 @@ static bool read_figure(const struct csv *file, const struct csv_row *row,
         return false;
     item->least = item->most = item->value;
     return csv_positive(file, row, UNCERTAINTY, &item->uncertainty,
-                        diagnostics);
+                        diagnostics)
+           && (*row->fields[SHARED] == '\0'
+               || csv_positive(file, row, SHARED, &item->shared,
+                               diagnostics));
 }
 
 static bool read_row(struct observations *all, const struct csv *file,
@@ -368,6 +373,21 @@ size_t observation_group(const struct observation *observation)
 
     return !last ? strlen(observation->name)
                  : (size_t)(last - observation->name);
+}
+
+bool observation_same_group(const struct observation *one,
+                            const struct observation *other)
+{
+    size_t length = observation_group(one);
+
+    return length == observation_group(other)
+           && strncmp(one->name, other->name, length) == 0;
+}
+
+double observation_uncertainty(const struct observation *observation)
+{
+    return sqrt(observation->uncertainty * observation->uncertainty
+                + observation->shared * observation->shared);
 }
 
 double observation_predict(const struct observations *all,

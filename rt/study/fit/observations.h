@@ -15,6 +15,7 @@
  *             ratio      the first region's or machine's time by the second's
  *   value     a number; of a range "LEAST to MOST", or a number
  *   uncertainty   relative: one standard deviation; of a range empty
+ *   shared    the same, of what is off alike in all rows of a group
  *   use       fit; compare; or range: what is known as a range, or from a
  *             program that can be written in several ways, a row for each,
  *             "NAME, WAY"
@@ -51,7 +52,7 @@ enum observation_use {
 
 struct observation {
     const char *name, *program, *machine, *unit, *source;
-    double value, uncertainty;
+    double value, uncertainty, shared;
     double least, most; /* of a range */
     enum observation_use use;
     bool rate; /* factor / seconds; else factor x seconds */
@@ -79,6 +80,10 @@ void observations_free(struct observations *observations);
 /* The first words of its name, which a group of observations shares: up to a
  * comma, or up to the last word. */
 size_t observation_group(const struct observation *observation);
+bool observation_same_group(const struct observation *one,
+                            const struct observation *other);
+/* Of the row alone: its own uncertainty and the shared one. */
+double observation_uncertainty(const struct observation *observation);
 
 /* From the clocks of each timing's regions. */
 double observation_predict(const struct observations *observations,

@@ -10,6 +10,7 @@ static const struct table_column observed[] = {
     { "unit", "unit", TABLE_TEXT, 0 },
     { "observed", "observed", TABLE_NUMBER, 4 },
     { "uncertainty", "+- %", TABLE_NUMBER, 0 },
+    { "shared", "alike", TABLE_NUMBER, 0 },
     { "prior_error", "by priors %", TABLE_NUMBER, 1 },
     { "predicted", "predicted", TABLE_NUMBER, 4 },
     { "error", "error %", TABLE_NUMBER, 1 },
@@ -99,10 +100,11 @@ static void add_observation(const struct study *study, size_t i,
     table_text(table, item->unit);
     table_number(table, item->value);
     table_number(table, 100 * item->uncertainty);
+    table_number(table, item->shared > 0 ? 100 * item->shared : NAN);
     table_number(table, 100 * fit_error(item, study->at_prior[i]));
     table_number(table, study->best.predicted[i]);
     table_number(table, 100 * error);
-    table_number(table, error / item->uncertainty);
+    table_number(table, error / observation_uncertainty(item));
     table_number(table, 100 * fit_error(item, written[i]));
 }
 
@@ -161,8 +163,7 @@ static size_t add_span(const struct study *study, size_t first,
     double least = INFINITY, most = 0;
 
     for (; first + ways < all->count
-           && strncmp(item[ways].name, item->name, length) == 0
-           && observation_group(&item[ways]) == length;
+           && observation_same_group(item, &item[ways]);
          ways++) {
         least = fmin(least, study->best.predicted[first + ways]);
         most = fmax(most, study->best.predicted[first + ways]);
@@ -415,8 +416,8 @@ static void print_head(const struct study *study,
         results,
         "%zu observations, %zu free constants; cost %.3f after %d steps, "
         "%s.\n"
-        "Of the constants the data tell as much as of %.1f that nothing else "
-        "was known of:\n%.1f degrees of freedom are left.\n"
+        "The data know as much as %.1f of the constants; %.1f degrees of "
+        "freedom are left.\n"
         "Residuals: relative errors of the machine's own clocks by their "
         "uncertainty, Cauchy\nloss from %g on; and the constants' "
         "distances from their priors, in widths: P 2 %%,\nD 5 %%, S 10 "
