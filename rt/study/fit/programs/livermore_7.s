@@ -19,6 +19,8 @@ x:              .space N
 y:              .space N
 z:              .space N
 u:              .space N + 6
+work:           .space N
+sum:            .space N
         .code
 
 ; u0_v .. u6_v are U(K) .. U(K+6); work_v and sum_v the compiler's own.
@@ -31,10 +33,6 @@ u:              .space N + 6
         MPYSV   [\vector], \scalar, [link]
         ADDNV   [link], [\other], [\result]
         .endm
-        .data
-work:           .space N
-sum:            .space N
-        .code
 
         series  y, N, 1.0, 1.0
         series  z, N, 1.0, 1.0
