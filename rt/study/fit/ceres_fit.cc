@@ -139,7 +139,7 @@ void fit(const ceres_problem &given, double *values, ceres_outcome &outcome)
     options.linear_solver_type = ceres::DENSE_QR;
     options.logging_type = ceres::SILENT;
     options.max_num_iterations = 50;
-    options.function_tolerance = 1e-5;
+    options.function_tolerance = 1e-4;
     options.parameter_tolerance = 1e-6;
     options.num_threads = 1;
     ceres::Solver::Summary summary;

@@ -17,51 +17,27 @@ struct question {
 /* By how much a time must change, relative. */
 #define CHANGED .01
 
-static double sum_of(const struct term *term, const region_clocks clocks,
-                     size_t regions)
+static double sum_of(const struct term *term, const struct fit_run *run,
+                     const region_clocks clocks)
 {
     double sum = 0;
 
-    for (size_t i = 0; i < regions; i++)
+    for (size_t i = 0; i < run->region_count; i++)
         if (term->chosen[i])
             sum += clocks[i];
     return sum;
 }
 
-/* Whether a fitted time that comes from the timing changes. */
-static bool differs(const struct question *question, size_t timing,
-                    const region_clocks after)
-{
-    const struct observations *all = question->fit->observations;
-    size_t regions = all->timings[timing].run->region_count;
-
-    for (size_t i = 0; i < all->count; i++) {
-        const struct observation *item = &all->items[i];
-
-        if (item->use != OBSERVATION_FIT || question->change->held[i])
-            continue;
-        for (size_t k = 0; k < item->term_count; k++) {
-            const struct term *term = &item->terms[k];
-
-            if (term->timing == timing
-                && fabs(sum_of(term, after, regions)
-                            / sum_of(term, question->before[timing], regions)
-                        - 1)
-                       >= CHANGED)
-                return true;
-        }
-    }
-    return false;
-}
-
-/* A value that the model refuses is no change. */
-static bool changes_timing(const struct question *question, size_t timing,
-                           const char *name)
+/* Whether the constant changes a time.  A value that the model refuses is no
+ * change. */
+static bool changes(const struct question *question, const struct term *term,
+                    const char *name)
 {
     static const double factors[] = { 2, .5, .125 };
-    const struct run_timing *timed = &question->fit->observations
-                                          ->timings[timing];
-    double value = c205_model_lookup(timed->model, name)->value;
+    const struct run_timing *timing = &question->fit->observations
+                                           ->timings[term->timing];
+    double value = c205_model_lookup(timing->model, name)->value;
+    double before = sum_of(term, timing->run, question->before[term->timing]);
 
     for (size_t i = 0; i < sizeof factors / sizeof *factors; i++) {
         double moved = value == 0 ? 1 : value * factors[i];
@@ -70,11 +46,25 @@ static bool changes_timing(const struct question *question, size_t timing,
         region_clocks after;
         c205_error refused;
 
-        if (run_time(timed->run, timed->model, &setting, 1, RUN_FINE, after,
+        if (run_time(timing->run, timing->model, &setting, 1, RUN_FINE, after,
                      &refused)
-            && differs(question, timing, after))
+            && fabs(sum_of(term, timing->run, after) / before - 1) >= CHANGED)
             return true;
     }
+    return false;
+}
+
+static bool changes_any(const struct question *question,
+                        const struct observation *item, const char *machine,
+                        const char *name)
+{
+    const struct observations *all = question->fit->observations;
+
+    for (size_t i = 0; i < item->term_count; i++)
+        if (model_is_of(all->timings[item->terms[i].timing].model, machine,
+                        strlen(machine))
+            && changes(question, &item->terms[i], name))
+            return true;
     return false;
 }
 
@@ -85,9 +75,11 @@ static bool is_touched(const struct question *question, const char *machine,
     const struct observations *all = question->fit->observations;
     bool touched = strcmp(constant->name, "clock.period") == 0;
 
-    for (size_t i = 0; i < all->timing_count && !touched; i++)
-        touched = model_is_of(all->timings[i].model, machine, strlen(machine))
-                  && changes_timing(question, i, constant->name);
+    for (size_t i = 0; i < all->count && !touched; i++)
+        touched = all->items[i].use == OBSERVATION_FIT
+                  && !question->change->held[i]
+                  && changes_any(question, &all->items[i], machine,
+                                 constant->name);
     return touched;
 }
 
