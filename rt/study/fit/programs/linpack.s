@@ -90,9 +90,9 @@ next\@:
         .macro  norm_of_matrix result
         vector  column, a, ORDER
         ES      columns, ORDER
-        MAXV    |[column]|, \result
+        MAXV    |[column]|, r0, \result
 next\@:
-        MAXV    |[column]|, number
+        MAXV    |[column]|, r0, number
         CFPLE   number, \result, less\@
         RTOR    number, \result
 less\@:

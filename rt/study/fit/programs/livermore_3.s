@@ -16,7 +16,6 @@ x:              .space N
 z:              .space N
         .code
 
-; The register behind sum, which is even, is free.
         .regs   r24, sum, sum_lower, x_v, z_v, q_at
 
         series  x, N, 1.0, 0.0
@@ -31,6 +30,8 @@ z:              .space N
         ADDLEN  x_v, n, x_v
         ADDLEN  z_v, n, z_v
         DOTV    [z_v], [x_v], sum
+        ADDN    sum, r0, sum            ; one number of the two parts
+        ADDN    sum, sum_lower, sum
         LOD     [q_at], q
         ADDN    q, sum, q
         STO     [q_at], q
