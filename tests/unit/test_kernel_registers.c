@@ -255,6 +255,129 @@ static void test_scenes(void **state)
     assert_true(count > 10);
 }
 
+/* ---- What is saved in vain ---------------------------------------------- */
+
+enum { MOST_AREAS = 16 };
+
+/* Where a kernel saves registers as it loads its constants. */
+struct area {
+    uint64_t address;
+    unsigned first, count;
+    bool changed[C205_REGISTERS]; /* before they came back, ever */
+};
+
+static struct saves {
+    struct area areas[MOST_AREAS];
+    size_t count;
+    c205_word before[C205_REGISTERS]; /* the instruction */
+} saves;
+
+static uint64_t address_of(c205_word descriptor)
+{
+    return descriptor & 0xFFFFFFFFFFFF;
+}
+
+static struct area *area_at(uint64_t address)
+{
+    for (size_t i = 0; i < saves.count; i++)
+        if (saves.areas[i].address == address)
+            return &saves.areas[i];
+    return NULL;
+}
+
+static void see_saved(c205_word to, unsigned first)
+{
+    if (area_at(address_of(to)))
+        return;
+    assert_true(saves.count < MOST_AREAS);
+    saves.areas[saves.count++] = (struct area){
+        .address = address_of(to),
+        .first = first,
+        .count = (unsigned)(to >> 48),
+    };
+}
+
+static void see_restored(struct area *area, const c205 *machine)
+{
+    for (unsigned i = 0; i < area->count; i++) {
+        unsigned k = area->first + i;
+
+        area->changed[k] |= saves.before[k] != c205_register(machine, k);
+    }
+}
+
+static void listen_to_saves(void *context, const c205 *machine,
+                            const c205_event *event)
+{
+    const c205_fields *fields = &event->fields;
+    struct area *area;
+
+    (void)context;
+    if (event->kind != C205_EVENT_INSTRUCTION)
+        return;
+    if (event->insn->format == C205_FORMAT_SWAP && fields->r != 0) {
+        area = area_at(address_of(saves.before[fields->r]));
+        if (fields->t != 0)
+            see_saved(saves.before[fields->t], fields->s);
+        else if (area && area->first == fields->s)
+            see_restored(area, machine);
+    }
+    for (unsigned k = 0; k < C205_REGISTERS; k++)
+        saves.before[k] = c205_register(machine, k);
+}
+
+/* What a call costs is the largest part of a short kernel: the scalar form
+ * would be handicapped by each register that is saved and not used. */
+static void test_nothing_is_saved_in_vain(void **state)
+{
+    static const char text[] = HEAD
+        "camera { location <0, 1, -6> look_at 0 }\n"
+        "sphere { <-2, 1, 0>, .7 } box { <-1, .2, 0>, <0, 1, 1> }"
+        "cylinder { x, <1.7, 1.5, .3>, .4 } plane { <.1, 1, .2>, -1.5 }"
+        "cylinder { -x, <1, -.5, 0>, .3 open scale <.9, 1.2, 1.1>"
+        " rotate <30, 20, 40> translate <.1, -.2, .3> }"
+        "cone { <2, 0, 0>, .5, <2.2, 1, .1>, .2 }"
+        "quadric { 1, <.3, 0, .2>, <.1, 0, .3>, -.2 }";
+    struct trace_options options = { .mode = TRACE_SCALAR,
+                                     .width = 4 * COLUMNS,
+                                     .height = 4 * ROWS,
+                                     .queue = 1,
+                                     .model = prior_model };
+    struct scene *scene = read_text(text);
+
+    (void)state;
+    for (int historical = 0; historical < 2; historical++) {
+        c205_error error = { "" };
+        struct trace *trace;
+        c205 *machine;
+
+        memset(&saves, 0, sizeof saves);
+        options.historical = historical;
+        trace = trace_new(scene, &options, &error);
+        machine = trace ? trace_machine(trace, &error) : NULL;
+        if (!machine || !c205_listen(machine, listen_to_saves, NULL)
+            || !program_run(machine, NULL, NULL, NULL, &error))
+            fail_msg("%s", error.message);
+        assert_in_range(saves.count, 6, MOST_AREAS);
+        for (size_t i = 0; i < saves.count; i++) {
+            const struct area *area = &saves.areas[i];
+
+            for (unsigned k = 0; k < area->count; k++)
+                if (!area->changed[area->first + k])
+                    fail_msg("the kernel that saves r%u to r%u at %llX does "
+                             "not use r%u",
+                             area->first, area->first + area->count - 1,
+                             (unsigned long long)area->address,
+                             area->first + k);
+        }
+        c205_free(machine);
+        trace_free(trace);
+    }
+    scene_free(scene);
+}
+
+/* ---- Scenes by chance ---------------------------------------------------- */
+
 static void write_scene(char *text, size_t size)
 {
     text[0] = '\0';
@@ -340,6 +463,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_formulations),
         cmocka_unit_test(test_fit_programs),
         cmocka_unit_test(test_cylinders),
+        cmocka_unit_test(test_nothing_is_saved_in_vain),
         cmocka_unit_test(test_scenes),
         cmocka_unit_test(test_random_solids),
         cmocka_unit_test(test_roots),

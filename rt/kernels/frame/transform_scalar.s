@@ -9,11 +9,11 @@
 ; carried over once: who takes a new ray clears own_space.
 
         .share  local
-        .regs   r70, own_ox, own_oy, own_oz, own_dx, own_dy, own_dz
-        .regs   r76, own_lower, own_scale, link_saved
+        .regs   r68, own_ox, own_oy, own_oz, own_dx, own_dy, own_dz
+        .regs   r74, own_lower, own_scale, link_saved
         .endshare
-        shape_from r58                  ; the rows of the matrix
-        .equ    TRANSFORM_REGISTERS, 47
+        shape_from r56                  ; the rows of the matrix, behind t7
+        .equ    TRANSFORM_REGISTERS, 45
 
         .data
 transform_save: .space TRANSFORM_REGISTERS

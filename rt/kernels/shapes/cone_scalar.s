@@ -5,7 +5,7 @@
 ;
 ; Arguments as in sphere_scalar.s, method as in cone_vector.s.
 
-        shape_from r65                  ; behind quad_c
+        shape_from r65                  ; behind k_along
         .equ    CONE_REGISTERS, 48
 
 ; The side: tin, tout, or to miss.  Leaves o along w in o_along, d along w in

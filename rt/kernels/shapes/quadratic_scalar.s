@@ -4,7 +4,7 @@
 
 ; Registers of the kernels that solve one: behind t9.
         .share  local
-        .regs   r58, o_along, d_along, k_along, shift, quad_a, quad_b, quad_c
+        .regs   r58, shift, quad_a, quad_b, quad_c, o_along, d_along, k_along
         .endshare
 
         .macro  discriminant a, b, c, disc, work

@@ -6,8 +6,8 @@
 ; Arguments as in sphere_scalar.s, method as in quadric_vector.s.  SEGMENTS = the
 ; ray's way inside, where the polynomial is below 0, two of them (4 words).
 
-        shape_from r65                  ; behind quad_c
-        .equ    QUADRIC_REGISTERS, 44
+        shape_from r62                  ; behind quad_c
+        .equ    QUADRIC_REGISTERS, 41
 
         .data
 quadric_save:   .space QUADRIC_REGISTERS
