@@ -24,7 +24,8 @@ static void check_hit(const char *text, struct hit hit)
         double found = c205_to_double(
             words->channel[CHANNEL_DEPTH + i][middle]);
 
-        if (!(fabs(found - expected[i]) <= 5e-11 * (1 + fabs(expected[i]) / 100)))
+        if (!(fabs(found - expected[i])
+              <= 5e-11 * (1 + fabs(expected[i]) / 100)))
             fail_msg("%s: %d is %.15g, not %.15g", text, i, found,
                      expected[i]);
     }
@@ -35,9 +36,8 @@ static void check_hit(const char *text, struct hit hit)
 /* The ends of an axis; a third of them point at the eye. */
 static void add_axis(char *text, size_t size)
 {
-    static const char *const axes[] = {
-        "<.4, .2, -1>, <.4, .2, 1.5>", "<-1, .3, 0>, <2, .3, 0>"
-    };
+    static const char *const axes[] = { "<.4, .2, -1>, <.4, .2, 1.5>",
+                                        "<-1, .3, 0>, <2, .3, 0>" };
     unsigned which = (unsigned)(xorshift(&traced.random) % 6);
 
     if (which < 2) {
@@ -153,10 +153,10 @@ static void test_formulations(void **state)
 /* In a tree and where it is clear it is that of today. */
 static void test_trees(void **state)
 {
-    static const char text[] =
-        AHEAD "difference { " SOLID "rotate 40*y } sphere { -z, .8 } }"
-              "cylinder { -2*y, 2*y, .4 translate 1.2*x"
-              " pigment { rgbf <1, .5, .5, .6> } }";
+    static const char text[] = AHEAD
+        "difference { " SOLID "rotate 40*y } sphere { -z, .8 } }"
+        "cylinder { -2*y, 2*y, .4 translate 1.2*x"
+        " pigment { rgbf <1, .5, .5, .6> } }";
     struct words *today = plain_frame(text), *then;
 
     (void)state;
