@@ -398,10 +398,12 @@ void watch_recurrence(struct program_watch *watch, const c205 *machine,
                    elements, read->number);
     else
         watch_tell(watch, spot, WARNING_RECURRENCE,
-                   "%zu elements of a source are results of this pair, and"
+                   "%zu elements of a source are results of this %s, and"
                    " wait for them one by one; the real machine promised"
                    " nothing here",
-                   elements);
+                   elements,
+                   view->insn->timing == C205_TIMING_vlink ? "pair"
+                                                           : "instruction");
 }
 
 /* The two after the prefix run as one stream. */

@@ -99,8 +99,7 @@ static uint8_t possible_g(const c205_insn *insn, const c205_fields *fields)
         g |= C205_G_BROADCAST_B;
     if (insn->flags & C205_INSN_SIGN)
         g |= C205_G_NEGATE_A | C205_G_MAGNITUDE_A;
-    if (insn->flags & C205_INSN_SIGN && has_letter(syntax, "bB")
-        && insn->format != C205_FORMAT_EXTREME)
+    if (insn->flags & C205_INSN_SIGN && has_letter(syntax, "bB"))
         g |= C205_G_MAGNITUDE_B;
     if (has_letter(syntax, "?!") && fields->z)
         g |= C205_G_ZEROS;

@@ -87,6 +87,9 @@ const char *isa_flag(const c205_insn *insn, unsigned flag)
         && insn->format != C205_FORMAT_EXTREME) {
         return "sign control: -A, |A|, -|A|, |B|";
     }
+    if (flag == C205_INSN_SIGN && insn->format == C205_FORMAT_EXTREME) {
+        return "sign control: -A, |A|, -|A|; bit 01 of G is taken and does nothing";
+    }
     while (i < FLAG_NOTES && flag_notes[i].flag != flag) {
         i++;
     }

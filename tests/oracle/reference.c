@@ -264,7 +264,7 @@ static unsigned vector_bits(const c205_insn *insn)
         bits |= C205_G_OFFSET;
     if (signs)
         bits |= C205_G_NEGATE_A | C205_G_MAGNITUDE_A;
-    if (signs && strpbrk(syntax, "bB") && insn->format != C205_FORMAT_EXTREME)
+    if (signs && strpbrk(syntax, "bB"))
         bits |= C205_G_MAGNITUDE_B;
     if (insn->flags & C205_INSN_HALF)
         bits |= C205_G_HALF;
