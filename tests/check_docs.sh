@@ -42,6 +42,10 @@ print() {
 cut_blocks() {
     awk -v work="$work" -v size="$size" '
         /^<!-- printed( slowly)? by: .* -->$/ {
+            if (inside)
+                printf "%s", gap >(work "/page")
+            inside = wanted = 0
+            gap = ""
             print >(work "/page")
             command = $0
             sub(/^<!-- printed( slowly)? by: /, "", command)
