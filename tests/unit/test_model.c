@@ -184,7 +184,7 @@ static void test_change(void **state)
     assert_constant(changed, "machine.pipes", "4", 'R');
     assert_constant(changed, "page.words", "2048", 'R');
     assert_constant(changed, "stream.vadd", "1.25", 'R');
-    assert_constant(changed, "translation.miss", "30", 'R');
+    assert_constant(changed, "memory.loads_in_flight", "6", 'R');
     assert_constant(model, "machine.pipes", "2", 'P');
     assert_int_equal(model_whole(changed, CONSTANT_PIPES), 4);
     assert_int_equal(model_rate(changed, stream_constant(C205_TIMING_vadd))
