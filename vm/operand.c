@@ -190,16 +190,16 @@ size_t operand_lead(const struct vector *read, const struct vector *written,
     return lead < most ? (size_t)lead : most;
 }
 
-/* An element never moves up: a result at or below its source overwrites what
- * has been read. */
-bool operand_recurs(const struct vector *read, const struct vector *written,
-                    size_t i)
+bool operand_recurs(const struct vector *read, size_t i,
+                    const struct vector *written, size_t stored)
 {
-    return i < read->length && i > 0
-           && vector_at(read, i) < vector_at(written, i)
+    return i < read->length && stored > 0
+           && vector_at(read, i) < vector_at(written, stored)
            && vector_at(written, 0) < vector_at(read, i + 1);
 }
 
+/* An element never moves up: a result at or below its source overwrites what
+ * has been read. */
 bool operand_is_ahead(const struct vector *read, const struct vector *written)
 {
     return !operands_overlap(read, written)

@@ -82,9 +82,9 @@ c205_trap claim_control(struct c205 *machine, struct control *control,
 size_t operand_lead(const struct vector *read, const struct vector *written,
                     size_t most);
 bool operands_overlap(const struct vector *one, const struct vector *other);
-/* Is element i of the one stored upon by elements before it of the other? */
-bool operand_recurs(const struct vector *read, const struct vector *written,
-                    size_t i);
+/* Does element i of the one lie upon the first so many of the other? */
+bool operand_recurs(const struct vector *read, size_t i,
+                    const struct vector *written, size_t stored);
 /* May all of one be read before the other is stored, whose elements come from
  * the same place or from further on? */
 bool operand_is_ahead(const struct vector *read,

@@ -205,6 +205,28 @@ static size_t take_pairs(struct sparse *sparse, size_t first, size_t n,
     return count;
 }
 
+/* Results for which an operand at the least is one that was stored before. */
+static void tell_recurrence_of_sparse(const struct sparse *sparse)
+{
+    const struct vector *a = &sparse->a.vector, *b = &sparse->b.vector;
+    const struct vector *result = &sparse->result;
+    size_t next_a = 0, next_b = 0, stored = 0;
+    if (!operands_overlap(a, result) && !operands_overlap(b, result))
+        return;
+    for (size_t i = 0; i < sparse->z.vector.length; i++) {
+        bool in_a = bit_at(sparse->x.bits, i),
+             in_b = bit_at(sparse->y.bits, i);
+        if (bit_at(sparse->z.bits, i)) {
+            bool of_a = in_a && operand_recurs(a, next_a, result, stored);
+            bool of_b = in_b && operand_recurs(b, next_b, result, stored);
+            sparse->machine->effect.recurrent += of_a || of_b;
+            stored++;
+        }
+        next_a += in_a;
+        next_b += in_b;
+    }
+}
+
 static c205_trap run_sparse(struct sparse *sparse,
                             const struct operation *operation)
 {
@@ -282,6 +304,7 @@ static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,
     machine->effect.elements = longest(sparse.x.ones, sparse.y.ones,
                                        sparse.z.ones);
     machine->effect.idle = machine->effect.elements - sparse.z.ones;
+    tell_recurrence_of_sparse(&sparse);
     trap = begin_turn(&sparse);
     if (trap == C205_TRAP_NONE)
         trap = run_sparse(&sparse, operation_of(decoded));

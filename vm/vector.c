@@ -107,7 +107,7 @@ static bool recurs(const struct vector *result, size_t i,
 {
     bool found = false;
     for (size_t k = 0; k < count; k++)
-        found = found || operand_recurs(&sources[k]->vector, result, i);
+        found = found || operand_recurs(&sources[k]->vector, i, result, i);
     return found;
 }
 
@@ -346,6 +346,20 @@ static void evaluate(struct stream *stream, const struct horner *horner,
     }
 }
 
+/* All coefficients are read for each element. */
+static void tell_recurrence_of_polynomial(const struct stream *stream)
+{
+    const struct vector *a = &stream->a.vector, *b = &stream->b.vector;
+    struct vector all = { b->address, b->length > 0,
+                          (unsigned)b->length * b->width };
+    size_t *recurrent = &stream->machine->effect.recurrent;
+    bool overlap = operands_overlap(a, &stream->result)
+                   || operands_overlap(&all, &stream->result);
+    for (size_t i = 1; overlap && i < stream->n; i++)
+        *recurrent += operand_recurs(a, i, &stream->result, i)
+                      || operand_recurs(&all, 0, &stream->result, i);
+}
+
 c205_trap execute_vector_polynomial(struct c205 *machine,
                                     const struct decoded *decoded)
 {
@@ -361,6 +375,7 @@ c205_trap execute_vector_polynomial(struct c205 *machine,
         return trap;
     size_t count = stream.b.vector.length;
     machine->effect.elements = stream.n * count;
+    tell_recurrence_of_polynomial(&stream);
     stream.turn = machine_turn(machine, stream.n,
                                count > 0 ? machine->allowed / count
                                          : stream.n);

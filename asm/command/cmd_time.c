@@ -334,5 +334,6 @@ const struct command time_command = {
         "these instructions; or of all, a line for those of one class that "
         "take the same time, \",H\" behind the class: on 32-bit operands. CSV "
         "and JSON have each for itself. Off line: by how many clocks the "
-        "farthest measured point misses the straight line.",
+        "farthest measured point misses the straight line. Of sparse vectors an "
+        "element is a place of the order vectors; the rate counts what is done.",
 };

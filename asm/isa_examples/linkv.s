@@ -15,6 +15,14 @@
         LINKV
         MPYSV,H [d], h60, [f]
         ADDNV,H [f], [e], [f]
+        .regs   r24, bits, low          ; a shift and a logical operation
+        words   bits, X'00F0', X'0F00', X'F000'
+        words   low, X'000A', X'000B', X'000C'
+        ES      r26, 4
+        LINKV
+        SHIFTV  [bits], r26, [bits]     ; not stored
+        ORV     [bits], [low], [low]
         EXIT
 ; expect: [c.words] = 12.0, -3.5, 3.0, 10.5
 ; expect-halves: [f.halves] = 12.0, -3.5, 3.0, 10.5
+; expect: [low.words] = X'0F0A', X'F00B', X'F000C'

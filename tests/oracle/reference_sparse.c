@@ -85,6 +85,13 @@ static c205_word next_element(struct reference *reference,
                : C205_MACHINE_ZERO;
 }
 
+static bool recurs(const struct packed *packed, uint64_t i, uint64_t next,
+                   const struct vector *vector, uint64_t made)
+{
+    return packed->present[i]
+           && lies_on_results(&packed->elements, next, &vector->c, made);
+}
+
 static void make_elements(struct reference *reference,
                           const struct vector *vector, const struct packed *a,
                           const struct packed *b, const struct order *z)
@@ -92,6 +99,10 @@ static void make_elements(struct reference *reference,
     uint64_t next_a = 0, next_b = 0, made = 0;
 
     for (uint64_t i = 0; i < z->places; i++) {
+        reference->deed.recurrent += z->present[i]
+                                     && (recurs(a, i, next_a, vector, made)
+                                         || recurs(b, i, next_b, vector,
+                                                   made));
         c205_word x = next_element(reference, a, i, &next_a);
         c205_word y = next_element(reference, b, i, &next_b);
         if (z->present[i])

@@ -67,6 +67,17 @@ static c205_word search(struct reference *reference, const struct pair *pair,
  * ends there. */
 enum { PATIENCE = 100000 };
 
+/* Of a polynomial: A(i), or any of the coefficients. */
+static bool scan_recurs(const struct vector *vector, uint64_t i)
+{
+    const struct pair *pair = &vector->sources;
+    bool found = lies_on_results(&pair->a, i, &vector->c, i);
+
+    for (uint64_t j = 0; j < pair->b.length; j++)
+        found |= lies_on_results(&pair->b, j, &vector->c, i);
+    return found;
+}
+
 /* Each element goes through all of B. */
 static void each_scan(struct reference *reference,
                       const struct vector *vector)
@@ -84,6 +95,8 @@ static void each_scan(struct reference *reference,
         c205_word x = element(reference, &pair->a, i);
         c205_word word = pair->rule ? search(reference, pair, x, &steps)
                                     : polynomial(reference, pair, x, &flags);
+        if (!pair->rule)
+            reference->deed.recurrent += scan_recurs(vector, i);
         write_element(reference, vector, i, word, flags);
     }
     reference->deed.elements = pair->rule ? steps
@@ -190,16 +203,14 @@ static void use_operands(struct reference *reference,
 
 /* ---- Recurrences ------------------------------------------------------- */
 
-/* Whether element i of a source lies where those of the result before it go,
- * whatever the control vector holds back of them. */
-static bool recurs(const struct source *source, const struct target *c,
-                   uint64_t i)
+bool lies_on_results(const struct source *source, uint64_t i,
+                     const struct target *c, uint64_t stored)
 {
     uint64_t address = source->address + source->width * i;
 
     return source->kind == VECTOR && i < source->length
            && address + source->width > c->address
-           && address < c->address + c->width * i;
+           && address < c->address + c->width * stored;
 }
 
 /* Elements of the result for which one of the sources at the least does. */
@@ -211,7 +222,7 @@ static uint64_t recurrences(const struct source *sources, size_t count,
     for (uint64_t i = 1; i < c->length; i++) {
         bool found = false;
         for (size_t k = 0; k < count; k++)
-            found |= recurs(sources + k, c, i);
+            found |= lies_on_results(sources + k, i, c, i);
         elements += found;
     }
     return elements;

@@ -85,6 +85,11 @@ bool scan_length(struct reference *reference, const struct vector *vector,
 void set_length(struct reference *reference, const struct vector *vector,
                 uint64_t length);
 
+/* Whether element i of a source lies where so many of the result have been
+ * stored, whatever the control vector held back of them. */
+bool lies_on_results(const struct source *source, uint64_t i,
+                     const struct target *c, uint64_t stored);
+
 void do_sparse(struct reference *reference, const c205_insn *insn,
                const c205_fields *fields);
 void do_reduction(struct reference *reference, const struct vector *vector);
