@@ -57,3 +57,4 @@ packed: .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0
         EXIT
 ; expect-flags: X'0000 0000 0010 0000'
 ; expect-warning: zero-length
+; expect-warning: recurrence

@@ -78,3 +78,4 @@ changed: .word  2.0, -3.0, 1.0
         EXIT
 ; expect-flags: X'0000 0000 0010 0000'
 ; expect-warning: zero-length
+; expect-warning: recurrence
