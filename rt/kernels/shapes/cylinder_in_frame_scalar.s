@@ -51,11 +51,7 @@ off_end\@:
         .kernel cylinder
 cylinder:
         enter_kernel in_frame_save, IN_FRAME_REGISTERS, 14
-        SUBN    ox, sh0, t0
-        SUBN    oy, sh1, t1
-        SUBN    oz, sh2, t2
-        dot_rows t0, t1, t2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t7, t8, t5, t3, t4, t6, t9
-        dot_rows dx, dy, dz, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t0, t1, t6, t2, t3, t4, t9
+        into_frame
         MPYS    t0, t0, fa
         MPYS    t1, t1, t2
         MPYS    t7, t0, fb

@@ -60,15 +60,7 @@
         .kernel cylinder
 cylinder:
         load_record P_SHAPE, 14, sh0
-        SUBNV   [ox], sh0, [w0]
-        SUBNV   [oy], sh1, [w1]
-        SUBNV   [oz], sh2, [w2]
-        dot_constant w0, w1, w2, sh3, sh4, sh5, w7, w9
-        dot_constant w0, w1, w2, sh6, sh7, sh8, w8, w9
-        dot_constant w0, w1, w2, sh9, sh10, sh11, w5, w9
-        dot_constant dx, dy, dz, sh3, sh4, sh5, w0, w9
-        dot_constant dx, dy, dz, sh6, sh7, sh8, w1, w9
-        dot_constant dx, dy, dz, sh9, sh10, sh11, w6, w9
+        into_frame
         MPYSV   [w0], [w0], [w2]
         MPYSV   [w1], [w1], [w9]
         ADDNV   [w9], [w2], [w2]                ; a

@@ -8,14 +8,19 @@
         shape_from r58                  ; behind t9
         .equ    CYLINDER_REGISTERS, 40
 
-; The side: tin, tout, or to miss.  Leaves o along the axis in t5, d along it
-; in t6.
-        .macro  cylinder_side miss
+; o in the frame u, v, w: t7, t8, t5; d: t0, t1, t6.  Uses t2, t3, t4, t9.
+        .macro  into_frame
         SUBN    ox, sh0, t0
         SUBN    oy, sh1, t1
         SUBN    oz, sh2, t2
         dot_rows t0, t1, t2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t7, t8, t5, t3, t4, t6, t9
         dot_rows dx, dy, dz, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t0, t1, t6, t2, t3, t4, t9
+        .endm
+
+; The side: tin, tout, or to miss.  Leaves o along the axis in t5, d along it
+; in t6.
+        .macro  cylinder_side miss
+        into_frame
         MPYS    t0, t0, t2
         MPYS    t1, t1, t3
         MPYS    tiny, tiny, t4

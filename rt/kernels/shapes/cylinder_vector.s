@@ -17,9 +17,8 @@
 ; Out: tin, tout; a miss is big, minus_big.
 ; Source: the project's notes on ray tracing, 4.2.
 
-; The side of the infinite cylinder: tin, tout.  Leaves o along w in [w5],
-; d along w in [w6].
-        .macro  cylinder_side
+; o in the frame u, v, w: w7, w8, w5; d: w0, w1, w6.  Uses w2, w9.
+        .macro  into_frame
         SUBNV   [ox], sh0, [w0]
         SUBNV   [oy], sh1, [w1]
         SUBNV   [oz], sh2, [w2]
@@ -29,6 +28,12 @@
         dot_constant dx, dy, dz, sh3, sh4, sh5, w0, w9
         dot_constant dx, dy, dz, sh6, sh7, sh8, w1, w9
         dot_constant dx, dy, dz, sh9, sh10, sh11, w6, w9
+        .endm
+
+; The side of the infinite cylinder: tin, tout.  Leaves o along w in [w5],
+; d along w in [w6].
+        .macro  cylinder_side
+        into_frame
         MPYSV   [w0], [w0], [w2]
         MPYSV   [w1], [w1], [w3]
         ADDNV   [w3], [w2], [w2]

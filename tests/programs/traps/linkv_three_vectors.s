@@ -1,16 +1,5 @@
 ; Memory has two read paths: of three other sources one is broadcast.
-        .include "../vector.inc"
-        .data
-a:      .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0
-scalars:
-        .word   8.0, -0.5
-        .bitvector z, n, "101100"
-kept:   .word   9.0, 9.0, 9.0, 9.0, 9.0, 9.0
-        .code
-        operands
-        descriptor from, kept, n
-        into    nothing
-        LINKV
+        .include "bad_link.inc"
         MPYSV   [va], [va], [from]
         ADDNV   [from], [va], [to]
 ; expect-trap: bad-link
