@@ -112,51 +112,18 @@ static c205_trap claim_pair(struct pair *pair)
     return C205_TRAP_NONE;
 }
 
-/* The sources of the first are read as well. */
-static c205_word *pair_space(struct pair *pair, size_t first, size_t n,
-                             c205_word *words)
-{
-    const struct vector *result = &pair->second.result;
-    return operands_overlap(&pair->first.a.vector, result)
-                   || operands_overlap(&pair->first.b.vector, result)
-               ? words
-               : result_space(&pair->second, first, n, words);
-}
-
-/* The second: stored as words, or as the bits of a comparison. */
-static void run_second(struct pair *pair, size_t first, size_t n)
-{
-    struct stream *two = &pair->second;
-    const struct operation *operation = pair->operation_second;
-    const c205_word *a = source_read(&two->a, first, n);
-    const c205_word *b = source_read(&two->b, first, n);
-    c205_word words[CHUNK];
-    uint64_t bits[CHUNK_WORDS], permitted[CHUNK_WORDS];
-    if (operation->compare) {
-        operation->compare(bits, a, b, n);
-        result_store_bits(two->machine, &two->result, &two->control, first,
-                          bits, n);
-        return;
-    }
-    c205_word *c = pair_space(pair, first, n, words);
-    control_read(&two->control, first, n, permitted);
-    operate(two->machine, operation, c, a, b, n,
-            two->control.present ? permitted : NULL);
-    if (c == words)
-        result_store(two->machine, &two->result, &two->control, first, words,
-                     n);
-}
-
 static c205_trap run_pair(struct pair *pair)
 {
     struct stream *one = &pair->first, *two = &pair->second;
+    bool apart = !operands_overlap(&one->a.vector, &two->result)
+                 && !operands_overlap(&one->b.vector, &two->result);
     for (size_t first = two->turn.first, n; first < two->turn.end;
          first += n) {
         n = stream_next(two, first);
         operate(two->machine, pair->operation_first, pair->handed,
                 source_read(&one->a, first, n),
                 source_read(&one->b, first, n), n, NULL);
-        run_second(pair, first, n);
+        stream_step(two, pair->operation_second, first, n, apart);
     }
     return stream_end(two);
 }

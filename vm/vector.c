@@ -164,8 +164,10 @@ void operate(struct c205 *machine, const struct operation *operation,
     machine->data_flags |= flags;
 }
 
-c205_word *result_space(struct stream *stream, size_t first, size_t n,
-                        c205_word *words)
+/* Where a chunk is made: in the result itself where that lies in one piece,
+ * all of it is stored, and it is nothing that is read; else words. */
+static c205_word *result_space(struct stream *stream, size_t first, size_t n,
+                               c205_word *words)
 {
     if (stream->control.present
         || operands_overlap(&stream->a.vector, &stream->result)
@@ -176,26 +178,38 @@ c205_word *result_space(struct stream *stream, size_t first, size_t n,
     return span ? span : words;
 }
 
+void stream_step(struct stream *stream, const struct operation *operation,
+                 size_t first, size_t n, bool in_place)
+{
+    const c205_word *a = source_read(&stream->a, first, n);
+    const c205_word *b = operation->unary ? NULL
+                                          : source_read(&stream->b, first, n);
+    c205_word words[CHUNK], *c = words;
+    uint64_t bits[CHUNK_WORDS], permitted[CHUNK_WORDS];
+    if (operation->compare) {
+        operation->compare(bits, a, b, n);
+        result_store_bits(stream->machine, &stream->result, &stream->control,
+                          first, bits, n);
+        return;
+    }
+    if (in_place)
+        c = result_space(stream, first, n, words);
+    control_read(&stream->control, first, n, permitted);
+    operate(stream->machine, operation, c, a, b, n,
+            stream->control.present ? permitted : NULL);
+    if (c == words)
+        result_store(stream->machine, &stream->result, &stream->control,
+                     first, words, n);
+}
+
 static c205_trap run_stream(struct stream *stream,
                             const struct operation *operation)
 {
-    c205_word words[CHUNK];
-    uint64_t permitted[CHUNK_WORDS];
     tell_recurrence_of(stream);
     for (size_t first = stream->turn.first, n; first < stream->turn.end;
          first += n) {
         n = stream_next(stream, first);
-        c205_word *c = result_space(stream, first, n, words);
-        const c205_word *a = source_read(&stream->a, first, n);
-        const c205_word *b = operation->binary
-                                 ? source_read(&stream->b, first, n)
-                                 : NULL;
-        control_read(&stream->control, first, n, permitted);
-        operate(stream->machine, operation, c, a, b, n,
-                stream->control.present ? permitted : NULL);
-        if (c == words)
-            result_store(stream->machine, &stream->result, &stream->control,
-                         first, words, n);
+        stream_step(stream, operation, first, n, true);
     }
     return stream_end(stream);
 }
@@ -387,29 +401,6 @@ c205_trap execute_vector_polynomial(struct c205 *machine,
                  stream.control.present ? permitted : NULL);
         result_store(machine, &stream.result, &stream.control, first, words,
                      n);
-    }
-    return stream_end(&stream);
-}
-
-/* ---- Compare ----------------------------------------------------------- */
-
-c205_trap execute_compare(struct c205 *machine, const struct decoded *decoded)
-{
-    lanes_compare *comparison = operation_of(decoded)->compare;
-    struct stream stream;
-    uint64_t bits[CHUNK_WORDS];
-    c205_trap trap = stream_open(&stream, machine, decoded);
-    if (trap != C205_TRAP_NONE)
-        return trap;
-    tell_recurrence_of(&stream);
-    for (size_t first = stream.turn.first, n; first < stream.turn.end;
-         first += n) {
-        n = stream_next(&stream, first);
-        const c205_word *a = source_read(&stream.a, first, n);
-        const c205_word *b = source_read(&stream.b, first, n);
-        comparison(bits, a, b, n);
-        result_store_bits(machine, &stream.result, &stream.control, first,
-                          bits, n);
     }
     return stream_end(&stream);
 }

@@ -66,16 +66,16 @@ static inline c205_trap stream_end(struct stream *stream)
     return machine_end_turn(stream->machine, &stream->turn);
 }
 
-/* Where a chunk is made: in the result itself where that lies in one piece,
- * all of it is stored, and it is nothing that is read; else words. */
-c205_word *result_space(struct stream *stream, size_t first, size_t n,
-                        c205_word *words);
-
 /* words := operation(a, b); data flags come from the elements permitted
  * (NULL: all). */
 void operate(struct c205 *machine, const struct operation *operation,
              c205_word *words, const c205_word *a, const c205_word *b,
              size_t n, const uint64_t *permitted);
+
+/* n elements from first on: sources read, result stored.  in_place: it may be
+ * made where it belongs, as far as the stream's own sources allow. */
+void stream_step(struct stream *stream, const struct operation *operation,
+                 size_t first, size_t n, bool in_place);
 
 /* What the instruction does with each element, in its size. */
 const struct operation *operation_of(const struct decoded *decoded);
