@@ -7,6 +7,8 @@
 
 /* Hits nearer than this are the surface that a ray starts from. */
 #define NEAREST_HIT 1e-6
+/* .. and what lies farther along a ray is not seen. */
+#define FARTHEST_HIT 1e12
 
 /* A ray on its way: how many rays led to it, itself counted, and how much of
  * the pixel's colour it may make. */
@@ -26,7 +28,7 @@ static void find_nearest(const struct plain_tracer *tracer,
                          const struct ray *ray, struct plain_hit *hit)
 {
     const struct scene *scene = tracer->scene;
-    *hit = (struct plain_hit){ .primitive = NULL, .distance = INFINITY };
+    *hit = (struct plain_hit){ .primitive = NULL, .distance = FARTHEST_HIT };
     for (size_t i = 0; i < scene->region_count; i++) {
         plain_cross_region(tracer->crossings, scene, &scene->regions[i], ray);
         plain_next_hit(tracer->crossings, NEAREST_HIT, hit->distance, hit);

@@ -1,7 +1,7 @@
 ; nearest_1984.s - what the rays of a queue meet first, ray by ray from
 ; what the kernels have found.
 ;
-; find_nearest: In: the queue's rays.  Out: nearest (big: none), met = the
+; find_nearest: In: the queue's rays.  Out: nearest, met = the
 ;   primitive's record (0: none); hit_s, hit_t on patches.
 ; simple_met: In: the segments of the rays at hand in a simple region, in
 ;   found_store.
@@ -75,7 +75,7 @@ found_place\@:
 
         .kernel visible
 find_nearest:
-        load_word k_big, s1
+        load_word k_far, s1
         VTOV    s1, [nearest]
         VTOV    r0, [met]
         ES      shadows, 0

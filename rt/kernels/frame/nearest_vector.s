@@ -4,7 +4,7 @@
 ; distance, else tout; it counts if it is ahead and before the ray's limit.  Of
 ; the others the crossings are looked at in turn (visible_vector.s).
 ;
-; find_nearest: In: the queue's rays.  Out: nearest (big: none), met (0: none);
+; find_nearest: In: the queue's rays.  Out: nearest, met (0: none);
 ;   hit_s, hit_t on patches.
 ; simple_met: In: tin, tout of the rays at hand, and for a ray to a light its
 ;   limit; found, of the others.  Out: the same; for a ray to a light nearest =
@@ -27,7 +27,8 @@ taken_store:    .space 3 * QUEUE
 
         .kernel visible
 find_nearest:
-        VTOV    big, [nearest]
+        load_word k_far, s0
+        VTOV    s0, [nearest]
         VTOV    r0, [met]
         ES      shadows, 0
         EX      found, found_nearest

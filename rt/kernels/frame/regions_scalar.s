@@ -3,7 +3,7 @@
 ;       CALL NEAREST (RAY, HIT)
 ;
 ; RAY = O, D, the least distance that counts, and the same enlarged, to be
-; scaled (8 words); HIT = distance (big: none), address of the primitive's
+; scaled (8 words); HIT = distance, address of the primitive's
 ; record (0: none).
 ;
 ; Region by region, in the order of the scene, the nearer wins, the first of
@@ -83,7 +83,8 @@ simple_ahead\@:
         .kernel visible
 nearest:
         enter_walk nearest_save, WALK_REGISTERS, 2
-        RTOR    m_big, w_limit
+        EX      w_at, k_far
+        LOD     [w_at], w_limit
         ES      w_leaf, 0
         IBXEQ   w_regions_left, r0, r0, nearest_done
         .endkernel
