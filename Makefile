@@ -112,7 +112,7 @@ check:
 	@sh .ci/need $(test_packages)
 	-@$(MAKE) --no-print-directory -k -j $(JOBS) all $(BUILD)/fit205 \
 		$(unit_tests) $(oracles) $(replays)
-	@sh tests/run_all.sh "$(MAKE)" $(check_parts)
+	@sh tests/run_all.sh "$(MAKE)" $(JOBS) $(check_parts)
 
 check-long: export CASES = 10000000
 check-long: export PAIRS = all
@@ -124,8 +124,10 @@ check-long: export HOSTS = full
 check-long: export DOCS = full
 check-long:
 	@sh .ci/need $(test_packages) valgrind
-	@sh tests/run_all.sh "$(MAKE)" $(check_parts) check-poison check-timing \
-		check-planted san cover
+	-@$(MAKE) --no-print-directory -k -j $(JOBS) all $(BUILD)/fit205 \
+		$(unit_tests) $(oracles) $(replays)
+	@sh tests/run_all.sh "$(MAKE)" $(JOBS) check-docs $(check_parts:check-docs=) \
+		check-poison check-timing san cover -- check-planted
 
 fit:
 	@sh .ci/need $(build_packages) $(fit_packages) $(exact_packages)
@@ -327,7 +329,7 @@ cover: export LLVM_PROFILE_FILE = $(abspath $(BUILD))/cover/profile/%m.profraw
 cover:
 	@sh .ci/need $(test_packages) libclang-rt-14-dev
 	@rm -rf $(BUILD)/cover/profile
-	@sh tests/run_all.sh "$(MAKE)" cover-tests
+	@sh tests/run_all.sh "$(MAKE)" 1 cover-tests
 	sh tests/cover.sh $(BUILD)/cover
 
 cover-tests:

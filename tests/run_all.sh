@@ -1,19 +1,45 @@
 #!/bin/sh
-# run_all.sh MAKE PART ... - make every part, whatever fails before it, and
-# sum what the parts have counted: their lines "N passed, N failed", and those
-# of cmocka.  A part that fails and has counted nothing counts as one failure.
+# run_all.sh MAKE JOBS PART .. [-- PART ..] - make every part, whatever fails
+# before it, and sum what the parts have counted: their lines "N passed, N
+# failed", and those of cmocka.  A part that fails and has counted nothing
+# counts as one failure.
+#
+# Parts run JOBS at a time, in one job each, and say what they have to say when
+# they are done; those behind -- one after another, with all jobs.
 set -u
-make=$1
-shift
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
+make=$1 jobs=$2
+shift 2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
 
-for part in "$@"; do
-    begin=$(date +%s)
-    code=0
-    "$make" --no-print-directory "$part" 2>&1 || code=1
-    echo "$part: exit $code, $(($(date +%s) - begin)) s"
-done | tee "$log"
+# Says nothing before its end, so that what two parts say is not mixed.
+cat >"$work/part" <<'END'
+begin=$(date +%s)
+code=0
+"$2" --no-print-directory JOBS="$3" "$4" >"$1/$4" 2>&1 || code=1
+echo "$4: exit $code, $(($(date +%s) - begin)) s" >>"$1/$4"
+flock "$1" cat "$1/$4"
+END
+
+run_parts() { # LANES JOBS PART ..
+    lanes=$1 each=$2
+    shift 2
+    printf '%s\n' "$@" | xargs -n 1 -P "$lanes" \
+        sh "$work/part" "$work" "$make" "$each"
+}
+
+together=
+while [ $# -gt 0 ] && [ "$1" != -- ]; do
+    together="$together $1"
+    shift
+done
+[ $# -eq 0 ] || shift
+# shellcheck disable=SC2086
+{
+    run_parts "$jobs" 1 $together
+    [ $# -eq 0 ] || run_parts 1 "$jobs" "$@"
+} | tee "$work/log"
 
 awk '
     /^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3 }
@@ -27,4 +53,4 @@ awk '
     END {
         printf "%d passed, %d failed\n", passed, failed
         exit failed > 0
-    }' "$log"
+    }' "$work/log"
