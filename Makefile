@@ -62,7 +62,7 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 fuzz_targets = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,\
 	$(wildcard tests/fuzz/fuzz_*.c))
 replays = $(subst /fuzz_,/replay_,$(fuzz_targets))
-# Of these bench_trace is called by bench_frame.sh.
+# Of these bench_trace is called by the scripts.
 benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
 
 build_packages = build-essential pkg-config libopenimageio-dev
@@ -344,10 +344,9 @@ cover-tests:
 		LDFLAGS=-fprofile-instr-generate check-unit check-programs \
 		check-isa check-bugs check-commands check-arithmetic check-random
 
+# All that is measured, or BENCH="growth frames": tests/bench.sh has the names.
 bench: $(benches) $(programs) $(adapter)
-	@for b in $(filter-out %_trace,$(benches)); do $$b || exit 1; done
-	sh tests/bench_frame.sh $(BUILD)
-	sh tests/bench_visible.sh $(BUILD)
+	@sh tests/bench.sh $(BUILD) $(BENCH)
 
 fuzz:
 	@sh .ci/need $(build_packages) clang libclang-rt-14-dev

@@ -24,7 +24,7 @@ struct many_regions {
     struct solid *solids[MANY_REGIONS_MOST];
     int levels;
     enum mood mood;
-    double rounded;
+    enum certainty certainty;
 };
 
 /* About where a thing is, and how far it reaches. */
@@ -289,7 +289,7 @@ static struct solid *solid_at(uint64_t *state, const struct place *place,
 struct group {
     size_t count, side; /* of a lattice */
     double centre[3], spread, size;
-    bool same, endless;
+    bool same, endless, scattered;
     void (*place)(uint64_t *state, const struct group *group, size_t i,
                   struct place *place);
 };
@@ -383,6 +383,8 @@ static void random_group(uint64_t *state, bool whole, struct group *group)
     group->side = 1 + below(state, 7);
     group->same = one_in(state, 10);
     group->endless = one_in(state, 16);
+    group->scattered = group->place == in_cloud || group->place == in_clusters
+                       || group->place == tiny_and_huge;
 }
 
 static struct solid *copy_of_one(struct drawing *drawing, size_t count)
@@ -404,7 +406,6 @@ static void add_solid(struct drawing *drawing, const struct group *group,
     group->place(state, group, i, place);
     make_short(place);
     if (count > 0 && ((group->same && i > 0) || one_in(state, 24))) {
-        scene->rounded = fmax(scene->rounded, .1);
         solid = copy_of_one(drawing, count);
     } else if (group->endless || one_in(state, 100)) {
         solid = endless_at(state, place);
@@ -422,6 +423,8 @@ static void add_groups(struct drawing *drawing, size_t count)
     for (size_t i = 0; i < groups; i++) {
         struct group group = { .count = (count + i) / groups };
         random_group(state, drawing->whole, &group);
+        if (!group.scattered)
+            drawing->scene->certainty = DEPTH_CERTAIN;
         for (size_t k = 0; k < group.count; k++)
             add_solid(drawing, &group, k);
     }
@@ -475,7 +478,7 @@ static void look_from_afar(const struct drawing *drawing)
 static void look_along_an_axis(const struct drawing *drawing)
 {
     uint64_t *state = drawing->state;
-    drawing->scene->rounded = 1;
+    drawing->scene->certainty = NOTHING_CERTAIN;
     solid_words(
         drawing->scene->view,
         "location <%.12g, %.12g, %.12g> direction %d*z right %zu*x up %zu*y",
@@ -487,7 +490,7 @@ static void look_along_an_axis(const struct drawing *drawing)
 static void look_from_within(const struct drawing *drawing)
 {
     struct place from = some_place(drawing), to = some_place(drawing);
-    drawing->scene->rounded = 1;
+    drawing->scene->certainty = NOTHING_CERTAIN;
     solid_words(
         drawing->scene->view,
         "location <%.12g, %.12g, %.12g> look_at <%.12g, %.12g, %.12g> "
@@ -580,7 +583,7 @@ struct many_regions *many_regions_random(uint64_t *state)
     drawing->state = state;
     drawing->scene = scene;
     drawing->whole = one_in(state, 3);
-    scene->rounded = drawing->whole ? .1 : .01;
+    scene->certainty = drawing->whole ? DEPTH_CERTAIN : ALL_CERTAIN;
     scene->mood = (enum mood)below(state, MOODS);
     add_groups(drawing, random_count(state));
     random_settings(drawing);
@@ -612,9 +615,22 @@ size_t many_regions_height(const struct many_regions *scene)
     return scene->height;
 }
 
-double many_regions_rounded(const struct many_regions *scene)
+/* Parts of a solid meet each other in whole numbers of its size. */
+static bool has_union(const struct solid *solid)
 {
-    return scene->rounded;
+    bool found = solid->joining == UNION;
+    for (size_t i = 0; i < solid->count; i++)
+        found = found || has_union(solid->parts[i]);
+    return found;
+}
+
+enum certainty many_regions_certainty(const struct many_regions *scene)
+{
+    bool unions = false;
+    for (size_t i = 0; i < scene->solid_count; i++)
+        unions = unions || has_union(scene->solids[i]);
+    return unions && scene->certainty == ALL_CERTAIN ? DEPTH_CERTAIN
+                                                     : scene->certainty;
 }
 
 char *many_regions_text(const struct many_regions *scene)

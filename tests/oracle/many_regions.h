@@ -29,9 +29,10 @@ size_t many_regions_width(const struct many_regions *scene);
 size_t many_regions_height(const struct many_regions *scene);
 /* Rays that meet primitives in that frame, roughly. */
 double many_regions_work(const struct many_regions *scene);
-/* What share of its pixels a rounding may decide: few, unless faces may coincide;
- * all, where the eye may stand or look along in one. */
-double many_regions_rounded(const struct many_regions *scene);
+/* What must be the same to any tracer: where faces of several things may coincide
+ * a rounding decides which is seen, and where the eye may be in one, if it is. */
+enum certainty { NOTHING_CERTAIN, DEPTH_CERTAIN, ALL_CERTAIN };
+enum certainty many_regions_certainty(const struct many_regions *scene);
 
 /* The scene with something left out, in one way after another from 0 on: many
  * things, single ones, what they are made of.  NULL: there is no such way. */
