@@ -7,6 +7,7 @@
 #   stages    clocks of the machine in each way to trace a frame
 #   visible   clocks of the ways to what is seen of a solid
 #   growth    time, clocks and memory against the number of things
+#   goals     what of that is to be reached
 #
 # All of them unless told.  TRIALS: of how many runs the least counts (5).  The
 # figures are left in BUILD/bench.csv as well, a line each.
@@ -16,12 +17,12 @@ shift
 BENCH_CSV=$build/bench.csv
 export BENCH_CSV
 cd "$(dirname "$0")/.."
-[ $# -gt 0 ] || set -- machine frames jobs stages visible growth
+[ $# -gt 0 ] || set -- machine frames jobs stages visible growth goals
 echo "part,what,quantity,value" >"$BENCH_CSV"
 
 for part in "$@"; do
     case $part in
-    machine | frames | jobs | stages | visible | growth) ;;
+    machine | frames | jobs | stages | visible | growth | goals) ;;
     *) echo "bench.sh: no part $part" >&2 && exit 2 ;;
     esac
     sh "tests/bench_$part.sh" "$build"
