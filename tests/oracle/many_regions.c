@@ -30,6 +30,7 @@ struct many_regions {
 /* About where a thing is, and how far it reaches. */
 struct place {
     double at[3], size;
+    bool whole; /* parts are moved by whole quarters of it */
 };
 
 struct drawing {
@@ -37,6 +38,7 @@ struct drawing {
     struct many_regions *scene;
     struct place places[MANY_REGIONS_MOST]; /* of the scene's solids */
     bool whole;                             /* on whole numbers */
+    bool endless;                           /* some things are */
 };
 
 /* To what is short to write, and differs in ends of what is tiny. */
@@ -192,7 +194,6 @@ static struct solid *shape_at(uint64_t *state, const struct place *place)
         random_sphere,   random_sphere, random_sphere, random_sphere,
         random_sphere,   random_box,    random_box,    random_box,
         random_cylinder, random_cone,   random_torus,  random_prism,
-        random_quadric,
     };
     struct solid *solid = solid_new(SHAPE, 0);
     if (one_in(state, 60)) /* the host takes long to lay one out */
@@ -255,12 +256,19 @@ static void random_look(uint64_t *state, enum mood mood, char *look)
 
 /* --- solids --------------------------------------------------------------- */
 
+static enum solid_joining random_joining(uint64_t *state)
+{
+    return one_in(state, 8) ? UNION
+                            : MERGE + (enum solid_joining)below(state, 3);
+}
+
 static struct place near_to(uint64_t *state, const struct place *place)
 {
     struct place other = *place;
     for (int i = 0; i < 3; i++)
-        other.at[i] += .5 * place->size * (double)(below(state, 5)) / 2
-                       - .5 * place->size;
+        other.at[i] += place->size
+                       * (place->whole ? .25 * (double)below(state, 5) - .5
+                                       : between(state, -.5, .5));
     other.size *= one_in(state, 2) ? .5 : between(state, .4, 1.1);
     make_short(&other);
     return other;
@@ -271,8 +279,7 @@ static struct solid *solid_at(uint64_t *state, const struct place *place,
 {
     if (depth == 0 || !one_in(state, 4))
         return shape_at(state, place);
-    struct solid *solid = solid_new(UNION
-                                        + (enum solid_joining)below(state, 4),
+    struct solid *solid = solid_new(random_joining(state),
                                     2 + below(state, 2));
     for (size_t i = 0; i < solid->count; i++) {
         struct place part = i ? near_to(state, place) : *place;
@@ -306,7 +313,8 @@ static void in_cloud(uint64_t *state, const struct group *group, size_t i,
 {
     (void)i;
     about(state, group->centre, group->spread, place->at);
-    place->size = of_any_size(state, .02, .4) * group->spread;
+    place->size = of_any_size(state, .05, .7) * group->spread
+                  / cbrt((double)group->count);
 }
 
 /* Of eight in a corner each. */
@@ -318,7 +326,8 @@ static void in_clusters(uint64_t *state, const struct group *group, size_t i,
         centre[axis] = group->centre[axis]
                        + (i >> axis & 1 ? 1 : -1) * group->spread;
     about(state, centre, .1 * group->spread, place->at);
-    place->size = of_any_size(state, .01, .05) * group->spread;
+    place->size = of_any_size(state, .02, .2) * group->spread
+                  / cbrt((double)group->count);
 }
 
 static void in_row(uint64_t *state, const struct group *group, size_t i,
@@ -363,7 +372,7 @@ static void tiny_and_huge(uint64_t *state, const struct group *group,
     double far = of_any_size(state, 1e-2, 1e4);
     (void)i;
     about(state, group->centre, far, place->at);
-    place->size = of_any_size(state, 1e-4, .9) * far;
+    place->size = of_any_size(state, 1e-4, .4) * far;
 }
 
 static void random_group(uint64_t *state, bool whole, struct group *group)
@@ -382,7 +391,7 @@ static void random_group(uint64_t *state, bool whole, struct group *group)
     group->size = one_in(state, 2) ? .5 : between(state, .2, .7);
     group->side = 1 + below(state, 7);
     group->same = one_in(state, 10);
-    group->endless = one_in(state, 16);
+    group->endless = one_in(state, 30);
     group->scattered = group->place == in_cloud || group->place == in_clusters
                        || group->place == tiny_and_huge;
 }
@@ -404,10 +413,11 @@ static void add_solid(struct drawing *drawing, const struct group *group,
     struct place *place = &drawing->places[count];
     struct solid *solid;
     group->place(state, group, i, place);
+    place->whole = drawing->whole;
     make_short(place);
     if (count > 0 && ((group->same && i > 0) || one_in(state, 24))) {
         solid = copy_of_one(drawing, count);
-    } else if (group->endless || one_in(state, 100)) {
+    } else if (group->endless || (drawing->endless && one_in(state, 20))) {
         solid = endless_at(state, place);
     } else {
         solid = solid_at(state, place, scene->mood, 2);
@@ -437,10 +447,7 @@ static void join_some(struct drawing *drawing)
     size_t most = scene->solid_count < JOINED_MOST ? scene->solid_count
                                                    : JOINED_MOST;
     size_t count = 1 + below(drawing->state, most);
-    struct solid *whole = solid_new(UNION
-                                        + (enum solid_joining)
-                                            below(drawing->state, 4),
-                                    count);
+    struct solid *whole = solid_new(random_joining(drawing->state), count);
     size_t first = scene->solid_count -= count;
     for (size_t i = 0; i < count; i++)
         whole->parts[i] = scene->solids[first + i];
@@ -458,11 +465,25 @@ static struct place some_place(const struct drawing *drawing)
     return drawing->places[below(drawing->state, count)];
 }
 
+/* About all but the farthest of them: half-way between two. */
+static struct place whole_place(const struct drawing *drawing)
+{
+    struct place a = some_place(drawing), b = some_place(drawing);
+    double far = 0;
+    for (int i = 0; i < 3; i++) {
+        far += fabs(a.at[i] - b.at[i]);
+        a.at[i] = (a.at[i] + b.at[i]) / 2;
+    }
+    a.size = fmax(a.size, far);
+    return a;
+}
+
 static void look_from_afar(const struct drawing *drawing)
 {
     uint64_t *state = drawing->state;
-    struct place place = some_place(drawing);
-    double far = place.size * between(state, 2, 20) + 3;
+    struct place place = one_in(state, 4) ? some_place(drawing)
+                                          : whole_place(drawing);
+    double far = place.size * between(state, 1.2, 4);
     solid_words(drawing->scene->view,
                 "location <%.6g, %.6g, %.6g> look_at <%.6g, %.6g, %.6g> "
                 "right x*%zu/%zu angle %.2f",
@@ -560,7 +581,7 @@ static void random_size(const struct drawing *drawing)
     struct many_regions *scene = drawing->scene;
     scene->width = 1 + below(drawing->state, 40);
     scene->height = 1 + below(drawing->state, 30);
-    while (many_regions_work(scene) > 30000
+    while (many_regions_work(scene) > 150000
            && (scene->width > 4 || scene->height > 4)) {
         scene->width = 1 + scene->width * 3 / 4;
         scene->height = 1 + scene->height * 3 / 4;
@@ -583,6 +604,7 @@ struct many_regions *many_regions_random(uint64_t *state)
     drawing->state = state;
     drawing->scene = scene;
     drawing->whole = one_in(state, 3);
+    drawing->endless = one_in(state, 5);
     scene->certainty = drawing->whole ? DEPTH_CERTAIN : ALL_CERTAIN;
     scene->mood = (enum mood)below(state, MOODS);
     add_groups(drawing, random_count(state));
@@ -615,22 +637,9 @@ size_t many_regions_height(const struct many_regions *scene)
     return scene->height;
 }
 
-/* Parts of a solid meet each other in whole numbers of its size. */
-static bool has_union(const struct solid *solid)
-{
-    bool found = solid->joining == UNION;
-    for (size_t i = 0; i < solid->count; i++)
-        found = found || has_union(solid->parts[i]);
-    return found;
-}
-
 enum certainty many_regions_certainty(const struct many_regions *scene)
 {
-    bool unions = false;
-    for (size_t i = 0; i < scene->solid_count; i++)
-        unions = unions || has_union(scene->solids[i]);
-    return unions && scene->certainty == ALL_CERTAIN ? DEPTH_CERTAIN
-                                                     : scene->certainty;
+    return scene->certainty;
 }
 
 char *many_regions_text(const struct many_regions *scene)
