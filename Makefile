@@ -58,11 +58,11 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_narrow \
 	$(BUILD)/tests/oracle/check_scene $(BUILD)/tests/oracle/check_random \
 	$(BUILD)/tests/oracle/check_quartic $(BUILD)/tests/oracle/check_faces \
-	$(BUILD)/tests/oracle/digest
+	$(BUILD)/tests/oracle/check_regions $(BUILD)/tests/oracle/digest
 fuzz_targets = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,\
 	$(wildcard tests/fuzz/fuzz_*.c))
 replays = $(subst /fuzz_,/replay_,$(fuzz_targets))
-# Of these bench_trace is called by bench_frame.sh.
+# Of these bench_trace is called by the scripts.
 benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
 
 build_packages = build-essential pkg-config libopenimageio-dev
@@ -73,17 +73,18 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 	clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
 # What check runs, and in what size: cases an operation, pairs of narrow words,
-# random programs, polynomials of a kind, scenes of solids, tries a row of the
-# table, compilers.
+# random programs, polynomials of a kind, scenes of solids and of many regions,
+# tries a row of the table, compilers.
 check_parts = check-rooms check-unit check-programs check-bugs check-isa \
 	check-docs check-arithmetic check-narrow check-random check-quartic \
-	check-faces check-scenes check-language check-commands check-install \
-	check-fit check-hosts wasm-check
+	check-faces check-regions check-scenes check-language check-commands \
+	check-install check-fit check-hosts wasm-check
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 15000
 POLYNOMIALS ?= 600
 FACES ?= 300
+REGIONS ?= 300
 TRIES ?= 300
 HOSTS ?= quick
 DOCS ?= quick
@@ -119,6 +120,7 @@ check-long: export PAIRS = all
 check-long: export PROGRAMS = 200000
 check-long: export POLYNOMIALS = 10000
 check-long: export FACES = 20000
+check-long: export REGIONS = 10000
 check-long: export TRIES = 3000
 check-long: export HOSTS = full
 check-long: export DOCS = full
@@ -272,9 +274,14 @@ check-quartic: $(BUILD)/tests/oracle/check_quartic
 	$< $(POLYNOMIALS)
 
 # A scene that fails is left in the build's folder.
+by_shares = @seq 0 $$(($(JOBS) - 1)) | (cd $(BUILD) && xargs -n 1 -P $(JOBS) \
+	tests/oracle/$(subst -,_,$@) $(1) $(JOBS))
+
 check-faces: $(BUILD)/tests/oracle/check_faces
-	@seq 0 $$(($(JOBS) - 1)) | (cd $(BUILD) && xargs -n 1 -P $(JOBS) \
-		tests/oracle/check_faces $(FACES) $(JOBS))
+	$(call by_shares,$(FACES))
+
+check-regions: $(BUILD)/tests/oracle/check_regions
+	$(call by_shares,$(REGIONS))
 
 # A part of check-unit, here with more tries.
 check-poison: $(BUILD)/tests/unit/test_poison
@@ -339,10 +346,9 @@ cover-tests:
 		LDFLAGS=-fprofile-instr-generate check-unit check-programs \
 		check-isa check-bugs check-commands check-arithmetic check-random
 
+# All that is measured, or BENCH="growth frames": tests/bench.sh has the names.
 bench: $(benches) $(programs) $(adapter)
-	@for b in $(filter-out %_trace,$(benches)); do $$b || exit 1; done
-	sh tests/bench_frame.sh $(BUILD)
-	sh tests/bench_visible.sh $(BUILD)
+	@sh tests/bench.sh $(BUILD) $(BENCH)
 
 fuzz:
 	@sh .ci/need $(build_packages) clang libclang-rt-14-dev
@@ -443,8 +449,8 @@ clean:
 
 .PHONY: all demo check check-long check-rooms check-unit check-programs \
 	check-bugs check-docs check-isa check-arithmetic check-narrow \
-	check-random check-quartic check-planted check-faces check-scenes \
-	check-language check-commands check-install check-hosts check-poison \
+	check-random check-quartic check-planted check-faces check-regions \
+	check-scenes check-language check-commands check-install check-hosts check-poison \
 	check-timing check-fit fit cover cover-tests wasm-check docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:

@@ -1,13 +1,15 @@
 /* bench_trace.c - how long the trace of a frame takes.
  *
- *     bench_trace SCENE.pov WIDTH HEIGHT TRIALS
+ *     bench_trace SCENE.pov WIDTH HEIGHT [JOBS]
  *
- * Traces the scene in vector form, one band at a time, and prints the least
- * of the trials' processor seconds.  Reading the scene and assembling the
- * kernels are not counted, as POV-Ray does not count its parsing.
+ * Traces the scene in vector form, JOBS bands at a time (1), and prints
+ * processor seconds, seconds, clocks of the machine, and the most kilobytes
+ * that the process had.  Reading the scene and assembling the kernels are not
+ * counted in the seconds, as POV-Ray does not count its parsing.
  */
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <time.h>
 
 #include "base/diagnostic.h"
@@ -27,35 +29,45 @@ static struct scene *read_scene(const char *path, size_t width, size_t height)
     return scene;
 }
 
-/* Seconds; below 0: the error says why not. */
-static double time_trace(const struct scene *scene,
-                         const struct trace_options *options,
-                         c205_error *error)
+static double now(clockid_t clock)
 {
-    struct trace *trace = trace_new(scene, options, error);
-    clock_t begin = clock();
-    bool good = trace && trace_run(trace, error);
-    clock_t end = clock();
+    struct timespec t;
 
-    trace_free(trace);
-    return good ? (double)(end - begin) / CLOCKS_PER_SEC : -1;
+    clock_gettime(clock, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
-static bool print_best(const struct scene *scene,
-                       const struct trace_options *options, int trials)
+static long kilobytes(void)
+{
+    struct rusage usage;
+
+    return getrusage(RUSAGE_SELF, &usage) ? 0 : usage.ru_maxrss;
+}
+
+static bool time_trace(struct trace *trace, c205_error *error)
+{
+    double processor = now(CLOCK_PROCESS_CPUTIME_ID);
+    double begin = now(CLOCK_MONOTONIC);
+
+    if (!trace_run(trace, error))
+        return false;
+    printf("%.4f %.4f %llu %ld\n", now(CLOCK_PROCESS_CPUTIME_ID) - processor,
+           now(CLOCK_MONOTONIC) - begin,
+           (unsigned long long)trace_accounts(trace)->clocks, kilobytes());
+    return true;
+}
+
+static bool trace_scene(const struct scene *scene,
+                        const struct trace_options *options)
 {
     c205_error error = { "no memory" };
-    double best = time_trace(scene, options, &error);
+    struct trace *trace = trace_new(scene, options, &error);
+    bool good = trace && time_trace(trace, &error);
 
-    for (int i = 1; i < trials && best >= 0; i++) {
-        double seconds = time_trace(scene, options, &error);
-        best = seconds < best ? seconds : best;
-    }
-    if (best < 0)
+    if (!good)
         fprintf(stderr, "bench_trace: %s\n", error.message);
-    else
-        printf("%.3f\n", best);
-    return best >= 0;
+    trace_free(trace);
+    return good;
 }
 
 int main(int count, char **words)
@@ -68,17 +80,19 @@ int main(int count, char **words)
     struct scene *scene;
     bool good;
 
-    if (count != 5) {
-        fputs("usage: bench_trace SCENE.pov WIDTH HEIGHT TRIALS\n", stderr);
+    if (count < 4 || count > 5) {
+        fputs("usage: bench_trace SCENE.pov WIDTH HEIGHT [JOBS]\n", stderr);
         return 2;
     }
     options.width = strtoul(words[2], NULL, 10);
     options.height = strtoul(words[3], NULL, 10);
+    if (count == 5)
+        options.jobs = strtoul(words[4], NULL, 10);
     options.model = model = c205_model_find("cyber205-2pipe", &error);
     scene = read_scene(words[1], options.width, options.height);
     if (!model)
         fprintf(stderr, "bench_trace: %s\n", error.message);
-    good = model && scene && print_best(scene, &options, atoi(words[4]));
+    good = model && scene && trace_scene(scene, &options);
     scene_free(scene);
     c205_model_free(model);
     return good ? 0 : 1;

@@ -12,6 +12,7 @@ width=160 height=120
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 ways="stepping every"
+results=${BENCH_CSV:-/dev/null}
 
 spheres() { # COUNT LENGTH RADIUS AXIS: in a row about the origin
     awk -v n="$1" -v length_of="$2" -v r="$3" -v axis="$4" 'BEGIN {
@@ -52,7 +53,8 @@ write_solid() { # KIND COUNT
 clocks() { # SCENE WAY: of visible and of the frame, the frame's checksum
     "$build/rt205" render "$1" -o "$work/picture.png" -W $width -H $height \
         --visible "$2" --accounts --format csv 2>/dev/null | awk -F, '
-        NF == 11 { frame = $8; sum = $10 }
+        /^scene,/ { for (i = 1; i <= NF; i++) at[$i] = i; next }
+        at["clocks"] && !frame { frame = $at["clocks"]; sum = $at["checksum"] }
         $1 == "visible" && $2 == "all" { visible = $3 }
         END { print visible, frame, sum }'
 }
@@ -60,13 +62,17 @@ clocks() { # SCENE WAY: of visible and of the frame, the frame's checksum
 compare() { # NAME SCENE
     for way in $ways; do
         clocks "$2" "$way"
-    done | awk -v name="$1" '
+    done | awk -v name="$1" -v ways="$ways" -v file="$results" '
         { visible[NR] = $1 / 1000; frame[NR] = $2 / 1000; sum[NR] = $3 }
         END {
             printf "%-30s", name
             for (i = 1; i <= NR; i++) printf " %9.0f", visible[i]
             for (i = 1; i <= NR; i++) printf " %9.0f", frame[i]
             print ""
+            split(ways, way, " ")
+            for (i = 1; i <= NR; i++)
+                printf "visible,\"%s\",%s,%.0f\n", name, way[i],
+                    1000 * visible[i] >>file
             for (i = 2; i <= NR; i++)
                 if (sum[i] != sum[1]) { print "frames differ"; exit 1 }
         }'

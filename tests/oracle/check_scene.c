@@ -20,29 +20,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The file holds 24-bit samples (6e-8); the machine has 47 bits, and an
- * exponent of a highlight multiplies what is lost by its size. */
-#define COLOR_TOLERANCE 1e-6
-#define GEOMETRY_TOLERANCE 1e-6
-
 /* Half a step of POV-Ray's 16-bit samples is 7.6e-6; it computes colours in 24
  * bits besides, so a whole step. */
 #define POVRAY_TOLERANCE (1. / 65535)
-
-/* Pixels where one rounding decides: the edge between two faces of one box,
- * between two squares of a checker, of a shadow; the primitive, where two of
- * them touch face to face. */
-#define DECIDED_BY_ROUNDING .0005
-
-static const struct comparison with_frame[] = {
-    { "colour", CHANNEL_RED, 3, INFINITY, true, COLOR_TOLERANCE,
-      DECIDED_BY_ROUNDING },
-    { "depth", CHANNEL_DEPTH, 1, INFINITY, true, GEOMETRY_TOLERANCE,
-      DECIDED_BY_ROUNDING },
-    { "normal", CHANNEL_NORMAL_X, 3, INFINITY, false, GEOMETRY_TOLERANCE,
-      DECIDED_BY_ROUNDING },
-    { "id", CHANNEL_ID, 1, INFINITY, false, 0, DECIDED_BY_ROUNDING },
-};
 
 static const struct comparison with_povray = {
     "colour", CHANNEL_RED, 3, 1, false, POVRAY_TOLERANCE, DECIDED_BY_ROUNDING
@@ -84,7 +64,6 @@ static bool same_size(const char *who, const struct frame *expected,
 static bool check_frame(const struct frame *expected, const char *path,
                         const bool *inner)
 {
-    size_t count = sizeof with_frame / sizeof with_frame[0];
     struct picture_error error;
     struct frame found;
     if (!picture_read(path, &found, &error)) {
@@ -92,7 +71,7 @@ static bool check_frame(const struct frame *expected, const char *path,
         return false;
     }
     bool good = same_size("rt205", expected, &found);
-    for (size_t i = 0, sized = good; sized && i < count; i++)
+    for (size_t i = 0, sized = good; sized && i < WITH_FRAME; i++)
         good &= report("rt205", &with_frame[i], expected, &found, inner);
     frame_free(&found);
     return good;

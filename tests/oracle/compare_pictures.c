@@ -4,6 +4,21 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* The file holds 24-bit samples (6e-8); the machine has 47 bits, and an
+ * exponent of a highlight multiplies what is lost by its size. */
+#define COLOR_TOLERANCE 1e-6
+#define GEOMETRY_TOLERANCE 1e-6
+
+const struct comparison with_frame[WITH_FRAME] = {
+    { "colour", CHANNEL_RED, 3, INFINITY, true, COLOR_TOLERANCE,
+      DECIDED_BY_ROUNDING },
+    { "depth", CHANNEL_DEPTH, 1, INFINITY, true, GEOMETRY_TOLERANCE,
+      DECIDED_BY_ROUNDING },
+    { "normal", CHANNEL_NORMAL_X, 3, INFINITY, false, GEOMETRY_TOLERANCE,
+      DECIDED_BY_ROUNDING },
+    { "id", CHANNEL_ID, 1, INFINITY, false, 0, DECIDED_BY_ROUNDING },
+};
+
 static bool is_inner(const struct frame *frame, size_t x, size_t y)
 {
     const double *id = frame->channel[CHANNEL_ID];

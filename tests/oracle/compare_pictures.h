@@ -20,6 +20,15 @@ struct comparison {
     double share;     /* ... as this share of the pixels may be */
 };
 
+/* Pixels where one rounding decides: the edge between two faces of one box,
+ * between two squares of a checker, of a shadow; the primitive, where two of
+ * them touch face to face. */
+#define DECIDED_BY_ROUNDING .0005
+
+/* What a frame of rt205 must have in common with the plain tracer's. */
+enum { WITH_FRAME = 4 };
+extern const struct comparison with_frame[WITH_FRAME];
+
 struct picture_difference {
     size_t compared, ignored, beyond; /* pixels */
     double mean, greatest;            /* of all samples */

@@ -1,32 +1,18 @@
 /* grid_scene.c - see grid_scene.h. */
 #include "tests/oracle/grid_scene.h"
 
-#include "tests/random.h"
+#include "tests/oracle/chance.h"
+#include "tests/oracle/solid_text.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum {
     PARTS_MOST = 3,
     SOLIDS_MOST = 2,
     LAMPS_MOST = 2,
     DEPTH = 4,
-    WORDS = 320,
-    TEXT = 1 << 17
-};
-
-enum joining { SHAPE, UNION, MERGE, INTERSECTION, DIFFERENCE };
-
-/* A shape, or parts that are joined. */
-struct solid {
-    enum joining joining;
-    char shape[WORDS]; /* up to its modifiers */
-    char look[WORDS], motion[WORDS];
-    bool inverse;
-    size_t count;
-    struct solid *parts[PARTS_MOST];
+    WORDS = SOLID_WORDS
 };
 
 struct grid_scene {
@@ -38,27 +24,7 @@ struct grid_scene {
     struct solid *solids[SOLIDS_MOST];
 };
 
-static void *room(size_t size)
-{
-    void *made = calloc(1, size);
-    if (!made) {
-        fputs("no memory left\n", stderr);
-        exit(2);
-    }
-    return made;
-}
-
 /* --- by chance ------------------------------------------------------------ */
-
-static size_t below(uint64_t *state, size_t count)
-{
-    return (size_t)((xorshift(state) >> 16) % count);
-}
-
-static double between(uint64_t *state, double low, double high)
-{
-    return low + (high - low) * (double)(xorshift(state) >> 11) * 0x1p-53;
-}
 
 static double on_grid(uint64_t *state)
 {
@@ -81,14 +47,6 @@ static double size_on_grid(uint64_t *state)
 
 /* --- shapes --------------------------------------------------------------- */
 
-static void print(char words[WORDS], const char *format, ...)
-{
-    va_list values;
-    va_start(values, format);
-    vsnprintf(words, WORDS, format, values);
-    va_end(values);
-}
-
 static void random_box(uint64_t *state, char *shape)
 {
     double low[3], high[3];
@@ -96,14 +54,15 @@ static void random_box(uint64_t *state, char *shape)
         low[i] = on_grid(state);
         high[i] = off(state, low[i]);
     }
-    print(shape, "box { <%g, %g, %g>, <%g, %g, %g> ", low[0], low[1], low[2],
-          high[0], high[1], high[2]);
+    solid_words(shape, "box { <%g, %g, %g>, <%g, %g, %g> ", low[0], low[1],
+                low[2], high[0], high[1], high[2]);
 }
 
 static void random_sphere(uint64_t *state, char *shape)
 {
     double x = on_grid(state), y = on_grid(state), z = on_grid(state);
-    print(shape, "sphere { <%g, %g, %g>, %g ", x, y, z, size_on_grid(state));
+    solid_words(shape, "sphere { <%g, %g, %g>, %g ", x, y, z,
+                size_on_grid(state));
 }
 
 /* From one end of an axis to the other. */
@@ -119,9 +78,9 @@ static void random_cylinder(uint64_t *state, char *shape)
 {
     double base[3], cap[3], radius = size_on_grid(state);
     random_axis(state, base, cap);
-    print(shape, "cylinder { <%g, %g, %g>, <%g, %g, %g>, %g %s", base[0],
-          base[1], base[2], cap[0], cap[1], cap[2], radius,
-          below(state, 4) ? "" : "open ");
+    solid_words(shape, "cylinder { <%g, %g, %g>, <%g, %g, %g>, %g %s",
+                base[0], base[1], base[2], cap[0], cap[1], cap[2], radius,
+                below(state, 4) ? "" : "open ");
 }
 
 static void random_cone(uint64_t *state, char *shape)
@@ -129,26 +88,26 @@ static void random_cone(uint64_t *state, char *shape)
     double base[3], cap[3], radius = .5 * (double)below(state, 3);
     double other = radius == .5 ? 1 : 1 - radius;
     random_axis(state, base, cap);
-    print(shape, "cone { <%g, %g, %g>, %g, <%g, %g, %g>, %g %s", base[0],
-          base[1], base[2], radius, cap[0], cap[1], cap[2], other,
-          below(state, 4) ? "" : "open ");
+    solid_words(shape, "cone { <%g, %g, %g>, %g, <%g, %g, %g>, %g %s",
+                base[0], base[1], base[2], radius, cap[0], cap[1], cap[2],
+                other, below(state, 4) ? "" : "open ");
 }
 
 static void random_plane(uint64_t *state, char *shape)
 {
     char axis = "xyz"[below(state, 3)];
-    print(shape, "plane { %s%c, %g ", below(state, 2) ? "-" : "", axis,
-          on_grid(state));
+    solid_words(shape, "plane { %s%c, %g ", below(state, 2) ? "-" : "", axis,
+                on_grid(state));
 }
 
 static void random_torus(uint64_t *state, char *shape)
 {
     double major = size_on_grid(state);
     if (below(state, 4))
-        print(shape, "torus { %g, %g ", major, size_on_grid(state) / 2);
+        solid_words(shape, "torus { %g, %g ", major, size_on_grid(state) / 2);
     else
-        print(shape, "elliptical_torus { %g, %g, %g ", major,
-              size_on_grid(state) / 2, size_on_grid(state));
+        solid_words(shape, "elliptical_torus { %g, %g, %g ", major,
+                    size_on_grid(state) / 2, size_on_grid(state));
 }
 
 /* A cylinder, a slab, a cone, a ball, a half-space, what lies outside of a
@@ -162,25 +121,26 @@ static void random_quadric(uint64_t *state, char *shape)
         "<1, 1, 1>, 0, 0, -.25",
     };
     size_t which = below(state, sizeof quadrics / sizeof *quadrics);
-    print(shape, "quadric { %s ", quadrics[which]);
+    solid_words(shape, "quadric { %s ", quadrics[which]);
 }
 
 /* x^4 + y^4 + z^4 = 1. */
 static void random_quartic(uint64_t *state, char *shape)
 {
     (void)state;
-    print(shape, "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,"
-                 "0,0,0,0,0,0,1,0,0,0,-1> ");
+    solid_words(shape,
+                "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,"
+                "0,0,0,0,0,0,1,0,0,0,-1> ");
 }
 
 /* A flat one, in a plane of the grid, or a bent one. */
 static void random_patch(uint64_t *state, char *shape)
 {
     double z = on_grid(state), bend = below(state, 2) ? .5 : 0;
-    print(shape,
-          "steiner_patch { <-1, -1, %g>, <0, 1, %g>, <1, -1, %g>, "
-          "<-.5, 0, %g>, <.5, 0, %g>, <0, -1, %g> ",
-          z, z, z, z + bend, z + bend, z - bend);
+    solid_words(shape,
+                "steiner_patch { <-1, -1, %g>, <0, 1, %g>, <1, -1, %g>, "
+                "<-.5, 0, %g>, <.5, 0, %g>, <0, -1, %g> ",
+                z, z, z, z + bend, z + bend, z - bend);
 }
 
 /* Boxes and cylinders more often: of these whole faces coincide. */
@@ -205,29 +165,30 @@ static void random_look(uint64_t *state, char *look)
     double blue = between(state, 0, 1);
     switch (below(state, 8)) {
     case 0:
-        print(look,
-              "pigment { rgbt <%.2f, %.2f, %.2f, .6> } "
-              "interior { ior 1.3 } ",
-              red, green, blue);
+        solid_words(look,
+                    "pigment { rgbt <%.2f, %.2f, %.2f, .6> } "
+                    "interior { ior 1.3 } ",
+                    red, green, blue);
         break;
     case 1:
-        print(look, "pigment { rgbf <%.2f, %.2f, %.2f, .8> } ", red, green,
-              blue);
+        solid_words(look, "pigment { rgbf <%.2f, %.2f, %.2f, .8> } ", red,
+                    green, blue);
         break;
     case 2:
-        print(look,
-              "pigment { rgb <%.2f, %.2f, %.2f> } "
-              "finish { reflection .4 } ",
-              red, green, blue);
+        solid_words(look,
+                    "pigment { rgb <%.2f, %.2f, %.2f> } "
+                    "finish { reflection .4 } ",
+                    red, green, blue);
         break;
     case 3:
-        print(look,
-              "pigment { checker rgb <%.2f, %.2f, %.2f>, rgb .9 "
-              "scale .5 } finish { phong .5 } ",
-              red, green, blue);
+        solid_words(look,
+                    "pigment { checker rgb <%.2f, %.2f, %.2f>, rgb .9 "
+                    "scale .5 } finish { phong .5 } ",
+                    red, green, blue);
         break;
     default:
-        print(look, "pigment { rgb <%.2f, %.2f, %.2f> } ", red, green, blue);
+        solid_words(look, "pigment { rgb <%.2f, %.2f, %.2f> } ", red, green,
+                    blue);
         break;
     }
 }
@@ -236,44 +197,32 @@ static void random_motion(uint64_t *state, char *motion)
 {
     char turn[WORDS] = "", shift[WORDS] = "";
     if (below(state, 2))
-        print(turn, "rotate <%d, %d, %d> ", 90 * (int)below(state, 4),
-              90 * (int)below(state, 4), 90 * (int)below(state, 4));
+        solid_words(turn, "rotate <%d, %d, %d> ", 90 * (int)below(state, 4),
+                    90 * (int)below(state, 4), 90 * (int)below(state, 4));
     if (below(state, 4) == 0)
-        print(shift, "translate <%g, %g, %g> ", on_grid(state) / 2,
-              on_grid(state) / 2, on_grid(state) / 2);
-    print(motion, "%.120s%.120s", turn, shift);
+        solid_words(shift, "translate <%g, %g, %g> ", on_grid(state) / 2,
+                    on_grid(state) / 2, on_grid(state) / 2);
+    solid_words(motion, "%.120s%.120s", turn, shift);
 }
 
 /* --- solids --------------------------------------------------------------- */
 
-static void free_solid(struct solid *solid)
+static struct solid *random_joining(uint64_t *state)
 {
-    for (size_t i = 0; i < solid->count; i++)
-        free_solid(solid->parts[i]);
-    free(solid);
-}
-
-static struct solid *copy_solid(const struct solid *solid)
-{
-    struct solid *copy = room(sizeof *copy);
-    *copy = *solid;
-    for (size_t i = 0; i < solid->count; i++)
-        copy->parts[i] = copy_solid(solid->parts[i]);
-    return copy;
+    enum solid_joining joining = UNION + (enum solid_joining)below(state, 4);
+    return solid_new(joining, 2 + below(state, PARTS_MOST - 1));
 }
 
 static struct solid *random_solid(uint64_t *state, size_t depth)
 {
-    struct solid *solid = room(sizeof *solid);
-    if (depth == 0 || below(state, 4) == 0) {
+    bool joined = depth > 0 && below(state, 4);
+    struct solid *solid = joined ? random_joining(state)
+                                 : solid_new(SHAPE, 0);
+    if (!joined)
         random_shape(state, solid->shape);
-    } else {
-        solid->joining = UNION + (enum joining)below(state, 4);
-        solid->count = 2 + below(state, PARTS_MOST - 1);
-    }
     for (size_t i = 0; i < solid->count; i++)
         solid->parts[i] = i > 0 && below(state, 8) == 0
-                              ? copy_solid(solid->parts[i - 1])
+                              ? solid_copy(solid->parts[i - 1])
                               : random_solid(state, depth - 1);
     if (below(state, 3) == 0 || (depth == 0 && below(state, 2)))
         random_look(state, solid->look);
@@ -292,23 +241,24 @@ static void random_view(uint64_t *state, struct grid_scene *scene)
     switch (below(state, 8)) {
     case 0: /* rays run in faces */
     case 1:
-        print(scene->view,
-              "location <%g, %g, %g> direction 28*z right %d*x up %d*y", x, y,
-              -5 * s, GRID_WIDTH, GRID_HEIGHT);
+        solid_words(scene->view,
+                    "location <%g, %g, %g> direction 28*z right %d*x up %d*y",
+                    x, y, -5 * s, GRID_WIDTH, GRID_HEIGHT);
         break;
     case 2: /* rays begin in faces */
-        print(scene->view,
-              "location <%g, %g, %g> direction 14*z right %d*x up %d*y", x, y,
-              z, GRID_WIDTH, GRID_HEIGHT);
+        solid_words(scene->view,
+                    "location <%g, %g, %g> direction 14*z right %d*x up %d*y",
+                    x, y, z, GRID_WIDTH, GRID_HEIGHT);
         break;
     default:
         scene->aslant = true;
-        print(scene->view,
-              "location %g*<%.5f, %.5f, -%.5f> look_at %g*<.013, .0171, 0> "
-              "right x*%d/%d angle %.2f",
-              s, between(state, -6, 6), between(state, -4, 6),
-              between(state, 5, 9), s, GRID_WIDTH, GRID_HEIGHT,
-              between(state, 20, 40));
+        solid_words(
+            scene->view,
+            "location %g*<%.5f, %.5f, -%.5f> look_at %g*<.013, .0171, 0> "
+            "right x*%d/%d angle %.2f",
+            s, between(state, -6, 6), between(state, -4, 6),
+            between(state, 5, 9), s, GRID_WIDTH, GRID_HEIGHT,
+            between(state, 20, 40));
         break;
     }
 }
@@ -316,17 +266,19 @@ static void random_view(uint64_t *state, struct grid_scene *scene)
 static void random_lamp(uint64_t *state, char *lamp)
 {
     if (below(state, 4) == 0)
-        print(lamp, "light_source { <%g, %g, %g>, .7 }", 3 * on_grid(state),
-              3 * on_grid(state), 3 * on_grid(state));
+        solid_words(lamp, "light_source { <%g, %g, %g>, .7 }",
+                    3 * on_grid(state), 3 * on_grid(state),
+                    3 * on_grid(state));
     else
-        print(lamp, "light_source { <%.3f, %.3f, -%.3f>, rgb .8 %s}",
-              between(state, -9, 9), between(state, 2, 12),
-              between(state, 4, 9), below(state, 3) ? "" : "shadowless ");
+        solid_words(lamp, "light_source { <%.3f, %.3f, -%.3f>, rgb .8 %s}",
+                    between(state, -9, 9), between(state, 2, 12),
+                    between(state, 4, 9),
+                    below(state, 3) ? "" : "shadowless ");
 }
 
 struct grid_scene *grid_scene_random(uint64_t *state)
 {
-    struct grid_scene *scene = room(sizeof *scene);
+    struct grid_scene *scene = test_room(sizeof *scene);
     for (int i = 0; i < 8; i++)
         xorshift(state);
     random_view(state, scene);
@@ -342,16 +294,16 @@ struct grid_scene *grid_scene_random(uint64_t *state)
 void grid_scene_free(struct grid_scene *scene)
 {
     for (size_t i = 0; i < scene->solid_count; i++)
-        free_solid(scene->solids[i]);
+        solid_free(scene->solids[i]);
     free(scene);
 }
 
 static struct grid_scene *copy_scene(const struct grid_scene *scene)
 {
-    struct grid_scene *copy = room(sizeof *copy);
+    struct grid_scene *copy = test_room(sizeof *copy);
     *copy = *scene;
     for (size_t i = 0; i < scene->solid_count; i++)
-        copy->solids[i] = copy_solid(scene->solids[i]);
+        copy->solids[i] = solid_copy(scene->solids[i]);
     return copy;
 }
 
@@ -362,58 +314,29 @@ bool grid_scene_is_aslant(const struct grid_scene *scene)
 
 /* --- text ----------------------------------------------------------------- */
 
-static void add(char *text, const char *format, ...)
-{
-    size_t used = strlen(text);
-    va_list values;
-    va_start(values, format);
-    vsnprintf(text + used, TEXT - used, format, values);
-    va_end(values);
-}
-
-static void add_solid(char *text, const struct solid *solid, int depth)
-{
-    static const char *const words[] = {
-        [UNION] = "union",
-        [MERGE] = "merge",
-        [INTERSECTION] = "intersection",
-        [DIFFERENCE] = "difference",
-    };
-    add(text, "%*s", 4 * depth, "");
-    if (solid->joining == SHAPE)
-        add(text, "%s", solid->shape);
-    else
-        add(text, "%s {\n", words[solid->joining]);
-    for (size_t i = 0; i < solid->count; i++)
-        add_solid(text, solid->parts[i], depth + 1);
-    if (solid->count > 0)
-        add(text, "%*s", 4 * depth, "");
-    add(text, "%s%s%s}\n", solid->look, solid->inverse ? "inverse " : "",
-        solid->motion);
-}
-
-static void add_scaled_solid(char *text, const struct solid *solid,
-                             double scale)
+static void print_solid(const struct solid *solid, double scale, FILE *text)
 {
     if (scale != 1)
-        add(text, "object {\n");
-    add_solid(text, solid, 0);
+        fprintf(text, "object {\n");
+    solid_print(solid, 0, text);
     if (scale != 1)
-        add(text, "scale %g }\n", scale);
+        fprintf(text, "scale %g }\n", scale);
 }
 
 char *grid_scene_text(const struct grid_scene *scene)
 {
-    char *text = room(TEXT);
-    add(text, "#version 3.7;\nglobal_settings { assumed_gamma 1 "
-              "max_trace_level 4 }\nbackground { rgb <.3, .4, .6> }\n");
-    add(text, "camera { %s }\n", scene->view);
+    char *words;
+    FILE *text = test_text(&words);
+    fprintf(text, "#version 3.7;\nglobal_settings { assumed_gamma 1 "
+                  "max_trace_level 4 }\nbackground { rgb <.3, .4, .6> }\n");
+    fprintf(text, "camera { %s }\n", scene->view);
     for (size_t i = 0; i < scene->lamp_count; i++)
-        add(text, "%s\n", scene->lamps[i]);
-    add(text, "#default { pigment { rgb .8 } }\n");
+        fprintf(text, "%s\n", scene->lamps[i]);
+    fprintf(text, "#default { pigment { rgb .8 } }\n");
     for (size_t i = 0; i < scene->solid_count; i++)
-        add_scaled_solid(text, scene->solids[i], scene->scale);
-    return text;
+        print_solid(scene->solids[i], scene->scale, text);
+    fclose(text);
+    return words;
 }
 
 /* --- in another order ----------------------------------------------------- */
@@ -448,65 +371,17 @@ struct grid_scene *grid_scene_shuffled(const struct grid_scene *scene,
 
 /* --- with something left out ---------------------------------------------- */
 
-/* Ways are counted as the scene is walked through; at 0 it is this one. */
-static bool is_next(size_t *way)
-{
-    return (*way)-- == 0;
-}
-
-static void take_out(struct solid **solids, size_t *count, size_t i)
-{
-    free_solid(solids[i]);
-    for (*count -= 1; i < *count; i++)
-        solids[i] = solids[i + 1];
-}
-
-static bool leave_out_words(char *words, size_t *way)
-{
-    if (words[0] == '\0' || !is_next(way))
-        return false;
-    words[0] = '\0';
-    return true;
-}
-
-static bool leave_out(struct solid **place, size_t *way)
-{
-    struct solid *solid = *place;
-    for (size_t i = 0; i < solid->count; i++)
-        if (is_next(way)) {
-            struct solid *part = copy_solid(solid->parts[i]);
-            free_solid(solid);
-            *place = part;
-            return true;
-        }
-    for (size_t i = 0; solid->count > 2 && i < solid->count; i++)
-        if (is_next(way)) {
-            take_out(solid->parts, &solid->count, i);
-            return true;
-        }
-    for (size_t i = 0; i < solid->count; i++)
-        if (leave_out(&solid->parts[i], way))
-            return true;
-    if (leave_out_words(solid->look, way)
-        || leave_out_words(solid->motion, way))
-        return true;
-    if (!solid->inverse || !is_next(way))
-        return false;
-    solid->inverse = false;
-    return true;
-}
-
 static bool leave_out_of(struct grid_scene *scene, size_t *way)
 {
     for (size_t i = 0; scene->solid_count > 1 && i < scene->solid_count; i++)
-        if (is_next(way)) {
-            take_out(scene->solids, &scene->solid_count, i);
+        if (solid_is_next(way)) {
+            solid_take_out(scene->solids, &scene->solid_count, i);
             return true;
         }
     for (size_t i = 0; i < scene->solid_count; i++)
-        if (leave_out(&scene->solids[i], way))
+        if (solid_leave_out(&scene->solids[i], way))
             return true;
-    if (scene->lamp_count == 0 || !is_next(way))
+    if (scene->lamp_count == 0 || !solid_is_next(way))
         return false;
     scene->lamp_count--;
     return true;

@@ -448,7 +448,7 @@ static void test_our_scenes(void **state)
     static const char *const paths[] = {
         "scenes/first.pov",   "scenes/bearing.pov", "scenes/pipe_flange.pov",
         "scenes/rings.pov",   "scenes/hills.pov",   "scenes/roman.pov",
-        "scenes/steiner.pov", "scenes/car.pov"
+        "scenes/steiner.pov", "scenes/car.pov",     "scenes/flake.pov"
     };
 
     (void)state;

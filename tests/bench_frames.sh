@@ -1,0 +1,31 @@
+#!/bin/sh
+# bench_frames.sh BUILD - the trace of a frame of each scene, in vector form,
+# beside POV-Ray's own trace time of the same file; one thread each, in turn.
+#
+# Processor seconds, the least of several runs.  Neither counts the reading of
+# the scene, nor is a picture written.  The scene that was made for this
+# comparison is first; POV-Ray shows Steiner patches as meshes.
+set -eu
+build=$1
+. "$(dirname "$0")/measure.sh"
+
+compare() { # SCENE WIDTH HEIGHT
+    for _ in $(seq "$trials"); do
+        echo "$(ours "$@" | cut -d ' ' -f 1) $(theirs "$@")"
+    done | least >"$work/times"
+    read -r seconds povray <"$work/times"
+    ratio=$(quotient "$seconds" "$povray")
+    printf '%-24s %4d x %4d %8.2f %9.2f %6s\n' "$@" "$seconds" "$povray" \
+        "$ratio"
+    keep frames "$1" seconds "$seconds" povray "$povray" ratio "$ratio"
+}
+
+printf '%-24s %11s %8s %9s %6s\n' "trace of a frame" "" "rt205, s" \
+    "povray, s" ratio
+have_povray || { echo "(POV-Ray is not installed)"; exit 0; }
+compare scenes/bench.pov 1024 768
+compare scenes/bracket.pov 1024 1024
+for scene in scenes/*.pov; do
+    case $scene in scenes/bench.pov | scenes/bracket.pov) continue ;; esac
+    compare "$scene" 640 480
+done

@@ -1,0 +1,32 @@
+#!/bin/sh
+# bench_goals.sh BUILD - what the other parts measured beside what is to be
+# reached.
+set -eu
+build=$1
+. "$(dirname "$0")/measure.sh"
+
+printf '%-44s %9s %9s\n' goal "to reach" measured
+awk '
+    function judge(name, limit, least) {
+        value = $0
+        sub(/.*,/, "", value)
+        if (value == "")
+            return
+        good = least ? value + 0 >= limit : value + 0 <= limit
+        printf "%-44s %3s %5s %9s%s\n", name, least ? ">=" : "<=", limit,
+            value, good ? "" : "  not reached"
+    }
+    { split($0, quoted, "\"") }
+    /^frames,.*,ratio,/ {
+        judge(quoted[2] ", times POV-Ray\x27s",
+              /bench.pov|first.pov/ ? "1.0" : "1.5")
+    }
+    /^growth,"flake, 7381",ratio,/ { judge(quoted[2] ", times POV-Ray\x27s", 2) }
+    /^growth,"flake, exponent",clocks,/ { judge("flake, exponent of clocks", .5) }
+    /^machine,"add, 64.*,ns\/element,/ { judge("add, ns an element", .7) }
+    /^machine,"multiply, .*,ns\/element,/ { judge("multiply, ns an element", .75) }
+    /^machine,"scalar, .*,M instr\/s,/ {
+        judge("scalar, M instructions a second", 150, 1)
+    }
+    /^jobs,.*,times,/ { judge(quoted[2] ", two jobs to one", 1.85, 1) }
+' "$results"

@@ -1,0 +1,109 @@
+#!/bin/sh
+# bench_growth.sh BUILD - what a frame takes against the number of things in it:
+# spheres of a flake, small solids in a field.
+#
+# Processor seconds of ours and of POV-Ray's trace, the machine's clocks, and
+# the most memory that the process had.  The exponent is that of the power of the
+# number, by least squares in logarithms, of numbers from 90 to 10,000.
+# A row that would take longer than LIMIT seconds (100), if it took as much
+# longer than the one before as it has more things, is left out.
+set -eu
+build=$1
+. "$(dirname "$0")/measure.sh"
+trials=${TRIALS:-2} # a row is long
+width=200 height=150
+limit=${LIMIT:-100}
+
+flake() { # DEPTH
+    sed "s/^#declare Depth = .*/#declare Depth = $1;/" scenes/flake.pov
+}
+
+# Bored boxes and lenses in turn, none like its neighbours.
+field() { # COUNT
+    cat <<END
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+#declare Side = int(sqrt($1 - 1)) + 1;
+camera {
+    location Side*<-0.3, 0.8, -0.9>
+    right x * image_width / image_height
+    angle 40
+    look_at 0
+}
+light_source { Side*<-1, 2, -1.5>, 0.8 }
+light_source { Side*<2, 1, -0.5>, rgb 0.3 }
+#for (I, 0, $1 - 1)
+    #declare Place = <mod(I, Side) - Side/2, 0, div(I, Side) - Side/2>;
+    #if (mod(I, 2))
+        intersection { sphere { -0.2*y, 0.4 } sphere { 0.2*y, 0.4 }
+    #else
+        difference { box { -0.28, 0.28 } cylinder { -y, y, 0.2 }
+    #end
+        pigment { color rgb <0.8, 0.6, 0.3> }
+        rotate <13*I, 29*I, 0>
+        translate Place + mod(7*I, 5)/5*y
+    }
+#end
+END
+}
+
+exponent() { # COLUMN: of lines of a number and what was measured
+    awk -v column="$1" '$1 >= 90 && $1 <= 10000 && $column > 0 {
+            x = log($1); y = log($column)
+            n++; sx += x; sy += y; sxx += x*x; sxy += x*y
+        }
+        END { if (n > 1)
+                  printf "%.2f", (n*sxy - sx*sy) / (n*sxx - sx*sx) }'
+}
+
+measure() { # SCENE: ours, POV-Ray's
+    for _ in $(seq "$trials"); do
+        echo "$(ours "$1" $width $height | cut -d ' ' -f 1,3,4)" \
+            "$(! have_povray || theirs "$1" $width $height)"
+    done | least
+}
+
+is_too_long() { # COUNT, behind the last row
+    tail -n 1 "$work/rows" | awk -v n="$1" -v limit="$limit" -v t="$trials" \
+        'END { exit !(NR && $2 * t * n / $1 > limit) }'
+}
+
+show_exponents() { # NAME
+    seconds=$(exponent 2 <"$work/rows")
+    clocks=$(exponent 3 <"$work/rows")
+    memory=$(exponent 4 <"$work/rows")
+    printf '%-18s %8s %9s %6s %9s %9s\n' "  exponent" "$seconds" "" "" \
+        "$clocks" "$memory"
+    keep growth "$1, exponent" seconds "$seconds" clocks "$clocks" \
+        kilobytes "$memory"
+}
+
+grow() { # NAME SCENE PARAMETER:COUNT ..: SCENE prints the scene
+    name=$1 scene=$2
+    shift 2
+    : >"$work/rows"
+    for size in "$@"; do
+        count=${size#*:}
+        if is_too_long "$count"; then
+            printf '%-8s %9d  (would take too long: LIMIT)\n' "$name" "$count"
+            break
+        fi
+        $scene "${size%:*}" >"$work/scene.pov"
+        measure "$work/scene.pov" >"$work/least"
+        read -r seconds clocks memory povray <"$work/least"
+        echo "$count $seconds $clocks $memory" >>"$work/rows"
+        ratio=$(quotient "$seconds" "${povray:-0}")
+        printf '%-8s %9d %8.3f %9.3f %6s %9.1f %9.1f\n' "$name" "$count" \
+            "$seconds" "${povray:-0}" "$ratio" \
+            "$(quotient "$clocks" 1000000)" "$(quotient "$memory" 1024)"
+        keep growth "$name, $count" seconds "$seconds" povray "${povray:-}" \
+            ratio "$ratio" clocks "$clocks" kilobytes "$memory"
+    done
+    show_exponents "$name"
+}
+
+echo "a frame of $width x $height pixels"
+printf '%-8s %9s %8s %9s %6s %9s %9s\n' of things "rt205, s" "povray, s" \
+    ratio "M clocks" "memory, MB"
+grow flake flake 1:10 2:91 3:820 4:7381 5:66430
+grow solids field 10:10 100:100 1000:1000 10000:10000

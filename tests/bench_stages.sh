@@ -1,0 +1,46 @@
+#!/bin/sh
+# bench_stages.sh BUILD - the machine's clocks for a frame of each scene, in each
+# way to trace it; frames that are not equal, bit for bit, end it.
+set -eu
+build=$1
+. "$(dirname "$0")/measure.sh"
+width=120 height=90
+
+# Options of rt205 render, a way a line.
+ways() {
+    cat <<'END'
+--mode scalar
+--mode kernels
+--mode vector
+END
+}
+
+clocks() { # SCENE OPTIONS ..: and the frame's checksum
+    scene_file=$1
+    shift
+    "$build/rt205" render "$scene_file" -o "$work/picture.png" -W $width \
+        -H $height "$@" --format csv 2>/dev/null | awk -F, '
+        /^scene,/ { for (i = 1; i <= NF; i++) at[$i] = i; next }
+        at["clocks"] { print $at["checksum"], $at["clocks"]; exit }'
+}
+
+echo "thousands of clocks of a frame of $width x $height pixels"
+printf '%-24s' scene
+ways | while read -r way; do printf ' %18s' "${way#--mode }"; done
+echo
+for scene in scenes/*.pov; do
+    printf '%-24s' "$scene"
+    ways | while read -r way; do
+        # A way is several words.
+        # shellcheck disable=SC2086
+        clocks "$scene" $way >"$work/clocks"
+        read -r sum count <"$work/clocks"
+        printf " %18.0f" "$(quotient "$count" 1000)"
+        keep stages "$scene" "${way#--mode }" "$count"
+        echo "$sum" >>"$work/sums"
+    done
+    echo
+    [ "$(sort -u "$work/sums" | wc -l)" -eq 1 ] ||
+        { echo "frames differ" && exit 1; }
+    rm "$work/sums"
+done

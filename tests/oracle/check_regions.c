@@ -1,0 +1,366 @@
+/* check_regions.c - scenes of many regions, traced in every way.
+ *
+ *     check_regions [SCENES [OF SHARE]] [--first]
+ *
+ * Traces scenes by chance (many_regions.h), or every OF-th from the one of the
+ * number SHARE on, in vector form with every ray against every region, in scalar
+ * form, and in some more ways by chance: stages, queues, bounds, ways to what
+ * is seen of a solid, bands, jobs.  All give one frame, bit for bit, and follow
+ * the same rays.  The plain tracer sees the same within the tolerances of
+ * check_scene, but for pixels where a rounding decides.  A scene that fails is
+ * made smaller as long as it fails, and so is the way; it is printed, and
+ * written to regions_N.pov.  After --first nothing more is done, not even that.
+ * Exit code 1: some failed.
+ */
+#include "rt/scene/language/scene_read.h"
+#include "rt/trace/trace.h"
+#include "tests/oracle/chance.h"
+#include "tests/oracle/compare_pictures.h"
+#include "tests/oracle/many_regions.h"
+#include "tests/oracle/plain_tracer.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { REASON = 400, WAYS = 5 };
+
+/* Share of the pixels, and one more, where a rounding decides: on edges of faces,
+ * shadows and checks.  Of so small a frame that is more than check_scene's. */
+#define ROUNDED .01
+
+static c205_model *model;
+
+static void give_up(const char *message)
+{
+    fprintf(stderr, "check_regions: %s\n", message);
+    exit(2);
+}
+
+static struct scene *read_text(const char *text)
+{
+    const struct scene_options options = { .strict = false };
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read_text("scene", text, &options, &reports);
+    if (!scene) {
+        fputs(text, stderr);
+        diagnostics_print(&reports, stderr);
+        give_up("this is no scene");
+    }
+    diagnostics_free(&reports);
+    return scene;
+}
+
+/* --- ways to trace -------------------------------------------------------- */
+
+/* Every ray against every region, one after the other. */
+static const struct trace_options plainest = { .mode = TRACE_VECTOR,
+                                               .queue = TRACE_QUEUE,
+                                               .no_bounds = true };
+static const struct trace_options serial = { .mode = TRACE_SCALAR,
+                                             .queue = 1 };
+
+static struct trace_options random_way(uint64_t *state, size_t pixels)
+{
+    static const size_t queues[] = { 1, 2, 7, 7, 77, 77, 77, TRACE_QUEUE };
+    struct trace_options way = { .queue = queues[below(state, 8)] };
+    if (one_in(state, 20))
+        way.queue = TRACE_QUEUE_MOST;
+    way.mode = (enum trace_mode)below(state, TRACE_MODES);
+    way.no_bounds = one_in(state, 4);
+    if (one_in(state, 4) && way.mode == TRACE_VECTOR)
+        way.visible = VISIBLE_EVERY;
+    way.band = one_in(state, 2) ? 0 : 1 + pixels / 5 + below(state, pixels);
+    way.jobs = 1 + below(state, 2);
+    return way;
+}
+
+/* The options of rt205 render. */
+static void tell_way(const struct trace_options *way, char *words,
+                     size_t size)
+{
+    int used = snprintf(words, size, "--mode %s", trace_mode_name(way->mode));
+#define TELL(condition, ...) \
+    if (condition) \
+    used += snprintf(words + used, size - (size_t)used, " " __VA_ARGS__)
+    TELL(way->mode != TRACE_SCALAR, "--queue %zu", way->queue);
+    TELL(way->no_bounds, "--no-bounds");
+    TELL(way->visible, "--visible every");
+    TELL(way->jobs > 1, "--jobs %zu", way->jobs);
+    TELL(way->band, "(bands of %zu pixels)", way->band);
+#undef TELL
+}
+
+/* The same way with something less, 0 on; false: there is no such way. */
+static bool without(const struct trace_options *way, size_t what,
+                    struct trace_options *less)
+{
+    *less = *way;
+    switch (what) {
+    case 0: less->jobs = 0; return true;
+    case 1: less->band = 0; return true;
+    case 2: less->visible = VISIBLE_DEFAULT; return true;
+    case 3: less->no_bounds = true; return true;
+    case 4: less->queue = TRACE_QUEUE; return true;
+    default: return false;
+    }
+}
+
+/* A guess at its processor seconds, for the host. */
+static double seconds_of(const struct trace_options *way, double work)
+{
+    if (way->mode == TRACE_SCALAR)
+        return work * (way->no_bounds ? 2e-6 : 1e-6);
+    return work * (2e-7 + 1e-5 / (double)way->queue);
+}
+
+static struct trace_options some_way(uint64_t *state,
+                                     const struct many_regions *scene)
+{
+    size_t pixels = many_regions_width(scene) * many_regions_height(scene);
+    for (int i = 0; i < 100; i++) {
+        struct trace_options way = random_way(state, pixels);
+        if (seconds_of(&way, many_regions_work(scene)) < .04)
+            return way;
+    }
+    return (struct trace_options){ .mode = TRACE_VECTOR, .queue = 77 };
+}
+
+/* --- frames --------------------------------------------------------------- */
+
+/* What is traced, and how big. */
+struct sight {
+    const struct scene *scene;
+    size_t width, height;
+};
+
+static struct trace *trace_in(const struct sight *sight,
+                              const struct trace_options *way)
+{
+    struct trace_options options = *way;
+    c205_error error;
+    options.width = sight->width;
+    options.height = sight->height;
+    options.model = model;
+    struct trace *trace = trace_new(sight->scene, &options, &error);
+    if (!trace || !trace_run(trace, &error))
+        give_up(error.message);
+    return trace;
+}
+
+static bool same_words(const struct sight *sight,
+                       const struct trace *expected,
+                       const struct trace *found, char *reason)
+{
+    size_t pixels = sight->width * sight->height;
+    for (int i = 0; i < FRAME_CHANNELS; i++) {
+        const c205_word *a = trace_channel(expected, (enum frame_channel)i);
+        const c205_word *b = trace_channel(found, (enum frame_channel)i);
+        for (size_t k = 0; k < pixels; k++)
+            if (a[k] != b[k]) {
+                snprintf(reason, REASON,
+                         "channel %d at %zu, %zu is %016llX, not %016llX", i,
+                         k % sight->width, k / sight->width,
+                         (unsigned long long)b[k], (unsigned long long)a[k]);
+                return false;
+            }
+    }
+    return true;
+}
+
+static bool same_rays(const struct trace *expected, const struct trace *found,
+                      char *reason)
+{
+    for (int kind = 0; kind < RAY_KINDS; kind++) {
+        uint64_t a = trace_rays(expected, (enum ray_kind)kind);
+        uint64_t b = trace_rays(found, (enum ray_kind)kind);
+        if (a != b) {
+            snprintf(reason, REASON, "%llu %s rays, not %llu",
+                     (unsigned long long)b,
+                     ray_kind_name((enum ray_kind)kind),
+                     (unsigned long long)a);
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool same_in(const struct sight *sight, const struct trace *expected,
+                    const struct trace_options *way, char *reason)
+{
+    struct trace *found = trace_in(sight, way);
+    bool good = same_words(sight, expected, found, reason)
+                && same_rays(expected, found, reason);
+    trace_free(found);
+    return good;
+}
+
+/* --- against the plain tracer --------------------------------------------- */
+
+static bool same_as_plain(const struct sight *sight,
+                          const struct trace *trace, enum certainty certainty,
+                          char *reason)
+{
+    struct frame expected, found;
+    c205_error error;
+    bool good = true;
+    if (!plain_trace(sight->scene, sight->width, sight->height, &expected)
+        || !trace_read(trace, &found, &error))
+        give_up("no memory left");
+    bool *inner = inner_pixels(&expected);
+    for (size_t i = 0; good && i < WITH_FRAME; i++) {
+        struct comparison comparison = with_frame[i];
+        comparison.share = ROUNDED;
+        if (certainty < ALL_CERTAIN && comparison.first != CHANNEL_DEPTH)
+            continue;
+        struct picture_difference is = compare_pictures(&comparison,
+                                                        &expected, &found,
+                                                        inner);
+        good = (double)is.beyond
+               <= 1 + comparison.share * (double)is.compared;
+        snprintf(
+            reason, REASON,
+            "the plain tracer has another %s at %zu of %zu pixels, by %g "
+            "at %zu, %zu",
+            comparison.name, is.beyond, is.compared, is.greatest, is.worst_x,
+            is.worst_y);
+    }
+    free(inner);
+    frame_free(&found);
+    frame_free(&expected);
+    return good;
+}
+
+/* --- scenes --------------------------------------------------------------- */
+
+/* Ways that are to give one frame; none: it is the plain tracer's frame. */
+struct ways {
+    size_t count;
+    struct trace_options way[WAYS];
+    bool plain; /* compare with the plain tracer, too */
+};
+
+/* False: the reason, and failing is what does not give that frame. */
+static bool passes(const struct many_regions *regions,
+                   const struct ways *ways, struct ways *failing,
+                   char *reason)
+{
+    char *text = many_regions_text(regions);
+    struct scene *scene = read_text(text);
+    const struct sight sight = { scene, many_regions_width(regions),
+                                 many_regions_height(regions) };
+    struct trace *expected = trace_in(&sight, &plainest);
+    bool good = true;
+    *failing = (struct ways){ .count = 0 };
+    for (size_t i = 0; good && i < ways->count; i++)
+        if (!same_in(&sight, expected, &ways->way[i], reason)) {
+            *failing = (struct ways){ .count = 1, .way = { ways->way[i] } };
+            good = false;
+        }
+    if (good && ways->plain && many_regions_certainty(regions)
+        && !same_as_plain(&sight, expected, many_regions_certainty(regions),
+                          reason)) {
+        failing->plain = true;
+        good = false;
+    }
+    trace_free(expected);
+    scene_free(scene);
+    free(text);
+    return good;
+}
+
+/* What can be left out of the scene while it fails; false: nothing. */
+static bool shrink_once(struct many_regions **regions,
+                        const struct ways *ways)
+{
+    struct many_regions *smaller;
+    struct ways failing;
+    char reason[REASON];
+    bool less = false;
+    for (size_t i = 0; (smaller = many_regions_without(*regions, i));) {
+        bool good = passes(smaller, ways, &failing, reason);
+        many_regions_free(good ? smaller : *regions);
+        *regions = good ? *regions : smaller;
+        less = less || !good;
+        i += good;
+    }
+    return less;
+}
+
+static void shrink_way(const struct many_regions *regions, struct ways *ways)
+{
+    struct ways less = *ways, failing;
+    char reason[REASON];
+    for (size_t i = 0; ways->count && without(&ways->way[0], i, &less.way[0]);
+         i++)
+        if (!passes(regions, &less, &failing, reason))
+            *ways = less;
+}
+
+static void show(const struct many_regions *regions, const struct ways *ways,
+                 size_t number)
+{
+    char *text = many_regions_text(regions);
+    char reason[REASON] = "", path[40], way[200] = "";
+    struct ways failing;
+    passes(regions, ways, &failing, reason);
+    snprintf(path, sizeof path, "regions_%zu.pov", number);
+    if (ways->count)
+        tell_way(&ways->way[0], way, sizeof way);
+    printf("FAIL %s -W %zu -H %zu %s: %s\n%s", path,
+           many_regions_width(regions), many_regions_height(regions), way,
+           reason, text);
+    fflush(stdout);
+    FILE *file = fopen(path, "w");
+    if (file) {
+        fputs(text, file);
+        fclose(file);
+    }
+    free(text);
+}
+
+static bool check_scene(size_t number, bool first)
+{
+    uint64_t state = RANDOM_SEED
+                     ^ (number + 1) * UINT64_C(0xD1B54A32D192ED03);
+    struct many_regions *regions = many_regions_random(&state);
+    struct ways ways = { .count = WAYS, .way = { serial }, .plain = true };
+    struct ways failing;
+    char reason[REASON];
+    for (size_t i = 1; i < WAYS; i++)
+        ways.way[i] = some_way(&state, regions);
+    bool good = passes(regions, &ways, &failing, reason);
+    if (!good && first) {
+        printf("scene %zu: %s\n", number, reason);
+    } else if (!good) {
+        while (shrink_once(&regions, &failing))
+            continue;
+        shrink_way(regions, &failing);
+        show(regions, &failing, number);
+    }
+    many_regions_free(regions);
+    return good;
+}
+
+int main(int count, char **words)
+{
+    bool first = count > 1 && strcmp(words[count - 1], "--first") == 0;
+    count -= first;
+    size_t scenes = count > 1 ? strtoul(words[1], NULL, 10) : 300;
+    size_t of = count > 3 ? strtoul(words[2], NULL, 10) : 1;
+    size_t share = count > 3 ? strtoul(words[3], NULL, 10) : 0;
+    size_t passed = 0, failed = 0;
+    c205_error error;
+    model = c205_model_find("cyber205-2pipe", &error);
+    if (of == 0 || !model) {
+        fprintf(stderr,
+                "usage: check_regions [SCENES [OF SHARE]] [--first]\n");
+        return 2;
+    }
+    for (size_t i = share; i < scenes && !(first && failed); i += of)
+        check_scene(i, first) ? passed++ : failed++;
+    c205_model_free(model);
+    printf("%zu passed, %zu failed\n", passed, failed);
+    return failed > 0;
+}

@@ -1,0 +1,707 @@
+/* many_regions.c - see many_regions.h. */
+#include "tests/oracle/many_regions.h"
+
+#include "tests/oracle/chance.h"
+#include "tests/oracle/solid_text.h"
+
+#include <stdlib.h>
+
+enum {
+    LAMPS_MOST = 3,
+    GROUPS_MOST = 3,
+    JOINED_MOST = 24,
+    WORDS = SOLID_WORDS
+};
+
+/* Of what a scene's things are made. */
+enum mood { DULL, MIXED, CLEAR, MOODS };
+
+struct many_regions {
+    size_t width, height;
+    char settings[WORDS], view[WORDS];
+    size_t lamp_count, solid_count;
+    char lamps[LAMPS_MOST][WORDS];
+    struct solid *solids[MANY_REGIONS_MOST];
+    int levels;
+    enum mood mood;
+    enum certainty certainty;
+};
+
+/* About where a thing is, and how far it reaches. */
+struct place {
+    double at[3], size;
+    bool whole; /* parts are moved by whole quarters of it */
+};
+
+struct drawing {
+    uint64_t *state;
+    struct many_regions *scene;
+    struct place places[MANY_REGIONS_MOST]; /* of the scene's solids */
+    bool whole;                             /* on whole numbers */
+    bool endless;                           /* some things are */
+};
+
+/* To what is short to write, and differs in ends of what is tiny. */
+static void make_short(struct place *place)
+{
+    double grain = pow(10, floor(log10(place->size)) - 2);
+    for (int i = 0; i < 3; i++)
+        place->at[i] = grain * round(place->at[i] / grain);
+    place->size = grain * round(place->size / grain);
+}
+
+/* --- shapes --------------------------------------------------------------- */
+
+typedef void random_shape(uint64_t *state, const struct place *place,
+                          struct solid *solid);
+
+static void random_sphere(uint64_t *state, const struct place *place,
+                          struct solid *solid)
+{
+    double x = place->at[0], y = place->at[1], z = place->at[2];
+    if (one_in(state, 8)) {
+        solid_words(solid->shape, "sphere { 0, 1 ");
+        solid_words(
+            solid->motion,
+            "scale <%.12g, %.12g, %.12g> translate <%.12g, %.12g, %.12g> ",
+            place->size / (double)(1 + below(state, 4)), place->size,
+            place->size, x, y, z);
+    } else {
+        solid_words(solid->shape, "sphere { <%.12g, %.12g, %.12g>, %.12g ", x,
+                    y, z, place->size);
+    }
+}
+
+static void random_box(uint64_t *state, const struct place *place,
+                       struct solid *solid)
+{
+    double x = place->at[0], y = place->at[1], z = place->at[2];
+    double s = place->size;
+    if (one_in(state, 4)) {
+        solid_words(solid->shape, "box { -%.12g, %.12g ", s, s);
+        solid_words(solid->motion,
+                    "rotate %d*%c translate <%.12g, %.12g, %.12g> ",
+                    15 * (int)below(state, 24), "xyz"[below(state, 3)], x, y,
+                    z);
+    } else {
+        solid_words(solid->shape,
+                    "box { <%.12g, %.12g, %.12g>, <%.12g, %.12g, %.12g> ",
+                    x - s, y - s, z - s, x + s, y + s, z + s);
+    }
+}
+
+/* From one disk to the other along an axis: the ends, and the words behind. */
+static void print_axis(uint64_t *state, const struct place *place,
+                       struct solid *solid, bool cone)
+{
+    double base[3], cap[3], s = place->size;
+    size_t along = below(state, 3);
+    for (size_t i = 0; i < 3; i++) {
+        base[i] = place->at[i] - (i == along ? s : 0);
+        cap[i] = place->at[i] + (i == along ? s : 0);
+    }
+    const char *open = one_in(state, 4) ? "open " : "";
+    if (cone)
+        solid_words(
+            solid->shape,
+            "cone { <%.12g, %.12g, %.12g>, %.12g, <%.12g, %.12g, %.12g>, %.12g %s",
+            base[0], base[1], base[2], s, cap[0], cap[1], cap[2],
+            one_in(state, 2) ? 0 : s / 2, open);
+    else
+        solid_words(
+            solid->shape,
+            "cylinder { <%.12g, %.12g, %.12g>, <%.12g, %.12g, %.12g>, %.12g %s",
+            base[0], base[1], base[2], cap[0], cap[1], cap[2], s, open);
+}
+
+static void random_cylinder(uint64_t *state, const struct place *place,
+                            struct solid *solid)
+{
+    print_axis(state, place, solid, false);
+}
+
+static void random_cone(uint64_t *state, const struct place *place,
+                        struct solid *solid)
+{
+    print_axis(state, place, solid, true);
+}
+
+/* What is drawn about the origin, and moved. */
+static void move_to(uint64_t *state, const struct place *place,
+                    struct solid *solid)
+{
+    solid_words(
+        solid->motion,
+        "scale %.12g rotate <%d, %d, 0> translate <%.12g, %.12g, %.12g> ",
+        place->size, 30 * (int)below(state, 12), 90 * (int)below(state, 4),
+        place->at[0], place->at[1], place->at[2]);
+}
+
+static void random_torus(uint64_t *state, const struct place *place,
+                         struct solid *solid)
+{
+    solid_words(solid->shape, "torus { .75, %.12g ",
+                .1 + .1 * (double)below(state, 4));
+    move_to(state, place, solid);
+}
+
+static void random_prism(uint64_t *state, const struct place *place,
+                         struct solid *solid)
+{
+    solid_words(solid->shape,
+                "prism { -.5, .5, 5, <-1, -1>, <1, -1>, <1, 1>, <%.12g, 0>, "
+                "<-1, -1> ",
+                .1 * (double)below(state, 9) - .4);
+    move_to(state, place, solid);
+}
+
+static void random_patch(uint64_t *state, const struct place *place,
+                         struct solid *solid)
+{
+    solid_words(solid->shape,
+                "steiner_patch { <-1, -1, 0>, <0, 1, 0>, <1, -1, 0>, "
+                "<-.5, 0, %.12g>, <.5, 0, .5>, <0, -1, -.4> ",
+                .1 * (double)below(state, 9) - .4);
+    move_to(state, place, solid);
+}
+
+/* A cone, a ball, a cylinder without ends, what lies outside a hyperboloid. */
+static void random_quadric(uint64_t *state, const struct place *place,
+                           struct solid *solid)
+{
+    static const char *const quadrics[] = { "<1, -1, 1>, 0, 0, 0",
+                                            "<1, 1, 1>, 0, 0, -1",
+                                            "<1, 0, 1>, 0, 0, -1",
+                                            "<-1, 1, -1>, 0, 0, .25" };
+    solid_words(solid->shape, "quadric { %s ", quadrics[below(state, 4)]);
+    move_to(state, place, solid);
+}
+
+static void random_plane(uint64_t *state, const struct place *place,
+                         struct solid *solid)
+{
+    size_t axis = below(state, 3);
+    bool below_it = one_in(state, 2);
+    solid_words(solid->shape, "plane { %s%c, %.12g ", below_it ? "" : "-",
+                "xyz"[axis],
+                below_it ? place->at[axis] - place->size
+                         : -place->at[axis] - place->size);
+}
+
+static struct solid *shape_at(uint64_t *state, const struct place *place)
+{
+    static random_shape *const shapes[] = {
+        random_sphere,   random_sphere, random_sphere, random_sphere,
+        random_sphere,   random_box,    random_box,    random_box,
+        random_cylinder, random_cone,   random_torus,  random_prism,
+    };
+    struct solid *solid = solid_new(SHAPE, 0);
+    if (one_in(state, 60)) /* the host takes long to lay one out */
+        random_patch(state, place, solid);
+    else
+        shapes[below(state, sizeof shapes / sizeof *shapes)](state, place,
+                                                             solid);
+    return solid;
+}
+
+/* What no bound can hold. */
+static struct solid *endless_at(uint64_t *state, const struct place *place)
+{
+    struct solid *solid = solid_new(SHAPE, 0);
+    switch (below(state, 3)) {
+    case 0: random_quadric(state, place, solid); break;
+    case 1:
+        random_sphere(state, place, solid);
+        solid->inverse = true;
+        break;
+    default: random_plane(state, place, solid); break;
+    }
+    return solid;
+}
+
+/* --- looks ---------------------------------------------------------------- */
+
+static void random_look(uint64_t *state, enum mood mood, char *look)
+{
+    static const char *const inside[] = { "", "", "interior { ior 1.3 } ",
+                                          "interior { ior .8 } " };
+    static const char *const finishes[] = {
+        "",
+        "",
+        "finish { phong .6 } ",
+        "finish { specular .5 } ",
+        "finish { reflection .4 } ",
+        "finish { reflection <.9, .2, .5> } "
+    };
+    double red = between(state, 0, 1), green = between(state, 0, 1);
+    double blue = between(state, 0, 1);
+    const char *shadow = one_in(state, 8) ? "no_shadow " : "";
+    const char *finish = finishes[below(state, mood == DULL ? 4 : 6)];
+    if (mood == CLEAR || (mood == MIXED && one_in(state, 4)))
+        solid_words(look,
+                    "pigment { rgbft <%.2f, %.2f, %.2f, %.2f, %.2f> } "
+                    "%s%s%s",
+                    red, green, blue, .3 * (double)below(state, 3),
+                    .2 * (double)below(state, 3), inside[below(state, 4)],
+                    finish, shadow);
+    else if (one_in(state, 8))
+        solid_words(look,
+                    "pigment { checker rgb <%.2f, %.2f, %.2f>, rgb .9 "
+                    "scale .37 } %s",
+                    red, green, blue, shadow);
+    else
+        solid_words(look, "pigment { rgb <%.2f, %.2f, %.2f> } %s%s", red,
+                    green, blue, finish, shadow);
+}
+
+/* --- solids --------------------------------------------------------------- */
+
+static enum solid_joining random_joining(uint64_t *state)
+{
+    return one_in(state, 8) ? UNION
+                            : MERGE + (enum solid_joining)below(state, 3);
+}
+
+static struct place near_to(uint64_t *state, const struct place *place)
+{
+    struct place other = *place;
+    for (int i = 0; i < 3; i++)
+        other.at[i] += place->size
+                       * (place->whole ? .25 * (double)below(state, 5) - .5
+                                       : between(state, -.5, .5));
+    other.size *= one_in(state, 2) ? .5 : between(state, .4, 1.1);
+    make_short(&other);
+    return other;
+}
+
+static struct solid *solid_at(uint64_t *state, const struct place *place,
+                              enum mood mood, int depth)
+{
+    if (depth == 0 || !one_in(state, 4))
+        return shape_at(state, place);
+    struct solid *solid = solid_new(random_joining(state),
+                                    2 + below(state, 2));
+    for (size_t i = 0; i < solid->count; i++) {
+        struct place part = i ? near_to(state, place) : *place;
+        solid->parts[i] = solid_at(state, &part, mood, depth - 1);
+        if (one_in(state, 3))
+            random_look(state, mood, solid->parts[i]->look);
+    }
+    return solid;
+}
+
+/* --- groups --------------------------------------------------------------- */
+
+/* What places of a group have in common, and a place after the other. */
+struct group {
+    size_t count, side; /* of a lattice */
+    double centre[3], spread, size;
+    bool same, endless, scattered;
+    void (*place)(uint64_t *state, const struct group *group, size_t i,
+                  struct place *place);
+};
+
+static void about(uint64_t *state, const double centre[3], double spread,
+                  double at[3])
+{
+    for (int i = 0; i < 3; i++)
+        at[i] = centre[i] + between(state, -spread, spread);
+}
+
+static void in_cloud(uint64_t *state, const struct group *group, size_t i,
+                     struct place *place)
+{
+    (void)i;
+    about(state, group->centre, group->spread, place->at);
+    place->size = of_any_size(state, .05, .7) * group->spread
+                  / cbrt((double)group->count);
+}
+
+/* Of eight in a corner each. */
+static void in_clusters(uint64_t *state, const struct group *group, size_t i,
+                        struct place *place)
+{
+    double centre[3];
+    for (int axis = 0; axis < 3; axis++)
+        centre[axis] = group->centre[axis]
+                       + (i >> axis & 1 ? 1 : -1) * group->spread;
+    about(state, centre, .1 * group->spread, place->at);
+    place->size = of_any_size(state, .02, .2) * group->spread
+                  / cbrt((double)group->count);
+}
+
+static void in_row(uint64_t *state, const struct group *group, size_t i,
+                   struct place *place)
+{
+    (void)state;
+    for (int axis = 0; axis < 3; axis++)
+        place->at[axis] = group->centre[axis];
+    place->at[group->side % 3] += (double)i - (double)(group->count / 2);
+    place->size = group->size;
+}
+
+static void in_lattice(uint64_t *state, const struct group *group, size_t i,
+                       struct place *place)
+{
+    (void)state;
+    for (int axis = 0; axis < 3; axis++, i /= group->side)
+        place->at[axis] = group->centre[axis] + (double)(i % group->side)
+                          - (double)(group->side / 2);
+    place->size = group->size;
+}
+
+static void in_one_point(uint64_t *state, const struct group *group, size_t i,
+                         struct place *place)
+{
+    (void)i;
+    for (int axis = 0; axis < 3; axis++)
+        place->at[axis] = group->centre[axis];
+    place->size = of_any_size(state, .05, 1) * group->spread;
+}
+
+static void nested(uint64_t *state, const struct group *group, size_t i,
+                   struct place *place)
+{
+    in_one_point(state, group, i, place);
+    place->size = group->spread * (double)(i + 1) / (double)group->count;
+}
+
+static void tiny_and_huge(uint64_t *state, const struct group *group,
+                          size_t i, struct place *place)
+{
+    double far = of_any_size(state, 1e-2, 1e4);
+    (void)i;
+    about(state, group->centre, far, place->at);
+    place->size = of_any_size(state, 1e-4, .4) * far;
+}
+
+static void random_group(uint64_t *state, bool whole, struct group *group)
+{
+    static void (*const places[])(uint64_t *, const struct group *, size_t,
+                                  struct place *) = {
+        in_cloud,      in_cloud,   in_clusters, in_clusters,
+        in_row,        in_row,     nested,      in_one_point,
+        tiny_and_huge, in_lattice, in_lattice,
+    };
+    for (int i = 0; i < 3; i++)
+        group->centre[i] = whole ? (double)below(state, 5) - 2
+                                 : between(state, -2, 2);
+    group->place = places[below(state, sizeof places / sizeof *places)];
+    group->spread = whole ? 2 : of_any_size(state, .5, 8);
+    group->size = one_in(state, 2) ? .5 : between(state, .2, .7);
+    group->side = 1 + below(state, 7);
+    group->same = one_in(state, 10);
+    group->endless = one_in(state, 30);
+    group->scattered = group->place == in_cloud || group->place == in_clusters
+                       || group->place == tiny_and_huge;
+}
+
+static struct solid *copy_of_one(struct drawing *drawing, size_t count)
+{
+    size_t i = below(drawing->state, count);
+    drawing->places[count] = drawing->places[i];
+    return solid_copy(drawing->scene->solids[i]);
+}
+
+/* Copies of things that are there are in the same place, bit for bit. */
+static void add_solid(struct drawing *drawing, const struct group *group,
+                      size_t i)
+{
+    uint64_t *state = drawing->state;
+    struct many_regions *scene = drawing->scene;
+    size_t count = scene->solid_count++;
+    struct place *place = &drawing->places[count];
+    struct solid *solid;
+    group->place(state, group, i, place);
+    place->whole = drawing->whole;
+    make_short(place);
+    if (count > 0 && ((group->same && i > 0) || one_in(state, 24))) {
+        solid = copy_of_one(drawing, count);
+    } else if (group->endless || (drawing->endless && one_in(state, 20))) {
+        solid = endless_at(state, place);
+    } else {
+        solid = solid_at(state, place, scene->mood, 2);
+    }
+    random_look(state, scene->mood, solid->look);
+    scene->solids[count] = solid;
+}
+
+static void add_groups(struct drawing *drawing, size_t count)
+{
+    uint64_t *state = drawing->state;
+    size_t groups = 1 + below(state, GROUPS_MOST);
+    for (size_t i = 0; i < groups; i++) {
+        struct group group = { .count = (count + i) / groups };
+        random_group(state, drawing->whole, &group);
+        if (!group.scattered)
+            drawing->scene->certainty = DEPTH_CERTAIN;
+        for (size_t k = 0; k < group.count; k++)
+            add_solid(drawing, &group, k);
+    }
+}
+
+/* Some of the scene's things become one. */
+static void join_some(struct drawing *drawing)
+{
+    struct many_regions *scene = drawing->scene;
+    size_t most = scene->solid_count < JOINED_MOST ? scene->solid_count
+                                                   : JOINED_MOST;
+    size_t count = 1 + below(drawing->state, most);
+    struct solid *whole = solid_new(random_joining(drawing->state), count);
+    size_t first = scene->solid_count -= count;
+    for (size_t i = 0; i < count; i++)
+        whole->parts[i] = scene->solids[first + i];
+    scene->solids[scene->solid_count++] = whole;
+}
+
+/* --- eyes and lamps ------------------------------------------------------- */
+
+/* Somewhere among the things, or in the middle of one. */
+static struct place some_place(const struct drawing *drawing)
+{
+    size_t count = drawing->scene->solid_count;
+    if (count == 0)
+        return (struct place){ .size = 1 };
+    return drawing->places[below(drawing->state, count)];
+}
+
+/* About all but the farthest of them: half-way between two. */
+static struct place whole_place(const struct drawing *drawing)
+{
+    struct place a = some_place(drawing), b = some_place(drawing);
+    double far = 0;
+    for (int i = 0; i < 3; i++) {
+        far += fabs(a.at[i] - b.at[i]);
+        a.at[i] = (a.at[i] + b.at[i]) / 2;
+    }
+    a.size = fmax(a.size, far);
+    return a;
+}
+
+static void look_from_afar(const struct drawing *drawing)
+{
+    uint64_t *state = drawing->state;
+    struct place place = one_in(state, 4) ? some_place(drawing)
+                                          : whole_place(drawing);
+    double far = place.size * between(state, 1.2, 4);
+    solid_words(drawing->scene->view,
+                "location <%.6g, %.6g, %.6g> look_at <%.6g, %.6g, %.6g> "
+                "right x*%zu/%zu angle %.2f",
+                place.at[0] + far * between(state, -1, 1),
+                place.at[1] + far * between(state, -.6, 1),
+                place.at[2] - far * between(state, .7, 1.2),
+                place.at[0] + .0131 * far, place.at[1] + .0171 * far,
+                place.at[2], drawing->scene->width, drawing->scene->height,
+                between(state, 15, 70));
+}
+
+/* Rays run in faces. */
+static void look_along_an_axis(const struct drawing *drawing)
+{
+    uint64_t *state = drawing->state;
+    drawing->scene->certainty = NOTHING_CERTAIN;
+    solid_words(
+        drawing->scene->view,
+        "location <%.12g, %.12g, %.12g> direction %d*z right %zu*x up %zu*y",
+        .5 * (double)below(state, 9) - 2, .5 * (double)below(state, 9) - 2,
+        -.5 * (double)below(state, 20), 4 << below(state, 5),
+        drawing->scene->width, drawing->scene->height);
+}
+
+static void look_from_within(const struct drawing *drawing)
+{
+    struct place from = some_place(drawing), to = some_place(drawing);
+    drawing->scene->certainty = NOTHING_CERTAIN;
+    solid_words(
+        drawing->scene->view,
+        "location <%.12g, %.12g, %.12g> look_at <%.12g, %.12g, %.12g> "
+        "right x*%zu/%zu angle %.2f",
+        from.at[0], from.at[1], from.at[2], to.at[0] + .1, to.at[1] + .01,
+        to.at[2] + 1, drawing->scene->width, drawing->scene->height,
+        between(drawing->state, 20, 120));
+}
+
+static void random_view(const struct drawing *drawing)
+{
+    switch (below(drawing->state, 8)) {
+    case 0: look_along_an_axis(drawing); break;
+    case 1: look_from_within(drawing); break;
+    default: look_from_afar(drawing); break;
+    }
+}
+
+static void random_lamp(const struct drawing *drawing, char *lamp)
+{
+    uint64_t *state = drawing->state;
+    struct place place = some_place(drawing);
+    const char *shadowless = one_in(state, 6) ? "shadowless " : "";
+    double far = one_in(state, 4) ? 0 : 4 * place.size + 2;
+    if (one_in(state, 3))
+        far = 20;
+    solid_words(lamp, "light_source { <%.6g, %.6g, %.6g>, rgb %.2f %s}",
+                place.at[0] + far * between(state, -1, 1),
+                place.at[1] + far * between(state, 0, 1),
+                place.at[2] - far * between(state, -.3, 1),
+                between(state, .3, .9), shadowless);
+}
+
+static void random_settings(const struct drawing *drawing)
+{
+    static const char *const bailouts[] = { "", "", "adc_bailout 0 ",
+                                            "adc_bailout .2 " };
+    struct many_regions *scene = drawing->scene;
+    scene->levels = 1 + (int)below(drawing->state, 5);
+    solid_words(scene->settings,
+                "global_settings { assumed_gamma 1 max_trace_level %d %s}",
+                scene->levels, bailouts[below(drawing->state, 4)]);
+}
+
+/* --- scenes --------------------------------------------------------------- */
+
+static size_t leaves(const struct solid *solid)
+{
+    size_t sum = solid->joining == SHAPE;
+    for (size_t i = 0; i < solid->count; i++)
+        sum += leaves(solid->parts[i]);
+    return sum;
+}
+
+double many_regions_work(const struct many_regions *scene)
+{
+    double rays = (double)(1 + scene->lamp_count), all = 4;
+    if (scene->mood != DULL)
+        rays *= scene->mood == MIXED ? 1 + .3 * scene->levels : scene->levels;
+    for (size_t i = 0; i < scene->solid_count; i++)
+        all += (double)leaves(scene->solids[i]);
+    return rays * all * (double)(scene->width * scene->height);
+}
+
+static void random_size(const struct drawing *drawing)
+{
+    struct many_regions *scene = drawing->scene;
+    scene->width = 1 + below(drawing->state, 40);
+    scene->height = 1 + below(drawing->state, 30);
+    while (many_regions_work(scene) > 150000
+           && (scene->width > 4 || scene->height > 4)) {
+        scene->width = 1 + scene->width * 3 / 4;
+        scene->height = 1 + scene->height * 3 / 4;
+    }
+}
+
+static size_t random_count(uint64_t *state)
+{
+    if (one_in(state, 8))
+        return below(state, 2);
+    return (size_t)of_any_size(state, 2, MANY_REGIONS_MOST + .5);
+}
+
+struct many_regions *many_regions_random(uint64_t *state)
+{
+    struct many_regions *scene = test_room(sizeof *scene);
+    struct drawing *drawing = test_room(sizeof *drawing);
+    for (int i = 0; i < 8; i++)
+        xorshift(state);
+    drawing->state = state;
+    drawing->scene = scene;
+    drawing->whole = one_in(state, 3);
+    drawing->endless = one_in(state, 5);
+    scene->certainty = drawing->whole ? DEPTH_CERTAIN : ALL_CERTAIN;
+    scene->mood = (enum mood)below(state, MOODS);
+    add_groups(drawing, random_count(state));
+    random_settings(drawing);
+    scene->lamp_count = below(state, LAMPS_MOST + 1);
+    for (size_t i = 0; i < scene->lamp_count; i++)
+        random_lamp(drawing, scene->lamps[i]);
+    random_size(drawing);
+    random_view(drawing);
+    if (scene->solid_count > 0 && one_in(state, 6))
+        join_some(drawing);
+    free(drawing);
+    return scene;
+}
+
+void many_regions_free(struct many_regions *scene)
+{
+    for (size_t i = 0; i < scene->solid_count; i++)
+        solid_free(scene->solids[i]);
+    free(scene);
+}
+
+size_t many_regions_width(const struct many_regions *scene)
+{
+    return scene->width;
+}
+
+size_t many_regions_height(const struct many_regions *scene)
+{
+    return scene->height;
+}
+
+enum certainty many_regions_certainty(const struct many_regions *scene)
+{
+    return scene->certainty;
+}
+
+char *many_regions_text(const struct many_regions *scene)
+{
+    char *words;
+    FILE *text = test_text(&words);
+    fprintf(text, "#version 3.7;\n%s\nbackground { rgb <.3, .4, .6> }\n",
+            scene->settings);
+    fprintf(text, "camera { %s }\n", scene->view);
+    for (size_t i = 0; i < scene->lamp_count; i++)
+        fprintf(text, "%s\n", scene->lamps[i]);
+    fprintf(text, "#default { pigment { rgb .8 } }\n");
+    for (size_t i = 0; i < scene->solid_count; i++)
+        solid_print(scene->solids[i], 0, text);
+    fclose(text);
+    return words;
+}
+
+/* --- with something left out ---------------------------------------------- */
+
+static struct many_regions *copy_scene(const struct many_regions *scene)
+{
+    struct many_regions *copy = test_room(sizeof *copy);
+    *copy = *scene;
+    for (size_t i = 0; i < scene->solid_count; i++)
+        copy->solids[i] = solid_copy(scene->solids[i]);
+    return copy;
+}
+
+/* Halves, quarters .. of them, down to one. */
+static bool leave_out_things(struct many_regions *scene, size_t *way)
+{
+    for (size_t size = (scene->solid_count + 1) / 2; size > 0; size /= 2)
+        for (size_t i = 0; i + size <= scene->solid_count; i += size)
+            if (solid_is_next(way)) {
+                for (size_t k = 0; k < size; k++)
+                    solid_take_out(scene->solids, &scene->solid_count, i);
+                return true;
+            }
+    return false;
+}
+
+static bool leave_out_of(struct many_regions *scene, size_t *way)
+{
+    if (leave_out_things(scene, way))
+        return true;
+    if (scene->lamp_count > 0 && solid_is_next(way)) {
+        scene->lamp_count--;
+        return true;
+    }
+    for (size_t i = 0; i < scene->solid_count; i++)
+        if (solid_leave_out(&scene->solids[i], way))
+            return true;
+    return false;
+}
+
+struct many_regions *many_regions_without(const struct many_regions *scene,
+                                          size_t way)
+{
+    struct many_regions *copy = copy_scene(scene);
+    if (leave_out_of(copy, &way))
+        return copy;
+    many_regions_free(copy);
+    return NULL;
+}
