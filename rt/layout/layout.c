@@ -161,7 +161,7 @@ static uint64_t layout_primitives(struct record_layout *layout,
 }
 
 static void layout_solids(struct record_layout *layout,
-                          const struct scene *scene, bool bounds)
+                          const struct scene *scene, enum bounding bounding)
 {
     struct leaf_plan *plans = calloc(scene->primitive_count + 1,
                                      sizeof *plans);
@@ -172,7 +172,7 @@ static void layout_solids(struct record_layout *layout,
         return;
     }
     crossings = plan_leaves(scene, plans);
-    layout_regions(layout, scene, bounds,
+    layout_regions(layout, scene, bounding,
                    layout_primitives(layout, scene, plans));
     layout_word(layout, "scene_crossings",
                 layout_reserve(layout,
@@ -264,7 +264,7 @@ static void layout_frame(struct record_layout *layout,
 }
 
 bool layout_scene(c205 *machine, const struct object *program,
-                  const struct scene *scene, bool bounds,
+                  const struct scene *scene, enum bounding bounding,
                   struct frame_layout *frame, c205_error *error)
 {
     struct record_layout layout = { .machine = machine,
@@ -275,7 +275,7 @@ bool layout_scene(c205 *machine, const struct object *program,
                                     .context = frame->context };
 
     layout_camera(&layout, scene);
-    layout_solids(&layout, scene, bounds);
+    layout_solids(&layout, scene, bounding);
     layout_levels(&layout, scene);
     layout_lights(&layout, scene);
     layout_frame(&layout, frame);

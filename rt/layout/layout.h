@@ -6,6 +6,7 @@
 #define RT_LAYOUT_H
 
 #include "asm/assemble.h"
+#include "rt/layout/hierarchy.h"
 #include "rt/scene/scene.h"
 
 /* Where the frame's planes lie, for reading them back. */
@@ -20,9 +21,9 @@ struct frame_layout {
 };
 
 /* After c205_load: map and fill what the program reads, map the planes that
- * it writes.  Without bounds every ray is tried against every primitive. */
+ * it writes. */
 bool layout_scene(c205 *machine, const struct object *program,
-                  const struct scene *scene, bool bounds,
+                  const struct scene *scene, enum bounding bounding,
                   struct frame_layout *frame, c205_error *error);
 
 #endif

@@ -31,7 +31,7 @@ static bool load(const struct band_work *work, c205 *machine,
                                      .go_on = work->go_on,
                                      .context = work->context };
     return c205_load(machine, &work->program->program, error)
-           && layout_scene(machine, work->program, work->scene, work->bounds,
+           && layout_scene(machine, work->program, work->scene, work->bounding,
                            layout, error);
 }
 

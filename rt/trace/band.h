@@ -31,9 +31,9 @@ struct band_work {
     const struct object *program;
     const c205_model *model;
     size_t width, height; /* of the frame, pixels */
-    bool bounds;          /* bounding volumes are used */
-    size_t rays_a_call;   /* that one call of the program's generate makes */
-    bool ray_by_ray;      /* a pixel is done before the next one is begun */
+    enum bounding bounding;
+    size_t rays_a_call; /* that one call of the program's generate makes */
+    bool ray_by_ray;    /* a pixel is done before the next one is begun */
     const struct observer *const *observers; /* end with NULL; or NULL */
     void *listener_context;
     c205_projection *const

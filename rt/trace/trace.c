@@ -209,7 +209,9 @@ struct trace *trace_new(const struct scene *scene,
         .model = options->model,
         .width = options->width,
         .height = options->height,
-        .bounds = !options->no_bounds,
+        .bounding = options->no_bounds ? BOUNDING_NONE
+                    : options->flat    ? BOUNDING_FLAT
+                                       : BOUNDING_HIERARCHY,
         .ray_by_ray = options->mode == TRACE_SCALAR,
         .rays_a_call = options->mode == TRACE_SCALAR ? 1 : options->queue,
         .observers = options->observers,

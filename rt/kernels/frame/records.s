@@ -123,8 +123,22 @@
         .field  R_STEPS            ; address of the first step of its tree, and
         .field  R_STEP_COUNT       ; how many; none: R_RESULT is the primitive
         .field  R_RESULT           ; where the tree's value stands
+        .field  R_CLEAR            ; address of its word in scene_clear, where
+                                ; parts of it are clear
         .at     16
         .endrecord
+
+; A node of the hierarchy over the regions, in preorder: a leaf has regions, any
+; other node two nodes below it, the first of which stands behind it.
+        .record H
+        .field  H_BOUND, 5         ; as R_BOUND, of all regions below
+        .field  H_NEXT             ; address of the node behind all below it
+        .field  H_REGIONS          ; of a leaf: address of its first region,
+        .field  H_REGION_COUNT     ; how many stand from there on; 0: no leaf
+        .field  H_WAY, 3           ; from the centre of the first node below to
+                                ; that of the second
+        .endrecord
+        .equ    HIERARCHY_DEPTH, 96 ; nodes above one another, at the most
 
 ; A node: the tree in preorder, without complements.  A ray that does not come
 ; near a node goes on behind all that is below it.
@@ -171,8 +185,11 @@ scene_first_pixel: .word 0      ; .. its first pixel, of the frame's, an integer
 scene_pixels:     .word 0       ; .. how many pixels it has, an integer
 scene_primitives: .word 0       ; address of the first, and how many
 scene_primitive_count: .word 0
-scene_regions:    .word 0       ; address of the first, and how many
-scene_region_count: .word 0
+scene_regions:    .word 0       ; address of the first, and how many stand under
+scene_region_count: .word 0     ; no node of the hierarchy: they come first
+scene_hierarchy:  .word 0       ; address of its first node; 0: there is none
+scene_clear:      .word 0       ; address of a word for each region with clear
+scene_clear_count: .word 0      ; parts, in the order of the scene, and how many
 scene_crossings:  .word 0       ; CROSSING_SIZE words for each of a tree's crossings
 scene_values:     .word 0       ; VALUE_SIZE words for each value of one
 scene_levels:     .word 0       ; LEVEL_SIZE words for each level of reflection
