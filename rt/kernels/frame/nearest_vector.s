@@ -18,6 +18,7 @@
 
         .data
 taken_store:    .space 3 * QUEUE
+found_bits:     .space 3 * QUEUE_BIT_WORDS
         .code
 
         .macro  take_found vector, into, number, bits
@@ -38,14 +39,26 @@ simple_met:
         CMPLTV  [wlower], [tin], [bits0]
         MASKV   [tin], [tout], [w0] ? [bits0]
         CMPLTV  [wlower], [w0], [bits0]
-        CMPLTV  [w0], [near_limit], [bits1]
+        IBXNE   shadows, r0, r0, simple_stops
+        CMPGEV  [near_limit], [w0], [bits1]
         ANDB    [bits0], [bits1], [bits0]
         CNTOB   [bits0], s0
         IBXEQ   s0, r0, r0, walk_skip
         load_record P_ID, 2, identity
+        CMPEQV  [w0], [near_limit], [bits1]
+        ANDB    [bits0], [bits1], [bits1]
+        CNTOB   [bits1], s1
+        IBXEQ   s1, r0, r0, simple_nearer
+        VXTOV   [place], [met], [w1]
+        CMPGEV  identity, [w1], [bits2]
+        ANDB    [bits1], [bits2], [bits1]
+        XORB    [bits0], [bits1], [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, walk_skip
+simple_nearer:
+        region_took_hits
         IBXEQ   near, r0, n, simple_all
         take_found place, taken_at, 0, bits0
-        IBXNE   shadows, r0, r0, simple_shadow
         store_field P_MET, one_index
         take_found w0, taken_distance, 1, bits0
         VTOVX   [taken_at], [taken_distance], [nearest]
@@ -56,13 +69,9 @@ simple_met:
         take_found patch_t, taken_distance, 1, bits0
         VTOVX   [taken_at], [taken_distance], [hit_t]
         BIM     walk_skip
-simple_shadow:
-        VTOVX   [taken_at], minus_big, [nearest]
-        BIM     walk_skip
 
 ; The rays at hand are all of the queue.
 simple_all:
-        IBXNE   shadows, r0, r0, simple_all_shadow
         store_field P_MET, one_index
         VTOV    [w0], [nearest] ? [bits0]
         VTOV    identity, [met] ? [bits0]
@@ -70,7 +79,19 @@ simple_all:
         VTOV    [patch_s], [hit_s] ? [bits0]
         VTOV    [patch_t], [hit_t] ? [bits0]
         BIM     walk_skip
-simple_all_shadow:
+
+; Rays to a light are stopped.
+simple_stops:
+        CMPLTV  [w0], [near_limit], [bits1]
+        ANDB    [bits0], [bits1], [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, walk_skip
+        region_took_hits
+        IBXEQ   near, r0, n, simple_stops_all
+        take_found place, taken_at, 0, bits0
+        VTOVX   [taken_at], minus_big, [nearest]
+        BIM     walk_skip
+simple_stops_all:
         VTOV    minus_big, [nearest] ? [bits0]
         BIM     walk_skip
         .endkernel
