@@ -21,9 +21,9 @@ struct hierarchy_node {
 
 /* What spares rays the primitives that they cannot meet. */
 enum bounding {
-    BOUNDING_NONE,     /* nothing */
-    BOUNDING_FLAT,     /* the bound of each region, in the scene's order */
-    BOUNDING_HIERARCHY /* .. of those under nodes that the ray comes near */
+    BOUNDING_HIERARCHY, /* the bounds of nodes, then of the regions below */
+    BOUNDING_FLAT,      /* those of all regions, in the scene's order */
+    BOUNDING_NONE
 };
 
 /* At the most so many nodes lie above another, itself counted: what the

@@ -263,21 +263,63 @@ static void layout_frame(struct record_layout *layout,
     layout_word(layout, "scene_frame", frame->address);
 }
 
-bool layout_scene(c205 *machine, const struct object *program,
-                  const struct scene *scene, enum bounding bounding,
-                  struct frame_layout *frame, c205_error *error)
+struct scene_layout {
+    const struct object *program;
+    struct image image;
+    uint64_t end; /* the next address that nothing uses */
+};
+
+struct scene_layout *layout_new(const struct object *program,
+                                const struct scene *scene,
+                                enum bounding bounding,
+                                bool (*go_on)(void *context), void *context,
+                                c205_error *error)
 {
-    struct record_layout layout = { .machine = machine,
-                                    .program = program,
+    struct scene_layout *whole = calloc(1, sizeof *whole);
+    struct record_layout layout = { .program = program,
                                     .error = error,
                                     .free = program_end(program),
-                                    .go_on = frame->go_on,
-                                    .context = frame->context };
+                                    .go_on = go_on,
+                                    .context = context };
 
+    if (!whole) {
+        layout_fail(&layout, "no memory");
+        return NULL;
+    }
+    layout.image = &whole->image;
     layout_camera(&layout, scene);
     layout_solids(&layout, scene, bounding);
     layout_levels(&layout, scene);
     layout_lights(&layout, scene);
+    whole->program = program;
+    whole->end = layout.free;
+    if (!layout.failed)
+        return whole;
+    layout_free(whole);
+    return NULL;
+}
+
+void layout_free(struct scene_layout *layout)
+{
+    if (!layout)
+        return;
+    image_free(&layout->image);
+    free(layout);
+}
+
+bool layout_put(const struct scene_layout *whole, c205 *machine,
+                struct frame_layout *frame, c205_error *error)
+{
+    struct image image = { 0 };
+    struct record_layout layout = { .image = &image,
+                                    .program = whole->program,
+                                    .error = error,
+                                    .free = whole->end };
+    bool good;
+
     layout_frame(&layout, frame);
-    return !layout.failed;
+    good = !layout.failed && image_load(&whole->image, machine, error)
+           && image_load(&image, machine, error);
+    image_free(&image);
+    return good;
 }

@@ -357,6 +357,29 @@ static void layout_clear(struct record_layout *layout, struct places *places)
                 c205_from_integer((int64_t)count));
 }
 
+static void layout_hierarchy_node(struct record *record,
+                                  const struct places *places, uint64_t first,
+                                  size_t i)
+{
+    const struct hierarchy_node *nodes = places->hierarchy.nodes;
+    const struct hierarchy_node *node = &nodes[i];
+    uint64_t size = UINT64_C(64) * record->size;
+
+    record_bound(record, "H_BOUND", &node->bound);
+    record_address(record, "H_NEXT", first + size * node->next);
+    record_integer(record, "H_REGION_COUNT", node->count);
+    if (node->count > 0) {
+        record_address(record, "H_REGIONS",
+                       places->regions
+                           + UINT64_C(64) * places->region_size
+                                 * node->first);
+    } else {
+        record_address(record, "H_REGIONS", first + size * nodes[i + 1].next);
+        record_numbers(record, "H_WAY", node->way, 3);
+    }
+    record_write(record);
+}
+
 static void layout_hierarchy(struct record_layout *layout,
                              const struct places *places)
 {
@@ -366,22 +389,8 @@ static void layout_hierarchy(struct record_layout *layout,
 
     record_begin(&record, layout, "H_SIZE", hierarchy->node_count, 0);
     first = record.address;
-    for (size_t i = 0; i < hierarchy->node_count && !layout->failed; i++) {
-        const struct hierarchy_node *node = &hierarchy->nodes[i];
-
-        record_bound(&record, "H_BOUND", &node->bound);
-        record_address(&record, "H_NEXT",
-                       first + UINT64_C(64) * record.size * node->next);
-        record_integer(&record, "H_REGION_COUNT", node->count);
-        if (node->count > 0)
-            record_address(&record, "H_REGIONS",
-                           places->regions
-                               + UINT64_C(64) * places->region_size
-                                     * node->first);
-        else
-            record_numbers(&record, "H_WAY", node->way, 3);
-        record_write(&record);
-    }
+    for (size_t i = 0; i < hierarchy->node_count && !layout->failed; i++)
+        layout_hierarchy_node(&record, places, first, i);
     record_end(&record);
     layout_word(layout, "scene_hierarchy",
                 hierarchy->node_count > 0 ? first : 0);

@@ -1,180 +1,247 @@
-/* Many regions under a hierarchy: the frame of the scene's own order, whatever
- * the stage and the queue.
- *
- *     test_hierarchy [SCENES [SEED]]
- */
-#define SMALL_FRAMES
-#include "tests/unit/random_solids.h"
+/* The hierarchy over regions: whatever their bounds are, every region stands in
+ * it once, under nodes whose spheres reach around it, no deeper than the
+ * machine's stack. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
 
-enum { TEXT_ROOM = 60000 };
-static size_t scene_count = 6; /* of each sort */
+#include <cmocka.h>
 
-/* Where the next things stand: about some points, or on a grid, where they
- * touch and coincide. */
-static void add_place(char *text, size_t size)
+#include "rt/layout/hierarchy.h"
+#include "tests/random.h"
+
+enum { MOST = 3000 };
+
+static uint64_t random_state = RANDOM_SEED;
+
+static double between(double low, double high)
 {
-    if (solids.gridded)
-        add_text(text, size, "translate <%zu, %zu, %zu> - 2 ", below(5),
-                 below(5), below(5));
-    else
-        add_text(text, size, "translate <%.4f, %.4f, %.4f> ", between(-2, 2),
-                 between(-2, 2), between(-2, 2));
+    return low
+           + (high - low) * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
 }
 
-static void add_ball(char *text, size_t size)
+static size_t below(size_t count)
 {
-    add_text(text, size, "sphere { 0, %.3f ",
-             solids.gridded ? .5 : between(.05, .4));
+    return (size_t)(xorshift(&random_state) % count);
 }
 
-static void add_block(char *text, size_t size)
+/* --- rows of bounds ------------------------------------------------------- */
+
+static struct bound anywhere(size_t i)
 {
-    add_text(text, size, "box { -%.3f, .5 ",
-             solids.gridded ? .5 : between(.1, .4));
+    (void)i;
+    return (struct bound){ { between(-9, 9), between(-9, 9), between(-9, 9) },
+                           between(1e-3, 2) };
 }
 
-static void add_bitten(char *text, size_t size)
+static struct bound in_one_point(size_t i)
 {
-    add_text(text, size,
-             "%s { sphere { 0, .5 } box { %s, 1 } bounded_by { sphere { 0, "
-             "3 } } ",
-             below(2) ? "difference" : "merge", below(2) ? "0" : "-.25");
+    (void)i;
+    return (struct bound){ { 1, 2, 3 }, 1 };
 }
 
-static void add_tube(char *text, size_t size)
+static struct bound on_whole_numbers(size_t i)
 {
-    add_text(text, size, "cylinder { -.5*x, .5*x, .2 %s ",
-             below(2) ? "open" : "");
+    (void)i;
+    return (struct bound){
+        { (double)below(3), (double)below(3), (double)below(3) }, .5
+    };
 }
 
-static void add_shadowing(char *text, size_t size)
+/* Each a thousandth of the one before: bins tell few apart. */
+static struct bound smaller_and_smaller(size_t i)
 {
-    add_text(text, size, "%s ", below(8) ? "" : "no_shadow");
+    double size = 1e9;
+
+    for (size_t k = 0; k < i % 60; k++)
+        size /= 2;
+    return (struct bound){ { size, 0, 0 }, size / 100 };
 }
 
-/* The same thing, once or in several colours in one place. */
-static void add_thing(char *text, size_t size)
+static struct bound far_away(size_t i)
 {
-    static void (*const kinds[])(char *, size_t) = { add_ball, add_ball,
-                                                     add_ball, add_block,
-                                                     add_bitten, add_tube };
-    size_t kind = below(6), copies = below(5) ? 1 : 2 + below(2);
-    uint64_t state = traced.random;
+    return (struct bound){ { i % 2 ? 1e12 : -1e12, 0, (double)i }, 1e3 };
+}
 
-    for (size_t i = 0; i < copies; i++) {
-        uint64_t later;
+static struct bound some_without(size_t i)
+{
+    return below(4) == 0 ? bound_none : anywhere(i);
+}
 
-        traced.random = state;
-        kinds[kind](text, size);
-        add_place(text, size);
-        later = traced.random;
-        for (size_t k = 0; k <= i; k++)
-            xorshift(&later);
-        traced.random = later;
-        add_look(text, size);
-        add_shadowing(text, size);
-        add_text(text, size, "}\n");
+static struct bound all_without(size_t i)
+{
+    (void)i;
+    return bound_none;
+}
+
+static struct bound (*const kinds[])(size_t i) = {
+    anywhere, in_one_point, on_whole_numbers, smaller_and_smaller,
+    far_away, some_without, all_without,
+};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+/* --- what holds of every hierarchy ---------------------------------------- */
+
+static void check_order(const struct hierarchy *hierarchy, size_t count)
+{
+    bool *seen = calloc(count + 1, sizeof *seen);
+
+    assert_int_equal(hierarchy->count, count);
+    for (size_t i = 0; i < count; i++) {
+        assert_true(hierarchy->order[i] < count);
+        assert_false(seen[hierarchy->order[i]]);
+        seen[hierarchy->order[i]] = true;
+    }
+    free(seen);
+}
+
+/* Loose are those without a bound, or all, those first; in the scene's order. */
+static void check_loose(const struct hierarchy *hierarchy,
+                        const struct bound *bounds)
+{
+    bool all = hierarchy->loose == hierarchy->count;
+
+    assert_true(all == (hierarchy->node_count == 0));
+    for (size_t i = 0; i < hierarchy->count; i++)
+        assert_true(all
+                    || bound_is_none(&bounds[hierarchy->order[i]])
+                           == (i < hierarchy->loose));
+    for (size_t i = 1; i < hierarchy->loose; i++) {
+        const size_t *order = &hierarchy->order[i];
+
+        assert_true(bound_is_none(&bounds[order[-1]])
+                            == bound_is_none(&bounds[order[0]])
+                        ? order[-1] < order[0]
+                        : bound_is_none(&bounds[order[-1]]));
     }
 }
 
-static void write_scene(char *text)
+static void check_encloses(const struct bound *whole,
+                           const struct bound *part)
 {
-    text[0] = '\0';
-    add_text(text, TEXT_ROOM,
-             "#version 3.7; global_settings { assumed_gamma 1 "
-             "max_trace_level 4 }\nbackground { rgb <.2, .3, .5> }\n"
-             "light_source { <%.1f, 8, -7>, .7 }\n"
-             "light_source { <%.1f, 3, %.2f>, rgb <.3, .2, .4> }\n"
-             "camera { location <%.3f, %.3f, %.3f> look_at 0 angle 60 }\n",
-             between(-7, 7), between(-2, 7), between(-2, 6), between(-2, 2),
-             between(-2, 2), between(-6, -1));
-    if (below(2))
-        add_text(text, TEXT_ROOM,
-                 "plane { y, -2.5 pigment { color rgb .8 } }\n");
-    for (size_t i = 2 + below(90); i > 0; i--)
-        add_thing(text, TEXT_ROOM);
+    assert_true(bound_reach(part, whole->center)
+                <= whole->radius * (1 + 1e-12));
 }
 
-/* --- comparisons --------------------------------------------------------- */
-
-static void check(const struct scene *scene, const char *text,
-                  const struct words *expected, enum trace_mode mode,
-                  size_t queue, const char *what)
+/* The node and all below it, from the region at a place of the order on;
+ * returns the place behind its last. */
+static size_t check_node(const struct hierarchy *hierarchy,
+                         const struct bound *bounds, size_t i, size_t place,
+                         size_t depth)
 {
-    struct words *found = trace_words(scene, mode, queue);
+    const struct hierarchy_node *node = &hierarchy->nodes[i];
+    size_t end = place;
 
-    for (int channel = 0; channel < FRAME_CHANNELS; channel++)
-        for (size_t k = 0; k < PIXELS; k++)
-            if (found->channel[channel][k] != expected->channel[channel][k])
-                fail_msg("%s, queue %zu: channel %d, pixel %zu: another frame "
-                         "in\n%s",
-                         what, queue, channel, k, text);
-    free(found);
-}
+    assert_true(depth <= HIERARCHY_DEPTH);
+    assert_true(node->next > i && node->next <= hierarchy->node_count);
+    if (node->count > 0) {
+        assert_int_equal(node->first, place);
+        assert_int_equal(node->next, i + 1);
+        end = place + node->count;
+    } else {
+        size_t second = hierarchy->nodes[i + 1].next;
+        double way[3];
 
-static void check_ways(const char *text)
-{
-    struct scene *scene = read_text(text);
-    static const size_t queues[] = { 1, 7, 77, 2000, 65535 };
-    struct words *expected;
-
-    traced.no_bounds = true;
-    expected = trace_words(scene, TRACE_VECTOR, 2000);
-    traced.no_bounds = false;
-    for (size_t i = 0; i < sizeof queues / sizeof *queues; i++)
-        check(scene, text, expected, TRACE_VECTOR, queues[i], "vector");
-    check(scene, text, expected, TRACE_KERNELS, 77, "kernels");
-    check(scene, text, expected, TRACE_SCALAR, 1, "scalar");
-    traced.visible = VISIBLE_EVERY;
-    check(scene, text, expected, TRACE_VECTOR, 2000, "every crossing");
-    traced.visible = VISIBLE_STEPPING;
-    traced.flat = true;
-    check(scene, text, expected, TRACE_VECTOR, 2000, "flat");
-    check(scene, text, expected, TRACE_KERNELS, 2000, "flat kernels");
-    traced.flat = false;
-    free(expected);
-    scene_free(scene);
-}
-
-static void check_scenes(bool gridded, bool clear)
-{
-    char *text = malloc(TEXT_ROOM);
-
-    assert_non_null(text);
-    solids.gridded = gridded;
-    solids.clear = clear;
-    for (size_t i = 0; i < scene_count; i++) {
-        write_scene(text);
-        check_ways(text);
+        end = check_node(hierarchy, bounds, i + 1, place, depth + 1);
+        end = check_node(hierarchy, bounds, second, end, depth + 1);
+        assert_int_equal(hierarchy->nodes[second].next, node->next);
+        for (int k = 0; k < 3; k++)
+            way[k] = hierarchy->nodes[second].bound.center[k]
+                     - hierarchy->nodes[i + 1].bound.center[k];
+        assert_memory_equal(node->way, way, sizeof way);
     }
-    free(text);
+    assert_true(end > place);
+    for (size_t k = place; k < end; k++)
+        check_encloses(&node->bound, &bounds[hierarchy->order[k]]);
+    return end;
 }
 
-static void test_clouds(void **state)
+static size_t check(const struct bound *bounds, size_t count)
 {
-    (void)state;
-    check_scenes(false, false);
-    check_scenes(false, true);
+    struct hierarchy hierarchy;
+    size_t nodes;
+
+    assert_true(hierarchy_build(bounds, count, &hierarchy));
+    check_order(&hierarchy, count);
+    check_loose(&hierarchy, bounds);
+    if (hierarchy.node_count > 0) {
+        assert_int_equal(check_node(&hierarchy, bounds, 0, hierarchy.loose,
+                                    1),
+                         count);
+        assert_int_equal(hierarchy.nodes[0].next, hierarchy.node_count);
+    }
+    nodes = hierarchy.node_count;
+    hierarchy_free(&hierarchy);
+    return nodes;
 }
 
-static void test_grids(void **state)
+static void test_random(void **state)
 {
+    struct bound *bounds = malloc(MOST * sizeof *bounds);
+
     (void)state;
-    check_scenes(true, false);
-    check_scenes(true, true);
+    for (int turn = 0; turn < 300; turn++) {
+        size_t count = turn % 10 ? below(40) : below(MOST);
+        size_t kind = below(KINDS), other = below(KINDS);
+
+        for (size_t i = 0; i < count; i++)
+            bounds[i] = kinds[below(5) ? kind : other](i);
+        check(bounds, count);
+    }
+    free(bounds);
 }
 
-int main(int count, char **words)
+/* What lies apart is told apart; what does not is left together. */
+static void test_nodes(void **state)
+{
+    struct bound bounds[64];
+
+    (void)state;
+    for (size_t i = 0; i < 64; i++)
+        bounds[i] = (struct bound){ { 10. * (double)i, 0, 0 }, 1 };
+    assert_int_equal(check(bounds, 64), 63); /* leaves of two */
+    assert_int_equal(check(bounds, 1), 0);
+    assert_int_equal(check(bounds, 0), 0);
+    for (size_t i = 0; i < 64; i++)
+        bounds[i] = in_one_point(i);
+    assert_int_equal(check(bounds, 64), 0);
+}
+
+/* In halves where bins would take one after another. */
+static void test_depth(void **state)
+{
+    struct bound *bounds = malloc(MOST * sizeof *bounds);
+    double size = 1e11;
+
+    (void)state;
+    for (size_t i = 0; i < MOST; i++, size *= i < 400 ? .8 : .999)
+        bounds[i] = (struct bound){ { size, 0, 0 }, size * 1e-3 };
+    assert_true(check(bounds, MOST) > 400);
+    free(bounds);
+}
+
+static void test_none(void **state)
+{
+    struct hierarchy hierarchy;
+
+    (void)state;
+    assert_true(hierarchy_none(5, &hierarchy));
+    assert_int_equal(hierarchy.loose, 5);
+    assert_int_equal(hierarchy.node_count, 0);
+    check_order(&hierarchy, 5);
+    hierarchy_free(&hierarchy);
+}
+
+int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_clouds),
-        cmocka_unit_test(test_grids),
+        cmocka_unit_test(test_random),
+        cmocka_unit_test(test_nodes),
+        cmocka_unit_test(test_depth),
+        cmocka_unit_test(test_none),
     };
 
-    if (count > 1)
-        scene_count = strtoul(words[1], NULL, 10);
-    if (count > 2)
-        traced.random ^= strtoull(words[2], NULL, 10) * 0x9E3779B97F4A7C15;
-    traced.reported = true;
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
+    return cmocka_run_group_tests_name("hierarchy", tests, NULL, NULL);
 }

@@ -133,10 +133,12 @@
         .record H
         .field  H_BOUND, 5         ; as R_BOUND, of all regions below
         .field  H_NEXT             ; address of the node behind all below it
-        .field  H_REGIONS          ; of a leaf: address of its first region,
-        .field  H_REGION_COUNT     ; how many stand from there on; 0: no leaf
+        .field  H_REGIONS          ; of a leaf: address of its first region; of
+                                ; another: of the second node below
+        .field  H_REGION_COUNT     ; how many regions stand there; 0: no leaf
         .field  H_WAY, 3           ; from the centre of the first node below to
                                 ; that of the second
+        .at     16
         .endrecord
         .equ    HIERARCHY_DEPTH, 96 ; nodes above one another, at the most
 
@@ -235,4 +237,6 @@ k_lower:        .word 1.000000000001e-6 ; tmin to be scaled: what is beyond it
                                 ; there is beyond tmin here
 k_shadow_lower: .word 1.000000000001e-3 ; .. and k_shadow
 bound_less:     .word 0.99999999999909050529   ; 1 - 2^-40, in tests of bounds
+bound_more:     .word 1.00000000000090949470   ; 1 + 2^-40, where another region
+                                ; may be as near
         .code
