@@ -32,6 +32,7 @@
         .field  SET_END                 ; address of what is behind it
         .endrecord
         .equ    SET_VECTORS, 8
+        .equ    NODE_OF_REGIONS, H_WAY + 3
 
 ; Of a node, while its bound is tested.
         .share  shape
@@ -127,7 +128,7 @@ walk_pop:
         EX      s2, walk_set
         STO     [s2], regions_left
 walk_node:
-        ELEN    region, H_SIZE
+        ELEN    region, NODE_OF_REGIONS
         SWAP    [region], bound_x, [r0]
         IBXEQ   hierarchy_count, r0, one_index, walk_leaf
         EX      target, load_set
@@ -143,9 +144,8 @@ walk_below:
         LOD     [dx, s8], s1
         LOD     [dy, s8], s2
         LOD     [dz, s8], s3
-        IX      region, 64 * (H_SIZE + H_NEXT)
-        LOD     [region], s4
-        IX      region, -64 * H_NEXT
+        IX      region, 64 * H_SIZE
+        RTOR    hierarchy_regions, s4
         MPYS    s1, hierarchy_wayx, s1
         MPYS    s2, hierarchy_wayy, s2
         MPYS    s3, hierarchy_wayz, s3

@@ -229,7 +229,6 @@ k_tmin:         .word 1e-6      ; a hit nearer than this is the ray's start
 k_checker:      .word 1e-10     ; added before floor, against ragged faces
         .equ    CONSTANTS, 8       ; so many in registers
 k_far:          .word 1e12      ; what lies farther along a ray is not seen
-k_beyond:       .word 1.0000000000009095   ; 1 + 2^-40, of limits
 k_delta:        .word 1e-7      ; surfaces nearer than this along a ray are one
 k_shadow:       .word 1e-3      ; shadows start and end so far from point and
                                 ; light (POV-Ray's SHADOW_TOLERANCE)

@@ -104,7 +104,7 @@ walk_nodes:
         IBXNE   shadows, r0, r0, walk_limited
         load_word walk_last, s0
         IBXEQ   s0, r0, r0, walk_limited
-        load_word k_beyond, s0
+        load_word bound_more, s0
         describe s3, place_store + 64 * QUEUE, near
         MPYSV   [near_limit], s0, [s3]
         RTOR    s3, near_limit
