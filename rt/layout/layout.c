@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "rt/picture/picture.h"
+#include "rt/layout/looks.h"
 #include "rt/layout/program.h"
 #include "rt/layout/record.h"
 #include "rt/layout/regions.h"
@@ -131,15 +132,45 @@ static size_t table_words(const struct scene *scene)
     return count;
 }
 
+/* Spheres in the world's space that have the same surface look alike; any
+ * other primitive looks like none. */
+static uint64_t look_of(struct record *record,
+                        const struct primitive *primitive,
+                        struct looks *looks)
+{
+    enum { CHECKER, COLOR, PATTERN = 7, FINISH = 19, REST = 27 };
+    c205_word words[LOOK_WORDS] = { 0 }, transformed = 0;
+    uint64_t look;
+
+    record_read(record, "P_TRANSFORMED", &transformed, 1);
+    if (primitive->kind != PRIMITIVE_SPHERE || transformed != 0)
+        return record->address;
+    record_read(record, "P_CHECKER", &words[CHECKER], 1);
+    record_read(record, "P_COLOR", &words[COLOR], 6);
+    if (words[CHECKER] != 0)
+        record_read(record, "P_PATTERN", &words[PATTERN], 12);
+    record_read(record, "P_FINISH", &words[FINISH], 8);
+    record_read(record, "P_INVERTED", &words[REST], 9);
+    record_read(record, "P_PASSING", &words[REST + 9], 8);
+    look = looks_first(looks, words, record->address);
+    if (look == 0)
+        layout_fail(record->layout, "no memory");
+    return look;
+}
+
 /* The address of the first is returned. */
 static uint64_t layout_primitives(struct record_layout *layout,
                                   const struct scene *scene,
                                   const struct leaf_plan *plans)
 {
+    struct looks *looks = looks_new(scene->primitive_count);
+    bool alike = false;
     struct record record;
     size_t space = 0;
-    uint64_t first;
+    uint64_t first, look;
 
+    if (!looks)
+        layout_fail(layout, "no memory");
     record_begin(&record, layout, "P_SIZE", scene->primitive_count,
                  table_words(scene));
     first = record.address;
@@ -151,9 +182,14 @@ static uint64_t layout_primitives(struct record_layout *layout,
         put_shape(&record, &scene->primitives[i], &plans[i]);
         put_surface(&record, scene, &scene->primitives[i]);
         put_mirror(&record, &scene->primitives[i]);
+        look = look_of(&record, &scene->primitives[i], looks);
+        alike = alike || look != record.address;
+        record_address(&record, "P_LOOK", look);
         record_write(&record);
     }
     record_end(&record);
+    looks_free(looks);
+    layout_word(layout, "scene_alike", alike);
     layout_word(layout, "scene_primitives", first);
     layout_word(layout, "scene_primitive_count",
                 c205_from_integer((int64_t)scene->primitive_count));

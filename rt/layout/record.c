@@ -108,6 +108,15 @@ static c205_word *find_field(struct record *record, const char *name,
     return NULL;
 }
 
+void record_read(struct record *record, const char *name, c205_word *words,
+                 size_t count)
+{
+    const c205_word *field = find_field(record, name, count);
+
+    if (field)
+        memcpy(words, field, count * sizeof *words);
+}
+
 static void put_word(struct record *record, const char *name, c205_word word)
 {
     c205_word *field = find_field(record, name, 1);

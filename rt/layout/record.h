@@ -55,6 +55,9 @@ void record_end(struct record *record);
 void record_numbers(struct record *record, const char *name,
                     const double *values, size_t count);
 void record_integer(struct record *record, const char *name, size_t value);
+/* So many words of a field that has been put. */
+void record_read(struct record *record, const char *name, c205_word *words,
+                 size_t count);
 void record_address(struct record *record, const char *name,
                     uint64_t address);
 /* The address of a routine. */

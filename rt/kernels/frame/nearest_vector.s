@@ -17,6 +17,7 @@
         .endshare
 
         .data
+first_met:      .word 1                 ; address of the look that was met last, or 1
 taken_store:    .space 3 * QUEUE
 found_bits:     .space 3 * QUEUE_BIT_WORDS
         .code
@@ -24,6 +25,25 @@ found_bits:     .space 3 * QUEUE_BIT_WORDS
         .macro  take_found vector, into, number, bits
         EX      \into, taken_store + 64 * QUEUE * \number
         CPSV    [\vector], [\into] ? [\bits]
+        .endm
+
+; Rays of the queue have met the primitive, so its look is on the list.
+        .macro  mark_met
+        load_record P_LOOK, 2, s2               ; and P_MET
+        IBXEQ   s2, r0, primitive, mark_own\@
+        RTOR    s2, s3
+        IX      s3, 64 * P_SHARED
+        STO     [s3], one_index
+        IX      s3, 64 * (P_MET - P_SHARED)
+        LOD     [s3], s3
+mark_own\@:
+        IBXNE   s3, r0, r0, marked\@
+        EX      s3, first_met
+        LOD     [s3], s4
+        STO     [s3], s2
+        IX      s2, 64 * P_MET
+        STO     [s2], s4
+marked\@:
         .endm
 
         .kernel visible
@@ -59,7 +79,7 @@ simple_nearer:
         region_took_hits
         IBXEQ   near, r0, n, simple_all
         take_found place, taken_at, 0, bits0
-        store_field P_MET, one_index
+        mark_met
         take_found w0, taken_distance, 1, bits0
         VTOVX   [taken_at], [taken_distance], [nearest]
         VTOVX   [taken_at], identity, [met]
@@ -72,7 +92,7 @@ simple_nearer:
 
 ; The rays at hand are all of the queue.
 simple_all:
-        store_field P_MET, one_index
+        mark_met
         VTOV    [w0], [nearest] ? [bits0]
         VTOV    identity, [met] ? [bits0]
         IBXEQ   on_patch, r0, r0, walk_skip

@@ -83,8 +83,14 @@
         .field  P_PASSING, 8       ; the colour that passes and the greatest
                                 ; of it, below 0 if it is too dim to be
                                 ; followed; twice as P_COLOR
-        .field  P_MET              ; written by the vector form: 1 if a ray of
-                                ; the queue may have met it
+        .field  P_LOOK             ; address of the first primitive that looks
+                                ; alike: a sphere not in a space of its own,
+                                ; as this one; else its own
+        .field  P_MET              ; written by the vector form, of the first of
+                                ; a look: address of the next look that rays
+                                ; of the queue have met, 1: there is none, 0:
+                                ; it has not been met
+        .field  P_SHARED           ; .. 1: not by this primitive alone
         .field  P_SPACE            ; the number of its own space; neighbours in
                                 ; one have the same
         .field  P_PATCH_POINTS, 2 * PATCH_CROSSINGS ; s and t of each of its
@@ -187,6 +193,7 @@ scene_first_pixel: .word 0      ; .. its first pixel, of the frame's, an integer
 scene_pixels:     .word 0       ; .. how many pixels it has, an integer
 scene_primitives: .word 0       ; address of the first, and how many
 scene_primitive_count: .word 0
+scene_alike:      .word 0       ; 1: there are primitives that look alike
 scene_regions:    .word 0       ; address of the first, and how many stand under
 scene_region_count: .word 0     ; no node of the hierarchy: they come first
 scene_hierarchy:  .word 0       ; address of its first node; 0: there is none

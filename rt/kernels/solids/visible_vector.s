@@ -278,7 +278,7 @@ other_leaf:
         ANDB    [bits0], [bits1], [bits0]
         ORB     [inside], [bits0], [inside]
         IBXNE   shadows, r0, r0, other_next
-        store_field P_MET, one_index
+        mark_met
 other_next:
         values_next other_leaf
         CNTOB   [inside], s1
