@@ -190,6 +190,7 @@ struct places {
     uint64_t *clear; /* of the regions: the address of its word, or 0 */
     bool *needed;    /* without which their trees have no value */
     size_t *kept;    /* how many nodes before each are no complements */
+    bool *spheres;   /* nodes of the hierarchy with spheres alone below */
     struct tree_step *steps;
     uint64_t primitives, nodes, regions; /* addresses of the first */
     size_t primitive_size, node_size, region_size;
@@ -357,6 +358,39 @@ static void layout_clear(struct record_layout *layout, struct places *places)
                 c205_from_integer((int64_t)count));
 }
 
+/* One opaque sphere that stands in the world's space, and casts a shadow? */
+static bool is_sphere(const struct scene *scene, const struct region *region)
+{
+    const struct primitive
+        *first = &scene->primitives[region->first_primitive];
+    struct shape_words shape;
+
+    shape_words(first, &shape);
+    return first->kind == PRIMITIVE_SPHERE && !shape.transformed
+           && is_simple(scene, region) && shadow_of(scene, region) == 1;
+}
+
+/* Of which nodes all regions below are such spheres, and few in a leaf? */
+static void find_spheres(struct places *places, size_t most)
+{
+    const struct hierarchy *hierarchy = &places->hierarchy;
+    const struct scene *scene = places->scene;
+    const struct hierarchy_node *nodes = hierarchy->nodes;
+    const size_t *order = hierarchy->order;
+
+    for (size_t i = hierarchy->node_count; i-- > 0;) {
+        bool all = nodes[i].count <= most;
+
+        for (size_t k = 0; all && k < nodes[i].count; k++)
+            all = is_sphere(scene,
+                            &scene->regions[order[nodes[i].first + k]]);
+        if (nodes[i].count == 0)
+            all = places->spheres[i + 1]
+                  && places->spheres[nodes[i + 1].next];
+        places->spheres[i] = all;
+    }
+}
+
 static void layout_hierarchy_node(struct record *record,
                                   const struct places *places, uint64_t first,
                                   size_t i)
@@ -368,6 +402,7 @@ static void layout_hierarchy_node(struct record *record,
     record_bound(record, "H_BOUND", &node->bound);
     record_address(record, "H_NEXT", first + size * node->next);
     record_integer(record, "H_REGION_COUNT", node->count);
+    record_integer(record, "H_SPHERES", places->spheres[i]);
     if (node->count > 0) {
         record_address(record, "H_REGIONS",
                        places->regions
@@ -381,12 +416,13 @@ static void layout_hierarchy_node(struct record *record,
 }
 
 static void layout_hierarchy(struct record_layout *layout,
-                             const struct places *places)
+                             struct places *places)
 {
     const struct hierarchy *hierarchy = &places->hierarchy;
     struct record record;
     uint64_t first;
 
+    find_spheres(places, (size_t)layout_symbol(layout, "SPHERES_MOST"));
     record_begin(&record, layout, "H_SIZE", hierarchy->node_count, 0);
     first = record.address;
     for (size_t i = 0; i < hierarchy->node_count && !layout->failed; i++)
@@ -465,6 +501,8 @@ void layout_regions(struct record_layout *layout, const struct scene *scene,
         .bounds = calloc(room, sizeof *places.bounds),
         .needed = calloc(room, sizeof *places.needed),
         .kept = calloc(room, sizeof *places.kept),
+        .spheres = calloc(2 * scene->region_count + 1,
+                          sizeof *places.spheres),
         .clear = calloc(scene->region_count + 1, sizeof *places.clear),
         .steps = calloc(scene->primitive_count + 1, sizeof *places.steps),
         .primitives = primitives,
@@ -472,7 +510,7 @@ void layout_regions(struct record_layout *layout, const struct scene *scene,
     };
 
     if (!places.bounds || !places.needed || !places.kept || !places.steps
-        || !places.clear || !fill_bounds(&places)
+        || !places.clear || !places.spheres || !fill_bounds(&places)
         || !plan_hierarchy(&places)) {
         layout_fail(layout, "no memory");
     } else {
@@ -484,6 +522,7 @@ void layout_regions(struct record_layout *layout, const struct scene *scene,
     free(places.bounds);
     free(places.needed);
     free(places.kept);
+    free(places.spheres);
     free(places.clear);
     hierarchy_free(&places.hierarchy);
     free(places.steps);

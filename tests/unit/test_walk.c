@@ -55,8 +55,8 @@ static void add_shadowing(char *text, size_t size)
 /* The same thing, once or in several colours in one place. */
 static void add_thing(char *text, size_t size)
 {
-    static void (*const kinds[])(char *, size_t) = { add_ball, add_ball,
-                                                     add_ball, add_block,
+    static void (*const kinds[])(char *, size_t) = { add_ball,   add_ball,
+                                                     add_ball,   add_block,
                                                      add_bitten, add_tube };
     size_t kind = below(6), copies = below(5) ? 1 : 2 + below(2);
     uint64_t state = traced.random;
@@ -106,9 +106,10 @@ static void check(const struct scene *scene, const char *text,
     for (int channel = 0; channel < FRAME_CHANNELS; channel++)
         for (size_t k = 0; k < PIXELS; k++)
             if (found->channel[channel][k] != expected->channel[channel][k])
-                fail_msg("%s, queue %zu: channel %d, pixel %zu: another frame "
-                         "in\n%s",
-                         what, queue, channel, k, text);
+                fail_msg(
+                    "%s, queue %zu: channel %d, pixel %zu: another frame "
+                    "in\n%s",
+                    what, queue, channel, k, text);
     free(found);
 }
 

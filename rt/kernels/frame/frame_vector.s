@@ -9,6 +9,8 @@
         .include "frame/records.s"
         .include "frame/queue.s"
         .include "light/power_constants.s"
+        .equ    PAIRS, 2048             ; pairs_vector.s: so many at a time,
+        .equ    PAIR_RAYS, 8            ; .. where no more rays come to a node
         .reg    link_walk, r133
 
         .entry  frame
@@ -25,6 +27,7 @@ frame:
         .include "frame/begin_vector.s"
         .include "frame/intersect_vector.s"
         .include "frame/nearest_vector.s"
+        .include "frame/pairs_vector.s"
         .include "solids/span_vector.s"
         .include "solids/visible_vector.s"
         .include "solids/visible_every_vector.s"

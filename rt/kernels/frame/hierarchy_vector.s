@@ -32,12 +32,13 @@
         .field  SET_END                 ; address of what is behind it
         .endrecord
         .equ    SET_VECTORS, 8
-        .equ    NODE_OF_REGIONS, H_WAY + 3
+        .equ    NODE_OF_REGIONS, H_SPHERES + 1
 
 ; Of a node, while its bound is tested.
         .share  shape
         .regs   r61, hierarchy_next, hierarchy_regions, hierarchy_count
         .regs   r64, hierarchy_wayx, hierarchy_wayy, hierarchy_wayz
+        .reg    hierarchy_spheres, r67
         .endshare
 
         .data
@@ -119,7 +120,7 @@ set_limits:
 walk_pop:
         load_word walk_top, s1
         EX      s2, walk_stack
-        IBXEQ   s1, r0, s2, walk_next_clear
+        IBXEQ   s1, r0, s2, walk_end
         IX      s1, -64 * 2
         EX      s2, walk_top
         STO     [s2], s1
@@ -140,6 +141,19 @@ walk_node:
         if_few  s6, s8, walk_narrow
 walk_below:
         IBXNE   hierarchy_count, r0, r0, walk_leaf
+        .ifdef  PAIRS
+        IBXEQ   hierarchy_spheres, r0, r0, walk_nodes_below
+        SUBX    hierarchy_next, region, s1
+        SHIFTI  s1, -6, s1
+        ES      s2, H_SIZE
+        MPYX    s8, s2, s2
+        ES      s3, PAIR_RAYS
+        MPYX    s1, s3, s1
+        IBXGT   s2, r0, s1, walk_nodes_below
+        EX      s1, PAIRS / 4
+        IBXLE   s8, r0, s1, add_pairs
+walk_nodes_below:
+        .endif
         SHIFTI  s8, -1, s8                      ; a ray from the middle
         LOD     [dx, s8], s1
         LOD     [dy, s8], s2
@@ -234,6 +248,12 @@ walk_narrowed:
         ELEN    s1, SET_SIZE - SET_PLACE
         SWAP    [r0], s3, [s1]
         BIM     walk_below
+
+walk_end:
+        .ifdef  PAIRS
+        EX      target, finish_pairs
+        BSAVE   link_inner, [target]
+        .endif
 
 ; The next region that is marked, of those with clear parts: against the queue.
 walk_next_clear:

@@ -144,9 +144,12 @@
         .field  H_REGION_COUNT     ; how many regions stand there; 0: no leaf
         .field  H_WAY, 3           ; from the centre of the first node below to
                                 ; that of the second
+        .field  H_SPHERES          ; 1: the regions below are opaque spheres, no
+                                ; more than SPHERES_MOST in a leaf
         .at     16
         .endrecord
         .equ    HIERARCHY_DEPTH, 96 ; nodes above one another, at the most
+        .equ    SPHERES_MOST, 8
 
 ; A node: the tree in preorder, without complements.  A ray that does not come
 ; near a node goes on behind all that is below it.
