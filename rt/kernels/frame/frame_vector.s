@@ -10,7 +10,7 @@
         .include "frame/queue.s"
         .include "light/power_constants.s"
         .equ    PAIRS, 2048             ; pairs_vector.s: so many at a time,
-        .equ    PAIR_RAYS, 8            ; .. where no more rays come to a node
+        .equ    PAIR_RAYS, 4            ; .. where no more rays come to a node
         .reg    link_walk, r133
 
         .entry  frame

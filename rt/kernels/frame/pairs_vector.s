@@ -187,15 +187,15 @@ pairs_some:
         ADDNV   [pair_y], [pair_x], [pair_x]
         MPYSV   [pair_z], [pair_z], [pair_z]
         ADDNV   [pair_z], [pair_x], [pair_x]
-        pair_field pair_node, H_BOUND + 4, pair_y
+        pair_field pair_node, H_BOUND + 3, pair_y
+        MPYSV   [pair_y], [pair_y], [pair_z]
         LINKV
         MPYSV   [pair_x], s7, [pair_x]
-        SUBNV   [pair_x], [pair_y], [pair_x]
-        MPYSV   [pair_b], [pair_b], [pair_y]
-        CMPGEV  [pair_y], [pair_x], [pair_bits]
+        SUBNV   [pair_x], [pair_z], [pair_x]
+        MPYSV   [pair_b], [pair_b], [pair_z]
+        CMPGEV  [pair_z], [pair_x], [pair_bits]
         CNTOB   [pair_bits], s0
         IBXEQ   s0, r0, r0, pairs_take
-        pair_field pair_node, H_BOUND + 3, pair_y
         VXTOV   [pair_place], [nearest], [pair_limit]
         ADDNV   [pair_b], [pair_y], [pair_x]
         CMPLTV  r0, [pair_x], [pair_more]

@@ -146,7 +146,7 @@
                                 ; that of the second
         .field  H_SPHERES          ; 1: the regions below are opaque spheres, no
                                 ; more than SPHERES_MOST in a leaf
-        .at     16
+        .at     13              ; odd, for the banks: fields of many are gathered
         .endrecord
         .equ    HIERARCHY_DEPTH, 96 ; nodes above one another, at the most
         .equ    SPHERES_MOST, 8
