@@ -77,7 +77,32 @@ static void add_thing(char *text, size_t size)
     }
 }
 
-static void write_scene(char *text)
+/* Small ones, many of them in one of a few colours, some twice in one place. */
+static void add_spheres(char *text)
+{
+    double size = between(.05, .2);
+    size_t copy = 1 + below(9);
+
+    for (size_t i = 50 + below(250); i > 0; i--) {
+        uint64_t state = traced.random;
+
+        for (size_t k = below(copy) == 0 ? 2 : 1; k > 0; k--) {
+            uint64_t before = traced.random;
+
+            traced.random = state;
+            add_text(text, TEXT_ROOM, "sphere { 0, %.3f ",
+                     solids.gridded ? .25 : size * between(.5, 2));
+            add_place(text, TEXT_ROOM);
+            traced.random = k == 2 ? traced.random : before ^ traced.random;
+            add_text(text, TEXT_ROOM,
+                     "pigment { %s rgb .%zu } finish { phong %zu } %s }\n",
+                     below(12) ? "color" : "checker", 1 + below(4), below(2),
+                     below(200) ? "" : "no_shadow");
+        }
+    }
+}
+
+static void write_scene(char *text, bool spheres)
 {
     text[0] = '\0';
     add_text(text, TEXT_ROOM,
@@ -91,8 +116,11 @@ static void write_scene(char *text)
     if (below(2))
         add_text(text, TEXT_ROOM,
                  "plane { y, -2.5 pigment { color rgb .8 } }\n");
-    for (size_t i = 2 + below(90); i > 0; i--)
-        add_thing(text, TEXT_ROOM);
+    if (spheres)
+        add_spheres(text);
+    else
+        for (size_t i = 2 + below(90); i > 0; i--)
+            add_thing(text, TEXT_ROOM);
 }
 
 /* --- comparisons --------------------------------------------------------- */
@@ -137,7 +165,7 @@ static void check_ways(const char *text)
     scene_free(scene);
 }
 
-static void check_scenes(bool gridded, bool clear)
+static void check_scenes(bool gridded, bool clear, bool spheres)
 {
     char *text = malloc(TEXT_ROOM);
 
@@ -145,7 +173,7 @@ static void check_scenes(bool gridded, bool clear)
     solids.gridded = gridded;
     solids.clear = clear;
     for (size_t i = 0; i < scene_count; i++) {
-        write_scene(text);
+        write_scene(text, spheres);
         check_ways(text);
     }
     free(text);
@@ -154,15 +182,22 @@ static void check_scenes(bool gridded, bool clear)
 static void test_clouds(void **state)
 {
     (void)state;
-    check_scenes(false, false);
-    check_scenes(false, true);
+    check_scenes(false, false, false);
+    check_scenes(false, true, false);
 }
 
 static void test_grids(void **state)
 {
     (void)state;
-    check_scenes(true, false);
-    check_scenes(true, true);
+    check_scenes(true, false, false);
+    check_scenes(true, true, false);
+}
+
+static void test_spheres(void **state)
+{
+    (void)state;
+    check_scenes(false, false, true);
+    check_scenes(true, false, true);
 }
 
 int main(int count, char **words)
@@ -170,6 +205,7 @@ int main(int count, char **words)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_clouds),
         cmocka_unit_test(test_grids),
+        cmocka_unit_test(test_spheres),
     };
 
     if (count > 1)

@@ -9,8 +9,14 @@
         .include "frame/records.s"
         .include "frame/queue.s"
         .include "light/power_constants.s"
-        .equ    PAIRS, 2048             ; pairs_vector.s: so many at a time,
-        .equ    PAIR_RAYS, 4            ; .. where no more rays come to a node
+; Of pairs_vector.s: so many are taken at a time; where no more rays come to a
+; node, of those below.
+        .if     QUEUE < 512
+        .equ    PAIRS, 64
+        .else
+        .equ    PAIRS, 2048
+        .endif
+        .equ    PAIR_RAYS, 4
         .reg    link_walk, r133
 
         .entry  frame
