@@ -450,6 +450,8 @@ static void layout_ordered(struct record_layout *layout,
     record_end(&steps);
     layout_word(layout, "scene_region_count",
                 c205_from_integer((int64_t)places->hierarchy.loose));
+    layout_word(layout, "scene_region_total",
+                c205_from_integer((int64_t)scene->region_count));
 }
 
 static void layout_records(struct record_layout *layout,

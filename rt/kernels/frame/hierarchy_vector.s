@@ -32,6 +32,9 @@
         .field  SET_END                 ; address of what is behind it
         .endrecord
         .equ    SET_VECTORS, 8
+
+; Fewer regions are met without a walk.
+        .equ    HIERARCHY_FROM, 12
         .equ    NODE_OF_REGIONS, H_SPHERES + 1
 
 ; Of a node, while its bound is tested.
@@ -60,7 +63,8 @@ set_arena:      .space 3 * SET_VECTORS * QUEUE + HIERARCHY_DEPTH * SET_SIZE
         .endm
 
         .kernel bound
-; The queue is the first set; the first node of the hierarchy waits.
+; The queue is the first set; the regions under no node are the first to be
+; met, the first node of the hierarchy waits.
 begin_walk:
         EX      s2, queue_set
         ELEN    s2, 6
@@ -78,11 +82,17 @@ begin_walk:
         ES      s5, 0
         load_word scene_clear, s6
         ES      s7, 0
-        load_word scene_hierarchy, s0
+        load_word scene_regions, region
+        load_word scene_region_count, regions_left
         IBXEQ   shadows, r0, r0, begin_stack
         load_word scene_clear_count, s7
 begin_stack:
+        load_word scene_hierarchy, s0
         IBXEQ   s0, r0, r0, begin_state
+        load_word scene_region_total, s1
+        SUBX    s1, regions_left, s2            ; those under nodes
+        ES      s8, HIERARCHY_FROM
+        IBXLT   s2, r0, s8, begin_flat
         STO     [s3], s0
         IX      s3, 64
         STO     [s3], s4
@@ -92,6 +102,11 @@ begin_state:
         ELEN    s2, 5
         SWAP    [r0], s3, [s2]
         BIM     0, link_inner
+
+; So few that their own bounds are tested instead.
+begin_flat:
+        RTOR    s1, regions_left
+        BIM     begin_state
 
 load_set:
         load_word walk_set, s7

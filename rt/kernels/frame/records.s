@@ -199,6 +199,7 @@ scene_primitive_count: .word 0
 scene_alike:      .word 0       ; 1: there are primitives that look alike
 scene_regions:    .word 0       ; address of the first, and how many stand under
 scene_region_count: .word 0     ; no node of the hierarchy: they come first
+scene_region_total: .word 0     ; how many there are, with those under nodes
 scene_hierarchy:  .word 0       ; address of its first node; 0: there is none
 scene_clear:      .word 0       ; address of a word for each region with clear
 scene_clear_count: .word 0      ; parts, in the order of the scene, and how many

@@ -49,14 +49,16 @@ walk_regions:
         .kernel bound
         EX      target, begin_walk
         BSAVE   link_inner, [target]
-        load_word scene_regions, region
-        load_word scene_region_count, regions_left
         IBXEQ   regions_left, r0, r0, walk_pop
 walk_next:
         ELEN    region, REGION_WORDS
         SWAP    [region], bound_x, [r0]
         IBXEQ   shadows, r0, r0, walk_bound
         IBXEQ   region_shadow, r0, r0, walk_skip
+        IBXEQ   region_shadow, r0, one_index, walk_bound
+        load_word walk_set, s0
+        EX      s1, queue_set
+        IBXEQ   s0, r0, s1, walk_mark
 walk_bound:
         EX      target, load_set
         BSAVE   link_inner, [target]

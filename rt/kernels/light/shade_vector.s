@@ -120,19 +120,22 @@ shade_sort:
         STO     [s0], one_index
         EX      at, shade_store
         EX      part_at, hit_parts
+        RTOR    n, s8
+        describe s4, count_store, n
+        RTOR    met, s5
+        load_word scene_alike, s6
+        IBXEQ   s6, r0, r0, sort_next
         describe near_bits, queue_bits, n
         CMPNEV  [met], r0, [near_bits]
         CNTOB   [near_bits], s8
-        describe s4, found_store, s8
-        describe s5, found_store + 64 * QUEUE, s8
+        EX      s4, found_store
+        EX      s5, found_store + 64 * QUEUE
         CPSV    [iota], [s4] ? [near_bits]
         CPSV    [met], [s5] ? [near_bits]
-        load_word scene_alike, s6
-        IBXEQ   s6, r0, r0, sort_next
         find_records s5, s5, P_LOOK, s1
         VXTOV   [s5], [s1], [s5]
 
-; s8 hits are not sorted: their places in s4, what they hit in s5.
+; s8 rays are not sorted: their places in s4, what they hit in s5.
 sort_next:
         load_record P_MET, 2, s2
         RTOR    s2, s9
@@ -165,8 +168,12 @@ sort_find:
         SUBX    s8, m, s8
         IBXEQ   s8, r0, r0, sort_rest
         NANDB   [near_bits], [near_bits], [near_bits]
-        CPSV    [s4], [s4] ? [near_bits]
-        CPSV    [s5], [s5] ? [near_bits]
+        RTOR    s4, s0
+        RTOR    s5, s1
+        EX      s4, found_store
+        EX      s5, found_store + 64 * QUEUE
+        CPSV    [s0], [s4] ? [near_bits]
+        CPSV    [s1], [s5] ? [near_bits]
 sort_none:
         RTOR    s9, primitive
         IBXNE   primitive, r0, one_index, sort_next
