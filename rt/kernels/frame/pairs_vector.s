@@ -34,6 +34,7 @@
         .regs   r147, pair_bits, pair_more, pair_tie, pair_in, pair_out
         .regs   r152, pair_hit, pair_count, pair_left
         .endshare
+        .equ    PAIR_STRIDE, 1021
         .equ    PAIR_LIST, (1 + SPHERES_MOST) * PAIRS
 
         .data
@@ -41,6 +42,7 @@ pool_count:     .word 0
 sphere_count:   .word 0                 ; pairs that meet a sphere
 pairs_room:     .word 0
 pair_stamp:     .word 0                 ; of the last hits, for walk_last
+pair_order:     .space PAIRS            ; of the pool, to mix it; made when first used
 pair_bit_store: .space 3 * PAIR_LIST / 64
         .align  64
 pool_places:    .space PAIRS * (HIERARCHY_DEPTH + 2)
@@ -132,7 +134,7 @@ add_after:
         SUBX    s2, s8, s2
         EX      s3, pairs_room
         STO     [s3], s2
-        EX      target, drain_pairs
+        EX      target, mix_pairs
         BSAVE   link_kernel, [target]
         BIM     walk_node
 
@@ -140,12 +142,39 @@ add_after:
 finish_pairs:
         EX      s3, pairs_room
         STO     [s3], r0
-        EX      target, drain_pairs
+        EX      target, mix_pairs
         BSAVE   link_kernel, [target]
         EX      target, meet_spheres
         BSAVE   link_kernel, [target]
         BIM     0, link_inner
 
+; Neighbours in the pool have come of one node: what it holds would be asked of
+; one bank again and again.  They are put at PAIR_STRIDE, which is odd, from each
+; other.
+mix_pairs:
+        load_word pool_count, s8
+        ES      s1, 64
+        IBXLT   s8, r0, s1, drain_pairs
+        EX      s2, PAIRS
+        describe s3, pair_order, s2
+        LOD     [s3, one_index], s1
+        IBXNE   s1, r0, r0, mix_ordered
+        EX      s1, PAIR_STRIDE
+        INTVLV  r0, s1, [s3]
+        EX      s1, PAIRS - 1
+        ANDV    [s3], s1, [s3]
+mix_ordered:
+        describe pair_bits, pair_bit_store, s2
+        CMPLTV  [s3], s8, [pair_bits]
+        EX      pair_x, pair_store
+        CPSV    [s3], [pair_x] ? [pair_bits]
+        pair_vector pair_y, 1, s8
+        describe s3, pool_places, s8
+        VXTOV   [pair_x], [s3], [pair_y]
+        VTOV    [pair_y], [s3]
+        describe s3, pool_nodes, s8
+        VXTOV   [pair_x], [s3], [pair_y]
+        VTOV    [pair_y], [s3]
 drain_pairs:
         load_word sphere_count, s0
         EX      s1, PAIRS
