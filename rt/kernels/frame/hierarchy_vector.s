@@ -53,7 +53,10 @@ walk_clear_left: .word 0                ; words from there on
 walk_stack:     .space 2 * HIERARCHY_DEPTH ; nodes that wait, each with its set
 queue_set:      .space SET_SIZE
         .align  64
+        .align  64 * 512                ; what takes turns with other memory is
+                                ; on pages of its own
 set_arena:      .space 3 * SET_VECTORS * QUEUE + HIERARCHY_DEPTH * SET_SIZE
+        .align  64 * 512
         .code
 
 ; Region has changed limits.

@@ -50,6 +50,7 @@ pool_nodes:     .space PAIRS * (HIERARCHY_DEPTH + 2) ; addresses, in words
 sphere_places:  .space PAIR_LIST
 sphere_regions: .space PAIR_LIST
 pair_store:     .space 12 * PAIR_LIST
+        .align  64 * 512
         .code
 
         .macro  pair_vector register, number, count

@@ -163,6 +163,7 @@ sort_find:
         ADDX    h, m, h
         SHIFTI  m, 6, s0
         ADDX    at, s0, at
+        IBXEQ   s9, r0, one_index, sort_none
         SHIFTI  m, 3, s0                        ; an eighth of them: they leave
         IBXLT   s0, r0, s8, sort_none
         SUBX    s8, m, s8
