@@ -9,14 +9,15 @@
         .include "frame/records.s"
         .include "frame/queue.s"
         .include "light/power_constants.s"
-; Of pairs_vector.s: so many are taken at a time; where no more rays come to a
-; node, of those below.
+; Of pairs_vector.s: so many pairs are taken at a time; the rays of sets of which
+; they are made, at the most.
         .if     QUEUE < 512
         .equ    PAIRS, 64
+        .equ    PAIR_SET, 16
         .else
         .equ    PAIRS, 2048
+        .equ    PAIR_SET, 64
         .endif
-        .equ    PAIR_RAYS, 4
         .reg    link_walk, r133
 
         .entry  frame

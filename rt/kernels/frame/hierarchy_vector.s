@@ -161,14 +161,7 @@ walk_below:
         IBXNE   hierarchy_count, r0, r0, walk_leaf
         .ifdef  PAIRS
         IBXEQ   hierarchy_spheres, r0, r0, walk_nodes_below
-        SUBX    hierarchy_next, region, s1
-        SHIFTI  s1, -6, s1
-        ES      s2, H_SIZE
-        MPYX    s8, s2, s2
-        ES      s3, PAIR_RAYS
-        MPYX    s1, s3, s1
-        IBXGT   s2, r0, s1, walk_nodes_below
-        EX      s1, PAIRS / 4
+        ES      s1, PAIR_SET
         IBXLE   s8, r0, s1, add_pairs
 walk_nodes_below:
         .endif

@@ -2,12 +2,12 @@
 ;
 ; Where a node has many spheres below it for the rays that come near, each
 ; sphere is met by a ray or two, and vectors of one node's rays are short.
-; So there the rays of a set and the nodes below are put into a pool of pairs,
-; each with its own place of a ray and its own node, and pairs of all sorts of
-; nodes are tested by one stream: what the nodes hold is gathered.  A pair that
-; is near makes two, for the nodes below, or if its node is a leaf goes to the
-; list of those that meet a sphere; these are met all at once as well, with a
-; centre and radius for each.
+; So the rays of a set of PAIR_SET or less go into a pool of pairs with the nodes
+; below, where these have spheres alone: each pair has its own place of a ray and
+; its own node, and pairs of all sorts of nodes are tested by one stream; what the
+; nodes hold is gathered.  A pair that is near makes two, for the nodes below, or
+; if its node is a leaf goes to the list of those that meet a sphere; these are
+; met all at once as well, with a centre and radius for each.
 ;
 ; The pool is a stack, of which the PAIRS on top are taken at a time.  Rays come
 ; in only while it has no more than PAIRS afterwards.  Say all in it have
