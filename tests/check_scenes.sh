@@ -2,10 +2,10 @@
 # check_scenes.sh BUILD SCENE .. - each of these scenes, small.
 #
 # The three stages, with queues of any length, with and without bounding
-# volumes, give the same frame, bit for bit; the frame is the plain C tracer's,
-# and that one is POV-Ray's picture of the same file, within the tolerances that
-# check_scene states.  The way of 1984 to patches and cylinders gives the plain
-# tracer's frame, too.
+# volumes, with and without a hierarchy of them, give the same frame, bit for
+# bit; the frame is the plain C tracer's, and that one is POV-Ray's picture of
+# the same file, within the tolerances that check_scene states.  The way of 1984
+# to patches and cylinders gives the plain tracer's frame, too.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1
@@ -61,6 +61,10 @@ same_frames() { # SCENE: of all stages and queues
     for mode in scalar vector; do
         [ "$(checksum "$1" --mode $mode --no-bounds)" = "$frame" ]
         verdict $? "$1: without bounding volumes $mode gives another frame"
+    done
+    for mode in scalar kernels vector; do
+        [ "$(checksum "$1" --mode $mode --flat)" = "$frame" ]
+        verdict $? "$1: without a hierarchy $mode gives another frame"
     done
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "rt/picture/picture.h"
+#include "rt/layout/looks.h"
 #include "rt/layout/program.h"
 #include "rt/layout/record.h"
 #include "rt/layout/regions.h"
@@ -131,15 +132,45 @@ static size_t table_words(const struct scene *scene)
     return count;
 }
 
+/* Spheres in the world's space that have the same surface look alike; any
+ * other primitive looks like none. */
+static uint64_t look_of(struct record *record,
+                        const struct primitive *primitive,
+                        struct looks *looks)
+{
+    enum { CHECKER, COLOR, PATTERN = 7, FINISH = 19, REST = 27 };
+    c205_word words[LOOK_WORDS] = { 0 }, transformed = 0;
+    uint64_t look;
+
+    record_read(record, "P_TRANSFORMED", &transformed, 1);
+    if (primitive->kind != PRIMITIVE_SPHERE || transformed != 0)
+        return record->address;
+    record_read(record, "P_CHECKER", &words[CHECKER], 1);
+    record_read(record, "P_COLOR", &words[COLOR], 6);
+    if (words[CHECKER] != 0)
+        record_read(record, "P_PATTERN", &words[PATTERN], 12);
+    record_read(record, "P_FINISH", &words[FINISH], 8);
+    record_read(record, "P_INVERTED", &words[REST], 9);
+    record_read(record, "P_PASSING", &words[REST + 9], 8);
+    look = looks_first(looks, words, record->address);
+    if (look == 0)
+        layout_fail(record->layout, "no memory");
+    return look;
+}
+
 /* The address of the first is returned. */
 static uint64_t layout_primitives(struct record_layout *layout,
                                   const struct scene *scene,
                                   const struct leaf_plan *plans)
 {
+    struct looks *looks = looks_new(scene->primitive_count);
+    bool alike = false;
     struct record record;
     size_t space = 0;
-    uint64_t first;
+    uint64_t first, look;
 
+    if (!looks)
+        layout_fail(layout, "no memory");
     record_begin(&record, layout, "P_SIZE", scene->primitive_count,
                  table_words(scene));
     first = record.address;
@@ -151,9 +182,14 @@ static uint64_t layout_primitives(struct record_layout *layout,
         put_shape(&record, &scene->primitives[i], &plans[i]);
         put_surface(&record, scene, &scene->primitives[i]);
         put_mirror(&record, &scene->primitives[i]);
+        look = look_of(&record, &scene->primitives[i], looks);
+        alike = alike || look != record.address;
+        record_address(&record, "P_LOOK", look);
         record_write(&record);
     }
     record_end(&record);
+    looks_free(looks);
+    layout_word(layout, "scene_alike", alike);
     layout_word(layout, "scene_primitives", first);
     layout_word(layout, "scene_primitive_count",
                 c205_from_integer((int64_t)scene->primitive_count));
@@ -161,7 +197,7 @@ static uint64_t layout_primitives(struct record_layout *layout,
 }
 
 static void layout_solids(struct record_layout *layout,
-                          const struct scene *scene, bool bounds)
+                          const struct scene *scene, enum bounding bounding)
 {
     struct leaf_plan *plans = calloc(scene->primitive_count + 1,
                                      sizeof *plans);
@@ -172,7 +208,7 @@ static void layout_solids(struct record_layout *layout,
         return;
     }
     crossings = plan_leaves(scene, plans);
-    layout_regions(layout, scene, bounds,
+    layout_regions(layout, scene, bounding,
                    layout_primitives(layout, scene, plans));
     layout_word(layout, "scene_crossings",
                 layout_reserve(layout,
@@ -263,21 +299,63 @@ static void layout_frame(struct record_layout *layout,
     layout_word(layout, "scene_frame", frame->address);
 }
 
-bool layout_scene(c205 *machine, const struct object *program,
-                  const struct scene *scene, bool bounds,
-                  struct frame_layout *frame, c205_error *error)
+struct scene_layout {
+    const struct object *program;
+    struct image image;
+    uint64_t end; /* the next address that nothing uses */
+};
+
+struct scene_layout *layout_new(const struct object *program,
+                                const struct scene *scene,
+                                enum bounding bounding,
+                                bool (*go_on)(void *context), void *context,
+                                c205_error *error)
 {
-    struct record_layout layout = { .machine = machine,
-                                    .program = program,
+    struct scene_layout *whole = calloc(1, sizeof *whole);
+    struct record_layout layout = { .program = program,
                                     .error = error,
                                     .free = program_end(program),
-                                    .go_on = frame->go_on,
-                                    .context = frame->context };
+                                    .go_on = go_on,
+                                    .context = context };
 
+    if (!whole) {
+        layout_fail(&layout, "no memory");
+        return NULL;
+    }
+    layout.image = &whole->image;
     layout_camera(&layout, scene);
-    layout_solids(&layout, scene, bounds);
+    layout_solids(&layout, scene, bounding);
     layout_levels(&layout, scene);
     layout_lights(&layout, scene);
+    whole->program = program;
+    whole->end = layout.free;
+    if (!layout.failed)
+        return whole;
+    layout_free(whole);
+    return NULL;
+}
+
+void layout_free(struct scene_layout *layout)
+{
+    if (!layout)
+        return;
+    image_free(&layout->image);
+    free(layout);
+}
+
+bool layout_put(const struct scene_layout *whole, c205 *machine,
+                struct frame_layout *frame, c205_error *error)
+{
+    struct image image = { 0 };
+    struct record_layout layout = { .image = &image,
+                                    .program = whole->program,
+                                    .error = error,
+                                    .free = whole->end };
+    bool good;
+
     layout_frame(&layout, frame);
-    return !layout.failed;
+    good = !layout.failed && image_load(&whole->image, machine, error)
+           && image_load(&image, machine, error);
+    image_free(&image);
+    return good;
 }

@@ -34,10 +34,8 @@ uint64_t layout_symbol(struct record_layout *layout, const char *name)
 void layout_words(struct record_layout *layout, uint64_t address,
                   const c205_word *words, size_t count)
 {
-    if (!layout->failed
-        && !c205_write(layout->machine, address, words, count))
-        layout_fail(layout, "nothing is mapped at %012llX",
-                    (unsigned long long)address);
+    if (!layout->failed && !image_write(layout->image, address, words, count))
+        layout_fail(layout, "no memory");
 }
 
 void layout_word(struct record_layout *layout, const char *name,
@@ -52,9 +50,8 @@ uint64_t layout_reserve(struct record_layout *layout, size_t words)
 
     if (layout->failed || words == 0)
         return address;
-    if (!c205_map(layout->machine, address, words, C205_READ_WRITE,
-                  layout->error))
-        layout->failed = true;
+    if (!image_reserve(layout->image, address, words))
+        layout_fail(layout, "no memory");
     layout->free = program_round_up(address + UINT64_C(64) * words);
     return address;
 }
@@ -109,6 +106,15 @@ static c205_word *find_field(struct record *record, const char *name,
         return record->words + offset;
     layout_fail(record->layout, "field %s does not fit its record", name);
     return NULL;
+}
+
+void record_read(struct record *record, const char *name, c205_word *words,
+                 size_t count)
+{
+    const c205_word *field = find_field(record, name, count);
+
+    if (field)
+        memcpy(words, field, count * sizeof *words);
 }
 
 static void put_word(struct record *record, const char *name, c205_word word)

@@ -1,4 +1,4 @@
-/* record.h - writing records into a machine's memory.
+/* record.h - writing records into the image of a machine's memory.
  *
  * Where a field lies is written once, in rt/kernels/frame/records.s; it is found
  * here by its name among the program's symbols.
@@ -8,16 +8,17 @@
 
 #include "asm/assemble.h"
 #include "rt/layout/bounds.h"
+#include "rt/layout/image.h"
 
 /* The state of one layout: errors stay in it, and make the rest idle. */
 struct record_layout {
-    c205 *machine;
+    struct image *image;
     const struct object *program;
     c205_error *error;
     bool failed;
     uint64_t free;                /* the next address that nothing uses */
     size_t written;               /* records */
-    bool (*go_on)(void *context); /* as in frame_layout */
+    bool (*go_on)(void *context); /* as in layout_new */
     void *context;
 };
 
@@ -54,6 +55,9 @@ void record_end(struct record *record);
 void record_numbers(struct record *record, const char *name,
                     const double *values, size_t count);
 void record_integer(struct record *record, const char *name, size_t value);
+/* So many words of a field that has been put. */
+void record_read(struct record *record, const char *name, c205_word *words,
+                 size_t count);
 void record_address(struct record *record, const char *name,
                     uint64_t address);
 /* The address of a routine. */

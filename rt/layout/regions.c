@@ -184,12 +184,16 @@ bool plan_tree(const struct scene *scene, const struct region *region,
 /* What the records of a scene's regions refer to. */
 struct places {
     const struct scene *scene;
+    enum bounding bounding;
     struct bound *bounds; /* of the nodes */
-    bool *needed;         /* without which their trees have no value */
-    size_t *kept;         /* how many nodes before each are no complements */
+    struct hierarchy hierarchy;
+    uint64_t *clear; /* of the regions: the address of its word, or 0 */
+    bool *needed;    /* without which their trees have no value */
+    size_t *kept;    /* how many nodes before each are no complements */
+    bool *spheres;   /* nodes of the hierarchy with spheres alone below */
     struct tree_step *steps;
-    uint64_t primitives, nodes; /* addresses of the first */
-    size_t primitive_size, node_size;
+    uint64_t primitives, nodes, regions; /* addresses of the first */
+    size_t primitive_size, node_size, region_size;
     size_t values; /* of the region that has most */
 };
 
@@ -303,18 +307,28 @@ static void layout_tree(struct record *record, struct record *steps,
         places->values = values;
 }
 
-static void layout_region(struct record *record, struct record *steps,
-                          struct places *places, const struct region *region)
+/* The node that bounds a region: what is not bounds nothing. */
+static const struct bound *bound_of(const struct places *places,
+                                    const struct region *region)
 {
-    const struct scene *scene = places->scene;
     size_t solid = region->first_node;
 
-    while (scene->nodes[solid].operation == TREE_NOT)
+    while (places->scene->nodes[solid].operation == TREE_NOT)
         solid++;
+    return &places->bounds[solid];
+}
+
+static void layout_region(struct record *record, struct record *steps,
+                          struct places *places, size_t i)
+{
+    const struct scene *scene = places->scene;
+    const struct region *region = &scene->regions[i];
+
     record->line = region->line;
-    record_bound(record, "R_BOUND", &places->bounds[solid]);
+    record_bound(record, "R_BOUND", bound_of(places, region));
     record_integer(record, "R_SIMPLE", is_simple(scene, region));
     record_integer(record, "R_SHADOW", shadow_of(scene, region));
+    record_address(record, "R_CLEAR", places->clear[i]);
     record_address(record, "R_FIRST",
                    primitive_at(places, region->first_primitive));
     record_integer(record, "R_PRIMITIVES", region->primitive_count);
@@ -325,51 +339,181 @@ static void layout_region(struct record *record, struct record *steps,
     record_write(record);
 }
 
-static void layout_records(struct record_layout *layout,
+/* A word for each region whose shadow is not full. */
+static void layout_clear(struct record_layout *layout, struct places *places)
+{
+    const struct scene *scene = places->scene;
+    uint64_t first;
+    size_t count = 0;
+
+    for (size_t i = 0; i < scene->region_count; i++)
+        if (shadow_of(scene, &scene->regions[i]) == 2)
+            places->clear[i] = ++count;
+    first = layout_reserve(layout, count);
+    for (size_t i = 0; i < scene->region_count; i++)
+        if (places->clear[i] > 0)
+            places->clear[i] = first + 64 * (places->clear[i] - 1);
+    layout_word(layout, "scene_clear", first);
+    layout_word(layout, "scene_clear_count",
+                c205_from_integer((int64_t)count));
+}
+
+/* One opaque sphere that stands in the world's space, and casts a shadow? */
+static bool is_sphere(const struct scene *scene, const struct region *region)
+{
+    const struct primitive
+        *first = &scene->primitives[region->first_primitive];
+    struct shape_words shape;
+
+    shape_words(first, &shape);
+    return first->kind == PRIMITIVE_SPHERE && !shape.transformed
+           && is_simple(scene, region) && shadow_of(scene, region) == 1;
+}
+
+/* Of which nodes all regions below are such spheres, and few in a leaf? */
+static void find_spheres(struct places *places, size_t most)
+{
+    const struct hierarchy *hierarchy = &places->hierarchy;
+    const struct scene *scene = places->scene;
+    const struct hierarchy_node *nodes = hierarchy->nodes;
+    const size_t *order = hierarchy->order;
+
+    for (size_t i = hierarchy->node_count; i-- > 0;) {
+        bool all = nodes[i].count <= most;
+
+        for (size_t k = 0; all && k < nodes[i].count; k++)
+            all = is_sphere(scene,
+                            &scene->regions[order[nodes[i].first + k]]);
+        if (nodes[i].count == 0)
+            all = places->spheres[i + 1]
+                  && places->spheres[nodes[i + 1].next];
+        places->spheres[i] = all;
+    }
+}
+
+static void layout_hierarchy_node(struct record *record,
+                                  const struct places *places, uint64_t first,
+                                  size_t i)
+{
+    const struct hierarchy_node *nodes = places->hierarchy.nodes;
+    const struct hierarchy_node *node = &nodes[i];
+    uint64_t size = UINT64_C(64) * record->size;
+
+    record_bound(record, "H_BOUND", &node->bound);
+    record_address(record, "H_NEXT", first + size * node->next);
+    record_integer(record, "H_REGION_COUNT", node->count);
+    record_integer(record, "H_SPHERES", places->spheres[i]);
+    if (node->count > 0) {
+        record_address(record, "H_REGIONS",
+                       places->regions
+                           + UINT64_C(64) * places->region_size
+                                 * node->first);
+    } else {
+        record_address(record, "H_REGIONS", first + size * nodes[i + 1].next);
+        record_numbers(record, "H_WAY", node->way, 3);
+    }
+    record_write(record);
+}
+
+static void layout_hierarchy(struct record_layout *layout,
+                             struct places *places)
+{
+    const struct hierarchy *hierarchy = &places->hierarchy;
+    struct record record;
+    uint64_t first;
+
+    find_spheres(places, (size_t)layout_symbol(layout, "SPHERES_MOST"));
+    record_begin(&record, layout, "H_SIZE", hierarchy->node_count, 0);
+    first = record.address;
+    for (size_t i = 0; i < hierarchy->node_count && !layout->failed; i++)
+        layout_hierarchy_node(&record, places, first, i);
+    record_end(&record);
+    layout_word(layout, "scene_hierarchy",
+                hierarchy->node_count > 0 ? first : 0);
+}
+
+/* In the hierarchy's order. */
+static void layout_ordered(struct record_layout *layout,
                            struct places *places)
 {
     const struct scene *scene = places->scene;
     struct record record, steps;
 
-    layout_nodes(layout, places);
     record_begin(&steps, layout, "T_SIZE", scene->primitive_count, 0);
     record_begin(&record, layout, "R_SIZE", scene->region_count, 0);
+    places->regions = record.address;
+    places->region_size = record.size;
     layout_word(layout, "scene_regions", record.address);
     for (size_t i = 0; i < scene->region_count && !layout->failed; i++)
-        layout_region(&record, &steps, places, &scene->regions[i]);
+        layout_region(&record, &steps, places, places->hierarchy.order[i]);
     record_end(&record);
     record_end(&steps);
     layout_word(layout, "scene_region_count",
+                c205_from_integer((int64_t)places->hierarchy.loose));
+    layout_word(layout, "scene_region_total",
                 c205_from_integer((int64_t)scene->region_count));
+}
+
+static void layout_records(struct record_layout *layout,
+                           struct places *places)
+{
+    layout_nodes(layout, places);
+    layout_clear(layout, places);
+    layout_ordered(layout, places);
+    layout_hierarchy(layout, places);
     layout_word(layout, "scene_values",
                 layout_reserve(layout,
                                places->values
                                    * layout_symbol(layout, "VALUE_SIZE")));
 }
 
-static bool fill_bounds(struct places *places, bool bounds)
+static bool fill_bounds(struct places *places)
 {
     for (size_t i = 0; i < places->scene->node_count; i++)
         places->bounds[i] = bound_none;
-    return !bounds || bound_nodes(places->scene, places->bounds);
+    return places->bounding == BOUNDING_NONE
+           || bound_nodes(places->scene, places->bounds);
+}
+
+static bool plan_hierarchy(struct places *places)
+{
+    const struct scene *scene = places->scene;
+    struct bound *bounds;
+    bool good;
+
+    if (places->bounding != BOUNDING_HIERARCHY)
+        return hierarchy_none(scene->region_count, &places->hierarchy);
+    bounds = malloc((scene->region_count + 1) * sizeof *bounds);
+    for (size_t i = 0; bounds && i < scene->region_count; i++)
+        bounds[i] = *bound_of(places, &scene->regions[i]);
+    good = bounds
+           && hierarchy_build(bounds, scene->region_count,
+                              &places->hierarchy);
+    free(bounds);
+    return good;
 }
 
 void layout_regions(struct record_layout *layout, const struct scene *scene,
-                    bool bounds, uint64_t primitives)
+                    enum bounding bounding, uint64_t primitives)
 {
     size_t room = scene->node_count + 1;
     struct places places = {
         .scene = scene,
+        .bounding = bounding,
         .bounds = calloc(room, sizeof *places.bounds),
         .needed = calloc(room, sizeof *places.needed),
         .kept = calloc(room, sizeof *places.kept),
+        .spheres = calloc(2 * scene->region_count + 1,
+                          sizeof *places.spheres),
+        .clear = calloc(scene->region_count + 1, sizeof *places.clear),
         .steps = calloc(scene->primitive_count + 1, sizeof *places.steps),
         .primitives = primitives,
         .primitive_size = (size_t)layout_symbol(layout, "P_SIZE"),
     };
 
     if (!places.bounds || !places.needed || !places.kept || !places.steps
-        || !fill_bounds(&places, bounds)) {
+        || !places.clear || !places.spheres || !fill_bounds(&places)
+        || !plan_hierarchy(&places)) {
         layout_fail(layout, "no memory");
     } else {
         count_nodes(&places);
@@ -380,5 +524,8 @@ void layout_regions(struct record_layout *layout, const struct scene *scene,
     free(places.bounds);
     free(places.needed);
     free(places.kept);
+    free(places.spheres);
+    free(places.clear);
+    hierarchy_free(&places.hierarchy);
     free(places.steps);
 }

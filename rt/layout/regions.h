@@ -7,6 +7,7 @@
 #ifndef RT_REGIONS_H
 #define RT_REGIONS_H
 
+#include "rt/layout/hierarchy.h"
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"
 
@@ -47,6 +48,6 @@ bool plan_tree(const struct scene *scene, const struct region *region,
 
 /* All regions, behind primitives that stand at that address. */
 void layout_regions(struct record_layout *layout, const struct scene *scene,
-                    bool bounds, uint64_t primitives);
+                    enum bounding bounding, uint64_t primitives);
 
 #endif

@@ -33,6 +33,11 @@ static double distance_to(const double *from, const struct bound *part)
     return length3(way);
 }
 
+double bound_reach(const struct bound *bound, const double from[3])
+{
+    return distance_to(from, bound) + bound->radius;
+}
+
 /* The part that reaches farthest from a point; how far. */
 static const struct bound *farthest(const struct bound *parts, size_t count,
                                     const double *from, double *reach)
@@ -41,7 +46,7 @@ static const struct bound *farthest(const struct bound *parts, size_t count,
 
     *reach = 0;
     for (size_t i = 0; i < count; i++) {
-        double far = distance_to(from, &parts[i]) + parts[i].radius;
+        double far = bound_reach(&parts[i], from);
 
         if (far > *reach) {
             *reach = far;

@@ -18,6 +18,8 @@ struct bound {
 extern const struct bound bound_none;
 bool bound_is_none(const struct bound *bound);
 
+/* How far a point is from the farthest of a bound. */
+double bound_reach(const struct bound *bound, const double from[3]);
 /* A sphere about others, little greater than the least. */
 void bound_enclose(const struct bound *parts, size_t count,
                    struct bound *whole);

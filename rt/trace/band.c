@@ -27,12 +27,9 @@ static bool load(const struct band_work *work, c205 *machine,
     *layout = (struct frame_layout){ .width = work->width,
                                      .height = work->height,
                                      .first_row = first_row,
-                                     .rows = rows,
-                                     .go_on = work->go_on,
-                                     .context = work->context };
+                                     .rows = rows };
     return c205_load(machine, &work->program->program, error)
-           && layout_scene(machine, work->program, work->scene, work->bounds,
-                           layout, error);
+           && layout_put(work->layout, machine, layout, error);
 }
 
 c205 *band_machine(const struct band_work *work, size_t first_row,

@@ -27,22 +27,13 @@ const char *ray_kind_name(enum ray_kind kind);
 
 /* What a band is traced from; all of it outlives the work. */
 struct band_work {
-    const struct scene *scene;
     const struct object *program;
+    const struct scene_layout *layout;
     const c205_model *model;
     size_t width, height; /* of the frame, pixels */
-    bool bounds;          /* bounding volumes are used */
     size_t rays_a_call;   /* that one call of the program's generate makes */
     bool ray_by_ray;      /* a pixel is done before the next one is begun */
     const struct observer *const *observers; /* end with NULL; or NULL */
-    void *listener_context;
-    c205_projection *const
-        *projections; /* listen as well; NULL at the end, or
-                                            NULL */
-    /* Asked now and then while the scene is laid out, whoever does it; false:
-     * stop.  NULL if nobody wants to know. */
-    bool (*go_on)(void *context);
-    void *context;
     /* Called now and then with the pixels of this band that are begun; false:
      * stop.  NULL if nobody wants to know. */
     bool (*progress)(void *context, size_t pixels);

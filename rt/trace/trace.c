@@ -14,6 +14,7 @@
 struct trace {
     struct trace_options options;
     struct object *program;
+    struct scene_layout *layout;
     struct band_work work;
     double gamma; /* of the scene's colours */
 
@@ -168,15 +169,36 @@ c205 *trace_machine(const struct trace *trace, c205_error *error)
     return band_machine(&trace->work, 0, rows_of(trace, 0), &layout, error);
 }
 
-static bool prepare(struct trace *trace, c205_error *error)
+static bool lay_out(struct trace *trace, const struct scene *scene,
+                    c205_error *error)
+{
+    const struct trace_options *options = &trace->options;
+    enum bounding bounding = options->no_bounds ? BOUNDING_NONE
+                             : options->flat    ? BOUNDING_FLAT
+                                                : BOUNDING_HIERARCHY;
+
+    trace->work.program = trace->program = assemble_form(options,
+                                                         most_crossings(
+                                                             scene),
+                                                         error);
+    trace->work.layout = trace->layout = trace->program
+                                             ? layout_new(trace->program,
+                                                          scene, bounding,
+                                                          options->progress
+                                                              ? go_on
+                                                              : NULL,
+                                                          trace, error)
+                                             : NULL;
+    return trace->layout;
+}
+
+static bool prepare(struct trace *trace, const struct scene *scene,
+                    c205_error *error)
 {
     size_t pixels = trace->options.width * trace->options.height;
     c205 *machine;
 
-    trace->work.program = trace->program =
-        assemble_form(&trace->options, most_crossings(trace->work.scene),
-                      error);
-    if (!trace->program)
+    if (!lay_out(trace, scene, error))
         return false;
     machine = trace_machine(trace, error);
     if (!machine)
@@ -205,19 +227,15 @@ struct trace *trace_new(const struct scene *scene,
     trace->accounts.model = options->model;
     trace->gamma = scene->assumed_gamma > 0 ? scene->assumed_gamma : 1;
     trace->work = (struct band_work){
-        .scene = scene,
         .model = options->model,
         .width = options->width,
         .height = options->height,
-        .bounds = !options->no_bounds,
         .ray_by_ray = options->mode == TRACE_SCALAR,
         .rays_a_call = options->mode == TRACE_SCALAR ? 1 : options->queue,
         .observers = options->observers,
-        .go_on = options->progress ? go_on : NULL,
-        .context = trace,
     };
     divide(trace);
-    if (prepare(trace, error))
+    if (prepare(trace, scene, error))
         return trace;
     trace_free(trace);
     return NULL;
@@ -231,6 +249,7 @@ void trace_free(struct trace *trace)
     pthread_mutex_destroy(&trace->lock);
     pthread_mutex_destroy(&trace->watching);
     accounts_free(&trace->accounts);
+    layout_free(trace->layout);
     object_free(trace->program);
     free(trace->taken);
     free(trace->words);

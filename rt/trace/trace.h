@@ -51,6 +51,7 @@ struct trace_options {
                                 formulation that is studied; or NULL */
     enum visible visible; /* of solids; vector mode only */
     bool no_bounds;       /* every ray goes against every primitive */
+    bool flat;            /* regions in the scene's order, no hierarchy */
     const struct observer *const *observers; /* of every machine; end with
                                                 NULL; or NULL */
     const c205_model *model;                 /* must outlive the trace */

@@ -38,25 +38,27 @@ enum {
 static struct form {
     enum trace_mode mode;
     size_t queue;
-    bool no_bounds;
+    enum bounding bounding;
     enum visible visible;
     struct trace *trace; /* that has its program */
 } forms[] = {
     { .mode = TRACE_SCALAR, .queue = 1 },
-    { .mode = TRACE_SCALAR, .queue = 1, .no_bounds = true },
+    { .mode = TRACE_SCALAR, .queue = 1, .bounding = BOUNDING_FLAT },
+    { .mode = TRACE_SCALAR, .queue = 1, .bounding = BOUNDING_NONE },
     { .mode = TRACE_VECTOR, .queue = 7 },
     { .mode = TRACE_VECTOR, .queue = 77 },
     { .mode = TRACE_VECTOR, .queue = 2000 },
-    { .mode = TRACE_VECTOR, .queue = 77, .no_bounds = true },
+    { .mode = TRACE_VECTOR, .queue = 2000, .bounding = BOUNDING_FLAT },
+    { .mode = TRACE_VECTOR, .queue = 77, .bounding = BOUNDING_NONE },
     { .mode = TRACE_VECTOR, .queue = 77, .visible = VISIBLE_EVERY },
     { .mode = TRACE_VECTOR,
       .queue = 2000,
-      .no_bounds = true,
+      .bounding = BOUNDING_NONE,
       .visible = VISIBLE_EVERY },
     { .mode = TRACE_KERNELS, .queue = 77 },
-    { .mode = TRACE_KERNELS, .queue = 2000, .no_bounds = true },
+    { .mode = TRACE_KERNELS, .queue = 2000, .bounding = BOUNDING_NONE },
 };
-enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 3 };
+enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 4 };
 
 static c205_model *model;
 
@@ -109,22 +111,25 @@ static void free_forms(void)
 static void trace_form(const struct form *form, const struct scene *scene,
                        c205_word words[WORDS])
 {
-    const struct band_work work = { .scene = scene,
-                                    .program = trace_program(form->trace),
+    c205_error error;
+    struct scene_layout *layout = layout_new(trace_program(form->trace),
+                                             scene, form->bounding, NULL,
+                                             NULL, &error);
+    const struct band_work work = { .program = trace_program(form->trace),
+                                    .layout = layout,
                                     .model = model,
                                     .width = WIDTH,
                                     .height = HEIGHT,
-                                    .bounds = !form->no_bounds,
                                     .rays_a_call = form->queue };
     struct band band = { .rows = HEIGHT };
     pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     struct band_tracer tracer = { .work = &work, .lock = &lock };
     bool stopped;
-    c205_error error;
-    if (!band_trace(&tracer, &band, NULL, &stopped, &error))
+    if (!layout || !band_trace(&tracer, &band, NULL, &stopped, &error))
         give_up(error.message);
     memcpy(words, band.words, WORDS * sizeof *words);
     band_free(&band);
+    layout_free(layout);
     c205_free(tracer.machine);
 }
 
@@ -139,6 +144,12 @@ static size_t first_other(const c205_word *words, const c205_word *expected,
     return i;
 }
 
+static const char *const options[] = {
+    [BOUNDING_NONE] = " --no-bounds",
+    [BOUNDING_FLAT] = " --flat",
+    [BOUNDING_HIERARCHY] = "",
+};
+
 static bool same_in_all_forms(const struct scene *scene,
                               const c205_word *expected, char *reason)
 {
@@ -152,7 +163,7 @@ static bool same_in_all_forms(const struct scene *scene,
                      "--mode %s --queue %zu%s%s: another frame than --mode "
                      "scalar, channel %zu, pixel %zu",
                      trace_mode_name(form->mode), form->queue,
-                     form->no_bounds ? " --no-bounds" : "",
+                     options[form->bounding],
                      form->visible == VISIBLE_EVERY ? " --visible every" : "",
                      other / PIXELS, other % PIXELS);
             return false;

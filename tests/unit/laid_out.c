@@ -68,19 +68,23 @@ static struct object *stage_program(void)
     return program;
 }
 
-void raise_curtain(struct stage *stage, const char *text, bool bounds)
+void raise_curtain(struct stage *stage, const char *text,
+                   enum bounding bounding)
 {
     struct frame_layout frame = { .width = 4, .height = 2, .rows = 2 };
+    struct scene_layout *layout;
     c205_error error = { "" };
 
     stage->scene = read_scene(text);
     stage->program = stage_program();
     stage->machine = c205_new(prior_model, &error);
-    if (!stage->machine
+    layout = layout_new(stage->program, stage->scene, bounding, NULL, NULL,
+                        &error);
+    if (!stage->machine || !layout
         || !c205_load(stage->machine, &stage->program->program, &error)
-        || !layout_scene(stage->machine, stage->program, stage->scene, bounds,
-                         &frame, &error))
+        || !layout_put(layout, stage->machine, &frame, &error))
         fail_msg("%s: %s", text, error.message);
+    layout_free(layout);
 }
 
 void drop_curtain(struct stage *stage)

@@ -6,6 +6,7 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
+#include "rt/layout/hierarchy.h"
 #include "rt/layout/program.h"
 
 struct stage {
@@ -14,7 +15,8 @@ struct stage {
     c205 *machine;
 };
 
-void raise_curtain(struct stage *stage, const char *text, bool bounds);
+void raise_curtain(struct stage *stage, const char *text,
+                   enum bounding bounding);
 void drop_curtain(struct stage *stage);
 uint64_t symbol(const struct stage *stage, const char *name);
 c205_word stage_word(const struct stage *stage, uint64_t address);

@@ -65,7 +65,7 @@ static void check_shape(const struct shape_row *row, const char *how)
 
     snprintf(text, sizeof text, "merge { sphere { 0, 3 } %s %s } } %s %s }",
              row->text, how, row->text, how);
-    raise_curtain(&stage, text, true);
+    raise_curtain(&stage, text, BOUNDING_FLAT);
     check_kernel(&stage, 1, "P_KERNEL", "P_INNER", row->kernel);
     check_kernel(&stage, 1, "P_STATE_KERNEL", "P_STATE_INNER", row->state);
     assert_integer(primitive(&stage, 1, "P_SEGMENTS"), row->segments);
@@ -114,7 +114,7 @@ static void test_crossings(void **state)
         uint64_t room = 64 * 2 * rows[i].crossings, first;
         c205_word word;
 
-        raise_curtain(&stage, rows[i].text, true);
+        raise_curtain(&stage, rows[i].text, BOUNDING_FLAT);
         first = scene_word(&stage, "scene_crossings");
         assert_integer(primitive(&stage, rows[i].last, "P_FIRST_EVENT"),
                        (int64_t)rows[i].first_event);
@@ -146,7 +146,7 @@ static void test_regions(void **state)
         "merge { sphere { 0, 1 } box { 0, 1 } pigment { rgbt 1 } }\n"
         "merge { sphere { 0, 1 } box { 0, 1 } no_shadow }\n"
         "sphere { 0, 1 inverse }",
-        true);
+        BOUNDING_FLAT);
     assert_integer(scene_word(&stage, "scene_region_count"), COUNT(rows));
     for (size_t i = 0; i < COUNT(rows); i++) {
         size_t first = (size_t)rows[i].first;
@@ -184,7 +184,7 @@ static void test_nodes(void **state)
     uint64_t nodes, size;
 
     (void)state;
-    raise_curtain(&stage, text, true);
+    raise_curtain(&stage, text, BOUNDING_FLAT);
     nodes = region(&stage, 0, "R_NODES");
     size = 64 * symbol(&stage, "N_SIZE");
     assert_int_equal(region(&stage, 0, "R_NODES_END"), nodes + 8 * size);
@@ -226,7 +226,8 @@ static void test_no_bounds(void **state)
     for (size_t i = 0; i < COUNT(texts); i++) {
         struct stage stage;
 
-        raise_curtain(&stage, texts[i], i == 0);
+        raise_curtain(&stage, texts[i],
+                      i == 0 ? BOUNDING_FLAT : BOUNDING_NONE);
         check_bound(&stage, scene_word(&stage, "scene_regions"), "R_BOUND");
         check_bound(&stage, region(&stage, 0, "R_NODES"), "N_BOUND");
         drop_curtain(&stage);
@@ -242,7 +243,7 @@ static void test_bounds(void **state)
     raise_curtain(&stage,
                   "difference { sphere { <1, 2, 3>, 2 } box { 0, 9 }"
                   " inverse }",
-                  true);
+                  BOUNDING_FLAT);
     bound = scene_word(&stage, "scene_regions")
             + 64 * symbol(&stage, "R_BOUND");
     for (int i = 0; i < 3; i++)
@@ -334,7 +335,7 @@ static void test_steps(void **state)
         struct stage stage;
 
         add_solid(text, MOST);
-        raise_curtain(&stage, text, true);
+        raise_curtain(&stage, text, BOUNDING_FLAT);
         for (size_t i = 0; i < stage.scene->region_count; i++) {
             const struct region *tree = &stage.scene->regions[i];
             bool complement = tree_value(stage.scene, tree->first_node,

@@ -18,7 +18,7 @@ static void test_surfaces(void **state)
     struct stage stage;
 
     (void)state;
-    raise_curtain(&stage, text, true);
+    raise_curtain(&stage, text, BOUNDING_FLAT);
     check_numbers(&stage, 0, "P_PASSING", passing, 8);
     check_numbers(&stage, 0, "P_REFLECTION", reflection, 4);
     check_numbers(&stage, 0, "P_INDEX", index, 2);
@@ -43,7 +43,7 @@ static void test_finish(void **state)
     struct stage stage;
 
     (void)state;
-    raise_curtain(&stage, text, true);
+    raise_curtain(&stage, text, BOUNDING_FLAT);
     check_numbers(&stage, 0, "P_FINISH", finish, 8);
     drop_curtain(&stage);
 }
@@ -66,7 +66,7 @@ static void test_odd_surfaces(void **state)
     struct stage stage;
 
     (void)state;
-    raise_curtain(&stage, text, true);
+    raise_curtain(&stage, text, BOUNDING_FLAT);
     check_numbers(&stage, 0, "P_COLOR", (const double[]){ -.25, -.5, 0 }, 3);
     check_numbers(&stage, 1, "P_COLOR", (const double[]){ .75, 1.5, 0 }, 3);
     check_numbers(&stage, 1, "P_REFLECTION",
@@ -97,7 +97,7 @@ static void test_levels(void **state)
         snprintf(text, sizeof text,
                  "global_settings { max_trace_level 7 adc_bailout .125 } %s",
                  rows[i].text);
-        raise_curtain(&stage, text, true);
+        raise_curtain(&stage, text, BOUNDING_FLAT);
         assert_integer(scene_word(&stage, "scene_level_count"),
                        rows[i].levels);
         assert_number(scene_word(&stage, "scene_bailout"), .125);

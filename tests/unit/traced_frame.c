@@ -27,6 +27,7 @@ struct words *trace_words(const struct scene *scene, enum trace_mode mode,
                                      .variant = traced.variant,
                                      .visible = traced.visible,
                                      .no_bounds = traced.no_bounds,
+                                     .flat = traced.flat,
                                      .model = prior_model };
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);

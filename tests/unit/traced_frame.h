@@ -57,7 +57,7 @@ struct traced {
     size_t width, height, pixels;
     size_t queues[MOST_QUEUES]; /* as long as those of QUEUES; then 0 */
     uint64_t random;            /* of the scenes */
-    bool historical, no_bounds; /* as in trace_options */
+    bool historical, no_bounds, flat; /* as in trace_options */
     const char *variant;        /* likewise */
     enum visible visible;       /* likewise */
     bool reported;              /* there may be reports about the scene */

@@ -30,9 +30,9 @@
         .regs   r74, l_events, l_first_state, l_first_event, w_chain
         .regs   r78, w_node, w_crossings, l_crossing, w_least, w_end
         .regs   r83, w_t0, w_t1, w_t2, w_t3, w_t4, w_t5, w_t6
-        .regs   r90, w_in, w_out
+        .regs   r90, w_in, w_out, w_stack
         .endshare
-        .equ    WALK_REGISTERS, 60
+        .equ    WALK_REGISTERS, 61
 
         .macro  skip_far c0, c1, c2, radius, square, limit, far
         CFPGE   \radius, m_big, near\@

@@ -139,20 +139,32 @@ bound_to_light:
         CNTOB   [near_bits], s0
         BIM     bound_tested
 
-; The rays at hand become all of the queue.
+; The s8 rays of a set are all at hand: ox .. dz, their limits in s9.
 take_all:
-        set_near n
-        RTOR    aox, wox
-        RTOR    aoy, woy
-        RTOR    aoz, woz
-        RTOR    adx, wdx
-        RTOR    ady, wdy
-        RTOR    adz, wdz
-        RTOR    nearest, near_limit
-        RTOR    iota, place
+        set_near s8
+        RTOR    ox, wox
+        RTOR    oy, woy
+        RTOR    oz, woz
+        RTOR    dx, wdx
+        RTOR    dy, wdy
+        RTOR    dz, wdz
+        RTOR    s9, near_limit
+        load_word walk_set, s1
+        IX      s1, 64 * SET_PLACE
+        LOD     [s1], place
         BIM     take_least
 
-; .. or those of near_bits, s9 of them.
+; So few of all that it is shorter to gather them than to compress.
+        .equ    GATHER_LESS, 64
+
+        .macro  few_to_gather count, all, work, few
+        ADDX    \count, \count, \work
+        ADDX    \work, \work, \work
+        IX      \work, GATHER_LESS
+        IBXLT   \work, r0, \all, \few
+        .endm
+
+; .. or those of near_bits, s6 of them.
         .macro  take_near vector, into, store, number
         EX      \into, \store + 64 * QUEUE * \number
         CPSV    [\vector], [\into] ? [near_bits]
@@ -164,23 +176,23 @@ take_all:
         .endm
 
 take_some:
-        set_near s9
-        SUBX    near, n, s9
-        take_near iota, place, place_store, 0
-        ADDX    near, near, s8
-        ADDX    s8, s8, s8
-        IBXLT   s8, r0, n, take_fewer
-        take_near nearest, near_limit, place_store, 1
-        take_near adx, wdx, world_store, 3
-        take_near ady, wdy, world_store, 4
-        take_near adz, wdz, world_store, 5
+        set_near s6
+        load_word walk_set, s1
+        IX      s1, 64 * SET_PLACE
+        LOD     [s1], s3
+        take_near s3, place, place_store, 0
+        few_to_gather near, s8, s0, take_fewer
+        take_near s9, near_limit, place_store, 1
+        take_near dx, wdx, world_store, 3
+        take_near dy, wdy, world_store, 4
+        take_near dz, wdz, world_store, 5
         IBXNE   from_one_point, r0, r0, take_origin
-        take_near aox, wox, world_store, 0
-        take_near aoy, woy, world_store, 1
-        take_near aoz, woz, world_store, 2
+        take_near ox, wox, world_store, 0
+        take_near oy, woy, world_store, 1
+        take_near oz, woz, world_store, 2
         BIM     take_least
 
-; Less than a quarter of the queue: gathered, for that is shorter.
+; So few that they are gathered, from the queue.
 take_fewer:
         gather_near nearest, near_limit, place_store, 1
         gather_near adx, wdx, world_store, 3
@@ -192,6 +204,7 @@ take_fewer:
         gather_near aoz, woz, world_store, 2
         BIM     take_least
 take_origin:
+        SUBX    near, n, s9
         ADDLEN  aox, s9, wox
         ADDLEN  aoy, s9, woy
         ADDLEN  aoz, s9, woz

@@ -28,6 +28,7 @@
         .include "solids/visible_scalar.s"
         .include "solids/span_scalar.s"
         .include "solids/nodes_scalar.s"
+        .include "frame/hierarchy_scalar.s"
         .include "frame/regions_scalar.s"
         .include "light/passing_scalar.s"
         .include "light/shadow_scalar.s"

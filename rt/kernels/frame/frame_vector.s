@@ -9,6 +9,15 @@
         .include "frame/records.s"
         .include "frame/queue.s"
         .include "light/power_constants.s"
+; Of pairs_vector.s: so many pairs are taken at a time; the rays of sets of which
+; they are made, at the most.
+        .if     QUEUE < 512
+        .equ    PAIRS, 64
+        .equ    PAIR_SET, 16
+        .else
+        .equ    PAIRS, 2048
+        .equ    PAIR_SET, 64
+        .endif
         .reg    link_walk, r133
 
         .entry  frame
@@ -25,6 +34,7 @@ frame:
         .include "frame/begin_vector.s"
         .include "frame/intersect_vector.s"
         .include "frame/nearest_vector.s"
+        .include "frame/pairs_vector.s"
         .include "solids/span_vector.s"
         .include "solids/visible_vector.s"
         .include "solids/visible_every_vector.s"

@@ -100,7 +100,8 @@ simple_next:
         load_segment loop_work                  ; the next ray's, meanwhile
         CFPGE   w_lower, segment_in, simple_behind
 simple_ahead:
-        CFPGE   segment_in, ray_limit, simple_skip
+        CFPGE   segment_in, ray_limit, simple_tie
+simple_taken:
         find_place
         IBXNE   to_lights, r0, r0, simple_dark
         STO     [to_nearest, loop_place], segment_in
@@ -115,11 +116,19 @@ simple_behind:
         RTOR    segment_out, segment_in
         CFPLT   w_lower, segment_in, simple_ahead
         BIM     simple_skip
+simple_tie:
+        CFPNE   segment_in, ray_limit, simple_skip
+        IBXNE   to_lights, r0, r0, simple_skip
+        find_place
+        LOD     [to_met, loop_place], loop_work
+        IBXLT   its_primitive, r0, loop_work, simple_taken
+        BIM     simple_skip
 simple_dark:
         STO     [to_nearest, loop_place], m_minus_big
 simple_skip:
         loop_next simple_next
         to_vector
+        region_took_hits
         BIM     walk_skip
 
 begin_span:
@@ -178,6 +187,12 @@ tree_leaf_next:
         next_visible w_least, tree_skip
         find_place
         IBXNE   to_lights, r0, r0, tree_to_light
+        LOD     [to_nearest, loop_place], loop_work
+        CFPLT   w_in, loop_work, tree_taken
+        CFPNE   w_in, loop_work, tree_skip
+        LOD     [to_met, loop_place], loop_work
+        IBXGE   w_out, r0, loop_work, tree_skip
+tree_taken:
         STO     [to_nearest, loop_place], w_in
         STO     [to_met, loop_place], w_out
         find_patch w_out
@@ -203,6 +218,7 @@ tree_crossing:
 tree_skip:
         loop_next tree_next
         to_vector
+        region_took_hits
         BIM     walk_skip
 
 tree_missed:

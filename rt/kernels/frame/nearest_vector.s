@@ -17,12 +17,33 @@
         .endshare
 
         .data
+first_met:      .word 1                 ; address of the look that was met last, or 1
 taken_store:    .space 3 * QUEUE
+found_bits:     .space 3 * QUEUE_BIT_WORDS
         .code
 
         .macro  take_found vector, into, number, bits
         EX      \into, taken_store + 64 * QUEUE * \number
         CPSV    [\vector], [\into] ? [\bits]
+        .endm
+
+; Rays of the queue have met the primitive, so its look is on the list.
+        .macro  mark_met
+        load_record P_LOOK, 2, s2               ; and P_MET
+        IBXEQ   s2, r0, primitive, mark_own\@
+        RTOR    s2, s3
+        IX      s3, 64 * P_SHARED
+        STO     [s3], one_index
+        IX      s3, 64 * (P_MET - P_SHARED)
+        LOD     [s3], s3
+mark_own\@:
+        IBXNE   s3, r0, r0, marked\@
+        EX      s3, first_met
+        LOD     [s3], s4
+        STO     [s3], s2
+        IX      s2, 64 * P_MET
+        STO     [s2], s4
+marked\@:
         .endm
 
         .kernel visible
@@ -38,15 +59,27 @@ simple_met:
         CMPLTV  [wlower], [tin], [bits0]
         MASKV   [tin], [tout], [w0] ? [bits0]
         CMPLTV  [wlower], [w0], [bits0]
-        CMPLTV  [w0], [near_limit], [bits1]
+        IBXNE   shadows, r0, r0, simple_stops
+        CMPGEV  [near_limit], [w0], [bits1]
         ANDB    [bits0], [bits1], [bits0]
         CNTOB   [bits0], s0
         IBXEQ   s0, r0, r0, walk_skip
         load_record P_ID, 2, identity
+        CMPEQV  [w0], [near_limit], [bits1]
+        ANDB    [bits0], [bits1], [bits1]
+        CNTOB   [bits1], s1
+        IBXEQ   s1, r0, r0, simple_nearer
+        VXTOV   [place], [met], [w1]
+        CMPGEV  identity, [w1], [bits2]
+        ANDB    [bits1], [bits2], [bits1]
+        XORB    [bits0], [bits1], [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, walk_skip
+simple_nearer:
+        region_took_hits
         IBXEQ   near, r0, n, simple_all
         take_found place, taken_at, 0, bits0
-        IBXNE   shadows, r0, r0, simple_shadow
-        store_field P_MET, one_index
+        mark_met
         take_found w0, taken_distance, 1, bits0
         VTOVX   [taken_at], [taken_distance], [nearest]
         VTOVX   [taken_at], identity, [met]
@@ -56,21 +89,29 @@ simple_met:
         take_found patch_t, taken_distance, 1, bits0
         VTOVX   [taken_at], [taken_distance], [hit_t]
         BIM     walk_skip
-simple_shadow:
-        VTOVX   [taken_at], minus_big, [nearest]
-        BIM     walk_skip
 
 ; The rays at hand are all of the queue.
 simple_all:
-        IBXNE   shadows, r0, r0, simple_all_shadow
-        store_field P_MET, one_index
+        mark_met
         VTOV    [w0], [nearest] ? [bits0]
         VTOV    identity, [met] ? [bits0]
         IBXEQ   on_patch, r0, r0, walk_skip
         VTOV    [patch_s], [hit_s] ? [bits0]
         VTOV    [patch_t], [hit_t] ? [bits0]
         BIM     walk_skip
-simple_all_shadow:
+
+; Rays to a light are stopped.
+simple_stops:
+        CMPLTV  [w0], [near_limit], [bits1]
+        ANDB    [bits0], [bits1], [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, walk_skip
+        region_took_hits
+        IBXEQ   near, r0, n, simple_stops_all
+        take_found place, taken_at, 0, bits0
+        VTOVX   [taken_at], minus_big, [nearest]
+        BIM     walk_skip
+simple_stops_all:
         VTOV    minus_big, [nearest] ? [bits0]
         BIM     walk_skip
         .endkernel

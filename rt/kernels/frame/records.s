@@ -83,8 +83,14 @@
         .field  P_PASSING, 8       ; the colour that passes and the greatest
                                 ; of it, below 0 if it is too dim to be
                                 ; followed; twice as P_COLOR
-        .field  P_MET              ; written by the vector form: 1 if a ray of
-                                ; the queue may have met it
+        .field  P_LOOK             ; address of the first primitive that looks
+                                ; alike: a sphere not in a space of its own,
+                                ; as this one; else its own
+        .field  P_MET              ; written by the vector form, of the first of
+                                ; a look: address of the next look that rays
+                                ; of the queue have met, 1: there is none, 0:
+                                ; it has not been met
+        .field  P_SHARED           ; .. 1: not by this primitive alone
         .field  P_SPACE            ; the number of its own space; neighbours in
                                 ; one have the same
         .field  P_PATCH_POINTS, 2 * PATCH_CROSSINGS ; s and t of each of its
@@ -123,8 +129,27 @@
         .field  R_STEPS            ; address of the first step of its tree, and
         .field  R_STEP_COUNT       ; how many; none: R_RESULT is the primitive
         .field  R_RESULT           ; where the tree's value stands
+        .field  R_CLEAR            ; address of its word in scene_clear, where
+                                ; parts of it are clear
         .at     16
         .endrecord
+
+; A node of the hierarchy over the regions, in preorder: a leaf has regions, any
+; other node two nodes below it, the first of which stands behind it.
+        .record H
+        .field  H_BOUND, 5         ; as R_BOUND, of all regions below
+        .field  H_NEXT             ; address of the node behind all below it
+        .field  H_REGIONS          ; of a leaf: address of its first region; of
+                                ; another: of the second node below
+        .field  H_REGION_COUNT     ; how many regions stand there; 0: no leaf
+        .field  H_WAY, 3           ; from the centre of the first node below to
+                                ; that of the second
+        .field  H_SPHERES          ; 1: the regions below are opaque spheres, no
+                                ; more than SPHERES_MOST in a leaf
+        .at     13              ; odd, for the banks: fields of many are gathered
+        .endrecord
+        .equ    HIERARCHY_DEPTH, 96 ; nodes above one another, at the most
+        .equ    SPHERES_MOST, 8
 
 ; A node: the tree in preorder, without complements.  A ray that does not come
 ; near a node goes on behind all that is below it.
@@ -171,8 +196,13 @@ scene_first_pixel: .word 0      ; .. its first pixel, of the frame's, an integer
 scene_pixels:     .word 0       ; .. how many pixels it has, an integer
 scene_primitives: .word 0       ; address of the first, and how many
 scene_primitive_count: .word 0
-scene_regions:    .word 0       ; address of the first, and how many
-scene_region_count: .word 0
+scene_alike:      .word 0       ; 1: there are primitives that look alike
+scene_regions:    .word 0       ; address of the first, and how many stand under
+scene_region_count: .word 0     ; no node of the hierarchy: they come first
+scene_region_total: .word 0     ; how many there are, with those under nodes
+scene_hierarchy:  .word 0       ; address of its first node; 0: there is none
+scene_clear:      .word 0       ; address of a word for each region with clear
+scene_clear_count: .word 0      ; parts, in the order of the scene, and how many
 scene_crossings:  .word 0       ; CROSSING_SIZE words for each of a tree's crossings
 scene_values:     .word 0       ; VALUE_SIZE words for each value of one
 scene_levels:     .word 0       ; LEVEL_SIZE words for each level of reflection
@@ -217,4 +247,6 @@ k_lower:        .word 1.000000000001e-6 ; tmin to be scaled: what is beyond it
                                 ; there is beyond tmin here
 k_shadow_lower: .word 1.000000000001e-3 ; .. and k_shadow
 bound_less:     .word 0.99999999999909050529   ; 1 - 2^-40, in tests of bounds
+bound_more:     .word 1.00000000000090949470   ; 1 + 2^-40, where another region
+                                ; may be as near
         .code

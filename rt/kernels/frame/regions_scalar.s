@@ -6,10 +6,11 @@
 ; scaled (8 words); HIT = distance, address of the primitive's
 ; record (0: none).
 ;
-; Region by region, in the order of the scene, the nearer wins, the first of
-; equals.  Of a simple region the hit is tin if it lies beyond the least
-; distance, else tout.  The crossings of a tree are collected
-; (nodes_scalar.s) and searched by VISIBLE.  Where a ray does not come near,
+; Region by region (hierarchy_scalar.s) the nearer wins, of equals the first of
+; the scene, in whatever order they are met.  Of a simple region the hit is tin
+; if it lies beyond the least distance, else tout.  The crossings of a tree are
+; collected (nodes_scalar.s) and searched by VISIBLE, a little farther than the
+; nearest so far, for another may be as near.  Where a ray does not come near,
 ; nothing more is done.
 ; On a patch the parameters are left in the primitive's P_PATCH_POINT; in a tree
 ; they are those of its first crossing within delta of that distance.
@@ -41,6 +42,7 @@ kernel_primitive: .word 0
         EX      w_at, scene_regions
         ELEN    w_at, 2
         SWAP    [w_at], w_region, [r0]
+        enter_hierarchy
         .endm
 
         .macro  leave_walk save, registers
@@ -60,8 +62,9 @@ kernel_primitive: .word 0
         SWAP    [w_at], w_cx, [r0]
         .endm
 
-; The segment of a simple region: the crossing that counts in w_in, or to miss.
-        .macro  meet_simple miss
+; The segment of a simple region: the crossing that counts in w_in, to near if it
+; is before the limit, to miss if there is none.
+        .macro  meet_simple near, miss
         EX      w_at, kernel_primitive
         STO     [w_at], w_first
         ELEN    w_first, 2
@@ -77,7 +80,7 @@ kernel_primitive: .word 0
         RTOR    w_out, w_in
         CFPGE   w_lower, w_in, \miss
 simple_ahead\@:
-        CFPGE   w_in, w_limit, \miss
+        CFPLT   w_in, w_limit, \near
         .endm
 
         .kernel visible
@@ -86,7 +89,7 @@ nearest:
         EX      w_at, k_far
         LOD     [w_at], w_limit
         ES      w_leaf, 0
-        IBXEQ   w_regions_left, r0, r0, nearest_done
+        IBXEQ   w_regions_left, r0, r0, nearest_leaf
         .endkernel
         .kernel bound
 nearest_region:
@@ -95,23 +98,35 @@ nearest_region:
         .endkernel
         .kernel call
         IBXEQ   w_simple, r0, r0, nearest_tree
-        meet_simple nearest_skip
+        meet_simple nearest_hit, nearest_skip
+        CFPNE   w_in, w_limit, nearest_skip
+        IBXGE   w_first, r0, w_leaf, nearest_skip
+nearest_hit:
         RTOR    w_in, w_limit
         RTOR    w_first, w_leaf
         .endkernel
         .kernel bound
 nearest_skip:
         next_region nearest_region
+nearest_leaf:
+        next_leaf nearest_region, nearest_done
         .endkernel
         .kernel visible
 nearest_done:
         SWAP    [r0], w_limit, [w_argument]
         leave_walk nearest_save, WALK_REGISTERS
 nearest_tree:
+        EX      w_at, bound_more
+        LOD     [w_at], w_end
+        MPYS    w_limit, w_end, w_end
         EX      target, meet_tree
         BSAVE   w_back, [target]
         IBXEQ   w_met, r0, r0, nearest_skip
         next_visible w_least, nearest_skip
+        CFPLT   w_in, w_limit, nearest_seen
+        CFPNE   w_in, w_limit, nearest_skip
+        IBXGE   w_out, r0, w_leaf, nearest_skip
+nearest_seen:
         RTOR    w_in, w_limit
         RTOR    w_out, w_leaf
         RTOR    w_out, w_at

@@ -5,9 +5,12 @@
 ; give the segments inside its primitives.
 ;
 ; What they mean is decided elsewhere: of a simple region by simple_met, of the
-; others by walk_tree; both go on at walk_skip.  The first region wins ties.
+; others by walk_tree; both go on at walk_skip.
 ;
 ; In:  the queue's rays, their limits in nearest, shadows.
+; In a hierarchy they stand below its nodes (hierarchy_vector.s); those that stand
+; below none come first, in the order of the scene.  Of hits at one distance the
+; one on the least primitive is the nearest, in whatever order they are found.
 ; Source: the paper's queue, one thing against all rays in turn; the project's
 ; notes on ray tracing, 4.1.
 
@@ -41,37 +44,50 @@
         .kernel visible
 walk_regions:
         RTOR    link, link_walk
-        load_word scene_regions, region
-        load_word scene_region_count, regions_left
-        IBXEQ   regions_left, r0, r0, walk_done
         .endkernel
 
         .kernel bound
+        EX      target, begin_walk
+        BSAVE   link_inner, [target]
+        IBXEQ   regions_left, r0, r0, walk_pop
 walk_next:
         ELEN    region, REGION_WORDS
         SWAP    [region], bound_x, [r0]
         IBXEQ   shadows, r0, r0, walk_bound
         IBXEQ   region_shadow, r0, r0, walk_skip
+        IBXEQ   region_shadow, r0, one_index, walk_bound
+        load_word walk_set, s0
+        EX      s1, queue_set
+        IBXEQ   s0, r0, s1, walk_mark
 walk_bound:
-        CFPGE   bound_r, big, walk_all
-        look_at_rays aox, aoy, aoz, adx, ady, adz, aox
-        RTOR    n, s8
-        RTOR    nearest, s9
+        EX      target, load_set
+        BSAVE   link_inner, [target]
+        RTOR    s8, s0
+        CFPGE   bound_r, big, walk_near
         EX      target, test_queue_bound
         BSAVE   link_inner, [target]
         IBXEQ   s0, r0, r0, walk_skip
-        RTOR    s0, s9
-        EX      target, take_some
-        if_few  s9, n, walk_take
-walk_all:
-        EX      target, take_all
+walk_near:
+        RTOR    s0, s6
+        IBXEQ   shadows, r0, r0, walk_take
+        IBXNE   region_shadow, r0, one_index, walk_mark
 walk_take:
+        EX      target, take_some
+        if_few  s6, s8, walk_taken
+        EX      target, take_all
+walk_taken:
         BSAVE   link_inner, [target]
         IBXEQ   region_simple, r0, one_index, walk_simple
         BIM     walk_nodes
+walk_mark:
+        RTOR    region, s1
+        IX      s1, 64 * R_CLEAR
+        LOD     [s1], s1
+        STO     [s1], region
 walk_skip:
         IX      region, 64 * R_SIZE
         IBXNE   regions_left, minus_one_index, r0, walk_next, regions_left
+        BIM     walk_pop
 walk_done:
         BIM     0, link_walk
 

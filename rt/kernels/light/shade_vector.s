@@ -1,9 +1,9 @@
 ; shade_vector.s - the colours of a queue of rays.
 ;
 ; The rays that hit something, h of them, are sorted by what they hit:
-; primitive by primitive, those are found by one compare and one compress of
-; 0, 1, 2 ...  All points, directions, normals .. stand in vectors h long,
-; one primitive's part behind the other's; a table has where each begins.  What
+; look by look of the primitives that may have been met, a list of them that
+; mark_met makes; those of one are found by a compare and a compress.  All points, directions, normals .. stand in vectors h long,
+; one look's part behind the other's; a table has where each begins.  What
 ; is the same for all is done at once, the rest part by part.  At a point X with
 ; unit normal N turned towards the eye, ray direction D, pigment c:
 ;
@@ -32,6 +32,7 @@
         .field  PART_PRIMITIVE
         .field  PART_FIRST              ; of its hits,
         .field  PART_HITS               ; how many
+        .field  PART_SHARED             ; 1: of several primitives that look alike
         .endrecord
 
         .data
@@ -65,6 +66,15 @@ shade_store:    .space (SHADE_VECTORS - 3) * QUEUE
         VXTOV   [at], [\d], [\hd]
         MPYSV   [v0], [\hd], [v1]
         ADDNV   [\o], [v1], [\p]
+        .endm
+
+; [into] = where the records of primitives stand by their numbers, in words from
+; table on, which is the place of a field.
+        .macro  find_records numbers, into, field, table
+        EX      s0, P_SIZE
+        MPYLV   [\numbers], s0, [\into]
+        load_word scene_primitives, \table
+        IX      \table, 64 * (\field - P_SIZE)
         .endm
 
 ; Part after part of the hits.
@@ -104,35 +114,81 @@ shade:
 shade_sort:
         ES      h, 0
         ES      parts_left, 0
+        load_word first_met, primitive
+        IBXEQ   primitive, r0, one_index, shade_done
+        EX      s0, first_met
+        STO     [s0], one_index
         EX      at, shade_store
         EX      part_at, hit_parts
-        load_word scene_primitives, primitive
-        load_word scene_primitive_count, primitives_left
-        IBXEQ   primitives_left, r0, r0, shade_done
+        RTOR    n, s8
+        describe s4, count_store, n
+        RTOR    met, s5
+        load_word scene_alike, s6
+        IBXEQ   s6, r0, r0, sort_next
         describe near_bits, queue_bits, n
+        CMPNEV  [met], r0, [near_bits]
+        CNTOB   [near_bits], s8
+        EX      s4, found_store
+        EX      s5, found_store + 64 * QUEUE
+        CPSV    [iota], [s4] ? [near_bits]
+        CPSV    [met], [s5] ? [near_bits]
+        find_records s5, s5, P_LOOK, s1
+        VXTOV   [s5], [s1], [s5]
+
+; s8 rays are not sorted: their places in s4, what they hit in s5.
 sort_next:
-        load_field P_MET, s0
-        IBXEQ   s0, r0, r0, sort_none
+        load_record P_MET, 2, s2
+        RTOR    s2, s9
         store_field P_MET, r0
+        store_field P_SHARED, r0
+        RTOR    primitive, identity
+        IBXNE   s6, r0, r0, sort_find
         load_field P_ID, identity
-        CMPEQV  [met], identity, [near_bits]
+sort_find:
+        describe near_bits, queue_bits, s8
+        CMPEQV  [s5], identity, [near_bits]
         CNTOB   [near_bits], m
         IBXEQ   m, r0, r0, sort_none
         RTOR    at, s1
-        CPSV    [iota], [s1] ? [near_bits]
+        CPSV    [s4], [s1] ? [near_bits]
         STO     [part_at], primitive
         IX      part_at, 64
         STO     [part_at], h
         IX      part_at, 64
         STO     [part_at], m
         IX      part_at, 64
+        STO     [part_at], s3
+        IX      part_at, 64
         IX      parts_left, 1
         ADDX    h, m, h
         SHIFTI  m, 6, s0
         ADDX    at, s0, at
+        IBXEQ   s9, r0, one_index, sort_none
+        SHIFTI  m, 3, s0                        ; an eighth of them: they leave
+        IBXLT   s0, r0, s8, sort_none
+        SUBX    s8, m, s8
+        IBXEQ   s8, r0, r0, sort_rest
+        NANDB   [near_bits], [near_bits], [near_bits]
+        RTOR    s4, s0
+        RTOR    s5, s1
+        EX      s4, found_store
+        EX      s5, found_store + 64 * QUEUE
+        CPSV    [s0], [s4] ? [near_bits]
+        CPSV    [s1], [s5] ? [near_bits]
 sort_none:
-        IX      primitive, 64 * P_SIZE
-        IBXNE   primitives_left, minus_one_index, r0, sort_next, primitives_left
+        RTOR    s9, primitive
+        IBXNE   primitive, r0, one_index, sort_next
+        BIM     sort_done
+
+; Nothing is left; what else may have been met is forgotten.
+sort_rest:
+        RTOR    s9, primitive
+        IBXEQ   primitive, r0, one_index, sort_done
+        load_field P_MET, s9
+        store_field P_MET, r0
+        store_field P_SHARED, r0
+        BIM     sort_rest
+sort_done:
         IBXEQ   h, r0, r0, shade_done
         EX      s0, hit_part_count
         STO     [s0], parts_left
@@ -229,6 +285,10 @@ find_normal:
         RTOR    link_kernel, link_inner
         look_at_points px, py, pz
         load_field P_TRANSFORMED, s9
+        RTOR    part_at, s0
+        IX      s0, 64 * PART_SHARED
+        LOD     [s0], s0
+        IBXNE   s0, r0, r0, normal_shared
         IBXEQ   s9, r0, r0, normal_own
         load_record P_LOCAL, 12, m00
         dot_constant px, py, pz, m00, m01, m02, lx, v0
@@ -260,4 +320,23 @@ normal_world:
         VTOV    -[facing], [facing] ? [hits0]
 normal_faces:
         BIM     0, link_inner
+
+; Spheres that look alike: as normal_sphere, with a centre for each.
+normal_shared:
+        VXTOV   [at], [met], [v1]
+        find_records v1, v1, P_SHAPE, s1
+        VXTOV   [v1], [s1], [lx]
+        IX      s1, 64
+        VXTOV   [v1], [s1], [ly]
+        IX      s1, 64
+        VXTOV   [v1], [s1], [lz]
+        IX      s1, 64 * 2
+        VXTOV   [v1], [s1], [v2]
+        SUBNV   [px], [lx], [nx]
+        MPYSV   [nx], [v2], [nx]
+        SUBNV   [py], [ly], [ny]
+        MPYSV   [ny], [v2], [ny]
+        SUBNV   [pz], [lz], [nz]
+        MPYSV   [nz], [v2], [nz]
+        BIM     normal_world
         .endkernel

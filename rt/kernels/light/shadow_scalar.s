@@ -9,10 +9,14 @@
 ; An opaque surface between the two takes it away, and ends the work; a clear
 ; one multiplies it by the colour that it lets pass at the crossing, one after
 ; another towards the light, each of a region k_shadow or more beyond the one
-; before (POV-Ray's rule).  Regions in the order of the scene, those that
-; cast shadows.
+; before (POV-Ray's rule).  Of the regions that cast shadows those with clear
+; parts wait until the others are met, in a list in the order of the scene: so
+; the product does not depend on the order in which they were found.
 
-        .equ    SHADOW_REGISTERS, WALK_REGISTERS + PASSING_REGISTERS
+        .share  local
+        .regs   r100, s_waiting, s_waiting_end
+        .endshare
+        .equ    SHADOW_REGISTERS, WALK_REGISTERS + PASSING_REGISTERS + 2
 
         .data
 shadow_save:    .space SHADOW_REGISTERS
@@ -27,7 +31,10 @@ shadow:
         SWAP    [w_result_at], s_red, [r0]
         IS      w_t0, 1
         STO     [w_at], w_t0
-        IBXEQ   w_regions_left, r0, r0, shadow_done
+        EX      w_at, scene_clear
+        LOD     [w_at], s_waiting
+        RTOR    s_waiting, s_waiting_end
+        IBXEQ   w_regions_left, r0, r0, shadow_leaf
         .endkernel
         .kernel bound
 shadow_region:
@@ -37,7 +44,8 @@ shadow_region:
         .endkernel
         .kernel call
         IBXEQ   w_simple, r0, r0, shadow_tree
-        meet_simple shadow_next
+        meet_simple shadow_dark, shadow_next
+        BIM     shadow_next
         .endkernel
         .kernel shadow
 shadow_dark:
@@ -48,19 +56,56 @@ shadow_done:
         SWAP    [r0], s_red, [w_result_at]
         leave_walk shadow_save, SHADOW_REGISTERS
 shadow_tree:
+        IBXNE   w_shadow, r0, m_index_one, shadow_wait
+        RTOR    w_limit, w_end
         EX      target, meet_tree
         BSAVE   w_back, [target]
         IBXEQ   w_met, r0, r0, shadow_next
         next_visible w_least, shadow_next
-        IBXEQ   w_shadow, r0, m_index_one, shadow_dark
-shadow_clear:
-        pass_through shadow_dark
-        ADDN    w_in, w_lower, w_in
-        next_visible w_in, shadow_next
-        BIM     shadow_clear
+        BIM     shadow_dark
+
+; The region to its place in the list.
+shadow_wait:
+        RTOR    w_region, w_at
+        IX      w_at, 64 * R_CLEAR
+        LOD     [w_at], w_t0
+        RTOR    s_waiting_end, w_at
+        IX      s_waiting_end, 64
+shadow_wait_before:
+        IBXEQ   w_at, r0, s_waiting, shadow_wait_here
+        LOD     [w_at, m_index_minus_one], w_t1
+        RTOR    w_t1, w_t2
+        IX      w_t2, 64 * R_CLEAR
+        LOD     [w_t2], w_t2
+        IBXLT   w_t2, r0, w_t0, shadow_wait_here
+        STO     [w_at], w_t1
+        IX      w_at, -64
+        BIM     shadow_wait_before
+shadow_wait_here:
+        STO     [w_at], w_region
         .endkernel
+
         .kernel bound
 shadow_next:
         next_region shadow_region
-        BIM     shadow_done
+shadow_leaf:
+        next_leaf shadow_region, shadow_waiting
+        .endkernel
+
+        .kernel shadow
+shadow_waiting:
+        IBXEQ   s_waiting, r0, s_waiting_end, shadow_done
+        LOD     [s_waiting], w_region
+        IX      s_waiting, 64
+        load_region
+        RTOR    w_limit, w_end
+        EX      target, meet_tree
+        BSAVE   w_back, [target]
+        IBXEQ   w_met, r0, r0, shadow_waiting
+        next_visible w_least, shadow_waiting
+shadow_clear:
+        pass_through shadow_dark
+        ADDN    w_in, w_lower, w_in
+        next_visible w_in, shadow_waiting
+        BIM     shadow_clear
         .endkernel

@@ -120,6 +120,7 @@ shadows_done:
 
 ; What shadow rays meet in a region.
 found_shadow:
+        region_took_hits
         RTOR    region, s0
         IX      s0, 64 * R_SHADOW
         LOD     [s0], s0

@@ -15,30 +15,36 @@
 ; Source: the project's notes on ray tracing, 4.2; the paper's Table 1 allows
 ; 28 results a ray.
 
+; [in], [out] of rays with the directions [d]; L in [l0] [l1] [l2], which are
+; used up.
+        .macro  sphere_segment l0, l1, l2, d0, d1, d2, r2, b, work, in, out, bits
+        dot_vectors \l0, \l1, \l2, \d0, \d1, \d2, \b, \work
+        MPYSV   [\b], [\d0], [\work]
+        SUBNV   [\work], [\l0], [\l0]
+        MPYSV   [\b], [\d1], [\work]
+        SUBNV   [\work], [\l1], [\l1]
+        MPYSV   [\b], [\d2], [\work]
+        SUBNV   [\work], [\l2], [\l2]
+        MPYSV   [\l0], [\l0], [\l0]
+        MPYSV   [\l1], [\l1], [\l1]
+        ADDNV   [\l1], [\l0], [\l0]
+        MPYSV   [\l2], [\l2], [\l2]
+        ADDNV   [\l2], [\l0], [\l1]
+        SUBNV   \r2, [\l1], [\l0]
+        VTOV    big, [\in]
+        VTOV    minus_big, [\out]
+        CMPGEV  [\l0], r0, [\bits]
+        SQRTV   [\l0], [\l0] ? [\bits]
+        SUBNV   [\b], [\l0], [\in] ? [\bits]
+        ADDNV   [\b], [\l0], [\out] ? [\bits]
+        .endm
+
         .kernel sphere
 sphere:
         load_record P_SHAPE, 4, sh0
         SUBNV   sh0, [ox], [w0]
         SUBNV   sh1, [oy], [w1]
         SUBNV   sh2, [oz], [w2]
-        dot_vectors w0, w1, w2, dx, dy, dz, w3, w4
-        MPYSV   [w3], [dx], [w4]
-        SUBNV   [w4], [w0], [w0]
-        MPYSV   [w3], [dy], [w4]
-        SUBNV   [w4], [w1], [w1]
-        MPYSV   [w3], [dz], [w4]
-        SUBNV   [w4], [w2], [w2]
-        MPYSV   [w0], [w0], [w0]
-        MPYSV   [w1], [w1], [w1]
-        ADDNV   [w1], [w0], [w0]
-        MPYSV   [w2], [w2], [w2]
-        ADDNV   [w2], [w0], [w1]
-        SUBNV   sh3, [w1], [w0]
-        VTOV    big, [tin]
-        VTOV    minus_big, [tout]
-        CMPGEV  [w0], r0, [bits0]
-        SQRTV   [w0], [w0] ? [bits0]
-        SUBNV   [w3], [w0], [tin] ? [bits0]
-        ADDNV   [w3], [w0], [tout] ? [bits0]
+        sphere_segment w0, w1, w2, dx, dy, dz, sh3, w3, w4, tin, tout, bits0
         BIM     0, link_kernel
         .endkernel

@@ -10,7 +10,7 @@
 ; Part of the subroutines that walk, called by w_back.  The region's own bound
 ; stands for that of the first node.
 ;
-; In:  w_ray .., the region, w_limit.
+; In:  w_ray .., the region, w_end: the ray's limit.
 ; Out: w_met = 1 if anything may be seen, then between w_least and w_end.
 
         .data
@@ -47,7 +47,6 @@ meet_tree:
         EX      w_chain, span + 64 * 2
         ES      w_met, 0
         RTOR    w_lower, w_least
-        RTOR    w_limit, w_end
         RTOR    w_nodes, w_node
         load_node
         BIM     meet_near

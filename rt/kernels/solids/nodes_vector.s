@@ -16,6 +16,10 @@
 ; needed leaves no others (span_vector.s).  Behind each primitive it goes on at
 ; node_met, with the segments in tin ..; behind all of them at walk_tree.
 ;
+; Where something has been met before, crossings a little beyond the limits are
+; looked for, too: of two regions at one distance the first primitive counts,
+; which found_nearest decides.
+;
 ; In:  region, the rays at hand.  Out: the crossings; P_AT_HAND.
 ; Source: derived here; the project's notes on ray tracing, 4.1.
 
@@ -97,6 +101,14 @@
 
         .kernel bound
 walk_nodes:
+        IBXNE   shadows, r0, r0, walk_limited
+        load_word walk_last, s0
+        IBXEQ   s0, r0, r0, walk_limited
+        load_word bound_more, s0
+        describe s3, place_store + 64 * QUEUE, near
+        MPYSV   [near_limit], s0, [s3]
+        RTOR    s3, near_limit
+walk_limited:
         RTOR    region_first, first_leaf
         RTOR    region_count, leaf_count
         RTOR    region_nodes, node_at

@@ -278,7 +278,7 @@ other_leaf:
         ANDB    [bits0], [bits1], [bits0]
         ORB     [inside], [bits0], [inside]
         IBXNE   shadows, r0, r0, other_next
-        store_field P_MET, one_index
+        mark_met
 other_next:
         values_next other_leaf
         CNTOB   [inside], s1
@@ -373,11 +373,39 @@ squeeze_next:
         EQVB    [active], [active], [active]
         BIM     0, link_inner
 
-; What the rays of a queue meet first.
+; What the rays of a queue meet first: nearer than what was met before, or as
+; near and on a lesser primitive.  s5: the rays of seen that take it.
 found_nearest:
         take_found place, taken_at, 0, seen
         take_found event, taken_distance, 1, seen
         take_found event_met, taken_met, 2, seen
+        RTOR    seen, s5
+        load_word walk_last, s0
+        IBXEQ   s0, r0, r0, found_taken
+        LTOR    taken_at, s2
+        describe s3, found_store, s2
+        describe s4, found_bits, s2
+        VXTOV   [taken_at], [nearest], [s3]
+        CMPLTV  [taken_distance], [s3], [s4]
+        CNTOB   [s4], s0
+        IBXEQ   s0, r0, s2, found_taken
+        describe s6, found_bits + 64 * QUEUE_BIT_WORDS, s2
+        describe s7, found_bits + 64 * QUEUE_BIT_WORDS * 2, s2
+        CMPEQV  [taken_distance], [s3], [s6]
+        VXTOV   [taken_at], [met], [s3]
+        CMPLTV  [taken_met], [s3], [s7]
+        ANDB    [s6], [s7], [s6]
+        ORB     [s4], [s6], [s4]
+        CNTOB   [s4], s0
+        IBXEQ   s0, r0, r0, found_none
+        CPSV    [taken_at], [taken_at] ? [s4]
+        CPSV    [taken_distance], [taken_distance] ? [s4]
+        CPSV    [taken_met], [taken_met] ? [s4]
+        XORB    [bits1], [bits1], [bits1]
+        MRGB    [s4], [bits1], [inside] ? [seen]
+        RTOR    inside, s5
+found_taken:
+        region_took_hits
         VTOVX   [taken_at], [taken_distance], [nearest]
         VTOVX   [taken_at], [taken_met], [met]
         leaves_begin
@@ -386,7 +414,7 @@ found_leaf:
         IBXNE   leaf_segments, r0, r0, found_next
         load_field P_ID, identity
         CMPEQV  [event_met], identity, [bits0]
-        ANDB    [seen], [bits0], [bits0]
+        ANDB    [s5], [bits0], [bits0]
         CNTOB   [bits0], s0
         IBXEQ   s0, r0, r0, found_next
         load_word k_delta, s0
@@ -412,5 +440,6 @@ found_other:
         IBXNE   leaf_events, minus_one_index, r0, found_crossing, leaf_events
 found_next:
         leaves_next found_leaf
+found_none:
         BIM     0, link_kernel
         .endkernel

@@ -1,0 +1,430 @@
+; pairs_vector.s - small spheres, many of them: pairs of a ray and a node.
+;
+; Where a node has many spheres below it for the rays that come near, each
+; sphere is met by a ray or two, and vectors of one node's rays are short.
+; So the rays of a set of PAIR_SET or less go into a pool of pairs with the nodes
+; below, where these have spheres alone: each pair has its own place of a ray and
+; its own node, and pairs of all sorts of nodes are tested by one stream; what the
+; nodes hold is gathered.  A pair that is near makes two, for the nodes below, or
+; if its node is a leaf goes to the list of those that meet a sphere; these are
+; met all at once as well, with a centre and radius for each.
+;
+; The pool is a stack, of which the PAIRS on top are taken at a time.  Rays come
+; in only while it has no more than PAIRS afterwards.  Say all in it have
+; label D then, the depth of the hierarchy, and what comes of those that are
+; taken the greatest label among them less one; so labels fall towards the top,
+; and those of one label all come of one taking, for what is taken down to the
+; label above has all of them in it.  One taking makes 2 PAIRS, of which PAIRS
+; are gone before there is a lower label: no more than PAIRS (D + 2) are ever
+; in it.
+;
+; A ray may be in several pairs that are met at once.  Its nearest hit is found
+; by scattering all that are better than what it has, looking which still are,
+; and so on until none is: each time the one that was stored last drops out.
+; The bits are those of bound_vector.s and sphere_vector.s, operation by
+; operation, and so is what is nearest.
+;
+; add_pairs: In: region, a node with spheres alone, s8 rays of walk_set.
+; drain_pairs: takes from the pool until pairs_room are left at the most.
+; Source: derived here.
+
+        .share  hits
+        .regs   r136, pair_place, pair_node, pair_x, pair_y, pair_z
+        .regs   r141, pair_dx, pair_dy, pair_dz, pair_b, pair_work, pair_limit
+        .regs   r147, pair_bits, pair_more, pair_tie, pair_in, pair_out
+        .regs   r152, pair_hit, pair_count, pair_left
+        .endshare
+        .equ    PAIR_STRIDE, 1021
+        .equ    PAIR_LIST, (1 + SPHERES_MOST) * PAIRS
+
+        .data
+pool_count:     .word 0
+sphere_count:   .word 0                 ; pairs that meet a sphere
+pairs_room:     .word 0
+pair_stamp:     .word 0                 ; of the last hits, for walk_last
+pair_order:     .space PAIRS            ; of the pool, to mix it; made when first used
+pair_bit_store: .space 3 * PAIR_LIST / 64
+        .align  64
+pool_places:    .space PAIRS * (HIERARCHY_DEPTH + 2)
+pool_nodes:     .space PAIRS * (HIERARCHY_DEPTH + 2) ; addresses, in words
+sphere_places:  .space PAIR_LIST
+sphere_regions: .space PAIR_LIST
+pair_store:     .space 12 * PAIR_LIST
+        .align  64 * 512
+        .code
+
+        .macro  pair_vector register, number, count
+        describe \register, pair_store + 64 * PAIR_LIST * \number, \count
+        .endm
+
+        .macro  set_pairs count
+        pair_vector pair_x, 0, \count
+        pair_vector pair_y, 1, \count
+        pair_vector pair_z, 2, \count
+        pair_vector pair_dx, 3, \count
+        pair_vector pair_dy, 4, \count
+        pair_vector pair_dz, 5, \count
+        pair_vector pair_b, 6, \count
+        pair_vector pair_work, 7, \count
+        pair_vector pair_limit, 8, \count
+        describe pair_bits, pair_bit_store, \count
+        describe pair_more, pair_bit_store + PAIR_LIST, \count
+        describe pair_tie, pair_bit_store + 2 * PAIR_LIST, \count
+        .endm
+
+; [into] = the field of records that [at] has in words.
+        .macro  pair_field at, field, into
+        EX      s0, 64 * (\field)
+        VXTOV   [\at], [s0], [\into]
+        .endm
+
+; [into] = addresses of such a field, in words.
+        .macro  pair_address at, field, into
+        pair_field \at, \field, \into
+        ES      s0, -6
+        SHIFTV  [\into], s0, [\into]
+        .endm
+
+; [c] = c - o, [d] = direction
+        .macro  pair_from_ray o, d, c, into, work
+        IBXNE   from_one_point, r0, r0, pair_one_point\@
+        VXTOV   [pair_place], [\o], [\work]
+        SUBNV   [\c], [\work], [\c]
+        BIM     pair_from\@
+pair_one_point\@:
+        LOD     [\o], s1
+        SUBNV   [\c], s1, [\c]
+pair_from\@:
+        VXTOV   [pair_place], [\d], [\into]
+        .endm
+
+        .kernel bound
+; region's two nodes below, each with all rays of the set.
+add_pairs:
+        load_word pool_count, s0
+        ADDX    s8, s8, s1
+        ADDX    s0, s1, s1
+        EX      s2, PAIRS
+        IBXGT   s1, r0, s2, add_after
+        EX      s2, pool_count
+        STO     [s2], s1
+        load_word walk_set, s3
+        IX      s3, 64 * SET_PLACE
+        LOD     [s3], s3
+        SHIFTI  s0, 6, s0
+        SHIFTI  s8, 6, s5
+        EX      s4, pool_places
+        ADDX    s4, s0, s4
+        ADDLEN  s4, s8, s4
+        VTOV    [s3], [s4]
+        ADDX    s4, s5, s4
+        VTOV    [s3], [s4]
+        EX      s4, pool_nodes
+        ADDX    s4, s0, s4
+        ADDLEN  s4, s8, s4
+        RTOR    region, s1
+        IX      s1, 64 * H_SIZE
+        SHIFTI  s1, -6, s1
+        VTOV    s1, [s4]
+        ADDX    s4, s5, s4
+        SHIFTI  hierarchy_regions, -6, s1
+        VTOV    s1, [s4]
+        BIM     walk_pop
+add_after:
+        SUBX    s2, s8, s2
+        SUBX    s2, s8, s2
+        EX      s3, pairs_room
+        STO     [s3], s2
+        EX      target, mix_pairs
+        BSAVE   link_kernel, [target]
+        BIM     walk_node
+
+; All that are left, in the end.
+finish_pairs:
+        EX      s3, pairs_room
+        STO     [s3], r0
+        EX      target, mix_pairs
+        BSAVE   link_kernel, [target]
+        EX      target, meet_spheres
+        BSAVE   link_kernel, [target]
+        BIM     0, link_inner
+
+; Neighbours in the pool have come of one node: what it holds would be asked of
+; one bank again and again.  They are put at PAIR_STRIDE, which is odd, from each
+; other.
+mix_pairs:
+        load_word pool_count, s8
+        ES      s1, 64
+        IBXLT   s8, r0, s1, drain_pairs
+        EX      s2, PAIRS
+        describe s3, pair_order, s2
+        LOD     [s3, one_index], s1
+        IBXNE   s1, r0, r0, mix_ordered
+        EX      s1, PAIR_STRIDE
+        INTVLV  r0, s1, [s3]
+        EX      s1, PAIRS - 1
+        ANDV    [s3], s1, [s3]
+mix_ordered:
+        describe pair_bits, pair_bit_store, s2
+        CMPLTV  [s3], s8, [pair_bits]
+        EX      pair_x, pair_store
+        CPSV    [s3], [pair_x] ? [pair_bits]
+        pair_vector pair_y, 1, s8
+        describe s3, pool_places, s8
+        VXTOV   [pair_x], [s3], [pair_y]
+        VTOV    [pair_y], [s3]
+        describe s3, pool_nodes, s8
+        VXTOV   [pair_x], [s3], [pair_y]
+        VTOV    [pair_y], [s3]
+drain_pairs:
+        load_word sphere_count, s0
+        EX      s1, PAIRS
+        IBXLT   s0, r0, s1, pairs_take
+        RTOR    link_kernel, link
+        EX      target, meet_spheres
+        BSAVE   link_kernel, [target]
+        RTOR    link, link_kernel
+pairs_take:
+        load_word pool_count, s8
+        load_word pairs_room, s1
+        IBXLE   s8, r0, s1, pairs_drained
+        EX      s1, PAIRS
+        ES      s2, 0
+        IBXLE   s8, r0, s1, pairs_some
+        SUBX    s8, s1, s2
+        RTOR    s1, s8
+pairs_some:
+        EX      s0, pool_count
+        STO     [s0], s2
+        SHIFTI  s2, 6, s2
+        EX      pair_place, pool_places
+        ADDX    pair_place, s2, pair_place
+        ADDLEN  pair_place, s8, pair_place
+        EX      pair_node, pool_nodes
+        ADDX    pair_node, s2, pair_node
+        ADDLEN  pair_node, s8, pair_node
+        set_pairs s8
+        load_word bound_less, s7
+        pair_field pair_node, H_BOUND, pair_x
+        pair_from_ray aox, adx, pair_x, pair_dx, pair_work
+        pair_field pair_node, H_BOUND + 1, pair_y
+        pair_from_ray aoy, ady, pair_y, pair_dy, pair_work
+        pair_field pair_node, H_BOUND + 2, pair_z
+        pair_from_ray aoz, adz, pair_z, pair_dz, pair_work
+        dot_vectors pair_x, pair_y, pair_z, pair_dx, pair_dy, pair_dz, pair_b, pair_work
+        MPYSV   [pair_x], [pair_x], [pair_x]
+        MPYSV   [pair_y], [pair_y], [pair_y]
+        ADDNV   [pair_y], [pair_x], [pair_x]
+        MPYSV   [pair_z], [pair_z], [pair_z]
+        ADDNV   [pair_z], [pair_x], [pair_x]
+        pair_field pair_node, H_BOUND + 3, pair_y
+        MPYSV   [pair_y], [pair_y], [pair_z]
+        LINKV
+        MPYSV   [pair_x], s7, [pair_x]
+        SUBNV   [pair_x], [pair_z], [pair_x]
+        MPYSV   [pair_b], [pair_b], [pair_z]
+        CMPGEV  [pair_z], [pair_x], [pair_bits]
+        CNTOB   [pair_bits], s0
+        IBXEQ   s0, r0, r0, pairs_take
+        VXTOV   [pair_place], [nearest], [pair_limit]
+        ADDNV   [pair_b], [pair_y], [pair_x]
+        CMPLTV  r0, [pair_x], [pair_more]
+        ANDB    [pair_bits], [pair_more], [pair_bits]
+        SUBNV   [pair_b], [pair_y], [pair_x]
+        CMPLTV  [pair_x], [pair_limit], [pair_more]
+        ANDB    [pair_bits], [pair_more], [pair_bits]
+        CNTOB   [pair_bits], s8
+        IBXEQ   s8, r0, r0, pairs_take
+        CPSV    [pair_place], [pair_place] ? [pair_bits]
+        CPSV    [pair_node], [pair_node] ? [pair_bits]
+
+; The regions of leaves go to the list, the first of each, then the others.
+        set_pairs s8
+        pair_field pair_node, H_REGION_COUNT, pair_x
+        CMPNEV  [pair_x], r0, [pair_bits]
+        CNTOB   [pair_bits], s5
+        IBXEQ   s5, r0, r0, pairs_below
+        RTOR    pair_place, s6
+        RTOR    pair_node, s7
+        IBXEQ   s5, r0, s8, pairs_leaves
+        pair_vector s6, 9, s5
+        pair_vector s7, 10, s5
+        CPSV    [pair_place], [s6] ? [pair_bits]
+        CPSV    [pair_node], [s7] ? [pair_bits]
+        CPSV    [pair_x], [pair_x] ? [pair_bits]
+        NANDB   [pair_bits], [pair_bits], [pair_bits]
+        CPSV    [pair_place], [pair_place] ? [pair_bits]
+        CPSV    [pair_node], [pair_node] ? [pair_bits]
+pairs_leaves:
+        SUBX    s8, s5, s8
+        pair_address s7, H_REGIONS, s7
+        ES      s9, 1
+pairs_leaf:
+        load_word sphere_count, s1
+        SHIFTI  s1, 6, s2
+        ADDX    s1, s5, s1
+        EX      s3, sphere_count
+        STO     [s3], s1
+        EX      s3, sphere_places
+        ADDX    s3, s2, s3
+        ADDLEN  s3, s5, s3
+        VTOV    [s6], [s3]
+        EX      s3, sphere_regions
+        ADDX    s3, s2, s3
+        ADDLEN  s3, s5, s3
+        VTOV    [s7], [s3]
+        describe pair_more, pair_bit_store + PAIR_LIST, s5
+        CMPLTV  s9, [pair_x], [pair_more]
+        CNTOB   [pair_more], s5
+        IBXEQ   s5, r0, r0, pairs_no_leaf
+        CPSV    [s6], [s6] ? [pair_more]
+        CPSV    [s7], [s7] ? [pair_more]
+        CPSV    [pair_x], [pair_x] ? [pair_more]
+        ES      s1, R_SIZE
+        ADDXV   [s7], s1, [s7]
+        IX      s9, 1
+        BIM     pairs_leaf
+pairs_no_leaf:
+        IBXEQ   s8, r0, r0, drain_pairs
+        pair_vector pair_x, 0, s8
+
+; The nodes below the others go back to the pool, where these stood and behind.
+pairs_below:
+        SHIFTI  s8, 6, s5
+        RTOR    pair_place, s3
+        ADDX    s3, s5, s3
+        VTOV    [pair_place], [s3]
+        pair_address pair_node, H_REGIONS, pair_x
+        ES      s1, H_SIZE
+        ADDXV   [pair_node], s1, [pair_node]
+        RTOR    pair_node, s3
+        ADDX    s3, s5, s3
+        VTOV    [pair_x], [s3]
+        load_word pool_count, s1
+        ADDX    s1, s8, s1
+        ADDX    s1, s8, s1
+        EX      s2, pool_count
+        STO     [s2], s1
+        BIM     drain_pairs
+pairs_drained:
+        BIM     0, link_kernel
+        .endkernel
+
+; The spheres of the list, by all their rays.
+        .kernel sphere
+meet_spheres:
+        load_word sphere_count, pair_count
+        IBXEQ   pair_count, r0, r0, spheres_met
+        EX      s0, sphere_count
+        STO     [s0], r0
+        set_pairs pair_count
+        describe pair_place, sphere_places, pair_count
+        describe pair_node, sphere_regions, pair_count
+        pair_vector pair_in, 9, pair_count
+        pair_vector pair_out, 10, pair_count
+        pair_vector pair_hit, 11, pair_count
+        pair_address pair_node, R_FIRST, pair_node
+        pair_field pair_node, P_SHAPE, pair_x
+        pair_from_ray aox, adx, pair_x, pair_dx, pair_work
+        pair_field pair_node, P_SHAPE + 1, pair_y
+        pair_from_ray aoy, ady, pair_y, pair_dy, pair_work
+        pair_field pair_node, P_SHAPE + 2, pair_z
+        pair_from_ray aoz, adz, pair_z, pair_dz, pair_work
+        pair_field pair_node, P_SHAPE + 3, pair_hit
+        sphere_segment pair_x, pair_y, pair_z, pair_dx, pair_dy, pair_dz, [pair_hit], pair_b, pair_work, pair_in, pair_out, pair_bits
+        .endkernel
+
+        .kernel visible
+        VXTOV   [pair_place], [nearest], [pair_limit]
+        RTOR    tmin, s1
+        IBXEQ   shadows, r0, r0, spheres_least
+        load_word k_shadow, s1
+spheres_least:
+        CMPLTV  s1, [pair_in], [pair_bits]
+        MASKV   [pair_in], [pair_out], [pair_hit] ? [pair_bits]
+        CMPLTV  s1, [pair_hit], [pair_bits]
+        IBXNE   shadows, r0, r0, spheres_stop
+        CMPGEV  [pair_limit], [pair_hit], [pair_more]
+        ANDB    [pair_bits], [pair_more], [pair_bits]
+        CNTOB   [pair_bits], pair_count
+        IBXEQ   pair_count, r0, r0, spheres_met
+        CPSV    [pair_place], [pair_place] ? [pair_bits]
+        CPSV    [pair_hit], [pair_hit] ? [pair_bits]
+        CPSV    [pair_node], [pair_node] ? [pair_bits]
+        set_pairs pair_count
+
+; Their looks: each once where it stands several times in a row.
+        pair_field pair_node, P_LOOK, pair_x
+spheres_look:
+        LOD     [pair_x], s2
+        RTOR    s2, s3
+        IX      s3, 64 * P_SHARED
+        STO     [s3], one_index
+        IX      s3, 64 * (P_MET - P_SHARED)
+        LOD     [s3], s4
+        IBXNE   s4, r0, r0, spheres_listed
+        EX      s5, first_met
+        LOD     [s5], s4
+        STO     [s3], s4
+        STO     [s5], s2
+spheres_listed:
+        SELNEV  [pair_x], s2, s1
+        LTOR    pair_x, s3
+        IBXEQ   s1, r0, s3, spheres_nearest
+        SUBX    r0, s1, s3
+        ADDLEN  pair_x, s3, pair_x
+        SHIFTI  s1, 6, s1
+        ADDX    pair_x, s1, pair_x
+        BIM     spheres_look
+
+; The nearest of each ray.
+spheres_nearest:
+        pair_field pair_node, P_ID, pair_y
+        ES      pair_left, 0
+spheres_better:
+        VXTOV   [pair_place], [nearest], [pair_limit]
+        CMPLTV  [pair_hit], [pair_limit], [pair_bits]
+        CMPEQV  [pair_hit], [pair_limit], [pair_more]
+        CNTOB   [pair_more], s0
+        IBXEQ   s0, r0, r0, spheres_no_tie
+        VXTOV   [pair_place], [met], [pair_limit]
+        CMPLTV  [pair_y], [pair_limit], [pair_tie]
+        ANDB    [pair_more], [pair_tie], [pair_more]
+        ORB     [pair_bits], [pair_more], [pair_bits]
+spheres_no_tie:
+        CNTOB   [pair_bits], s8
+        IBXEQ   s8, r0, r0, spheres_stamp
+        ES      pair_left, 1
+        IBXEQ   s8, r0, pair_count, spheres_scatter
+        CPSV    [pair_place], [pair_place] ? [pair_bits]
+        CPSV    [pair_hit], [pair_hit] ? [pair_bits]
+        CPSV    [pair_y], [pair_y] ? [pair_bits]
+        RTOR    s8, pair_count
+        pair_vector pair_limit, 8, s8
+        describe pair_bits, pair_bit_store, s8
+        describe pair_more, pair_bit_store + PAIR_LIST, s8
+        describe pair_tie, pair_bit_store + 2 * PAIR_LIST, s8
+spheres_scatter:
+        VTOVX   [pair_place], [pair_hit], [nearest]
+        VTOVX   [pair_place], [pair_y], [met]
+        BIM     spheres_better
+
+; Rays to a light are stopped.
+spheres_stop:
+        CMPLTV  [pair_hit], [pair_limit], [pair_more]
+        ANDB    [pair_bits], [pair_more], [pair_bits]
+        CNTOB   [pair_bits], pair_left
+        IBXEQ   pair_left, r0, r0, spheres_met
+        CPSV    [pair_place], [pair_place] ? [pair_bits]
+        VTOVX   [pair_place], minus_big, [nearest]
+spheres_stamp:
+        IBXEQ   pair_left, r0, r0, spheres_met
+        load_word pair_stamp, s0
+        IX      s0, 1
+        EX      s1, pair_stamp
+        STO     [s1], s0
+        EX      s1, walk_last
+        STO     [s1], s0
+spheres_met:
+        BIM     0, link_kernel
+        .endkernel

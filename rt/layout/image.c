@@ -1,0 +1,87 @@
+#include "rt/layout/image.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+
+static bool add(struct image *image, struct image_block block)
+{
+    struct image_block *blocks = array_grow(image->blocks, image->count,
+                                            sizeof *blocks);
+
+    if (!blocks)
+        return false;
+    image->blocks = blocks;
+    blocks[image->count++] = block;
+    return true;
+}
+
+bool image_reserve(struct image *image, uint64_t address, size_t count)
+{
+    return add(image, (struct image_block){ address, count, NULL, true });
+}
+
+/* The mapped block that has the words, or NULL. */
+static struct image_block *block_of(struct image *image, uint64_t address,
+                                    size_t count)
+{
+    for (size_t i = image->count; i-- > 0;) {
+        struct image_block *block = &image->blocks[i];
+
+        if (block->mapped && address >= block->address
+            && address + UINT64_C(64) * count
+                   <= block->address + UINT64_C(64) * block->count)
+            return block;
+    }
+    return NULL;
+}
+
+bool image_write(struct image *image, uint64_t address,
+                 const c205_word *words, size_t count)
+{
+    struct image_block *block = block_of(image, address, count);
+
+    if (!block) {
+        if (!add(image, (struct image_block){ address, count, NULL, false }))
+            return false;
+        block = &image->blocks[image->count - 1];
+    }
+    if (!block->words)
+        block->words = calloc(block->count + 1, sizeof *block->words);
+    if (!block->words)
+        return false;
+    memcpy(block->words + (address - block->address) / 64, words,
+           count * sizeof *words);
+    return true;
+}
+
+bool image_load(const struct image *image, c205 *machine, c205_error *error)
+{
+    for (size_t i = 0; i < image->count; i++) {
+        const struct image_block *block = &image->blocks[i];
+
+        if (block->mapped
+            && !c205_map(machine, block->address, block->count,
+                         C205_READ_WRITE, error))
+            return false;
+        if (block->words
+            && !c205_write(machine, block->address, block->words,
+                           block->count)) {
+            snprintf(error->message, sizeof error->message,
+                     "nothing is mapped at %012llX",
+                     (unsigned long long)block->address);
+            return false;
+        }
+    }
+    return true;
+}
+
+void image_free(struct image *image)
+{
+    for (size_t i = 0; i < image->count; i++)
+        free(image->blocks[i].words);
+    free(image->blocks);
+    *image = (struct image){ 0 };
+}

@@ -1,0 +1,247 @@
+/* The hierarchy over regions: whatever their bounds are, every region stands in
+ * it once, under nodes whose spheres reach around it, no deeper than the
+ * machine's stack. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "rt/layout/hierarchy.h"
+#include "tests/random.h"
+
+enum { MOST = 3000 };
+
+static uint64_t random_state = RANDOM_SEED;
+
+static double between(double low, double high)
+{
+    return low
+           + (high - low) * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
+}
+
+static size_t below(size_t count)
+{
+    return (size_t)(xorshift(&random_state) % count);
+}
+
+/* --- rows of bounds ------------------------------------------------------- */
+
+static struct bound anywhere(size_t i)
+{
+    (void)i;
+    return (struct bound){ { between(-9, 9), between(-9, 9), between(-9, 9) },
+                           between(1e-3, 2) };
+}
+
+static struct bound in_one_point(size_t i)
+{
+    (void)i;
+    return (struct bound){ { 1, 2, 3 }, 1 };
+}
+
+static struct bound on_whole_numbers(size_t i)
+{
+    (void)i;
+    return (struct bound){
+        { (double)below(3), (double)below(3), (double)below(3) }, .5
+    };
+}
+
+/* Each a thousandth of the one before: bins tell few apart. */
+static struct bound smaller_and_smaller(size_t i)
+{
+    double size = 1e9;
+
+    for (size_t k = 0; k < i % 60; k++)
+        size /= 2;
+    return (struct bound){ { size, 0, 0 }, size / 100 };
+}
+
+static struct bound far_away(size_t i)
+{
+    return (struct bound){ { i % 2 ? 1e12 : -1e12, 0, (double)i }, 1e3 };
+}
+
+static struct bound some_without(size_t i)
+{
+    return below(4) == 0 ? bound_none : anywhere(i);
+}
+
+static struct bound all_without(size_t i)
+{
+    (void)i;
+    return bound_none;
+}
+
+static struct bound (*const kinds[])(size_t i) = {
+    anywhere, in_one_point, on_whole_numbers, smaller_and_smaller,
+    far_away, some_without, all_without,
+};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+/* --- what holds of every hierarchy ---------------------------------------- */
+
+static void check_order(const struct hierarchy *hierarchy, size_t count)
+{
+    bool *seen = calloc(count + 1, sizeof *seen);
+
+    assert_int_equal(hierarchy->count, count);
+    for (size_t i = 0; i < count; i++) {
+        assert_true(hierarchy->order[i] < count);
+        assert_false(seen[hierarchy->order[i]]);
+        seen[hierarchy->order[i]] = true;
+    }
+    free(seen);
+}
+
+/* Loose are those without a bound, or all, those first; in the scene's order. */
+static void check_loose(const struct hierarchy *hierarchy,
+                        const struct bound *bounds)
+{
+    bool all = hierarchy->loose == hierarchy->count;
+
+    assert_true(all == (hierarchy->node_count == 0));
+    for (size_t i = 0; i < hierarchy->count; i++)
+        assert_true(all
+                    || bound_is_none(&bounds[hierarchy->order[i]])
+                           == (i < hierarchy->loose));
+    for (size_t i = 1; i < hierarchy->loose; i++) {
+        const size_t *order = &hierarchy->order[i];
+
+        assert_true(bound_is_none(&bounds[order[-1]])
+                            == bound_is_none(&bounds[order[0]])
+                        ? order[-1] < order[0]
+                        : bound_is_none(&bounds[order[-1]]));
+    }
+}
+
+static void check_encloses(const struct bound *whole,
+                           const struct bound *part)
+{
+    assert_true(bound_reach(part, whole->center)
+                <= whole->radius * (1 + 1e-12));
+}
+
+/* The node and all below it, from the region at a place of the order on;
+ * returns the place behind its last. */
+static size_t check_node(const struct hierarchy *hierarchy,
+                         const struct bound *bounds, size_t i, size_t place,
+                         size_t depth)
+{
+    const struct hierarchy_node *node = &hierarchy->nodes[i];
+    size_t end = place;
+
+    assert_true(depth <= HIERARCHY_DEPTH);
+    assert_true(node->next > i && node->next <= hierarchy->node_count);
+    if (node->count > 0) {
+        assert_int_equal(node->first, place);
+        assert_int_equal(node->next, i + 1);
+        end = place + node->count;
+    } else {
+        size_t second = hierarchy->nodes[i + 1].next;
+        double way[3];
+
+        end = check_node(hierarchy, bounds, i + 1, place, depth + 1);
+        end = check_node(hierarchy, bounds, second, end, depth + 1);
+        assert_int_equal(hierarchy->nodes[second].next, node->next);
+        for (int k = 0; k < 3; k++)
+            way[k] = hierarchy->nodes[second].bound.center[k]
+                     - hierarchy->nodes[i + 1].bound.center[k];
+        assert_memory_equal(node->way, way, sizeof way);
+    }
+    assert_true(end > place);
+    for (size_t k = place; k < end; k++)
+        check_encloses(&node->bound, &bounds[hierarchy->order[k]]);
+    return end;
+}
+
+static size_t check(const struct bound *bounds, size_t count)
+{
+    struct hierarchy hierarchy;
+    size_t nodes;
+
+    assert_true(hierarchy_build(bounds, count, &hierarchy));
+    check_order(&hierarchy, count);
+    check_loose(&hierarchy, bounds);
+    if (hierarchy.node_count > 0) {
+        assert_int_equal(check_node(&hierarchy, bounds, 0, hierarchy.loose,
+                                    1),
+                         count);
+        assert_int_equal(hierarchy.nodes[0].next, hierarchy.node_count);
+    }
+    nodes = hierarchy.node_count;
+    hierarchy_free(&hierarchy);
+    return nodes;
+}
+
+static void test_random(void **state)
+{
+    struct bound *bounds = malloc(MOST * sizeof *bounds);
+
+    (void)state;
+    for (int turn = 0; turn < 300; turn++) {
+        size_t count = turn % 10 ? below(40) : below(MOST);
+        size_t kind = below(KINDS), other = below(KINDS);
+
+        for (size_t i = 0; i < count; i++)
+            bounds[i] = kinds[below(5) ? kind : other](i);
+        check(bounds, count);
+    }
+    free(bounds);
+}
+
+/* What lies apart is told apart; what does not is left together. */
+static void test_nodes(void **state)
+{
+    struct bound bounds[64];
+
+    (void)state;
+    for (size_t i = 0; i < 64; i++)
+        bounds[i] = (struct bound){ { 10. * (double)i, 0, 0 }, 1 };
+    assert_int_equal(check(bounds, 64), 63); /* leaves of two */
+    assert_int_equal(check(bounds, 1), 0);
+    assert_int_equal(check(bounds, 0), 0);
+    for (size_t i = 0; i < 64; i++)
+        bounds[i] = in_one_point(i);
+    assert_int_equal(check(bounds, 64), 0);
+}
+
+/* In halves where bins would take one after another. */
+static void test_depth(void **state)
+{
+    struct bound *bounds = malloc(MOST * sizeof *bounds);
+    double size = 1e11;
+
+    (void)state;
+    for (size_t i = 0; i < MOST; i++, size *= i < 400 ? .8 : .999)
+        bounds[i] = (struct bound){ { size, 0, 0 }, size * 1e-3 };
+    assert_true(check(bounds, MOST) > 400);
+    free(bounds);
+}
+
+static void test_none(void **state)
+{
+    struct hierarchy hierarchy;
+
+    (void)state;
+    assert_true(hierarchy_none(5, &hierarchy));
+    assert_int_equal(hierarchy.loose, 5);
+    assert_int_equal(hierarchy.node_count, 0);
+    check_order(&hierarchy, 5);
+    hierarchy_free(&hierarchy);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random),
+        cmocka_unit_test(test_nodes),
+        cmocka_unit_test(test_depth),
+        cmocka_unit_test(test_none),
+    };
+
+    return cmocka_run_group_tests_name("hierarchy", tests, NULL, NULL);
+}

@@ -1,0 +1,217 @@
+/* Many regions under a hierarchy: the frame of the scene's own order, whatever
+ * the stage and the queue.
+ *
+ *     test_walk [SCENES [SEED]]
+ */
+#define SMALL_FRAMES
+#include "tests/unit/random_solids.h"
+
+enum { TEXT_ROOM = 60000 };
+static size_t scene_count = 6; /* of each sort */
+
+/* Where the next things stand: about some points, or on a grid, where they
+ * touch and coincide. */
+static void add_place(char *text, size_t size)
+{
+    if (solids.gridded)
+        add_text(text, size, "translate <%zu, %zu, %zu> - 2 ", below(5),
+                 below(5), below(5));
+    else
+        add_text(text, size, "translate <%.4f, %.4f, %.4f> ", between(-2, 2),
+                 between(-2, 2), between(-2, 2));
+}
+
+static void add_ball(char *text, size_t size)
+{
+    add_text(text, size, "sphere { 0, %.3f ",
+             solids.gridded ? .5 : between(.05, .4));
+}
+
+static void add_block(char *text, size_t size)
+{
+    add_text(text, size, "box { -%.3f, .5 ",
+             solids.gridded ? .5 : between(.1, .4));
+}
+
+static void add_bitten(char *text, size_t size)
+{
+    add_text(text, size,
+             "%s { sphere { 0, .5 } box { %s, 1 } bounded_by { sphere { 0, "
+             "3 } } ",
+             below(2) ? "difference" : "merge", below(2) ? "0" : "-.25");
+}
+
+static void add_tube(char *text, size_t size)
+{
+    add_text(text, size, "cylinder { -.5*x, .5*x, .2 %s ",
+             below(2) ? "open" : "");
+}
+
+static void add_shadowing(char *text, size_t size)
+{
+    add_text(text, size, "%s ", below(8) ? "" : "no_shadow");
+}
+
+/* The same thing, once or in several colours in one place. */
+static void add_thing(char *text, size_t size)
+{
+    static void (*const kinds[])(char *, size_t) = { add_ball,   add_ball,
+                                                     add_ball,   add_block,
+                                                     add_bitten, add_tube };
+    size_t kind = below(6), copies = below(5) ? 1 : 2 + below(2);
+    uint64_t state = traced.random;
+
+    for (size_t i = 0; i < copies; i++) {
+        uint64_t later;
+
+        traced.random = state;
+        kinds[kind](text, size);
+        add_place(text, size);
+        later = traced.random;
+        for (size_t k = 0; k <= i; k++)
+            xorshift(&later);
+        traced.random = later;
+        add_look(text, size);
+        add_shadowing(text, size);
+        add_text(text, size, "}\n");
+    }
+}
+
+/* Small ones, many of them in one of a few colours, some twice in one place. */
+static void add_spheres(char *text)
+{
+    double size = between(.05, .2);
+    size_t copy = 1 + below(9);
+
+    for (size_t i = 50 + below(250); i > 0; i--) {
+        uint64_t state = traced.random;
+
+        for (size_t k = below(copy) == 0 ? 2 : 1; k > 0; k--) {
+            uint64_t before = traced.random;
+
+            traced.random = state;
+            add_text(text, TEXT_ROOM, "sphere { 0, %.3f ",
+                     solids.gridded ? .25 : size * between(.5, 2));
+            add_place(text, TEXT_ROOM);
+            traced.random = k == 2 ? traced.random : before ^ traced.random;
+            add_text(text, TEXT_ROOM,
+                     "pigment { %s rgb .%zu } finish { phong %zu } %s }\n",
+                     below(12) ? "color" : "checker", 1 + below(4), below(2),
+                     below(200) ? "" : "no_shadow");
+        }
+    }
+}
+
+static void write_scene(char *text, bool spheres)
+{
+    text[0] = '\0';
+    add_text(text, TEXT_ROOM,
+             "#version 3.7; global_settings { assumed_gamma 1 "
+             "max_trace_level 4 }\nbackground { rgb <.2, .3, .5> }\n"
+             "light_source { <%.1f, 8, -7>, .7 }\n"
+             "light_source { <%.1f, 3, %.2f>, rgb <.3, .2, .4> }\n"
+             "camera { location <%.3f, %.3f, %.3f> look_at 0 angle 60 }\n",
+             between(-7, 7), between(-2, 7), between(-2, 6), between(-2, 2),
+             between(-2, 2), between(-6, -1));
+    if (below(2))
+        add_text(text, TEXT_ROOM,
+                 "plane { y, -2.5 pigment { color rgb .8 } }\n");
+    if (spheres)
+        add_spheres(text);
+    else
+        for (size_t i = 2 + below(90); i > 0; i--)
+            add_thing(text, TEXT_ROOM);
+}
+
+/* --- comparisons --------------------------------------------------------- */
+
+static void check(const struct scene *scene, const char *text,
+                  const struct words *expected, enum trace_mode mode,
+                  size_t queue, const char *what)
+{
+    struct words *found = trace_words(scene, mode, queue);
+
+    for (int channel = 0; channel < FRAME_CHANNELS; channel++)
+        for (size_t k = 0; k < PIXELS; k++)
+            if (found->channel[channel][k] != expected->channel[channel][k])
+                fail_msg(
+                    "%s, queue %zu: channel %d, pixel %zu: another frame "
+                    "in\n%s",
+                    what, queue, channel, k, text);
+    free(found);
+}
+
+static void check_ways(const char *text)
+{
+    struct scene *scene = read_text(text);
+    static const size_t queues[] = { 1, 7, 77, 2000, 65535 };
+    struct words *expected;
+
+    traced.no_bounds = true;
+    expected = trace_words(scene, TRACE_VECTOR, 2000);
+    traced.no_bounds = false;
+    for (size_t i = 0; i < sizeof queues / sizeof *queues; i++)
+        check(scene, text, expected, TRACE_VECTOR, queues[i], "vector");
+    check(scene, text, expected, TRACE_KERNELS, 77, "kernels");
+    check(scene, text, expected, TRACE_SCALAR, 1, "scalar");
+    traced.visible = VISIBLE_EVERY;
+    check(scene, text, expected, TRACE_VECTOR, 2000, "every crossing");
+    traced.visible = VISIBLE_STEPPING;
+    traced.flat = true;
+    check(scene, text, expected, TRACE_VECTOR, 2000, "flat");
+    check(scene, text, expected, TRACE_KERNELS, 2000, "flat kernels");
+    traced.flat = false;
+    free(expected);
+    scene_free(scene);
+}
+
+static void check_scenes(bool gridded, bool clear, bool spheres)
+{
+    char *text = malloc(TEXT_ROOM);
+
+    assert_non_null(text);
+    solids.gridded = gridded;
+    solids.clear = clear;
+    for (size_t i = 0; i < scene_count; i++) {
+        write_scene(text, spheres);
+        check_ways(text);
+    }
+    free(text);
+}
+
+static void test_clouds(void **state)
+{
+    (void)state;
+    check_scenes(false, false, false);
+    check_scenes(false, true, false);
+}
+
+static void test_grids(void **state)
+{
+    (void)state;
+    check_scenes(true, false, false);
+    check_scenes(true, true, false);
+}
+
+static void test_spheres(void **state)
+{
+    (void)state;
+    check_scenes(false, false, true);
+    check_scenes(true, false, true);
+}
+
+int main(int count, char **words)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_clouds),
+        cmocka_unit_test(test_grids),
+        cmocka_unit_test(test_spheres),
+    };
+
+    if (count > 1)
+        scene_count = strtoul(words[1], NULL, 10);
+    if (count > 2)
+        traced.random ^= strtoull(words[2], NULL, 10) * 0x9E3779B97F4A7C15;
+    traced.reported = true;
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
+}
