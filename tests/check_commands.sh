@@ -926,6 +926,27 @@ several profile "$scene" -W 40 -H 30
 several quartic good.csv --falsi all
 several render "$scene" -o jobs.png -W 40 -H 30
 
+# the order in which pixels go into queues
+ordered() { # OPTION ..: the checksum of a frame
+    "$build/rt205" render "$scene" -o order.png -W 60 -H 45 --json order.json \
+        "$@" 2>err | grep checksum
+}
+ordered --mode scalar >whole
+tells order.json '"order": "rows"'
+for mode in vector kernels; do
+    for order in rows tiles; do
+        ordered --mode $mode --order $order | cmp -s - whole
+        verdict $? "$mode by $order: another frame"
+        tells order.json "\"order\": \"$order\""
+    done
+done
+ordered --mode kernels | cmp -s - whole && tells order.json '"order": "rows"'
+ordered | cmp -s - whole && tells order.json '"order": "tiles"'
+ends 2 "$build/rt205" render "$scene" -o order.png --order spiral
+tells err "--order: wrong argument: spiral"
+ends 0 "$build/rt205" profile "$scene" -W 40 -H 30 --order tiles
+ends 0 "$build/rt205" sweep queue "$scene" --points 1,50 -W 16 -H 12 --order tiles
+
 # Ctrl-C in the middle of a long frame
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \
     >out 2>err &

@@ -92,6 +92,7 @@ static int run_command_line(void *arguments)
 static const struct command_option options[] = {
     CMD_SIZE(320, 240),
     CMD_QUEUE("rays in the vector queue"),
+    CMD_ORDER(ORDER_DEFAULT),
     CMD_MODEL,
     CMD_BOUNDS,
     CMD_JOBS("bands of the frame traced at a time"),

@@ -132,6 +132,7 @@ static void write_result(const struct result *result, struct json *json)
     json_count(json, "width", trace->width);
     json_count(json, "height", trace->height);
     json_count(json, "queue", trace->queue);
+    json_text(json, "order", order_name(trace_order(trace)));
     json_count(json, "rays", result->rays);
     json_count(json, "hits", result->hits);
     json_count(json, "clocks", result->clocks);
@@ -320,6 +321,7 @@ static const struct command_option options[] = {
     CMD_SIZE(640, 480),
     CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
     CMD_QUEUE("rays in the vector queue"),
+    CMD_ORDER(ORDER_DEFAULT),
     CMD_MODEL,
     CMD_BOUNDS,
     CMD_JOBS("bands of the frame traced at a time"),

@@ -96,3 +96,8 @@ const char *cmd_visible_choice(size_t number)
 {
     return number < VISIBLE_WAYS ? visible_name((enum visible)number) : NULL;
 }
+
+const char *cmd_order_choice(size_t number)
+{
+    return number < ORDERS ? order_name((enum trace_order)number) : NULL;
+}

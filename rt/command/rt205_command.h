@@ -50,7 +50,7 @@ struct rt205_arguments {
 
 #define CMD_PLACE(member) offsetof(struct rt205_arguments, member)
 
-command_choice cmd_mode_choice, cmd_visible_choice;
+command_choice cmd_mode_choice, cmd_visible_choice, cmd_order_choice;
 
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
@@ -95,6 +95,10 @@ command_choice cmd_mode_choice, cmd_visible_choice;
     { .name = "visible", .value = "WAY", .kind = COMMAND_CHOICE, \
       .offset = CMD_PLACE(trace.visible), .choice = cmd_visible_choice, \
       .help = "crossings of solids, vector form" }
+#define CMD_ORDER(usual) \
+    { .name = "order", .value = "ORDER", .kind = COMMAND_CHOICE, \
+      .offset = CMD_PLACE(trace.order), .choice = cmd_order_choice, \
+      .preset = usual, .help = "how pixels go into queues" }
 #define CMD_READ \
     CMD_FLAG("strict", strict, \
              "what would be replaced or left out is an error"), \

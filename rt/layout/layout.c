@@ -259,6 +259,8 @@ static void layout_frame(struct record_layout *layout,
                 c205_from_integer(
                     (int64_t)(frame->first_row * frame->width)));
     layout_word(layout, "scene_pixels", c205_from_integer((int64_t)pixels));
+    if (frame->tiles)
+        layout_word(layout, "scene_tiles", 1);
     frame->address = layout_reserve(layout, pixels * FRAME_CHANNELS);
     layout_word(layout, "scene_frame", frame->address);
 }

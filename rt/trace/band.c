@@ -28,6 +28,7 @@ static bool load(const struct band_work *work, c205 *machine,
                                      .height = work->height,
                                      .first_row = first_row,
                                      .rows = rows,
+                                     .tiles = work->tiles,
                                      .go_on = work->go_on,
                                      .context = work->context };
     return c205_load(machine, &work->program->program, error)
@@ -177,12 +178,16 @@ static size_t rows_done(const struct band_work *work, const c205 *machine,
                         size_t rows)
 {
     size_t calls = calls_begun(machine), done;
-    uint64_t levels = 0;
+    uint64_t levels = 0, above = 0;
 
     if (calls == 0
         || !read_integer(work, machine, "scene_level_count", &levels)
         || (levels > 1 && !work->ray_by_ray))
         return 0;
+    if (work->tiles)
+        return read_integer(work, machine, "strips_done", &above)
+                   ? (size_t)above
+                   : 0;
     done = (calls - 1) * work->rays_a_call / work->width;
     return done < rows ? done : rows;
 }

@@ -189,6 +189,15 @@ static bool prepare(struct trace *trace, c205_error *error)
     return trace->taken && trace->words;
 }
 
+enum trace_order trace_order(const struct trace_options *options)
+{
+    if (options->mode == TRACE_SCALAR)
+        return ORDER_ROWS;
+    if (options->order == ORDER_DEFAULT)
+        return options->mode == TRACE_VECTOR ? ORDER_TILES : ORDER_ROWS;
+    return options->order;
+}
+
 struct trace *trace_new(const struct scene *scene,
                         const struct trace_options *options,
                         c205_error *error)
@@ -210,6 +219,7 @@ struct trace *trace_new(const struct scene *scene,
         .width = options->width,
         .height = options->height,
         .bounds = !options->no_bounds,
+        .tiles = trace_order(options) == ORDER_TILES,
         .ray_by_ray = options->mode == TRACE_SCALAR,
         .rays_a_call = options->mode == TRACE_SCALAR ? 1 : options->queue,
         .observers = options->observers,

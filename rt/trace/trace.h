@@ -10,6 +10,7 @@
 #define RT_TRACE_H
 
 #include "rt/trace/band.h"
+#include "rt/trace/order.h"
 #include "rt/trace/visible.h"
 
 enum trace_mode {
@@ -39,18 +40,19 @@ enum {
 
 struct trace_options {
     enum trace_mode mode;
-    size_t width, height; /* pixels */
-    size_t queue;         /* rays; not in scalar mode */
-    size_t band;          /* pixels of a band at the most, but one row at
+    size_t width, height;   /* pixels */
+    size_t queue;           /* rays; not in scalar mode */
+    size_t band;            /* pixels of a band at the most, but one row at
                                 the least; 0: TRACE_BAND */
-    size_t jobs;          /* bands traced at a time; 0: one */
-    bool historical;      /* the paper's ways: to Steiner patches by their
+    size_t jobs;            /* bands traced at a time; 0: one */
+    bool historical;        /* the paper's ways: to Steiner patches by their
                                 implicit quartic, with its falsi; to
                                 cylinders by the distance from the axis */
-    const char *variant;  /* a constant more that the kernels know, of a
+    const char *variant;    /* a constant more that the kernels know, of a
                                 formulation that is studied; or NULL */
-    enum visible visible; /* of solids; vector mode only */
-    bool no_bounds;       /* every ray goes against every primitive */
+    enum visible visible;   /* of solids; vector mode only */
+    enum trace_order order; /* in which pixels go into queues */
+    bool no_bounds;         /* every ray goes against every primitive */
     const struct observer *const *observers; /* of every machine; end with
                                                 NULL; or NULL */
     const c205_model *model;                 /* must outlive the trace */
@@ -60,6 +62,9 @@ struct trace_options {
     bool (*progress)(void *context, size_t done, size_t pixels);
     void *context;
 };
+
+/* The order that a stage takes, told or not. */
+enum trace_order trace_order(const struct trace_options *options);
 
 struct trace;
 

@@ -40,20 +40,23 @@ static struct form {
     size_t queue;
     bool no_bounds;
     enum visible visible;
+    bool tiles;
     struct trace *trace; /* that has its program */
 } forms[] = {
     { .mode = TRACE_SCALAR, .queue = 1 },
     { .mode = TRACE_SCALAR, .queue = 1, .no_bounds = true },
-    { .mode = TRACE_VECTOR, .queue = 7 },
+    { .mode = TRACE_VECTOR, .queue = 7, .tiles = true },
     { .mode = TRACE_VECTOR, .queue = 77 },
-    { .mode = TRACE_VECTOR, .queue = 2000 },
+    { .mode = TRACE_VECTOR, .queue = 2000, .tiles = true },
     { .mode = TRACE_VECTOR, .queue = 77, .no_bounds = true },
+    { .mode = TRACE_VECTOR, .queue = 77, .tiles = true },
     { .mode = TRACE_VECTOR, .queue = 77, .visible = VISIBLE_EVERY },
     { .mode = TRACE_VECTOR,
       .queue = 2000,
       .no_bounds = true,
       .visible = VISIBLE_EVERY },
     { .mode = TRACE_KERNELS, .queue = 77 },
+    { .mode = TRACE_KERNELS, .queue = 33, .tiles = true },
     { .mode = TRACE_KERNELS, .queue = 2000, .no_bounds = true },
 };
 enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 3 };
@@ -115,6 +118,7 @@ static void trace_form(const struct form *form, const struct scene *scene,
                                     .width = WIDTH,
                                     .height = HEIGHT,
                                     .bounds = !form->no_bounds,
+                                    .tiles = form->tiles,
                                     .rays_a_call = form->queue };
     struct band band = { .rows = HEIGHT };
     pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
@@ -149,9 +153,10 @@ static bool same_in_all_forms(const struct scene *scene,
         size_t other = first_other(words, expected, WORDS);
         if (other < WORDS) {
             snprintf(reason, REASON,
-                     "--mode %s --queue %zu%s%s: another frame than --mode "
-                     "scalar, channel %zu, pixel %zu",
+                     "--mode %s --queue %zu%s%s%s: another frame than "
+                     "--mode scalar, channel %zu, pixel %zu",
                      trace_mode_name(form->mode), form->queue,
+                     form->tiles ? " --order tiles" : "",
                      form->no_bounds ? " --no-bounds" : "",
                      form->visible == VISIBLE_EVERY ? " --visible every" : "",
                      other / PIXELS, other % PIXELS);

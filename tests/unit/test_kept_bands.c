@@ -21,6 +21,8 @@ static const char mirrors[] = "#default { finish { reflection .3 } }" BEFORE
 
 static char path[] = "/tmp/test_kept_bands.XXXXXX";
 
+static enum trace_order order;
+
 /* Says stop when it has been asked so often. */
 struct patience {
     size_t left;
@@ -38,6 +40,7 @@ static bool wait_on(void *context, size_t done, size_t all)
 static struct trace_options how(enum trace_mode mode)
 {
     return (struct trace_options){ .mode = mode,
+                                   .order = order,
                                    .width = WIDTH,
                                    .height = TALL,
                                    .queue = 2 * WIDTH,
@@ -144,7 +147,9 @@ static void check_stops(const char *text, bool rows)
 static void test_stopped(void **state)
 {
     (void)state;
-    check_stops(plain, true);
+    for (order = ORDER_ROWS; order <= ORDER_TILES; order++)
+        check_stops(plain, true);
+    order = ORDER_DEFAULT;
 }
 
 /* What is reflected waits in queues for others. */

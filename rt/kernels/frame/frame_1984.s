@@ -27,6 +27,7 @@ frame:
         .endkernel
 
         .include "frame/camera.s"
+        .include "frame/order.s"
         .include "frame/begin_vector.s"
         .include "frame/intersect_vector.s"
         .include "solids/levels_vector.s"
@@ -39,6 +40,7 @@ frame:
         .include "frame/vectors_scalar.s"
         .include "frame/begin_1984.s"
         .include "frame/generate_scalar.s"
+        .include "frame/order_1984.s"
         .include "frame/generate_1984.s"
         .include "frame/bound_scalar.s"
         .include "solids/visible_scalar.s"

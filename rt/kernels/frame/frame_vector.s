@@ -16,12 +16,15 @@
 frame:
         EX      target, begin_queues
         BSAVE   link_walk, [target]
+        EX      target, blank_planes
+        BSAVE   link, [target]
         EX      target, trace_levels
         BSAVE   link, [target]
         EXIT
         .endkernel
 
         .include "frame/camera.s"
+        .include "frame/order.s"
         .include "frame/begin_vector.s"
         .include "frame/intersect_vector.s"
         .include "frame/nearest_vector.s"
@@ -31,6 +34,7 @@ frame:
         .include "solids/levels_vector.s"
         .include "light/resolve_vector.s"
         .include "frame/generate_vector.s"
+        .include "frame/order_vector.s"
         .include "shapes/normal_vector.s"
         .include "shapes/every_normal_vector.s"
         .include "light/shade_vector.s"
