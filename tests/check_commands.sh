@@ -910,8 +910,8 @@ ends 2 "$build/rt205" render "$scene" -o a.png --resume -
 tells err 'a file that has a name'
 
 # several jobs: the same results in the same order
-several() { # COMMAND ..: prints with --jobs 3 what it prints without
-    ends 0 "$build/rt205" "$@"
+several() { # COMMAND ..: prints with --jobs 3 what it prints with 1
+    ends 0 "$build/rt205" "$@" --jobs 1
     cp out alone
     ends 0 "$build/rt205" "$@" --jobs 3
     cmp -s out alone
@@ -951,6 +951,8 @@ ends 0 "$build/rt205" sweep queue "$scene" --points 1,50 -W 16 -H 12 --order til
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \
     >out 2>err &
 sleep 1
+[ "$(ls /proc/$!/task | wc -l)" -ge "$(getconf _NPROCESSORS_ONLN)" ]
+verdict $? "not as many jobs as there are processors"
 kill -INT $!
 wait $!
 [ $? -eq 1 ]
@@ -993,7 +995,9 @@ frame() { # OPTION ..: the checksum and the clocks of a frame
     "$build/rt205" render "$scene" -o bands.png -W 640 -H 480 "$@" 2>err \
         | grep -e checksum -e 'clocks,'
 }
-frame >whole
+frame --jobs 1 >whole
+frame | cmp -s - whole
+verdict $? "as many jobs as there are processors make another frame"
 frame --jobs 3 | cmp -s - whole
 verdict $? "three jobs make another frame, or other clocks"
 frame --resume bands.kept | cmp -s - whole

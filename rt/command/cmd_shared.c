@@ -3,6 +3,7 @@
 
 #include "base/interrupt.h"
 #include "base/model.h"
+#include "rt/trace/processors.h"
 
 #include <stdio.h>
 
@@ -43,6 +44,8 @@ int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work)
     if (!model)
         return CMD_FAILED;
     arguments->trace.model = model;
+    arguments->trace.jobs = jobs_wanted(arguments->trace.jobs,
+                                        TRACE_JOBS_MOST);
     code = open_and_work(arguments, work);
     c205_model_free(model);
     return code;

@@ -74,7 +74,8 @@ command_choice cmd_mode_choice, cmd_visible_choice, cmd_order_choice;
     { CMD_COUNT("queue", trace.queue, 1, TRACE_QUEUE_MOST, TRACE_QUEUE, \
                 what) }
 #define CMD_JOBS(what) \
-    { CMD_COUNT("jobs", trace.jobs, 1, TRACE_JOBS_MOST, 1, what) }
+    { CMD_COUNT("jobs", trace.jobs, 1, TRACE_JOBS_MOST, 0, what), \
+      .preset_text = "one for each processor" }
 #define CMD_VIEW(usual, usual_text) \
     { .name = "distance", .value = "D", .kind = COMMAND_NUMBER, \
       .offset = CMD_PLACE(view.distance), .most = 1e6, \
