@@ -947,6 +947,16 @@ tells err "--order: wrong argument: spiral"
 ends 0 "$build/rt205" profile "$scene" -W 40 -H 30 --order tiles
 ends 0 "$build/rt205" sweep queue "$scene" --points 1,50 -W 16 -H 12 --order tiles
 
+# no adapter for pictures: told before a long frame, and nothing is left
+mkdir alone.bin
+cp "$build/rt205" alone.bin
+begun=$(date +%s)
+ends 1 env -u RT205_LIBDIR alone.bin/rt205 render "$scene" -o alone.png \
+    -W 4000 -H 4000
+tells err "pictures: no rt205_oiio.so in"
+[ ! -e alone.png ] && [ $(($(date +%s) - begun)) -le 5 ]
+verdict $? "a picture without its adapter"
+
 # Ctrl-C in the middle of a long frame
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \
     >out 2>err &

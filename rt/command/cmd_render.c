@@ -6,12 +6,33 @@
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 
+static bool write_rows(const struct trace_options *options,
+                       const struct trace *trace, struct picture *picture,
+                       struct picture_error *why)
+{
+    struct frame part;
+    size_t rows = options->height < PICTURE_PART ? options->height
+                                                 : PICTURE_PART;
+    bool good = frame_allocate(&part, options->width, rows);
+
+    snprintf(why->message, sizeof why->message, "no memory for the picture");
+    for (size_t row = 0; good && row < options->height; row += PICTURE_PART) {
+        if (options->height - row < PICTURE_PART)
+            part.height = options->height - row;
+        trace_read(trace, row, &part);
+        good = picture_rows(picture, &part, why);
+    }
+    frame_free(&part);
+    return good;
+}
+
 static bool write_picture(const struct rt205_arguments *arguments,
                           const struct trace *trace, c205_error *error)
 {
     const struct accounts *accounts = trace_accounts(trace);
-    struct frame frame = { 0 };
     bool whole = trace_rows_done(trace) == arguments->trace.height;
+    const struct trace_options *options = &arguments->trace;
+    struct picture *picture;
     struct picture_error why;
     char clocks[32], rows[48];
     const struct picture_note notes[] = {
@@ -29,13 +50,12 @@ static bool write_picture(const struct rt205_arguments *arguments,
              (unsigned long long)accounts->clocks);
     snprintf(rows, sizeof rows, "%zu of %zu", trace_rows_done(trace),
              arguments->trace.height);
-    if (!trace_read(trace, &frame, error))
-        return false;
-    good = picture_write(arguments->output, &frame, notes, arguments->half,
-                         &why);
+    picture = picture_begin(arguments->output, options->width,
+                            options->height, notes, arguments->half, &why);
+    good = picture && write_rows(options, trace, picture, &why);
+    good = picture && picture_end(picture, good, &why);
     if (!good)
         snprintf(error->message, sizeof error->message, "%s", why.message);
-    frame_free(&frame);
     return good;
 }
 
@@ -247,8 +267,8 @@ static int end_early(const struct rt205_arguments *arguments,
                       bands);
 }
 
-static int run(const struct rt205_arguments *arguments, struct trace *trace,
-               const struct results *results)
+static int trace_and_write(const struct rt205_arguments *arguments,
+                           struct trace *trace, const struct results *results)
 {
     c205_error error = { "no memory" };
 
@@ -259,6 +279,20 @@ static int run(const struct rt205_arguments *arguments, struct trace *trace,
         return tell(arguments, trace, results);
     }
     return cmd_failed(arguments->command, "%s", error.message);
+}
+
+/* While the machine works, the library that writes pictures is loaded. */
+static int run(const struct rt205_arguments *arguments, struct trace *trace,
+               const struct results *results)
+{
+    struct picture_error why;
+    int code;
+
+    if (!picture_load(&why))
+        return cmd_failed(arguments->command, "%s", why.message);
+    code = trace_and_write(arguments, trace, results);
+    picture_loaded();
+    return code;
 }
 
 static int render(const struct rt205_arguments *arguments,

@@ -91,10 +91,11 @@ size_t trace_bands_done(const struct trace *trace);
  * zeros. */
 size_t trace_rows_done(const struct trace *trace);
 
-/* The frame; the caller frees it.  Its colours are linear light: what the
- * machine computed, to the power of the scene's assumed_gamma. */
-bool trace_read(const struct trace *trace, struct frame *frame,
-                c205_error *error);
+/* Rows of the frame from the first on, as many as the part has; it is as wide
+ * as the frame.  Its colours are linear light: what the machine computed, to
+ * the power of the scene's assumed_gamma. */
+void trace_read(const struct trace *trace, size_t first_row,
+                struct frame *part);
 /* A channel's samples as the machine holds them, pixel by pixel. */
 const c205_word *trace_channel(const struct trace *trace,
                                enum frame_channel channel);
