@@ -377,10 +377,9 @@ static void test_rows_missing(void **state)
     struct frame frame = sample_frame();
     for (int given_up = 0; given_up < 2; given_up++) {
         struct picture_error error = { "" };
-        struct picture *picture =
-            picture_begin(in_folder("p.png"), WIDTH,
-                          HEIGHT + 1 - (size_t)given_up, notes, false,
-                          &error);
+        struct picture *picture = picture_begin(in_folder("p.png"), WIDTH,
+                                                HEIGHT + 1 - (size_t)given_up,
+                                                notes, false, &error);
         assert_non_null(picture);
         assert_true(picture_rows(picture, &frame, &error));
         assert_false(picture_rows(picture, &frame, &error));
