@@ -957,6 +957,16 @@ tells err "pictures: no rt205_oiio.so in"
 [ ! -e alone.png ] && [ $(($(date +%s) - begun)) -le 5 ]
 verdict $? "a picture without its adapter"
 
+# several rays a pixel
+ends 0 "$build/rt205" render "$scene" -o samples.png -W 20 -H 15 --samples 3 \
+    --json samples.json
+tells out "20 x 15 of 3 x 3 rays, vector"
+tells out "of 300 pixels hit"
+tells samples.json '"samples": 3'
+tells samples.json '"rays": 2700'
+ends 0 "$build/rt205" profile "$scene" -W 20 -H 15 --samples 2
+ends 2 "$build/rt205" render "$scene" -o samples.png --samples 17
+
 # Ctrl-C in the middle of a long frame
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \
     >out 2>err &

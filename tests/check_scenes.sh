@@ -62,6 +62,11 @@ same_frames() { # SCENE: of all stages and queues
     done
     [ "$(checksum "$1" --mode kernels --order tiles --queue 50)" = "$frame" ]
     verdict $? "$1: the paper's stage by tiles gives another frame"
+    averaged=$(checksum "$1" --samples 2 --mode scalar)
+    [ -n "$averaged" ] && [ "$averaged" != "$frame" ] &&
+        [ "$(checksum "$1" --samples 2)" = "$averaged" ] &&
+        [ "$(checksum "$1" --samples 2 --mode kernels)" = "$averaged" ]
+    verdict $? "$1: of four rays a pixel the stages give different frames"
     [ "$(checksum "$1" --visible every)" = "$frame" ]
     verdict $? "$1: every crossing of solids gives another frame"
     for mode in scalar vector; do

@@ -66,7 +66,7 @@ struct result {
     const struct rt205_arguments *arguments;
     const c205_model *model;
     uint64_t clocks;
-    size_t rays, hits; /* of the camera */
+    size_t rays, hits; /* of the camera; pixels that show something */
     char checksum[17];
 };
 
@@ -90,15 +90,20 @@ static void print_result(const struct result *result,
 {
     const struct rt205_arguments *arguments = result->arguments;
     const struct trace_options *trace = &arguments->trace;
-    char queue[48] = "", time[ACCOUNTS_TIME];
+    bool sampled = trace->samples > 1;
+    char queue[48] = "", samples[64] = "", time[ACCOUNTS_TIME];
 
+    if (sampled)
+        snprintf(samples, sizeof samples, " of %zu x %zu rays",
+                 trace->samples, trace->samples);
     if (trace->mode != TRACE_SCALAR)
         snprintf(queue, sizeof queue, ", a queue of %zu", trace->queue);
     accounts_time(result->model, result->clocks, time);
-    results_say(results, "%s: %zu x %zu, %s%s; %zu of %zu rays hit\n",
-                arguments->scene, trace->width, trace->height,
+    results_say(results, "%s: %zu x %zu%s, %s%s; %zu of %zu %s hit\n",
+                arguments->scene, trace->width, trace->height, samples,
                 trace_mode_name(trace->mode), queue, result->hits,
-                result->rays);
+                sampled ? trace->width * trace->height : result->rays,
+                sampled ? "pixels" : "rays");
     results_say(results,
                 "%llu clocks, %s on the machine\n"
                 "frame checksum %s\n"
@@ -151,6 +156,7 @@ static void write_result(const struct result *result, struct json *json)
     json_text(json, "mode", trace_mode_name(trace->mode));
     json_count(json, "width", trace->width);
     json_count(json, "height", trace->height);
+    json_count(json, "samples", trace->samples);
     json_count(json, "queue", trace->queue);
     json_text(json, "order", order_name(trace_order(trace)));
     json_count(json, "rays", result->rays);
@@ -355,6 +361,7 @@ static const struct command_option options[] = {
     CMD_SIZE(640, 480),
     CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
     CMD_QUEUE("rays in the vector queue"),
+    CMD_SAMPLES,
     CMD_ORDER(ORDER_DEFAULT),
     CMD_MODEL,
     CMD_BOUNDS,

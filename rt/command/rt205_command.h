@@ -96,6 +96,9 @@ command_choice cmd_mode_choice, cmd_visible_choice, cmd_order_choice;
     { .name = "visible", .value = "WAY", .kind = COMMAND_CHOICE, \
       .offset = CMD_PLACE(trace.visible), .choice = cmd_visible_choice, \
       .help = "crossings of solids, vector form" }
+#define CMD_SAMPLES \
+    { CMD_COUNT("samples", trace.samples, 1, TRACE_SAMPLES_MOST, 1, \
+                "rays of a pixel, across and down, averaged") }
 #define CMD_ORDER(usual) \
     { .name = "order", .value = "ORDER", .kind = COMMAND_CHOICE, \
       .offset = CMD_PLACE(trace.order), .choice = cmd_order_choice, \

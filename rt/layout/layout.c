@@ -241,28 +241,47 @@ static void layout_camera(struct record_layout *layout,
     layout_words(layout, layout_symbol(layout, "scene_background"), words, 3);
 }
 
-static void layout_frame(struct record_layout *layout,
-                         struct frame_layout *frame)
+/* Where the pixels go that are made of samples. */
+static void layout_samples(struct record_layout *layout,
+                           const struct scene *scene,
+                           struct frame_layout *frame)
 {
     size_t pixels = frame->width * frame->rows;
-    const double band[2] = { (double)frame->first_row,
-                             (double)(frame->first_row + frame->rows) };
+
+    layout_word(layout, "scene_samples",
+                c205_from_integer((int64_t)frame->samples));
+    if (scene->assumed_gamma > 0)
+        layout_word(layout, "scene_gamma",
+                    c205_from_double(scene->assumed_gamma));
+    frame->address = layout_reserve(layout, pixels * FRAME_CHANNELS);
+    layout_word(layout, "scene_picture", frame->address);
+}
+
+/* To the program, samples are pixels, of a larger frame. */
+static void layout_frame(struct record_layout *layout,
+                         const struct scene *scene,
+                         struct frame_layout *frame)
+{
+    size_t samples = frame->samples > 0 ? frame->samples : 1;
+    size_t width = frame->width * samples, rows = frame->rows * samples;
+    size_t first_row = frame->first_row * samples, pixels = width * rows;
+    const double band[2] = { (double)first_row, (double)(first_row + rows) };
     c205_word words[2];
 
-    layout_word(layout, "scene_width",
-                c205_from_double((double)frame->width));
+    layout_word(layout, "scene_width", c205_from_double((double)width));
     layout_word(layout, "scene_height",
-                c205_from_double((double)frame->height));
+                c205_from_double((double)(frame->height * samples)));
     put_numbers(words, band, 2);
     layout_words(layout, layout_symbol(layout, "scene_band"), words, 2);
     layout_word(layout, "scene_first_pixel",
-                c205_from_integer(
-                    (int64_t)(frame->first_row * frame->width)));
+                c205_from_integer((int64_t)(first_row * width)));
     layout_word(layout, "scene_pixels", c205_from_integer((int64_t)pixels));
     if (frame->tiles)
         layout_word(layout, "scene_tiles", 1);
     frame->address = layout_reserve(layout, pixels * FRAME_CHANNELS);
     layout_word(layout, "scene_frame", frame->address);
+    if (samples > 1)
+        layout_samples(layout, scene, frame);
 }
 
 bool layout_scene(c205 *machine, const struct object *program,
@@ -280,6 +299,6 @@ bool layout_scene(c205 *machine, const struct object *program,
     layout_solids(&layout, scene, bounds);
     layout_levels(&layout, scene);
     layout_lights(&layout, scene);
-    layout_frame(&layout, frame);
+    layout_frame(&layout, scene, frame);
     return !layout.failed;
 }

@@ -31,6 +31,7 @@ struct band_work {
     const struct object *program;
     const c205_model *model;
     size_t width, height; /* of the frame, pixels */
+    size_t samples;       /* rays of a pixel, across and down; 0: one */
     bool bounds;          /* bounding volumes are used */
     bool tiles;           /* the order in which pixels go into queues */
     size_t rays_a_call;   /* that one call of the program's generate makes */

@@ -16,7 +16,7 @@ struct trace {
     struct trace_options options;
     struct object *program;
     struct band_work work;
-    double gamma; /* of the scene's colours */
+    double gamma; /* of the frame's colours */
 
     size_t band_rows; /* of each band but perhaps the last */
     size_t band_count;
@@ -147,7 +147,9 @@ static void divide(struct trace *trace)
     const struct trace_options *options = &trace->options;
     size_t pixels = options->band > 0 ? options->band : TRACE_BAND;
 
-    trace->band_rows = pixels / options->width;
+    size_t samples = options->samples > 0 ? options->samples : 1;
+
+    trace->band_rows = pixels / (samples * samples * options->width);
     if (trace->band_rows == 0)
         trace->band_rows = 1;
     if (trace->band_rows > options->height)
@@ -214,12 +216,15 @@ struct trace *trace_new(const struct scene *scene,
     pthread_mutex_init(&trace->watching, NULL);
     trace->options = *options;
     trace->accounts.model = options->model;
-    trace->gamma = scene->assumed_gamma > 0 ? scene->assumed_gamma : 1;
+    trace->gamma = scene->assumed_gamma > 0 && options->samples <= 1
+                       ? scene->assumed_gamma
+                       : 1;
     trace->work = (struct band_work){
         .scene = scene,
         .model = options->model,
         .width = options->width,
         .height = options->height,
+        .samples = options->samples,
         .bounds = !options->no_bounds,
         .tiles = trace_order(options) == ORDER_TILES,
         .ray_by_ray = options->mode == TRACE_SCALAR,

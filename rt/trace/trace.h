@@ -36,11 +36,13 @@ enum {
     TRACE_JOBS_MOST = 256
 };
 /* Pixels of a frame: what fits the memory that hosts commonly have. */
+enum { TRACE_SAMPLES_MOST = 16 };
 #define TRACE_PIXELS_MOST ((size_t)1 << 26)
 
 struct trace_options {
     enum trace_mode mode;
     size_t width, height;   /* pixels */
+    size_t samples;         /* rays of a pixel, across and down; 0: one */
     size_t queue;           /* rays; not in scalar mode */
     size_t band;            /* pixels of a band at the most, but one row at
                                 the least; 0: TRACE_BAND */

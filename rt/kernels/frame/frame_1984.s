@@ -23,6 +23,8 @@ frame:
         BSAVE   link_kernel, [target]
         EX      target, trace_levels
         BSAVE   link, [target]
+        EX      target, average_1984
+        BSAVE   link_kernel, [target]
         EXIT
         .endkernel
 
@@ -58,4 +60,7 @@ frame:
         .include "light/shade_1984.s"
         .include "light/spawn_1984.s"
         .include "light/resolve_1984.s"
+        .include "frame/samples.s"
+        .include "frame/average_scalar.s"
+        .include "frame/average_1984.s"
         .endshare

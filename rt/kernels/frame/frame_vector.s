@@ -20,6 +20,8 @@ frame:
         BSAVE   link, [target]
         EX      target, trace_levels
         BSAVE   link, [target]
+        EX      target, average
+        BSAVE   link, [target]
         EXIT
         .endkernel
 
@@ -43,3 +45,5 @@ frame:
         .include "light/shadow_vector.s"
         .include "light/spawn_vector.s"
         .include "light/power_vector.s"
+        .include "frame/samples.s"
+        .include "frame/average_vector.s"
