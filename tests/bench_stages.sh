@@ -9,8 +9,12 @@ width=120 height=90
 # Options of rt205 render, a way a line.
 ways() {
     cat <<'END'
+--mode scalar --flat
 --mode scalar
+--mode kernels --flat
 --mode kernels
+--mode vector --flat
+--mode vector --order rows
 --mode vector
 END
 }

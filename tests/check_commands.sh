@@ -910,8 +910,8 @@ ends 2 "$build/rt205" render "$scene" -o a.png --resume -
 tells err 'a file that has a name'
 
 # several jobs: the same results in the same order
-several() { # COMMAND ..: prints with --jobs 3 what it prints without
-    ends 0 "$build/rt205" "$@"
+several() { # COMMAND ..: prints with --jobs 3 what it prints with 1
+    ends 0 "$build/rt205" "$@" --jobs 1
     cp out alone
     ends 0 "$build/rt205" "$@" --jobs 3
     cmp -s out alone
@@ -926,10 +926,53 @@ several profile "$scene" -W 40 -H 30
 several quartic good.csv --falsi all
 several render "$scene" -o jobs.png -W 40 -H 30
 
+# the order in which pixels go into queues
+ordered() { # OPTION ..: the checksum of a frame
+    "$build/rt205" render "$scene" -o order.png -W 60 -H 45 --json order.json \
+        "$@" 2>err | grep checksum
+}
+ordered --mode scalar >whole
+tells order.json '"order": "rows"'
+for mode in vector kernels; do
+    for order in rows tiles; do
+        ordered --mode $mode --order $order | cmp -s - whole
+        verdict $? "$mode by $order: another frame"
+        tells order.json "\"order\": \"$order\""
+    done
+done
+ordered --mode kernels | cmp -s - whole && tells order.json '"order": "rows"'
+ordered | cmp -s - whole && tells order.json '"order": "tiles"'
+ends 2 "$build/rt205" render "$scene" -o order.png --order spiral
+tells err "--order: wrong argument: spiral"
+ends 0 "$build/rt205" profile "$scene" -W 40 -H 30 --order tiles
+ends 0 "$build/rt205" sweep queue "$scene" --points 1,50 -W 16 -H 12 --order tiles
+
+# no adapter for pictures: told before a long frame, and nothing is left
+mkdir alone.bin
+cp "$build/rt205" alone.bin
+begun=$(date +%s)
+ends 1 env -u RT205_LIBDIR alone.bin/rt205 render "$scene" -o alone.png \
+    -W 4000 -H 4000
+tells err "pictures: no rt205_oiio.so in"
+[ ! -e alone.png ] && [ $(($(date +%s) - begun)) -le 5 ]
+verdict $? "a picture without its adapter"
+
+# several rays a pixel
+ends 0 "$build/rt205" render "$scene" -o samples.png -W 20 -H 15 --samples 3 \
+    --json samples.json
+tells out "20 x 15 of 3 x 3 rays, vector"
+tells out "of 300 pixels hit"
+tells samples.json '"samples": 3'
+tells samples.json '"rays": 2700'
+ends 0 "$build/rt205" profile "$scene" -W 20 -H 15 --samples 2
+ends 2 "$build/rt205" render "$scene" -o samples.png --samples 17
+
 # Ctrl-C in the middle of a long frame
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \
     >out 2>err &
 sleep 1
+[ "$(ls /proc/$!/task | wc -l)" -ge "$(getconf _NPROCESSORS_ONLN)" ]
+verdict $? "not as many jobs as there are processors"
 kill -INT $!
 wait $!
 [ $? -eq 1 ]
@@ -972,7 +1015,9 @@ frame() { # OPTION ..: the checksum and the clocks of a frame
     "$build/rt205" render "$scene" -o bands.png -W 640 -H 480 "$@" 2>err \
         | grep -e checksum -e 'clocks,'
 }
-frame >whole
+frame --jobs 1 >whole
+frame | cmp -s - whole
+verdict $? "as many jobs as there are processors make another frame"
 frame --jobs 3 | cmp -s - whole
 verdict $? "three jobs make another frame, or other clocks"
 frame --resume bands.kept | cmp -s - whole

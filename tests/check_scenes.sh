@@ -1,11 +1,12 @@
 #!/bin/sh
 # check_scenes.sh BUILD SCENE .. - each of these scenes, small.
 #
-# The three stages, with queues of any length, with and without bounding
-# volumes, with and without a hierarchy of them, give the same frame, bit for
-# bit; the frame is the plain C tracer's, and that one is POV-Ray's picture of
-# the same file, within the tolerances that check_scene states.  The way of 1984
-# to patches and cylinders gives the plain tracer's frame, too.
+# The three stages, with queues of any length, by tiles and by rows, with and
+# without bounding volumes, with and without a hierarchy of them, give the same
+# frame, bit for bit; the frame is the plain C tracer's, and that one is
+# POV-Ray's picture of the same file, within the tolerances that check_scene
+# states.  The way of 1984 to patches and cylinders gives the plain tracer's
+# frame, too.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1
@@ -56,6 +57,17 @@ same_frames() { # SCENE: of all stages and queues
         [ "$(checksum "$1" --mode kernels --queue $queue)" = "$frame" ]
         verdict $? "$1: the paper's stage, a queue of $queue: another frame"
     done
+    for queue in 1 77 2000; do
+        [ "$(checksum "$1" --order rows --queue $queue)" = "$frame" ]
+        verdict $? "$1: by rows a queue of $queue gives another frame"
+    done
+    [ "$(checksum "$1" --mode kernels --order tiles --queue 50)" = "$frame" ]
+    verdict $? "$1: the paper's stage by tiles gives another frame"
+    averaged=$(checksum "$1" --samples 2 --mode scalar)
+    [ -n "$averaged" ] && [ "$averaged" != "$frame" ] &&
+        [ "$(checksum "$1" --samples 2)" = "$averaged" ] &&
+        [ "$(checksum "$1" --samples 2 --mode kernels)" = "$averaged" ]
+    verdict $? "$1: of four rays a pixel the stages give different frames"
     [ "$(checksum "$1" --visible every)" = "$frame" ]
     verdict $? "$1: every crossing of solids gives another frame"
     for mode in scalar vector; do

@@ -24,6 +24,7 @@ static void tell_head(const struct rt205_arguments *arguments,
     json_text(json, "scene", arguments->scene);
     json_count(json, "width", options->width);
     json_count(json, "height", options->height);
+    json_count(json, "samples", options->samples);
     json_count(json, "queue", options->queue);
     json_text(json, "checksum", text);
     provenance_json(options->model, json);
@@ -92,6 +93,8 @@ static int run_command_line(void *arguments)
 static const struct command_option options[] = {
     CMD_SIZE(320, 240),
     CMD_QUEUE("rays in the vector queue"),
+    CMD_SAMPLES,
+    CMD_ORDER(ORDER_DEFAULT),
     CMD_MODEL,
     CMD_BOUNDS,
     CMD_JOBS("bands of the frame traced at a time"),

@@ -6,12 +6,33 @@
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 
+static bool write_rows(const struct trace_options *options,
+                       const struct trace *trace, struct picture *picture,
+                       struct picture_error *why)
+{
+    struct frame part;
+    size_t rows = options->height < PICTURE_PART ? options->height
+                                                 : PICTURE_PART;
+    bool good = frame_allocate(&part, options->width, rows);
+
+    snprintf(why->message, sizeof why->message, "no memory for the picture");
+    for (size_t row = 0; good && row < options->height; row += PICTURE_PART) {
+        if (options->height - row < PICTURE_PART)
+            part.height = options->height - row;
+        trace_read(trace, row, &part);
+        good = picture_rows(picture, &part, why);
+    }
+    frame_free(&part);
+    return good;
+}
+
 static bool write_picture(const struct rt205_arguments *arguments,
                           const struct trace *trace, c205_error *error)
 {
     const struct accounts *accounts = trace_accounts(trace);
-    struct frame frame = { 0 };
     bool whole = trace_rows_done(trace) == arguments->trace.height;
+    const struct trace_options *options = &arguments->trace;
+    struct picture *picture;
     struct picture_error why;
     char clocks[32], rows[48];
     const struct picture_note notes[] = {
@@ -29,13 +50,12 @@ static bool write_picture(const struct rt205_arguments *arguments,
              (unsigned long long)accounts->clocks);
     snprintf(rows, sizeof rows, "%zu of %zu", trace_rows_done(trace),
              arguments->trace.height);
-    if (!trace_read(trace, &frame, error))
-        return false;
-    good = picture_write(arguments->output, &frame, notes, arguments->half,
-                         &why);
+    picture = picture_begin(arguments->output, options->width,
+                            options->height, notes, arguments->half, &why);
+    good = picture && write_rows(options, trace, picture, &why);
+    good = picture && picture_end(picture, good, &why);
     if (!good)
         snprintf(error->message, sizeof error->message, "%s", why.message);
-    frame_free(&frame);
     return good;
 }
 
@@ -46,7 +66,7 @@ struct result {
     const struct rt205_arguments *arguments;
     const c205_model *model;
     uint64_t clocks;
-    size_t rays, hits; /* of the camera */
+    size_t rays, hits; /* of the camera; pixels that show something */
     char checksum[17];
 };
 
@@ -70,15 +90,20 @@ static void print_result(const struct result *result,
 {
     const struct rt205_arguments *arguments = result->arguments;
     const struct trace_options *trace = &arguments->trace;
-    char queue[48] = "", time[ACCOUNTS_TIME];
+    bool sampled = trace->samples > 1;
+    char queue[48] = "", samples[64] = "", time[ACCOUNTS_TIME];
 
+    if (sampled)
+        snprintf(samples, sizeof samples, " of %zu x %zu rays",
+                 trace->samples, trace->samples);
     if (trace->mode != TRACE_SCALAR)
         snprintf(queue, sizeof queue, ", a queue of %zu", trace->queue);
     accounts_time(result->model, result->clocks, time);
-    results_say(results, "%s: %zu x %zu, %s%s; %zu of %zu rays hit\n",
-                arguments->scene, trace->width, trace->height,
+    results_say(results, "%s: %zu x %zu%s, %s%s; %zu of %zu %s hit\n",
+                arguments->scene, trace->width, trace->height, samples,
                 trace_mode_name(trace->mode), queue, result->hits,
-                result->rays);
+                sampled ? trace->width * trace->height : result->rays,
+                sampled ? "pixels" : "rays");
     results_say(results,
                 "%llu clocks, %s on the machine\n"
                 "frame checksum %s\n"
@@ -131,7 +156,9 @@ static void write_result(const struct result *result, struct json *json)
     json_text(json, "mode", trace_mode_name(trace->mode));
     json_count(json, "width", trace->width);
     json_count(json, "height", trace->height);
+    json_count(json, "samples", trace->samples);
     json_count(json, "queue", trace->queue);
+    json_text(json, "order", order_name(trace_order(trace)));
     json_count(json, "rays", result->rays);
     json_count(json, "hits", result->hits);
     json_count(json, "clocks", result->clocks);
@@ -246,8 +273,8 @@ static int end_early(const struct rt205_arguments *arguments,
                       bands);
 }
 
-static int run(const struct rt205_arguments *arguments, struct trace *trace,
-               const struct results *results)
+static int trace_and_write(const struct rt205_arguments *arguments,
+                           struct trace *trace, const struct results *results)
 {
     c205_error error = { "no memory" };
 
@@ -258,6 +285,20 @@ static int run(const struct rt205_arguments *arguments, struct trace *trace,
         return tell(arguments, trace, results);
     }
     return cmd_failed(arguments->command, "%s", error.message);
+}
+
+/* While the machine works, the library that writes pictures is loaded. */
+static int run(const struct rt205_arguments *arguments, struct trace *trace,
+               const struct results *results)
+{
+    struct picture_error why;
+    int code;
+
+    if (!picture_load(&why))
+        return cmd_failed(arguments->command, "%s", why.message);
+    code = trace_and_write(arguments, trace, results);
+    picture_loaded();
+    return code;
 }
 
 static int render(const struct rt205_arguments *arguments,
@@ -320,6 +361,8 @@ static const struct command_option options[] = {
     CMD_SIZE(640, 480),
     CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
     CMD_QUEUE("rays in the vector queue"),
+    CMD_SAMPLES,
+    CMD_ORDER(ORDER_DEFAULT),
     CMD_MODEL,
     CMD_BOUNDS,
     CMD_JOBS("bands of the frame traced at a time"),

@@ -3,6 +3,7 @@
 
 #include "base/interrupt.h"
 #include "base/model.h"
+#include "rt/trace/processors.h"
 
 #include <stdio.h>
 
@@ -43,6 +44,8 @@ int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work)
     if (!model)
         return CMD_FAILED;
     arguments->trace.model = model;
+    arguments->trace.jobs = jobs_wanted(arguments->trace.jobs,
+                                        TRACE_JOBS_MOST);
     code = open_and_work(arguments, work);
     c205_model_free(model);
     return code;
@@ -95,4 +98,9 @@ const char *cmd_mode_choice(size_t number)
 const char *cmd_visible_choice(size_t number)
 {
     return number < VISIBLE_WAYS ? visible_name((enum visible)number) : NULL;
+}
+
+const char *cmd_order_choice(size_t number)
+{
+    return number < ORDERS ? order_name((enum trace_order)number) : NULL;
 }

@@ -331,6 +331,7 @@ static const struct command_option options[] = {
     CMD_VIEW(0, "10; hits: 37"),
     CMD_MODE(queue_mode_choice, "of the queues; kernels is that of 1984"),
     CMD_QUEUE("rays in the queue (pipes, hits)"),
+    CMD_ORDER(ORDER_ROWS),
     CMD_MODEL,
     CMD_BOUNDS,
     CMD_JOBS("frames traced at a time"),

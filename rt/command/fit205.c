@@ -8,6 +8,7 @@
 #include "rt/study/fit/goal.h"
 #include "rt/study/fit/report.h"
 #include "rt/study/fit/written.h"
+#include "rt/trace/processors.h"
 
 enum { PATH_SIZE = 512 };
 
@@ -141,7 +142,7 @@ static bool work(const struct arguments *arguments, struct sources *sources,
     study->brief = arguments->brief;
     study->fit.observations = &sources->observations;
     study->fit.constants = &sources->constants;
-    study->fit.jobs = arguments->jobs;
+    study->fit.jobs = jobs_wanted(arguments->jobs, FIT_JOBS_MOST);
     return read_sources(arguments, sources, error)
            && hold_out(arguments, &sources->observations, study, error)
            && check_files(arguments, study, error) && study_make(study, error)
@@ -229,8 +230,8 @@ static const struct command_option options[] = {
       .kind = COMMAND_COUNT,
       .offset = PLACE(jobs),
       .least = 1,
-      .most = 64,
-      .preset = 2,
+      .most = FIT_JOBS_MOST,
+      .preset_text = "one for each processor",
       .help = "threads" },
     { .name = "write",
       .value = "FILE",

@@ -50,7 +50,7 @@ struct rt205_arguments {
 
 #define CMD_PLACE(member) offsetof(struct rt205_arguments, member)
 
-command_choice cmd_mode_choice, cmd_visible_choice;
+command_choice cmd_mode_choice, cmd_visible_choice, cmd_order_choice;
 
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
@@ -74,7 +74,8 @@ command_choice cmd_mode_choice, cmd_visible_choice;
     { CMD_COUNT("queue", trace.queue, 1, TRACE_QUEUE_MOST, TRACE_QUEUE, \
                 what) }
 #define CMD_JOBS(what) \
-    { CMD_COUNT("jobs", trace.jobs, 1, TRACE_JOBS_MOST, 1, what) }
+    { CMD_COUNT("jobs", trace.jobs, 1, TRACE_JOBS_MOST, 0, what), \
+      .preset_text = "one for each processor" }
 #define CMD_VIEW(usual, usual_text) \
     { .name = "distance", .value = "D", .kind = COMMAND_NUMBER, \
       .offset = CMD_PLACE(view.distance), .most = 1e6, \
@@ -97,6 +98,13 @@ command_choice cmd_mode_choice, cmd_visible_choice;
     { .name = "visible", .value = "WAY", .kind = COMMAND_CHOICE, \
       .offset = CMD_PLACE(trace.visible), .choice = cmd_visible_choice, \
       .help = "crossings of solids, vector form" }
+#define CMD_SAMPLES \
+    { CMD_COUNT("samples", trace.samples, 1, TRACE_SAMPLES_MOST, 1, \
+                "rays of a pixel, across and down, averaged") }
+#define CMD_ORDER(usual) \
+    { .name = "order", .value = "ORDER", .kind = COMMAND_CHOICE, \
+      .offset = CMD_PLACE(trace.order), .choice = cmd_order_choice, \
+      .preset = usual, .help = "how pixels go into queues" }
 #define CMD_READ \
     CMD_FLAG("strict", strict, \
              "what would be replaced or left out is an error"), \

@@ -277,32 +277,51 @@ static void layout_camera(struct record_layout *layout,
     layout_words(layout, layout_symbol(layout, "scene_background"), words, 3);
 }
 
-static void layout_frame(struct record_layout *layout,
-                         struct frame_layout *frame)
+/* Where the pixels go that are made of samples. */
+static void layout_samples(struct record_layout *layout, double gamma,
+                           struct frame_layout *frame)
 {
     size_t pixels = frame->width * frame->rows;
-    const double band[2] = { (double)frame->first_row,
-                             (double)(frame->first_row + frame->rows) };
+
+    layout_word(layout, "scene_samples",
+                c205_from_integer((int64_t)frame->samples));
+    if (gamma > 0)
+        layout_word(layout, "scene_gamma", c205_from_double(gamma));
+    frame->address = layout_reserve(layout, pixels * FRAME_CHANNELS);
+    layout_word(layout, "scene_picture", frame->address);
+}
+
+/* To the program, samples are pixels, of a larger frame. */
+static void layout_frame(struct record_layout *layout, double gamma,
+                         struct frame_layout *frame)
+{
+    size_t samples = frame->samples > 0 ? frame->samples : 1;
+    size_t width = frame->width * samples, rows = frame->rows * samples;
+    size_t first_row = frame->first_row * samples, pixels = width * rows;
+    const double band[2] = { (double)first_row, (double)(first_row + rows) };
     c205_word words[2];
 
-    layout_word(layout, "scene_width",
-                c205_from_double((double)frame->width));
+    layout_word(layout, "scene_width", c205_from_double((double)width));
     layout_word(layout, "scene_height",
-                c205_from_double((double)frame->height));
+                c205_from_double((double)(frame->height * samples)));
     put_numbers(words, band, 2);
     layout_words(layout, layout_symbol(layout, "scene_band"), words, 2);
     layout_word(layout, "scene_first_pixel",
-                c205_from_integer(
-                    (int64_t)(frame->first_row * frame->width)));
+                c205_from_integer((int64_t)(first_row * width)));
     layout_word(layout, "scene_pixels", c205_from_integer((int64_t)pixels));
+    if (frame->tiles)
+        layout_word(layout, "scene_tiles", 1);
     frame->address = layout_reserve(layout, pixels * FRAME_CHANNELS);
     layout_word(layout, "scene_frame", frame->address);
+    if (samples > 1)
+        layout_samples(layout, gamma, frame);
 }
 
 struct scene_layout {
     const struct object *program;
     struct image image;
     uint64_t end; /* the next address that nothing uses */
+    double gamma; /* of the scene's colours; 0: not given */
 };
 
 struct scene_layout *layout_new(const struct object *program,
@@ -329,6 +348,7 @@ struct scene_layout *layout_new(const struct object *program,
     layout_lights(&layout, scene);
     whole->program = program;
     whole->end = layout.free;
+    whole->gamma = scene->assumed_gamma;
     if (!layout.failed)
         return whole;
     layout_free(whole);
@@ -353,7 +373,7 @@ bool layout_put(const struct scene_layout *whole, c205 *machine,
                                     .free = whole->end };
     bool good;
 
-    layout_frame(&layout, frame);
+    layout_frame(&layout, whole->gamma, frame);
     good = !layout.failed && image_load(&whole->image, machine, error)
            && image_load(&image, machine, error);
     image_free(&image);

@@ -120,11 +120,10 @@ static bool is_color(size_t channel)
     return channel <= CHANNEL_BLUE;
 }
 
-/* The frame's planes, side by side. */
+/* The planes of some rows, side by side. */
 static void interleave(const struct frame *frame,
-                       const struct picture_image *image)
+                       const struct picture_image *image, float *sample)
 {
-    float *sample = image->samples;
     for (size_t i = 0; i < frame->width * frame->height; i++)
         for (size_t channel = 0; channel < image->channels; channel++) {
             double value = frame->channel[channel][i];
@@ -159,33 +158,65 @@ static bool program_folder(char *folder, size_t size)
     return slash != NULL;
 }
 
+enum { ADAPTER_PATH = 4096 + sizeof PICTURE_ADAPTER_FILE };
+
+static bool adapter_is_in(const char *folder, char path[ADAPTER_PATH])
+{
+    snprintf(path, ADAPTER_PATH, "%s/%s", folder, PICTURE_ADAPTER_FILE);
+    return access(path, R_OK) == 0;
+}
+
 static const struct picture_adapter *adapter_in(const char *folder,
                                                 struct picture_error *error)
 {
-    char path[4096 + sizeof PICTURE_ADAPTER_FILE];
-    snprintf(path, sizeof path, "%s/%s", folder, PICTURE_ADAPTER_FILE);
-    if (access(path, R_OK) != 0)
+    char path[ADAPTER_PATH];
+    if (!adapter_is_in(folder, path))
         return NULL;
-    void *object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    /* Lazily: a third of the time that it takes goes for names that nobody
+     * calls. */
+    void *object = dlopen(path, RTLD_LAZY | RTLD_LOCAL);
     const void *table = object ? dlsym(object, PICTURE_ADAPTER_SYMBOL) : NULL;
     if (!table)
         fail(error, "pictures: %s", dlerror());
     return table;
 }
 
+/* Where the adapter may be: folders, as many as there are. */
+struct places {
+    char beside[4096], installed[4096 + sizeof FROM_BIN];
+    const char *folders[3];
+    size_t count;
+};
+
+static void find_places(struct places *places)
+{
+    const char *named = getenv("RT205_LIBDIR");
+    strcpy(places->beside, ".");
+    program_folder(places->beside, sizeof places->beside);
+    snprintf(places->installed, sizeof places->installed, "%s%s",
+             places->beside, FROM_BIN);
+    places->count = 0;
+    if (named)
+        places->folders[places->count++] = named;
+    places->folders[places->count++] = places->beside;
+    places->folders[places->count++] = places->installed;
+}
+
+static bool fail_nowhere(const struct places *places,
+                         struct picture_error *error)
+{
+    return fail(error, "pictures: no %s in %s or %s", PICTURE_ADAPTER_FILE,
+                places->beside, places->installed);
+}
+
 static const struct picture_adapter *find_adapter(struct picture_error *error)
 {
     const struct picture_adapter *found = NULL;
-    char beside[4096] = ".", installed[sizeof beside + sizeof FROM_BIN];
-    program_folder(beside, sizeof beside);
-    snprintf(installed, sizeof installed, "%s%s", beside, FROM_BIN);
-    const char *const folders[] = { getenv("RT205_LIBDIR"), beside,
-                                    installed };
-    fail(error, "pictures: no %s in %s or %s", PICTURE_ADAPTER_FILE, beside,
-         installed);
-    for (size_t i = 0; !found && i < sizeof folders / sizeof *folders; i++)
-        if (folders[i])
-            found = adapter_in(folders[i], error);
+    struct places places;
+    find_places(&places);
+    fail_nowhere(&places, error);
+    for (size_t i = 0; !found && i < places.count; i++)
+        found = adapter_in(places.folders[i], error);
     return found;
 }
 
@@ -200,6 +231,38 @@ static const struct picture_adapter *adapter(struct picture_error *error)
     const struct picture_adapter *found = loaded;
     pthread_mutex_unlock(&loading);
     return found;
+}
+
+/* The thread that loads, of the main thread's. */
+static pthread_t loader;
+static bool loading_begun;
+
+static void *load(void *context)
+{
+    struct picture_error error;
+    (void)context;
+    adapter(&error); /* whoever writes asks again, and is told */
+    return NULL;
+}
+
+bool picture_load(struct picture_error *error)
+{
+    struct places places;
+    char path[ADAPTER_PATH];
+    bool there = false;
+    find_places(&places);
+    for (size_t i = 0; i < places.count; i++)
+        there = there || adapter_is_in(places.folders[i], path);
+    if (there && !loading_begun)
+        loading_begun = pthread_create(&loader, NULL, load, NULL) == 0;
+    return there || fail_nowhere(&places, error);
+}
+
+void picture_loaded(void)
+{
+    if (loading_begun)
+        pthread_join(loader, NULL);
+    loading_begun = false;
 }
 
 /* --- paths ------------------------------------------------------------- */
@@ -237,35 +300,6 @@ bool picture_check_path(const char *path, struct picture_error *error)
 
 /* --- writing and reading ----------------------------------------------- */
 
-static bool write_file(const char *path, const struct picture_file *file,
-                       struct picture_error *error)
-{
-    c205_error cause;
-    struct whole *whole = whole_open(path, &cause);
-    if (!whole)
-        return fail(error, "%s", cause.message);
-    fwrite(file->bytes, 1, file->size, whole->file);
-    return whole_commit(whole, &cause) || fail(error, "%s", cause.message);
-}
-
-static bool encode_and_write(const char *path,
-                             const struct picture_image *image,
-                             const struct picture_note *notes,
-                             struct picture_error *error)
-{
-    struct picture_error cause;
-    struct picture_file file = { NULL, 0 };
-    const struct picture_adapter *files = adapter(error);
-    if (!files)
-        return false;
-    const char *name = file_is_stream(path) ? stream_name : path;
-    if (!files->encode(name, image, notes, &file, &cause))
-        return fail(error, "%s: %s", path, cause.message);
-    bool good = write_file(path, &file, error);
-    free(file.bytes);
-    return good;
-}
-
 static void choose_formats(struct picture_image *image, bool half)
 {
     for (size_t channel = 0; channel < image->channels; channel++)
@@ -274,27 +308,133 @@ static void choose_formats(struct picture_image *image, bool half)
                                                              : SAMPLE_FLOAT;
 }
 
+struct picture {
+    const struct picture_adapter *files;
+    struct picture_image image; /* its samples stay with their parts */
+    char *path;
+    struct whole *whole;
+    void *writing; /* the adapter's */
+    size_t rows;   /* that came */
+};
+
+static bool fail_at(const char *path, const struct picture_error *cause,
+                    struct picture_error *error)
+{
+    char message[sizeof cause->message];
+    snprintf(message, sizeof message, "%s", cause->message);
+    return fail(error, "%s: %s", path, message);
+}
+
+static bool open_file(struct picture *picture,
+                      const struct picture_note *notes,
+                      struct picture_error *error)
+{
+    struct picture_error why;
+    c205_error cause;
+    const char *path = picture->path;
+    picture->files = adapter(error);
+    if (!picture->files)
+        return false;
+    picture->whole = whole_open(path, &cause);
+    if (!picture->whole)
+        return fail(error, "%s", cause.message);
+    const char *name = file_is_stream(path) ? stream_name : path;
+    picture->writing = picture->files->begin(name, &picture->image, notes,
+                                             picture->whole->file, &why);
+    return picture->writing || fail_at(path, &why, error);
+}
+
+struct picture *picture_begin(const char *path, size_t width, size_t height,
+                              const struct picture_note *notes, bool half,
+                              struct picture_error *error)
+{
+    if (!picture_check_path(path, error))
+        return NULL;
+    const struct picture_kind *kind = kind_of(path);
+    struct picture *picture = calloc(1, sizeof *picture);
+    char *copy = malloc(strlen(path) + 1);
+    fail(error, "out of memory");
+    if (picture && copy) {
+        picture->path = strcpy(copy, path);
+        picture->image = (struct picture_image){ .width = width,
+                                                 .height = height,
+                                                 .channels = kind->channels,
+                                                 .srgb = kind->srgb,
+                                                 .names = channel_names };
+        choose_formats(&picture->image, half && kind->half);
+        if (open_file(picture, notes, error))
+            return picture;
+        if (picture->whole)
+            whole_discard(picture->whole);
+    }
+    free(picture);
+    free(copy);
+    return NULL;
+}
+
+bool picture_rows(struct picture *picture, const struct frame *part,
+                  struct picture_error *error)
+{
+    const struct picture_image *image = &picture->image;
+    struct picture_error why;
+    size_t first = picture->rows, last = first + part->height;
+    if (part->width != image->width || last > image->height)
+        return fail(error, "%s: rows that it has not", picture->path);
+    float *samples = malloc(part->width * part->height * image->channels
+                            * sizeof *samples);
+    if (!samples)
+        return fail(error, "out of memory");
+    interleave(part, image, samples);
+    bool good = picture->files->rows(picture->writing, first, last, samples,
+                                     &why);
+    free(samples);
+    picture->rows = last;
+    return good || fail_at(picture->path, &why, error);
+}
+
+bool picture_end(struct picture *picture, bool good,
+                 struct picture_error *error)
+{
+    struct picture_error why = { "its last rows are missing" };
+    c205_error cause;
+    bool whole = good && picture->rows == picture->image.height;
+    bool ended = picture->files->end(picture->writing, whole, &why) && whole;
+    if (!ended) {
+        whole_discard(picture->whole);
+        if (good)
+            fail_at(picture->path, &why, error);
+    } else if (!whole_commit(picture->whole, &cause)) {
+        ended = fail(error, "%s", cause.message);
+    }
+    free(picture->path);
+    free(picture);
+    return ended;
+}
+
+/* Some of a frame's rows, as a frame. */
+static struct frame part_of(const struct frame *frame, size_t first)
+{
+    size_t left = frame->height - first;
+    struct frame part = { .width = frame->width,
+                          .height = left < PICTURE_PART ? left
+                                                        : PICTURE_PART };
+    for (size_t i = 0; i < FRAME_CHANNELS; i++)
+        part.channel[i] = frame->channel[i] + first * frame->width;
+    return part;
+}
+
 bool picture_write(const char *path, const struct frame *frame,
                    const struct picture_note *notes, bool half,
                    struct picture_error *error)
 {
-    if (!picture_check_path(path, error))
-        return false;
-    const struct picture_kind *kind = kind_of(path);
-    struct picture_image image = { .width = frame->width,
-                                   .height = frame->height,
-                                   .channels = kind->channels,
-                                   .srgb = kind->srgb,
-                                   .names = channel_names };
-    choose_formats(&image, half && kind->half);
-    image.samples = calloc(image.width * image.height * image.channels,
-                           sizeof *image.samples);
-    if (!image.samples)
-        return fail(error, "out of memory");
-    interleave(frame, &image);
-    bool good = encode_and_write(path, &image, notes, error);
-    free(image.samples);
-    return good;
+    struct picture *picture = picture_begin(path, frame->width, frame->height,
+                                            notes, half, error);
+    bool good = picture != NULL;
+    for (size_t row = 0; good && row < frame->height; row += PICTURE_PART) {
+        struct frame part = part_of(frame, row);
+        good = picture_rows(picture, &part, error);
+    }
+    return picture && picture_end(picture, good, error);
 }
 
 bool picture_read(const char *path, struct frame *frame,

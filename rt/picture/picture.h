@@ -5,7 +5,7 @@
  * ray), N.X, N.Y, N.Z (unit normal, world) and id (primitive number, from 1;
  * 0 is background).  The writing is OpenImageIO's; its adapter, a shared
  * object by the name of rt205_oiio.so, is loaded when a picture is first
- * touched, so that a command which makes no picture does not pay for it.  It
+ * touched or announced, so that a command which makes no picture does not pay for it.  It
  * is looked for in the folder that the environment's RT205_LIBDIR names,
  * beside the running program, and in ../lib/rt205 from there, where it is
  * installed.
@@ -52,6 +52,28 @@ struct picture_error {
 bool picture_write(const char *path, const struct frame *frame,
                    const struct picture_note *notes, bool half,
                    struct picture_error *error);
+
+/* The same of a frame that comes in parts, from its first row on.  begin: NULL,
+ * and the error says why.  rows: the next ones, as many as the part has.  end
+ * commits the picture, if all rows came and good is said, else leaves the old
+ * file; it frees the picture in any case.  What is written in parts is the same
+ * file if all parts but the last have PICTURE_PART rows. */
+enum { PICTURE_PART = 32 };
+struct picture;
+struct picture *picture_begin(const char *path, size_t width, size_t height,
+                              const struct picture_note *notes, bool half,
+                              struct picture_error *error);
+bool picture_rows(struct picture *picture, const struct frame *part,
+                  struct picture_error *error);
+bool picture_end(struct picture *picture, bool good,
+                 struct picture_error *error);
+
+/* Load the adapter in a thread, for a picture that is to be written later;
+ * whoever needs it waits for it.  An adapter that is nowhere is told at once,
+ * any other fault by who writes.  picture_loaded, when nothing more will be
+ * written: the thread must not outlive the program. */
+bool picture_load(struct picture_error *error);
+void picture_loaded(void);
 
 /* Could the path be written?  Tells an unknown ending or a missing folder
  * before a long frame is traced. */

@@ -108,33 +108,73 @@ OIIO::ImageSpec spec_of(const picture_image &image)
     return spec;
 }
 
-void hand_over(const std::vector<unsigned char> &bytes, picture_file &file)
-{
-    file.size = bytes.size();
-    file.bytes = static_cast<unsigned char *>(std::malloc(file.size));
-    require(file.bytes != nullptr, "out of memory");
-    std::copy(bytes.begin(), bytes.end(), file.bytes);
-}
+// A file that never fails: the library does not bear a full disk (its JPEG ends
+// the process), and who has opened the file asks that at the end.
+struct patient_file : OIIO::Filesystem::IOFile {
+    explicit patient_file(std::FILE *to)
+        : IOFile(to, OIIO::Filesystem::IOProxy::Write)
+    {
+    }
+    // By its own name JPEG would go around it.
+    const char *proxytype() const override
+    {
+        return "patient";
+    }
+    std::size_t write(const void *bytes, std::size_t count) override
+    {
+        IOFile::write(bytes, count);
+        return count;
+    }
+};
 
-// Into memory: the library does not notice a full disk.
-bool encode(const char *path, const picture_image *image,
-            const picture_note *notes, picture_file *file,
-            picture_error *error)
+// A picture on its way.
+struct writing {
+    writing(const char *path, std::FILE *to)
+        : file(to), output(OIIO::ImageOutput::create(path, &file))
+    {
+    }
+    patient_file file;
+    std::unique_ptr<OIIO::ImageOutput> output;
+};
+
+void *begin(const char *path, const picture_image *image,
+            const picture_note *notes, FILE *file, picture_error *error)
 {
-    return guarded(error, [&] {
-        OIIO::Filesystem::IOVecOutput memory;
-        auto output = OIIO::ImageOutput::create(path, &memory);
+    std::unique_ptr<writing> picture;
+    const bool good = guarded(error, [&] {
+        picture.reset(new writing(path, file));
+        auto &output = picture->output;
         require(output != nullptr, OIIO::geterror());
         OIIO::ImageSpec spec = spec_of(*image);
         annotate(spec, notes);
         if (!output->supports("channelformats"))
             spec.channelformats.clear();
         require(output->open(path, spec), output->geterror());
-        require(output->write_image(OIIO::TypeDesc::FLOAT, image->samples),
-                output->geterror());
-        require(output->close(), output->geterror());
-        hand_over(memory.buffer(), *file);
     });
+    return good ? picture.release() : nullptr;
+}
+
+bool rows(void *given, size_t first, size_t last, const float *samples,
+          picture_error *error)
+{
+    auto &output = static_cast<writing *>(given)->output;
+    return guarded(error, [&] {
+        require(output->write_scanlines(static_cast<int>(first),
+                                        static_cast<int>(last), 0,
+                                        OIIO::TypeDesc::FLOAT, samples),
+                output->geterror());
+    });
+}
+
+bool end(void *given, bool whole, picture_error *error)
+{
+    std::unique_ptr<writing> picture(static_cast<writing *>(given));
+    picture_error none;
+    const bool good = guarded(whole ? error : &none, [&] {
+        require(picture->output->close(), picture->output->geterror());
+    });
+    guarded(&none, [&] { picture.reset(); });
+    return good;
 }
 
 std::unique_ptr<OIIO::ImageInput> opened(const char *path)
@@ -207,5 +247,5 @@ bool read_note(const char *path, const char *name, char *text, size_t size,
 
 } // namespace
 
-const struct picture_adapter rt205_picture_adapter = { encode, read,
+const struct picture_adapter rt205_picture_adapter = { begin, rows, end, read,
                                                        read_note };

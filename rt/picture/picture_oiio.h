@@ -6,6 +6,8 @@
 #ifndef RT_PICTURE_OIIO_H
 #define RT_PICTURE_OIIO_H
 
+#include <stdio.h>
+
 #include "rt/picture/picture.h"
 
 #define PICTURE_ADAPTER_FILE "rt205_oiio.so"
@@ -22,17 +24,18 @@ struct picture_image {
     float *samples;
 };
 
-struct picture_file {
-    unsigned char *bytes;
-    size_t size;
-};
-
 struct picture_adapter {
-    /* The image as the bytes of a file of the kind that the path's ending
-     * says.  Nothing is written.  The caller frees file->bytes. */
-    bool (*encode)(const char *path, const struct picture_image *image,
-                   const struct picture_note *notes,
-                   struct picture_file *file, struct picture_error *error);
+    /* Begin a picture of the kind that the path's ending says, in a file that
+     * is open and stays so: the image is described, its samples are not there
+     * yet.  What it gives is for the other two. */
+    void *(*begin)(const char *path, const struct picture_image *image,
+                   const struct picture_note *notes, FILE *file,
+                   struct picture_error *error);
+    /* The samples of rows first .. last - 1, each row once and in order. */
+    bool (*rows)(void *picture, size_t first, size_t last,
+                 const float *samples, struct picture_error *error);
+    /* Finish it, if it is whole, and free it in any case. */
+    bool (*end)(void *picture, bool whole, struct picture_error *error);
 
     /* Fill the image: of the file's channels those that image->names asks
      * for, in its order, absent ones 0.  The caller frees image->samples. */

@@ -27,14 +27,23 @@ struct profile_region {
     enum profile_part part;
 };
 static const struct profile_region regions[] = {
-    { "camera", PART_GENERATE },     { "generate", PART_GENERATE },
-    { "bound", PART_INTERSECT },     { "call", PART_INTERSECT },
-    { "transform", PART_INTERSECT }, { NULL, PART_INTERSECT },
-    { "quartic", PART_INTERSECT },   { "root_solver", PART_INTERSECT },
-    { "visible", PART_VISIBLE },     { "shade", PART_SHADE },
-    { "power", PART_SHADE },         { "shadow", PART_SHADE },
-    { "spawn", PART_SPAWN },         { "resolve", PART_SPAWN },
-    { "frame", PART_REST },          { "", PART_REST },
+    { "camera", PART_GENERATE },
+    { "generate", PART_GENERATE },
+    { "bound", PART_INTERSECT },
+    { "call", PART_INTERSECT },
+    { "transform", PART_INTERSECT },
+    { NULL, PART_INTERSECT },
+    { "quartic", PART_INTERSECT },
+    { "root_solver", PART_INTERSECT },
+    { "visible", PART_VISIBLE },
+    { "shade", PART_SHADE },
+    { "power", PART_SHADE },
+    { "shadow", PART_SHADE },
+    { "spawn", PART_SPAWN },
+    { "resolve", PART_SPAWN },
+    { "frame", PART_REST },
+    { "average", PART_REST },
+    { "", PART_REST },
 };
 enum {
     REGIONS = sizeof regions / sizeof *regions,

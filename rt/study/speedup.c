@@ -313,6 +313,7 @@ struct trace *speedup_trace(const struct speedup_subject *subject,
     how.variant = subject->variant;
     how.no_bounds = true;
     how.band = options->width * options->height;
+    how.order = ORDER_ROWS;
     *scene = read_scene(subject, view, options, error);
     return !*scene ? NULL : trace_new(*scene, &how, error);
 }

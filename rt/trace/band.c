@@ -27,7 +27,9 @@ static bool load(const struct band_work *work, c205 *machine,
     *layout = (struct frame_layout){ .width = work->width,
                                      .height = work->height,
                                      .first_row = first_row,
-                                     .rows = rows };
+                                     .samples = work->samples,
+                                     .rows = rows,
+                                     .tiles = work->tiles };
     return c205_load(machine, &work->program->program, error)
            && layout_put(work->layout, machine, layout, error);
 }
@@ -59,7 +61,9 @@ static size_t calls_begun(const c205 *machine)
 static size_t pixels_begun(const struct band_work *work, const c205 *machine,
                            size_t pixels)
 {
-    size_t done = calls_begun(machine) * work->rays_a_call;
+    size_t samples = work->samples > 0 ? work->samples : 1;
+    size_t done = calls_begun(machine) * work->rays_a_call
+                  / (samples * samples);
 
     return done < pixels ? done : pixels;
 }
@@ -169,17 +173,21 @@ static bool read_counters(const struct band_work *work, const c205 *machine,
 }
 
 /* Rows whose pixels are all done: those of a call are when the next one is
- * made, but what a queue reflects may wait for others up to the band's end. */
+ * made, but samples become pixels at the end, and what a queue reflects may wait for others up to the band's end. */
 static size_t rows_done(const struct band_work *work, const c205 *machine,
                         size_t rows)
 {
     size_t calls = calls_begun(machine), done;
-    uint64_t levels = 0;
+    uint64_t levels = 0, above = 0;
 
-    if (calls == 0
+    if (calls == 0 || work->samples > 1
         || !read_integer(work, machine, "scene_level_count", &levels)
         || (levels > 1 && !work->ray_by_ray))
         return 0;
+    if (work->tiles)
+        return read_integer(work, machine, "strips_done", &above)
+                   ? (size_t)above
+                   : 0;
     done = (calls - 1) * work->rays_a_call / work->width;
     return done < rows ? done : rows;
 }

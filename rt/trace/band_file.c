@@ -182,37 +182,39 @@ static bool read_words(FILE *stream, struct words *words)
            && word == hash_words(HASH_START, words->items, words->count);
 }
 
-static bool grow(struct band **bands, size_t count)
-{
-    struct band *grown = realloc(*bands, (count + 1) * sizeof **bands);
+/* Where the bands of a file go. */
+struct taking {
+    const c205_model *model;
+    band_taker *take;
+    void *context;
+};
 
-    if (!grown)
-        return false;
-    *bands = grown;
-    memset(&grown[count], 0, sizeof *grown);
-    return true;
+/* The band that the words are, if they are one; false: no memory. */
+static bool take_words(struct words *words, size_t width,
+                       const struct taking *taking, bool *whole)
+{
+    struct band band = { .accounts.model = taking->model };
+    bool memory;
+
+    *whole = take_band(words, &band, width);
+    memory = !*whole || taking->take(taking->context, &band);
+    band_free(&band);
+    return memory;
 }
 
 /* All bands up to the end or to one that is not whole; the stream then stands
  * behind the last. */
-static bool read_bands(FILE *stream, size_t width, const c205_model *model,
-                       struct band **bands, size_t *count)
+static bool read_bands(FILE *stream, size_t width,
+                       const struct taking *taking)
 {
     struct words words = { NULL, 0, 0, 0, false };
     long end = ftell(stream);
-    bool memory = true;
+    bool memory = true, whole = true;
 
-    while (memory && read_words(stream, &words)) {
-        memory = grow(bands, *count);
-        if (!memory)
-            break;
-        (*bands)[*count].accounts.model = model;
-        if (!take_band(&words, &(*bands)[*count], width)) {
-            band_free(&(*bands)[*count]);
-            break;
-        }
-        ++*count;
-        end = ftell(stream);
+    while (memory && whole && read_words(stream, &words)) {
+        memory = take_words(&words, width, taking, &whole);
+        if (whole)
+            end = ftell(stream);
     }
     free(words.items);
     return memory && end >= 0 && fseek(stream, end, SEEK_SET) == 0;
@@ -294,8 +296,7 @@ static bool is_empty(const struct band_file *file)
 }
 
 static bool begin(struct band_file *file, uint64_t key, size_t width,
-                  const c205_model *model, struct band **bands, size_t *count,
-                  c205_error *error)
+                  const struct taking *taking, c205_error *error)
 {
     bool fresh;
 
@@ -306,31 +307,26 @@ static bool begin(struct band_file *file, uint64_t key, size_t width,
         return false;
     snprintf(error->message, sizeof error->message, "no memory, or no room");
     return fresh ? write_head(file->stream, key, width)
-                 : read_bands(file->stream, width, model, bands, count);
+                 : read_bands(file->stream, width, taking);
 }
 
 struct band_file *band_file_open(const char *path, uint64_t key, size_t width,
-                                 const c205_model *model, struct band **bands,
-                                 size_t *count, c205_error *error)
+                                 const c205_model *model, band_taker *taker,
+                                 void *context, c205_error *error)
 {
+    const struct taking taking = { model, taker, context };
     struct band_file *file = calloc(1, sizeof *file);
     char *copy = malloc(strlen(path) + 1);
     c205_error why = { "no memory" };
 
-    *bands = NULL;
-    *count = 0;
     if (file && copy) {
         file->path = strcpy(copy, path);
         file->width = width;
-        if (begin(file, key, width, model, bands, count, &why))
+        if (begin(file, key, width, &taking, &why))
             return file;
     }
     snprintf(error->message, sizeof error->message, "%.100s: %.130s", path,
              why.message);
-    while (*count > 0)
-        band_free(&(*bands)[--*count]);
-    free(*bands);
-    *bands = NULL;
     if (file && file->stream)
         fclose(file->stream);
     free(copy);

@@ -12,13 +12,17 @@
 
 struct band_file;
 
-/* A new file, or one of the same key and width: *count bands that it has, in
- * *bands, which the caller frees; an empty one is as good as none.  NULL: it is
- * a file of something else, cannot be read or written, or another process has
- * it open. */
+/* What is done with a band of the file, which is freed then.  False: there is no
+ * memory for that. */
+typedef bool band_taker(void *context, const struct band *band);
+
+/* A new file, or one of the same key and width: the bands that it has are
+ * taken, one after another; an empty one is as good as none.  NULL: it is a file
+ * of something else, cannot be read or written, or another process has it
+ * open. */
 struct band_file *band_file_open(const char *path, uint64_t key, size_t width,
-                                 const c205_model *model, struct band **bands,
-                                 size_t *count, c205_error *error);
+                                 const c205_model *model, band_taker *taker,
+                                 void *context, c205_error *error);
 bool band_file_add(struct band_file *file, const struct band *band,
                    c205_error *error);
 /* remove_it: nobody needs it any more. */

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "rt/trace/band_file.h"
+#include "rt/trace/planes.h"
 #include "base/hash.h"
 #include "rt/layout/program.h"
 #include "rt/layout/regions.h"
@@ -16,12 +17,13 @@ struct trace {
     struct object *program;
     struct scene_layout *layout;
     struct band_work work;
-    double gamma; /* of the scene's colours */
+    double gamma; /* of the frame's colours */
 
     size_t band_rows; /* of each band but perhaps the last */
     size_t band_count;
-    bool *taken;      /* bands that are done or being done */
-    c205_word *words; /* FRAME_CHANNELS planes, as far as they are done */
+    bool *taken;          /* bands that are done or being done */
+    struct planes planes; /* FRAME_CHANNELS, as far as they are done */
+    size_t hits;
     size_t rows_done, bands_done;
     size_t rows_of_parts; /* done, of bands that were stopped */
     struct accounts accounts;
@@ -146,7 +148,9 @@ static void divide(struct trace *trace)
     const struct trace_options *options = &trace->options;
     size_t pixels = options->band > 0 ? options->band : TRACE_BAND;
 
-    trace->band_rows = pixels / options->width;
+    size_t samples = options->samples > 0 ? options->samples : 1;
+
+    trace->band_rows = pixels / (samples * samples * options->width);
     if (trace->band_rows == 0)
         trace->band_rows = 1;
     if (trace->band_rows > options->height)
@@ -207,8 +211,17 @@ static bool prepare(struct trace *trace, const struct scene *scene,
     snprintf(error->message, sizeof error->message,
              "no memory for the frame");
     trace->taken = calloc(trace->band_count, sizeof *trace->taken);
-    trace->words = calloc(FRAME_CHANNELS * pixels, sizeof *trace->words);
-    return trace->taken && trace->words;
+    return trace->taken
+           && planes_take(&trace->planes, FRAME_CHANNELS * pixels);
+}
+
+enum trace_order trace_order(const struct trace_options *options)
+{
+    if (options->mode == TRACE_SCALAR)
+        return ORDER_ROWS;
+    if (options->order == ORDER_DEFAULT)
+        return options->mode == TRACE_VECTOR ? ORDER_TILES : ORDER_ROWS;
+    return options->order;
 }
 
 struct trace *trace_new(const struct scene *scene,
@@ -225,11 +238,15 @@ struct trace *trace_new(const struct scene *scene,
     pthread_mutex_init(&trace->watching, NULL);
     trace->options = *options;
     trace->accounts.model = options->model;
-    trace->gamma = scene->assumed_gamma > 0 ? scene->assumed_gamma : 1;
+    trace->gamma = scene->assumed_gamma > 0 && options->samples <= 1
+                       ? scene->assumed_gamma
+                       : 1;
     trace->work = (struct band_work){
         .model = options->model,
         .width = options->width,
         .height = options->height,
+        .samples = options->samples,
+        .tiles = trace_order(options) == ORDER_TILES,
         .ray_by_ray = options->mode == TRACE_SCALAR,
         .rays_a_call = options->mode == TRACE_SCALAR ? 1 : options->queue,
         .observers = options->observers,
@@ -252,7 +269,7 @@ void trace_free(struct trace *trace)
     layout_free(trace->layout);
     object_free(trace->program);
     free(trace->taken);
-    free(trace->words);
+    planes_give_back(&trace->planes);
     free(trace);
 }
 
@@ -262,11 +279,18 @@ static void copy_rows(struct trace *trace, const struct band *band)
 {
     size_t width = trace->options.width, count = band->rows * width;
     size_t pixels = width * trace->options.height;
+    size_t done = band->rows_done * width;
+    const c205_word *ids = band->words + (size_t)CHANNEL_ID * count;
 
-    for (int i = 0; i < FRAME_CHANNELS; i++)
-        memcpy(trace->words + (size_t)i * pixels + band->first_row * width,
-               band->words + (size_t)i * count,
-               band->rows_done * width * sizeof *band->words);
+    for (int i = 0; i < FRAME_CHANNELS; i++) {
+        size_t first = (size_t)i * pixels + band->first_row * width;
+
+        memcpy(trace->planes.words + first, band->words + (size_t)i * count,
+               done * sizeof *band->words);
+        planes_leave(&trace->planes, first, done);
+    }
+    for (size_t i = 0; i < done; i++)
+        trace->hits += c205_to_integer(ids[i]) != 0;
 }
 
 static bool add_band(struct trace *trace, const struct band *band)
@@ -283,8 +307,9 @@ static bool add_band(struct trace *trace, const struct band *band)
 }
 
 /* A band from the file, if it is one of this trace's. */
-static bool add_kept(struct trace *trace, const struct band *band)
+static bool add_kept(void *context, const struct band *band)
 {
+    struct trace *trace = context;
     size_t i = band->first_row / trace->band_rows;
 
     if (i >= trace->band_count || trace->taken[i]
@@ -299,25 +324,14 @@ bool trace_keep(struct trace *trace, const char *path, c205_error *error)
 {
     c205 *machine = trace_machine(trace, error);
     uint64_t key = machine ? band_file_key(machine) : 0;
-    struct band *bands;
-    size_t count;
-    bool good = true;
 
     c205_free(machine);
     if (!machine)
         return false;
     trace->file = band_file_open(path, key, trace->options.width,
-                                 trace->options.model, &bands, &count, error);
-    if (!trace->file)
-        return false;
-    for (size_t i = 0; i < count; i++) {
-        good = good && add_kept(trace, &bands[i]);
-        band_free(&bands[i]);
-    }
-    free(bands);
-    if (!good)
-        snprintf(error->message, sizeof error->message, "no memory");
-    return good;
+                                 trace->options.model, add_kept, trace,
+                                 error);
+    return trace->file != NULL;
 }
 
 void trace_forget(struct trace *trace)
@@ -454,17 +468,12 @@ static size_t pixels_of(const struct trace *trace)
 const c205_word *trace_channel(const struct trace *trace,
                                enum frame_channel channel)
 {
-    return trace->words + (size_t)channel * pixels_of(trace);
+    return trace->planes.words + (size_t)channel * pixels_of(trace);
 }
 
 size_t trace_hits(const struct trace *trace)
 {
-    const c205_word *ids = trace_channel(trace, CHANNEL_ID);
-    size_t hits = 0;
-
-    for (size_t i = 0; i < pixels_of(trace); i++)
-        hits += c205_to_integer(ids[i]) != 0;
-    return hits;
+    return trace->hits;
 }
 
 static void make_linear(double *samples, size_t count, double gamma)
@@ -473,31 +482,36 @@ static void make_linear(double *samples, size_t count, double gamma)
         samples[i] = samples[i] > 0 ? pow(samples[i], gamma) : 0;
 }
 
-bool trace_read(const struct trace *trace, struct frame *frame,
-                c205_error *error)
+void trace_read(const struct trace *trace, size_t first_row,
+                struct frame *part)
 {
-    size_t pixels = pixels_of(trace);
+    size_t width = trace->options.width, pixels = part->height * width;
 
-    if (!frame_allocate(frame, trace->options.width, trace->options.height)) {
-        snprintf(error->message, sizeof error->message,
-                 "no memory for the frame");
-        return false;
-    }
     for (int i = 0; i < FRAME_CHANNELS; i++) {
-        const c205_word *words = trace_channel(trace, (enum frame_channel)i);
+        size_t first = (size_t)i * pixels_of(trace) + first_row * width;
+        const c205_word *words = trace->planes.words + first;
 
         for (size_t k = 0; k < pixels; k++)
-            frame->channel[i][k] = c205_to_double(words[k]);
+            part->channel[i][k] = c205_to_double(words[k]);
+        planes_leave(&trace->planes, first, pixels);
         if (i <= CHANNEL_BLUE)
-            make_linear(frame->channel[i], pixels, trace->gamma);
+            make_linear(part->channel[i], pixels, trace->gamma);
     }
-    return true;
 }
 
 uint64_t trace_checksum(const struct trace *trace)
 {
-    return hash_words(HASH_START, trace->words,
-                      FRAME_CHANNELS * pixels_of(trace));
+    enum { AT_A_TIME = 1 << 17 };
+    size_t words = FRAME_CHANNELS * pixels_of(trace);
+    uint64_t checksum = HASH_START;
+
+    for (size_t i = 0; i < words; i += AT_A_TIME) {
+        size_t count = words - i < AT_A_TIME ? words - i : AT_A_TIME;
+
+        checksum = hash_words(checksum, trace->planes.words + i, count);
+        planes_leave(&trace->planes, i, count);
+    }
+    return checksum;
 }
 
 size_t trace_bands(const struct trace *trace)

@@ -10,6 +10,7 @@
 #define RT_TRACE_H
 
 #include "rt/trace/band.h"
+#include "rt/trace/order.h"
 #include "rt/trace/visible.h"
 
 enum trace_mode {
@@ -35,23 +36,26 @@ enum {
     TRACE_JOBS_MOST = 256
 };
 /* Pixels of a frame: what fits the memory that hosts commonly have. */
+enum { TRACE_SAMPLES_MOST = 16 };
 #define TRACE_PIXELS_MOST ((size_t)1 << 26)
 
 struct trace_options {
     enum trace_mode mode;
-    size_t width, height; /* pixels */
-    size_t queue;         /* rays; not in scalar mode */
-    size_t band;          /* pixels of a band at the most, but one row at
+    size_t width, height;   /* pixels */
+    size_t samples;         /* rays of a pixel, across and down; 0: one */
+    size_t queue;           /* rays; not in scalar mode */
+    size_t band;            /* pixels of a band at the most, but one row at
                                 the least; 0: TRACE_BAND */
-    size_t jobs;          /* bands traced at a time; 0: one */
-    bool historical;      /* the paper's ways: to Steiner patches by their
+    size_t jobs;            /* bands traced at a time; 0: one */
+    bool historical;        /* the paper's ways: to Steiner patches by their
                                 implicit quartic, with its falsi; to
                                 cylinders by the distance from the axis */
-    const char *variant;  /* a constant more that the kernels know, of a
+    const char *variant;    /* a constant more that the kernels know, of a
                                 formulation that is studied; or NULL */
-    enum visible visible; /* of solids; vector mode only */
-    bool no_bounds;       /* every ray goes against every primitive */
-    bool flat;            /* regions in the scene's order, no hierarchy */
+    enum visible visible;   /* of solids; vector mode only */
+    enum trace_order order; /* in which pixels go into queues */
+    bool no_bounds;         /* every ray goes against every primitive */
+    bool flat;              /* regions in the scene's order, no hierarchy */
     const struct observer *const *observers; /* of every machine; end with
                                                 NULL; or NULL */
     const c205_model *model;                 /* must outlive the trace */
@@ -61,6 +65,9 @@ struct trace_options {
     bool (*progress)(void *context, size_t done, size_t pixels);
     void *context;
 };
+
+/* The order that a stage takes, told or not. */
+enum trace_order trace_order(const struct trace_options *options);
 
 struct trace;
 
@@ -87,10 +94,11 @@ size_t trace_bands_done(const struct trace *trace);
  * zeros. */
 size_t trace_rows_done(const struct trace *trace);
 
-/* The frame; the caller frees it.  Its colours are linear light: what the
- * machine computed, to the power of the scene's assumed_gamma. */
-bool trace_read(const struct trace *trace, struct frame *frame,
-                c205_error *error);
+/* Rows of the frame from the first on, as many as the part has; it is as wide
+ * as the frame.  Its colours are linear light: what the machine computed, to
+ * the power of the scene's assumed_gamma. */
+void trace_read(const struct trace *trace, size_t first_row,
+                struct frame *part);
 /* A channel's samples as the machine holds them, pixel by pixel. */
 const c205_word *trace_channel(const struct trace *trace,
                                enum frame_channel channel);

@@ -40,22 +40,25 @@ static struct form {
     size_t queue;
     enum bounding bounding;
     enum visible visible;
+    bool tiles;
     struct trace *trace; /* that has its program */
 } forms[] = {
     { .mode = TRACE_SCALAR, .queue = 1 },
     { .mode = TRACE_SCALAR, .queue = 1, .bounding = BOUNDING_FLAT },
     { .mode = TRACE_SCALAR, .queue = 1, .bounding = BOUNDING_NONE },
-    { .mode = TRACE_VECTOR, .queue = 7 },
+    { .mode = TRACE_VECTOR, .queue = 7, .tiles = true },
     { .mode = TRACE_VECTOR, .queue = 77 },
-    { .mode = TRACE_VECTOR, .queue = 2000 },
+    { .mode = TRACE_VECTOR, .queue = 2000, .tiles = true },
     { .mode = TRACE_VECTOR, .queue = 2000, .bounding = BOUNDING_FLAT },
     { .mode = TRACE_VECTOR, .queue = 77, .bounding = BOUNDING_NONE },
+    { .mode = TRACE_VECTOR, .queue = 77, .tiles = true },
     { .mode = TRACE_VECTOR, .queue = 77, .visible = VISIBLE_EVERY },
     { .mode = TRACE_VECTOR,
       .queue = 2000,
       .bounding = BOUNDING_NONE,
       .visible = VISIBLE_EVERY },
     { .mode = TRACE_KERNELS, .queue = 77 },
+    { .mode = TRACE_KERNELS, .queue = 33, .tiles = true },
     { .mode = TRACE_KERNELS, .queue = 2000, .bounding = BOUNDING_NONE },
 };
 enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 4 };
@@ -120,6 +123,7 @@ static void trace_form(const struct form *form, const struct scene *scene,
                                     .model = model,
                                     .width = WIDTH,
                                     .height = HEIGHT,
+                                    .tiles = form->tiles,
                                     .rays_a_call = form->queue };
     struct band band = { .rows = HEIGHT };
     pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
@@ -160,9 +164,10 @@ static bool same_in_all_forms(const struct scene *scene,
         size_t other = first_other(words, expected, WORDS);
         if (other < WORDS) {
             snprintf(reason, REASON,
-                     "--mode %s --queue %zu%s%s: another frame than --mode "
-                     "scalar, channel %zu, pixel %zu",
+                     "--mode %s --queue %zu%s%s%s: another frame than "
+                     "--mode scalar, channel %zu, pixel %zu",
                      trace_mode_name(form->mode), form->queue,
+                     form->tiles ? " --order tiles" : "",
                      options[form->bounding],
                      form->visible == VISIBLE_EVERY ? " --visible every" : "",
                      other / PIXELS, other % PIXELS);

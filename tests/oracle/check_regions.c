@@ -57,7 +57,8 @@ static struct scene *read_text(const char *text)
 /* Every ray against every region, one after the other. */
 static const struct trace_options plainest = { .mode = TRACE_VECTOR,
                                                .queue = TRACE_QUEUE,
-                                               .no_bounds = true };
+                                               .no_bounds = true,
+                                               .order = ORDER_ROWS };
 static const struct trace_options serial = { .mode = TRACE_SCALAR,
                                              .queue = 1 };
 
@@ -68,7 +69,10 @@ static struct trace_options random_way(uint64_t *state, size_t pixels)
     if (one_in(state, 20))
         way.queue = TRACE_QUEUE_MOST;
     way.mode = (enum trace_mode)below(state, TRACE_MODES);
-    way.no_bounds = one_in(state, 4);
+    way.no_bounds = one_in(state, 6);
+    way.flat = one_in(state, 4);
+    if (one_in(state, 3) && way.mode != TRACE_SCALAR)
+        way.order = one_in(state, 2) ? ORDER_ROWS : ORDER_TILES;
     if (one_in(state, 4) && way.mode == TRACE_VECTOR)
         way.visible = VISIBLE_EVERY;
     way.band = one_in(state, 2) ? 0 : 1 + pixels / 5 + below(state, pixels);
@@ -86,6 +90,8 @@ static void tell_way(const struct trace_options *way, char *words,
     used += snprintf(words + used, size - (size_t)used, " " __VA_ARGS__)
     TELL(way->mode != TRACE_SCALAR, "--queue %zu", way->queue);
     TELL(way->no_bounds, "--no-bounds");
+    TELL(way->flat, "--flat");
+    TELL(way->order, "--order %s", order_name(way->order));
     TELL(way->visible, "--visible every");
     TELL(way->jobs > 1, "--jobs %zu", way->jobs);
     TELL(way->band, "(bands of %zu pixels)", way->band);
@@ -103,6 +109,8 @@ static bool without(const struct trace_options *way, size_t what,
     case 2: less->visible = VISIBLE_DEFAULT; return true;
     case 3: less->no_bounds = true; return true;
     case 4: less->queue = TRACE_QUEUE; return true;
+    case 5: less->flat = true; return true;
+    case 6: less->order = ORDER_ROWS; return true;
     default: return false;
     }
 }
@@ -203,11 +211,11 @@ static bool same_as_plain(const struct sight *sight,
                           char *reason)
 {
     struct frame expected, found;
-    c205_error error;
     bool good = true;
     if (!plain_trace(sight->scene, sight->width, sight->height, &expected)
-        || !trace_read(trace, &found, &error))
+        || !frame_allocate(&found, sight->width, sight->height))
         give_up("no memory left");
+    trace_read(trace, 0, &found);
     bool *inner = inner_pixels(&expected);
     for (size_t i = 0; good && i < WITH_FRAME; i++) {
         struct comparison comparison = with_frame[i];

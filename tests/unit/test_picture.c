@@ -370,6 +370,27 @@ static void test_failure_keeps_the_old_file(void **state)
     frame_free(&frame);
 }
 
+/* A picture of which rows are missing, or that is given up. */
+static void test_rows_missing(void **state)
+{
+    (void)state;
+    struct frame frame = sample_frame();
+    for (int given_up = 0; given_up < 2; given_up++) {
+        struct picture_error error = { "" };
+        struct picture *picture = picture_begin(in_folder("p.png"), WIDTH,
+                                                HEIGHT + 1 - (size_t)given_up,
+                                                notes, false, &error);
+        assert_non_null(picture);
+        assert_true(picture_rows(picture, &frame, &error));
+        assert_false(picture_rows(picture, &frame, &error));
+        assert_false(picture_end(picture, !given_up, &error));
+        assert_non_null(
+            strstr(error.message, given_up ? "not" : "are missing"));
+        assert_int_equal(empty_folder(), 0);
+    }
+    frame_free(&frame);
+}
+
 static void test_unreadable(void **state)
 {
     (void)state;
@@ -405,6 +426,7 @@ int main(void)
         cmocka_unit_test(test_bad_paths),
         cmocka_unit_test(test_unwritable_folder),
         cmocka_unit_test(test_failure_keeps_the_old_file),
+        cmocka_unit_test(test_rows_missing),
         cmocka_unit_test(test_unreadable),
         cmocka_unit_test(test_frame_sizes),
     };

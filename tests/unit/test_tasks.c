@@ -7,8 +7,10 @@
 #include <cmocka.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "rt/study/tasks.h"
+#include "rt/trace/processors.h"
 #include "tests/random.h"
 
 enum { MOST = 40, STEPS = 5 };
@@ -139,12 +141,24 @@ static void test_told_to_stop(void **state)
     }
 }
 
+static void test_jobs_wanted(void **state)
+{
+    size_t online = (size_t)sysconf(_SC_NPROCESSORS_ONLN);
+
+    (void)state;
+    assert_int_equal(jobs_wanted(0, SIZE_MAX), online);
+    assert_int_equal(jobs_wanted(0, 1), 1);
+    assert_int_equal(jobs_wanted(3, 256), 3);
+    assert_int_equal(jobs_wanted(300, 256), 256);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_each_once),
         cmocka_unit_test(test_a_bad_one),
         cmocka_unit_test(test_told_to_stop),
+        cmocka_unit_test(test_jobs_wanted),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

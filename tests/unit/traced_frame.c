@@ -26,6 +26,7 @@ struct words *trace_words(const struct scene *scene, enum trace_mode mode,
                                      .historical = traced.historical,
                                      .variant = traced.variant,
                                      .visible = traced.visible,
+                                     .order = traced.order,
                                      .no_bounds = traced.no_bounds,
                                      .flat = traced.flat,
                                      .model = prior_model };
@@ -49,7 +50,11 @@ struct words *same_frame_of(const struct scene *scene, const char *text)
     struct words *scalar = trace_words(scene, TRACE_SCALAR, 1);
 
     for (size_t i = 0; i < MOST_QUEUES && queue[i]; i++) {
-        struct words *vector = trace_words(scene, TRACE_VECTOR, queue[i]);
+        struct words *vector;
+
+        traced.order = i % 2 ? ORDER_ROWS : ORDER_TILES;
+        vector = trace_words(scene, TRACE_VECTOR, queue[i]);
+        traced.order = ORDER_DEFAULT;
 
         for (int channel = 0; channel < FRAME_CHANNELS; channel++)
             for (size_t k = 0; k < traced.pixels; k++)

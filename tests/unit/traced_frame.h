@@ -60,6 +60,7 @@ struct traced {
     bool historical, no_bounds, flat; /* as in trace_options */
     const char *variant;        /* likewise */
     enum visible visible;       /* likewise */
+    enum trace_order order;     /* likewise */
     bool reported;              /* there may be reports about the scene */
 };
 extern struct traced traced;

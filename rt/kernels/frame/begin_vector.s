@@ -38,5 +38,7 @@ begin_queues:
         VTOV    s6, [s5]
         describe s5, importance_one, s4
         VTOV    one, [s5]
+        EX      target, begin_order
+        BSAVE   link, [target]
         BIM     0, link_walk
         .endkernel

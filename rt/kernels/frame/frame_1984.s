@@ -23,10 +23,13 @@ frame:
         BSAVE   link_kernel, [target]
         EX      target, trace_levels
         BSAVE   link, [target]
+        EX      target, average_1984
+        BSAVE   link_kernel, [target]
         EXIT
         .endkernel
 
         .include "frame/camera.s"
+        .include "frame/order.s"
         .include "frame/begin_vector.s"
         .include "frame/intersect_vector.s"
         .include "solids/levels_vector.s"
@@ -39,6 +42,7 @@ frame:
         .include "frame/vectors_scalar.s"
         .include "frame/begin_1984.s"
         .include "frame/generate_scalar.s"
+        .include "frame/order_1984.s"
         .include "frame/generate_1984.s"
         .include "frame/bound_scalar.s"
         .include "solids/visible_scalar.s"
@@ -56,4 +60,7 @@ frame:
         .include "light/shade_1984.s"
         .include "light/spawn_1984.s"
         .include "light/resolve_1984.s"
+        .include "frame/samples.s"
+        .include "frame/average_scalar.s"
+        .include "frame/average_1984.s"
         .endshare

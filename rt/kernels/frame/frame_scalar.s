@@ -120,5 +120,10 @@ frame_store:
         CFPLT   column, width, frame_pixel
         ADDN    row, m_one, row
         CFPLT   row, last_row, frame_row
+        EX      target, average
+        BSAVE   link, [target]
         EXIT
         .endkernel
+
+        .include "frame/samples.s"
+        .include "frame/average_scalar.s"

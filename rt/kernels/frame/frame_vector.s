@@ -25,12 +25,17 @@
 frame:
         EX      target, begin_queues
         BSAVE   link_walk, [target]
+        EX      target, blank_planes
+        BSAVE   link, [target]
         EX      target, trace_levels
+        BSAVE   link, [target]
+        EX      target, average
         BSAVE   link, [target]
         EXIT
         .endkernel
 
         .include "frame/camera.s"
+        .include "frame/order.s"
         .include "frame/begin_vector.s"
         .include "frame/intersect_vector.s"
         .include "frame/nearest_vector.s"
@@ -41,6 +46,7 @@ frame:
         .include "solids/levels_vector.s"
         .include "light/resolve_vector.s"
         .include "frame/generate_vector.s"
+        .include "frame/order_vector.s"
         .include "shapes/normal_vector.s"
         .include "shapes/every_normal_vector.s"
         .include "light/shade_vector.s"
@@ -49,3 +55,5 @@ frame:
         .include "light/shadow_vector.s"
         .include "light/spawn_vector.s"
         .include "light/power_vector.s"
+        .include "frame/samples.s"
+        .include "frame/average_vector.s"

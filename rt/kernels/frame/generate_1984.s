@@ -5,7 +5,6 @@
         .share  loop
         .regs   r156, first_pixel, to_dx, to_dy, to_dz
         .regs   r160, made_dx, made_dy, made_dz
-        .regs   r163, column, row, width
         .endshare
 
         .data
@@ -28,6 +27,8 @@ generate:
         ES      loop_index, 0
         EX      loop_at, scene_width
         LOD     [loop_at], width
+        load_at queue_order, 1, tile_places
+        IBXNE   tile_places, r0, r0, generate_tiles
         ADDN    first_pixel, r0, column
         DIVS    column, width, row
         FLR     row, row
@@ -43,12 +44,23 @@ generate_next:
         STO     [to_dx, loop_index], made_dx
         STO     [to_dy, loop_index], made_dy
         STO     [to_dz, loop_index], made_dz
+        IBXNE   tile_places, r0, r0, generate_next_of_tile
         ADDN    column, m_one, column
         CFPLT   column, width, generate_same_row
         RTOR    m_zero, column
         ADDN    row, m_one, row
 generate_same_row:
         loop_next generate_next
+        IBXEQ   tile_places, r0, r0, generate_made
+        tiles_end
+generate_made:
         to_vector
         BIM     0, link_kernel
+
+generate_tiles:
+        tiles_begin
+        BIM     generate_next
+generate_next_of_tile:
+        tile_pixel generate_same_row
+        BIM     generate_same_row
         .endkernel

@@ -6,6 +6,8 @@
 ; so that its floor is the row for every k.  They start at one point, which is
 ; in aox aoy aoz all the time.
 ;
+; A queue by tiles: order_vector.s.
+;
 ; In:  position (the first k, from the band's first pixel on), n; view.
 ; Out: adx ady adz.
 ; Source: camera.s for the formula; derived here for vectors of any length.
@@ -31,6 +33,8 @@ generate:
         ELEN    s0, VIEW_SIZE - VIEW_BASE
         SWAP    [s0], basex, [r0]
         load_word scene_width, width
+        load_word queue_order, s0
+        IBXNE   s0, r0, r0, generate_tile
         load_word scene_first_pixel, first_pixel
         ADDX    first_pixel, position, first_pixel
         INTVLV  first_pixel, one_index, [w0]
@@ -41,9 +45,15 @@ generate:
         ADDNV   [w1], r0, [w1]
         MPYSV   [w1], width, [w2]
         SUBNV   [w0], [w2], [w0]
+generate_directions:
         direction basex, colx, rowx, adx
         direction basey, coly, rowy, ady
         direction basez, colz, rowz, adz
         normalise adx, ady, adz, w2, w3
         BIM     0, link_kernel
+
+generate_tile:
+        EX      target, tile_queue
+        BSAVE   link_inner, [target]
+        BIM     generate_directions
         .endkernel

@@ -18,6 +18,9 @@
         .regs   r190, lit_ndotl, lit_ddotl, lit_distance, lit_red, lit_green
         .regs   r195, lit_blue, lit_gleams, lit_at, lit_count, lit_limit
         .endshare
+        .share  loop
+        .reg    of_order, r192          ; places in the planes, or 0
+        .endshare
         .reg    lit_least, r31
 
         .data
@@ -62,6 +65,18 @@ lit_store:      .space 7 * QUEUE        ; rays to a light, and their limits
         SWAP    [loop_at], \first, [r0]
         .endm
 
+; Where the ray of a place in the queue has its pixel.
+        .macro  load_order
+        load_at queue_order, 1, of_order
+        .endm
+
+        .macro  pixel_of ray, pixel
+        RTOR    \ray, \pixel
+        IBXEQ   of_order, r0, r0, pixel\@
+        LOD     [of_order, \ray], \pixel
+pixel\@:
+        .endm
+
         .macro  lit_vector number, value
         EX      lit_at, lit_store + 64 * QUEUE * \number
         STO     [lit_at, lit_count], \value
@@ -87,6 +102,7 @@ shade:
 ; Ray by ray: what it hit, or the background.
         load_at shade_operands, SHADE_OPERANDS, of_nearest
         load_at scene_background, 3, back_red
+        load_order
         RTOR    n, loop_count
         ES      loop_index, 0
         EX      hit_at, hits
@@ -229,20 +245,22 @@ shade_shine_next:
 ; Where the hits' colours go.
 shade_store:
         begin_hits
+        load_order
 shade_store_hit:
         in_hit  HIT_DISTANCE, 3, new_distance   ; primitive, place
         in_hit  HIT_SAMPLE, 6, new_ox           ; colour, normal
-        STO     [of_red, new_place], new_ox
-        STO     [of_green, new_place], new_oy
-        STO     [of_blue, new_place], new_oz
+        pixel_of new_place, loop_place
+        STO     [of_red, loop_place], new_ox
+        STO     [of_green, loop_place], new_oy
+        STO     [of_blue, loop_place], new_oz
         IBXEQ   of_first, r0, r0, shade_store_next
         IX      new_primitive, 64 * P_ID
         LOD     [new_primitive], loop_work
-        STO     [of_depth, new_place], new_distance
-        STO     [of_nx, new_place], new_dx
-        STO     [of_ny, new_place], new_dy
-        STO     [of_nz, new_place], new_dz
-        STO     [of_id, new_place], loop_work
+        STO     [of_depth, loop_place], new_distance
+        STO     [of_nx, loop_place], new_dx
+        STO     [of_ny, loop_place], new_dy
+        STO     [of_nz, loop_place], new_dz
+        STO     [of_id, loop_place], loop_work
 shade_store_next:
         next_hit shade_store_hit
 shade_done:
@@ -252,14 +270,15 @@ shade_done:
         BIM     0, link_queue
 
 shade_background:
-        STO     [of_red, loop_index], back_red
-        STO     [of_green, loop_index], back_green
-        STO     [of_blue, loop_index], back_blue
+        pixel_of loop_index, loop_place
+        STO     [of_red, loop_place], back_red
+        STO     [of_green, loop_place], back_green
+        STO     [of_blue, loop_place], back_blue
         IBXEQ   of_first, r0, r0, shade_ray_next
-        STO     [of_depth, loop_index], m_zero
-        STO     [of_nx, loop_index], m_zero
-        STO     [of_ny, loop_index], m_zero
-        STO     [of_nz, loop_index], m_zero
-        STO     [of_id, loop_index], m_zero
+        STO     [of_depth, loop_place], m_zero
+        STO     [of_nx, loop_place], m_zero
+        STO     [of_ny, loop_place], m_zero
+        STO     [of_nz, loop_place], m_zero
+        STO     [of_id, loop_place], m_zero
         BIM     shade_ray_next
         .endkernel

@@ -50,6 +50,7 @@ hit_parts:      .space PART_SIZE * QUEUE
 shade_bits:     .space 4 * QUEUE_BIT_WORDS
         .align  64
 shade_store:    .space (SHADE_VECTORS - 3) * QUEUE
+order_hit_store: .space QUEUE
         .code
         .equ    NDOTL_STORE, shade_store + 64 * QUEUE * (SHADE_VECTORS - 4)
 
@@ -77,6 +78,11 @@ shade_store:    .space (SHADE_VECTORS - 3) * QUEUE
         IX      \table, 64 * (\field - P_SIZE)
         .endm
 
+; The places of the hits in the planes, of a queue by tiles (order.s).
+        .macro  order_hits into
+        describe \into, order_hit_store, h
+        .endm
+
 ; Part after part of the hits.
         .macro  parts_begin
         EX      part_at, hit_parts
@@ -96,6 +102,8 @@ shade_store:    .space (SHADE_VECTORS - 3) * QUEUE
         .kernel shade
 shade:
         RTOR    link, link_shade
+        load_word queue_order, s0
+        IBXNE   s0, r0, r0, shade_sort
         EX      s0, scene_background
         ELEN    s0, 3
         SWAP    [s0], s1, [r0]
@@ -195,6 +203,14 @@ sort_done:
         EX      target, set_hits
         BSAVE   link_inner, [target]
         VXTOV   [at], [nearest], [v0]
+        load_word queue_order, s2
+        IBXEQ   s2, r0, r0, shade_points
+        order_hits s3
+        VXTOV   [at], [s2], [s3]
+        VTOVX   [s3], [v0], [out_depth]
+        VXTOV   [at], [met], [v1]
+        VTOVX   [s3], [v1], [out_id]
+shade_points:
         IBXNE   from_one_point, r0, r0, shade_view
         point   aox, adx, px, hdx
         point   aoy, ady, py, hdy
@@ -235,13 +251,18 @@ shade_light:
 shade_store_colours:
         EX      target, set_hits
         BSAVE   link_inner, [target]
-        VTOVX   [at], [red], [out_red]
-        VTOVX   [at], [green], [out_green]
-        VTOVX   [at], [blue], [out_blue]
+        load_word queue_order, s2
+        RTOR    at, s3
+        IBXEQ   s2, r0, r0, shade_store_at
+        order_hits s3
+shade_store_at:
+        VTOVX   [s3], [red], [out_red]
+        VTOVX   [s3], [green], [out_green]
+        VTOVX   [s3], [blue], [out_blue]
         IBXEQ   from_one_point, r0, r0, shade_done
-        VTOVX   [at], [nx], [out_nx]
-        VTOVX   [at], [ny], [out_ny]
-        VTOVX   [at], [nz], [out_nz]
+        VTOVX   [s3], [nx], [out_nx]
+        VTOVX   [s3], [ny], [out_ny]
+        VTOVX   [s3], [nz], [out_nz]
 shade_done:
         BIM     0, link_shade
 

@@ -69,6 +69,7 @@ spawn_hits:
         EX      list_stride, 64 * LIST
         EX      loop_at, queue_importance
         LOD     [loop_at], hit_weight_at
+        load_order
 spawn_hit:
         in_hit  HIT_PRIMITIVE, 2, new_primitive ; and its place
         RTOR    new_primitive, loop_at
@@ -87,6 +88,9 @@ spawn_hit:
         STO     [loop_at], loop_work
         call    spawn, spawn_list
         ADDX    new_place, of_position, parent
+        IBXEQ   of_order, r0, r0, spawn_in_rows
+        LOD     [of_order, new_place], parent
+spawn_in_rows:
         load_at spawn_followed, 2, is_reflected
         IBXEQ   is_reflected, r0, r0, spawn_not_reflected
         append  0, r0, rays_reflected

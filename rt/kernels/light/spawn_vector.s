@@ -207,11 +207,19 @@ spawn_ray:
 spawn_rest:
         spawn_vector v5
         spawn_number spawn_kind
-        RTOR    spawn_tail, s0
+        ADDLEN  spawn_tail, spawn_count, s0
+        load_word queue_order, s2
+        IBXNE   s2, r0, r0, spawn_by_tiles
         CPSV    [at], [s0] ? [hits1]
         ADDXV   [s0], position, [s0]
+spawn_listed:
         LOD     [next_level], s0
         ADDX    s0, spawn_count, s0
         STO     [next_level], s0
         BIM     0, link_kernel
+spawn_by_tiles:
+        RTOR    v6, s3
+        CPSV    [at], [s3] ? [hits1]
+        VXTOV   [s3], [s2], [s0]
+        BIM     spawn_listed
         .endkernel

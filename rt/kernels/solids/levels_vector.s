@@ -139,6 +139,13 @@ first_queue:
         load_word scene_pixels, s3
         SHIFTI  s3, 6, s3
         SHIFTI  position, 6, s4
+        load_word scene_tiles, s5
+        IBXEQ   s5, r0, r0, first_in_rows
+        describe s5, order_store, n
+        ES      s4, 0
+first_in_rows:
+        EX      s6, queue_order
+        STO     [s6], s5
         ADDX    s2, s4, s2
         three_planes s2, s3, out_red, out_green, out_blue
         ADDX    out_blue, s3, out_depth
@@ -162,6 +169,8 @@ first_queue:
 
 list_queue:
         set_hits_of_queue
+        EX      s5, queue_order
+        STO     [s5], r0
         EX      s3, 64 * LIST
         SHIFTI  position, 6, s4
         list_vector level, LIST_RAY, s2

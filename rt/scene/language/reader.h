@@ -12,19 +12,19 @@
 
 /* Bounds, so that no file takes the program's stack, memory or patience. */
 enum {
-    NESTING_MOST = 200,       /* blocks and brackets within each other */
-    PRIMITIVES_MOST = 200000, /* made in all, copies counted */
-    SOLID_MOST = 10000,       /* primitives in one tree */
+    NESTING_MOST = 200,        /* blocks and brackets within each other */
+    PRIMITIVES_MOST = 1000000, /* made in all, copies counted */
+    SOLID_MOST = 10000,        /* primitives in one tree */
     REPORTS_MOST = 200,
     CONDITIONS_MOST = 500, /* within each other */
-    TURNS_MOST = 1000000,  /* of one loop */
+    TURNS_MOST = 2000000,  /* of one loop */
     SEEDS_MOST = 10000     /* of random numbers */
 };
 
 /* Bytes of text that may be read, some more counted for each token; what a
- * loop or a macro reads again counts again.  Two seconds or so. */
+ * loop or a macro reads again counts again.  Five seconds or so. */
 #ifndef READING_MOST
-#define READING_MOST (256 << 20)
+#define READING_MOST (1 << 30)
 #endif
 enum { TOKEN_COST = 16 };
 

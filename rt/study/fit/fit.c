@@ -82,12 +82,11 @@ static void *do_work(void *context)
 /* The first thread is this one. */
 static void share_out(struct work *work)
 {
-    enum { JOBS_MOST = 64 };
-    pthread_t threads[JOBS_MOST];
+    pthread_t threads[FIT_JOBS_MOST];
     size_t begun = 1;
 
     pthread_mutex_init(&work->lock, NULL);
-    while (begun < work->fit->jobs && begun < JOBS_MOST
+    while (begun < work->fit->jobs && begun < FIT_JOBS_MOST
            && pthread_create(&threads[begun], NULL, do_work, work) == 0)
         begun++;
     do_work(work);

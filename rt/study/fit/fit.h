@@ -14,7 +14,11 @@
 #include "rt/study/fit/constants.h"
 #include "rt/study/fit/observations.h"
 
-enum { FIT_OBSERVATIONS_MOST = 64, FIT_TIMINGS_MOST = 64 };
+enum {
+    FIT_OBSERVATIONS_MOST = 64,
+    FIT_TIMINGS_MOST = 64,
+    FIT_JOBS_MOST = 64
+};
 #define FIT_LOSS 2.0 /* standard deviations */
 
 struct fit {

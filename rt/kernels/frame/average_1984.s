@@ -1,0 +1,14 @@
+; average_1984.s - the pixels of a band from their samples, by the scalar
+; program.  Called by link_kernel.
+
+        .kernel frame
+average_1984:
+        load_word scene_samples, s1
+        IBXLE   s1, r0, one_index, average_not
+        to_scalar
+        EX      target, average
+        BSAVE   link, [target]
+        to_vector
+average_not:
+        BIM     0, link_kernel
+        .endkernel

@@ -1,0 +1,66 @@
+; order.s - which pixels a queue's rays go through: by rows, or by tiles.
+;
+; By rows the pixels of a band go into queues row after row.  By tiles the band
+; is cut into strips, about as high as QUEUE pixels make a square, and within a
+; strip pixels are counted column by column: then a queue is a tile of the
+; picture, nearly square, and its rays meet the same things.
+;
+;   strips = floor(rows / sqrt(QUEUE) + 1/2), 1 at the least
+;   strip t, from 0 on, begins with row floor(t rows / strips)
+;   place k of a strip h rows high:  column floor(k / h), row k - h column
+;
+; A queue goes on in the next strip where one ends.  A pixel's place in the
+; band's planes does not depend on the order: of a queue of the first level
+; queue_order has a list of these places, or 0 if they follow one another.
+;
+; In:  scene_tiles, scene_band, half.  Out: strip_count.
+; Source: derived here; that neighbours' rays meet the same things is known to
+; every tracer.
+
+        .data
+scene_tiles:    .word 0                 ; 1: by tiles, written by the host
+queue_order:    .word 0                 ; descriptor: places in the planes, or 0
+strips_done:    .word 0                 ; rows above the strip in which the last
+                                        ; queue begins, for the host
+strip_state:                            ; strip_number .. strip_at, integers
+                .space 4
+strip_count:    .word 0                 ; a number
+        .align  64
+order_store:    .space QUEUE
+        .code
+
+; On to the next strip.  rows: of the band, a number.
+        .macro  next_strip rows, count, work
+        ADDX    strip_row, strip_height, strip_row
+        IX      strip_number, 1
+        ADDN    strip_number, r0, \work
+        MPYS    \work, \rows, \work
+        DIVS    \work, \count, \work    ; cut, never up
+        FLR     \work, \work
+        SUBX    \work, strip_row, strip_height
+        ES      strip_at, 0
+        .endm
+
+        .kernel frame
+begin_order:
+        load_word scene_tiles, s0
+        IBXEQ   s0, r0, r0, order_begun
+        EX      s0, scene_band
+        ELEN    s0, 2
+        SWAP    [s0], s1, [r0]
+        SUBN    s2, s1, s1
+        EX      s3, QUEUE
+        ADDN    s3, r0, s3
+        SQRT    s3, s3
+        DIVS    s1, s3, s1
+        ADDN    s1, half, s1
+        FLR     s1, s1
+        ADDN    s1, r0, s1
+        CFPGE   s1, one, order_strips
+        RTOR    one, s1
+order_strips:
+        EX      s0, strip_count
+        STO     [s0], s1
+order_begun:
+        BIM     0, link
+        .endkernel

@@ -1,0 +1,76 @@
+; order_1984.s - the pixels of a queue by tiles (order.s), one after another.
+;
+; Part of the loop that makes rays: tiles_begin, then, for each ray, tile_pixel;
+; tiles_end.
+
+        .share  loop
+        .regs   r163, column, row, width
+        .regs   r166, strip_number, strip_row, strip_height, strip_at, strips
+        .regs   r171, band_row, band_rows, columns
+        .regs   r174, tile_row, tile_end, tile_place, tile_places
+        .endshare
+
+; tile_row, tile_end: the strip's first row in the frame, the row behind its
+; last, numbers.
+        .macro  strip_rows
+        ADDN    strip_row, r0, tile_row
+        ADDN    strip_height, r0, tile_end
+        ADDN    tile_row, band_row, tile_row
+        ADDN    tile_row, tile_end, tile_end
+        .endm
+
+; The first pixel: its column, its row, its place in the planes.
+        .macro  tiles_begin
+        EX      loop_at, strip_state
+        ELEN    loop_at, 5
+        SWAP    [loop_at], strip_number, [r0]
+        load_at scene_band, 2, band_row
+        SUBN    band_rows, band_row, band_rows
+        IBXNE   strip_number, r0, r0, tiles_strip
+        next_strip band_rows, strips, loop_work
+tiles_strip:
+        EX      loop_at, strips_done
+        STO     [loop_at], strip_row
+        strip_rows
+        FLR     width, columns
+        ADDN    strip_at, r0, column
+        ADDN    strip_height, r0, loop_work
+        ADDN    column, r0, row
+        DIVS    column, loop_work, column
+        FLR     column, column
+        ADDN    column, r0, column
+        MPYS    column, loop_work, loop_work
+        SUBN    row, loop_work, row
+        FLR     row, tile_place
+        FLR     column, loop_work
+        ADDN    row, tile_row, row
+        ADDX    tile_place, strip_row, tile_place
+        MPYX    tile_place, columns, tile_place
+        ADDX    tile_place, loop_work, tile_place
+        .endm
+
+; The place of this ray's pixel; on to the next one.
+        .macro  tile_pixel next
+        STO     [tile_places, loop_index], tile_place
+        IX      strip_at, 1
+        ADDX    tile_place, columns, tile_place
+        ADDN    row, m_one, row
+        CFPLT   row, tile_end, \next
+        RTOR    tile_row, row
+        ADDN    column, m_one, column
+        MPYX    strip_height, columns, loop_work
+        SUBX    tile_place, loop_work, tile_place
+        IX      tile_place, 1
+        CFPLT   column, width, \next
+        next_strip band_rows, strips, loop_work
+        strip_rows
+        RTOR    m_zero, column
+        RTOR    tile_row, row
+        MPYX    strip_row, columns, tile_place
+        .endm
+
+        .macro  tiles_end
+        EX      loop_at, strip_state
+        ELEN    loop_at, 4
+        SWAP    [r0], strip_number, [loop_at]
+        .endm

@@ -1,0 +1,132 @@
+; order_vector.s - the pixels of a queue by tiles (order.s), in vectors.
+;
+; blank_planes: the band's planes as where nothing is hit: the background, and
+;   zeros.  A queue by tiles writes what it hits and nothing else.
+; tile_queue: In: n, w0 .. n long; width.  Out: w0 = columns, w1 = rows of the
+;   frame, numbers; order_store = places in the band's planes, integers.
+; Formulas: order.s; k / h is cut towards zero, never up, so that its floor is
+; the column for every k.
+
+        .share  scratch
+        .regs   r244, strip_number, strip_row, strip_height, strip_at, strips
+        .regs   r249, tile_left, tile_count, columns, band_row, band_rows
+        .endshare
+
+; The part of a vector that the strip at hand fills, from base on.
+        .macro  tile_part base, into
+        RTOR    \base, \into
+        ADDLEN  \into, tile_count, \into
+        .endm
+
+        .macro  tile_behind base
+        ADDX    \base, s9, \base
+        .endm
+
+        .kernel frame
+        .macro  blank_words
+        EX      target, blank
+        BSAVE   link_inner, [target]
+        .endm
+
+blank_planes:
+        load_word scene_tiles, s0
+        IBXEQ   s0, r0, r0, blank_none
+        EX      s0, scene_background
+        ELEN    s0, 3
+        SWAP    [s0], s1, [r0]
+        load_word scene_frame, s5
+        load_word scene_pixels, s4
+        RTOR    s1, s6
+        blank_words
+        RTOR    s2, s6
+        blank_words
+        RTOR    s3, s6
+        blank_words
+        ES      s6, FRAME_CHANNELS - 3
+        MPYX    s4, s6, s4
+        ADDN    r0, r0, s6              ; not 0, but machine zero
+        blank_words
+blank_none:
+        BIM     0, link
+
+; s4 words from s5 on become s6; s5 goes behind them.
+blank:
+        RTOR    s4, s7
+blank_next:
+        EX      s8, 65535               ; the longest vector
+        IBXLE   s8, r0, s7, blank_some
+        RTOR    s7, s8
+blank_some:
+        ADDLEN  s5, s8, s9
+        VTOV    s6, [s9]
+        SUBX    s7, s8, s7
+        SHIFTI  s8, 6, s8
+        ADDX    s5, s8, s5
+        IBXNE   s7, r0, r0, blank_next
+        BIM     0, link_inner
+        .endkernel
+
+        .kernel generate
+tile_queue:
+        EX      s0, strip_state
+        ELEN    s0, 5
+        SWAP    [s0], strip_number, [r0]
+        EX      s0, scene_band
+        ELEN    s0, 2
+        SWAP    [s0], band_row, [r0]
+        SUBN    band_rows, band_row, band_rows
+        FLR     width, columns
+        IBXNE   strip_number, r0, r0, tile_begin
+        next_strip band_rows, strips, s0
+tile_begin:
+        EX      s0, strips_done
+        STO     [s0], strip_row
+        RTOR    n, tile_left
+        RTOR    w0, s2
+        RTOR    w1, s3
+        RTOR    w2, s4
+        ELEN    s2, 0
+        ELEN    s3, 0
+        ELEN    s4, 0
+tile_next:
+        MPYX    strip_height, columns, s0
+        SUBX    s0, strip_at, tile_count
+        IBXLE   tile_count, r0, tile_left, tile_some
+        RTOR    tile_left, tile_count
+tile_some:
+        tile_part s2, s5
+        tile_part s3, s6
+        tile_part s4, s7
+        ADDN    strip_height, r0, s8
+        INTVLV  strip_at, one_index, [s7]
+        ADDNV   [s7], r0, [s7]
+        LINKV
+        DIVSV   [s7], s8, [s5]
+        FLRV    [s5], [s5]
+        ADDNV   [s5], r0, [s5]
+        MPYSV   [s5], s8, [s6]
+        SUBNV   [s7], [s6], [s6]
+        ADDN    strip_row, r0, s8
+        ADDNV   [s6], s8, [s6]
+        SHIFTI  tile_count, 6, s9
+        tile_behind s2
+        tile_behind s3
+        tile_behind s4
+        SUBX    tile_left, tile_count, tile_left
+        ADDX    strip_at, tile_count, strip_at
+        MPYX    strip_height, columns, s0
+        IBXNE   strip_at, r0, s0, tile_in_strip
+        next_strip band_rows, strips, s0
+tile_in_strip:
+        IBXNE   tile_left, r0, r0, tile_next
+        EX      s0, strip_state
+        ELEN    s0, 4
+        SWAP    [r0], strip_number, [s0]
+        describe s0, order_store, n
+        LINKV
+        MPYSV   [w1], width, [w2]
+        ADDNV   [w2], [w0], [w2]
+        FLRV    [w2], [s0]
+        ADDNV   [w1], band_row, [w1]
+        BIM     0, link_inner
+        .endkernel

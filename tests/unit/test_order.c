@@ -1,0 +1,163 @@
+/* test_order.c - the order in which pixels go into queues: one frame, whatever
+ * the order, the frame's size, queues, bands and jobs; and tiles are tiles. */
+#define SMALL_FRAMES
+#include "tests/unit/traced_frame.h"
+
+/* Something behind everything, and nothing behind some of it; rays of three
+ * levels. */
+static const char things[] = HEAD
+    "background { rgb <.1, .2, .3> }\n"
+    "global_settings { max_trace_level 3 }\n"
+    "camera { location <0, 1, -6> look_at 0 right 1.3*x up y }\n"
+    "sphere { <-.8, 0, 0>, .9 pigment { rgb <1, .5, 0> }\n"
+    "  finish { reflection .4 phong .5 } }\n"
+    "box { <.2, -1, -.6>, <1.4, .5, .6> pigment { rgbt <.5, 1, 1, .6> }\n"
+    "  finish { specular .4 } interior { ior 1.3 } rotate 20*y }\n"
+    "cylinder { <-2, -1, 1>, <-2, 1.2, 1>, .4\n"
+    "  pigment { checker rgb 1 rgb <0, .3, 1> scale .3 } }\n"
+    "plane { y, -1 pigment { checker rgb 1, rgb .2 } }\n";
+
+static size_t among(size_t least, size_t most)
+{
+    return least + (size_t)(xorshift(&traced.random) % (most - least + 1));
+}
+
+/* Traced, with at least one pixel. */
+static struct trace *run(const struct scene *scene,
+                         const struct trace_options *options)
+{
+    c205_error error = { "" };
+    struct trace *trace = trace_new(scene, options, &error);
+
+    if (!trace || !trace_run(trace, &error))
+        fail_msg("%s", error.message);
+    return trace;
+}
+
+static struct trace_options options_by_chance(size_t width, size_t height)
+{
+    return (struct trace_options){
+        .mode = TRACE_VECTOR,
+        .width = width,
+        .height = height,
+        .queue = xorshift(&traced.random) % 2 ? among(1, 60) : among(1, 3000),
+        .band = among(1, width * height + 10),
+        .jobs = among(1, 3),
+        .model = prior_model,
+    };
+}
+
+static void check_same(const struct scene *scene,
+                       const struct trace_options *options, uint64_t expected)
+{
+    struct trace *trace = run(scene, options);
+
+    if (trace_checksum(trace) != expected)
+        fail_msg(
+            "%zu x %zu, %s by %s, queue %zu, band %zu, jobs %zu: another "
+            "frame",
+            options->width, options->height, trace_mode_name(options->mode),
+            order_name(options->order), options->queue, options->band,
+            options->jobs);
+    trace_free(trace);
+}
+
+static void test_same_frame(void **state)
+{
+    struct scene *scene = read_text(things);
+
+    (void)state;
+    for (int i = 0; i < 14; i++) {
+        size_t width = among(1, 50), height = among(1, 40);
+        struct trace_options scalar = { .mode = TRACE_SCALAR,
+                                        .order = ORDER_TILES,
+                                        .width = width,
+                                        .height = height,
+                                        .model = prior_model };
+        struct trace *trace = run(scene, &scalar);
+        uint64_t expected = trace_checksum(trace);
+
+        trace_free(trace);
+        for (int k = 0; k < 3; k++) {
+            struct trace_options options = options_by_chance(width, height);
+
+            options.order = k == 0 ? ORDER_ROWS : ORDER_TILES;
+            options.mode = k == 2 ? TRACE_KERNELS : TRACE_VECTOR;
+            check_same(scene, &options, expected);
+        }
+    }
+    scene_free(scene);
+}
+
+/* Planes longer than a vector. */
+static void test_one_large_band(void **state)
+{
+    struct scene *scene = read_text(AHEAD "background { rgb <.5, .25, 1> }\n"
+                                          "sphere { 0, 1 }\n");
+    struct trace_options options = { .mode = TRACE_VECTOR,
+                                     .width = 300,
+                                     .height = 250,
+                                     .queue = 65535,
+                                     .band = 75000,
+                                     .order = ORDER_ROWS,
+                                     .model = prior_model };
+    struct trace *trace = run(scene, &options);
+    uint64_t expected = trace_checksum(trace);
+
+    (void)state;
+    trace_free(trace);
+    options.order = ORDER_TILES;
+    check_same(scene, &options, expected);
+    options.queue = 2000;
+    check_same(scene, &options, expected);
+    scene_free(scene);
+}
+
+/* Instructions of vectors, of a grid of small spheres: a queue that is a tile
+ * meets few of them, and a queue of rows those of a whole row of the grid. */
+static uint64_t work_of(const struct scene *scene, enum trace_mode mode,
+                        enum trace_order order)
+{
+    struct trace_options options = { .mode = mode,
+                                     .order = order,
+                                     .width = 90,
+                                     .height = 90,
+                                     .queue = 225,
+                                     .model = prior_model };
+    struct trace *trace = run(scene, &options);
+    uint64_t clocks = trace_accounts(trace)->clocks;
+
+    trace_free(trace);
+    return clocks;
+}
+
+static void test_tiles_meet_less(void **state)
+{
+    struct scene *scene = read_text(
+        STRAIGHT "#for (I, 0, 5) #for (K, 0, 5)\n"
+                 "sphere { <I - 2.5, K - 2.5, 0> / 4, .1 } #end #end\n");
+    uint64_t rows = work_of(scene, TRACE_VECTOR, ORDER_ROWS);
+    uint64_t tiles = work_of(scene, TRACE_VECTOR, ORDER_TILES);
+
+    (void)state;
+    assert_true(tiles < rows - rows / 8);
+    assert_int_equal(work_of(scene, TRACE_VECTOR, ORDER_DEFAULT), tiles);
+    assert_int_equal(work_of(scene, TRACE_KERNELS, ORDER_DEFAULT),
+                     work_of(scene, TRACE_KERNELS, ORDER_ROWS));
+    assert_true(work_of(scene, TRACE_KERNELS, ORDER_TILES)
+                < work_of(scene, TRACE_KERNELS, ORDER_ROWS));
+    assert_int_equal(work_of(scene, TRACE_SCALAR, ORDER_TILES),
+                     work_of(scene, TRACE_SCALAR, ORDER_ROWS));
+    scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_same_frame),
+        cmocka_unit_test(test_one_large_band),
+        cmocka_unit_test(test_tiles_meet_less),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
+}

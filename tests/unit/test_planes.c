@@ -1,0 +1,95 @@
+/* test_planes.c - the words of a frame: all zero at first, kept while they are
+ * left, and without cost of memory then. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "rt/trace/planes.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+enum { PART = 100003 }; /* words; no page ends with one */
+
+static c205_word word_at(size_t i)
+{
+    return (c205_word)i * UINT64_C(0x9E3779B97F4A7C15) + 1;
+}
+
+/* Bytes of memory that the process has. */
+static size_t resident(void)
+{
+    FILE *file = fopen("/proc/self/statm", "r");
+    unsigned long all = 0, pages = 0;
+
+    assert_non_null(file);
+    assert_int_equal(fscanf(file, "%lu %lu", &all, &pages), 2);
+    fclose(file);
+    return (size_t)pages * (size_t)sysconf(_SC_PAGESIZE);
+}
+
+static size_t part_at(size_t words, size_t i)
+{
+    return words - i < PART ? words - i : PART;
+}
+
+static void check_words(size_t words, bool in_file)
+{
+    size_t before = resident(), most = 0;
+    struct planes planes;
+
+    assert_true(planes_take(&planes, words));
+    assert_int_equal(planes.file >= 0, in_file);
+    for (size_t i = 0; i < words; i += PART) {
+        for (size_t k = i; k < i + part_at(words, i); k++) {
+            assert_true(planes.words[k] == 0);
+            planes.words[k] = word_at(k);
+        }
+        planes_leave(&planes, i, part_at(words, i));
+        if (resident() > most)
+            most = resident();
+    }
+    if (in_file)
+        assert_true(most - before < planes.bytes / 4);
+    for (size_t i = 0; i < words; i++)
+        assert_true(planes.words[i] == word_at(i));
+    planes_leave(&planes, 0, words);
+    planes_give_back(&planes);
+}
+
+static void test_few(void **state)
+{
+    (void)state;
+    check_words(1, false);
+    check_words(3 * PART, false);
+}
+
+static void test_many(void **state)
+{
+    (void)state;
+    check_words(PLANES_IN_MEMORY / sizeof(c205_word) + PART, true);
+}
+
+/* No room for a file. */
+static void test_no_folder(void **state)
+{
+    (void)state;
+    assert_int_equal(setenv("TMPDIR", "/nowhere/at/all", 1), 0);
+    check_words(PLANES_IN_MEMORY / sizeof(c205_word) + 1, false);
+    assert_int_equal(unsetenv("TMPDIR"), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_few),
+        cmocka_unit_test(test_many),
+        cmocka_unit_test(test_no_folder),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

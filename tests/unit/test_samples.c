@@ -1,0 +1,226 @@
+/* test_samples.c - several rays a pixel: the pixels are the means, in linear
+ * light, of the frame that has a pixel for each ray; in all forms and orders the
+ * same, bit for bit. */
+#define SMALL_FRAMES
+#include "tests/unit/traced_frame.h"
+
+#define THINGS \
+    "light_source { <4, 9, -7>, rgb 1.5 }\n" \
+    "background { rgb <.1, .2, .3> }\n" \
+    "camera { location <0, 1, -6> look_at 0 right 1.3*x up y }\n" \
+    "sphere { <-.8, 0, 0>, .9 pigment { rgb <1, .5, 0> }\n" \
+    "  finish { reflection .4 phong 2 } }\n" \
+    "box { <.2, -1, -.6>, <1.4, .5, .6> pigment { rgbt <.5, 1, 1, .6> }\n" \
+    "  interior { ior 1.3 } rotate 20*y }\n" \
+    "plane { y, -1 pigment { checker rgb 1, rgb <0, .2, 1> } }\n"
+
+static const char linear[] =
+    "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 3 }\n" THINGS;
+static const char curved[] =
+    "#version 3.7; global_settings { assumed_gamma 2.2 max_trace_level 3 }\n" THINGS;
+
+static size_t among(size_t least, size_t most)
+{
+    return least + (size_t)(xorshift(&traced.random) % (most - least + 1));
+}
+
+static struct trace *run(const struct scene *scene,
+                         const struct trace_options *options)
+{
+    c205_error error = { "" };
+    struct trace *trace = trace_new(scene, options, &error);
+
+    if (!trace || !trace_run(trace, &error))
+        fail_msg("%s", error.message);
+    return trace;
+}
+
+static struct frame read_all(const struct trace *trace, size_t width,
+                             size_t height)
+{
+    struct frame frame;
+
+    assert_true(frame_allocate(&frame, width, height));
+    trace_read(trace, 0, &frame);
+    return frame;
+}
+
+/* The mean of a pixel's samples. */
+static double mean(const double *samples, size_t width, size_t n)
+{
+    double sum = 0;
+
+    for (size_t row = 0; row < n; row++)
+        for (size_t column = 0; column < n; column++)
+            sum += samples[row * width * n + column];
+    return sum / (double)(n * n);
+}
+
+static void check_pixel(const struct frame *pixels,
+                        const struct frame *samples, size_t n, size_t row,
+                        size_t column)
+{
+    size_t width = pixels->width;
+    size_t first = row * n * width * n + column * n;
+
+    for (int i = 0; i < FRAME_CHANNELS; i++) {
+        double found = pixels->channel[i][row * width + column];
+        const double *all = samples->channel[i] + first;
+
+        if (i <= CHANNEL_BLUE)
+            assert_float_equal(found, mean(all, width, n), 1e-9);
+        else
+            assert_true(found == all[n / 2 * width * n + n / 2]);
+    }
+}
+
+/* Against a frame of as many pixels as there are rays. */
+static uint64_t check_means(const struct scene *scene, size_t width,
+                            size_t height, size_t n)
+{
+    struct trace_options options = { .mode = TRACE_SCALAR,
+                                     .width = width,
+                                     .height = height,
+                                     .samples = n,
+                                     .band = among(1, n * n * width * height),
+                                     .model = prior_model };
+    struct trace *pixels = run(scene, &options), *samples;
+    struct frame of_pixels = read_all(pixels, width, height), of_samples;
+    uint64_t checksum = trace_checksum(pixels);
+
+    assert_int_equal(trace_rays(pixels, RAY_PRIMARY), n * n * width * height);
+    options.samples = 0;
+    options.width *= n;
+    options.height *= n;
+    samples = run(scene, &options);
+    of_samples = read_all(samples, n * width, n * height);
+    for (size_t row = 0; row < height; row++)
+        for (size_t column = 0; column < width; column++)
+            check_pixel(&of_pixels, &of_samples, n, row, column);
+    frame_free(&of_pixels);
+    frame_free(&of_samples);
+    trace_free(pixels);
+    trace_free(samples);
+    return checksum;
+}
+
+static void check_forms(const struct scene *scene, size_t width,
+                        size_t height, size_t n, uint64_t expected)
+{
+    for (int i = 0; i < 3; i++) {
+        struct trace_options options = {
+            .mode = i == 2 ? TRACE_KERNELS : TRACE_VECTOR,
+            .order = i == 0 ? ORDER_ROWS : ORDER_TILES,
+            .width = width,
+            .height = height,
+            .samples = n,
+            .queue = xorshift(&traced.random) % 2 ? among(1, 9)
+                                                  : among(1, 999),
+            .band = among(1, n * n * width * height),
+            .jobs = among(1, 3),
+            .model = prior_model,
+        };
+        struct trace *trace = run(scene, &options);
+
+        if (trace_checksum(trace) != expected)
+            fail_msg("%zu x %zu of %zu, %s by %s, queue %zu, band %zu: "
+                     "another frame",
+                     width, height, n, trace_mode_name(options.mode),
+                     order_name(options.order), options.queue, options.band);
+        trace_free(trace);
+    }
+}
+
+static void check_scene(const char *text, int times)
+{
+    struct scene *scene = read_text(text);
+
+    for (int i = 0; i < times; i++) {
+        size_t n = among(2, 4), width = among(1, 17), height = among(1, 9);
+
+        check_forms(scene, width, height, n,
+                    check_means(scene, width, height, n));
+    }
+    scene_free(scene);
+}
+
+static void test_linear(void **state)
+{
+    (void)state;
+    check_scene(linear, 6);
+}
+
+/* Where the scene's colours are not linear, their powers are averaged. */
+static void test_gamma(void **state)
+{
+    (void)state;
+    check_scene(curved, 4);
+}
+
+/* One is none. */
+static void test_one(void **state)
+{
+    struct scene *scene = read_text(curved);
+    struct trace_options options = { .mode = TRACE_VECTOR,
+                                     .width = WIDTH,
+                                     .height = HEIGHT,
+                                     .queue = 50,
+                                     .model = prior_model };
+    struct trace *none = run(scene, &options), *one;
+
+    (void)state;
+    options.samples = 1;
+    one = run(scene, &options);
+    assert_int_equal(trace_checksum(one), trace_checksum(none));
+    assert_int_equal(trace_accounts(one)->clocks,
+                     trace_accounts(none)->clocks);
+    trace_free(none);
+    trace_free(one);
+    scene_free(scene);
+}
+
+static bool stop_in_the_middle(void *context, size_t done, size_t all)
+{
+    size_t *asked = context;
+
+    assert_true(done <= all);
+    assert_int_equal(all, 40 * 60);
+    return ++*asked < 4;
+}
+
+/* A band that is stopped has no pixels yet. */
+static void test_stopped(void **state)
+{
+    struct scene *scene = read_text(linear);
+    size_t asked = 0;
+    struct trace_options options = { .mode = TRACE_SCALAR,
+                                     .width = 40,
+                                     .height = 60,
+                                     .samples = 3,
+                                     .band = 40 * 20 * 9,
+                                     .model = prior_model,
+                                     .progress = stop_in_the_middle,
+                                     .context = &asked };
+    c205_error error = { "" };
+    struct trace *trace = trace_new(scene, &options, &error);
+
+    (void)state;
+    assert_non_null(trace);
+    assert_int_equal(trace_bands(trace), 3);
+    assert_false(trace_run(trace, &error));
+    assert_int_equal(trace_rows_done(trace), 20 * trace_bands_done(trace));
+    trace_free(trace);
+    scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_linear),
+        cmocka_unit_test(test_gamma),
+        cmocka_unit_test(test_one),
+        cmocka_unit_test(test_stopped),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
+}
