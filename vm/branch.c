@@ -1,5 +1,6 @@
 /* branch.c - branches, and requests to the monitor. */
 #include "vm/machine.h"
+#include "vm/number/quick.h"
 
 static c205_trap go_to(struct c205 *machine, uint64_t target)
 {
@@ -33,7 +34,7 @@ static c205_trap go_to(struct c205 *machine, uint64_t target)
     }
 
 #define RELATION(name) \
-    BRANCH_IF(branch_##name, arith_##name) \
+    BRANCH_IF(branch_##name, quick_##name) \
     BRANCH_IF_HALF(branch_half_##name, half_##name)
 #include "vm/arith.def"
 
@@ -181,8 +182,8 @@ static c205_trap go_to_near(struct c205 *machine,
     { \
         uint64_t sum = LOW(machine->slot[d->a] + machine->slot[d->x]); \
         c205_trap trap = C205_TRAP_NONE; \
-        if (c205_to_integer(sum) \
-                comparison c205_to_integer(machine->slot[d->z])) \
+        if (word_coefficient(sum) \
+                comparison word_coefficient(machine->slot[d->z])) \
             trap = go_to_near(machine, d); \
         if (trap == C205_TRAP_NONE) \
             machine->slot[d->c] = sum; \
@@ -198,12 +199,12 @@ INDEX_BRANCH_IF(index_branch_greater, >)
 
 static bool not_greater(c205_word a, c205_word b)
 {
-    return arith_not_less(b, a);
+    return quick_not_less(b, a);
 }
 
 static bool greater(c205_word a, c205_word b)
 {
-    return arith_less(b, a);
+    return quick_less(b, a);
 }
 
 #define FLOAT_BRANCH_IF(name, comparison) \
@@ -214,7 +215,7 @@ static bool greater(c205_word a, c205_word b)
         return go_to_near(machine, d); \
     }
 
-#define RELATION(name) FLOAT_BRANCH_IF(float_branch_##name, arith_##name)
+#define RELATION(name) FLOAT_BRANCH_IF(float_branch_##name, quick_##name)
 #include "vm/arith.def"
 FLOAT_BRANCH_IF(float_branch_not_greater, not_greater)
 FLOAT_BRANCH_IF(float_branch_greater, greater)

@@ -2,6 +2,7 @@
  * swap.  Register 0 needs no care: see SLOT_MACHINE_ZERO and SLOT_SINK.
  */
 #include "vm/machine.h"
+#include "vm/number/quick.h"
 
 #include <string.h>
 
@@ -97,6 +98,12 @@ c205_trap execute_set_timer(struct c205 *machine,
     TO_HALF(half_##name, half_##name(a, b, &machine->data_flags))
 #define UNARY_REGISTERS(name) \
     TO_T(name, arith_##name(a, &machine->data_flags)) \
+    TO_HALF(half_##name, half_##name(a, &machine->data_flags))
+#define BINARY_QUICK(name) \
+    TO_T(name, quick_##name(a, b, &machine->data_flags)) \
+    TO_HALF(half_##name, half_##name(a, b, &machine->data_flags))
+#define UNARY_QUICK(name) \
+    TO_T(name, quick_##name(a, &machine->data_flags)) \
     TO_HALF(half_##name, half_##name(a, &machine->data_flags))
 /* None, or one that is written out. */
 #define BINARY_VECTORS(name)
