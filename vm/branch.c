@@ -9,7 +9,7 @@ static c205_trap go_to(struct c205 *machine, uint64_t target)
         return machine_fault(machine,
                              machine_refuse(machine, RULE_ALIGNED_CODE),
                              target);
-    machine->effect.taken = true;
+    machine->effect.taken = machine->effect.ends = true;
     machine->effect.target = target;
     return C205_TRAP_NONE;
 }

@@ -244,10 +244,12 @@ c205_trap execute_store_word(struct c205 *machine,
                              const struct decoded *decoded)
 {
     uint64_t address = operand_address(machine, decoded);
+    uint64_t changes = machine->memory.code_changes;
     c205_trap trap = memory_store(&machine->memory, address,
                                   machine->slot[decoded->c]);
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
+    machine->effect.ends = machine->memory.code_changes != changes;
     machine_touch(machine, address, WORD_BITS);
     return C205_TRAP_NONE;
 }
@@ -277,11 +279,13 @@ c205_trap execute_store_half(struct c205 *machine,
                              const struct decoded *decoded)
 {
     uint64_t address = half_address(machine, decoded);
+    uint64_t changes = machine->memory.code_changes;
     c205_word half = machine_half(machine, decoded->c,
                                   decoded->shift[OPERAND_C]);
     c205_trap trap = memory_store_half(&machine->memory, address, half);
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
+    machine->effect.ends = machine->memory.code_changes != changes;
     machine_touch(machine, address, HALF_BITS);
     return C205_TRAP_NONE;
 }
