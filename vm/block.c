@@ -24,14 +24,16 @@ static bool goes_by_itself(const struct decoded *decoded)
 {
     c205_timing timing = decoded->insn->timing;
     return c205_unit_is_vector(decoded->insn->unit)
-           || timing == C205_TIMING_monitor || timing == C205_TIMING_swap
-           || asks_for_the_time(decoded);
+           || timing == C205_TIMING_monitor || asks_for_the_time(decoded);
 }
 
-/* What stands behind other branches may be no code. */
+/* What stands behind other branches may be no code.  What SWAP costs depends
+ * on its operands, so that it is the last one. */
 static bool may_go_on(const struct decoded *decoded)
 {
     const c205_fields *fields = &decoded->fields;
+    if (decoded->insn->timing == C205_TIMING_swap)
+        return false;
     return decoded->insn->unit != C205_UNIT_BRANCH
            || (fields->g & C205_G_RELATIVE && fields->immediate > 0);
 }

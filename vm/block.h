@@ -5,7 +5,7 @@
  *
  * Semantics know no time, so all of a block can be executed first and then
  * charged as a whole.  By themselves go vector instructions, requests to the
- * monitor, SWAP, and those that do ask for the time.
+ * monitor, and those that do ask for the time.  SWAP is the last of its block.
  *
  * Blocks stay until their code changes or there is no room left for more.
  */
@@ -31,9 +31,9 @@ struct code_block {
 };
 
 enum {
-    BLOCKS = 1 << 12,
-    BLOCK_PLACES = 1 << 13,
-    BLOCK_DECODED = 1 << 14 /* instructions of all blocks */
+    BLOCKS = 1 << 14,
+    BLOCK_PLACES = 1 << 15,
+    BLOCK_DECODED = 1 << 16 /* instructions of all blocks */
 };
 struct blocks {
     struct code_block *at[BLOCK_PLACES]; /* by address, or NULL */

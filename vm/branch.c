@@ -159,7 +159,8 @@ c205_trap execute_alter_memory_bit(struct c205 *machine,
     trap = branch_and_alter(machine, decoded, &word, address);
     if (trap == C205_TRAP_NONE && alters)
         memory_write_words(memory, place, &word, 1);
-    machine_touch(machine, address, 1);
+    if (trap == C205_TRAP_NONE)
+        machine_touch(machine, address, 1);
     return trap;
 }
 

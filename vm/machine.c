@@ -327,6 +327,7 @@ static inline unsigned execute_block(struct c205 *machine,
     struct effect *effect = &machine->effect;
     effect->taken = effect->ends = false;
     effect->touch_count = 0;
+    effect->swapped = 0;
     do
         *trap = insn->execute(machine, insn);
     while (*trap == C205_TRAP_NONE && ++insn < end && !effect->ends);

@@ -88,14 +88,19 @@ void clock_unfold(struct clock *clock)
 
 /* ---- Limits -------------------------------------------------------------- */
 
+/* SWAP uses two ranges, each on two pages at the most. */
 static uint64_t longest_of(const struct clock *clock,
                            const struct decoded *decoded)
 {
     const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
-    return timing->latency + timing->busy + clock->issue_interval
-           + clock->branch_taken + clock->branch_not_taken
-           + clock->branch_out_of_stack + clock->translation_miss
-           + clock->page_fault;
+    struct rate swap_word = clock->swap_word;
+    uint64_t longest = timing->latency + timing->busy + clock->issue_interval
+                       + clock->branch_taken + clock->branch_not_taken
+                       + clock->branch_out_of_stack
+                       + 4 * (clock->translation_miss + clock->page_fault);
+    if (decoded->insn->timing == C205_TIMING_swap)
+        longest += 2 * C205_REGISTERS * swap_word.clocks / swap_word.per + 1;
+    return longest;
 }
 
 void clock_measure(const struct clock *clock, struct code_block *block)
@@ -110,21 +115,12 @@ static uint64_t later(uint64_t a, uint64_t b)
     return a > b ? a : b;
 }
 
-/* When all is done that is in flight now. */
-static uint64_t all_done(const struct clock *clock)
+uint64_t clock_all_done(const struct clock *clock)
 {
     uint64_t done = later(clock->now, clock->vector_end);
-    if (clock->flight)
-        return clock->now + clock->flight->latest;
     for (size_t i = 0; i < C205_UNITS; i++)
         done = later(done, clock->free_at[i]);
     return later(done, clock->results_done);
-}
-
-bool clock_ends_before(const struct clock *clock,
-                       const struct code_block *block, uint64_t limit)
-{
-    return all_done(clock) + block->longest < limit;
 }
 
 /* ---- Blocks -------------------------------------------------------------- */
@@ -136,12 +132,16 @@ static bool reach_known_pages(struct pages *pages,
 {
     struct translation met = { 0, 0 };
     for (unsigned i = 0; i < effect->touch_count; i++) {
-        uint64_t page = effect->touch[i].address >> pages->shift;
-        if (page == pages->latest)
-            continue;
-        if (!pages_know(pages, page))
-            return false;
-        pages_look_up(pages, page, &met);
+        const struct touch *touch = &effect->touch[i];
+        uint64_t last = (touch->address + touch->bits - 1) >> pages->shift;
+        uint64_t page = touch->address >> pages->shift;
+        for (; page <= last; page++) {
+            if (page == pages->latest)
+                continue;
+            if (!pages_know(pages, page))
+                return false;
+            pages_look_up(pages, page, &met);
+        }
     }
     return true;
 }
@@ -164,24 +164,26 @@ static bool touches_memory(const struct decoded *decoded)
 }
 
 /* Instruction by instruction: each that touches memory has one touch, in
- * their order. */
+ * their order, but the last one, which has all that are left. */
 static void charge_each(struct clock *clock, const struct code_block *block,
                         unsigned count, const struct effect *effect)
 {
     struct effect own;
     const struct touch *touch = effect->touch;
     memset(&own, 0, sizeof own);
-    for (unsigned i = 0; i < count; i++) {
+    for (unsigned i = 0; i + 1 < count; i++) {
         const struct decoded *decoded = &block->insn[i];
         own.touch_count = touches_memory(decoded);
         if (own.touch_count)
             own.touch[0] = *touch++;
-        if (i + 1 == count) {
-            own.taken = effect->taken;
-            own.target = effect->target;
-        }
         clock_charge(clock, decoded, &own);
     }
+    for (own.touch_count = 0; touch < effect->touch + effect->touch_count;)
+        own.touch[own.touch_count++] = *touch++;
+    own.taken = effect->taken;
+    own.target = effect->target;
+    own.swapped = effect->swapped;
+    clock_charge(clock, &block->insn[count - 1], &own);
 }
 
 static c205_account difference(const c205_account *account,

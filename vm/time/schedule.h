@@ -23,7 +23,7 @@
 struct schedule {
     struct schedule *next; /* of the block */
     const struct flight *from, *to;
-    uint64_t leaves; /* where control leaves the block, and how */
+    uint64_t leaves; /* where control leaves the block, and how .. */
     uint64_t clocks;
     uint64_t times;        /* that are not in the accounts yet .. */
     struct schedule *more; /* .. and the next that has some */
@@ -31,15 +31,17 @@ struct schedule {
     c205_account once;     /* .. and what it is charged each time */
 };
 
-enum { GOES_ON, TAKEN, TAKEN_OUT_OF_STACK, LEAVES_SHIFT = 2 };
+enum { GOES_ON, TAKEN, TAKEN_OUT_OF_STACK, COUNT_SHIFT = 2, SWAP_SHIFT = 16 };
 
-/* Where control leaves a block, and how, and the instruction stack behind. */
+/* Where control leaves a block, and how, and how many registers were swapped
+ * there; and the instruction stack behind. */
 static inline uint64_t stack_follow(struct stack *stack, uint64_t words,
                                     const struct code_block *block,
                                     unsigned count,
                                     const struct effect *effect)
 {
-    uint64_t leaves = (uint64_t)count << LEAVES_SHIFT;
+    uint64_t leaves = (uint64_t)effect->swapped << SWAP_SHIFT
+                      | (uint64_t)count << COUNT_SHIFT;
     if (block->pc != stack->next)
         stack_begin(stack, block->pc);
     stack->next = block->insn[count - 1].next;
@@ -53,12 +55,17 @@ static inline uint64_t stack_follow(struct stack *stack, uint64_t words,
     return leaves | TAKEN_OUT_OF_STACK;
 }
 
+/* All that was touched lies on the page that was touched last. */
 static inline bool touches_latest(const struct pages *pages,
                                   const struct effect *effect)
 {
     uint64_t others = 0;
-    for (unsigned i = 0; i < effect->touch_count; i++)
-        others |= effect->touch[i].address >> pages->shift ^ pages->latest;
+    for (unsigned i = 0; i < effect->touch_count; i++) {
+        const struct touch *touch = &effect->touch[i];
+        uint64_t last = touch->address + touch->bits - 1;
+        others |= touch->address >> pages->shift ^ pages->latest;
+        others |= last >> pages->shift ^ pages->latest;
+    }
     return others == 0;
 }
 
@@ -94,6 +101,17 @@ static inline bool clock_repeat(struct clock *clock,
     clock->stack = stack;
     follow_schedule(clock, schedule);
     return true;
+}
+
+/* Will a block have ended before a limit, whatever it meets?  False: perhaps
+ * not. */
+static inline bool clock_ends_before(const struct clock *clock,
+                                     const struct code_block *block,
+                                     uint64_t limit)
+{
+    uint64_t latest = clock->flight ? clock->now + clock->flight->latest
+                                    : clock_all_done(clock);
+    return latest + block->longest < limit;
 }
 
 struct schedules *schedules_new(void);
