@@ -240,6 +240,12 @@ c205_trap execute_load_word(struct c205 *machine,
     return C205_TRAP_NONE;
 }
 
+/* What was decoded of this block may have been stored over. */
+static void tell_changes(struct c205 *machine, uint64_t before)
+{
+    machine->effect.ends = machine->memory.code_changes != before;
+}
+
 c205_trap execute_store_word(struct c205 *machine,
                              const struct decoded *decoded)
 {
@@ -249,7 +255,7 @@ c205_trap execute_store_word(struct c205 *machine,
                                   machine->slot[decoded->c]);
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
-    machine->effect.ends = machine->memory.code_changes != changes;
+    tell_changes(machine, changes);
     machine_touch(machine, address, WORD_BITS);
     return C205_TRAP_NONE;
 }
@@ -285,7 +291,7 @@ c205_trap execute_store_half(struct c205 *machine,
     c205_trap trap = memory_store_half(&machine->memory, address, half);
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
-    machine->effect.ends = machine->memory.code_changes != changes;
+    tell_changes(machine, changes);
     machine_touch(machine, address, HALF_BITS);
     return C205_TRAP_NONE;
 }
