@@ -132,8 +132,9 @@ static void test_limits(void **state)
                  "        ES      turns, 12\n"
                  "        load_constant x, 1.5\n"
                  "        EX      to, again\n"
-                 "again:  ADDN    y, x, y\n"
-                 "        DIVS    y, x, y\n"
+                 "again:  DIVS    x, x, y\n"
+                 "        BIM     await\n"
+                 "await:  ADDX    y, r0, y\n"
                  "        DBNZ    turns, [to]\n"
                  "        EXIT\n");
 }
@@ -371,6 +372,33 @@ static void compare_on(const char *constants, const char *text)
     model = usual;
 }
 
+/* Loads wait for the oldest of three, over the ends of blocks. */
+static void test_loads(void **state)
+{
+    (void)state;
+    compare_on("title T\nlike cyber205-2pipe-prior\nlatency.load 70 clk R\n"
+               "memory.loads_in_flight 3 loads R\n",
+               "        .include \"core.s\"\n"
+               "        .regs   r10, turns, to, at, a, b, c, n, three\n"
+               "        .data\n"
+               "words:  .space  10\n"
+               "        .code\n"
+               "        EX      at, words\n"
+               "        ES      turns, 40\n"
+               "        ES      three, 3\n"
+               "        EX      to, again\n"
+               "again:  LOD     [at], a\n"
+               "        AND     turns, three, n\n"
+               "        IBXEQ   n, r0, three, less, n\n"
+               "        LOD     [at], b\n"
+               "less:   BIM     more\n"
+               "more:   LOD     [at], c\n"
+               "        LOD     [at], r0\n"
+               "        ADDX    n, a, n\n"
+               "        DBNZ    turns, [to]\n"
+               "        EXIT\n");
+}
+
 /* More registers take longer, and end on another page: the third of three of
  * which two are known. */
 static void test_swap(void **state)
@@ -508,6 +536,7 @@ int main(void)
         cmocka_unit_test(test_vectors),
         cmocka_unit_test(test_timer),
         cmocka_unit_test(test_swap),
+        cmocka_unit_test(test_loads),
         cmocka_unit_test(test_lost_results),
         cmocka_unit_test(test_many_blocks),
         cmocka_unit_test(test_many_flights),

@@ -88,19 +88,34 @@ void clock_unfold(struct clock *clock)
 
 /* ---- Limits -------------------------------------------------------------- */
 
+static bool touches_memory(const struct decoded *decoded)
+{
+    c205_format format = decoded->insn->format;
+    return format == C205_FORMAT_MEMORY || format == C205_FORMAT_ALTERB;
+}
+
 /* SWAP uses two ranges, each on two pages at the most. */
+static uint64_t pages_most(const struct decoded *decoded)
+{
+    return decoded->insn->timing == C205_TIMING_swap
+               ? 4
+               : touches_memory(decoded);
+}
+
 static uint64_t longest_of(const struct clock *clock,
                            const struct decoded *decoded)
 {
     const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
     struct rate swap_word = clock->swap_word;
-    uint64_t longest = timing->latency + timing->busy + clock->issue_interval
-                       + clock->branch_taken + clock->branch_not_taken
-                       + clock->branch_out_of_stack
-                       + 4 * (clock->translation_miss + clock->page_fault);
+    uint64_t longest = timing->latency + timing->busy + clock->issue_interval;
+    if (decoded->insn->unit == C205_UNIT_BRANCH)
+        longest += clock->branch_taken + clock->branch_not_taken
+                   + clock->branch_out_of_stack;
     if (decoded->insn->timing == C205_TIMING_swap)
         longest += 2 * C205_REGISTERS * swap_word.clocks / swap_word.per + 1;
-    return longest;
+    return longest
+           + pages_most(decoded)
+                 * (clock->translation_miss + clock->page_fault);
 }
 
 void clock_measure(const struct clock *clock, struct code_block *block)
@@ -155,12 +170,6 @@ static struct schedule *find_schedule(const struct clock *clock,
            && (schedule->from != clock->flight || schedule->leaves != leaves))
         schedule = schedule->next;
     return schedule;
-}
-
-static bool touches_memory(const struct decoded *decoded)
-{
-    c205_format format = decoded->insn->format;
-    return format == C205_FORMAT_MEMORY || format == C205_FORMAT_ALTERB;
 }
 
 /* Instruction by instruction: each that touches memory has one touch, in
