@@ -1,5 +1,6 @@
 /* branch.c - branches, and requests to the monitor. */
 #include "vm/machine.h"
+#include "vm/number/quick.h"
 
 static c205_trap go_to(struct c205 *machine, uint64_t target)
 {
@@ -8,7 +9,7 @@ static c205_trap go_to(struct c205 *machine, uint64_t target)
         return machine_fault(machine,
                              machine_refuse(machine, RULE_ALIGNED_CODE),
                              target);
-    machine->effect.taken = true;
+    machine->effect.taken = machine->effect.ends = true;
     machine->effect.target = target;
     return C205_TRAP_NONE;
 }
@@ -33,7 +34,7 @@ static c205_trap go_to(struct c205 *machine, uint64_t target)
     }
 
 #define RELATION(name) \
-    BRANCH_IF(branch_##name, arith_##name) \
+    BRANCH_IF(branch_##name, quick_##name) \
     BRANCH_IF_HALF(branch_half_##name, half_##name)
 #include "vm/arith.def"
 
@@ -158,7 +159,8 @@ c205_trap execute_alter_memory_bit(struct c205 *machine,
     trap = branch_and_alter(machine, decoded, &word, address);
     if (trap == C205_TRAP_NONE && alters)
         memory_write_words(memory, place, &word, 1);
-    machine_touch(machine, address, 1);
+    if (trap == C205_TRAP_NONE)
+        machine_touch(machine, address, 1);
     return trap;
 }
 
@@ -181,8 +183,8 @@ static c205_trap go_to_near(struct c205 *machine,
     { \
         uint64_t sum = LOW(machine->slot[d->a] + machine->slot[d->x]); \
         c205_trap trap = C205_TRAP_NONE; \
-        if (c205_to_integer(sum) \
-                comparison c205_to_integer(machine->slot[d->z])) \
+        if (word_coefficient(sum) \
+                comparison word_coefficient(machine->slot[d->z])) \
             trap = go_to_near(machine, d); \
         if (trap == C205_TRAP_NONE) \
             machine->slot[d->c] = sum; \
@@ -198,12 +200,12 @@ INDEX_BRANCH_IF(index_branch_greater, >)
 
 static bool not_greater(c205_word a, c205_word b)
 {
-    return arith_not_less(b, a);
+    return quick_not_less(b, a);
 }
 
 static bool greater(c205_word a, c205_word b)
 {
-    return arith_less(b, a);
+    return quick_less(b, a);
 }
 
 #define FLOAT_BRANCH_IF(name, comparison) \
@@ -214,7 +216,7 @@ static bool greater(c205_word a, c205_word b)
         return go_to_near(machine, d); \
     }
 
-#define RELATION(name) FLOAT_BRANCH_IF(float_branch_##name, arith_##name)
+#define RELATION(name) FLOAT_BRANCH_IF(float_branch_##name, quick_##name)
 #include "vm/arith.def"
 FLOAT_BRANCH_IF(float_branch_not_greater, not_greater)
 FLOAT_BRANCH_IF(float_branch_greater, greater)

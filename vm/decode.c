@@ -263,8 +263,7 @@ static void bind_all(struct decoded *decoded)
 
 /* ---- The cache ---------------------------------------------------------- */
 
-static c205_trap decode(struct c205 *machine, uint64_t pc,
-                        struct decoded *decoded)
+c205_trap decode(struct c205 *machine, uint64_t pc, struct decoded *decoded)
 {
     c205_word word;
     memset(decoded, 0, sizeof *decoded);

@@ -20,33 +20,34 @@ enum { DECODED_SOURCES = 10, DECODED_RESULTS = 3 };
 enum { OPERAND_A, OPERAND_B, OPERAND_C, OPERANDS };
 
 struct decoded {
-    uint64_t pc;
-    uint64_t version; /* memory.code_changes when it was decoded */
     semantics *execute;
-    const c205_insn *insn;
-    uint64_t next;           /* address of the instruction after; for LINKV,
-                                the one after the pair */
-    c205_fields fields;      /* as written */
-    uint16_t a, b, c;        /* slots; for short formats R, S, T */
-    uint16_t x, y, z;        /* slots of offsets and control vector */
-    uint16_t index;          /* slot of the index of a maximum, a minimum */
-    uint8_t width[OPERANDS]; /* of A, B, C: bits of an element */
-    uint8_t shift[OPERANDS]; /* bits of the slot left of a half register; 0
-                                also for those of register 0 */
-    uint32_t region;
-    uint8_t flops; /* of each element; of LINKV, those of the pair */
-    uint8_t source_count, result_count;
-    uint16_t source[DECODED_SOURCES]; /* slots read, register 0 left out */
+    uint16_t a, b, c; /* slots; for short formats R, S, T */
+    uint16_t x, y, z; /* slots of offsets and control vector */
+    uint16_t index;   /* slot of the index of a maximum, a minimum */
     uint16_t result[DECODED_RESULTS]; /* slots written; register 0 is not
                                          counted but stands as SLOT_SINK */
-    const struct decoded *linked[2];  /* LINKV: the pair */
+    uint8_t width[OPERANDS];          /* of A, B, C: bits of an element */
+    uint8_t shift[OPERANDS]; /* bits of the slot left of a half register; 0
+                                also for those of register 0 */
+    uint8_t source_count, result_count;
+    c205_fields fields; /* as written */
+    uint64_t next;      /* address of the instruction after; for LINKV,
+                           the one after the pair */
+    uint64_t pc;
+    const c205_insn *insn;
+    uint16_t source[DECODED_SOURCES]; /* slots read, register 0 left out */
+    uint32_t region;
+    uint8_t flops;    /* of each element; of LINKV, those of the pair */
+    uint64_t version; /* memory.code_changes when it was decoded */
+    const struct decoded *linked[2]; /* LINKV: the pair */
 };
 
 /* A range of memory that an instruction used. */
 struct touch {
     uint64_t address, bits;
 };
-enum { EFFECT_TOUCHES = 6 };
+/* A vector instruction uses six at the most, a scalar one one, of a block. */
+enum { BLOCK_INSNS = 32, EFFECT_TOUCHES = BLOCK_INSNS };
 
 /* Filled by the semantics, read by the clock and the events.  Semantics know
  * no time: they say what happened, not what it costs. */
@@ -54,6 +55,7 @@ struct effect {
     size_t elements; /* vector length: results made or operands scanned */
     size_t idle; /* those that took time with nothing done: sparse vectors */
     size_t recurrent; /* those that read what an earlier one stored */
+    bool ends;        /* a block: a branch was taken, or code was changed */
     bool taken;       /* a branch that was taken .. */
     uint64_t target;  /* .. and where it went */
     unsigned touch_count;
@@ -82,6 +84,8 @@ decode_cached(const struct decode_cache *cache, uint64_t version, uint64_t pc)
     return entry->pc == pc && entry->version == version ? entry : NULL;
 }
 
+/* Decode the instruction at pc; marks its words as code. */
+c205_trap decode(struct c205 *machine, uint64_t pc, struct decoded *decoded);
 /* The instruction at pc, decoded now or before; marks its words as code. */
 c205_trap decode_at(struct c205 *machine, uint64_t pc,
                     const struct decoded **decoded);

@@ -1,4 +1,5 @@
 #include "vm/machine.h"
+#include "vm/time/schedule.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -49,7 +50,8 @@ c205 *c205_new(const c205_model *model, c205_error *error)
     clear_registers(machine);
     machine->clock = clock_new(model, error);
     machine->cache = calloc(1, sizeof *machine->cache);
-    if (machine->clock && machine->cache)
+    machine->blocks = calloc(1, sizeof *machine->blocks);
+    if (machine->clock && machine->cache && machine->blocks)
         return machine;
     if (machine->clock)
         no_memory(error);
@@ -68,6 +70,7 @@ void c205_free(c205 *machine)
         free(machine->scratch[i]);
     free(machine->ranges);
     free(machine->cache);
+    free(machine->blocks);
     free(machine);
 }
 
@@ -313,6 +316,69 @@ static inline bool step(struct c205 *machine, uint64_t limit, c205_stop *stop)
     return !machine->eventful || attend(machine, decoded, before, stop);
 }
 
+/* ---- Blocks -------------------------------------------------------------- */
+
+/* How many were executed: fewer, where one traps or has changed code. */
+static inline unsigned execute_block(struct c205 *machine,
+                                     const struct code_block *block,
+                                     c205_trap *trap)
+{
+    const struct decoded *insn = block->insn, *end = insn + block->count;
+    struct effect *effect = &machine->effect;
+    effect->taken = effect->ends = false;
+    effect->touch_count = 0;
+    effect->swapped = 0;
+    do
+        *trap = insn->execute(machine, insn);
+    while (*trap == C205_TRAP_NONE && ++insn < end && !effect->ends);
+    return (unsigned)(insn - block->insn);
+}
+
+/* All of a block, or as much as can be; nobody listens, and the limit will
+ * not come.  False: *stop tells why there is no next one. */
+static inline bool run_block(struct c205 *machine, struct code_block *block,
+                             c205_stop *stop)
+{
+    c205_trap trap;
+    struct effect *effect = &machine->effect;
+    unsigned count = execute_block(machine, block, &trap);
+    if (!clock_repeat(machine->clock, block, count, effect))
+        clock_charge_block(machine->clock, block, count, effect);
+    machine->pc = effect->taken ? effect->target
+                  : count > 0   ? block->insn[count - 1].next
+                                : block->pc;
+    if (trap == C205_TRAP_NONE)
+        return true;
+    clock_unfold(machine->clock);
+    return stop_before(machine, trap, block->insn[count].insn, stop);
+}
+
+static inline struct code_block *block_at(struct c205 *machine, uint64_t pc)
+{
+    struct code_block *block = *block_place(machine->blocks, pc);
+    if (block && block->pc == pc
+        && block->version == machine->memory.code_changes)
+        return block;
+    return block_make(machine, pc);
+}
+
+/* A block, or where that cannot be one instruction. */
+static inline bool go_on(struct c205 *machine, uint64_t limit,
+                         c205_stop *stop)
+{
+    if (!machine->eventful) {
+        struct code_block *block = block_at(machine, machine->pc);
+        if (block->count > 0
+            && (limit == C205_NO_LIMIT
+                || clock_ends_before(machine->clock, block, limit)))
+            return run_block(machine, block, stop);
+        clock_unfold(machine->clock);
+    }
+    return step(machine, limit, stop);
+}
+
+/* ---- From a beginning to an end ------------------------------------------ */
+
 /* The first one goes on where the run before was stopped. */
 static bool first_step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 {
@@ -331,7 +397,7 @@ c205_stop c205_run(c205 *machine, uint64_t limit)
 {
     c205_stop stop;
     if (first_step(machine, limit, &stop))
-        while (step(machine, limit, &stop))
+        while (go_on(machine, limit, &stop))
             continue;
     return stop;
 }

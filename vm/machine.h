@@ -4,7 +4,7 @@
 
 #include "vm/number/arith.h"
 #include "vm/time/clock.h"
-#include "vm/decode.h"
+#include "vm/block.h"
 #include "vm/memory.h"
 #include "vm/progress.h"
 
@@ -47,6 +47,7 @@ struct c205 {
     uint64_t program; /* hash of what was loaded, or 0 */
     struct clock *clock;
     struct decode_cache *cache;
+    struct blocks *blocks;
     const c205_model *model;
     struct effect effect;           /* of the instruction being executed .. */
     const struct decoded *executed; /* .. which listeners are told of */
@@ -162,7 +163,8 @@ static inline c205_trap machine_end_turn(struct c205 *machine,
 }
 
 /* The one thing that semantics may ask of time, for instructions that read
- * the clock or the timer: how many clocks have been charged before it. */
+ * the clock or the timer: how many clocks have been charged before it.  Those
+ * instructions go into no block (block.c). */
 static inline uint64_t machine_clocks(const struct c205 *machine)
 {
     return clock_now(machine->clock);

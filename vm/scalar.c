@@ -2,6 +2,7 @@
  * swap.  Register 0 needs no care: see SLOT_MACHINE_ZERO and SLOT_SINK.
  */
 #include "vm/machine.h"
+#include "vm/number/quick.h"
 
 #include <string.h>
 
@@ -97,6 +98,12 @@ c205_trap execute_set_timer(struct c205 *machine,
     TO_HALF(half_##name, half_##name(a, b, &machine->data_flags))
 #define UNARY_REGISTERS(name) \
     TO_T(name, arith_##name(a, &machine->data_flags)) \
+    TO_HALF(half_##name, half_##name(a, &machine->data_flags))
+#define BINARY_QUICK(name) \
+    TO_T(name, quick_##name(a, b, &machine->data_flags)) \
+    TO_HALF(half_##name, half_##name(a, b, &machine->data_flags))
+#define UNARY_QUICK(name) \
+    TO_T(name, quick_##name(a, &machine->data_flags)) \
     TO_HALF(half_##name, half_##name(a, &machine->data_flags))
 /* None, or one that is written out. */
 #define BINARY_VECTORS(name)
@@ -233,14 +240,22 @@ c205_trap execute_load_word(struct c205 *machine,
     return C205_TRAP_NONE;
 }
 
+/* What was decoded of this block may have been stored over. */
+static void tell_changes(struct c205 *machine, uint64_t before)
+{
+    machine->effect.ends = machine->memory.code_changes != before;
+}
+
 c205_trap execute_store_word(struct c205 *machine,
                              const struct decoded *decoded)
 {
     uint64_t address = operand_address(machine, decoded);
+    uint64_t changes = machine->memory.code_changes;
     c205_trap trap = memory_store(&machine->memory, address,
                                   machine->slot[decoded->c]);
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
+    tell_changes(machine, changes);
     machine_touch(machine, address, WORD_BITS);
     return C205_TRAP_NONE;
 }
@@ -270,11 +285,13 @@ c205_trap execute_store_half(struct c205 *machine,
                              const struct decoded *decoded)
 {
     uint64_t address = half_address(machine, decoded);
+    uint64_t changes = machine->memory.code_changes;
     c205_word half = machine_half(machine, decoded->c,
                                   decoded->shift[OPERAND_C]);
     c205_trap trap = memory_store_half(&machine->memory, address, half);
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
+    tell_changes(machine, changes);
     machine_touch(machine, address, HALF_BITS);
     return C205_TRAP_NONE;
 }

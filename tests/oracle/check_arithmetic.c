@@ -136,7 +136,8 @@ static bool check_operation(const struct operation *operation, uint64_t seed,
         if (span.n > cases - done)
             span.n = cases - done;
         operands_next(&operands, span.a, span.b, span.n);
-        if (!check_scalars(operation, &span) || !check_span(operation, &span))
+        if (!check_scalars(operation, &span)
+            || (operation->span && !check_span(operation, &span)))
             return false;
     }
     return true;
@@ -218,7 +219,7 @@ static void count(struct run *run, const char *name, size_t cases, bool pass)
 {
     run->passed += pass;
     run->failed += !pass;
-    printf("%-24s %9zu %s\n", name, cases, pass ? "ok" : "FAILED");
+    printf("%-28s %9zu %s\n", name, cases, pass ? "ok" : "FAILED");
     fflush(stdout);
 }
 

@@ -1,6 +1,7 @@
 #include "operations.h"
 
 #include "vm/number/lanes.h"
+#include "vm/number/quick.h"
 
 #include <string.h>
 
@@ -86,6 +87,20 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
 /* clang-format on */
 #include "vm/arith.def"
 
+/* One word at a time, the usual case first (quick.h). */
+/* clang-format off */
+#define CALL_BINARY_QUICK(name) CALL_BINARY(quick_##name)
+#define CALL_UNARY_QUICK(name) CALL_UNARY(quick_##name)
+#define CALL_BINARY_REGISTERS(name)
+#define CALL_UNARY_REGISTERS(name)
+#define CALL_BINARY_VECTORS(name)
+#define CALL_UNARY_VECTORS(name)
+#define BINARY(name, spans, registers, specials) CALL_BINARY_##registers(name)
+#define UNARY(name, spans, registers, specials) CALL_UNARY_##registers(name)
+#define RELATION(name) CALL_RELATION(quick_##name)
+/* clang-format on */
+#include "vm/arith.def"
+
 /* ---- The operations ----------------------------------------------------- */
 
 /* clang-format off */
@@ -99,6 +114,10 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
     { #name, &oracle_full, oracle_##name, NULL, call_lanes_##name },
 #define SPAN_ROW_OF_HALVES(name) \
     { "half_" #name, &oracle_half, oracle_##name, NULL, call_halves_##name },
+#define ROW_QUICK(name) \
+    { "quick_" #name, &oracle_full, oracle_##name, call_quick_##name, NULL },
+#define ROW_REGISTERS(name)
+#define ROW_VECTORS(name)
 #define FORMAT_WORDS &oracle_full
 #define FORMAT_HALVES &oracle_half
 /* clang-format on */
@@ -110,6 +129,10 @@ const struct operation operations[] = {
     { #name, FORMAT_##of, oracle_##name, call_arith_##name, \
       call_lanes_##name },
 #define COPY(name, specials) SPAN_ROW_OF_WORDS(name)
+#include "vm/arith.def"
+#define BINARY(name, spans, registers, specials) ROW_##registers(name)
+#define UNARY(name, spans, registers, specials) ROW_##registers(name)
+#define RELATION(name) ROW_QUICK(name)
 #include "vm/arith.def"
 };
 

@@ -13,7 +13,8 @@ enum {
     CLOCKS = 6000, /* of a program that may go on for ever */
     TRAPS = 120,
     LONGEST_SLICE = 150,
-    ONE_SAVED_IN = 40
+    ONE_SAVED_IN = 40,
+    ONE_HEARD_IN = 10
 };
 
 /* ---- States ------------------------------------------------------------ */
@@ -84,7 +85,7 @@ static c205 *copy_machine(const c205 *machine)
 
 struct way {
     const char *name;
-    bool sliced, saved;
+    bool sliced, saved, heard;
 };
 
 struct run {
@@ -103,6 +104,19 @@ static void change_machine(struct run *run)
         c205_free(run->machine);
     run->machine = copy;
     run->restored = true;
+}
+
+static void hear_nothing(void *context, const c205 *machine,
+                         const c205_event *event)
+{
+    (void)context, (void)machine, (void)event;
+}
+
+/* Machines are used again, and nobody can stop listening: so to another. */
+static void listen(struct run *run)
+{
+    change_machine(run);
+    c205_listen(run->machine, hear_nothing, NULL);
 }
 
 static uint64_t next_limit(struct run *run)
@@ -133,6 +147,11 @@ static bool run_on(struct run *run)
         return skip(run, &stop);
     if (run->way->saved && random_between(&run->random, 1, ONE_SAVED_IN) == 1)
         change_machine(run);
+    if (run->way->heard && random_between(&run->random, 1, ONE_HEARD_IN) == 1)
+        listen(run);
+    else if (run->way->heard
+             && random_between(&run->random, 1, ONE_HEARD_IN) == 1)
+        change_machine(run);
     return c205_clock(run->machine) < run->limit;
 }
 
@@ -145,6 +164,8 @@ static uint64_t hash_at_end(const struct random_program *program,
                        .limit = limit };
     uint64_t hash;
 
+    if (way->heard && !way->sliced)
+        listen(&run);
     while (run_on(&run))
         continue;
     hash = machine_hash(run.machine);
@@ -156,10 +177,12 @@ static uint64_t hash_at_end(const struct random_program *program,
 const char *disagreeing_way(const struct random_program *program,
                             const uint64_t *stepped)
 {
-    static const struct way whole = { "a whole run", false, false };
+    static const struct way whole = { "a whole run", false, false, false };
     static const struct way others[] = {
-        { "a run in slices", true, false },
-        { "a run saved and restored", true, true },
+        { "a run in slices", true, false, false },
+        { "a run saved and restored", true, true, false },
+        { "a run with a listener", false, false, true },
+        { "a run with a listener now and then", true, false, true },
     };
     uint64_t limit = stepped ? C205_NO_LIMIT : CLOCKS;
     uint64_t expected = hash_at_end(program, &whole, limit);

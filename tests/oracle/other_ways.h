@@ -1,7 +1,8 @@
 /* other_ways.h - a random program run otherwise than step by step.
  *
  * As a whole; in slices, each ended by the clock limit; in slices between
- * which the machine is saved and another one restored from that.  What traps
+ * which the machine is saved and another one restored from that; with somebody
+ * who listens, from the beginning or now and then.  What traps
  * is skipped.  All ways must end in one state: everything that a saved
  * machine holds, clock and accounts among it.
  */

@@ -97,6 +97,21 @@ static const c205_insn *draw_insn(uint64_t *random,
     return draw_of_unit(random, draw_unit(random));
 }
 
+/* As above, of what goes into the machine's blocks, and at times of what does
+ * not. */
+static const c205_insn *draw_scalar(uint64_t *random,
+                                    const c205_insn *const *rows, size_t i)
+{
+    const c205_insn *insn;
+
+    if (i > 0 && one_in(random, 4))
+        return rows[i - 1];
+    do
+        insn = draw_of_unit(random, draw_unit(random));
+    while (c205_unit_is_vector(insn->unit) && !one_in(random, 60));
+    return insn;
+}
+
 /* ---- Operands ---------------------------------------------------------- */
 
 static bool is_field(const c205_insn *insn)
@@ -423,14 +438,30 @@ static void link_pairs(uint64_t *random, struct random_program *program,
     }
 }
 
+/* A loop ends with a branch back by registers that are its own. */
+static void close_loop(struct random_program *program)
+{
+    const c205_insn *insn = c205_insn_named("DBNZ", 4);
+    c205_fields fields = { .f = insn->opcode,
+                           .r = LOOP_COUNT,
+                           .t = LOOP_BEGIN };
+
+    put_insn(program, program->insn_count - 2, insn, &fields);
+}
+
 void draw_insns(uint64_t *random, struct random_program *program)
 {
     const c205_insn *rows[PROGRAM_INSNS];
     size_t count = program->insn_count;
 
     for (size_t i = 0; i + 1 < count; i++) {
-        rows[i] = draw_insn(random, rows, i);
+        rows[i] = program->loop ? draw_scalar(random, rows, i)
+                                : draw_insn(random, rows, i);
         program->insns[i].halves = c205_format_halves(rows[i]->format);
+    }
+    if (program->loop) {
+        rows[count - 2] = c205_insn_named("DBNZ", 4);
+        program->insns[count - 2].halves = 1;
     }
     rows[count - 1] = c205_insn_named("EXIT", 4);
     program->insns[count - 1].halves = 1;
@@ -444,4 +475,6 @@ void draw_insns(uint64_t *random, struct random_program *program)
                                       << random_between(random, 32, 63);
     }
     link_pairs(random, program, rows);
+    if (program->loop)
+        close_loop(program);
 }

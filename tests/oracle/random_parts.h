@@ -22,6 +22,9 @@ c205_word draw_descriptor(uint64_t *random, char role);
 c205_word draw_code_address(uint64_t *random,
                             const struct random_program *program);
 
+/* Registers of no pool: how often a loop runs yet, and where it begins. */
+enum { LOOP_COUNT = 250, LOOP_BEGIN = 251 };
+
 /* All of the program's instructions. */
 void draw_insns(uint64_t *random, struct random_program *program);
 

@@ -371,6 +371,17 @@ static void preset_registers(uint64_t *random, struct random_program *program)
         }
 }
 
+/* A loop begins in its first half. */
+static void preset_loop(uint64_t *random, struct random_program *program)
+{
+    int64_t half = (int64_t)program->insn_count / 2;
+
+    program->registers[LOOP_COUNT] = (c205_word)
+        random_between(random, 2, one_in(random, 3) ? 90 : 25);
+    program->registers[LOOP_BEGIN] =
+        program_address(program, (size_t)random_between(random, 0, half));
+}
+
 /* ---- The whole --------------------------------------------------------- */
 
 uint64_t program_address(const struct random_program *program, size_t i)
@@ -393,6 +404,8 @@ static uint64_t draw_beginning(uint64_t *random)
     return IN_PAGE(1, words) + HALF * (random_bits(random) & 1);
 }
 
+enum { ONE_LOOP_IN = 9 };
+
 struct random_program random_program(uint64_t seed)
 {
     uint64_t random = seed;
@@ -402,8 +415,11 @@ struct random_program random_program(uint64_t seed)
     program.model = (size_t)random_between(&random, 0,
                                            (int64_t)random_model_count - 1);
     program.code = draw_beginning(&random);
+    program.loop = seed % ONE_LOOP_IN == 0;
     program.insn_count = (size_t)random_between(&random, 4, PROGRAM_INSNS);
     draw_insns(&random, &program);
     preset_registers(&random, &program);
+    if (program.loop)
+        preset_loop(&random, &program);
     return program;
 }

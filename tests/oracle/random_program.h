@@ -7,7 +7,7 @@
  * and each operand is mostly taken from the pool it needs, so that most
  * instructions do something, and some trap.  Vectors of both sizes overlap,
  * cross pages, run off their ends and into memory that is not there or may
- * only be read.
+ * only be read.  Some programs are a loop of scalar instructions.
  */
 #ifndef RANDOM_PROGRAM_H
 #define RANDOM_PROGRAM_H
@@ -28,6 +28,7 @@ struct random_program {
     size_t insn_count;
     struct program_insn insns[PROGRAM_INSNS];
     c205_word registers[C205_REGISTERS];
+    bool loop;       /* of scalar instructions, for the most part */
     bool plain_data; /* all numbers one, all bits ones: for shrinking */
 };
 

@@ -154,29 +154,6 @@ static void charge_memory(struct clock *clock, const struct decoded *decoded,
         issue(clock, decoded, C205_OPERAND_WAIT);
 }
 
-enum { WORD_SHIFT = 6 };
-
-/* The stack holds the last words of code that ran straight on. */
-static void begin_stack(struct clock *clock, uint64_t address)
-{
-    clock->stack_low = clock->stack_high = address >> WORD_SHIFT;
-}
-
-static void extend_stack(struct clock *clock, uint64_t next)
-{
-    uint64_t word = (next - 1) >> WORD_SHIFT;
-    if (clock->stack_high < word)
-        clock->stack_high = word;
-    if (clock->stack_high - clock->stack_low >= clock->stack_words)
-        clock->stack_low = clock->stack_high - clock->stack_words + 1;
-}
-
-static bool in_stack(const struct clock *clock, uint64_t address)
-{
-    uint64_t word = address >> WORD_SHIFT;
-    return clock->stack_low <= word && word <= clock->stack_high;
-}
-
 static void charge_branch(struct clock *clock, const struct decoded *decoded,
                           const struct effect *effect)
 {
@@ -187,13 +164,13 @@ static void charge_branch(struct clock *clock, const struct decoded *decoded,
         spend(clock, clock->branch_not_taken, C205_BRANCH);
         return;
     }
-    extend_stack(clock, decoded->next);
-    clock->next = effect->target;
-    if (in_stack(clock, effect->target)) {
+    stack_extend(&clock->stack, decoded->next, clock->stack_words);
+    clock->stack.next = effect->target;
+    if (stack_holds(&clock->stack, effect->target)) {
         spend(clock, clock->branch_taken, C205_BRANCH);
         return;
     }
-    begin_stack(clock, effect->target);
+    stack_begin(&clock->stack, effect->target);
     spend(clock, clock->branch_out_of_stack, C205_BRANCH);
 }
 
@@ -333,21 +310,13 @@ static void charge_vector(struct clock *clock, const struct decoded *decoded,
 
 /* ---- One instruction ----------------------------------------------------- */
 
-static void enter_region(struct clock *clock, size_t region)
-{
-    clock->region = region;
-    clock->account = &clock->accounts.account[region];
-    clock->account->entries++;
-}
-
 void clock_charge(struct clock *clock, const struct decoded *decoded,
                   const struct effect *effect)
 {
-    if (decoded->region != clock->region)
-        enter_region(clock, decoded->region);
-    if (decoded->pc != clock->next)
-        begin_stack(clock, decoded->pc);
-    clock->next = decoded->next;
+    clock_enter_region(clock, decoded->region);
+    if (decoded->pc != clock->stack.next)
+        stack_begin(&clock->stack, decoded->pc);
+    clock->stack.next = decoded->next;
     clock->account->instructions++;
     wait_for_registers(clock, decoded);
     switch (decoded->insn->unit) {

@@ -21,7 +21,7 @@
 #ifndef C205_CLOCK_H
 #define C205_CLOCK_H
 
-#include "vm/decode.h"
+#include "vm/block.h"
 
 struct clock;
 struct tape;
@@ -42,6 +42,16 @@ void clock_forget_pages(struct clock *clock);
 /* One instruction has executed. */
 void clock_charge(struct clock *clock, const struct decoded *decoded,
                   const struct effect *effect);
+/* The first so many of a block have executed; the effect is that of all.
+ * From the first block on until it is unfolded a clock is folded, and may be
+ * asked for nothing but clock_now. */
+void clock_charge_block(struct clock *clock, struct code_block *block,
+                        unsigned count, const struct effect *effect);
+void clock_unfold(struct clock *clock);
+/* A block is new. */
+void clock_measure(const struct clock *clock, struct code_block *block);
+/* When all is done that is in flight; of a clock that is not folded. */
+uint64_t clock_all_done(const struct clock *clock);
 /* Wait until everything in flight is done, and charge it. */
 void clock_drain(struct clock *clock);
 

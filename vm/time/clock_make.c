@@ -1,5 +1,5 @@
 /* clock_make.c - a clock from its model, its beginning and its end. */
-#include "vm/time/clock_parts.h"
+#include "vm/time/schedule.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -57,9 +57,12 @@ static bool make_parts(struct clock *clock, const c205_model *model)
 struct clock *clock_new(const c205_model *model, c205_error *error)
 {
     struct clock *clock = calloc(1, sizeof *clock);
-    if (clock && make_parts(clock, model)) {
+    if (clock)
+        clock->schedules = schedules_new();
+    if (clock && clock->schedules && make_parts(clock, model)) {
         read_constants(clock, model);
         read_timings(clock, model);
+        clock->generation = 1;
         clock_reset(clock);
         return clock;
     }
@@ -75,6 +78,7 @@ void clock_free(struct clock *clock)
         return;
     pages_free(&clock->pages);
     banks_free(&clock->banks);
+    schedules_free(clock->schedules);
     accounts_close(&clock->accounts);
     free(clock);
 }
@@ -100,6 +104,9 @@ static void forget_flight(struct clock *clock)
     clock->results_done = clock->loads_done = 0;
     clock->phase_count = 0;
     clock->vector_end = clock->vector_tail = 0;
+    clock->flight = NULL;
+    clock->charged = NULL;
+    clock->unfolded = 0;
 }
 
 void clock_reset(struct clock *clock)
@@ -109,8 +116,8 @@ void clock_reset(struct clock *clock)
     clock->now = 0;
     clock->ahead = false;
     clock->account = &clock->accounts.account[0];
-    clock->region = SIZE_MAX; /* the first instruction enters its own */
-    clock->next = UINT64_MAX; /* and begins the instruction stack */
+    clock->region = SIZE_MAX;       /* the first instruction enters its own */
+    clock->stack.next = UINT64_MAX; /* and begins the instruction stack */
 }
 
 void clock_forget_pages(struct clock *clock)

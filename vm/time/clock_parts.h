@@ -29,6 +29,40 @@ enum { PHASES = 6 };
 /* What a register waits for, besides C205_OPERAND_WAIT and _MEMORY_WAIT. */
 enum { FOR_VECTOR = C205_CAUSES };
 
+/* The instruction stack: the last words of code that ran straight on. */
+struct stack {
+    uint64_t next;      /* address, if control runs straight on */
+    uint64_t low, high; /* words */
+};
+
+enum { WORD_SHIFT = 6 };
+
+static inline void stack_begin(struct stack *stack, uint64_t address)
+{
+    stack->low = stack->high = address >> WORD_SHIFT;
+}
+
+/* Up to a next address; it has room for so many words. */
+static inline void stack_extend(struct stack *stack, uint64_t next,
+                                uint64_t words)
+{
+    uint64_t word = (next - 1) >> WORD_SHIFT;
+    if (stack->high < word)
+        stack->high = word;
+    if (stack->high - stack->low >= words)
+        stack->low = stack->high - words + 1;
+}
+
+static inline bool stack_holds(const struct stack *stack, uint64_t address)
+{
+    uint64_t word = address >> WORD_SHIFT;
+    return stack->low <= word && word <= stack->high;
+}
+
+struct schedules;
+struct schedule;
+struct flight;
+
 struct clock {
     uint64_t now;
     bool ahead;        /* now and the accounts show a later time than .. */
@@ -50,8 +84,7 @@ struct clock {
     uint64_t vector_end;  /* the end of the last phase .. */
     uint64_t vector_tail; /* .. and how much of it may hide a start-up */
 
-    uint64_t next;                  /* address, if control runs straight on */
-    uint64_t stack_low, stack_high; /* words in the instruction stack */
+    struct stack stack;
 
     struct clock_timing timing[C205_TIMINGS];
     uint64_t issue_interval, loads_in_flight, stack_words, overlap;
@@ -61,6 +94,25 @@ struct clock {
     struct pages pages;
     struct banks banks;
     struct clock_accounts accounts;
+
+    struct schedules *schedules; /* of blocks (schedule.h) */
+    uint64_t generation;         /* counts how often all were forgotten,
+                                     from one */
+    struct schedule *charged;    /* those followed that the accounts do not
+                                     have yet */
+    const struct flight *flight; /* if not NULL, what is in flight, in place
+                                     of ready, awaits, results_done,
+                                     loads_done, free_at and load_end */
+    unsigned unfolded;           /* blocks since it was NULL */
 };
+
+static inline void clock_enter_region(struct clock *clock, size_t region)
+{
+    if (clock->region == region)
+        return;
+    clock->region = region;
+    clock->account = &clock->accounts.account[region];
+    clock->account->entries++;
+}
 
 #endif

@@ -79,26 +79,48 @@ static void walk_time(uint64_t *time, struct tape *tape)
     tape_require(tape, *time <= LATEST, wrong_flight);
 }
 
-static void walk_times(uint64_t *times, size_t count, struct tape *tape)
+/* What is over is saved as if it had been over at clock 0. */
+static void walk_pending(const struct clock *clock, uint64_t *time,
+                         struct tape *tape)
 {
-    tape_array(tape, times, count);
-    for (size_t i = 0; i < count; i++)
-        tape_require(tape, times[i] <= LATEST, wrong_flight);
+    uint64_t pending = *time > charged(clock) ? *time : 0;
+    walk_time(&pending, tape);
+    if (tape_is_read(tape))
+        *time = pending;
+}
+
+static void walk_register(struct clock *clock, size_t slot, struct tape *tape)
+{
+    bool pending = clock->ready[slot] > charged(clock);
+    size_t awaits = pending || tape_is_read(tape) ? clock->awaits[slot] : 0;
+    tape_size(tape, &awaits, FOR_VECTOR);
+    if (tape_is_read(tape))
+        clock->awaits[slot] = (uint8_t)awaits;
+}
+
+/* From the oldest on. */
+static void walk_loads(struct clock *clock, struct tape *tape)
+{
+    size_t loads = (size_t)clock->loads_in_flight, oldest = 0;
+    for (size_t i = 0; i < loads; i++)
+        walk_pending(clock, &clock->load_end[(clock->load + i) % loads],
+                     tape);
+    tape_size(tape, &oldest, loads - 1);
+    if (tape_is_read(tape))
+        clock->load = oldest;
 }
 
 static void walk_scoreboard(struct clock *clock, struct tape *tape)
 {
-    walk_times(clock->ready, SLOTS, tape);
-    for (size_t i = 0; i < SLOTS; i++) {
-        size_t awaits = clock->awaits[i];
-        tape_size(tape, &awaits, FOR_VECTOR);
-        clock->awaits[i] = (uint8_t)awaits;
-    }
-    walk_time(&clock->results_done, tape);
-    walk_time(&clock->loads_done, tape);
-    walk_times(clock->free_at, C205_UNITS, tape);
-    walk_times(clock->load_end, (size_t)clock->loads_in_flight, tape);
-    tape_size(tape, &clock->load, (size_t)clock->loads_in_flight - 1);
+    for (size_t i = 0; i < SLOTS; i++)
+        walk_pending(clock, &clock->ready[i], tape);
+    for (size_t i = 0; i < SLOTS; i++)
+        walk_register(clock, i, tape);
+    walk_pending(clock, &clock->results_done, tape);
+    walk_pending(clock, &clock->loads_done, tape);
+    for (size_t i = 0; i < C205_UNITS; i++)
+        walk_pending(clock, &clock->free_at[i], tape);
+    walk_loads(clock, tape);
 }
 
 static void walk_phase(struct phase *phase, size_t regions, struct tape *tape)
@@ -152,9 +174,9 @@ static void walk_vector_unit(struct clock *clock, struct tape *tape)
 
 static void walk_stack(struct clock *clock, struct tape *tape)
 {
-    tape_word(tape, &clock->next);
-    tape_word(tape, &clock->stack_low);
-    tape_word(tape, &clock->stack_high);
+    tape_word(tape, &clock->stack.next);
+    tape_word(tape, &clock->stack.low);
+    tape_word(tape, &clock->stack.high);
 }
 
 static void write_page_list(const struct pages *pages, struct tape *tape)

@@ -158,6 +158,12 @@ void pages_look_up(struct pages *pages, uint64_t page,
     pages->latest = pages->registers > 0 ? page : NO_PAGE;
 }
 
+bool pages_know(const struct pages *pages, uint64_t page)
+{
+    uint32_t at = find(pages, page);
+    return at && pages->resident[at].known;
+}
+
 /* Most references are to the page of the one before. */
 static inline void touch(struct pages *pages, uint64_t address,
                          struct translation *met)

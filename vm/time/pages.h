@@ -56,6 +56,8 @@ void pages_forget(struct pages *pages);
  * from the oldest to the latest, make the same list anew. */
 void pages_look_up(struct pages *pages, uint64_t page,
                    struct translation *met);
+/* Do the registers know it? */
+bool pages_know(const struct pages *pages, uint64_t page);
 /* Every page of a range of bits, in order. */
 void pages_touch(struct pages *pages, uint64_t address, uint64_t bits,
                  struct translation *met);

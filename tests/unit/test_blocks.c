@@ -1,0 +1,549 @@
+/* Blocks of scalar instructions: a run that goes from block to block ends as
+ * one that goes step by step: same state, same clock, same accounts; and so
+ * does one that is stopped, listened to or disturbed on the way. */
+#include "tests/unit/saved_machine.h"
+
+#include "vm/machine.h"
+#include "vm/time/clock_parts.h"
+
+static c205_model *model;
+
+static const char arithmetic[] = /* of 40 quadratics, by calls */
+    "        .include \"core.s\"\n"
+    "        .regs   r10, x, y, one, four, turns, list, to, link, i\n"
+    "        .data\n"
+    "values: .word   1.0, -3.0, 0.25, 7.5, 2.0, 2.0, -1.0, 3.0\n"
+    "        .code\n"
+    "        .kernel main\n"
+    "        load_constant four, 4.0\n"
+    "        EX      list, values\n"
+    "        ES      one, 1\n"
+    "        ES      turns, 40\n"
+    "again:  ES      i, 7\n"
+    "        AND     turns, i, i\n"
+    "        LOD     [list, i], x\n"
+    "        EX      to, root\n"
+    "        BSAVE   link, [to]\n"
+    "        STO     [list, i], y\n"
+    "        EX      to, again\n"
+    "        DBNZ    turns, [to]\n"
+    "        EXIT\n"
+    "        .endkernel\n"
+    "        .kernel root\n"
+    "root:   MPYS    x, x, y\n"
+    "        SUBN    y, four, y\n"
+    "        CFPLT   y, r0, none\n"
+    "        SQRT    y, y\n"
+    "        ADDN    y, x, y\n"
+    "        DIVS    y, four, y\n"
+    "none:   BIM     0, link\n"
+    "        .endkernel\n";
+
+/* ---- Ways to the end ----------------------------------------------------- */
+
+static c205 *load(const char *text)
+{
+    struct object *object = good(text);
+    c205 *machine = machine_with(&object->program, model);
+    object_free(object);
+    return machine;
+}
+
+static c205_stop step_to_end(c205 *machine)
+{
+    c205_stop stop;
+    while (c205_step(machine, &stop))
+        continue;
+    return stop;
+}
+
+/* Both to the end; their machines stay. */
+static c205_stop compare(const char *text, c205 **whole, c205 **stepped)
+{
+    *whole = load(text);
+    *stepped = load(text);
+    c205_stop one = c205_run(*whole, C205_NO_LIMIT);
+    c205_stop other = step_to_end(*stepped);
+    assert_same_stop(&one, &other);
+    assert_same(*whole, *stepped);
+    return one;
+}
+
+static void free_both(c205 *whole, c205 *stepped)
+{
+    c205_free(whole);
+    c205_free(stepped);
+}
+
+static uint64_t schedule_count(const c205 *machine)
+{
+    uint64_t count = 0;
+    for (size_t i = 0; i < machine->blocks->count; i++)
+        count += machine->blocks->block[i].schedule_count;
+    return count;
+}
+
+static void test_whole(void **state)
+{
+    c205 *whole, *stepped;
+    (void)state;
+    c205_stop stop = compare(arithmetic, &whole, &stepped);
+    assert_int_equal(stop.trap, C205_TRAP_NONE);
+    assert_true(schedule_count(whole) > 5);
+    assert_int_equal(schedule_count(stepped), 0);
+    free_both(whole, stepped);
+}
+
+/* ---- Limits, listeners --------------------------------------------------- */
+
+static void step_to_limit(c205 *machine, uint64_t limit)
+{
+    c205_stop stop;
+    while (c205_clock(machine) < limit && c205_step(machine, &stop))
+        continue;
+}
+
+/* Wherever the limit comes, the run stops where steps would. */
+static void check_limits(const char *text)
+{
+    c205 *whole = load(text);
+    c205_run(whole, C205_NO_LIMIT);
+    uint64_t clocks = c205_clock(whole);
+    for (uint64_t limit = 1; limit < clocks; limit += 1 + limit / 50) {
+        c205 *broken = load(text), *stepped = load(text);
+        c205_stop stop = c205_run(broken, limit);
+        step_to_limit(stepped, limit);
+        assert_same(broken, stepped);
+        if (stop.trap == C205_TRAP_CLOCK_LIMIT)
+            c205_run(broken, C205_NO_LIMIT);
+        assert_same(broken, whole);
+        free_both(broken, stepped);
+    }
+    c205_free(whole);
+}
+
+static void test_limits(void **state)
+{
+    (void)state;
+    check_limits(arithmetic);
+    check_limits("        .include \"core.s\"\n"
+                 "        .regs   r10, turns, to, x, y\n"
+                 "        .code\n"
+                 "        ES      turns, 12\n"
+                 "        load_constant x, 1.5\n"
+                 "        EX      to, again\n"
+                 "again:  DIVS    x, x, y\n"
+                 "        BIM     await\n"
+                 "await:  ADDX    y, r0, y\n"
+                 "        DBNZ    turns, [to]\n"
+                 "        EXIT\n");
+}
+
+struct heard {
+    uint64_t events, clock, operations;
+};
+
+/* Event by event, the clock goes on where it was. */
+static void hear(void *context, const c205 *machine, const c205_event *event)
+{
+    struct heard *heard = context;
+    (void)machine;
+    if (event->kind != C205_EVENT_INSTRUCTION
+        && event->kind != C205_EVENT_REQUEST)
+        return;
+    assert_int_equal(event->issued, heard->clock);
+    heard->clock += event->clocks;
+    heard->events++;
+}
+
+static uint64_t instructions(const c205 *machine)
+{
+    uint64_t sum = 0;
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        sum += c205_account_at(machine, i)->instructions;
+    return sum;
+}
+
+/* Who begins to listen in the middle of a run hears of all the rest. */
+static void test_listener(void **state)
+{
+    c205 *whole = load(arithmetic);
+    (void)state;
+    c205_run(whole, C205_NO_LIMIT);
+    for (uint64_t limit = 1; limit < c205_clock(whole); limit += 137) {
+        c205 *machine = load(arithmetic);
+        c205_run(machine, limit);
+        uint64_t before = instructions(machine);
+        struct heard heard = { 0, c205_clock(machine), 0 };
+        assert_true(c205_listen(machine, hear, &heard));
+        c205_run(machine, C205_NO_LIMIT);
+        assert_int_equal(before + heard.events, instructions(whole));
+        assert_same(machine, whole);
+        c205_free(machine);
+    }
+    c205_free(whole);
+}
+
+/* ---- Code that changes --------------------------------------------------- */
+
+/* A store over what stands behind it, and before it, in its own block: the
+ * new instruction is executed from then on. */
+static void test_changes(void **state)
+{
+    static const char text[] =
+        "        .include \"core.s\"\n"
+        "        .regs   r10, at, from, word, turns, to, sum, back\n"
+        "        .code\n"
+        "        EX      from, other\n"
+        "        EX      at, ahead\n"
+        "        EX      back, behind\n"
+        "        ES      turns, 6\n"
+        "        ES      sum, 0\n"
+        "        EX      to, again\n"
+        "        .align  64\n"
+        "again:\n"
+        "behind: IS      sum, 1\n"
+        "        IS      sum, 1\n"
+        "        LOD     [from], word\n"
+        "        STO     [at], word\n"
+        "        .align  64\n"
+        "ahead:  IS      sum, 10\n"
+        "        IS      sum, 10\n"
+        "        STO     [back], word\n"
+        "        DBNZ    turns, [to]\n"
+        "        EXIT\n"
+        "        .align  64\n"
+        "other:  IS      sum, 100\n"
+        "        IS      sum, 100\n";
+    c205 *whole, *stepped;
+    (void)state;
+    compare(text, &whole, &stepped);
+    assert_int_equal(c205_register(whole, 15), 2 + 200 + 5 * 400);
+    free_both(whole, stepped);
+}
+
+/* ---- Faults -------------------------------------------------------------- */
+
+/* Loads walk off the mapped memory, in the middle of a block; when the page
+ * is there, the run goes on. */
+static void test_fault(void **state)
+{
+    static const char text[] = "        .include \"core.s\"\n"
+                               "        .regs   r10, at, x, sum, turns, to\n"
+                               "        .code\n"
+                               "        EX      at, 0x10000000 - 64 * 20\n"
+                               "        ES      turns, 40\n"
+                               "        ES      sum, 0\n"
+                               "        EX      to, again\n"
+                               "again:  IX      at, 64\n"
+                               "        LOD     [at], x\n"
+                               "        ADDX    sum, x, sum\n"
+                               "        DBNZ    turns, [to]\n"
+                               "        EXIT\n"
+                               "        .data\n"
+                               "        .org    0x10000000 - 64 * 20\n"
+                               "        .space  20\n";
+    c205 *whole, *stepped;
+    c205_error error;
+    (void)state;
+    c205_stop stop = compare(text, &whole, &stepped);
+    assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
+    assert_int_equal(stop.address, 0x10000000);
+    assert_true(c205_map(whole, 0x10000000, 100, C205_READ_WRITE, &error));
+    assert_true(c205_map(stepped, 0x10000000, 100, C205_READ_WRITE, &error));
+    c205_run(whole, C205_NO_LIMIT);
+    step_to_end(stepped);
+    assert_same(whole, stepped);
+    free_both(whole, stepped);
+}
+
+/* ---- Regions, vectors, time ---------------------------------------------- */
+
+/* Control comes into the middle of a block of another region, and vectors
+ * stream beside it; the clock is read on the way. */
+static void test_regions(void **state)
+{
+    static const char text[] =
+        "        .include \"core.s\"\n"
+        "        .regs   r10, turns, to, a, b, time, v, x\n"
+        "        .data\n"
+        "        .vector numbers, 100, 1.0, 2.0, 3.0\n"
+        "        .code\n"
+        "        ES      turns, 30\n"
+        "        descriptor v, numbers, 100\n"
+        "        load_constant x, 1.5\n"
+        "        EX      to, inside\n"
+        "        .kernel one\n"
+        "begin:  ADDN    x, x, a\n"
+        "        MPYS    a, x, a\n"
+        "inside: DIVS    a, x, b\n"
+        "        ADDN    b, x, b\n"
+        "        .endkernel\n"
+        "        .kernel two\n"
+        "        MPYS    b, x, a\n"
+        "        CLOCK   time\n"
+        "        CFPLT   x, b, further\n"
+        "        ADDNV   [v], [v], [v]\n"
+        "further: ADDN   a, b, a\n"
+        "        DBNZ    turns, [to]\n"
+        "        .endkernel\n"
+        "        EXIT\n";
+    c205 *whole, *stepped;
+    (void)state;
+    compare(text, &whole, &stepped);
+    assert_int_equal(c205_account_count(whole), 3);
+    assert_int_equal(c205_account_at(whole, 1)->entries, 30);
+    free_both(whole, stepped);
+}
+
+/* Vectors stream beside blocks that load and compute. */
+static void test_vectors(void **state)
+{
+    static const char text[] = "        .include \"core.s\"\n"
+                               "        .regs   r10, turns, to, v, at, x, y\n"
+                               "        .data\n"
+                               "        .vector numbers, 300, 1.0, 2.0, 3.0\n"
+                               "        .code\n"
+                               "        ES      turns, 30\n"
+                               "        descriptor v, numbers, 300\n"
+                               "        EX      at, numbers\n"
+                               "        EX      to, again\n"
+                               "again:  ADDNV   [v], [v], [v]\n"
+                               "        ADDN    x, y, x\n"
+                               "        EX      to, inner\n"
+                               "        BIM     inner\n"
+                               "inner:  LOD     [at], y\n"
+                               "        MPYS    y, y, x\n"
+                               "        EX      to, again\n"
+                               "        DBNZ    turns, [to]\n"
+                               "        EXIT\n";
+    c205 *whole, *stepped;
+    (void)state;
+    compare(text, &whole, &stepped);
+    free_both(whole, stepped);
+}
+
+/* What asks for the time gets that at which it begins, wherever it stands. */
+static void test_timer(void **state)
+{
+    static const char text[] =
+        "        .include \"core.s\"\n"
+        "        .regs   r10, turns, to, x, y, wait, left, flags, sum, run_out\n"
+        "        .code\n"
+        "        ES      turns, 30\n"
+        "        ES      wait, 50\n"
+        "        ES      run_out, 36\n"
+        "        load_constant x, 1.5\n"
+        "        EX      to, again\n"
+        "again:  WJTIME  wait\n"
+        "        DIVS    x, x, y\n"
+        "        ADDN    y, x, y\n"
+        "        LSDFR   r0, flags\n"
+        "        ADDX    sum, flags, sum\n"
+        "        WJTIME  wait\n"
+        "        DIVS    x, x, y\n"
+        "        ADDN    y, x, y\n"
+        "        RJTIME  left\n"
+        "        ADDX    sum, left, sum\n"
+        "        WJTIME  wait\n"
+        "        DIVS    x, x, y\n"
+        "        ADDN    y, x, y\n"
+        "        BADF    run_out, [to], 0\n"
+        "        DBNZ    turns, [to]\n"
+        "        EXIT\n";
+    c205 *whole, *stepped;
+    (void)state;
+    compare(text, &whole, &stepped);
+    free_both(whole, stepped);
+}
+
+/* ---- SWAP ---------------------------------------------------------------- */
+
+static void compare_on(const char *constants, const char *text)
+{
+    c205_model *usual = model;
+    c205_error error;
+    c205 *whole, *stepped;
+    model = c205_model_parse("other", constants, &error);
+    assert_non_null(model);
+    compare(text, &whole, &stepped);
+    free_both(whole, stepped);
+    c205_model_free(model);
+    model = usual;
+}
+
+/* Loads wait for the oldest of three, over the ends of blocks. */
+static void test_loads(void **state)
+{
+    (void)state;
+    compare_on("title T\nlike cyber205-2pipe-prior\nlatency.load 70 clk R\n"
+               "memory.loads_in_flight 3 loads R\n",
+               "        .include \"core.s\"\n"
+               "        .regs   r10, turns, to, at, a, b, c, n, three\n"
+               "        .data\n"
+               "words:  .space  10\n"
+               "        .code\n"
+               "        EX      at, words\n"
+               "        ES      turns, 40\n"
+               "        ES      three, 3\n"
+               "        EX      to, again\n"
+               "again:  LOD     [at], a\n"
+               "        AND     turns, three, n\n"
+               "        IBXEQ   n, r0, three, less, n\n"
+               "        LOD     [at], b\n"
+               "less:   BIM     more\n"
+               "more:   LOD     [at], c\n"
+               "        LOD     [at], r0\n"
+               "        ADDX    n, a, n\n"
+               "        DBNZ    turns, [to]\n"
+               "        EXIT\n");
+}
+
+/* More registers take longer, and end on another page: the third of three of
+ * which two are known. */
+static void test_swap(void **state)
+{
+    (void)state;
+    compare_on("title T\nlike cyber205-2pipe-prior\npage.words 512 words R\n"
+               "translation.registers 2 registers R\n",
+               "        .include \"core.s\"\n"
+               "        .regs   r10, turns, to, place, from, n, mask, five\n"
+               "        .regs   r20, near, far, x\n"
+               "        .data\n"
+               "        .org    0x10000000\n"
+               "words:  .space  3000\n"
+               "        .code\n"
+               "        EX      from, words + 64 * 509\n"
+               "        EX      near, words\n"
+               "        EX      far, words + 64 * 2000\n"
+               "        ES      turns, 80\n"
+               "        ES      mask, 7\n"
+               "        ES      five, 5\n"
+               "again:  LOD     [near], x\n"
+               "        AND     turns, mask, n\n"
+               "        ADDLEN  from, n, place\n"
+               "        BIM     swap\n"
+               "swap:   SWAP    [r0], r100, [place]\n"
+               "        IBXNE   n, r0, five, over, n\n"
+               "        LOD     [far], x\n"
+               "over:   EX      to, again\n"
+               "        DBNZ    turns, [to]\n"
+               "        EXIT\n");
+}
+
+/* What goes to register 0 nobody waits for but SWAP and the end: by one way a
+ * product, by the other one a sum. */
+static void test_lost_results(void **state)
+{
+    static const char text[] =
+        "        .include \"core.s\"\n"
+        "        .regs   r10, turns, to, bit, one, x, place\n"
+        "        .data\n"
+        "words:  .space  4\n"
+        "        .code\n"
+        "        EX      to, again\n"
+        "        ES      turns, 8\n"
+        "        ES      one, 1\n"
+        "        load_constant x, 1.5\n"
+        "        descriptor place, words, 4\n"
+        "again:  AND     turns, one, bit\n"
+        "        IBXEQ   bit, r0, one, odd, bit\n"
+        "        MPYS    x, x, r0\n"
+        "        BIM     both\n"
+        "odd:    ADDN    x, x, r0\n"
+        "        BIM     both\n"
+        "both:   SWAP    [r0], r4, [place]\n"
+        "        DBNZ    turns, [to]\n"
+        "        EXIT\n";
+    (void)state;
+    compare_on("title T\nlike cyber205-2pipe-prior\n"
+               "latency.multiply 40 clk R\nlatency.add 30 clk R\n",
+               text);
+}
+
+/* ---- No room ------------------------------------------------------------- */
+
+/* More than there is room for: all is forgotten, and begins anew. */
+static void test_many_blocks(void **state)
+{
+    static const char text[] = "        .regs   r10, turns, to, sum\n"
+                               "        .code\n"
+                               "        ES      turns, 2\n"
+                               "        EX      to, again\n"
+                               "again:\n"
+                               "        .rept   70000\n"
+                               "        IS      sum, 1\n"
+                               "        .endr\n"
+                               "        DBNZ    turns, [to]\n"
+                               "        EXIT\n";
+    c205 *machine = load(text);
+    (void)state;
+    c205_run(machine, C205_NO_LIMIT);
+    assert_int_equal(c205_register(machine, 12), 140000);
+    assert_int_equal(instructions(machine), 140000 + 5);
+    assert_true(machine->blocks->decoded_count < 140000);
+    c205_free(machine);
+}
+
+/* Each of many branches goes by chance, so that there are ever new flights:
+ * what was remembered is forgotten, and the blocks know it. */
+static void test_many_flights(void **state)
+{
+    static const char text[] =
+        "        .include \"core.s\"\n"
+        "        .regs   r10, turns, to, seed, factor, bits, one, x, zero\n"
+        "        .macro  chance number\n"
+        "        MPYX    seed, factor, seed\n"
+        "        ADDX    seed, one, seed\n"
+        "        SHIFTI  seed, -30, bits\n"
+        "        AND     bits, one, bits\n"
+        "        IBXEQ   bits, r0, one, skip\\@, bits\n"
+        "        MPYS    x, x, r20\\number\n"
+        "        DIVS    x, x, r21\\number\n"
+        "skip\\@:\n"
+        "        .endm\n"
+        "        .code\n"
+        "        EX      factor, 25214903917\n"
+        "        EX      seed, 12345\n"
+        "        ES      one, 1\n"
+        "        load_constant x, 1.25\n"
+        "        EX      turns, 60\n"
+        "        EX      to, again\n"
+        "again:\n"
+        "        .rept   100\n"
+        "        .rept   10\n"
+        "        chance  \\+\n"
+        "        .endr\n"
+        "        .endr\n"
+        "        DBNZ    turns, [to]\n"
+        "        EXIT\n";
+    c205 *whole, *stepped;
+    (void)state;
+    compare(text, &whole, &stepped);
+    assert_true(whole->clock->generation > 1);
+    free_both(whole, stepped);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_whole),
+        cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_listener),
+        cmocka_unit_test(test_changes),
+        cmocka_unit_test(test_fault),
+        cmocka_unit_test(test_regions),
+        cmocka_unit_test(test_vectors),
+        cmocka_unit_test(test_timer),
+        cmocka_unit_test(test_swap),
+        cmocka_unit_test(test_loads),
+        cmocka_unit_test(test_lost_results),
+        cmocka_unit_test(test_many_blocks),
+        cmocka_unit_test(test_many_flights),
+    };
+    c205_error error;
+    model = c205_model_find("cyber205-2pipe-prior", &error);
+    int failed = model ? cmocka_run_group_tests(tests, NULL, NULL) : 1;
+    c205_model_free(model);
+    return failed;
+}

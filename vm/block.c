@@ -1,0 +1,87 @@
+#include "vm/block.h"
+
+#include "vm/machine.h"
+
+#include <string.h>
+
+/* ---- Which instructions go into blocks ----------------------------------- */
+
+/* Those whose semantics ask for the clock, which must stand where they begin:
+ * see machine_clocks. */
+static bool asks_for_the_time(const struct decoded *decoded)
+{
+    static semantics *const functions[] = {
+        execute_read_clock,     execute_read_timer, execute_set_timer,
+        execute_exchange_flags, execute_alter_flag,
+    };
+    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
+        if (decoded->execute == functions[i])
+            return true;
+    return false;
+}
+
+static bool goes_by_itself(const struct decoded *decoded)
+{
+    c205_timing timing = decoded->insn->timing;
+    return c205_unit_is_vector(decoded->insn->unit)
+           || timing == C205_TIMING_monitor || asks_for_the_time(decoded);
+}
+
+/* What stands behind other branches may be no code.  What SWAP costs depends
+ * on its operands, so that it is the last one. */
+static bool may_go_on(const struct decoded *decoded)
+{
+    const c205_fields *fields = &decoded->fields;
+    if (decoded->insn->timing == C205_TIMING_swap)
+        return false;
+    return decoded->insn->unit != C205_UNIT_BRANCH
+           || (fields->g & C205_G_RELATIVE && fields->immediate > 0);
+}
+
+/* ---- Making them --------------------------------------------------------- */
+
+static void make_room(struct blocks *blocks)
+{
+    if (blocks->count < BLOCKS
+        && blocks->decoded_count + BLOCK_INSNS <= BLOCK_DECODED)
+        return;
+    memset(blocks->at, 0, sizeof blocks->at);
+    blocks->count = blocks->decoded_count = 0;
+}
+
+/* Take the next instruction into the block, if it belongs there; true: and
+ * perhaps the one behind it.  One that
+ * cannot be decoded traps when control comes to it. */
+static bool take_in(struct c205 *machine, struct code_block *block)
+{
+    struct decoded *decoded = &block->insn[block->count];
+    c205_trap trap = decode(machine, block->next, decoded);
+    machine->fault = 0;
+    machine->rule = RULE_NONE;
+    if (trap != C205_TRAP_NONE || goes_by_itself(decoded))
+        return false;
+    if (block->count == 0)
+        block->region = decoded->region;
+    if (decoded->region != block->region)
+        return false;
+    block->count++;
+    block->next = decoded->next;
+    return may_go_on(decoded);
+}
+
+struct code_block *block_make(struct c205 *machine, uint64_t pc)
+{
+    struct blocks *blocks = machine->blocks;
+    make_room(blocks);
+    struct code_block *block = &blocks->block[blocks->count++];
+    memset(block, 0, sizeof *block);
+    block->pc = block->next = pc;
+    block->version = machine->memory.code_changes;
+    block->insn = &blocks->decoded[blocks->decoded_count];
+    while (block->count < BLOCK_INSNS && take_in(machine, block))
+        continue;
+    blocks->decoded_count += block->count;
+    clock_measure(machine->clock, block);
+    *block_place(blocks, pc) = block;
+    return block;
+}

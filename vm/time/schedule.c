@@ -1,0 +1,285 @@
+#include "vm/time/schedule.h"
+
+#include "vm/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    SCHEDULES = 1 << 13,
+    SCHEDULES_OF_BLOCK = 24,
+    PATIENCE = 8 /* blocks */
+};
+
+struct schedules {
+    size_t count;
+    struct schedule schedule[SCHEDULES];
+    struct flights flights;
+};
+
+struct schedules *schedules_new(void)
+{
+    return calloc(1, sizeof(struct schedules));
+}
+
+void schedules_free(struct schedules *schedules)
+{
+    free(schedules);
+}
+
+/* Flights are known by name as long as schedules are. */
+static void forget_all(struct clock *clock)
+{
+    clock->schedules->count = 0;
+    flights_forget(&clock->schedules->flights);
+    clock->generation++;
+}
+
+/* ---- Folding ------------------------------------------------------------- */
+
+/* Looking at all that may be in flight takes its time, and is put off where
+ * that is soon nothing, or the vector unit soon at work again. */
+static bool fold(struct clock *clock)
+{
+    struct flights *flights = &clock->schedules->flights;
+    struct flight flight;
+    if (clock->vector_end > clock->now)
+        return false;
+    if (flight_is_nothing(clock)) {
+        clock->flight = &flights->nothing;
+        return true;
+    }
+    if (clock->unfolded++ < PATIENCE || !flight_look(clock, &flight))
+        return false;
+    clock->flight = flight_named(flights, &flight);
+    if (!clock->flight)
+        forget_all(clock);
+    return clock->flight;
+}
+
+static void add_times(c205_account *account, const c205_account *once,
+                      uint64_t times)
+{
+    for (int cause = 0; cause < C205_CAUSES; cause++)
+        account->clocks[cause] += times * once->clocks[cause];
+    account->instructions += times * once->instructions;
+    account->operations += times * once->operations;
+}
+
+static void settle_accounts(struct clock *clock)
+{
+    struct schedule *schedule = clock->charged;
+    for (; schedule; schedule = schedule->more) {
+        add_times(schedule->account, &schedule->once, schedule->times);
+        schedule->times = 0;
+    }
+    clock->charged = NULL;
+}
+
+void clock_unfold(struct clock *clock)
+{
+    if (!clock->flight)
+        return;
+    flight_show(clock, clock->flight);
+    settle_accounts(clock);
+    clock->flight = NULL;
+    clock->unfolded = 0;
+}
+
+/* ---- Limits -------------------------------------------------------------- */
+
+static bool touches_memory(const struct decoded *decoded)
+{
+    c205_format format = decoded->insn->format;
+    return format == C205_FORMAT_MEMORY || format == C205_FORMAT_ALTERB;
+}
+
+/* SWAP uses two ranges, each on two pages at the most. */
+static uint64_t pages_most(const struct decoded *decoded)
+{
+    return decoded->insn->timing == C205_TIMING_swap
+               ? 4
+               : touches_memory(decoded);
+}
+
+static uint64_t longest_of(const struct clock *clock,
+                           const struct decoded *decoded)
+{
+    const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
+    struct rate swap_word = clock->swap_word;
+    uint64_t longest = timing->latency + timing->busy + clock->issue_interval;
+    if (decoded->insn->unit == C205_UNIT_BRANCH)
+        longest += clock->branch_taken + clock->branch_not_taken
+                   + clock->branch_out_of_stack;
+    if (decoded->insn->timing == C205_TIMING_swap)
+        longest += 2 * C205_REGISTERS * swap_word.clocks / swap_word.per + 1;
+    return longest
+           + pages_most(decoded)
+                 * (clock->translation_miss + clock->page_fault);
+}
+
+void clock_measure(const struct clock *clock, struct code_block *block)
+{
+    block->longest = 0;
+    for (unsigned i = 0; i < block->count; i++)
+        block->longest += longest_of(clock, &block->insn[i]);
+}
+
+static uint64_t later(uint64_t a, uint64_t b)
+{
+    return a > b ? a : b;
+}
+
+uint64_t clock_all_done(const struct clock *clock)
+{
+    uint64_t done = later(clock->now, clock->vector_end);
+    for (size_t i = 0; i < C205_UNITS; i++)
+        done = later(done, clock->free_at[i]);
+    return later(done, clock->results_done);
+}
+
+/* ---- Blocks -------------------------------------------------------------- */
+
+/* Touching pages that are known changes only their order; done twice, it
+ * changes nothing more. */
+static bool reach_known_pages(struct pages *pages,
+                              const struct effect *effect)
+{
+    struct translation met = { 0, 0 };
+    for (unsigned i = 0; i < effect->touch_count; i++) {
+        const struct touch *touch = &effect->touch[i];
+        uint64_t last = (touch->address + touch->bits - 1) >> pages->shift;
+        uint64_t page = touch->address >> pages->shift;
+        for (; page <= last; page++) {
+            if (page == pages->latest)
+                continue;
+            if (!pages_know(pages, page))
+                return false;
+            pages_look_up(pages, page, &met);
+        }
+    }
+    return true;
+}
+
+static struct schedule *find_schedule(const struct clock *clock,
+                                      const struct code_block *block,
+                                      uint64_t leaves)
+{
+    struct schedule *schedule = block->schedules;
+    while (schedule
+           && (schedule->from != clock->flight || schedule->leaves != leaves))
+        schedule = schedule->next;
+    return schedule;
+}
+
+/* Instruction by instruction: each that touches memory has one touch, in
+ * their order, but the last one, which has all that are left. */
+static void charge_each(struct clock *clock, const struct code_block *block,
+                        unsigned count, const struct effect *effect)
+{
+    struct effect own;
+    const struct touch *touch = effect->touch;
+    memset(&own, 0, sizeof own);
+    for (unsigned i = 0; i + 1 < count; i++) {
+        const struct decoded *decoded = &block->insn[i];
+        own.touch_count = touches_memory(decoded);
+        if (own.touch_count)
+            own.touch[0] = *touch++;
+        clock_charge(clock, decoded, &own);
+    }
+    for (own.touch_count = 0; touch < effect->touch + effect->touch_count;)
+        own.touch[own.touch_count++] = *touch++;
+    own.taken = effect->taken;
+    own.target = effect->target;
+    own.swapped = effect->swapped;
+    clock_charge(clock, &block->insn[count - 1], &own);
+}
+
+static c205_account difference(const c205_account *account,
+                               const c205_account *before)
+{
+    c205_account more = { .name = NULL };
+    for (int cause = 0; cause < C205_CAUSES; cause++)
+        more.clocks[cause] = account->clocks[cause] - before->clocks[cause];
+    more.instructions = account->instructions - before->instructions;
+    more.operations = account->operations - before->operations;
+    return more;
+}
+
+static void keep_schedule(struct schedules *schedules,
+                          struct code_block *block,
+                          const struct schedule *found)
+{
+    struct schedule *schedule = &schedules->schedule[schedules->count++];
+    *schedule = *found;
+    schedule->next = block->schedules;
+    block->schedules = schedule;
+    block->schedule_count++;
+}
+
+/* Charged one by one, between two flights that are known by name. */
+static void find_out(struct clock *clock, struct code_block *block,
+                     unsigned count, const struct effect *effect,
+                     uint64_t leaves)
+{
+    struct schedule found = { .from = clock->flight, .leaves = leaves };
+    clock_unfold(clock);
+    uint64_t before = clock->now, generation = clock->generation;
+    c205_account account = *clock->account;
+    charge_each(clock, block, count, effect);
+    clock->unfolded = PATIENCE;
+    if (clock->schedules->count == SCHEDULES)
+        forget_all(clock);
+    if (!fold(clock) || generation != clock->generation)
+        return;
+    found.to = clock->flight;
+    found.clocks = clock->now - before;
+    found.account = clock->account;
+    found.once = difference(clock->account, &account);
+    keep_schedule(clock->schedules, block, &found);
+}
+
+static void check_generation(const struct clock *clock,
+                             struct code_block *block)
+{
+    if (block->generation == clock->generation)
+        return;
+    block->generation = clock->generation;
+    block->schedules = NULL;
+    block->schedule_count = 0;
+}
+
+/* False: it is to be charged one by one. */
+static bool charge_whole(struct clock *clock, struct code_block *block,
+                         unsigned count, const struct effect *effect)
+{
+    struct stack stack = clock->stack;
+    if ((!clock->flight && !fold(clock))
+        || !reach_known_pages(&clock->pages, effect))
+        return false;
+    check_generation(clock, block);
+    uint64_t leaves = stack_follow(&stack, clock->stack_words, block, count,
+                                   effect);
+    struct schedule *schedule = find_schedule(clock, block, leaves);
+    if (schedule) {
+        clock->stack = stack;
+        follow_schedule(clock, schedule);
+        return true;
+    }
+    if (block->schedule_count == SCHEDULES_OF_BLOCK)
+        return false;
+    find_out(clock, block, count, effect, leaves);
+    return true;
+}
+
+void clock_charge_block(struct clock *clock, struct code_block *block,
+                        unsigned count, const struct effect *effect)
+{
+    if (count == 0)
+        return;
+    clock_enter_region(clock, block->region);
+    if (charge_whole(clock, block, count, effect))
+        return;
+    clock_unfold(clock);
+    charge_each(clock, block, count, effect);
+}
