@@ -91,6 +91,7 @@ bool clock_set_regions(struct clock *clock, const char *const *names,
                  "no memory left for the accounts of %zu regions", count);
         return false;
     }
+    clock->generation++; /* schedules name accounts that are no more */
     clock_reset(clock);
     return true;
 }
