@@ -111,6 +111,8 @@ bound_tested:
 bound_from_point:
         EX      s0, queue_origin
         bound_common
+        CNTOB   [near_bits], s0
+        IBXEQ   s0, r0, r0, bound_tested
         BIM     bound_range
 
 bound_line_to_light:
