@@ -13,9 +13,9 @@
 ;
 ;   L = C - P,  b = L . D             near:  b < R,  limit + b + R > 0
 ;
-; test_queue_bound: of all rays of the queue.  test_bound: of others, whose
-; limits may be nearer than the light: what lies behind them is then left to the
-; kernel.
+; test_queue_bound: of rays of the queue under their own limits.  test_bound: of
+; others, whose limits may be nearer than the light: what lies behind them is then
+; left to the kernel.
 ;
 ; In:  ox .. dz, s8 = their number, s9 = the descriptor of their limits; the
 ;      sphere in bound_x ..
@@ -111,6 +111,8 @@ bound_tested:
 bound_from_point:
         EX      s0, queue_origin
         bound_common
+        CNTOB   [near_bits], s0
+        IBXEQ   s0, r0, r0, bound_tested
         BIM     bound_range
 
 bound_line_to_light:

@@ -47,7 +47,8 @@
         .data
 walk_top:       .word 0                 ; address behind the last node that waits
 walk_set:       .word 0                 ; .. of the set at hand
-walk_last:      .word 0                 ; .. of the last region that took hits
+walk_last:      .word 0                 ; .. of the last region that took hits, or a
+                                        ; number of such pairs
 walk_clear:     .word 0                 ; .. of the next word of scene_clear
 walk_clear_left: .word 0                ; words from there on
 walk_stack:     .space 2 * HIERARCHY_DEPTH ; nodes that wait, each with its set
