@@ -233,9 +233,11 @@ static const struct picture_adapter *adapter(struct picture_error *error)
     return found;
 }
 
-/* The thread that loads, of the main thread's. */
-static pthread_t loader;
-static bool loading_begun;
+/* A thread that loads, if one could be had. */
+struct picture_loader {
+    pthread_t thread;
+    bool begun;
+};
 
 static void *load(void *context)
 {
@@ -245,24 +247,35 @@ static void *load(void *context)
     return NULL;
 }
 
-bool picture_load(struct picture_error *error)
+static bool adapter_is_somewhere(struct picture_error *error)
 {
     struct places places;
     char path[ADAPTER_PATH];
-    bool there = false;
     find_places(&places);
     for (size_t i = 0; i < places.count; i++)
-        there = there || adapter_is_in(places.folders[i], path);
-    if (there && !loading_begun)
-        loading_begun = pthread_create(&loader, NULL, load, NULL) == 0;
-    return there || fail_nowhere(&places, error);
+        if (adapter_is_in(places.folders[i], path))
+            return true;
+    return fail_nowhere(&places, error);
 }
 
-void picture_loaded(void)
+struct picture_loader *picture_load(struct picture_error *error)
 {
-    if (loading_begun)
-        pthread_join(loader, NULL);
-    loading_begun = false;
+    if (!adapter_is_somewhere(error))
+        return NULL;
+    struct picture_loader *loader = calloc(1, sizeof *loader);
+    if (!loader)
+        fail(error, "out of memory");
+    else
+        loader->begun = pthread_create(&loader->thread, NULL, load, NULL)
+                        == 0;
+    return loader;
+}
+
+void picture_loaded(struct picture_loader *loader)
+{
+    if (loader && loader->begun)
+        pthread_join(loader->thread, NULL);
+    free(loader);
 }
 
 /* --- paths ------------------------------------------------------------- */
