@@ -182,13 +182,13 @@ static const struct picture_adapter *adapter_in(const char *folder,
 }
 
 /* Where the adapter may be: folders, as many as there are. */
-struct places {
+struct adapter_places {
     char beside[4096], installed[4096 + sizeof FROM_BIN];
     const char *folders[3];
     size_t count;
 };
 
-static void find_places(struct places *places)
+static void find_places(struct adapter_places *places)
 {
     const char *named = getenv("RT205_LIBDIR");
     strcpy(places->beside, ".");
@@ -202,7 +202,7 @@ static void find_places(struct places *places)
     places->folders[places->count++] = places->installed;
 }
 
-static bool fail_nowhere(const struct places *places,
+static bool fail_nowhere(const struct adapter_places *places,
                          struct picture_error *error)
 {
     return fail(error, "pictures: no %s in %s or %s", PICTURE_ADAPTER_FILE,
@@ -212,7 +212,7 @@ static bool fail_nowhere(const struct places *places,
 static const struct picture_adapter *find_adapter(struct picture_error *error)
 {
     const struct picture_adapter *found = NULL;
-    struct places places;
+    struct adapter_places places;
     find_places(&places);
     fail_nowhere(&places, error);
     for (size_t i = 0; !found && i < places.count; i++)
@@ -249,7 +249,7 @@ static void *load(void *context)
 
 static bool adapter_is_somewhere(struct picture_error *error)
 {
-    struct places places;
+    struct adapter_places places;
     char path[ADAPTER_PATH];
     find_places(&places);
     for (size_t i = 0; i < places.count; i++)
