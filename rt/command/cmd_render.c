@@ -292,12 +292,13 @@ static int run(const struct rt205_arguments *arguments, struct trace *trace,
                const struct results *results)
 {
     struct picture_error why;
+    struct picture_loader *loader = picture_load(&why);
     int code;
 
-    if (!picture_load(&why))
+    if (!loader)
         return cmd_failed(arguments->command, "%s", why.message);
     code = trace_and_write(arguments, trace, results);
-    picture_loaded();
+    picture_loaded(loader);
     return code;
 }
 

@@ -182,13 +182,13 @@ static const struct picture_adapter *adapter_in(const char *folder,
 }
 
 /* Where the adapter may be: folders, as many as there are. */
-struct places {
+struct adapter_places {
     char beside[4096], installed[4096 + sizeof FROM_BIN];
     const char *folders[3];
     size_t count;
 };
 
-static void find_places(struct places *places)
+static void find_places(struct adapter_places *places)
 {
     const char *named = getenv("RT205_LIBDIR");
     strcpy(places->beside, ".");
@@ -202,7 +202,7 @@ static void find_places(struct places *places)
     places->folders[places->count++] = places->installed;
 }
 
-static bool fail_nowhere(const struct places *places,
+static bool fail_nowhere(const struct adapter_places *places,
                          struct picture_error *error)
 {
     return fail(error, "pictures: no %s in %s or %s", PICTURE_ADAPTER_FILE,
@@ -212,7 +212,7 @@ static bool fail_nowhere(const struct places *places,
 static const struct picture_adapter *find_adapter(struct picture_error *error)
 {
     const struct picture_adapter *found = NULL;
-    struct places places;
+    struct adapter_places places;
     find_places(&places);
     fail_nowhere(&places, error);
     for (size_t i = 0; !found && i < places.count; i++)
@@ -233,9 +233,11 @@ static const struct picture_adapter *adapter(struct picture_error *error)
     return found;
 }
 
-/* The thread that loads, of the main thread's. */
-static pthread_t loader;
-static bool loading_begun;
+/* A thread that loads, if one could be had. */
+struct picture_loader {
+    pthread_t thread;
+    bool begun;
+};
 
 static void *load(void *context)
 {
@@ -245,24 +247,35 @@ static void *load(void *context)
     return NULL;
 }
 
-bool picture_load(struct picture_error *error)
+static bool adapter_is_somewhere(struct picture_error *error)
 {
-    struct places places;
+    struct adapter_places places;
     char path[ADAPTER_PATH];
-    bool there = false;
     find_places(&places);
     for (size_t i = 0; i < places.count; i++)
-        there = there || adapter_is_in(places.folders[i], path);
-    if (there && !loading_begun)
-        loading_begun = pthread_create(&loader, NULL, load, NULL) == 0;
-    return there || fail_nowhere(&places, error);
+        if (adapter_is_in(places.folders[i], path))
+            return true;
+    return fail_nowhere(&places, error);
 }
 
-void picture_loaded(void)
+struct picture_loader *picture_load(struct picture_error *error)
 {
-    if (loading_begun)
-        pthread_join(loader, NULL);
-    loading_begun = false;
+    if (!adapter_is_somewhere(error))
+        return NULL;
+    struct picture_loader *loader = calloc(1, sizeof *loader);
+    if (!loader)
+        fail(error, "out of memory");
+    else
+        loader->begun = pthread_create(&loader->thread, NULL, load, NULL)
+                        == 0;
+    return loader;
+}
+
+void picture_loaded(struct picture_loader *loader)
+{
+    if (loader && loader->begun)
+        pthread_join(loader->thread, NULL);
+    free(loader);
 }
 
 /* --- paths ------------------------------------------------------------- */

@@ -69,11 +69,11 @@ bool picture_end(struct picture *picture, bool good,
                  struct picture_error *error);
 
 /* Load the adapter in a thread, for a picture that is to be written later;
- * whoever needs it waits for it.  An adapter that is nowhere is told at once,
- * any other fault by who writes.  picture_loaded, when nothing more will be
- * written: the thread must not outlive the program. */
-bool picture_load(struct picture_error *error);
-void picture_loaded(void);
+ * whoever needs it waits for it.  NULL: the adapter is nowhere; any other fault
+ * is told by who writes.  picture_loaded waits for the thread, which must not
+ * outlive the program, and frees it. */
+struct picture_loader *picture_load(struct picture_error *error);
+void picture_loaded(struct picture_loader *loader);
 
 /* Could the path be written?  Tells an unknown ending or a missing folder
  * before a long frame is traced. */

@@ -28,15 +28,15 @@ static int open_nameless(size_t bytes)
 }
 
 /* Some of the file, again without memory where it is mapped already. */
-static void *map_part(const struct planes *planes, void *where, size_t begin,
-                      size_t end)
+static void *map_part(const struct frame_planes *planes, void *where,
+                      size_t begin, size_t end)
 {
     return mmap(where, end - begin, PROT_READ | PROT_WRITE,
                 MAP_SHARED | (where ? MAP_FIXED : 0), planes->file,
                 (off_t)begin);
 }
 
-static bool map_file(struct planes *planes)
+static bool map_file(struct frame_planes *planes)
 {
     void *words;
 
@@ -53,7 +53,7 @@ static bool map_file(struct planes *planes)
     return false;
 }
 
-bool planes_take(struct planes *planes, size_t words)
+bool planes_take(struct frame_planes *planes, size_t words)
 {
     planes->bytes = words * sizeof *planes->words;
     planes->file = -1;
@@ -63,7 +63,7 @@ bool planes_take(struct planes *planes, size_t words)
     return planes->words != NULL;
 }
 
-void planes_give_back(struct planes *planes)
+void planes_give_back(struct frame_planes *planes)
 {
     if (!planes->words)
         return;
@@ -76,7 +76,8 @@ void planes_give_back(struct planes *planes)
     planes->words = NULL;
 }
 
-void planes_leave(const struct planes *planes, size_t first, size_t count)
+void planes_leave(const struct frame_planes *planes, size_t first,
+                  size_t count)
 {
     size_t page = (size_t)sysconf(_SC_PAGESIZE);
     size_t begin = first * sizeof *planes->words / page * page;

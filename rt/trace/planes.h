@@ -14,17 +14,18 @@
 /* Bytes; more of them go to a file. */
 #define PLANES_IN_MEMORY ((size_t)1 << 26)
 
-struct planes {
+struct frame_planes {
     c205_word *words; /* all zero at first */
     size_t bytes;
     int file; /* or -1 */
 };
 
 /* False: there is no memory. */
-bool planes_take(struct planes *planes, size_t words);
-void planes_give_back(struct planes *planes);
+bool planes_take(struct frame_planes *planes, size_t words);
+void planes_give_back(struct frame_planes *planes);
 
 /* These words are not looked at for now. */
-void planes_leave(const struct planes *planes, size_t first, size_t count);
+void planes_leave(const struct frame_planes *planes, size_t first,
+                  size_t count);
 
 #endif

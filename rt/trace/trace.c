@@ -21,8 +21,8 @@ struct trace {
 
     size_t band_rows; /* of each band but perhaps the last */
     size_t band_count;
-    bool *taken;          /* bands that are done or being done */
-    struct planes planes; /* FRAME_CHANNELS, as far as they are done */
+    bool *taken;                /* bands that are done or being done */
+    struct frame_planes planes; /* FRAME_CHANNELS, as far as they are done */
     size_t hits;
     size_t rows_done, bands_done;
     size_t rows_of_parts; /* done, of bands that were stopped */

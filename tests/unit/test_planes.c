@@ -40,7 +40,7 @@ static size_t part_at(size_t words, size_t i)
 static void check_words(size_t words, bool in_file)
 {
     size_t before = resident(), most = 0;
-    struct planes planes;
+    struct frame_planes planes;
 
     assert_true(planes_take(&planes, words));
     assert_int_equal(planes.file >= 0, in_file);
