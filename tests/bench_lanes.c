@@ -117,9 +117,6 @@ TASKS(less, lanes_less(c, a, b, LENGTH);
       (void)flags, halves_less(c, half_a, half_b, LENGTH);
       (void)flags, x[i] < y[i])
 UNARY(truncate, truncate, trunc(x[i]))
-TASKS(sum, c[0] = C205_ONE;
-      lanes_sum(c, a, LENGTH, &flags), c[0] = C205_HALF_ONE;
-      halves_sum(c, half_a, LENGTH, &flags), z[0] = z[0] + x[i])
 BINARY(divide, divide_significant, x[i] / y[i])
 UNARY(square_root, square_root, sqrt(x[i]))
 TASKS(convert, lanes_extend(c, half_a, LENGTH, &flags),
@@ -159,7 +156,6 @@ int main(void)
     report("multiply significant", &multiply, multiply_words);
     report("less", &less, NULL);
     report("truncate", &truncate, NULL);
-    report("sum", &sum, NULL);
     make_divisible();
     report("divide significant", &divide, divide_words);
     report("square root", &square_root, root_words);
