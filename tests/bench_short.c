@@ -1,7 +1,7 @@
 /* bench_short.c - host nanoseconds per vector instruction, by the length of
  * its vectors: what it costs to begin one, and what each element adds.
  *
- *     bench_short [TEXT]
+ *     bench_short [TEXT [TRIALS]]
  *
  * With TEXT only the instructions that hold it.
  */
@@ -14,7 +14,7 @@
 #include "asm/assemble.h"
 #include "base/table.h"
 
-enum { TRIALS = 5, UNROLLED = 10, ELEMENTS = 500000, FEWEST_TURNS = 500 };
+enum { UNROLLED = 10, ELEMENTS = 500000, FEWEST_TURNS = 500 };
 
 /* An instruction, so many times a turn, on vectors of n elements; two of three
  * bits are ones, and the list names every element. */
@@ -135,13 +135,15 @@ static struct object *assemble(const char *instruction, size_t n,
     return object;
 }
 
+static int trials = 5;
+
 /* Seconds of the fastest run. */
 static double time_program(c205 *machine, const c205_program *program)
 {
     c205_error error;
     double best = HUGE_VAL;
 
-    for (int trial = 0; trial < TRIALS; trial++) {
+    for (int trial = 0; trial < trials; trial++) {
         if (!c205_load(machine, program, &error))
             stop(error.message);
         double start = now();
@@ -181,6 +183,7 @@ static void name_row(struct table *table, const char *instruction)
 int main(int count, char **words)
 {
     const char *wanted = count > 1 ? words[1] : "";
+    trials = count > 2 ? atoi(words[2]) : trials;
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
     c205 *machine = model ? c205_new(model, &error) : NULL;

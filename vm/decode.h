@@ -34,6 +34,7 @@ struct decoded {
     uint8_t shift[OPERANDS]; /* bits of the slot left of a half register; 0
                                 also for those of register 0 */
     uint32_t region;
+    bool plain; /* a vector instruction of words without offsets and signs */
     uint8_t flops; /* of each element; of LINKV, those of the pair */
     uint8_t source_count, result_count;
     uint16_t source[DECODED_SOURCES]; /* slots read, register 0 left out */

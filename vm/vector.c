@@ -1,6 +1,8 @@
 /* vector.c - vector instructions that work element by element. */
 #include "vm/vector.h"
 
+#include "vm/direct.h"
+
 /* ---- Streams ----------------------------------------------------------- */
 
 c205_trap stream_describe(struct stream *stream, struct c205 *machine,
@@ -286,10 +288,12 @@ const struct operation *operation_of(const struct decoded *decoded)
 c205_trap execute_elementwise(struct c205 *machine,
                               const struct decoded *decoded)
 {
+    const struct operation *operation = operation_of(decoded);
     struct stream stream;
+    if (direct_elementwise(machine, decoded, operation))
+        return C205_TRAP_NONE;
     c205_trap trap = stream_open(&stream, machine, decoded);
-    return trap == C205_TRAP_NONE ? run_stream(&stream, operation_of(decoded))
-                                  : trap;
+    return trap == C205_TRAP_NONE ? run_stream(&stream, operation) : trap;
 }
 
 /* ---- Neighbours -------------------------------------------------------- */

@@ -20,11 +20,10 @@
 #define EXPONENT_PLACE (64 - LANE_FORMAT.exponent_bits)
 #define EXPONENT_MASK (UINT64_MAX << EXPONENT_PLACE)
 
-/* A result, unless the first bit of odd is 1; the first bit of zero is 1 where
- * it is a machine zero. */
+/* A result, unless the first bit of odd is 1. */
 typedef struct lane {
     c205_word word;
-    uint64_t odd, zero;
+    uint64_t odd;
 } lane;
 
 static const uint64_t first_bit = UINT64_C(1) << 63;
@@ -146,7 +145,7 @@ static inline c205_word integer(int64_t c)
 static inline lane number(int64_t e, int64_t c)
 {
     const lane result = { (c205_word)e << EXPONENT_PLACE | integer(c),
-                          out_of_range(e), 0 };
+                          out_of_range(e) };
 
     return result;
 }
@@ -155,8 +154,7 @@ static inline lane number(int64_t e, int64_t c)
 static inline lane zero_if(bool it_is, lane otherwise)
 {
     const lane result = { it_is ? C205_MACHINE_ZERO : otherwise.word,
-                          it_is ? 0 : otherwise.odd,
-                          it_is ? first_bit : otherwise.zero };
+                          it_is ? 0 : otherwise.odd };
 
     return result;
 }
@@ -320,7 +318,7 @@ static inline lane integer_part(c205_word a, int64_t part)
     const lane result = { exponent(a) >= 0 ? a
                           : is_zero(a)     ? a
                                            : whole,
-                          indefinite(a), zero(a) };
+                          indefinite(a) };
 
     return result;
 }
@@ -363,7 +361,7 @@ static inline lane lane_negate(c205_word a)
 static inline lane lane_absolute(c205_word a)
 {
     int64_t c = coefficient(a);
-    const lane zero_number = { c < 0 ? C205_MACHINE_ZERO : a, 0, first_bit };
+    const lane zero_number = { c < 0 ? C205_MACHINE_ZERO : a, 0 };
     lane result = fitted(exponent(a), (int64_t)magnitude(c));
 
     return odd_if(indefinite(a), is_zero(a) ? zero_number : result);

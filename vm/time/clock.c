@@ -70,9 +70,13 @@ static void set_results(struct clock *clock, const struct decoded *decoded,
     }
 }
 
-static uint64_t at_rate(struct rate rate, uint64_t n)
+/* Hosts divide small numbers faster. */
+static inline uint64_t at_rate(struct rate rate, uint64_t n)
 {
-    return (n * rate.clocks + rate.per - 1) / rate.per;
+    uint64_t dividend = n * rate.clocks + rate.per - 1;
+    if ((dividend | rate.per) <= UINT32_MAX)
+        return (uint32_t)dividend / (uint32_t)rate.per;
+    return dividend / rate.per;
 }
 
 /* ---- The scalar unit ----------------------------------------------------- */
@@ -93,8 +97,8 @@ static uint64_t issue(struct clock *clock, const struct decoded *decoded,
     return ready;
 }
 
-static struct translation translate(struct clock *clock,
-                                    const struct effect *effect)
+static inline struct translation translate(struct clock *clock,
+                                           const struct effect *effect)
 {
     struct translation met = { 0, 0 };
     for (unsigned i = 0; i < effect->touch_count; i++)
@@ -205,7 +209,7 @@ static void charge_monitor(struct clock *clock, const struct decoded *decoded)
 
 /* ---- The vector unit ----------------------------------------------------- */
 
-static void add_phase(struct clock *clock, uint64_t clocks, c205_cause cause)
+static inline void add_phase(struct clock *clock, uint64_t clocks, c205_cause cause)
 {
     if (clocks == 0)
         return;
@@ -216,7 +220,7 @@ static void add_phase(struct clock *clock, uint64_t clocks, c205_cause cause)
 
 /* Forget the phases that are over: all but a stream under which the start-up
  * of the next instruction hides. */
-static void drop_phases(struct clock *clock)
+static inline void drop_phases(struct clock *clock)
 {
     size_t kept = 0;
     for (size_t i = 0; i < clock->phase_count; i++)
@@ -244,7 +248,7 @@ static bool is_slower(struct rate rate, struct rate than)
     return rate.clocks * than.per > than.clocks * rate.per;
 }
 
-static struct rate class_rate(const struct clock *clock,
+static inline struct rate class_rate(const struct clock *clock,
                               const struct decoded *decoded, bool half)
 {
     const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
@@ -252,12 +256,11 @@ static struct rate class_rate(const struct clock *clock,
 }
 
 /* A linked pair is of one size, and goes at the rate of the slowest. */
-static struct rate stream_rate(const struct clock *clock,
-                               const struct decoded *decoded)
+static struct rate pair_rate(const struct clock *clock,
+                             const struct decoded *decoded)
 {
     const struct decoded *const *linked = decoded->linked;
-    uint8_t g = linked[0] ? linked[0]->fields.g : decoded->fields.g;
-    bool half = g & C205_G_HALF;
+    bool half = linked[0]->fields.g & C205_G_HALF;
     struct rate slowest = class_rate(clock, decoded, half);
     for (size_t i = 0; i < 2 && linked[i]; i++) {
         struct rate rate = class_rate(clock, linked[i], half);
@@ -267,9 +270,17 @@ static struct rate stream_rate(const struct clock *clock,
     return slowest;
 }
 
+static inline struct rate stream_rate(const struct clock *clock,
+                                      const struct decoded *decoded)
+{
+    if (decoded->linked[0])
+        return pair_rate(clock, decoded);
+    return class_rate(clock, decoded, decoded->fields.g & C205_G_HALF);
+}
+
 /* That of a linked pair is of two units that start up as the addition does;
  * what one of them takes longer comes on top. */
-static uint64_t startup_of(const struct clock *clock,
+static inline uint64_t startup_of(const struct clock *clock,
                            const struct decoded *decoded)
 {
     uint64_t startup = clock->timing[decoded->insn->timing].startup;
@@ -282,11 +293,11 @@ static uint64_t startup_of(const struct clock *clock,
     return startup;
 }
 
-static void add_phases(struct clock *clock, const struct decoded *decoded,
-                       const struct effect *effect)
+static inline void add_phases(struct clock *clock,
+                              const struct decoded *decoded,
+                              const struct effect *effect, uint64_t startup)
 {
     struct translation met = translate(clock, effect);
-    uint64_t startup = startup_of(clock, decoded);
     uint64_t stream = at_rate(stream_rate(clock, decoded), effect->elements)
                       + effect->recurrent * startup;
     clock->vector_end = clock->now;
@@ -312,16 +323,17 @@ static void wait_for_pair(struct clock *clock, const struct decoded *decoded)
             wait_for_registers(clock, decoded->linked[i]);
 }
 
-static void charge_vector(struct clock *clock, const struct decoded *decoded,
-                          const struct effect *effect)
+static inline void charge_vector(struct clock *clock,
+                                 const struct decoded *decoded,
+                                 const struct effect *effect)
 {
+    uint64_t startup = startup_of(clock, decoded);
     wait_for_pair(clock, decoded);
     wait_until(clock, clock->loads_done, C205_MEMORY_WAIT);
-    wait_through_phases(clock,
-                        vector_free_at(clock, startup_of(clock, decoded)));
+    wait_through_phases(clock, vector_free_at(clock, startup));
     drop_phases(clock);
     uint64_t issued = clock->now + clock->issue_interval;
-    add_phases(clock, decoded, effect);
+    add_phases(clock, decoded, effect, startup);
     wait_through_phases(clock, lesser(issued, clock->vector_end));
     wait_until(clock, issued, C205_ISSUE);
     set_results(clock, decoded, clock->vector_end, FOR_VECTOR);

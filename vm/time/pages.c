@@ -167,8 +167,8 @@ static inline void touch(struct pages *pages, uint64_t address,
         pages_look_up(pages, page, met);
 }
 
-void pages_touch(struct pages *pages, uint64_t address, uint64_t bits,
-                 struct translation *met)
+void pages_touch_all(struct pages *pages, uint64_t address, uint64_t bits,
+                     struct translation *met)
 {
     if (bits == 0)
         return;

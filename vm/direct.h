@@ -1,0 +1,173 @@
+/* direct.h - operands of a vector instruction where they stand in the host's
+ * memory.
+ *
+ * Most instructions are simple: of words, without offsets and signs, begun
+ * and ended in one turn, each operand within a page, and no result upon what
+ * is read after it is stored.  direct_NAME below say whether an operand is,
+ * and then it has been checked; where one is not, nothing has happened yet,
+ * and the instruction goes the way of operand.h, which knows all cases and
+ * all traps.  Both do the same, and tell the clock the same.
+ *
+ * Pointers hold from the checks to the end of the instruction: no page comes,
+ * goes or changes its access in between.
+ */
+#ifndef C205_DIRECT_H
+#define C205_DIRECT_H
+
+#include "vm/operand.h"
+
+/* A string of bits: the first stands skip bits from the left of *word. */
+struct direct_bits {
+    c205_word *word;
+    unsigned skip;
+};
+
+/* A source: n words, or where it is broadcast, so many that are filled. */
+struct direct_source {
+    const c205_word *words; /* NULL: broadcast */
+    c205_word scalar;
+};
+
+/* ---- Where they stand ---------------------------------------------------- */
+
+static inline size_t direct_length(c205_word descriptor)
+{
+    return (size_t)(descriptor >> LENGTH_SHIFT);
+}
+
+/* The instruction is in its first turn, and ends in it. */
+static inline bool direct_turn(const struct c205 *machine, size_t n)
+{
+    return n > 0 && n <= machine->allowed && machine->progress.first == 0;
+}
+
+/* NULL: not aligned, not mapped, or not in one page. */
+static inline c205_word *direct_place(const struct memory *memory,
+                                      uint64_t address, size_t n,
+                                      struct page **page)
+{
+    size_t index = memory_word_index(address);
+    *page = memory_page(memory, address);
+    if (!*page || address % WORD_BITS || n > C205_PAGE_WORDS - index)
+        return NULL;
+    return (*page)->word + index;
+}
+
+/* n words that a descriptor names.  NULL: they are to be read otherwise. */
+static inline const c205_word *direct_read(const struct c205 *machine,
+                                           c205_word descriptor, size_t n)
+{
+    struct page *page;
+    if (n > direct_length(descriptor))
+        return NULL;
+    return direct_place(&machine->memory, LOW(descriptor), n, &page);
+}
+
+/* The same, to be written; once it has been asked for, it must be. */
+static inline c205_word *direct_write(struct c205 *machine,
+                                      c205_word descriptor, size_t n)
+{
+    struct page *page;
+    c205_word *words = direct_place(&machine->memory, LOW(descriptor), n,
+                                    &page);
+    return words && page->writable && !page->holds_code ? words : NULL;
+}
+
+/* n bits; the descriptor's length is not looked at. */
+static inline struct direct_bits direct_bits(const struct c205 *machine,
+                                             c205_word descriptor, size_t n,
+                                             bool write)
+{
+    struct page *page;
+    unsigned skip = (unsigned)(descriptor % WORD_BITS);
+    struct direct_bits bits = { NULL, skip };
+    bits.word = direct_place(&machine->memory, LOW(descriptor) - skip,
+                             (skip + n + WORD_BITS - 1) / WORD_BITS, &page);
+    if (bits.word && write && (!page->writable || page->holds_code))
+        bits.word = NULL;
+    return bits;
+}
+
+/* ---- Do they overlap? ---------------------------------------------------- */
+
+/* Spans of so many bytes have some in common. */
+static inline bool direct_meets(const void *one, size_t bytes,
+                                const void *other, size_t other_bytes)
+{
+    uintptr_t a = (uintptr_t)one, b = (uintptr_t)other;
+    return a < b + other_bytes && b < a + bytes;
+}
+
+/* Of n words each: the result begins above the source and upon it, so that
+ * some elements wait for earlier ones. */
+static inline bool direct_recurs(const c205_word *result,
+                                 const c205_word *source, size_t n)
+{
+    uintptr_t above = (uintptr_t)result - (uintptr_t)source;
+    return above - 1 < n * sizeof *result - 1;
+}
+
+/* The bytes that hold n bits of a string. */
+static inline size_t direct_bytes(struct direct_bits bits, size_t n)
+{
+    return (bits.skip + n + WORD_BITS - 1) / WORD_BITS * sizeof(c205_word);
+}
+
+/* ---- Bits ---------------------------------------------------------------- */
+
+/* The leftmost n bits of a word, 1 to 64 of them. */
+static inline uint64_t leading_bits(size_t n)
+{
+    return UINT64_MAX << (WORD_BITS - n);
+}
+
+/* n bits from the first on, which is a multiple of 64; unused ones are
+ * zero. */
+static inline void direct_read_bits(struct direct_bits string, size_t first,
+                                    uint64_t *bits, size_t n)
+{
+    const c205_word *word = string.word + first / WORD_BITS;
+    unsigned skip = string.skip;
+    for (; n > 0; word++) {
+        size_t some = least(n, WORD_BITS);
+        uint64_t next = *word << skip;
+        if (skip + some > WORD_BITS)
+            next |= word[1] >> (WORD_BITS - skip);
+        *bits++ = next & leading_bits(some);
+        n -= some;
+    }
+}
+
+static inline void direct_merge(c205_word *word, uint64_t bits, uint64_t mask)
+{
+    *word ^= (*word ^ bits) & mask;
+}
+
+/* The same the other way, under a mask of their own (NULL: all). */
+static inline void direct_write_bits(struct direct_bits string, size_t first,
+                                     const uint64_t *bits,
+                                     const uint64_t *permitted, size_t n)
+{
+    c205_word *word = string.word + first / WORD_BITS;
+    unsigned skip = string.skip;
+    for (size_t i = 0; n > 0; i++, word++) {
+        size_t some = least(n, WORD_BITS);
+        uint64_t mask = leading_bits(some)
+                        & (permitted ? permitted[i] : UINT64_MAX);
+        direct_merge(word, bits[i] >> skip, mask >> skip);
+        if (skip + some > WORD_BITS)
+            direct_merge(word + 1, bits[i] << (WORD_BITS - skip),
+                         mask << (WORD_BITS - skip));
+        n -= some;
+    }
+}
+
+/* ---- The instructions ---------------------------------------------------- */
+
+struct operation;
+
+/* False: it is not simple, and nothing has happened. */
+bool direct_elementwise(struct c205 *machine, const struct decoded *decoded,
+                        const struct operation *operation);
+
+#endif
