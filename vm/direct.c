@@ -10,7 +10,7 @@ struct result {
     struct c205 *machine;
     size_t n;
     c205_word *words;        /* or .. */
-    struct direct_bits bits; /* .. of a comparison */
+    struct direct_bits bits; /* .. of a comparison, with words NULL */
     struct direct_bits control;
     bool controlled;
     uint64_t blocked; /* as that of a struct control */
@@ -18,16 +18,53 @@ struct result {
 
 /* ---- Operands ------------------------------------------------------------ */
 
+/* A source: its element i is words[i * step]; one that is broadcast, or that
+ * the first of a pair hands over, stays in one place for all chunks. */
+struct place {
+    const c205_word *words;
+    size_t step;
+    c205_word word; /* in the register */
+};
+
+/* What one instruction reads. */
+struct sources {
+    const struct operation *operation;
+    struct place a, b;
+    c205_word space_a[CHUNK], space_b[CHUNK]; /* where broadcast */
+};
+
 /* False: it is to be read otherwise. */
-static inline bool find_source(struct direct_source *source,
+static inline bool find_source(struct place *place,
                                const struct c205 *machine, bool broadcast,
-                               uint16_t slot, size_t n)
+                               uint16_t slot, c205_word *space, size_t n)
 {
-    source->scalar = machine->slot[slot];
-    source->words = NULL;
-    if (!broadcast)
-        source->words = direct_read(machine, source->scalar, n);
-    return broadcast || source->words;
+    place->word = machine->slot[slot];
+    place->step = !broadcast;
+    place->words = broadcast ? space : direct_read(machine, place->word, n);
+    if (broadcast)
+        lanes_fill(space, place->word, least(n, CHUNK));
+    return place->words;
+}
+
+/* handed_a, handed_b: chunks that are read instead, or NULL. */
+static inline bool
+find_sources(struct sources *sources, const struct c205 *machine,
+             const struct decoded *decoded, const struct operation *operation,
+             size_t n, const c205_word *handed_a, const c205_word *handed_b)
+{
+    struct place a = { handed_a, 0, 0 }, b = { handed_b, 0, 0 };
+    uint8_t g = decoded->fields.g;
+    bool found = true;
+    sources->operation = operation;
+    if (!handed_a)
+        found = find_source(&a, machine, g & C205_G_BROADCAST_A, decoded->a,
+                            sources->space_a, n);
+    if (found && !handed_b && !operation->unary)
+        found = find_source(&b, machine, g & C205_G_BROADCAST_B, decoded->b,
+                            sources->space_b, n);
+    sources->a = a;
+    sources->b = b;
+    return found;
 }
 
 static inline bool find_result(struct result *result, struct c205 *machine,
@@ -37,6 +74,9 @@ static inline bool find_result(struct result *result, struct c205 *machine,
     c205_word c = machine->slot[decoded->fields.c];
     result->machine = machine;
     result->n = n;
+    struct direct_bits none = { NULL, 0 };
+    result->words = NULL;
+    result->bits = result->control = none;
     result->controlled = decoded->z != 0;
     result->blocked = decoded->fields.g & C205_G_ZEROS ? UINT64_MAX : 0;
     if (result->controlled)
@@ -52,76 +92,69 @@ static inline bool find_result(struct result *result, struct c205 *machine,
 
 /* Nothing is stored upon a source or the control vector that is read after it
  * is stored. */
-static inline bool keeps_control(const struct result *result, bool compares)
+static inline bool keeps_control(const struct result *result)
 {
     size_t n = result->n;
     if (!result->controlled)
         return true;
-    return !(compares ? direct_meets(result->bits.word,
-                                     direct_bytes(result->bits, n),
-                                     result->control.word,
-                                     direct_bytes(result->control, n))
-                      : direct_meets(result->words,
-                                     n * sizeof *result->words,
-                                     result->control.word,
-                                     direct_bytes(result->control, n)));
+    return !direct_meets(result->words ? result->words : result->bits.word,
+                         result->words ? n * sizeof *result->words
+                                       : direct_bytes(result->bits, n),
+                         result->control.word,
+                         direct_bytes(result->control, n));
 }
 
-static inline bool keeps_source(const struct result *result, bool compares,
-                                const struct direct_source *source)
+static inline bool keeps_source(const struct result *result,
+                                const struct place *place)
 {
-    size_t n = result->n, bytes = n * sizeof *source->words;
-    if (!source->words)
+    size_t n = result->n;
+    if (place->step == 0)
         return true;
-    return compares ? !direct_meets(result->bits.word,
-                                    direct_bytes(result->bits, n),
-                                    source->words, bytes)
-                    : !direct_recurs(result->words, source->words, n);
+    return result->words
+               ? !direct_recurs(result->words, place->words, n)
+               : !direct_meets(result->bits.word,
+                               direct_bytes(result->bits, n), place->words,
+                               n * sizeof *place->words);
+}
+
+static inline bool keeps_sources(const struct result *result,
+                                 const struct sources *sources)
+{
+    return keeps_source(result, &sources->a)
+           && keeps_source(result, &sources->b);
 }
 
 /* ---- Telling the clock --------------------------------------------------- */
 
-static inline void touch_source(struct c205 *machine,
-                                const struct direct_source *source,
-                                size_t n)
+static inline void touch_sources(struct c205 *machine,
+                                 const struct sources *sources, size_t n)
 {
-    if (source->words)
-        machine_touch(machine, LOW(source->scalar), (uint64_t)n * WORD_BITS);
+    uint64_t bits = (uint64_t)n * WORD_BITS;
+    if (sources->a.step)
+        machine_touch(machine, LOW(sources->a.word), bits);
+    if (sources->b.step)
+        machine_touch(machine, LOW(sources->b.word), bits);
 }
 
 static inline void touch_result(const struct result *result,
-                                const struct decoded *decoded, bool compares)
+                                const struct decoded *decoded)
 {
     struct c205 *machine = result->machine;
+    size_t width = result->words ? WORD_BITS : 1;
     if (result->controlled)
         machine_touch(machine, LOW(machine->slot[decoded->z]), result->n);
     machine_touch(machine, LOW(machine->slot[decoded->fields.c]),
-                  (uint64_t)result->n * (compares ? 1 : WORD_BITS));
+                  (uint64_t)result->n * width);
     machine->effect.elements = result->n;
 }
 
 /* ---- Elements ------------------------------------------------------------ */
 
-/* A chunk of a source; space is filled already where it is broadcast. */
-static inline const c205_word *chunk_of(const struct direct_source *source,
-                                        const c205_word *space, size_t first)
-{
-    return source->words ? source->words + first : space;
-}
-
-static inline void fill_space(const struct direct_source *source,
-                              c205_word *space, size_t n)
-{
-    if (!source->words)
-        lanes_fill(space, source->scalar, least(n, CHUNK));
-}
-
 static inline void read_permitted(const struct result *result, size_t first,
                                   uint64_t *permitted, size_t n)
 {
-    direct_read_bits(result->control, first, permitted, n);
-    for (size_t i = 0; i < (n + 63) / 64; i++)
-        permitted[i] ^= result->blocked;
+    direct_read_control(result->control, result->blocked, first, permitted,
+                        n);
 }
 
 static inline void compare_chunk(const struct result *result,
@@ -137,65 +170,88 @@ static inline void compare_chunk(const struct result *result,
                       result->controlled ? permitted : NULL, n);
 }
 
-static inline void operate_chunk(const struct result *result,
-                                 const struct operation *operation,
-                                 const c205_word *a, const c205_word *b,
-                                 size_t first, size_t n)
+/* What is only copied needs no space of its own. */
+static inline void store_chunk(const struct result *result,
+                               const struct operation *operation,
+                               const c205_word *a, const c205_word *b,
+                               size_t first, size_t n)
 {
-    c205_word words[CHUNK];
+    c205_word space[CHUNK], *c = result->words + first;
     uint64_t permitted[CHUNK_WORDS];
-    if (operation->compare) {
-        compare_chunk(result, operation, a, b, first, n);
-    } else if (!result->controlled) {
-        operate(result->machine, operation, result->words + first, a, b, n,
-                NULL);
-    } else {
-        read_permitted(result, first, permitted, n);
-        if (n % WORD_BITS)
-            permitted[n / WORD_BITS] &= leading_bits(n % WORD_BITS);
-        operate(result->machine, operation, words, a, b, n, permitted);
-        lanes_store_masked(result->words + first, words, permitted, n);
+    if (!result->controlled) {
+        operate(result->machine, operation, c, a, b, n, NULL);
+        return;
     }
+    read_permitted(result, first, permitted, n);
+    if (operation->unary == lanes_copy
+        && !direct_meets(c, n * sizeof *c, a, n * sizeof *a)) {
+        lanes_store_masked(c, a, permitted, n);
+        return;
+    }
+    operate(result->machine, operation, space, a, b, n, permitted);
+    lanes_store_masked(c, space, permitted, n);
+}
+
+static inline void take_chunk(const struct result *result,
+                              const struct sources *sources, size_t first,
+                              size_t n)
+{
+    const c205_word *a = sources->a.words + first * sources->a.step;
+    const c205_word *b = sources->b.words + first * sources->b.step;
+    if (result->words)
+        store_chunk(result, sources->operation, a, b, first, n);
+    else
+        compare_chunk(result, sources->operation, a, b, first, n);
 }
 
 /* ---- The instructions ---------------------------------------------------- */
-
-static inline bool is_broadcast(const struct decoded *decoded, uint8_t bit)
-{
-    return decoded->fields.g & bit;
-}
 
 bool direct_elementwise(struct c205 *machine, const struct decoded *decoded,
                         const struct operation *operation)
 {
     size_t n = direct_length(machine->slot[decoded->fields.c]);
-    bool compares = operation->compare != NULL;
-    struct direct_source a, b = { NULL, 0 };
+    struct sources sources;
     struct result result;
-    c205_word space_a[CHUNK], space_b[CHUNK];
     if (!decoded->plain || !direct_turn(machine, n)
-        || !find_source(&a, machine,
-                        is_broadcast(decoded, C205_G_BROADCAST_A), decoded->a,
-                        n)
-        || !(operation->unary
-             || find_source(&b, machine,
-                            is_broadcast(decoded, C205_G_BROADCAST_B),
-                            decoded->b, n))
-        || !find_result(&result, machine, decoded, compares, n)
-        || !keeps_source(&result, compares, &a)
-        || !keeps_source(&result, compares, &b)
-        || !keeps_control(&result, compares))
+        || !find_result(&result, machine, decoded, operation->compare, n)
+        || !find_sources(&sources, machine, decoded, operation, n, NULL, NULL)
+        || !keeps_sources(&result, &sources) || !keeps_control(&result))
         return false;
-    touch_source(machine, &a, n);
-    touch_source(machine, &b, n);
-    touch_result(&result, decoded, compares);
-    fill_space(&a, space_a, n);
-    if (!operation->unary)
-        fill_space(&b, space_b, n);
+    touch_sources(machine, &sources, n);
+    touch_result(&result, decoded);
     for (size_t first = 0, some; first < n; first += some) {
         some = least(n - first, CHUNK);
-        operate_chunk(&result, operation, chunk_of(&a, space_a, first),
-                      chunk_of(&b, space_b, first), first, some);
+        take_chunk(&result, &sources, first, some);
+    }
+    return true;
+}
+
+bool direct_pair(struct c205 *machine, const struct decoded *const *linked,
+                 bool hand_a, bool hand_b)
+{
+    const struct operation *first_one = operation_of(linked[0]);
+    const struct operation *second_one = operation_of(linked[1]);
+    size_t n = direct_length(machine->slot[linked[1]->fields.c]);
+    struct sources one, two;
+    struct result result;
+    c205_word handed[CHUNK];
+    if (!linked[0]->plain || !linked[1]->plain || !direct_turn(machine, n)
+        || direct_length(machine->slot[linked[0]->fields.c]) != n
+        || !find_result(&result, machine, linked[1], second_one->compare, n)
+        || !find_sources(&one, machine, linked[0], first_one, n, NULL, NULL)
+        || !find_sources(&two, machine, linked[1], second_one, n,
+                         hand_a ? handed : NULL, hand_b ? handed : NULL)
+        || !keeps_sources(&result, &one) || !keeps_sources(&result, &two)
+        || !keeps_control(&result))
+        return false;
+    touch_sources(machine, &one, n);
+    touch_sources(machine, &two, n);
+    touch_result(&result, linked[1]);
+    for (size_t first = 0, some; first < n; first += some) {
+        some = least(n - first, CHUNK);
+        operate(machine, first_one, handed, one.a.words + first * one.a.step,
+                one.b.words + first * one.b.step, some, NULL);
+        take_chunk(&result, &two, first, some);
     }
     return true;
 }

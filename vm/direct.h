@@ -22,12 +22,6 @@ struct direct_bits {
     unsigned skip;
 };
 
-/* A source: n words, or where it is broadcast, so many that are filled. */
-struct direct_source {
-    const c205_word *words; /* NULL: broadcast */
-    c205_word scalar;
-};
-
 /* ---- Where they stand ---------------------------------------------------- */
 
 static inline size_t direct_length(c205_word descriptor)
@@ -138,6 +132,18 @@ static inline void direct_read_bits(struct direct_bits string, size_t first,
     }
 }
 
+/* .. of a control vector, as control_read tells them. */
+static inline void direct_read_control(struct direct_bits control,
+                                       uint64_t blocked, size_t first,
+                                       uint64_t *permitted, size_t n)
+{
+    direct_read_bits(control, first, permitted, n);
+    for (size_t i = 0; i < (n + WORD_BITS - 1) / WORD_BITS; i++)
+        permitted[i] ^= blocked;
+    if (n % WORD_BITS)
+        permitted[n / WORD_BITS] &= leading_bits(n % WORD_BITS);
+}
+
 static inline void direct_merge(c205_word *word, uint64_t bits, uint64_t mask)
 {
     *word ^= (*word ^ bits) & mask;
@@ -169,5 +175,9 @@ struct operation;
 /* False: it is not simple, and nothing has happened. */
 bool direct_elementwise(struct c205 *machine, const struct decoded *decoded,
                         const struct operation *operation);
+/* The two instructions of a pair that may be linked; the result of the first is
+ * A or B of the second, or both. */
+bool direct_pair(struct c205 *machine, const struct decoded *const *linked,
+                 bool hand_a, bool hand_b);
 
 #endif

@@ -20,10 +20,10 @@
 #endif
 
 #define BINARY_PARAMETERS \
-    (c205_word *c, const c205_word *a, const c205_word *b, size_t n, \
+    (c205_word * c, const c205_word *a, const c205_word *b, size_t n, \
      uint64_t *flags)
 #define UNARY_PARAMETERS \
-    (c205_word *c, const c205_word *a, size_t n, uint64_t *flags)
+    (c205_word * c, const c205_word *a, size_t n, uint64_t *flags)
 
 static inline size_t lesser(size_t a, size_t b)
 {
