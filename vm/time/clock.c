@@ -209,7 +209,8 @@ static void charge_monitor(struct clock *clock, const struct decoded *decoded)
 
 /* ---- The vector unit ----------------------------------------------------- */
 
-static inline void add_phase(struct clock *clock, uint64_t clocks, c205_cause cause)
+static inline void add_phase(struct clock *clock, uint64_t clocks,
+                             c205_cause cause)
 {
     if (clocks == 0)
         return;
@@ -249,7 +250,7 @@ static bool is_slower(struct rate rate, struct rate than)
 }
 
 static inline struct rate class_rate(const struct clock *clock,
-                              const struct decoded *decoded, bool half)
+                                     const struct decoded *decoded, bool half)
 {
     const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
     return half ? timing->half_stream : timing->stream;
@@ -281,7 +282,7 @@ static inline struct rate stream_rate(const struct clock *clock,
 /* That of a linked pair is of two units that start up as the addition does;
  * what one of them takes longer comes on top. */
 static inline uint64_t startup_of(const struct clock *clock,
-                           const struct decoded *decoded)
+                                  const struct decoded *decoded)
 {
     uint64_t startup = clock->timing[decoded->insn->timing].startup;
     uint64_t addition = clock->timing[C205_TIMING_vadd].startup;
