@@ -34,9 +34,9 @@ struct sources {
 };
 
 /* False: it is to be read otherwise. */
-static inline bool find_source(struct place *place,
-                               const struct c205 *machine, bool broadcast,
-                               uint16_t slot, c205_word *space, size_t n)
+static inline bool find_source(struct place *place, struct c205 *machine,
+                               bool broadcast, uint16_t slot,
+                               c205_word *space, size_t n)
 {
     place->word = machine->slot[slot];
     place->step = !broadcast;
@@ -48,7 +48,7 @@ static inline bool find_source(struct place *place,
 
 /* handed_a, handed_b: chunks that are read instead, or NULL. */
 static inline bool
-find_sources(struct sources *sources, const struct c205 *machine,
+find_sources(struct sources *sources, struct c205 *machine,
              const struct decoded *decoded, const struct operation *operation,
              size_t n, const c205_word *handed_a, const c205_word *handed_b)
 {
@@ -170,6 +170,18 @@ static inline void compare_chunk(const struct result *result,
                       result->controlled ? permitted : NULL, n);
 }
 
+/* All elements are permitted. */
+static inline void operate_all(struct c205 *machine,
+                               const struct operation *operation,
+                               c205_word *c, const c205_word *a,
+                               const c205_word *b, size_t n)
+{
+    if (operation->unary)
+        operation->unary(c, a, n, &machine->data_flags);
+    else
+        operation->binary(c, a, b, n, &machine->data_flags);
+}
+
 /* What is only copied needs no space of its own. */
 static inline void store_chunk(const struct result *result,
                                const struct operation *operation,
@@ -179,7 +191,7 @@ static inline void store_chunk(const struct result *result,
     c205_word space[CHUNK], *c = result->words + first;
     uint64_t permitted[CHUNK_WORDS];
     if (!result->controlled) {
-        operate(result->machine, operation, c, a, b, n, NULL);
+        operate_all(result->machine, operation, c, a, b, n);
         return;
     }
     read_permitted(result, first, permitted, n);
@@ -249,8 +261,9 @@ bool direct_pair(struct c205 *machine, const struct decoded *const *linked,
     touch_result(&result, linked[1]);
     for (size_t first = 0, some; first < n; first += some) {
         some = least(n - first, CHUNK);
-        operate(machine, first_one, handed, one.a.words + first * one.a.step,
-                one.b.words + first * one.b.step, some, NULL);
+        operate_all(machine, first_one, handed,
+                    one.a.words + first * one.a.step,
+                    one.b.words + first * one.b.step, some);
         take_chunk(&result, &two, first, some);
     }
     return true;

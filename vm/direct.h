@@ -35,50 +35,42 @@ static inline bool direct_turn(const struct c205 *machine, size_t n)
     return n > 0 && n <= machine->allowed && machine->progress.first == 0;
 }
 
-/* NULL: not aligned, not mapped, or not in one page. */
-static inline c205_word *direct_place(const struct memory *memory,
-                                      uint64_t address, size_t n,
-                                      struct page **page)
+/* NULL: not aligned, not mapped, not in one page, or not to be written so. */
+static inline c205_word *direct_place(struct memory *memory, uint64_t address,
+                                      size_t n, bool write)
 {
     size_t index = memory_word_index(address);
-    *page = memory_page(memory, address);
-    if (!*page || address % WORD_BITS || n > C205_PAGE_WORDS - index)
+    const struct near_page *page = memory_near(memory, address);
+    if (!page || address % WORD_BITS || n > C205_PAGE_WORDS - index
+        || (write && !page->stores))
         return NULL;
-    return (*page)->word + index;
+    return page->word + index;
 }
 
 /* n words that a descriptor names.  NULL: they are to be read otherwise. */
-static inline const c205_word *direct_read(const struct c205 *machine,
+static inline const c205_word *direct_read(struct c205 *machine,
                                            c205_word descriptor, size_t n)
 {
-    struct page *page;
     if (n > direct_length(descriptor))
         return NULL;
-    return direct_place(&machine->memory, LOW(descriptor), n, &page);
+    return direct_place(&machine->memory, LOW(descriptor), n, false);
 }
 
-/* The same, to be written; once it has been asked for, it must be. */
+/* The same, to be written; its length is not looked at. */
 static inline c205_word *direct_write(struct c205 *machine,
                                       c205_word descriptor, size_t n)
 {
-    struct page *page;
-    c205_word *words = direct_place(&machine->memory, LOW(descriptor), n,
-                                    &page);
-    return words && page->writable && !page->holds_code ? words : NULL;
+    return direct_place(&machine->memory, LOW(descriptor), n, true);
 }
 
 /* n bits; the descriptor's length is not looked at. */
-static inline struct direct_bits direct_bits(const struct c205 *machine,
-                                             c205_word descriptor, size_t n,
-                                             bool write)
+static inline struct direct_bits
+direct_bits(struct c205 *machine, c205_word descriptor, size_t n, bool write)
 {
-    struct page *page;
     unsigned skip = (unsigned)(descriptor % WORD_BITS);
     struct direct_bits bits = { NULL, skip };
     bits.word = direct_place(&machine->memory, LOW(descriptor) - skip,
-                             (skip + n + WORD_BITS - 1) / WORD_BITS, &page);
-    if (bits.word && write && (!page->writable || page->holds_code))
-        bits.word = NULL;
+                             (skip + n + WORD_BITS - 1) / WORD_BITS, write);
     return bits;
 }
 

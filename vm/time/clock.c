@@ -22,17 +22,18 @@ static void wait_until(struct clock *clock, uint64_t until, c205_cause cause)
 
 /* Until a clock at which the vector unit is still at work: each piece is
  * charged to the phase in which it falls, in the region of that phase. */
-static void wait_through_phases(struct clock *clock, uint64_t until)
+static inline void wait_through_phases(struct clock *clock, uint64_t until)
 {
-    for (size_t i = 0; clock->now < until; i++) {
-        const struct phase *phase = &clock->phase[i];
+    c205_account *accounts = clock->accounts.account;
+    uint64_t now = clock->now;
+    for (const struct phase *phase = clock->phase; now < until; phase++) {
         uint64_t end = phase->end < until ? phase->end : until;
-        if (clock->now < end) {
-            clock->accounts.account[phase->region]
-                .clocks[phase->cause] += end - clock->now;
-            clock->now = end;
+        if (now < end) {
+            accounts[phase->region].clocks[phase->cause] += end - now;
+            now = end;
         }
     }
+    clock->now = now;
 }
 
 static void wait_for_vector(struct clock *clock)
@@ -101,9 +102,9 @@ static inline struct translation translate(struct clock *clock,
                                            const struct effect *effect)
 {
     struct translation met = { 0, 0 };
-    for (unsigned i = 0; i < effect->touch_count; i++)
-        pages_touch(&clock->pages, effect->touch[i].address,
-                    effect->touch[i].bits, &met);
+    const struct touch *touch = effect->touch;
+    for (unsigned left = effect->touch_count; left > 0; left--, touch++)
+        pages_touch(&clock->pages, touch->address, touch->bits, &met);
     if (effect->indices)
         pages_touch_indexed(&clock->pages, effect->table, effect->table_step,
                             effect->indices, effect->index_count, &met);
@@ -209,14 +210,18 @@ static void charge_monitor(struct clock *clock, const struct decoded *decoded)
 
 /* ---- The vector unit ----------------------------------------------------- */
 
+/* From the vector unit's end on, which moves. */
 static inline void add_phase(struct clock *clock, uint64_t clocks,
                              c205_cause cause)
 {
+    struct phase *phase = &clock->phase[clock->phase_count];
     if (clocks == 0)
         return;
     clock->vector_end += clocks;
-    struct phase phase = { clock->vector_end, cause, clock->region };
-    clock->phase[clock->phase_count++] = phase;
+    phase->end = clock->vector_end;
+    phase->cause = cause;
+    phase->region = clock->region;
+    clock->phase_count++;
 }
 
 /* Forget the phases that are over: all but a stream under which the start-up
@@ -304,9 +309,11 @@ static inline void add_phases(struct clock *clock,
     clock->vector_end = clock->now;
     clock->vector_tail = stream;
     add_phase(clock, startup, C205_VECTOR_STARTUP);
-    add_phase(clock, met.misses * clock->translation_miss,
-              C205_TRANSLATION_MISS);
-    add_phase(clock, met.faults * clock->page_fault, C205_PAGE_FAULT);
+    if (met.misses > 0) { /* no fault without */
+        add_phase(clock, met.misses * clock->translation_miss,
+                  C205_TRANSLATION_MISS);
+        add_phase(clock, met.faults * clock->page_fault, C205_PAGE_FAULT);
+    }
     if (effect->indices)
         add_phase(clock,
                   banks_conflicts(&clock->banks, effect->table,
@@ -329,7 +336,8 @@ static inline void charge_vector(struct clock *clock,
                                  const struct effect *effect)
 {
     uint64_t startup = startup_of(clock, decoded);
-    wait_for_pair(clock, decoded);
+    if (decoded->linked[0])
+        wait_for_pair(clock, decoded);
     wait_until(clock, clock->loads_done, C205_MEMORY_WAIT);
     wait_through_phases(clock, vector_free_at(clock, startup));
     drop_phases(clock);
