@@ -109,15 +109,16 @@ static inline uint64_t to_nearest(double d)
 enum { LENGTH = 51 };
 
 /* The places by which t, |t| < 2^51, can be shifted left until it has LENGTH
- * significant bits.  Its length is found as in word_bit_length, as the
- * exponent of an odd number, here subtracted while still in its place. */
+ * significant bits: its length is the exponent of the natural number t, or
+ * its complement, with a half added for 0, here subtracted while still in its
+ * place. */
 static inline uint64_t room(int64_t t)
 {
     enum { BIAS = 1023 };
-    uint64_t bits = bits_of_double(
-        to_double((uint64_t)(t ^ t >> 63) << 1 | 1));
+    double d = double_of_bits(two_to_52 | (uint64_t)(t ^ t >> 63))
+               - (double_of_bits(two_to_52) - 0.5);
 
-    return (((uint64_t)(BIAS + LENGTH + 1) << 52) - 1 - bits) >> 52;
+    return (((uint64_t)(BIAS + LENGTH) << 52) - 1 - bits_of_double(d)) >> 52;
 }
 
 /* 1 / sqrt(x) to 15 digits: halving the exponent of a double gives the first

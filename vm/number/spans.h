@@ -107,11 +107,9 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words,
     { \
         uint64_t odd[BLOCK], odds = 0, zeros = 0; \
         EACH_LANE(of_lane) \
-        if ((odds | zeros) >> 63 == 0) \
-            return; \
         if (odds >> 63) \
             exactly; \
-        else \
+        else if (zeros >> 63) \
             *flags |= FLAG_MACHINE_ZERO; \
     }
 #define BINARY_SPAN(name, lane_function, exact) \
