@@ -47,14 +47,17 @@ static inline bool find_source(struct place *place, struct c205 *machine,
 }
 
 /* handed_a, handed_b: chunks that are read instead, or NULL. */
-static inline bool
-find_sources(struct sources *sources, struct c205 *machine,
-             const struct decoded *decoded, const struct operation *operation,
-             size_t n, const c205_word *handed_a, const c205_word *handed_b)
+static inline bool find_sources(struct sources *sources, struct c205 *machine,
+                                const struct decoded *decoded,
+                                const struct operation *operation, size_t n,
+                                const c205_word *handed_a,
+                                const c205_word *handed_b)
 {
     struct place a = { handed_a, 0, 0 }, b = { handed_b, 0, 0 };
     uint8_t g = decoded->fields.g;
     bool found = true;
+    if (operation->unary)
+        b.words = sources->space_b; /* not read */
     sources->operation = operation;
     if (!handed_a)
         found = find_source(&a, machine, g & C205_G_BROADCAST_A, decoded->a,

@@ -114,7 +114,7 @@ struct elements {
 static struct elements waiting(const struct vector *read,
                                const struct vector *result, size_t n)
 {
-    struct elements none = { n, n };
+    struct elements none = { 0, 0 };
     if (!operands_overlap(read, result) || result->address <= read->address)
         return none;
     uint64_t lead = (result->address - read->address) / read->width;
@@ -126,19 +126,16 @@ static struct elements waiting(const struct vector *read,
 static size_t count_elements(const struct elements *some, size_t count)
 {
     size_t sum = 0, at = 0;
-    for (bool more = true; more;) {
+    for (;;) {
         struct elements next = { SIZE_MAX, SIZE_MAX };
-        more = false;
         for (size_t k = 0; k < count; k++)
-            if (some[k].end > at && some[k].first < next.first) {
+            if (some[k].end > at && some[k].first < next.first)
                 next = some[k];
-                more = next.first < next.end;
-            }
-        if (more)
-            sum += next.end - (next.first > at ? next.first : at);
+        if (next.end == SIZE_MAX)
+            return sum;
+        sum += next.end - (next.first > at ? next.first : at);
         at = next.end;
     }
-    return sum;
 }
 
 static bool recurs(const struct vector *result, size_t i,

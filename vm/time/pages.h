@@ -65,8 +65,9 @@ static inline void pages_touch(struct pages *pages, uint64_t address,
                                uint64_t bits, struct translation *met)
 {
     uint64_t last = (address + bits - 1) >> pages->shift;
-    if (bits > 0 && (last != pages->latest
-                     || address >> pages->shift != pages->latest))
+    if (bits > 0
+        && (last != pages->latest
+            || address >> pages->shift != pages->latest))
         pages_touch_all(pages, address, bits, met);
 }
 /* The pages of table + step x index for a list of indices. */
