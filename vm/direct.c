@@ -6,7 +6,7 @@
 #include "vm/vector.h"
 
 /* Where the result goes, and which of it. */
-struct result {
+struct direct_result {
     struct c205 *machine;
     size_t n;
     c205_word *words;        /* or .. */
@@ -27,7 +27,7 @@ struct place {
 };
 
 /* What one instruction reads. */
-struct sources {
+struct direct_sources {
     const struct operation *operation;
     struct place a, b;
     c205_word space_a[CHUNK], space_b[CHUNK]; /* where broadcast */
@@ -47,11 +47,10 @@ static inline bool find_source(struct place *place, struct c205 *machine,
 }
 
 /* handed_a, handed_b: chunks that are read instead, or NULL. */
-static inline bool find_sources(struct sources *sources, struct c205 *machine,
-                                const struct decoded *decoded,
-                                const struct operation *operation, size_t n,
-                                const c205_word *handed_a,
-                                const c205_word *handed_b)
+static inline bool
+find_sources(struct direct_sources *sources, struct c205 *machine,
+             const struct decoded *decoded, const struct operation *operation,
+             size_t n, const c205_word *handed_a, const c205_word *handed_b)
 {
     struct place a = { handed_a, 0, 0 }, b = { handed_b, 0, 0 };
     uint8_t g = decoded->fields.g;
@@ -70,7 +69,8 @@ static inline bool find_sources(struct sources *sources, struct c205 *machine,
     return found;
 }
 
-static inline bool find_result(struct result *result, struct c205 *machine,
+static inline bool find_result(struct direct_result *result,
+                               struct c205 *machine,
                                const struct decoded *decoded, bool compares,
                                size_t n)
 {
@@ -95,7 +95,7 @@ static inline bool find_result(struct result *result, struct c205 *machine,
 
 /* Nothing is stored upon a source or the control vector that is read after it
  * is stored. */
-static inline bool keeps_control(const struct result *result)
+static inline bool keeps_control(const struct direct_result *result)
 {
     size_t n = result->n;
     if (!result->controlled)
@@ -107,7 +107,7 @@ static inline bool keeps_control(const struct result *result)
                          direct_bytes(result->control, n));
 }
 
-static inline bool keeps_source(const struct result *result,
+static inline bool keeps_source(const struct direct_result *result,
                                 const struct place *place)
 {
     size_t n = result->n;
@@ -120,8 +120,8 @@ static inline bool keeps_source(const struct result *result,
                                n * sizeof *place->words);
 }
 
-static inline bool keeps_sources(const struct result *result,
-                                 const struct sources *sources)
+static inline bool keeps_sources(const struct direct_result *result,
+                                 const struct direct_sources *sources)
 {
     return keeps_source(result, &sources->a)
            && keeps_source(result, &sources->b);
@@ -130,7 +130,8 @@ static inline bool keeps_sources(const struct result *result,
 /* ---- Telling the clock --------------------------------------------------- */
 
 static inline void touch_sources(struct c205 *machine,
-                                 const struct sources *sources, size_t n)
+                                 const struct direct_sources *sources,
+                                 size_t n)
 {
     uint64_t bits = (uint64_t)n * WORD_BITS;
     if (sources->a.step)
@@ -139,7 +140,7 @@ static inline void touch_sources(struct c205 *machine,
         machine_touch(machine, LOW(sources->b.word), bits);
 }
 
-static inline void touch_result(const struct result *result,
+static inline void touch_result(const struct direct_result *result,
                                 const struct decoded *decoded)
 {
     struct c205 *machine = result->machine;
@@ -153,14 +154,14 @@ static inline void touch_result(const struct result *result,
 
 /* ---- Elements ------------------------------------------------------------ */
 
-static inline void read_permitted(const struct result *result, size_t first,
-                                  uint64_t *permitted, size_t n)
+static inline void read_permitted(const struct direct_result *result,
+                                  size_t first, uint64_t *permitted, size_t n)
 {
     direct_read_control(result->control, result->blocked, first, permitted,
                         n);
 }
 
-static inline void compare_chunk(const struct result *result,
+static inline void compare_chunk(const struct direct_result *result,
                                  const struct operation *operation,
                                  const c205_word *a, const c205_word *b,
                                  size_t first, size_t n)
@@ -186,7 +187,7 @@ static inline void operate_all(struct c205 *machine,
 }
 
 /* What is only copied needs no space of its own. */
-static inline void store_chunk(const struct result *result,
+static inline void store_chunk(const struct direct_result *result,
                                const struct operation *operation,
                                const c205_word *a, const c205_word *b,
                                size_t first, size_t n)
@@ -207,9 +208,9 @@ static inline void store_chunk(const struct result *result,
     lanes_store_masked(c, space, permitted, n);
 }
 
-static inline void take_chunk(const struct result *result,
-                              const struct sources *sources, size_t first,
-                              size_t n)
+static inline void take_chunk(const struct direct_result *result,
+                              const struct direct_sources *sources,
+                              size_t first, size_t n)
 {
     const c205_word *a = sources->a.words + first * sources->a.step;
     const c205_word *b = sources->b.words + first * sources->b.step;
@@ -225,8 +226,8 @@ bool direct_elementwise(struct c205 *machine, const struct decoded *decoded,
                         const struct operation *operation)
 {
     size_t n = direct_length(machine->slot[decoded->fields.c]);
-    struct sources sources;
-    struct result result;
+    struct direct_sources sources;
+    struct direct_result result;
     if (!decoded->plain || !direct_turn(machine, n)
         || !find_result(&result, machine, decoded, operation->compare, n)
         || !find_sources(&sources, machine, decoded, operation, n, NULL, NULL)
@@ -247,27 +248,31 @@ bool direct_pair(struct c205 *machine, const struct decoded *const *linked,
     const struct operation *first_one = operation_of(linked[0]);
     const struct operation *second_one = operation_of(linked[1]);
     size_t n = direct_length(machine->slot[linked[1]->fields.c]);
-    struct sources one, two;
-    struct result result;
-    c205_word handed[CHUNK];
+    struct direct_result result;
+    struct {
+        struct direct_sources one, two;
+        c205_word handed[CHUNK];
+    } pair;
     if (!linked[0]->plain || !linked[1]->plain || !direct_turn(machine, n)
         || direct_length(machine->slot[linked[0]->fields.c]) != n
         || !find_result(&result, machine, linked[1], second_one->compare, n)
-        || !find_sources(&one, machine, linked[0], first_one, n, NULL, NULL)
-        || !find_sources(&two, machine, linked[1], second_one, n,
-                         hand_a ? handed : NULL, hand_b ? handed : NULL)
-        || !keeps_sources(&result, &one) || !keeps_sources(&result, &two)
-        || !keeps_control(&result))
+        || !find_sources(&pair.one, machine, linked[0], first_one, n, NULL,
+                         NULL)
+        || !find_sources(&pair.two, machine, linked[1], second_one, n,
+                         hand_a ? pair.handed : NULL,
+                         hand_b ? pair.handed : NULL)
+        || !keeps_sources(&result, &pair.one)
+        || !keeps_sources(&result, &pair.two) || !keeps_control(&result))
         return false;
-    touch_sources(machine, &one, n);
-    touch_sources(machine, &two, n);
+    touch_sources(machine, &pair.one, n);
+    touch_sources(machine, &pair.two, n);
     touch_result(&result, linked[1]);
     for (size_t first = 0, some; first < n; first += some) {
         some = least(n - first, CHUNK);
-        operate_all(machine, first_one, handed,
-                    one.a.words + first * one.a.step,
-                    one.b.words + first * one.b.step, some);
-        take_chunk(&result, &two, first, some);
+        operate_all(machine, first_one, pair.handed,
+                    pair.one.a.words + first * pair.one.a.step,
+                    pair.one.b.words + first * pair.one.b.step, some);
+        take_chunk(&result, &pair.two, first, some);
     }
     return true;
 }

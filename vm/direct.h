@@ -114,13 +114,12 @@ static inline void direct_read_bits(struct direct_bits string, size_t first,
 {
     const c205_word *word = string.word + first / WORD_BITS;
     unsigned skip = string.skip;
-    for (; n > 0; word++) {
-        size_t some = least(n, WORD_BITS);
+    for (size_t i = 0; i < n; i += WORD_BITS, word++) {
+        size_t some = least(n - i, WORD_BITS);
         uint64_t next = *word << skip;
         if (skip + some > WORD_BITS)
             next |= word[1] >> (WORD_BITS - skip);
         *bits++ = next & leading_bits(some);
-        n -= some;
     }
 }
 
@@ -148,15 +147,14 @@ static inline void direct_write_bits(struct direct_bits string, size_t first,
 {
     c205_word *word = string.word + first / WORD_BITS;
     unsigned skip = string.skip;
-    for (size_t i = 0; n > 0; i++, word++) {
-        size_t some = least(n, WORD_BITS);
+    for (size_t i = 0; i < n; i += WORD_BITS, word++, bits++) {
+        size_t some = least(n - i, WORD_BITS);
         uint64_t mask = leading_bits(some)
-                        & (permitted ? permitted[i] : UINT64_MAX);
-        direct_merge(word, bits[i] >> skip, mask >> skip);
+                        & (permitted ? permitted[i / WORD_BITS] : UINT64_MAX);
+        direct_merge(word, *bits >> skip, mask >> skip);
         if (skip + some > WORD_BITS)
-            direct_merge(word + 1, bits[i] << (WORD_BITS - skip),
+            direct_merge(word + 1, *bits << (WORD_BITS - skip),
                          mask << (WORD_BITS - skip));
-        n -= some;
     }
 }
 
