@@ -72,12 +72,16 @@ static void set_results(struct clock *clock, const struct decoded *decoded,
 }
 
 /* Hosts divide small numbers faster. */
+static inline uint64_t divided(uint64_t dividend, uint64_t divisor)
+{
+    if ((dividend | divisor) <= UINT32_MAX)
+        return (uint32_t)dividend / (uint32_t)divisor;
+    return dividend / divisor;
+}
+
 static inline uint64_t at_rate(struct rate rate, uint64_t n)
 {
-    uint64_t dividend = n * rate.clocks + rate.per - 1;
-    if ((dividend | rate.per) <= UINT32_MAX)
-        return (uint32_t)dividend / (uint32_t)rate.per;
-    return dividend / rate.per;
+    return divided(n * rate.clocks + rate.per - 1, rate.per);
 }
 
 /* ---- The scalar unit ----------------------------------------------------- */
@@ -439,10 +443,14 @@ static uint64_t stream_begin(const struct clock *clock,
 /* The most elements for which at_rate is no more than clocks. */
 static size_t in_clocks(struct rate rate, uint64_t clocks)
 {
-    if (rate.clocks == 0 || clocks / rate.clocks >= SIZE_MAX / rate.per)
+    if (rate.clocks == 0)
         return SIZE_MAX;
-    return (size_t)(clocks / rate.clocks * rate.per
-                    + clocks % rate.clocks * rate.per / rate.clocks);
+    uint64_t whole = divided(clocks, rate.clocks);
+    uint64_t rest = clocks - whole * rate.clocks;
+    bool small = (whole | rate.per) <= UINT32_MAX;
+    if (!small && whole >= SIZE_MAX / rate.per)
+        return SIZE_MAX;
+    return (size_t)(whole * rate.per + divided(rest * rate.per, rate.clocks));
 }
 
 size_t clock_elements(const struct clock *clock,
