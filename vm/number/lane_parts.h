@@ -229,7 +229,7 @@ static inline int64_t sum(c205_word a, c205_word b)
 {
     c205_word l = larger(a, b), s = smaller(a, b);
 
-    return guarded(l) + shifted(guarded_value(s), distance(l, s), 63);
+    return guarded_value(l) + shifted(guarded_value(s), distance(l, s), 63);
 }
 
 /* The difference likewise.  A subtrahend is cut at the end of the register,
@@ -241,8 +241,9 @@ static inline int64_t difference(c205_word a, c205_word b)
     int64_t places = distance(l, s), more = places - reach;
     int64_t kept = shifted(guarded_value(s), more > 0 ? more : 0, 63);
     bool is_subtrahend = (int64_t)b <= (int64_t)a;
+    int64_t value = guarded_value(l);
 
-    return (is_subtrahend ? guarded(l) : -guarded(l))
+    return (is_subtrahend ? value : -value)
            + shifted(is_subtrahend ? -kept : kept, places, reach);
 }
 
@@ -260,9 +261,9 @@ static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
 {
     c205_word l = larger(a, b);
     uint64_t too_short = LANE_GUARD < DIGITS ? unnormalised(l) : 0;
-    lane result = odd_if(too_short, normalised(exponent(l) - LANE_GUARD, t));
+    uint64_t odd = indefinite(l) | (is_zero(l) ? 0 : too_short);
 
-    return odd_if(indefinite(l), zero_if(is_zero(l), result));
+    return odd_if(odd, normalised(exponent(l) - LANE_GUARD, t));
 }
 
 static inline lane lane_add_upper(c205_word a, c205_word b)
