@@ -1,6 +1,7 @@
 /* bits.c - strings of bits.  They are read and stored as 64 bits a word, so
  * the loops of lanes.h do for them too.
  */
+#include "vm/direct.h"
 #include "vm/vector.h"
 
 enum { STRING_BITS = C205_MAX_LENGTH + 1, STRING_WORDS = STRING_BITS / 64 };
@@ -37,10 +38,51 @@ static c205_trap run_strings(struct c205 *machine, const struct vector *a,
     return machine_end_turn(machine, &turn);
 }
 
+/* False: it is not simple (direct.h).  A result may be upon a source if it is
+ * the same string. */
+static bool strings_directly(struct c205 *machine,
+                             const struct decoded *decoded)
+{
+    c205_word a = machine->slot[decoded->a], b = machine->slot[decoded->b];
+    c205_word c = machine->slot[decoded->fields.c];
+    size_t n = direct_length(c);
+    uint64_t bits_a[CHUNK_WORDS], bits_b[CHUNK_WORDS], bits[CHUNK_WORDS];
+    uint64_t flags = 0;
+    lanes_binary *operation = operation_of(decoded)->binary;
+    if (!decoded->plain || !direct_turn(machine, n) || direct_length(a) < n
+        || direct_length(b) < n)
+        return false;
+    struct direct_bits from = direct_bits(machine, a, n, false);
+    struct direct_bits other = direct_bits(machine, b, n, false);
+    struct direct_bits to = direct_bits(machine, c, n, true);
+    size_t bytes = direct_bytes(to, n);
+    if (!from.word || !other.word || !to.word
+        || (LOW(a) != LOW(c)
+            && direct_meets(to.word, bytes, from.word, direct_bytes(from, n)))
+        || (LOW(b) != LOW(c)
+            && direct_meets(to.word, bytes, other.word,
+                            direct_bytes(other, n))))
+        return false;
+    for (size_t first = 0, some; first < n; first += some) {
+        some = least(n - first, CHUNK);
+        direct_read_bits(from, first, bits_a, some);
+        direct_read_bits(other, first, bits_b, some);
+        operation(bits, bits_a, bits_b, (some + 63) / 64, &flags);
+        direct_write_bits(to, first, bits, NULL, some);
+    }
+    machine_touch(machine, LOW(a), n);
+    machine_touch(machine, LOW(b), n);
+    machine_touch(machine, LOW(c), n);
+    machine->effect.elements = n;
+    return true;
+}
+
 c205_trap execute_strings(struct c205 *machine, const struct decoded *decoded)
 {
     struct vector a, b, c;
     struct control none;
+    if (strings_directly(machine, decoded))
+        return C205_TRAP_NONE;
     c205_trap trap = describe_string(&a, machine, decoded->a, decoded->x);
     if (trap == C205_TRAP_NONE)
         trap = describe_string(&b, machine, decoded->b, decoded->y);

@@ -261,6 +261,20 @@ static void bind_all(struct decoded *decoded)
         add_source(decoded, decoded->fields.c + 1u);
 }
 
+/* Words all, no offsets, no signs: what vm/direct.h asks for. */
+static bool is_plain(const struct decoded *decoded)
+{
+    const c205_insn *insn = decoded->insn;
+    unsigned g = C205_G_HALF | C205_G_OFFSET;
+    if (insn->flags & C205_INSN_SIGN)
+        g |= C205_G_NEGATE_A | C205_G_MAGNITUDE_A | C205_G_MAGNITUDE_B;
+    for (unsigned i = 0; i < OPERANDS; i++)
+        if (decoded->width[i] == HALF_BITS)
+            return false;
+    return !(decoded->fields.g & g) && !decoded->x && !decoded->y
+           && insn->format != C205_FORMAT_SCALARS;
+}
+
 /* ---- The cache ---------------------------------------------------------- */
 
 c205_trap decode(struct c205 *machine, uint64_t pc, struct decoded *decoded)
@@ -283,6 +297,7 @@ c205_trap decode(struct c205 *machine, uint64_t pc, struct decoded *decoded)
     decoded->region = machine_region(machine, pc);
     decoded->flops = (uint8_t)c205_operation_flops(insn->operation);
     bind_all(decoded);
+    decoded->plain = is_plain(decoded);
     return C205_TRAP_NONE;
 }
 

@@ -37,6 +37,7 @@ struct decoded {
     const c205_insn *insn;
     uint16_t source[DECODED_SOURCES]; /* slots read, register 0 left out */
     uint32_t region;
+    bool plain; /* a vector instruction of words without offsets and signs */
     uint8_t flops;    /* of each element; of LINKV, those of the pair */
     uint64_t version; /* memory.code_changes when it was decoded */
     const struct decoded *linked[2]; /* LINKV: the pair */

@@ -1,6 +1,7 @@
 /* gather.c - gather and scatter: elements by the addresses of an index list,
  * or one after another at a period.
  */
+#include "vm/direct.h"
 #include "vm/vector.h"
 
 /* A is the index list, or the distance from one index to the next; indices
@@ -256,6 +257,112 @@ static struct vector describe_table(const struct c205 *machine,
     return table;
 }
 
+/* ---- Where all stands in pages of the host ------------------------------- */
+
+/* The elements that a list names, in one page; counted in words. */
+struct table_page {
+    struct page *page;
+    uint64_t base;      /* of the table, from the beginning of all pages */
+    uint64_t low, high; /* the lowest and the highest element */
+};
+
+/* False: they are in several pages, or in one that is not there. */
+static bool find_table(struct table_page *table, const struct c205 *machine,
+                       c205_word descriptor, const c205_word *indices,
+                       size_t n)
+{
+    uint64_t base = LOW(descriptor) / WORD_BITS, low = UINT64_MAX, high = 0;
+    for (size_t i = 0; i < n; i++) {
+        uint64_t word = (base + indices[i]) & (ADDRESS_SPACE_WORDS - 1);
+        low = word < low ? word : low;
+        high = word > high ? word : high;
+    }
+    table->base = base;
+    table->low = low;
+    table->high = high;
+    table->page = NULL;
+    if (low / C205_PAGE_WORDS == high / C205_PAGE_WORDS
+        && descriptor % WORD_BITS == 0)
+        table->page = memory_page(&machine->memory, low * WORD_BITS);
+    return table->page;
+}
+
+static bool meets_table(const struct table_page *table,
+                        const c205_word *words, size_t n)
+{
+    const c205_word *low = table->page->word + table->low % C205_PAGE_WORDS;
+    return direct_meets(words, n * sizeof *words, low,
+                        (table->high - table->low + 1) * sizeof *low);
+}
+
+static inline size_t place_in(const struct table_page *table, c205_word index)
+{
+    return (table->base + index) % C205_PAGE_WORDS;
+}
+
+static void tell_indices(struct c205 *machine, const c205_word *indices,
+                         size_t n, c205_word table)
+{
+    struct effect *effect = &machine->effect;
+    effect->elements = effect->index_count = n;
+    effect->indices = indices;
+    effect->table = LOW(table);
+    effect->table_step = WORD_BITS;
+}
+
+/* False: it is not simple (direct.h).  The clock reads the list afterwards, so
+ * nothing may be stored upon it. */
+static bool gather_directly(struct c205 *machine,
+                            const struct decoded *decoded)
+{
+    c205_word list = machine->slot[decoded->a];
+    c205_word to = machine->slot[decoded->fields.c];
+    size_t n = least(direct_length(list), direct_length(to));
+    uint64_t bits = (uint64_t)n * WORD_BITS;
+    struct table_page table;
+    if (!decoded->plain || decoded->z || !direct_turn(machine, n))
+        return false;
+    const c205_word *indices = direct_read(machine, list, n);
+    c205_word *c = direct_write(machine, to, n);
+    if (!indices || !c
+        || direct_meets(c, n * sizeof *c, indices, n * sizeof *c)
+        || !find_table(&table, machine, machine->slot[decoded->b], indices, n)
+        || meets_table(&table, c, n))
+        return false;
+    for (size_t i = 0; i < n; i++)
+        c[i] = table.page->word[place_in(&table, indices[i])];
+    machine_touch(machine, LOW(list), bits);
+    machine_touch(machine, LOW(to), bits);
+    tell_indices(machine, indices, n, machine->slot[decoded->b]);
+    return true;
+}
+
+static bool scatter_directly(struct c205 *machine,
+                             const struct decoded *decoded)
+{
+    c205_word list = machine->slot[decoded->a];
+    c205_word from = machine->slot[decoded->b];
+    size_t n = direct_length(list);
+    uint64_t bits = (uint64_t)n * WORD_BITS;
+    struct table_page table;
+    if (!decoded->plain || decoded->z || !direct_turn(machine, n)
+        || decoded->fields.g & C205_G_BROADCAST_B)
+        return false;
+    const c205_word *indices = direct_read(machine, list, n);
+    const c205_word *b = direct_read(machine, from, n);
+    if (!indices || !b
+        || !find_table(&table, machine, machine->slot[decoded->c], indices, n)
+        || !table.page->writable || table.page->holds_code
+        || meets_table(&table, indices, n) || meets_table(&table, b, n))
+        return false;
+    for (size_t i = 0; i < n; i++)
+        table.page->word[place_in(&table, indices[i])] = b[i];
+    machine_touch(machine, LOW(list), bits);
+    machine_touch(machine, LOW(from), bits);
+    tell_indices(machine, indices, n, machine->slot[decoded->c]);
+    return true;
+}
+
 /* ---- The instructions --------------------------------------------------- */
 
 static c205_trap run_transfer(struct transfer *transfer)
@@ -333,6 +440,8 @@ c205_trap execute_vector_gather(struct c205 *machine,
 {
     struct transfer transfer;
     struct stream *stream = &transfer.stream;
+    if (gather_directly(machine, decoded))
+        return C205_TRAP_NONE;
     c205_trap trap = describe_gather(&transfer, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
@@ -356,6 +465,8 @@ c205_trap execute_vector_scatter(struct c205 *machine,
                                  const struct decoded *decoded)
 {
     struct transfer transfer;
+    if (scatter_directly(machine, decoded))
+        return C205_TRAP_NONE;
     c205_trap trap = describe_scatter(&transfer, machine, decoded);
     return trap == C205_TRAP_NONE ? execute_scatter(&transfer) : trap;
 }

@@ -3,6 +3,7 @@
  * The first one's result goes to the second without passing through memory,
  * which has two read paths: of the three other sources two may be vectors.
  */
+#include "vm/direct.h"
 #include "vm/vector.h"
 
 static bool is_vector_a(const struct decoded *decoded)
@@ -138,6 +139,10 @@ c205_trap execute_link_pair(struct c205 *machine,
     enum rule rule = rule_against(decoded->linked[0], decoded->linked[1]);
     if (rule != RULE_NONE)
         return machine_refuse(machine, rule);
+    if (direct_pair(machine, decoded->linked,
+                    is_linked_a(decoded->linked[0], decoded->linked[1]),
+                    is_linked_b(decoded->linked[0], decoded->linked[1])))
+        return C205_TRAP_NONE;
     trap = describe_pair(&pair, machine, decoded->linked);
     if (trap == C205_TRAP_NONE)
         trap = claim_pair(&pair);

@@ -4,8 +4,31 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* ---- Pages found lately ------------------------------------------------- */
+
+static void forget_near(struct memory *memory)
+{
+    for (size_t i = 0; i < NEAR_PAGES; i++)
+        memory->near_page[i].number = UINT64_MAX;
+}
+
+const struct near_page *memory_find_near(struct memory *memory,
+                                         uint64_t address)
+{
+    uint64_t number = address >> PAGE_SHIFT;
+    struct near_page *near = &memory->near_page[number % NEAR_PAGES];
+    struct page *page = memory_page(memory, address);
+    if (!page)
+        return NULL;
+    near->number = number;
+    near->word = page->word;
+    near->stores = page->writable && !page->holds_code;
+    return near;
+}
+
 void memory_init(struct memory *memory)
 {
+    forget_near(memory);
     memory->code_changes = 1;
 }
 
@@ -22,6 +45,7 @@ static void spare_pages(struct memory *memory, struct page **pages)
 
 void memory_clear(struct memory *memory)
 {
+    forget_near(memory);
     for (size_t i = 0; i < DIRECTORIES; i++) {
         if (memory->directory[i])
             spare_pages(memory, memory->directory[i]);
@@ -81,6 +105,7 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
                  words, (unsigned long long)address);
         return false;
     }
+    forget_near(memory);
     for (uint64_t page = address >> PAGE_SHIFT;
          words > 0 && page <= last >> PAGE_SHIFT; page++) {
         struct page *mapped = map_page(memory, page << PAGE_SHIFT);
@@ -140,6 +165,8 @@ void memory_mark_code(struct memory *memory, uint64_t address)
     struct page *page = memory_page(memory, address);
     size_t index = memory_word_index(address);
     page->code[index / 64] |= UINT64_C(1) << index % 64;
+    if (!page->holds_code)
+        forget_near(memory);
     page->holds_code = true;
 }
 

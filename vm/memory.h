@@ -35,8 +35,19 @@ struct page {
     bool writable;
 };
 
+/* A page that was found lately, so that it need not be looked for: its number,
+ * where its words are, and whether they may be stored and hold no code.  What
+ * is kept here is forgotten whenever pages come, go or change in that. */
+struct near_page {
+    uint64_t number;
+    c205_word *word;
+    bool stores;
+};
+enum { NEAR_PAGES = 16 };
+
 struct memory {
     struct page **directory[DIRECTORIES];
+    struct near_page near_page[NEAR_PAGES]; /* by the last bits of numbers */
     struct page *spare;    /* pages for the next that are mapped */
     uint64_t code_changes; /* how often a word that held decoded code was
                               written, and one; the decode cache looks at it */
@@ -93,6 +104,18 @@ void memory_change_code(struct memory *memory, struct page *page,
 /* The address of the first mapped page from a page on; the end of the address
  * space: there is none. */
 uint64_t memory_next_page(const struct memory *memory, uint64_t address);
+
+/* Look for a page; NULL: not mapped. */
+const struct near_page *memory_find_near(struct memory *memory,
+                                         uint64_t address);
+
+static inline const struct near_page *memory_near(struct memory *memory,
+                                                  uint64_t address)
+{
+    uint64_t number = address >> PAGE_SHIFT;
+    const struct near_page *page = &memory->near_page[number % NEAR_PAGES];
+    return page->number == number ? page : memory_find_near(memory, address);
+}
 
 /* NULL: not mapped. */
 static inline struct page *memory_page(const struct memory *memory,

@@ -1,6 +1,7 @@
 /* move.c - vector instructions that move elements to other places in a
  * vector: reverse, mask, merge, compress.
  */
+#include "vm/direct.h"
 #include "vm/vector.h"
 
 #include <string.h>
@@ -95,10 +96,56 @@ static c205_trap store_chosen(struct choice *choice, chooser *chosen)
     return trap;
 }
 
+/* False: it is not simple (direct.h). */
+static bool mask_directly(struct c205 *machine, const struct decoded *decoded)
+{
+    c205_word a = machine->slot[decoded->a], b = machine->slot[decoded->b];
+    c205_word c = machine->slot[decoded->fields.c];
+    c205_word z = machine->slot[decoded->z];
+    size_t n = direct_length(c), bytes = n * sizeof c;
+    uint8_t g = decoded->fields.g;
+    uint64_t blocked = g & C205_G_ZEROS ? UINT64_MAX : 0;
+    bool fill_a = g & C205_G_BROADCAST_A, fill_b = g & C205_G_BROADCAST_B;
+    c205_word space_a[CHUNK], space_b[CHUNK];
+    uint64_t from_a[CHUNK_WORDS];
+    if (!decoded->plain || !direct_turn(machine, n))
+        return false;
+    const c205_word *from = fill_a ? space_a : direct_read(machine, a, n);
+    const c205_word *other = fill_b ? space_b : direct_read(machine, b, n);
+    struct direct_bits control = direct_bits(machine, z, n, false);
+    c205_word *to = direct_write(machine, c, n);
+    if (!from || !other || !control.word || !to
+        || (!fill_a && direct_meets(to, bytes, from, bytes))
+        || (!fill_b && direct_recurs(to, other, n))
+        || direct_meets(to, bytes, control.word, direct_bytes(control, n)))
+        return false;
+    if (fill_a)
+        lanes_fill(space_a, a, least(n, CHUNK));
+    if (fill_b)
+        lanes_fill(space_b, b, least(n, CHUNK));
+    for (size_t first = 0, some; first < n; first += some) {
+        some = least(n - first, CHUNK);
+        direct_read_control(control, blocked, first, from_a, some);
+        memmove(to + first, other + (fill_b ? 0 : first), some * sizeof *to);
+        lanes_store_masked(to + first, from + (fill_a ? 0 : first), from_a,
+                           some);
+    }
+    if (!fill_a)
+        machine_touch(machine, LOW(a), (uint64_t)n * WORD_BITS);
+    if (!fill_b)
+        machine_touch(machine, LOW(b), (uint64_t)n * WORD_BITS);
+    machine_touch(machine, LOW(z), n);
+    machine_touch(machine, LOW(c), (uint64_t)n * WORD_BITS);
+    machine->effect.elements = n;
+    return true;
+}
+
 c205_trap execute_vector_mask(struct c205 *machine,
                               const struct decoded *decoded)
 {
     struct choice choice;
+    if (mask_directly(machine, decoded))
+        return C205_TRAP_NONE;
     c205_trap trap = stream_open(&choice.stream, machine, decoded);
     return trap == C205_TRAP_NONE ? store_chosen(&choice, mask_words) : trap;
 }
@@ -227,11 +274,48 @@ static c205_trap finish_sieve(struct sieve *sieve,
     return C205_TRAP_NONE;
 }
 
+/* False: it is not simple (direct.h). */
+static bool compress_directly(struct c205 *machine,
+                              const struct decoded *decoded)
+{
+    c205_word a = machine->slot[decoded->a], c = machine->slot[decoded->c];
+    c205_word z = machine->slot[decoded->z];
+    size_t n = direct_length(z), bytes = n * sizeof c, kept = 0;
+    uint64_t blocked = decoded->fields.g & C205_G_ZEROS ? UINT64_MAX : 0;
+    uint64_t keep[CHUNK_WORDS];
+    c205_word space[CHUNK];
+    if (!decoded->plain || !direct_turn(machine, n)
+        || decoded->fields.g & C205_G_BROADCAST_A)
+        return false;
+    const c205_word *from = direct_read(machine, a, n);
+    struct direct_bits control = direct_bits(machine, z, n, false);
+    c205_word *to = direct_write(machine, c, n);
+    if (!from || !control.word || !to || direct_recurs(to, from, n)
+        || direct_meets(to, bytes, control.word, direct_bytes(control, n)))
+        return false;
+    for (size_t first = 0, some; first < n; first += some) {
+        some = least(n - first, CHUNK);
+        direct_read_control(control, blocked, first, keep, some);
+        size_t count = compress_words(space, from + first, keep, some);
+        memcpy(to + kept, space, count * sizeof *to);
+        kept += count;
+    }
+    machine_touch(machine, LOW(a), (uint64_t)n * WORD_BITS);
+    machine_touch(machine, LOW(z), n);
+    if (kept > 0)
+        machine_touch(machine, LOW(c), (uint64_t)kept * WORD_BITS);
+    machine->effect.elements = n;
+    machine->slot[decoded->result[0]] = with_length(c, kept);
+    return true;
+}
+
 c205_trap execute_vector_compress(struct c205 *machine,
                                   const struct decoded *decoded)
 {
     struct sieve sieve;
     struct stream *stream = &sieve.stream;
+    if (compress_directly(machine, decoded))
+        return C205_TRAP_NONE;
     sieve.comparison = NULL;
     sieve.order = describe_bits(0);
     c205_trap trap = stream_describe(stream, machine, decoded);

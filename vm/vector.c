@@ -1,6 +1,8 @@
 /* vector.c - vector instructions that work element by element. */
 #include "vm/vector.h"
 
+#include "vm/direct.h"
+
 /* ---- Streams ----------------------------------------------------------- */
 
 c205_trap stream_describe(struct stream *stream, struct c205 *machine,
@@ -102,6 +104,40 @@ c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
 
 /* ---- Recurrences -------------------------------------------------------- */
 
+/* Elements from first to end, which is not one of them. */
+struct elements {
+    size_t first, end;
+};
+
+/* Which of n wait for an earlier one, where a source has elements as wide as
+ * the result: those from where it meets the result's beginning. */
+static struct elements waiting(const struct vector *read,
+                               const struct vector *result, size_t n)
+{
+    struct elements none = { 0, 0 };
+    if (!operands_overlap(read, result) || result->address <= read->address)
+        return none;
+    uint64_t lead = (result->address - read->address) / read->width;
+    struct elements some = { (size_t)lead, least(n, read->length) };
+    return some;
+}
+
+/* How many there are in one or more of these. */
+static size_t count_elements(const struct elements *some, size_t count)
+{
+    size_t sum = 0, at = 0;
+    for (;;) {
+        struct elements next = { SIZE_MAX, SIZE_MAX };
+        for (size_t k = 0; k < count; k++)
+            if (some[k].end > at && some[k].first < next.first)
+                next = some[k];
+        if (next.end == SIZE_MAX)
+            return sum;
+        sum += next.end - (next.first > at ? next.first : at);
+        at = next.end;
+    }
+}
+
 static bool recurs(const struct vector *result, size_t i,
                    const struct source *const *sources, size_t count)
 {
@@ -115,10 +151,17 @@ void tell_recurrence(struct c205 *machine, const struct vector *result,
                      size_t n, const struct source *const *sources,
                      size_t count)
 {
-    bool overlap = false;
-    for (size_t k = 0; k < count; k++)
-        overlap = overlap || operands_overlap(&sources[k]->vector, result);
-    for (size_t i = 1; overlap && i < n; i++)
+    struct elements some[SOURCES_MOST];
+    bool overlap = false, alike = true;
+    for (size_t k = 0; k < count; k++) {
+        const struct vector *read = &sources[k]->vector;
+        overlap = overlap || operands_overlap(read, result);
+        alike = alike && read->width == result->width;
+        some[k] = waiting(read, result, n);
+    }
+    if (overlap && alike)
+        machine->effect.recurrent += count_elements(some, count);
+    for (size_t i = 1; overlap && !alike && i < n; i++)
         machine->effect.recurrent += recurs(result, i, sources, count);
 }
 
@@ -242,10 +285,12 @@ const struct operation *operation_of(const struct decoded *decoded)
 c205_trap execute_elementwise(struct c205 *machine,
                               const struct decoded *decoded)
 {
+    const struct operation *operation = operation_of(decoded);
     struct stream stream;
+    if (direct_elementwise(machine, decoded, operation))
+        return C205_TRAP_NONE;
     c205_trap trap = stream_open(&stream, machine, decoded);
-    return trap == C205_TRAP_NONE ? run_stream(&stream, operation_of(decoded))
-                                  : trap;
+    return trap == C205_TRAP_NONE ? run_stream(&stream, operation) : trap;
 }
 
 /* ---- Neighbours -------------------------------------------------------- */

@@ -16,7 +16,7 @@ enum {
 };
 
 /* A box that grows, of spheres. */
-struct extent {
+struct enclosure {
     size_t count;
     double low[3], high[3];
 };
@@ -38,42 +38,44 @@ struct cut {
 
 /* --- extents ------------------------------------------------------------- */
 
-static void extent_clear(struct extent *extent)
+static void enclosure_clear(struct enclosure *enclosure)
 {
-    extent->count = 0;
+    enclosure->count = 0;
     for (int i = 0; i < 3; i++) {
-        extent->low[i] = INFINITY;
-        extent->high[i] = -INFINITY;
+        enclosure->low[i] = INFINITY;
+        enclosure->high[i] = -INFINITY;
     }
 }
 
-static void extent_add(struct extent *extent, const struct bound *bound)
+static void enclosure_add(struct enclosure *enclosure,
+                          const struct bound *bound)
 {
-    extent->count++;
+    enclosure->count++;
     for (int i = 0; i < 3; i++) {
-        extent->low[i] = fmin(extent->low[i],
-                              bound->center[i] - bound->radius);
-        extent->high[i] = fmax(extent->high[i],
-                               bound->center[i] + bound->radius);
+        enclosure->low[i] = fmin(enclosure->low[i],
+                                 bound->center[i] - bound->radius);
+        enclosure->high[i] = fmax(enclosure->high[i],
+                                  bound->center[i] + bound->radius);
     }
 }
 
-static void extent_join(struct extent *extent, const struct extent *other)
+static void enclosure_join(struct enclosure *enclosure,
+                           const struct enclosure *other)
 {
-    extent->count += other->count;
+    enclosure->count += other->count;
     for (int i = 0; i < 3; i++) {
-        extent->low[i] = fmin(extent->low[i], other->low[i]);
-        extent->high[i] = fmax(extent->high[i], other->high[i]);
+        enclosure->low[i] = fmin(enclosure->low[i], other->low[i]);
+        enclosure->high[i] = fmax(enclosure->high[i], other->high[i]);
     }
 }
 
 /* In proportion to the surface of the sphere about the box. */
-static double surface_of(const struct extent *extent)
+static double surface_of(const struct enclosure *enclosure)
 {
     double sum = 0;
 
     for (int i = 0; i < 3; i++) {
-        double side = extent->high[i] - extent->low[i];
+        double side = enclosure->high[i] - enclosure->low[i];
 
         sum += side * side;
     }
@@ -81,11 +83,11 @@ static double surface_of(const struct extent *extent)
 }
 
 /* Tests below a node, of a ray that comes near it. */
-static double cost_of(const struct extent *extent, double surface)
+static double cost_of(const struct enclosure *enclosure, double surface)
 {
-    double chance = surface > 0 ? surface_of(extent) / surface : 1;
+    double chance = surface > 0 ? surface_of(enclosure) / surface : 1;
 
-    return extent->count == 1 ? 1 : 1 + chance * (double)extent->count;
+    return enclosure->count == 1 ? 1 : 1 + chance * (double)enclosure->count;
 }
 
 /* --- cuts ---------------------------------------------------------------- */
@@ -99,14 +101,14 @@ static size_t bin_of(const struct cut *cut, const struct bound *bound)
 
 static void fill_bins(const struct build *build, const size_t *row,
                       size_t count, const struct cut *cut,
-                      struct extent *bins)
+                      struct enclosure *bins)
 {
     for (size_t i = 0; i < BINS; i++)
-        extent_clear(&bins[i]);
+        enclosure_clear(&bins[i]);
     for (size_t i = 0; i < count; i++) {
         const struct bound *bound = &build->bounds[row[i]];
 
-        extent_add(&bins[bin_of(cut, bound)], bound);
+        enclosure_add(&bins[bin_of(cut, bound)], bound);
     }
 }
 
@@ -115,17 +117,17 @@ static void try_axis(const struct build *build, const size_t *row,
                      size_t count, struct cut cut, double surface,
                      struct cut *best)
 {
-    struct extent bins[BINS], below, above[BINS + 1];
+    struct enclosure bins[BINS], below, above[BINS + 1];
 
     fill_bins(build, row, count, &cut, bins);
-    extent_clear(&above[BINS]);
+    enclosure_clear(&above[BINS]);
     for (size_t i = BINS; i-- > 0;) {
         above[i] = above[i + 1];
-        extent_join(&above[i], &bins[i]);
+        enclosure_join(&above[i], &bins[i]);
     }
-    extent_clear(&below);
+    enclosure_clear(&below);
     for (cut.bin = 1; cut.bin < BINS; cut.bin++) {
-        extent_join(&below, &bins[cut.bin - 1]);
+        enclosure_join(&below, &bins[cut.bin - 1]);
         if (below.count == 0 || above[cut.bin].count == 0)
             continue;
         cut.cost = cost_of(&below, surface)
@@ -139,16 +141,16 @@ static struct cut find_cut(const struct build *build, const size_t *row,
                            size_t count)
 {
     struct cut best = { .axis = -1, .cost = (double)count };
-    struct extent whole, centers;
+    struct enclosure whole, centers;
 
-    extent_clear(&whole);
-    extent_clear(&centers);
+    enclosure_clear(&whole);
+    enclosure_clear(&centers);
     for (size_t i = 0; i < count; i++) {
         struct bound center = build->bounds[row[i]];
 
-        extent_add(&whole, &center);
+        enclosure_add(&whole, &center);
         center.radius = 0;
-        extent_add(&centers, &center);
+        enclosure_add(&centers, &center);
     }
     for (int axis = 0; axis < 3; axis++) {
         struct cut cut = { .axis = axis, .low = centers.low[axis] };
@@ -180,14 +182,14 @@ static size_t part(const struct build *build, size_t *row, size_t count,
 static void bound_box(const struct build *build, const size_t *row,
                       size_t count, struct bound *whole)
 {
-    struct extent extent;
+    struct enclosure enclosure;
     double reach = 0;
 
-    extent_clear(&extent);
+    enclosure_clear(&enclosure);
     for (size_t i = 0; i < count; i++)
-        extent_add(&extent, &build->bounds[row[i]]);
+        enclosure_add(&enclosure, &build->bounds[row[i]]);
     for (int i = 0; i < 3; i++)
-        whole->center[i] = (extent.low[i] + extent.high[i]) / 2;
+        whole->center[i] = (enclosure.low[i] + enclosure.high[i]) / 2;
     for (size_t i = 0; i < count; i++)
         reach = fmax(reach,
                      bound_reach(&build->bounds[row[i]], whole->center));

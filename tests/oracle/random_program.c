@@ -27,7 +27,8 @@ const char *const random_models[] = {
     "vector.half_rate 3 results R\n",
     "title small pages\nlike cyber205-2pipe-prior\n"
     "page.words 512 words R\nmemory.real_words 20000 words R\n"
-    "translation.registers 5 registers R\n",
+    "translation.registers 5 registers R\n"
+    "memory.bank_busy 7 clk R\nmemory.banks 5 banks R\n",
     "title more registers than pages\nlike cyber205-4pipe-prior\n"
     "page.words 8192 words R\nmemory.real_words 20000 words R\n"
     "translation.registers 3 registers R\n",

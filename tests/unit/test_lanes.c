@@ -8,6 +8,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -378,6 +379,91 @@ static void check_lengths(const operations *size, size_t place, uint64_t seed)
     }
 }
 
+/* ---- Upon an operand ----------------------------------------------------- */
+
+enum { UPON_LENGTH = 600, BELOW = 9 };
+
+struct upon {
+    const c205_word *a, *b;
+    size_t n, below;
+};
+
+/* The result begins so many words below a copy of the operand: it is the same
+ * as one apart, and what is left of the operand stays. */
+static void check_made_upon(const char *name, const struct upon *upon,
+                            const c205_word *operand,
+                            const c205_word *expected, const c205_word *room,
+                            bool same_flags)
+{
+    size_t n = upon->n, below = upon->below;
+    size_t left = below < n ? below : n;
+
+    if (memcmp(room, expected, n * sizeof *room) != 0 || !same_flags
+        || memcmp(room + below + n - left, operand + n - left,
+                  left * sizeof *room)
+               != 0)
+        fail_msg("%s upon an operand, %zu words below, length %zu", name,
+                 below, n);
+}
+
+static void check_binary_upon(const binary *op, const struct upon *upon)
+{
+    static c205_word room[UPON_LENGTH + BELOW], expected[UPON_LENGTH];
+    c205_word *placed = room + upon->below;
+
+    for (int which = 0; which < 2; which++) {
+        const c205_word *operand = which ? upon->b : upon->a;
+        uint64_t flags = 0, flags_upon = 0;
+        memcpy(placed, operand, upon->n * sizeof *room);
+        op->span(expected, upon->a, upon->b, upon->n, &flags);
+        op->span(room, which ? upon->a : placed, which ? placed : upon->b,
+                 upon->n, &flags_upon);
+        check_made_upon(op->name, upon, operand, expected, room,
+                        flags == flags_upon);
+    }
+}
+
+static void check_unary_upon(const unary *op, const struct upon *upon)
+{
+    static c205_word room[UPON_LENGTH + BELOW], expected[UPON_LENGTH];
+    c205_word *placed = room + upon->below;
+    uint64_t flags = 0, flags_upon = 0;
+
+    memcpy(placed, upon->a, upon->n * sizeof *room);
+    op->span(expected, upon->a, upon->n, &flags);
+    op->span(room, placed, upon->n, &flags_upon);
+    check_made_upon(op->name, upon, upon->a, expected, room,
+                    flags == flags_upon);
+}
+
+static void check_upon(const operations *size, size_t n, size_t below,
+                       uint64_t *seed)
+{
+    static c205_word a[UPON_LENGTH], b[UPON_LENGTH];
+    struct upon upon = { a, b, n, below };
+
+    fill(a, n, mostly_usual, size->format, seed);
+    fill(b, n, or_machine_zero, size->format, seed);
+    for (size_t i = 0; i < BINARIES; i++)
+        check_binary_upon(&size->binaries[i], &upon);
+    for (size_t i = 0; i < size->unary_count; i++)
+        check_unary_upon(&size->unaries[i], &upon);
+}
+
+static void test_upon_an_operand(void **state)
+{
+    static const size_t lengths[] = { 1, 7, 8, 9, 64, 255, 256, 261, 600 };
+    uint64_t seed = RANDOM_SEED;
+    (void)state;
+
+    for (size_t i = 0; i < SIZE(sizes); i++)
+        for (size_t k = 0; k < SIZE(lengths); k++)
+            for (size_t below = 0; below <= BELOW; below++)
+                check_upon(&sizes[i], lengths[k], below, &seed);
+}
+
+/* ---- All lengths --------------------------------------------------------- */
+
 static void test_every_length_and_place(void **state)
 {
     (void)state;
@@ -562,6 +648,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_length_and_place),
+        cmocka_unit_test(test_upon_an_operand),
         cmocka_unit_test(test_every_pair_of_specials),
         cmocka_unit_test(test_every_pair_of_supplies),
         cmocka_unit_test(test_close_operands),

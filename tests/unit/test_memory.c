@@ -160,6 +160,37 @@ static void test_code_marks(void **state)
     let_go(memory);
 }
 
+/* What was found lately is what would be found now. */
+static void test_near_pages(void **state)
+{
+    (void)state;
+    uint64_t alike = NEAR_PAGES
+                     * PAGE_BITS; /* found in the place of page 0 */
+    struct memory *memory = memory_of(0, 2 * C205_PAGE_WORDS);
+    c205_error error;
+    assert_null(memory_near(memory, alike));
+    assert_ptr_equal(memory_near(memory, 64)->word,
+                     memory_page(memory, 0)->word);
+    assert_true(memory_near(memory, 64)->stores);
+    assert_null(memory_near(memory, alike));
+    assert_true(memory_map(memory, alike, 1, C205_READ_WRITE, &error));
+    assert_ptr_equal(memory_near(memory, alike)->word,
+                     memory_page(memory, alike)->word);
+    assert_ptr_equal(memory_near(memory, 0)->word,
+                     memory_page(memory, 0)->word);
+    assert_true(memory_map(memory, 0, 1, C205_READ_ONLY, &error));
+    assert_false(memory_near(memory, 0)->stores);
+    assert_true(memory_map(memory, 0, 1, C205_READ_WRITE, &error));
+    assert_true(memory_near(memory, 0)->stores);
+    assert_true(memory_near(memory, PAGE_BITS)->stores);
+    memory_mark_code(memory, PAGE_BITS + 640);
+    assert_false(memory_near(memory, PAGE_BITS)->stores);
+    assert_true(memory_near(memory, 0)->stores);
+    memory_clear(memory);
+    assert_null(memory_near(memory, 0));
+    let_go(memory);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(test_check),
@@ -168,6 +199,7 @@ int main(void)
                                         cmocka_unit_test(
                                             test_words_across_pages),
                                         cmocka_unit_test(test_bits),
-                                        cmocka_unit_test(test_code_marks) };
+                                        cmocka_unit_test(test_code_marks),
+                                        cmocka_unit_test(test_near_pages) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

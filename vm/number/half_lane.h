@@ -186,7 +186,7 @@ static inline lane lane_extend(c205_word a)
 {
     c205_word digits = (a & ~EXPONENT_MASK) >> 8;
     const lane result = {
-        (c205_word)(exponent(a) - MORE_DIGITS) << 48 | digits, 0, 0
+        (c205_word)(exponent(a) - MORE_DIGITS) << 48 | digits, 0
     };
 
     return special_product(a, a, result);

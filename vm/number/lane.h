@@ -26,14 +26,36 @@ static inline lane lane_multiply_upper(c205_word a, c205_word b)
     return special_product(a, b, fitted(e, product(a, b, 1)));
 }
 
+/* In the first bit: 1, one of two coefficients is not normalised. */
+static inline uint64_t either_unnormalised(c205_word a, c205_word b)
+{
+    return ~((a ^ a << 1) & (b ^ b << 1)) << (63 - WORD_DIGITS);
+}
+
+/* In the first bit: 1, the exponent is 2000 (hex) or more, or less than -2000.
+ * Sums of two of the others are in the range. */
+static inline uint64_t is_large(c205_word w)
+{
+    return ~w & (w + UINT64_C(0x6000000000000000));
+}
+
+static inline uint64_t is_small(c205_word w)
+{
+    return w + UINT64_C(0x2000000000000000);
+}
+
 /* The product of normalised operands lies in 2^92 .. 2^94, or below -2^92. */
 static inline lane lane_multiply_significant(c205_word a, c205_word b)
 {
+    c205_word l = larger(a, b), s = smaller(a, b);
     int64_t e = exponent(a) + exponent(b) + (WORD_DIGITS - 1);
     int64_t p = product(a, b, 2);
-    lane result = odd_if(unnormalised(a) | unnormalised(b), fitted(e, p));
+    uint64_t places = excess(p, DIGITS);
+    c205_word high = (c205_word)(e + (int64_t)places) << EXPONENT_PLACE;
+    const lane result = { high | integer((int64_t)((uint64_t)p >> places)),
+                          either_unnormalised(a, b) | is_small(s) };
 
-    return special_product(a, b, result);
+    return odd_if(is_large(l), zero_if(is_zero(s), result));
 }
 
 /* ---- Divide, square root ------------------------------------------------ */

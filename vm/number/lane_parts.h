@@ -20,11 +20,10 @@
 #define EXPONENT_PLACE (64 - LANE_FORMAT.exponent_bits)
 #define EXPONENT_MASK (UINT64_MAX << EXPONENT_PLACE)
 
-/* A result, unless the first bit of odd is 1; the first bit of zero is 1 where
- * it is a machine zero. */
+/* A result, unless the first bit of odd is 1. */
 typedef struct lane {
     c205_word word;
-    uint64_t odd, zero;
+    uint64_t odd;
 } lane;
 
 static const uint64_t first_bit = UINT64_C(1) << 63;
@@ -110,15 +109,16 @@ static inline uint64_t to_nearest(double d)
 enum { LENGTH = 51 };
 
 /* The places by which t, |t| < 2^51, can be shifted left until it has LENGTH
- * significant bits.  Its length is found as in word_bit_length, as the
- * exponent of an odd number, here subtracted while still in its place. */
+ * significant bits: its length is the exponent of the natural number t, or
+ * its complement, with a half added for 0, here subtracted while still in its
+ * place. */
 static inline uint64_t room(int64_t t)
 {
     enum { BIAS = 1023 };
-    uint64_t bits = bits_of_double(
-        to_double((uint64_t)(t ^ t >> 63) << 1 | 1));
+    double d = double_of_bits(two_to_52 | (uint64_t)(t ^ t >> 63))
+               - (double_of_bits(two_to_52) - 0.5);
 
-    return (((uint64_t)(BIAS + LENGTH + 1) << 52) - 1 - bits) >> 52;
+    return (((uint64_t)(BIAS + LENGTH) << 52) - 1 - bits_of_double(d)) >> 52;
 }
 
 /* 1 / sqrt(x) to 15 digits: halving the exponent of a double gives the first
@@ -146,7 +146,7 @@ static inline c205_word integer(int64_t c)
 static inline lane number(int64_t e, int64_t c)
 {
     const lane result = { (c205_word)e << EXPONENT_PLACE | integer(c),
-                          out_of_range(e), 0 };
+                          out_of_range(e) };
 
     return result;
 }
@@ -155,8 +155,7 @@ static inline lane number(int64_t e, int64_t c)
 static inline lane zero_if(bool it_is, lane otherwise)
 {
     const lane result = { it_is ? C205_MACHINE_ZERO : otherwise.word,
-                          it_is ? 0 : otherwise.odd,
-                          it_is ? first_bit : otherwise.zero };
+                          it_is ? 0 : otherwise.odd };
 
     return result;
 }
@@ -230,7 +229,7 @@ static inline int64_t sum(c205_word a, c205_word b)
 {
     c205_word l = larger(a, b), s = smaller(a, b);
 
-    return guarded(l) + shifted(guarded_value(s), distance(l, s), 63);
+    return guarded_value(l) + shifted(guarded_value(s), distance(l, s), 63);
 }
 
 /* The difference likewise.  A subtrahend is cut at the end of the register,
@@ -242,8 +241,9 @@ static inline int64_t difference(c205_word a, c205_word b)
     int64_t places = distance(l, s), more = places - reach;
     int64_t kept = shifted(guarded_value(s), more > 0 ? more : 0, 63);
     bool is_subtrahend = (int64_t)b <= (int64_t)a;
+    int64_t value = guarded_value(l);
 
-    return (is_subtrahend ? guarded(l) : -guarded(l))
+    return (is_subtrahend ? value : -value)
            + shifted(is_subtrahend ? -kept : kept, places, reach);
 }
 
@@ -261,9 +261,9 @@ static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
 {
     c205_word l = larger(a, b);
     uint64_t too_short = LANE_GUARD < DIGITS ? unnormalised(l) : 0;
-    lane result = odd_if(too_short, normalised(exponent(l) - LANE_GUARD, t));
+    uint64_t odd = indefinite(l) | (is_zero(l) ? 0 : too_short);
 
-    return odd_if(indefinite(l), zero_if(is_zero(l), result));
+    return odd_if(odd, normalised(exponent(l) - LANE_GUARD, t));
 }
 
 static inline lane lane_add_upper(c205_word a, c205_word b)
@@ -320,7 +320,7 @@ static inline lane integer_part(c205_word a, int64_t part)
     const lane result = { exponent(a) >= 0 ? a
                           : is_zero(a)     ? a
                                            : whole,
-                          indefinite(a), zero(a) };
+                          indefinite(a) };
 
     return result;
 }
@@ -363,7 +363,7 @@ static inline lane lane_negate(c205_word a)
 static inline lane lane_absolute(c205_word a)
 {
     int64_t c = coefficient(a);
-    const lane zero_number = { c < 0 ? C205_MACHINE_ZERO : a, 0, first_bit };
+    const lane zero_number = { c < 0 ? C205_MACHINE_ZERO : a, 0 };
     lane result = fitted(exponent(a), (int64_t)magnitude(c));
 
     return odd_if(indefinite(a), is_zero(a) ? zero_number : result);

@@ -1,9 +1,11 @@
 /* lanes.h - the arithmetic of arith.h over whole spans, fast.
  *
- * c[i] = a[i] op b[i] for i < n.  c does not overlap a or b.  The result and
- * the flags are those of arith.h, bit for bit, for every word; normalised
- * operands and machine zeros are the fast path.  The loops are plain C that
- * compilers vectorise, cloned for the instruction sets of the host.
+ * c[i] = a[i] op b[i] for i < n.  Where c overlaps a or b, it begins there or
+ * below; the bits of a comparison and what lanes_store_masked stores overlap
+ * nothing that is read.  The result and the flags are those of arith.h, bit
+ * for bit, for every word; normalised operands and machine zeros are the fast
+ * path.  The loops are plain C that compilers vectorise, cloned for the
+ * instruction sets of the host.
  *
  * lanes_NAME takes words, halves_NAME half words, one at the left of each
  * c205_word.

@@ -11,13 +11,26 @@ enum { BITS = 64 /* of a word */ };
 
 /* x and y are the words, f their format. */
 #define LOGICAL_SPAN(name, format, result) \
-    CLONED void name BINARY_PARAMETERS \
+    static inline void name##_block(c205_word *restrict to, \
+                                    const c205_word *a, const c205_word *b, \
+                                    size_t n) \
     { \
         word_format f = format; \
-        (void)flags; \
         for (size_t i = 0; i < n; i++) { \
             c205_word x = a[i], y = b[i]; \
-            c[i] = (result)&format_mask(f); \
+            to[i] = (result)&format_mask(f); \
+        } \
+    } \
+    CLONED void name BINARY_PARAMETERS \
+    { \
+        c205_word space[BLOCK]; \
+        bool apart = !spans_meet(c, a, n) && !spans_meet(c, b, n); \
+        (void)flags; \
+        for (size_t i = 0; i < n; i += BLOCK) { \
+            size_t length = lesser(n - i, BLOCK); \
+            name##_block(apart ? c + i : space, a + i, b + i, length); \
+            if (!apart) \
+                copy_block(c + i, space, length); \
         } \
     }
 #define LOGICAL(name, result) \
@@ -171,7 +184,7 @@ void lanes_copy(c205_word *c, const c205_word *a, size_t n, uint64_t *flags)
 {
     (void)flags;
     if (n > 0)
-        memcpy(c, a, n * sizeof *c);
+        memmove(c, a, n * sizeof *c);
 }
 
 CLONED void lanes_fill(c205_word *c, c205_word word, size_t n)

@@ -22,17 +22,18 @@ static void wait_until(struct clock *clock, uint64_t until, c205_cause cause)
 
 /* Until a clock at which the vector unit is still at work: each piece is
  * charged to the phase in which it falls, in the region of that phase. */
-static void wait_through_phases(struct clock *clock, uint64_t until)
+static inline void wait_through_phases(struct clock *clock, uint64_t until)
 {
-    for (size_t i = 0; clock->now < until; i++) {
-        const struct phase *phase = &clock->phase[i];
+    c205_account *accounts = clock->accounts.account;
+    uint64_t now = clock->now;
+    for (const struct phase *phase = clock->phase; now < until; phase++) {
         uint64_t end = phase->end < until ? phase->end : until;
-        if (clock->now < end) {
-            clock->accounts.account[phase->region]
-                .clocks[phase->cause] += end - clock->now;
-            clock->now = end;
+        if (now < end) {
+            accounts[phase->region].clocks[phase->cause] += end - now;
+            now = end;
         }
     }
+    clock->now = now;
 }
 
 static void wait_for_vector(struct clock *clock)
@@ -70,9 +71,17 @@ static void set_results(struct clock *clock, const struct decoded *decoded,
     }
 }
 
-static uint64_t at_rate(struct rate rate, uint64_t n)
+/* Hosts divide small numbers faster. */
+static inline uint64_t divided(uint64_t dividend, uint64_t divisor)
 {
-    return (n * rate.clocks + rate.per - 1) / rate.per;
+    if ((dividend | divisor) <= UINT32_MAX)
+        return (uint32_t)dividend / (uint32_t)divisor;
+    return dividend / divisor;
+}
+
+static inline uint64_t at_rate(struct rate rate, uint64_t n)
+{
+    return divided(n * rate.clocks + rate.per - 1, rate.per);
 }
 
 /* ---- The scalar unit ----------------------------------------------------- */
@@ -93,13 +102,13 @@ static uint64_t issue(struct clock *clock, const struct decoded *decoded,
     return ready;
 }
 
-static struct translation translate(struct clock *clock,
-                                    const struct effect *effect)
+static inline struct translation translate(struct clock *clock,
+                                           const struct effect *effect)
 {
     struct translation met = { 0, 0 };
-    for (unsigned i = 0; i < effect->touch_count; i++)
-        pages_touch(&clock->pages, effect->touch[i].address,
-                    effect->touch[i].bits, &met);
+    const struct touch *touch = effect->touch;
+    for (unsigned left = effect->touch_count; left > 0; left--, touch++)
+        pages_touch(&clock->pages, touch->address, touch->bits, &met);
     if (effect->indices)
         pages_touch_indexed(&clock->pages, effect->table, effect->table_step,
                             effect->indices, effect->index_count, &met);
@@ -182,18 +191,23 @@ static void charge_monitor(struct clock *clock, const struct decoded *decoded)
 
 /* ---- The vector unit ----------------------------------------------------- */
 
-static void add_phase(struct clock *clock, uint64_t clocks, c205_cause cause)
+/* From the vector unit's end on, which moves. */
+static inline void add_phase(struct clock *clock, uint64_t clocks,
+                             c205_cause cause)
 {
+    struct phase *phase = &clock->phase[clock->phase_count];
     if (clocks == 0)
         return;
     clock->vector_end += clocks;
-    struct phase phase = { clock->vector_end, cause, clock->region };
-    clock->phase[clock->phase_count++] = phase;
+    phase->end = clock->vector_end;
+    phase->cause = cause;
+    phase->region = clock->region;
+    clock->phase_count++;
 }
 
 /* Forget the phases that are over: all but a stream under which the start-up
  * of the next instruction hides. */
-static void drop_phases(struct clock *clock)
+static inline void drop_phases(struct clock *clock)
 {
     size_t kept = 0;
     for (size_t i = 0; i < clock->phase_count; i++)
@@ -221,20 +235,19 @@ static bool is_slower(struct rate rate, struct rate than)
     return rate.clocks * than.per > than.clocks * rate.per;
 }
 
-static struct rate class_rate(const struct clock *clock,
-                              const struct decoded *decoded, bool half)
+static inline struct rate class_rate(const struct clock *clock,
+                                     const struct decoded *decoded, bool half)
 {
     const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
     return half ? timing->half_stream : timing->stream;
 }
 
 /* A linked pair is of one size, and goes at the rate of the slowest. */
-static struct rate stream_rate(const struct clock *clock,
-                               const struct decoded *decoded)
+static struct rate pair_rate(const struct clock *clock,
+                             const struct decoded *decoded)
 {
     const struct decoded *const *linked = decoded->linked;
-    uint8_t g = linked[0] ? linked[0]->fields.g : decoded->fields.g;
-    bool half = g & C205_G_HALF;
+    bool half = linked[0]->fields.g & C205_G_HALF;
     struct rate slowest = class_rate(clock, decoded, half);
     for (size_t i = 0; i < 2 && linked[i]; i++) {
         struct rate rate = class_rate(clock, linked[i], half);
@@ -244,10 +257,18 @@ static struct rate stream_rate(const struct clock *clock,
     return slowest;
 }
 
+static inline struct rate stream_rate(const struct clock *clock,
+                                      const struct decoded *decoded)
+{
+    if (decoded->linked[0])
+        return pair_rate(clock, decoded);
+    return class_rate(clock, decoded, decoded->fields.g & C205_G_HALF);
+}
+
 /* That of a linked pair is of two units that start up as the addition does;
  * what one of them takes longer comes on top. */
-static uint64_t startup_of(const struct clock *clock,
-                           const struct decoded *decoded)
+static inline uint64_t startup_of(const struct clock *clock,
+                                  const struct decoded *decoded)
 {
     uint64_t startup = clock->timing[decoded->insn->timing].startup;
     uint64_t addition = clock->timing[C205_TIMING_vadd].startup;
@@ -259,19 +280,21 @@ static uint64_t startup_of(const struct clock *clock,
     return startup;
 }
 
-static void add_phases(struct clock *clock, const struct decoded *decoded,
-                       const struct effect *effect)
+static inline void add_phases(struct clock *clock,
+                              const struct decoded *decoded,
+                              const struct effect *effect, uint64_t startup)
 {
     struct translation met = translate(clock, effect);
-    uint64_t startup = startup_of(clock, decoded);
     uint64_t stream = at_rate(stream_rate(clock, decoded), effect->elements)
                       + effect->recurrent * startup;
     clock->vector_end = clock->now;
     clock->vector_tail = stream;
     add_phase(clock, startup, C205_VECTOR_STARTUP);
-    add_phase(clock, met.misses * clock->translation_miss,
-              C205_TRANSLATION_MISS);
-    add_phase(clock, met.faults * clock->page_fault, C205_PAGE_FAULT);
+    if (met.misses > 0) { /* no fault without */
+        add_phase(clock, met.misses * clock->translation_miss,
+                  C205_TRANSLATION_MISS);
+        add_phase(clock, met.faults * clock->page_fault, C205_PAGE_FAULT);
+    }
     if (effect->indices)
         add_phase(clock,
                   banks_conflicts(&clock->banks, effect->table,
@@ -289,16 +312,18 @@ static void wait_for_pair(struct clock *clock, const struct decoded *decoded)
             wait_for_registers(clock, decoded->linked[i]);
 }
 
-static void charge_vector(struct clock *clock, const struct decoded *decoded,
-                          const struct effect *effect)
+static inline void charge_vector(struct clock *clock,
+                                 const struct decoded *decoded,
+                                 const struct effect *effect)
 {
-    wait_for_pair(clock, decoded);
+    uint64_t startup = startup_of(clock, decoded);
+    if (decoded->linked[0])
+        wait_for_pair(clock, decoded);
     wait_until(clock, clock->loads_done, C205_MEMORY_WAIT);
-    wait_through_phases(clock,
-                        vector_free_at(clock, startup_of(clock, decoded)));
+    wait_through_phases(clock, vector_free_at(clock, startup));
     drop_phases(clock);
     uint64_t issued = clock->now + clock->issue_interval;
-    add_phases(clock, decoded, effect);
+    add_phases(clock, decoded, effect, startup);
     wait_through_phases(clock, lesser(issued, clock->vector_end));
     wait_until(clock, issued, C205_ISSUE);
     set_results(clock, decoded, clock->vector_end, FOR_VECTOR);
@@ -387,10 +412,14 @@ static uint64_t stream_begin(const struct clock *clock,
 /* The most elements for which at_rate is no more than clocks. */
 static size_t in_clocks(struct rate rate, uint64_t clocks)
 {
-    if (rate.clocks == 0 || clocks / rate.clocks >= SIZE_MAX / rate.per)
+    if (rate.clocks == 0)
         return SIZE_MAX;
-    return (size_t)(clocks / rate.clocks * rate.per
-                    + clocks % rate.clocks * rate.per / rate.clocks);
+    uint64_t whole = divided(clocks, rate.clocks);
+    uint64_t rest = clocks - whole * rate.clocks;
+    bool small = (whole | rate.per) <= UINT32_MAX;
+    if (!small && whole >= SIZE_MAX / rate.per)
+        return SIZE_MAX;
+    return (size_t)(whole * rate.per + divided(rest * rate.per, rate.clocks));
 }
 
 size_t clock_elements(const struct clock *clock,

@@ -173,8 +173,8 @@ static inline void touch(struct pages *pages, uint64_t address,
         pages_look_up(pages, page, met);
 }
 
-void pages_touch(struct pages *pages, uint64_t address, uint64_t bits,
-                 struct translation *met)
+void pages_touch_all(struct pages *pages, uint64_t address, uint64_t bits,
+                     struct translation *met)
 {
     if (bits == 0)
         return;
@@ -183,10 +183,24 @@ void pages_touch(struct pages *pages, uint64_t address, uint64_t bits,
         touch(pages, page << pages->shift, met);
 }
 
+/* Are all in the page of the first?  Steps are powers of two. */
+static bool in_one_page(const struct pages *pages, uint64_t table,
+                        unsigned step, const c205_word *indices, size_t count)
+{
+    uint64_t first = table + indices[0] * step, differences = 0;
+    unsigned places = power_of_two(step);
+    for (size_t i = 0; i < count; i++)
+        differences |= (table + (indices[i] << places)) ^ first;
+    return (differences & ADDRESS_MASK) >> pages->shift == 0;
+}
+
 void pages_touch_indexed(struct pages *pages, uint64_t table, unsigned step,
                          const c205_word *indices, size_t count,
                          struct translation *met)
 {
+    if (pages->registers > 0 && count > 0
+        && in_one_page(pages, table, step, indices, count))
+        count = 1;
     for (size_t i = 0; i < count; i++)
         touch(pages, table + indices[i] * step, met);
 }

@@ -59,8 +59,19 @@ void pages_look_up(struct pages *pages, uint64_t page,
 /* Do the registers know it? */
 bool pages_know(const struct pages *pages, uint64_t page);
 /* Every page of a range of bits, in order. */
-void pages_touch(struct pages *pages, uint64_t address, uint64_t bits,
-                 struct translation *met);
+void pages_touch_all(struct pages *pages, uint64_t address, uint64_t bits,
+                     struct translation *met);
+
+/* The same; mostly there is one, that of the reference before. */
+static inline void pages_touch(struct pages *pages, uint64_t address,
+                               uint64_t bits, struct translation *met)
+{
+    uint64_t last = (address + bits - 1) >> pages->shift;
+    if (bits > 0
+        && (last != pages->latest
+            || address >> pages->shift != pages->latest))
+        pages_touch_all(pages, address, bits, met);
+}
 /* The pages of table + step x index for a list of indices. */
 void pages_touch_indexed(struct pages *pages, uint64_t table, unsigned step,
                          const c205_word *indices, size_t count,

@@ -1,0 +1,208 @@
+/* bench_short.c - host nanoseconds per vector instruction, by the length of
+ * its vectors: what it costs to begin one, and what each element adds.
+ *
+ *     bench_short [TEXT [TRIALS]]
+ *
+ * With TEXT only the instructions that hold it.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "asm/assemble.h"
+#include "base/table.h"
+
+enum { UNROLLED = 10, ELEMENTS = 500000, FEWEST_TURNS = 500 };
+
+/* An instruction, so many times a turn, on vectors of n elements; two of three
+ * bits are ones, and the list names every element. */
+static const char program_text[] =
+    "        .include \"core.s\"\n"
+    "        .equ    n, %zu\n"
+    "        .data\n"
+    "a:      .space  n\n"
+    "b:      .space  n\n"
+    "c:      .space  n\n"
+    "list:   .space  n\n"
+    "ones_a: .space  (n + 63) / 64\n"
+    "ones_b: .space  (n + 63) / 64\n"
+    "bits:   .space  (n + 63) / 64\n"
+    "kept:   .space  24\n"
+    "        .regs   r10, va, vb, vc, vlist, va1, vb1, vbits, vkept, table\n"
+    "        .regs   r20, one, step, i0, i1, i2, i3, count, turns, again\n"
+    "        .code\n"
+    "        descriptor va, a, n\n"
+    "        descriptor vb, b, n\n"
+    "        descriptor vc, c, n\n"
+    "        descriptor vlist, list, n\n"
+    "        descriptor va1, ones_a, n\n"
+    "        descriptor vb1, ones_b, n\n"
+    "        descriptor vbits, bits, n\n"
+    "        descriptor vkept, kept, 24\n"
+    "        EX      table, a\n"
+    "        load_constant one, 1.0\n"
+    "        load_constant step, 0.001\n"
+    "        ES      i0, 0\n"
+    "        ES      i1, 1\n"
+    "        ES      i2, 2\n"
+    "        ES      i3, 3\n"
+    "        INTVLV  one, step, [va]\n"
+    "        INTVLV  one, step, [vb]\n"
+    "        INTVLV  i0, i1, [vlist]\n"
+    "        MRKO    i2, i3, [va1]\n"
+    "        MRKO    i2, i3, [vb1]\n"
+    "        EX      turns, %zu\n"
+    "        EX      again, loop\n"
+    "loop:   .rept   10\n"
+    "        %s\n"
+    "        .endr\n"
+    "        DBNZ    turns, [again]\n"
+    "        EXIT\n";
+
+static const char *const instructions[] = {
+    "ADDNV   [va], [vb], [vc]",
+    "ADDNV   [va], [vb], [vc] ? [va1]",
+    "MPYSV   [va], one, [vc]",
+    "MPYSV   [vc], one, [vc]",
+    "SUBNV   [va], [vb], [va]",
+    "SQRTV   [va], [vc] ? [va1]",
+    "ABSV    [va], [vc]",
+    "VTOV    [va], [vc]",
+    "VTOV    one, [vc]",
+    "CMPGEV  [va], one, [vbits]",
+    "CMPLTV  [va], [vb], [vbits] ? [va1]",
+    "LINKV\n        MPYSV [va], one, [vc]\n        ADDNV [vc], [vb], [vc]",
+    "ORV     [va], [vb], [vc]",
+    "ADDXV   [va], one, [vc]",
+    "VXTOV   [vlist], [table], [vc]",
+    "VTOVX   [vlist], [vc], [table]",
+    "VTOVX   [vlist], [vc], [table] ? [va1]",
+    "CPSV    [va], [vc] ? [va1]",
+    "MASKV   [va], [vb], [vc] ? [va1]",
+    "MRGV    [va], [vb], [vc] ? [va1]",
+    "ANDB    [va1], [vb1], [vbits]",
+    "CNTOB   [va1], count",
+    "MAXV    [va], count, step",
+    "SUMV    [va], r40",
+    "SWAP    [vkept], r40, [vkept]",
+};
+enum { INSTRUCTIONS = sizeof instructions / sizeof *instructions };
+
+static const size_t lengths[] = { 8, 13, 60, 300, 2000 };
+enum { LENGTHS = sizeof lengths / sizeof *lengths };
+
+static const struct table_column columns[] = {
+    { "instruction", "ns/instruction", TABLE_TEXT, 0 },
+    { "n_8", "n = 8", TABLE_NUMBER, 1 },
+    { "n_13", "13", TABLE_NUMBER, 1 },
+    { "n_60", "60", TABLE_NUMBER, 1 },
+    { "n_300", "300", TABLE_NUMBER, 1 },
+    { "n_2000", "2000", TABLE_NUMBER, 1 },
+};
+
+static void stop(const char *message)
+{
+    fprintf(stderr, "bench_short: %s\n", message);
+    exit(1);
+}
+
+/* Of this process, so that others on the host do not count. */
+static double now(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+static struct object *assemble(const char *instruction, size_t n,
+                               size_t turns)
+{
+    struct diagnostics errors = { 0 };
+    struct sink messages = stream_sink(stderr);
+    char text[2 * sizeof program_text];
+    struct object *object;
+
+    snprintf(text, sizeof text, program_text, n, turns, instruction);
+    object = assemble_text("short", text, NULL, &errors);
+    if (!object) {
+        diagnostics_put(&errors, &messages);
+        stop("the program has errors");
+    }
+    diagnostics_free(&errors);
+    return object;
+}
+
+static int trials = 5;
+
+/* Seconds of the fastest run. */
+static double time_program(c205 *machine, const c205_program *program)
+{
+    c205_error error;
+    double best = HUGE_VAL;
+
+    for (int trial = 0; trial < trials; trial++) {
+        if (!c205_load(machine, program, &error))
+            stop(error.message);
+        double start = now();
+        c205_stop end = c205_run(machine, C205_NO_LIMIT);
+        best = fmin(best, now() - start);
+        if (end.trap != C205_TRAP_NONE) {
+            c205_describe_stop(machine, &end, &error);
+            stop(error.message);
+        }
+    }
+    return best;
+}
+
+static double nanoseconds(c205 *machine, const char *instruction, size_t n)
+{
+    size_t turns = FEWEST_TURNS + ELEMENTS / UNROLLED / (n + 100);
+    struct object *object = assemble(instruction, n, turns);
+    double seconds = time_program(machine, &object->program);
+
+    object_free(object);
+    return seconds / (double)(turns * UNROLLED) * 1e9;
+}
+
+/* Its first line, each run of spaces as one. */
+static void name_row(struct table *table, const char *instruction)
+{
+    char name[100];
+    size_t length = 0;
+
+    for (const char *c = instruction; *c; c++)
+        if ((*c != ' ' && *c != '\n') || (length && name[length - 1] != ' '))
+            name[length++] = *c == '\n' ? ' ' : *c;
+    name[length] = '\0';
+    table_text(table, name);
+}
+
+int main(int count, char **words)
+{
+    const char *wanted = count > 1 ? words[1] : "";
+    trials = count > 2 ? atoi(words[2]) : trials;
+    c205_error error;
+    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    c205 *machine = model ? c205_new(model, &error) : NULL;
+    struct table *table = table_new(columns,
+                                    sizeof columns / sizeof *columns);
+
+    if (!machine || !table)
+        stop(machine ? "no memory" : error.message);
+    for (size_t i = 0; i < INSTRUCTIONS; i++) {
+        if (!strstr(instructions[i], wanted))
+            continue;
+        name_row(table, instructions[i]);
+        for (size_t k = 0; k < LENGTHS; k++)
+            table_number(table,
+                         nanoseconds(machine, instructions[i], lengths[k]));
+    }
+    table_print(table, stdout);
+    table_free(table);
+    c205_free(machine);
+    c205_model_free(model);
+    return 0;
+}
