@@ -76,7 +76,7 @@ static void test_errors(void **state)
         { "#elseif (1)", 1, "no '#if' for this '#elseif'" },
         { "#while (Foo) } #end", 9, "'Foo', which is not declared" },
         { "#while (1) #break", 1, "no '#end' closes this '#while'" },
-        { "#while (1) #end", 1, "more than 1000000 turns" },
+        { "#while (1) #end", 1, "more than 2000000 turns" },
         { "#declare I = 0; #while (I < 3) sphere { 0, Q } #end", 44, "'Q'" },
         { "#while (1 #end ) #end", 11, "nothing for this '#end'" },
         { "#for (I, 1, 2, 0) } #end", 16, "the step is 0" },
