@@ -27,15 +27,18 @@ static bool goes_by_itself(const struct decoded *decoded)
            || timing == C205_TIMING_monitor || asks_for_the_time(decoded);
 }
 
-/* What stands behind other branches may be no code.  What SWAP costs depends
- * on its operands, so that it is the last one. */
-static bool may_go_on(const struct decoded *decoded)
+/* What stands behind other branches may be no code, and where a program has
+ * stored on what was decoded, behind any.  What SWAP costs depends on its
+ * operands, so that it is the last one. */
+static bool may_go_on(const struct c205 *machine,
+                      const struct decoded *decoded)
 {
     const c205_fields *fields = &decoded->fields;
     if (decoded->insn->timing == C205_TIMING_swap)
         return false;
     return decoded->insn->unit != C205_UNIT_BRANCH
-           || (fields->g & C205_G_RELATIVE && fields->immediate > 0);
+           || (fields->g & C205_G_RELATIVE && fields->immediate > 0
+               && !machine->memory.rewritten);
 }
 
 /* ---- Making them --------------------------------------------------------- */
@@ -50,8 +53,8 @@ static void make_room(struct blocks *blocks)
 }
 
 /* Take the next instruction into the block, if it belongs there; true: and
- * perhaps the one behind it.  One that
- * cannot be decoded traps when control comes to it. */
+ * perhaps the one behind it.  One that cannot be decoded traps when control
+ * comes to it. */
 static bool take_in(struct c205 *machine, struct code_block *block)
 {
     struct decoded *decoded = &block->insn[block->count];
@@ -66,7 +69,7 @@ static bool take_in(struct c205 *machine, struct code_block *block)
         return false;
     block->count++;
     block->next = decoded->next;
-    return may_go_on(decoded);
+    return may_go_on(machine, decoded);
 }
 
 struct code_block *block_make(struct c205 *machine, uint64_t pc)

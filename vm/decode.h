@@ -47,8 +47,9 @@ struct decoded {
 struct touch {
     uint64_t address, bits;
 };
-/* A vector instruction uses six at the most, a scalar one one, of a block. */
-enum { BLOCK_INSNS = 32, EFFECT_TOUCHES = BLOCK_INSNS };
+/* A vector instruction uses six at the most, those of a block one each, but for
+ * a SWAP, which is its last and uses two. */
+enum { BLOCK_INSNS = 32, EFFECT_TOUCHES = BLOCK_INSNS + 1 };
 
 /* Filled by the semantics, read by the clock and the events.  Semantics know
  * no time: they say what happened, not what it costs. */

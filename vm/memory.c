@@ -51,6 +51,7 @@ void memory_clear(struct memory *memory)
             spare_pages(memory, memory->directory[i]);
         memory->directory[i] = NULL;
     }
+    memory->rewritten = false;
     memory->code_changes++;
 }
 
@@ -186,6 +187,7 @@ void memory_change_code(struct memory *memory, struct page *page,
         page->code[i / 64] &= ~mask;
     }
     memory->code_changes += changed;
+    memory->rewritten = memory->rewritten || changed;
 }
 
 /* ---- Words -------------------------------------------------------------- */

@@ -51,6 +51,7 @@ struct memory {
     struct page *spare;    /* pages for the next that are mapped */
     uint64_t code_changes; /* how often a word that held decoded code was
                               written, and one; the decode cache looks at it */
+    bool rewritten;        /* one was, since all was unmapped */
 };
 
 /* The memory is a machine's, all zeros before. */

@@ -100,11 +100,11 @@ command_choice cmd_mode_choice, cmd_visible_choice, cmd_order_choice;
       .help = "crossings of solids, vector form" }
 #define CMD_SAMPLES \
     { CMD_COUNT("samples", trace.samples, 1, TRACE_SAMPLES_MOST, 1, \
-                "rays of a pixel, across and down, averaged") }
+                "N x N rays a pixel, averaged") }
 #define CMD_ORDER(usual) \
     { .name = "order", .value = "ORDER", .kind = COMMAND_CHOICE, \
       .offset = CMD_PLACE(trace.order), .choice = cmd_order_choice, \
-      .preset = usual, .help = "how pixels go into queues" }
+      .preset = usual, .help = "pixels of a queue; by default tiles in vector form" }
 #define CMD_READ \
     CMD_FLAG("strict", strict, \
              "what would be replaced or left out is an error"), \

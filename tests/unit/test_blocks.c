@@ -431,6 +431,69 @@ static void test_swap(void **state)
                "        EXIT\n");
 }
 
+/* As many loads as a block has room for, and a SWAP behind them. */
+static void test_most_ranges(void **state)
+{
+    (void)state;
+    compare_on("title T\nlike cyber205-2pipe-prior\npage.words 512 words R\n"
+               "translation.registers 2 registers R\n",
+               "        .include \"core.s\"\n"
+               "        .regs   r10, turns, to, at, load, save, n, seven\n"
+               "        .regs   r20, far, x\n"
+               "        .data\n"
+               "        .org    0x10000000\n"
+               "words:  .space  4000\n"
+               "        .code\n"
+               "        EX      at, words\n"
+               "        EX      load, words\n"
+               "        ELEN    load, 4\n"
+               "        EX      save, words + 64 * 4\n"
+               "        ELEN    save, 4\n"
+               "        EX      far, words + 64 * 2048\n"
+               "        ELEN    far, 4\n"
+               "        EX      turns, 60\n"
+               "        ES      seven, 7\n"
+               "        EX      to, again\n"
+               "again:\n"
+               "        .rept   31\n"
+               "        LOD     [at], x\n"
+               "        .endr\n"
+               "        SWAP    [load], r200, [save]\n"
+               "        AND     turns, seven, n\n"
+               "        IBXNE   n, r0, r0, near\n"
+               "        ADDX    far, r0, save\n"
+               "near:   DBNZ    turns, [to]\n"
+               "        EXIT\n");
+}
+
+/* Numbers behind a branch that is always taken are no code: who stores there
+ * changes code once. */
+static void test_data_behind_branch(void **state)
+{
+    c205 *whole, *stepped;
+
+    (void)state;
+    compare("        .include \"core.s\"\n"
+            "        .regs   r10, turns, to, at, x, one\n"
+            "        EX      to, again\n"
+            "        EX      at, place\n"
+            "        ES      turns, 100\n"
+            "        ES      one, 1\n"
+            "again:  LOD     [at], x\n"
+            "        ADDX    x, one, x\n"
+            "        STO     [at], x\n"
+            "        IBXEQ   r0, r0, r0, over\n"
+            "place:  ADDX    x, x, x\n"
+            "        ADDX    x, x, x\n"
+            "over:   DBNZ    turns, [to]\n"
+            "        EXIT\n",
+            &whole, &stepped);
+    assert_true(whole->memory.code_changes
+                < stepped->memory.code_changes + 5);
+    c205_free(whole);
+    c205_free(stepped);
+}
+
 /* What goes to register 0 nobody waits for but SWAP and the end: by one way a
  * product, by the other one a sum. */
 static void test_lost_results(void **state)
@@ -536,6 +599,8 @@ int main(void)
         cmocka_unit_test(test_vectors),
         cmocka_unit_test(test_timer),
         cmocka_unit_test(test_swap),
+        cmocka_unit_test(test_most_ranges),
+        cmocka_unit_test(test_data_behind_branch),
         cmocka_unit_test(test_loads),
         cmocka_unit_test(test_lost_results),
         cmocka_unit_test(test_many_blocks),
