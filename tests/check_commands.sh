@@ -986,8 +986,9 @@ verdict $? "an interrupted render leaves not one whole picture"
 printf '#version 3.7;\ncamera { location -30*z } light_source { -30*z, 1 }\n%s' \
     '#for (I, 1, 100000) sphere { <mod(I, 317), I / 317, 0> / 20 - 8, .02 } #end' \
     >many.pov
-"$build/rt205" render many.pov -o many.png --resume many.kept >out 2>err &
-sleep 8
+"$build/rt205" render many.pov -o many.png -W 4000 -H 3000 \
+    --resume many.kept >out 2>err &
+sleep 6
 kill -INT $!
 begun=$(date +%s)
 wait $!

@@ -19,13 +19,6 @@ struct hierarchy_node {
     double way[3]; /* from the centre of the first one to the second's */
 };
 
-/* What spares rays the primitives that they cannot meet. */
-enum bounding {
-    BOUNDING_HIERARCHY, /* the bounds of nodes, then of the regions below */
-    BOUNDING_FLAT,      /* those of all regions, in the scene's order */
-    BOUNDING_NONE
-};
-
 /* At the most so many nodes lie above another, itself counted: what the
  * machine's stack has room for. */
 enum { HIERARCHY_DEPTH = 96 };

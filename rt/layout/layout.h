@@ -7,7 +7,7 @@
 #define RT_LAYOUT_H
 
 #include "asm/assemble.h"
-#include "rt/layout/hierarchy.h"
+#include "rt/layout/bounding.h"
 #include "rt/scene/scene.h"
 
 /* Where the frame's planes lie, for reading them back. */

@@ -7,6 +7,7 @@
 #ifndef RT_REGIONS_H
 #define RT_REGIONS_H
 
+#include "rt/layout/bounding.h"
 #include "rt/layout/hierarchy.h"
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"

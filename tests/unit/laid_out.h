@@ -6,7 +6,7 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
-#include "rt/layout/hierarchy.h"
+#include "rt/layout/bounding.h"
 #include "rt/layout/program.h"
 
 struct stage {

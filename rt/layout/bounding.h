@@ -1,0 +1,12 @@
+/* bounding.h - which bounds the machine asks before it meets what they bound. */
+#ifndef RT_BOUNDING_H
+#define RT_BOUNDING_H
+
+/* What spares rays the primitives that they cannot meet. */
+enum bounding {
+    BOUNDING_HIERARCHY, /* the bounds of nodes, then of the regions below */
+    BOUNDING_FLAT,      /* those of all regions, in the scene's order */
+    BOUNDING_NONE
+};
+
+#endif
