@@ -55,13 +55,13 @@ struct words {
 /* How frames are traced. */
 struct traced {
     size_t width, height, pixels;
-    size_t queues[MOST_QUEUES]; /* as long as those of QUEUES; then 0 */
-    uint64_t random;            /* of the scenes */
+    size_t queues[MOST_QUEUES];       /* as long as those of QUEUES; then 0 */
+    uint64_t random;                  /* of the scenes */
     bool historical, no_bounds, flat; /* as in trace_options */
-    const char *variant;        /* likewise */
-    enum visible visible;       /* likewise */
-    enum trace_order order;     /* likewise */
-    bool reported;              /* there may be reports about the scene */
+    const char *variant;              /* likewise */
+    enum visible visible;             /* likewise */
+    enum trace_order order;           /* likewise */
+    bool reported; /* there may be reports about the scene */
 };
 extern struct traced traced;
 
