@@ -238,7 +238,8 @@ $(fuzz_targets): $(BUILD)/tests/fuzz/fuzz_%: \
 $(replays): $(BUILD)/tests/fuzz/replay_%: $(BUILD)/tests/fuzz/fuzz_%.o \
 		$(BUILD)/tests/fuzz/replay.o $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
-$(BUILD)/tests/bench_%: $(BUILD)/tests/bench_%.o $(libraries)
+$(BUILD)/tests/bench_%: $(BUILD)/tests/bench_%.o \
+		$(BUILD)/tests/timed_program.o $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 
 check-unit: $(unit_tests) $(adapter)

@@ -4,10 +4,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
-#include "asm/assemble.h"
 #include "base/table.h"
+#include "tests/timed_program.h"
 
 enum { LENGTH = 2000, TRIALS = 7, DOUBLE_REPEATS = 20000 };
 
@@ -97,26 +96,18 @@ static void multiply_doubles(void)
 
 typedef void loop(void);
 
-/* Of this process, so that others on the host do not count. */
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-}
-
 /* Seconds an element; the pointer keeps the compiler from joining turns. */
 static double time_doubles(loop *run)
 {
     loop *volatile turn = run;
     double best = HUGE_VAL;
     for (int trial = 0; trial < TRIALS; trial++) {
-        double start = now();
+        double start = processor_seconds();
         for (int i = 0; i < DOUBLE_REPEATS; i++) {
             turn();
             sink = z[i % LENGTH];
         }
-        best = fmin(best, now() - start);
+        best = fmin(best, processor_seconds() - start);
     }
     return best / DOUBLE_REPEATS / LENGTH;
 }
@@ -143,32 +134,6 @@ static const struct table_column columns[] = {
     { "times_the_machine", "x 50 MHz", TABLE_NUMBER, 1 },
 };
 
-static void stop(const char *message)
-{
-    fprintf(stderr, "bench_machine: %s\n", message);
-    exit(1);
-}
-
-/* Seconds of the fastest run; what it did is left in the accounts. */
-static double time_program(c205 *machine, const c205_program *program)
-{
-    c205_error error;
-    double best = HUGE_VAL;
-    for (int trial = 0; trial < TRIALS; trial++) {
-        if (!c205_load(machine, program, &error)) {
-            stop(error.message);
-        }
-        double start = now();
-        c205_stop end = c205_run(machine, C205_NO_LIMIT);
-        best = fmin(best, now() - start);
-        if (end.trap != C205_TRAP_NONE) {
-            c205_describe_stop(machine, &end, &error);
-            stop(error.message);
-        }
-    }
-    return best;
-}
-
 static void add_row(struct table *table, const struct bench *bench,
                     const c205 *machine, double seconds)
 {
@@ -191,16 +156,9 @@ static void add_row(struct table *table, const struct bench *bench,
 static void run_bench(struct table *table, const struct bench *bench,
                       c205 *machine)
 {
-    struct diagnostics errors = { 0 };
-    struct sink messages = stream_sink(stderr);
-    struct object *object = assemble_text(bench->name, bench->program, NULL,
-                                          &errors);
-    if (!object) {
-        diagnostics_put(&errors, &messages);
-        stop("the program has errors");
-    }
-    add_row(table, bench, machine, time_program(machine, &object->program));
-    diagnostics_free(&errors);
+    struct object *object = program_to_time(bench->program);
+    add_row(table, bench, machine,
+            time_program(machine, &object->program, TRIALS));
     object_free(object);
 }
 
@@ -212,7 +170,7 @@ int main(void)
     struct table *table = table_new(columns,
                                     sizeof columns / sizeof *columns);
     if (!machine || !table) {
-        stop(machine ? "no memory" : error.message);
+        stop_bench(machine ? "no memory" : error.message);
     }
     for (int i = 0; i < LENGTH; i++) {
         x[i] = y[i] = 1.0 + 0.001 * i;

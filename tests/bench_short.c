@@ -9,10 +9,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
-#include "asm/assemble.h"
 #include "base/table.h"
+#include "tests/timed_program.h"
 
 enum { UNROLLED = 10, ELEMENTS = 500000, FEWEST_TURNS = 500 };
 
@@ -102,66 +101,22 @@ static const struct table_column columns[] = {
     { "n_2000", "2000", TABLE_NUMBER, 1 },
 };
 
-static void stop(const char *message)
-{
-    fprintf(stderr, "bench_short: %s\n", message);
-    exit(1);
-}
-
-/* Of this process, so that others on the host do not count. */
-static double now(void)
-{
-    struct timespec t;
-
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-}
-
 static struct object *assemble(const char *instruction, size_t n,
                                size_t turns)
 {
-    struct diagnostics errors = { 0 };
-    struct sink messages = stream_sink(stderr);
     char text[2 * sizeof program_text];
-    struct object *object;
 
     snprintf(text, sizeof text, program_text, n, turns, instruction);
-    object = assemble_text("short", text, NULL, &errors);
-    if (!object) {
-        diagnostics_put(&errors, &messages);
-        stop("the program has errors");
-    }
-    diagnostics_free(&errors);
-    return object;
+    return program_to_time(text);
 }
 
 static int trials = 5;
-
-/* Seconds of the fastest run. */
-static double time_program(c205 *machine, const c205_program *program)
-{
-    c205_error error;
-    double best = HUGE_VAL;
-
-    for (int trial = 0; trial < trials; trial++) {
-        if (!c205_load(machine, program, &error))
-            stop(error.message);
-        double start = now();
-        c205_stop end = c205_run(machine, C205_NO_LIMIT);
-        best = fmin(best, now() - start);
-        if (end.trap != C205_TRAP_NONE) {
-            c205_describe_stop(machine, &end, &error);
-            stop(error.message);
-        }
-    }
-    return best;
-}
 
 static double nanoseconds(c205 *machine, const char *instruction, size_t n)
 {
     size_t turns = FEWEST_TURNS + ELEMENTS / UNROLLED / (n + 100);
     struct object *object = assemble(instruction, n, turns);
-    double seconds = time_program(machine, &object->program);
+    double seconds = time_program(machine, &object->program, trials);
 
     object_free(object);
     return seconds / (double)(turns * UNROLLED) * 1e9;
@@ -191,7 +146,7 @@ int main(int count, char **words)
                                     sizeof columns / sizeof *columns);
 
     if (!machine || !table)
-        stop(machine ? "no memory" : error.message);
+        stop_bench(machine ? "no memory" : error.message);
     for (size_t i = 0; i < INSTRUCTIONS; i++) {
         if (!strstr(instructions[i], wanted))
             continue;

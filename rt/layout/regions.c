@@ -400,7 +400,6 @@ static void layout_hierarchy_node(struct record *record,
     uint64_t size = UINT64_C(64) * record->size;
 
     record_bound(record, "H_BOUND", &node->bound);
-    record_address(record, "H_NEXT", first + size * node->next);
     record_integer(record, "H_REGION_COUNT", node->count);
     record_integer(record, "H_SPHERES", places->spheres[i]);
     if (node->count > 0) {

@@ -13,9 +13,9 @@
  * even that.  Exit code 1: some failed.
  */
 #include "rt/layout/program.h"
-#include "rt/scene/language/scene_read.h"
 #include "rt/trace/trace.h"
 #include "tests/oracle/grid_scene.h"
+#include "tests/oracle/many_scenes.h"
 #include "tests/oracle/plain_tracer.h"
 #include "tests/random.h"
 
@@ -65,31 +65,14 @@ enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 4 };
 
 static c205_model *model;
 
-static void give_up(const char *message)
-{
-    fprintf(stderr, "check_faces: %s\n", message);
-    exit(2);
-}
-
-static struct scene *read_text(const char *text)
-{
-    const struct scene_options options = { .strict = false };
-    struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("scene", text, &options, &reports);
-    if (!scene)
-        diagnostics_print(&reports, stderr);
-    diagnostics_free(&reports);
-    return scene;
-}
-
 /* A program is assembled once, for all scenes. */
 static void assemble_forms(void)
 {
-    struct scene *scene = read_text("sphere { 0, 1 }");
+    struct scene *scene = scene_of("sphere { 0, 1 }");
     c205_error error;
     model = c205_model_find("cyber205-2pipe", &error);
-    if (!model || !scene)
-        give_up("no model or no scene");
+    if (!model)
+        give_up(error.message);
     for (size_t i = 0; i < FORMS; i++) {
         const struct trace_options options = { .mode = forms[i].mode,
                                                .queue = forms[i].queue,
@@ -184,9 +167,7 @@ static bool same_in_any_order(const struct grid_scene *grid,
     static c205_word words[WORDS];
     struct grid_scene *shuffled = grid_scene_shuffled(grid, &state);
     char *text = grid_scene_text(shuffled);
-    struct scene *scene = read_text(text);
-    if (!scene)
-        give_up("parts in another order make no scene");
+    struct scene *scene = scene_of(text);
     trace_form(&forms[ANY_ORDER], scene, words);
     size_t depth = (size_t)CHANNEL_DEPTH * PIXELS;
     size_t other = first_other(words + depth, expected + depth, PIXELS);
@@ -249,11 +230,7 @@ static bool passes(const struct grid_scene *grid, uint64_t seed, char *reason)
 {
     static c205_word expected[WORDS];
     char *text = grid_scene_text(grid);
-    struct scene *scene = read_text(text);
-    if (!scene) {
-        fputs(text, stderr);
-        give_up("this is no scene");
-    }
+    struct scene *scene = scene_of(text);
     trace_form(&forms[0], scene, expected);
     bool good = same_in_all_forms(scene, expected, reason)
                 && same_in_any_order(grid, expected, seed, reason)
@@ -289,11 +266,7 @@ static void show(const struct grid_scene *grid, uint64_t seed, size_t number)
     printf("FAIL %s (-W %d -H %d): %s\n%s", path, WIDTH, HEIGHT, reason,
            text);
     fflush(stdout);
-    FILE *file = fopen(path, "w");
-    if (file) {
-        fputs(text, file);
-        fclose(file);
-    }
+    keep_scene(path, text);
     free(text);
 }
 
@@ -316,20 +289,8 @@ static bool check_scene(size_t number, bool first)
 
 int main(int count, char **words)
 {
-    bool first = count > 1 && strcmp(words[count - 1], "--first") == 0;
-    count -= first;
-    size_t scenes = count > 1 ? strtoul(words[1], NULL, 10) : 300;
-    size_t of = count > 3 ? strtoul(words[2], NULL, 10) : 1;
-    size_t share = count > 3 ? strtoul(words[3], NULL, 10) : 0;
-    size_t passed = 0, failed = 0;
-    if (of == 0) {
-        fprintf(stderr, "usage: check_faces [SCENES [OF SHARE]] [--first]\n");
-        return 2;
-    }
     assemble_forms();
-    for (size_t i = share; i < scenes && !(first && failed); i += of)
-        check_scene(i, first) ? passed++ : failed++;
+    int code = check_many(count, words, check_scene);
     free_forms();
-    printf("%zu passed, %zu failed\n", passed, failed);
-    return failed > 0;
+    return code;
 }

@@ -12,11 +12,11 @@
  * written to regions_N.pov.  After --first nothing more is done, not even that.
  * Exit code 1: some failed.
  */
-#include "rt/scene/language/scene_read.h"
 #include "rt/trace/trace.h"
 #include "tests/oracle/chance.h"
 #include "tests/oracle/compare_pictures.h"
 #include "tests/oracle/many_regions.h"
+#include "tests/oracle/many_scenes.h"
 #include "tests/oracle/plain_tracer.h"
 
 #include <math.h>
@@ -31,26 +31,6 @@ enum { REASON = 400, WAYS = 5 };
 #define ROUNDED .01
 
 static c205_model *model;
-
-static void give_up(const char *message)
-{
-    fprintf(stderr, "check_regions: %s\n", message);
-    exit(2);
-}
-
-static struct scene *read_text(const char *text)
-{
-    const struct scene_options options = { .strict = false };
-    struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("scene", text, &options, &reports);
-    if (!scene) {
-        fputs(text, stderr);
-        diagnostics_print(&reports, stderr);
-        give_up("this is no scene");
-    }
-    diagnostics_free(&reports);
-    return scene;
-}
 
 /* --- ways to trace -------------------------------------------------------- */
 
@@ -255,7 +235,7 @@ static bool passes(const struct many_regions *regions,
                    char *reason)
 {
     char *text = many_regions_text(regions);
-    struct scene *scene = read_text(text);
+    struct scene *scene = scene_of(text);
     const struct sight sight = { scene, many_regions_width(regions),
                                  many_regions_height(regions) };
     struct trace *expected = trace_in(&sight, &plainest);
@@ -320,11 +300,7 @@ static void show(const struct many_regions *regions, const struct ways *ways,
            many_regions_width(regions), many_regions_height(regions), way,
            reason, text);
     fflush(stdout);
-    FILE *file = fopen(path, "w");
-    if (file) {
-        fputs(text, file);
-        fclose(file);
-    }
+    keep_scene(path, text);
     free(text);
 }
 
@@ -353,22 +329,11 @@ static bool check_scene(size_t number, bool first)
 
 int main(int count, char **words)
 {
-    bool first = count > 1 && strcmp(words[count - 1], "--first") == 0;
-    count -= first;
-    size_t scenes = count > 1 ? strtoul(words[1], NULL, 10) : 300;
-    size_t of = count > 3 ? strtoul(words[2], NULL, 10) : 1;
-    size_t share = count > 3 ? strtoul(words[3], NULL, 10) : 0;
-    size_t passed = 0, failed = 0;
     c205_error error;
     model = c205_model_find("cyber205-2pipe", &error);
-    if (of == 0 || !model) {
-        fprintf(stderr,
-                "usage: check_regions [SCENES [OF SHARE]] [--first]\n");
-        return 2;
-    }
-    for (size_t i = share; i < scenes && !(first && failed); i += of)
-        check_scene(i, first) ? passed++ : failed++;
+    if (!model)
+        give_up(error.message);
+    int code = check_many(count, words, check_scene);
     c205_model_free(model);
-    printf("%zu passed, %zu failed\n", passed, failed);
-    return failed > 0;
+    return code;
 }

@@ -209,17 +209,18 @@ static void test_nodes(void **state)
     assert_int_equal(check(bounds, 64), 0);
 }
 
-/* In halves where bins would take one after another. */
+/* Each so much nearer to 0 that bins tell it from no other but the largest: one
+ * after another would make a node of each but the last two. */
 static void test_depth(void **state)
 {
-    struct bound *bounds = malloc(MOST * sizeof *bounds);
+    enum { COUNT = 120 };
+    struct bound bounds[COUNT];
     double size = 1e11;
 
     (void)state;
-    for (size_t i = 0; i < MOST; i++, size *= i < 400 ? .8 : .999)
-        bounds[i] = (struct bound){ { size, 0, 0 }, size * 1e-3 };
-    assert_true(check(bounds, MOST) > 400);
-    free(bounds);
+    for (size_t i = 0; i < COUNT; i++, size /= 20)
+        bounds[i] = (struct bound){ { size, 0, 0 }, size / 100 };
+    assert_in_range(check(bounds, COUNT), 2 * 64, 2 * COUNT - 5);
 }
 
 static void test_none(void **state)

@@ -17,23 +17,6 @@ static const char things[] = HEAD
     "  pigment { checker rgb 1 rgb <0, .3, 1> scale .3 } }\n"
     "plane { y, -1 pigment { checker rgb 1, rgb .2 } }\n";
 
-static size_t among(size_t least, size_t most)
-{
-    return least + (size_t)(xorshift(&traced.random) % (most - least + 1));
-}
-
-/* Traced, with at least one pixel. */
-static struct trace *run(const struct scene *scene,
-                         const struct trace_options *options)
-{
-    c205_error error = { "" };
-    struct trace *trace = trace_new(scene, options, &error);
-
-    if (!trace || !trace_run(trace, &error))
-        fail_msg("%s", error.message);
-    return trace;
-}
-
 static struct trace_options options_by_chance(size_t width, size_t height)
 {
     return (struct trace_options){
@@ -50,7 +33,7 @@ static struct trace_options options_by_chance(size_t width, size_t height)
 static void check_same(const struct scene *scene,
                        const struct trace_options *options, uint64_t expected)
 {
-    struct trace *trace = run(scene, options);
+    struct trace *trace = run_trace(scene, options);
 
     if (trace_checksum(trace) != expected)
         fail_msg(
@@ -74,7 +57,7 @@ static void test_same_frame(void **state)
                                         .width = width,
                                         .height = height,
                                         .model = prior_model };
-        struct trace *trace = run(scene, &scalar);
+        struct trace *trace = run_trace(scene, &scalar);
         uint64_t expected = trace_checksum(trace);
 
         trace_free(trace);
@@ -101,7 +84,7 @@ static void test_one_large_band(void **state)
                                      .band = 75000,
                                      .order = ORDER_ROWS,
                                      .model = prior_model };
-    struct trace *trace = run(scene, &options);
+    struct trace *trace = run_trace(scene, &options);
     uint64_t expected = trace_checksum(trace);
 
     (void)state;
@@ -124,7 +107,7 @@ static uint64_t work_of(const struct scene *scene, enum trace_mode mode,
                                      .height = 90,
                                      .queue = 225,
                                      .model = prior_model };
-    struct trace *trace = run(scene, &options);
+    struct trace *trace = run_trace(scene, &options);
     uint64_t clocks = trace_accounts(trace)->clocks;
 
     trace_free(trace);

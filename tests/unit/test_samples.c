@@ -19,22 +19,6 @@ static const char linear[] =
 static const char curved[] =
     "#version 3.7; global_settings { assumed_gamma 2.2 max_trace_level 3 }\n" THINGS;
 
-static size_t among(size_t least, size_t most)
-{
-    return least + (size_t)(xorshift(&traced.random) % (most - least + 1));
-}
-
-static struct trace *run(const struct scene *scene,
-                         const struct trace_options *options)
-{
-    c205_error error = { "" };
-    struct trace *trace = trace_new(scene, options, &error);
-
-    if (!trace || !trace_run(trace, &error))
-        fail_msg("%s", error.message);
-    return trace;
-}
-
 static struct frame read_all(const struct trace *trace, size_t width,
                              size_t height)
 {
@@ -84,7 +68,7 @@ static uint64_t check_means(const struct scene *scene, size_t width,
                                      .samples = n,
                                      .band = among(1, n * n * width * height),
                                      .model = prior_model };
-    struct trace *pixels = run(scene, &options), *samples;
+    struct trace *pixels = run_trace(scene, &options), *samples;
     struct frame of_pixels = read_all(pixels, width, height), of_samples;
     uint64_t checksum = trace_checksum(pixels);
 
@@ -92,7 +76,7 @@ static uint64_t check_means(const struct scene *scene, size_t width,
     options.samples = 0;
     options.width *= n;
     options.height *= n;
-    samples = run(scene, &options);
+    samples = run_trace(scene, &options);
     of_samples = read_all(samples, n * width, n * height);
     for (size_t row = 0; row < height; row++)
         for (size_t column = 0; column < width; column++)
@@ -120,7 +104,7 @@ static void check_forms(const struct scene *scene, size_t width,
             .jobs = among(1, 3),
             .model = prior_model,
         };
-        struct trace *trace = run(scene, &options);
+        struct trace *trace = run_trace(scene, &options);
 
         if (trace_checksum(trace) != expected)
             fail_msg("%zu x %zu of %zu, %s by %s, queue %zu, band %zu: "
@@ -166,11 +150,11 @@ static void test_one(void **state)
                                      .height = HEIGHT,
                                      .queue = 50,
                                      .model = prior_model };
-    struct trace *none = run(scene, &options), *one;
+    struct trace *none = run_trace(scene, &options), *one;
 
     (void)state;
     options.samples = 1;
-    one = run(scene, &options);
+    one = run_trace(scene, &options);
     assert_int_equal(trace_checksum(one), trace_checksum(none));
     assert_int_equal(trace_accounts(one)->clocks,
                      trace_accounts(none)->clocks);

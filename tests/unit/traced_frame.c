@@ -16,6 +16,17 @@ struct scene *read_text(const char *text)
     return scene;
 }
 
+struct trace *run_trace(const struct scene *scene,
+                        const struct trace_options *options)
+{
+    c205_error error = { "" };
+    struct trace *trace = trace_new(scene, options, &error);
+
+    if (!trace || !trace_run(trace, &error))
+        fail_msg("%s", error.message);
+    return trace;
+}
+
 struct words *trace_words(const struct scene *scene, enum trace_mode mode,
                           size_t queue)
 {
@@ -30,12 +41,9 @@ struct words *trace_words(const struct scene *scene, enum trace_mode mode,
                                      .no_bounds = traced.no_bounds,
                                      .flat = traced.flat,
                                      .model = prior_model };
-    c205_error error = { "" };
-    struct trace *trace = trace_new(scene, &options, &error);
+    struct trace *trace = run_trace(scene, &options);
     struct words *words = calloc(1, sizeof *words);
 
-    if (!trace || !trace_run(trace, &error))
-        fail_msg("%s", error.message);
     assert_non_null(words);
     for (int i = 0; i < FRAME_CHANNELS; i++)
         memcpy(words->channel[i], trace_channel(trace, (enum frame_channel)i),
@@ -144,6 +152,11 @@ double between(double low, double high)
     return low
            + (high - low) * (double)(xorshift(&traced.random) >> 11)
                  * 0x1p-53;
+}
+
+size_t among(size_t least, size_t most)
+{
+    return least + (size_t)(xorshift(&traced.random) % (most - least + 1));
 }
 
 void add_text(char *text, size_t size, const char *format, ...)

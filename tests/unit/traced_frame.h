@@ -78,6 +78,9 @@ static inline int set_up_frames(void **state)
 }
 
 struct scene *read_text(const char *text);
+/* To the end. */
+struct trace *run_trace(const struct scene *scene,
+                        const struct trace_options *options);
 struct words *trace_words(const struct scene *scene, enum trace_mode mode,
                           size_t queue);
 
@@ -99,6 +102,8 @@ size_t hits(const struct words *words);
     "light_source { <-9, 2, -5>, rgb <.2, .3, .5> shadowless }\n"
 
 double between(double low, double high);
+/* Both included. */
+size_t among(size_t least, size_t most);
 void add_text(char *text, size_t size, const char *format, ...);
 void add_point(char *text, size_t size, double reach);
 

@@ -39,9 +39,9 @@
 
 ; Of a node, while its bound is tested.
         .share  shape
-        .regs   r61, hierarchy_next, hierarchy_regions, hierarchy_count
-        .regs   r64, hierarchy_wayx, hierarchy_wayy, hierarchy_wayz
-        .reg    hierarchy_spheres, r67
+        .regs   r61, hierarchy_regions, hierarchy_count
+        .regs   r63, hierarchy_wayx, hierarchy_wayy, hierarchy_wayz
+        .reg    hierarchy_spheres, r66
         .endshare
 
         .data
@@ -53,7 +53,6 @@ walk_clear:     .word 0                 ; .. of the next word of scene_clear
 walk_clear_left: .word 0                ; words from there on
 walk_stack:     .space 2 * HIERARCHY_DEPTH ; nodes that wait, each with its set
 queue_set:      .space SET_SIZE
-        .align  64
         .align  64 * 512                ; what takes turns with other memory is
                                 ; on pages of its own
 set_arena:      .space 3 * SET_VECTORS * QUEUE + HIERARCHY_DEPTH * SET_SIZE

@@ -138,7 +138,6 @@
 ; other node two nodes below it, the first of which stands behind it.
         .record H
         .field  H_BOUND, 5         ; as R_BOUND, of all regions below
-        .field  H_NEXT             ; address of the node behind all below it
         .field  H_REGIONS          ; of a leaf: address of its first region; of
                                 ; another: of the second node below
         .field  H_REGION_COUNT     ; how many regions stand there; 0: no leaf

@@ -1,0 +1,22 @@
+/* many_scenes.h - what checks of scenes by chance have in common: how they are
+ * called, how they end, what they leave. */
+#ifndef MANY_SCENES_H
+#define MANY_SCENES_H
+
+#include "rt/scene/scene.h"
+
+/* Say why, and end the program with 2. */
+void give_up(const char *message);
+/* Gives up, with the text and what is wrong with it, where it is no scene. */
+struct scene *scene_of(const char *text);
+/* To a file in the folder of the run; without one nothing is lost that is not
+ * printed. */
+void keep_scene(const char *path, const char *text);
+
+/* CHECK [SCENES [OF SHARE]] [--first]: check the scenes 0 .. SCENES - 1 (300),
+ * or every OF-th of them from SHARE on; first: until one fails, of which no
+ * more is wanted.  Prints the counts; returns the program's exit code. */
+int check_many(int count, char **words,
+               bool (*check)(size_t number, bool first));
+
+#endif

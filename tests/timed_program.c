@@ -1,0 +1,54 @@
+/* timed_program.c - see timed_program.h. */
+#include "tests/timed_program.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+void stop_bench(const char *message)
+{
+    fprintf(stderr, "bench: %s\n", message);
+    exit(1);
+}
+
+double processor_seconds(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+struct object *program_to_time(const char *text)
+{
+    struct diagnostics errors = { 0 };
+    struct sink messages = stream_sink(stderr);
+    struct object *object = assemble_text("bench", text, NULL, &errors);
+
+    if (!object) {
+        diagnostics_put(&errors, &messages);
+        stop_bench("the program has errors");
+    }
+    diagnostics_free(&errors);
+    return object;
+}
+
+double time_program(c205 *machine, const c205_program *program, int trials)
+{
+    c205_error error;
+    double best = HUGE_VAL;
+
+    for (int trial = 0; trial < trials; trial++) {
+        if (!c205_load(machine, program, &error))
+            stop_bench(error.message);
+        double start = processor_seconds();
+        c205_stop end = c205_run(machine, C205_NO_LIMIT);
+        best = fmin(best, processor_seconds() - start);
+        if (end.trap != C205_TRAP_NONE) {
+            c205_describe_stop(machine, &end, &error);
+            stop_bench(error.message);
+        }
+    }
+    return best;
+}
