@@ -236,7 +236,7 @@ static void deliver(struct reference_clock *clock, const c205_insn *insn,
     if (insn->format == C205_FORMAT_EXTREME)
         deliver_to(clock, fields->b, awaited);
     if (reference_letter(insn, fields->g, 'Z') == 'o')
-        clock->registers[fields->z] = awaited;
+        deliver_to(clock, fields->z, awaited);
 }
 
 /* ---- Pages ------------------------------------------------------------- */

@@ -309,7 +309,7 @@ static void test_bounds(void **state)
         { "sphere{0,", "-", "within each other" },
         { "#declare A=sphere{0,1} ", "#declare A=union{object{A}object{A}}",
           "primitives, copies counted" },
-        { "", "foo{}\n", "too many reports" },
+        { "", "foo{}\n", "too many errors" },
     };
 
     (void)state;
@@ -318,6 +318,28 @@ static void test_bounds(void **state)
         assert_refused(text, 201, rows[i].message);
         free(text);
     }
+}
+
+/* So many things left out are no reason to leave out the scene. */
+static void test_many_reports(void **state)
+{
+    enum { COUNT_OF_SPHERES = 1000, MOST_TOLD = 200 };
+    char *text = repeated("", "sphere { 0, 1 finish { brilliance 2 } }\n",
+                          COUNT_OF_SPHERES);
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read_text("test.pov", text, &reading_options,
+                                          &reports);
+
+    (void)state;
+    assert_non_null(scene);
+    assert_int_equal(scene->primitive_count, COUNT_OF_SPHERES);
+    assert_int_equal(reports.errors, 0);
+    assert_int_equal(reports.count, MOST_TOLD + 1);
+    assert_int_equal(reports.items[MOST_TOLD].line, MOST_TOLD + 1);
+    assert_non_null(strstr(reports.items[MOST_TOLD].message, "left out"));
+    scene_free(scene);
+    diagnostics_free(&reports);
+    free(text);
 }
 
 int main(void)
@@ -330,6 +352,7 @@ int main(void)
         cmocka_unit_test(test_print),
         cmocka_unit_test(test_includes),
         cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_many_reports),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

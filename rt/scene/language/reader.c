@@ -36,6 +36,33 @@ static void add_calls(const struct reader *reader,
     }
 }
 
+static void add_error(struct reader *reader, const struct position *position,
+                      const char *message)
+{
+    struct diagnostics *reports = reader->reports;
+
+    diagnostics_add(reports, SEVERITY_ERROR, position, message);
+    if (reports->errors >= REPORTS_MOST) {
+        diagnostics_add(reports, SEVERITY_ERROR, position,
+                        "too many errors: the rest of the scene is not read");
+        reader_stop(reader);
+    }
+}
+
+/* The scene is read on, however many there are. */
+static void add_report(struct reader *reader, const struct position *position,
+                       const char *message)
+{
+    struct diagnostics *reports = reader->reports;
+
+    if (reader->report_count > REPORTS_MOST
+        || diagnostics_have(reports, position, message))
+        return;
+    if (reader->report_count++ == REPORTS_MOST)
+        message = "too many reports: those from here on are left out";
+    diagnostics_add(reports, SEVERITY_REPORT, position, message);
+}
+
 static void add(struct reader *reader, bool error,
                 const struct scene_token *at, const char *format,
                 va_list arguments)
@@ -47,16 +74,7 @@ static void add(struct reader *reader, bool error,
         return;
     vsnprintf(message, sizeof message, format, arguments);
     add_calls(reader, at, message, sizeof message);
-    if (!error && diagnostics_have(reader->reports, &position, message))
-        return;
-    diagnostics_add(reader->reports, error ? SEVERITY_ERROR : SEVERITY_REPORT,
-                    &position, message);
-    if (reader->reports->count >= REPORTS_MOST) {
-        diagnostics_add(
-            reader->reports, SEVERITY_ERROR, &position,
-            "too many reports: the rest of the scene is not read");
-        reader_stop(reader);
-    }
+    (error ? add_error : add_report)(reader, &position, message);
 }
 
 bool reader_fault(struct reader *reader, const struct scene_token *at,

@@ -82,7 +82,8 @@ struct reader {
         size_t at;
     } faults[REPORTS_MOST]; /* where errors are */
     size_t fault_count;
-    bool stopped; /* too many reports, or no memory */
+    size_t report_count; /* without errors */
+    bool stopped;        /* too many errors, or no memory */
 };
 
 /* To the next token of a statement: directives are carried out and macros
