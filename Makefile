@@ -342,8 +342,8 @@ cover:
 	sh tests/cover.sh $(BUILD)/cover
 
 cover-tests:
-	@$(MAKE) -k --no-print-directory BUILD=$(BUILD)/cover CC=clang OPT=-O1 \
-		CASES=20000 PROGRAMS=5000 \
+	@$(MAKE) -k --no-print-directory BUILD=$(BUILD)/cover CC=clang CXX=clang++ \
+		OPT=-O1 CASES=20000 PROGRAMS=5000 \
 		CFLAGS="-g -fprofile-instr-generate -fcoverage-mapping" \
 		LDFLAGS=-fprofile-instr-generate check-unit check-programs \
 		check-isa check-bugs check-commands check-arithmetic check-random

@@ -143,6 +143,15 @@ static inline c205_word integer(int64_t c)
            & format_coefficient_mask(LANE_FORMAT);
 }
 
+/* The exponent of the one, the coefficient c.  An exponent that is changed
+ * where it stands, whatever the digits below it, takes fewer steps. */
+static inline c205_word with_digits(c205_word exponent, int64_t c)
+{
+    c205_word digits = (c205_word)c << format_padding(LANE_FORMAT);
+
+    return digits ^ ((exponent ^ digits) & EXPONENT_MASK);
+}
+
 static inline lane number(int64_t e, int64_t c)
 {
     const lane result = { (c205_word)e << EXPONENT_PLACE | integer(c),
@@ -164,6 +173,12 @@ static inline lane odd_if(uint64_t odd, lane result)
 {
     result.odd |= odd;
     return result;
+}
+
+/* An exponent e where it stands in a word. */
+static inline c205_word in_place(uint64_t e)
+{
+    return e << EXPONENT_PLACE;
 }
 
 /* The number t x 2^e, |t| < 2^51, floored to some significant bits, at most
@@ -255,15 +270,26 @@ static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
     return zero_if(is_zero(l), fitted(exponent(l), t >> LANE_GUARD));
 }
 
-/* Less certain here, where it may fall: the indefinite are the largest
- * words. */
+/* In the first bit: 1, the exponent lies in the outer half of what a word has
+ * room for; of machine zeros, too.  Sums of the others are in the range. */
+static inline uint64_t is_extreme(c205_word w)
+{
+    return w + UINT64_C(0x4000000000000000);
+}
+
 static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
 {
+    enum { MORE = LENGTH - LANE_GUARD };
     c205_word l = larger(a, b);
+    uint64_t places = room(t) & 63;
+    int64_t top = (int64_t)((uint64_t)t << places) >> (LENGTH - DIGITS);
+    c205_word high = l + in_place((uint64_t)(MORE - DIGITS))
+                     - in_place(places);
     uint64_t too_short = LANE_GUARD < DIGITS ? unnormalised(l) : 0;
-    uint64_t odd = indefinite(l) | (is_zero(l) ? 0 : too_short);
+    const lane result = { with_digits(high, top), 0 };
 
-    return odd_if(odd, normalised(exponent(l) - LANE_GUARD, t));
+    return odd_if(is_zero(l) ? 0 : is_extreme(l) | too_short,
+                  zero_if(t == 0, result));
 }
 
 static inline lane lane_add_upper(c205_word a, c205_word b)
