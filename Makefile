@@ -112,8 +112,7 @@ demo:
 
 check:
 	@sh .ci/need $(test_packages)
-	-@$(MAKE) --no-print-directory -k -j $(JOBS) all $(BUILD)/fit205 \
-		$(unit_tests) $(oracles) $(replays)
+	-@$(MAKE) --no-print-directory -k -j $(JOBS) all tests $(BUILD)/fit205
 	@sh tests/run_all.sh "$(MAKE)" $(JOBS) $(check_parts)
 
 check-long: export CASES = 10000000
@@ -127,8 +126,7 @@ check-long: export HOSTS = full
 check-long: export DOCS = full
 check-long:
 	@sh .ci/need $(test_packages) valgrind
-	-@$(MAKE) --no-print-directory -k -j $(JOBS) all $(BUILD)/fit205 \
-		$(unit_tests) $(oracles) $(replays)
+	-@$(MAKE) --no-print-directory -k -j $(JOBS) all tests $(BUILD)/fit205
 	@sh tests/run_all.sh "$(MAKE)" $(JOBS) check-docs $(check_parts:check-docs=) \
 		check-poison check-timing san cover -- check-planted
 
@@ -241,6 +239,8 @@ $(replays): $(BUILD)/tests/fuzz/replay_%: $(BUILD)/tests/fuzz/fuzz_%.o \
 $(BUILD)/tests/bench_%: $(BUILD)/tests/bench_%.o \
 		$(BUILD)/tests/timed_program.o $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
+
+tests: $(unit_tests) $(oracles) $(replays)
 
 check-unit: $(unit_tests) $(adapter)
 	@printf '%s\n' $(unit_tests) | xargs -n 1 -P $(JOBS) sh -c \
@@ -449,7 +449,7 @@ install: all $(installed) $(installed_pc) $(pages)
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo check check-long check-rooms check-unit check-programs \
+.PHONY: all demo tests check check-long check-rooms check-unit check-programs \
 	check-bugs check-docs check-isa check-arithmetic check-narrow \
 	check-random check-quartic check-planted check-faces check-regions \
 	check-scenes check-language check-commands check-install check-hosts check-poison \

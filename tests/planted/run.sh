@@ -93,12 +93,29 @@ try() { # FAULT COPY
     printf '%s: %s (%s)\n' "$verdict" "$(cat "$1/what")" "$file"
 }
 
+# Every part of the whole passes, of which this job takes its share.
+pass_whole() { # JOB
+    awk -v jobs="$jobs" -v job="$1" 'NR % jobs == job % jobs' "$place/parts" |
+        while read -r part; do
+            # shellcheck disable=SC2086
+            in_copy "$whole" $part >"$place/said/whole$1.txt" 2>&1 </dev/null ||
+                echo "fails without a fault: $part"
+        done
+}
+
 # Takes the next fault that nobody has taken, until there is none.
-work() { # COPY
+work() { # JOB
     for fault in $(ls "$place/faults" | sort -n); do
         fault=$place/faults/$fault
-        mkdir "$fault/taken" 2>/dev/null && try "$fault" "$1"
+        mkdir "$fault/taken" 2>/dev/null && try "$fault" "$place/$1"
     done
+}
+
+in_jobs() { # WORK
+    for job in $(seq "$jobs"); do
+        "$1" "$job" &
+    done
+    wait
 }
 
 sources="vm base asm rt tests scenes docs .ci Makefile"
@@ -115,20 +132,11 @@ for name in $sources; do
     rm -rf "${whole:?}/$name"
     cp -Rp "$name" "$whole"
 done
-in_copy "$whole" -j "$jobs" all build/fit205 || exit 1
-sort -u "$place"/faults/*/part | while read -r part; do
-    # shellcheck disable=SC2086
-    in_copy "$whole" -j "$jobs" $part >"$place/said/whole.txt" 2>&1 </dev/null ||
-        echo "fails without a fault: $part"
-done | tee "$place/verdicts"
+in_copy "$whole" -j "$jobs" all tests build/fit205 || exit 1
+sort -u "$place"/faults/*/part >"$place/parts"
+in_jobs pass_whole | tee "$place/verdicts"
 [ ! -s "$place/verdicts" ] || exit 1
-
-{
-    for job in $(seq "$jobs"); do
-        work "$place/$job" &
-    done
-    wait
-} | tee "$place/verdicts"
+in_jobs work | tee "$place/verdicts"
 passed=$(grep -c '^found: ' "$place/verdicts")
 failed=$(grep -vc '^found: ' "$place/verdicts")
 counted

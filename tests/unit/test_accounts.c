@@ -40,6 +40,7 @@ static struct accounts random_accounts(void)
         }
         if (accounts_clocks(&account) > 0) {
             account.instructions = 1 + any(1000);
+            account.entries = 1 + any(100);
             account.vector_instructions = any(2) * account.instructions;
             account.elements = account.vector_instructions * any(100);
             account.operations = account.elements + any(50);
@@ -167,17 +168,16 @@ static void matrices_add_up(void **state)
     }
 }
 
-static char *shown(const struct accounts *accounts,
-                   enum results_format format)
+/* The caller frees the text. */
+static void show(const struct accounts *accounts, enum results_format format,
+                 char **text)
 {
-    char *text = NULL;
     size_t size;
-    FILE *file = open_memstream(&text, &size);
+    FILE *file = open_memstream(text, &size);
     struct results results = { .format = format, .file = file };
     assert_non_null(file);
     assert_int_equal(accounts_show(accounts, &results), CMD_DONE);
     assert_int_equal(fclose(file), 0);
-    return text;
 }
 
 static size_t times_in(const char *text, const char *word)
@@ -198,8 +198,9 @@ static void matrices_are_narrow(void **state)
     (void)state;
     for (int i = 0; i < TRIES; i++) {
         struct accounts accounts = random_accounts();
-        char *text = shown(&accounts, RESULTS_TEXT);
         size_t regions = accounts_regions(&accounts);
+        char *text;
+        show(&accounts, RESULTS_TEXT, &text);
         for (const char *line = text; *line;) {
             size_t length = strcspn(line, "\n");
             assert_in_range(length, 0, FOLD_WIDTH);
@@ -215,25 +216,79 @@ static void matrices_are_narrow(void **state)
     }
 }
 
+/* A row has this behind the clocks of a region: seconds, and the per cent of
+ * all. */
+static void check_share(const struct accounts *accounts, const char *text,
+                        const char *row, uint64_t clocks)
+{
+    double all = (double)accounts->clocks;
+    const char *found = strstr(text, row);
+    char *end;
+    assert_non_null(found);
+    assert_near(strtod(found + strlen(row), &end),
+                accounts_seconds(model, clocks));
+    assert_int_equal(*end, ',');
+    assert_near(strtod(end + 1, &end),
+                all > 0 ? 100 * (double)clocks / all : 0);
+    assert_int_equal(*end, '\n');
+}
+
 /* CSV has the clocks themselves. */
 static void csv_is_exact(void **state)
 {
     (void)state;
     for (int i = 0; i < TRIES; i++) {
         struct accounts accounts = random_accounts();
-        char *text = shown(&accounts, RESULTS_CSV), row[200];
+        char *text, row[200];
+        show(&accounts, RESULTS_CSV, &text);
         for (size_t k = 0; k < accounts.count; k++) {
             const c205_account *account = &accounts.items[k];
-            snprintf(row, sizeof row, "\n%s,0,%llu,%llu,%llu,%llu,%llu,",
-                     account->name, (unsigned long long)account->instructions,
+            uint64_t clocks = accounts_clocks(account);
+            snprintf(row, sizeof row, "\n%s,%llu,%llu,%llu,%llu,%llu,%llu,",
+                     account->name, (unsigned long long)account->entries,
+                     (unsigned long long)account->instructions,
                      (unsigned long long)account->vector_instructions,
                      (unsigned long long)account->elements,
                      (unsigned long long)account->operations,
-                     (unsigned long long)accounts_clocks(account));
-            assert_non_null(strstr(text, row));
+                     (unsigned long long)clocks);
+            check_share(&accounts, text, row, clocks);
         }
         free(text);
         accounts_free(&accounts);
+    }
+}
+
+static void assert_twice(const c205_account *twice, const c205_account *once)
+{
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
+        assert_int_equal(twice->clocks[cause], 2 * once->clocks[cause]);
+    }
+    assert_int_equal(twice->instructions, 2 * once->instructions);
+    assert_int_equal(twice->vector_instructions,
+                     2 * once->vector_instructions);
+    assert_int_equal(twice->elements, 2 * once->elements);
+    assert_int_equal(twice->operations, 2 * once->operations);
+    assert_int_equal(twice->entries, 2 * once->entries);
+}
+
+/* Two runs alike are each region twice. */
+static void runs_add_up(void **state)
+{
+    (void)state;
+    for (int i = 0; i < TRIES; i++) {
+        struct accounts once = random_accounts(), twice = { .model = model };
+        for (size_t k = 0; k < 2 * once.count; k++) {
+            assert_true(
+                accounts_add_account(&twice, &once.items[k % once.count]));
+        }
+        assert_int_equal(twice.count, once.count);
+        assert_int_equal(twice.clocks, 2 * once.clocks);
+        for (size_t k = 0; k < once.count; k++) {
+            assert_twice(accounts_find(&twice, once.items[k].name),
+                         &once.items[k]);
+        }
+        accounts_free(&twice);
+        accounts_free(&once);
     }
 }
 
@@ -279,6 +334,7 @@ int main(void)
         cmocka_unit_test(matrices_add_up),
         cmocka_unit_test(matrices_are_narrow),
         cmocka_unit_test(csv_is_exact),
+        cmocka_unit_test(runs_add_up),
         cmocka_unit_test(times_are_short),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -65,6 +65,13 @@ static void test_from_inside(void **state)
     check_middle(AHEAD "sphere { <0, 0, -9>, 1 }", 0, 0);
 }
 
+static void test_touching_rays(void **state)
+{
+    (void)state;
+    check_middle(STRAIGHT "sphere { x, 1 }", 1, 5);
+    check_middle(STRAIGHT "sphere { <.75, -1, 3>, 1.25 }", 1, 8);
+}
+
 static void test_open_cylinder_shows_its_inside(void **state)
 {
     (void)state;
@@ -185,6 +192,7 @@ int main(void)
         cmocka_unit_test(test_random_scenes),
         cmocka_unit_test(test_parallel_rays),
         cmocka_unit_test(test_from_inside),
+        cmocka_unit_test(test_touching_rays),
         cmocka_unit_test(test_open_cylinder_shows_its_inside),
         cmocka_unit_test(test_nearest_of_equals_is_the_first),
         cmocka_unit_test(test_no_way_to_the_light),
