@@ -311,7 +311,8 @@ static void tell_indices(struct c205 *machine, const c205_word *indices,
 }
 
 /* False: it is not simple (direct.h).  The clock reads the list afterwards, so
- * nothing may be stored upon it. */
+ * nothing may be stored upon it; upon what else is read it may, as one element
+ * goes after the other. */
 static bool gather_directly(struct c205 *machine,
                             const struct decoded *decoded)
 {
@@ -326,8 +327,8 @@ static bool gather_directly(struct c205 *machine,
     c205_word *c = direct_write(machine, to, n);
     if (!indices || !c
         || direct_meets(c, n * sizeof *c, indices, n * sizeof *c)
-        || !find_table(&table, machine, machine->slot[decoded->b], indices, n)
-        || meets_table(&table, c, n))
+        || !find_table(&table, machine, machine->slot[decoded->b], indices,
+                       n))
         return false;
     for (size_t i = 0; i < n; i++)
         c[i] = table.page->word[place_in(&table, indices[i])];
@@ -353,7 +354,7 @@ static bool scatter_directly(struct c205 *machine,
     if (!indices || !b
         || !find_table(&table, machine, machine->slot[decoded->c], indices, n)
         || !table.page->writable || table.page->holds_code
-        || meets_table(&table, indices, n) || meets_table(&table, b, n))
+        || meets_table(&table, indices, n))
         return false;
     for (size_t i = 0; i < n; i++)
         table.page->word[place_in(&table, indices[i])] = b[i];

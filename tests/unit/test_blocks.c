@@ -473,25 +473,27 @@ static void test_data_behind_branch(void **state)
     c205 *whole, *stepped;
 
     (void)state;
-    compare("        .include \"core.s\"\n"
-            "        .regs   r10, turns, to, at, x, one\n"
-            "        EX      to, again\n"
-            "        EX      at, place\n"
-            "        ES      turns, 100\n"
-            "        ES      one, 1\n"
-            "again:  LOD     [at], x\n"
-            "        ADDX    x, one, x\n"
-            "        STO     [at], x\n"
-            "        IBXEQ   r0, r0, r0, over\n"
-            "place:  ADDX    x, x, x\n"
-            "        ADDX    x, x, x\n"
-            "over:   DBNZ    turns, [to]\n"
-            "        EXIT\n",
-            &whole, &stepped);
+    c205_stop stop = compare("        .include \"core.s\"\n"
+                             "        .regs   r10, turns, to, at, x, one\n"
+                             "        EX      to, again\n"
+                             "        EX      at, place\n"
+                             "        ES      turns, 100\n"
+                             "        ES      one, 1\n"
+                             "        .align  64\n"
+                             "again:  LOD     [at], x\n"
+                             "        ADDX    x, one, x\n"
+                             "        STO     [at], x\n"
+                             "        IBXEQ   r0, r0, r0, over\n"
+                             "        ADDX    x, x, x\n"
+                             "place:  ADDX    x, x, x\n"
+                             "        ADDX    x, x, x\n"
+                             "over:   DBNZ    turns, [to]\n"
+                             "        EXIT\n",
+                             &whole, &stepped);
+    assert_int_equal(stop.trap, C205_TRAP_NONE);
     assert_true(whole->memory.code_changes
                 < stepped->memory.code_changes + 5);
-    c205_free(whole);
-    c205_free(stepped);
+    free_both(whole, stepped);
 }
 
 /* What goes to register 0 nobody waits for but SWAP and the end: by one way a
