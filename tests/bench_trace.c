@@ -10,11 +10,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/resource.h>
-#include <time.h>
 
 #include "base/diagnostic.h"
 #include "rt/scene/language/scene_read.h"
 #include "rt/trace/trace.h"
+#include "tests/timed_program.h"
 
 static struct scene *read_scene(const char *path, size_t width, size_t height)
 {
@@ -29,14 +29,6 @@ static struct scene *read_scene(const char *path, size_t width, size_t height)
     return scene;
 }
 
-static double now(clockid_t clock)
-{
-    struct timespec t;
-
-    clock_gettime(clock, &t);
-    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-}
-
 static long kilobytes(void)
 {
     struct rusage usage;
@@ -46,13 +38,12 @@ static long kilobytes(void)
 
 static bool time_trace(struct trace *trace, c205_error *error)
 {
-    double processor = now(CLOCK_PROCESS_CPUTIME_ID);
-    double begin = now(CLOCK_MONOTONIC);
+    double processor = processor_seconds(), begin = wall_seconds();
 
     if (!trace_run(trace, error))
         return false;
-    printf("%.4f %.4f %llu %ld\n", now(CLOCK_PROCESS_CPUTIME_ID) - processor,
-           now(CLOCK_MONOTONIC) - begin,
+    printf("%.4f %.4f %llu %ld\n", processor_seconds() - processor,
+           wall_seconds() - begin,
            (unsigned long long)trace_accounts(trace)->clocks, kilobytes());
     return true;
 }

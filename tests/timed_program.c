@@ -12,12 +12,22 @@ void stop_bench(const char *message)
     exit(1);
 }
 
-double processor_seconds(void)
+static double seconds_of(clockid_t clock)
 {
     struct timespec t;
 
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    clock_gettime(clock, &t);
     return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+double processor_seconds(void)
+{
+    return seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+double wall_seconds(void)
+{
+    return seconds_of(CLOCK_MONOTONIC);
 }
 
 struct object *program_to_time(const char *text)

@@ -8,6 +8,8 @@
 void stop_bench(const char *message);
 /* Seconds of this process, so that others on the host do not count. */
 double processor_seconds(void);
+/* .. and by the clock, from some time on. */
+double wall_seconds(void);
 /* Stops the bench where the text has errors. */
 struct object *program_to_time(const char *text);
 /* Seconds of the fastest of so many runs; what the last one did is left in the

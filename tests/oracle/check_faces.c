@@ -41,7 +41,8 @@ static struct form {
     enum bounding bounding;
     enum visible visible;
     bool tiles;
-    struct trace *trace; /* that has its program */
+    struct trace *trace;       /* that has its program */
+    struct band_tracer tracer; /* .. and its machine */
 } forms[] = {
     { .mode = TRACE_SCALAR, .queue = 1 },
     { .mode = TRACE_SCALAR, .queue = 1, .bounding = BOUNDING_FLAT },
@@ -89,12 +90,14 @@ static void assemble_forms(void)
 
 static void free_forms(void)
 {
-    for (size_t i = 0; i < FORMS; i++)
+    for (size_t i = 0; i < FORMS; i++) {
         trace_free(forms[i].trace);
+        c205_free(forms[i].tracer.machine);
+    }
     c205_model_free(model);
 }
 
-static void trace_form(const struct form *form, const struct scene *scene,
+static void trace_form(struct form *form, const struct scene *scene,
                        c205_word words[WORDS])
 {
     c205_error error;
@@ -110,14 +113,14 @@ static void trace_form(const struct form *form, const struct scene *scene,
                                     .rays_a_call = form->queue };
     struct band band = { .rows = HEIGHT };
     pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
-    struct band_tracer tracer = { .work = &work, .lock = &lock };
     bool stopped;
-    if (!layout || !band_trace(&tracer, &band, NULL, &stopped, &error))
+    form->tracer.work = &work;
+    form->tracer.lock = &lock;
+    if (!layout || !band_trace(&form->tracer, &band, NULL, &stopped, &error))
         give_up(error.message);
     memcpy(words, band.words, WORDS * sizeof *words);
     band_free(&band);
     layout_free(layout);
-    c205_free(tracer.machine);
 }
 
 /* --- comparisons ---------------------------------------------------------- */
@@ -142,7 +145,7 @@ static bool same_in_all_forms(const struct scene *scene,
 {
     static c205_word words[WORDS];
     for (size_t i = 1; i < FORMS; i++) {
-        const struct form *form = &forms[i];
+        struct form *form = &forms[i];
         trace_form(form, scene, words);
         size_t other = first_other(words, expected, WORDS);
         if (other < WORDS) {

@@ -1,0 +1,251 @@
+/* placed_solid.c - see placed_solid.h. */
+#include "tests/oracle/placed_solid.h"
+
+#include "tests/oracle/chance.h"
+
+void place_make_short(struct place *place)
+{
+    double grain = pow(10, floor(log10(place->size)) - 2);
+    for (int i = 0; i < 3; i++)
+        place->at[i] = grain * round(place->at[i] / grain);
+    place->size = grain * round(place->size / grain);
+}
+
+/* --- shapes --------------------------------------------------------------- */
+
+typedef void random_shape(uint64_t *state, const struct place *place,
+                          struct solid *solid);
+
+static void random_sphere(uint64_t *state, const struct place *place,
+                          struct solid *solid)
+{
+    double x = place->at[0], y = place->at[1], z = place->at[2];
+    if (one_in(state, 8)) {
+        solid_words(solid->shape, "sphere { 0, 1 ");
+        solid_words(
+            solid->motion,
+            "scale <%.12g, %.12g, %.12g> translate <%.12g, %.12g, %.12g> ",
+            place->size / (double)(1 + below(state, 4)), place->size,
+            place->size, x, y, z);
+    } else {
+        solid_words(solid->shape, "sphere { <%.12g, %.12g, %.12g>, %.12g ", x,
+                    y, z, place->size);
+    }
+}
+
+static void random_box(uint64_t *state, const struct place *place,
+                       struct solid *solid)
+{
+    double x = place->at[0], y = place->at[1], z = place->at[2];
+    double s = place->size;
+    if (one_in(state, 4)) {
+        solid_words(solid->shape, "box { -%.12g, %.12g ", s, s);
+        solid_words(solid->motion,
+                    "rotate %d*%c translate <%.12g, %.12g, %.12g> ",
+                    15 * (int)below(state, 24), "xyz"[below(state, 3)], x, y,
+                    z);
+    } else {
+        solid_words(solid->shape,
+                    "box { <%.12g, %.12g, %.12g>, <%.12g, %.12g, %.12g> ",
+                    x - s, y - s, z - s, x + s, y + s, z + s);
+    }
+}
+
+/* From one disk to the other along an axis: the ends, and the words behind. */
+static void print_axis(uint64_t *state, const struct place *place,
+                       struct solid *solid, bool cone)
+{
+    double base[3], cap[3], s = place->size;
+    size_t along = below(state, 3);
+    for (size_t i = 0; i < 3; i++) {
+        base[i] = place->at[i] - (i == along ? s : 0);
+        cap[i] = place->at[i] + (i == along ? s : 0);
+    }
+    const char *open = one_in(state, 4) ? "open " : "";
+    if (cone)
+        solid_words(
+            solid->shape,
+            "cone { <%.12g, %.12g, %.12g>, %.12g, <%.12g, %.12g, %.12g>, %.12g %s",
+            base[0], base[1], base[2], s, cap[0], cap[1], cap[2],
+            one_in(state, 2) ? 0 : s / 2, open);
+    else
+        solid_words(
+            solid->shape,
+            "cylinder { <%.12g, %.12g, %.12g>, <%.12g, %.12g, %.12g>, %.12g %s",
+            base[0], base[1], base[2], cap[0], cap[1], cap[2], s, open);
+}
+
+static void random_cylinder(uint64_t *state, const struct place *place,
+                            struct solid *solid)
+{
+    print_axis(state, place, solid, false);
+}
+
+static void random_cone(uint64_t *state, const struct place *place,
+                        struct solid *solid)
+{
+    print_axis(state, place, solid, true);
+}
+
+/* What is drawn about the origin, and moved. */
+static void move_to(uint64_t *state, const struct place *place,
+                    struct solid *solid)
+{
+    solid_words(
+        solid->motion,
+        "scale %.12g rotate <%d, %d, 0> translate <%.12g, %.12g, %.12g> ",
+        place->size, 30 * (int)below(state, 12), 90 * (int)below(state, 4),
+        place->at[0], place->at[1], place->at[2]);
+}
+
+static void random_torus(uint64_t *state, const struct place *place,
+                         struct solid *solid)
+{
+    solid_words(solid->shape, "torus { .75, %.12g ",
+                .1 + .1 * (double)below(state, 4));
+    move_to(state, place, solid);
+}
+
+static void random_prism(uint64_t *state, const struct place *place,
+                         struct solid *solid)
+{
+    solid_words(solid->shape,
+                "prism { -.5, .5, 5, <-1, -1>, <1, -1>, <1, 1>, <%.12g, 0>, "
+                "<-1, -1> ",
+                .1 * (double)below(state, 9) - .4);
+    move_to(state, place, solid);
+}
+
+static void random_patch(uint64_t *state, const struct place *place,
+                         struct solid *solid)
+{
+    solid_words(solid->shape,
+                "steiner_patch { <-1, -1, 0>, <0, 1, 0>, <1, -1, 0>, "
+                "<-.5, 0, %.12g>, <.5, 0, .5>, <0, -1, -.4> ",
+                .1 * (double)below(state, 9) - .4);
+    move_to(state, place, solid);
+}
+
+/* A cone, a ball, a cylinder without ends, what lies outside a hyperboloid. */
+static void random_quadric(uint64_t *state, const struct place *place,
+                           struct solid *solid)
+{
+    static const char *const quadrics[] = { "<1, -1, 1>, 0, 0, 0",
+                                            "<1, 1, 1>, 0, 0, -1",
+                                            "<1, 0, 1>, 0, 0, -1",
+                                            "<-1, 1, -1>, 0, 0, .25" };
+    solid_words(solid->shape, "quadric { %s ", quadrics[below(state, 4)]);
+    move_to(state, place, solid);
+}
+
+static void random_plane(uint64_t *state, const struct place *place,
+                         struct solid *solid)
+{
+    size_t axis = below(state, 3);
+    bool below_it = one_in(state, 2);
+    solid_words(solid->shape, "plane { %s%c, %.12g ", below_it ? "" : "-",
+                "xyz"[axis],
+                below_it ? place->at[axis] - place->size
+                         : -place->at[axis] - place->size);
+}
+
+static struct solid *shape_at(uint64_t *state, const struct place *place)
+{
+    static random_shape *const shapes[] = {
+        random_sphere,   random_sphere, random_sphere, random_sphere,
+        random_sphere,   random_box,    random_box,    random_box,
+        random_cylinder, random_cone,   random_torus,  random_prism,
+    };
+    struct solid *solid = solid_new(SHAPE, 0);
+    if (one_in(state, 60)) /* the host takes long to lay one out */
+        random_patch(state, place, solid);
+    else
+        shapes[below(state, sizeof shapes / sizeof *shapes)](state, place,
+                                                             solid);
+    return solid;
+}
+
+struct solid *endless_at(uint64_t *state, const struct place *place)
+{
+    struct solid *solid = solid_new(SHAPE, 0);
+    switch (below(state, 3)) {
+    case 0: random_quadric(state, place, solid); break;
+    case 1:
+        random_sphere(state, place, solid);
+        solid->inverse = true;
+        break;
+    default: random_plane(state, place, solid); break;
+    }
+    return solid;
+}
+
+/* --- looks ---------------------------------------------------------------- */
+
+void random_look(uint64_t *state, enum mood mood, char *look)
+{
+    static const char *const inside[] = { "", "", "interior { ior 1.3 } ",
+                                          "interior { ior .8 } " };
+    static const char *const finishes[] = {
+        "",
+        "",
+        "finish { phong .6 } ",
+        "finish { specular .5 } ",
+        "finish { reflection .4 } ",
+        "finish { reflection <.9, .2, .5> } "
+    };
+    double red = between(state, 0, 1), green = between(state, 0, 1);
+    double blue = between(state, 0, 1);
+    const char *shadow = one_in(state, 8) ? "no_shadow " : "";
+    const char *finish = finishes[below(state, mood == DULL ? 4 : 6)];
+    if (mood == CLEAR || (mood == MIXED && one_in(state, 4)))
+        solid_words(look,
+                    "pigment { rgbft <%.2f, %.2f, %.2f, %.2f, %.2f> } "
+                    "%s%s%s",
+                    red, green, blue, .3 * (double)below(state, 3),
+                    .2 * (double)below(state, 3), inside[below(state, 4)],
+                    finish, shadow);
+    else if (one_in(state, 8))
+        solid_words(look,
+                    "pigment { checker rgb <%.2f, %.2f, %.2f>, rgb .9 "
+                    "scale .37 } %s",
+                    red, green, blue, shadow);
+    else
+        solid_words(look, "pigment { rgb <%.2f, %.2f, %.2f> } %s%s", red,
+                    green, blue, finish, shadow);
+}
+
+/* --- solids --------------------------------------------------------------- */
+
+enum solid_joining random_joining(uint64_t *state)
+{
+    return one_in(state, 8) ? UNION
+                            : MERGE + (enum solid_joining)below(state, 3);
+}
+
+static struct place near_to(uint64_t *state, const struct place *place)
+{
+    struct place other = *place;
+    for (int i = 0; i < 3; i++)
+        other.at[i] += place->size
+                       * (place->whole ? .25 * (double)below(state, 5) - .5
+                                       : between(state, -.5, .5));
+    other.size *= one_in(state, 2) ? .5 : between(state, .4, 1.1);
+    place_make_short(&other);
+    return other;
+}
+
+struct solid *solid_at(uint64_t *state, const struct place *place,
+                       enum mood mood, int depth)
+{
+    if (depth == 0 || !one_in(state, 4))
+        return shape_at(state, place);
+    struct solid *solid = solid_new(random_joining(state),
+                                    2 + below(state, 2));
+    for (size_t i = 0; i < solid->count; i++) {
+        struct place part = i ? near_to(state, place) : *place;
+        solid->parts[i] = solid_at(state, &part, mood, depth - 1);
+        if (one_in(state, 3))
+            random_look(state, mood, solid->parts[i]->look);
+    }
+    return solid;
+}
