@@ -143,15 +143,6 @@ static inline c205_word integer(int64_t c)
            & format_coefficient_mask(LANE_FORMAT);
 }
 
-/* The exponent of the one, the coefficient c.  An exponent that is changed
- * where it stands, whatever the digits below it, takes fewer steps. */
-static inline c205_word with_digits(c205_word exponent, int64_t c)
-{
-    c205_word digits = (c205_word)c << format_padding(LANE_FORMAT);
-
-    return digits ^ ((exponent ^ digits) & EXPONENT_MASK);
-}
-
 static inline lane number(int64_t e, int64_t c)
 {
     const lane result = { (c205_word)e << EXPONENT_PLACE | integer(c),
@@ -173,12 +164,6 @@ static inline lane odd_if(uint64_t odd, lane result)
 {
     result.odd |= odd;
     return result;
-}
-
-/* An exponent e where it stands in a word. */
-static inline c205_word in_place(uint64_t e)
-{
-    return e << EXPONENT_PLACE;
 }
 
 /* The number t x 2^e, |t| < 2^51, floored to some significant bits, at most
@@ -277,16 +262,19 @@ static inline uint64_t is_extreme(c205_word w)
     return w + UINT64_C(0x4000000000000000);
 }
 
+/* An exponent that is changed where it stands, whatever the digits below it, takes
+ * fewer steps. */
 static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
 {
-    enum { MORE = LENGTH - LANE_GUARD };
     c205_word l = larger(a, b);
     uint64_t places = room(t) & 63;
     int64_t top = (int64_t)((uint64_t)t << places) >> (LENGTH - DIGITS);
-    c205_word high = l + in_place((uint64_t)(MORE - DIGITS))
-                     - in_place(places);
+    uint64_t more = (uint64_t)(LENGTH - DIGITS - LANE_GUARD) - places;
+    c205_word high = l + (more << EXPONENT_PLACE);
+    c205_word low = (c205_word)top << format_padding(LANE_FORMAT);
     uint64_t too_short = LANE_GUARD < DIGITS ? unnormalised(l) : 0;
-    const lane result = { with_digits(high, top), 0 };
+    const lane result = { format_with_coefficient(LANE_FORMAT, high, low),
+                          0 };
 
     return odd_if(is_zero(l) ? 0 : is_extreme(l) | too_short,
                   zero_if(t == 0, result));

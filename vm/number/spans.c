@@ -37,15 +37,6 @@ enum { BITS = 64 /* of a word */ };
     LOGICAL_SPAN(lanes_##name, whole_words, result) \
     LOGICAL_SPAN(halves_##name, half_words, result)
 
-/* The high bits of the one, the coefficient of the other. */
-static inline c205_word with_coefficient(word_format f, c205_word high,
-                                         c205_word low)
-{
-    c205_word mask = format_coefficient_mask(f);
-
-    return (high & ~mask) | (low & mask);
-}
-
 LOGICAL(xor, x ^ y)
 LOGICAL(and, (x) & (y))
 LOGICAL(or, x | y)
@@ -56,8 +47,8 @@ LOGICAL(and_not, x & ~y)
 LOGICAL(equivalence, ~(x ^ y))
 LOGICAL(shift, format_shift(f, x, format_coefficient(f, y)))
 LOGICAL(pack, format_pack(f, x, y))
-LOGICAL(add_index, with_coefficient(f, x, x + y))
-LOGICAL(subtract_index, with_coefficient(f, x, x - y))
+LOGICAL(add_index, format_with_coefficient(f, x, x + y))
+LOGICAL(subtract_index, format_with_coefficient(f, x, x - y))
 
 #define EXPONENT(name, format) \
     CLONED void name UNARY_PARAMETERS \

@@ -88,6 +88,15 @@ static inline int64_t format_coefficient(word_format f, c205_word w)
     return (int64_t)(w << f.exponent_bits) >> (63 - f.digits);
 }
 
+/* The exponent of the one word, the coefficient of the other. */
+static inline c205_word format_with_coefficient(word_format f, c205_word high,
+                                                c205_word low)
+{
+    c205_word mask = format_coefficient_mask(f);
+
+    return (high & ~mask) | (low & mask);
+}
+
 static inline c205_word format_make(word_format f, int32_t exponent,
                                     int64_t coefficient)
 {
