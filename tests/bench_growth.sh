@@ -1,6 +1,6 @@
 #!/bin/sh
 # bench_growth.sh BUILD - what a frame takes against the number of things in it:
-# spheres of a flake, small solids in a field.
+# spheres of a flake, small solids in a field, holes and knobs of one plate.
 #
 # Processor seconds of ours and of POV-Ray's trace, the machine's clocks, and
 # the most memory that the process had.  The exponent is that of the power of the
@@ -18,12 +18,15 @@ flake() { # DEPTH
     sed "s/^#declare Depth = .*/#declare Depth = $1;/" scenes/flake.pov
 }
 
-# Bored boxes and lenses in turn, none like its neighbours.
-field() { # COUNT
+# Above a square of so many places.
+above() { # COUNT
     cat <<END
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 #declare Side = int(sqrt($1 - 1)) + 1;
+#macro Place(I)
+    <mod(I, Side) - Side/2, 0, div(I, Side) - Side/2>
+#end
 camera {
     location Side*<-0.3, 0.8, -0.9>
     right x * image_width / image_height
@@ -32,8 +35,14 @@ camera {
 }
 light_source { Side*<-1, 2, -1.5>, 0.8 }
 light_source { Side*<2, 1, -0.5>, rgb 0.3 }
+END
+}
+
+# Bored boxes and lenses in turn, none like its neighbours.
+field() { # COUNT
+    above "$1"
+    cat <<END
 #for (I, 0, $1 - 1)
-    #declare Place = <mod(I, Side) - Side/2, 0, div(I, Side) - Side/2>;
     #if (mod(I, 2))
         intersection { sphere { -0.2*y, 0.4 } sphere { 0.2*y, 0.4 }
     #else
@@ -41,9 +50,28 @@ light_source { Side*<2, 1, -0.5>, rgb 0.3 }
     #end
         pigment { color rgb <0.8, 0.6, 0.3> }
         rotate <13*I, 29*I, 0>
-        translate Place + mod(7*I, 5)/5*y
+        translate Place(I) + mod(7*I, 5)/5*y
     }
 #end
+END
+}
+
+# One solid: a plate with so many holes and knobs, in turn.
+plate() { # COUNT
+    above "$1"
+    cat <<END
+difference {
+    merge {
+        box { Side*<-0.5, 0, -0.5> - <0.5, 0.2, 0.5>, Side*<0.5, 0, 0.5> }
+        #for (I, 0, $1 - 1, 2)
+            sphere { Place(I), 0.3 }
+        #end
+    }
+    #for (I, 1, $1 - 1, 2)
+        cylinder { Place(I) - y, Place(I) + y, 0.3 }
+    #end
+    pigment { color rgb <0.8, 0.6, 0.3> }
+}
 END
 }
 
@@ -107,3 +135,4 @@ printf '%-8s %9s %8s %9s %6s %9s %9s\n' of things "rt205, s" "povray, s" \
     ratio "M clocks" "memory, MB"
 grow flake flake 1:10 2:91 3:820 4:7381 5:66430
 grow solids field 10:10 100:100 1000:1000 10000:10000
+grow plate plate 10:10 100:100 1000:1000

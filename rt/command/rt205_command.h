@@ -94,7 +94,8 @@ command_choice cmd_mode_choice, cmd_visible_choice, cmd_order_choice;
     CMD_FLAG("no-bounds", trace.no_bounds, \
              "every ray goes against every primitive"), \
     CMD_FLAG("flat", trace.flat, \
-             "regions in the scene's order, without a hierarchy"), \
+             "regions in the scene's order and trees as they are written, " \
+             "without a hierarchy"), \
     { .name = "visible", .value = "WAY", .kind = COMMAND_CHOICE, \
       .offset = CMD_PLACE(trace.visible), .choice = cmd_visible_choice, \
       .help = "crossings of solids, vector form" }

@@ -4,8 +4,10 @@
 
 /* What spares rays the primitives that they cannot meet. */
 enum bounding {
-    BOUNDING_HIERARCHY, /* the bounds of nodes, then of the regions below */
-    BOUNDING_FLAT,      /* those of all regions, in the scene's order */
+    BOUNDING_HIERARCHY, /* the bounds of nodes, then of the regions below;
+                           of trees with many parts likewise */
+    BOUNDING_FLAT,      /* those of all regions, in the scene's order, and
+                           of trees as they are written */
     BOUNDING_NONE
 };
 

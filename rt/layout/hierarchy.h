@@ -1,7 +1,8 @@
 /* hierarchy.h - a bounding hierarchy over regions: what the machine walks
  * instead of looking at every region in turn.
  *
- * The host plans it, and traces nothing.  Each node has a sphere about all
+ * The host plans it, and traces nothing.  The parts of a great tree are put together
+ * by one as well (nesting.h).  Each node has a sphere about all
  * regions below it; nodes stand in preorder, so that the first of two nodes
  * below another stands behind it, and the second where the first one's next
  * points.

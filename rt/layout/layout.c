@@ -3,22 +3,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rt/picture/picture.h"
 #include "rt/layout/looks.h"
 #include "rt/layout/program.h"
 #include "rt/layout/record.h"
 #include "rt/layout/regions.h"
-#include "rt/shapes/shape_words.h"
 #include "rt/layout/surface.h"
+#include "rt/layout/trees.h"
+#include "rt/picture/picture.h"
+#include "rt/shapes/shape_words.h"
 
 static void put_table(struct record *record,
-                      const struct primitive *primitive, size_t count)
+                      const struct primitive *primitive)
 {
+    size_t count = shape_table_count(primitive);
     double *table = shape_table(primitive, count);
 
-    if (table)
+    if (table && count > 0)
         record_table(record, "P_TABLE", table, count);
-    else
+    else if (!table)
         layout_fail(record->layout, "no memory");
     free(table);
 }
@@ -47,13 +49,9 @@ static void put_shape(struct record *record,
     record_integer(record, "P_ON_PATCH", shape.on_patch);
     record_integer(record, "P_SEGMENTS", shape.segments);
     record_integer(record, "P_EVENTS", shape.events);
-    record_integer(record, "P_FIRST_STATE", plan->first_state);
-    record_integer(record, "P_FIRST_EVENT", plan->first_event);
-    record_integer(record, "P_VALUE", plan->value);
     record_integer(record, "P_INVERTED", primitive->inverted);
     record_numbers(record, "P_SHAPE", shape.words, shape.count);
-    if (shape.table_count > 0)
-        put_table(record, primitive, shape.table_count);
+    put_table(record, primitive);
     record_numbers(record, "P_LOCAL", &primitive->to_local.rows[0][0], 12);
 }
 
@@ -122,13 +120,10 @@ static void put_mirror(struct record *record,
 
 static size_t table_words(const struct scene *scene)
 {
-    struct shape_words shape;
     size_t count = 0;
 
-    for (size_t i = 0; i < scene->primitive_count; i++) {
-        shape_words(&scene->primitives[i], &shape);
-        count += shape.table_count;
-    }
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        count += shape_table_count(&scene->primitives[i]);
     return count;
 }
 
@@ -158,28 +153,42 @@ static uint64_t look_of(struct record *record,
     return look;
 }
 
-/* The address of the first is returned. */
-static uint64_t layout_primitives(struct record_layout *layout,
-                                  const struct scene *scene,
-                                  const struct leaf_plan *plans)
+/* Where a primitive's part in its tree stands. */
+static void put_part(struct record *record, const struct leaf_plan *plan,
+                     const struct row *crossings, const struct row *values)
+{
+    record_address(record, "P_FIRST_STATE",
+                   row_at(crossings, plan->first_state));
+    record_address(record, "P_FIRST_EVENT",
+                   row_at(crossings, plan->first_event));
+    record_address(record, "P_VALUE", row_at(values, plan->value));
+}
+
+static struct row layout_primitives(struct record_layout *layout,
+                                    const struct scene *scene,
+                                    const struct leaf_plan *plans,
+                                    const struct row *crossings,
+                                    const struct row *values)
 {
     struct looks *looks = looks_new(scene->primitive_count);
     bool alike = false;
     struct record record;
     size_t space = 0;
-    uint64_t first, look;
+    struct row row;
+    uint64_t look;
 
     if (!looks)
         layout_fail(layout, "no memory");
     record_begin(&record, layout, "P_SIZE", scene->primitive_count,
                  table_words(scene));
-    first = record.address;
+    row = record_row(&record);
     for (size_t i = 0; i < scene->primitive_count && !layout->failed; i++) {
         record.line = scene->primitives[i].line;
         space = space_of(scene, i, space);
         record_integer(&record, "P_ID", i + 1);
         record_integer(&record, "P_SPACE", space);
         put_shape(&record, &scene->primitives[i], &plans[i]);
+        put_part(&record, &plans[i], crossings, values);
         put_surface(&record, scene, &scene->primitives[i]);
         put_mirror(&record, &scene->primitives[i]);
         look = look_of(&record, &scene->primitives[i], looks);
@@ -190,10 +199,29 @@ static uint64_t layout_primitives(struct record_layout *layout,
     record_end(&record);
     looks_free(looks);
     layout_word(layout, "scene_alike", alike);
-    layout_word(layout, "scene_primitives", first);
+    layout_word(layout, "scene_primitives", row.first);
     layout_word(layout, "scene_primitive_count",
                 c205_from_integer((int64_t)scene->primitive_count));
-    return first;
+    return row;
+}
+
+/* Values, and the lists of leaves and of branches at hand, of which one more is
+ * written before it is known to be none. */
+static struct row layout_values(struct record_layout *layout,
+                                const struct scene *scene)
+{
+    size_t most = most_leaves(scene);
+    struct row values, leaves, branches;
+    const struct row_wanted wanted[] = {
+        { &values, "VALUE_SIZE", 2 * most - 1 },
+        { &leaves, "LEAF_SIZE", most },
+        { &branches, "BRANCH_SIZE", most },
+    };
+
+    layout_reserve_rows(layout, wanted, sizeof wanted / sizeof *wanted);
+    layout_word(layout, "scene_leaves", leaves.first);
+    layout_word(layout, "scene_branches", branches.first);
+    return values;
 }
 
 static void layout_solids(struct record_layout *layout,
@@ -201,19 +229,21 @@ static void layout_solids(struct record_layout *layout,
 {
     struct leaf_plan *plans = calloc(scene->primitive_count + 1,
                                      sizeof *plans);
-    size_t crossings;
+    struct region_places places;
+    struct row crossings;
 
     if (!plans) {
         layout_fail(layout, "no memory");
         return;
     }
-    crossings = plan_leaves(scene, plans);
-    layout_regions(layout, scene, bounding,
-                   layout_primitives(layout, scene, plans));
-    layout_word(layout, "scene_crossings",
-                layout_reserve(layout,
-                               crossings
-                                   * layout_symbol(layout, "CROSSING_SIZE")));
+    layout_reserve_rows(layout,
+                        &(struct row_wanted){ &crossings, "CROSSING_SIZE",
+                                              plan_leaves(scene, plans) },
+                        1);
+    places.values = layout_values(layout, scene);
+    places.primitives = layout_primitives(layout, scene, plans, &crossings,
+                                          &places.values);
+    layout_regions(layout, scene, bounding, &places);
     free(plans);
 }
 

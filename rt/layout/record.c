@@ -56,6 +56,28 @@ uint64_t layout_reserve(struct record_layout *layout, size_t words)
     return address;
 }
 
+void layout_reserve_rows(struct record_layout *layout,
+                         const struct row_wanted *wanted, size_t rows)
+{
+    size_t words = 0;
+    uint64_t first;
+
+    for (size_t i = 0; i < rows; i++) {
+        wanted[i].row->size = (size_t)layout_symbol(layout, wanted[i].size);
+        words += wanted[i].count * wanted[i].row->size;
+    }
+    first = layout_reserve(layout, words);
+    for (size_t i = 0; i < rows; i++) {
+        wanted[i].row->first = first;
+        first = row_at(wanted[i].row, wanted[i].count);
+    }
+}
+
+uint64_t row_at(const struct row *row, size_t i)
+{
+    return row->first + UINT64_C(64) * row->size * i;
+}
+
 void record_begin(struct record *record, struct record_layout *layout,
                   const char *size, size_t count, size_t more)
 {
@@ -77,6 +99,11 @@ static void ask(struct record_layout *layout)
     if (layout->go_on && ++layout->written % ASKED_EACH == 0
         && !layout->go_on(layout->context))
         layout_fail(layout, "stopped while the scene is laid out");
+}
+
+struct row record_row(const struct record *record)
+{
+    return (struct row){ record->address, record->size };
 }
 
 void record_write(struct record *record)

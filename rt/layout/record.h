@@ -33,6 +33,23 @@ void layout_word(struct record_layout *layout, const char *name,
 /* Room for words from a page of its own on. */
 uint64_t layout_reserve(struct record_layout *layout, size_t words);
 
+/* Things of one size, one after another. */
+struct row {
+    uint64_t first; /* the address of the first */
+    size_t size;    /* words of each */
+};
+
+/* Room for so many in each of some rows, one behind the other, from a page of its
+ * own on; the sizes are symbols of the program's. */
+struct row_wanted {
+    struct row *row;
+    const char *size;
+    size_t count;
+};
+void layout_reserve_rows(struct record_layout *layout,
+                         const struct row_wanted *wanted, size_t rows);
+uint64_t row_at(const struct row *row, size_t i);
+
 /* A row of records of one size, written one after another: the words of the
  * next one, and its fields by name. */
 struct record {
@@ -48,6 +65,8 @@ struct record {
  * more words behind them, where the table begins. */
 void record_begin(struct record *record, struct record_layout *layout,
                   const char *size, size_t count, size_t more);
+/* Where they go; before the first is written. */
+struct row record_row(const struct record *record);
 void record_write(struct record *record);
 void record_end(struct record *record);
 

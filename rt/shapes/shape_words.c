@@ -9,7 +9,6 @@ void shape_words(const struct primitive *primitive, struct shape_words *words)
     const struct shape_kernels *kernels = shape_kernels_of(primitive);
 
     words->count = shape->words(primitive, words->words);
-    words->table_count = shape->table ? shape->table(primitive, NULL) : 0;
     words->transformed = primitive->transformed
                          && !(shape->carry
                               && shape->carry(primitive, words->words));
@@ -43,6 +42,13 @@ bool shape_words_historical(const struct primitive *primitive,
     return true;
 }
 
+size_t shape_table_count(const struct primitive *primitive)
+{
+    const struct shape *shape = shape_of(primitive);
+
+    return shape->table ? shape->table(primitive, NULL) : 0;
+}
+
 double *shape_table(const struct primitive *primitive, size_t count)
 {
     double *table = calloc(count + 1, sizeof *table);
@@ -62,14 +68,14 @@ static bool are_finite(const double *numbers, size_t count)
 
 bool shape_is_finite(const struct primitive *primitive)
 {
+    size_t count = shape_table_count(primitive);
+    double *table = shape_table(primitive, count);
     struct shape_words shape;
-    double *table;
     bool finite;
 
     shape_words(primitive, &shape);
-    table = shape_table(primitive, shape.table_count);
     finite = are_finite(shape.words, shape.count)
-             && (!table || are_finite(table, shape.table_count));
+             && (!table || are_finite(table, count));
     free(table);
     return finite;
 }

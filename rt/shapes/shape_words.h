@@ -1,7 +1,7 @@
 /* shape_words.h - a primitive's shape as its kernels want it.
  *
- * The words that have room in its record, how many more there are in a table,
- * which routines it has and what they find of a ray.
+ * The words that have room in its record, which routines it has and what they
+ * find of a ray; and the words in a table, which may take long to work out.
  */
 #ifndef RT_SHAPE_WORDS_H
 #define RT_SHAPE_WORDS_H
@@ -15,7 +15,6 @@ enum { PATCH_CROSSINGS = 4 };
 struct shape_words {
     double words[SHAPE_WORDS_MOST];
     size_t count;
-    size_t table_count;
     bool transformed;            /* it stands in a space of its own */
     bool on_patch;               /* a hit has two parameters, too */
     const char *kernel, *normal; /* routines, in both forms of the program */
@@ -33,7 +32,9 @@ void shape_words(const struct primitive *primitive,
  * False: that has no kernel for it; the words are those of today. */
 bool shape_words_historical(const struct primitive *primitive,
                             struct shape_words *words);
-/* The table, of that many words; the caller frees it.  NULL: no memory. */
+/* How many words its table has, and the table, of that many; the caller frees
+ * it.  NULL: no memory. */
+size_t shape_table_count(const struct primitive *primitive);
 double *shape_table(const struct primitive *primitive, size_t count);
 /* Whether all of that is finite: what squares and reciprocals make of a
  * shape's numbers may be beyond a double.  Without memory for the table that

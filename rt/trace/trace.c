@@ -10,7 +10,7 @@
 #include "rt/trace/planes.h"
 #include "base/hash.h"
 #include "rt/layout/program.h"
-#include "rt/layout/regions.h"
+#include "rt/layout/trees.h"
 
 struct trace {
     struct trace_options options;

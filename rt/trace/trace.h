@@ -55,7 +55,8 @@ struct trace_options {
     enum visible visible;   /* of solids; vector mode only */
     enum trace_order order; /* in which pixels go into queues */
     bool no_bounds;         /* every ray goes against every primitive */
-    bool flat;              /* regions in the scene's order, no hierarchy */
+    bool flat;              /* regions in the scene's order, trees as they
+                                are written, no hierarchy */
     const struct observer *const *observers; /* of every machine; end with
                                                 NULL; or NULL */
     const c205_model *model;                 /* must outlive the trace */

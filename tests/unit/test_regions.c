@@ -2,8 +2,12 @@
  * layout. */
 #include "tests/unit/laid_out.h"
 
-#include "rt/layout/regions.h"
+#include "rt/layout/trees.h"
+#include "rt/shapes/bound.h"
 #include "tests/random.h"
+#include "tests/unit/tree_value.h"
+
+enum { PLACES = 400 }; /* of a tree's values, at the most */
 
 static uint64_t random_state = RANDOM_SEED;
 
@@ -42,6 +46,18 @@ static const struct shape_row {
       "rational_steiner_crossings", NULL, 0, 4, 0 },
 };
 
+/* How many crossings, or values, of so many words it stands behind the first
+ * primitive's first. */
+static int64_t behind_first(const struct stage *stage, size_t i,
+                            const char *name, const char *size)
+{
+    const char *first = strcmp(name, "P_VALUE") == 0 ? name : "P_FIRST_STATE";
+    uint64_t bits = primitive(stage, i, name) - primitive(stage, 0, first);
+
+    assert_int_equal(bits % (64 * symbol(stage, size)), 0);
+    return (int64_t)(bits / (64 * symbol(stage, size)));
+}
+
 static void check_kernel(const struct stage *stage, size_t i,
                          const char *kernel, const char *inner,
                          const char *expected)
@@ -70,10 +86,13 @@ static void check_shape(const struct shape_row *row, const char *how)
     check_kernel(&stage, 1, "P_STATE_KERNEL", "P_STATE_INNER", row->state);
     assert_integer(primitive(&stage, 1, "P_SEGMENTS"), row->segments);
     assert_integer(primitive(&stage, 1, "P_EVENTS"), row->events);
-    assert_integer(primitive(&stage, 1, "P_FIRST_STATE"), 2);
-    assert_integer(primitive(&stage, 1, "P_FIRST_EVENT"),
-                   2 + row->first_event);
-    assert_integer(primitive(&stage, 1, "P_VALUE"), 1);
+    assert_int_equal(behind_first(&stage, 1, "P_FIRST_STATE",
+                                  "CROSSING_SIZE"),
+                     2);
+    assert_int_equal(behind_first(&stage, 1, "P_FIRST_EVENT",
+                                  "CROSSING_SIZE"),
+                     2 + row->first_event);
+    assert_int_equal(behind_first(&stage, 1, "P_VALUE", "VALUE_SIZE"), 1);
     assert_integer(region(&stage, 0, "R_SIMPLE"), 0);
     check_kernel(&stage, 2, "P_KERNEL", "P_INNER", row->alone);
     check_kernel(&stage, 2, "P_STATE_KERNEL", "P_STATE_INNER", NULL);
@@ -115,12 +134,35 @@ static void test_crossings(void **state)
         c205_word word;
 
         raise_curtain(&stage, rows[i].text, BOUNDING_FLAT);
-        first = scene_word(&stage, "scene_crossings");
-        assert_integer(primitive(&stage, rows[i].last, "P_FIRST_EVENT"),
-                       (int64_t)rows[i].first_event);
+        first = primitive(&stage, 0, "P_FIRST_STATE");
+        assert_int_equal(behind_first(&stage, rows[i].last, "P_FIRST_EVENT",
+                                      "CROSSING_SIZE"),
+                         rows[i].first_event);
         assert_true(c205_read(stage.machine, first + room - 64, &word, 1));
         drop_curtain(&stage);
     }
+}
+
+/* n leaves have n values and their steps n - 1. */
+static void test_room(void **state)
+{
+    enum { LEAVES = 5 };
+    struct stage stage;
+    uint64_t values, leaves, branches;
+
+    (void)state;
+    raise_curtain(&stage,
+                  "sphere { 0, 1 } merge { sphere { 0, 1 } sphere { x, 1 }"
+                  " box { 0, 1 } box { 0, 1 } sphere { y, 1 } }",
+                  BOUNDING_HIERARCHY);
+    values = primitive(&stage, 0, "P_VALUE");
+    leaves = scene_word(&stage, "scene_leaves");
+    branches = scene_word(&stage, "scene_branches");
+    assert_int_equal(leaves - values,
+                     64 * symbol(&stage, "VALUE_SIZE") * (2 * LEAVES - 1));
+    assert_int_equal(branches - leaves,
+                     64 * symbol(&stage, "LEAF_SIZE") * LEAVES);
+    drop_curtain(&stage);
 }
 
 /* --- regions and nodes --------------------------------------------------- */
@@ -129,11 +171,10 @@ static void test_regions(void **state)
 {
     static const struct {
         bool simple;
-        int shadow, first, count, steps;
+        int shadow, first;
     } rows[] = {
-        { true, 1, 0, 1, 0 },  { true, 0, 1, 1, 0 },  { false, 2, 2, 1, 0 },
-        { false, 1, 3, 2, 1 }, { false, 2, 5, 2, 1 }, { false, 0, 7, 2, 1 },
-        { true, 1, 9, 1, 0 },
+        { true, 1, 0 },  { true, 0, 1 },  { false, 2, 2 }, { false, 1, 3 },
+        { false, 2, 5 }, { false, 0, 7 }, { true, 1, 9 },
     };
     struct stage stage;
 
@@ -155,8 +196,6 @@ static void test_regions(void **state)
         assert_integer(region(&stage, i, "R_SHADOW"), rows[i].shadow);
         assert_int_equal(region(&stage, i, "R_FIRST"),
                          primitive_at(&stage, first));
-        assert_integer(region(&stage, i, "R_PRIMITIVES"), rows[i].count);
-        assert_integer(region(&stage, i, "R_STEP_COUNT"), rows[i].steps);
     }
     assert_integer(primitive(&stage, 8, "P_INVERTED"), 0);
     assert_integer(primitive(&stage, 9, "P_INVERTED"), 1);
@@ -264,8 +303,14 @@ static char *add_solid(char *end, size_t most)
                                          "difference" };
     size_t children = 2 + xorshift(&random_state) % 4;
 
+    if (most > 16 && xorshift(&random_state) % 2 == 0)
+        children = 8 + xorshift(&random_state) % 9;
     if (most < children || xorshift(&random_state) % 4 == 0) {
-        end += sprintf(end, "sphere { 0, 1");
+        end += sprintf(end, "sphere { <%d, %d, %d>, %d",
+                       (int)(xorshift(&random_state) % 20),
+                       (int)(xorshift(&random_state) % 20),
+                       (int)(xorshift(&random_state) % 3),
+                       1 + (int)(xorshift(&random_state) % 4));
     } else {
         end += sprintf(end, "%s { ", words[xorshift(&random_state) % 4]);
         for (size_t i = 0; i < children; i++)
@@ -276,79 +321,211 @@ static char *add_solid(char *end, size_t most)
                      xorshift(&random_state) % 4 ? "" : " inverse");
 }
 
-/* The value of a node where the i-th primitive's is bit i. */
-static bool tree_value(const struct scene *scene, size_t node, size_t first,
-                       uint64_t bits)
-{
-    const struct tree_node *tree = &scene->nodes[node];
-    bool value = tree->operation == TREE_AND;
+/* What the machine makes of a region's tree where the primitives have these
+ * values: of values that it does not know it may not ask. */
+struct evaluation {
+    const struct stage *stage;
+    const bool *inside; /* by primitive */
+    bool value[PLACES], known[PLACES];
+    size_t visited; /* nodes */
+    uint64_t branches[PLACES];
+    size_t branch_count;
+};
 
-    if (tree->operation == TREE_LEAF)
-        return bits >> (tree->primitive - first) & 1;
-    for (size_t child = node + 1; child < tree->next;
-         child = scene->nodes[child].next) {
-        bool other = tree_value(scene, child, first, bits);
-        value = tree->operation == TREE_AND  ? value && other
-                : tree->operation == TREE_OR ? value || other
-                                             : !other;
-    }
-    return value;
+static uint64_t node_word(const struct evaluation *evaluation, uint64_t node,
+                          const char *name)
+{
+    return field_of(evaluation->stage, node, "N_SIZE", 0, name);
 }
 
-static bool steps_value(const struct stage *stage, size_t i, uint64_t bits)
+static size_t value_place(const struct evaluation *evaluation,
+                          uint64_t address)
 {
-    uint64_t steps = region(stage, i, "R_STEPS");
-    int64_t count = c205_to_integer(region(stage, i, "R_STEP_COUNT"));
-    int64_t leaves = c205_to_integer(region(stage, i, "R_PRIMITIVES"));
-    bool values[200];
+    const struct stage *stage = evaluation->stage;
+    uint64_t bits = address - primitive(stage, 0, "P_VALUE");
 
-    for (int64_t k = 0; k < leaves; k++)
-        values[k] = bits >> k & 1;
+    assert_true(bits < 64 * symbol(stage, "VALUE_SIZE") * PLACES);
+    return (size_t)(bits / (64 * symbol(stage, "VALUE_SIZE")));
+}
+
+static void tell_value(struct evaluation *evaluation, uint64_t address,
+                       bool value)
+{
+    size_t place = value_place(evaluation, address);
+
+    evaluation->value[place] = value;
+    evaluation->known[place] = true;
+}
+
+static bool ask_value(const struct evaluation *evaluation, uint64_t address)
+{
+    size_t place = value_place(evaluation, address);
+
+    assert_true(evaluation->known[place]);
+    return evaluation->value[place];
+}
+
+static bool is_inside(const struct evaluation *evaluation, uint64_t leaf)
+{
+    const struct stage *stage = evaluation->stage;
+    uint64_t size = 64 * symbol(stage, "P_SIZE");
+
+    return evaluation->inside[(leaf - primitive_at(stage, 0)) / size];
+}
+
+/* Some primitive below it, or it has no bound. */
+static bool may_be_inside(const struct evaluation *evaluation, uint64_t node)
+{
+    const struct stage *stage = evaluation->stage;
+    uint64_t next = node_word(evaluation, node, "N_NEXT");
+    uint64_t radius = node + 64 * (symbol(stage, "N_BOUND") + 3);
+    bool may_be = stage_word(stage, radius) == scene_word(stage, "k_big");
+
+    for (; node != next; node += 64 * symbol(stage, "N_SIZE")) {
+        uint64_t leaf = node_word(evaluation, node, "N_PRIMITIVE");
+
+        may_be = may_be || (leaf && is_inside(evaluation, leaf));
+    }
+    return may_be;
+}
+
+/* Where no primitive below it is a node is passed over. */
+static void visit_nodes(struct evaluation *evaluation, size_t i)
+{
+    const struct stage *stage = evaluation->stage;
+    uint64_t node = region(stage, i, "R_NODES");
+
+    while (node != region(stage, i, "R_NODES_END")) {
+        uint64_t leaf = node_word(evaluation, node, "N_PRIMITIVE");
+        uint64_t value = node_word(evaluation, node, "N_VALUE");
+        bool near = may_be_inside(evaluation, node);
+
+        evaluation->visited++;
+        if (near && !leaf)
+            evaluation->branches[evaluation->branch_count++] = node;
+        else
+            tell_value(evaluation, value,
+                       near && is_inside(evaluation, leaf));
+        node = near ? node + 64 * symbol(stage, "N_SIZE")
+                    : node_word(evaluation, node, "N_NEXT");
+    }
+}
+
+static void take_steps(struct evaluation *evaluation, uint64_t node)
+{
+    const struct stage *stage = evaluation->stage;
+    uint64_t step = node_word(evaluation, node, "N_STEPS");
+    int64_t count = c205_to_integer(
+        node_word(evaluation, node, "N_STEP_COUNT"));
+
     for (size_t k = 0; k < (size_t)count; k++) {
-        int64_t step[4];
+        bool left = ask_value(evaluation,
+                              field_of(stage, step, "T_SIZE", k, "T_LEFT"));
+        bool right = ask_value(evaluation,
+                               field_of(stage, step, "T_SIZE", k, "T_RIGHT"));
+        int64_t operation = c205_to_integer(
+            field_of(stage, step, "T_SIZE", k, "T_OPERATION"));
 
-        for (int part = 0; part < 4; part++) {
-            static const char *const names[] = { "T_OPERATION", "T_LEFT",
-                                                 "T_RIGHT", "T_RESULT" };
-            step[part] = c205_to_integer(
-                field_of(stage, steps, "T_SIZE", k, names[part]));
-            assert_true(step[part] >= 0 && step[part] < 200);
-        }
-        assert_true(step[3] >= leaves); /* the primitives' stay */
-        values[step[3]] = step[0] == STEP_AND
-                              ? values[step[1]] && values[step[2]]
-                          : step[0] == STEP_OR
-                              ? values[step[1]] || values[step[2]]
-                              : values[step[1]] && !values[step[2]];
+        tell_value(evaluation, field_of(stage, step, "T_SIZE", k, "T_RESULT"),
+                   operation == STEP_AND  ? left && right
+                   : operation == STEP_OR ? left || right
+                                          : left && !right);
     }
-    return values[c205_to_integer(region(stage, i, "R_RESULT"))];
 }
 
-/* Steps tell the tree's value or, always, its complement. */
+static bool machine_value(const struct stage *stage, size_t i,
+                          const bool *inside, size_t *visited)
+{
+    struct evaluation evaluation = { .stage = stage, .inside = inside };
+
+    visit_nodes(&evaluation, i);
+    while (evaluation.branch_count > 0)
+        take_steps(&evaluation,
+                   evaluation.branches[--evaluation.branch_count]);
+    *visited = evaluation.visited;
+    return ask_value(&evaluation, region(stage, i, "R_RESULT"));
+}
+
+/* The region of that record: they stand in the hierarchy's order. */
+static const struct region *region_of(const struct stage *stage, size_t i)
+{
+    const struct region *tree = stage->scene->regions;
+
+    while (primitive_at(stage, tree->first_primitive)
+           != region(stage, i, "R_FIRST"))
+        tree++;
+    return tree;
+}
+
+static void check_region(const struct stage *stage, size_t i,
+                         const char *text)
+{
+    enum { TRIES = 50 };
+    const struct region *tree = region_of(stage, i);
+    size_t last = tree->first_primitive + tree->primitive_count, visited;
+    bool inside[PLACES] = { false };
+    bool nothing = machine_value(stage, i, inside, &visited);
+    bool complement = tree_value(stage->scene, tree->first_node, inside)
+                      != nothing;
+
+    for (int try = 0; try < TRIES; try++) {
+        uint64_t few = 1 + xorshift(&random_state) % 8;
+
+        for (size_t k = tree->first_primitive; k < last; k++)
+            inside[k] = xorshift(&random_state) % few == 0;
+        bool value = tree_value(stage->scene, tree->first_node, inside);
+        if (machine_value(stage, i, inside, &visited)
+            != (value != complement))
+            fail_msg("region %zu of %s", i, text);
+    }
+}
+
+/* Steps tell the tree's value or, always, its complement; where nothing of a node
+ * is met they need none that is below it. */
 static void test_steps(void **state)
 {
-    enum { SCENES = 300, MOST = 40, TRIES = 50 };
+    enum { SCENES = 300, MOST = 40 };
 
     (void)state;
     for (int scene = 0; scene < SCENES; scene++) {
-        char text[4000];
+        char text[8000];
         struct stage stage;
 
         add_solid(text, MOST);
-        raise_curtain(&stage, text, BOUNDING_FLAT);
-        for (size_t i = 0; i < stage.scene->region_count; i++) {
-            const struct region *tree = &stage.scene->regions[i];
-            bool complement = tree_value(stage.scene, tree->first_node,
-                                         tree->first_primitive, 0)
-                              != steps_value(&stage, i, 0);
-            for (int try = 0; try < TRIES; try++) {
-                uint64_t bits = xorshift(&random_state);
-                bool value = tree_value(stage.scene, tree->first_node,
-                                        tree->first_primitive, bits);
-                if (steps_value(&stage, i, bits) != (value != complement))
-                    fail_msg("region %zu, primitives %llX of %s", i,
-                             (unsigned long long)bits, text);
-            }
+        raise_curtain(&stage, text,
+                      scene % 2 ? BOUNDING_FLAT : BOUNDING_HIERARCHY);
+        for (size_t i = 0; i < stage.scene->region_count; i++)
+            check_region(&stage, i, text);
+        drop_curtain(&stage);
+    }
+}
+
+/* Of many parts few nodes are visited for one that is met. */
+static void test_many_parts(void **state)
+{
+    static const char *const ways[] = {
+        "merge", "difference { box { -1, 1 }",
+        "intersection { box { -1, 1 } merge"
+    };
+    enum { PARTS = 150 };
+
+    (void)state;
+    for (size_t way = 0; way < COUNT(ways); way++) {
+        char text[8000], *end = text + sprintf(text, "%s", ways[way]);
+        struct stage stage;
+        size_t visited;
+
+        end += sprintf(end, way == 1 ? " " : " { ");
+        for (int i = 0; i < PARTS; i++)
+            end += sprintf(end, "sphere { %d*x, .6 } ", i);
+        sprintf(end, way == 2 ? "} }" : "}");
+        raise_curtain(&stage, text, BOUNDING_HIERARCHY);
+        for (size_t i = 0; i < stage.scene->primitive_count; i++) {
+            bool inside[PLACES] = { false };
+
+            inside[0] = inside[i] = true;
+            machine_value(&stage, 0, inside, &visited);
+            assert_in_range(visited, 3, 50);
         }
         drop_curtain(&stage);
     }
@@ -370,7 +547,8 @@ static void test_values(void **state)
     for (size_t i = 0; i < COUNT(texts); i++) {
         struct scene *scene = read_scene(texts[i]);
         struct tree_step steps[8];
-        struct tree_plan plan = { .steps = steps };
+        struct tree_join joins[16];
+        struct tree_plan plan = { .steps = steps, .joins = joins };
         size_t leaves = scene->primitive_count, parts[16] = { 0 };
 
         assert_true(plan_tree(scene, scene->regions, &plan));
@@ -395,6 +573,7 @@ int main(void)
         cmocka_unit_test(test_regions),    cmocka_unit_test(test_nodes),
         cmocka_unit_test(test_no_bounds),  cmocka_unit_test(test_bounds),
         cmocka_unit_test(test_steps),      cmocka_unit_test(test_values),
+        cmocka_unit_test(test_many_parts), cmocka_unit_test(test_room),
     };
 
     return cmocka_run_group_tests_name("regions", tests, set_up_model,

@@ -148,7 +148,8 @@ static struct scene *read_balls(void)
     return scene;
 }
 
-/* Real memory of some thousand words: long queues cost page faults. */
+/* Real memory of some thousand words: long queues cost page faults.  The rest of
+ * what they cost is that more of the solid is near some ray. */
 static void test_small_memory(void **state)
 {
     static const c205_setting settings[] = { { "page.words", 512 },
@@ -179,7 +180,7 @@ static void test_small_memory(void **state)
     more = longest->forms[SWEEP_QUEUED].total
            - best->forms[SWEEP_QUEUED].total;
     assert_true(group(longest, SWEEP_FAULT) - group(best, SWEEP_FAULT)
-                > more / 2);
+                > more / 3);
     assert_true(group(longest, SWEEP_STARTUP) < group(best, SWEEP_STARTUP));
     sweep_free(&sweep);
     c205_model_free(small);

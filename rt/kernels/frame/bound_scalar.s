@@ -23,16 +23,20 @@
         .regs   r57, w_nodes, w_nodes_end, w_first
         .equ    REGION_LOADED, R_FIRST + 1
         .regs   r60, w_two_delta, w_less
-        .regs   r62, n_cx, n_cy, n_cz, n_radius, n_square, n_primitive
-        .regs   r68, n_next, n_needed
-        .equ    NODE_LOADED, N_NEEDED + 1
-        .regs   r70, l_state_kernel, l_state_inner, l_at_hand, l_segments
-        .regs   r74, l_events, l_first_state, l_first_event, w_chain
-        .regs   r78, w_node, w_crossings, l_crossing, w_least, w_end
-        .regs   r83, w_t0, w_t1, w_t2, w_t3, w_t4, w_t5, w_t6
-        .regs   r90, w_in, w_out, w_stack
+        .regs   r62, n_cx, n_cy, n_cz, n_radius, n_square, n_steps
+        .regs   r68, n_step_count, n_primitive, n_needed, n_next, n_value
+        .equ    NODE_LOADED, N_VALUE + 1
+        .regs   r73, w_chain, w_branch, w_node, l_crossing, w_least, w_end
+        .regs   r79, w_t0, w_t1, w_t2, w_t3, w_t4, w_t5, w_t6
+        .regs   r86, w_in, w_out, w_stack
         .endshare
-        .equ    WALK_REGISTERS, 61
+        .equ    WALK_REGISTERS, 57
+
+; A leaf's part in its tree, in the place of its bound.
+        .share  local
+        .regs   r62, l_state_kernel, l_state_inner, l_at_hand, l_segments
+        .regs   r66, l_events, l_first_state, l_first_event
+        .endshare
 
         .macro  skip_far c0, c1, c2, radius, square, limit, far
         CFPGE   \radius, m_big, near\@

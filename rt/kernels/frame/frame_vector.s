@@ -20,6 +20,9 @@
         .endif
         .reg    link_walk, r133
 
+; Of a tree's values before and after an event, in words.
+        .equ    VALUE_SIZE, 2 * QUEUE_BIT_WORDS
+
         .entry  frame
         .kernel frame
 frame:

@@ -14,7 +14,7 @@
         .share  local
         .regs   r62, h_cx, h_cy, h_cz, h_radius, h_square
         .regs   r67, h_regions, h_region_count, h_wayx, h_wayy, h_wayz
-        .reg    h_node, r78
+        .reg    h_node, r75
         .endshare
         .equ    HIERARCHY_LOADED, H_WAY + 3
 

@@ -26,22 +26,21 @@
         .equ    TREE_OPERANDS, 18
 
         .regs   r174, segment_in, segment_out, ray_limit
-        .regs   r177, from_in, from_out, from_crossings, its_shadow, stride
+        .regs   r177, from_in, from_out, w_crossings, its_shadow, stride
         .regs   r182, from_red, from_green, from_blue
         .regs   r185, next_in, next_out, next_limit
         .reg    its_patch, r155
 
-; A leaf at hand: the next one's, or 0; its record; its crossings, from a ray's
-; first; how many segments; is it needed?
-        .regs   r188, leaf_next, leaf_primitive, leaf_crossing, leaf_segments
-        .reg    leaf_needed, r192
-        .regs   r193, first_leaf, chain_at, apart
+; A leaf at hand: the words of its record in the list; where it stands there, and
+; the end.
+        .regs   r188, leaf_primitive, leaf_segments, leaf_events
+        .regs   r191, leaf_first_state, leaf_first_event, leaf_value, leaf_needed
+        .regs   r195, its_leaf, first_leaf, leaves_last, chain_at, apart
         .endshare
 
         .data
         .align 64
 light_left:     .space 3 * QUEUE        ; of each ray to a light
-tree_leaves:    .word 0                 ; the first leaf at hand, as leaf_next
         .code
 
         .macro  hand_over_rays
@@ -136,7 +135,6 @@ begin_span:
 node_met:
         BIM     node_next
 needed_few:
-        IX      node_at, 64 * N_SIZE
         BIM     node_few
 
 walk_tree:
@@ -151,27 +149,27 @@ walk_tree:
         RTOR    its_region, w_region
         IX      its_region, 64 * R_SHADOW
         LOD     [its_region], its_shadow
-        EX      loop_at, scene_crossings
-        LOD     [loop_at], from_crossings
         EX      stride, STRIDE
         EX      apart, CROSSING_SIZE
         load_two_delta
-        EX      target, chain_leaves
-        BSAVE   link, [target]
+        load_at scene_leaves, 2, first_leaf     ; and leaves_last
+        IBXEQ   first_leaf, r0, leaves_last, tree_end
+        EX      loop_at, branches_end
+        LOD     [loop_at], loop_work
+        EX      loop_at, span + 64 * 2
+        STO     [loop_at], loop_work
 tree_next:
         LOD     [from_limit, loop_index], w_end
         SHIFTI  loop_index, 6, w_crossings
-        ADDX    from_crossings, w_crossings, w_crossings
         RTOR    w_lower, w_least
-        RTOR    first_leaf, leaf_next
-        EX      chain_at, span + 64 * 2
+        RTOR    first_leaf, its_leaf
+        EX      chain_at, span + 64 * 3
         ES      w_met, 0
-        IBXEQ   leaf_next, r0, r0, tree_skip
 tree_leaf:
-        RTOR    leaf_next, loop_at
-        SWAP    [loop_at], leaf_next, [r0]
-        ADDX    w_crossings, leaf_crossing, leaf_crossing
-        LOD     [leaf_crossing], w_in
+        ELEN    its_leaf, LEAF_SIZE
+        SWAP    [its_leaf], leaf_primitive, [r0]
+        ADDX    leaf_first_state, w_crossings, leaf_first_state
+        LOD     [leaf_first_state], w_in
         CFPGE   w_in, m_big, tree_missed
         STO     [chain_at], leaf_primitive
         RTOR    leaf_primitive, chain_at
@@ -179,9 +177,10 @@ tree_leaf:
         ES      w_met, 1
         IBXEQ   leaf_needed, r0, r0, tree_leaf_next
         IBXEQ   leaf_segments, r0, r0, tree_leaf_next
-        narrow_span leaf_crossing, leaf_segments, apart, tree_skip
+        narrow_span leaf_first_state, leaf_segments, apart, tree_skip
 tree_leaf_next:
-        IBXNE   leaf_next, r0, r0, tree_leaf
+        IX      its_leaf, 64 * LEAF_SIZE
+        IBXNE   its_leaf, r0, leaves_last, tree_leaf
         IBXEQ   w_met, r0, r0, tree_skip
         STO     [chain_at], r0
         next_visible w_least, tree_skip
@@ -199,7 +198,6 @@ tree_taken:
         IBXEQ   its_patch, r0, r0, tree_skip
         IX      w_out, 64 * P_FIRST_EVENT
         LOD     [w_out], loop_work
-        MPYX    loop_work, stride, loop_work
         ADDX    w_crossings, loop_work, w_crossings
         load_at k_delta, 1, ray_limit
         SUBN    w_in, ray_limit, next_in
@@ -217,48 +215,15 @@ tree_crossing:
         STO     [to_hit_t, loop_place], segment_out
 tree_skip:
         loop_next tree_next
+tree_end:
         to_vector
         region_took_hits
         BIM     walk_skip
 
 tree_missed:
+        STO     [leaf_value], r0
         IBXEQ   leaf_needed, r0, r0, tree_leaf_next
         BIM     tree_skip
-
-; The leaves at hand of w_region, chained through their nodes.
-chain_leaves:
-        RTOR    w_region, loop_at
-        IX      loop_at, 64 * R_NODES
-        ELEN    loop_at, 2
-        SWAP    [loop_at], w_nodes, [r0]        ; and w_nodes_end
-        EX      chain_at, tree_leaves
-chain_next:
-        RTOR    w_nodes, loop_at
-        IX      loop_at, 64 * N_PRIMITIVE
-        ELEN    loop_at, NODE_LOADED - N_PRIMITIVE
-        SWAP    [loop_at], n_primitive, [r0]
-        IBXEQ   n_primitive, r0, r0, chain_skip
-        RTOR    n_primitive, leaf_primitive
-        RTOR    n_primitive, loop_at
-        IX      loop_at, 64 * P_AT_HAND
-        ELEN    loop_at, 4
-        SWAP    [loop_at], l_at_hand, [r0]
-        IBXEQ   l_at_hand, r0, r0, chain_skip
-        MPYX    l_first_state, stride, leaf_crossing
-        RTOR    l_segments, leaf_segments
-        RTOR    n_needed, leaf_needed
-        RTOR    w_nodes, loop_at
-        IX      loop_at, 64 * N_CHAIN
-        ELEN    loop_at, CHAIN_LINK
-        STO     [chain_at], loop_at
-        RTOR    loop_at, chain_at
-        SWAP    [r0], leaf_next, [loop_at]
-chain_skip:
-        IX      w_nodes, 64 * N_SIZE
-        IBXNE   w_nodes, r0, w_nodes_end, chain_next
-        STO     [chain_at], r0
-        load_at tree_leaves, 1, first_leaf
-        BIM     0, link
         .endkernel
 
         .kernel shadow

@@ -19,7 +19,6 @@
 ;
 ;   shape      what is loaded of the shape, the node or the region that is
 ;              looked at; whoever looks at the next one loads its own
-;   walk       the nodes of a region or, of a small one, its leaves alone
 ;   crossings  what a kernel finds, until it is put among the crossings of a
 ;              tree; then of those who look at these
 ;   hits       vectors of the hits that are shaded, of a kernel's lanes, of the
@@ -34,12 +33,10 @@
         .regs   r6, s0, s1, s2, s3, s4, s5, s6, s7, s8, s9    ; scratch
         .regs   r16, one, half, two, big, minus_big, tiny, tmin, checker_shift
         .regs   r24, level, position, h   ; of reflection; in its rays
-        .regs   r28, primitive, primitives_left, shape_at
+        .regs   r28, primitive, leaf_at, shape_at
         .regs   r31, target, inner_kernel
         .regs   r34, light_at, lights_left
-        .share  walk
         .regs   r36, region, regions_left, node_at, nodes_end
-        .endshare
 
 ; Shape parameters and the matrix of the primitive at hand (see records.s).
         .share  shape

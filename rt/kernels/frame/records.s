@@ -62,18 +62,17 @@
                                 ; by the scalar form only
         .field  P_STATE_KERNEL     ; under a tree, of an open shape: what gives
         .field  P_STATE_INNER      ; the segments of the closed one; else 0
-        .field  P_AT_HAND          ; in a tree, written by the program: of a
-                                ; queue, 1 if a ray came near it; of one ray,
-                                ; the next primitive that it meets, the last 0
+        .field  P_AT_HAND          ; in a tree, written by scalar code: the next
+                                ; primitive that the ray meets, the last 0
         .field  P_SEGMENTS         ; how many segments of a ray it has (0: a
                                 ; surface without inside), an integer
         .field  P_EVENTS           ; how many crossings can be seen
-        .field  P_FIRST_STATE      ; where its segments stand among the
-        .field  P_FIRST_EVENT      ; crossings of the tree, and its crossings:
+        .field  P_FIRST_STATE      ; addresses of the first of its segments in
+        .field  P_FIRST_EVENT      ; the tree, and of its crossings:
                                 ; the same of a closed shape; of a patch
                                 ; PATCH_CROSSINGS, missing ones big, then in
                                 ; the vector form as many s, then as many t
-        .field  P_VALUE            ; its number among the values of the tree
+        .field  P_VALUE            ; address of its value in the tree
         .field  P_INVERTED         ; 1: what its outward normal points to is
                                 ; solid
         .field  P_MIRROR           ; 1: it reflects
@@ -125,10 +124,7 @@
         .field  R_NODES            ; address of its first node, of what stands
         .field  R_NODES_END        ; behind the last
         .field  R_FIRST            ; address of its first primitive
-        .field  R_PRIMITIVES       ; and how many stand from there on
-        .field  R_STEPS            ; address of the first step of its tree, and
-        .field  R_STEP_COUNT       ; how many; none: R_RESULT is the primitive
-        .field  R_RESULT           ; where the tree's value stands
+        .field  R_RESULT           ; address of the tree's value
         .field  R_CLEAR            ; address of its word in scene_clear, where
                                 ; parts of it are clear
         .at     16
@@ -151,25 +147,40 @@
         .equ    SPHERES_MOST, 8
 
 ; A node: the tree in preorder, without complements.  A ray that does not come
-; near a node goes on behind all that is below it.
-        .equ    CHAIN_LINK, 5
+; near a node goes on behind all that is below it; the node's value is 0 then.
+; The others are at hand: leaves, and branches, which have steps that make their
+; value of those below.
         .record N
         .field  N_BOUND, 5         ; as R_BOUND
+        .field  N_STEPS            ; address of the first of its steps, and
+        .field  N_STEP_COUNT       ; how many; none: a leaf, or of one child
         .field  N_PRIMITIVE        ; address of a leaf's, or 0
-        .field  N_NEXT             ; address of the node to go on with
         .field  N_NEEDED           ; 1: a ray that misses it sees nothing of the
                                 ; tree
-        .field  N_CHAIN, CHAIN_LINK ; the leaves at hand, in the kernels'
-                                ; stage (nearest_1984.s)
+        .field  N_NEXT             ; address of the node to go on with
+        .field  N_VALUE            ; address of its value
         .endrecord
 
-; A step of the evaluation of a tree.  Values are numbered: those of the
-; region's primitives from 0 on, then those that steps make.
+; A step of the evaluation of a tree.  The host leaves room for the values and
+; crossings of the tree that has most, VALUE_SIZE and CROSSING_SIZE words each.
         .record T
         .field  T_OPERATION        ; 0 and, 1 or, 2 and not
-        .field  T_LEFT
+        .field  T_LEFT             ; addresses of values
         .field  T_RIGHT
         .field  T_RESULT
+        .endrecord
+
+; Of the region that is looked at, the leaves at hand, in the vector forms.
+        .record LEAF
+        .field  LEAF_PRIMITIVE
+        .field  LEAF_PART, 5       ; P_SEGMENTS .. P_VALUE
+        .field  LEAF_NEEDED        ; N_NEEDED
+        .endrecord
+
+; .. and the branches, each before those below it.
+        .record BRANCH
+        .field  BRANCH_STEPS       ; N_STEPS
+        .field  BRANCH_STEP_COUNT
         .endrecord
 
 ; A light.
@@ -202,8 +213,10 @@ scene_region_total: .word 0     ; how many there are, with those under nodes
 scene_hierarchy:  .word 0       ; address of its first node; 0: there is none
 scene_clear:      .word 0       ; address of a word for each region with clear
 scene_clear_count: .word 0      ; parts, in the order of the scene, and how many
-scene_crossings:  .word 0       ; CROSSING_SIZE words for each of a tree's crossings
-scene_values:     .word 0       ; VALUE_SIZE words for each value of one
+scene_leaves:     .word 0       ; LEAF_SIZE words for each leaf of a tree: the list
+leaves_end:       .word 0       ; of those at hand, its end, written by vector code
+scene_branches:   .word 0       ; BRANCH_SIZE words for each branch: the list of
+branches_end:     .word 0       ; those at hand, its end, written by vector code
 scene_levels:     .word 0       ; LEVEL_SIZE words for each level of reflection
 scene_level_count: .word 0      ; max_trace_level, or 1 if nothing reflects or is
                                 ; clear, an integer

@@ -134,8 +134,7 @@ nearest_seen:
         LOD     [w_at], w_t0
         IBXEQ   w_t0, r0, r0, nearest_skip
         IX      w_out, 64 * P_FIRST_EVENT
-        LOD     [w_out], w_t0
-        crossing_at w_t0, w_t1
+        LOD     [w_out], w_t1
         RTOR    w_leaf, w_at
         IX      w_at, 64 * (P_PATCH_POINTS - 2)
         EX      w_t2, k_delta

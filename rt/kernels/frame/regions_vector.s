@@ -17,9 +17,9 @@
 ; Of a region, while its bound is tested.
         .share  shape
         .regs   r61, region_simple, region_shadow, region_nodes
-        .regs   r64, region_nodes_end, region_first, region_count
+        .regs   r64, region_nodes_end, region_first
         .endshare
-        .equ    REGION_WORDS, R_PRIMITIVES + 1
+        .equ    REGION_WORDS, R_FIRST + 1
 
         .reg    link_walk, r133
 

@@ -2,8 +2,8 @@
 ; Part of those that follow shadow rays.
 
         .share  local
-        .regs   r93, s_red, s_green, s_blue     ; what is left of the light
-        .regs   r96, s_clear, s_passing_r, s_passing_g, s_passing_b
+        .regs   r89, s_red, s_green, s_blue     ; what is left of the light
+        .regs   r92, s_clear, s_passing_r, s_passing_g, s_passing_b
         .endshare
         .equ    PASSING_REGISTERS, 7
 

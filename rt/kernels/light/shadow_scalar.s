@@ -14,7 +14,7 @@
 ; the product does not depend on the order in which they were found.
 
         .share  local
-        .regs   r100, s_waiting, s_waiting_end
+        .regs   r96, s_waiting, s_waiting_end
         .endshare
         .equ    SHADOW_REGISTERS, WALK_REGISTERS + PASSING_REGISTERS + 2
 

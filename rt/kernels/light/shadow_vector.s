@@ -131,7 +131,7 @@ found_shadow:
 shadow_of_parts:
         leaves_begin
 shadow_leaf:
-        leaf_at_hand shadow_next
+        leaf_at_hand
         load_field P_ID, identity
         CMPEQV  [event_met], identity, [bits0]
         ANDB    [bits0], [seen], [bits0]

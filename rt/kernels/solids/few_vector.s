@@ -1,16 +1,13 @@
-; few_vector.s - a primitive of a tree that few of the rays at hand come near.
+; few_vector.s - a node of a tree that few of the rays at hand come near.
 ;
-; They are gathered, and its kernel meets them alone; then its crossings are
-; those of all rays at hand again: misses, but where the few have any.
+; They are gathered, and they alone are at hand for all that is below it.  Kernels
+; meet them; then the crossings of a primitive are those of all rays again: misses,
+; but where the few have any.
 ;
-; In:  node_primitive; near_bits, s0 of them; the rays at hand.
-; Out: the primitive's crossings; P_AT_HAND.
+; In:  the node; near_bits, s0 of them; the rays at hand.
+; Out: the crossings of what is below it; the leaves and branches at hand.
 ; Source: derived here.
 
-; Where these registers' own stand meanwhile: few_saved.
-        .share  walk
-        .regs   r38, leaf_first, few_at
-        .endshare
         .share  phase
         .reg    link_few, r188
         .endshare
@@ -23,22 +20,24 @@
         .endif
 
         .data
-few_saved:      .space 9
-few_outer:      .word 0                 ; how many rays were at hand
+few_outer:      .word 0                 ; how many rays were at hand; 0: they are
+few_saved:      .space 9                ; wox .. wlower, near_limit, nodes_end
+few_places:     .word 0                 ; descriptor: where the few were
+few_first:      .word 0                 ; address of the primitive's crossings
         .align  64
-few_store:      .space (7 + FEW_CROSSINGS) * QUEUE ; places, rays, crossings
+few_store:      .space (8 + FEW_CROSSINGS) * QUEUE ; places, rays, limits, crossings
         .code
 
         .macro  gather_few vector, number
         describe s3, few_store + 64 * QUEUE * \number, s9
-        VXTOV   [few_at], [\vector], [s3]
+        VXTOV   [s2], [\vector], [s3]
         RTOR    s3, \vector
         .endm
 
 ; The next vector of the region's crossings: misses, and what the few have.
         .macro  spread_few vector, none
         VTOV    \none, [slot]
-        VTOVX   [few_at], [\vector], [slot]
+        VTOVX   [s4], [\vector], [slot]
         ADDX    slot, slot_size, slot
         .endm
 
@@ -51,13 +50,17 @@ node_few:
         ELEN    s3, 7
         SWAP    [r0], wox, [s3]                 ; .. wlower
         IX      s3, 64 * 7
-        ELEN    s3, 2
-        SWAP    [r0], node_at, [s3]             ; and nodes_end
-        EX      few_at, few_store
-        CPSV    [iota], [few_at] ? [near_bits]
+        STO     [s3], near_limit
+        STO     [s3, one_index], nodes_end
+        RTOR    node_behind, nodes_end
+        EX      s2, few_store
+        CPSV    [iota], [s2] ? [near_bits]
+        EX      s3, few_places
+        STO     [s3], s2
         gather_few wdx, 4
         gather_few wdy, 5
         gather_few wdz, 6
+        gather_few near_limit, 7
         SUBX    s9, near, s4
         ADDLEN  wox, s4, wox
         ADDLEN  woy, s4, woy
@@ -70,37 +73,44 @@ few_gathered:
         set_near s9
         EX      target, take_least
         BSAVE   link_inner, [target]
-        .endkernel
+        BIM     node_near
 
-        .kernel call
-        RTOR    node_primitive, primitive
-        store_field P_AT_HAND, one_index
-        load_field P_FIRST_EVENT, leaf_first
-        RTOR    primitive, shape_at
-        EX      target, few_kernel
-        BSAVE   link_few, [target]
-        load_field P_STATE_KERNEL, s0
-        IBXEQ   s0, r0, r0, few_end
-        load_field P_FIRST_STATE, leaf_first
-        RTOR    primitive, shape_at
-        IX      shape_at, 64 * P_STATE_KERNEL
-        EX      target, few_kernel
-        BSAVE   link_few, [target]
-few_end:
+; All that is below the node is met; s9 rays are at hand again.
+few_met:
+        EX      s3, few_outer
+        STO     [s3], r0
         EX      s3, few_saved
         ELEN    s3, 7
         SWAP    [s3], wox, [r0]
         IX      s3, 64 * 7
-        ELEN    s3, 2
-        SWAP    [s3], node_at, [r0]
+        LOD     [s3], near_limit
+        LOD     [s3, one_index], nodes_end
         ES      space, 0
-        load_word few_outer, s9
         set_near s9
         BIM     node_next
+        .endkernel
 
-; The kernel that shape_at says, for the few; its crossings from leaf_first on.
+        .kernel call
+few_leaf:
+        EX      s3, few_first
+        STO     [s3], leaf_first_event
+        RTOR    primitive, shape_at
+        EX      target, few_kernel
+        BSAVE   link_few, [target]
+        load_field P_STATE_KERNEL, s0
+        IBXEQ   s0, r0, r0, node_next
+        load_field P_FIRST_STATE, s0
+        EX      s3, few_first
+        STO     [s3], s0
+        RTOR    primitive, shape_at
+        IX      shape_at, 64 * P_STATE_KERNEL
+        EX      target, few_kernel
+        BSAVE   link_few, [target]
+        BIM     node_next
+
+; The kernel that shape_at says, for the few; its crossings from few_first on.
 few_kernel:
-        describe tin, few_store + 64 * QUEUE * 7, near
+        describe tin, few_store + 64 * QUEUE * 8, near
         EX      s3, 64 * QUEUE
         ADDX    tin, s3, tout
         ADDX    tout, s3, tin2
@@ -117,11 +127,10 @@ few_solid:
         call_kernel
         load_record P_SEGMENTS, 4, leaf_segments
         EX      slot_size, 64 * CROSSING_SIZE
-        MPYX    leaf_first, slot_size, s1
-        load_word scene_crossings, slot
-        ADDX    slot, s1, slot
         load_word few_outer, s1
-        ADDLEN  slot, s1, slot
+        load_word few_first, s4
+        ADDLEN  s4, s1, slot
+        load_word few_places, s4
         IBXEQ   leaf_segments, r0, r0, few_patch
         spread_few tin, big
         spread_few tout, minus_big

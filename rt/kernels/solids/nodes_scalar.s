@@ -1,8 +1,9 @@
 ; nodes_scalar.s - the crossings of a ray with the primitives of a tree.
 ;
 ; The nodes stand in preorder.  What the ray does not come near is passed over
-; with all that is below it.  Of the others the kernels write into
-; scene_crossings; P_AT_HAND chains those that the ray meets, the first in span.
+; with all that is below it.  Of the others the kernels write where P_FIRST_STATE
+; and P_FIRST_EVENT say; P_AT_HAND chains those that the ray meets, the first in span.
+; Branches that it comes near are listed.  What is not met has the value 0.
 ;
 ; Primitives that are needed narrow the span in which the tree can be seen
 ; (span_scalar.s); where nothing is left of it the work ends.
@@ -11,7 +12,8 @@
 ; stands for that of the first node.
 ;
 ; In:  w_ray .., the region, w_end: the ray's limit.
-; Out: w_met = 1 if anything may be seen, then between w_least and w_end.
+; Out: w_met = 1 if anything may be seen, then between w_least and w_end; the
+; branches and leaves that it meets, in span (visible_scalar.s).
 
         .data
 leaf_list:      .space 3
@@ -21,11 +23,6 @@ leaf_list:      .space 3
         RTOR    w_node, w_at
         ELEN    w_at, NODE_LOADED
         SWAP    [w_at], n_cx, [r0]
-        .endm
-
-        .macro  crossing_at slot, result
-        SHIFTI  \slot, 6, \result
-        ADDX    w_crossings, \result, \result
         .endm
 
 ; The leaf's kernel, with the third argument as l_crossing describes it.
@@ -41,10 +38,10 @@ leaf_list:      .space 3
 
         .kernel visible
 meet_tree:
-        EX      w_at, scene_crossings
-        LOD     [w_at], w_crossings
         load_two_delta
-        EX      w_chain, span + 64 * 2
+        EX      w_chain, span + 64 * 3
+        EX      w_at, scene_branches
+        LOD     [w_at], w_branch
         ES      w_met, 0
         RTOR    w_lower, w_least
         RTOR    w_nodes, w_node
@@ -60,6 +57,11 @@ meet_node:
 meet_near:
         IBXNE   n_primitive, r0, r0, meet_leaf
         IX      w_node, 64 * N_SIZE
+        STO     [w_branch], n_steps
+        STO     [w_branch, m_index_one], n_step_count
+        IBXEQ   n_step_count, r0, r0, meet_no_branch
+        IX      w_branch, 64 * BRANCH_SIZE
+meet_no_branch:
         IBXNE   w_node, r0, w_nodes_end, meet_node
         BIM     meet_end
 meet_leaf:
@@ -68,23 +70,21 @@ meet_leaf:
         ELEN    w_at, 7
         SWAP    [w_at], l_state_kernel, [r0]
         IBXEQ   l_state_kernel, r0, r0, meet_events
-        crossing_at l_first_state, l_crossing
-        ADDLEN  l_crossing, l_segments, l_crossing
+        ADDLEN  l_first_state, l_segments, l_crossing
         ADDLEN  l_crossing, l_segments, l_crossing
         RTOR    l_state_kernel, target
         RTOR    l_state_inner, inner
         call_leaf
 meet_events:
-        crossing_at l_first_event, l_crossing
-        ADDLEN  l_crossing, l_events, l_crossing
+        ADDLEN  l_first_event, l_events, l_crossing
         ELEN    n_primitive, 2
         SWAP    [n_primitive], target, [r0]     ; and inner
         call_leaf
         .endkernel
 
         .kernel visible
-        crossing_at l_first_state, l_crossing
-        LOD     [l_crossing], w_in
+        RTOR    l_first_state, l_crossing
+        LOD     [l_first_state], w_in
         CFPGE   w_in, m_big, meet_missed
         STO     [w_chain], n_primitive
         RTOR    n_primitive, w_chain
@@ -97,13 +97,17 @@ meet_next:
         IBXNE   n_next, r0, w_nodes_end, meet_node, w_node
 meet_end:
         STO     [w_chain], r0
+        EX      w_at, span + 64 * 2
+        STO     [w_at], w_branch
         BIM     0, w_back
 
 meet_far:
         IBXNE   n_needed, r0, r0, meet_nothing
+        STO     [n_value], r0
         IBXNE   n_next, r0, w_nodes_end, meet_node, w_node
         BIM     meet_end
 meet_missed:
+        STO     [n_value], r0
         IBXEQ   n_needed, r0, r0, meet_next
 meet_nothing:
         ES      w_met, 0

@@ -2,7 +2,7 @@
 ;
 ; The nodes stand in preorder.  A node whose bounding sphere no ray comes near
 ; is passed over with all that is below it; those primitives are not at hand,
-; and nothing looks at their crossings.  Of the others the kernels write
+; and nothing looks at their crossings.  The others are listed, and the kernels write
 ; into the region's crossings directly: tin, tout .. are descriptors of vectors
 ; there.
 ;
@@ -12,68 +12,115 @@
 ;   patch           PATCH_CROSSINGS crossings, as many s, as many t from
 ;                   P_FIRST_EVENT on
 ;
-; Where few come near a primitive those are gathered (few_vector.s), or what is
-; needed leaves no others (span_vector.s).  Behind each primitive it goes on at
+; Where few come near a node those are gathered for all that is below it
+; (few_vector.s), or what is needed leaves no others (span_vector.s).  Behind each primitive it goes on at
 ; node_met, with the segments in tin ..; behind all of them at walk_tree.
 ;
 ; Where something has been met before, crossings a little beyond the limits are
 ; looked for, too: of two regions at one distance the first primitive counts,
 ; which found_nearest decides.
 ;
-; In:  region, the rays at hand.  Out: the crossings; P_AT_HAND.
+; In:  region, the rays at hand.  Out: the crossings; the leaves and branches at
+;      hand, up to leaves_end and branches_end; 0 as the value of what is far.
 ; Source: derived here; the project's notes on ray tracing, 4.1.
 
 ; A primitive's part in a tree: the words from P_SEGMENTS on.
         .share  scratch
-        .regs   r247, leaf_at_hand, leaf_segments, leaf_events, leaf_first_state
-        .reg    leaf_first_event, r251
+        .regs   r246, leaf_primitive, leaf_segments, leaf_events
+        .regs   r249, leaf_first_state, leaf_first_event, leaf_value
         .reg    slot, r252
         .reg    slot_size, r253
         .endshare
 
-; The region's primitives at hand, one after another; to next for the next one.
+; The leaves at hand, one after another.
         .share  crossings
-        .reg    first_leaf, r105
-        .reg    leaf_count, r106
+        .regs   r105, first_leaf, leaves_last
         .endshare
 
-        .macro  leaves_begin
-        RTOR    first_leaf, primitive
-        RTOR    leaf_count, primitives_left
+        .macro  load_leaves
+        EX      s0, scene_leaves
+        ELEN    s0, 2
+        SWAP    [s0], first_leaf, [r0]          ; and leaves_last
         .endm
 
-        .macro  leaf_at_hand next
-        RTOR    primitive, shape_at
-        IX      shape_at, 64 * P_AT_HAND
-        ELEN    shape_at, 5
-        SWAP    [shape_at], leaf_at_hand, [r0]
-        IBXEQ   leaf_at_hand, r0, r0, \next
+        .macro  leaves_begin
+        RTOR    first_leaf, leaf_at
+        .endm
+
+        .macro  leaf_at_hand
+        ELEN    leaf_at, LEAF_NEEDED
+        SWAP    [leaf_at], leaf_primitive, [r0]
+        RTOR    leaf_primitive, primitive
         .endm
 
         .macro  leaves_next again
-        IX      primitive, 64 * P_SIZE
-        IBXNE   primitives_left, minus_one_index, r0, \again, primitives_left
+        IX      leaf_at, 64 * LEAF_SIZE
+        IBXNE   leaf_at, r0, leaves_last, \again
+        .endm
+
+; The node at hand goes to its list.  Of a leaf the parts are loaded.
+        .macro  list_branch
+        EX      s0, branches_end
+        LOD     [s0], s1
+        ELEN    s1, BRANCH_SIZE
+        SWAP    [r0], node_steps, [s1]          ; and node_step_count
+        IX      s1, 64 * BRANCH_SIZE
+        STO     [s0], s1
+        .endm
+
+        .macro  list_leaf
+        EX      s0, leaves_end
+        LOD     [s0], s1
+        RTOR    node_primitive, primitive
+        load_record P_SEGMENTS, 5, leaf_segments
+        RTOR    primitive, leaf_primitive
+        ELEN    s1, LEAF_NEEDED
+        SWAP    [r0], leaf_primitive, [s1]
+        IX      s1, 64 * LEAF_NEEDED
+        STO     [s1], node_needed
+        IX      s1, 64 * (LEAF_SIZE - LEAF_NEEDED)
+        STO     [s0], s1
         .endm
 
         .equ    CROSSING_SIZE, QUEUE
 
-; The words of a node from its primitive on.
+; The words of a node behind its bound.
         .share  shape
-        .regs   r61, node_primitive, node_behind, node_needed
+        .regs   r61, node_steps, node_step_count, node_primitive, node_needed
+        .regs   r65, node_behind, node_value
         .endshare
-        .equ    NODE_WORDS, N_NEEDED + 1
+        .equ    NODE_WORDS, N_VALUE + 1
         .share  phase
         .reg    leaf_needed, r188
         .reg    least_culled, r187      ; smaller bounds are tested
         .endshare
 
-; slot := descriptor of crossing number first, the next one slot_size on.
+; No ray is inside of the node: both bits of its value, of all rays that the queue
+; may have, in one go if a vector can be so long.
+        .macro  clear_value
+        .if     VALUE_SIZE == 1
+        STO     [node_value], r0
+        .else
+        RTOR    node_value, s2
+        .if     64 * VALUE_SIZE > 65535
+        ELEN    s2, 32 * VALUE_SIZE - 64
+        XORB    [s2], [s2], [s2]
+        IX      s2, 64
+        XORB    [s2], [s2], [s2]
+        IX      s2, 32 * VALUE_SIZE - 64
+        XORB    [s2], [s2], [s2]
+        IX      s2, 64
+        .else
+        ELEN    s2, 64 * VALUE_SIZE
+        .endif
+        XORB    [s2], [s2], [s2]
+        .endif
+        .endm
+
+; slot := descriptor of the crossing at first, the next one slot_size on.
         .macro  find_slot first
         EX      slot_size, 64 * CROSSING_SIZE
-        MPYX    \first, slot_size, s1
-        load_word scene_crossings, slot
-        ADDX    slot, s1, slot
-        ADDLEN  slot, near, slot
+        ADDLEN  \first, near, slot
         .endm
 
         .macro  next_slot into
@@ -109,14 +156,14 @@ walk_nodes:
         MPYSV   [near_limit], s0, [s3]
         RTOR    s3, near_limit
 walk_limited:
-        RTOR    region_first, first_leaf
-        RTOR    region_count, leaf_count
         RTOR    region_nodes, node_at
         RTOR    region_nodes_end, nodes_end
-        leaves_begin
-node_clear:
-        store_field P_AT_HAND, r0
-        leaves_next node_clear
+        load_word scene_leaves, s0
+        load_word scene_branches, s1
+        EX      s2, leaves_end
+        EX      s3, branches_end
+        STO     [s2], s0
+        STO     [s3], s1
         EX      target, begin_span
         BSAVE   link_inner, [target]
         ELEN    node_at, NODE_WORDS
@@ -124,7 +171,7 @@ node_clear:
         MPYS    bound_r, half, least_culled
         BIM     node_near                       ; the region's own bound
 node_next:
-        IBXEQ   node_at, r0, nodes_end, walk_tree
+        IBXEQ   node_at, r0, nodes_end, nodes_met
         ELEN    node_at, NODE_WORDS
         SWAP    [node_at], bound_x, [r0]
         CFPGE   bound_r, least_culled, node_near
@@ -134,28 +181,40 @@ node_next:
         EX      target, test_bound
         BSAVE   link_inner, [target]
         IBXEQ   s0, r0, r0, node_far
-        IBXEQ   node_primitive, r0, r0, node_near
         ADDX    s0, s0, s1
         ADDX    s1, s1, s1
         IBXGE   s1, r0, near, node_near
-        IBXNE   node_needed, r0, r0, needed_few
-        IX      node_at, 64 * N_SIZE
-        BIM     node_few
+        IBXNE   node_needed, r0, r0, node_needed_few
+        load_word few_outer, s1
+        IBXEQ   s1, r0, r0, node_few
+        BIM     node_near
+node_needed_few:
+        IBXNE   node_primitive, r0, r0, needed_few
+        BIM     node_near
+nodes_met:
+        load_word few_outer, s9
+        IBXEQ   s9, r0, r0, walk_tree
+        BIM     few_met
 node_far:
         IBXNE   node_needed, r0, r0, walk_skip
+        clear_value
         RTOR    node_behind, node_at
         BIM     node_next
 node_near:
         IX      node_at, 64 * N_SIZE
-        IBXEQ   node_primitive, r0, r0, node_next
+        IBXNE   node_primitive, r0, r0, node_leaf
+        IBXEQ   node_step_count, r0, r0, node_next
+        list_branch
+        BIM     node_next
+node_leaf:
+        load_word few_outer, s9
+        list_leaf
         RTOR    node_needed, leaf_needed
+        IBXNE   s9, r0, r0, few_leaf
         .endkernel
 
         .kernel call
-        RTOR    node_primitive, primitive
-        store_field P_AT_HAND, one_index
         look_at_rays wox, woy, woz, wdx, wdy, wdz, wlower
-        load_record P_SEGMENTS, 4, leaf_segments
         find_segments leaf_first_event
         RTOR    leaf_segments, segments_wanted
         IBXNE   leaf_segments, r0, r0, node_solid

@@ -19,11 +19,17 @@
         .share  scratch
         .regs   r233, event, last, event_met, before, after, active, seen
         .reg    inside, r240            ; of one segment
-        .reg    shown, r241
         .endshare
 
+; A value of the tree, before and after an event.
+        .macro  value_of address, value, value_after
+        ADDLEN  \address, near, \value
+        RTOR    \value, \value_after
+        IX      \value_after, 64 * QUEUE_BIT_WORDS
+        .endm
+
         .data
-event_bits:     .space 4 * QUEUE_BIT_WORDS
+event_bits:     .space 3 * QUEUE_BIT_WORDS
         .align  64
 event_store:    .space 4 * QUEUE
 last_store:     .space QUEUE
@@ -131,10 +137,7 @@ squeeze_spaces:
         squeeze_own lscale
         squeeze_own llower
 squeeze_crossings:
-        RTOR    region, s0
-        IX      s0, 64 * R_FIRST
-        ELEN    s0, 2
-        SWAP    [s0], first_leaf, [r0]
+        load_leaves
         EX      target, squeeze_rays
         BSAVE   link_inner, [target]
         EX      target, take_lower

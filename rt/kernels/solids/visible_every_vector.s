@@ -16,10 +16,9 @@
 ;
 ; In:  as walk_tree.  Source: the project's notes on ray tracing, 4.1.
 
-; The primitive whose columns are looked at.
+; The leaf whose columns are looked at.
         .share  hits
-        .regs   r144, column_primitive, columns_left, column_identity
-        .regs   r147, column_primitives_left
+        .regs   r144, columns_left, column_identity, column_leaf
         .reg    nearest_met, r148       ; what is seen at the nearest so far
         .endshare
 
@@ -41,13 +40,12 @@ every_solids:
         VTOV    r0, [nearest_met]
         leaves_begin
 every_leaf:
-        leaf_at_hand every_next
+        leaf_at_hand
         load_field P_ID, column_identity
         find_slot leaf_first_event
         RTOR    slot, column
         RTOR    leaf_events, columns_left
-        RTOR    primitive, column_primitive
-        RTOR    primitives_left, column_primitives_left
+        RTOR    leaf_at, column_leaf
 every_column:
         CMPLTV  [last], [column], [bits0]
         CMPLTV  [column], [event], [active]
@@ -64,9 +62,7 @@ every_later:
         EX      slot_size, 64 * CROSSING_SIZE
         ADDX    column, slot_size, column
         IBXNE   columns_left, minus_one_index, r0, every_column, columns_left
-        RTOR    column_primitive, primitive
-        RTOR    column_primitives_left, primitives_left
-every_next:
+        RTOR    column_leaf, leaf_at
         leaves_next every_leaf
         RTOR    nearest_met, event_met
         CMPNEV  [event_met], r0, [seen]

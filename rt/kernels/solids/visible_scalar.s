@@ -2,11 +2,13 @@
 ;
 ;       CALL VISIBLE (REGION, CROSSINGS, SPAN, EVENT)
 ;
-; REGION = its record; CROSSINGS = of one ray with all leaves: word
-; P_FIRST_STATE + 2 j of a leaf is where it enters its segment j, the next one
-; where it leaves, from P_FIRST_EVENT on stand the crossings that can be seen;
-; they are CROSSING_SIZE words apart; a miss is big, minus_big.  SPAN = last,
-; limit, the first leaf that the ray meets, from where P_AT_HAND goes on (3);
+; REGION = its record; CROSSINGS = how far those of the ray stand behind the
+; first ones: from P_FIRST_STATE of a leaf on stands where it enters a segment and
+; where it leaves it, one segment after the other, from P_FIRST_EVENT on the
+; crossings that can be seen; they are CROSSING_SIZE words apart; a miss is big,
+; minus_big.  SPAN = last,
+; limit, what is behind the last branch at hand, the first leaf that the ray
+; meets, from where P_AT_HAND goes on (4); what it does not meet has the value 0;
 ; EVENT = the least visible distance with last < distance < limit, and the
 ; record of the primitive that is seen there; none: big, 0 (2 words).
 ;
@@ -20,33 +22,34 @@
 ; value stand in one word: 2 before, 1 behind.  A leaf shows at E if its bits
 ; differ and so do those of every solid that it is a part of.  An event is
 ; visible if a leaf shows there that has a crossing there; what is seen is the
-; first leaf that shows there and has a crossing in E - delta .. E + delta.
+; least leaf that shows there and has a crossing in E - delta .. E + delta.
 ; Events are taken one after another until one is visible.  Where no other
 ; leaf's bits differ but its own, it is.
 ; Source: the project's notes on ray tracing, 4.1; what shows is derived here.
 
         .share  local
         .regs   r32, v_region, v_crossings, v_span, v_event
-        .regs   r36, v_primitives, v_steps, v_step_count, v_result
-        .regs   r40, v_next, v_segments, v_events, v_first_state
-        .regs   r44, v_first_event, v_place
-        .regs   r46, v_last, v_limit, v_first
+        .regs   r36, v_result, v_branches, v_branch
+        .regs   r39, v_next, v_segments, v_events, v_first_state
+        .regs   r43, v_first_event, v_place
+        .regs   r45, v_last, v_limit, v_branches_end, v_first
         .regs   r49, v_distance, v_leaf
-        .regs   r51, v_primitive, v_left, v_at, v_crossing, v_in, v_out
-        .regs   r57, v_delta, v_before, v_behind, v_value, v_values
-        .regs   r62, t_operation, t_left, t_right, t_result
-        .regs   r66, v_index_two, v_index_three, v_stride, v_others, v_visible
+        .regs   r51, v_primitive, v_at, v_left, v_crossing, v_in, v_out
+        .regs   r57, v_delta, v_before, v_behind, v_value
+        .regs   r61, t_operation, t_left, t_right, t_result
+        .regs   r65, v_index_two, v_index_three, v_others, v_visible
         .endshare
-        .equ    VISIBLE_REGISTERS, 39
+        .equ    VISIBLE_REGISTERS, 37
         .equ    STRIDE, 64 * CROSSING_SIZE
+        .equ    NO_LEAF, 0x7FFFFFFFFFFF ; behind every address
 
         .data
 visible_save:   .space VISIBLE_REGISTERS
 visible_list:   .descriptor R_SIZE, 0
                 .word 0                 ; of the crossings
-                .descriptor 3, span
+                .descriptor 4, span
                 .descriptor 2, event_found
-span:           .space 3
+span:           .space 4
 event_found:    .space 2
         .code
 
@@ -58,11 +61,10 @@ event_found:    .space 2
 
         .macro  crossings_from slot
         .if     CROSSING_SIZE == 1
-        SHIFTI  \slot, 6, v_at
+        RTOR    \slot, v_at
         .else
-        MPYX    \slot, v_stride, v_at
+        ADDX    v_crossings, \slot, v_at
         .endif
-        ADDX    v_crossings, v_at, v_at
         .endm
 
         .macro  load_leaf
@@ -72,9 +74,10 @@ event_found:    .space 2
         SWAP    [v_at], v_next, [r0]
         .endm
 
-        .macro  value_at number, register
-        SHIFTI  \number, 6, \register
-        ADDX    v_values, \register, \register
+; The steps of a branch, from v_at on, v_left of them.
+        .macro  load_steps
+        ELEN    v_branch, BRANCH_SIZE
+        SWAP    [v_branch], v_at, [r0]          ; and v_left
         .endm
 
 ; To other if the crossing lies farther than delta from the event.
@@ -98,7 +101,9 @@ event_found:    .space 2
         STO     [w_at, m_index_one], w_end
         EX      w_at, visible_list
         STO     [w_at], w_region
+        .if     CROSSING_SIZE != 1
         STO     [w_at, m_index_one], w_crossings
+        .endif
         call    visible, visible_list
         EX      w_at, event_found
         ELEN    w_at, 2
@@ -114,23 +119,14 @@ visible:
         ELEN    arguments, 4
         SWAP    [arguments], v_region, [r0]
         SWAP    [v_span], v_last, [r0]
-        IX      v_region, 64 * R_PRIMITIVES
-        ELEN    v_region, 4
-        SWAP    [v_region], v_primitives, [r0]
+        IX      v_region, 64 * R_RESULT
+        LOD     [v_region], v_result
         EX      v_at, k_delta
         LOD     [v_at], v_delta
-        EX      v_at, scene_values
-        LOD     [v_at], v_values
+        EX      v_at, scene_branches
+        LOD     [v_at], v_branches
         ES      v_index_two, 2
         ES      v_index_three, 3
-        .if     CROSSING_SIZE != 1
-        EX      v_stride, STRIDE
-        .endif
-        RTOR    v_values, v_at
-visible_clear:
-        STO     [v_at], r0
-        IX      v_at, 64
-        IBXNE   v_primitives, m_index_minus_one, r0, visible_clear, v_primitives
 
 ; The next event.
 visible_step:
@@ -175,9 +171,8 @@ visible_left:
 visible_next_segment:
         IBXNE   v_segments, m_index_minus_one, r0, visible_segment, v_segments
 visible_store:
-        value_at v_place, v_at
         SHIFTI  v_value, -1, v_in
-        STO     [v_at], v_value
+        STO     [v_place], v_value
         XOR     v_in, v_value, v_in
         XOR     v_primitive, v_leaf, v_out
         AND     v_in, m_index_one, v_in
@@ -187,16 +182,15 @@ visible_store:
         RTOR    v_next, v_primitive
         IBXNE   v_primitive, r0, r0, visible_state
 
-; The tree.
-        IBXEQ   v_step_count, r0, r0, visible_decide
-        RTOR    v_steps, v_at
-        RTOR    v_step_count, v_left
+; The tree: each branch after those below it.
+        RTOR    v_branches_end, v_branch
+        IBXEQ   v_branch, r0, v_branches, visible_decide
+visible_branch:
+        IX      v_branch, -64 * BRANCH_SIZE
+        load_steps
 visible_tree:
         ELEN    v_at, T_SIZE
         SWAP    [v_at], t_operation, [r0]
-        value_at t_left, t_left
-        value_at t_right, t_right
-        value_at t_result, t_result
         LOD     [t_left], v_in
         LOD     [t_right], v_out
         IBXEQ   t_operation, r0, m_index_one, visible_or
@@ -211,49 +205,49 @@ visible_stepped:
         STO     [t_result], v_value
         IX      v_at, 64 * T_SIZE
         IBXNE   v_left, m_index_minus_one, r0, visible_tree, v_left
+        IBXNE   v_branch, r0, v_branches, visible_branch
 visible_decide:
-        value_at v_result, v_at
-        LOD     [v_at], v_value
+        LOD     [v_result], v_value
         value_differs v_value, visible_hidden
         IBXEQ   v_others, r0, r0, visible_found
 
 ; What shows there: of a value that stays the same its parts do not matter.
+        RTOR    v_branches, v_branch
+visible_branch_part:
+        load_steps
         ES      v_in, 64 * T_SIZE
-        MPYX    v_step_count, v_in, v_at
-        ADDX    v_steps, v_at, v_at
-        RTOR    v_step_count, v_left
+        MPYX    v_left, v_in, v_in
+        ADDX    v_at, v_in, v_at
 visible_part:
         IX      v_at, -64 * T_SIZE
         ELEN    v_at, T_SIZE
         SWAP    [v_at], t_operation, [r0]
-        value_at t_result, t_result
         LOD     [t_result], v_value
         value_differs v_value, visible_same
         BIM     visible_next_part
 visible_same:
-        value_at t_left, t_left
-        value_at t_right, t_right
         STO     [t_left], r0
         STO     [t_right], r0
 visible_next_part:
         IBXNE   v_left, m_index_minus_one, r0, visible_part, v_left
+        IX      v_branch, 64 * BRANCH_SIZE
+        IBXNE   v_branch, r0, v_branches_end, visible_branch_part
 
-; The first leaf that shows there, and if any of those has this event.
-        ES      v_leaf, 0
+; The least leaf that shows there, and if any of those has this event.
+        EX      v_leaf, NO_LEAF
         ES      v_visible, 0
         RTOR    v_first, v_primitive
 visible_shown:
         load_leaf
-        value_at v_place, v_at
-        LOD     [v_at], v_value
+        LOD     [v_place], v_value
         value_differs v_value, visible_next_shown
         crossings_from v_first_event
 visible_crossing:
         next_crossing v_crossing
         crossing_near visible_next_crossing
-        IBXNE   v_leaf, r0, r0, visible_not_first
+        IBXGE   v_primitive, r0, v_leaf, visible_not_least
         RTOR    v_primitive, v_leaf
-visible_not_first:
+visible_not_least:
         CFPNE   v_crossing, v_distance, visible_next_crossing
         ES      v_visible, 1
 visible_next_crossing:

@@ -11,7 +11,7 @@
 ; to E + delta.  A primitive shows at E if it is not the same before and after,
 ; nor is any solid that it is a part of.  Where one shows that has the crossing
 ; E, that is seen; of those that show and have a crossing from E - delta to
-; E + delta the first is what is seen.
+; E + delta the least is what is seen.
 ;
 ; before and after are bit vectors; the tree is evaluated by logical
 ; instructions on bit strings, 64 rays a clock.  Both sides are looked at from
@@ -42,7 +42,7 @@
         .endif
 
         .share  crossings
-        .regs   r107, step_at, steps_left, tree_value
+        .regs   r107, step_at, steps_left, branch_at
         .endshare
         .share  hits
         .reg    column, r143            ; of events
@@ -56,10 +56,7 @@
 ; Values, before and after an event.
         .share  hits
         .regs   r136, value, value_after, left, left_after, right, right_after
-        .reg    value_size, r142
         .endshare
-
-        .equ    VALUE_SIZE, 2 * QUEUE_BIT_WORDS
 
 ; Vectors of the events of the rays at hand.
         .macro  set_events
@@ -72,17 +69,6 @@
         describe inside, event_bits + 64 * QUEUE_BIT_WORDS * 2, near
         .endm
 
-; Value number number, before and after an event.
-        .macro  find_value number, value, value_after
-        EX      value_size, 64 * VALUE_SIZE
-        MPYX    \number, value_size, s1
-        load_word scene_values, \value
-        ADDX    \value, s1, \value
-        ADDLEN  \value, near, \value
-        RTOR    \value, \value_after
-        IX      \value_after, 64 * QUEUE_BIT_WORDS
-        .endm
-
 ; [bits] = rays that have the crossing [slot] from E - delta to E + delta.
         .macro  crossing_near bits, work
         CMPGEV  [slot], [before], [\bits]
@@ -90,17 +76,30 @@
         ANDB    [\bits], [\work], [\bits]
         .endm
 
-; The region's primitives with their values, which are the first.
-        .macro  values_begin
-        leaves_begin
-        ES      s2, 0
-        find_value s2, value, value_after
+; A leaf at hand with its value.
+        .macro  leaf_with_value
+        leaf_at_hand
+        value_of leaf_value, value, value_after
         .endm
 
-        .macro  values_next again
-        ADDX    value, value_size, value
-        ADDX    value_after, value_size, value_after
-        leaves_next \again
+        .macro  tree_value
+        RTOR    region, s0
+        IX      s0, 64 * R_RESULT
+        LOD     [s0], s0
+        value_of s0, value, value_after
+        .endm
+
+; The branches at hand, from s2 up to s3.
+        .macro  load_branches
+        EX      s0, scene_branches
+        ELEN    s0, 2
+        SWAP    [s0], s2, [r0]                  ; and s3
+        .endm
+
+; The steps of the branch at hand.
+        .macro  load_steps
+        ELEN    branch_at, BRANCH_SIZE
+        SWAP    [branch_at], step_at, [r0]      ; and steps_left
         .endm
 
         .macro  both_values operation
@@ -110,10 +109,8 @@
 
         .kernel visible
 walk_tree:
-        RTOR    region, s0
-        IX      s0, 64 * R_FIRST
-        ELEN    s0, 2
-        SWAP    [s0], first_leaf, [r0]          ; and leaf_count
+        load_leaves
+        IBXEQ   first_leaf, r0, leaves_last, walk_skip
         set_events
         describe last, last_store, near
         .if     VISIBLE == EVERY
@@ -126,7 +123,7 @@ tree_next:
         VTOV    r0, [event_met]
         leaves_begin
 event_leaf:
-        leaf_at_hand event_none
+        leaf_at_hand
         load_field P_ID, identity
         find_slot leaf_first_event
         IBXEQ   leaf_segments, r0, r0, event_next
@@ -203,11 +200,11 @@ find_seen:
         load_word k_delta, s0
         SUBNV   [column], s0, [before]
         ADDNV   [column], s0, [after]
-        values_begin
+        leaves_begin
 value_leaf:
+        leaf_with_value
         XORB    [value], [value], [value]
         XORB    [value_after], [value_after], [value_after]
-        leaf_at_hand value_next
         IBXEQ   leaf_segments, r0, r0, value_patch
         find_slot leaf_first_state
 value_segment:
@@ -231,20 +228,21 @@ value_crossing:
         ADDX    slot, slot_size, slot
         IBXNE   leaf_events, minus_one_index, r0, value_crossing, leaf_events
 value_next:
-        values_next value_leaf
+        leaves_next value_leaf
 
-; The tree.
-        RTOR    region, s0
-        IX      s0, 64 * R_STEPS
-        ELEN    s0, 3
-        SWAP    [s0], step_at, [r0]
-        IBXEQ   steps_left, r0, r0, tree_done
+; The tree: each branch after those below it.
+        load_branches
+        RTOR    s3, branch_at
+        IBXEQ   s2, r0, s3, tree_done
+tree_branch:
+        IX      branch_at, -64 * BRANCH_SIZE
+        load_steps
 tree_step:
         ELEN    step_at, T_SIZE
         SWAP    [step_at], tree_operation, [r0]
-        find_value tree_left, left, left_after
-        find_value tree_right, right, right_after
-        find_value tree_result, value, value_after
+        value_of tree_left, left, left_after
+        value_of tree_right, right, right_after
+        value_of tree_result, value, value_after
         IBXEQ   tree_operation, r0, r0, tree_and
         IBXEQ   tree_operation, r0, one_index, tree_or
         both_values ANDNB
@@ -257,8 +255,9 @@ tree_or:
 tree_stepped:
         IX      step_at, 64 * T_SIZE
         IBXNE   steps_left, minus_one_index, r0, tree_step, steps_left
+        IBXNE   branch_at, r0, s2, tree_branch
 tree_done:
-        find_value tree_value, value, value_after
+        tree_value
         XORB    [value], [value_after], [seen]
         ANDB    [seen], [active], [seen]
         CNTOB   [seen], s0
@@ -266,9 +265,9 @@ tree_done:
 
 ; Is there a ray for which another primitive changes than that of the event?
         XORB    [inside], [inside], [inside]
-        values_begin
+        leaves_begin
 other_leaf:
-        leaf_at_hand other_next
+        leaf_with_value
         XORB    [value], [value_after], [bits0]
         ANDB    [bits0], [seen], [bits0]
         CNTOB   [bits0], s1
@@ -280,37 +279,42 @@ other_leaf:
         IBXNE   shadows, r0, r0, other_next
         mark_met
 other_next:
-        values_next other_leaf
+        leaves_next other_leaf
         CNTOB   [inside], s1
         IBXEQ   s1, r0, r0, seen_found
 
 ; What shows, in the place of what was before: where a value stays the same its
 ; parts do not.
-        find_value tree_value, value, value_after
+        tree_value
         ORB     [seen], [seen], [value]
-        RTOR    region, s0
-        IX      s0, 64 * R_STEPS
-        LOD     [s0], steps_left                ; where they begin
+        load_branches
+        RTOR    s2, branch_at
+show_branch:
+        load_steps
+        ES      s0, 64 * T_SIZE
+        MPYX    steps_left, s0, s0
+        ADDX    step_at, s0, step_at
 show_parts:
         IX      step_at, -64 * T_SIZE
         ELEN    step_at, T_SIZE
         SWAP    [step_at], tree_operation, [r0]
-        find_value tree_result, value, value_after
-        find_value tree_left, left, left_after
-        find_value tree_right, right, right_after
+        value_of tree_result, value, value_after
+        value_of tree_left, left, left_after
+        value_of tree_right, right, right_after
         XORB    [left], [left_after], [left]
         XORB    [right], [right_after], [right]
         ANDB    [left], [value], [left]
         ANDB    [right], [value], [right]
-        IBXNE   step_at, r0, steps_left, show_parts
+        IBXNE   steps_left, minus_one_index, r0, show_parts, steps_left
+        IX      branch_at, 64 * BRANCH_SIZE
+        IBXNE   branch_at, r0, s3, show_branch
 
-; The first primitive that shows, and the rays whose event is a crossing of one.
-        describe shown, event_bits + 64 * QUEUE_BIT_WORDS * 3, near
-        XORB    [shown], [shown], [shown]
+; The least primitive that shows, and the rays whose event is a crossing of one.
         XORB    [seen], [seen], [seen]
-        values_begin
+        VTOV    big, [event_met]
+        leaves_begin
 shown_leaf:
-        leaf_at_hand shown_next
+        leaf_with_value
         CNTOB   [value], s0
         IBXEQ   s0, r0, r0, shown_next
         XORB    [inside], [inside], [inside]
@@ -323,13 +327,13 @@ shown_crossing:
         ORB     [seen], [bits0], [seen]
         ADDX    slot, slot_size, slot
         IBXNE   leaf_events, minus_one_index, r0, shown_crossing, leaf_events
-        ANDB    [inside], [value], [inside]
-        ANDNB   [inside], [shown], [inside]
-        ORB     [shown], [inside], [shown]
         load_field P_ID, identity
+        CMPLTV  identity, [event_met], [bits0]
+        ANDB    [inside], [value], [inside]
+        ANDB    [inside], [bits0], [inside]
         VTOV    identity, [event_met] ? [inside]
 shown_next:
-        values_next shown_leaf
+        leaves_next shown_leaf
         CNTOB   [seen], s0
 seen_found:
         BIM     0, link_inner
@@ -346,9 +350,10 @@ squeeze_slot\@:
         .endm
 
 squeeze_rays:
+        IBXEQ   first_leaf, r0, leaves_last, squeeze_places
         leaves_begin
 squeeze_leaf:
-        leaf_at_hand squeeze_next
+        leaf_at_hand
         IBXEQ   leaf_segments, r0, r0, squeeze_patch
         ADDX    leaf_segments, leaf_segments, leaf_segments
         squeeze_slots leaf_segments, leaf_first_state
@@ -362,6 +367,7 @@ squeeze_patch_slots:
         squeeze_slots leaf_events, leaf_first_event
 squeeze_next:
         leaves_next squeeze_leaf
+squeeze_places:
         EX      s3, place_store
         CPSV    [place], [s3] ? [active]
         RTOR    s3, place
@@ -410,7 +416,7 @@ found_taken:
         VTOVX   [taken_at], [taken_met], [met]
         leaves_begin
 found_leaf:
-        leaf_at_hand found_next
+        leaf_at_hand
         IBXNE   leaf_segments, r0, r0, found_next
         load_field P_ID, identity
         CMPEQV  [event_met], identity, [bits0]

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rt/layout/regions.h"
+#include "rt/layout/trees.h"
 #include "rt/study/sweep/kinds.h"
 
 enum { SMALLEST_PAGE = 512, SIDE = 32 };

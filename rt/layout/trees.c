@@ -1,0 +1,195 @@
+#include "rt/layout/trees.h"
+
+#include <stdlib.h>
+
+#include "rt/shapes/shape_words.h"
+
+/* --- crossings ----------------------------------------------------------- */
+
+bool region_is_simple(const struct scene *scene, const struct region *region)
+{
+    const struct primitive
+        *first = &scene->primitives[region->first_primitive];
+
+    return region->primitive_count == 1 && !pigment_is_clear(&first->pigment);
+}
+
+/* A solid's segments are what can be seen of it; other shapes have both, and
+ * a patch the two parameters of each behind its crossings. */
+static size_t place_leaf(const struct primitive *primitive, size_t next,
+                         struct leaf_plan *plan)
+{
+    struct shape_words shape;
+
+    shape_words(primitive, &shape);
+    plan->first_state = next;
+    plan->first_event = next;
+    next += 2 * shape.segments;
+    if (shape.state || shape.on_patch) {
+        plan->first_event = next;
+        next += shape.events;
+    }
+    return next + (shape.on_patch ? 2 * shape.events : 0);
+}
+
+size_t plan_leaves(const struct scene *scene, struct leaf_plan *plans)
+{
+    size_t most = 0;
+
+    for (size_t i = 0; i < scene->region_count; i++) {
+        const struct region *region = &scene->regions[i];
+        bool simple = region_is_simple(scene, region);
+        size_t next = 0;
+
+        for (size_t k = 0; k < region->primitive_count; k++) {
+            size_t leaf = region->first_primitive + k;
+
+            plans[leaf].simple = simple;
+            plans[leaf].value = k;
+            next = place_leaf(&scene->primitives[leaf], next, &plans[leaf]);
+        }
+        if (!simple && next > most)
+            most = next;
+    }
+    return most;
+}
+
+size_t most_crossings(const struct scene *scene)
+{
+    size_t most = 0;
+
+    for (size_t i = 0; i < scene->primitive_count; i++) {
+        struct shape_words shape;
+
+        shape_words(&scene->primitives[i], &shape);
+        if (shape.events > most)
+            most = shape.events;
+    }
+    return most;
+}
+
+/* --- the tree ------------------------------------------------------------ */
+
+/* A value under way: where it stands, or where its complement does. */
+struct tree_term {
+    size_t place;
+    bool complement;
+};
+
+/* The values of the nodes that have no parent yet, the first node's on top. */
+struct evaluation {
+    struct tree_plan *plan;
+    size_t leaf_count, depth;
+    struct tree_term *stack;
+};
+
+/* x and y, by de Morgan's rules without complements of their own.  Each step
+ * has a value to itself, so that all can be looked at afterwards. */
+static struct tree_term both(struct evaluation *evaluation,
+                             struct tree_term x, struct tree_term y)
+{
+    struct tree_plan *plan = evaluation->plan;
+    size_t result = evaluation->leaf_count + plan->step_count;
+    struct tree_step *step = &plan->steps[plan->step_count++];
+    bool turned = x.complement && !y.complement;
+
+    step->operation = x.complement != y.complement ? STEP_AND_NOT
+                      : x.complement               ? STEP_OR
+                                                   : STEP_AND;
+    step->left = turned ? y.place : x.place;
+    step->right = turned ? x.place : y.place;
+    step->result = result;
+    return (struct tree_term){ result, x.complement && y.complement };
+}
+
+static struct tree_term either(struct evaluation *evaluation,
+                               struct tree_term x, struct tree_term y)
+{
+    struct tree_term value;
+
+    x.complement = !x.complement;
+    y.complement = !y.complement;
+    value = both(evaluation, x, y);
+    value.complement = !value.complement;
+    return value;
+}
+
+/* The topmost values become one. */
+static void join(struct evaluation *evaluation, size_t count,
+                 enum tree_operation operation)
+{
+    struct tree_term *children = evaluation->stack + evaluation->depth
+                                 - count;
+    struct tree_term value = children[0];
+
+    for (size_t i = 1; i < count; i++)
+        value = operation == TREE_AND
+                    ? both(evaluation, value, children[i])
+                    : either(evaluation, value, children[i]);
+    evaluation->depth -= count;
+    evaluation->stack[evaluation->depth++] = value;
+}
+
+static size_t count_children(const struct scene *scene, size_t node)
+{
+    size_t count = 0;
+
+    for (size_t child = node + 1; child < scene->nodes[node].next;
+         child = scene->nodes[child].next)
+        count++;
+    return count;
+}
+
+static void evaluate(struct evaluation *evaluation, const struct scene *scene,
+                     const struct region *region, size_t node)
+{
+    struct tree_plan *plan = evaluation->plan;
+    struct tree_join *made = &plan->joins[node - region->first_node];
+    struct tree_term *top = evaluation->stack + evaluation->depth;
+
+    made->first_step = plan->step_count;
+    switch (scene->nodes[node].operation) {
+    case TREE_LEAF:
+        top->place = scene->nodes[node].primitive - region->first_primitive;
+        top->complement = false;
+        evaluation->depth++;
+        break;
+    case TREE_NOT: top[-1].complement = !top[-1].complement; break;
+    case TREE_AND:
+    case TREE_OR:
+        join(evaluation, count_children(scene, node),
+             scene->nodes[node].operation);
+        break;
+    }
+    made->value = evaluation->stack[evaluation->depth - 1].place;
+    made->step_count = plan->step_count - made->first_step;
+}
+
+/* Backwards, so that what is below a node comes before it. */
+bool plan_tree(const struct scene *scene, const struct region *region,
+               struct tree_plan *plan)
+{
+    struct evaluation evaluation = { .plan = plan,
+                                     .leaf_count = region->primitive_count };
+
+    plan->step_count = 0;
+    evaluation.stack = calloc(region->node_count + 1,
+                              sizeof *evaluation.stack);
+    if (!evaluation.stack)
+        return false;
+    for (size_t i = region->node_count; i-- > 0;)
+        evaluate(&evaluation, scene, region, region->first_node + i);
+    plan->result = evaluation.stack[0].place;
+    free(evaluation.stack);
+    return true;
+}
+
+size_t most_leaves(const struct scene *scene)
+{
+    size_t most = 1;
+
+    for (size_t i = 0; i < scene->region_count; i++)
+        if (scene->regions[i].primitive_count > most)
+            most = scene->regions[i].primitive_count;
+    return most;
+}

@@ -1,0 +1,295 @@
+/* Trees with many parts as nested ones: the same solid of the same primitives. */
+#include "rt/layout/nesting.h"
+#include "tests/random.h"
+#include "tests/unit/scene_reading.h"
+#include "tests/unit/tree_value.h"
+
+static uint64_t random_state = RANDOM_SEED;
+
+static size_t below(size_t most)
+{
+    return (size_t)(xorshift(&random_state) % most);
+}
+
+/* --- trees by chance ------------------------------------------------------ */
+
+enum { NODES = 2000 };
+
+struct forest {
+    struct scene scene;
+    struct tree_node nodes[NODES];
+    struct region region;
+    struct primitive primitives[NODES];
+};
+
+static size_t add_node(struct forest *forest, enum tree_operation operation)
+{
+    size_t node = forest->scene.node_count++;
+
+    assert_true(node < NODES);
+    forest->nodes[node].operation = operation;
+    return node;
+}
+
+/* A sphere somewhere, or what has no bound. */
+static void add_leaf(struct forest *forest)
+{
+    size_t node = add_node(forest, TREE_LEAF);
+    size_t primitive = forest->scene.primitive_count++;
+    struct primitive *leaf = &forest->primitives[primitive];
+
+    *leaf = (struct primitive){ .kind = below(12) ? PRIMITIVE_SPHERE
+                                                  : PRIMITIVE_PLANE };
+    for (int i = 0; i < 3; i++)
+        leaf->to_local.rows[i][i] = leaf->to_world.rows[i][i] = 1;
+    if (leaf->kind == PRIMITIVE_SPHERE) {
+        for (int i = 0; i < 3; i++)
+            leaf->shape.sphere.center[i] = (double)below(below(3) ? 30 : 1);
+        leaf->shape.sphere.radius = 1 + (double)below(3);
+    } else {
+        leaf->shape.plane.normal[1] = 1;
+    }
+    forest->nodes[node].primitive = primitive;
+    forest->nodes[node].next = node + 1;
+}
+
+static void add_tree(struct forest *forest, int depth)
+{
+    enum tree_operation operation = (enum tree_operation)below(4);
+    size_t node, children = operation == TREE_NOT ? 1 : 1 + below(14);
+    bool difference;
+
+    if (depth == 0 || operation == TREE_LEAF
+        || forest->scene.node_count > NODES / 2) {
+        add_leaf(forest);
+        return;
+    }
+    if (operation != TREE_NOT && below(20) == 0)
+        children *= 20;
+    node = add_node(forest, operation);
+    difference = operation == TREE_AND && below(2) == 0;
+    for (size_t i = 0; i < children; i++) {
+        size_t away = difference && i > 0 ? add_node(forest, TREE_NOT) : 0;
+
+        add_tree(forest, children > 14 ? 0 : depth - 1);
+        if (away > 0)
+            forest->nodes[away].next = forest->scene.node_count;
+    }
+    forest->nodes[node].next = forest->scene.node_count;
+}
+
+static void grow(struct forest *forest)
+{
+    forest->scene = (struct scene){ .nodes = forest->nodes,
+                                    .regions = &forest->region,
+                                    .region_count = 1,
+                                    .primitives = forest->primitives };
+    add_tree(forest, 4);
+    forest->region = (struct region){
+        .primitive_count = forest->scene.primitive_count,
+        .node_count = forest->scene.node_count,
+    };
+}
+
+/* --- what is asked of the nested tree ------------------------------------- */
+
+/* From the first node to the last: those below a node stand behind it, each
+ * behind all of the one before, and a complement has one. */
+static void check_shape(const struct scene *scene, size_t node, size_t end)
+{
+    const struct tree_node *tree = &scene->nodes[node];
+    size_t child = node + 1, children = 0;
+
+    assert_true(tree->next > node && tree->next <= end);
+    for (; child < tree->next; child = scene->nodes[child].next) {
+        check_shape(scene, child, tree->next);
+        children++;
+    }
+    assert_int_equal(child, tree->next);
+    assert_true(tree->operation == TREE_LEAF  ? children == 0
+                : tree->operation == TREE_NOT ? children == 1
+                                              : children > 0);
+}
+
+/* All that is no union below unions, within the bound of the first. */
+static void check_within(const struct nested_scene *nested, size_t node,
+                         const struct bound *whole)
+{
+    const struct tree_node *nodes = nested->scene.nodes;
+
+    if (nodes[node].operation != TREE_OR)
+        assert_true(bound_reach(&nested->bounds[node], whole->center)
+                    <= 1.001 * whole->radius);
+    else
+        for (size_t child = node + 1; child < nodes[node].next;
+             child = nodes[child].next)
+            check_within(nested, child, whole);
+}
+
+static void check_bounds(const struct nested_scene *nested)
+{
+    for (size_t i = 0; i < nested->scene.node_count; i++)
+        if (nested->scene.nodes[i].operation == TREE_OR
+            && !bound_is_none(&nested->bounds[i]))
+            check_within(nested, i, &nested->bounds[i]);
+}
+
+/* Each stands there once. */
+static void check_leaves(const struct scene *scene,
+                         const struct scene *nested)
+{
+    bool *there = calloc(scene->primitive_count, sizeof *there);
+    size_t count = 0;
+
+    assert_non_null(there);
+    for (size_t i = 0; i < nested->node_count; i++) {
+        size_t leaf = nested->nodes[i].primitive;
+
+        if (nested->nodes[i].operation != TREE_LEAF)
+            continue;
+        assert_true(leaf < scene->primitive_count && !there[leaf]);
+        there[leaf] = true;
+        count++;
+    }
+    assert_int_equal(count, scene->primitive_count);
+    free(there);
+}
+
+static void check_values(const struct scene *scene,
+                         const struct scene *nested)
+{
+    enum { TRIES = 40 };
+    static bool inside[NODES];
+
+    for (int try = 0; try < TRIES; try++) {
+        size_t few = 1 + below(try % 2 ? 400 : 4);
+
+        for (size_t i = 0; i < scene->primitive_count; i++)
+            inside[i] = below(few) == 0;
+        assert_int_equal(tree_value(nested, nested->regions[0].first_node,
+                                    inside),
+                         tree_value(scene, scene->regions[0].first_node,
+                                    inside));
+    }
+}
+
+static void test_random_trees(void **state)
+{
+    enum { FORESTS = 400 };
+    static struct forest forest;
+    size_t nested_more = 0;
+
+    (void)state;
+    for (int i = 0; i < FORESTS; i++) {
+        struct nested_scene nested;
+
+        grow(&forest);
+        assert_true(nesting_make(&forest.scene, &nested));
+        assert_int_equal(nested.scene.regions[0].first_node, 0);
+        assert_int_equal(nested.scene.regions[0].node_count,
+                         nested.scene.node_count);
+        check_shape(&nested.scene, 0, nested.scene.node_count);
+        assert_int_equal(nested.scene.nodes[0].next, nested.scene.node_count);
+        check_leaves(&forest.scene, &nested.scene);
+        check_values(&forest.scene, &nested.scene);
+        check_bounds(&nested);
+        assert_true(nested.scene.node_count <= 3 * forest.scene.node_count);
+        nested_more += nested.scene.node_count > forest.scene.node_count;
+        nesting_free(&nested);
+    }
+    assert_in_range(nested_more, FORESTS / 10, FORESTS);
+}
+
+/* --- how deep ------------------------------------------------------------- */
+
+static size_t depth_of(const struct scene *scene, size_t node)
+{
+    size_t most = 0;
+
+    for (size_t child = node + 1; child < scene->nodes[node].next;
+         child = scene->nodes[child].next) {
+        size_t depth = depth_of(scene, child);
+
+        most = depth > most ? depth : most;
+    }
+    return 1 + most;
+}
+
+/* So many spheres, each by a word about its number i. */
+static struct scene *row_of(size_t count, const char *sphere)
+{
+    char text[400];
+
+    snprintf(text, sizeof text,
+             "merge { #for (I, 1, %zu) sphere { %s } #end }", count, sphere);
+    return read_scene(text);
+}
+
+/* Rows, one point, each farther from the others than these from each other. */
+static void test_depth(void **state)
+{
+    static const struct {
+        const char *sphere;
+        size_t count, least, most;
+    } rows[] = {
+        { "I*x, .6", 1000, 8, 24 },
+        { "3*I*x, 1", 8, 3, 5 },
+        { "0, 1", 1000, 2, 2 },
+        { "pow(2, I/2)*x, pow(2, I/2)/3", 400, 8, 80 },
+        { "<mod(I, 40), int(I/40), 0>, .4", 4000, 8, 40 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct scene *scene = row_of(rows[i].count, rows[i].sphere);
+        struct nested_scene nested;
+
+        assert_true(nesting_make(scene, &nested));
+        assert_in_range(depth_of(&nested.scene, 0), rows[i].least,
+                        rows[i].most);
+        check_leaves(scene, &nested.scene);
+        nesting_free(&nested);
+        scene_free(scene);
+    }
+}
+
+/* Few parts, and unions that are several regions, stay as they are. */
+static void test_few_parts(void **state)
+{
+    static const char *const texts[] = {
+        "sphere { 0, 1 }",
+        "union { #for (I, 1, 100) sphere { 3*I*x, 1 } #end }",
+        "merge { #for (I, 1, 7) sphere { 3*I*x, 1 } #end }",
+        "difference { box { 0, 9 } #for (I, 1, 7) sphere { 3*I*x, 1 } #end }",
+        "intersection { #for (I, 1, 50) sphere { I/99*x, 1 } #end }",
+        "merge { #for (I, 1, 50) plane { y, I } #end }",
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(texts); i++) {
+        struct scene *scene = read_scene(texts[i]);
+        struct nested_scene nested;
+
+        assert_true(nesting_make(scene, &nested));
+        assert_int_equal(nested.scene.node_count, scene->node_count);
+        for (size_t k = 0; k < scene->node_count; k++) {
+            assert_int_equal(nested.scene.nodes[k].operation,
+                             scene->nodes[k].operation);
+            assert_int_equal(nested.scene.nodes[k].next,
+                             scene->nodes[k].next);
+        }
+        nesting_free(&nested);
+        scene_free(scene);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random_trees),
+        cmocka_unit_test(test_depth),
+        cmocka_unit_test(test_few_parts),
+    };
+
+    return cmocka_run_group_tests_name("nesting", tests, NULL, NULL);
+}

@@ -1,0 +1,19 @@
+#include "tests/unit/tree_value.h"
+
+bool tree_value(const struct scene *scene, size_t node, const bool *inside)
+{
+    const struct tree_node *tree = &scene->nodes[node];
+    bool value = tree->operation == TREE_AND;
+
+    if (tree->operation == TREE_LEAF)
+        return inside[tree->primitive];
+    for (size_t child = node + 1; child < tree->next;
+         child = scene->nodes[child].next) {
+        bool other = tree_value(scene, child, inside);
+
+        value = tree->operation == TREE_AND  ? value && other
+                : tree->operation == TREE_OR ? value || other
+                                             : !other;
+    }
+    return value;
+}
