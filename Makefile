@@ -117,10 +117,10 @@ check:
 
 check-long: export CASES = 10000000
 check-long: export PAIRS = all
-check-long: export PROGRAMS = 100000
+check-long: export PROGRAMS = 200000
 check-long: export POLYNOMIALS = 10000
 check-long: export FACES = 20000
-check-long: export REGIONS = 5000
+check-long: export REGIONS = 10000
 check-long: export TRIES = 3000
 check-long: export HOSTS = full
 check-long: export DOCS = full

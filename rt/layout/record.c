@@ -91,6 +91,11 @@ void record_begin(struct record *record, struct record_layout *layout,
     record->table = record->address + UINT64_C(64) * count * record->size;
 }
 
+struct row record_row(const struct record *record)
+{
+    return (struct row){ record->address, record->size };
+}
+
 /* After every so many records. */
 static void ask(struct record_layout *layout)
 {
@@ -99,11 +104,6 @@ static void ask(struct record_layout *layout)
     if (layout->go_on && ++layout->written % ASKED_EACH == 0
         && !layout->go_on(layout->context))
         layout_fail(layout, "stopped while the scene is laid out");
-}
-
-struct row record_row(const struct record *record)
-{
-    return (struct row){ record->address, record->size };
 }
 
 void record_write(struct record *record)

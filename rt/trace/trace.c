@@ -200,14 +200,9 @@ static bool prepare(struct trace *trace, const struct scene *scene,
                     c205_error *error)
 {
     size_t pixels = trace->options.width * trace->options.height;
-    c205 *machine;
 
     if (!lay_out(trace, scene, error))
         return false;
-    machine = trace_machine(trace, error);
-    if (!machine)
-        return false;
-    c205_free(machine);
     snprintf(error->message, sizeof error->message,
              "no memory for the frame");
     trace->taken = calloc(trace->band_count, sizeof *trace->taken);

@@ -1,8 +1,8 @@
 ; few_vector.s - a node of a tree that few of the rays at hand come near.
 ;
-; They are gathered, and they alone are at hand for all that is below it.  Kernels
-; meet them; then the crossings of a primitive are those of all rays again: misses,
-; but where the few have any.
+; They are gathered, and they alone are at hand for all that is below it, where
+; nothing is gathered again.  Kernels meet them; then the crossings of a primitive are
+; those of all rays again: misses, but where the few have any.
 ;
 ; In:  the node; near_bits, s0 of them; the rays at hand.
 ; Out: the crossings of what is below it; the leaves and branches at hand.
