@@ -2,6 +2,7 @@
 # bench.sh BUILD [PART ..] - what is measured, in one report.
 #
 #   machine   host nanoseconds an element, instructions a second
+#   hosts     nanoseconds an element by compiler and by vector unit
 #   frames    the trace of a frame beside POV-Ray's
 #   jobs      two bands at a time to one
 #   stages    clocks of the machine in each way to trace a frame
@@ -17,12 +18,12 @@ shift
 BENCH_CSV=$build/bench.csv
 export BENCH_CSV
 cd "$(dirname "$0")/.."
-[ $# -gt 0 ] || set -- machine frames jobs stages visible growth goals
+[ $# -gt 0 ] || set -- machine hosts frames jobs stages visible growth goals
 echo "part,what,quantity,value" >"$BENCH_CSV"
 
 for part in "$@"; do
     case $part in
-    machine | frames | jobs | stages | visible | growth | goals) ;;
+    machine | hosts | frames | jobs | stages | visible | growth | goals) ;;
     *) echo "bench.sh: no part $part" >&2 && exit 2 ;;
     esac
     sh "tests/bench_$part.sh" "$build"

@@ -36,14 +36,15 @@ static void share_values(void)
     }
 }
 
-static void fill(void)
+/* One in so many of b is a machine zero; 0: none. */
+static void fill(size_t each)
 {
     uint64_t state = RANDOM_SEED;
 
     for (size_t i = 0; i < LENGTH; i++) {
         a[i] = xorshift_normalised(&state, -60, -40);
         b[i] = xorshift_normalised(&state, -60, -40);
-        if (i % 8 == 3)
+        if (each > 0 && i % each == each / 2)
             b[i] = C205_MACHINE_ZERO;
     }
     share_values();
@@ -147,7 +148,7 @@ static void report(const char *name, const tasks *spans, task *words)
 
 int main(void)
 {
-    fill();
+    fill(8);
     printf("%-24s %8s %8s %8s %8s  ns per element\n", "", "lanes", "halves",
            "words", "double");
     report("add normalised", &add, add_words);
@@ -156,6 +157,15 @@ int main(void)
     report("multiply significant", &multiply, multiply_words);
     report("less", &less, NULL);
     report("truncate", &truncate, NULL);
+    fill(0);
+    report("add, no zeros", &add, NULL);
+    report("subtract, no zeros", &subtract, NULL);
+    report("multiply, no zeros", &multiply, NULL);
+    fill(1);
+    report("add, all zeros", &add, NULL);
+    report("subtract, all zeros", &subtract, NULL);
+    report("multiply, all zeros", &multiply, NULL);
+    fill(8);
     make_divisible();
     report("divide significant", &divide, divide_words);
     report("square root", &square_root, root_words);

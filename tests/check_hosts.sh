@@ -1,7 +1,8 @@
 #!/bin/sh
 # check_hosts.sh BUILD MAKE [full] - the same bits and clocks, however the
-# machine was compiled: gcc and clang, without and with optimisation, loops
-# compiled for several processors or once; full: all of these, and valgrind.
+# machine was compiled: gcc and clang, without and with optimisation, spans by
+# what this host's vector unit can do, as on a host with AVX2 alone, and word by
+# word as on one without; full: all of these, and valgrind.
 #
 # Each variant is built in a folder of its own and prints one number for the
 # final states, clocks and accounts of the examples, the test programs and some
@@ -13,7 +14,10 @@ place=$build/hosts
 first=
 mkdir -p "$place"
 
-once=-DNO_TARGET_CLONES
+avx2=-DHOST_VECTORS=HOST_AVX2
+words=-DHOST_VECTORS=HOST_WORDS
+# Without AVX2 here, what is to run elsewhere runs in plain lanes.
+grep -qw avx2 /proc/cpuinfo || avx2=-DHOST_VECTORS=HOST_LANES
 [ "$size" = full ] && programs=20000 || programs=4000
 
 digest() { # NAME WRAPPER ..: into out/NAME
@@ -54,12 +58,15 @@ variant() { # NAME CC OPT [FLAG]
 
 count=$programs
 variant gcc-O3 gcc -O3
-variant gcc-O0 gcc -O0
-variant gcc-O3-once gcc -O3 "$once"
+variant gcc-O0-words gcc -O0 "$words"
+variant gcc-O3-avx2 gcc -O3 "$avx2"
 variant clang-O3 clang -O3
 if [ "$size" = full ]; then
-    variant gcc-O0-once gcc -O0 "$once"
+    variant gcc-O0 gcc -O0
+    variant gcc-O3-words gcc -O3 "$words"
     variant clang-O0 clang -O0
+    variant clang-O3-avx2 clang -O3 "$avx2"
+    variant clang-O3-words clang -O3 "$words"
     count=200 first=
     compare gcc-O3,plain
     compare gcc-O3,valgrind valgrind --quiet --error-exitcode=9

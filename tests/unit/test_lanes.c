@@ -118,6 +118,39 @@ static c205_word mostly_usual(word_format f, uint64_t *seed)
     return xorshift(seed) % 64 == 0 ? special(f, seed) : near(f, seed);
 }
 
+/* A machine zero, whatever its digits. */
+static c205_word zero(word_format f, uint64_t *seed)
+{
+    c205_word digits = xorshift(seed) & UINT64_C(0x0FFFFFFFFFFFFFFF);
+
+    return (C205_MACHINE_ZERO | digits) & format_mask(f);
+}
+
+static c205_word mostly_zero(word_format f, uint64_t *seed)
+{
+    return xorshift(seed) % 128 == 0 ? special(f, seed) : zero(f, seed);
+}
+
+/* From the ends of exponents with so many bits less than there are. */
+static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
+{
+    int32_t end = 1 << (f.exponent_bits - 1 - less);
+    int32_t e = xorshift(seed) % 2 ? end - 1 : -end;
+
+    return xorshift_normalised_of(f, seed, e, e);
+}
+
+/* Of what is usual (vm/number/usual.h), with others rarely; just not usual. */
+static c205_word about_usual(word_format f, uint64_t *seed)
+{
+    return at_the_ends(f, seed, xorshift(seed) % 128 == 0 ? 1 : 2);
+}
+
+static c205_word beyond_usual(word_format f, uint64_t *seed)
+{
+    return at_the_ends(f, seed, 1);
+}
+
 static c205_word positive(word_format f, uint64_t *seed)
 {
     uint64_t flags = 0;
@@ -139,8 +172,10 @@ static c205_word about_a_square(word_format f, uint64_t *seed)
 
 typedef c205_word supply(word_format f, uint64_t *seed);
 static supply *const supplies[] = {
-    special,  near,         around, near_top,     near_bottom,     anywhere,
-    any_bits, unnormalised, sparse, mostly_usual, or_machine_zero, positive,
+    special,     near,         around,          near_top,
+    near_bottom, anywhere,     any_bits,        unnormalised,
+    sparse,      mostly_usual, or_machine_zero, positive,
+    zero,        mostly_zero,  about_usual,     beyond_usual,
 };
 
 static void fill(c205_word *words, size_t n, supply *next, word_format f,

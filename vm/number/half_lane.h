@@ -140,9 +140,7 @@ static inline lane lane_divide_significant(c205_word a, c205_word b)
  * integers by 2^-25 or more. */
 static inline int64_t root(uint64_t n)
 {
-    double x = to_double(n) + 0.5;
-
-    return below(reciprocal_root(x) * x);
+    return below(sqrt(to_double(n) + 0.5));
 }
 
 /* The root of the normalised operand, shifted back. */

@@ -6,6 +6,7 @@
 #define LANE_FORMAT whole_words
 #define LANE_GUARD 1
 #include "vm/number/lane_parts.h"
+#include "vm/number/usual.h"
 
 /* ---- Multiply ----------------------------------------------------------- */
 
@@ -89,8 +90,7 @@ static inline lane lane_divide_significant(c205_word a, c205_word b)
  * quotient is; the radicand is c x 2^(k - 46). */
 static inline int64_t root(uint64_t radicand)
 {
-    double x = to_double(radicand);
-    uint64_t nearest = to_nearest(reciprocal_root(x) * x * (1 << 23));
+    uint64_t nearest = to_nearest(sqrt(to_double(radicand)) * (1 << 23));
     uint64_t remainder = (radicand << 46) - nearest * nearest;
 
     return (int64_t)(nearest - (remainder >> 63));
@@ -108,6 +108,30 @@ static inline lane lane_square_root(c205_word a)
     return zero_if(is_zero(a),
                    odd_if(unnormalised(a) | negative | indefinite(a),
                           result));
+}
+
+/* ---- Usual words ---------------------------------------------------------
+ *
+ * Of them alone (usual.h) nothing needs to be asked: so are their results.
+ */
+
+/* The exponents are added where they stand. */
+static inline c205_word usual_multiply_significant(c205_word a, c205_word b)
+{
+    int64_t p = product(a, b, 2);
+    uint64_t places = excess(p, DIGITS);
+    c205_word high = a + (b & EXPONENT_MASK)
+                     + ((places + (WORD_DIGITS - 1)) << EXPONENT_PLACE);
+
+    return format_with_coefficient(LANE_FORMAT, high, (c205_word)p >> places);
+}
+
+static inline c205_word usual_divide_significant(c205_word a, c205_word b)
+{
+    int64_t e = exponent(a) - exponent(b) - WORD_DIGITS;
+
+    return significant(e, quotient(coefficient(a), coefficient(b)), DIGITS)
+        .word;
 }
 
 #endif

@@ -16,6 +16,8 @@
 
 #include "vm/number/lane_kinds.h"
 
+#include <math.h>
+
 #define DIGITS (LANE_FORMAT.digits)
 #define EXPONENT_PLACE (64 - LANE_FORMAT.exponent_bits)
 #define EXPONENT_MASK (UINT64_MAX << EXPONENT_PLACE)
@@ -121,19 +123,6 @@ static inline uint64_t room(int64_t t)
     return (((uint64_t)(BIAS + LENGTH) << 52) - 1 - bits_of_double(d)) >> 52;
 }
 
-/* 1 / sqrt(x) to 15 digits: halving the exponent of a double gives the first
- * digit (to 3.5 %), and each step of Newton's doubles the digits. */
-static inline double reciprocal_root(double x)
-{
-    uint64_t one_and_a_half_exponents = UINT64_C(0x5FE6EB50C7B537A9);
-    double y = double_of_bits(one_and_a_half_exponents
-                              - (bits_of_double(x) >> 1));
-
-    for (int step = 0; step < 4; step++)
-        y *= 1.5 - 0.5 * x * y * y;
-    return y;
-}
-
 /* ---- Results ------------------------------------------------------------ */
 
 /* As a number of exponent 0. */
@@ -207,17 +196,20 @@ static inline lane special_product(c205_word a, c205_word b, lane result)
 
 /* ---- Add, subtract ------------------------------------------------------ */
 
-/* Of the exponents of the larger and the smaller: nothing is borrowed below
- * them. */
-static inline int64_t distance(c205_word l, c205_word s)
+/* The distance of the exponents of the larger and the smaller, in the place of an
+ * exponent, limit at the most; what stands below is no part of it.  As long as
+ * it stands there, a compiler does not take it for a shorter word. */
+static inline uint64_t apart(c205_word l, c205_word s, int64_t limit)
 {
-    return (int64_t)((l - (s & EXPONENT_MASK)) >> EXPONENT_PLACE);
+    uint64_t distance = l - (s & EXPONENT_MASK);
+    uint64_t most = (uint64_t)limit << EXPONENT_PLACE;
+
+    return distance < most ? distance : most;
 }
 
-/* c shifted right by a distance of exponents, but limit at the most. */
-static inline int64_t shifted(int64_t c, int64_t places, int64_t limit)
+static inline int64_t shifted(int64_t c, uint64_t distance)
 {
-    return c >> (places < limit ? places : limit);
+    return c >> (distance >> EXPONENT_PLACE);
 }
 
 /* The sum, floored to LANE_GUARD bits below the larger operand's coefficient.
@@ -225,26 +217,38 @@ static inline int64_t shifted(int64_t c, int64_t places, int64_t limit)
  * normalised: at distances of 0 and 1 nothing is lost, and beyond them the
  * sum moves by one place at most.  If the guard holds all digits, it is all
  * there is. */
+static inline int64_t sum_of(c205_word l, int64_t value_l, c205_word s,
+                             int64_t value_s)
+{
+    return value_l + shifted(value_s, apart(l, s, 63));
+}
+
 static inline int64_t sum(c205_word a, c205_word b)
 {
     c205_word l = larger(a, b), s = smaller(a, b);
 
-    return guarded_value(l) + shifted(guarded_value(s), distance(l, s), 63);
+    return sum_of(l, guarded_value(l), s, guarded_value(s));
 }
 
 /* The difference likewise.  A subtrahend is cut at the end of the register,
  * DIGITS down, before its sign changes. */
-static inline int64_t difference(c205_word a, c205_word b)
+static inline int64_t difference_of(c205_word l, int64_t value_l, c205_word s,
+                                    int64_t value_s, bool is_subtrahend)
 {
     int64_t reach = DIGITS - LANE_GUARD;
-    c205_word l = larger(a, b), s = smaller(a, b);
-    int64_t places = distance(l, s), more = places - reach;
-    int64_t kept = shifted(guarded_value(s), more > 0 ? more : 0, 63);
-    bool is_subtrahend = (int64_t)b <= (int64_t)a;
-    int64_t value = guarded_value(l);
+    uint64_t distance = apart(l, s, reach);
+    int64_t kept = shifted(value_s, apart(l, s, reach + 63) - distance);
 
-    return (is_subtrahend ? value : -value)
-           + shifted(is_subtrahend ? -kept : kept, places, reach);
+    return (is_subtrahend ? value_l : -value_l)
+           + shifted(is_subtrahend ? -kept : kept, distance);
+}
+
+static inline int64_t difference(c205_word a, c205_word b)
+{
+    c205_word l = larger(a, b), s = smaller(a, b);
+
+    return difference_of(l, guarded_value(l), s, guarded_value(s),
+                         (int64_t)b <= (int64_t)a);
 }
 
 /* The exponent of an indefinite is out of range. */
@@ -262,19 +266,24 @@ static inline uint64_t is_extreme(c205_word w)
     return w + UINT64_C(0x4000000000000000);
 }
 
-/* An exponent that is changed where it stands, whatever the digits below it, takes
- * fewer steps. */
-static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
+/* t with the exponent of l, normalised.  An exponent that is changed where it
+ * stands, whatever the digits below it, takes fewer steps. */
+static inline c205_word with_sum(c205_word l, int64_t t)
 {
-    c205_word l = larger(a, b);
     uint64_t places = room(t) & 63;
     int64_t top = (int64_t)((uint64_t)t << places) >> (LENGTH - DIGITS);
     uint64_t more = (uint64_t)(LENGTH - DIGITS - LANE_GUARD) - places;
     c205_word high = l + (more << EXPONENT_PLACE);
     c205_word low = (c205_word)top << format_padding(LANE_FORMAT);
+
+    return format_with_coefficient(LANE_FORMAT, high, low);
+}
+
+static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
+{
+    c205_word l = larger(a, b);
     uint64_t too_short = LANE_GUARD < DIGITS ? unnormalised(l) : 0;
-    const lane result = { format_with_coefficient(LANE_FORMAT, high, low),
-                          0 };
+    const lane result = { with_sum(l, t), 0 };
 
     return odd_if(is_zero(l) ? 0 : is_extreme(l) | too_short,
                   zero_if(t == 0, result));
@@ -324,8 +333,7 @@ static inline lane lane_average_difference(c205_word a, c205_word b)
 /* A negative exponent stands in a word as its distance from 0 does. */
 static inline int64_t without_fraction(int64_t c, c205_word a)
 {
-    return shifted(c, (int64_t)((0 - (a & EXPONENT_MASK)) >> EXPONENT_PLACE),
-                   63);
+    return shifted(c, apart(0, a, 63));
 }
 
 static inline lane integer_part(c205_word a, int64_t part)

@@ -4,8 +4,8 @@
  * below; the bits of a comparison and what lanes_store_masked stores overlap
  * nothing that is read.  The result and the flags are those of arith.h, bit
  * for bit, for every word; normalised operands and machine zeros are the fast
- * path.  The loops are plain C that compilers vectorise, cloned for the
- * instruction sets of the host.
+ * path.  The loops are plain C that compilers vectorise, compiled for each of
+ * the host's instruction sets.
  *
  * lanes_NAME takes words, halves_NAME half words, one at the left of each
  * c205_word.

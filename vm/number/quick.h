@@ -1,5 +1,4 @@
-/* quick.h - arithmetic on one usual pair of words, or on one word: normalised
- * numbers whose exponents are far from the ends of the range.
+/* quick.h - arithmetic on one usual pair of words, or on one word (usual.h).
  *
  * In scalar code each result waits for the one before, and what hardly ever
  * happens costs nothing as long as a branch leads around it: so, other than on
@@ -10,32 +9,9 @@
 #define C205_QUICK_H
 
 #include "vm/number/arith.h"
+#include "vm/number/usual.h"
 
 #include <math.h>
-
-/* ---- Usual words --------------------------------------------------------- */
-
-/* Where a bit differs from the one to its right. */
-static inline uint64_t quick_edges(c205_word w)
-{
-    return w ^ w << 1;
-}
-
-/* The two first bits of the coefficient differ, the three first ones of the
- * exponent do not: it lies in -2000 .. 1FFF hex. */
-static inline bool quick_usual(c205_word w)
-{
-    uint64_t edges = quick_edges(w);
-
-    return (edges & UINT64_C(0xC000800000000000)) == WORD_COEFFICIENT_MAX + 1;
-}
-
-static inline bool quick_usual_pair(c205_word a, c205_word b)
-{
-    uint64_t x = quick_edges(a), y = quick_edges(b);
-
-    return (x & y & UINT64_C(0x800000000000)) && (x | y) >> 62 == 0;
-}
 
 static inline c205_word quick_word(int64_t e, int64_t c)
 {
@@ -86,7 +62,7 @@ static inline c205_word quick_add_normalised(c205_word a, c205_word b,
 {
     c205_word c;
 
-    if (quick_usual_pair(a, b)
+    if (usual_pair(a, b)
         && quick_sum(a, quick_twice(a), b, quick_twice(b), &c))
         return c;
     return arith_add_normalised(a, b, flags);
@@ -98,10 +74,10 @@ static inline c205_word quick_subtract_normalised(c205_word a, c205_word b,
 {
     c205_word c;
 
-    if (quick_usual_pair(a, b)
+    if (usual_pair(a, b)
         && quick_sum(a, quick_twice(a), b, -quick_twice(b), &c))
         return c;
-    if (a == C205_MACHINE_ZERO && quick_usual(b)
+    if (a == C205_MACHINE_ZERO && usual_word(b)
         && quick_sum(b, -quick_twice(b), b, 0, &c))
         return c;
     return arith_subtract_normalised(a, b, flags);
@@ -119,7 +95,7 @@ static inline c205_word quick_multiply_significant(c205_word a, c205_word b,
     int64_t product = a1 * b1 * 4 + (middle >> 22);
     int64_t e = ((int64_t)a >> 48) + ((int64_t)b >> 48);
 
-    if (!quick_usual_pair(a, b))
+    if (!usual_pair(a, b))
         return arith_multiply_significant(a, b, flags);
     return quick_fitted(e + WORD_DIGITS - 1, product);
 }
@@ -133,7 +109,7 @@ static inline c205_word quick_divide_significant(c205_word a, c205_word b,
     int64_t dividend = ca < 0 ? -ca : ca, divisor = cb < 0 ? -cb : cb;
     int64_t e = ((int64_t)a >> 48) - ((int64_t)b >> 48) - WORD_DIGITS;
 
-    if (!quick_usual_pair(a, b))
+    if (!usual_pair(a, b))
         return arith_divide_significant(a, b, flags);
     int64_t q = (int64_t)((double)dividend * 0x1p47 / (double)divisor);
     int64_t left = (int64_t)(((uint64_t)dividend << WORD_DIGITS)
@@ -152,7 +128,7 @@ static inline c205_word quick_square_root(c205_word a, uint64_t *flags)
     int64_t c = word_coefficient(a), e = (int64_t)a >> 48;
     int32_t k = WORD_DIGITS - 1 + (int32_t)(e & 1);
 
-    if (!quick_usual(a) || c < 0)
+    if (!usual_word(a) || c < 0)
         return arith_square_root(a, flags);
     uint64_t root = (uint64_t)(int64_t)sqrt((double)c
                                             * (e & 1 ? 0x1p47 : 0x1p46));
@@ -177,9 +153,9 @@ static inline bool quick_ranks(c205_word a, c205_word b, int64_t *rank_a,
 
     *rank_a = sign | 1;
     *rank_b = 0;
-    if (b == C205_MACHINE_ZERO && quick_usual(a))
+    if (b == C205_MACHINE_ZERO && usual_word(a))
         return true;
-    if (!quick_usual_pair(a, b))
+    if (!usual_pair(a, b))
         return false;
     if ((int64_t)((a ^ b) << 16) < 0)
         return true;

@@ -4,6 +4,7 @@
 #include "vm/number/spans.h"
 
 #include "vm/number/lane_kinds.h"
+#include "vm/number/quick.h"
 
 enum { BITS = 64 /* of a word */ };
 
@@ -11,9 +12,8 @@ enum { BITS = 64 /* of a word */ };
 
 /* x and y are the words, f their format. */
 #define LOGICAL_SPAN(name, format, result) \
-    static inline void name##_block(c205_word *restrict to, \
-                                    const c205_word *a, const c205_word *b, \
-                                    size_t n) \
+    LANEWISE void name##_block(c205_word *restrict to, const c205_word *a, \
+                               const c205_word *b, size_t n) \
     { \
         word_format f = format; \
         for (size_t i = 0; i < n; i++) { \
@@ -21,7 +21,7 @@ enum { BITS = 64 /* of a word */ };
             to[i] = (result)&format_mask(f); \
         } \
     } \
-    CLONED void name BINARY_PARAMETERS \
+    LANEWISE void name##_span BINARY_PARAMETERS \
     { \
         c205_word space[BLOCK]; \
         bool apart = !spans_meet(c, a, n) && !spans_meet(c, b, n); \
@@ -32,7 +32,8 @@ enum { BITS = 64 /* of a word */ };
             if (!apart) \
                 copy_block(c + i, space, length); \
         } \
-    }
+    } \
+    BINARY_VERSIONS(name, name##_span)
 #define LOGICAL(name, result) \
     LOGICAL_SPAN(lanes_##name, whole_words, result) \
     LOGICAL_SPAN(halves_##name, half_words, result)
@@ -51,12 +52,13 @@ LOGICAL(add_index, format_with_coefficient(f, x, x + y))
 LOGICAL(subtract_index, format_with_coefficient(f, x, x - y))
 
 #define EXPONENT(name, format) \
-    CLONED void name UNARY_PARAMETERS \
+    LANEWISE void name##_span UNARY_PARAMETERS \
     { \
         (void)flags; \
         for (size_t i = 0; i < n; i++) \
             c[i] = format_make(format, 0, format_exponent(format, a[i])); \
-    }
+    } \
+    UNARY_VERSIONS(name, name##_span)
 EXPONENT(lanes_exponent, whole_words)
 EXPONENT(halves_exponent, half_words)
 
@@ -136,11 +138,14 @@ static inline uint64_t copied(uint64_t bit)
         word |= (holds ^ inverse) << (BITS - 1 - j); \
     }
 
+#define COMPARE_PARAMETERS \
+    (uint64_t *restrict bits, const c205_word *restrict a, \
+     const c205_word *restrict b, size_t n)
+
 /* Block by block; a block with a word that is neither a normalised number nor
  * a machine zero is done again by rank. */
 #define COMPARE_SPAN(name, format, is, relation, inverse) \
-    CLONED void name(uint64_t *restrict bits, const c205_word *restrict a, \
-                     const c205_word *restrict b, size_t n) \
+    LANEWISE void name##_span COMPARE_PARAMETERS \
     { \
         for (size_t i = 0; i < n; i += BITS) { \
             size_t length = lesser(n - i, BITS); \
@@ -160,9 +165,26 @@ static inline uint64_t copied(uint64_t bit)
             bits[i / BITS] = word; \
         } \
     }
+#define COMPARE_WORDS(name, holds) \
+    static void name COMPARE_PARAMETERS \
+    { \
+        for (size_t i = 0; i < n; i += BITS) { \
+            size_t length = lesser(n - i, BITS); \
+            uint64_t word = 0; \
+            for (size_t j = 0; j < length; j++) \
+                word |= (uint64_t)holds(a[i + j], b[i + j]) \
+                        << (BITS - 1 - j); \
+            bits[i / BITS] = word; \
+        } \
+    }
 #define COMPARE(name, is, relation, inverse) \
     COMPARE_SPAN(lanes_##name, whole_words, is, relation, inverse) \
-    COMPARE_SPAN(halves_##name, half_words, is, relation, inverse)
+    COMPARE_WORDS(lanes_##name##_words, quick_##name) \
+    VERSIONS(lanes_##name, lanes_##name##_words, COMPARE_PARAMETERS, \
+             (bits, a, b, n)) \
+    COMPARE_SPAN(halves_##name, half_words, is, relation, inverse) \
+    VERSIONS(halves_##name, halves_##name##_span, COMPARE_PARAMETERS, \
+             (bits, a, b, n))
 
 COMPARE(equal, EQUAL, ==, 0)
 COMPARE(not_equal, NOT_EQUAL, ==, 1)
@@ -178,15 +200,17 @@ void lanes_copy(c205_word *c, const c205_word *a, size_t n, uint64_t *flags)
         memmove(c, a, n * sizeof *c);
 }
 
-CLONED void lanes_fill(c205_word *c, c205_word word, size_t n)
+LANEWISE void lanes_fill_span(c205_word *c, c205_word word, size_t n)
 {
     for (size_t i = 0; i < n; i++)
         c[i] = word;
 }
+VERSIONS(lanes_fill, lanes_fill_span,
+         (c205_word * c, c205_word word, size_t n), (c, word, n))
 
-CLONED void lanes_store_masked(c205_word *restrict c,
-                               const c205_word *restrict a,
-                               const uint64_t *restrict bits, size_t n)
+LANEWISE void lanes_store_masked_span(c205_word *restrict c,
+                                      const c205_word *restrict a,
+                                      const uint64_t *restrict bits, size_t n)
 {
     for (size_t i = 0; i < n; i += BITS) {
         size_t length = lesser(n - i, BITS);
@@ -195,6 +219,10 @@ CLONED void lanes_store_masked(c205_word *restrict c,
             c[i + j] = permitted & places[j] ? a[i + j] : c[i + j];
     }
 }
+VERSIONS(lanes_store_masked, lanes_store_masked_span,
+         (c205_word *restrict c, const c205_word *restrict a,
+          const uint64_t *restrict bits, size_t n),
+         (c, a, bits, n))
 
 /* ---- Reductions --------------------------------------------------------- */
 

@@ -1,29 +1,38 @@
-/* spans.h - how a loop over a span of words is compiled and walked; for the
- * files that hold the functions of lanes.h.
+/* spans.h - how a loop over a span of words is walked; for the files that hold
+ * the functions of lanes.h.
  */
 #ifndef C205_SPANS_H
 #define C205_SPANS_H
 
+#include "vm/number/host.h"
 #include "vm/number/lane_kinds.h"
 #include "vm/number/lanes.h"
-
-/* Whole spans are compiled several times, for what the host's vector unit
- * can do; the loader chooses.  Only gcc on ELF systems with glibc has this
- * in a form that links across files. */
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) \
-    && !defined(__clang__) && !defined(NO_TARGET_CLONES)
-#define CLONED \
-    __attribute__(( \
-        target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define CLONED
-#endif
+#include "vm/number/usual.h"
 
 #define BINARY_PARAMETERS \
     (c205_word * c, const c205_word *a, const c205_word *b, size_t n, \
      uint64_t *flags)
 #define UNARY_PARAMETERS \
     (c205_word * c, const c205_word *a, size_t n, uint64_t *flags)
+
+#define BINARY_VERSIONS(name, plain) \
+    VERSIONS(name, plain, BINARY_PARAMETERS, (c, a, b, n, flags))
+#define UNARY_VERSIONS(name, plain) \
+    VERSIONS(name, plain, UNARY_PARAMETERS, (c, a, n, flags))
+
+/* Word by word. */
+#define BINARY_WORDS(name, of_words) \
+    void name BINARY_PARAMETERS \
+    { \
+        for (size_t i = 0; i < n; i++) \
+            c[i] = of_words(a[i], b[i], flags); \
+    }
+#define UNARY_WORDS(name, of_word) \
+    void name UNARY_PARAMETERS \
+    { \
+        for (size_t i = 0; i < n; i++) \
+            c[i] = of_word(a[i], flags); \
+    }
 
 static inline size_t lesser(size_t a, size_t b)
 {
@@ -87,15 +96,11 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words,
         lanes[i] = words[i];
 }
 
-/* Whole lanes, and again the last LANES of n. */
-#define EACH_LANE(of_lane) \
+/* The body for each place j of whole lanes, and again for the last LANES of n. */
+#define EACH_LANE(body) \
     for (size_t i = 0, end = n & ~(size_t)(LANES - 1);;) { \
         for (size_t j = i; j < end; j++) { \
-            lane result = of_lane; \
-            odd[j] = result.odd; \
-            odds |= result.odd; \
-            zeros |= zero(result.word); \
-            to[j] = result.word; \
+            body \
         } \
         if (end == n) \
             break; \
@@ -103,22 +108,24 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words,
         end = n; \
     }
 #define BLOCK_OF(name, parameters, of_lane, exactly) \
-    static inline void name##_block parameters \
+    LANEWISE void name##_block parameters \
     { \
         uint64_t odd[BLOCK], odds = 0, zeros = 0; \
-        EACH_LANE(of_lane) \
+        EACH_LANE(lane result = of_lane; odd[j] = result.odd; \
+                  odds |= result.odd; zeros |= zero(result.word); \
+                  to[j] = result.word;) \
         if (odds >> 63) \
             exactly; \
         else if (zeros >> 63) \
             *flags |= FLAG_MACHINE_ZERO; \
     }
-#define BINARY_SPAN(name, lane_function, exact) \
-    BLOCK_OF(name, \
-             (c205_word *restrict to, const c205_word *a, \
-              const c205_word *b, size_t n, uint64_t *flags), \
-             lane_function(a[j], b[j]), \
+#define BLOCK_PARAMETERS \
+    (c205_word *restrict to, const c205_word *a, const c205_word *b, \
+     size_t n, uint64_t *flags)
+#define BINARY_SPAN(name, usual_block, lane_function, exact) \
+    BLOCK_OF(name, BLOCK_PARAMETERS, lane_function(a[j], b[j]), \
              binary_again(exact, to, a, b, odd, n, flags)) \
-    CLONED void name BINARY_PARAMETERS \
+    LANEWISE void name##_span BINARY_PARAMETERS \
     { \
         c205_word space[BLOCK], some_a[LANES], some_b[LANES]; \
         bool apart = !spans_meet(c, a, n) && !spans_meet(c, b, n); \
@@ -126,14 +133,16 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words,
             const c205_word *x = a + i, *y = b + i; \
             length = lesser(n - i, BLOCK); \
             bool few = length < LANES; \
+            c205_word *to = apart && !few ? c + i : space; \
+            size_t count = few ? LANES : length; \
             if (few) { \
                 fill_lanes(some_a, x, length); \
                 fill_lanes(some_b, y, length); \
                 x = some_a; \
                 y = some_b; \
             } \
-            name##_block(apart && !few ? c + i : space, x, y, \
-                         few ? LANES : length, flags); \
+            if (!usual_block(to, x, y, count, flags)) \
+                name##_block(to, x, y, count, flags); \
             if (few || !apart) \
                 copy_block(c + i, space, length); \
         } \
@@ -143,7 +152,7 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words,
              (c205_word *restrict to, const c205_word *a, size_t n, \
               uint64_t *flags), \
              lane_function(a[j]), unary_again(exact, to, a, odd, n, flags)) \
-    CLONED void name UNARY_PARAMETERS \
+    LANEWISE void name##_span UNARY_PARAMETERS \
     { \
         c205_word space[BLOCK], some_a[LANES]; \
         bool apart = !spans_meet(c, a, n); \
@@ -162,12 +171,80 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words,
         } \
     }
 
-/* What is rare has no fast path: word by word. */
-#define EXACT(name, exact) \
-    void name BINARY_PARAMETERS \
+/* ---- Blocks of one kind ----------------------------------------------------
+ *
+ * In most blocks all words are usual (usual.h), or those of one operand are
+ * machine zeros: whoever looks first takes fewer steps.  usual_block is true if
+ * that did it.
+ */
+
+#define NEVER_USUAL(to, a, b, n, flags) false
+
+LANEWISE bool usual_lanes(const c205_word *a, const c205_word *b, size_t n)
+{
+    uint64_t all = UINT64_MAX, any = 0;
+
+    EACH_LANE(uint64_t x = usual_edges(a[j]); uint64_t y = usual_edges(b[j]);
+              all &= x & y; any |= x | y;)
+    return usual_by_edges(all, any);
+}
+
+/* What is not usual is so from the beginning, most often. */
+LANEWISE bool usual_pairs(const c205_word *a, const c205_word *b, size_t n)
+{
+    enum { FIRST_ONES = 2 * LANES };
+    size_t first = n > 2 * FIRST_ONES ? FIRST_ONES : n;
+
+    return usual_lanes(a, b, first)
+           && (first == n || usual_lanes(a + first, b + first, n - first));
+}
+
+LANEWISE bool zero_lanes(const c205_word *a, size_t n)
+{
+    c205_word most = a[0];
+
+    if (!is_zero(most))
+        return false;
+    EACH_LANE(most = larger(most, a[j]);)
+    return is_zero(most);
+}
+
+/* What comes of machine zeros beside usual words, or beside machine zeros:
+ * zeros, or the other words; or neither. */
+enum zeros_give { GIVE_ZEROS, GIVE_OTHERS, GIVE_NEITHER };
+
+LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
+                             const c205_word *others, size_t n,
+                             enum zeros_give gives, uint64_t *flags)
+{
+    if (gives == GIVE_NEITHER || !zero_lanes(zeros, n))
+        return false;
+    bool both = zero_lanes(others, n);
+    if (!both && !usual_pairs(others, others, n))
+        return false;
+    if (both || gives == GIVE_ZEROS) {
+        EACH_LANE(to[j] = C205_MACHINE_ZERO;)
+        *flags |= FLAG_MACHINE_ZERO;
+    } else
+        copy_block(to, others, n);
+    return true;
+}
+
+/* What zeros give as the first operands, and as the second. */
+#define ZEROS_BLOCK(name, first, second) \
+    LANEWISE bool name BLOCK_PARAMETERS \
     { \
-        for (size_t i = 0; i < n; i++) \
-            c[i] = exact(a[i], b[i], flags); \
+        return block_of_zeros(to, a, b, n, first, flags) \
+               || block_of_zeros(to, b, a, n, second, flags); \
+    }
+#define USUAL_BLOCK(name, of_usual, first, second) \
+    ZEROS_BLOCK(name##_of_zeros, first, second) \
+    LANEWISE bool name BLOCK_PARAMETERS \
+    { \
+        if (!usual_pairs(a, b, n)) \
+            return name##_of_zeros(to, a, b, n, flags); \
+        EACH_LANE(to[j] = of_usual(a[j], b[j]);) \
+        return true; \
     }
 
 #endif

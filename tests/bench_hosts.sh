@@ -1,0 +1,72 @@
+#!/bin/sh
+# bench_hosts.sh BUILD - host nanoseconds an element of spans of words (those of
+# tests/bench_lanes.c), from each compiler, as on hosts with less: with AVX2 alone,
+# or word by word without a vector unit.  Below, the most that it is in times of what
+# it is beside, over all operations on words of several kinds.
+set -eu
+build=$1
+. "$(dirname "$0")/measure.sh"
+
+: >"$work/names"
+for compiler in gcc clang; do
+    command -v $compiler >/dev/null || continue
+    for vectors in best AVX2 WORDS; do
+        name=$compiler-$vectors
+        folder=$build/bench/$name
+        flags=
+        [ $vectors = best ] || flags=-DHOST_VECTORS=HOST_$vectors
+        "${MAKE:-make}" --no-print-directory -s "BUILD=$folder" CC=$compiler \
+            "CFLAGS=-g $flags" "$folder/tests/bench_lanes"
+        echo "$name" >>"$work/names"
+    done
+done
+
+for _ in $(seq "$trials"); do
+    while read -r name; do
+        "$build/bench/$name/tests/bench_lanes" | sed 1d |
+            awk -v name="$name" '{
+                what = substr($0, 1, 24)
+                sub(/ *$/, "", what)
+                split(substr($0, 25), cells, " ")
+                print name "\t" what "\t" cells[1]
+            }'
+    done <"$work/names"
+done >"$work/times"
+
+awk -F '\t' -v results="$results" '
+    FILENAME == ARGV[1] { names[++count] = $1; next }
+    !($2 in seen) { seen[$2] = 1; rows[++row_count] = $2 }
+    !(($1, $2) in least) || $3 < least[$1, $2] { least[$1, $2] = $3 }
+    function compare(name, other,    most, i, times) {
+        if (!((name, rows[1]) in least) || !((other, rows[1]) in least))
+            return
+        most = 0
+        for (i = 1; i <= row_count; i++) {
+            if (rows[i] ~ /zeros/)
+                continue
+            times = least[name, rows[i]] / least[other, rows[i]]
+            if (times > most)
+                most = times
+        }
+        printf "%-24s %11.2f times %s\n", name, most, other
+        printf "hosts,\"%s to %s\",times,%.2f\n", name, other, most >>results
+    }
+    END {
+        printf "%-24s", "ns an element"
+        for (n = 1; n <= count; n++)
+            printf " %11s", names[n]
+        for (i = 1; i <= row_count; i++) {
+            printf "\n%-24s", rows[i]
+            for (n = 1; n <= count; n++) {
+                printf " %11.2f", least[names[n], rows[i]]
+                printf "hosts,\"%s, %s\",ns,%.2f\n", rows[i], names[n],
+                    least[names[n], rows[i]] >>results
+            }
+        }
+        printf "\n\n"
+        compare("gcc-AVX2", "gcc-best")
+        compare("gcc-WORDS", "gcc-best")
+        compare("clang-best", "gcc-best")
+        compare("clang-AVX2", "clang-best")
+        compare("clang-WORDS", "clang-best")
+    }' "$work/names" "$work/times"

@@ -1,0 +1,78 @@
+/* host.h - one function for many hosts: loops that a compiler vectorises are
+ * compiled for what each of their vector units can do, and every call takes the
+ * best that this one has.
+ */
+#ifndef C205_HOST_H
+#define C205_HOST_H
+
+#include <stdbool.h>
+
+/* Lanes pay where a vector unit shifts each one by its own count; HOST_LANES:
+ * that of what the files are compiled for.  Where there is none, words are
+ * done one by one. */
+enum host_vectors { HOST_WORDS, HOST_LANES, HOST_AVX2, HOST_AVX512 };
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define HOST_VERSIONS
+#define AVX2_FEATURES "avx2,bmi,bmi2"
+#define AVX512_FEATURES \
+    AVX2_FEATURES ",avx512f,avx512bw,avx512cd,avx512dq,avx512vl"
+#endif
+
+static inline enum host_vectors host_vectors(void)
+{
+#if defined(HOST_VECTORS) /* for tests: that of another host */
+    return HOST_VECTORS;
+#elif defined(HOST_VERSIONS)
+    if (__builtin_cpu_supports("avx512bw")
+        && __builtin_cpu_supports("avx512cd")
+        && __builtin_cpu_supports("avx512dq")
+        && __builtin_cpu_supports("avx512vl"))
+        return HOST_AVX512;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2"))
+        return HOST_AVX2;
+    return HOST_WORDS;
+#elif defined(__aarch64__)
+    return HOST_LANES;
+#else
+    return HOST_WORDS;
+#endif
+}
+
+/* A function of the host's choice: NAME_span, compiled for each vector unit, or
+ * where there is none NAME_plain, which may be the same. */
+#ifdef HOST_VERSIONS
+#define LANEWISE static inline __attribute__((always_inline))
+#define VERSION(attribute, version, of, parameters, arguments) \
+    __attribute__((attribute)) static void version parameters \
+    { \
+        of arguments; \
+    }
+#define VERSIONS(name, plain, parameters, arguments) \
+    VERSION(noinline, name##_alone, plain, parameters, arguments) \
+    VERSION(target(AVX2_FEATURES), name##_avx2, name##_span, parameters, \
+            arguments) \
+    VERSION(target(AVX512_FEATURES), name##_avx512, name##_span, parameters, \
+            arguments) \
+    void name parameters \
+    { \
+        switch (host_vectors()) { \
+        case HOST_AVX512: name##_avx512 arguments; break; \
+        case HOST_AVX2: name##_avx2 arguments; break; \
+        case HOST_LANES: name##_span arguments; break; \
+        case HOST_WORDS: name##_alone arguments; break; \
+        } \
+    }
+#else
+#define LANEWISE static inline
+#define VERSIONS(name, plain, parameters, arguments) \
+    void name parameters \
+    { \
+        if (host_vectors() == HOST_WORDS) \
+            plain arguments; \
+        else \
+            name##_span arguments; \
+    }
+#endif
+
+#endif
