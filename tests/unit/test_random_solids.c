@@ -67,8 +67,9 @@ static void check_depths(const struct scene *scene, const char *text,
     for (size_t k = 0; k < PIXELS; k++) {
         double found = c205_to_double(words->channel[CHANNEL_DEPTH][k]);
         double expected = plain.channel[CHANNEL_DEPTH][k];
+        bool close = fabs(found - expected) <= 1e-6 * (1 + expected);
 
-        others += !(fabs(found - expected) <= 1e-6 * (1 + expected));
+        others += close ? 0 : 1;
         if (others > PIXELS / 100)
             fail_msg("pixel %zu: %.9f deep, not %.9f, in\n%s", k, found,
                      expected, text);
