@@ -179,8 +179,8 @@ static size_t part(const struct build *build, size_t *row, size_t count,
 
 /* --- nodes --------------------------------------------------------------- */
 
-static void bound_box(const struct build *build, const size_t *row,
-                      size_t count, struct bound *whole)
+static void bound_many(const struct build *build, const size_t *row,
+                       size_t count, struct bound *whole)
 {
     struct enclosure enclosure;
     double reach = 0;
@@ -194,13 +194,19 @@ static void bound_box(const struct build *build, const size_t *row,
         reach = fmax(reach,
                      bound_reach(&build->bounds[row[i]], whole->center));
     whole->radius = reach * (1 + 1e-12);
+    bound_box(&build->bounds[row[0]], 1, whole);
+    for (size_t i = 1; i < count; i++) {
+        const struct bound both[2] = { *whole, build->bounds[row[i]] };
+
+        bound_box(both, 2, whole);
+    }
 }
 
 static void bound_row(const struct build *build, const size_t *row,
                       size_t count, struct bound *whole)
 {
     if (count > EXACT) {
-        bound_box(build, row, count, whole);
+        bound_many(build, row, count, whole);
         return;
     }
     for (size_t i = 0; i < count; i++)

@@ -1,5 +1,6 @@
 #include "rt/layout/regions.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "rt/layout/bounds.h"
@@ -173,15 +174,50 @@ static const struct bound *bound_of(const struct places *places,
     return &places->bounds[solid];
 }
 
+/* Do so much fewer rays pass its box than its sphere that it is worth a test?
+ * On the mean over all directions that is a fourth of its surface, and of the
+ * sphere's. */
+static bool is_boxed(const struct bound *bound)
+{
+    static const double worth = 0.8, pi = 3.14159265358979323846;
+    double side[3];
+
+    for (int i = 0; i < 3; i++)
+        side[i] = fmax(bound->high[i] - bound->low[i], 0);
+    return !bound_is_none(bound)
+           && (side[0] * side[1] + side[1] * side[2] + side[2] * side[0]) / 2
+                  < worth * pi * bound->radius * bound->radius;
+}
+
+/* The middle and half of each side. */
+static void layout_box(struct record *record, const struct bound *bound)
+{
+    double words[6];
+
+    for (int i = 0; i < 3; i++) {
+        words[i] = (bound->low[i] + bound->high[i]) / 2;
+        words[3 + i] = (bound->high[i] - bound->low[i]) / 2;
+    }
+    record_numbers(record, "R_BOX", words, 6);
+}
+
 static void layout_region(struct record *record, const struct places *places,
                           size_t i)
 {
     const struct scene *scene = places->scene;
     const struct region *region = &scene->regions[i];
+    const struct bound *bound = bound_of(places, region);
+    uint64_t way = 0;
 
     record->line = region->line;
-    record_bound(record, "R_BOUND", bound_of(places, region));
-    record_integer(record, "R_SIMPLE", region_is_simple(scene, region));
+    record_bound(record, "R_BOUND", bound);
+    if (region_is_simple(scene, region))
+        way += layout_symbol(record->layout, "REGION_SIMPLE");
+    if (is_boxed(bound)) {
+        way += layout_symbol(record->layout, "REGION_BOXED");
+        layout_box(record, bound);
+    }
+    record_integer(record, "R_WAY", (size_t)way);
     record_integer(record, "R_SHADOW", shadow_of(scene, region));
     record_address(record, "R_CLEAR", places->clear[i]);
     record_address(record, "R_FIRST",

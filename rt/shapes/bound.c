@@ -10,7 +10,12 @@
 /* Beyond this the square of a sum of distances may tell nothing. */
 #define GREATEST 1e12
 
-const struct bound bound_none = { { 0, 0, 0 }, BOUND_NONE };
+const struct bound bound_none = {
+    { 0, 0, 0 },
+    BOUND_NONE,
+    { -BOUND_NONE, -BOUND_NONE, -BOUND_NONE },
+    { BOUND_NONE, BOUND_NONE, BOUND_NONE },
+};
 
 bool bound_is_none(const struct bound *bound)
 {
@@ -70,6 +75,18 @@ static void middle(const struct bound *parts, size_t count, double *center)
     }
 }
 
+void bound_box(const struct bound *parts, size_t count, struct bound *whole)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        whole->low[axis] = INFINITY;
+        whole->high[axis] = -INFINITY;
+        for (size_t i = 0; i < count; i++) {
+            whole->low[axis] = fmin(whole->low[axis], parts[i].low[axis]);
+            whole->high[axis] = fmax(whole->high[axis], parts[i].high[axis]);
+        }
+    }
+}
+
 /* To the farthest point, by shorter and shorter steps; the best centre on the
  * way is taken.  Source: Badoiu and Clarkson 2003. */
 void bound_enclose(const struct bound *parts, size_t count,
@@ -96,6 +113,7 @@ void bound_enclose(const struct bound *parts, size_t count,
                          * (reach / distance / (step + 1));
     }
     whole->radius *= 1 + 1e-12;
+    bound_box(parts, count, whole);
 }
 
 /* --- hulls --------------------------------------------------------------- */
@@ -108,6 +126,8 @@ void hull_point(struct hull *hull, const struct primitive *primitive,
     copy3(point, added->center);
     transform_point(&primitive->to_world, added->center);
     added->radius = 0;
+    copy3(added->center, added->low);
+    copy3(added->center, added->high);
 }
 
 /* A polygon about the circle: its points stand a little farther out. */
@@ -149,6 +169,11 @@ void bound_hull(const struct hull *hull, struct bound *bound)
     bound_enclose(hull->points, hull->count, bound);
 }
 
+void bound_hull_box(const struct hull *hull, struct bound *bound)
+{
+    bound_box(hull->points, hull->count, bound);
+}
+
 /* --- how far a shape reaches --------------------------------------------- */
 
 double bound_stretch(const struct primitive *primitive, double x, double y,
@@ -170,6 +195,10 @@ void bound_about(const struct primitive *primitive, const double center[3],
     copy3(center, bound->center);
     transform_point(&primitive->to_world, bound->center);
     bound->radius = reach;
+    for (int i = 0; i < 3; i++) {
+        bound->low[i] = bound->center[i] - reach;
+        bound->high[i] = bound->center[i] + reach;
+    }
 }
 
 void bound_without(const struct primitive *primitive, struct bound *bound)
@@ -183,8 +212,14 @@ void bound_without(const struct primitive *primitive, struct bound *bound)
  * on neither side of an event. */
 static void add_margin(struct bound *bound)
 {
-    bound->radius = 1.001 * bound->radius + 1e-9 * length3(bound->center)
+    double margin = .001 * bound->radius + 1e-9 * length3(bound->center)
                     + 2e-7;
+
+    bound->radius += margin;
+    for (int i = 0; i < 3; i++) {
+        bound->low[i] -= margin;
+        bound->high[i] += margin;
+    }
     if (!is_sound(bound))
         *bound = bound_none;
 }

@@ -1,4 +1,4 @@
-/* bound.h - spheres that nothing of a shape reaches beyond.
+/* bound.h - a sphere and a box that nothing of a shape reaches beyond.
  *
  * A bound only spares work: a ray that misses it would miss the shape.  So it
  * is made larger than what the machine's roundings could need.
@@ -13,6 +13,7 @@
 
 struct bound {
     double center[3], radius;
+    double low[3], high[3]; /* of the box, along the world's axes */
 };
 
 extern const struct bound bound_none;
@@ -20,7 +21,7 @@ bool bound_is_none(const struct bound *bound);
 
 /* How far a point is from the farthest of a bound. */
 double bound_reach(const struct bound *bound, const double from[3]);
-/* A sphere about others, little greater than the least. */
+/* About others: a sphere little greater than the least, and the least box. */
 void bound_enclose(const struct bound *parts, size_t count,
                    struct bound *whole);
 /* A primitive in the world.  Planes, quadrics and quartics have none. */
@@ -46,6 +47,10 @@ void hull_rings(struct hull *hull, const struct primitive *primitive,
                 const double base[3], double base_radius, const double cap[3],
                 double cap_radius);
 void bound_hull(const struct hull *hull, struct bound *bound);
+/* .. the box alone. */
+void bound_hull_box(const struct hull *hull, struct bound *bound);
+/* The box about others. */
+void bound_box(const struct bound *parts, size_t count, struct bound *whole);
 
 /* How much the way to the world stretches a vector at the most, of those with
  * components at most as long as the weights are. */

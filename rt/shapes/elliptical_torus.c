@@ -1,6 +1,6 @@
 #include "rt/shapes/shape.h"
 
-#include "rt/shapes/torus_words.h"
+#include "rt/shapes/tori.h"
 
 static const struct shape_field fields[] = {
     { TAKES_SIZE, SHAPE_AT(elliptical_torus, major), "major radius", 0,
@@ -14,15 +14,9 @@ static const struct shape_field fields[] = {
 
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
-    static const double origin[3] = { 0, 0, 0 };
-    double major = primitive->shape.elliptical_torus.major;
-    double radial = primitive->shape.elliptical_torus.radial;
-    double axial = primitive->shape.elliptical_torus.axial;
-
-    bound_about(primitive, origin,
-                bound_stretch(primitive, major, 0, major)
-                    + bound_stretch(primitive, radial, axial, radial),
-                bound);
+    torus_bound(primitive, primitive->shape.elliptical_torus.major,
+                primitive->shape.elliptical_torus.radial,
+                primitive->shape.elliptical_torus.axial, bound);
 }
 
 static size_t put_words(const struct primitive *primitive, double *words)

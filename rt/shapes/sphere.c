@@ -14,6 +14,12 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 
     bound_about(primitive, primitive->shape.sphere.center,
                 bound_stretch(primitive, r, r, r), bound);
+    for (int i = 0; i < 3; i++) {
+        double reach = r * length3(primitive->to_world.rows[i]);
+
+        bound->low[i] = bound->center[i] - reach;
+        bound->high[i] = bound->center[i] + reach;
+    }
 }
 
 static size_t put_words(const struct primitive *primitive, double *words)

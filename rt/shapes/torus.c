@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "rt/shapes/torus_words.h"
+#include "rt/shapes/tori.h"
 
 static const struct shape_field fields[] = {
     { TAKES_SIZE, SHAPE_AT(torus, major), "major radius", 0, NULL },
@@ -10,35 +10,45 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-/* A circle about y, and from there the tube. */
-static void put_bound(const struct primitive *primitive, struct bound *bound)
+/* A circle about y, and from there the tube; its box is that of two circles. */
+void torus_bound(const struct primitive *primitive, double major,
+                 double radial, double axial, struct bound *bound)
 {
     static const double origin[3] = { 0, 0, 0 };
-    double major = primitive->shape.torus.major;
-    double minor = primitive->shape.torus.minor;
+    const double base[3] = { 0, -axial, 0 }, cap[3] = { 0, axial, 0 };
+    struct hull hull = { .count = 0 };
 
     bound_about(primitive, origin,
                 bound_stretch(primitive, major, 0, major)
-                    + bound_stretch(primitive, minor, minor, minor),
+                    + bound_stretch(primitive, radial, axial, radial),
                 bound);
+    hull_rings(&hull, primitive, base, major + radial, cap, major + radial);
+    bound_hull_box(&hull, bound);
 }
 
-/* (x^2 + z^2 + rho y^2 + b0)^2 = a0 (x^2 + z^2) of the half axes p, n of the
- * tube, and a sphere and two planes about it that rounding cannot reach. */
-size_t torus_words(double major, double p, double n, double *words)
+static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
-    double bound = 1.001 * (major + fmax(p, n));
+    double minor = primitive->shape.torus.minor;
 
-    words[0] = (p / n) * (p / n);
-    words[1] = (major - p) * (major + p);
+    torus_bound(primitive, primitive->shape.torus.major, minor, minor, bound);
+}
+
+/* (x^2 + z^2 + rho y^2 + b0)^2 = a0 (x^2 + z^2), and a sphere and two planes
+ * about it that rounding cannot reach. */
+size_t torus_words(double major, double radial, double axial, double *words)
+{
+    double bound = 1.001 * (major + fmax(radial, axial));
+
+    words[0] = (radial / axial) * (radial / axial);
+    words[1] = (major - radial) * (major + radial);
     words[2] = 4 * major * major;
     words[3] = 2 * major * major;
     words[4] = bound * bound;
-    words[5] = major * major + p * p;
-    words[6] = p * p;
+    words[5] = major * major + radial * radial;
+    words[6] = radial * radial;
     words[7] = 8 * major * major;
     words[8] = bound * ROOT_RESOLUTION;
-    words[9] = 1.001 * n;
+    words[9] = 1.001 * axial;
     return 10;
 }
 

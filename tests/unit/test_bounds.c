@@ -1,5 +1,5 @@
-/* Bounding spheres: no point of a solid lies outside of its own, and they are
- * not much greater than need be. */
+/* Bounding spheres and boxes: no point of a solid lies outside of its own, and they
+ * are not much greater than need be. */
 #include "tests/unit/scene_reading.h"
 
 #include "rt/layout/bounds.h"
@@ -111,6 +111,46 @@ static void test_known(void **state)
     }
 }
 
+static void test_known_boxes(void **state)
+{
+    static const struct {
+        const char *text;
+        double low[3], high[3];
+    } rows[] = {
+        { "sphere { <1, 2, 3>, 2 }", { -1, 0, 1 }, { 3, 4, 5 } },
+        { "box { <-1, 0, 2>, <3, 4, 5> rotate 90*y }",
+          { 2, 0, -3 },
+          { 5, 4, 1 } },
+        { "cylinder { -4*y, 4*y, 1 rotate 90*z translate x }",
+          { -3, -1, -1 },
+          { 5, 1, 1 } },
+        { "torus { 3, 1 scale <1, 2, 1> }", { -4, -2, -4 }, { 4, 2, 4 } },
+        { "merge { box { 0, 1 } box { <2, -1, 0>, <3, 1, 2> } }",
+          { 0, -1, 0 },
+          { 3, 1, 2 } },
+        { "intersection { box { 0, 4 } box { <2, -1, 0>, <6, 1, 2> } }",
+          { 2, 0, 0 },
+          { 4, 1, 2 } },
+        { "difference { box { 0, <4, 4, 1> } box { 1, 3 } }",
+          { 0, 0, 0 },
+          { 4, 4, 1 } },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct bound bound = first_bound(rows[i].text);
+
+        for (int k = 0; k < 3; k++) {
+            double slack = .02 * bound.radius;
+
+            assert_true(bound.low[k] < rows[i].low[k]);
+            assert_true(bound.high[k] > rows[i].high[k]);
+            assert_close(bound.low[k], rows[i].low[k], slack);
+            assert_close(bound.high[k], rows[i].high[k], slack);
+        }
+    }
+}
+
 /* Lines through a shape in its own space, and where the points that they cross
  * it at stand in the world. */
 static size_t count_crossings(const struct primitive *primitive,
@@ -130,6 +170,9 @@ static size_t count_crossings(const struct primitive *primitive,
 
         point_on(&ray, crossings[i].distance, point);
         transform_point(&primitive->to_world, point);
+        for (int k = 0; k < 3; k++)
+            assert_true(bound->low[k] <= point[k]
+                        && point[k] <= bound->high[k]);
         add_scaled(point, point, -1, bound->center);
         assert_true(sqrt(dot(point, point)) <= bound->radius);
     }
@@ -194,9 +237,12 @@ static void test_enclose(void **state)
         double least = 0;
 
         for (size_t i = 0; i < count; i++) {
-            for (int k = 0; k < 3; k++)
-                parts[i].center[k] = between(-5, 5);
             parts[i].radius = between(0, 2);
+            for (int k = 0; k < 3; k++) {
+                parts[i].center[k] = between(-5, 5);
+                parts[i].low[k] = parts[i].center[k] - parts[i].radius;
+                parts[i].high[k] = between(parts[i].low[k], 7);
+            }
         }
         bound_enclose(parts, count, &whole);
         for (size_t i = 0; i < count; i++) {
@@ -205,6 +251,9 @@ static void test_enclose(void **state)
             add_scaled(way, parts[i].center, -1, whole.center);
             assert_true(sqrt(dot(way, way)) + parts[i].radius
                         <= whole.radius);
+            for (int k = 0; k < 3; k++)
+                assert_true(whole.low[k] <= parts[i].low[k]
+                            && parts[i].high[k] <= whole.high[k]);
             for (size_t j = 0; j < count; j++) {
                 add_scaled(way, parts[i].center, -1, parts[j].center);
                 least = fmax(least, (sqrt(dot(way, way)) + parts[i].radius
@@ -220,6 +269,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_known),
+        cmocka_unit_test(test_known_boxes),
         cmocka_unit_test(test_crossings),
         cmocka_unit_test(test_enclose),
     };

@@ -29,25 +29,31 @@ static size_t below(size_t count)
 
 /* --- rows of bounds ------------------------------------------------------- */
 
+static struct bound ball(double x, double y, double z, double radius)
+{
+    return (struct bound){ .center = { x, y, z },
+                           .radius = radius,
+                           .low = { x - radius, y - radius, z - radius },
+                           .high = { x + radius, y + radius, z + radius } };
+}
+
 static struct bound anywhere(size_t i)
 {
     (void)i;
-    return (struct bound){ { between(-9, 9), between(-9, 9), between(-9, 9) },
-                           between(1e-3, 2) };
+    return ball(between(-9, 9), between(-9, 9), between(-9, 9),
+                between(1e-3, 2));
 }
 
 static struct bound in_one_point(size_t i)
 {
     (void)i;
-    return (struct bound){ { 1, 2, 3 }, 1 };
+    return ball(1, 2, 3, 1);
 }
 
 static struct bound on_whole_numbers(size_t i)
 {
     (void)i;
-    return (struct bound){
-        { (double)below(3), (double)below(3), (double)below(3) }, .5
-    };
+    return ball((double)below(3), (double)below(3), (double)below(3), .5);
 }
 
 /* Each a thousandth of the one before: bins tell few apart. */
@@ -57,12 +63,12 @@ static struct bound smaller_and_smaller(size_t i)
 
     for (size_t k = 0; k < i % 60; k++)
         size /= 2;
-    return (struct bound){ { size, 0, 0 }, size / 100 };
+    return ball(size, 0, 0, size / 100);
 }
 
 static struct bound far_away(size_t i)
 {
-    return (struct bound){ { i % 2 ? 1e12 : -1e12, 0, (double)i }, 1e3 };
+    return ball(i % 2 ? 1e12 : -1e12, 0, (double)i, 1e3);
 }
 
 static struct bound some_without(size_t i)
@@ -123,6 +129,9 @@ static void check_encloses(const struct bound *whole,
 {
     assert_true(bound_reach(part, whole->center)
                 <= whole->radius * (1 + 1e-12));
+    for (int k = 0; k < 3; k++)
+        assert_true(whole->low[k] <= part->low[k]
+                    && part->high[k] <= whole->high[k]);
 }
 
 /* The node and all below it, from the region at a place of the order on;
@@ -200,7 +209,7 @@ static void test_nodes(void **state)
 
     (void)state;
     for (size_t i = 0; i < 64; i++)
-        bounds[i] = (struct bound){ { 10. * (double)i, 0, 0 }, 1 };
+        bounds[i] = ball(10. * (double)i, 0, 0, 1);
     assert_int_equal(check(bounds, 64), 63); /* leaves of two */
     assert_int_equal(check(bounds, 1), 0);
     assert_int_equal(check(bounds, 0), 0);
@@ -220,7 +229,7 @@ static void test_depth(void **state)
 
     (void)state;
     for (size_t i = 0; i < COUNT; i++, size /= 20)
-        bounds[i] = (struct bound){ { size, 0, 0 }, size / 100 };
+        bounds[i] = ball(size, 0, 0, size / 100);
     assert_in_range(check(bounds, COUNT), 2 * HALVED_FROM, 2 * COUNT - 5);
 }
 

@@ -109,7 +109,7 @@ static void look_through(const struct primitive *primitive)
 
     bound_primitive(primitive, &bound);
     if (bound_is_none(&bound))
-        bound = (struct bound){ { 0, 0, 0 }, 3 };
+        bound = (struct bound){ .radius = 3 };
     for (int try = 0; try < 200; try++) {
         struct crossing crossings[MOST_CROSSINGS];
         struct ray ray;

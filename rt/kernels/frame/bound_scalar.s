@@ -19,7 +19,7 @@
         .regs   r39, w_region, w_regions_left
         .regs   r41, w_ox, w_oy, w_oz, w_dx, w_dy, w_dz, w_lower
         .regs   r48, w_limit, w_leaf
-        .regs   r50, w_cx, w_cy, w_cz, w_radius, w_square, w_simple, w_shadow
+        .regs   r50, w_cx, w_cy, w_cz, w_radius, w_square, w_way, w_shadow
         .regs   r57, w_nodes, w_nodes_end, w_first
         .equ    REGION_LOADED, R_FIRST + 1
         .regs   r60, w_two_delta, w_less
@@ -62,4 +62,48 @@
         CFPGE   w_t5, \limit, \far
         CFPLT   w_t6, w_t0, \far
 near\@:
+        .endm
+
+; Does it pass a region's box, too (beside_vector.s)?
+        .share  local
+        .regs   r62, b_cx, b_cy, b_cz, b_hx, b_hy, b_hz, b_dx, b_dy, b_dz
+        .reg    b_lost, r71
+        .endshare
+
+        .macro  skip_beside_axis c1, c2, d1, d2, h1, h2, a1, a2, beside
+        MPYS    \c1, \d2, w_t0
+        MPYS    \c2, \d1, w_t1
+        MPYS    \h1, \a2, w_t2
+        MPYS    \h2, \a1, w_t3
+        SUBN    w_t0, w_t1, w_t0
+        ADDN    w_t2, w_t3, w_t2
+        ABS     w_t0, w_t0
+        CFPLT   w_t2, w_t0, \beside
+        .endm
+
+        .macro  skip_beside beside
+        RTOR    w_region, w_at
+        IX      w_at, 64 * R_BOX
+        ELEN    w_at, 6
+        SWAP    [w_at], b_cx, [r0]
+        EX      w_at, bound_lost
+        LOD     [w_at], b_lost
+        SUBN    b_cx, w_ox, b_cx
+        SUBN    b_cy, w_oy, b_cy
+        SUBN    b_cz, w_oz, b_cz
+        ABS     w_dx, b_dx
+        ABS     w_dy, b_dy
+        ABS     w_dz, b_dz
+        ABS     b_cx, w_t0
+        ABS     b_cy, w_t1
+        ABS     b_cz, w_t2
+        MPYS    w_t0, b_lost, w_t0
+        MPYS    w_t1, b_lost, w_t1
+        MPYS    w_t2, b_lost, w_t2
+        ADDN    b_hx, w_t0, b_hx
+        ADDN    b_hy, w_t1, b_hy
+        ADDN    b_hz, w_t2, b_hz
+        skip_beside_axis b_cy, b_cz, w_dy, w_dz, b_hy, b_hz, b_dy, b_dz, \beside
+        skip_beside_axis b_cz, b_cx, w_dz, w_dx, b_hz, b_hx, b_dz, b_dx, \beside
+        skip_beside_axis b_cx, b_cy, w_dx, w_dy, b_hx, b_hy, b_dx, b_dy, \beside
         .endm

@@ -4,6 +4,7 @@
 
         .include "frame/bound_vector.s"
         .include "frame/regions_vector.s"
+        .include "frame/beside_vector.s"
         .include "frame/hierarchy_vector.s"
         .include "solids/nodes_vector.s"
         .include "solids/few_vector.s"

@@ -5,7 +5,7 @@
 ;   primitive's record (0: none); hit_s, hit_t on patches.
 ; simple_met: In: the segments of the rays at hand in a simple region, in
 ;   found_store.
-; begin_span, node_met, needed_few: nothing; each ray is looked at by itself.
+; begin_span, node_met: nothing; each ray is looked at by itself.
 ; walk_tree: In: the crossings of the rays at hand in a region's primitives.
 ;   Both: the same; for a ray to a light nearest = minus_big if it is stopped,
 ;   in light_left what comes through.
@@ -134,8 +134,6 @@ begin_span:
         BIM     0, link_inner
 node_met:
         BIM     node_next
-needed_few:
-        BIM     node_few
 
 walk_tree:
         hand_over_rays

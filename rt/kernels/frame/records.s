@@ -117,8 +117,9 @@
         .record R
         .field  R_BOUND, 5         ; its bounding sphere: centre 3, radius, its
                                 ; square; big: no bound
-        .field  R_SIMPLE           ; 1: one primitive, of which the nearest
-                                ; crossing ahead is all that is wanted
+        .field  R_WAY              ; REGION_SIMPLE: one primitive, of which the
+                                ; nearest crossing ahead is all that is wanted;
+                                ; REGION_BOXED: with a box; or both, or 0
         .field  R_SHADOW           ; 0: casts no shadow, 1: a full one, 2: parts
                                 ; of it are clear
         .field  R_NODES            ; address of its first node, of what stands
@@ -127,8 +128,11 @@
         .field  R_RESULT           ; address of the tree's value
         .field  R_CLEAR            ; address of its word in scene_clear, where
                                 ; parts of it are clear
-        .at     16
+        .field  R_BOX, 6           ; its box: centre 3, half sides 3
+        .at     19              ; odd, for the banks
         .endrecord
+        .equ    REGION_SIMPLE, 1
+        .equ    REGION_BOXED, 2
 
 ; A node of the hierarchy over the regions, in preorder: a leaf has regions, any
 ; other node two nodes below it, the first of which stands behind it.
@@ -259,6 +263,7 @@ k_lower:        .word 1.000000000001e-6 ; tmin to be scaled: what is beyond it
                                 ; there is beyond tmin here
 k_shadow_lower: .word 1.000000000001e-3 ; .. and k_shadow
 bound_less:     .word 0.99999999999909050529   ; 1 - 2^-40, in tests of bounds
+bound_lost:     .word 0.00000000000090949470   ; 2^-40, in tests of boxes
 bound_more:     .word 1.00000000000090949470   ; 1 + 2^-40, where another region
                                 ; may be as near
         .code

@@ -97,7 +97,8 @@ nearest_region:
         skip_far w_cx, w_cy, w_cz, w_radius, w_square, w_limit, nearest_skip
         .endkernel
         .kernel call
-        IBXEQ   w_simple, r0, r0, nearest_tree
+        IBXNE   w_way, r0, m_index_one, nearest_other
+nearest_simple:
         meet_simple nearest_hit, nearest_skip
         CFPNE   w_in, w_limit, nearest_skip
         IBXGE   w_first, r0, w_leaf, nearest_skip
@@ -115,6 +116,15 @@ nearest_leaf:
 nearest_done:
         SWAP    [r0], w_limit, [w_argument]
         leave_walk nearest_save, WALK_REGISTERS
+        .endkernel
+        .kernel bound
+nearest_other:
+        IBXEQ   w_way, r0, r0, nearest_tree
+        skip_beside nearest_skip
+        ES      w_at, REGION_BOXED
+        IBXNE   w_way, r0, w_at, nearest_simple
+        .endkernel
+        .kernel visible
 nearest_tree:
         EX      w_at, bound_more
         LOD     [w_at], w_end

@@ -1,8 +1,9 @@
 ; regions_vector.s - what the rays of a queue meet, region by region.
 ;
 ; A region is a primitive or a Boolean tree of them (records.s).  The rays that
-; come near it are compressed, unless they are most of the queue; its kernels
-; give the segments inside its primitives.
+; come near it are compressed, unless they are most of the queue, and again those
+; that meet its box, if it has one (beside_vector.s); its kernels give the segments
+; inside its primitives.
 ;
 ; What they mean is decided elsewhere: of a simple region by simple_met, of the
 ; others by walk_tree; both go on at walk_skip.
@@ -16,7 +17,7 @@
 
 ; Of a region, while its bound is tested.
         .share  shape
-        .regs   r61, region_simple, region_shadow, region_nodes
+        .regs   r61, region_way, region_shadow, region_nodes
         .regs   r64, region_nodes_end, region_first
         .endshare
         .equ    REGION_WORDS, R_FIRST + 1
@@ -77,7 +78,13 @@ walk_take:
         EX      target, take_all
 walk_taken:
         BSAVE   link_inner, [target]
-        IBXEQ   region_simple, r0, one_index, walk_simple
+        IBXEQ   region_way, r0, one_index, walk_simple
+        IBXEQ   region_way, r0, r0, walk_nodes
+        EX      target, take_beside
+        BSAVE   link_inner, [target]
+        IBXEQ   s6, r0, r0, walk_skip
+        ES      s0, REGION_BOXED
+        IBXNE   region_way, r0, s0, walk_simple
         BIM     walk_nodes
 walk_mark:
         RTOR    region, s1

@@ -43,7 +43,8 @@ shadow_region:
         skip_far w_cx, w_cy, w_cz, w_radius, w_square, w_limit, shadow_next
         .endkernel
         .kernel call
-        IBXEQ   w_simple, r0, r0, shadow_tree
+        IBXNE   w_way, r0, m_index_one, shadow_other
+shadow_simple:
         meet_simple shadow_dark, shadow_next
         BIM     shadow_next
         .endkernel
@@ -55,6 +56,15 @@ shadow_dark:
 shadow_done:
         SWAP    [r0], s_red, [w_result_at]
         leave_walk shadow_save, SHADOW_REGISTERS
+        .endkernel
+        .kernel bound
+shadow_other:
+        IBXEQ   w_way, r0, r0, shadow_tree
+        skip_beside shadow_next
+        ES      w_at, REGION_BOXED
+        IBXNE   w_way, r0, w_at, shadow_simple
+        .endkernel
+        .kernel shadow
 shadow_tree:
         IBXNE   w_shadow, r0, m_index_one, shadow_wait
         RTOR    w_limit, w_end

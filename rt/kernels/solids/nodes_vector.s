@@ -12,9 +12,10 @@
 ;   patch           PATCH_CROSSINGS crossings, as many s, as many t from
 ;                   P_FIRST_EVENT on
 ;
-; Where few come near a node those are gathered for all that is below it
-; (few_vector.s), or what is needed leaves no others (span_vector.s).  Behind each primitive it goes on at
-; node_met, with the segments in tin ..; behind all of them at walk_tree.
+; Spheres of less than half of the region's radius are tested; those of needed nodes
+; are no smaller than it.  Where few rays come near a node those are gathered for all
+; that is below it (few_vector.s).  Behind each primitive it goes on at node_met, with
+; the segments in tin ..; behind all of them at walk_tree.
 ;
 ; Where something has been met before, crossings a little beyond the limits are
 ; looked for, too: of two regions at one distance the first primitive counts,
@@ -184,19 +185,14 @@ node_next:
         ADDX    s0, s0, s1
         ADDX    s1, s1, s1
         IBXGE   s1, r0, near, node_near
-        IBXNE   node_needed, r0, r0, node_needed_few
         load_word few_outer, s1
         IBXEQ   s1, r0, r0, node_few
-        BIM     node_near
-node_needed_few:
-        IBXNE   node_primitive, r0, r0, needed_few
         BIM     node_near
 nodes_met:
         load_word few_outer, s9
         IBXEQ   s9, r0, r0, walk_tree
         BIM     few_met
 node_far:
-        IBXNE   node_needed, r0, r0, walk_skip
         clear_value
         RTOR    node_behind, node_at
         BIM     node_next

@@ -100,16 +100,6 @@ node_squeeze:
         BSAVE   link_kernel, [target]
         BIM     node_next
 
-; Few rays come near a primitive that is needed.
-needed_few:
-        RTOR    s0, s9
-        describe active, event_bits, near
-        ORB     [near_bits], [near_bits], [active]
-        describe last, last_store, near
-        EX      target, squeeze_span
-        BSAVE   link_kernel, [target]
-        BIM     node_near
-
 ; The s9 rays of active alone remain at hand.
 squeeze_span:
         CPSV    [last], [last] ? [active]

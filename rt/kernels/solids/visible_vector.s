@@ -350,7 +350,6 @@ squeeze_slot\@:
         .endm
 
 squeeze_rays:
-        IBXEQ   first_leaf, r0, leaves_last, squeeze_places
         leaves_begin
 squeeze_leaf:
         leaf_at_hand
@@ -367,7 +366,6 @@ squeeze_patch_slots:
         squeeze_slots leaf_events, leaf_first_event
 squeeze_next:
         leaves_next squeeze_leaf
-squeeze_places:
         EX      s3, place_store
         CPSV    [place], [s3] ? [active]
         RTOR    s3, place

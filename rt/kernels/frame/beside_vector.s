@@ -1,0 +1,121 @@
+; beside_vector.s - which of the rays at hand meet a region's box, and those alone.
+;
+; A sphere about a long thing or a flat one holds mostly nothing.  The box stands
+; along the axes of the world: about C, with half sides H.  With L = C - O the line
+; along D meets it if it passes no edge on the outer side:
+;
+;   |L_y D_z - L_z D_y| <= H_y |D_z| + H_z |D_y|      and so with z, x and x, y
+;
+; H counts for more by |L| / 2^40, which is more than the products lose; the host
+; has made the box larger by what the kernels may lose.  Where a line through the
+; box is left is decided by the sphere alone (bound_vector.s).  Rays that start at
+; one point, or go to one light, have L in common.
+;
+; In:  region; the rays at hand, near of them: wox .. wdz, near_limit, place.
+; Out: the same of those that meet it, s6 of them.
+; Source: separating axes of a line and a box: Gottschalk, Lin and Manocha 1996.
+
+        .share  scratch
+        .regs   r233, box_x, box_y, box_z, box_hx, box_hy, box_hz, box_lost
+        .endshare
+
+; Pairs are linked where L and H are in registers: of vectors they would read three.
+        .macro  beside_axis c1, c2, d1, d2, h1, h2, a1, a2, bits, vectors
+        MPYSV   \c1, [\d2], [w9]
+        MPYSV   \h1, [\a2], [w11]
+        .if     !\vectors
+        LINKV
+        .endif
+        MPYSV   \c2, [\d1], [w10]
+        SUBNV   [w9], [w10], [w9]
+        .if     !\vectors
+        LINKV
+        .endif
+        MPYSV   \h2, [\a1], [w10]
+        ADDNV   [w11], [w10], [w11]
+        ABSV    [w9], [w9]
+        CMPGEV  [w11], [w9], [\bits]
+        .endm
+
+        .macro  beside_more
+        ANDB    [near_bits], [bits0], [near_bits]
+        CNTOB   [near_bits], s6
+        IBXEQ   s6, r0, r0, beside_taken
+        .endm
+
+        .macro  beside_axes x, y, z, hx, hy, hz, vectors
+        beside_axis \y, \z, wdy, wdz, \hy, \hz, w1, w2, near_bits, \vectors
+        CNTOB   [near_bits], s6
+        IBXEQ   s6, r0, r0, beside_taken
+        beside_axis \z, \x, wdz, wdx, \hz, \hx, w2, w0, bits0, \vectors
+        beside_more
+        beside_axis \x, \y, wdx, wdy, \hx, \hy, w0, w1, bits0, \vectors
+        beside_more
+        .endm
+
+        .macro  beside_common c, p, h, work
+        SUBN    \c, \p, \c
+        ABS     \c, \work
+        MPYS    \work, box_lost, \work
+        ADDN    \h, \work, \h
+        .endm
+
+        .macro  beside_each c, o, h, away, size
+        SUBNV   \c, [\o], [\away]
+        ABSV    [\away], [\size]
+        LINKV
+        MPYSV   [\size], box_lost, [\size]
+        ADDNV   [\size], \h, [\size]
+        .endm
+
+        .macro  keep_near vector, store, number
+        EX      s3, \store + 64 * QUEUE * \number
+        CPSV    [\vector], [s3] ? [near_bits]
+        RTOR    s3, \vector
+        .endm
+
+        .kernel bound
+take_beside:
+        RTOR    region, s0
+        IX      s0, 64 * R_BOX
+        ELEN    s0, 6
+        SWAP    [s0], box_x, [r0]
+        load_word bound_lost, box_lost
+        describe near_bits, queue_bits, near
+        ABSV    [wdx], [w0]
+        ABSV    [wdy], [w1]
+        ABSV    [wdz], [w2]
+        RTOR    shadows, s0
+        IBXNE   shadows, r0, r0, beside_point
+        EX      s0, queue_origin
+        IBXNE   from_one_point, r0, r0, beside_point
+        beside_each box_x, wox, box_hx, w3, w6
+        beside_each box_y, woy, box_hy, w4, w7
+        beside_each box_z, woz, box_hz, w5, w8
+        beside_axes [w3], [w4], [w5], [w6], [w7], [w8], 1
+        BIM     beside_tested
+beside_point:
+        ELEN    s0, 3
+        SWAP    [s0], s3, [r0]
+        beside_common box_x, s3, box_hx, s7
+        beside_common box_y, s4, box_hy, s8
+        beside_common box_z, s5, box_hz, s9
+        beside_axes box_x, box_y, box_z, box_hx, box_hy, box_hz, 0
+beside_tested:
+        if_few  s6, near, beside_few
+beside_taken:
+        BIM     0, link_inner
+
+beside_few:
+        set_near s6
+        keep_near place, place_store, 0
+        keep_near near_limit, place_store, 1
+        keep_near wdx, world_store, 3
+        keep_near wdy, world_store, 4
+        keep_near wdz, world_store, 5
+        IBXNE   from_one_point, r0, r0, take_origin
+        keep_near wox, world_store, 0
+        keep_near woy, world_store, 1
+        keep_near woz, world_store, 2
+        BIM     take_least
+        .endkernel
