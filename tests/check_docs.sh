@@ -7,8 +7,9 @@
 # stands above an indented block, which must be the output of the command; the
 # shell runs it with the build's programs first in its path and the build's
 # folder in BUILD, and what comes before its first " | " once for all blocks.
+# What it draws in the folder DRAWN is what docs/pictures has under that name.
 # quick leaves out the slow ones, which take more than about two seconds.
-# --write puts the output into the pages instead.
+# --write puts the output and the pictures into the pages instead.
 set -u
 . "$(dirname "$0")/count.sh"
 BUILD=$(cd "$1" && pwd) size=$2
@@ -22,8 +23,10 @@ cd "$(dirname "$0")/.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 said=$work/diff
+DRAWN=$work/drawn
 PATH=$BUILD:$PATH
-export BUILD PATH
+export BUILD DRAWN PATH
+mkdir "$DRAWN"
 
 # The output of a command line, into $work/out.
 print() {
@@ -99,5 +102,24 @@ for page in "$@"; do
             next
         }
         { print }' "$work/page" >"$work/new" && cp "$work/new" "$page"
+done
+
+# But for the line in which gnuplot names itself.
+drawing() {
+    sed '/Produced by GNUPLOT/d' "$1"
+}
+
+for picture in "$DRAWN"/*.svg; do
+    [ -f "$picture" ] || continue
+    old=docs/pictures/$(basename "$picture")
+    drawing "$picture" >"$work/new"
+    if drawing "$old" | diff - "$work/new" >"$work/diff"; then
+        pass
+    elif [ "$write" ]; then
+        echo "written: $old"
+        cp "$picture" "$old"
+    else
+        fail "$old"
+    fi
 done
 counted
