@@ -5,8 +5,6 @@
 #ifndef C205_HOST_H
 #define C205_HOST_H
 
-#include <stdbool.h>
-
 /* Lanes pay where a vector unit shifts each one by its own count; HOST_LANES:
  * that of what the files are compiled for.  Where there is none, words are
  * done one by one. */

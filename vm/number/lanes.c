@@ -17,29 +17,23 @@ USUAL_BLOCK(usual_block_divide_significant, usual_divide_significant,
 #define BLOCK_REGISTERS(name) NEVER_USUAL
 #define BLOCK_VECTORS(name) NEVER_USUAL
 
-/* Where the host has no vectors, it goes by that rule. */
-#define BINARY_QUICK(name) \
-    static BINARY_WORDS(lanes_##name##_words, quick_##name) \
-        BINARY_VERSIONS(lanes_##name, lanes_##name##_words)
-#define BINARY_REGISTERS(name) \
-    BINARY_VERSIONS(lanes_##name, lanes_##name##_span)
-#define BINARY_VECTORS(name) BINARY_REGISTERS(name)
-#define UNARY_QUICK(name) \
-    static UNARY_WORDS(lanes_##name##_words, quick_##name) \
-        UNARY_VERSIONS(lanes_##name, lanes_##name##_words)
-#define UNARY_REGISTERS(name) \
-    UNARY_VERSIONS(lanes_##name, lanes_##name##_span)
-#define UNARY_VECTORS(name) UNARY_REGISTERS(name)
+/* Where the host has no vectors, it goes by that rule.  kind: BINARY, UNARY. */
+#define VERSIONS_QUICK(kind, name) \
+    static kind##_WORDS(lanes_##name##_words, quick_##name) \
+        kind##_VERSIONS(lanes_##name, lanes_##name##_words)
+#define VERSIONS_REGISTERS(kind, name) \
+    kind##_VERSIONS(lanes_##name, lanes_##name##_span)
+#define VERSIONS_VECTORS(kind, name) VERSIONS_REGISTERS(kind, name)
 
 #define BINARY_FAST(name, registers) \
     BINARY_SPAN(lanes_##name, BLOCK_##registers(name), lane_##name, \
                 arith_##name) \
-    BINARY_##registers(name)
+    VERSIONS_##registers(BINARY, name)
 #define BINARY_HALVES_FAST(name, registers) BINARY_EXACT(name, registers)
 #define BINARY_EXACT(name, registers) BINARY_WORDS(lanes_##name, arith_##name)
 #define UNARY_FAST(name, registers) \
     UNARY_SPAN(lanes_##name, lane_##name, arith_##name) \
-    UNARY_##registers(name)
+    VERSIONS_##registers(UNARY, name)
 /* In spans.c. */
 #define BINARY_WRITTEN(name, registers)
 #define UNARY_WRITTEN(name, registers)
