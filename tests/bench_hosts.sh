@@ -23,15 +23,9 @@ done
 
 for _ in $(seq "$trials"); do
     while read -r name; do
-        "$build/bench/$name/tests/bench_lanes" | sed 1d |
-            awk -v name="$name" '{
-                what = substr($0, 1, 24)
-                sub(/ *$/, "", what)
-                split(substr($0, 25), cells, " ")
-                print name "\t" what "\t" cells[1]
-            }'
+        "$build/bench/$name/tests/bench_lanes" | cells "$name"
     done <"$work/names"
-done >"$work/times"
+done | sed -n 's/^\(.*\),"\(.*\)",lanes,/\1\t\2\t/p' >"$work/times"
 
 awk -F '\t' -v results="$results" '
     FILENAME == ARGV[1] { names[++count] = $1; next }

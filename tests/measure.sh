@@ -46,3 +46,28 @@ keep() { # PART WHAT QUANTITY VALUE ..: pairs of the last two
 quotient() { # A B: to two places
     awk -v a="$1" -v b="$2" 'BEGIN { if (b > 0) printf "%.2f", a / b }'
 }
+
+# A table's figures, cell by cell: PROGRAM, "row", column, value.  Cells end where
+# the headings of their columns do.
+cells() { # PROGRAM: of what it printed
+    awk -v program="$1" '
+        function ends_of(line,    at) {
+            for (count = at = 0; match(line, /[^ ]+( [^ ]+)*/);
+                 line = substr(line, RSTART + RLENGTH)) {
+                heading[++count] = substr(line, RSTART, RLENGTH)
+                end[count] = at += RSTART + RLENGTH - 1
+            }
+        }
+        NR == 1 { ends_of($0); first = /^ / ? 1 : 2; next }
+        {
+            name = $0
+            sub(/  .*/, "", name)
+            for (i = first; i <= count; i++) {
+                cell = substr($0, 1, end[i])
+                sub(/.* /, "", cell)
+                if (length($0) >= end[i] && cell ~ /^[0-9.]+$/)
+                    printf "%s,\"%s\",%s,%s\n", program, name, heading[i],
+                        cell
+            }
+        }'
+}
