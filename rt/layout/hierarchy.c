@@ -194,12 +194,8 @@ static void bound_many(const struct build *build, const size_t *row,
         reach = fmax(reach,
                      bound_reach(&build->bounds[row[i]], whole->center));
     whole->radius = reach * (1 + 1e-12);
-    bound_box(&build->bounds[row[0]], 1, whole);
-    for (size_t i = 1; i < count; i++) {
-        const struct bound both[2] = { *whole, build->bounds[row[i]] };
-
-        bound_box(both, 2, whole);
-    }
+    memcpy(whole->low, enclosure.low, sizeof whole->low);
+    memcpy(whole->high, enclosure.high, sizeof whole->high);
 }
 
 static void bound_row(const struct build *build, const size_t *row,

@@ -7,6 +7,7 @@
 #include "rt/layout/hierarchy.h"
 #include "rt/layout/nesting.h"
 #include "rt/layout/trees.h"
+#include "rt/scene/vector.h"
 #include "rt/shapes/shape_words.h"
 
 /* What the records of a scene's regions refer to. */
@@ -179,14 +180,14 @@ static const struct bound *bound_of(const struct places *places,
  * sphere's. */
 static bool is_boxed(const struct bound *bound)
 {
-    static const double worth = 0.8, pi = 3.14159265358979323846;
+    static const double worth = 0.8;
     double side[3];
 
     for (int i = 0; i < 3; i++)
         side[i] = fmax(bound->high[i] - bound->low[i], 0);
     return !bound_is_none(bound)
            && (side[0] * side[1] + side[1] * side[2] + side[2] * side[0]) / 2
-                  < worth * pi * bound->radius * bound->radius;
+                  < worth * PI * bound->radius * bound->radius;
 }
 
 /* The middle and half of each side. */

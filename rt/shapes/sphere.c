@@ -8,6 +8,8 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
+/* An ellipsoid in the world: along each axis it reaches as far as that axis's row
+ * of the matrix is long. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     double r = primitive->shape.sphere.radius;

@@ -68,12 +68,6 @@
         ADDNV   [\size], \h, [\size]
         .endm
 
-        .macro  keep_near vector, store, number
-        EX      s3, \store + 64 * QUEUE * \number
-        CPSV    [\vector], [s3] ? [near_bits]
-        RTOR    s3, \vector
-        .endm
-
         .kernel bound
 take_beside:
         RTOR    region, s0
@@ -108,14 +102,14 @@ beside_taken:
 
 beside_few:
         set_near s6
-        keep_near place, place_store, 0
-        keep_near near_limit, place_store, 1
-        keep_near wdx, world_store, 3
-        keep_near wdy, world_store, 4
-        keep_near wdz, world_store, 5
+        leave_only place, place_store, 0, near_bits
+        leave_only near_limit, place_store, 1, near_bits
+        leave_only wdx, world_store, 3, near_bits
+        leave_only wdy, world_store, 4, near_bits
+        leave_only wdz, world_store, 5, near_bits
         IBXNE   from_one_point, r0, r0, take_origin
-        keep_near wox, world_store, 0
-        keep_near woy, world_store, 1
-        keep_near woz, world_store, 2
+        leave_only wox, world_store, 0, near_bits
+        leave_only woy, world_store, 1, near_bits
+        leave_only woz, world_store, 2, near_bits
         BIM     take_least
         .endkernel

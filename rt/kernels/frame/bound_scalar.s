@@ -107,3 +107,12 @@ near\@:
         skip_beside_axis b_cz, b_cx, w_dz, w_dx, b_hz, b_hx, b_dz, b_dx, \beside
         skip_beside_axis b_cx, b_cy, w_dx, w_dy, b_hx, b_hy, b_dx, b_dy, \beside
         .endm
+
+; Where a region that is not simple alone goes on: a tree, or beside its box, or
+; simple in its box; what remains is a tree in its box.
+        .macro  meet_box tree, simple, beside
+        IBXEQ   w_way, r0, r0, \tree
+        skip_beside \beside
+        ES      w_at, REGION_BOXED
+        IBXNE   w_way, r0, w_at, \simple
+        .endm

@@ -172,6 +172,13 @@ take_all:
         CPSV    [\vector], [\into] ? [near_bits]
         .endm
 
+; .. or those of bits, and the vector is theirs from now on.
+        .macro  leave_only vector, store, number, bits
+        EX      s3, \store + 64 * QUEUE * \number
+        CPSV    [\vector], [s3] ? [\bits]
+        RTOR    s3, \vector
+        .endm
+
         .macro  gather_near vector, into, store, number
         describe \into, \store + 64 * QUEUE * \number, near
         VXTOV   [place], [\vector], [\into]

@@ -119,10 +119,7 @@ nearest_done:
         .endkernel
         .kernel bound
 nearest_other:
-        IBXEQ   w_way, r0, r0, nearest_tree
-        skip_beside nearest_skip
-        ES      w_at, REGION_BOXED
-        IBXNE   w_way, r0, w_at, nearest_simple
+        meet_box nearest_tree, nearest_simple, nearest_skip
         .endkernel
         .kernel visible
 nearest_tree:

@@ -59,10 +59,7 @@ shadow_done:
         .endkernel
         .kernel bound
 shadow_other:
-        IBXEQ   w_way, r0, r0, shadow_tree
-        skip_beside shadow_next
-        ES      w_at, REGION_BOXED
-        IBXNE   w_way, r0, w_at, shadow_simple
+        meet_box shadow_tree, shadow_simple, shadow_next
         .endkernel
         .kernel shadow
 shadow_tree:

@@ -35,12 +35,6 @@ event_store:    .space 4 * QUEUE
 last_store:     .space QUEUE
         .code
 
-        .macro  squeeze_world vector, number
-        EX      s3, world_store + 64 * QUEUE * \number
-        CPSV    [\vector], [s3] ? [active]
-        RTOR    s3, \vector
-        .endm
-
         .macro  squeeze_own vector
         CPSV    [\vector], [\vector] ? [active]
         .endm
@@ -103,9 +97,9 @@ node_squeeze:
 ; The s9 rays of active alone remain at hand.
 squeeze_span:
         CPSV    [last], [last] ? [active]
-        squeeze_world wdx, 3
-        squeeze_world wdy, 4
-        squeeze_world wdz, 5
+        leave_only wdx, world_store, 3, active
+        leave_only wdy, world_store, 4, active
+        leave_only wdz, world_store, 5, active
         IBXEQ   from_one_point, r0, r0, squeeze_origins
         SUBX    s9, near, s3
         ADDLEN  wox, s3, wox
@@ -113,9 +107,9 @@ squeeze_span:
         ADDLEN  woz, s3, woz
         BIM     squeeze_spaces
 squeeze_origins:
-        squeeze_world wox, 0
-        squeeze_world woy, 1
-        squeeze_world woz, 2
+        leave_only wox, world_store, 0, active
+        leave_only woy, world_store, 1, active
+        leave_only woz, world_store, 2, active
 squeeze_spaces:
         IBXEQ   space, r0, r0, squeeze_crossings
         squeeze_own lox

@@ -366,12 +366,8 @@ squeeze_patch_slots:
         squeeze_slots leaf_events, leaf_first_event
 squeeze_next:
         leaves_next squeeze_leaf
-        EX      s3, place_store
-        CPSV    [place], [s3] ? [active]
-        RTOR    s3, place
-        EX      s3, place_store + 64 * QUEUE
-        CPSV    [near_limit], [s3] ? [active]
-        RTOR    s3, near_limit
+        leave_only place, place_store, 0, active
+        leave_only near_limit, place_store, 1, active
         set_near s9
         set_events
         EQVB    [active], [active], [active]
