@@ -58,20 +58,6 @@ void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
         free_item(&item);
 }
 
-bool diagnostics_have(const struct diagnostics *diagnostics,
-                      const struct position *position, const char *message)
-{
-    for (size_t i = 0; i < diagnostics->count; i++) {
-        const struct diagnostic *item = &diagnostics->items[i];
-        if (item->severity != SEVERITY_SAID && item->line == position->line
-            && item->column == position->column
-            && !strcmp(item->message, message)
-            && !strcmp(item->file, position->file))
-            return true;
-    }
-    return false;
-}
-
 /* The one that holds what is said; NULL: no memory. */
 static struct diagnostic *saying(struct diagnostics *diagnostics)
 {

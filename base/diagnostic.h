@@ -50,9 +50,6 @@ struct position {
 /* Copies what it is given. */
 void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
                      const struct position *position, const char *message);
-/* Whether there is one of the place and the message. */
-bool diagnostics_have(const struct diagnostics *diagnostics,
-                      const struct position *position, const char *message);
 /* Text that is to be printed as it is, after what was said so far.  False: it
  * is more than SAID_MOST bytes in all, or there is no memory. */
 enum { SAID_MOST = 1 << 16 };

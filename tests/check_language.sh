@@ -8,6 +8,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 command -v povray >/dev/null || { echo "(POV-Ray is not installed)"; exit 0; }
+cp "$root"/tests/language/*.csv "$work"
 for list in "$root"/tests/language/*.pov; do
     name=$(basename "$list" .pov)
     cp "$list" "$work/$name.pov"

@@ -55,6 +55,7 @@ static void test_lists(void **state)
     check_list("flow");
     check_list("macros");
     check_list("arrays");
+    check_list("functions");
 }
 
 /* ---- Errors ------------------------------------------------------------- */
@@ -133,7 +134,33 @@ static void test_errors(void **state)
         { "#include strlen(\"a\")", 10, "the name of a file" },
         { "#include concat(\"no/\", \"such\")", 10, "no such file" },
         { "#version x;", 10, "expected a number" },
-        { "#fopen A \"a\" read", 1, "'#fopen' is not supported" },
+        { "#fopen A \"no/such\" read", 10, "no such file" },
+        { "#fopen A \"a\" reed", 14, "expected read, write or append" },
+        { "#fopen A read", 10, "expected a string" },
+        { "#read (A, B)", 8, "the name of an open file" },
+        { "#declare A = 1; #read (A, B)", 24, "the name of an open file" },
+        { "#read A", 7, "expected '('" },
+        { "#fclose A", 9, "the name of an open file" },
+        { "#declare A = function(a, 1) { 1 }", 26, "name of a parameter" },
+        { "#declare A = function { a }", 25, "expected a number or" },
+        { "#declare A = function { x y }", 27, "expected '}'" },
+        { "#declare A = function { vlength(x) }", 25, "function of floats" },
+        { "#declare A = function { <1, 2> }", 25, "expected a number" },
+        { "#declare A = function { sin(x, y) }", 30, "expected ')'" },
+        { "#declare A = function { max() }", 29, "expected a number" },
+        { "#declare A = function(a, b) { transform { scale 2 } }", 29,
+          "3 parameters, found 2" },
+        { "#declare A = function(a) { a/(a - 1) } sphere { 0, A(1) }", 52,
+          "not a finite number" },
+        { "#declare A = function(a) { a } sphere { 0, A(1, 2) }", 47,
+          "expected ')'" },
+        { "#declare A = function(a, b) { a } sphere { 0, A(1) }", 50,
+          "expected ','" },
+        { "#declare A = function { pattern { wood } } sphere { A(1, 2, 3), 1 }",
+          53, "a function with 'pattern' is not supported" },
+        { "#declare A = function { internal(9) }"
+          " #declare B = function { A(x, 1, 2, 3).x } sphere { B(1, 2, 3) 1 }",
+          90, "a function with 'internal' is not supported" },
         { "#error concat(\"a\", \"b\")", 1, "ab" },
     };
 

@@ -321,9 +321,9 @@ static void test_bounds(void **state)
 }
 
 /* So many things left out are no reason to leave out the scene. */
-static void test_many_reports(void **state)
+static void test_many_places(void **state)
 {
-    enum { COUNT_OF_SPHERES = 1000, MOST_TOLD = 200 };
+    enum { COUNT_OF_SPHERES = 1000 };
     char *text = repeated("", "sphere { 0, 1 finish { brilliance 2 } }\n",
                           COUNT_OF_SPHERES);
     struct diagnostics reports = { 0 };
@@ -334,12 +334,71 @@ static void test_many_reports(void **state)
     assert_non_null(scene);
     assert_int_equal(scene->primitive_count, COUNT_OF_SPHERES);
     assert_int_equal(reports.errors, 0);
-    assert_int_equal(reports.count, MOST_TOLD + 1);
-    assert_int_equal(reports.items[MOST_TOLD].line, MOST_TOLD + 1);
-    assert_non_null(strstr(reports.items[MOST_TOLD].message, "left out"));
+    assert_int_equal(reports.count, 1);
+    assert_int_equal(reports.items->line, 1);
+    assert_non_null(strstr(reports.items->message, "(1000 places"));
     scene_free(scene);
     diagnostics_free(&reports);
     free(text);
+}
+
+static void test_many_reports(void **state)
+{
+    enum { MOST_TOLD = 200 };
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read_text(
+        "test.pov",
+        "#for (I, 1, 1000)\n#warning concat(\"no \", str(I, 0, 0))\n#end",
+        &reading_options, &reports);
+
+    (void)state;
+    assert_non_null(scene);
+    assert_int_equal(reports.errors, 0);
+    assert_int_equal(reports.count, MOST_TOLD + 1);
+    assert_string_equal(reports.items[MOST_TOLD - 1].message, "no 200");
+    assert_non_null(strstr(reports.items[MOST_TOLD].message, "left out"));
+    scene_free(scene);
+    diagnostics_free(&reports);
+}
+
+/* What a library does is told once for each of its files that is used. */
+static void test_libraries(void **state)
+{
+    static const char *const names[] = { "one.inc", "two.inc", NULL };
+    char folder[] = "/tmp/scene-XXXXXX";
+    const char *const search[] = { folder, NULL };
+    const struct scene_options searching = {
+        4, 3, false, search, NULL, NULL
+    };
+    struct diagnostics reports = { 0 };
+    struct scene *scene;
+
+    (void)state;
+    assert_non_null(mkdtemp(folder));
+    write_file(folder, "one.inc",
+               "#include \"two.inc\"\n"
+               "#declare A = finish { crand 1 }\n"
+               "#declare B = finish { crand 1 }\n");
+    write_file(folder, "two.inc",
+               "#declare C = finish { crand 1 }\n"
+               "#declare D = finish { crand 1 }\n"
+               "#declare E = finish { irid { 1 } }\n");
+    scene = scene_read_text("x.pov",
+                            "#include \"one.inc\"\n"
+                            "sphere { 0, 1 finish { B } }\n"
+                            "sphere { 0, 1 finish { A } }\n"
+                            "sphere { 0, 1 finish { C } }\n"
+                            "sphere { 0, 1 finish { D } }\n"
+                            "sphere { 0, 1 finish { crand 1 } }\n"
+                            "sphere { 0, 1 finish { crand 1 } }\n",
+                            &searching, &reports);
+    assert_non_null(scene);
+    assert_int_equal(reports.count, 1);
+    assert_non_null(strstr(reports.items->file, "one.inc"));
+    assert_non_null(strstr(reports.items->message, "(4 places"));
+    scene_free(scene);
+    diagnostics_free(&reports);
+    delete_files(folder, names);
 }
 
 int main(void)
@@ -352,7 +411,9 @@ int main(void)
         cmocka_unit_test(test_print),
         cmocka_unit_test(test_includes),
         cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_many_places),
         cmocka_unit_test(test_many_reports),
+        cmocka_unit_test(test_libraries),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -51,7 +51,7 @@ bool block_open_from(struct reader *reader, struct block *block,
 
     if (!block_open(reader, block, '{'))
         return false;
-    value = reader_value_of(reader, kind);
+    value = reader_use(reader, kind);
     if (value) {
         memcpy(subject, &value->is, size);
         reader_next(reader);

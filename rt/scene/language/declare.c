@@ -3,6 +3,7 @@
 
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/element.h"
+#include "rt/scene/language/formula.h"
 #include "rt/scene/language/statement.h"
 #include "rt/scene/language/string_value.h"
 
@@ -41,6 +42,19 @@ static bool declare_finish(struct reader *reader, void *subject,
     return finish_read(reader, &value->is.finish);
 }
 
+/* The textures that follow, for a value may have layers. */
+static bool read_layers(struct reader *reader, struct texture *texture)
+{
+    bool done = true;
+
+    while (done && is_token(&reader->token, "texture")) {
+        struct scene_token at = reader->token;
+        reader_next(reader);
+        done = texture_layer_read(reader, &at, texture);
+    }
+    return done;
+}
+
 static bool declare_texture(struct reader *reader, void *subject,
                             const struct item *item)
 {
@@ -49,7 +63,66 @@ static bool declare_texture(struct reader *reader, void *subject,
     (void)item;
     value->kind = VALUE_TEXTURE;
     value->is.texture = reader->default_texture;
-    return texture_read(reader, &value->is.texture);
+    return texture_read(reader, &value->is.texture)
+           && read_layers(reader, &value->is.texture);
+}
+
+static bool declare_color_map(struct reader *reader, void *subject,
+                              const struct item *item)
+{
+    struct scene_value *value = subject;
+
+    (void)item;
+    value->kind = VALUE_COLOR_MAP;
+    value->is.pigment = reader->default_texture.pigment;
+    return color_map_read(reader, &value->is.pigment);
+}
+
+static bool declare_pigment_map(struct reader *reader, void *subject,
+                                const struct item *item)
+{
+    struct scene_value *value = subject;
+
+    (void)item;
+    value->kind = VALUE_PIGMENT_MAP;
+    value->is.pigment = reader->default_texture.pigment;
+    return pigment_map_read(reader, &value->is.pigment);
+}
+
+static bool declare_texture_map(struct reader *reader, void *subject,
+                                const struct item *item)
+{
+    struct scene_value *value = subject;
+
+    (void)item;
+    value->kind = VALUE_TEXTURE_MAP;
+    value->is.texture = reader->default_texture;
+    return texture_map_read(reader, &value->is.texture);
+}
+
+static bool declare_function(struct reader *reader, void *subject,
+                             const struct item *item)
+{
+    struct scene_value *value = subject;
+
+    (void)item;
+    value->kind = VALUE_FUNCTION;
+    value->is.formula = formula_read(reader);
+    return value->is.formula;
+}
+
+/* Where it is used nothing of it is drawn, which is reported there. */
+static bool declare_look(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct scene_value *value = subject;
+
+    (void)item;
+    value->kind = VALUE_LOOK;
+    if (!reader_at_sign(reader, '{'))
+        return reader_expected(reader, "'{'");
+    block_skip(reader);
+    return true;
 }
 
 static bool declare_interior(struct reader *reader, void *subject,
@@ -100,15 +173,28 @@ static const struct keyword declared_words[] = {
     { "pigment", declare_pigment, 0 },
     { "finish", declare_finish, 0 },
     { "texture", declare_texture, 0 },
+    { "color_map", declare_color_map, 0 },
+    { "colour_map", declare_color_map, 0 },
+    { "pigment_map", declare_pigment_map, 0 },
+    { "texture_map", declare_texture_map, 0 },
     { "interior", declare_interior, 0 },
     { "material", declare_material, 0 },
     { "transform", declare_transform, 0 },
     { "camera", declare_camera, 0 },
+    { "function", declare_function, 0 },
     { NULL, NULL, 0 },
 };
 
+static const struct keyword declared_looks[] = {
+    { "density", declare_look, 0 },    { "density_map", declare_look, 0 },
+    { "fog", declare_look, 0 },        { "media", declare_look, 0 },
+    { "normal", declare_look, 0 },     { "normal_map", declare_look, 0 },
+    { "rainbow", declare_look, 0 },    { "sky_sphere", declare_look, 0 },
+    { "slope_map", declare_look, 0 },  { NULL, NULL, 0 },
+};
+
 static const struct grammar declared_grammar = {
-    "a value", { declared_words, other_shapes }, NULL
+    "a value", { declared_words, declared_looks, other_shapes }, NULL
 };
 
 static bool copy_array(struct reader *reader, struct scene_value *value,
@@ -133,6 +219,7 @@ static bool copy_named(struct reader *reader, struct scene_value *value)
     const struct scene_value *from = reader_value(reader);
     bool done = true;
 
+    notes_use(&reader->notebook, from->notes);
     if (from->kind == VALUE_OBJECT) {
         value->kind = VALUE_OBJECT;
         done = shape_copy(reader, &value->is.object, &from->is.object);
@@ -176,6 +263,18 @@ static bool read_statement(struct reader *reader, struct scene_value *value)
     return copy_named(reader, value);
 }
 
+/* What its text says of looks matters when the value is used. */
+static bool read_noted(struct reader *reader, struct scene_value *value)
+{
+    struct note_page page;
+    bool done;
+
+    notes_begin(&reader->notebook, &page);
+    done = read_statement(reader, value);
+    value->notes = notes_end(&reader->notebook);
+    return done;
+}
+
 bool value_read(struct reader *reader, struct scene_value *value)
 {
     bool done;
@@ -188,7 +287,7 @@ bool value_read(struct reader *reader, struct scene_value *value)
     else if (is_color_word(&reader->token) || starts_expression(reader))
         done = read_numbers(reader, value);
     else
-        done = read_statement(reader, value);
+        done = read_noted(reader, value);
     if (!done)
         value_free(value);
     return done;
@@ -237,16 +336,7 @@ static bool read_right_side(struct reader *reader, size_t depth,
     return true;
 }
 
-/* A name, or an element: what is to get a value. */
-struct target {
-    struct scene_token name;
-    bool is_element, local;
-    size_t level; /* where the directive stands */
-};
-
-/* As in POV-Ray, #declare changes the innermost value of a name that there
- * is, and #local one of its own level. */
-static const char *assign(struct reader *reader, const struct target *target,
+const char *target_assign(struct reader *reader, const struct target *target,
                           struct scene_value *value)
 {
     const struct scene_token *name = &target->name;
@@ -279,7 +369,7 @@ static void pass_deprecated(struct reader *reader)
         reader_step(reader);
 }
 
-static bool read_target(struct reader *reader, struct target *target)
+bool target_read(struct reader *reader, struct target *target)
 {
     size_t hops = 0;
 
@@ -309,10 +399,10 @@ static bool declare_value(struct reader *reader, struct target *target)
     const char *fault;
 
     if (!done)
-        value = (struct scene_value){ VALUE_FAULTY, { .string = NULL } };
+        value = (struct scene_value){ .kind = VALUE_FAULTY };
     if (target->level > reader->lexer.depth)
         target->level = reader->lexer.depth;
-    fault = assign(reader, target, &value);
+    fault = target_assign(reader, target, &value);
     return reader_check(reader, &target->name, fault) && done;
 }
 
@@ -324,7 +414,7 @@ bool read_declare(struct reader *reader, void *subject,
     bool done;
 
     (void)subject;
-    if (!read_target(reader, &target))
+    if (!target_read(reader, &target))
         return false;
     symbol = target.name.reference.symbol;
     if (symbol)
@@ -345,7 +435,7 @@ bool read_undef(struct reader *reader, void *subject, const struct item *item)
         return reader_expected(reader, "a name");
     reader_step(reader);
     if (!symbols_remove(&reader->symbols, name.text, name.length))
-        reader_report(reader, &name, "'%.*s' is not declared",
+        reader_warn(reader, &name, "'%.*s' is not declared",
                       (int)name.length, name.text);
     return true;
 }

@@ -2,6 +2,7 @@
 #include "rt/scene/language/directive.h"
 
 #include "rt/scene/language/condition.h"
+#include "rt/scene/language/data_file.h"
 #include "rt/scene/language/declare.h"
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/macro.h"
@@ -112,7 +113,7 @@ static bool read_version(struct reader *reader, void *subject,
     if (reader_at_sign(reader, ';'))
         reader_step(reader);
     if (version < 3.5 || version >= 4)
-        reader_report(reader, &at, "the scene is read as of version 3.7");
+        reader_warn(reader, &at, "the scene is read as of version 3.7");
     reader->version = version;
     return true;
 }
@@ -152,19 +153,25 @@ static const struct grammar default_grammar = { "texture, pigment or finish",
                                                 { default_words },
                                                 NULL };
 
+bool default_read(struct reader *reader)
+{
+    struct texture texture = reader->default_texture;
+    bool done = block_read(reader, &default_grammar, &texture);
+
+    if (done)
+        reader->default_texture = texture;
+    return done;
+}
+
 static bool read_default(struct reader *reader, void *subject,
                          const struct item *item)
 {
-    struct texture texture = reader->default_texture;
     size_t hold = reader_hold(reader);
-    bool done;
+    bool done = default_read(reader);
 
     (void)subject;
     (void)item;
-    done = block_read(reader, &default_grammar, &texture);
     reader_release(reader, hold);
-    if (done)
-        reader->default_texture = texture;
     return done;
 }
 
@@ -176,9 +183,9 @@ static bool tell(struct reader *reader, const struct item *item,
     if (item->keyword->detail == MESSAGE_IS_ERROR)
         return reader_fault(reader, &item->at, "%s", text);
     if (item->keyword->detail == MESSAGE_WARNS)
-        reader_report(reader, &item->at, "%s", text);
+        reader_warn(reader, &item->at, "%s", text);
     else if (!diagnostics_say(reader->reports, text))
-        reader_report(reader, &item->at,
+        reader_warn(reader, &item->at,
                       "more than %d bytes are said: the rest is left out",
                       SAID_MOST);
     return true;
@@ -203,14 +210,6 @@ static bool read_message(struct reader *reader, void *subject,
     return done;
 }
 
-static bool unsupported(struct reader *reader, void *subject,
-                        const struct item *item)
-{
-    (void)subject;
-    return reader_fault(reader, &item->at, "'#%s' is not supported",
-                        item->keyword->word);
-}
-
 static const struct keyword words[] = {
     { "break", condition_break, 0 },
     { "case", switch_case, SWITCH_CASE },
@@ -221,8 +220,8 @@ static const struct keyword words[] = {
     { "elseif", condition_else, 0 },
     { "end", condition_end, 0 },
     { "error", read_message, MESSAGE_IS_ERROR },
-    { "fclose", unsupported, 0 },
-    { "fopen", unsupported, 0 },
+    { "fclose", data_file_close, 0 },
+    { "fopen", data_file_open, 0 },
     { "for", loop_for, 0 },
     { "if", condition_if, 0 },
     { "ifdef", condition_ifdef, CONDITION_WHEN_DEFINED },
@@ -231,7 +230,7 @@ static const struct keyword words[] = {
     { "local", read_declare, true },
     { "macro", macro_define, 0 },
     { "range", switch_case, SWITCH_RANGE },
-    { "read", unsupported, 0 },
+    { "read", data_file_read, 0 },
     { "render", read_message, MESSAGE_SAYS },
     { "statistics", read_message, MESSAGE_SAYS },
     { "switch", switch_begin, 0 },
@@ -239,7 +238,7 @@ static const struct keyword words[] = {
     { "version", read_version, 0 },
     { "warning", read_message, MESSAGE_WARNS },
     { "while", loop_while, 0 },
-    { "write", unsupported, 0 },
+    { "write", data_file_write, 0 },
     { NULL, NULL, 0 },
 };
 

@@ -105,8 +105,7 @@ bool element_read_place(struct reader *reader)
 
 bool element_read(struct reader *reader)
 {
-    static const struct scene_value faulty = { VALUE_FAULTY,
-                                               { .string = NULL } };
+    static const struct scene_value faulty = { .kind = VALUE_FAULTY };
 
     if (!element_read_place(reader))
         return false;

@@ -66,8 +66,8 @@ bool loop_while(struct reader *reader, void *subject, const struct item *item)
 static bool set_variable(struct reader *reader,
                          const struct scene_token *name, double number)
 {
-    struct scene_value value = { VALUE_NUMBERS,
-                                 { .numbers = numbers_of(number) } };
+    struct scene_value value = { .kind = VALUE_NUMBERS,
+                                 .is.numbers = numbers_of(number) };
     size_t level = reader->lexer.depth;
     struct declared_name *symbol = symbols_find_at(&reader->symbols, level,
                                                    name->text, name->length);

@@ -50,7 +50,7 @@ static bool add_macro(struct reader *reader, const struct scene_token *name,
 {
     struct declared_name *before = symbols_find(&reader->symbols, name->text,
                                                 name->length);
-    struct scene_value value = { VALUE_MACRO, { .macro = macro } };
+    struct scene_value value = { .kind = VALUE_MACRO, .is.macro = macro };
     struct reference reference;
 
     if (!before)

@@ -2,6 +2,7 @@
 #include "rt/scene/language/operand.h"
 
 #include "rt/scene/language/expression.h"
+#include "rt/scene/language/formula.h"
 #include "rt/scene/language/query.h"
 #include "rt/scene/vector.h"
 
@@ -53,6 +54,7 @@ bool starts_expression(const struct reader *reader)
                && strchr("(<+-!", token->sign);
     return token->kind == TOKEN_NUMBER
            || reader_value_of(reader, VALUE_NUMBERS)
+           || reader_value_of(reader, VALUE_FUNCTION)
            || is_expression_word(token);
 }
 
@@ -189,10 +191,14 @@ static bool read_name(struct reader *reader, struct numbers *value)
     const struct scene_token *token = &reader->token;
     const struct scene_value *declared = reader_value_of(reader,
                                                          VALUE_NUMBERS);
+    const struct scene_value *function = reader_value_of(reader,
+                                                         VALUE_FUNCTION);
     const struct constant *constant;
 
     if (declared)
         return take(reader, declared->is.numbers, value);
+    if (function)
+        return formula_call(reader, function->is.formula, value);
     constant = constant_find(token);
     if (constant)
         return take(reader, constant->value, value);
@@ -221,7 +227,7 @@ static bool read_primary(struct reader *reader, struct numbers *value)
     return read_name(reader, value);
 }
 
-/* The luminance of a colour, POV-Ray's weights. */
+/* The luminance of a colour, or of a vector of 3 as one; POV-Ray's weights. */
 static double gray(const double rgb[3])
 {
     static const double weights[3] = { 0.297, 0.589, 0.114 };
@@ -246,7 +252,7 @@ static bool read_component(struct reader *reader, struct numbers *value)
         i++;
     if (i < count && components[i].index < value->count)
         *value = numbers_of(value->n[components[i].index]);
-    else if (is_token(&reader->token, "gray") && value->count == COLOR_TERMS)
+    else if (is_token(&reader->token, "gray") && value->count >= 3)
         *value = numbers_of(gray(value->n));
     else
         return reader_expected(reader, "a component that the value has");

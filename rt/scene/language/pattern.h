@@ -38,7 +38,9 @@ extern const struct keyword pattern_words_left_out[];
 typedef bool body_reader(struct reader *reader, const struct block *block,
                          void *subject);
 body_reader pigment_body, texture_body;
-/* The first entry of a map: { [ number body ] ... }. */
-bool map_first(struct reader *reader, body_reader *body, void *subject);
+/* The first entry of a map, { [ number body ] ... }, or that of a named one of
+ * the kind. */
+bool map_first(struct reader *reader, enum scene_value_kind kind,
+               body_reader *body, void *subject, size_t size);
 
 #endif

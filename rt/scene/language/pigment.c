@@ -18,6 +18,7 @@ const struct keyword pattern_words_left_out[] = {
     { "control1", item_left_out, 0 },
     { "cubic_wave", item_left_out, 0 },
     { "exterior", item_left_out, 0 },
+    { "exponent", item_left_out, 0 },
     { "form", item_left_out, 0 },
     { "frequency", item_left_out, 0 },
     { "interior", item_left_out, 0 },
@@ -130,6 +131,7 @@ static bool read_pattern(struct reader *reader, void *subject,
                   item->keyword->word);
     pigment->kind = PIGMENT_COLOR;
     set_color(pigment, 0, black);
+    reader_accept(reader, "df3"); /* of density_file */
     if (!starts_color(reader))
         skip_arguments(reader);
     for (; starts_color(reader); first = false) {
@@ -140,34 +142,41 @@ static bool read_pattern(struct reader *reader, void *subject,
     return true;
 }
 
-/* In the oldest form of maps an entry has two numbers. */
+/* In the oldest form of maps an entry has two numbers; those of an average
+ * may have none. */
 static bool read_entry(struct reader *reader, body_reader *body,
                        void *subject)
 {
     struct block entry;
-    bool good = true;
+    bool good = true, more;
     double at;
 
     if (!block_open(reader, &entry, '['))
         return false;
-    do {
+    for (more = starts_expression(reader) && !starts_color(reader);
+         good && more; more = reader->token.kind == TOKEN_NUMBER) {
         good = read_number(reader, &at);
         reader_comma(reader);
-    } while (good && reader->token.kind == TOKEN_NUMBER);
+    }
     if (good)
         return body(reader, &entry, subject);
     block_finish(reader, &entry);
     return false;
 }
 
-bool map_first(struct reader *reader, body_reader *body, void *subject)
+bool map_first(struct reader *reader, enum scene_value_kind kind,
+               body_reader *body, void *subject, size_t size)
 {
+    const struct scene_value *value;
     struct block map;
     bool good;
 
     if (!block_open(reader, &map, '{'))
         return false;
-    good = read_entry(reader, body, subject);
+    value = reader_use(reader, kind);
+    if (value)
+        memcpy(subject, &value->is, size);
+    good = value || read_entry(reader, body, subject);
     return block_finish(reader, &map) && good;
 }
 
@@ -181,18 +190,30 @@ static bool color_body(struct reader *reader, const struct block *block,
     return block_finish(reader, block) && good;
 }
 
+bool color_map_read(struct reader *reader, struct pigment *pigment)
+{
+    return map_first(reader, VALUE_COLOR_MAP, color_body, pigment,
+                     sizeof *pigment);
+}
+
+bool pigment_map_read(struct reader *reader, struct pigment *pigment)
+{
+    return map_first(reader, VALUE_PIGMENT_MAP, pigment_body, pigment,
+                     sizeof *pigment);
+}
+
 static bool read_color_map(struct reader *reader, void *subject,
                            const struct item *item)
 {
     (void)item;
-    return map_first(reader, color_body, subject);
+    return color_map_read(reader, subject);
 }
 
 static bool read_pigment_map(struct reader *reader, void *subject,
                              const struct item *item)
 {
     (void)item;
-    return map_first(reader, pigment_body, subject);
+    return pigment_map_read(reader, subject);
 }
 
 static bool read_step(struct reader *reader, void *subject,
@@ -236,7 +257,7 @@ static const struct grammar grammar = {
 bool pigment_body(struct reader *reader, const struct block *block,
                   void *subject)
 {
-    const struct scene_value *value = reader_value_of(reader, VALUE_PIGMENT);
+    const struct scene_value *value = reader_use(reader, VALUE_PIGMENT);
     struct pigment *pigment = subject;
     bool done = true;
 

@@ -36,64 +36,57 @@ static void add_calls(const struct reader *reader,
     }
 }
 
-static void add_error(struct reader *reader, const struct position *position,
+static void add_error(struct reader *reader, const struct scene_token *at,
                       const char *message)
 {
     struct diagnostics *reports = reader->reports;
+    struct position position = token_position(at);
 
-    diagnostics_add(reports, SEVERITY_ERROR, position, message);
-    if (reports->errors >= REPORTS_MOST) {
-        diagnostics_add(reports, SEVERITY_ERROR, position,
+    diagnostics_add(reports, SEVERITY_ERROR, &position, message);
+    if (reports->errors >= ERRORS_MOST) {
+        diagnostics_add(reports, SEVERITY_ERROR, &position,
                         "too many errors: the rest of the scene is not read");
         reader_stop(reader);
     }
 }
 
-/* The scene is read on, however many there are. */
-static void add_report(struct reader *reader, const struct position *position,
-                       const char *message)
-{
-    struct diagnostics *reports = reader->reports;
-
-    if (reader->report_count > REPORTS_MOST
-        || diagnostics_have(reports, position, message))
-        return;
-    if (reader->report_count++ == REPORTS_MOST)
-        message = "too many reports: those from here on are left out";
-    diagnostics_add(reports, SEVERITY_REPORT, position, message);
-}
-
-static void add(struct reader *reader, bool error,
-                const struct scene_token *at, const char *format,
-                va_list arguments)
-{
-    char message[MESSAGE_LONGEST];
-    struct position position = token_position(at);
-
-    if (reader->stopped)
-        return;
-    vsnprintf(message, sizeof message, format, arguments);
-    add_calls(reader, at, message, sizeof message);
-    (error ? add_error : add_report)(reader, &position, message);
-}
-
 bool reader_fault(struct reader *reader, const struct scene_token *at,
                   const char *format, ...)
 {
+    char message[MESSAGE_LONGEST];
     va_list arguments;
 
     for (size_t i = 0; i < reader->fault_count; i++)
         if (reader->faults[i].source == at->source
             && reader->faults[i].at == at->place.at)
             return false;
-    if (reader->fault_count < REPORTS_MOST) {
+    if (reader->fault_count < ERRORS_MOST) {
         reader->faults[reader->fault_count].source = at->source;
         reader->faults[reader->fault_count++].at = at->place.at;
     }
+    if (reader->stopped)
+        return false;
     va_start(arguments, format);
-    add(reader, true, at, format, arguments);
+    vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
+    add_calls(reader, at, message, sizeof message);
+    add_error(reader, at, message);
     return false;
+}
+
+static void note(struct reader *reader, const struct scene_token *at,
+                 bool in_any_case, const char *format, va_list arguments)
+{
+    char words[MESSAGE_LONGEST], calls[MESSAGE_LONGEST] = "";
+    struct note_place place = { at->source, at->place.at,
+                                token_position(at) };
+
+    if (reader->stopped)
+        return;
+    vsnprintf(words, sizeof words, format, arguments);
+    add_calls(reader, at, calls, sizeof calls);
+    (in_any_case ? note_tell : note_add)(&reader->notebook, &place, words,
+                                         calls);
 }
 
 void reader_report(struct reader *reader, const struct scene_token *at,
@@ -102,8 +95,17 @@ void reader_report(struct reader *reader, const struct scene_token *at,
     va_list arguments;
 
     va_start(arguments, format);
-    add(reader, reader->options && reader->options->strict, at, format,
-        arguments);
+    note(reader, at, false, format, arguments);
+    va_end(arguments);
+}
+
+void reader_warn(struct reader *reader, const struct scene_token *at,
+                 const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    note(reader, at, true, format, arguments);
     va_end(arguments);
 }
 
@@ -212,6 +214,16 @@ const struct scene_value *reader_value_of(const struct reader *reader,
     const struct scene_value *value = reader_value(reader);
 
     return value && value->kind == kind ? value : NULL;
+}
+
+const struct scene_value *reader_use(struct reader *reader,
+                                     enum scene_value_kind kind)
+{
+    const struct scene_value *value = reader_value_of(reader, kind);
+
+    if (value)
+        notes_use(&reader->notebook, value->notes);
+    return value;
 }
 
 bool reader_enter(struct reader *reader)

@@ -7,6 +7,7 @@
 #ifndef RT_SCENE_READER_H
 #define RT_SCENE_READER_H
 
+#include "rt/scene/language/note.h"
 #include "rt/scene/language/scene_read.h"
 #include "rt/scene/language/symbol.h"
 
@@ -15,7 +16,7 @@ enum {
     NESTING_MOST = 200,        /* blocks and brackets within each other */
     PRIMITIVES_MOST = 1000000, /* made in all, copies counted */
     SOLID_MOST = 10000,        /* primitives in one tree */
-    REPORTS_MOST = 200,
+    ERRORS_MOST = 200,
     CONDITIONS_MOST = 500, /* within each other */
     TURNS_MOST = 2000000,  /* of one loop */
     SEEDS_MOST = 10000     /* of random numbers */
@@ -77,12 +78,13 @@ struct reader {
 
     const struct scene_options *options;
     struct diagnostics *reports;
+    struct notebook notebook;
+    struct arena arena; /* of formulas */
     struct {
         const struct scene_source *source;
         size_t at;
-    } faults[REPORTS_MOST]; /* where errors are */
+    } faults[ERRORS_MOST]; /* where errors are */
     size_t fault_count;
-    size_t report_count; /* without errors */
     bool stopped;        /* too many errors, or no memory */
 };
 
@@ -125,9 +127,12 @@ bool reader_spend(struct reader *reader, size_t bytes);
 /* An error at the token, unless there is one.  Returns false. */
 bool reader_fault(struct reader *reader, const struct scene_token *at,
                   const char *format, ...) FORMAT(3);
-/* Something that is replaced or left out. */
+/* Something that is replaced or left out: a note (note.h). */
 void reader_report(struct reader *reader, const struct scene_token *at,
                    const char *format, ...) FORMAT(3);
+/* Something to be told, whatever is being read. */
+void reader_warn(struct reader *reader, const struct scene_token *at,
+                 const char *format, ...) FORMAT(3);
 /* The error that `what` stands not here.  Returns false. */
 bool reader_expected(struct reader *reader, const char *what);
 bool reader_no_memory(struct reader *reader);
@@ -149,6 +154,9 @@ const struct scene_value *reader_value(const struct reader *reader);
 /* The same if it is of the kind. */
 const struct scene_value *reader_value_of(const struct reader *reader,
                                           enum scene_value_kind kind);
+/* The same, to be used: its notes are those of what is being read. */
+const struct scene_value *reader_use(struct reader *reader,
+                                     enum scene_value_kind kind);
 
 /* Enter and leave what may stand within itself; false: too deep. */
 bool reader_enter(struct reader *reader);

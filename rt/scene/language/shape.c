@@ -40,22 +40,16 @@ static bool add_primitive(struct reader *reader, struct scene_object *object,
            || reader_no_memory(reader);
 }
 
-/* A texture laid over another hides it. */
 static bool read_texture(struct reader *reader, void *subject,
                          const struct item *item)
 {
     struct scene_object *object = subject;
-    bool below = object->textured;
 
+    if (object->textured)
+        return texture_layer_read(reader, &item->at, &object->texture);
     object->texture = reader->default_texture;
     object->textured = true;
-    if (!texture_read(reader, &object->texture))
-        return false;
-    if (below && pigment_is_clear(&object->texture.pigment))
-        reader_report(reader, &item->at,
-                      "textures in layers are not supported: only the last "
-                      "is used");
-    return true;
+    return texture_read(reader, &object->texture);
 }
 
 /* pigment and finish change the texture that the object has. */
@@ -187,7 +181,7 @@ bool material_read(struct reader *reader, struct scene_object *object)
 
     if (!block_open(reader, &block, '{'))
         return false;
-    value = reader_value_of(reader, VALUE_MATERIAL);
+    value = reader_use(reader, VALUE_MATERIAL);
     if (value) {
         take_material(object, &value->is.material);
         reader_next(reader);
@@ -293,7 +287,7 @@ static const struct grammar solid_grammar = {
 /* The object that object { ... } begins with: a name, or a shape. */
 static bool read_base(struct reader *reader, struct scene_object *object)
 {
-    const struct scene_value *value = reader_value_of(reader, VALUE_OBJECT);
+    const struct scene_value *value = reader_use(reader, VALUE_OBJECT);
     struct item item = { grammar_find(&solid_grammar, &reader->token),
                          reader->token };
 

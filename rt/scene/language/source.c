@@ -37,6 +37,7 @@ static struct scene_source *adopt(struct scene_source **list,
     source->name = own_name;
     source->text = text;
     source->length = length;
+    source->library = false;
     return *list = source;
 }
 
@@ -121,6 +122,24 @@ static struct scene_source *carried(struct scene_source **list,
     return adopt(list, name, all, length);
 }
 
+/* Where POV-Ray's package has its files. */
+static const char *const installed[] = {
+    "/usr/local/share/povray-3.7/include",
+    "/usr/share/povray-3.7/include",
+    NULL,
+};
+
+static struct scene_source *include_from_one(struct scene_source **list,
+                                             const char *const *folders,
+                                             const char *name)
+{
+    struct scene_source *source = NULL;
+
+    for (; !source && folders && *folders; folders++)
+        source = include_from(list, *folders, strlen(*folders), name);
+    return source;
+}
+
 struct scene_source *source_include(struct scene_source **list,
                                     const char *name,
                                     const struct scene_source *from,
@@ -133,9 +152,19 @@ struct scene_source *source_include(struct scene_source **list,
     if (name[0] == '/')
         folder = 0;
     source = include_from(list, from->name, folder, name);
-    for (; !source && name[0] != '/' && search && *search; search++)
-        source = include_from(list, *search, strlen(*search), name);
-    return source ? source : carried(list, name);
+    if (source) {
+        source->library |= from->library;
+        return source;
+    }
+    if (name[0] != '/')
+        source = include_from_one(list, search, name);
+    if (!source && name[0] != '/')
+        source = include_from_one(list, installed, name);
+    if (!source)
+        source = carried(list, name);
+    if (source)
+        source->library = true;
+    return source;
 }
 
 void sources_free(struct scene_source *list)

@@ -16,6 +16,7 @@ struct scene_source {
     char *name;
     char *text; /* ends with a NUL that is not part of it */
     size_t length;
+    bool library; /* not of the scene's own folders */
 };
 
 enum { SOURCE_LONGEST = 16 << 20 }; /* bytes */
@@ -27,7 +28,8 @@ struct scene_source *source_add(struct scene_source **list, const char *name,
 struct scene_source *source_load(struct scene_source **list,
                                  const char *path);
 /* The file that an #include of `from` names: in its folder, in the search
- * folders, in scene_texts; each text is read once. */
+ * folders, among those of POV-Ray's package, in scene_texts; each text is read
+ * once. */
 struct scene_source *source_include(struct scene_source **list,
                                     const char *name,
                                     const struct scene_source *from,

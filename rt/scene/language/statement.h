@@ -32,6 +32,15 @@ bool transform_read(struct reader *reader, struct placement *placement);
 bool pigment_read(struct reader *reader, struct pigment *pigment);
 bool finish_read(struct reader *reader, struct finish *finish);
 bool texture_read(struct reader *reader, struct texture *texture);
+/* Another texture, on one that there is. */
+bool texture_layer_read(struct reader *reader, const struct scene_token *at,
+                        struct texture *texture);
+/* Of maps the first entry is read. */
+bool color_map_read(struct reader *reader, struct pigment *pigment);
+bool pigment_map_read(struct reader *reader, struct pigment *pigment);
+bool texture_map_read(struct reader *reader, struct texture *texture);
+/* The block of #default, and of the statement of that name. */
+bool default_read(struct reader *reader);
 bool interior_read(struct reader *reader, double *ior);
 /* Texture and interior of an object, which may have no parts. */
 bool material_read(struct reader *reader, struct scene_object *object);

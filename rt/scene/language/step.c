@@ -41,7 +41,7 @@ static bool read_matrix(struct reader *reader, const struct item *item,
 
 static bool read_named(struct reader *reader, struct placement *step)
 {
-    const struct scene_value *value = reader_value_of(reader,
+    const struct scene_value *value = reader_use(reader,
                                                       VALUE_TRANSFORM);
 
     if (!value)

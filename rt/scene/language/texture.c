@@ -156,11 +156,17 @@ static bool read_step(struct reader *reader, void *subject,
 }
 
 /* The texture of a pattern's first entry stands for all. */
-static bool read_first(struct reader *reader, void *subject,
-                       const struct item *item)
+bool texture_map_read(struct reader *reader, struct texture *texture)
+{
+    return map_first(reader, VALUE_TEXTURE_MAP, texture_body, texture,
+                     sizeof *texture);
+}
+
+static bool read_texture_map(struct reader *reader, void *subject,
+                             const struct item *item)
 {
     (void)item;
-    return map_first(reader, texture_body, subject);
+    return texture_map_read(reader, subject);
 }
 
 static bool read_pattern(struct reader *reader, void *subject,
@@ -181,13 +187,31 @@ static bool read_pattern(struct reader *reader, void *subject,
     return true;
 }
 
+/* tiles { texture tile2 texture } */
+static bool read_tiles(struct reader *reader, void *subject,
+                       const struct item *item)
+{
+    struct block block;
+    bool good;
+
+    reader_report(reader, &item->at,
+                  "'tiles' is not supported: the first texture is used");
+    if (!block_open(reader, &block, '{'))
+        return false;
+    good = reader_accept(reader, "texture")
+               ? texture_read(reader, subject)
+               : reader_expected(reader, "a texture");
+    return block_finish(reader, &block) && good;
+}
+
 static const struct keyword texture_words[] = {
     { "pigment", read_pigment, 0 },
     { "finish", read_finish, 0 },
     STEP_WORDS(read_step),
     PATTERN_WORDS(read_pattern),
     { "checker", read_pattern, 0 },
-    { "texture_map", read_first, 0 },
+    { "texture_map", read_texture_map, 0 },
+    { "tiles", read_tiles, 0 },
     { NULL, NULL, 0 },
 };
 
@@ -208,7 +232,7 @@ static const struct grammar texture_grammar = {
 bool texture_body(struct reader *reader, const struct block *block,
                   void *subject)
 {
-    const struct scene_value *value = reader_value_of(reader, VALUE_TEXTURE);
+    const struct scene_value *value = reader_use(reader, VALUE_TEXTURE);
 
     if (value) {
         memcpy(subject, &value->is.texture, sizeof value->is.texture);
@@ -223,4 +247,21 @@ bool texture_read(struct reader *reader, struct texture *texture)
 
     return block_open(reader, &block, '{')
            && texture_body(reader, &block, texture);
+}
+
+/* What is not clear hides all below it. */
+bool texture_layer_read(struct reader *reader, const struct scene_token *at,
+                        struct texture *texture)
+{
+    struct texture layer = reader->default_texture;
+
+    if (!texture_read(reader, &layer))
+        return false;
+    if (pigment_is_clear(&layer.pigment))
+        reader_report(reader, at,
+                      "textures in layers are not supported: only the "
+                      "lowest is used");
+    else
+        *texture = layer;
+    return true;
 }

@@ -5,17 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const kind_names[] = {
-    "a number",   "a pigment",   "a finish", "a texture", "an interior",
-    "a material", "a transform", "a camera", "an object", "a string",
-    "an array",   "a macro",     "nothing",
-};
-
-const char *value_kind_name(enum scene_value_kind kind)
-{
-    return kind_names[kind];
-}
-
 struct numbers numbers_of(double value)
 {
     struct numbers numbers = { 1, { value, 0, 0, 0, 0 } };

@@ -2,6 +2,7 @@
 #ifndef RT_SCENE_VALUE_H
 #define RT_SCENE_VALUE_H
 
+#include "rt/scene/language/note.h"
 #include "rt/scene/language/object.h"
 #include "rt/scene/language/token.h"
 
@@ -29,6 +30,10 @@ enum scene_value_kind {
     VALUE_PIGMENT,
     VALUE_FINISH,
     VALUE_TEXTURE,
+    VALUE_COLOR_MAP,   /* the pigment of its first entry */
+    VALUE_PIGMENT_MAP, /* the same */
+    VALUE_TEXTURE_MAP, /* its first texture */
+    VALUE_LOOK,        /* nothing of it is drawn */
     VALUE_INTERIOR,
     VALUE_MATERIAL,
     VALUE_TRANSFORM,
@@ -37,9 +42,10 @@ enum scene_value_kind {
     VALUE_STRING,
     VALUE_ARRAY,
     VALUE_MACRO,
+    VALUE_FUNCTION,
+    VALUE_FILE,
     VALUE_FAULTY /* its declaration has an error, reported there */
 };
-const char *value_kind_name(enum scene_value_kind kind);
 
 /* A row of values of one kind, of one dimension or more. */
 enum { DIMENSIONS_MOST = 5, CELLS_MOST = 100000 };
@@ -67,11 +73,18 @@ struct scene_macro {
     } parameters[PARAMETERS_MOST];
 };
 
+/* What #fopen opens. */
+struct data_file {
+    const struct scene_source *source; /* NULL: it is one to write */
+    struct text_place place;           /* of what is read next */
+};
+
+struct formula;
 struct scene_value {
     enum scene_value_kind kind;
     union {
         struct numbers numbers;
-        struct pigment pigment;
+        struct pigment pigment; /* of maps, too */
         struct finish finish;
         struct texture texture;
         double interior;              /* its index of refraction */
@@ -82,7 +95,10 @@ struct scene_value {
         char *string;
         struct array *array;
         struct scene_macro *macro;
+        const struct formula *formula;
+        struct data_file file;
     } is;
+    const struct notes *notes; /* of its text */
 };
 
 void value_free(struct scene_value *value);

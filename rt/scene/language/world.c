@@ -97,6 +97,14 @@ static bool read_settings(struct reader *reader, void *subject,
     return settings_read(reader, reader->scene);
 }
 
+static bool read_default(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    (void)subject;
+    (void)item;
+    return default_read(reader);
+}
+
 static bool read_background(struct reader *reader, void *subject,
                             const struct item *item)
 {
@@ -117,6 +125,7 @@ static const struct keyword statements[] = {
     OTHER_SHAPE_WORDS(read_object),
     { "camera", read_camera, 0 },
     { "background", read_background, 0 },
+    { "default", read_default, 0 },
     { "global_settings", read_settings, 0 },
     { NULL, NULL, 0 },
 };
@@ -229,21 +238,36 @@ static bool read_all(struct reader *reader, const struct scene_source *source)
     return take_world(reader);
 }
 
+static bool report_notes(struct reader *reader)
+{
+    bool strict = reader->options && reader->options->strict;
+
+    if (notebook_failed(&reader->notebook))
+        return reader_no_memory(reader);
+    notebook_report(&reader->notebook,
+                    strict ? SEVERITY_ERROR : SEVERITY_REPORT,
+                    reader->reports);
+    return true;
+}
+
 static struct scene *read_source(struct reader *reader,
                                  const struct scene_source *source)
 {
     size_t before = reader->reports->errors;
     struct scene *scene = new_scene();
+    bool done;
 
     reader->scene = scene;
     reader->default_texture = texture_default;
     reader->hold = (size_t)HOLD_NONE;
     reader->version = LANGUAGE_VERSION;
-    if (scene
-        && (!read_all(reader, source) || reader->reports->errors > before)) {
+    done = scene && read_all(reader, source);
+    if (!report_notes(reader) || !done || reader->reports->errors > before) {
         scene_free(scene);
         scene = NULL;
     }
+    notebook_free(&reader->notebook);
+    arena_free(&reader->arena);
     scene_object_free(&reader->world);
     symbols_free(&reader->symbols);
     queries_free(reader);

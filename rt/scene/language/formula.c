@@ -1,0 +1,485 @@
+/* formula.c - formulas: compiled to postfix, and their values.
+ *
+ *   full        relation { ("&" | "|") relation }
+ *   relation    sum { ("=" "!=" "<" "<=" ">" ">=") sum }
+ *   sum         product { ("+" | "-") product }
+ *   product     factor { ("*" | "/") factor }
+ *   factor      { "+" | "-" | "!" } primary
+ *   primary     parameter | "(" full ")" | a function of floats "(" full, ... ")"
+ *               | formula "(" full, ... ")" [ "." component ] | a constant
+ */
+#include "rt/scene/language/formula.h"
+
+#include "rt/scene/language/block.h"
+#include "rt/scene/language/condition.h"
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/operand.h"
+#include "rt/scene/language/statement.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum step_kind {
+    FORMULA_NUMBER,    /* push it */
+    FORMULA_PARAMETER, /* push it */
+    FORMULA_OPERATOR,  /* of two floats, by its sign */
+    FORMULA_MINUS,
+    FORMULA_NOT,
+    FORMULA_FUNCTION, /* of `count` floats */
+    FORMULA_CALL   /* of `count` floats; `term` of its value */
+};
+
+struct formula_step {
+    enum step_kind kind;
+    int sign;
+    size_t count, term;
+    union {
+        double number;
+        size_t parameter;
+        const struct function *function;
+        const struct formula *formula;
+    } is;
+};
+
+struct formula {
+    const char *without; /* it cannot be called for want of this, or NULL */
+    size_t parameter_count;
+    bool moves; /* a point, by: */
+    struct placement placement;
+    size_t step_count, depth; /* so many floats on the stack at most */
+    const struct formula_step *steps;
+};
+
+/* ---- Reading ------------------------------------------------------------ */
+
+struct name {
+    const char *text;
+    size_t length;
+};
+
+struct compiler {
+    struct reader *reader;
+    struct name parameters[PARAMETERS_MOST];
+    struct formula *formula;
+    struct formula_step *steps;
+    size_t count, capacity;
+    size_t depth; /* floats on the stack here */
+};
+
+/* `takes` floats become one. */
+static bool add_step(struct compiler *compiler,
+                     const struct formula_step *step, size_t takes)
+{
+    struct formula_step *steps =
+        arena_grow(&compiler->reader->arena, compiler->steps, compiler->count,
+                   &compiler->capacity, sizeof *steps);
+
+    if (!steps)
+        return reader_no_memory(compiler->reader);
+    compiler->steps = steps;
+    steps[compiler->count++] = *step;
+    compiler->depth = compiler->depth - takes + 1;
+    if (compiler->formula->depth < compiler->depth)
+        compiler->formula->depth = compiler->depth;
+    return true;
+}
+
+static bool read_whole(struct compiler *compiler);
+
+/* "(" full, ... ")" */
+static bool read_arguments(struct compiler *compiler, size_t least,
+                           size_t most, size_t *count)
+{
+    struct reader *reader = compiler->reader;
+
+    *count = 0;
+    if (!reader_expect_sign(reader, '('))
+        return false;
+    while (*count < least
+           || (*count < most && !reader_at_sign(reader, ')'))) {
+        if (*count && !reader_expect_sign(reader, ','))
+            return false;
+        if (!read_whole(compiler))
+            return false;
+        ++*count;
+    }
+    return reader_expect_sign(reader, ')');
+}
+
+static bool read_function(struct compiler *compiler,
+                          const struct function *function)
+{
+    struct reader *reader = compiler->reader;
+    size_t least = strspn(function->takes, "f"), most = least;
+    struct formula_step step = { .kind = FORMULA_FUNCTION,
+                                 .is.function = function };
+
+    if (strchr(function->takes, 'v'))
+        return reader_expected(reader, "a function of floats");
+    if (function->takes[least] == '?')
+        most = least + 1;
+    if (function->takes[least] == '+')
+        most = ARGUMENTS_MOST;
+    reader_next(reader);
+    return read_arguments(compiler, least, most, &step.count)
+           && add_step(compiler, &step, step.count);
+}
+
+/* Of the point that a transform makes. */
+static bool read_term(struct reader *reader, size_t *term)
+{
+    static const char names[] = "xyz";
+    const char *found = NULL;
+
+    if (!reader_expect_sign(reader, '.'))
+        return false;
+    if (reader->token.kind == TOKEN_WORD && reader->token.length == 1)
+        found = strchr(names, reader->token.text[0]);
+    if (!found)
+        return reader_expected(reader, "x, y or z");
+    *term = (size_t)(found - names);
+    reader_next(reader);
+    return true;
+}
+
+/* Any arguments, any component: there will be no value. */
+static bool read_other_call(struct compiler *compiler,
+                            const struct formula *called)
+{
+    struct reader *reader = compiler->reader;
+    struct formula_step step = { .kind = FORMULA_CALL, .is.formula = called };
+
+    compiler->formula->without = called->without;
+    reader_next(reader);
+    if (!read_arguments(compiler, 0, PARAMETERS_MOST, &step.count))
+        return false;
+    if (reader_accept_sign(reader, '.'))
+        reader_next(reader);
+    return add_step(compiler, &step, step.count);
+}
+
+static bool read_formula_call(struct compiler *compiler,
+                              const struct formula *called)
+{
+    struct reader *reader = compiler->reader;
+    struct formula_step step = { .kind = FORMULA_CALL, .is.formula = called };
+    size_t count = called->parameter_count;
+
+    if (called->without)
+        return read_other_call(compiler, called);
+    reader_next(reader);
+    return read_arguments(compiler, count, count, &step.count)
+           && (!called->moves || read_term(reader, &step.term))
+           && add_step(compiler, &step, step.count);
+}
+
+static bool read_constant(struct compiler *compiler)
+{
+    struct reader *reader = compiler->reader;
+    struct scene_token at = reader->token;
+    struct formula_step step = { .kind = FORMULA_NUMBER };
+    struct numbers value;
+
+    if (!operand_read(reader, &value) || !operand_float(reader, &at, &value))
+        return false;
+    step.is.number = value.n[0];
+    return add_step(compiler, &step, 0);
+}
+
+static bool is_parameter(const struct compiler *compiler,
+                         const struct scene_token *token, size_t *number)
+{
+    for (size_t i = 0; i < compiler->formula->parameter_count; i++) {
+        const struct name *name = &compiler->parameters[i];
+        *number = i;
+        if (token->kind == TOKEN_WORD && token->length == name->length
+            && !memcmp(token->text, name->text, name->length))
+            return true;
+    }
+    return false;
+}
+
+static bool read_primary(struct compiler *compiler)
+{
+    struct reader *reader = compiler->reader;
+    const struct scene_value *declared = reader_value_of(reader,
+                                                         VALUE_FUNCTION);
+    struct formula_step step = { .kind = FORMULA_PARAMETER };
+
+    if (reader_accept_sign(reader, '('))
+        return read_whole(compiler) && reader_expect_sign(reader, ')');
+    if (is_parameter(compiler, &reader->token, &step.is.parameter)) {
+        reader_next(reader);
+        return add_step(compiler, &step, 0);
+    }
+    if (declared)
+        return read_formula_call(compiler, declared->is.formula);
+    if (function_find(&reader->token))
+        return read_function(compiler, function_find(&reader->token));
+    return read_constant(compiler);
+}
+
+static bool read_factor(struct compiler *compiler)
+{
+    struct reader *reader = compiler->reader;
+    struct formula_step step = { .kind = FORMULA_MINUS };
+    bool changes = reader_at_sign(reader, '-') || reader_at_sign(reader, '!');
+    bool done;
+
+    if (!changes && !reader_at_sign(reader, '+'))
+        return read_primary(compiler);
+    if (reader_at_sign(reader, '!'))
+        step.kind = FORMULA_NOT;
+    if (!reader_enter(reader))
+        return false;
+    reader_next(reader);
+    done = read_factor(compiler) && (!changes || add_step(compiler, &step, 1));
+    reader_leave(reader);
+    return done;
+}
+
+/* The sign of them that is there, or 0. */
+static int accept_one_of(struct reader *reader, const int *signs)
+{
+    for (; *signs; signs++)
+        if (reader_accept_sign(reader, *signs))
+            return *signs;
+    return 0;
+}
+
+/* Operators from the weakest; of one rank from left to right. */
+static bool read_rank(struct compiler *compiler, size_t rank)
+{
+    static const int signs[][7] = {
+        { '&', '|' },
+        { '=', SIGN_UNEQUAL, '<', SIGN_NOT_ABOVE, '>', SIGN_NOT_BELOW },
+        { '+', '-' },
+        { '*', '/' },
+    };
+    enum { RANKS = sizeof signs / sizeof *signs };
+    struct formula_step step = { .kind = FORMULA_OPERATOR };
+
+    if (rank == RANKS)
+        return read_factor(compiler);
+    if (!read_rank(compiler, rank + 1))
+        return false;
+    while ((step.sign = accept_one_of(compiler->reader, signs[rank])) != 0)
+        if (!read_rank(compiler, rank + 1) || !add_step(compiler, &step, 2))
+            return false;
+    return true;
+}
+
+static bool read_whole(struct compiler *compiler)
+{
+    struct reader *reader = compiler->reader;
+    bool done;
+
+    if (!reader_enter(reader))
+        return false;
+    done = read_rank(compiler, 0);
+    reader_leave(reader);
+    return done;
+}
+
+static bool read_parameter(struct compiler *compiler)
+{
+    struct reader *reader = compiler->reader;
+    const struct scene_token *token = &reader->token;
+    size_t number = compiler->formula->parameter_count;
+
+    if (token->kind != TOKEN_WORD)
+        return reader_expected(reader, "the name of a parameter, or ')'");
+    if (number == PARAMETERS_MOST)
+        return reader_fault(reader, token, "more than %d parameters",
+                            PARAMETERS_MOST);
+    compiler->parameters[number] = (struct name){ token->text,
+                                                  token->length };
+    compiler->formula->parameter_count++;
+    reader_next(reader);
+    reader_comma(reader);
+    return true;
+}
+
+static bool read_parameters(struct compiler *compiler)
+{
+    static const char *const usual[] = { "x", "y", "z" };
+    struct reader *reader = compiler->reader;
+
+    if (!reader_accept_sign(reader, '(')) {
+        for (size_t i = 0; i < 3; i++)
+            compiler->parameters[i] = (struct name){ usual[i], 1 };
+        compiler->formula->parameter_count = 3;
+        return true;
+    }
+    while (!reader_at_sign(reader, ')'))
+        if (!read_parameter(compiler))
+            return false;
+    return reader_expect_sign(reader, ')');
+}
+
+/* What no formula can do: its text is passed over. */
+static const char *find_other(const struct reader *reader)
+{
+    static const char *const words[] = { "internal", "pattern", "pigment",
+                                         "spline" };
+
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (is_token(&reader->token, words[i]))
+            return words[i];
+    return NULL;
+}
+
+static bool read_body(struct compiler *compiler, const struct block *block)
+{
+    static const struct grammar no_more = { "'}'", { NULL }, NULL };
+    struct reader *reader = compiler->reader;
+    struct formula *formula = compiler->formula;
+    bool good;
+
+    formula->without = find_other(reader);
+    if (formula->without)
+        return block_finish(reader, block);
+    if (reader_accept(reader, "transform")) {
+        formula->moves = true;
+        formula->placement = placement_none;
+        good = transform_read(reader, &formula->placement);
+        if (good && formula->parameter_count != 3)
+            good = reader_fault(reader, &block->open,
+                                "a transform takes 3 parameters, found %zu",
+                                formula->parameter_count);
+    } else {
+        good = read_whole(compiler);
+    }
+    formula->steps = compiler->steps;
+    formula->step_count = compiler->count;
+    return block_items(reader, block, &no_more, NULL, good);
+}
+
+const struct formula *formula_read(struct reader *reader)
+{
+    struct compiler compiler = { .reader = reader };
+    struct block block;
+
+    compiler.formula = arena_take(&reader->arena, sizeof *compiler.formula);
+    if (!compiler.formula) {
+        reader_no_memory(reader);
+        return NULL;
+    }
+    if (!read_parameters(&compiler) || !block_open(reader, &block, '{')
+        || !read_body(&compiler, &block))
+        return NULL;
+    return compiler.formula;
+}
+
+/* ---- Values ------------------------------------------------------------- */
+
+static bool evaluate(struct reader *reader, const struct formula *formula,
+                     const double *arguments, double *value);
+
+/* `count` floats, the last ones of the stack, become one. */
+static void apply(const struct function *function, size_t count,
+                  double *arguments)
+{
+    struct numbers taken[ARGUMENTS_MOST], result;
+
+    if (function->plain) {
+        arguments[0] = function->plain(arguments[0]);
+        return;
+    }
+    for (size_t i = 0; i < count; i++)
+        taken[i] = numbers_of(arguments[i]);
+    function->apply(taken, count, &result);
+    arguments[0] = result.n[0];
+}
+
+static bool take_step(struct reader *reader, const struct formula_step *step,
+                      const double *arguments, double **top)
+{
+    double value[3];
+
+    switch (step->kind) {
+    case FORMULA_NUMBER: *(*top)++ = step->is.number; return true;
+    case FORMULA_PARAMETER:
+        *(*top)++ = arguments[step->is.parameter];
+        return true;
+    case FORMULA_OPERATOR:
+        --*top;
+        (*top)[-1] = operator_apply(step->sign, (*top)[-1], (*top)[0]);
+        return true;
+    case FORMULA_MINUS: (*top)[-1] = -(*top)[-1]; return true;
+    case FORMULA_NOT: (*top)[-1] = !condition_holds((*top)[-1]); return true;
+    case FORMULA_FUNCTION:
+        *top -= step->count - 1;
+        apply(step->is.function, step->count, *top - 1);
+        return true;
+    case FORMULA_CALL:
+        *top -= step->count;
+        if (!evaluate(reader, step->is.formula, *top, value))
+            return false;
+        *(*top)++ = value[step->term];
+        return true;
+    }
+    return false;
+}
+
+static bool evaluate_steps(struct reader *reader,
+                           const struct formula *formula,
+                           const double *arguments, double *stack,
+                           double *value)
+{
+    double *top = stack;
+
+    for (size_t i = 0; i < formula->step_count; i++)
+        if (!take_step(reader, &formula->steps[i], arguments, &top))
+            return false;
+    value[0] = stack[0];
+    return true;
+}
+
+/* Formulas of formulas may take very long, so that it counts as reading. */
+static bool evaluate(struct reader *reader, const struct formula *formula,
+                     const double *arguments, double *value)
+{
+    double *stack;
+    bool done;
+
+    if (formula->moves) {
+        memcpy(value, arguments, 3 * sizeof *value);
+        transform_point(&formula->placement.to_world, value);
+        return true;
+    }
+    if (!reader_spend(reader, (formula->step_count + 1) * TOKEN_COST))
+        return false;
+    stack = malloc(formula->depth * sizeof *stack);
+    if (!stack)
+        return reader_no_memory(reader);
+    done = evaluate_steps(reader, formula, arguments, stack, value);
+    free(stack);
+    return done;
+}
+
+bool formula_call(struct reader *reader, const struct formula *formula,
+                  struct numbers *value)
+{
+    double arguments[PARAMETERS_MOST];
+    struct scene_token at = reader->token;
+
+    if (formula->without)
+        return reader_fault(reader, &at,
+                            "the value of a function with '%s' is not "
+                            "supported",
+                            formula->without);
+    reader_next(reader);
+    if (!reader_expect_sign(reader, '('))
+        return false;
+    for (size_t i = 0; i < formula->parameter_count; i++)
+        if ((i && !reader_expect_sign(reader, ','))
+            || !read_full_number(reader, &arguments[i]))
+            return false;
+    if (!reader_expect_sign(reader, ')'))
+        return false;
+    *value = numbers_of(0);
+    value->count = formula->moves ? 3 : 1;
+    return evaluate(reader, formula, arguments, value->n)
+           && operand_finite(reader, &at, value);
+}

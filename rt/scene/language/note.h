@@ -1,0 +1,72 @@
+/* note.h - what a scene's text asks for and does not get.
+ *
+ * Something that is replaced or left out is a note: a cause, in words, and the
+ * place in the text.  Notes belong to what is being read.  A value with a name
+ * keeps those of its text, and they are told when it becomes part of the
+ * scene, if ever: who includes a library of textures and uses one hears of
+ * that one.
+ *
+ * What is told of one cause is one report, which counts the places and shows
+ * the first.  A file of a library, which the scene's author did not write, is
+ * one place.
+ */
+#ifndef RT_SCENE_NOTE_H
+#define RT_SCENE_NOTE_H
+
+#include "base/arena.h"
+#include "base/diagnostic.h"
+#include "rt/scene/language/source.h"
+
+enum { REPORTS_MOST = 200, NOTES_MOST = 100000, NOTE_BUCKETS = 4096 };
+
+/* Those of a value; it does not change any more, and lives as long as the
+ * notebook. */
+struct notes;
+
+/* Where one is. */
+struct note_place {
+    const struct scene_source *source;
+    size_t at; /* offset in it */
+    struct position position;
+};
+
+/* The notes of the value that is being read: on the stack of who reads it. */
+struct note_page {
+    struct note_page *outer; /* the value that this one stands in */
+    const struct notes *same; /* all that is noted here, if it is that of
+                                 another value; or NULL: */
+    struct note **notes;
+    size_t count, capacity;
+};
+
+/* Zero it to begin. */
+struct notebook {
+    struct arena arena;
+    struct note *buckets[NOTE_BUCKETS];
+    size_t count;
+    struct note_page *page;                  /* NULL: the scene itself */
+    struct note_cause *causes, *last_cause; /* told, in their order */
+    size_t cause_count;
+};
+
+/* `calls` says which macros lead to the place, and may be empty. */
+void note_add(struct notebook *book, const struct note_place *place,
+              const char *words, const char *calls);
+/* The same, told in any case. */
+void note_tell(struct notebook *book, const struct note_place *place,
+               const char *words, const char *calls);
+
+/* What is added in between is that of a value: NULL if nothing is. */
+void notes_begin(struct notebook *book, struct note_page *page);
+const struct notes *notes_end(struct notebook *book);
+/* A value with these notes becomes part of what is being read. */
+void notes_use(struct notebook *book, const struct notes *notes);
+
+/* All that is told, as reports or as errors. */
+void notebook_report(const struct notebook *book, enum severity severity,
+                     struct diagnostics *reports);
+/* Notes are lost for want of memory. */
+bool notebook_failed(const struct notebook *book);
+void notebook_free(struct notebook *book);
+
+#endif
