@@ -27,8 +27,29 @@ static bool read_step(struct reader *reader, void *subject,
     return true;
 }
 
+/* It does not stand in the way of its light. */
+static bool read_looks_like(struct reader *reader, void *subject,
+                            const struct item *item)
+{
+    struct scene_object *object = subject, look;
+    bool done;
+
+    (void)item;
+    if (!object->light_count)
+        return false;
+    memset(&look, 0, sizeof look);
+    done = looks_like_read(reader, &look, object->lights[0].position);
+    for (size_t i = 0; i < look.part_count; i++)
+        look.parts[i].primitive.no_shadow = true;
+    if (done && !object_add(object, &look))
+        done = reader_no_memory(reader);
+    scene_object_free(&look);
+    return done;
+}
+
 static const struct keyword words[] = {
     { "shadowless", read_shadowless, 0 },
+    { "looks_like", read_looks_like, 0 },
     STEP_WORDS(read_step),
     { NULL, NULL, 0 },
 };
@@ -56,13 +77,9 @@ static const struct keyword left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct keyword unsupported[] = {
-    { "looks_like", item_unsupported, 0 },
-    { NULL, NULL, 0 },
-};
 
 static const struct grammar grammar = { "a word of light_source",
-                                        { words, left_out, unsupported },
+                                        { words, left_out },
                                         NULL };
 
 static bool read_point(struct reader *reader, struct scene_object *object)
@@ -87,12 +104,13 @@ bool light_read(struct reader *reader, struct scene_object *object)
     if (!block_open(reader, &block, '{'))
         return false;
     value = reader_value_of(reader, VALUE_OBJECT);
-    if (value && value->is.object.part_count == 0) {
+    if (value && value->is.object.is_light) {
         notes_use(&reader->notebook, value->notes);
         good = shape_copy(reader, object, &value->is.object);
         reader_next(reader);
     } else {
         good = read_point(reader, object);
     }
+    object->is_light = true;
     return block_items(reader, &block, &grammar, object, good);
 }

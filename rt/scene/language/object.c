@@ -168,6 +168,7 @@ bool object_copy(struct scene_object *copy, const struct scene_object *object)
     copy->texture = object->texture;
     copy->filled = object->filled;
     copy->ior = object->ior;
+    copy->is_light = object->is_light;
     return object_add(copy, &bare);
 }
 

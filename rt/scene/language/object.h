@@ -39,6 +39,7 @@ struct scene_object {
     struct branch *branches;
     size_t light_count;
     struct light *lights;
+    bool is_light; /* one, perhaps with what it looks like */
     enum joining joining;
     size_t child_count; /* lights counted */
     bool textured;

@@ -195,3 +195,77 @@ bool primitive_read(struct reader *reader, enum primitive_kind kind,
             return false;
     return reader_check(reader, &at, shapes[kind]->settle(primitive));
 }
+
+/* ---- Polynomials --------------------------------------------------------- */
+
+enum { ORDER_LEAST = 2, ORDER_MOST = 4 };
+
+static bool read_order(struct reader *reader, int *order)
+{
+    struct scene_token at = reader->token;
+    double number;
+
+    if (!read_number(reader, &number))
+        return false;
+    reader_comma(reader);
+    if (number < ORDER_LEAST || number >= ORDER_MOST + 1)
+        return reader_fault(reader, &at,
+                            "a polynomial of the order %g is not supported: "
+                            "only %d to %d are",
+                            number, ORDER_LEAST, ORDER_MOST);
+    *order = (int)number;
+    return true;
+}
+
+/* So many coefficients has a polynomial of x, y and z. */
+static size_t terms_of(int order)
+{
+    size_t n = (size_t)order;
+
+    return (n + 1) * (n + 2) * (n + 3) / 6;
+}
+
+/* Those of a lower order stand in the order of a quartic's, without what is
+ * beyond theirs. */
+static void make_quartic(const double *terms, int order,
+                         struct primitive *primitive)
+{
+    double *quartic = primitive->shape.quartic.coefficients;
+
+    primitive->kind = PRIMITIVE_QUARTIC;
+    for (int x = ORDER_MOST; x >= 0; x--)
+        for (int y = ORDER_MOST - x; y >= 0; y--)
+            for (int z = ORDER_MOST - x - y; z >= 0; z--)
+                *quartic++ = x + y + z <= order ? *terms++ : 0;
+}
+
+/* x2 xy xz x y2 yz y z2 z 1, as quadrics have them. */
+static void make_quadric(const double *terms, struct primitive *primitive)
+{
+    static const size_t places[QUADRIC_TERMS] = { 0, 3, 4, 6, 1,
+                                                  5, 8, 2, 7, 9 };
+
+    primitive->kind = PRIMITIVE_QUADRIC;
+    for (size_t i = 0; i < QUADRIC_TERMS; i++)
+        primitive->shape.quadric.coefficients[places[i]] = terms[i];
+}
+
+bool polynomial_read(struct reader *reader, enum shape_word word,
+                     struct primitive *primitive)
+{
+    double terms[QUARTIC_TERMS];
+    struct scene_token at = reader->token;
+    int order = 3;
+
+    memset(primitive, 0, sizeof *primitive);
+    if (word == SHAPE_POLY && !read_order(reader, &order))
+        return false;
+    if (!read_terms(reader, terms, terms_of(order)))
+        return false;
+    if (order == 2)
+        make_quadric(terms, primitive);
+    else
+        make_quartic(terms, order, primitive);
+    return reader_check(reader, &at,
+                        shapes[primitive->kind]->settle(primitive));
+}

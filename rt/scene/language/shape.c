@@ -214,6 +214,7 @@ static const struct keyword modifiers_left_out[] = {
     { "color", item_left_out, 0 },
     { "colour", item_left_out, 0 },
     { "double_illuminate", item_left_out, 0 },
+    { "global_lights", item_left_out, 0 },
     { "hierarchy", item_left_out, 0 },
     { "hollow", item_left_out, 0 },
     { "interior_texture", item_left_out, 0 },
@@ -304,9 +305,48 @@ static bool read_base(struct reader *reader, struct scene_object *object)
                : item.keyword->read(reader, object, &item);
 }
 
+bool looks_like_read(struct reader *reader, struct scene_object *object,
+                     const double position[3])
+{
+    struct placement step = placement_translation(position);
+    struct block block;
+    bool good;
+
+    if (!block_open(reader, &block, '{'))
+        return false;
+    good = read_base(reader, object);
+    object_move(object, &step);
+    return block_items(reader, &block, &modifier_grammar, object, good);
+}
+
 static bool is_joined(enum shape_word shape)
 {
-    return shape >= SHAPE_UNION && shape <= SHAPE_DIFFERENCE;
+    return (shape >= SHAPE_UNION && shape <= SHAPE_DIFFERENCE)
+           || shape == SHAPE_LIGHT_GROUP;
+}
+
+static void set_joining(struct reader *reader, struct scene_object *object,
+                        const struct item *item)
+{
+    enum shape_word shape = (enum shape_word)item->keyword->detail;
+
+    if (shape != SHAPE_LIGHT_GROUP) {
+        object->joining = (enum joining)(shape - SHAPE_UNION);
+        return;
+    }
+    object->joining = JOIN_APART;
+    reader_report(reader, &item->at,
+                  "'light_group' is not supported: its lights shine on all "
+                  "objects");
+}
+
+static bool read_solid(struct reader *reader, enum shape_word shape,
+                       struct primitive *primitive)
+{
+    return shape == SHAPE_CUBIC || shape == SHAPE_POLY
+               ? polynomial_read(reader, shape, primitive)
+               : primitive_read(reader, (enum primitive_kind)shape,
+                                primitive);
 }
 
 static bool read_first(struct reader *reader, struct scene_object *object,
@@ -316,12 +356,12 @@ static bool read_first(struct reader *reader, struct scene_object *object,
     struct primitive primitive;
 
     if (is_joined(shape)) {
-        object->joining = (enum joining)(shape - SHAPE_UNION);
+        set_joining(reader, object, item);
         return true;
     }
     if (shape == SHAPE_OBJECT)
         return read_base(reader, object);
-    return primitive_read(reader, (enum primitive_kind)shape, &primitive)
+    return read_solid(reader, shape, &primitive)
            && add_primitive(reader, object, &primitive, &item->at);
 }
 

@@ -58,7 +58,10 @@ enum shape_word {
     SHAPE_INTERSECTION,
     SHAPE_DIFFERENCE,
     SHAPE_OBJECT,
-    SHAPE_LIGHT
+    SHAPE_LIGHT,
+    SHAPE_LIGHT_GROUP,
+    SHAPE_CUBIC, /* .. of which a quartic or a quadric is made */
+    SHAPE_POLY
 };
 /* clang-format off */
 #define OTHER_SHAPE_WORDS(read) \
@@ -66,7 +69,9 @@ enum shape_word {
     { "intersection", read, SHAPE_INTERSECTION }, \
     { "difference", read, SHAPE_DIFFERENCE }, \
     { "object", read, SHAPE_OBJECT }, \
-    { "light_source", read, SHAPE_LIGHT }
+    { "light_source", read, SHAPE_LIGHT }, \
+    { "light_group", read, SHAPE_LIGHT_GROUP }, \
+    { "cubic", read, SHAPE_CUBIC }, { "poly", read, SHAPE_POLY }
 /* clang-format on */
 /* Into an empty object; the caller frees it also after an error. */
 bool shape_read(struct reader *reader, struct scene_object *object,
@@ -74,7 +79,13 @@ bool shape_read(struct reader *reader, struct scene_object *object,
 /* The arguments of one primitive, behind its '{'. */
 bool primitive_read(struct reader *reader, enum primitive_kind kind,
                     struct primitive *primitive);
+/* Surfaces of a polynomial: cubic is of the order 3, poly says of which. */
+bool polynomial_read(struct reader *reader, enum shape_word word,
+                     struct primitive *primitive);
 bool light_read(struct reader *reader, struct scene_object *object);
+/* The block of looks_like: a thing whose origin is a light's position. */
+bool looks_like_read(struct reader *reader, struct scene_object *object,
+                     const double position[3]);
 /* Another copy of an object, within the bound of PRIMITIVES_MOST. */
 bool shape_copy(struct reader *reader, struct scene_object *copy,
                 const struct scene_object *object);
