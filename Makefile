@@ -59,6 +59,7 @@ rt_api = $(addprefix rt/,scene/scene.h scene/language/scene_read.h \
 unit_tests = $(addprefix $(BUILD)/tests/unit/,$(UNITS))
 oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_narrow \
+	$(BUILD)/tests/oracle/check_sample \
 	$(BUILD)/tests/oracle/check_scene $(BUILD)/tests/oracle/check_random \
 	$(BUILD)/tests/oracle/check_quartic $(BUILD)/tests/oracle/check_faces \
 	$(BUILD)/tests/oracle/check_regions $(BUILD)/tests/oracle/digest
@@ -230,6 +231,7 @@ $(BUILD)/tests/unit/test_goal: $(BUILD)/tests/unit/test_goal.o \
 $(BUILD)/tests/unit/test_fit: $(BUILD)/tests/unit/test_fit.o \
 		$(call objects,$(observing_c)) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lm -ldl -lpthread
+$(BUILD)/tests/oracle/check_sample: $(BUILD)/tests/timed_program.o
 $(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread
 $(fuzz_targets): $(BUILD)/tests/fuzz/fuzz_%: \
@@ -314,6 +316,12 @@ check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
 
 check-language:
 	sh tests/check_language.sh
+
+# POV-Ray's own samples; long, and no part of check-long.
+check-samples:
+	@sh .ci/need $(test_packages) povray-examples
+	@$(MAKE) --no-print-directory all $(BUILD)/tests/oracle/check_sample
+	sh tests/check_samples.sh $(BUILD)
 
 check-commands: $(programs) $(adapter) $(BUILD)/fit205
 	sh tests/check_commands.sh $(BUILD)
@@ -456,7 +464,7 @@ clean:
 .PHONY: all demo tests check check-long check-rooms check-unit check-programs \
 	check-bugs check-docs check-isa check-arithmetic check-narrow \
 	check-random check-quartic check-planted check-faces check-regions \
-	check-scenes check-language check-commands check-install check-hosts check-poison \
+	check-scenes check-language check-samples check-commands check-install check-hosts check-poison \
 	check-timing check-fit fit cover cover-tests wasm-check docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:

@@ -54,9 +54,14 @@ static void test_told_when_used(void **state)
         { "#declare S = sphere { 0, 1 #warning \"said\" }", 28, "said" },
         { "#default { finish { crand 1 } }", 21, "left out" },
         { "default { finish { crand 1 } }", 20, "left out" },
-        { "sphere { 0, 1 hollow } sphere { 0, 2 hollow } box { 0, 1 hollow }",
+        { "sphere { 0, 1 uv_mapping } box { 0, 1 uv_mapping }"
+          " sphere { 0, 2 uv_mapping }",
           15, "left out (3 places, this is the first)" },
-        { "#for (I, 1, 9) sphere { 0, I hollow } #end", 30, "left out" },
+        { "#for (I, 1, 9) sphere { 0, I uv_mapping } #end", 30, "left out" },
+        { "global_settings { noise_generator 2 max_intersections 64 }"
+          " light_source { 0, 1 point_at 0 radius 9 photons { refraction on } }"
+          " sphere { 0, 1 hollow on photons { target } }",
+          0, "" },
         { "sphere { 0, 1 texture { pigment { rgb 1 } }"
           " texture { pigment { rgbt 1 } } }",
           45, "only the lowest is used" },

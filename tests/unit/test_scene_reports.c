@@ -97,7 +97,7 @@ static void test_reports(void **state)
         const char *message;
     } rows[] = {
         { "sphere { 0, 1 normal { bumps .5 scale { } } }", 15, "'normal'" },
-        { "sphere { 0, 1 hollow }", 15, "'hollow'" },
+        { "sphere { 0, 1 no_reflection }", 15, "'no_reflection'" },
         { "sphere { 0, 1 finish { reflection { .1, 1 } } }", 41,
           "second colour of 'reflection'" },
         { "sphere { 0, 1 finish { reflection { .1 falloff 2 } } }", 40,

@@ -190,6 +190,15 @@ bool item_left_out(struct reader *reader, void *subject,
     return true;
 }
 
+bool item_passed_over(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    (void)subject;
+    (void)item;
+    skip_arguments(reader);
+    return true;
+}
+
 bool item_unsupported(struct reader *reader, void *subject,
                       const struct item *item)
 {

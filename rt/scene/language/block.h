@@ -64,6 +64,9 @@ void block_skip(struct reader *reader);
 
 /* For words that change nothing that is drawn here: reported, left out. */
 item_reader item_left_out;
+/* For words that change nothing without another one, which is reported, or
+ * nothing at all in a picture. */
+item_reader item_passed_over;
 /* For words that change the geometry: an error. */
 item_reader item_unsupported;
 /* The arguments of a word that is not known further. */

@@ -54,32 +54,37 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
+/* Words of lights that are not supported, which are reported. */
+static const struct keyword passed_over[] = {
+    { "adaptive", item_passed_over, 0 },
+    { "area_illumination", item_passed_over, 0 },
+    { "circular", item_passed_over, 0 },
+    { "falloff", item_passed_over, 0 },
+    { "jitter", item_passed_over, 0 },
+    { "media_attenuation", item_passed_over, 0 },
+    { "media_interaction", item_passed_over, 0 },
+    { "orient", item_passed_over, 0 },
+    { "photons", item_passed_over, 0 },
+    { "point_at", item_passed_over, 0 },
+    { "radius", item_passed_over, 0 },
+    { "tightness", item_passed_over, 0 },
+    { NULL, NULL, 0 },
+};
+
 static const struct keyword left_out[] = {
-    { "adaptive", item_left_out, 0 },
-    { "area_illumination", item_left_out, 0 },
     { "area_light", item_left_out, 0 },
-    { "circular", item_left_out, 0 },
     { "cylinder", item_left_out, 0 },
     { "fade_distance", item_left_out, 0 },
     { "fade_power", item_left_out, 0 },
-    { "falloff", item_left_out, 0 },
-    { "jitter", item_left_out, 0 },
-    { "media_attenuation", item_left_out, 0 },
-    { "media_interaction", item_left_out, 0 },
-    { "orient", item_left_out, 0 },
     { "parallel", item_left_out, 0 },
-    { "photons", item_left_out, 0 },
-    { "point_at", item_left_out, 0 },
     { "projected_through", item_left_out, 0 },
-    { "radius", item_left_out, 0 },
     { "spotlight", item_left_out, 0 },
-    { "tightness", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
 
 static const struct grammar grammar = { "a word of light_source",
-                                        { words, left_out },
+                                        { words, passed_over, left_out },
                                         NULL };
 
 static bool read_point(struct reader *reader, struct scene_object *object)

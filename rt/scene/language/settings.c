@@ -75,13 +75,18 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
+/* Of noise, of iridescence, or of how POV-Ray works. */
+static const struct keyword passed_over[] = {
+    { "hf_gray_16", item_passed_over, 0 },
+    { "irid_wavelength", item_passed_over, 0 },
+    { "max_intersections", item_passed_over, 0 },
+    { "mm_per_unit", item_passed_over, 0 },
+    { "noise_generator", item_passed_over, 0 },
+    { "number_of_waves", item_passed_over, 0 },
+    { NULL, NULL, 0 },
+};
+
 static const struct keyword left_out[] = {
-    { "hf_gray_16", item_left_out, 0 },
-    { "irid_wavelength", item_left_out, 0 },
-    { "max_intersections", item_left_out, 0 },
-    { "mm_per_unit", item_left_out, 0 },
-    { "noise_generator", item_left_out, 0 },
-    { "number_of_waves", item_left_out, 0 },
     { "photons", item_left_out, 0 },
     { "radiosity", item_left_out, 0 },
     { "subsurface", item_left_out, 0 },
@@ -89,7 +94,7 @@ static const struct keyword left_out[] = {
 };
 
 static const struct grammar grammar = { "a word of global_settings",
-                                        { words, left_out },
+                                        { words, passed_over, left_out },
                                         NULL };
 
 bool settings_read(struct reader *reader, struct scene *scene)

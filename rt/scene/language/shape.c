@@ -209,21 +209,27 @@ static const struct keyword modifiers[] = {
     { NULL, NULL, 0 },
 };
 
+/* Of media, photons and light groups, which are reported, or of how POV-Ray
+ * works. */
+static const struct keyword modifiers_passed_over[] = {
+    { "global_lights", item_passed_over, 0 },
+    { "hierarchy", item_passed_over, 0 },
+    { "hollow", item_passed_over, 0 },
+    { "photons", item_passed_over, 0 },
+    { "split_union", item_passed_over, 0 },
+    { NULL, NULL, 0 },
+};
+
 static const struct keyword modifiers_left_out[] = {
     { "bounded_by", item_left_out, 0 },
     { "color", item_left_out, 0 },
     { "colour", item_left_out, 0 },
     { "double_illuminate", item_left_out, 0 },
-    { "global_lights", item_left_out, 0 },
-    { "hierarchy", item_left_out, 0 },
-    { "hollow", item_left_out, 0 },
     { "interior_texture", item_left_out, 0 },
     { "no_radiosity", item_left_out, 0 },
     { "no_reflection", item_left_out, 0 },
     { "normal", item_left_out, 0 },
-    { "photons", item_left_out, 0 },
     { "radiosity", item_left_out, 0 },
-    { "split_union", item_left_out, 0 },
     { "uv_mapping", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
@@ -236,7 +242,8 @@ static const struct keyword modifiers_unsupported[] = {
 };
 
 const struct grammar modifier_grammar = { "a word that changes the object",
-                                          { modifiers, modifiers_left_out,
+                                          { modifiers, modifiers_passed_over,
+                                            modifiers_left_out,
                                             modifiers_unsupported },
                                           NULL };
 

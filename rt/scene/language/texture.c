@@ -217,7 +217,7 @@ static const struct keyword texture_words[] = {
 
 static const struct keyword texture_left_out[] = {
     { "material_map", item_left_out, 0 },
-    { "no_bump_scale", item_left_out, 0 },
+    { "no_bump_scale", item_passed_over, 0 },
     { "normal", item_left_out, 0 },
     { "uv_mapping", item_left_out, 0 },
     { NULL, NULL, 0 },

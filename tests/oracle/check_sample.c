@@ -1,0 +1,160 @@
+/* check_sample.c - what becomes of a scene that somebody else has written.
+ *
+ *     check_sample SCENE.pov WIDTH HEIGHT
+ *
+ * Prints one line, of fields with tabs between them:
+ *
+ *     refused REASON          the first error
+ *     untraced REASON
+ *     read REPORTS SECONDS - -
+ *     read 0 SECONDS BEYOND PIXELS
+ *
+ * SECONDS are the processor's in the trace, in vector form.  Where nothing is
+ * reported the picture is compared with POV-Ray's of the same file: of PIXELS
+ * so many are BEYOND, that is, a channel differs by more than .02.  Exit code
+ * 1: POV-Ray made no picture; 2: wrong usage.
+ */
+#include "rt/picture/picture.h"
+#include "rt/scene/language/scene_read.h"
+#include "rt/trace/trace.h"
+#include "tests/oracle/compare_pictures.h"
+#include "tests/oracle/run_povray.h"
+#include "tests/timed_program.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Other samples of one picture: what a user takes for the same. */
+static const struct comparison with_povray = { "colour", CHANNEL_RED, 3, 1,
+                                               false,    .02,         1 };
+
+static const char *first_error(const struct diagnostics *reports)
+{
+    for (size_t i = 0; i < reports->count; i++)
+        if (reports->items[i].severity == SEVERITY_ERROR)
+            return reports->items[i].message;
+    return "it cannot be read";
+}
+
+static size_t count_reports(const struct diagnostics *reports)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < reports->count; i++)
+        count += reports->items[i].severity == SEVERITY_REPORT;
+    return count;
+}
+
+/* Colours below black are black in a picture. */
+static void cut(struct frame *frame)
+{
+    for (int i = CHANNEL_RED; i <= CHANNEL_BLUE; i++)
+        for (size_t j = 0; j < frame->width * frame->height; j++)
+            frame->channel[i][j] = fmax(0, frame->channel[i][j]);
+}
+
+static bool compare(const char *path, const struct frame *frame)
+{
+    size_t pixels = frame->width * frame->height;
+    bool *all = malloc(pixels * sizeof *all);
+    struct picture_difference difference;
+    struct picture_error error;
+    struct frame theirs;
+
+    if (!all || !run_povray(path, frame->width, frame->height, &theirs,
+                            &error)) {
+        printf("\t-\t-\n");
+        fprintf(stderr, "%s: %s\n", path, all ? error.message : "no memory");
+        free(all);
+        return false;
+    }
+    memset(all, true, pixels * sizeof *all);
+    difference = compare_pictures(&with_povray, &theirs, frame, all);
+    printf("\t%zu\t%zu\n", difference.beyond, difference.compared);
+    frame_free(&theirs);
+    free(all);
+    return true;
+}
+
+static bool tell_trace(const char *path, struct trace *trace,
+                       const struct trace_options *options, size_t reports)
+{
+    double begin = processor_seconds();
+    struct frame frame;
+    c205_error error;
+    bool good;
+
+    if (!trace_run(trace, &error)) {
+        printf("untraced\t%s\n", error.message);
+        return true;
+    }
+    printf("read\t%zu\t%.3f", reports, processor_seconds() - begin);
+    if (reports) {
+        printf("\t-\t-\n");
+        return true;
+    }
+    if (!frame_allocate(&frame, options->width, options->height)) {
+        fputs("no memory\n", stderr);
+        return false;
+    }
+    trace_read(trace, 0, &frame);
+    cut(&frame);
+    good = compare(path, &frame);
+    frame_free(&frame);
+    return good;
+}
+
+static bool tell_scene(const char *path, const struct scene *scene,
+                       const struct trace_options *options, size_t reports)
+{
+    c205_error error = { "no memory" };
+    struct trace *trace = trace_new(scene, options, &error);
+    bool good = true;
+
+    if (trace)
+        good = tell_trace(path, trace, options, reports);
+    else
+        printf("untraced\t%s\n", error.message);
+    trace_free(trace);
+    return good;
+}
+
+static bool tell(const char *path, const struct trace_options *options)
+{
+    const struct scene_options reading = { .width = (int)options->width,
+                                           .height = (int)options->height };
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read(path, &reading, &reports);
+    bool good = true;
+
+    if (scene)
+        good = tell_scene(path, scene, options, count_reports(&reports));
+    else
+        printf("refused\t%s\n", first_error(&reports));
+    scene_free(scene);
+    diagnostics_free(&reports);
+    return good;
+}
+
+int main(int count, char **words)
+{
+    struct trace_options options = { .mode = TRACE_VECTOR,
+                                     .queue = TRACE_QUEUE,
+                                     .jobs = 1 };
+    c205_error error;
+    c205_model *model;
+    bool good;
+
+    if (count != 4) {
+        fputs("usage: check_sample SCENE.pov WIDTH HEIGHT\n", stderr);
+        return 2;
+    }
+    options.width = strtoul(words[2], NULL, 10);
+    options.height = strtoul(words[3], NULL, 10);
+    options.model = model = c205_model_find("cyber205-2pipe", &error);
+    good = model && tell(words[1], &options);
+    c205_model_free(model);
+    return good ? 0 : 1;
+}
