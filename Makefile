@@ -69,7 +69,7 @@ replays = $(subst /fuzz_,/replay_,$(fuzz_targets))
 # Of these bench_trace is called by the scripts.
 benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
 
-build_packages = build-essential pkg-config libopenimageio-dev
+build_packages = build-essential pkg-config libopenimageio-dev libfreetype-dev
 fit_packages = libceres-dev
 exact_packages = libmpfr-dev libgmp-dev
 test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
@@ -205,6 +205,10 @@ docs: $(BUILD)/c205 $(shown)
 	sh tests/check_docs.sh $(BUILD) full --write $(PAGES)
 
 # --- tests ------------------------------------------------------------------
+
+# FreeType's own headers may say what ours must not.
+$(BUILD)/rt/scene/font.o: override C_FLAGS += \
+	$(subst -I,-isystem ,$(shell pkg-config --cflags freetype2))
 
 # Test programs do not stand beside the adapter.
 export RT205_LIBDIR = $(abspath $(BUILD))

@@ -13,15 +13,9 @@
 static bool find_file(struct reader *reader, const struct scene_token *at,
                       const char *name, struct scene_value *value)
 {
-    if (reader->includes++ >= INCLUDE_MOST)
-        return reader_fault(reader, at, "more than %d files are read",
-                            INCLUDE_MOST);
-    value->is.file.source =
-        source_include(&reader->sources, name, at->source,
-                       reader->options ? reader->options->search : NULL);
+    value->is.file.source = reader_find(reader, at, name);
     value->is.file.place.line = 1;
-    return value->is.file.source
-           || reader_fault(reader, at, "there is no such file");
+    return value->is.file.source;
 }
 
 /* Behind the file's name. */

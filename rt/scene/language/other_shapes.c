@@ -20,7 +20,6 @@ const struct keyword other_shapes[] = {
     { "sor", item_unsupported, 0 },
     { "sphere_sweep", item_unsupported, 0 },
     { "superellipsoid", item_unsupported, 0 },
-    { "text", item_unsupported, 0 },
     { "triangle", item_unsupported, 0 },
     { NULL, NULL, 0 },
 };

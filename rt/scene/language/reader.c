@@ -226,6 +226,23 @@ const struct scene_value *reader_use(struct reader *reader,
     return value;
 }
 
+const struct scene_source *reader_find(struct reader *reader,
+                                       const struct scene_token *at,
+                                       const char *name)
+{
+    const struct scene_source *source;
+
+    if (reader->includes++ >= INCLUDE_MOST) {
+        reader_fault(reader, at, "more than %d files are read", INCLUDE_MOST);
+        return NULL;
+    }
+    source = source_include(&reader->sources, name, at->source,
+                            reader->options ? reader->options->search : NULL);
+    if (!source)
+        reader_fault(reader, at, "there is no such file");
+    return source;
+}
+
 bool reader_enter(struct reader *reader)
 {
     if (reader->nesting == NESTING_MOST)

@@ -26,9 +26,8 @@ bool shape_copy(struct reader *reader, struct scene_object *copy,
     return object_copy(copy, object) || reader_no_memory(reader);
 }
 
-static bool add_primitive(struct reader *reader, struct scene_object *object,
-                          struct primitive *primitive,
-                          const struct scene_token *at)
+bool shape_add(struct reader *reader, struct scene_object *object,
+               struct primitive *primitive, const struct scene_token *at)
 {
     primitive->line = at->main_line;
     primitive->to_world = placement_none.to_world;
@@ -368,8 +367,10 @@ static bool read_first(struct reader *reader, struct scene_object *object,
     }
     if (shape == SHAPE_OBJECT)
         return read_base(reader, object);
+    if (shape == SHAPE_TEXT)
+        return text_read(reader, object, &item->at);
     return read_solid(reader, shape, &primitive)
-           && add_primitive(reader, object, &primitive, &item->at);
+           && shape_add(reader, object, &primitive, &item->at);
 }
 
 /* All of a union, merge, intersection or difference is read. */

@@ -61,7 +61,8 @@ enum shape_word {
     SHAPE_LIGHT,
     SHAPE_LIGHT_GROUP,
     SHAPE_CUBIC, /* .. of which a quartic or a quadric is made */
-    SHAPE_POLY
+    SHAPE_POLY,
+    SHAPE_TEXT /* of prisms */
 };
 /* clang-format off */
 #define OTHER_SHAPE_WORDS(read) \
@@ -71,7 +72,8 @@ enum shape_word {
     { "object", read, SHAPE_OBJECT }, \
     { "light_source", read, SHAPE_LIGHT }, \
     { "light_group", read, SHAPE_LIGHT_GROUP }, \
-    { "cubic", read, SHAPE_CUBIC }, { "poly", read, SHAPE_POLY }
+    { "cubic", read, SHAPE_CUBIC }, { "poly", read, SHAPE_POLY }, \
+    { "text", read, SHAPE_TEXT }
 /* clang-format on */
 /* Into an empty object; the caller frees it also after an error. */
 bool shape_read(struct reader *reader, struct scene_object *object,
@@ -82,6 +84,12 @@ bool primitive_read(struct reader *reader, enum primitive_kind kind,
 /* Surfaces of a polynomial: cubic is of the order 3, poly says of which. */
 bool polynomial_read(struct reader *reader, enum shape_word word,
                      struct primitive *primitive);
+/* The arguments of text, behind its '{': a prism for each character. */
+bool text_read(struct reader *reader, struct scene_object *object,
+               const struct scene_token *at);
+/* Another primitive, which is `at`, within the bound of PRIMITIVES_MOST. */
+bool shape_add(struct reader *reader, struct scene_object *object,
+               struct primitive *primitive, const struct scene_token *at);
 bool light_read(struct reader *reader, struct scene_object *object);
 /* The block of looks_like: a thing whose origin is a light's position. */
 bool looks_like_read(struct reader *reader, struct scene_object *object,

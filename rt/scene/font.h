@@ -1,0 +1,38 @@
+/* font.h - the outlines of characters, from the bytes of a font file.
+ *
+ * FreeType reads the file.  Its library is opened when the first font is, and
+ * not before.  Lengths are in the font's em; x points to the right, y up; the
+ * origin is where the character begins, on the baseline.
+ */
+#ifndef RT_SCENE_FONT_H
+#define RT_SCENE_FONT_H
+
+#include "base/arena.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Closed loops, one behind another, each ends with the point that it begins
+ * with; what an odd number of them runs round is ink. */
+struct glyph {
+    size_t count;
+    double (*points)[2];
+    double bearing; /* where its ink begins, x */
+    double advance; /* to where the next character begins */
+};
+
+struct font;
+
+/* The bytes must outlive the font.  NULL, with *fault: why there is none. */
+struct font *font_open(const char *bytes, size_t length, const char **fault);
+void font_close(struct font *font);
+
+/* Of a character, which the font may show by a box of its own.  False without
+ * memory, or where the font is broken. */
+bool font_glyph(const struct font *font, uint32_t character,
+                struct arena *arena, struct glyph *glyph);
+/* How much nearer two neighbours stand, as the font says; below 0. */
+double font_kerning(const struct font *font, uint32_t left, uint32_t right);
+
+#endif

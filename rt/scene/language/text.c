@@ -1,0 +1,190 @@
+/* text.c - text { ttf "font" "string" thickness, offset }: a prism for each
+ * character, along z.
+ */
+#include "rt/scene/font.h"
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/statement.h"
+#include "rt/scene/language/string_value.h"
+#include "rt/shapes/shape.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct text_reading {
+    struct reader *reader;
+    struct scene_object *object;
+    const struct scene_token *at;
+    const struct font *font;
+    double thickness, offset[3]; /* from one character to the next */
+    double position[3];
+};
+
+/* A prism lies along y, its path in x and z. */
+static struct placement to_character(const double position[3])
+{
+    struct placement placement = placement_none;
+    double values[12] = { 1, 0, 0, 0, 0, 1, 0, 1, 0 };
+
+    memcpy(values + 9, position, 3 * sizeof *position);
+    placement_matrix(values, &placement);
+    return placement;
+}
+
+static bool add_glyph(struct text_reading *text, const struct glyph *glyph)
+{
+    struct reader *reader = text->reader;
+    struct placement placement = to_character(text->position);
+    struct primitive prism;
+    struct scene_object one;
+    bool done;
+
+    if (glyph->count > PATH_MOST)
+        return reader_fault(reader, text->at,
+                            "more than %d points in one character",
+                            PATH_MOST);
+    memset(&one, 0, sizeof one);
+    memset(&prism, 0, sizeof prism);
+    prism.kind = PRIMITIVE_PRISM;
+    prism.shape.prism.high = text->thickness;
+    prism.shape.prism.path = (struct outline){ glyph->count, glyph->points };
+    if (shapes[PRIMITIVE_PRISM]->settle(&prism))
+        return true; /* nothing is to be seen of it */
+    done = shape_add(reader, &one, &prism, text->at);
+    object_move(&one, &placement);
+    done = done
+           && (object_add(text->object, &one) || reader_no_memory(reader));
+    scene_object_free(&one);
+    return done;
+}
+
+static bool add_character(struct text_reading *text, uint32_t before,
+                          uint32_t character)
+{
+    struct reader *reader = text->reader;
+    struct glyph glyph;
+
+    if (!font_glyph(text->font, character, &reader->scene->kept, &glyph))
+        return reader_fault(reader, text->at,
+                            "the font is broken, or there is not enough "
+                            "memory");
+    if (!before) /* as in POV-Ray, the ink begins at 0 */
+        text->position[0] = -glyph.bearing;
+    else
+        text->position[0] += font_kerning(text->font, before, character);
+    if (glyph.count && !add_glyph(text, &glyph))
+        return false;
+    text->position[0] += glyph.advance;
+    for (int i = 0; i < 2; i++) /* POV-Ray passes over z */
+        text->position[i] += text->offset[i];
+    return reader_spend(reader, TOKEN_COST * (glyph.count + 1));
+}
+
+/* The next character of UTF-8; what is none counts as Latin-1. */
+static uint32_t next_character(const unsigned char **string)
+{
+    const unsigned char *s = *string;
+    size_t more = s[0] >= 0xf0 ? 3 : s[0] >= 0xe0 ? 2 : s[0] >= 0xc0 ? 1 : 0;
+    uint32_t character = more ? s[0] & (0x3fu >> more) : s[0];
+
+    for (size_t i = 1; i <= more; i++) {
+        if ((s[i] & 0xc0) != 0x80) {
+            *string = s + 1;
+            return s[0];
+        }
+        character = character << 6 | (s[i] & 0x3fu);
+    }
+    *string = s + more + 1;
+    return character;
+}
+
+static bool add_characters(struct text_reading *text, const char *string)
+{
+    const unsigned char *next = (const unsigned char *)string;
+    uint32_t before = 0;
+
+    while (*next) {
+        uint32_t character = next_character(&next);
+        if (!add_character(text, before, character))
+            return false;
+        before = character;
+    }
+    return text->object->part_count > 0
+           || reader_fault(text->reader, text->at,
+                           "the text has nothing to be seen");
+}
+
+static bool read_extent(struct text_reading *text)
+{
+    struct reader *reader = text->reader;
+    struct scene_token at;
+
+    reader_comma(reader);
+    at = reader->token;
+    if (!read_number(reader, &text->thickness))
+        return false;
+    reader_comma(reader);
+    return read_vector(reader, text->offset)
+           && (text->thickness != 0
+               || reader_fault(reader, &at, "the text has no thickness"));
+}
+
+/* The strings are read already. */
+static bool read_with(struct text_reading *text,
+                      const struct scene_source *source, const char *string)
+{
+    const char *fault;
+    struct font *font;
+    bool done;
+
+    if (!read_extent(text))
+        return false;
+    font = font_open(source->text, source->length, &fault);
+    text->font = font;
+    done = reader_check(text->reader, text->at, fault)
+           && add_characters(text, string);
+    font_close(font);
+    return done;
+}
+
+static const struct scene_source *read_font(struct reader *reader)
+{
+    const struct scene_source *source;
+    struct scene_token at;
+    char *name;
+
+    if (is_token(&reader->token, "internal")) {
+        reader_fault(reader, &reader->token,
+                     "fonts that POV-Ray has built in are not supported");
+        return NULL;
+    }
+    if (!reader_accept(reader, "ttf")) {
+        reader_expected(reader, "ttf");
+        return NULL;
+    }
+    at = reader->token;
+    if (!string_read_within(reader, &name))
+        return NULL;
+    source = reader_find(reader, &at, name);
+    free(name);
+    return source;
+}
+
+bool text_read(struct reader *reader, struct scene_object *object,
+               const struct scene_token *at)
+{
+    struct text_reading text = { .reader = reader,
+                                 .object = object,
+                                 .at = at };
+    const struct scene_source *source = read_font(reader);
+    char *string;
+    bool done;
+
+    if (!source)
+        return false;
+    reader_comma(reader);
+    if (!string_read_within(reader, &string))
+        return false;
+    done = read_with(&text, source, string);
+    free(string);
+    return done;
+}
