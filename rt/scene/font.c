@@ -141,7 +141,8 @@ static bool close_loop(struct drawing *drawing)
     if (glyph->count == drawing->first)
         return true;
     first = glyph->points[drawing->first];
-    return memcmp(first, glyph->points[glyph->count - 1], sizeof *glyph->points)
+    return memcmp(first, glyph->points[glyph->count - 1],
+                  sizeof *glyph->points)
                == 0
            || add_point(drawing, first[0], first[1]);
 }
@@ -170,11 +171,10 @@ static double curve_at(const double points[4], int degree, double t)
 {
     double s = 1 - t;
 
-    return degree == 2 ? s * s * points[0] + 2 * s * t * points[1]
-                             + t * t * points[2]
-                       : s * s * s * points[0] + 3 * s * s * t * points[1]
-                             + 3 * s * t * t * points[2]
-                             + t * t * t * points[3];
+    return degree == 2
+               ? s * s * points[0] + 2 * s * t * points[1] + t * t * points[2]
+               : s * s * s * points[0] + 3 * s * s * t * points[1]
+                     + 3 * s * t * t * points[2] + t * t * t * points[3];
 }
 
 static int edges_of(const double points[2][4], int degree)
@@ -238,8 +238,7 @@ bool font_glyph(const struct font *font, uint32_t character,
                                                 cubic_to, 0,       0 };
     const struct freetype *calls = &font->calls;
     FT_Face face = font->face;
-    struct drawing drawing = { arena, glyph, 0, 0,
-                               1. / face->units_per_EM };
+    struct drawing drawing = { arena, glyph, 0, 0, 1. / face->units_per_EM };
 
     *glyph = (struct glyph){ 0 };
     if (calls->load_glyph(face, calls->char_index(face, character),
@@ -261,8 +260,8 @@ double font_kerning(const struct font *font, uint32_t left, uint32_t right)
 
     if (!FT_HAS_KERNING(face)
         || calls->kerning(face, calls->char_index(face, left),
-                          calls->char_index(face, right),
-                          FT_KERNING_UNSCALED, &kerning))
+                          calls->char_index(face, right), FT_KERNING_UNSCALED,
+                          &kerning))
         return 0;
     return (double)kerning.x / face->units_per_EM;
 }

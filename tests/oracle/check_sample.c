@@ -63,8 +63,8 @@ static bool compare(const char *path, const struct frame *frame)
     struct picture_error error;
     struct frame theirs;
 
-    if (!all || !run_povray(path, frame->width, frame->height, &theirs,
-                            &error)) {
+    if (!all
+        || !run_povray(path, frame->width, frame->height, &theirs, &error)) {
         printf("\t-\t-\n");
         fprintf(stderr, "%s: %s\n", path, all ? error.message : "no memory");
         free(all);

@@ -43,8 +43,8 @@ static void test_told_when_used(void **state)
           " #macro Ball(What) sphere { 0, 1 pigment { What } } #end"
           " Ball(P) Ball(P)",
           24, "its first colour is used" },
-        { "#declare L = light_source { 0, 1 parallel } light_source { L }", 34,
-          "left out" },
+        { "#declare L = light_source { 0, 1 parallel } light_source { L }",
+          34, "left out" },
         { "#declare N = normal { bumps 1 } #declare G = fog { distance 2 }"
           " #declare S = sky_sphere { pigment { rgb 1 } }"
           " #declare D = media { emission 1 }",
@@ -85,7 +85,8 @@ static void test_told_when_used(void **state)
         size_t length = strlen(found), end = strlen(rows[i].message);
         if (!scene || reports.count != (rows[i].column != 0)
             || (reports.count && reports.items->column != rows[i].column)
-            || length < end || strcmp(found + length - end, rows[i].message)) {
+            || length < end
+            || strcmp(found + length - end, rows[i].message)) {
             diagnostics_print(&reports, stderr);
             fail_msg("expected %zu %s, of: %s", rows[i].column,
                      rows[i].message, rows[i].text);
@@ -254,15 +255,31 @@ static void test_maps_and_layers(void **state)
 static void put_formula(struct drawn *drawn, uint64_t *random, int depth)
 {
     static const char *const forms[] = {
-        "#",           "(# + #)",      "(# - #)",        "(# * #)",
-        "# * #",       "-#",           "+#",             "(# / (2 + abs(#)))",
-        "sin(#)",      "max(#, #, #)", "select(#, #, #)", "(# < #)",
-        "(# >= #)",    "(# & # | #)",  "!#",             "atan2(#, 1 + #*#)",
-        "floor(#)",    "(# != #)",     "min(#, #)",      "select(#, #, #, #)",
-        "pow(2, sin(#))", "(# = # | #)",
+        "#",
+        "(# + #)",
+        "(# - #)",
+        "(# * #)",
+        "# * #",
+        "-#",
+        "+#",
+        "(# / (2 + abs(#)))",
+        "sin(#)",
+        "max(#, #, #)",
+        "select(#, #, #)",
+        "(# < #)",
+        "(# >= #)",
+        "(# & # | #)",
+        "!#",
+        "atan2(#, 1 + #*#)",
+        "floor(#)",
+        "(# != #)",
+        "min(#, #)",
+        "select(#, #, #, #)",
+        "pow(2, sin(#))",
+        "(# = # | #)",
     };
-    static const char *const leaves[] = { "a", "b", "K", "1.5", "c", ".25",
-                                          "pi" };
+    static const char *const leaves[] = { "a", "b",   "K", "1.5",
+                                          "c", ".25", "pi" };
     const char *form;
 
     if (depth == 0) {
@@ -316,10 +333,10 @@ static void test_long_formulas(void **state)
 
     (void)state;
     for (int i = 1; i < 100; i++)
-        length += (size_t)snprintf(
-            text + length, sizeof text - length,
-            "#declare F%d = function(x) { F%d(x) + F%d(x) }\n", i, i - 1,
-            i - 1);
+        length += (size_t)
+            snprintf(text + length, sizeof text - length,
+                     "#declare F%d = function(x) { F%d(x) + F%d(x) }\n", i,
+                     i - 1, i - 1);
     snprintf(text + length, sizeof text - length, "sphere { 0, F99(1) }");
     assert_refused(text, 1, "too long to read");
 }

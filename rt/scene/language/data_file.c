@@ -30,8 +30,9 @@ static bool read_mode(struct reader *reader, const struct scene_token *at,
     reader_step(reader);
     if (reads)
         return find_file(reader, at, name, value);
-    reader_report(reader, at, "no file is written: what is given to '#write' "
-                              "is left out");
+    reader_report(reader, at,
+                  "no file is written: what is given to '#write' "
+                  "is left out");
     return true;
 }
 
@@ -166,8 +167,9 @@ static bool read_datum(struct reader *reader, struct data_file *file,
 
     if (!lexer_call(datum.lexer, file->source, file->place,
                     file->source->length, at))
-        return reader_fault(reader, at, "more than %d files and macros lie "
-                                        "within each other",
+        return reader_fault(reader, at,
+                            "more than %d files and macros lie "
+                            "within each other",
                             FRAMES_MOST);
     next(&datum);
     done = take_value(&datum, value);
@@ -179,8 +181,8 @@ static bool read_datum(struct reader *reader, struct data_file *file,
                             "line %zu of '%s' has no value to read: expected "
                             "a number, a vector or a string",
                             datum.token.place.line, file->source->name);
-    if (!reader_spend(reader, datum.token.place.at - file->place.at
-                                  + TOKEN_COST)) {
+    if (!reader_spend(reader,
+                      datum.token.place.at - file->place.at + TOKEN_COST)) {
         value_free(value);
         return false;
     }

@@ -20,15 +20,19 @@ static bool declare_object(struct reader *reader, void *subject,
     return shape_read(reader, &value->is.object, item);
 }
 
+/* A pigment, or that of the first entry of a map. */
 static bool declare_pigment(struct reader *reader, void *subject,
                             const struct item *item)
 {
     struct scene_value *value = subject;
+    struct pigment *pigment = &value->is.pigment;
 
-    (void)item;
-    value->kind = VALUE_PIGMENT;
-    value->is.pigment = reader->default_texture.pigment;
-    return pigment_read(reader, &value->is.pigment);
+    value->kind = (enum scene_value_kind)item->keyword->detail;
+    *pigment = reader->default_texture.pigment;
+    return value->kind == VALUE_COLOR_MAP ? color_map_read(reader, pigment)
+           : value->kind == VALUE_PIGMENT_MAP
+               ? pigment_map_read(reader, pigment)
+               : pigment_read(reader, pigment);
 }
 
 static bool declare_finish(struct reader *reader, void *subject,
@@ -59,45 +63,13 @@ static bool declare_texture(struct reader *reader, void *subject,
                             const struct item *item)
 {
     struct scene_value *value = subject;
+    struct texture *texture = &value->is.texture;
 
-    (void)item;
-    value->kind = VALUE_TEXTURE;
-    value->is.texture = reader->default_texture;
-    return texture_read(reader, &value->is.texture)
-           && read_layers(reader, &value->is.texture);
-}
-
-static bool declare_color_map(struct reader *reader, void *subject,
-                              const struct item *item)
-{
-    struct scene_value *value = subject;
-
-    (void)item;
-    value->kind = VALUE_COLOR_MAP;
-    value->is.pigment = reader->default_texture.pigment;
-    return color_map_read(reader, &value->is.pigment);
-}
-
-static bool declare_pigment_map(struct reader *reader, void *subject,
-                                const struct item *item)
-{
-    struct scene_value *value = subject;
-
-    (void)item;
-    value->kind = VALUE_PIGMENT_MAP;
-    value->is.pigment = reader->default_texture.pigment;
-    return pigment_map_read(reader, &value->is.pigment);
-}
-
-static bool declare_texture_map(struct reader *reader, void *subject,
-                                const struct item *item)
-{
-    struct scene_value *value = subject;
-
-    (void)item;
-    value->kind = VALUE_TEXTURE_MAP;
-    value->is.texture = reader->default_texture;
-    return texture_map_read(reader, &value->is.texture);
+    value->kind = (enum scene_value_kind)item->keyword->detail;
+    *texture = reader->default_texture;
+    if (value->kind == VALUE_TEXTURE_MAP)
+        return texture_map_read(reader, texture);
+    return texture_read(reader, texture) && read_layers(reader, texture);
 }
 
 static bool declare_function(struct reader *reader, void *subject,
@@ -170,13 +142,13 @@ static const struct keyword declared_words[] = {
 #define SHAPE(KIND, name, ...) { #name, declare_object, PRIMITIVE_##KIND },
 #include "rt/shapes/shapes.def"
     OTHER_SHAPE_WORDS(declare_object),
-    { "pigment", declare_pigment, 0 },
+    { "pigment", declare_pigment, VALUE_PIGMENT },
     { "finish", declare_finish, 0 },
-    { "texture", declare_texture, 0 },
-    { "color_map", declare_color_map, 0 },
-    { "colour_map", declare_color_map, 0 },
-    { "pigment_map", declare_pigment_map, 0 },
-    { "texture_map", declare_texture_map, 0 },
+    { "texture", declare_texture, VALUE_TEXTURE },
+    { "color_map", declare_pigment, VALUE_COLOR_MAP },
+    { "colour_map", declare_pigment, VALUE_COLOR_MAP },
+    { "pigment_map", declare_pigment, VALUE_PIGMENT_MAP },
+    { "texture_map", declare_texture, VALUE_TEXTURE_MAP },
     { "interior", declare_interior, 0 },
     { "material", declare_material, 0 },
     { "transform", declare_transform, 0 },
@@ -186,11 +158,11 @@ static const struct keyword declared_words[] = {
 };
 
 static const struct keyword declared_looks[] = {
-    { "density", declare_look, 0 },    { "density_map", declare_look, 0 },
-    { "fog", declare_look, 0 },        { "media", declare_look, 0 },
-    { "normal", declare_look, 0 },     { "normal_map", declare_look, 0 },
-    { "rainbow", declare_look, 0 },    { "sky_sphere", declare_look, 0 },
-    { "slope_map", declare_look, 0 },  { NULL, NULL, 0 },
+    { "density", declare_look, 0 },   { "density_map", declare_look, 0 },
+    { "fog", declare_look, 0 },       { "media", declare_look, 0 },
+    { "normal", declare_look, 0 },    { "normal_map", declare_look, 0 },
+    { "rainbow", declare_look, 0 },   { "sky_sphere", declare_look, 0 },
+    { "slope_map", declare_look, 0 }, { NULL, NULL, 0 },
 };
 
 static const struct grammar declared_grammar = {
@@ -435,7 +407,7 @@ bool read_undef(struct reader *reader, void *subject, const struct item *item)
         return reader_expected(reader, "a name");
     reader_step(reader);
     if (!symbols_remove(&reader->symbols, name.text, name.length))
-        reader_warn(reader, &name, "'%.*s' is not declared",
-                      (int)name.length, name.text);
+        reader_warn(reader, &name, "'%.*s' is not declared", (int)name.length,
+                    name.text);
     return true;
 }

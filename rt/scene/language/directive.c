@@ -186,8 +186,8 @@ static bool tell(struct reader *reader, const struct item *item,
         reader_warn(reader, &item->at, "%s", text);
     else if (!diagnostics_say(reader->reports, text))
         reader_warn(reader, &item->at,
-                      "more than %d bytes are said: the rest is left out",
-                      SAID_MOST);
+                    "more than %d bytes are said: the rest is left out",
+                    SAID_MOST);
     return true;
 }
 

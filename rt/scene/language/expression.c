@@ -157,7 +157,8 @@ static bool compare_strings(struct reader *reader, const char *left,
     reader_next(reader);
     if (!string_read_within(reader, &right))
         return false;
-    *value = numbers_of(operator_apply(at.sign, string_order(left, right), 0));
+    *value = numbers_of(
+        operator_apply(at.sign, string_order(left, right), 0));
     free(right);
     return true;
 }

@@ -26,7 +26,7 @@ enum step_kind {
     FORMULA_MINUS,
     FORMULA_NOT,
     FORMULA_FUNCTION, /* of `count` floats */
-    FORMULA_CALL   /* of `count` floats; `term` of its value */
+    FORMULA_CALL      /* of `count` floats; `term` of its value */
 };
 
 struct formula_step {
@@ -70,9 +70,10 @@ struct compiler {
 static bool add_step(struct compiler *compiler,
                      const struct formula_step *step, size_t takes)
 {
-    struct formula_step *steps =
-        arena_grow(&compiler->reader->arena, compiler->steps, compiler->count,
-                   &compiler->capacity, sizeof *steps);
+    struct formula_step *steps = arena_grow(&compiler->reader->arena,
+                                            compiler->steps, compiler->count,
+                                            &compiler->capacity,
+                                            sizeof *steps);
 
     if (!steps)
         return reader_no_memory(compiler->reader);
@@ -233,7 +234,8 @@ static bool read_factor(struct compiler *compiler)
     if (!reader_enter(reader))
         return false;
     reader_next(reader);
-    done = read_factor(compiler) && (!changes || add_step(compiler, &step, 1));
+    done = read_factor(compiler)
+           && (!changes || add_step(compiler, &step, 1));
     reader_leave(reader);
     return done;
 }

@@ -125,8 +125,7 @@ static void report(const struct note_cause *cause, enum severity severity,
     int length = snprintf(message, sizeof message, "%s%s", first->words,
                           first->calls);
 
-    if (cause->places > 1 && length >= 0
-        && (size_t)length < sizeof message)
+    if (cause->places > 1 && length >= 0 && (size_t)length < sizeof message)
         snprintf(message + length, sizeof message - (size_t)length,
                  " (%zu places, this is the first)", cause->places);
     diagnostics_add(reports, severity, &first->place.position, message);

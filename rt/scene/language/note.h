@@ -32,7 +32,7 @@ struct note_place {
 
 /* The notes of the value that is being read: on the stack of who reads it. */
 struct note_page {
-    struct note_page *outer; /* the value that this one stands in */
+    struct note_page *outer;  /* the value that this one stands in */
     const struct notes *same; /* all that is noted here, if it is that of
                                  another value; or NULL: */
     struct note **notes;
@@ -44,7 +44,7 @@ struct notebook {
     struct arena arena;
     struct note *buckets[NOTE_BUCKETS];
     size_t count;
-    struct note_page *page;                  /* NULL: the scene itself */
+    struct note_page *page;                 /* NULL: the scene itself */
     struct note_cause *causes, *last_cause; /* told, in their order */
     size_t cause_count;
 };

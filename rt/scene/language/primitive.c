@@ -242,8 +242,9 @@ static void make_quartic(const double *terms, int order,
 /* x2 xy xz x y2 yz y z2 z 1, as quadrics have them. */
 static void make_quadric(const double *terms, struct primitive *primitive)
 {
-    static const size_t places[QUADRIC_TERMS] = { 0, 3, 4, 6, 1,
-                                                  5, 8, 2, 7, 9 };
+    static const size_t places[QUADRIC_TERMS] = {
+        0, 3, 4, 6, 1, 5, 8, 2, 7, 9
+    };
 
     primitive->kind = PRIMITIVE_QUADRIC;
     for (size_t i = 0; i < QUADRIC_TERMS; i++)

@@ -85,7 +85,7 @@ struct reader {
         size_t at;
     } faults[ERRORS_MOST]; /* where errors are */
     size_t fault_count;
-    bool stopped;        /* too many errors, or no memory */
+    bool stopped; /* too many errors, or no memory */
 };
 
 /* To the next token of a statement: directives are carried out and macros

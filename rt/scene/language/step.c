@@ -41,8 +41,7 @@ static bool read_matrix(struct reader *reader, const struct item *item,
 
 static bool read_named(struct reader *reader, struct placement *step)
 {
-    const struct scene_value *value = reader_use(reader,
-                                                      VALUE_TRANSFORM);
+    const struct scene_value *value = reader_use(reader, VALUE_TRANSFORM);
 
     if (!value)
         return transform_read(reader, step);

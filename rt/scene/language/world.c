@@ -122,12 +122,9 @@ static bool read_background(struct reader *reader, void *subject,
 static const struct keyword statements[] = {
 #define SHAPE(KIND, name, ...) { #name, read_object, PRIMITIVE_##KIND },
 #include "rt/shapes/shapes.def"
-    OTHER_SHAPE_WORDS(read_object),
-    { "camera", read_camera, 0 },
-    { "background", read_background, 0 },
-    { "default", read_default, 0 },
-    { "global_settings", read_settings, 0 },
-    { NULL, NULL, 0 },
+    OTHER_SHAPE_WORDS(read_object),          { "camera", read_camera, 0 },
+    { "background", read_background, 0 },    { "default", read_default, 0 },
+    { "global_settings", read_settings, 0 }, { NULL, NULL, 0 },
 };
 
 static const struct keyword left_out[] = {
