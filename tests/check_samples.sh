@@ -4,7 +4,7 @@
 # differ from POV-Ray's picture; how long the traces take.
 #
 # SAMPLES: folders or scenes, all unless told.  WIDTH, HEIGHT: of the pictures.
-# SECONDS: for one scene at the most.  JOBS: scenes at a time.  The list stays in
+# SECONDS_MOST: for one scene.  JOBS: scenes at a time.  The list stays in
 # BUILD/samples.txt.
 set -u
 . "$(dirname "$0")/count.sh"

@@ -21,7 +21,7 @@
 #include FT_OUTLINE_H
 
 #define FLATNESS 5e-4 /* em */
-enum { EDGES_MOST = 64 /* of one curve */ };
+enum { EDGES_MOST = 64 /* of one curve */, TURNS_MOST = 100 };
 
 /* ---- The library --------------------------------------------------------- */
 
@@ -133,18 +133,53 @@ static bool add_point(struct drawing *drawing, double x, double y)
     return true;
 }
 
+static bool is_at(const double a[2], const double b[2])
+{
+    return a[0] == b[0] && a[1] == b[1];
+}
+
+/* Whether another point of the loop is where this one is. */
+static bool is_repeated(const double (*points)[2], size_t count, size_t which)
+{
+    for (size_t i = 0; i < count; i++)
+        if (i != which && is_at(points[i], points[which]))
+            return true;
+    return false;
+}
+
+/* A loop that touches itself begins where it does not, for there it would be
+ * taken for two.  Its last point is not its first again yet. */
+static void turn_loop(double (*points)[2], size_t count)
+{
+    const double(*fixed)[2] = (const double(*)[2])points;
+    size_t turns = 0;
+
+    while (turns < TURNS_MOST && turns < count
+           && is_repeated(fixed, count, turns))
+        turns++;
+    if (turns == TURNS_MOST || turns == count)
+        return;
+    for (; turns; turns--) {
+        double first[2] = { points[0][0], points[0][1] };
+        memmove(points, points + 1, (count - 1) * sizeof *points);
+        memcpy(points[count - 1], first, sizeof first);
+    }
+}
+
 static bool close_loop(struct drawing *drawing)
 {
-    const struct glyph *glyph = drawing->glyph;
-    const double *first;
+    struct glyph *glyph = drawing->glyph;
+    double(*loop)[2] = glyph->points + drawing->first;
+    size_t count = glyph->count - drawing->first;
 
-    if (glyph->count == drawing->first)
+    if (count == 0)
         return true;
-    first = glyph->points[drawing->first];
-    return memcmp(first, glyph->points[glyph->count - 1],
-                  sizeof *glyph->points)
-               == 0
-           || add_point(drawing, first[0], first[1]);
+    if (count > 1 && is_at(loop[0], loop[count - 1])) {
+        count--;
+        glyph->count--;
+    }
+    turn_loop(loop, count);
+    return add_point(drawing, loop[0][0], loop[0][1]);
 }
 
 static int move_to(const FT_Vector *to, void *context)
@@ -245,8 +280,9 @@ bool font_glyph(const struct font *font, uint32_t character,
                           FT_LOAD_NO_SCALE | FT_LOAD_NO_BITMAP)
         || face->glyph->format != FT_GLYPH_FORMAT_OUTLINE
         || calls->decompose(&face->glyph->outline, &functions, &drawing)
-        || !close_loop(&drawing))
+        || !close_loop(&drawing) || !add_point(&drawing, 0, 0))
         return false;
+    glyph->count--; /* the point more that there is room for */
     glyph->bearing = (double)face->glyph->metrics.horiBearingX * drawing.unit;
     glyph->advance = (double)face->glyph->metrics.horiAdvance * drawing.unit;
     return true;

@@ -14,7 +14,8 @@
 #include <stdint.h>
 
 /* Closed loops, one behind another, each ends with the point that it begins
- * with; what an odd number of them runs round is ink. */
+ * with, where it comes only then; what an odd number of them runs round is
+ * ink.  There is room for one point more. */
 struct glyph {
     size_t count;
     double (*points)[2];

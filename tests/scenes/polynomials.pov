@@ -12,7 +12,7 @@ camera { location <0, 3, -12> look_at 0 angle 50 }
 light_source { Lamp rotate 5*z translate <1, -1, -1> }
 light_source { <4, 5, -6>, .5 }
 plane { y, -2 pigment { checker rgb 1 rgb .5 } }
-poly { 2, <1, 0, 0, 0, 1, .5, 0, 2, 0, -1.5> pigment { rgb <.9, .6, .2> } translate 3*x }
+poly { 2, <1, .2, -.1, .3, 1, .5, -.8, 2, .6, -1.2> pigment { rgb <.9, .6, .2> } translate 3*x }
 cubic {
     <0, 0, 0, 1, 0, 0, 0, 0, 0, 0, .3, 0, 1, 0, 0, 0, 0, 1, 0, -1.2>
     pigment { rgb <.2, .6, .9> } translate -3*x

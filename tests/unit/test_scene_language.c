@@ -141,6 +141,15 @@ static void test_errors(void **state)
         { "#declare A = 1; #read (A, B)", 24, "the name of an open file" },
         { "#read A", 7, "expected '('" },
         { "#fclose A", 9, "the name of an open file" },
+        { "#declare A = array[2]; #fopen A[0] \"a\" write", 31,
+          "an element cannot stand for a file" },
+        { "#declare A = array[2] { 1, 2 } sphere { 0, A[0 #undef A] }", 44,
+          "the array of this element is gone" },
+        { "#declare A = array[2]; #declare A[0 #undef A] = 1;", 33,
+          "the array of this element is gone" },
+        { "#declare A = function(a) { 1/(1/a) } sphere { 0, A(0) }", 50,
+          "not a finite number" },
+        { "#declare A = function(a) { !a }", 28, "expected a number" },
         { "#declare A = function(a, 1) { 1 }", 26, "name of a parameter" },
         { "#declare A = function { a }", 25, "expected a number or" },
         { "#declare A = function { x y }", 27, "expected '}'" },
@@ -168,6 +177,9 @@ static void test_errors(void **state)
     for (size_t i = 0; i < COUNT(rows); i++)
         assert_error(rows[i].text, &reading_options, 1, rows[i].column,
                      rows[i].message);
+    assert_refused("#declare F = function(x) { x } #for (I, 1, 1000000)"
+                   " #declare F = function(x) { F(x) + 1 } #end",
+                   1, "200 functions that call one another");
     assert_refused("#declare A = array[2]; sphere { 0, A[2] }", 2,
                    "2 is not between 0 and 1");
 }

@@ -71,6 +71,12 @@ static void test_told_when_used(void **state)
         { "sphere { 0, 1 texture { pigment { rgb 1 } }"
           " texture { pigment { rgb 2 } } }",
           0, "" },
+        { "#declare F = function { transform { scale <1, 0, 1> } }"
+          " sphere { F(1, 2, 3), 1 }",
+          37, "along y is replaced by 1" },
+        { "#declare S = sphere { 0, 1 #default { finish { crand 1 } } }", 48,
+          "left out" },
+        { "light_group { sphere { 0, 1 } }", 1, "shine on all objects" },
         { "#fopen F \"a\" write #write (F, 1, x, concat(\"a\", \"b\"), \",\")"
           " #fclose F",
           10, "is left out" },
@@ -269,7 +275,7 @@ static void put_formula(struct drawn *drawn, uint64_t *random, int depth)
         "(# < #)",
         "(# >= #)",
         "(# & # | #)",
-        "!#",
+
         "atan2(#, 1 + #*#)",
         "floor(#)",
         "(# != #)",

@@ -123,6 +123,16 @@ static void test_modifiers(void **state)
     scene_free(scene);
 }
 
+static void test_blank(void **state)
+{
+    struct scene *scene = read_with("text { ttf \"timrom.ttf\" \" \" 1, 0 }",
+                                    1);
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, 0);
+    scene_free(scene);
+}
+
 static void test_errors(void **state)
 {
     static const struct {
@@ -134,8 +144,6 @@ static void test_errors(void **state)
         { "text { ttf \"no.ttf\" \"a\" 1, 0 }", 12, "no such file" },
         { "text { ttf \"math.inc\" \"a\" 1, 0 }", 1, "it is not a font" },
         { "text { internal 1 \"a\" 1, 0 }", 8, "built in" },
-        { "text { ttf \"timrom.ttf\" \" \" 1, 0 }", 1, "nothing to be seen" },
-        { "text { ttf \"timrom.ttf\" \"\" 1, 0 }", 1, "nothing to be seen" },
         { "text { ttf \"timrom.ttf\" \"a\" 0, 0 }", 29, "no thickness" },
         { "text { ttf \"timrom.ttf\" 1, 0 }", 25, "expected a string" },
         { "text { ttf \"timrom.ttf\" \"a\" x, 0 }", 29, "expected a number" },
@@ -150,9 +158,8 @@ static void test_errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_extents),
-        cmocka_unit_test(test_curves),
-        cmocka_unit_test(test_modifiers),
+        cmocka_unit_test(test_extents),   cmocka_unit_test(test_curves),
+        cmocka_unit_test(test_modifiers), cmocka_unit_test(test_blank),
         cmocka_unit_test(test_errors),
     };
 

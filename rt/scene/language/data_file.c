@@ -10,92 +10,126 @@
 
 /* ---- #fopen, #fclose ---------------------------------------------------- */
 
-static bool find_file(struct reader *reader, const struct scene_token *at,
-                      const char *name, struct scene_value *value)
+static bool read_name(struct reader *reader, char **name)
 {
-    value->is.file.source = reader_find(reader, at, name);
-    value->is.file.place.line = 1;
-    return value->is.file.source;
+    size_t hold = reader_nest(reader);
+    bool done = file_name_read(reader, name);
+
+    reader_release(reader, hold);
+    return done;
 }
 
 /* Behind the file's name. */
 static bool read_mode(struct reader *reader, const struct scene_token *at,
-                      const char *name, struct scene_value *value)
+                      const char *name, struct data_file *file)
 {
     const struct scene_token *mode = &reader->token;
-    bool reads = is_token(mode, "read");
 
-    if (!reads && !is_token(mode, "write") && !is_token(mode, "append"))
+    file->reads = is_token(mode, "read");
+    if (!file->reads && !is_token(mode, "write") && !is_token(mode, "append"))
         return reader_expected(reader, "read, write or append");
     reader_step(reader);
-    if (reads)
-        return find_file(reader, at, name, value);
-    reader_report(reader, at,
-                  "no file is written: what is given to '#write' "
-                  "is left out");
+    if (file->reads) {
+        file->source = reader_find(reader, at, name);
+        file->place.line = 1;
+        return file->source;
+    }
+    reader_warn(reader, at,
+                "no file is written: what is given to '#write' is left out");
     return true;
+}
+
+static bool open_file(struct reader *reader, struct target *target)
+{
+    struct scene_value value = { .kind = VALUE_FILE };
+    struct scene_token at;
+    char *name;
+    bool done;
+
+    reader_settle(reader);
+    at = reader->token;
+    if (!read_name(reader, &name))
+        return false;
+    done = read_mode(reader, &at, name, &value.is.file);
+    free(name);
+    return done
+           && reader_check(reader, &target->name,
+                           target_assign(reader, target, &value));
 }
 
 bool data_file_open(struct reader *reader, void *subject,
                     const struct item *item)
 {
-    struct scene_value value = { .kind = VALUE_FILE };
     struct target target = { .local = false };
-    struct scene_token at;
-    char *name;
+    struct declared_name *symbol;
     bool done;
 
     (void)subject;
     (void)item;
     if (!target_read(reader, &target))
         return false;
-    reader_settle(reader);
-    at = reader->token;
-    if (!string_read_within(reader, &name))
-        return false;
-    done = read_mode(reader, &at, name, &value);
-    free(name);
-    return done
-           && reader_check(reader, &target.name,
-                           target_assign(reader, &target, &value));
+    if (target.is_element)
+        return reader_fault(reader, &target.name,
+                            "an element cannot stand for a file");
+    symbol = target.name.reference.symbol;
+    if (symbol)
+        symbol_hold(symbol);
+    done = open_file(reader, &target);
+    if (symbol)
+        symbol_release(symbol);
+    return done;
 }
 
 /* The name of a file that is open; NULL after an error. */
-static const struct scene_value *expect_file(struct reader *reader)
+static const struct data_file *expect_file(struct reader *reader)
 {
     struct scene_token *token = &reader->token;
 
     if (reader_look_up(reader, token) && token->value->kind == VALUE_FILE)
-        return token->value;
+        return &token->value->is.file;
     reader_expected(reader, "the name of an open file");
     return NULL;
+}
+
+/* A macro's parameter goes with the macro; what it stands for is closed. */
+static void forget(struct reader *reader, const struct scene_token *name)
+{
+    const struct declared_name *own = symbols_find(&reader->symbols,
+                                                   name->text, name->length);
+    struct scene_value closed = { .kind = VALUE_FILE };
+
+    if (own == name->reference.symbol)
+        symbols_remove(&reader->symbols, name->text, name->length);
+    else
+        reference_assign(&name->reference, &closed);
 }
 
 bool data_file_close(struct reader *reader, void *subject,
                      const struct item *item)
 {
-    struct scene_token name = reader->token;
+    struct scene_token name;
 
     (void)subject;
     (void)item;
     if (!expect_file(reader))
         return false;
-    symbols_remove(&reader->symbols, name.text, name.length);
+    name = reader->token;
     reader_step(reader);
+    forget(reader, &name);
     return true;
 }
 
 /* ---- #read -------------------------------------------------------------- */
 
-/* The next token of the file, and where it is. */
+/* A value under way: the lexer is in the file, one token ahead. */
 struct datum {
-    struct lexer *lexer;
+    struct reader *reader;
     struct scene_token token;
 };
 
 static void next(struct datum *datum)
 {
-    datum->token = lexer_next(datum->lexer);
+    datum->token = lexer_next(&datum->reader->lexer);
 }
 
 /* One float, perhaps with a sign before it. */
@@ -128,27 +162,16 @@ static bool take_vector(struct datum *datum, struct numbers *numbers)
     return numbers->count > 1;
 }
 
-static bool take_string(struct datum *datum, struct scene_value *value)
-{
-    size_t length = datum->token.length;
-
-    value->kind = VALUE_STRING;
-    value->is.string = malloc(length + 1);
-    if (!value->is.string)
-        return false;
-    memcpy(value->is.string, datum->token.text, length);
-    value->is.string[length] = '\0';
-    next(datum);
-    return true;
-}
-
 static bool take_value(struct datum *datum, struct scene_value *value)
 {
     memset(value, 0, sizeof *value);
-    if (datum->token.kind == TOKEN_STRING && !datum->token.fault
-        && datum->token.length <= STRING_LONGEST
-        && !memchr(datum->token.text, '\0', datum->token.length))
-        return take_string(datum, value);
+    if (datum->token.kind == TOKEN_STRING) {
+        value->kind = VALUE_STRING;
+        if (!quoted_read(datum->reader, &datum->token, &value->is.string))
+            return false;
+        next(datum);
+        return true;
+    }
     value->kind = VALUE_NUMBERS;
     if (token_is_sign(&datum->token, '<'))
         return take_vector(datum, &value->is.numbers);
@@ -156,104 +179,126 @@ static bool take_value(struct datum *datum, struct scene_value *value)
     return take_float(datum, value->is.numbers.n);
 }
 
-/* The next value of the file, which goes on behind it, or has no source any
- * more at its end.  The file's frame lies on the others meanwhile. */
+/* A value, and the comma behind it. */
+static bool take_datum(struct datum *datum, const struct data_file *file,
+                       const struct scene_token *at,
+                       struct scene_value *value)
+{
+    if (!take_value(datum, value))
+        return reader_fault(datum->reader, at,
+                            "line %zu of '%s' has no value to read: expected "
+                            "a number, a vector or a string",
+                            datum->token.place.line, file->source->name);
+    if (token_is_sign(&datum->token, ','))
+        next(datum);
+    return true;
+}
+
+/* The next value of the file, which goes on behind it; at its end it has no
+ * source any more, and there may be no value: VALUE_FAULTY.  The file's frame lies
+ * on the others meanwhile. */
 static bool read_datum(struct reader *reader, struct data_file *file,
                        const struct scene_token *at,
                        struct scene_value *value)
 {
-    struct datum datum = { .lexer = &reader->lexer };
-    bool done;
+    struct datum datum = { .reader = reader };
+    size_t begin = file->place.at, end;
+    bool done = true;
 
-    if (!lexer_call(datum.lexer, file->source, file->place,
+    *value = (struct scene_value){ .kind = VALUE_FAULTY };
+    if (!file->source)
+        return true;
+    if (!lexer_call(&reader->lexer, file->source, file->place,
                     file->source->length, at))
         return reader_fault(reader, at,
-                            "more than %d files and macros lie "
-                            "within each other",
+                            "more than %d files and macros lie within each "
+                            "other",
                             FRAMES_MOST);
     next(&datum);
-    done = take_value(&datum, value);
-    if (done && token_is_sign(&datum.token, ','))
-        next(&datum);
-    lexer_close(datum.lexer);
-    if (!done)
-        return reader_fault(reader, at,
-                            "line %zu of '%s' has no value to read: expected "
-                            "a number, a vector or a string",
-                            datum.token.place.line, file->source->name);
-    if (!reader_spend(reader,
-                      datum.token.place.at - file->place.at + TOKEN_COST)) {
-        value_free(value);
-        return false;
-    }
+    if (datum.token.kind != TOKEN_END)
+        done = take_datum(&datum, file, at, value);
+    end = lexer_top(&reader->lexer)->place.at;
+    lexer_close(&reader->lexer);
     file->place = datum.token.place;
     if (datum.token.kind == TOKEN_END)
         file->source = NULL;
-    return true;
+    if (reader_spend(reader, end - begin + TOKEN_COST) && done)
+        return true;
+    value_free(value);
+    return false;
 }
 
+/* What is left when the file has ended keeps what it had. */
 static bool read_next(struct reader *reader, struct data_file *file)
 {
     struct target target = { .local = false };
     struct scene_value value;
 
-    if (!target_read(reader, &target))
+    if (!target_read(reader, &target)
+        || !read_datum(reader, file, &target.name, &value))
         return false;
-    if (!file->source)
-        return reader_fault(reader, &target.name,
-                            "there is no value left in the file");
-    return read_datum(reader, file, &target.name, &value)
-           && reader_check(reader, &target.name,
+    return value.kind == VALUE_FAULTY
+           || reader_check(reader, &target.name,
                            target_assign(reader, &target, &value));
 }
 
-/* "(" and the name of a file. */
-static const struct scene_value *read_handle(struct reader *reader)
+/* "(" and the name of a file, which reads or does not. */
+static const struct data_file *read_handle(struct reader *reader, bool reads)
 {
+    const struct data_file *file;
+
     if (!reader_at_sign(reader, '(')) {
         reader_expected(reader, "'('");
         return NULL;
     }
     reader_step(reader);
-    return expect_file(reader);
+    file = expect_file(reader);
+    if (!file || (file->reads == reads && (file->source || !reads)))
+        return file;
+    reader_fault(reader, &reader->token, "the file is not open to be %s",
+                 reads ? "read" : "written");
+    return NULL;
 }
 
-static bool go_on(struct reader *reader, const struct scene_token *name,
-                  const struct data_file *file)
+static bool read_all(struct reader *reader, const struct scene_token *name,
+                     struct data_file *file)
 {
-    struct scene_value value = { .kind = VALUE_FILE, .is.file = *file };
+    struct scene_value value = { .kind = VALUE_FILE };
 
+    while (reader_at_sign(reader, ',')) {
+        reader_step(reader);
+        if (!read_next(reader, file))
+            return false;
+    }
+    if (!reader_at_sign(reader, ')'))
+        return reader_expected(reader, "')'");
+    reader_step(reader);
+    value.is.file = *file;
     if (file->source)
         return reader_check(reader, name,
                             reference_assign(&name->reference, &value));
-    symbols_remove(&reader->symbols, name->text, name->length);
+    forget(reader, name);
     return true;
 }
 
 bool data_file_read(struct reader *reader, void *subject,
                     const struct item *item)
 {
-    const struct scene_value *value = read_handle(reader);
+    const struct data_file *open = read_handle(reader, true);
     struct scene_token name = reader->token;
     struct data_file file;
+    bool done;
 
     (void)subject;
     (void)item;
-    if (!value)
+    if (!open)
         return false;
-    file = value->is.file;
-    if (!file.source)
-        return reader_fault(reader, &name, "the file is not open to be read");
+    file = *open;
     reader_step(reader);
-    while (reader_at_sign(reader, ',')) {
-        reader_step(reader);
-        if (!read_next(reader, &file))
-            return false;
-    }
-    if (!reader_at_sign(reader, ')'))
-        return reader_expected(reader, "')'");
-    reader_step(reader);
-    return go_on(reader, &name, &file);
+    symbol_hold(name.reference.symbol);
+    done = read_all(reader, &name, &file);
+    symbol_release(name.reference.symbol);
+    return done;
 }
 
 /* ---- #write ------------------------------------------------------------- */
@@ -276,7 +321,7 @@ bool data_file_write(struct reader *reader, void *subject,
 {
     (void)subject;
     (void)item;
-    if (!read_handle(reader))
+    if (!read_handle(reader, false))
         return false;
     reader_next(reader);
     while (reader_accept_sign(reader, ','))

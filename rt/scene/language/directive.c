@@ -9,48 +9,22 @@
 #include "rt/scene/language/statement.h"
 #include "rt/scene/language/string_value.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { MESSAGE_SAYS, MESSAGE_WARNS, MESSAGE_IS_ERROR };
 
-static bool cannot_include(struct reader *reader,
-                           const struct scene_token *at)
-{
-    int why = errno;
-
-    if (why == ENOENT)
-        return reader_fault(reader, at, "there is no such file");
-    return reader_fault(reader, at, "the file cannot be read: %s",
-                        strerror(why));
-}
-
-/* A quoted name has no escapes, as in POV-Ray.  What is behind the name comes
- * after the file, so it is left there. */
+/* What is behind the name comes after the file, so it is left there. */
 static char *read_file_name(struct reader *reader, size_t depth)
 {
-    struct scene_token at = reader->token;
-    size_t hold;
+    size_t hold = reader_hold(reader);
     char *name = NULL;
 
-    if (at.kind == TOKEN_STRING && !memchr(at.text, '\0', at.length)) {
-        name = malloc(at.length + 1);
-        if (!name) {
-            reader_no_memory(reader);
-            return NULL;
-        }
-        memcpy(name, at.text, at.length);
-        name[at.length] = '\0';
-        reader_step(reader);
-    } else if (starts_string(reader)) {
-        hold = reader_hold(reader);
-        if (!string_read(reader, &name))
-            name = NULL;
-        reader_release(reader, hold);
-    } else {
+    if (!starts_string(reader))
         reader_expected(reader, "the name of a file in quotes");
-    }
+    else if (!file_name_read(reader, &name))
+        name = NULL;
+    reader_release(reader, hold);
     reader_close_frames(reader, depth);
     return name;
 }
@@ -63,10 +37,9 @@ static bool open_file(struct reader *reader, const struct scene_token *at,
 
     if (!*name)
         return reader_fault(reader, at, "the name of a file is empty");
-    source = source_include(&reader->sources, name, at->source,
-                            reader->options ? reader->options->search : NULL);
+    source = reader_find(reader, at, name);
     if (!source)
-        return cannot_include(reader, at);
+        return false;
     if (reader->includes++ >= INCLUDE_MOST)
         return reader_fault(reader, at, "more than %d files are included",
                             INCLUDE_MOST);
@@ -166,12 +139,14 @@ bool default_read(struct reader *reader)
 static bool read_default(struct reader *reader, void *subject,
                          const struct item *item)
 {
+    struct note_page *page = notes_suspend(&reader->notebook);
     size_t hold = reader_hold(reader);
     bool done = default_read(reader);
 
     (void)subject;
     (void)item;
     reader_release(reader, hold);
+    notes_resume(&reader->notebook, page);
     return done;
 }
 

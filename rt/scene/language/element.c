@@ -96,10 +96,16 @@ bool element_read_place(struct reader *reader)
         done = read_hops(reader, &name);
         reader_leave(reader);
     }
-    symbol_release(name.reference.symbol);
+    reader_release(reader, hold);
+    if (!symbol_release(name.reference.symbol)) {
+        name.reference = (struct reference){ NULL, 0, { 0 } };
+        name.value = NULL;
+        reader->token = name;
+        return reader_fault(reader, &name,
+                            "the array of this element is gone");
+    }
     if (done)
         reader->token = name;
-    reader_release(reader, hold);
     return done;
 }
 

@@ -64,7 +64,7 @@ static bool read_factor(struct reader *reader, struct numbers *value)
     return done;
 }
 
-double operator_apply(int sign, double a, double b)
+static double operate(int sign, double a, double b)
 {
     switch (sign) {
     case '+': return a + b;
@@ -111,7 +111,7 @@ static bool apply(struct reader *reader, const struct scene_token *at,
     for (int i = 0; i < left->count; i++) {
         if (at->sign == '/' && right->n[i] == 0)
             return reader_fault(reader, at, "division by 0");
-        left->n[i] = operator_apply(at->sign, left->n[i], right->n[i]);
+        left->n[i] = operate(at->sign, left->n[i], right->n[i]);
     }
     return operand_finite(reader, at, left);
 }
@@ -157,8 +157,7 @@ static bool compare_strings(struct reader *reader, const char *left,
     reader_next(reader);
     if (!string_read_within(reader, &right))
         return false;
-    *value = numbers_of(
-        operator_apply(at.sign, string_order(left, right), 0));
+    *value = numbers_of(operate(at.sign, string_order(left, right), 0));
     free(right);
     return true;
 }

@@ -18,8 +18,6 @@ bool read_number(struct reader *reader, double *value);
 /* What stands in brackets: comparisons, logic and ?: too. */
 bool read_full(struct reader *reader, struct numbers *value);
 bool read_full_number(struct reader *reader, double *value);
-/* A sum, a product, a comparison, logic: by its sign. */
-double operator_apply(int sign, double a, double b);
 /* Closer floats are equal, and a float closer to 0 is false. */
 #define EXPRESSION_SAME 1e-10
 /* A float stands for three equal components, two numbers have a zero third. */

@@ -1,21 +1,26 @@
 /* formula.c - formulas: compiled to postfix, and their values.
  *
- *   full        relation { ("&" | "|") relation }
+ *   full        both { "|" both }
+ *   both        relation { "&" relation }
  *   relation    sum { ("=" "!=" "<" "<=" ">" ">=") sum }
  *   sum         product { ("+" | "-") product }
  *   product     factor { ("*" | "/") factor }
- *   factor      { "+" | "-" | "!" } primary
- *   primary     parameter | "(" full ")" | a function of floats "(" full, ... ")"
- *               | formula "(" full, ... ")" [ "." component ] | a constant
+ *   factor      { "+" | "-" } primary
+ *   primary     parameter | constant | "(" full ")"
+ *               | a function of floats "(" full, ... ")"
+ *               | formula "(" full, ... ")" [ "." component ]
+ *
+ * As in POV-Ray comparisons are exact here, and & is stronger than |, neither of
+ * which holds for expressions.
  */
 #include "rt/scene/language/formula.h"
 
 #include "rt/scene/language/block.h"
-#include "rt/scene/language/condition.h"
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/operand.h"
 #include "rt/scene/language/statement.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,7 +29,6 @@ enum step_kind {
     FORMULA_PARAMETER, /* push it */
     FORMULA_OPERATOR,  /* of two floats, by its sign */
     FORMULA_MINUS,
-    FORMULA_NOT,
     FORMULA_FUNCTION, /* of `count` floats */
     FORMULA_CALL      /* of `count` floats; `term` of its value */
 };
@@ -46,6 +50,7 @@ struct formula {
     size_t parameter_count;
     bool moves; /* a point, by: */
     struct placement placement;
+    size_t nesting;           /* of calls, this one counted */
     size_t step_count, depth; /* so many floats on the stack at most */
     const struct formula_step *steps;
 };
@@ -154,8 +159,11 @@ static bool read_other_call(struct compiler *compiler,
     reader_next(reader);
     if (!read_arguments(compiler, 0, PARAMETERS_MOST, &step.count))
         return false;
-    if (reader_accept_sign(reader, '.'))
+    if (reader_accept_sign(reader, '.')) {
+        if (reader->token.kind != TOKEN_WORD)
+            return reader_expected(reader, "a component");
         reader_next(reader);
+    }
     return add_step(compiler, &step, step.count);
 }
 
@@ -168,6 +176,12 @@ static bool read_formula_call(struct compiler *compiler,
 
     if (called->without)
         return read_other_call(compiler, called);
+    if (called->nesting == NESTING_MOST)
+        return reader_fault(reader, &reader->token,
+                            "more than %d functions that call one another",
+                            NESTING_MOST);
+    if (compiler->formula->nesting <= called->nesting)
+        compiler->formula->nesting = called->nesting + 1;
     reader_next(reader);
     return read_arguments(compiler, count, count, &step.count)
            && (!called->moves || read_term(reader, &step.term))
@@ -203,8 +217,7 @@ static bool is_parameter(const struct compiler *compiler,
 static bool read_primary(struct compiler *compiler)
 {
     struct reader *reader = compiler->reader;
-    const struct scene_value *declared = reader_value_of(reader,
-                                                         VALUE_FUNCTION);
+    const struct scene_value *declared = reader_use(reader, VALUE_FUNCTION);
     struct formula_step step = { .kind = FORMULA_PARAMETER };
 
     if (reader_accept_sign(reader, '('))
@@ -222,20 +235,17 @@ static bool read_primary(struct compiler *compiler)
 
 static bool read_factor(struct compiler *compiler)
 {
+    const struct formula_step step = { .kind = FORMULA_MINUS };
     struct reader *reader = compiler->reader;
-    struct formula_step step = { .kind = FORMULA_MINUS };
-    bool changes = reader_at_sign(reader, '-') || reader_at_sign(reader, '!');
+    bool minus = reader_at_sign(reader, '-');
     bool done;
 
-    if (!changes && !reader_at_sign(reader, '+'))
+    if (!minus && !reader_at_sign(reader, '+'))
         return read_primary(compiler);
-    if (reader_at_sign(reader, '!'))
-        step.kind = FORMULA_NOT;
     if (!reader_enter(reader))
         return false;
     reader_next(reader);
-    done = read_factor(compiler)
-           && (!changes || add_step(compiler, &step, 1));
+    done = read_factor(compiler) && (!minus || add_step(compiler, &step, 1));
     reader_leave(reader);
     return done;
 }
@@ -253,7 +263,8 @@ static int accept_one_of(struct reader *reader, const int *signs)
 static bool read_rank(struct compiler *compiler, size_t rank)
 {
     static const int signs[][7] = {
-        { '&', '|' },
+        { '|' },
+        { '&' },
         { '=', SIGN_UNEQUAL, '<', SIGN_NOT_ABOVE, '>', SIGN_NOT_BELOW },
         { '+', '-' },
         { '*', '/' },
@@ -367,18 +378,47 @@ const struct formula *formula_read(struct reader *reader)
         reader_no_memory(reader);
         return NULL;
     }
+    compiler.formula->nesting = 1;
     if (!read_parameters(&compiler) || !block_open(reader, &block, '{')
-        || !read_body(&compiler, &block))
+        || !read_body(&compiler, &block)
+        || !reader_spend(reader,
+                         sizeof *compiler.formula
+                             + compiler.capacity * sizeof *compiler.steps))
         return NULL;
     return compiler.formula;
 }
 
 /* ---- Values ------------------------------------------------------------- */
 
-static bool evaluate(struct reader *reader, const struct formula *formula,
-                     const double *arguments, double *value);
+/* A call, from which others may come. */
+struct evaluation {
+    struct reader *reader;
+    const struct scene_token *at;
+};
 
-/* `count` floats, the last ones of the stack, become one. */
+static bool evaluate(const struct evaluation *call,
+                     const struct formula *formula, const double *arguments,
+                     double *value);
+
+static double operate(int sign, double a, double b)
+{
+    switch (sign) {
+    case '+': return a + b;
+    case '-': return a - b;
+    case '*': return a * b;
+    case '/': return a / b;
+    case '=': return a == b;
+    case SIGN_UNEQUAL: return a != b;
+    case '<': return a < b;
+    case '>': return a > b;
+    case SIGN_NOT_ABOVE: return a <= b;
+    case SIGN_NOT_BELOW: return a >= b;
+    case '&': return a != 0 && b != 0;
+    default: return a != 0 || b != 0;
+    }
+}
+
+/* `count` floats become one, where the first of them is. */
 static void apply(const struct function *function, size_t count,
                   double *arguments)
 {
@@ -394,54 +434,55 @@ static void apply(const struct function *function, size_t count,
     arguments[0] = result.n[0];
 }
 
-static bool take_step(struct reader *reader, const struct formula_step *step,
+static bool take_step(const struct evaluation *call,
+                      const struct formula_step *step,
                       const double *arguments, double **top)
 {
     double value[3];
 
     switch (step->kind) {
-    case FORMULA_NUMBER: *(*top)++ = step->is.number; return true;
-    case FORMULA_PARAMETER:
-        *(*top)++ = arguments[step->is.parameter];
-        return true;
+    case FORMULA_NUMBER: *(*top)++ = step->is.number; break;
+    case FORMULA_PARAMETER: *(*top)++ = arguments[step->is.parameter]; break;
     case FORMULA_OPERATOR:
         --*top;
-        (*top)[-1] = operator_apply(step->sign, (*top)[-1], (*top)[0]);
-        return true;
-    case FORMULA_MINUS: (*top)[-1] = -(*top)[-1]; return true;
-    case FORMULA_NOT: (*top)[-1] = !condition_holds((*top)[-1]); return true;
+        (*top)[-1] = operate(step->sign, (*top)[-1], (*top)[0]);
+        break;
+    case FORMULA_MINUS: (*top)[-1] = -(*top)[-1]; break;
     case FORMULA_FUNCTION:
         *top -= step->count - 1;
         apply(step->is.function, step->count, *top - 1);
-        return true;
+        break;
     case FORMULA_CALL:
         *top -= step->count;
-        if (!evaluate(reader, step->is.formula, *top, value))
+        if (!evaluate(call, step->is.formula, *top, value))
             return false;
         *(*top)++ = value[step->term];
-        return true;
+        break;
     }
-    return false;
+    return isfinite((*top)[-1])
+           || reader_fault(call->reader, call->at,
+                           "the value is not a finite number");
 }
 
-static bool evaluate_steps(struct reader *reader,
-                           const struct formula *formula,
-                           const double *arguments, double *stack,
-                           double *value)
+static bool take_steps(const struct evaluation *call,
+                       const struct formula *formula, const double *arguments,
+                       double *stack, double *value)
 {
     double *top = stack;
 
     for (size_t i = 0; i < formula->step_count; i++)
-        if (!take_step(reader, &formula->steps[i], arguments, &top))
+        if (!take_step(call, &formula->steps[i], arguments, &top))
             return false;
     value[0] = stack[0];
     return true;
 }
 
 /* Formulas of formulas may take very long, so that it counts as reading. */
-static bool evaluate(struct reader *reader, const struct formula *formula,
-                     const double *arguments, double *value)
+static bool evaluate(const struct evaluation *call,
+                     const struct formula *formula, const double *arguments,
+                     double *value)
 {
+    struct reader *reader = call->reader;
     double *stack;
     bool done;
 
@@ -455,33 +496,40 @@ static bool evaluate(struct reader *reader, const struct formula *formula,
     stack = malloc(formula->depth * sizeof *stack);
     if (!stack)
         return reader_no_memory(reader);
-    done = evaluate_steps(reader, formula, arguments, stack, value);
+    done = take_steps(call, formula, arguments, stack, value);
     free(stack);
     return done;
+}
+
+/* "(" floats ")" behind its name. */
+static bool take_arguments(struct reader *reader, size_t count,
+                           double *arguments)
+{
+    reader_next(reader);
+    if (!reader_expect_sign(reader, '('))
+        return false;
+    for (size_t i = 0; i < count; i++)
+        if ((i && !reader_expect_sign(reader, ','))
+            || !read_full_number(reader, &arguments[i]))
+            return false;
+    return reader_expect_sign(reader, ')');
 }
 
 bool formula_call(struct reader *reader, const struct formula *formula,
                   struct numbers *value)
 {
-    double arguments[PARAMETERS_MOST];
     struct scene_token at = reader->token;
+    const struct evaluation call = { reader, &at };
+    double arguments[PARAMETERS_MOST];
 
     if (formula->without)
         return reader_fault(reader, &at,
                             "the value of a function with '%s' is not "
                             "supported",
                             formula->without);
-    reader_next(reader);
-    if (!reader_expect_sign(reader, '('))
-        return false;
-    for (size_t i = 0; i < formula->parameter_count; i++)
-        if ((i && !reader_expect_sign(reader, ','))
-            || !read_full_number(reader, &arguments[i]))
-            return false;
-    if (!reader_expect_sign(reader, ')'))
-        return false;
     *value = numbers_of(0);
     value->count = formula->moves ? 3 : 1;
-    return evaluate(reader, formula, arguments, value->n)
+    return take_arguments(reader, formula->parameter_count, arguments)
+           && evaluate(&call, formula, arguments, value->n)
            && operand_finite(reader, &at, value);
 }

@@ -4,8 +4,8 @@
  *
  * Parameters (x, y, z unless they are named) and result are floats.  The body
  * is read once, where it is declared: names in it keep the values that they
- * have there.  function { transform { ... } } moves a
- * point, and makes a vector.  Functions of patterns, pigments, splines and those
+ * have there.  function { transform { ... } }
+ * moves a point, and makes a vector.  Functions of patterns, pigments, splines and those
  * that POV-Ray has built in (`internal`) can be declared, but not called.
  */
 #ifndef RT_SCENE_FORMULA_H

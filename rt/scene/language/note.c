@@ -19,11 +19,16 @@ struct note {
     struct note_place place;
     const char *words, *calls;
     bool told;
+    size_t page; /* the serial number of the last one that got it */
 };
 
+/* A note, or all of another value; and the rest. */
 struct notes {
-    size_t count;
-    struct note *notes[];
+    struct note *note;
+    struct notes *used, *rest;
+    bool told;
+    size_t page;           /* as that of a note */
+    struct notes *waiting; /* to be told */
 };
 
 /* Where places differ; in a library they do not. */
@@ -50,6 +55,8 @@ static struct note *new_note(struct notebook *book,
 
     if (book->count < NOTES_MOST)
         note = arena_take(&book->arena, sizeof *note);
+    else if (!book->lost.source)
+        book->lost = *place;
     if (!note)
         return NULL;
     note->place = *place;
@@ -135,47 +142,59 @@ void notebook_report(const struct notebook *book, enum severity severity,
                      struct diagnostics *reports)
 {
     const struct note_cause *cause = book->causes;
+    const struct note_place *lost = &book->lost;
 
     for (size_t i = 0; cause && i < REPORTS_MOST; i++, cause = cause->next)
         report(cause, severity, reports);
     if (cause)
-        diagnostics_add(reports, severity, &cause->first->place.position,
+        lost = &cause->first->place;
+    if (lost->source)
+        diagnostics_add(reports, severity, &lost->position,
                         "too many reports: those from here on are left out");
+}
+
+/* Each of them once, however often it is used: those that wait are marked. */
+static void tell_all(struct notebook *book, struct notes *notes)
+{
+    struct notes *waiting = NULL;
+
+    for (;;) {
+        for (; notes && !notes->told; notes = notes->rest) {
+            notes->told = true;
+            notes->waiting = waiting;
+            waiting = notes;
+        }
+        if (!waiting)
+            return;
+        if (waiting->note)
+            tell(book, waiting->note);
+        notes = waiting->used;
+        waiting = waiting->waiting;
+    }
 }
 
 /* ---- Of a value, or of the scene ---------------------------------------- */
 
-static void write_down(struct notebook *book, struct note_page *page,
-                       struct note *note)
+static void write_down(struct notebook *book, struct note *note,
+                       struct notes *used)
 {
-    struct note **notes;
+    struct notes *notes = arena_take(&book->arena, sizeof *notes);
 
-    for (size_t i = 0; i < page->count; i++)
-        if (page->notes[i] == note)
-            return;
-    notes = arena_grow(&book->arena, page->notes, page->count,
-                       &page->capacity, sizeof *notes);
     if (!notes)
         return;
-    page->notes = notes;
-    notes[page->count++] = note;
+    *notes = (struct notes){ .note = note,
+                             .used = used,
+                             .rest = book->page->notes };
+    book->page->notes = notes;
 }
 
-static void write_all(struct notebook *book, struct note_page *page,
-                      const struct notes *notes)
+/* A page has each once; within a loop that is soon all. */
+static bool is_new(const struct notebook *book, size_t *page)
 {
-    for (size_t i = 0; i < notes->count; i++)
-        write_down(book, page, notes->notes[i]);
-}
+    bool fresh = *page != book->page->serial;
 
-/* Its notes are its own from here on. */
-static void part(struct notebook *book, struct note_page *page)
-{
-    const struct notes *same = page->same;
-
-    page->same = NULL;
-    if (same)
-        write_all(book, page, same);
+    *page = book->page->serial;
+    return fresh;
 }
 
 void note_add(struct notebook *book, const struct note_place *place,
@@ -185,12 +204,10 @@ void note_add(struct notebook *book, const struct note_place *place,
 
     if (!note)
         return;
-    if (!book->page) {
+    if (!book->page)
         tell(book, note);
-        return;
-    }
-    part(book, book->page);
-    write_down(book, book->page, note);
+    else if (is_new(book, &note->page))
+        write_down(book, note, NULL);
 }
 
 void note_tell(struct notebook *book, const struct note_place *place,
@@ -204,49 +221,42 @@ void note_tell(struct notebook *book, const struct note_place *place,
 
 void notes_begin(struct notebook *book, struct note_page *page)
 {
-    *page = (struct note_page){ .outer = book->page };
+    *page = (struct note_page){ .outer = book->page,
+                                .serial = ++book->pages };
     book->page = page;
 }
 
-static const struct notes *bind(struct notebook *book,
-                                const struct note_page *page)
+struct notes *notes_end(struct notebook *book)
 {
-    size_t size = page->count * sizeof *page->notes;
-    struct notes *notes;
+    struct notes *notes = book->page->notes;
 
-    if (page->same || !page->count)
-        return page->same;
-    notes = arena_take(&book->arena, sizeof *notes + size);
-    if (!notes)
-        return NULL;
-    notes->count = page->count;
-    memcpy(notes->notes, page->notes, size);
+    book->page = book->page->outer;
     return notes;
 }
 
-const struct notes *notes_end(struct notebook *book)
-{
-    const struct note_page *page = book->page;
-
-    book->page = page->outer;
-    return bind(book, page);
-}
-
-void notes_use(struct notebook *book, const struct notes *notes)
+struct note_page *notes_suspend(struct notebook *book)
 {
     struct note_page *page = book->page;
 
-    if (!notes || (page && page->same == notes))
+    book->page = NULL;
+    return page;
+}
+
+void notes_resume(struct notebook *book, struct note_page *page)
+{
+    book->page = page;
+}
+
+void notes_use(struct notebook *book, struct notes *notes)
+{
+    if (!notes)
         return;
-    if (!page) {
-        for (size_t i = 0; i < notes->count; i++)
-            tell(book, notes->notes[i]);
-    } else if (!page->count && !page->same) {
-        page->same = notes;
-    } else {
-        part(book, page);
-        write_all(book, page, notes);
-    }
+    if (!book->page)
+        tell_all(book, notes);
+    else if (!book->page->notes)
+        book->page->notes = notes;
+    else if (is_new(book, &notes->page))
+        write_down(book, NULL, notes);
 }
 
 bool notebook_failed(const struct notebook *book)

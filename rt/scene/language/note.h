@@ -19,8 +19,7 @@
 
 enum { REPORTS_MOST = 200, NOTES_MOST = 100000, NOTE_BUCKETS = 4096 };
 
-/* Those of a value; it does not change any more, and lives as long as the
- * notebook. */
+/* Those of a value; they last as long as the notebook. */
 struct notes;
 
 /* Where one is. */
@@ -30,13 +29,11 @@ struct note_place {
     struct position position;
 };
 
-/* The notes of the value that is being read: on the stack of who reads it. */
+/* The notes of a value that is being read: on the stack of who reads it. */
 struct note_page {
-    struct note_page *outer;  /* the value that this one stands in */
-    const struct notes *same; /* all that is noted here, if it is that of
-                                 another value; or NULL: */
-    struct note **notes;
-    size_t count, capacity;
+    struct note_page *outer; /* of the value that this one stands in */
+    size_t serial;
+    struct notes *notes;
 };
 
 /* Zero it to begin. */
@@ -44,7 +41,10 @@ struct notebook {
     struct arena arena;
     struct note *buckets[NOTE_BUCKETS];
     size_t count;
-    struct note_page *page;                 /* NULL: the scene itself */
+    struct note_place lost; /* the first beyond NOTES_MOST, if it has a
+                               source */
+    struct note_page *page; /* NULL: the scene itself */
+    size_t pages;
     struct note_cause *causes, *last_cause; /* told, in their order */
     size_t cause_count;
 };
@@ -58,9 +58,12 @@ void note_tell(struct notebook *book, const struct note_place *place,
 
 /* What is added in between is that of a value: NULL if nothing is. */
 void notes_begin(struct notebook *book, struct note_page *page);
-const struct notes *notes_end(struct notebook *book);
+struct notes *notes_end(struct notebook *book);
+/* What is added in between is the scene's, whatever is being read. */
+struct note_page *notes_suspend(struct notebook *book);
+void notes_resume(struct notebook *book, struct note_page *page);
 /* A value with these notes becomes part of what is being read. */
-void notes_use(struct notebook *book, const struct notes *notes);
+void notes_use(struct notebook *book, struct notes *notes);
 
 /* All that is told, as reports or as errors. */
 void notebook_report(const struct notebook *book, enum severity severity,

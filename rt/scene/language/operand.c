@@ -191,8 +191,7 @@ static bool read_name(struct reader *reader, struct numbers *value)
     const struct scene_token *token = &reader->token;
     const struct scene_value *declared = reader_value_of(reader,
                                                          VALUE_NUMBERS);
-    const struct scene_value *function = reader_value_of(reader,
-                                                         VALUE_FUNCTION);
+    const struct scene_value *function = reader_use(reader, VALUE_FUNCTION);
     const struct constant *constant;
 
     if (declared)

@@ -9,6 +9,17 @@ static const double black[COLOR_TERMS];
 static const double checker_colors[2][COLOR_TERMS] = { { 0, 0, 1 },
                                                        { 0, 1, 0 } };
 
+/* POV-Ray shows it where it hurries. */
+static bool read_quick_color(struct reader *reader, void *subject,
+                             const struct item *item)
+{
+    struct numbers ignored;
+
+    (void)subject;
+    (void)item;
+    return read_color(reader, &ignored);
+}
+
 const struct keyword pattern_words_left_out[] = {
     { "agate_turb", item_left_out, 0 },
     { "blend_gamma", item_left_out, 0 },
@@ -33,8 +44,8 @@ const struct keyword pattern_words_left_out[] = {
     { "orientation", item_left_out, 0 },
     { "phase", item_left_out, 0 },
     { "poly_wave", item_left_out, 0 },
-    { "quick_color", item_passed_over, 0 },
-    { "quick_colour", item_passed_over, 0 },
+    { "quick_color", read_quick_color, 0 },
+    { "quick_colour", read_quick_color, 0 },
     { "ramp_wave", item_left_out, 0 },
     { "scallop_wave", item_left_out, 0 },
     { "sine_wave", item_left_out, 0 },

@@ -243,7 +243,7 @@ static void make_quartic(const double *terms, int order,
 static void make_quadric(const double *terms, struct primitive *primitive)
 {
     static const size_t places[QUADRIC_TERMS] = {
-        0, 3, 4, 6, 1, 5, 8, 2, 7, 9
+        0, 3, 4, 6, 1, 5, 7, 2, 8, 9
     };
 
     primitive->kind = PRIMITIVE_QUADRIC;

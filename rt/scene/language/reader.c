@@ -1,6 +1,7 @@
 /* reader.c - tokens in, reports out. */
 #include "rt/scene/language/reader.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -136,7 +137,7 @@ bool reader_expected(struct reader *reader, const char *what)
     const struct scene_value *value = reader_value(reader);
     const char *mark = token->kind == TOKEN_DIRECTIVE ? "#" : "";
     const char *more = token->length > TOKEN_LONGEST ? "..." : "";
-    const char *note = is_undeclared(reader) ? ", which is not declared" : "";
+    const char *hint = is_undeclared(reader) ? ", which is not declared" : "";
     int length = short_length(token);
 
     if (value && value->kind == VALUE_FAULTY)
@@ -150,7 +151,7 @@ bool reader_expected(struct reader *reader, const char *what)
         return reader_fault(reader, token, "expected %s, found a string",
                             what);
     return reader_fault(reader, token, "expected %s, found '%s%.*s%s'%s",
-                        what, mark, length, token->text, more, note);
+                        what, mark, length, token->text, more, hint);
 }
 
 bool reader_at_sign(const struct reader *reader, int sign)
@@ -230,17 +231,19 @@ const struct scene_source *reader_find(struct reader *reader,
                                        const struct scene_token *at,
                                        const char *name)
 {
-    const struct scene_source *source;
+    const struct scene_source *before = reader->sources, *source;
 
-    if (reader->includes++ >= INCLUDE_MOST) {
-        reader_fault(reader, at, "more than %d files are read", INCLUDE_MOST);
-        return NULL;
-    }
     source = source_include(&reader->sources, name, at->source,
                             reader->options ? reader->options->search : NULL);
-    if (!source)
+    if (!source && errno == ENOENT)
         reader_fault(reader, at, "there is no such file");
-    return source;
+    else if (!source)
+        reader_fault(reader, at, "the file cannot be read: %s",
+                     strerror(errno));
+    if (reader->sources == before || ++reader->files <= FILES_MOST)
+        return source;
+    reader_fault(reader, at, "more than %d files are read", FILES_MOST);
+    return NULL;
 }
 
 bool reader_enter(struct reader *reader)

@@ -17,6 +17,7 @@ enum {
     PRIMITIVES_MOST = 1000000, /* made in all, copies counted */
     SOLID_MOST = 10000,        /* primitives in one tree */
     ERRORS_MOST = 200,
+    FILES_MOST = 1000,     /* read; each once */
     CONDITIONS_MOST = 500, /* within each other */
     TURNS_MOST = 2000000,  /* of one loop */
     SEEDS_MOST = 10000     /* of random numbers */
@@ -52,7 +53,7 @@ struct scene_condition {
 struct reader {
     struct lexer lexer;
     struct scene_source *sources;
-    size_t includes;
+    size_t includes, files;   /* files: that were read */
     size_t bytes;             /* read */
     struct scene_token token; /* the next to be read, */
     struct text_place before; /* .. behind the one before it */
@@ -158,8 +159,7 @@ const struct scene_value *reader_value_of(const struct reader *reader,
 const struct scene_value *reader_use(struct reader *reader,
                                      enum scene_value_kind kind);
 
-/* A file that the text names, or NULL after an error; counted with those that
- * are included. */
+/* A file that the text names, or NULL after an error. */
 const struct scene_source *reader_find(struct reader *reader,
                                        const struct scene_token *at,
                                        const char *name);

@@ -377,7 +377,7 @@ static bool read_first(struct reader *reader, struct scene_object *object,
 static bool finish_joined(struct reader *reader, struct scene_object *object,
                           const struct item *item)
 {
-    if (object->child_count < 2)
+    if (object->child_count < 2 && item->keyword->detail != SHAPE_LIGHT_GROUP)
         reader_report(reader, &item->at,
                       "fewer than two objects in this '%s'",
                       item->keyword->word);

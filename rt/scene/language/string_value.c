@@ -368,6 +368,27 @@ bool string_read(struct reader *reader, char **string)
     return give(reader, &at, &buffer, done, string);
 }
 
+bool quoted_read(struct reader *reader, const struct scene_token *token,
+                 char **string)
+{
+    struct made_string buffer = { NULL, 0, false };
+    bool done = add_quoted(reader, token, &buffer);
+
+    return give(reader, token, &buffer, done, string);
+}
+
+bool file_name_read(struct reader *reader, char **name)
+{
+    struct scene_token at = reader->token;
+    struct made_string buffer = { NULL, 0, false };
+
+    if (at.kind != TOKEN_STRING || memchr(at.text, '\0', at.length))
+        return string_read(reader, name);
+    add(&buffer, at.text, at.length);
+    reader_pass(reader);
+    return give(reader, &at, &buffer, true, name);
+}
+
 bool string_read_within(struct reader *reader, char **string)
 {
     size_t hold = reader_nest(reader);

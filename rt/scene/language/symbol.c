@@ -87,14 +87,15 @@ void symbol_hold(struct declared_name *symbol)
     symbol->held++;
 }
 
-void symbol_release(struct declared_name *symbol)
+bool symbol_release(struct declared_name *symbol)
 {
     if (--symbol->held)
-        return;
+        return true;
     if (symbol->target.symbol)
         symbol_release(symbol->target.symbol);
     value_free(&symbol->value);
     free(symbol);
+    return false;
 }
 
 /* A new symbol, in the table; NULL: no memory. */

@@ -43,7 +43,8 @@ const char *symbols_refer(struct declared_names *symbols, size_t level,
 
 /* A symbol lives on, without its name, as long as it is held. */
 void symbol_hold(struct declared_name *symbol);
-void symbol_release(struct declared_name *symbol);
+/* False: nobody held it any more. */
+bool symbol_release(struct declared_name *symbol);
 /* Forget the innermost symbol of a name; false: there is none. */
 bool symbols_remove(struct declared_names *symbols, const char *name,
                     size_t length);

@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { FONT_COST = 1 << 14 }; /* of opening one, in bytes that are read */
+
 struct text_reading {
     struct reader *reader;
     struct scene_object *object;
@@ -57,8 +59,9 @@ static bool add_glyph(struct text_reading *text, const struct glyph *glyph)
     return done;
 }
 
-static bool add_character(struct text_reading *text, uint32_t before,
-                          uint32_t character)
+/* As in POV-Ray the ink of the first one begins at 0. */
+static bool add_character(struct text_reading *text, bool first,
+                          uint32_t before, uint32_t character)
 {
     struct reader *reader = text->reader;
     struct glyph glyph;
@@ -67,7 +70,7 @@ static bool add_character(struct text_reading *text, uint32_t before,
         return reader_fault(reader, text->at,
                             "the font is broken, or there is not enough "
                             "memory");
-    if (!before) /* as in POV-Ray, the ink begins at 0 */
+    if (first)
         text->position[0] = -glyph.bearing;
     else
         text->position[0] += font_kerning(text->font, before, character);
@@ -101,16 +104,18 @@ static bool add_characters(struct text_reading *text, const char *string)
 {
     const unsigned char *next = (const unsigned char *)string;
     uint32_t before = 0;
+    bool first = true;
 
-    while (*next) {
+    for (; *next; first = false) {
         uint32_t character = next_character(&next);
-        if (!add_character(text, before, character))
+        if (!add_character(text, first, before, character))
             return false;
         before = character;
     }
-    return text->object->part_count > 0
-           || reader_fault(text->reader, text->at,
-                           "the text has nothing to be seen");
+    if (!text->object->part_count)
+        reader_report(text->reader, text->at,
+                      "the text has nothing to be seen");
+    return true;
 }
 
 static bool read_extent(struct text_reading *text)
@@ -136,7 +141,7 @@ static bool read_with(struct text_reading *text,
     struct font *font;
     bool done;
 
-    if (!read_extent(text))
+    if (!read_extent(text) || !reader_spend(text->reader, FONT_COST))
         return false;
     font = font_open(source->text, source->length, &fault);
     text->font = font;
@@ -162,7 +167,7 @@ static const struct scene_source *read_font(struct reader *reader)
         return NULL;
     }
     at = reader->token;
-    if (!string_read_within(reader, &name))
+    if (!file_name_read(reader, &name))
         return NULL;
     source = reader_find(reader, &at, name);
     free(name);

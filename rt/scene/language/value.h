@@ -75,7 +75,8 @@ struct scene_macro {
 
 /* What #fopen opens. */
 struct data_file {
-    const struct scene_source *source; /* NULL: it is one to write */
+    bool reads;                        /* and does not write */
+    const struct scene_source *source; /* that is read; NULL: to its end */
     struct text_place place;           /* of what is read next */
 };
 
@@ -98,7 +99,7 @@ struct scene_value {
         const struct formula *formula;
         struct data_file file;
     } is;
-    const struct notes *notes; /* of its text */
+    struct notes *notes; /* of its text */
 };
 
 void value_free(struct scene_value *value);
