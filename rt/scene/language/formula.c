@@ -391,12 +391,12 @@ const struct formula *formula_read(struct reader *reader)
 /* ---- Values ------------------------------------------------------------- */
 
 /* A call, from which others may come. */
-struct evaluation {
+struct formula_caller {
     struct reader *reader;
     const struct scene_token *at;
 };
 
-static bool evaluate(const struct evaluation *call,
+static bool evaluate(const struct formula_caller *call,
                      const struct formula *formula, const double *arguments,
                      double *value);
 
@@ -434,7 +434,7 @@ static void apply(const struct function *function, size_t count,
     arguments[0] = result.n[0];
 }
 
-static bool take_step(const struct evaluation *call,
+static bool take_step(const struct formula_caller *call,
                       const struct formula_step *step,
                       const double *arguments, double **top)
 {
@@ -464,7 +464,7 @@ static bool take_step(const struct evaluation *call,
                            "the value is not a finite number");
 }
 
-static bool take_steps(const struct evaluation *call,
+static bool take_steps(const struct formula_caller *call,
                        const struct formula *formula, const double *arguments,
                        double *stack, double *value)
 {
@@ -478,7 +478,7 @@ static bool take_steps(const struct evaluation *call,
 }
 
 /* Formulas of formulas may take very long, so that it counts as reading. */
-static bool evaluate(const struct evaluation *call,
+static bool evaluate(const struct formula_caller *call,
                      const struct formula *formula, const double *arguments,
                      double *value)
 {
@@ -519,7 +519,7 @@ bool formula_call(struct reader *reader, const struct formula *formula,
                   struct numbers *value)
 {
     struct scene_token at = reader->token;
-    const struct evaluation call = { reader, &at };
+    const struct formula_caller call = { reader, &at };
     double arguments[PARAMETERS_MOST];
 
     if (formula->without)
