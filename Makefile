@@ -164,6 +164,10 @@ $(BUILD)/fit205: $(call objects,$(fit205_c) $(observing_c)) \
 $(BUILD)/rt/study/fit/ceres_fit.o: rt/study/fit/ceres_fit.cc
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) -isystem /usr/include/eigen3 -c -o $@ $<
+# FreeType's own headers may say what ours must not.
+$(BUILD)/rt/scene/font.o: override C_FLAGS += \
+	$(subst -I,-isystem ,$(shell pkg-config --cflags freetype2))
+
 $(adapter): rt/picture/picture_oiio.cc
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) $$(pkg-config --cflags OpenImageIO) -shared -o $@ $< \
@@ -205,10 +209,6 @@ docs: $(BUILD)/c205 $(shown)
 	sh tests/check_docs.sh $(BUILD) full --write $(PAGES)
 
 # --- tests ------------------------------------------------------------------
-
-# FreeType's own headers may say what ours must not.
-$(BUILD)/rt/scene/font.o: override C_FLAGS += \
-	$(subst -I,-isystem ,$(shell pkg-config --cflags freetype2))
 
 # Test programs do not stand beside the adapter.
 export RT205_LIBDIR = $(abspath $(BUILD))
@@ -468,8 +468,8 @@ clean:
 .PHONY: all demo tests check check-long check-rooms check-unit check-programs \
 	check-bugs check-docs check-isa check-arithmetic check-narrow \
 	check-random check-quartic check-planted check-faces check-regions \
-	check-scenes check-language check-samples check-commands check-install check-hosts check-poison \
-	check-timing check-fit fit cover cover-tests wasm-check docs san bench \
+	check-scenes check-language check-samples check-commands check-install \
+	check-hosts check-poison check-timing check-fit fit cover cover-tests wasm-check docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

@@ -27,7 +27,6 @@ enum { EDGES_MOST = 64 /* of one curve */, TURNS_MOST = 100 };
 
 /* What is called of it; see FreeType's reference. */
 struct freetype {
-    void *object;
     FT_Error (*init)(FT_Library *library);
     FT_Error (*done)(FT_Library library);
     FT_Error (*new_face)(FT_Library library, const FT_Byte *bytes,
@@ -60,7 +59,6 @@ static bool open_library(struct freetype *calls)
 {
     void *object = dlopen("libfreetype.so.6", RTLD_LAZY | RTLD_LOCAL);
 
-    calls->object = object;
     return object && find_call(object, "FT_Init_FreeType", &calls->init)
            && find_call(object, "FT_Done_FreeType", &calls->done)
            && find_call(object, "FT_New_Memory_Face", &calls->new_face)
@@ -147,9 +145,7 @@ static bool is_repeated(const double (*points)[2], size_t count, size_t which)
     return false;
 }
 
-/* A loop that touches itself begins where it does not, for there it would be
- * taken for two.  Its last point is not its first again yet. */
-static void turn_loop(double (*points)[2], size_t count)
+void font_turn_loop(double (*points)[2], size_t count)
 {
     const double(*fixed)[2] = (const double(*)[2])points;
     size_t turns = 0;
@@ -178,7 +174,7 @@ static bool close_loop(struct drawing *drawing)
         count--;
         glyph->count--;
     }
-    turn_loop(loop, count);
+    font_turn_loop(loop, count);
     return add_point(drawing, loop[0][0], loop[0][1]);
 }
 

@@ -33,6 +33,10 @@ void font_close(struct font *font);
  * memory, or where the font is broken. */
 bool font_glyph(const struct font *font, uint32_t character,
                 struct arena *arena, struct glyph *glyph);
+/* A loop, its last point not its first again yet, that touches itself begins
+ * where it does not, for there it would be taken for two.  One that touches
+ * itself in all of its first hundred points stays as it is. */
+void font_turn_loop(double (*points)[2], size_t count);
 /* How much nearer two neighbours stand, as the font says; below 0. */
 double font_kerning(const struct font *font, uint32_t left, uint32_t right);
 

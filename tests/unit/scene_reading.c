@@ -55,6 +55,13 @@ void assert_error(const char *text, const struct scene_options *how,
     diagnostics_free(&reports);
 }
 
+void assert_errors(const struct line_error *errors, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        assert_error(errors[i].text, &reading_options, 1, errors[i].column,
+                     errors[i].message);
+}
+
 void assert_refused(const char *text, size_t most, const char *message)
 {
     struct diagnostics reports = { 0 };

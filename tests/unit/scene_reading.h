@@ -31,6 +31,14 @@ struct scene *read_scene(const char *text);
 void assert_error(const char *text, const struct scene_options *how,
                   size_t line, size_t column, const char *message);
 
+/* Texts of one line, each with this one error. */
+struct line_error {
+    const char *text;
+    size_t column;
+    const char *message; /* a part of it */
+};
+void assert_errors(const struct line_error *errors, size_t count);
+
 /* A text is not read; there are so many reports at the most, and one of them
  * says so. */
 void assert_refused(const char *text, size_t most, const char *message);

@@ -63,11 +63,7 @@ static void test_lists(void **state)
 /* Each text has this one error. */
 static void test_errors(void **state)
 {
-    static const struct {
-        const char *text;
-        size_t column;
-        const char *message;
-    } rows[] = {
+    static const struct line_error rows[] = {
         { "#if (1 sphere { #end", 8, "expected ')'" },
         { "#if 1 sphere { #end", 5, "expected '('" },
         { "#if (x) sphere { #end", 6, "expected a number" },
@@ -174,9 +170,7 @@ static void test_errors(void **state)
     };
 
     (void)state;
-    for (size_t i = 0; i < COUNT(rows); i++)
-        assert_error(rows[i].text, &reading_options, 1, rows[i].column,
-                     rows[i].message);
+    assert_errors(rows, COUNT(rows));
     assert_refused("#declare F = function(x) { x } #for (I, 1, 1000000)"
                    " #declare F = function(x) { F(x) + 1 } #end",
                    1, "200 functions that call one another");

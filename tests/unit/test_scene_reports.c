@@ -368,6 +368,61 @@ static void test_many_reports(void **state)
     diagnostics_free(&reports);
 }
 
+/* More places than are kept are no reason to pass over the rest in silence. */
+static void test_lost_notes(void **state)
+{
+    enum { NOTES = 100001 };
+    char *text = repeated("", "sphere{0,1 uv_mapping}\n", NOTES);
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read_text("test.pov", text, &reading_options,
+                                          &reports);
+
+    (void)state;
+    assert_non_null(scene);
+    assert_int_equal(reports.count, 2);
+    assert_non_null(strstr(reports.items[0].message, "(100000 places"));
+    assert_int_equal(reports.items[1].line, NOTES);
+    assert_non_null(strstr(reports.items[1].message, "too many reports"));
+    scene_free(scene);
+    diagnostics_free(&reports);
+    free(text);
+}
+
+/* A file counts when it is read, not when it is opened again. */
+static void test_many_files(void **state)
+{
+    enum { FILES = 1000 };
+    char folder[] = "/tmp/scene-XXXXXX", path[60], text[300];
+    struct diagnostics reports = { 0 };
+
+    (void)state;
+    assert_non_null(mkdtemp(folder));
+    for (int i = 1; i <= FILES + 1; i++) {
+        snprintf(path, sizeof path, "%d", i);
+        write_file(folder, path, "1");
+    }
+    for (int more = 0; more < 2; more++) {
+        struct scene *scene;
+        snprintf(text, sizeof text,
+                 "#for (J, 1, 3) #for (I, 1, %d) #fopen F concat(\"%s/\","
+                 " str(I, 0, 0)) read #fclose F #end #end",
+                 FILES - 1 + more, folder);
+        scene = scene_read_text("x.pov", text, &reading_options, &reports);
+        assert_non_null(scene);
+        scene_free(scene);
+    }
+    snprintf(text, sizeof text,
+             "#for (I, 1, %d) #fopen F concat(\"%s/\", str(I, 0, 0)) read"
+             " #end",
+             FILES + 1, folder);
+    assert_refused(text, 1, "more than 1000 files are read");
+    for (int i = 1; i <= FILES + 1; i++) {
+        snprintf(path, sizeof path, "%s/%d", folder, i);
+        assert_int_equal(remove(path), 0);
+    }
+    assert_int_equal(remove(folder), 0);
+}
+
 /* What a library does is told once for each of its files that is used. */
 static void test_libraries(void **state)
 {
@@ -420,6 +475,8 @@ int main(void)
         cmocka_unit_test(test_bounds),
         cmocka_unit_test(test_many_places),
         cmocka_unit_test(test_many_reports),
+        cmocka_unit_test(test_lost_notes),
+        cmocka_unit_test(test_many_files),
         cmocka_unit_test(test_libraries),
     };
 

@@ -133,11 +133,7 @@ static void test_prisms(void **state)
 /* Each text has this one error. */
 static void test_errors(void **state)
 {
-    static const struct {
-        const char *text;
-        size_t column;
-        const char *message;
-    } rows[] = {
+    static const struct line_error rows[] = {
         { "cone { x, 1, x, 2 }", 8, "both ends" },
         { "cone { 0, 0, y, 0 }", 8, "both radii" },
         { "cone { 0, -1, y, 0 }", 11, "below 0" },
@@ -199,9 +195,7 @@ static void test_errors(void **state)
     };
 
     (void)state;
-    for (size_t i = 0; i < COUNT(rows); i++)
-        assert_error(rows[i].text, &reading_options, 1, rows[i].column,
-                     rows[i].message);
+    assert_errors(rows, COUNT(rows));
 }
 
 /* --- conditions ---------------------------------------------------------- */

@@ -1,7 +1,9 @@
 /* test_text.c - the scene language: characters of fonts, which come with
  * POV-Ray's package. */
+#include "rt/scene/font.h"
 #include "rt/scene/transform.h"
 #include "rt/shapes/primitive.h"
+#include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
 #include <stdio.h>
@@ -104,6 +106,36 @@ static void test_curves(void **state)
     scene_free(scene);
 }
 
+/* Loops by chance on a small grid, so that they touch themselves: the same loop
+ * from another point, which is there once if any is. */
+static void test_touching_loops(void **state)
+{
+    enum { LOOPS = 2000, LONGEST = 12 };
+    uint64_t random = RANDOM_SEED;
+
+    (void)state;
+    for (int i = 0; i < LOOPS; i++) {
+        size_t count = (size_t)xorshift_between(&random, 1, LONGEST), begin;
+        double before[LONGEST][2], after[LONGEST][2];
+        size_t times[LONGEST] = { 0 };
+        for (size_t j = 0; j < count; j++)
+            for (int k = 0; k < 2; k++)
+                before[j][k] = (double)xorshift_between(&random, 0, 2);
+        for (size_t j = 0; j < count; j++)
+            for (size_t k = 0; k < count; k++)
+                times[j] += !memcmp(before[j], before[k], sizeof *before);
+        memcpy(after, before, sizeof after);
+        font_turn_loop(after, count);
+        for (begin = 0; begin < count && times[begin] > 1; begin++)
+            continue;
+        if (begin == count)
+            begin = 0;
+        for (size_t j = 0; j < count; j++)
+            assert_memory_equal(after[j], before[(begin + j) % count],
+                                sizeof *after);
+    }
+}
+
 static void test_modifiers(void **state)
 {
     struct scene *scene = read_scene(
@@ -135,11 +167,7 @@ static void test_blank(void **state)
 
 static void test_errors(void **state)
 {
-    static const struct {
-        const char *text;
-        size_t column;
-        const char *message;
-    } rows[] = {
+    static const struct line_error rows[] = {
         { "text { \"a.ttf\" \"a\" 1, 0 }", 8, "expected ttf" },
         { "text { ttf \"no.ttf\" \"a\" 1, 0 }", 12, "no such file" },
         { "text { ttf \"math.inc\" \"a\" 1, 0 }", 1, "it is not a font" },
@@ -150,16 +178,17 @@ static void test_errors(void **state)
     };
 
     (void)state;
-    for (size_t i = 0; i < COUNT(rows); i++)
-        assert_error(rows[i].text, &reading_options, 1, rows[i].column,
-                     rows[i].message);
+    assert_errors(rows, COUNT(rows));
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_extents),   cmocka_unit_test(test_curves),
-        cmocka_unit_test(test_modifiers), cmocka_unit_test(test_blank),
+        cmocka_unit_test(test_extents),
+        cmocka_unit_test(test_curves),
+        cmocka_unit_test(test_touching_loops),
+        cmocka_unit_test(test_modifiers),
+        cmocka_unit_test(test_blank),
         cmocka_unit_test(test_errors),
     };
 

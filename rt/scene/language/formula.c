@@ -24,7 +24,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum step_kind {
+enum formula_step_kind {
     FORMULA_NUMBER,    /* push it */
     FORMULA_PARAMETER, /* push it */
     FORMULA_OPERATOR,  /* of two floats, by its sign */
@@ -34,7 +34,7 @@ enum step_kind {
 };
 
 struct formula_step {
-    enum step_kind kind;
+    enum formula_step_kind kind;
     int sign;
     size_t count, term;
     union {
@@ -217,8 +217,8 @@ static bool is_parameter(const struct compiler *compiler,
 static bool read_primary(struct compiler *compiler)
 {
     struct reader *reader = compiler->reader;
-    const struct scene_value *declared = reader_use(reader, VALUE_FUNCTION);
     struct formula_step step = { .kind = FORMULA_PARAMETER };
+    const struct scene_value *declared;
 
     if (reader_accept_sign(reader, '('))
         return read_whole(compiler) && reader_expect_sign(reader, ')');
@@ -226,6 +226,7 @@ static bool read_primary(struct compiler *compiler)
         reader_next(reader);
         return add_step(compiler, &step, 0);
     }
+    declared = reader_use(reader, VALUE_FUNCTION);
     if (declared)
         return read_formula_call(compiler, declared->is.formula);
     if (function_find(&reader->token))

@@ -82,7 +82,6 @@ static const struct keyword left_out[] = {
     { NULL, NULL, 0 },
 };
 
-
 static const struct grammar grammar = { "a word of light_source",
                                         { words, passed_over, left_out },
                                         NULL };

@@ -1,0 +1,116 @@
+/* test_formulas.c - the scene language: functions that a scene declares, by
+ * chance.  What POV-Ray makes of some is in tests/language. */
+#include "tests/random.h"
+#include "tests/unit/scene_reading.h"
+
+#include <stdio.h>
+
+/* An expression of floats that exists everywhere. */
+static void put_formula(FILE *text, uint64_t *random, int depth)
+{
+    static const char *const forms[] = { "#",
+                                         "(# + #)",
+                                         "(# - #)",
+                                         "(# * #)",
+                                         "# * #",
+                                         "-#",
+                                         "+#",
+                                         "(# / (2 + abs(#)))",
+                                         "sin(#)",
+                                         "max(#, #, #)",
+                                         "select(#, #, #)",
+                                         "(# < #)",
+                                         "(# >= #)",
+                                         "(# & # | #)",
+                                         "atan2(#, 1 + #*#)",
+                                         "floor(#)",
+                                         "(# != #)",
+                                         "min(#, #)",
+                                         "select(#, #, #, #)",
+                                         "pow(2, sin(#))",
+                                         "(# = # | #)" };
+    static const char *const leaves[] = { "a", "b",   "K", "1.5",
+                                          "c", ".25", "pi" };
+
+    if (depth == 0) {
+        fputs(leaves[xorshift(random) % COUNT(leaves)], text);
+        return;
+    }
+    for (const char *form = forms[xorshift(random) % COUNT(forms)]; *form;
+         form++)
+        if (*form == '#')
+            put_formula(text, random, depth - 1);
+        else
+            fputc(*form, text);
+}
+
+static char *formula_by_chance(uint64_t *random)
+{
+    enum { DEPTH = 4 };
+    char *formula = NULL;
+    size_t length;
+    FILE *text = open_memstream(&formula, &length);
+
+    assert_non_null(text);
+    put_formula(text, random, DEPTH);
+    fclose(text);
+    return formula;
+}
+
+/* The value of a function is that of its body where its parameters are names,
+ * bit for bit; what is declared later does not change it. */
+static void test_by_chance(void **state)
+{
+    enum { FORMULAS = 500 };
+    static const char frame[] =
+        "#declare K = -.75;\n#declare F = function(a, b, c) { %s }\n"
+        "#declare a = 2.5; #declare b = -1.25; #declare c = .5;\n"
+        "#declare V = (%s);\n#declare K = 9;\n"
+        "sphere { <F(a, b, c), V, 0>, 1 }";
+    uint64_t random = RANDOM_SEED;
+
+    (void)state;
+    for (int i = 0; i < FORMULAS; i++) {
+        char *formula = formula_by_chance(&random);
+        size_t room = sizeof frame + 2 * strlen(formula);
+        char *text = malloc(room);
+        const double *center;
+        struct scene *scene;
+        assert_non_null(text);
+        snprintf(text, room, frame, formula, formula);
+        scene = read_scene(text);
+        center = scene->primitives->shape.sphere.center;
+        if (memcmp(&center[0], &center[1], sizeof *center))
+            fail_msg("%.17g and %.17g of:\n%s", center[0], center[1], text);
+        scene_free(scene);
+        free(text);
+        free(formula);
+    }
+}
+
+/* Formulas of formulas take as long as they are reckoned. */
+static void test_long_ones(void **state)
+{
+    static char text[20000];
+    size_t length = (size_t)snprintf(text, sizeof text,
+                                     "#declare F0 = function(x) { x + 1 }\n");
+
+    (void)state;
+    for (int i = 1; i < 100; i++)
+        length += (size_t)
+            snprintf(text + length, sizeof text - length,
+                     "#declare F%d = function(x) { F%d(x) + F%d(x) }\n", i,
+                     i - 1, i - 1);
+    snprintf(text + length, sizeof text - length, "sphere { 0, F99(1) }");
+    assert_refused(text, 1, "too long to read");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_by_chance),
+        cmocka_unit_test(test_long_ones),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
