@@ -12,17 +12,34 @@
 #include "rt/picture/picture.h"
 #include "rt/shapes/shape_words.h"
 
+static void table_in_words(const struct primitive *primitive,
+                           const double *table, size_t count,
+                           c205_word *words)
+{
+    const struct shape *shape = shape_of(primitive);
+
+    put_numbers(words, table, count);
+    for (size_t i = 0; shape->is_integer && i < count; i++)
+        if (shape->is_integer(primitive, i))
+            words[i] = c205_from_integer((int64_t)table[i]);
+}
+
 static void put_table(struct record *record,
                       const struct primitive *primitive)
 {
     size_t count = shape_table_count(primitive);
     double *table = shape_table(primitive, count);
+    c205_word *words = calloc(count + 1, sizeof *words);
 
-    if (table && count > 0)
-        record_table(record, "P_TABLE", table, count);
-    else if (!table)
+    if (!table || !words) {
         layout_fail(record->layout, "no memory");
+    } else if (count > 0) {
+        record_check(record, table, count);
+        table_in_words(primitive, table, count, words);
+        record_table(record, "P_TABLE", words, count);
+    }
     free(table);
+    free(words);
 }
 
 static void put_shape(struct record *record,

@@ -160,8 +160,7 @@ void put_numbers(c205_word *words, const double *values, size_t count)
 
 /* A double's exponents are far fewer than the machine's: what squares and
  * reciprocals make of a scene's numbers may be beyond them. */
-static void check_finite(struct record *record, const double *values,
-                         size_t count)
+void record_check(struct record *record, const double *values, size_t count)
 {
     for (size_t i = 0; i < count; i++)
         if (!isfinite(values[i]))
@@ -176,7 +175,7 @@ void record_numbers(struct record *record, const char *name,
 {
     c205_word *field;
 
-    check_finite(record, values, count);
+    record_check(record, values, count);
     field = find_field(record, name, count);
     if (field)
         put_numbers(field, values, count);
@@ -210,15 +209,9 @@ void record_bound(struct record *record, const char *name,
 }
 
 void record_table(struct record *record, const char *name,
-                  const double *table, size_t count)
+                  const c205_word *table, size_t count)
 {
-    check_finite(record, table, count);
-    for (size_t i = 0; i < count; i++) {
-        c205_word word = c205_from_double(table[i]);
-
-        layout_words(record->layout, record->table + UINT64_C(64) * i, &word,
-                     1);
-    }
+    layout_words(record->layout, record->table, table, count);
     record_address(record, name, record->table);
     record->table += UINT64_C(64) * count;
 }

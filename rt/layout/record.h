@@ -70,7 +70,8 @@ struct row record_row(const struct record *record);
 void record_write(struct record *record);
 void record_end(struct record *record);
 
-/* Each number must be finite. */
+/* Each number must be finite: else it is a failure. */
+void record_check(struct record *record, const double *values, size_t count);
 void record_numbers(struct record *record, const char *name,
                     const double *values, size_t count);
 void record_integer(struct record *record, const char *name, size_t value);
@@ -84,9 +85,9 @@ void record_routine(struct record *record, const char *name,
                     const char *routine);
 void record_bound(struct record *record, const char *name,
                   const struct bound *bound);
-/* Numbers to the table, their address to the field. */
+/* Words to the table, their address to the field. */
 void record_table(struct record *record, const char *name,
-                  const double *table, size_t count);
+                  const c205_word *table, size_t count);
 
 void put_numbers(c205_word *words, const double *values, size_t count);
 

@@ -21,6 +21,18 @@ struct outline {
     double (*points)[2];
 };
 
+/* Normals, of any length above 0, stand at the corners of a smooth one. */
+struct triangle {
+    double corners[3][3], normals[3][3];
+    bool smooth;
+};
+
+/* As many as there are; the scene keeps them. */
+struct triangles {
+    size_t count;
+    struct triangle *list;
+};
+
 struct primitive {
     enum primitive_kind kind;
     union {

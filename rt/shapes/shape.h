@@ -30,6 +30,7 @@ enum shape_takes {
     TAKES_OTHER,  /* a word of POV-Ray's that is not supported */
     TAKES_PATH,   /* a number of points, and the points, to a struct outline;
                      there is room for one more */
+    TAKES_TRIANGLES, /* to a struct triangles */
 };
 
 struct shape_field {
@@ -79,8 +80,11 @@ struct shape {
      * many. */
     size_t (*words)(const struct primitive *primitive, double *words);
     /* Any number of further words, to which the record has an address: how
-     * many, and, if table is not NULL, the words.  NULL: none. */
+     * many, and, if table is not NULL, the words, or 0 if there is no memory
+     * to work them out.  NULL: none. */
     size_t (*table)(const struct primitive *primitive, double *table);
+    /* Which of them are integers.  NULL: all are numbers. */
+    bool (*is_integer)(const struct primitive *primitive, size_t word);
     /* Whether it needs no space of its own: its words are told, or are told
      * anew, in the world.  NULL: it needs one. */
     bool (*carry)(const struct primitive *primitive, double *words);

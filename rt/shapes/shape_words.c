@@ -53,8 +53,11 @@ double *shape_table(const struct primitive *primitive, size_t count)
 {
     double *table = calloc(count + 1, sizeof *table);
 
-    if (table && count > 0)
-        shape_of(primitive)->table(primitive, table);
+    if (table && count > 0
+        && shape_of(primitive)->table(primitive, table) == 0) {
+        free(table);
+        return NULL;
+    }
     return table;
 }
 

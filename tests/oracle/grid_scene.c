@@ -231,6 +231,23 @@ static struct solid *random_solid(uint64_t *state, size_t depth)
     return solid;
 }
 
+/* Three of a square's four halves, cut by both diagonals, or of a bent one. */
+static struct solid *random_mesh(uint64_t *state)
+{
+    struct solid *solid = solid_new(SHAPE, 0);
+    double z = on_grid(state), s = size_on_grid(state), up = on_grid(state);
+    solid_words(
+        solid->shape,
+        "mesh { triangle { <-%g, -%g, %g>, <%g, -%g, %g>, <%g, %g, %g> } "
+        "triangle { <-%g, -%g, %g>, <%g, %g, %g>, <-%g, %g, %g> } "
+        "triangle { <-%g, %g, %g>, <%g, -%g, %g>, <%g, %g, %g> } ",
+        s, s, z, s, s, z, s, s, up, s, s, z, s, s, up, s, s, z, s, s, z, s, s,
+        z, s, s, up);
+    random_look(state, solid->look);
+    random_motion(state, solid->motion);
+    return solid;
+}
+
 /* --- scenes --------------------------------------------------------------- */
 
 static void random_view(uint64_t *state, struct grid_scene *scene)
@@ -287,7 +304,9 @@ struct grid_scene *grid_scene_random(uint64_t *state)
         random_lamp(state, scene->lamps[i]);
     scene->solid_count = 1 + below(state, SOLIDS_MOST);
     for (size_t i = 0; i < scene->solid_count; i++)
-        scene->solids[i] = random_solid(state, 1 + below(state, DEPTH));
+        scene->solids[i] = below(state, 10) == 0
+                               ? random_mesh(state)
+                               : random_solid(state, 1 + below(state, DEPTH));
     return scene;
 }
 

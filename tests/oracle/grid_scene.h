@@ -1,10 +1,10 @@
 /* grid_scene.h - scenes by chance in which faces coincide, and smaller ones.
  *
- * Solids of solids, up to four deep, of all kinds of shapes: their coordinates
- * are -1, -1/2, 0, 1/2 and 1, now and then ten thousand times as small, their
- * turns quarter turns.  Some parts are
- * mirrors or glass.  The eye stands anywhere, or looks along an axis, or
- * stands in or on a solid; so do lamps.
+ * Solids of solids, up to four deep, of all kinds of shapes, and meshes: their
+ * coordinates are -1, -1/2, 0, 1/2 and 1, now and then ten thousand times as
+ * small, their turns quarter turns.  Some parts are mirrors or glass.
+ * The eye stands anywhere, or looks along an axis, or stands in or on a solid;
+ * so do lamps.
  */
 #ifndef GRID_SCENE_H
 #define GRID_SCENE_H

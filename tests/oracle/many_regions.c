@@ -30,6 +30,7 @@ struct drawing {
     struct place places[MANY_REGIONS_MOST]; /* of the scene's solids */
     bool whole;                             /* on whole numbers */
     bool endless;                           /* some things are */
+    bool meshes;                            /* some things are */
 };
 
 /* --- groups --------------------------------------------------------------- */
@@ -161,6 +162,9 @@ static void add_solid(struct drawing *drawing, const struct group *group,
         solid = copy_of_one(drawing, count);
     } else if (group->endless || (drawing->endless && one_in(state, 20))) {
         solid = endless_at(state, place);
+    } else if (one_in(state, 16)) {
+        solid = mesh_at(state, place);
+        drawing->meshes = true;
     } else {
         solid = solid_at(state, place, scene->mood, 2);
     }
@@ -189,7 +193,8 @@ static void join_some(struct drawing *drawing)
     bool all = one_in(drawing->state, 3) || scene->solid_count < JOINED_MOST;
     size_t most = all ? scene->solid_count : JOINED_MOST;
     size_t count = 1 + below(drawing->state, most);
-    struct solid *whole = solid_new(random_joining(drawing->state), count);
+    enum solid_joining joining = random_joining(drawing->state);
+    struct solid *whole = solid_new(drawing->meshes ? UNION : joining, count);
     size_t first = scene->solid_count -= count;
     for (size_t i = 0; i < count; i++)
         whole->parts[i] = scene->solids[first + i];

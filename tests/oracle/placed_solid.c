@@ -165,6 +165,21 @@ static struct solid *shape_at(uint64_t *state, const struct place *place)
     return solid;
 }
 
+/* A pyramid whose front is open, its top anywhere, and a smooth side. */
+struct solid *mesh_at(uint64_t *state, const struct place *place)
+{
+    struct solid *solid = solid_new(SHAPE, 0);
+    double x = .25 * (double)below(state, 9) - 1;
+    double z = .25 * (double)below(state, 9) - 1;
+    solid_words(solid->shape,
+                "mesh { triangle { -x, x, <%.12g, 1, %.12g> } "
+                "triangle { -x, z, <%.12g, 1, %.12g> } smooth_triangle { "
+                "x, <1, 1, 0>, z, <0, 1, 1>, <%.12g, 1, %.12g>, y } ",
+                x, z, x, z, x, z);
+    move_to(state, place, solid);
+    return solid;
+}
+
 struct solid *endless_at(uint64_t *state, const struct place *place)
 {
     struct solid *solid = solid_new(SHAPE, 0);

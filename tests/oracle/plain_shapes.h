@@ -21,7 +21,9 @@ struct crossing {
     double normal[3]; /* of any length and either side */
 };
 
-enum { MOST_CROSSINGS = 40 }; /* of a prism; a quartic has 4 */
+/* Of a prism; a quartic has 4.  Of a mesh with more these are the first ahead
+ * of the origin. */
+enum { MOST_CROSSINGS = 40 };
 
 /* Every crossing of the whole line, in no order; returns how many. */
 typedef size_t cross_shape(const struct primitive *primitive,
@@ -35,7 +37,8 @@ typedef bool enclose_point(const struct primitive *primitive,
                            const double point[3]);
 enclose_point plain_encloses;
 
-/* Of each: plain_shapes.c, plain_solids.c, plain_quartic.c, plain_steiner.c */
+/* Of each: plain_shapes.c, plain_solids.c, plain_quartic.c, plain_steiner.c,
+ * plain_prism.c, plain_mesh.c */
 #define SHAPE(KIND, name, ...) \
     cross_shape cross_##name; \
     enclose_point in_##name;

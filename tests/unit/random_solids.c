@@ -155,6 +155,21 @@ static void add_patch(char *text, size_t size)
                  size_between(.5, 2));
 }
 
+/* A roof and one of its gables, which is smooth. */
+static void add_mesh(char *text, size_t size)
+{
+    double x = size_between(.3, 1), y = place_between(-.5, 1);
+    double z = size_between(.3, 1);
+
+    add_text(
+        text, size,
+        "mesh { triangle { <-%.4f, 0, 0>, <%.4f, 0, 0>, <0, %.4f, %.4f> }"
+        " triangle { <-%.4f, 0, 0>, <%.4f, 0, 0>, <0, %.4f, -%.4f> }"
+        " smooth_triangle { <0, %.4f, %.4f>, y, <0, %.4f, -%.4f>, y + z,"
+        " <%.4f, 0, 0>, y - z } ",
+        x, x, y, z, x, x, y, z, y, z, y, z, x);
+}
+
 static void add_leaf(char *text, size_t size)
 {
     static void (*const add_shape[])(char *, size_t) = {
@@ -164,7 +179,10 @@ static void add_leaf(char *text, size_t size)
     };
     size_t kinds = sizeof add_shape / sizeof *add_shape - !solids.patches;
 
-    add_shape[below(kinds)](text, size);
+    if (solids.meshes && (traced.reported || !solids.clear) && below(8) == 0)
+        add_mesh(text, size);
+    else
+        add_shape[below(kinds)](text, size);
     add_look(text, size);
     add_text(text, size, below(8) ? "" : "inverse ");
     add_motion(text, size);
@@ -211,16 +229,18 @@ void add_solid(char *text, size_t size, size_t depth)
         { "union", false },
     };
     size_t which = below(sizeof joined / sizeof *joined);
-    bool patches = solids.patches;
+    bool patches = solids.patches, meshes = solids.meshes;
 
     if (depth == 0 || below(5) == 0) {
         add_leaf(text, size);
         return;
     }
     solids.patches = patches && (traced.reported || !joined[which].meets);
+    solids.meshes = meshes && strcmp(joined[which].word, "union") == 0;
     add_text(text, size, "%s {\n", joined[which].word);
     add_children(text, size, depth);
     add_motion(text, size);
     add_text(text, size, "}\n");
     solids.patches = patches;
+    solids.meshes = meshes;
 }

@@ -61,6 +61,15 @@ static void test_known(void **state)
           { 0, 0, 0 },
           5,
           .02 },
+        { "mesh { triangle { 0, 2*x, <1, 1, 0> }"
+          " triangle { <1, 1, 0>, 0, <1, -1, 0> } }",
+          { 1, 0, 0 },
+          1,
+          .03 },
+        { "smooth_triangle { 0, y, 2*x, x, <1, 1, 0>, y scale 2 }",
+          { 2, 0, 0 },
+          2,
+          .03 },
         { "plane { y, 1 }", { 0, 0, 0 }, BOUND_NONE, 0 },
         { "quadric { 1, 0, 0, -1 }", { 0, 0, 0 }, BOUND_NONE, 0 },
         { "sphere { 0, 1e100 }", { 0, 0, 0 }, BOUND_NONE, 0 },
@@ -125,6 +134,10 @@ static void test_known_boxes(void **state)
           { -3, -1, -1 },
           { 5, 1, 1 } },
         { "torus { 3, 1 scale <1, 2, 1> }", { -4, -2, -4 }, { 4, 2, 4 } },
+        { "mesh { triangle { <-1, 0, 2>, <3, 0, 2>, <0, 4, 5> }"
+          " triangle { 0, y, z } translate x }",
+          { 0, 0, 0 },
+          { 4, 4, 5 } },
         { "merge { box { 0, 1 } box { <2, -1, 0>, <3, 1, 2> } }",
           { 0, -1, 0 },
           { 3, 1, 2 } },
@@ -194,6 +207,8 @@ static void test_crossings(void **state)
         "elliptical_torus { 1.2, 1, .3",
         "prism { -1, 2, 5, <0, 0>, <2, 1>, <1, -1>, <-1, -2>, <0, 2> open",
         "prism { -1, 1, 3, <-2, 0>, <3, 0>, <3, 2>",
+        ("mesh { triangle { <-2, 0, 1>, <2, -1, 0>, <0, 2, -1> }"
+         " smooth_triangle { -y, y, 2*z, z, 2*x, x }"),
         ("steiner_patch { -2*x, 2*y, 2*x, <-2, 2, 1>, <2, 2, -1>, -2*y"
          " weights 1, 2, 1, .5, 3, 1"),
     };

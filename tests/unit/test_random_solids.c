@@ -97,7 +97,7 @@ static void check_scenes(bool gridded, bool clear)
 
     solids.gridded = gridded;
     solids.clear = clear;
-    solids.patches = true;
+    solids.patches = solids.meshes = true;
     for (size_t i = 0; i < scene_count; i++) {
         write_scene(text, sizeof text);
         check_scene(text);

@@ -13,7 +13,7 @@ static void test_errors(void **state)
         { "blob { }", 1, 1, "'blob' is not supported" },
         { "union { sphere { 0, 1 }\n lathe { 0, 1, y, 0 } }", 2, 2,
           "'lathe'" },
-        { "difference { sphere { 0 1 } mesh { } }", 1, 29, "'mesh'" },
+        { "difference { sphere { 0 1 } sor { } }", 1, 29, "'sor'" },
         { "sphere { 0, 1 interior { ior 0 } }", 1, 26, "ior is not above 0" },
         { "merge { sphere { 0 1 } inverse sphere { 0 1 } }", 1, 32,
           "found 'sphere'" },

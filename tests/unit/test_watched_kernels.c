@@ -95,7 +95,8 @@ static void test_kernels(void **state)
                                           "scenes/steiner.pov",
                                           "tests/scenes/csg_culled.pov",
                                           "tests/scenes/csg_patches.pov",
-                                          "tests/scenes/csg_prisms.pov" };
+                                          "tests/scenes/csg_prisms.pov",
+                                          "tests/scenes/mesh.pov" };
     struct sink sink = stream_sink(stderr);
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe", &error);

@@ -196,7 +196,7 @@ static void add_surface(char *text, size_t size)
 
 void check_random_scenes(void (*add_shape)(char *, size_t), size_t scenes)
 {
-    char text[16384];
+    static char text[1 << 18];
     size_t found = 0;
 
     for (size_t scene = 0; scene < scenes; scene++) {

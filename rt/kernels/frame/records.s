@@ -51,6 +51,8 @@
                                 ;             another plane (steiner_patch_vector.s)
                                 ;   prism     low, high, how many rows; table:
                                 ;             rows, as below
+                                ;   mesh      words of a triangle's row; table:
+                                ;             nodes and triangles, as below
         .field  P_LOCAL, 12        ; rows of the matrix from world to own
                                 ; space, each three factors and a shift
         .field  P_COLOR, 6         ; pigment, and the checker's second
@@ -111,6 +113,28 @@
         .field  PRISM_DIRECTION, 2
         .field  PRISM_LENGTH
         .field  PRISM_NORMAL, 2    ; outward
+        .endrecord
+
+; The table of a mesh: a row of zeros, the nodes of a hierarchy of boxes, in
+; preorder, and the triangles.  A row is told by how many words stand before it.
+; By the signs of a ray's direction (1: x below 0, 2: y, 4: z) a node tells where
+; the rays that come near it go on, and where the others do: among the nodes, or
+; 0, the end.  Near a leaf they go on where the others do, and the link is
+; greater by MESH_MET.
+        .record MESH
+        .field  MESH_BOX, 6        ; centre 3, half sides 3
+        .field  MESH_LINKS, 16     ; near, not near; for each of eight signs
+        .field  MESH_FIRST         ; of a leaf: its first triangle, and
+        .field  MESH_COUNT         ; how many stand there
+        .at     25              ; odd, for the banks
+        .endrecord
+        .equ    MESH_MET, 1 << 40
+
+        .record TRIANGLE
+        .field  TRIANGLE_CORNERS, 9
+        .field  TRIANGLE_NORMAL, 3 ; of length one; of a smooth one that at the
+                                ; first corner, of any length, and
+        .field  TRIANGLE_CHANGE, 9 ; three rows: how it changes from there
         .endrecord
 
 ; A region: what is traced as one thing, a primitive or a Boolean tree of them.

@@ -15,6 +15,7 @@
 enum {
     NESTING_MOST = 200,        /* blocks and brackets within each other */
     PRIMITIVES_MOST = 1000000, /* made in all, copies counted */
+    TRIANGLES_MOST = 10000000, /* of all meshes, copies not counted */
     SOLID_MOST = 10000,        /* primitives in one tree */
     ERRORS_MOST = 200,
     FILES_MOST = 1000,     /* read; each once */
@@ -73,7 +74,7 @@ struct reader {
     struct declared_names symbols;
     struct texture default_texture;
     struct scene_object world;
-    size_t primitives_made;
+    size_t primitives_made, triangles;
     struct scene *scene;
     bool camera_given;
 

@@ -97,9 +97,25 @@ static bool check_solid(struct reader *reader,
                            SOLID_MOST);
 }
 
+static bool has_mesh(const struct scene_object *object)
+{
+    for (size_t i = 0; i < object->part_count; i++)
+        if (object->parts[i].primitive.kind == PRIMITIVE_MESH)
+            return true;
+    return false;
+}
+
+/* Of a mesh, which has no inside, nothing changes: so POV-Ray. */
 static bool read_inverse(struct reader *reader, void *subject,
                          const struct item *item)
 {
+    const struct scene_object *object = subject;
+
+    if (has_mesh(object))
+        return object->part_count == 1
+               || reader_fault(reader, &item->at,
+                               "'inverse' of a mesh with other objects is "
+                               "not supported");
     return check_solid(reader, subject, &item->at)
            && (object_invert(subject) || reader_no_memory(reader));
 }
@@ -260,6 +276,16 @@ static void report_patches(struct reader *reader,
         }
 }
 
+static bool check_meshes(struct reader *reader,
+                         const struct scene_object *child,
+                         const struct scene_token *at)
+{
+    return !has_mesh(child)
+           || reader_fault(reader, at,
+                           "a mesh in an intersection, difference or merge "
+                           "is not supported");
+}
+
 static bool read_child(struct reader *reader, void *subject,
                        const struct item *item)
 {
@@ -268,7 +294,9 @@ static bool read_child(struct reader *reader, void *subject,
     bool done;
 
     memset(&child, 0, sizeof child);
-    done = shape_read(reader, &child, item);
+    done = shape_read(reader, &child, item)
+           && (object->joining == JOIN_APART
+               || check_meshes(reader, &child, &item->at));
     if (done && object->joining >= JOIN_INTERSECTION)
         report_patches(reader, &child, &item->at);
     if (done && !object_add_child(object, &child))
@@ -323,6 +351,13 @@ bool looks_like_read(struct reader *reader, struct scene_object *object,
     good = read_base(reader, object);
     object_move(object, &step);
     return block_items(reader, &block, &modifier_grammar, object, good);
+}
+
+/* Or triangles, of which one is made. */
+static bool is_mesh(enum shape_word shape)
+{
+    return shape == (enum shape_word)PRIMITIVE_MESH || shape == SHAPE_TRIANGLE
+           || shape == SHAPE_SMOOTH_TRIANGLE || shape == SHAPE_MESH2;
 }
 
 static bool is_joined(enum shape_word shape)
@@ -396,6 +431,8 @@ bool shape_read(struct reader *reader, struct scene_object *object,
 
     if (shape == SHAPE_LIGHT)
         return light_read(reader, object);
+    if (is_mesh(shape))
+        return mesh_read(reader, object, item);
     if (!block_open(reader, &block, '{'))
         return false;
     good = read_first(reader, object, item);

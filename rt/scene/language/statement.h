@@ -62,7 +62,10 @@ enum shape_word {
     SHAPE_LIGHT_GROUP,
     SHAPE_CUBIC, /* .. of which a quartic or a quadric is made */
     SHAPE_POLY,
-    SHAPE_TEXT /* of prisms */
+    SHAPE_TEXT,     /* of prisms */
+    SHAPE_TRIANGLE, /* .. of which a mesh is made */
+    SHAPE_SMOOTH_TRIANGLE,
+    SHAPE_MESH2
 };
 /* clang-format off */
 #define OTHER_SHAPE_WORDS(read) \
@@ -73,7 +76,9 @@ enum shape_word {
     { "light_source", read, SHAPE_LIGHT }, \
     { "light_group", read, SHAPE_LIGHT_GROUP }, \
     { "cubic", read, SHAPE_CUBIC }, { "poly", read, SHAPE_POLY }, \
-    { "text", read, SHAPE_TEXT }
+    { "text", read, SHAPE_TEXT }, { "triangle", read, SHAPE_TRIANGLE }, \
+    { "smooth_triangle", read, SHAPE_SMOOTH_TRIANGLE }, \
+    { "mesh2", read, SHAPE_MESH2 }
 /* clang-format on */
 /* Into an empty object; the caller frees it also after an error. */
 bool shape_read(struct reader *reader, struct scene_object *object,
@@ -87,6 +92,10 @@ bool polynomial_read(struct reader *reader, enum shape_word word,
 /* The arguments of text, behind its '{': a prism for each character. */
 bool text_read(struct reader *reader, struct scene_object *object,
                const struct scene_token *at);
+/* The whole block of triangle, smooth_triangle, mesh or mesh2: one
+ * primitive. */
+bool mesh_read(struct reader *reader, struct scene_object *object,
+               const struct item *item);
 /* Another primitive, which is `at`, within the bound of PRIMITIVES_MOST. */
 bool shape_add(struct reader *reader, struct scene_object *object,
                struct primitive *primitive, const struct scene_token *at);

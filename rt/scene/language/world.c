@@ -43,6 +43,19 @@ static bool check_part(struct reader *reader, struct scene_part *part,
                            primitive_kind_name(primitive->kind));
 }
 
+/* What is seen through a mesh is not drawn. */
+static void make_opaque(struct reader *reader, struct primitive *primitive,
+                        const struct scene_token *at)
+{
+    struct pigment *pigment = &primitive->pigment;
+
+    if (primitive->kind != PRIMITIVE_MESH || !pigment_is_clear(pigment))
+        return;
+    reader_report(reader, at, "a mesh that lets light pass is drawn opaque");
+    for (int i = 0; i < 2; i++)
+        pigment->filter[i] = pigment->transmit[i] = 0;
+}
+
 static bool add_to_world(struct reader *reader, struct scene_object *object,
                          const struct scene_token *at)
 {
@@ -53,9 +66,11 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
     object->textured = true;
     if (!object_add(&reader->world, object))
         return reader_no_memory(reader);
-    for (size_t i = first; i < reader->world.part_count; i++)
+    for (size_t i = first; i < reader->world.part_count; i++) {
+        make_opaque(reader, &reader->world.parts[i].primitive, at);
         if (!check_part(reader, &reader->world.parts[i], at))
             return false;
+    }
     return true;
 }
 

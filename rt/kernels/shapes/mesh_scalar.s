@@ -1,0 +1,231 @@
+; mesh_scalar.s - one ray meets a mesh: many triangles under a hierarchy of boxes.
+;
+;       CALL MESH (RAY, PRIMITIVE, SEGMENT)
+;
+; Arguments as in sphere_scalar.s, method as in mesh_vector.s.  Where a triangle
+; that is met stands in the table is written to the primitive's P_PATCH_POINT.
+
+        .ifndef LANE_REGISTERS
+        .include "shapes/lanes_scalar.s"
+        .endif
+
+        .share  local
+        .regs   r79, mesh_table, mesh_row, node, node_at, signs, met_link
+        .regs   r85, axis_x, axis_y, axis_z             ; the ray's own: 0, 1, 2
+        .regs   r88, own_ox, own_oy, own_oz, shear_x, shear_y, own_z
+        .regs   r94, inverse_x, inverse_y, inverse_z, size_x, size_y, size_z
+        .regs   r100, box_x, box_y, box_z, box_hx, box_hy, box_hz
+        .regs   r106, low_x, low_y, low_z, high_x, high_y, high_z
+        .regs   r112, mesh_less, mesh_zero, triangle, triangles_left, nearest_side
+        .regs   r117, side_x0, side_y0, side_z0, side_x1, side_y1, side_z1
+        .regs   r123, side_x2, side_y2, side_z2, side_u, side_v, side_w
+        .regs   r129, triangle_at, mesh_least
+        .endshare
+        .equ    MESH_REGISTERS, 99
+
+        .data
+mesh_numbers:   .word 0.99999999999909050529   ; bound_less
+                .word 1e-60
+mesh_save:      .space MESH_REGISTERS
+        .code
+
+        .macro  own_axes kx, ky, kz, x, y, z
+        ES      axis_x, \kx
+        ES      axis_y, \ky
+        ES      axis_z, \kz
+        RTOR    o\x, own_ox
+        RTOR    o\y, own_oy
+        RTOR    o\z, own_oz
+        DIVS    one, d\z, own_z
+        MPYS    d\x, own_z, shear_x
+        MPYS    d\y, own_z, shear_y
+        .endm
+
+        .macro  begin_axis d, sign, inverse, size
+        RTOR    \d, t0
+        CFPNE   t0, r0, axis_slanted\@
+        RTOR    mesh_zero, t0
+axis_slanted\@:
+        DIVS    one, t0, \inverse
+        ABS     \inverse, \size
+        CFPGE   \d, r0, axis_above\@
+        IX      signs, 2 * \sign
+axis_above\@:
+        .endm
+
+        .macro  greater a, b
+        CFPGE   \a, \b, greater\@
+        RTOR    \b, \a
+greater\@:
+        .endm
+
+        .macro  lesser a, b
+        CFPGE   \b, \a, lesser\@
+        RTOR    \b, \a
+lesser\@:
+        .endm
+
+; The corners along one of the ray's own axes, at triangle_at; not yet told from
+; its origin.
+        .macro  load_corners axis, c0, c1, c2
+        LOD     [triangle_at, \axis], \c0
+        ADDX    \axis, t0, t1
+        LOD     [triangle_at, t1], \c1
+        ADDX    t1, t0, t1
+        LOD     [triangle_at, t1], \c2
+        .endm
+
+        .macro  from_origin o, c0, c1, c2
+        SUBN    \c0, \o, \c0
+        SUBN    \c1, \o, \c1
+        SUBN    \c2, \o, \c2
+        .endm
+
+        .kernel mesh
+mesh:
+        enter_solver 1, mesh_save, MESH_REGISTERS
+        RTOR    lower, mesh_least
+        FLR     sh0, mesh_row
+        RTOR    a_primitive, t0
+        IX      t0, 64 * P_TABLE
+        LOD     [t0], mesh_table
+        EX      t0, mesh_numbers
+        ELEN    t0, 2
+        SWAP    [t0], mesh_less, [r0]
+        EX      met_link, MESH_MET
+        ABS     dx, t0
+        ABS     dy, t1
+        ABS     dz, t2
+        CFPLT   t0, t1, mesh_not_x
+        CFPLT   t0, t2, mesh_z
+        own_axes 1, 2, 0, y, z, x
+        BIM     mesh_turned
+mesh_not_x:
+        CFPLT   t1, t2, mesh_z
+        own_axes 2, 0, 1, z, x, y
+        BIM     mesh_turned
+mesh_z:
+        own_axes 0, 1, 2, x, y, z
+mesh_turned:
+        ES      signs, 0
+        begin_axis dx, 1, inverse_x, size_x
+        begin_axis dy, 2, inverse_y, size_y
+        begin_axis dz, 4, inverse_z, size_z
+        RTOR    big, tin
+        RTOR    met_link, nearest_side          ; behind all triangles
+        ES      node, MESH_SIZE
+mesh_node:
+        SHIFTI  node, 6, node_at
+        ADDX    node_at, mesh_table, node_at
+        RTOR    node_at, t0
+        ELEN    t0, 6
+        SWAP    [t0], box_x, [r0]
+        IX      node_at, 64 * MESH_LINKS
+        SUBN    box_x, ox, box_x
+        SUBN    box_y, oy, box_y
+        SUBN    box_z, oz, box_z
+        MPYS    box_hx, size_x, box_hx
+        MPYS    box_hy, size_y, box_hy
+        MPYS    box_hz, size_z, box_hz
+        MPYS    box_x, inverse_x, box_x
+        MPYS    box_y, inverse_y, box_y
+        MPYS    box_z, inverse_z, box_z
+        SUBN    box_x, box_hx, low_x
+        ADDN    box_x, box_hx, high_x
+        SUBN    box_y, box_hy, low_y
+        ADDN    box_y, box_hy, high_y
+        SUBN    box_z, box_hz, low_z
+        ADDN    box_z, box_hz, high_z
+        greater low_x, low_y
+        lesser  high_x, high_y
+        greater low_x, low_z
+        lesser  high_x, high_z
+        MPYS    low_x, mesh_less, low_x
+        CFPLT   high_x, r0, mesh_beside
+        CFPLT   high_x, low_x, mesh_beside
+        CFPGE   low_x, tin, mesh_beside
+        LOD     [node_at, signs], node
+        IBXLT   node, r0, met_link, mesh_node
+        SUBX    node, met_link, node
+        IX      node_at, 64 * (MESH_FIRST - MESH_LINKS)
+        ELEN    node_at, 2
+        SWAP    [node_at], triangle, [r0]       ; and triangles_left
+        BIM     mesh_triangle
+mesh_beside:
+        IX      node_at, 64
+        LOD     [node_at, signs], node
+        IBXNE   node, r0, r0, mesh_node
+        BIM     mesh_walked
+
+mesh_triangle:
+        SHIFTI  triangle, 6, triangle_at
+        ADDX    triangle_at, mesh_table, triangle_at
+        ES      t0, 3
+        load_corners axis_z, side_z0, side_z1, side_z2
+        load_corners axis_x, side_x0, side_x1, side_x2
+        load_corners axis_y, side_y0, side_y1, side_y2
+        from_origin own_oz, side_z0, side_z1, side_z2
+        from_origin own_ox, side_x0, side_x1, side_x2
+        from_origin own_oy, side_y0, side_y1, side_y2
+        MPYS    shear_x, side_z0, t0
+        MPYS    shear_x, side_z1, t1
+        MPYS    shear_x, side_z2, t2
+        MPYS    shear_y, side_z0, t3
+        MPYS    shear_y, side_z1, t4
+        MPYS    shear_y, side_z2, t5
+        SUBN    side_x0, t0, side_x0
+        SUBN    side_x1, t1, side_x1
+        SUBN    side_x2, t2, side_x2
+        SUBN    side_y0, t3, side_y0
+        SUBN    side_y1, t4, side_y1
+        SUBN    side_y2, t5, side_y2
+        MPYS    side_x1, side_y2, side_u
+        MPYS    side_y1, side_x2, t0
+        MPYS    side_x2, side_y0, side_v
+        MPYS    side_y2, side_x0, t1
+        MPYS    side_x0, side_y1, side_w
+        MPYS    side_y0, side_x1, t2
+        SUBN    side_u, t0, side_u
+        SUBN    side_v, t1, side_v
+        SUBN    side_w, t2, side_w
+        CFPLT   side_u, r0, mesh_all_below
+        CFPLT   side_v, r0, mesh_not_above
+        CFPGE   side_w, r0, mesh_side
+mesh_not_above:
+        CFPLT   r0, side_u, mesh_next
+mesh_all_below:
+        CFPLT   r0, side_v, mesh_next
+        CFPLT   r0, side_w, mesh_next
+mesh_side:
+        MPYS    side_u, side_z0, t0
+        MPYS    side_v, side_z1, t1
+        MPYS    side_w, side_z2, t2
+        ADDN    side_u, side_v, t3
+        ADDN    t0, t1, t0
+        ADDN    t3, side_w, t3
+        ADDN    t0, t2, t0
+        CFPEQ   t3, r0, mesh_next
+        MPYS    t0, own_z, t0
+        DIVS    t0, t3, t0
+        CFPGE   mesh_least, t0, mesh_next
+        CFPLT   tin, t0, mesh_next
+        CFPNE   t0, tin, mesh_nearer
+        IBXGE   triangle, r0, nearest_side, mesh_next
+mesh_nearer:
+        RTOR    t0, tin
+        RTOR    triangle, nearest_side
+mesh_next:
+        ADDX    triangle, mesh_row, triangle
+        IX      triangles_left, -1
+        IBXNE   triangles_left, r0, r0, mesh_triangle
+        IBXNE   node, r0, r0, mesh_node
+mesh_walked:
+        CFPGE   tin, big, mesh_missed
+        RTOR    tin, tout
+        IX      a_primitive, 64 * P_PATCH_POINT
+        STO     [a_primitive], nearest_side
+        STO     [a_primitive, index_one], r0
+        leave_solver mesh_save, MESH_REGISTERS
+mesh_missed:
+        miss_near mesh_save, MESH_REGISTERS
+        .endkernel

@@ -1,0 +1,441 @@
+; mesh_vector.s - a queue of rays meets a mesh: many triangles under a hierarchy
+; of boxes.
+;
+; Each ray walks through the hierarchy by itself, and all take a step at a time:
+; a node is told by where it stands, what it holds is gathered.  Its links say
+; where a ray goes on, by the signs of its direction so that of two nodes below
+; the nearer comes first; there is no stack.  Rays at the end are left out when
+; they are many.  A ray that comes to a leaf makes pairs with its triangles and
+; walks on; pairs are met when there are as many as rays that walk.
+;
+; A box with centre C and half sides H is passed, of each axis, for
+;
+;   (C - o) / d - H / |d|  <=  t  <=  (C - o) / d + H / |d|
+;
+; and near if these have a t >= 0 in common before the ray's limit.  The boxes
+; are greater than what they hold by more than is rounded, and the beginning
+; counts for a little less, for what rays from far away lose.  Where d is 0 it
+; counts as 1e-60.
+;
+; A triangle: the axis z where |d| is greatest, and x, y the next after it.  Its
+; corners, told from o and sheared along d, are P = (x - z dx / dz, y - z dy / dz),
+; so the ray is the origin.  With a x b = ax by - ay bx:
+;
+;   U = P1 x P2    V = P2 x P0    W = P0 x P1       all >= 0 or all <= 0
+;   t = (U z0 + V z1 + W z2) / dz / (U + V + W)     U + V + W not 0
+;
+; What a corner becomes depends on the ray alone, products have no order, and
+; a difference and its opposite never have one sign; so two triangles with
+; two corners in common leave no gap between them.
+;
+; A ray to a light ends at the first triangle that it meets before the light.
+;
+; In:  ox oy oz dx dy dz lower near_limit, near long; the primitive's record and
+;      table.
+; Out: tin = tout = the least t beyond lower, patch_s its triangle in the
+;      table, of several the first; a miss is big, minus_big.
+; Source: the edges: Woop, Benthin and Wald 2013; links by directions: threaded
+; hierarchies, Arvo 1988; pairs: derived here.
+
+        .ifndef LANE_VECTORS
+        .include "shapes/lanes_vector.s"
+        .endif
+
+; The rays that walk, m of them: the node, the place among those at hand, origin,
+; 1/d, 1/|d|, twice the number of its signs, limit.
+        .share  hits
+        .regs   r136, mesh_at, mesh_place, mesh_ox, mesh_oy, mesh_oz
+        .regs   r141, mesh_ix, mesh_iy, mesh_iz, mesh_ax, mesh_ay, mesh_az
+        .regs   r147, mesh_signs, mesh_limit
+        .regs   r149, mesh_low, mesh_high, mesh_g0, mesh_g1, mesh_g2, mesh_g3
+        .regs   r155, mesh_bits, mesh_met
+        .equ    WALK_VECTORS, 21
+        .regs   r157, mesh_table, mesh_row, mesh_links, mesh_leaf_link
+        .reg    mesh_pairs, r161
+        .endshare
+
+; Rays that come to a leaf: its next triangle, their places, how many triangles
+; it has left.
+        .share  hits
+        .regs   r162, leaf_triangle, leaf_place, leaf_left, leaf_bits
+        .regs   r166, leaf_count, leaf_one
+        .endshare
+
+; The pairs: places and triangles, three corners by x, y, z of their own, U, V, W.
+        .share  scratch
+        .regs   r233, side_place, side_triangle, side_x0, side_y0, side_z0
+        .regs   r238, side_x1, side_y1, side_z1, side_x2, side_y2, side_z2
+        .regs   r244, side_u, side_v, side_w, side_g0, side_g1
+        .regs   r249, side_bits, side_more, side_tie
+        .endshare
+        .equ    SIDE_VECTORS, 19
+        .equ    PARTS_BITS, 2
+        .equ    PARTS, 1 << PARTS_BITS
+        .equ    SIDES, 2 * QUEUE + PARTS       ; pairs at the most
+
+        .data
+mesh_zero:      .word 1e-60
+walk_bases:
+        .rept   WALK_VECTORS - 2
+        .descriptor 0, walk_store + 64 * QUEUE * \+
+        .endr
+        .rept   2
+        .descriptor 0, walk_bits + 64 * QUEUE_BIT_WORDS * \+
+        .endr
+walk_descriptors:
+        .space  WALK_VECTORS
+side_bases:
+        .rept   SIDE_VECTORS - 3
+        .descriptor 0, side_store + 64 * SIDES * \+
+        .endr
+        .rept   3
+        .descriptor 0, side_bit_store + 64 * ((SIDES + 63) / 64) * \+
+        .endr
+side_descriptors:
+        .space  SIDE_VECTORS
+walk_bits:      .space 2 * QUEUE_BIT_WORDS
+leaf_bit_store: .space QUEUE_BIT_WORDS
+side_bit_store: .space 3 * ((SIDES + 63) / 64)
+        .align  64
+walk_store:     .space (WALK_VECTORS - 2) * QUEUE
+leaf_store:     .space 3 * QUEUE
+side_store:     .space (SIDE_VECTORS - 3) * SIDES
+        .code
+
+; There are m rays that walk.
+        .macro  set_walk
+        set_lengths m, m_high, walk_bases, walk_descriptors, WALK_VECTORS, mesh_at
+        .endm
+
+        .macro  set_sides count
+        set_lengths \count, m_high, side_bases, side_descriptors, SIDE_VECTORS, side_place
+        .endm
+
+; [kx], [ky], [kz] = x, y, z, in the order of each ray's own axes: y is the
+; greatest in bits0, z in bits1.
+        .macro  own_axis a, b, c, into
+        VTOV    \a, [\into]
+        VTOV    \b, [\into] ? [bits0]
+        VTOV    \c, [\into] ? [bits1]
+        .endm
+
+        .macro  own_axes x, y, z, kx, ky, kz
+        own_axis \y, \z, \x, \kx
+        own_axis \z, \x, \y, \ky
+        own_axis \x, \y, \z, \kz
+        .endm
+
+; Rays at hand that are neighbours come to the same nodes, whose words are in
+; one bank, which is busy for four accesses: so they are taken from one of PARTS
+; parts of them after the other.
+; [mesh_place] = i / PARTS + i mod PARTS times the size of a part, as far as there
+; are such rays.
+        .macro  mix_rays
+        EX      s2, PARTS - 1
+        ADDX    m, s2, s3
+        SHIFTI  s3, -PARTS_BITS, s3
+        SHIFTI  s3, PARTS_BITS, s4
+        set_sides s4
+        INTVLV  r0, one_index, [side_x0]
+        ANDV    [side_x0], s2, [side_x1]
+        ES      s2, -PARTS_BITS
+        SHIFTV  [side_x0], s2, [side_x0]
+        MPYLV   [side_x1], s3, [side_x1]
+        ADDXV   [side_x0], [side_x1], [side_x0]
+        CMPLTV  [side_x0], m, [side_bits]
+        CPSV    [side_x0], [mesh_place] ? [side_bits]
+        .endm
+
+        .macro  begin_axis o, d, sign, own, inverse, size
+        VXTOV   [mesh_place], [\o], [\own]
+        VXTOV   [mesh_place], [\d], [mesh_g0]
+        ES      s2, 2 * \sign
+        CMPLTV  [mesh_g0], r0, [mesh_bits]
+        ADDXV   [mesh_signs], s2, [mesh_signs] ? [mesh_bits]
+        CMPEQV  [mesh_g0], r0, [mesh_bits]
+        VTOV    s1, [mesh_g0] ? [mesh_bits]
+        DIVSV   one, [mesh_g0], [\inverse]
+        ABSV    [\inverse], [\size]
+        .endm
+
+; Of the box at MESH_BOX + number: [low], [high] along one axis.
+        .macro  box_axis number, own, inverse, size, low, high
+        RTOR    mesh_table, s0
+        IX      s0, 64 * (MESH_BOX + \number)
+        VXTOV   [mesh_at], [s0], [mesh_g0]
+        IX      s0, 64 * 3
+        VXTOV   [mesh_at], [s0], [mesh_g1]
+        SUBNV   [mesh_g0], [\own], [mesh_g0]
+        MPYSV   [mesh_g0], [\inverse], [mesh_g0]
+        MPYSV   [mesh_g1], [\size], [mesh_g1]
+        SUBNV   [mesh_g0], [mesh_g1], [\low]
+        ADDNV   [mesh_g0], [mesh_g1], [\high]
+        .endm
+
+; .. and what it has in common with those before.
+        .macro  box_next number, own, inverse, size
+        box_axis \number, \own, \inverse, \size, mesh_g2, mesh_g3
+        CMPLTV  [mesh_low], [mesh_g2], [mesh_bits]
+        VTOV    [mesh_g2], [mesh_low] ? [mesh_bits]
+        CMPLTV  [mesh_g3], [mesh_high], [mesh_bits]
+        VTOV    [mesh_g3], [mesh_high] ? [mesh_bits]
+        .endm
+
+; The pairs of the rays at leaves, behind the others; s0 = these, in bits.
+        .macro  add_pair vector, store
+        EX      s1, \store
+        ADDX    s1, s0, s1
+        ADDLEN  s1, leaf_count, s1
+        VTOV    [\vector], [s1]
+        .endm
+
+        .macro  walk_keep vector
+        CPSV    [\vector], [\vector] ? [mesh_bits]
+        .endm
+
+        .macro  side_keep vector
+        CPSV    [\vector], [\vector] ? [side_bits]
+        .endm
+
+; [into] = [vector] of the rays of the pairs.
+        .macro  of_ray vector, into
+        VXTOV   [side_place], [\vector], [\into]
+        .endm
+
+; One coordinate of the corners, told from the origin.
+        .macro  side_axis axis, o, c0, c1, c2
+        of_ray  \axis, side_g0
+        ADDXV   [side_triangle], [side_g0], [side_g0]
+        RTOR    mesh_table, s0
+        VXTOV   [side_g0], [s0], [\c0]
+        IX      s0, 64 * 3
+        VXTOV   [side_g0], [s0], [\c1]
+        IX      s0, 64 * 3
+        VXTOV   [side_g0], [s0], [\c2]
+        of_ray  \o, side_g1
+        SUBNV   [\c0], [side_g1], [\c0]
+        SUBNV   [\c1], [side_g1], [\c1]
+        SUBNV   [\c2], [side_g1], [\c2]
+        .endm
+
+        .macro  shear_corner z, c
+        MPYSV   [side_g1], [\z], [side_g0]
+        SUBNV   [\c], [side_g0], [\c]
+        .endm
+
+        .macro  shear by, c0, c1, c2
+        of_ray  \by, side_g1
+        shear_corner side_z0, \c0
+        shear_corner side_z1, \c1
+        shear_corner side_z2, \c2
+        .endm
+
+        .macro  side_edge ax, ay, bx, by, into
+        MPYSV   [\ax], [\by], [\into]
+        MPYSV   [\ay], [\bx], [side_g0]
+        SUBNV   [\into], [side_g0], [\into]
+        .endm
+
+        .macro  side_and bits, a, b
+        CMPGEV  \a, \b, [side_tie]
+        ANDB    [\bits], [side_tie], [\bits]
+        .endm
+
+        .kernel mesh
+mesh:
+        load_record P_TABLE, 2, mesh_table      ; and mesh_row
+        FLR     mesh_row, mesh_row
+        RTOR    mesh_table, mesh_links
+        IX      mesh_links, 64 * MESH_LINKS
+        EX      mesh_leaf_link, MESH_MET
+        ES      mesh_pairs, 0
+        RTOR    near, m
+        set_walk
+        ABSV    [dx], [w2]
+        ABSV    [dy], [w3]
+        ABSV    [dz], [w4]
+        CMPLTV  [w2], [w3], [bits0]
+        VTOV    [w3], [w2] ? [bits0]
+        CMPLTV  [w2], [w4], [bits1]
+        own_axes [ox], [oy], [oz], w0, w1, w2
+        own_axes [dx], [dy], [dz], w3, w4, w5
+        ES      s2, 2
+        own_axes r0, one_index, s2, w6, w7, w8
+        DIVSV   one, [w5], [w5]
+        MPYSV   [w3], [w5], [w3]
+        MPYSV   [w4], [w5], [w4]
+        VTOV    [near_limit], [w9]
+        VTOV    big, [tin]
+        VTOV    minus_big, [tout]
+        VTOV    mesh_leaf_link, [patch_s]       ; behind all triangles
+        VTOV    r0, [patch_t]
+        ES      s2, MESH_SIZE
+        VTOV    s2, [mesh_at]
+        mix_rays
+        VXTOV   [mesh_place], [near_limit], [mesh_limit]
+        VTOV    r0, [mesh_signs]
+        load_word mesh_zero, s1
+        begin_axis ox, dx, 1, mesh_ox, mesh_ix, mesh_ax
+        begin_axis oy, dy, 2, mesh_oy, mesh_iy, mesh_ay
+        begin_axis oz, dz, 4, mesh_oz, mesh_iz, mesh_az
+mesh_step:
+        load_word bound_less, s1
+        box_axis 0, mesh_ox, mesh_ix, mesh_ax, mesh_low, mesh_high
+        box_next 1, mesh_oy, mesh_iy, mesh_ay
+        box_next 2, mesh_oz, mesh_iz, mesh_az
+        MPYSV   [mesh_low], s1, [mesh_low]
+        CMPGEV  [mesh_high], [mesh_low], [mesh_bits]
+        CMPGEV  [mesh_high], r0, [mesh_met]
+        ANDB    [mesh_bits], [mesh_met], [mesh_bits]
+        CMPLTV  [mesh_low], [mesh_limit], [mesh_met]
+        ANDB    [mesh_bits], [mesh_met], [mesh_bits]
+        ADDXV   [mesh_at], [mesh_signs], [mesh_g0]
+        ADDXV   [mesh_g0], one_index, [mesh_g0] ?! [mesh_bits]
+        VXTOV   [mesh_g0], [mesh_links], [mesh_g1]
+        CMPGEV  [mesh_g1], mesh_leaf_link, [mesh_met]
+        CNTOB   [mesh_met], leaf_count
+        IBXNE   leaf_count, r0, r0, mesh_leaves
+mesh_on:
+        VTOV    [mesh_g1], [mesh_at]
+        CMPNEV  [mesh_at], r0, [mesh_bits]
+        CNTOB   [mesh_bits], s2
+        IBXEQ   s2, r0, r0, mesh_walked
+        if_few  s2, m, mesh_narrow
+        BIM     mesh_step
+mesh_narrow:
+        walk_keep mesh_at
+        walk_keep mesh_place
+        walk_keep mesh_ox
+        walk_keep mesh_oy
+        walk_keep mesh_oz
+        walk_keep mesh_ix
+        walk_keep mesh_iy
+        walk_keep mesh_iz
+        walk_keep mesh_ax
+        walk_keep mesh_ay
+        walk_keep mesh_az
+        walk_keep mesh_signs
+        walk_keep mesh_limit
+        RTOR    s2, m
+        set_walk
+        BIM     mesh_step
+
+; Rays at leaves, leaf_count of them: a pair with each triangle.
+mesh_leaves:
+        SUBXV   [mesh_g1], mesh_leaf_link, [mesh_g1] ? [mesh_met]
+        EX      leaf_triangle, leaf_store
+        EX      leaf_place, leaf_store + 64 * QUEUE
+        CPSV    [mesh_at], [leaf_triangle] ? [mesh_met]
+        CPSV    [mesh_place], [leaf_place] ? [mesh_met]
+        describe leaf_left, leaf_store + 64 * 2 * QUEUE, leaf_count
+        RTOR    mesh_table, s0
+        IX      s0, 64 * MESH_COUNT
+        VXTOV   [leaf_triangle], [s0], [leaf_left]
+        IX      s0, 64 * (MESH_FIRST - MESH_COUNT)
+        VXTOV   [leaf_triangle], [s0], [leaf_triangle]
+leaf_next:
+        SHIFTI  mesh_pairs, 6, s0
+        add_pair leaf_place, side_store
+        add_pair leaf_triangle, side_store + 64 * SIDES
+        ADDX    mesh_pairs, leaf_count, mesh_pairs
+        IBXLT   mesh_pairs, r0, m, leaf_more
+        EX      target, meet_sides
+        BSAVE   lane_link, [target]
+        VXTOV   [mesh_place], [w9], [mesh_limit]
+leaf_more:
+        SUBXV   [leaf_left], one_index, [leaf_left]
+        describe leaf_bits, leaf_bit_store, leaf_count
+        CMPNEV  [leaf_left], r0, [leaf_bits]
+        CNTOB   [leaf_bits], leaf_count
+        IBXEQ   leaf_count, r0, r0, mesh_on
+        CPSV    [leaf_triangle], [leaf_triangle] ? [leaf_bits]
+        CPSV    [leaf_place], [leaf_place] ? [leaf_bits]
+        CPSV    [leaf_left], [leaf_left] ? [leaf_bits]
+        ADDXV   [leaf_triangle], mesh_row, [leaf_triangle]
+        BIM     leaf_next
+
+mesh_walked:
+        IBXEQ   mesh_pairs, r0, r0, mesh_done
+        EX      target, meet_sides
+        BSAVE   lane_link, [target]
+mesh_done:
+        CMPLTV  [tin], big, [bits0]
+        VTOV    [tin], [tout] ? [bits0]
+        BIM     0, link_kernel
+
+; The pairs are met, mesh_pairs of them: w9, tin, patch_s of their rays.
+meet_sides:
+        set_sides mesh_pairs
+        ES      mesh_pairs, 0
+        side_axis w6, w0, side_x0, side_x1, side_x2
+        side_axis w7, w1, side_y0, side_y1, side_y2
+        side_axis w8, w2, side_z0, side_z1, side_z2
+        shear   w3, side_x0, side_x1, side_x2
+        shear   w4, side_y0, side_y1, side_y2
+        side_edge side_x1, side_y1, side_x2, side_y2, side_u
+        side_edge side_x2, side_y2, side_x0, side_y0, side_v
+        side_edge side_x0, side_y0, side_x1, side_y1, side_w
+        CMPGEV  [side_u], r0, [side_bits]
+        side_and side_bits, [side_v], r0
+        side_and side_bits, [side_w], r0
+        CMPGEV  r0, [side_u], [side_more]
+        side_and side_more, r0, [side_v]
+        side_and side_more, r0, [side_w]
+        ORB     [side_bits], [side_more], [side_bits]
+        CNTOB   [side_bits], s2
+        IBXEQ   s2, r0, r0, sides_met
+        side_keep side_place
+        side_keep side_triangle
+        side_keep side_u
+        side_keep side_v
+        side_keep side_w
+        side_keep side_z0
+        side_keep side_z1
+        side_keep side_z2
+        set_sides s2
+        MPYSV   [side_u], [side_z0], [side_z0]
+        MPYSV   [side_v], [side_z1], [side_z1]
+        MPYSV   [side_w], [side_z2], [side_z2]
+        ADDNV   [side_z0], [side_z1], [side_z0]
+        ADDNV   [side_z0], [side_z2], [side_z0]
+        of_ray  w5, side_g1
+        MPYSV   [side_z0], [side_g1], [side_z0]
+        ADDNV   [side_u], [side_v], [side_u]
+        ADDNV   [side_u], [side_w], [side_u]
+        CMPNEV  [side_u], r0, [side_bits]
+        VTOV    one, [side_u] ?! [side_bits]
+        DIVSV   [side_z0], [side_u], [side_z0]  ; t
+        of_ray  lower, side_g1
+        CMPLTV  [side_g1], [side_z0], [side_more]
+        ANDB    [side_bits], [side_more], [side_bits]
+        BIM     sides_better
+
+; The nearest of each ray: where one has several, the last that is stored drops
+; out of the next turn.
+sides_turn:
+        ORNB    [side_bits], [side_bits], [side_bits]
+sides_better:
+        of_ray  w9, side_g0
+        CMPEQV  [side_z0], [side_g0], [side_more]
+        of_ray  patch_s, side_g1
+        CMPLTV  [side_triangle], [side_g1], [side_tie]
+        ANDB    [side_more], [side_tie], [side_more]
+        CMPLTV  [side_z0], [side_g0], [side_tie]
+        ORB     [side_more], [side_tie], [side_more]
+        ANDB    [side_bits], [side_more], [side_bits]
+        CNTOB   [side_bits], s2
+        IBXEQ   s2, r0, r0, sides_met
+        side_keep side_place
+        side_keep side_triangle
+        side_keep side_z0
+        set_sides s2
+        VTOVX   [side_place], [side_z0], [tin]
+        VTOVX   [side_place], [side_triangle], [patch_s]
+        IBXNE   shadows, r0, r0, sides_stop
+        VTOVX   [side_place], [side_z0], [w9]
+        BIM     sides_turn
+sides_stop:
+        VTOVX   [side_place], minus_big, [w9]
+sides_met:
+        BIM     0, lane_link
+        .endkernel

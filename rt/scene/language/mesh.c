@@ -1,0 +1,359 @@
+/* mesh.c - triangle, smooth_triangle and mesh: one primitive each. */
+#include "rt/scene/language/mesh.h"
+
+#include "base/array.h"
+#include "rt/scene/language/expression.h"
+#include "rt/scene/vector.h"
+#include "rt/shapes/shape.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* POV-Ray's EPSILON: of a normal that counts as 0, and of the squared distance
+ * of two that count as the same. */
+#define NORMAL_SAME 1e-10
+
+/* ---- Normals ------------------------------------------------------------- */
+
+/* False: it is 0. */
+static bool make_unit(double normal[3])
+{
+    double size = fmax(fabs(normal[0]),
+                       fmax(fabs(normal[1]), fabs(normal[2])));
+
+    if (size == 0)
+        return false;
+    for (int i = 0; i < 3; i++)
+        normal[i] /= size;
+    scale3(1 / length3(normal), normal);
+    return true;
+}
+
+/* As POV-Ray has it, which warns of that too. */
+void mesh_direct(struct reader *reader, const struct scene_token *at,
+                 double normal[3])
+{
+    bool none = true;
+
+    for (int i = 0; i < 3; i++)
+        none = none && fabs(normal[i]) < NORMAL_SAME;
+    if (none) {
+        reader_report(reader, at,
+                      "a normal of a mesh is 0: it counts as <1, 0, 0>");
+        for (int i = 0; i < 3; i++)
+            normal[i] = i == 0;
+    }
+    make_unit(normal);
+}
+
+/* As in POV-Ray one with equal normals is flat, whatever they are. */
+bool mesh_is_smooth(const struct triangle *triangle)
+{
+    const double(*normals)[3] = triangle->normals;
+
+    for (int k = 1; k < 3; k++) {
+        double apart[3];
+        for (int i = 0; i < 3; i++)
+            apart[i] = normals[0][i] - normals[k][i];
+        if (dot3(apart, apart) > NORMAL_SAME)
+            return true;
+    }
+    return false;
+}
+
+/* ---- Textures of triangles ----------------------------------------------- */
+
+static bool has_texture(const struct primitive *primitive,
+                        const struct texture *texture)
+{
+    const struct pigment *own = &primitive->pigment;
+    const struct pigment *other = &texture->pigment;
+    size_t numbers = offsetof(struct pigment, color); /* up to the end */
+
+    return own->kind == other->kind
+           && !memcmp(own->color, other->color, sizeof *own - numbers)
+           && !memcmp(&primitive->finish, &texture->finish,
+                      sizeof texture->finish);
+}
+
+void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
+               const struct scene_token *at)
+{
+    struct scene_part *part = mesh->object.parts;
+
+    mesh->looked = true;
+    if (part->textured) {
+        mesh->differ |= !has_texture(&part->primitive, texture);
+        return;
+    }
+    mesh->look_at = *at;
+    part->textured = true;
+    part->primitive.pigment = texture->pigment;
+    part->primitive.finish = texture->finish;
+}
+
+/* In POV-Ray a triangle's own texture goes before that of the mesh.  Here there
+ * is one for all: that is the same only if all triangles have it. */
+static void settle_look(struct reader *reader, struct mesh_reading *mesh)
+{
+    struct scene_part *part = mesh->object.parts;
+    bool own = mesh->object.textured;
+
+    if (!part->textured
+        || (!mesh->differ && mesh->looks == mesh->triangles.count))
+        return;
+    reader_report(reader, &mesh->look_at,
+                  "the textures of a mesh's triangles are replaced by %s",
+                  own ? "that of the mesh" : "the first");
+    part->textured = !own;
+}
+
+/* ---- A mesh -------------------------------------------------------------- */
+
+bool mesh_begin(struct reader *reader, struct mesh_reading *mesh,
+                const struct item *item)
+{
+    struct primitive primitive;
+
+    memset(mesh, 0, sizeof *mesh);
+    memset(&primitive, 0, sizeof primitive);
+    mesh->at = item->at;
+    primitive.kind = PRIMITIVE_MESH;
+    return shape_add(reader, &mesh->object, &primitive, &item->at);
+}
+
+bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
+              const struct triangle *triangle, const struct scene_token *at)
+{
+    struct triangles *triangles = &mesh->triangles;
+    struct triangle *list;
+
+    if (++reader->triangles > TRIANGLES_MOST)
+        return reader_fault(reader, at, "more than %d triangles",
+                            TRIANGLES_MOST);
+    list = array_grow(triangles->list, triangles->count, sizeof *list);
+    if (!list)
+        return reader_no_memory(reader);
+    triangles->list = list;
+    list[triangles->count++] = *triangle;
+    mesh->looks += mesh->looked;
+    mesh->looked = false;
+    return true;
+}
+
+/* As in POV-Ray nothing is seen of one alone, which is no error. */
+static bool leave_out(struct reader *reader, struct mesh_reading *mesh)
+{
+    reader_report(reader, &mesh->at,
+                  "the triangle has no area, or a normal that is 0: it is "
+                  "left out");
+    scene_object_free(&mesh->object);
+    return true;
+}
+
+/* The scene keeps the triangles, as many as they are. */
+static bool keep(struct reader *reader, struct mesh_reading *mesh)
+{
+    struct primitive *primitive = &mesh->object.parts->primitive;
+    size_t count = mesh->triangles.count;
+    struct triangle *list;
+    const char *fault;
+
+    if (count == 0)
+        return mesh->lone ? leave_out(reader, mesh)
+                          : reader_fault(reader, &mesh->at,
+                                         "the mesh has no triangles");
+    list = arena_take(&reader->scene->kept, count * sizeof *list);
+    if (!list)
+        return reader_no_memory(reader);
+    memcpy(list, mesh->triangles.list, count * sizeof *list);
+    primitive->shape.mesh.triangles = (struct triangles){ count, list };
+    fault = shapes[PRIMITIVE_MESH]->settle(primitive);
+    if (fault && mesh->lone)
+        return leave_out(reader, mesh);
+    settle_look(reader, mesh);
+    return reader_check(reader, &mesh->at, fault);
+}
+
+bool mesh_end(struct reader *reader, struct mesh_reading *mesh, bool good,
+              struct scene_object *object)
+{
+    bool done = good && keep(reader, mesh);
+
+    free(mesh->triangles.list);
+    *object = mesh->object;
+    return done;
+}
+
+bool mesh_close(struct reader *reader, const struct block *block, bool good)
+{
+    if (good && !reader_at_sign(reader, '}'))
+        good = reader_expected(reader, "'}'");
+    return block_finish(reader, block) && good;
+}
+
+/* ---- Its words ----------------------------------------------------------- */
+
+static bool read_corners(struct reader *reader, bool smooth,
+                         struct triangle *triangle)
+{
+    memset(triangle, 0, sizeof *triangle);
+    triangle->smooth = smooth;
+    for (int i = 0; i < 3; i++) {
+        if (i > 0)
+            reader_comma(reader);
+        if (!read_vector(reader, triangle->corners[i]))
+            return false;
+        if (!smooth)
+            continue;
+        reader_comma(reader);
+        if (!read_vector(reader, triangle->normals[i]))
+            return false;
+    }
+    return true;
+}
+
+/* They say where a texture's picture lies. */
+static bool read_uv_vectors(struct reader *reader, void *subject,
+                            const struct item *item)
+{
+    double ignored[3];
+
+    (void)subject;
+    (void)item;
+    for (int i = 0; i < 3; i++) {
+        if (i > 0)
+            reader_comma(reader);
+        if (!read_vector(reader, ignored))
+            return false;
+    }
+    return true;
+}
+
+static bool read_texture(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct texture texture = reader->default_texture;
+
+    if (!texture_read(reader, &texture))
+        return false;
+    mesh_look(subject, &texture, &item->at);
+    return true;
+}
+
+/* Names, one for each corner. */
+static bool read_names(struct reader *reader, struct mesh_reading *mesh,
+                       const struct item *item)
+{
+    for (int i = 0; i < 3; i++) {
+        const struct scene_value *value = reader_use(reader, VALUE_TEXTURE);
+        if (!value)
+            return reader_expected(reader, "the name of a texture");
+        mesh_look(mesh, &value->is.texture, &item->at);
+        reader_next(reader);
+        reader_comma(reader);
+    }
+    return true;
+}
+
+static bool read_texture_list(struct reader *reader, void *subject,
+                              const struct item *item)
+{
+    struct block block;
+
+    return block_open(reader, &block, '{')
+           && mesh_close(reader, &block, read_names(reader, subject, item));
+}
+
+static const struct keyword triangle_words[] = {
+    { "uv_vectors", read_uv_vectors, 0 },
+    { "texture", read_texture, 0 },
+    { "texture_list", read_texture_list, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar triangle_grammar = {
+    "a word of a mesh's triangle", { triangle_words }, NULL
+};
+
+/* The keyword's detail: whether it is smooth. */
+static bool read_triangle(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    bool smooth = item->keyword->detail;
+    struct mesh_reading *mesh = subject;
+    struct triangle triangle;
+    struct block block;
+    bool good;
+
+    if (!block_open(reader, &block, '{'))
+        return false;
+    good = read_corners(reader, smooth, &triangle);
+    if (!block_items(reader, &block, &triangle_grammar, mesh, good))
+        return false;
+    for (int i = 0; i < 3 && smooth; i++)
+        mesh_direct(reader, &item->at, triangle.normals[i]);
+    triangle.smooth = smooth && mesh_is_smooth(&triangle);
+    return mesh_add(reader, mesh, &triangle, &item->at);
+}
+
+/* A mesh with one is solid, which matters only in what has no meshes here:
+ * intersections, differences and merges. */
+bool read_inside_vector(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    double ignored[3];
+
+    (void)subject;
+    (void)item;
+    return read_vector(reader, ignored);
+}
+
+static const struct keyword mesh_words[] = {
+    { "triangle", read_triangle, false },
+    { "smooth_triangle", read_triangle, true },
+    { "inside_vector", read_inside_vector, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar mesh_grammar = {
+    "a triangle or a word that changes the mesh",
+    { mesh_words },
+    &modifier_grammar
+};
+
+/* ---- The statements ------------------------------------------------------ */
+
+/* Alone it keeps equal normals: so does POV-Ray. */
+static bool read_lone(struct reader *reader, struct mesh_reading *mesh,
+                      bool smooth)
+{
+    struct triangle triangle;
+    bool seen = true;
+
+    mesh->lone = true;
+    if (!read_corners(reader, smooth, &triangle))
+        return false;
+    for (int i = 0; i < 3 && smooth; i++)
+        seen = make_unit(triangle.normals[i]) && seen;
+    return !seen || mesh_add(reader, mesh, &triangle, &mesh->at);
+}
+
+bool mesh_read(struct reader *reader, struct scene_object *object,
+               const struct item *item)
+{
+    enum shape_word shape = (enum shape_word)item->keyword->detail;
+    bool lone = shape != (enum shape_word)PRIMITIVE_MESH;
+    struct mesh_reading mesh;
+    struct block block;
+    bool good;
+
+    if (shape == SHAPE_MESH2)
+        return mesh2_read(reader, object, item);
+    if (!mesh_begin(reader, &mesh, item) || !block_open(reader, &block, '{'))
+        return mesh_end(reader, &mesh, false, object);
+    good = !lone || read_lone(reader, &mesh, shape == SHAPE_SMOOTH_TRIANGLE);
+    good = block_items(reader, &block,
+                       lone ? &modifier_grammar : &mesh_grammar, &mesh, good);
+    return mesh_end(reader, &mesh, good, object);
+}

@@ -1,0 +1,448 @@
+/* mesh2.c - mesh2: lists of vectors and textures, and faces that name them. */
+#include "rt/scene/language/mesh.h"
+
+#include "base/array.h"
+#include "rt/scene/language/expression.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Its blocks; those of vectors come first. */
+enum section {
+    SECTION_VERTICES,
+    SECTION_NORMALS,
+    SECTION_UVS,
+    SECTION_VECTORS, /* so many have them */
+    SECTION_TEXTURES = SECTION_VECTORS,
+    SECTION_FACES,
+    SECTION_UV_INDICES,
+    SECTION_NORMAL_INDICES,
+    SECTIONS
+};
+
+struct section_vectors {
+    size_t count;
+    double (*list)[3];
+};
+
+struct mesh2_reading {
+    struct mesh_reading mesh; /* first: what the modifiers are given */
+    struct section_vectors vectors[SECTION_VECTORS];
+    size_t texture_count;
+    struct texture *textures;
+
+    bool given[SECTIONS];
+    int rank;         /* of the last one in the order, */
+    const char *last; /* .. and its word */
+    bool faulty; /* one was not read well: what is named may be missing */
+};
+
+typedef bool row_reader(struct reader *reader, struct mesh2_reading *mesh,
+                        size_t row);
+
+/* ---- Vectors and textures ------------------------------------------------ */
+
+static bool read_into(struct reader *reader, struct section_vectors *vectors)
+{
+    double(*list)[3] = array_grow(vectors->list, vectors->count,
+                                  sizeof *list);
+
+    if (!list)
+        return reader_no_memory(reader);
+    vectors->list = list;
+    if (!read_vector(reader, list[vectors->count]))
+        return false;
+    vectors->count++;
+    reader_comma(reader);
+    return true;
+}
+
+static bool read_vertex(struct reader *reader, struct mesh2_reading *mesh,
+                        size_t row)
+{
+    (void)row;
+    return read_into(reader, &mesh->vectors[SECTION_VERTICES]);
+}
+
+static bool read_normal(struct reader *reader, struct mesh2_reading *mesh,
+                        size_t row)
+{
+    struct section_vectors *normals = &mesh->vectors[SECTION_NORMALS];
+    struct scene_token at = reader->token;
+
+    if (!read_into(reader, normals))
+        return false;
+    mesh_direct(reader, &at, normals->list[row]);
+    return true;
+}
+
+static bool read_uv(struct reader *reader, struct mesh2_reading *mesh,
+                    size_t row)
+{
+    (void)row;
+    return read_into(reader, &mesh->vectors[SECTION_UVS]);
+}
+
+static bool read_texture(struct reader *reader, struct mesh2_reading *mesh,
+                         size_t row)
+{
+    struct texture *textures = array_grow(mesh->textures, row,
+                                          sizeof *textures);
+
+    if (!textures)
+        return reader_no_memory(reader);
+    mesh->textures = textures;
+    textures[row] = reader->default_texture;
+    if (!reader_accept(reader, "texture"))
+        return reader_expected(reader, "a texture");
+    if (!texture_read(reader, &textures[row]))
+        return false;
+    mesh->texture_count++;
+    reader_comma(reader);
+    return true;
+}
+
+/* ---- Faces --------------------------------------------------------------- */
+
+/* As in POV-Ray what is behind the point does not count. */
+static bool take_index(struct reader *reader,
+                       const struct mesh2_reading *mesh,
+                       const struct scene_token *at, const char *what,
+                       double number, size_t count, size_t *index)
+{
+    double whole = trunc(number);
+
+    if (whole >= 0 && whole < (double)count) {
+        *index = (size_t)whole;
+        return true;
+    }
+    return !mesh->faulty
+           && reader_fault(reader, at,
+                           "a face has the %s %.15g, but there are only %zu",
+                           what, whole, count);
+}
+
+static bool read_indices(struct reader *reader,
+                         const struct mesh2_reading *mesh, const char *what,
+                         size_t count, size_t indices[3])
+{
+    struct scene_token at = reader->token;
+    double numbers[3];
+
+    if (!read_vector(reader, numbers))
+        return false;
+    for (int i = 0; i < 3; i++)
+        if (!take_index(reader, mesh, &at, what, numbers[i], count,
+                        &indices[i]))
+            return false;
+    reader_comma(reader);
+    return true;
+}
+
+/* As POV-Ray tells it from the next face: by its first word. */
+static bool at_float(const struct reader *reader)
+{
+    const struct scene_value *value = reader_value_of(reader, VALUE_NUMBERS);
+
+    if (value)
+        return value->is.numbers.count == 1;
+    return starts_expression(reader) && !reader_at_sign(reader, '<');
+}
+
+static bool read_look(struct reader *reader, struct mesh2_reading *mesh)
+{
+    struct scene_token at = reader->token;
+    double number;
+    size_t index = 0;
+
+    if (!read_number(reader, &number)
+        || !take_index(reader, mesh, &at, "texture", number,
+                       mesh->texture_count, &index))
+        return false;
+    mesh_look(&mesh->mesh, &mesh->textures[index], &at);
+    reader_comma(reader);
+    return true;
+}
+
+/* None, one, or one for each corner. */
+static bool read_looks(struct reader *reader, struct mesh2_reading *mesh)
+{
+    int count = 0;
+
+    for (; count < 3 && at_float(reader); count++)
+        if (!read_look(reader, mesh))
+            return false;
+    return count != 2
+           || reader_fault(reader, &reader->token,
+                           "a face has one texture or three, not two");
+}
+
+static void take_normals(const struct mesh2_reading *mesh,
+                         const size_t indices[3], struct triangle *triangle)
+{
+    const struct section_vectors *normals = &mesh->vectors[SECTION_NORMALS];
+
+    for (int i = 0; i < 3; i++)
+        memcpy(triangle->normals[i], normals->list[indices[i]],
+               sizeof triangle->normals[i]);
+    triangle->smooth = mesh_is_smooth(triangle);
+}
+
+/* As many normals as vertices: they belong to each other, unless
+ * normal_indices say something else. */
+static bool read_face(struct reader *reader, struct mesh2_reading *mesh,
+                      size_t row)
+{
+    const struct section_vectors *vertices = mesh->vectors + SECTION_VERTICES;
+    struct scene_token at = reader->token;
+    struct triangle triangle;
+    size_t indices[3];
+
+    (void)row;
+    memset(&triangle, 0, sizeof triangle);
+    if (at_float(reader))
+        return reader_expected(reader, "the three vertices of a face");
+    if (!read_indices(reader, mesh, "vertex", vertices->count, indices))
+        return false;
+    for (int i = 0; i < 3; i++)
+        memcpy(triangle.corners[i], vertices->list[indices[i]],
+               sizeof triangle.corners[i]);
+    if (mesh->vectors[SECTION_NORMALS].count == vertices->count)
+        take_normals(mesh, indices, &triangle);
+    return read_looks(reader, mesh)
+           && mesh_add(reader, &mesh->mesh, &triangle, &at);
+}
+
+/* Without uv_vectors there is one, for POV-Ray. */
+static bool read_uv_index(struct reader *reader, struct mesh2_reading *mesh,
+                          size_t row)
+{
+    size_t count = mesh->vectors[SECTION_UVS].count, ignored[3];
+
+    (void)row;
+    return read_indices(reader, mesh, "uv vector", count ? count : 1,
+                        ignored);
+}
+
+/* POV-Ray lets the last faces be without: they are flat. */
+static bool read_normal_index(struct reader *reader,
+                              struct mesh2_reading *mesh, size_t row)
+{
+    struct triangles *triangles = &mesh->mesh.triangles;
+    size_t indices[3];
+
+    if (!read_indices(reader, mesh, "normal",
+                      mesh->vectors[SECTION_NORMALS].count, indices))
+        return false;
+    if (row < triangles->count)
+        take_normals(mesh, indices, &triangles->list[row]);
+    return true;
+}
+
+/* ---- Sections ------------------------------------------------------------ */
+
+/* In the order of enum section.  A rank is its place among the others. */
+static const struct section_rule {
+    const char *word;
+    row_reader *row;
+    int rank;
+    int least;          /* rows */
+    enum section after; /* what must stand before it; itself: nothing */
+} rules[SECTIONS] = {
+    { "vertex_vectors", read_vertex, 0, 1, SECTION_VERTICES },
+    { "normal_vectors", read_normal, 0, 0, SECTION_NORMALS },
+    { "uv_vectors", read_uv, 0, 0, SECTION_UVS },
+    { "texture_list", read_texture, 1, 0, SECTION_VERTICES },
+    { "face_indices", read_face, 2, 1, SECTION_VERTICES },
+    { "uv_indices", read_uv_index, 3, 0, SECTION_FACES },
+    { "normal_indices", read_normal_index, 3, 0, SECTION_FACES },
+};
+enum { RANK_INSIDE = 4 };
+
+/* POV-Ray's order; of two sections of vectors it would take the second. */
+static bool check_order(struct reader *reader,
+                        const struct mesh2_reading *mesh,
+                        enum section section, const struct scene_token *at)
+{
+    const struct section_rule *rule = &rules[section];
+
+    if (mesh->given[section])
+        return reader_fault(reader, at, "there are two '%s' in this mesh2",
+                            rule->word);
+    if (rule->rank < mesh->rank)
+        return reader_fault(reader, at, "'%s' has to stand before '%s'",
+                            rule->word, mesh->last);
+    if (rule->after == section || mesh->given[rule->after])
+        return true;
+    return !mesh->faulty
+           && reader_fault(reader, at, "'%s' has to stand before '%s'",
+                           rules[rule->after].word, rule->word);
+}
+
+/* Of indices there are as many as faces; of normals' there may be fewer. */
+static bool check_count(struct reader *reader,
+                        const struct mesh2_reading *mesh,
+                        enum section section, const struct scene_token *at,
+                        size_t count)
+{
+    size_t faces = mesh->mesh.triangles.count;
+    bool fits = section == SECTION_UV_INDICES       ? count == faces
+                : section == SECTION_NORMAL_INDICES ? count <= faces
+                                                    : true;
+
+    return fits || mesh->faulty
+           || reader_fault(reader, at, "%zu '%s' for %zu faces", count,
+                           rules[section].word, faces);
+}
+
+static bool read_count(struct reader *reader,
+                       const struct mesh2_reading *mesh, enum section section,
+                       size_t *count)
+{
+    const struct section_rule *rule = &rules[section];
+    struct scene_token at = reader->token;
+    double number;
+
+    if (!read_number(reader, &number))
+        return false;
+    reader_comma(reader);
+    if (number < rule->least || number != floor(number))
+        return reader_fault(reader, &at,
+                            "the number of '%s' is not a whole one %s 0",
+                            rule->word, rule->least ? "above" : "from");
+    if (number > TRIANGLES_MOST)
+        return reader_fault(reader, &at, "more than %d '%s'", TRIANGLES_MOST,
+                            rule->word);
+    *count = (size_t)number;
+    return check_count(reader, mesh, section, &at, *count);
+}
+
+static bool read_rows(struct reader *reader, struct mesh2_reading *mesh,
+                      enum section section)
+{
+    size_t count = 0;
+
+    if (!read_count(reader, mesh, section, &count))
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        if (reader_at_sign(reader, '}'))
+            return reader_fault(reader, &reader->token,
+                                "only %zu of %zu '%s' stand here", i, count,
+                                rules[section].word);
+        if (!rules[section].row(reader, mesh, i))
+            return false;
+    }
+    return true;
+}
+
+static void make_flat(struct triangles *triangles)
+{
+    for (size_t i = 0; i < triangles->count; i++)
+        triangles->list[i].smooth = false;
+}
+
+static bool read_block(struct reader *reader, struct mesh2_reading *mesh,
+                       enum section section)
+{
+    struct block block;
+
+    mesh->given[section] = true;
+    mesh->rank = rules[section].rank;
+    mesh->last = rules[section].word;
+    if (section == SECTION_NORMAL_INDICES)
+        make_flat(&mesh->mesh.triangles);
+    return block_open(reader, &block, '{')
+           && mesh_close(reader, &block, read_rows(reader, mesh, section));
+}
+
+/* The keyword's detail is the section. */
+static bool read_section(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    enum section section = (enum section)item->keyword->detail;
+    struct mesh2_reading *mesh = subject;
+    bool done = check_order(reader, mesh, section, &item->at)
+                && read_block(reader, mesh, section);
+
+    mesh->faulty |= !done;
+    return done;
+}
+
+static bool read_inside(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    struct mesh2_reading *mesh = subject;
+
+    mesh->rank = RANK_INSIDE;
+    mesh->last = item->keyword->word;
+    return read_inside_vector(reader, subject, item);
+}
+
+static const struct keyword words[] = {
+    { "vertex_vectors", read_section, SECTION_VERTICES },
+    { "normal_vectors", read_section, SECTION_NORMALS },
+    { "uv_vectors", read_section, SECTION_UVS },
+    { "texture_list", read_section, SECTION_TEXTURES },
+    { "face_indices", read_section, SECTION_FACES },
+    { "uv_indices", read_section, SECTION_UV_INDICES },
+    { "normal_indices", read_section, SECTION_NORMAL_INDICES },
+    { "inside_vector", read_inside, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar grammar = {
+    "a word of mesh2 or one that changes the mesh",
+    { words },
+    &modifier_grammar
+};
+
+/* ---- The statement ------------------------------------------------------- */
+
+/* Vectors that are not those of the vertices need indices of their own. */
+static bool check_indices(struct reader *reader,
+                          const struct mesh2_reading *mesh, enum section of,
+                          enum section indices, size_t most)
+{
+    size_t count = mesh->vectors[of].count;
+    size_t vertices = mesh->vectors[SECTION_VERTICES].count;
+
+    return mesh->given[indices] || count <= most || count == vertices
+           || reader_fault(reader, &mesh->mesh.at,
+                           "'%s' is missing: there are %zu '%s', but %zu "
+                           "vertices",
+                           rules[indices].word, count, rules[of].word,
+                           vertices);
+}
+
+static bool check_sections(struct reader *reader,
+                           const struct mesh2_reading *mesh)
+{
+    static const enum section needed[] = { SECTION_VERTICES, SECTION_FACES };
+
+    for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
+        if (!mesh->given[needed[i]])
+            return reader_fault(reader, &mesh->mesh.at, "'%s' is missing",
+                                rules[needed[i]].word);
+    return check_indices(reader, mesh, SECTION_NORMALS,
+                         SECTION_NORMAL_INDICES, 0)
+           && check_indices(reader, mesh, SECTION_UVS, SECTION_UV_INDICES, 1);
+}
+
+bool mesh2_read(struct reader *reader, struct scene_object *object,
+                const struct item *item)
+{
+    struct mesh2_reading mesh;
+    struct block block;
+    bool good;
+
+    memset(&mesh, 0, sizeof mesh);
+    good = mesh_begin(reader, &mesh.mesh, item)
+           && block_open(reader, &block, '{')
+           && block_items(reader, &block, &grammar, &mesh, true)
+           && check_sections(reader, &mesh);
+    for (size_t i = 0; i < SECTION_VECTORS; i++)
+        free(mesh.vectors[i].list);
+    free(mesh.textures);
+    return mesh_end(reader, &mesh.mesh, good, object);
+}

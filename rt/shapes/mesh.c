@@ -1,0 +1,382 @@
+#include "rt/shapes/shape.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/scene/transform.h"
+#include "rt/scene/vector.h"
+#include "rt/shapes/mesh_hierarchy.h"
+
+static const struct shape_field fields[] = {
+    { TAKES_TRIANGLES, SHAPE_AT(mesh, triangles), NULL, 0, NULL },
+    { TAKES_END, 0, NULL, 0, NULL },
+};
+
+/* ---- What is read -------------------------------------------------------- */
+
+static void difference3(const double a[3], const double b[3],
+                        double result[3])
+{
+    for (int i = 0; i < 3; i++)
+        result[i] = a[i] - b[i];
+}
+
+static double greatest_size(const double a[3])
+{
+    return fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2])));
+}
+
+/* Height to length; told in its own size, for products of small edges may be
+ * beyond a double. */
+static bool has_area(const struct triangle *triangle)
+{
+    double edges[2][3], normal[3], size;
+
+    for (int k = 0; k < 2; k++)
+        difference3(triangle->corners[1 + k], triangle->corners[0], edges[k]);
+    size = fmax(greatest_size(edges[0]), greatest_size(edges[1]));
+    if (!(size > 0))
+        return false;
+    scale3(1 / size, edges[0]);
+    scale3(1 / size, edges[1]);
+    cross3(edges[0], edges[1], normal);
+    return length3(normal) > 1e-12;
+}
+
+static bool has_normals(const struct triangle *triangle)
+{
+    return triangle->smooth && length3(triangle->normals[0]) > 0
+           && length3(triangle->normals[1]) > 0
+           && length3(triangle->normals[2]) > 0;
+}
+
+/* As in POV-Ray triangles without an area go. */
+static const char *settle(struct primitive *primitive)
+{
+    struct triangles *triangles = &primitive->shape.mesh.triangles;
+    size_t kept = 0;
+
+    for (size_t i = 0; i < triangles->count; i++) {
+        struct triangle *triangle = &triangles->list[i];
+
+        triangle->smooth = has_normals(triangle);
+        if (has_area(triangle))
+            triangles->list[kept++] = *triangle;
+    }
+    triangles->count = kept;
+    return kept == 0 ? "no triangle has an area" : NULL;
+}
+
+/* ---- In the world -------------------------------------------------------- */
+
+/* Normals go by the transposed inverse, and keep what lengths it gives them. */
+static void carry_normal(const struct primitive *primitive, double normal[3])
+{
+    const double(*rows)[4] = primitive->to_local.rows;
+    double n[3], length = length3(normal);
+
+    for (int i = 0; i < 3; i++)
+        n[i] = (rows[0][i] * normal[0] + rows[1][i] * normal[1]
+                + rows[2][i] * normal[2])
+               / length;
+    copy3(n, normal);
+}
+
+static struct triangle carried(const struct primitive *primitive, size_t i)
+{
+    struct triangle triangle = primitive->shape.mesh.triangles.list[i];
+
+    for (int k = 0; k < 3; k++) {
+        transform_point(&primitive->to_world, triangle.corners[k]);
+        if (triangle.smooth)
+            carry_normal(primitive, triangle.normals[k]);
+    }
+    return triangle;
+}
+
+static struct box box_of(const struct triangle *triangle)
+{
+    struct box box;
+
+    for (int i = 0; i < 3; i++) {
+        double a = triangle->corners[0][i], b = triangle->corners[1][i],
+               c = triangle->corners[2][i];
+
+        box.low[i] = fmin(a, fmin(b, c));
+        box.high[i] = fmax(a, fmax(b, c));
+    }
+    return box;
+}
+
+/* About the middle of the box, as far as the farthest corner. */
+static void bound_many(const struct primitive *primitive, struct bound *bound)
+{
+    size_t count = primitive->shape.mesh.triangles.count;
+    double away[3];
+
+    *bound = (struct bound){ .low = { INFINITY, INFINITY, INFINITY },
+                             .high = { -INFINITY, -INFINITY, -INFINITY } };
+    for (size_t i = 0; i < count; i++) {
+        struct triangle triangle = carried(primitive, i);
+        struct box box = box_of(&triangle);
+
+        for (int k = 0; k < 3; k++) {
+            bound->low[k] = fmin(bound->low[k], box.low[k]);
+            bound->high[k] = fmax(bound->high[k], box.high[k]);
+        }
+    }
+    for (int k = 0; k < 3; k++)
+        bound->center[k] = (bound->low[k] + bound->high[k]) / 2;
+    for (size_t i = 0; i < 3 * count; i++) {
+        struct triangle triangle = carried(primitive, i / 3);
+
+        difference3(triangle.corners[i % 3], bound->center, away);
+        bound->radius = fmax(bound->radius, length3(away));
+    }
+}
+
+/* Of few the least sphere. */
+static void put_bound(const struct primitive *primitive, struct bound *bound)
+{
+    const struct triangles *triangles = &primitive->shape.mesh.triangles;
+    struct hull hull = { .count = 0 };
+
+    if (triangles->count > HULL_MOST / 3) {
+        bound_many(primitive, bound);
+        return;
+    }
+    for (size_t i = 0; i < 3 * triangles->count; i++)
+        hull_point(&hull, primitive, triangles->list[i / 3].corners[i % 3]);
+    bound_hull(&hull, bound);
+}
+
+/* ---- Its words ----------------------------------------------------------- */
+
+/* The table, whose rows are told in records.s: a row of zeros, which stands for
+ * the end of a walk, the nodes, and the triangles as the leaves have them.  A
+ * row is told by how many words stand before it. */
+enum {
+    NODE_ROW = 25,
+    NODE_LINKS = 6, /* from here on they are integers */
+    DIRECTIONS = 8, /* signs of a ray's direction: 1 of x, 2 of y, 4 of z */
+    NODE_FIRST = NODE_LINKS + 2 * DIRECTIONS,
+    NODE_COUNT,
+    FLAT_ROW = 13,
+    SMOOTH_ROW = 21
+};
+#define MET 0x1p40 /* of a leaf, added to where its rays go on */
+
+static bool is_flat(const struct primitive *primitive)
+{
+    const struct triangles *triangles = &primitive->shape.mesh.triangles;
+
+    for (size_t i = 0; i < triangles->count; i++)
+        if (triangles->list[i].smooth)
+            return false;
+    return true;
+}
+
+static size_t row_size(const struct primitive *primitive)
+{
+    return is_flat(primitive) ? FLAT_ROW : SMOOTH_ROW;
+}
+
+static double node_place(size_t node)
+{
+    return (double)(NODE_ROW * (node + 1));
+}
+
+struct mesh_table {
+    const struct mesh_hierarchy *hierarchy;
+    double margin; /* of the boxes: more than what is rounded */
+    double *nodes, *triangles;
+};
+
+/* Where rays of a direction go on from a node and all below it: to that below
+ * which they come to first, or if they do not come near to `miss`. */
+static void put_links(const struct mesh_table *table, size_t node,
+                      size_t direction, double miss)
+{
+    const struct mesh_node *nodes = table->hierarchy->nodes;
+    double *links = table->nodes + NODE_ROW * node + NODE_LINKS
+                    + 2 * direction;
+    size_t near = node + 1, far = nodes[node + 1].next;
+
+    links[1] = miss;
+    if (nodes[node].count > 0) {
+        links[0] = miss + MET;
+        return;
+    }
+    if (direction >> nodes[node].axis & 1) {
+        near = far;
+        far = node + 1;
+    }
+    links[0] = node_place(near);
+    put_links(table, near, direction, node_place(far));
+    put_links(table, far, direction, miss);
+}
+
+static void put_node(const struct mesh_table *table, size_t node,
+                     size_t row_words)
+{
+    const struct mesh_node *from = &table->hierarchy->nodes[node];
+    double *row = table->nodes + NODE_ROW * node;
+
+    for (int i = 0; i < 3; i++) {
+        row[i] = (from->box.low[i] + from->box.high[i]) / 2;
+        row[3 + i] = (from->box.high[i] - from->box.low[i]) / 2
+                     + table->margin;
+    }
+    row[NODE_FIRST] = node_place(table->hierarchy->node_count)
+                      + (double)(row_words * from->first);
+    row[NODE_COUNT] = (double)from->count;
+}
+
+/* Of the plane, of length one. */
+static void plane_normal(const struct triangle *triangle, double normal[3])
+{
+    double edges[2][3], size;
+
+    for (int k = 0; k < 2; k++) {
+        difference3(triangle->corners[1 + k], triangle->corners[0], edges[k]);
+        size = greatest_size(edges[k]);
+        scale3(1 / size, edges[k]);
+    }
+    cross3(edges[0], edges[1], normal);
+    scale3(1 / length3(normal), normal);
+}
+
+/* How the share of corner k, the others being a and b, grows with the point. */
+static void share_gradient(const struct triangle *triangle, int k, int a,
+                           int b, double gradient[3])
+{
+    double base[3], way[3], along;
+
+    difference3(triangle->corners[b], triangle->corners[a], base);
+    difference3(triangle->corners[k], triangle->corners[a], way);
+    along = dot3(way, base) / dot3(base, base);
+    for (int i = 0; i < 3; i++)
+        gradient[i] = way[i] - along * base[i];
+    scale3(1 / dot3(gradient, gradient), gradient);
+}
+
+/* That at the first corner, and how it grows from there: three rows. */
+static void put_smooth(const struct triangle *triangle, double *row)
+{
+    double shares[2][3];
+
+    share_gradient(triangle, 1, 0, 2, shares[0]);
+    share_gradient(triangle, 2, 0, 1, shares[1]);
+    copy3(triangle->normals[0], row);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            for (int k = 0; k < 2; k++)
+                row[3 + 3 * i + j] += (triangle->normals[1 + k][i]
+                                       - triangle->normals[0][i])
+                                      * shares[k][j];
+}
+
+static void put_triangle(const struct triangle *triangle, double *row)
+{
+    memcpy(row, triangle->corners, sizeof triangle->corners);
+    if (triangle->smooth)
+        put_smooth(triangle, row + 9);
+    else
+        plane_normal(triangle, row + 9);
+}
+
+static void fill_table(const struct primitive *primitive,
+                       const struct mesh_hierarchy *hierarchy, double *table)
+{
+    size_t words = row_size(primitive);
+    const struct box *whole = &hierarchy->nodes[0].box;
+    struct mesh_table filled = {
+        .hierarchy = hierarchy,
+        .margin = 0x1p-36
+                  * fmax(greatest_size(whole->low),
+                         greatest_size(whole->high)),
+        .nodes = table + NODE_ROW,
+        .triangles = table + NODE_ROW * (hierarchy->node_count + 1),
+    };
+
+    for (size_t i = 0; i < hierarchy->node_count; i++)
+        put_node(&filled, i, words);
+    for (size_t i = 0; i < DIRECTIONS; i++)
+        put_links(&filled, 0, i, 0);
+    for (size_t i = 0; i < primitive->shape.mesh.triangles.count; i++) {
+        struct triangle triangle = carried(primitive, hierarchy->order[i]);
+
+        put_triangle(&triangle, filled.triangles + words * i);
+    }
+}
+
+static bool plan(const struct primitive *primitive,
+                 struct mesh_hierarchy *hierarchy)
+{
+    size_t count = primitive->shape.mesh.triangles.count;
+    struct box *boxes = malloc((count + 1) * sizeof *boxes);
+    bool good;
+
+    for (size_t i = 0; boxes && i < count; i++) {
+        struct triangle triangle = carried(primitive, i);
+
+        boxes[i] = box_of(&triangle);
+    }
+    good = boxes && mesh_hierarchy_build(boxes, count, hierarchy);
+    free(boxes);
+    return good;
+}
+
+/* Returns 0 without memory. */
+static size_t put_table(const struct primitive *primitive, double *table)
+{
+    size_t triangles = primitive->shape.mesh.triangles.count;
+    size_t count = NODE_ROW * (mesh_hierarchy_nodes(triangles) + 1)
+                   + row_size(primitive) * triangles;
+    struct mesh_hierarchy hierarchy = { 0 };
+
+    if (table && plan(primitive, &hierarchy))
+        fill_table(primitive, &hierarchy, table);
+    else if (table)
+        count = 0;
+    mesh_hierarchy_free(&hierarchy);
+    return count;
+}
+
+/* Words of a node, behind its box. */
+static bool is_integer(const struct primitive *primitive, size_t word)
+{
+    size_t triangles = primitive->shape.mesh.triangles.count;
+
+    return word < NODE_ROW * (mesh_hierarchy_nodes(triangles) + 1)
+           && word % NODE_ROW >= NODE_LINKS;
+}
+
+static size_t put_words(const struct primitive *primitive, double *words)
+{
+    words[0] = (double)row_size(primitive);
+    return 1;
+}
+
+/* Its words are told in the world from the start. */
+static bool carry(const struct primitive *primitive, double *words)
+{
+    (void)primitive;
+    (void)words;
+    return true;
+}
+
+const struct shape shape_mesh = {
+    .fields = fields,
+    .settle = settle,
+    .povray = "mesh",
+    .bound = put_bound,
+    .words = put_words,
+    .table = put_table,
+    .is_integer = is_integer,
+    .carry = carry,
+    .region = "mesh",
+    .kernels = { .kernel = "mesh", .normal = "normal_smooth_mesh" },
+    .is_other = is_flat,
+    .other = { .kernel = "mesh", .normal = "normal_mesh" },
+};

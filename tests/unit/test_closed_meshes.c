@@ -1,0 +1,228 @@
+/* Closed meshes, seen from inside: no ray slips out, be it aimed at points, at
+ * edges or anywhere, in either form of the tracer.
+ *
+ *     test_closed_meshes [SCENES [SEED]]
+ */
+#define MIDDLING_FRAMES
+#include "tests/unit/nets.h"
+#include "tests/unit/random_solids.h"
+
+static size_t scene_count = 4; /* of each sort */
+static struct net net;
+static char text[1 << 18];
+
+static void set_size(size_t width, size_t height)
+{
+    traced.width = width;
+    traced.height = height;
+    traced.pixels = width * height;
+}
+
+/* No pixel shows the background, in whatever way it is traced. */
+static void check_closed(void)
+{
+    struct words *words = same_frame(text);
+
+    for (size_t k = 0; k < traced.pixels; k++)
+        if (c205_to_integer(words->channel[CHANNEL_ID][k]) == 0)
+            fail_msg("pixel %zu of %zu by %zu: a ray slips out of\n%s", k,
+                     traced.width, traced.height, text);
+    check_paper_stage(text, words);
+    free(words);
+}
+
+static void add_vector(const char *name, const double vector[3])
+{
+    add_text(text, sizeof text, "%s <%.17g, %.17g, %.17g> ", name, vector[0],
+             vector[1], vector[2]);
+}
+
+static void begin_scene(const double location[3], const double ahead[3],
+                        const double right[3], const double up[3])
+{
+    strcpy(text, HEAD "camera { ");
+    add_vector("location", location);
+    add_vector("direction", ahead);
+    add_vector("right", right);
+    add_vector("up", up);
+    add_text(text, sizeof text, "}\n");
+}
+
+/* At any place, of any size. */
+static void write_closed(void)
+{
+    double scale = pow(10, between(-2, 3)), location[3], by[3], ahead[3];
+    static const double right[3] = { 3, 0, 0 }, up[3] = { 0, 3, 0 };
+
+    net_random_body(&net, 1 + below(2), &traced.random);
+    if (below(3) == 0)
+        net_smooth(&net, .3, &traced.random);
+    net_shuffle(&net, &traced.random);
+    for (int i = 0; i < 3; i++) {
+        by[i] = scale * between(-9, 9);
+        location[i] = by[i] + scale * between(-.1, .1);
+        ahead[i] = between(-1, 1);
+    }
+    begin_scene(location, ahead, right, up);
+    net_text(&net, text, sizeof text, &traced.random);
+    add_text(text, sizeof text,
+             "scale %.17g translate <%.17g, %.17g, %.17g> }\n", scale, by[0],
+             by[1], by[2]);
+}
+
+static void test_closed(void **state)
+{
+    static const size_t sizes[][2] = { { WIDTH, HEIGHT },
+                                       { 17, 9 },
+                                       { 40, 3 } };
+
+    (void)state;
+    for (size_t i = 0; i < 3 * scene_count; i++) {
+        set_size(sizes[i % 3][0], sizes[i % 3][1]);
+        write_closed();
+        check_closed();
+    }
+    set_size(WIDTH, HEIGHT);
+}
+
+static void cross(const double a[3], const double b[3], double result[3])
+{
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+
+        result[i] = a[j] * b[k] - a[k] * b[j];
+    }
+}
+
+/* From a body's middle to an axis, an edge's middle or a corner: one of the 26
+ * neighbours of a cube among cubes, 13 being itself. */
+static void write_symmetric(size_t neighbour, const double middle[3])
+{
+    double ahead[3] = { (double)(neighbour % 3) - 1,
+                        (double)(neighbour / 3 % 3) - 1,
+                        (double)(neighbour / 9) - 1 };
+    double aside[3] = { 0, 0, 0 }, right[3], up[3];
+    size_t axis = 0;
+
+    while (ahead[axis] == 0)
+        axis++;
+    aside[(axis + 1) % 3] = 1;
+    cross(ahead, aside, right);
+    cross(right, ahead, up);
+    begin_scene(middle, ahead, right, up);
+    net_mesh_text(&net, text, sizeof text);
+    add_text(text, sizeof text, "}\n");
+}
+
+static void test_symmetric(void **state)
+{
+    static const double middle[3] = { 5, -3, 8 };
+
+    (void)state;
+    for (size_t i = 0; i < 27; i++)
+        for (size_t body = 0; body < 2; body++) {
+            if (i == 13)
+                continue;
+            net_take(&net, body ? BOX : OCTAHEDRON);
+            if (i % 2)
+                net_divide(&net);
+            net_move(&net, 4, middle);
+            set_size(i % 4 ? 9 : 1, i % 4 ? 9 : 1);
+            write_symmetric(i, middle);
+            check_closed();
+        }
+    set_size(WIDTH, HEIGHT);
+}
+
+/* Out of a cube's middle to one of its sides, a ray to each point of it whose
+ * numbers are whole; each point of the net may lie farther away or nearer. */
+static void write_whole(size_t side, const double middle[3])
+{
+    double ahead[3] = { 0, 0, 0 }, right[3] = { 0, 0, 0 },
+           up[3] = { 0, 0, 0 };
+    size_t axis = side / 2;
+
+    ahead[axis] = side % 2 ? -16 : 16;
+    right[(axis + 1) % 3] = 32;
+    up[(axis + 2) % 3] = 32;
+    ahead[(axis + 1) % 3] = ahead[(axis + 2) % 3] = .5;
+    begin_scene(middle, ahead, right, up);
+    net_mesh2_text(&net, text, sizeof text);
+    add_text(text, sizeof text, "}\n");
+}
+
+static void test_rays_to_points(void **state)
+{
+    static const double middle[3] = { 3, -40, 7 };
+
+    (void)state;
+    set_size(32, 32);
+    for (size_t side = 0; side < 6; side++) {
+        net_cube(&net, 16, side % 2 ? 8 : 4, &traced.random);
+        net_stretch(&net, .5, 2, .125, &traced.random);
+        net_shuffle(&net, &traced.random);
+        net_move(&net, 1, middle);
+        write_whole(side, middle);
+        check_closed();
+    }
+    set_size(WIDTH, HEIGHT);
+}
+
+/* The rays of the first row go to points of one edge of a face, its ends and
+ * its middle among them, those of the first column and of a diagonal to the
+ * others'. */
+static void write_aimed(const size_t face[3], const double location[3])
+{
+    double stretch = (double)traced.width / (double)(traced.width - 1);
+    double half = .5 - .5 / (double)traced.width;
+    double right[3], up[3], ahead[3];
+
+    for (int i = 0; i < 3; i++) {
+        double a = net.points[face[0]][i];
+
+        right[i] = stretch * (net.points[face[1]][i] - a);
+        up[i] = stretch * (a - net.points[face[2]][i]);
+        ahead[i] = a - location[i] + half * right[i] - half * up[i];
+    }
+    begin_scene(location, ahead, right, up);
+    net_mesh_text(&net, text, sizeof text);
+    add_text(text, sizeof text, "}\n");
+}
+
+static void test_rays_along_edges(void **state)
+{
+    (void)state;
+    set_size(9, 9);
+    for (size_t i = 0; i < 3 * scene_count; i++) {
+        double scale = pow(10, between(-2, 3)), by[3], location[3];
+
+        net_random_body(&net, 1 + i % 2, &traced.random);
+        for (int k = 0; k < 3; k++) {
+            by[k] = i % 3 ? scale * between(-9, 9) : 0;
+            location[k] = by[k] + (i % 3 ? scale * between(-.1, .1) : 0);
+        }
+        net_move(&net, scale, by);
+        for (int tries = 0; tries < 3; tries++) {
+            write_aimed(net.faces[below(net.face_count)], location);
+            check_closed();
+        }
+    }
+    set_size(WIDTH, HEIGHT);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_symmetric),
+        cmocka_unit_test(test_rays_to_points),
+        cmocka_unit_test(test_rays_along_edges),
+        cmocka_unit_test(test_closed),
+    };
+
+    if (argc > 1)
+        scene_count = strtoul(argv[1], NULL, 10);
+    if (argc > 2)
+        traced.random ^= strtoull(argv[2], NULL, 10) << 13;
+    return cmocka_run_group_tests_name("closed meshes", tests, set_up_frames,
+                                       tear_down_model);
+}

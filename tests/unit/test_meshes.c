@@ -1,0 +1,450 @@
+/* Meshes: both forms of the tracer agree with each other and the plain tracer,
+ * every triangle is found, and of equals the first.
+ *
+ *     test_meshes [SCENES [SEED]]
+ */
+#define MIDDLING_FRAMES
+#include "tests/unit/nets.h"
+#include "tests/unit/plain_surface.h"
+#include "tests/unit/random_solids.h"
+
+static size_t scene_count = 4; /* of each sort */
+static struct net net;
+static char text[1 << 18];
+
+/* ---- Random scenes ------------------------------------------------------- */
+
+/* A few faces. */
+static void random_net(void)
+{
+    switch (below(4)) {
+    case 0: net_random_body(&net, below(2), &traced.random); break;
+    case 1: net_sheet(&net, 1 + below(4), .5, &traced.random); break;
+    case 2:
+        net_fan(&net, 2 + below(9), between(.2, 1), between(-1, 1));
+        break;
+    default: net_soup(&net, 1 + below(20), below(2), &traced.random); break;
+    }
+    if (below(2))
+        net_smooth(&net, between(0, .5), &traced.random);
+    net_shuffle(&net, &traced.random);
+}
+
+static void add_mesh(char *to, size_t size)
+{
+    random_net();
+    net_text(&net, to, size, &traced.random);
+    add_text(to, size, "scale %.4f rotate <%.2f, %.2f, %.2f> translate ",
+             between(1, 1.8), between(-90, 90), between(-90, 90),
+             between(-90, 90));
+    add_point(to, size, 1.3);
+    add_text(to, size, " ");
+}
+
+static void test_random_scenes(void **state)
+{
+    (void)state;
+    check_random_scenes(add_mesh, 2 * scene_count);
+}
+
+/* ---- Shadows and mirrors ------------------------------------------------- */
+
+static void add_motion(char *to, size_t size)
+{
+    add_text(to, size, "scale <%.3f, %.3f, %.3f> rotate <%.2f, %.2f, %.2f> ",
+             between(.5, 1.4), between(.5, 1.4), between(.5, 1.4),
+             between(-90, 90), between(-90, 90), between(-90, 90));
+    add_text(to, size, "translate ");
+    add_point(to, size, .8);
+}
+
+/* Of a sphere, not of a mesh, some let light pass. */
+static void add_thing(char *to, size_t size)
+{
+    bool ball = below(5) == 0, clear = solids.clear;
+
+    if (ball) {
+        add_text(to, size, "sphere { 0, %.4f ", between(.3, .8));
+    } else {
+        random_net();
+        net_text(&net, to, size, &traced.random);
+    }
+    solids.clear = clear && ball;
+    add_look(to, size);
+    solids.clear = clear;
+    if (clear && below(2))
+        add_text(to, size, "finish { reflection %.2f } ", between(.1, .6));
+    add_motion(to, size);
+    add_text(to, size, "}\n");
+}
+
+/* Things through and within each other over a floor. */
+static void write_world(void)
+{
+    text[0] = '\0';
+    add_text(
+        text, sizeof text,
+        "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
+        "background { rgb <.2, .3, .5> } light_source { <%.1f, 8, -7>, .7 }\n"
+        "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n"
+        "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n"
+        "plane { y, -1.2 pigment { checker rgb .8 rgb .4 } "
+        "finish { reflection .2 } }\n",
+        between(-7, 7), between(2, 6), between(-2, 2), between(-1, 3));
+    for (size_t i = 3 + below(3); i > 0; i--)
+        add_thing(text, sizeof text);
+    if (below(2))
+        return;
+    add_text(text, sizeof text, "union { ");
+    for (size_t i = 2 + below(2); i > 0; i--)
+        add_thing(text, sizeof text);
+    add_text(text, sizeof text, "}\n");
+}
+
+/* Of one way of going about it the same frame. */
+static void check_other_way(const struct words *words)
+{
+    struct words *others = same_frame(text);
+
+    if (memcmp(words, others, sizeof *words) != 0)
+        fail_msg("another way gives another frame of\n%s", text);
+    free(others);
+}
+
+static void check_world(void)
+{
+    struct words *words = plain_frame(text);
+
+    check_paper_stage(text, words);
+    traced.visible = VISIBLE_EVERY;
+    traced.no_bounds = true;
+    check_other_way(words);
+    traced.visible = VISIBLE_DEFAULT;
+    traced.no_bounds = false;
+    traced.flat = true;
+    check_other_way(words);
+    traced.flat = false;
+    free(words);
+}
+
+static void test_worlds(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < 2 * scene_count; i++) {
+        solids.clear = i % 2;
+        write_world();
+        check_world();
+    }
+    solids.clear = false;
+}
+
+/* ---- Every triangle ------------------------------------------------------ */
+
+static void pixel_ray(size_t pixel, double ray[3])
+{
+    ray[0] = (double)(pixel % WIDTH) - (WIDTH - 1) / 2;
+    ray[1] = (HEIGHT - 1) / 2 - (double)(pixel / WIDTH);
+    ray[2] = 48;
+}
+
+/* Round the point that a ray gets to at a factor of its length. */
+static void add_small(const double ray[3], double factor)
+{
+    static const double around[3][3] = { { -.3, -.25, 0 },
+                                         { .35, -.2, 0 },
+                                         { 0, .4, 0 } };
+    size_t corners[3];
+
+    for (int k = 0; k < 3; k++) {
+        double point[3];
+
+        add_scaled(point, ray, 1, around[k]);
+        scale_by(point, factor);
+        corners[k] = net_point(&net, point);
+    }
+    net_face(&net, corners[0], corners[1], corners[2]);
+}
+
+/* A triangle for each pixel, and how deep it is there. */
+static void write_pixels(double depths[PIXELS])
+{
+    net_soup(&net, 0, false, &traced.random);
+    for (size_t i = 0; i < PIXELS; i++) {
+        double ray[3], factor = (double)among(64, 1024) / 256;
+
+        pixel_ray(i, ray);
+        add_small(ray, factor);
+        depths[i] = factor * sqrt(dot(ray, ray));
+    }
+    net_shuffle(&net, &traced.random);
+    strcpy(text, HEAD "camera { location 0 " STRAIGHT_AHEAD " }\n");
+    net_mesh_text(&net, text, sizeof text);
+    add_text(text, sizeof text, "}\n");
+}
+
+static void test_every_triangle(void **state)
+{
+    double depths[PIXELS];
+    struct words *words;
+
+    (void)state;
+    write_pixels(depths);
+    words = same_frame(text);
+    assert_int_equal(hits(words), PIXELS);
+    for (size_t k = 0; k < PIXELS; k++)
+        assert_near(c205_to_double(words->channel[CHANNEL_DEPTH][k]),
+                    depths[k], 1e-9 * depths[k]);
+    check_paper_stage(text, words);
+    free(words);
+}
+
+/* Hundreds. */
+static void test_big(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < scene_count; i++) {
+        strcpy(text, HEAD "camera { location <0, 1, -4> look_at 0 }\n");
+        if (i % 2)
+            net_soup(&net, 200, i % 4 == 3, &traced.random);
+        else
+            net_random_body(&net, 2, &traced.random);
+        if (i % 3)
+            net_smooth(&net, .2, &traced.random);
+        net_text(&net, text, sizeof text, &traced.random);
+        add_text(text, sizeof text, "pigment { rgb .8 } rotate %.2f }\n",
+                 angle());
+        free(plain_frame(text));
+    }
+}
+
+/* ---- The same in other words --------------------------------------------- */
+
+static struct words *frame_of(const char *how)
+{
+    strcpy(text, HEAD "camera { location <0, 1, -5> look_at 0 }\n");
+    if (strcmp(how, "mesh2") == 0)
+        net_mesh2_text(&net, text, sizeof text);
+    else
+        net_mesh_text(&net, text, sizeof text);
+    add_text(text, sizeof text, "rotate <20, 30, 40> }\n");
+    return same_frame(text);
+}
+
+/* In another order the nearest hits are where they were. */
+static void check_depths(const struct words *a, const struct words *b)
+{
+    for (size_t k = 0; k < PIXELS; k++) {
+        double depth = c205_to_double(a->channel[CHANNEL_DEPTH][k]);
+
+        assert_near(c205_to_double(b->channel[CHANNEL_DEPTH][k]), depth,
+                    1e-10);
+    }
+}
+
+static void test_other_words(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < scene_count; i++) {
+        struct words *words, *others;
+
+        net_random_body(&net, 2, &traced.random);
+        if (i % 2)
+            net_smooth(&net, .2, &traced.random);
+        words = frame_of("mesh");
+        others = frame_of("mesh2");
+        assert_memory_equal(words, others, sizeof *words);
+        free(others);
+        net_shuffle(&net, &traced.random);
+        others = frame_of("mesh");
+        check_depths(words, others);
+        free(others);
+        free(words);
+    }
+}
+
+#define CORNERS "<-1, -1, 0>, <2, -1, 0>, <-1, 2, 0>"
+#define LEANING \
+    "smooth_triangle { <-1, -1, 0>, <3, 0, -4>, <2, -1, 0>, -z, " \
+    "<-1, 2, 0>, -2*z }"
+#define FLAT "triangle { " CORNERS " }"
+
+/* By themselves, without a mesh. */
+static void test_triangles_alone(void **state)
+{
+    static const char *const triangles[] = { FLAT, LEANING };
+
+    (void)state;
+    for (size_t i = 0; i < 2; i++) {
+        struct words *words, *others;
+
+        snprintf(text, sizeof text, "%s%s", AHEAD, triangles[i]);
+        words = plain_frame(text);
+        snprintf(text, sizeof text, "%smesh { %s }", AHEAD, triangles[i]);
+        others = same_frame(text);
+        assert_memory_equal(words, others, sizeof *words);
+        free(words);
+        free(others);
+    }
+}
+
+/* ---- Of equals the first ------------------------------------------------- */
+
+static void check_normal(const char *scene, double x, double y, double z)
+{
+    struct words *words = same_frame(scene);
+    size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
+    double expected[3] = { x, y, z };
+
+    normalise(expected);
+    for (int i = 0; i < 3; i++)
+        assert_near(c205_to_double(
+                        words->channel[CHANNEL_NORMAL_X + i][middle]),
+                    expected[i], 1e-10);
+    free(words);
+}
+
+static void test_ties(void **state)
+{
+    (void)state;
+    check_normal(STRAIGHT "mesh { " FLAT LEANING FLAT " }", 0, 0, -1);
+    check_normal(STRAIGHT "mesh { " LEANING FLAT LEANING " }", .6, 0, -2.8);
+    check_middle(STRAIGHT "mesh { " FLAT " } mesh { " LEANING " }", 1, 5);
+    check_middle(STRAIGHT "mesh { " LEANING " } mesh { " FLAT " }", 1, 5);
+    check_normal(STRAIGHT "mesh { " FLAT " } mesh { " LEANING " }", 0, 0, -1);
+    check_middle(STRAIGHT "mesh { triangle { <-1, -1, 1>, <2, -1, 1>, "
+                          "<-1, 2, 1> } } mesh { " FLAT " } " FLAT,
+                 2, 5);
+}
+
+/* Every face once more behind all others, with other normals. */
+static void add_doubles(void)
+{
+    size_t count = net.face_count;
+
+    for (size_t i = 0; i < count; i++) {
+        size_t points[3];
+
+        for (int k = 0; k < 3; k++) {
+            points[k] = net.point_count++;
+            copy(net.points[points[k]], net.points[net.faces[i][k]]);
+            copy(net.normals[points[k]], net.normals[net.faces[0][k]]);
+        }
+        net_face(&net, points[0], points[1], points[2]);
+    }
+}
+
+/* .. and the whole mesh once more. */
+static void test_doubles(void **state)
+{
+    struct words *words, *others;
+
+    (void)state;
+    net_take(&net, ICOSAHEDRON);
+    net_divide(&net);
+    net_smooth(&net, 0, &traced.random);
+    words = frame_of("mesh");
+    add_doubles();
+    others = frame_of("mesh");
+    assert_memory_equal(words, others, sizeof *words);
+    free(others);
+    net_mesh_text(&net, text, sizeof text);
+    add_text(text, sizeof text, "rotate <20, 30, 40> }\n");
+    others = same_frame(text);
+    assert_memory_equal(words, others, sizeof *words);
+    free(others);
+    free(words);
+}
+
+/* ---- Without an area, few, behind ---------------------------------------- */
+
+static size_t triangles_of(const char *scene)
+{
+    struct scene *read = read_text(scene);
+    size_t count = read->primitives[0].shape.mesh.triangles.count;
+
+    assert_int_equal(read->primitives[0].kind, PRIMITIVE_MESH);
+    scene_free(read);
+    return count;
+}
+
+#define NO_AREA \
+    "triangle { <0, 0, -1>, <1, 1, -1>, <2, 2, -1> } " \
+    "triangle { <0, 0, -1>, <0, 0, -1>, <1, 0, -1> } " \
+    "smooth_triangle { <0, 0, -1>, z, <0, 0, -1>, z, <0, 0, -1>, z } "
+
+static void test_no_area(void **state)
+{
+    (void)state;
+    assert_int_equal(triangles_of("mesh { " FLAT " }"), 1);
+    assert_int_equal(triangles_of("mesh { " NO_AREA FLAT NO_AREA " }"), 1);
+    assert_int_equal(triangles_of("mesh { " FLAT NO_AREA FLAT " }"), 2);
+    check_middle(STRAIGHT "mesh { " NO_AREA FLAT " }", 1, 5);
+    check_middle(STRAIGHT "mesh { " FLAT NO_AREA " }", 1, 5);
+}
+
+static void test_middle(void **state)
+{
+    (void)state;
+    check_middle(STRAIGHT "mesh { " FLAT " }", 1, 5);
+    check_middle(STRAIGHT "mesh { " FLAT FLAT " }", 1, 5);
+    check_middle(STRAIGHT "mesh { " LEANING " }", 1, 5);
+    check_middle(STRAIGHT "mesh { " FLAT " rotate 180*y }", 1, 5);
+    check_middle(STRAIGHT "mesh { " FLAT " translate <1.5, 0, 0> }", 0, 0);
+    check_middle(STRAIGHT "mesh { " FLAT " translate <-.7, -.4, 0> }", 0, 0);
+    /* through a corner, an edge; along its plane */
+    check_middle(STRAIGHT "mesh { " FLAT " translate <1, 1, 0> }", 1, 5);
+    check_middle(STRAIGHT "mesh { " FLAT " translate <-.5, -.5, 0> }", 1, 5);
+    check_middle(STRAIGHT "mesh { " FLAT " translate <0, 1, 0> }", 1, 5);
+    check_middle(STRAIGHT "mesh { triangle { <0, -1, -1>, <0, -1, 2>, "
+                          "<0, 2, -1> } }",
+                 0, 0);
+    /* where the ray starts */
+    check_middle(STRAIGHT "mesh { " FLAT " translate -5*z }", 0, 0);
+    check_middle(STRAIGHT "mesh { " FLAT " translate -4*z }", 1, 1);
+    check_middle(STRAIGHT "mesh { " FLAT " translate -6*z }", 0, 0);
+    check_middle(STRAIGHT "mesh { " FLAT FLAT " translate -6*z } mesh { " FLAT
+                          " }",
+                 2, 5);
+    check_middle(STRAIGHT "mesh { " FLAT " translate -.01*z scale 1000 "
+                          "translate 6*z }",
+                 1, 1);
+}
+
+/* From far away, small: what is lost there would show here.  Not along the axes,
+ * on which rays meet edges, and either side of one is right. */
+static void test_distant(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        strcpy(text, HEAD
+               "camera { location <13, 21, -1000> look_at 0 angle .2 }\n");
+        net_random_body(&net, 1, &traced.random);
+        net_mesh_text(&net, text, sizeof text);
+        add_text(text, sizeof text, "}\n");
+        free(plain_frame(text));
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_no_area),
+        cmocka_unit_test(test_middle),
+        cmocka_unit_test(test_ties),
+        cmocka_unit_test(test_doubles),
+        cmocka_unit_test(test_triangles_alone),
+        cmocka_unit_test(test_other_words),
+        cmocka_unit_test(test_every_triangle),
+        cmocka_unit_test(test_big),
+        cmocka_unit_test(test_distant),
+        cmocka_unit_test(test_random_scenes),
+        cmocka_unit_test(test_worlds),
+    };
+
+    if (argc > 1)
+        scene_count = strtoul(argv[1], NULL, 10);
+    if (argc > 2)
+        traced.random ^= strtoull(argv[2], NULL, 10) << 13;
+    return cmocka_run_group_tests_name("meshes", tests, set_up_frames,
+                                       tear_down_model);
+}

@@ -1,0 +1,607 @@
+/* test_scene_meshes.c - the scene language: triangle, smooth_triangle, mesh and
+ * mesh2. */
+#include "rt/shapes/primitive.h"
+#include "tests/random.h"
+#include "tests/unit/scene_reading.h"
+
+#include <stdio.h>
+
+#define HALF 0.70710678118654752440
+
+static const struct triangles *triangles_of(const struct scene *scene,
+                                            size_t i)
+{
+    assert_true(i < scene->primitive_count);
+    assert_int_equal(scene->primitives[i].kind, PRIMITIVE_MESH);
+    return &scene->primitives[i].shape.mesh.triangles;
+}
+
+/* --- what is read --------------------------------------------------------- */
+
+static void test_lone_triangles(void **state)
+{
+    struct scene *scene = read_scene(
+        "triangle { 0, x, <1, 2, 3> scale 2 pigment { rgb y } no_shadow }\n"
+        "smooth_triangle { 0, -z x, -2*z y <-3, 0, -3> rotate x }\n"
+        "smooth_triangle { 0, z+x, x, z+x, y, z+x }\n"
+        "#declare T = triangle { 0, x, y }\n"
+        "object { T } union { object { T } triangle { 0, y, z } }\n");
+    const struct triangle *first = triangles_of(scene, 0)->list;
+    const struct triangle *smooth = triangles_of(scene, 1)->list;
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, 6);
+    assert_int_equal(scene->region_count, 6);
+    for (size_t i = 0; i < 6; i++)
+        assert_int_equal(triangles_of(scene, i)->count, 1);
+    assert_false(first->smooth);
+    assert_vector(first->corners[0], 0, 0, 0);
+    assert_vector(first->corners[1], 1, 0, 0);
+    assert_vector(first->corners[2], 1, 2, 3);
+    assert_true(scene->primitives[0].transformed);
+    assert_true(scene->primitives[0].no_shadow);
+    assert_vector(scene->primitives[0].pigment.color[0], 0, 1, 0);
+    assert_true(smooth->smooth);
+    assert_vector(smooth->corners[1], 1, 0, 0);
+    assert_vector(smooth->normals[0], 0, 0, -1);
+    assert_vector(smooth->normals[1], 0, 0, -1);
+    assert_vector(smooth->normals[2], -HALF, 0, -HALF);
+    assert_true(triangles_of(scene, 2)->list->smooth); /* equal normals */
+    assert_vector(triangles_of(scene, 2)->list->normals[1], HALF, 0, HALF);
+    assert_int_equal(scene->primitives[2].line, 3);
+    assert_ptr_equal(triangles_of(scene, 3)->list,
+                     triangles_of(scene, 4)->list);
+    scene_free(scene);
+}
+
+static void test_meshes(void **state)
+{
+    struct scene *scene = read_scene(
+        "#macro Two(A) triangle { A, x, y } triangle { A, y, z } #end\n"
+        "mesh { triangle { 0, x, y uv_vectors <0, 0>, <1, 0>, <0, 1> }\n"
+        "  #for (I, 1, 3) triangle { 0, x, I*z } #end Two(<1, 2, 3>)\n"
+        "  smooth_triangle { 0, 2*z, x, z, y, z+x }\n"
+        "  smooth_triangle { 0, 2*z, x, z, y, z }\n"
+        "  triangle { 0, x, 2*x } inside_vector y\n"
+        "  #declare Inner = mesh { triangle { z, x, y } }\n"
+        "  triangle { x, y, z } hierarchy off hierarchy on hierarchy\n"
+        "  scale 2 pigment { rgb x } sturm inverse }\n"
+        "object { Inner inverse }");
+    const struct triangles *triangles = triangles_of(scene, 0);
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, 2);
+    assert_int_equal(triangles->count, 9); /* one has no area */
+    assert_vector(triangles->list[3].corners[2], 0, 0, 3);
+    assert_vector(triangles->list[5].corners[0], 1, 2, 3);
+    assert_true(triangles->list[6].smooth);
+    assert_vector(triangles->list[6].normals[0], 0, 0, 1);
+    assert_vector(triangles->list[6].normals[2], HALF, 0, HALF);
+    assert_false(triangles->list[7].smooth); /* equal normals */
+    assert_false(triangles->list[8].smooth);
+    assert_vector(p[0].pigment.color[0], 1, 0, 0);
+    assert_true(p[0].transformed && !p[0].inverted && !p[1].inverted);
+    assert_int_equal(scene->node_count, 2);
+    assert_int_equal(triangles_of(scene, 1)->count, 1);
+    scene_free(scene);
+}
+
+#define FOUR "mesh2 { vertex_vectors { 4, 0, x, y, z } "
+
+static void test_mesh2(void **state)
+{
+    struct scene *scene = read_scene(
+        FOUR
+        "face_indices { 2, <0, 1, 2>, <1, 2.9, 3> } }\n" FOUR
+        "normal_vectors { 4, x, 2*y, z, -x }"
+        "  uv_vectors { 1, <0, 1> }\n"
+        "  face_indices { 2 <3, 2, 1> <-.5, 1, 3> } scale 2 }\n"
+        "mesh2 { normal_vectors { 2 x y } vertex_vectors { 4 0 x y z }"
+        "  uv_vectors { 0 } face_indices { 3, <0, 1, 2>, <0, 2, 3>, <1, 2, 3> }"
+        "  normal_indices { 2, <0, 1, 1>, <0, 0, 0> } hierarchy off }\n" FOUR
+        "normal_vectors { 4, x, 2*y, z, -x }"
+        "  face_indices { 2 <3, 2, 1> <0, 1, 3> } uv_indices { 2, 0, 0 }"
+        "  normal_indices { 1 <0, 2, 3> } inside_vector x inside_vector y }\n");
+    const struct triangle *list = triangles_of(scene, 0)->list;
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, 4);
+    assert_int_equal(triangles_of(scene, 0)->count, 2);
+    assert_false(list[0].smooth || list[1].smooth);
+    assert_vector(list[1].corners[0], 1, 0, 0);
+    assert_vector(list[1].corners[1], 0, 1, 0);
+    assert_vector(list[1].corners[2], 0, 0, 1);
+    list = triangles_of(scene, 1)->list;
+    assert_true(list[0].smooth && list[1].smooth);
+    assert_vector(list[0].normals[0], -1, 0, 0);
+    assert_vector(list[0].normals[2], 0, 1, 0);
+    assert_vector(list[1].corners[0], 0, 0, 0);
+    list = triangles_of(scene, 2)->list;
+    assert_true(list[0].smooth);
+    assert_false(list[1].smooth || list[2].smooth); /* equal; none */
+    assert_vector(list[0].normals[1], 0, 1, 0);
+    list = triangles_of(scene, 3)->list;
+    assert_true(list[0].smooth && !list[1].smooth);
+    assert_vector(list[0].normals[0], 1, 0, 0);
+    assert_vector(list[0].normals[2], -1, 0, 0);
+    scene_free(scene);
+}
+
+/* As in POV-Ray: a normal that is 0 counts as x within a mesh, and alone it
+ * takes its triangle away; so does an area of 0. */
+static void test_nothing(void **state)
+{
+    struct scene *scene = read_with(
+        "mesh { smooth_triangle { 0, 1e-11*z, x, y, y, <1e-200, 0, 0> } }\n"
+        "mesh2 { vertex_vectors { 3 0 x y } normal_vectors { 3 0 y z }"
+        " face_indices { 1 <0, 1, 2> } }\n"
+        "smooth_triangle { 0, 1e-200*z, x, y, y, z }\n",
+        1); /* of one cause */
+    const struct triangle *list = triangles_of(scene, 0)->list;
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, 3);
+    assert_vector(list->normals[0], 1, 0, 0);
+    assert_vector(list->normals[2], 1, 0, 0);
+    assert_vector(triangles_of(scene, 1)->list->normals[0], 1, 0, 0);
+    assert_vector(triangles_of(scene, 2)->list->normals[0], 0, 0, 1);
+    scene_free(scene);
+    scene =
+        read_with("smooth_triangle { 0, 0, x, y, y, z pigment { rgb 1 } }\n"
+                  "union { triangle { 0, x, 2*x } sphere { 0, 1 } }\n"
+                  "triangle { 1, 1, 1 translate x inverse }\n",
+                  1);
+    assert_int_equal(scene->primitive_count, 1);
+    scene_free(scene);
+}
+
+/* --- how it looks --------------------------------------------------------- */
+
+#define LOOKS \
+    "#declare A = texture { pigment { rgb x } }\n" \
+    "#declare B = texture { pigment { rgb y } }\n" \
+    "#declare C = texture { pigment { rgb x } finish { diffuse 0 } }\n"
+#define LIST \
+    "mesh2 { vertex_vectors { 3, 0, x, y }\n" \
+    "texture_list { 2, texture { A }, texture { B translate x } }"
+
+/* In POV-Ray a triangle's texture goes before the mesh's. */
+static void test_textures(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t reports;
+        double red, green;
+    } rows[] = {
+        { "mesh { triangle { 0, x, y texture { A } } }", 0, 1, 0 },
+        { "mesh { triangle { 0, x, y texture { A } } triangle { 0, y, z "
+          "uv_vectors 0, x, y texture { A } } texture { B } }",
+          0, 1, 0 },
+        { "mesh { triangle { 0, x, y texture { A } } triangle { 0, y, z "
+          "texture { pigment { rgb x } } } }",
+          0, 1, 0 },
+        { "mesh { triangle { 0, x, y texture { A } } triangle { 0, y, z "
+          "texture { B } } }",
+          1, 1, 0 },
+        { "mesh { triangle { 0, x, y texture { A } } triangle { 0, y, z "
+          "texture { C } } }",
+          1, 1, 0 },
+        { "mesh { triangle { 0, x, y } triangle { 0, y, z texture { B } } }",
+          1, 0, 1 },
+        { "mesh { triangle { 0, x, y } triangle { 0, y, z texture { B } } "
+          "texture { A } }",
+          1, 1, 0 },
+        { "mesh { triangle { 0, x, y } triangle { 0, y, z texture { B } } "
+          "pigment { rgb x } }",
+          1, 1, 0 },
+        { "object { mesh { triangle { 0, x, y texture { B } } } texture { A } "
+          "}",
+          0, 0, 1 },
+        { "object { mesh { triangle { 0, x, y } } texture { A } }", 0, 1, 0 },
+        { "mesh { triangle { 0, x, y texture_list { A, B C } } }", 1, 1, 0 },
+        { "mesh { triangle { 0, x, y texture_list { B B B } } }", 0, 0, 1 },
+        { "mesh { smooth_triangle { 0, x, x, y, y, z texture { B } } }", 0, 0,
+          1 },
+        { LIST "face_indices { 1, <0, 1, 2> } }", 0, 0, 0 },
+        { LIST "face_indices { 1, <0, 1, 2>, 1 } }", 0, 0, 1 },
+        { LIST "face_indices { 1, <0, 1, 2>, 1 } texture { A } }", 0, 0, 1 },
+        { LIST "face_indices { 1, <0, 1, 2>, 0, 0, 0 } }", 0, 1, 0 },
+        { LIST "face_indices { 1, <0, 1, 2>, 0, 1, 0 } }", 1, 1, 0 },
+        { LIST "face_indices { 2, <0, 1, 2> 1 <1, 2, 0> } }", 1, 0, 1 },
+        { LIST "face_indices { 2, <0, 1, 2> <1, 2, 0>, 0 } texture { B } }",
+          1, 0, 1 },
+        { "#declare F = <0, 1, 2>; #declare N = 1;" LIST
+          "face_indices { 3, F F N F (1 - 1) } texture { A } }",
+          1, 1, 0 },
+        { "mesh { triangle { 0, x, y texture { pigment { rgb x } normal { "
+          "bumps } } } }",
+          1, 1, 0 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        char text[700];
+        snprintf(text, sizeof text, LOOKS "%s", rows[i].text);
+        struct scene *scene = read_with(text, rows[i].reports);
+        assert_int_equal(scene->primitive_count, 1);
+        assert_vector(scene->primitives->pigment.color[0], rows[i].red,
+                      rows[i].green, 0);
+        scene_free(scene);
+    }
+}
+
+/* The texture of a triangle goes with the mesh. */
+static void test_moved_texture(void **state)
+{
+    struct scene *scene = read_scene(
+        "mesh { triangle { 0, x, y texture { pigment { checker } } }"
+        " translate 3*x }");
+
+    (void)state;
+    assert_close(scene->primitives->pigment.to_local.rows[0][3], -3, CLOSE);
+    scene_free(scene);
+}
+
+static void test_messages(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t line, column;
+        const char *message;
+    } rows[] = {
+        { LOOKS
+          "mesh { triangle { 0, x, y texture { B } } triangle { 0, y, z "
+          "texture { A } } }",
+          4, 27,
+          "the textures of a mesh's triangles are replaced by the first" },
+        { LOOKS
+          "mesh { triangle { 0, x, y texture { B } } triangle { 0, y, z "
+          "} texture { A } }",
+          4, 27, "replaced by that of the mesh" },
+        { LOOKS LIST "\nface_indices { 2, <0, 1, 2>, 1, <0, 2, 1>, 0 } }", 6,
+          30, "replaced by the first" },
+        { "\nmesh { triangle { 0, x, y } pigment { rgbt .5 } }", 2, 1,
+          "a mesh that lets light pass is drawn opaque" },
+        { "triangle { 0, x, 2*x }", 1, 1, "left out" },
+        { "mesh { smooth_triangle { 0, 0, x, y, y, z } }", 1, 8,
+          "counts as <1, 0, 0>" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++)
+        assert_error(rows[i].text, &strict_options, rows[i].line,
+                     rows[i].column, rows[i].message);
+}
+
+static void test_opaque(void **state)
+{
+    struct scene *scene = read_with(
+        "#declare M = mesh { triangle { 0, x, y } }\n"
+        "object { M pigment { checker rgb 1 rgbf 1 } }\n"
+        "union { object { M } sphere { 0, 1 } pigment { rgbt .5 } }\n",
+        1);
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, 3);
+    assert_false(pigment_is_clear(&p[0].pigment));
+    assert_false(pigment_is_clear(&p[1].pigment));
+    assert_true(pigment_is_clear(&p[2].pigment));
+    assert_int_equal(p[0].pigment.kind, PIGMENT_CHECKER);
+    scene_free(scene);
+}
+
+/* --- errors --------------------------------------------------------------- */
+
+#define THREE "mesh2 { vertex_vectors { 3, 0, x, y } " /* 38 columns */
+#define FACE "face_indices { 1, <0, 1, 2> } "          /* 30 columns */
+#define MESH "mesh { triangle { 0, x, y } }"
+
+static void test_errors(void **state)
+{
+    static const struct line_error rows[] = {
+        { "triangle { 0, x }", 17, "expected a number or a vector" },
+        { "triangle 0, x, y", 10, "expected '{'" },
+        { "triangle { 0, x, y uv_vectors x, y, z }", 20, "'uv_vectors'" },
+        { "triangle { 0, x, y", 19, "for the '{' of line 1" },
+        { "smooth_triangle { 0, x, y }", 27, "expected a number" },
+        { "mesh { }", 1, "the mesh has no triangles" },
+        { "mesh { triangle { 0, x, 2*x } }", 1, "no triangle has an area" },
+        { "mesh { sphere { 0, 1 } }", 8, "expected a triangle or a word" },
+        { "mesh { triangle { 0, x, y, z } triangle { 0, x, y } }", 26,
+          "expected a word of a mesh's triangle" },
+        { "mesh { triangle { 0, x, y translate x } }", 27,
+          "found 'translate'" },
+        { "mesh { triangle { 0, x, y uv_vectors x, y } }", 43, "a number" },
+        { "mesh { triangle { 0, x, y texture { A } } }", 37,
+          "'A', which is not declared" },
+        { "mesh { triangle { 0, x, y texture_list { 1 } } }", 42,
+          "expected the name of a texture" },
+        { "#declare T = texture { }; mesh { triangle { 0, x, y "
+          "texture_list { T T T T } } }",
+          74, "expected '}'" },
+        { "mesh { triangle { 0, x, y } inside_vector }", 43, "a number" },
+        { "mesh { triangle { 0, x, y } scale 2 triangle { 0, x, y } }", 37,
+          "found 'triangle'" },
+        { "mesh2 { }", 1, "'vertex_vectors' is missing" },
+        { THREE "}", 1, "'face_indices' is missing" },
+        { "mesh2 { face_indices { 1, 0 } }", 9,
+          "'vertex_vectors' has to stand before 'face_indices'" },
+        { "mesh2 { texture_list { 0 } " FACE "}", 9,
+          "'vertex_vectors' has to stand before 'texture_list'" },
+        { "mesh2 { uv_indices { 1, 0 } }", 9,
+          "'face_indices' has to stand before 'uv_indices'" },
+        { THREE "vertex_vectors { 1, 0 } " FACE "}", 39,
+          "two 'vertex_vectors'" },
+        { THREE FACE "face_indices { 1, 0 } }", 69, "two 'face_indices'" },
+        { THREE FACE "normal_vectors { 1, x } }", 69,
+          "'normal_vectors' has to stand before 'face_indices'" },
+        { THREE "texture_list { 0 } uv_vectors { 0 } " FACE "}", 58,
+          "'uv_vectors' has to stand before 'texture_list'" },
+        { THREE "inside_vector x " FACE "}", 55,
+          "'face_indices' has to stand before 'inside_vector'" },
+        { THREE FACE "scale 2 inside_vector x }", 77, "'inside_vector'" },
+        { "mesh2 { vertex_vectors { 0 } " FACE "}", 26,
+          "the number of 'vertex_vectors' is not a whole one above 0" },
+        { "mesh2 { vertex_vectors { 3.5, 0, x, y } " FACE "}", 26,
+          "not a whole one" },
+        { "mesh2 { vertex_vectors { x, 0, x, y } " FACE "}", 26, "found 3" },
+        { THREE "face_indices { -1 } }", 54, "above 0" },
+        { THREE "normal_vectors { -1 } " FACE "}", 56,
+          "'normal_vectors' is not a whole one from 0" },
+        { "mesh2 { vertex_vectors { 1e7 + 1, x } }", 26,
+          "more than 10000000 'vertex_vectors'" },
+        { "mesh2 { vertex_vectors { 3, 0, x } " FACE "}", 34,
+          "only 2 of 3 'vertex_vectors' stand here" },
+        { "mesh2 { vertex_vectors { 3, 0, x, y, z } " FACE "}", 38,
+          "expected '}', found 'z'" },
+        { "mesh2 { vertex_vectors { 3, 0, <1, 2, 3, 4> } " FACE "}", 32,
+          "a vector of 3" },
+        { THREE "texture_list { 1, pigment { } } " FACE "}", 57,
+          "expected a texture" },
+        { THREE "face_indices { 2, <0, 1, 2>, <0, 3, 1> } }", 68,
+          "a face has the vertex 3, but there are only 3" },
+        { THREE "face_indices { 1, <0, -1, 2> } }", 57, "the vertex -1" },
+        { THREE "face_indices { 1, 0 } }", 57, "the three vertices" },
+        { THREE "face_indices { 1, <0, 1, 2>, 0 } }", 68,
+          "a face has the texture 0, but there are only 0" },
+        { THREE "texture_list { 1 texture { } } face_indices { 1, <0, 1, 2>, "
+                "0, 0 } }",
+          104, "one texture or three, not two" },
+        { THREE
+          "texture_list { 1 texture { } } face_indices { 2, <0, 1, 2> 0 "
+          "0 0 0 <0, 1, 2> } }",
+          104, "the three vertices of a face" },
+        { THREE "normal_vectors { 2 x y } " FACE "}", 1,
+          "'normal_indices' is missing: there are 2 'normal_vectors', but 3" },
+        { THREE "uv_vectors { 2 x y } " FACE "}", 1,
+          "'uv_indices' is missing" },
+        { THREE FACE "normal_indices { 1, <0, 1, 2> } }", 89,
+          "the normal 0, but there are only 0" },
+        { THREE "normal_vectors { 1 x } " FACE "normal_indices { 2, 0, 0 } }",
+          109, "2 'normal_indices' for 1 faces" },
+        { THREE "uv_vectors { 1, 0 } " FACE "uv_indices { 0 } }", 102,
+          "0 'uv_indices' for 1 faces" },
+        { THREE FACE "uv_indices { 1, <0, 0, 1> } }", 85,
+          "the uv vector 1, but there are only 1" },
+        { THREE FACE "wibble }", 69, "expected a word of mesh2" },
+        { "mesh2 { vertex_vectors { 3 0 x 2*x } " FACE "}", 1,
+          "no triangle has an area" },
+        { "intersection { sphere { 0, 1 } " MESH " }", 32,
+          "a mesh in an intersection, difference or merge" },
+        { "difference { " MESH " sphere { 0, 1 } }", 14, "a mesh in" },
+        { "merge { triangle { 0, x, y } sphere { 0, 1 } }", 9, "a mesh in" },
+        { "merge { sphere { 0, 1 } union { sphere { x, 1 } " MESH " } }", 25,
+          "a mesh in" },
+        { "union { " MESH MESH " inverse }", 68,
+          "'inverse' of a mesh with other objects" },
+        { "#declare M = " MESH " difference { box { 0, 1 } object { M } }",
+          70, "a mesh in" },
+        { "#declare mesh2 = 1;", 10, "a word of the language" },
+    };
+
+    (void)state;
+    assert_errors(rows, COUNT(rows));
+}
+
+/* One error does not make others: of a mesh2's sections, of triangles. */
+static void test_recovery(void **state)
+{
+    (void)state;
+    assert_error("mesh2 { vertex_vectors { 3, 0, x }\n"
+                 "normal_vectors { 3, x, y, z }\n"
+                 "face_indices { 2, <0, 1, 2> <0, 1, 9> }\n"
+                 "normal_indices { 2, <0, 1, 2> <0, 1, 7> } scale 2 }",
+                 &reading_options, 1, 34, "only 2 of 3");
+    assert_error("mesh { triangle { 0, x } triangle { 0, x, y }\n"
+                 "smooth_triangle { 0, x, y, x, y, z } scale 2 }",
+                 &reading_options, 1, 24, "expected a number");
+    assert_refused("mesh { triangle { 0, x } triangle { 0, y } wibble }", 3,
+                   "found 'wibble'");
+}
+
+/* --- three ways to say the same ------------------------------------------- */
+
+enum { POINTS_MOST = 12, FACES_MOST = 20, MESHES = 300, TEXT_MOST = 40000 };
+
+struct random_mesh {
+    int points, faces;
+    double vertices[POINTS_MOST][3], normals[POINTS_MOST][3];
+    int indices[FACES_MOST][3], directions[FACES_MOST][3];
+    bool smooth;
+};
+
+/* On a small grid: some triangles have no area.  No two normals are the
+ * same. */
+static struct random_mesh random_mesh(uint64_t *random)
+{
+    struct random_mesh mesh;
+
+    mesh.points = (int)xorshift_between(random, 3, POINTS_MOST);
+    mesh.faces = (int)xorshift_between(random, 1, FACES_MOST);
+    mesh.smooth = xorshift_between(random, 0, 1);
+    for (int i = 0; i < mesh.points; i++)
+        for (int k = 0; k < 3; k++) {
+            mesh.vertices[i][k] = (double)xorshift_between(random, -2, 2);
+            mesh.normals[i][k] = k ? (double)xorshift_between(random, -9, 9)
+                                   : i + 1;
+        }
+    for (int i = 0; i < mesh.faces; i++)
+        for (int k = 0; k < 3; k++) {
+            int *index = &mesh.directions[i][k];
+            mesh.indices[i][k] = (int)xorshift_between(random, 0,
+                                                       mesh.points - 1);
+            *index = (int)xorshift_between(random, 0, mesh.points - 1);
+            if (k > 0 && *index == mesh.directions[i][0])
+                *index = (*index + 1) % mesh.points;
+        }
+    return mesh;
+}
+
+static void add_vector(char **to, const double v[3])
+{
+    *to += sprintf(*to, "<%g, %g, %g>, ", v[0], v[1], v[2]);
+}
+
+static void add_triangles(char **to, const struct random_mesh *mesh,
+                          const char *word)
+{
+    *to += sprintf(*to, "%s { ", word);
+    for (int i = 0; i < mesh->faces; i++) {
+        *to += sprintf(*to,
+                       mesh->smooth ? "smooth_triangle { " : "triangle { ");
+        for (int k = 0; k < 3; k++) {
+            add_vector(to, mesh->vertices[mesh->indices[i][k]]);
+            if (mesh->smooth)
+                add_vector(to, mesh->normals[mesh->directions[i][k]]);
+        }
+        *to += sprintf(*to - 2, " }\n") - 2;
+    }
+    *to += sprintf(*to, "}\n");
+}
+
+static void add_vectors(char **to, const char *word, int count,
+                        const double (*vectors)[3])
+{
+    *to += sprintf(*to, "%s { %d, ", word, count);
+    for (int i = 0; i < count; i++)
+        add_vector(to, vectors[i]);
+    *to += sprintf(*to, "}\n");
+}
+
+static void add_indices(char **to, const char *word, int count,
+                        const int (*indices)[3])
+{
+    *to += sprintf(*to, "%s { %d, ", word, count);
+    for (int i = 0; i < count; i++)
+        *to += sprintf(*to, "<%d, %d, %d>, ", indices[i][0], indices[i][1],
+                       indices[i][2]);
+    *to += sprintf(*to, "}\n");
+}
+
+static void add_mesh2(char **to, const struct random_mesh *mesh)
+{
+    *to += sprintf(*to, "mesh2 { ");
+    add_vectors(to, "vertex_vectors", mesh->points, mesh->vertices);
+    if (mesh->smooth)
+        add_vectors(to, "normal_vectors", mesh->points, mesh->normals);
+    add_indices(to, "face_indices", mesh->faces, mesh->indices);
+    if (mesh->smooth)
+        add_indices(to, "normal_indices", mesh->faces, mesh->directions);
+    *to += sprintf(*to, "}\n");
+}
+
+static void assert_same_triangle(const struct triangle *a,
+                                 const struct triangle *b)
+{
+    assert_int_equal(a->smooth, b->smooth);
+    assert_memory_equal(a->corners, b->corners, sizeof a->corners);
+    if (a->smooth)
+        assert_memory_equal(a->normals, b->normals, sizeof a->normals);
+}
+
+/* All that a union's meshes have, one behind another, is what each of the two
+ * meshes before it has. */
+static void assert_same(const struct scene *scene)
+{
+    const struct triangles *mesh = triangles_of(scene, 0);
+    const struct triangles *mesh2 = triangles_of(scene, 1);
+
+    assert_int_equal(mesh->count, mesh2->count);
+    assert_int_equal(mesh->count + 2, scene->primitive_count);
+    for (size_t i = 0; i < mesh->count; i++) {
+        assert_same_triangle(&mesh->list[i], &mesh2->list[i]);
+        assert_same_triangle(&mesh->list[i],
+                             triangles_of(scene, i + 2)->list);
+    }
+}
+
+/* Those without a triangle are errors. */
+static void test_three_ways(void **state)
+{
+    static char text[TEXT_MOST];
+    uint64_t random = RANDOM_SEED;
+    size_t compared = 0;
+
+    (void)state;
+    for (int i = 0; i < MESHES; i++) {
+        struct random_mesh mesh = random_mesh(&random);
+        struct diagnostics reports = { 0 };
+        struct scene *scene;
+        char *to = text;
+        add_triangles(&to, &mesh, "mesh");
+        add_mesh2(&to, &mesh);
+        add_triangles(&to, &mesh, "union");
+        scene = scene_read_text("test.pov", text, &reading_options, &reports);
+        if (scene)
+            assert_same(scene);
+        else if (!strstr(reports.items->message, "no triangle has an area"))
+            fail_msg("%s: %s", reports.items->message, text);
+        compared += scene != NULL;
+        scene_free(scene);
+        diagnostics_free(&reports);
+    }
+    assert_true(compared > MESHES / 2);
+}
+
+/* An array that grows all the way. */
+static void test_many(void **state)
+{
+    enum { MANY = 40000 };
+    struct scene *scene = read_scene(
+        "mesh { #for (I, 1, 40000) triangle { I*x, y, z } #end }\n"
+        "mesh2 { vertex_vectors { 40002, y, z,"
+        " #for (I, 1, 40000) <I, 0, 0>, #end }"
+        " face_indices { 40000, #for (I, 1, 40000) <I + 1, 0, 1> #end } }");
+    const struct triangles *mesh = triangles_of(scene, 0);
+
+    (void)state;
+    assert_int_equal(mesh->count, MANY);
+    assert_int_equal(triangles_of(scene, 1)->count, MANY);
+    for (size_t i = 0; i < MANY; i++)
+        assert_same_triangle(&mesh->list[i],
+                             &triangles_of(scene, 1)->list[i]);
+    assert_close(mesh->list[MANY - 1].corners[0][0], MANY, 0);
+    scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_lone_triangles),
+        cmocka_unit_test(test_meshes),
+        cmocka_unit_test(test_mesh2),
+        cmocka_unit_test(test_nothing),
+        cmocka_unit_test(test_textures),
+        cmocka_unit_test(test_moved_texture),
+        cmocka_unit_test(test_messages),
+        cmocka_unit_test(test_opaque),
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_recovery),
+        cmocka_unit_test(test_three_ways),
+        cmocka_unit_test(test_many),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
