@@ -58,26 +58,27 @@
 ; it has left.
         .share  hits
         .regs   r162, leaf_triangle, leaf_place, leaf_left, leaf_bits
-        .regs   r166, leaf_count, leaf_one
+        .reg    leaf_count, r166
         .endshare
 
 ; The pairs: places and triangles, three corners by x, y, z of their own, U, V, W.
         .share  scratch
         .regs   r233, side_place, side_triangle, side_x0, side_y0, side_z0
         .regs   r238, side_x1, side_y1, side_z1, side_x2, side_y2, side_z2
-        .regs   r244, side_u, side_v, side_w, side_g0, side_g1
-        .regs   r249, side_bits, side_more, side_tie
+        .regs   r244, side_u, side_v, side_w, side_g0
+        .regs   r248, side_bits, side_more, side_tie
         .endshare
-        .equ    SIDE_VECTORS, 19
+        .reg    side_g1, side_w                 ; until there is W, and after it
+        .equ    SIDE_VECTORS, 18
+        .equ    SIDES, 2 * QUEUE                ; pairs at the most
         .equ    PARTS_BITS, 2
         .equ    PARTS, 1 << PARTS_BITS
-        .equ    SIDES, 2 * QUEUE + PARTS       ; pairs at the most
 
         .data
 mesh_zero:      .word 1e-60
 walk_bases:
         .rept   WALK_VECTORS - 2
-        .descriptor 0, walk_store + 64 * QUEUE * \+
+        .descriptor 0, lane_store + 64 * QUEUE * \+
         .endr
         .rept   2
         .descriptor 0, walk_bits + 64 * QUEUE_BIT_WORDS * \+
@@ -96,10 +97,10 @@ side_descriptors:
 walk_bits:      .space 2 * QUEUE_BIT_WORDS
 leaf_bit_store: .space QUEUE_BIT_WORDS
 side_bit_store: .space 3 * ((SIDES + 63) / 64)
-        .align  64
-walk_store:     .space (WALK_VECTORS - 2) * QUEUE
-leaf_store:     .space 3 * QUEUE
-side_store:     .space (SIDE_VECTORS - 3) * SIDES
+        .equ    side_store, lane_store + 64 * QUEUE * (WALK_VECTORS - 2)
+        .if     WALK_VECTORS - 2 + 2 * (SIDE_VECTORS - 3) > LANE_VECTORS + SHADE_VECTORS - 4
+        .error  "the lanes' vectors have no room for those of meshes"
+        .endif
         .code
 
 ; There are m rays that walk.
@@ -271,7 +272,11 @@ mesh:
         VTOV    r0, [patch_t]
         ES      s2, MESH_SIZE
         VTOV    s2, [mesh_at]
+        .if     QUEUE < PARTS
+        VTOV    [iota], [mesh_place]
+        .else
         mix_rays
+        .endif
         VXTOV   [mesh_place], [near_limit], [mesh_limit]
         VTOV    r0, [mesh_signs]
         load_word mesh_zero, s1
@@ -323,11 +328,11 @@ mesh_narrow:
 ; Rays at leaves, leaf_count of them: a pair with each triangle.
 mesh_leaves:
         SUBXV   [mesh_g1], mesh_leaf_link, [mesh_g1] ? [mesh_met]
-        EX      leaf_triangle, leaf_store
-        EX      leaf_place, leaf_store + 64 * QUEUE
+        RTOR    w10, leaf_triangle
+        RTOR    w11, leaf_place
+        RTOR    mesh_g0, leaf_left
         CPSV    [mesh_at], [leaf_triangle] ? [mesh_met]
         CPSV    [mesh_place], [leaf_place] ? [mesh_met]
-        describe leaf_left, leaf_store + 64 * 2 * QUEUE, leaf_count
         RTOR    mesh_table, s0
         IX      s0, 64 * MESH_COUNT
         VXTOV   [leaf_triangle], [s0], [leaf_left]
@@ -398,10 +403,10 @@ meet_sides:
         MPYSV   [side_w], [side_z2], [side_z2]
         ADDNV   [side_z0], [side_z1], [side_z0]
         ADDNV   [side_z0], [side_z2], [side_z0]
-        of_ray  w5, side_g1
-        MPYSV   [side_z0], [side_g1], [side_z0]
         ADDNV   [side_u], [side_v], [side_u]
         ADDNV   [side_u], [side_w], [side_u]
+        of_ray  w5, side_g1
+        MPYSV   [side_z0], [side_g1], [side_z0]
         CMPNEV  [side_u], r0, [side_bits]
         VTOV    one, [side_u] ?! [side_bits]
         DIVSV   [side_z0], [side_u], [side_z0]  ; t
