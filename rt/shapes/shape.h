@@ -24,6 +24,7 @@ enum shape_takes {
     TAKES_RADIUS, /* counts by its size, and is not 0 */
     TAKES_SIZE,   /* a number above 0 */
     TAKES_WIDTH,  /* a number not below 0 */
+    TAKES_MORE,   /* a number that may be left out */
     TAKES_TERMS,  /* numbers in < > */
     TAKES_WORD,   /* may stand there: a bool says whether it does */
     TAKES_USUAL,  /* a word that may stand there and says what is so anyway */

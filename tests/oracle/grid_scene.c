@@ -100,6 +100,18 @@ static void random_plane(uint64_t *state, char *shape)
                 on_grid(state));
 }
 
+/* On the plane of some box's face. */
+static void random_disc(uint64_t *state, char *shape)
+{
+    char axis = "xyz"[below(state, 3)];
+    double center[3];
+    for (int i = 0; i < 3; i++)
+        center[i] = on_grid(state);
+    solid_words(shape, "disc { <%g, %g, %g>, %s%c, %g ", center[0], center[1],
+                center[2], below(state, 2) ? "-" : "", axis,
+                size_on_grid(state));
+}
+
 static void random_torus(uint64_t *state, char *shape)
 {
     double major = size_on_grid(state);
@@ -152,7 +164,7 @@ static void random_shape(uint64_t *state, char *shape)
         random_cylinder, random_sphere,  random_sphere,   random_cone,
         random_cone,     random_plane,   random_plane,    random_torus,
         random_quadric,  random_quadric, random_quartic,  random_patch,
-        random_patch,
+        random_patch,    random_disc,
     };
     shapes[below(state, sizeof shapes / sizeof *shapes)](state, shape);
 }

@@ -178,6 +178,24 @@ size_t cross_plane(const struct primitive *primitive, const struct ray *ray,
     return 1;
 }
 
+/* Where it crosses the plane, if that is on the ring. */
+size_t cross_disc(const struct primitive *primitive, const struct ray *ray,
+                  struct crossing crossings[MOST_CROSSINGS])
+{
+    const double *normal = primitive->shape.disc.normal;
+    double along = dot(normal, ray->direction), from[3], away;
+    add_scaled(from, primitive->shape.disc.center, -1, ray->origin);
+    if (along == 0)
+        return 0;
+    crossings[0].distance = dot(normal, from) / along;
+    copy(crossings[0].normal, normal);
+    point_on(ray, crossings[0].distance, from);
+    add_scaled(from, from, -1, primitive->shape.disc.center);
+    away = sqrt(dot(from, from));
+    return away >= primitive->shape.disc.hole
+           && away <= primitive->shape.disc.radius;
+}
+
 /* A quadric's gradient at a point; without its linear part in a direction. */
 static void quadric_gradient(const double c[QUADRIC_TERMS],
                              const double at[3], double linear,

@@ -24,6 +24,14 @@ bool in_plane(const struct primitive *primitive, const double point[3])
            < primitive->shape.plane.distance;
 }
 
+/* As in POV-Ray. */
+bool in_disc(const struct primitive *primitive, const double point[3])
+{
+    double from[3];
+    add_scaled(from, point, -1, primitive->shape.disc.center);
+    return dot(primitive->shape.disc.normal, from) < 0;
+}
+
 /* Between the ends' planes, and nearer to the axis than its radius there. */
 static bool about_axis(const double base[3], double base_radius,
                        const double cap[3], double cap_radius,

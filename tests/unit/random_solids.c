@@ -103,6 +103,21 @@ static void add_plane(char *text, size_t size)
     add_text(text, size, ", %.4f ", place_between(-.3, .6));
 }
 
+/* Every other one is a ring. */
+static void add_disc(char *text, size_t size)
+{
+    add_text(text, size, "disc { ");
+    add_point(text, size, .3);
+    add_text(text, size, ", ");
+    if (solids.gridded)
+        add_text(text, size, "%c", "xyz"[below(3)]);
+    else
+        add_point(text, size, 1);
+    add_text(text, size, ", %.4f ", size_between(.5, 1.5));
+    if (below(2))
+        add_text(text, size, ", %.4f ", size_between(.1, .5));
+}
+
 static void add_quadric(char *text, size_t size)
 {
     add_text(text, size, "quadric { <1, %.4f, 1>, <0, 0, %.4f>, 0, -%.4f ",
@@ -173,9 +188,9 @@ static void add_mesh(char *text, size_t size)
 static void add_leaf(char *text, size_t size)
 {
     static void (*const add_shape[])(char *, size_t) = {
-        add_ball,    add_box,     add_cylinder, add_cone,
-        add_plane,   add_quadric, add_torus,    add_elliptical_torus,
-        add_quartic, add_prism,   add_patch
+        add_ball,  add_box,     add_cylinder,         add_cone,
+        add_plane, add_disc,    add_quadric,          add_torus,
+        add_prism, add_quartic, add_elliptical_torus, add_patch
     };
     size_t kinds = sizeof add_shape / sizeof *add_shape - !solids.patches;
 

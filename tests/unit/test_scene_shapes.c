@@ -1,5 +1,6 @@
-/* test_scene_shapes.c - the scene language: cones, tori, quadrics, quartics
- * and patches, and the conditions that let one file serve two programs. */
+/* test_scene_shapes.c - the scene language: cones, discs, tori, quadrics,
+ * quartics and patches, and the conditions that let one file serve two
+ * programs. */
 #include "tests/unit/scene_reading.h"
 
 /* --- shapes -------------------------------------------------------------- */
@@ -27,6 +28,28 @@ static void test_cones(void **state)
     assert_close(p[2].shape.cylinder.radius, 1.5, 0);
     assert_true(p[2].shape.cylinder.open);
     assert_int_equal(p[2].line, 3);
+    scene_free(scene);
+}
+
+static void test_discs(void **state)
+{
+    struct scene *scene = read_scene("disc { <1, 2, 3>, -2*z, 2, .5 }\n"
+                                     "disc { y x, -1 scale 2 }\n"
+                                     "disc { 0, y, 1, -.5 inverse }\n");
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_int_equal(p[0].kind, PRIMITIVE_DISC);
+    assert_vector(p[0].shape.disc.center, 1, 2, 3);
+    assert_vector(p[0].shape.disc.normal, 0, 0, -1);
+    assert_close(p[0].shape.disc.radius, 2, 0);
+    assert_close(p[0].shape.disc.hole, .5, 0);
+    assert_vector(p[1].shape.disc.center, 0, 1, 0);
+    assert_close(p[1].shape.disc.radius, 1, 0);
+    assert_close(p[1].shape.disc.hole, 0, 0);
+    assert_true(p[1].transformed);
+    assert_close(p[2].shape.disc.hole, .5, 0);
+    assert_true(p[2].inverted);
     scene_free(scene);
 }
 
@@ -140,6 +163,10 @@ static void test_errors(void **state)
         { "cone { 0, 1, y, -1 }", 17, "below 0" },
         { "cone { 0, 1, y }", 16, "expected a number" },
         { "cone { 0, 1, y, 0 opened }", 19, "found 'opened'" },
+        { "disc { 0, 0, 1 }", 8, "no direction" },
+        { "disc { 0, y, 0 }", 14, "the radius is 0" },
+        { "disc { 0, y }", 13, "expected a number" },
+        { "disc { 0, y, 2, 1, 1 }", 18, "found ','" },
         { "torus { 0, 1 }", 9, "the major radius is not above 0" },
         { "torus { -1, 1 }", 9, "major radius" },
         { "torus { 1, 0 }", 12, "the minor radius is not above 0" },
@@ -257,6 +284,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_cones),
+        cmocka_unit_test(test_discs),
         cmocka_unit_test(test_tori),
         cmocka_unit_test(test_polynomials),
         cmocka_unit_test(test_patches),

@@ -32,6 +32,8 @@
                                 ;             p 3 and q, outside p . X + q > 0,
                                 ;             1/r
                                 ;   plane     unit normal 3, distance
+                                ;   disc      as a plane, centre 3, squares
+                                ;             of its radius and its hole's
                                 ;   cone      centre 3, unit axes 9, mean
                                 ;             radius, slope, half length,
                                 ;             1/sqrt(1 + slope^2)

@@ -4,7 +4,6 @@
 const struct keyword other_shapes[] = {
     { "bicubic_patch", item_unsupported, 0 },
     { "blob", item_unsupported, 0 },
-    { "disc", item_unsupported, 0 },
     { "height_field", item_unsupported, 0 },
     { "isosurface", item_unsupported, 0 },
     { "julia_fractal", item_unsupported, 0 },

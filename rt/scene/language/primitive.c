@@ -107,6 +107,11 @@ static size_t width_of(const struct shape_field *field)
     return field->takes == TAKES_VECTOR ? 3 : 1;
 }
 
+static bool read_more(struct reader *reader, double *to)
+{
+    return !starts_expression(reader) || read_number(reader, to);
+}
+
 static bool read_one(struct reader *reader, const struct shape_field *field,
                      double *to)
 {
@@ -116,6 +121,7 @@ static bool read_one(struct reader *reader, const struct shape_field *field,
     case TAKES_RADIUS: return read_radius(reader, to);
     case TAKES_SIZE: return read_size(reader, field->what, to);
     case TAKES_WIDTH: return read_width(reader, field->what, to);
+    case TAKES_MORE: return read_more(reader, to);
     case TAKES_TERMS: return read_terms(reader, to, field->count);
     case TAKES_WORD:
     case TAKES_USUAL:

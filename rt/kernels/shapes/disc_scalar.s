@@ -1,0 +1,41 @@
+; disc_scalar.s - one ray meets a disc, or a ring.
+;
+;       CALL DISC (RAY, PRIMITIVE, SEGMENT)
+;
+; Arguments as in sphere_scalar.s, method as in disc_vector.s.
+
+        shape_from r55                  ; behind t6
+        .equ    DISC_REGISTERS, 31
+
+        .data
+disc_save:      .space DISC_REGISTERS
+        .code
+
+        .macro  disc_axis o, d, center, into, work
+        SUBN    \o, \center, \into
+        MPYS    tin, \d, \work
+        ADDN    \work, \into, \into
+        .endm
+
+        .kernel disc
+disc:
+        enter_kernel disc_save, DISC_REGISTERS, 9, tiny
+        dot     dx, dy, dz, sh0, sh1, sh2, t1, t2
+        dot     ox, oy, oz, sh0, sh1, sh2, t0, t3
+        ABS     t1, t2
+        SUBN    sh3, t0, t0
+        CFPLT   t2, tiny, disc_missed
+        DIVS    t0, t1, tin
+        disc_axis ox, dx, sh4, t0, t3
+        disc_axis oy, dy, sh5, t1, t4
+        disc_axis oz, dz, sh6, t2, t5
+        dot     t0, t1, t2, t0, t1, t2, t3, t4
+        CFPLT   sh7, t3, disc_missed
+        CFPLT   t3, sh8, disc_missed
+        RTOR    tin, tout
+        leave_kernel tiny
+disc_missed:
+        RTOR    big, tin
+        RTOR    minus_big, tout
+        leave_kernel tiny
+        .endkernel

@@ -1,0 +1,1 @@
+; normal_disc_vector.s - the normals of discs: their planes' (normal_plane_vector.s).

@@ -1,0 +1,51 @@
+#include "rt/shapes/shape.h"
+
+#include "rt/scene/vector.h"
+
+static const struct shape_field fields[] = {
+    { TAKES_VECTOR, SHAPE_AT(disc, center), NULL, 0, NULL },
+    { TAKES_VECTOR, SHAPE_AT(disc, normal), NULL, 0, NULL },
+    { TAKES_RADIUS, SHAPE_AT(disc, radius), NULL, 0, NULL },
+    { TAKES_MORE, SHAPE_AT(disc, hole), NULL, 0, NULL },
+    { TAKES_END, 0, NULL, 0, NULL },
+};
+
+static const char *settle(struct primitive *primitive)
+{
+    double *normal = primitive->shape.disc.normal;
+    double length = length3(normal);
+
+    primitive->shape.disc.hole = fabs(primitive->shape.disc.hole);
+    if (length == 0 || !isfinite(length))
+        return "the normal has no direction";
+    scale3(1 / length, normal);
+    return NULL;
+}
+
+/* Those of its plane first. */
+static size_t put_words(const struct primitive *primitive, double *words)
+{
+    double radius = primitive->shape.disc.radius,
+           hole = primitive->shape.disc.hole;
+
+    copy3(primitive->shape.disc.normal, words);
+    words[3] = dot3(primitive->shape.disc.normal,
+                    primitive->shape.disc.center);
+    copy3(primitive->shape.disc.center, words + 4);
+    words[7] = radius * radius;
+    words[8] = hole * hole;
+    return 9;
+}
+
+const struct shape shape_disc = {
+    .fields = fields,
+    .settle = settle,
+    .povray = "disc",
+    .bound = bound_without, /* its inside has none */
+    .words = put_words,
+    .region = "disc",
+    .kernels = { .kernel = "disc",
+                 .normal = "normal_plane",
+                 .segments = 1,
+                 .state = "plane" },
+};
