@@ -217,6 +217,43 @@ static void test_big(void **state)
     }
 }
 
+static uint64_t checksum_of(const struct scene *scene, enum trace_mode mode,
+                            size_t queue)
+{
+    enum { SIDE = 250 };
+    const struct trace_options options = { .mode = mode,
+                                           .width = SIDE,
+                                           .height = SIDE,
+                                           .band = SIDE * SIDE,
+                                           .queue = queue,
+                                           .model = prior_model };
+    struct trace *trace = run_trace(scene, &options);
+    uint64_t checksum = trace_checksum(trace);
+
+    trace_free(trace);
+    return checksum;
+}
+
+/* As many rays in a queue as a vector has elements, nearly. */
+static void test_long_queues(void **state)
+{
+    static const size_t queues[] = { 40000, TRACE_QUEUE_MOST - 4,
+                                     TRACE_QUEUE_MOST };
+    struct scene *scene;
+    uint64_t scalar;
+
+    (void)state;
+    strcpy(text, HEAD "camera { location <0, 1, -2> look_at 0 }\n");
+    net_random_body(&net, 1, &traced.random);
+    net_mesh_text(&net, text, sizeof text);
+    add_text(text, sizeof text, "}\n");
+    scene = read_text(text);
+    scalar = checksum_of(scene, TRACE_SCALAR, 1);
+    for (size_t i = 0; i < sizeof queues / sizeof *queues; i++)
+        assert_true(checksum_of(scene, TRACE_VECTOR, queues[i]) == scalar);
+    scene_free(scene);
+}
+
 /* ---- The same in other words --------------------------------------------- */
 
 static struct words *frame_of(const char *how)
@@ -436,6 +473,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_other_words),
         cmocka_unit_test(test_every_triangle),
         cmocka_unit_test(test_big),
+        cmocka_unit_test(test_long_queues),
         cmocka_unit_test(test_distant),
         cmocka_unit_test(test_random_scenes),
         cmocka_unit_test(test_worlds),

@@ -6,7 +6,7 @@
 ; where a ray goes on, by the signs of its direction so that of two nodes below
 ; the nearer comes first; there is no stack.  Rays at the end are left out when
 ; they are many.  A ray that comes to a leaf makes pairs with its triangles and
-; walks on; pairs are met when there are as many as rays that walk.
+; walks on; pairs are met before there are more than rays that walk.
 ;
 ; A box with centre C and half sides H is passed, of each axis, for
 ;
@@ -70,7 +70,6 @@
         .endshare
         .reg    side_g1, side_w                 ; until there is W, and after it
         .equ    SIDE_VECTORS, 18
-        .equ    SIDES, 2 * QUEUE                ; pairs at the most
         .equ    PARTS_BITS, 2
         .equ    PARTS, 1 << PARTS_BITS
 
@@ -87,18 +86,18 @@ walk_descriptors:
         .space  WALK_VECTORS
 side_bases:
         .rept   SIDE_VECTORS - 3
-        .descriptor 0, side_store + 64 * SIDES * \+
+        .descriptor 0, side_store + 64 * QUEUE * \+
         .endr
         .rept   3
-        .descriptor 0, side_bit_store + 64 * ((SIDES + 63) / 64) * \+
+        .descriptor 0, side_bit_store + 64 * QUEUE_BIT_WORDS * \+
         .endr
 side_descriptors:
         .space  SIDE_VECTORS
 walk_bits:      .space 2 * QUEUE_BIT_WORDS
 leaf_bit_store: .space QUEUE_BIT_WORDS
-side_bit_store: .space 3 * ((SIDES + 63) / 64)
+side_bit_store: .space 3 * QUEUE_BIT_WORDS
         .equ    side_store, lane_store + 64 * QUEUE * (WALK_VECTORS - 2)
-        .if     WALK_VECTORS - 2 + 2 * (SIDE_VECTORS - 3) > LANE_VECTORS + SHADE_VECTORS - 4
+        .if     WALK_VECTORS - 2 + SIDE_VECTORS - 3 > LANE_VECTORS + SHADE_VECTORS - 4
         .error  "the lanes' vectors have no room for those of meshes"
         .endif
         .code
@@ -130,7 +129,7 @@ side_bit_store: .space 3 * ((SIDES + 63) / 64)
 ; one bank, which is busy for four accesses: so they are taken from one of PARTS
 ; parts of them after the other.
 ; [mesh_place] = i / PARTS + i mod PARTS times the size of a part, as far as there
-; are such rays.
+; are such rays; i has a little more room than pairs have.
         .macro  mix_rays
         EX      s2, PARTS - 1
         ADDX    m, s2, s3
@@ -272,7 +271,7 @@ mesh:
         VTOV    r0, [patch_t]
         ES      s2, MESH_SIZE
         VTOV    s2, [mesh_at]
-        .if     QUEUE < PARTS
+        .if     QUEUE < PARTS || QUEUE > 65535 - PARTS
         VTOV    [iota], [mesh_place]
         .else
         mix_rays
@@ -339,15 +338,17 @@ mesh_leaves:
         IX      s0, 64 * (MESH_FIRST - MESH_COUNT)
         VXTOV   [leaf_triangle], [s0], [leaf_triangle]
 leaf_next:
-        SHIFTI  mesh_pairs, 6, s0
-        add_pair leaf_place, side_store
-        add_pair leaf_triangle, side_store + 64 * SIDES
-        ADDX    mesh_pairs, leaf_count, mesh_pairs
-        IBXLT   mesh_pairs, r0, m, leaf_more
+        ADDX    mesh_pairs, leaf_count, s0
+        IBXLE   s0, r0, m, leaf_pairs
+        IBXEQ   mesh_pairs, r0, r0, leaf_pairs
         EX      target, meet_sides
         BSAVE   lane_link, [target]
         VXTOV   [mesh_place], [w9], [mesh_limit]
-leaf_more:
+leaf_pairs:
+        SHIFTI  mesh_pairs, 6, s0
+        add_pair leaf_place, side_store
+        add_pair leaf_triangle, side_store + 64 * QUEUE
+        ADDX    mesh_pairs, leaf_count, mesh_pairs
         SUBXV   [leaf_left], one_index, [leaf_left]
         describe leaf_bits, leaf_bit_store, leaf_count
         CMPNEV  [leaf_left], r0, [leaf_bits]
