@@ -180,7 +180,7 @@ static void test_all_errors(void **state)
 {
     static const char text[] =
         "sphere { 0, foo finish { wibble 2 phong x } scale }\n"
-        "disc { 0, y, 1 }\n"
+        "lathe { 0, y, 1 }\n"
         "union { box { 0, 1 rotate <1, 2 } sphere { } bar }\n"
         "camera { location }\n";
     static const size_t lines[] = { 1, 1, 1, 1, 2, 3, 3, 3, 4 };
