@@ -35,8 +35,8 @@ static bool has_area(const struct triangle *triangle)
     for (int k = 0; k < 2; k++)
         difference3(triangle->corners[1 + k], triangle->corners[0], edges[k]);
     size = fmax(greatest_size(edges[0]), greatest_size(edges[1]));
-    if (!(size > 0))
-        return false;
+    if (size == 0 || !isfinite(size)) /* that is an error of its own */
+        return size != 0;
     scale3(1 / size, edges[0]);
     scale3(1 / size, edges[1]);
     cross3(edges[0], edges[1], normal);

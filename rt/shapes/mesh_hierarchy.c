@@ -200,7 +200,7 @@ static struct box box_about(const struct mesh_build *build, const size_t *row,
     return box;
 }
 
-/* The node of triangles first .. first + count of the order and all below it. */
+/* The node of triangles first .. first + count of the order, all below it. */
 static void build_node(const struct mesh_build *build, size_t first,
                        size_t count, size_t depth)
 {

@@ -234,6 +234,21 @@ static uint64_t checksum_of(const struct scene *scene, enum trace_mode mode,
     return checksum;
 }
 
+/* A triangle as far away as a shadow ends stops no light; the one before it
+ * does. */
+static void test_shadow_limit(void **state)
+{
+    (void)state;
+    free(plain_frame(
+        "camera { location 4*y right x up y look_at 0 sky z angle 60 }\n"
+        "light_source { 8*y rgb 1 }\n"
+        "plane { y, 0 pigment { rgb 1 } finish { ambient .1 diffuse .9 } }\n"
+        "mesh { triangle { <-.5, 7.999, -.5>, <.5, 7.999, -.5>, "
+        "<0, 7.999, .5> }\n"
+        "triangle { <-.5, 5, -.5>, <.5, 5, -.5>, <0, 5, .5> }\n"
+        "pigment { rgb <1, .2, .1> } }\n"));
+}
+
 /* As many rays in a queue as a vector has elements, nearly. */
 static void test_long_queues(void **state)
 {
@@ -447,8 +462,8 @@ static void test_middle(void **state)
                  1, 1);
 }
 
-/* From far away, small: what is lost there would show here.  Not along the axes,
- * on which rays meet edges, and either side of one is right. */
+/* From far away, small: what is lost there would show here.  Not along the
+ * axes, on which rays meet edges, and either side of one is right. */
 static void test_distant(void **state)
 {
     (void)state;
@@ -474,6 +489,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_every_triangle),
         cmocka_unit_test(test_big),
         cmocka_unit_test(test_long_queues),
+        cmocka_unit_test(test_shadow_limit),
         cmocka_unit_test(test_distant),
         cmocka_unit_test(test_random_scenes),
         cmocka_unit_test(test_worlds),

@@ -31,9 +31,10 @@
 ; A ray to a light ends at the first triangle that it meets before the light.
 ;
 ; In:  ox oy oz dx dy dz lower near_limit, near long; the primitive's record and
-;      table.
-; Out: tin = tout = the least t beyond lower, patch_s its triangle in the
-;      table, of several the first; a miss is big, minus_big.
+;      table; shadows.
+; Out: tin = tout = the least t beyond lower up to the limit, patch_s its triangle
+;      in the table, of several the first, patch_t 0; of a ray to a light any t
+;      before its limit; a miss is big, minus_big.
 ; Source: the edges: Woop, Benthin and Wald 2013; links by directions: threaded
 ; hierarchies, Arvo 1988; pairs: derived here.
 
@@ -73,6 +74,8 @@
         .equ    PARTS_BITS, 2
         .equ    PARTS, 1 << PARTS_BITS
 
+; All of them lie where the lanes of other shapes do; bits0 and bits1 are given up
+; when the walk begins.
         .data
 mesh_zero:      .word 1e-60
 walk_bases:
@@ -80,22 +83,15 @@ walk_bases:
         .descriptor 0, lane_store + 64 * QUEUE * \+
         .endr
         .rept   2
-        .descriptor 0, walk_bits + 64 * QUEUE_BIT_WORDS * \+
+        .descriptor 0, near_bit_store + 64 * QUEUE_BIT_WORDS * \+
         .endr
-walk_descriptors:
-        .space  WALK_VECTORS
 side_bases:
         .rept   SIDE_VECTORS - 3
         .descriptor 0, side_store + 64 * QUEUE * \+
         .endr
         .rept   3
-        .descriptor 0, side_bit_store + 64 * QUEUE_BIT_WORDS * \+
+        .descriptor 0, lane_bits + 64 * QUEUE_BIT_WORDS * \+
         .endr
-side_descriptors:
-        .space  SIDE_VECTORS
-walk_bits:      .space 2 * QUEUE_BIT_WORDS
-leaf_bit_store: .space QUEUE_BIT_WORDS
-side_bit_store: .space 3 * QUEUE_BIT_WORDS
         .equ    side_store, lane_store + 64 * QUEUE * (WALK_VECTORS - 2)
         .if     WALK_VECTORS - 2 + SIDE_VECTORS - 3 > LANE_VECTORS + SHADE_VECTORS - 4
         .error  "the lanes' vectors have no room for those of meshes"
@@ -104,11 +100,11 @@ side_bit_store: .space 3 * QUEUE_BIT_WORDS
 
 ; There are m rays that walk.
         .macro  set_walk
-        set_lengths m, m_high, walk_bases, walk_descriptors, WALK_VECTORS, mesh_at
+        set_lengths m, m_high, walk_bases, lane_shade_descriptors, WALK_VECTORS, mesh_at
         .endm
 
         .macro  set_sides count
-        set_lengths \count, m_high, side_bases, side_descriptors, SIDE_VECTORS, side_place
+        set_lengths \count, m_high, side_bases, lane_descriptors, SIDE_VECTORS, side_place
         .endm
 
 ; [kx], [ky], [kz] = x, y, z, in the order of each ray's own axes: y is the
@@ -266,8 +262,10 @@ mesh:
         MPYSV   [w4], [w5], [w4]
         VTOV    [near_limit], [w9]
         VTOV    big, [tin]
-        VTOV    minus_big, [tout]
-        VTOV    mesh_leaf_link, [patch_s]       ; behind all triangles
+        VTOV    r0, [patch_s]                   ; before all triangles
+        IBXNE   shadows, r0, r0, mesh_begin     ; what is at the light stops none
+        VTOV    mesh_leaf_link, [patch_s]       ; behind all: at the limit counts
+mesh_begin:
         VTOV    r0, [patch_t]
         ES      s2, MESH_SIZE
         VTOV    s2, [mesh_at]
@@ -340,7 +338,6 @@ mesh_leaves:
 leaf_next:
         ADDX    mesh_pairs, leaf_count, s0
         IBXLE   s0, r0, m, leaf_pairs
-        IBXEQ   mesh_pairs, r0, r0, leaf_pairs
         EX      target, meet_sides
         BSAVE   lane_link, [target]
         VXTOV   [mesh_place], [w9], [mesh_limit]
@@ -350,7 +347,7 @@ leaf_pairs:
         add_pair leaf_triangle, side_store + 64 * QUEUE
         ADDX    mesh_pairs, leaf_count, mesh_pairs
         SUBXV   [leaf_left], one_index, [leaf_left]
-        describe leaf_bits, leaf_bit_store, leaf_count
+        describe leaf_bits, lane_bits + 64 * QUEUE_BIT_WORDS * 3, leaf_count
         CMPNEV  [leaf_left], r0, [leaf_bits]
         CNTOB   [leaf_bits], leaf_count
         IBXEQ   leaf_count, r0, r0, mesh_on
@@ -366,7 +363,7 @@ mesh_walked:
         BSAVE   lane_link, [target]
 mesh_done:
         CMPLTV  [tin], big, [bits0]
-        VTOV    [tin], [tout] ? [bits0]
+        MASKV   [tin], minus_big, [tout] ? [bits0]
         BIM     0, link_kernel
 
 ; The pairs are met, mesh_pairs of them: w9, tin, patch_s of their rays.
