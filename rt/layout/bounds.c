@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "rt/shapes/shape.h"
+
 /* The bounds of a node's children, one after another; how many. */
 static size_t gather(const struct scene *scene, size_t node,
                      const struct bound *bounds, struct bound *children)
@@ -31,6 +33,23 @@ static struct bound common_of(const struct bound *children, size_t count)
     return least;
 }
 
+/* In a tree; alone it has what is seen of it. */
+static void bound_leaf(const struct primitive *primitive, struct bound *bound)
+{
+    if (shape_of(primitive)->endless)
+        *bound = bound_none;
+    else
+        bound_primitive(primitive, bound);
+}
+
+static void bound_alone(const struct scene *scene,
+                        const struct region *region, struct bound *bounds)
+{
+    if (region->primitive_count == 1)
+        bound_primitive(&scene->primitives[region->first_primitive],
+                        &bounds[region->first_node + region->node_count - 1]);
+}
+
 static void bound_node(const struct scene *scene, size_t node,
                        struct bound *bounds, struct bound *children)
 {
@@ -38,8 +57,8 @@ static void bound_node(const struct scene *scene, size_t node,
 
     switch (scene->nodes[node].operation) {
     case TREE_LEAF:
-        bound_primitive(&scene->primitives[scene->nodes[node].primitive],
-                        &bounds[node]);
+        bound_leaf(&scene->primitives[scene->nodes[node].primitive],
+                   &bounds[node]);
         break;
     case TREE_AND: bounds[node] = common_of(children, count); break;
     case TREE_OR: bound_enclose(children, count, &bounds[node]); break;
@@ -57,6 +76,8 @@ bool bound_nodes(const struct scene *scene, struct bound *bounds)
         return false;
     for (size_t node = scene->node_count; node-- > 0;)
         bound_node(scene, node, bounds, children);
+    for (size_t i = 0; i < scene->region_count; i++)
+        bound_alone(scene, &scene->regions[i], bounds);
     free(children);
     return true;
 }

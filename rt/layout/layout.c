@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rt/layout/gradient.h"
 #include "rt/layout/looks.h"
 #include "rt/layout/program.h"
 #include "rt/layout/record.h"
@@ -72,6 +73,12 @@ static void put_shape(struct record *record,
     record_numbers(record, "P_LOCAL", &primitive->to_local.rows[0][0], 12);
 }
 
+/* The map of the gradient before, which the next one may have, too. */
+struct map_place {
+    const struct color_stop *stops;
+    c205_word address;
+};
+
 /* Neighbours in one space have its number, so that a ray is carried over once.
  * Numbers count from 1, by the first primitive of each; before: the number of
  * the one before. */
@@ -102,8 +109,31 @@ static void put_finish(struct record *record, const struct scene *scene,
     record_numbers(record, "P_FINISH", words, 8);
 }
 
+static void put_gradient(struct record *record, const struct pigment *pigment,
+                         struct map_place *map)
+{
+    double words[GRADIENT_STOPS];
+
+    if (map->stops != pigment->map.stops) {
+        c205_word *stops = gradient_stops(&pigment->map);
+        if (stops)
+            record_table(record, "P_STOPS", stops,
+                         gradient_size(&pigment->map));
+        else
+            layout_fail(record->layout, "no memory");
+        free(stops);
+        map->stops = pigment->map.stops;
+        record_read(record, "P_STOPS", &map->address, 1);
+    }
+    gradient_words(pigment, words);
+    record_numbers(record, "P_PATTERN", words, GRADIENT_STOPS);
+    record_address(record, "P_STOPS", map->address);
+    record_integer(record, "P_STOP_COUNT", pigment->map.count);
+}
+
 static void put_surface(struct record *record, const struct scene *scene,
-                        const struct primitive *primitive)
+                        const struct primitive *primitive,
+                        struct map_place *map)
 {
     const struct pigment *pigment = &primitive->pigment;
     double color[2][3], passing[2][4];
@@ -114,9 +144,13 @@ static void put_surface(struct record *record, const struct scene *scene,
         passing[i][3] = surface_passing_weight(passing[i],
                                                scene->adc_bailout);
     }
-    record_integer(record, "P_CHECKER", pigment->kind == PIGMENT_CHECKER);
+    record_integer(record, "P_PIGMENT", pigment->kind);
     record_numbers(record, "P_COLOR", &color[0][0], 6);
-    record_numbers(record, "P_PATTERN", &pigment->to_local.rows[0][0], 12);
+    if (pigment->kind == PIGMENT_GRADIENT)
+        put_gradient(record, pigment, map);
+    else
+        record_numbers(record, "P_PATTERN", &pigment->to_local.rows[0][0],
+                       12);
     record_integer(record, "P_CLEAR", pigment_is_clear(pigment));
     record_numbers(record, "P_PASSING", &passing[0][0], 8);
     put_finish(record, scene, &primitive->finish);
@@ -137,10 +171,18 @@ static void put_mirror(struct record *record,
 
 static size_t table_words(const struct scene *scene)
 {
+    const struct color_stop *stops = NULL;
     size_t count = 0;
 
-    for (size_t i = 0; i < scene->primitive_count; i++)
+    for (size_t i = 0; i < scene->primitive_count; i++) {
+        const struct pigment *pigment = &scene->primitives[i].pigment;
+
         count += shape_table_count(&scene->primitives[i]);
+        if (pigment->kind != PIGMENT_GRADIENT || pigment->map.stops == stops)
+            continue;
+        stops = pigment->map.stops;
+        count += gradient_size(&pigment->map);
+    }
     return count;
 }
 
@@ -150,16 +192,16 @@ static uint64_t look_of(struct record *record,
                         const struct primitive *primitive,
                         struct looks *looks)
 {
-    enum { CHECKER, COLOR, PATTERN = 7, FINISH = 19, REST = 27 };
+    enum { PIGMENT, COLOR, PATTERN = 7, FINISH = 19, REST = 27 };
     c205_word words[LOOK_WORDS] = { 0 }, transformed = 0;
     uint64_t look;
 
     record_read(record, "P_TRANSFORMED", &transformed, 1);
     if (primitive->kind != PRIMITIVE_SPHERE || transformed != 0)
         return record->address;
-    record_read(record, "P_CHECKER", &words[CHECKER], 1);
+    record_read(record, "P_PIGMENT", &words[PIGMENT], 1);
     record_read(record, "P_COLOR", &words[COLOR], 6);
-    if (words[CHECKER] != 0)
+    if (words[PIGMENT] != 0)
         record_read(record, "P_PATTERN", &words[PATTERN], 12);
     record_read(record, "P_FINISH", &words[FINISH], 8);
     record_read(record, "P_INVERTED", &words[REST], 9);
@@ -190,6 +232,7 @@ static struct row layout_primitives(struct record_layout *layout,
     struct looks *looks = looks_new(scene->primitive_count);
     bool alike = false;
     struct record record;
+    struct map_place map = { NULL, 0 };
     size_t space = 0;
     struct row row;
     uint64_t look;
@@ -206,7 +249,7 @@ static struct row layout_primitives(struct record_layout *layout,
         record_integer(&record, "P_SPACE", space);
         put_shape(&record, &scene->primitives[i], &plans[i]);
         put_part(&record, &plans[i], crossings, values);
-        put_surface(&record, scene, &scene->primitives[i]);
+        put_surface(&record, scene, &scene->primitives[i], &map);
         put_mirror(&record, &scene->primitives[i]);
         look = look_of(&record, &scene->primitives[i], looks);
         alike = alike || look != record.address;
@@ -324,6 +367,31 @@ static void layout_camera(struct record_layout *layout,
     layout_words(layout, layout_symbol(layout, "scene_background"), words, 3);
 }
 
+static void layout_sky(struct record_layout *layout,
+                       const struct scene *scene)
+{
+    size_t size = gradient_size(&scene->sky.map);
+    double numbers[GRADIENT_STOPS];
+    c205_word words[GRADIENT_STOPS + 2], *stops;
+
+    if (scene->sky.kind != PIGMENT_GRADIENT)
+        return;
+    stops = gradient_stops(&scene->sky.map);
+    if (!stops) {
+        layout_fail(layout, "no memory");
+        return;
+    }
+    gradient_words(&scene->sky, numbers);
+    put_numbers(words, numbers, GRADIENT_STOPS);
+    words[GRADIENT_STOPS] = layout_reserve(layout, size);
+    words[GRADIENT_STOPS + 1] = c205_from_integer(
+        (int64_t)scene->sky.map.count);
+    layout_words(layout, layout_symbol(layout, "scene_sky"), words,
+                 GRADIENT_STOPS + 2);
+    layout_words(layout, words[GRADIENT_STOPS], stops, size);
+    free(stops);
+}
+
 /* Where the pixels go that are made of samples. */
 static void layout_samples(struct record_layout *layout, double gamma,
                            struct frame_layout *frame)
@@ -390,6 +458,7 @@ struct scene_layout *layout_new(const struct object *program,
     }
     layout.image = &whole->image;
     layout_camera(&layout, scene);
+    layout_sky(&layout, scene);
     layout_solids(&layout, scene, bounding);
     layout_levels(&layout, scene);
     layout_lights(&layout, scene);

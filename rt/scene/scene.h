@@ -44,15 +44,29 @@ struct finish {
     double specular, roughness;
 };
 
-enum pigment_kind { PIGMENT_COLOR, PIGMENT_CHECKER };
+enum pigment_kind { PIGMENT_COLOR, PIGMENT_CHECKER, PIGMENT_GRADIENT };
+
+/* Colours at values from 0 to 1 that do not fall: those between are in a line
+ * with those beside, those beyond are as the first or the last. */
+struct color_stop {
+    double at, color[3];
+};
+struct color_map {
+    size_t count;
+    const struct color_stop *stops; /* the scene keeps them */
+    size_t clear; /* so many that let light pass, as they are written */
+};
 
 struct pigment {
     enum pigment_kind kind;
     double color[2][3];        /* checker: where floor(x)+floor(y)+floor(z)
-                                  is even, and odd */
+                                  is even, and odd; gradient: the first */
     double filter[2];          /* the share of light that passes, coloured */
     double transmit[2];        /* .. and as it is */
     struct transform to_local; /* from world points to the pattern's */
+    double axis[3]; /* gradient: of length one; the value is how far
+                                  the point is along it, less its floor */
+    struct color_map map;
 };
 /* Light passes, for one of its colours at least. */
 bool pigment_is_clear(const struct pigment *pigment);
@@ -81,6 +95,9 @@ struct region {
 struct scene {
     struct camera camera;
     double background[3];
+    struct pigment
+        sky; /* of directions: a gradient, before the background; any
+                           other kind: there is none */
     double ambient_light[3];
     double assumed_gamma; /* 0: not given */
     int max_trace_level;  /* rays in a chain of reflections, the first

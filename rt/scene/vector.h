@@ -22,6 +22,19 @@ static inline void copy3(const double from[3], double to[3])
     memcpy(to, from, 3 * sizeof *to);
 }
 
+static inline void subtract3(const double a[3], const double b[3],
+                             double difference[3])
+{
+    for (int i = 0; i < 3; i++)
+        difference[i] = a[i] - b[i];
+}
+
+/* Of its components: what does not leave the range of a double. */
+static inline double greatest3(const double a[3])
+{
+    return fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2])));
+}
+
 static inline void scale3(double by, double a[3])
 {
     for (int i = 0; i < 3; i++)

@@ -40,3 +40,13 @@ const char *axis_fault(const double base[3], const double cap[3])
                ? "both ends of the axis are the same"
                : NULL;
 }
+
+const char *axis_make_normal(double normal[3])
+{
+    double length = length3(normal);
+
+    if (length == 0 || !isfinite(length))
+        return "the normal has no direction";
+    scale3(1 / length, normal);
+    return NULL;
+}

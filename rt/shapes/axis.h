@@ -1,4 +1,5 @@
-/* axis.h - shapes about an axis: cylinders and cones. */
+/* axis.h - shapes about an axis, cylinders and cones, and across one: planes and
+ * discs. */
 #ifndef RT_AXIS_H
 #define RT_AXIS_H
 
@@ -7,5 +8,7 @@
 double axis_words(const double base[3], const double cap[3], double *words);
 /* What is wrong with an axis, or NULL. */
 const char *axis_fault(const double base[3], const double cap[3]);
+/* A normal gets the length one.  Returns what is wrong with it, or NULL. */
+const char *axis_make_normal(double normal[3]);
 
 #endif

@@ -1,6 +1,7 @@
 #include "rt/shapes/shape.h"
 
 #include "rt/scene/vector.h"
+#include "rt/shapes/axis.h"
 
 static const struct shape_field fields[] = {
     { TAKES_VECTOR, SHAPE_AT(disc, center), NULL, 0, NULL },
@@ -12,14 +13,17 @@ static const struct shape_field fields[] = {
 
 static const char *settle(struct primitive *primitive)
 {
-    double *normal = primitive->shape.disc.normal;
-    double length = length3(normal);
-
     primitive->shape.disc.hole = fabs(primitive->shape.disc.hole);
-    if (length == 0 || !isfinite(length))
-        return "the normal has no direction";
-    scale3(1 / length, normal);
-    return NULL;
+    return axis_make_normal(primitive->shape.disc.normal);
+}
+
+static void put_bound(const struct primitive *primitive, struct bound *bound)
+{
+    struct hull hull = { .count = 0 };
+
+    hull_ring(&hull, primitive, primitive->shape.disc.center,
+              primitive->shape.disc.normal, primitive->shape.disc.radius);
+    bound_hull(&hull, bound);
 }
 
 /* Those of its plane first. */
@@ -41,7 +45,8 @@ const struct shape shape_disc = {
     .fields = fields,
     .settle = settle,
     .povray = "disc",
-    .bound = bound_without, /* its inside has none */
+    .bound = put_bound,
+    .endless = true,
     .words = put_words,
     .region = "disc",
     .kernels = { .kernel = "disc",

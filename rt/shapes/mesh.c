@@ -7,24 +7,12 @@
 #include "rt/scene/vector.h"
 #include "rt/shapes/mesh_hierarchy.h"
 
+/* rt/scene/language/mesh.c and mesh2.c read what stands in its braces. */
 static const struct shape_field fields[] = {
-    { TAKES_TRIANGLES, SHAPE_AT(mesh, triangles), NULL, 0, NULL },
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
 /* ---- What is read -------------------------------------------------------- */
-
-static void difference3(const double a[3], const double b[3],
-                        double result[3])
-{
-    for (int i = 0; i < 3; i++)
-        result[i] = a[i] - b[i];
-}
-
-static double greatest_size(const double a[3])
-{
-    return fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2])));
-}
 
 /* Height to length; told in its own size, for products of small edges may be
  * beyond a double. */
@@ -33,8 +21,8 @@ static bool has_area(const struct triangle *triangle)
     double edges[2][3], normal[3], size;
 
     for (int k = 0; k < 2; k++)
-        difference3(triangle->corners[1 + k], triangle->corners[0], edges[k]);
-    size = fmax(greatest_size(edges[0]), greatest_size(edges[1]));
+        subtract3(triangle->corners[1 + k], triangle->corners[0], edges[k]);
+    size = fmax(greatest3(edges[0]), greatest3(edges[1]));
     if (size == 0 || !isfinite(size)) /* that is an error of its own */
         return size != 0;
     scale3(1 / size, edges[0]);
@@ -94,44 +82,56 @@ static struct triangle carried(const struct primitive *primitive, size_t i)
     return triangle;
 }
 
-static struct box box_of(const struct triangle *triangle)
+static struct boxed boxed_of(const struct triangle *triangle)
 {
-    struct box box;
+    struct boxed boxed = { box_empty, { 0 } };
 
-    for (int i = 0; i < 3; i++) {
-        double a = triangle->corners[0][i], b = triangle->corners[1][i],
-               c = triangle->corners[2][i];
+    for (int k = 0; k < 3; k++) {
+        struct box corner;
 
-        box.low[i] = fmin(a, fmin(b, c));
-        box.high[i] = fmax(a, fmax(b, c));
+        copy3(triangle->corners[k], corner.low);
+        copy3(triangle->corners[k], corner.high);
+        box_join(&boxed.box, &corner);
     }
-    return box;
+    for (int i = 0; i < 3; i++)
+        boxed.place[i] = boxed.box.low[i] / 2 + boxed.box.high[i] / 2;
+    return boxed;
+}
+
+static double reach_of(const struct triangle *triangle,
+                       const double center[3])
+{
+    double reach = 0, away[3];
+
+    for (int k = 0; k < 3; k++) {
+        subtract3(triangle->corners[k], center, away);
+        reach = fmax(reach, length3(away));
+    }
+    return reach;
 }
 
 /* About the middle of the box, as far as the farthest corner. */
 static void bound_many(const struct primitive *primitive, struct bound *bound)
 {
     size_t count = primitive->shape.mesh.triangles.count;
-    double away[3];
+    struct box box = box_empty;
 
-    *bound = (struct bound){ .low = { INFINITY, INFINITY, INFINITY },
-                             .high = { -INFINITY, -INFINITY, -INFINITY } };
     for (size_t i = 0; i < count; i++) {
         struct triangle triangle = carried(primitive, i);
-        struct box box = box_of(&triangle);
+        struct boxed boxed = boxed_of(&triangle);
 
-        for (int k = 0; k < 3; k++) {
-            bound->low[k] = fmin(bound->low[k], box.low[k]);
-            bound->high[k] = fmax(bound->high[k], box.high[k]);
-        }
+        box_join(&box, &boxed.box);
     }
-    for (int k = 0; k < 3; k++)
-        bound->center[k] = (bound->low[k] + bound->high[k]) / 2;
-    for (size_t i = 0; i < 3 * count; i++) {
-        struct triangle triangle = carried(primitive, i / 3);
+    copy3(box.low, bound->low);
+    copy3(box.high, bound->high);
+    for (int i = 0; i < 3; i++)
+        bound->center[i] = box.low[i] / 2 + box.high[i] / 2;
+    bound->radius = 0;
+    for (size_t i = 0; i < count; i++) {
+        struct triangle triangle = carried(primitive, i);
 
-        difference3(triangle.corners[i % 3], bound->center, away);
-        bound->radius = fmax(bound->radius, length3(away));
+        bound->radius = fmax(bound->radius,
+                             reach_of(&triangle, bound->center));
     }
 }
 
@@ -188,8 +188,9 @@ static double node_place(size_t node)
 
 struct mesh_table {
     const struct mesh_hierarchy *hierarchy;
+    size_t row;    /* words of a triangle's */
     double margin; /* of the boxes: more than what is rounded */
-    double *nodes, *triangles;
+    double *nodes; /* rows, from the first on */
 };
 
 /* Where rays of a direction go on from a node and all below it: to that below
@@ -216,19 +217,18 @@ static void put_links(const struct mesh_table *table, size_t node,
     put_links(table, far, direction, miss);
 }
 
-static void put_node(const struct mesh_table *table, size_t node,
-                     size_t row_words)
+static void put_node(const struct mesh_table *table, size_t node)
 {
     const struct mesh_node *from = &table->hierarchy->nodes[node];
     double *row = table->nodes + NODE_ROW * node;
 
     for (int i = 0; i < 3; i++) {
-        row[i] = (from->box.low[i] + from->box.high[i]) / 2;
-        row[3 + i] = (from->box.high[i] - from->box.low[i]) / 2
+        row[i] = from->box.low[i] / 2 + from->box.high[i] / 2;
+        row[3 + i] = from->box.high[i] / 2 - from->box.low[i] / 2
                      + table->margin;
     }
     row[NODE_FIRST] = node_place(table->hierarchy->node_count)
-                      + (double)(row_words * from->first);
+                      + (double)(table->row * from->first);
     row[NODE_COUNT] = (double)from->count;
 }
 
@@ -238,8 +238,8 @@ static void plane_normal(const struct triangle *triangle, double normal[3])
     double edges[2][3], size;
 
     for (int k = 0; k < 2; k++) {
-        difference3(triangle->corners[1 + k], triangle->corners[0], edges[k]);
-        size = greatest_size(edges[k]);
+        subtract3(triangle->corners[1 + k], triangle->corners[0], edges[k]);
+        size = greatest3(edges[k]);
         scale3(1 / size, edges[k]);
     }
     cross3(edges[0], edges[1], normal);
@@ -252,8 +252,8 @@ static void share_gradient(const struct triangle *triangle, int k, int a,
 {
     double base[3], way[3], along;
 
-    difference3(triangle->corners[b], triangle->corners[a], base);
-    difference3(triangle->corners[k], triangle->corners[a], way);
+    subtract3(triangle->corners[b], triangle->corners[a], base);
+    subtract3(triangle->corners[k], triangle->corners[a], way);
     along = dot3(way, base) / dot3(base, base);
     for (int i = 0; i < 3; i++)
         gradient[i] = way[i] - along * base[i];
@@ -276,54 +276,61 @@ static void put_smooth(const struct triangle *triangle, double *row)
                                       * shares[k][j];
 }
 
-static void put_triangle(const struct triangle *triangle, double *row)
+/* One that has lost its area on the way to the world has any normal. */
+static void put_triangle(const struct primitive *primitive, size_t i,
+                         double *row)
 {
-    memcpy(row, triangle->corners, sizeof triangle->corners);
-    if (triangle->smooth)
-        put_smooth(triangle, row + 9);
+    struct triangle triangle = carried(primitive, i);
+
+    memcpy(row, triangle.corners, sizeof triangle.corners);
+    if (!has_area(&triangle))
+        row[9] = 1;
+    else if (triangle.smooth)
+        put_smooth(&triangle, row + 9);
     else
-        plane_normal(triangle, row + 9);
+        plane_normal(&triangle, row + 9);
+}
+
+static void put_nodes(const struct mesh_table *table)
+{
+    for (size_t i = 0; i < table->hierarchy->node_count; i++)
+        put_node(table, i);
+    for (size_t i = 0; i < DIRECTIONS; i++)
+        put_links(table, 0, i, 0);
 }
 
 static void fill_table(const struct primitive *primitive,
                        const struct mesh_hierarchy *hierarchy, double *table)
 {
-    size_t words = row_size(primitive);
     const struct box *whole = &hierarchy->nodes[0].box;
     struct mesh_table filled = {
         .hierarchy = hierarchy,
+        .row = row_size(primitive),
         .margin = 0x1p-36
-                  * fmax(greatest_size(whole->low),
-                         greatest_size(whole->high)),
+                  * fmax(greatest3(whole->low), greatest3(whole->high)),
         .nodes = table + NODE_ROW,
-        .triangles = table + NODE_ROW * (hierarchy->node_count + 1),
     };
+    double *row = filled.nodes + NODE_ROW * hierarchy->node_count;
 
-    for (size_t i = 0; i < hierarchy->node_count; i++)
-        put_node(&filled, i, words);
-    for (size_t i = 0; i < DIRECTIONS; i++)
-        put_links(&filled, 0, i, 0);
-    for (size_t i = 0; i < primitive->shape.mesh.triangles.count; i++) {
-        struct triangle triangle = carried(primitive, hierarchy->order[i]);
-
-        put_triangle(&triangle, filled.triangles + words * i);
-    }
+    put_nodes(&filled);
+    for (size_t i = 0; i < primitive->shape.mesh.triangles.count; i++)
+        put_triangle(primitive, hierarchy->order[i], row + filled.row * i);
 }
 
 static bool plan(const struct primitive *primitive,
                  struct mesh_hierarchy *hierarchy)
 {
     size_t count = primitive->shape.mesh.triangles.count;
-    struct box *boxes = malloc((count + 1) * sizeof *boxes);
+    struct boxed *triangles = malloc((count + 1) * sizeof *triangles);
     bool good;
 
-    for (size_t i = 0; boxes && i < count; i++) {
+    for (size_t i = 0; triangles && i < count; i++) {
         struct triangle triangle = carried(primitive, i);
 
-        boxes[i] = box_of(&triangle);
+        triangles[i] = boxed_of(&triangle);
     }
-    good = boxes && mesh_hierarchy_build(boxes, count, hierarchy);
-    free(boxes);
+    good = triangles && mesh_hierarchy_build(triangles, count, hierarchy);
+    free(triangles);
     return good;
 }
 
@@ -341,6 +348,20 @@ static size_t put_table(const struct primitive *primitive, double *table)
         count = 0;
     mesh_hierarchy_free(&hierarchy);
     return count;
+}
+
+/* What the triangles are made of; boxes are between their corners. */
+static bool is_finite(const struct primitive *primitive)
+{
+    for (size_t i = 0; i < primitive->shape.mesh.triangles.count; i++) {
+        double row[SMOOTH_ROW] = { 0 };
+
+        put_triangle(primitive, i, row);
+        for (size_t k = 0; k < SMOOTH_ROW; k++)
+            if (!isfinite(row[k]))
+                return false;
+    }
+    return true;
 }
 
 /* Words of a node, behind its box. */
@@ -374,6 +395,7 @@ const struct shape shape_mesh = {
     .words = put_words,
     .table = put_table,
     .is_integer = is_integer,
+    .is_finite = is_finite,
     .carry = carry,
     .region = "mesh",
     .kernels = { .kernel = "mesh", .normal = "normal_smooth_mesh" },

@@ -9,13 +9,10 @@
 #define RT_MESH_HIERARCHY_H
 
 #include <stdbool.h>
-#include <stddef.h>
+
+#include "rt/shapes/cuts.h"
 
 enum { TRIANGLES_IN_LEAF = 2 };
-
-struct box {
-    double low[3], high[3];
-};
 
 struct mesh_node {
     struct box box;
@@ -33,8 +30,8 @@ struct mesh_hierarchy {
 
 /* Of so many triangles, at least one. */
 size_t mesh_hierarchy_nodes(size_t triangles);
-/* About boxes, one for each.  False: no memory. */
-bool mesh_hierarchy_build(const struct box *boxes, size_t count,
+/* Their places may be told on any scale.  False: no memory. */
+bool mesh_hierarchy_build(const struct boxed *triangles, size_t count,
                           struct mesh_hierarchy *hierarchy);
 void mesh_hierarchy_free(struct mesh_hierarchy *hierarchy);
 

@@ -1,6 +1,7 @@
 #include "rt/shapes/shape.h"
 
 #include "rt/scene/vector.h"
+#include "rt/shapes/axis.h"
 
 static const struct shape_field fields[] = {
     { TAKES_VECTOR, SHAPE_AT(plane, normal), NULL, 0, NULL },
@@ -11,13 +12,7 @@ static const struct shape_field fields[] = {
 /* The distance is along the normal of length one. */
 static const char *settle(struct primitive *primitive)
 {
-    double *normal = primitive->shape.plane.normal;
-    double length = length3(normal);
-
-    if (length == 0 || !isfinite(length))
-        return "the normal has no direction";
-    scale3(1 / length, normal);
-    return NULL;
+    return axis_make_normal(primitive->shape.plane.normal);
 }
 
 /* A plane is carried into the world here: P^T n' with P the way back. */

@@ -31,7 +31,6 @@ enum shape_takes {
     TAKES_OTHER,  /* a word of POV-Ray's that is not supported */
     TAKES_PATH,   /* a number of points, and the points, to a struct outline;
                      there is room for one more */
-    TAKES_TRIANGLES, /* to a struct triangles */
 };
 
 struct shape_field {
@@ -66,7 +65,8 @@ struct shape_kernels {
 enum { SHAPE_WORDS_MOST = 16, PATH_MOST = 2000 };
 
 struct shape {
-    const struct shape_field *fields; /* up to TAKES_END */
+    /* Up to TAKES_END; of a mesh, for which the language has a file, none. */
+    const struct shape_field *fields;
     /* What is read becomes what is traced.  Returns what is wrong with it, or
      * NULL; shape_as_read if there is nothing to do. */
     const char *(*settle)(struct primitive *primitive);
@@ -75,6 +75,7 @@ struct shape {
     /* A sphere in the world that nothing of it reaches beyond, or
      * bound_none. */
     void (*bound)(const struct primitive *primitive, struct bound *bound);
+    bool endless; /* its inside, which trees ask for, reaches beyond that */
 
     /* What a set-up program would work out once: reciprocals, axes, the words
      * of P_SHAPE in the order of rt/kernels/frame/records.s.  Returns how
@@ -86,6 +87,9 @@ struct shape {
     size_t (*table)(const struct primitive *primitive, double *table);
     /* Which of them are integers.  NULL: all are numbers. */
     bool (*is_integer)(const struct primitive *primitive, size_t word);
+    /* Whether all are finite, if that is told sooner than by working them
+     * out; or NULL. */
+    bool (*is_finite)(const struct primitive *primitive);
     /* Whether it needs no space of its own: its words are told, or are told
      * anew, in the world.  NULL: it needs one. */
     bool (*carry)(const struct primitive *primitive, double *words);

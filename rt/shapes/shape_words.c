@@ -69,16 +69,23 @@ static bool are_finite(const double *numbers, size_t count)
     return true;
 }
 
-bool shape_is_finite(const struct primitive *primitive)
+static bool table_is_finite(const struct primitive *primitive)
 {
     size_t count = shape_table_count(primitive);
     double *table = shape_table(primitive, count);
-    struct shape_words shape;
-    bool finite;
+    bool finite = !table || are_finite(table, count);
 
-    shape_words(primitive, &shape);
-    finite = are_finite(shape.words, shape.count)
-             && (!table || are_finite(table, count));
     free(table);
     return finite;
+}
+
+bool shape_is_finite(const struct primitive *primitive)
+{
+    const struct shape *shape = shape_of(primitive);
+    struct shape_words words;
+
+    shape_words(primitive, &words);
+    return are_finite(words.words, words.count)
+           && (shape->is_finite ? shape->is_finite(primitive)
+                                : table_is_finite(primitive));
 }

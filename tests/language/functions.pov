@@ -33,12 +33,12 @@ Show(S(S(.3)) + 2*S(1) - -S(2))
     #debug concat(str(A, 0, 2), " ", str(B, 0, 2), " ", vstr(3, C, ", ", 0, 2), " ", D, "\n")
 #end
 #fopen Data "functions.csv" read
-#read (Data, A, B)
+#read (Data A, B)
 Show(A + B)
 #fclose Data
 #fopen Data "functions.csv" read
 #while (defined(Data))
-    #read (Data, A, B, C, D, E)
+    #read (Data, A B, C D E)
     #debug concat(str(A, 0, 2), " ", D, "\n")
 #end
 #ifdef (Data) #debug "still open\n" #else #debug "closed\n" #end

@@ -230,9 +230,11 @@ static void look_from_afar(const struct drawing *drawing)
     uint64_t *state = drawing->state;
     struct place place = one_in(state, 4) ? some_place(drawing)
                                           : whole_place(drawing);
-    double far = place.size * between(state, 1.2, 4);
+    /* what is too near for look_at is no camera */
+    double far = fmax(place.size * between(state, 1.2, 4), 1e-3);
     solid_words(drawing->scene->view,
-                "location <%.6g, %.6g, %.6g> look_at <%.6g, %.6g, %.6g> "
+                "location <%.12g, %.12g, %.12g> "
+                "look_at <%.12g, %.12g, %.12g> "
                 "right x*%zu/%zu angle %.2f",
                 place.at[0] + far * between(state, -1, 1),
                 place.at[1] + far * between(state, -.6, 1),

@@ -13,12 +13,33 @@
 static int pigment_cell(const struct pigment *pigment, const double point[3])
 {
     double local[3], sum = 0;
-    if (pigment->kind == PIGMENT_COLOR)
+    if (pigment->kind != PIGMENT_CHECKER)
         return 0;
     to_other_space(&pigment->to_local, point, local);
     for (int i = 0; i < 3; i++)
         sum += floor(local[i] + SMALL_ANGLE);
     return fmod(sum, 2) != 0;
+}
+
+void plain_gradient(const struct pigment *pigment, const double point[3],
+                    double color[3])
+{
+    const struct color_stop *stops = pigment->map.stops;
+    size_t last = pigment->map.count - 1, above = 0;
+    double local[3];
+    to_other_space(&pigment->to_local, point, local);
+    double along = dot(local, pigment->axis), value = along - floor(along);
+    while (above <= last && stops[above].at <= value)
+        above++;
+    if (above == 0 || above > last) {
+        copy(color, stops[above ? last : 0].color);
+        return;
+    }
+    double share = (value - stops[above - 1].at)
+                   / (stops[above].at - stops[above - 1].at);
+    for (int i = 0; i < 3; i++)
+        color[i] = (1 - share) * stops[above - 1].color[i]
+                   + share * stops[above].color[i];
 }
 
 static void passing_color(const struct pigment *pigment, int cell,
@@ -42,6 +63,8 @@ void plain_describe(const struct ray *ray, const struct plain_hit *hit,
     copy(surface->color, pigment->color[cell]);
     scale_by(surface->color,
              1 - pigment->filter[cell] - pigment->transmit[cell]);
+    if (pigment->kind == PIGMENT_GRADIENT)
+        plain_gradient(pigment, surface->point, surface->color);
 }
 
 /* phong: the eye's ray mirrored at the surface, against the light;

@@ -135,7 +135,10 @@ static void trace_path(const struct plain_tracer *tracer,
     const struct branching from = { tracer, path, &surface, color };
     find_nearest(tracer, &path->ray, hit);
     if (!hit->primitive) {
-        copy(color, tracer->scene->background);
+        const struct scene *scene = tracer->scene;
+        copy(color, scene->background);
+        if (scene->sky.kind == PIGMENT_GRADIENT)
+            plain_gradient(&scene->sky, path->ray.direction, color);
         return;
     }
     plain_describe(&path->ray, hit, &surface);

@@ -31,14 +31,38 @@ double angle(void)
 
 /* --- modifiers ----------------------------------------------------------- */
 
-
-void add_look(char *text, size_t size)
+static void add_color(char *text, size_t size)
 {
     double filter = solids.clear && below(2) ? between(0, .7) : 0;
 
-    add_text(text, size, "pigment { %s rgbft <%.3f, %.3f, %.3f, %.3f, %.3f> ",
+    add_text(text, size, "%s rgbft <%.3f, %.3f, %.3f, %.3f, %.3f> ",
              below(3) ? "" : "checker", between(0, 1), between(0, 1),
              between(0, 1), filter, filter / 3);
+}
+
+/* Of one to six stops, some of them at one place. */
+void add_gradient(char *text, size_t size)
+{
+    double at = between(-.1, .4);
+
+    add_text(text, size, "gradient ");
+    add_point(text, size, 1);
+    add_text(text, size, " color_map { ");
+    for (size_t left = 1 + below(6); left > 0; left--) {
+        add_text(text, size, "[%.3f rgb <%.3f, %.3f, %.3f>] ", at,
+                 between(0, 1), between(0, 1), between(0, 1));
+        at += below(4) ? between(.02, .4) : 0;
+    }
+    add_text(text, size, "} ");
+}
+
+void add_look(char *text, size_t size)
+{
+    add_text(text, size, "pigment { ");
+    if (below(5))
+        add_color(text, size);
+    else
+        add_gradient(text, size);
     add_text(text, size, "scale %.3f } finish { ambient .2 diffuse .6 ",
              between(.2, .6));
     if (below(3) == 0)

@@ -24,6 +24,7 @@ size_t below(size_t count);
 double size_between(double low, double high);
 double angle(void);
 
+void add_gradient(char *text, size_t size);
 void add_look(char *text, size_t size);
 void add_solid(char *text, size_t size, size_t depth);
 

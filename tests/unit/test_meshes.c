@@ -434,6 +434,21 @@ static void test_no_area(void **state)
     check_middle(STRAIGHT "mesh { " FLAT NO_AREA " }", 1, 5);
 }
 
+/* It has an area where it is written, but none in the world. */
+#define TINY "triangle { 0, 1e-10*x, 1e-10*y } "
+
+static void test_lost_area(void **state)
+{
+    (void)state;
+    check_middle(STRAIGHT
+                 "mesh { " TINY "triangle { <-10000001, -1, 0>, "
+                 "<-9999999, -1, 0>, <-10000000, 2, 0> } translate 1e7*x }",
+                 1, 5);
+    check_middle(STRAIGHT "mesh { " TINY "translate 1e7*x } "
+                          "mesh { " FLAT "translate -z }",
+                 2, 4);
+}
+
 static void test_middle(void **state)
 {
     (void)state;
@@ -481,6 +496,7 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_no_area),
+        cmocka_unit_test(test_lost_area),
         cmocka_unit_test(test_middle),
         cmocka_unit_test(test_ties),
         cmocka_unit_test(test_doubles),

@@ -34,6 +34,12 @@ static void write_scene(char *text, size_t size)
              "light_source { <%.1f, 8, -7>, .7 }\n"
              "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n",
              between(-7, 7), between(2, 6));
+    if (below(2)) {
+        add_text(text, size, "sky_sphere { pigment { ");
+        add_gradient(text, size);
+        add_text(text, size, "scale %.3f } rotate %.2f*x }\n", between(.3, 2),
+                 between(-90, 90));
+    }
     add_view(text, size);
     for (size_t i = 1 + below(2); i > 0; i--)
         add_solid(text, size, 1 + below(2));

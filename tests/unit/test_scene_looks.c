@@ -77,7 +77,7 @@ static void test_told_when_used(void **state)
         { "#declare S = sphere { 0, 1 #default { finish { crand 1 } } }", 48,
           "left out" },
         { "light_group { sphere { 0, 1 } }", 1, "shine on all objects" },
-        { "#fopen F \"a\" write #write (F, 1, x, concat(\"a\", \"b\"), \",\")"
+        { "#fopen F \"a\" write #write (F, 1, x concat(\"a\", \"b\") \",\")"
           " #fclose F",
           10, "is left out" },
     };

@@ -351,7 +351,7 @@ static void test_errors(void **state)
         { THREE "normal_vectors { -1 } " FACE "}", 56,
           "'normal_vectors' is not a whole one from 0" },
         { "mesh2 { vertex_vectors { 1e7 + 1, x } }", 26,
-          "more than 10000000 'vertex_vectors'" },
+          "more than 4000000 'vertex_vectors'" },
         { "mesh2 { vertex_vectors { 3, 0, x } " FACE "}", 34,
           "only 2 of 3 'vertex_vectors' stand here" },
         { "mesh2 { vertex_vectors { 3, 0, x, y, z } " FACE "}", 38,
@@ -403,6 +403,22 @@ static void test_errors(void **state)
 
     (void)state;
     assert_errors(rows, COUNT(rows));
+}
+
+/* Of what is declared, too. */
+static void test_copies_count(void **state)
+{
+    static const char many[] =
+        "#declare M = mesh { #for (I, 1, 40000) triangle { 0, x, y } #end }\n"
+        "#for (I, 1, %s) object { M } #end";
+    char text[sizeof many + 8];
+
+    (void)state;
+    (void)snprintf(text, sizeof text, many, "99");
+    scene_free(read_scene(text));
+    (void)snprintf(text, sizeof text, many, "100");
+    assert_error(text, &reading_options, 2, 27,
+                 "more than 4000000 triangles, copies counted");
 }
 
 /* One error does not make others: of a mesh2's sections, of triangles. */
@@ -598,6 +614,7 @@ int main(void)
         cmocka_unit_test(test_messages),
         cmocka_unit_test(test_opaque),
         cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_copies_count),
         cmocka_unit_test(test_recovery),
         cmocka_unit_test(test_three_ways),
         cmocka_unit_test(test_many),

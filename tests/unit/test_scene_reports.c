@@ -123,7 +123,7 @@ static void test_reports(void **state)
           25, "'gradient'" },
         { "sphere { 0, 1 scale <1, 0, 1> }", 15, "along y" },
         { "fog { distance 10 color rgb 1 }", 1, "'fog'" },
-        { "sky_sphere { pigment { rgb 1 } }", 1, "'sky_sphere'" },
+        { "sky_sphere { emission 2 }", 14, "'emission'" },
         { "camera { focal_point <1, 2, 3> location x }", 10, "focal_point" },
         { "global_settings { radiosity { count 9 } }", 19, "'radiosity'" },
         { "global_settings { charset utf8 }", 19, "'charset'" },
@@ -148,7 +148,7 @@ static void test_reports(void **state)
 static void test_first_colors(void **state)
 {
     static const char *const texts[] = {
-        "gradient y color_map { [0 rgb <1, 2, 3>] [1 rgb 0] }",
+        "bozo color_map { [0 rgb <1, 2, 3>] [1 rgb 0] }",
         "granite colour_map { [0, .5 color C color rgb 0] [.5, 1 x x] }",
         "brick color rgb <1, 2, 3>, color rgb 0 brick_size 2",
         "hexagon C, C*2, C*3",

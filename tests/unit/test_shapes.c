@@ -28,7 +28,8 @@ static void test_descriptors(void **state)
         const struct shape *shape = shapes[i];
         const char *name = primitive_kind_name((enum primitive_kind)i);
 
-        if (!shape->fields || shape->fields[0].takes == TAKES_END
+        bool read = i != PRIMITIVE_MESH; /* .. by a file of its own */
+        if (!shape->fields || (shape->fields[0].takes == TAKES_END) == read
             || !shape->settle || !shape->bound || !shape->words
             || !shape->region)
             fail_msg("the descriptor of %s has a gap", name);

@@ -51,6 +51,7 @@ frame:
         .include "frame/nearest_1984.s"
         .include "light/power_scalar.s"
         .include "light/pigment_scalar.s"
+        .include "light/sky_scalar.s"
         .include "light/surface_scalar.s"
         .include "shapes/normal_scalar.s"
         .include "shapes/every_normal_scalar.s"

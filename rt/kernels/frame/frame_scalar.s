@@ -34,6 +34,7 @@
         .include "light/shadow_scalar.s"
         .include "light/power_scalar.s"
         .include "light/pigment_scalar.s"
+        .include "light/sky_scalar.s"
         .include "light/surface_scalar.s"
         .include "shapes/normal_scalar.s"
         .include "shapes/every_normal_scalar.s"

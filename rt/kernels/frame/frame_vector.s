@@ -60,3 +60,6 @@ frame:
         .include "light/power_vector.s"
         .include "frame/samples.s"
         .include "frame/average_vector.s"
+        .data
+        .include "light/sky.s"
+        .code

@@ -121,14 +121,19 @@
 
         .equ    QUEUE_BIT_WORDS, (QUEUE + 63) / 64
 
+; A table of vectors without length, and of bit vectors behind them.
+        .macro  vector_bases vectors, store, bits, bit_store
+        .rept   \vectors
+        .descriptor 0, \store + 64 * QUEUE * \+
+        .endr
+        .rept   \bits
+        .descriptor 0, \bit_store + 64 * QUEUE_BIT_WORDS * \+
+        .endr
+        .endm
+
         .data
 near_bases:
-        .rept   NEAR_VECTORS - 3
-        .descriptor 0, near_store + 64 * QUEUE * \+
-        .endr
-        .rept   3
-        .descriptor 0, near_bit_store + 64 * QUEUE_BIT_WORDS * \+
-        .endr
+        vector_bases NEAR_VECTORS - 3, near_store, 3, near_bit_store
 near_descriptors:
         .space NEAR_VECTORS
 near_bit_store: .space 3 * QUEUE_BIT_WORDS

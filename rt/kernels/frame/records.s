@@ -16,7 +16,7 @@
         .field  P_ON_PATCH         ; 1: a hit has two parameters, too: on a
                                 ;    patch s and t, on a cylinder of 1984
                                 ;    the surfaces of entry and exit
-        .field  P_CHECKER          ; 1: the pigment is a checker
+        .field  P_PIGMENT          ; 0: a colour, 1: a checker, 2: a gradient
         .field  P_TRANSFORMED      ; 1: the shape stands in a space of its own
         .field  P_TABLE            ; address of the words that P_SHAPE has no
                                 ; room for
@@ -58,7 +58,8 @@
         .field  P_LOCAL, 12        ; rows of the matrix from world to own
                                 ; space, each three factors and a shift
         .field  P_COLOR, 6         ; pigment, and the checker's second
-        .field  P_PATTERN, 12      ; from world to the pigment's space
+        .field  P_PATTERN, 12      ; from world to the pigment's space; of a gradient
+                                ; as scene_sky
         .field  P_FINISH, 8        ; ambient 3 (times the ambient light),
                                 ; diffuse, phong, phong_size, specular,
                                 ; 1/roughness
@@ -100,6 +101,8 @@
                                 ; crossings in a tree, written by the scalar
                                 ; form only
         .endrecord
+        .equ    P_STOPS, P_PATTERN + 4
+        .equ    P_STOP_COUNT, P_PATTERN + 5
 
 ; The most crossings of a ray with a primitive: if it is more, the host says so
 ; when the program is assembled.
@@ -211,6 +214,15 @@
         .record BRANCH
         .field  BRANCH_STEPS       ; N_STEPS
         .field  BRANCH_STEP_COUNT
+        .endrecord
+
+; Of a gradient's map: a colour, and how it changes up to the next one.  The
+; first is at -1, as long as none is met.
+        .record STOP
+        .field  STOP_AT
+        .field  STOP_SLOPE         ; 1 / how far the next one is; 0: it is there
+        .field  STOP_COLOR, 3
+        .field  STOP_CHANGE, 3
         .endrecord
 
 ; A light.

@@ -15,11 +15,13 @@
         .regs   r69, sh11, sh12, sh13, sh14, sh15
         .regs   r74, px, py, pz
         .regs   r77, cell
+        .regs   r78, a_color, color0r, color0g, color0b
         .endshare
         .equ    PIGMENT_REGISTERS, 46
+        .equ    SKY_REGISTERS, 50
 
         .data
-pigment_save:   .space PIGMENT_REGISTERS
+pigment_save:   .space SKY_REGISTERS
         .code
 
         .macro  get_field offset, register
@@ -42,11 +44,12 @@ pigment_save:   .space PIGMENT_REGISTERS
         FLR     t0, \sum
         .endm
 
-; Or to plain, if the pigment is no checker.
-        .macro  checker_cell plain
+; Or to plain or to gradient, if the pigment is no checker.
+        .macro  checker_cell plain, gradient
         ES      cell, 0
-        get_field P_CHECKER, t0
+        get_field P_PIGMENT, t0
         IBXEQ   t0, r0, r0, \plain
+        IBXNE   t0, r0, m_index_one, \gradient
         get_record P_PATTERN, 12, sh0
         pattern_floor sh0, sh1, sh2, sh3, t2
         pattern_floor sh4, sh5, sh6, sh7, t3
@@ -57,6 +60,35 @@ pigment_save:   .space PIGMENT_REGISTERS
         SHIFTI  t2, 8, cell
         .endm
 
+; color0 at the point, of a gradient's words, P_PATTERN or scene_sky, in sh0 ..
+; sh5.  Order of the operations as in pigment_vector.s.
+        .macro  gradient_colour
+        dot     px, py, pz, sh0, sh1, sh2, t0, t1
+        ADDN    t0, sh3, t0
+        FLR     t0, t1
+        ADDN    t1, r0, t1
+        SUBN    t0, t1, t0
+        RTOR    sh4, here
+gradient_next\@:
+        IX      here, 64 * STOP_SIZE
+        LOD     [here], t1
+        CFPLT   t0, t1, gradient_between\@
+        IBXNE   sh5, m_index_minus_one, r0, gradient_next\@, sh5
+        IX      here, 64 * STOP_SIZE
+gradient_between\@:
+        IX      here, -64 * STOP_SIZE
+        ELEN    here, STOP_SIZE
+        SWAP    [here], sh6, [r0]
+        SUBN    t0, sh6, t1
+        MPYS    t1, sh7, t1
+        MPYS    t1, sh11, color0r
+        MPYS    t1, sh12, color0g
+        MPYS    t1, sh13, color0b
+        ADDN    color0r, sh8, color0r
+        ADDN    color0g, sh9, color0g
+        ADDN    color0b, sh10, color0b
+        .endm
+
         .kernel shade
 pigment_cell:
         EX      save_at, pigment_save
@@ -65,7 +97,7 @@ pigment_cell:
         ELEN    arguments, 3
         SWAP    [arguments], a_point, [r0]
         SWAP    [a_point], px, [r0]
-        checker_cell pigment_found
+        checker_cell pigment_found, pigment_found
 pigment_found:
         STO     [a_cell], cell
         leave   pigment_save, PIGMENT_REGISTERS

@@ -1,11 +1,15 @@
 ; pigment_vector.s - the colours of a primitive at m points.
 ;
 ; Checker: the second colour where floor(x) + floor(y) + floor(z) is odd, in
-; the pigment's space.
+; the pigment's space.  Gradient: how far the point is along an axis, less its
+; floor, is a place among the stops of a map; between two of them the colour is
+; in a line with theirs.
 ;
-; In:  px py pz; the primitive's record.
-; find_pigment: cr cg cb.  find_checker: hits3, where the second colour is;
-; uses v0-v4.
+; In:  px py pz; the primitive's record; of find_gradient the words of P_PATTERN
+;      or scene_sky, in m00 .. m11.
+; find_pigment, find_gradient: cr cg cb.  find_checker: hits3, where the second
+; colour is.  They use v0-v4, hits3.
+; Source: POV-Ray's gradient and its colour maps.
 
         .share  scratch
         .regs   r248, color0r, color0g, color0b, color1r, color1g, color1b
@@ -16,6 +20,17 @@
         ADDNV   [v0], \k3, [v0]
         ADDNV   [v0], checker_shift, [v0]
         FLRV    [v0], [\sum]
+        .endm
+
+; The next stop, sh0 .. sh7, and [v1] = how far the values are from it to the one
+; behind it, from 0 to 1.
+        .macro  next_stop
+        ELEN    s9, STOP_SIZE
+        SWAP    [s9], sh0, [r0]
+        IX      s9, 64 * STOP_SIZE
+        LINKV
+        SUBNV   [v0], sh0, [v1]
+        MPYSV   [v1], sh1, [v1]
         .endm
 
         .kernel shade
@@ -36,8 +51,9 @@ find_pigment:
         VTOV    color0r, [cr]
         VTOV    color0g, [cg]
         VTOV    color0b, [cb]
-        load_field P_CHECKER, s0
+        load_field P_PIGMENT, s0
         IBXEQ   s0, r0, r0, pigment_plain
+        IBXNE   s0, r0, one_index, pigment_gradient
         EX      target, find_checker
         BSAVE   link_inner, [target]
         VTOV    color1r, [cr] ? [hits3]
@@ -45,4 +61,42 @@ find_pigment:
         VTOV    color1b, [cb] ? [hits3]
 pigment_plain:
         BIM     0, link_kernel
+
+pigment_gradient:
+        load_record P_PATTERN, 6, m00
+        EX      target, find_gradient
+        BSAVE   link_inner, [target]
+        BIM     0, link_kernel
+
+find_gradient:
+        dot_constant px, py, pz, m00, m01, m02, v0, v1
+        ADDNV   [v0], m03, [v0]
+        FLRV    [v0], [v1]
+        ADDNV   [v1], r0, [v1]
+        SUBNV   [v0], [v1], [v0]
+        RTOR    m10, s9
+        next_stop
+        LINKV
+        MPYSV   [v1], sh5, [cr]
+        ADDNV   [cr], sh2, [cr]
+        LINKV
+        MPYSV   [v1], sh6, [cg]
+        ADDNV   [cg], sh3, [cg]
+        LINKV
+        MPYSV   [v1], sh7, [cb]
+        ADDNV   [cb], sh4, [cb]
+gradient_next:
+        next_stop
+        CMPGEV  [v0], sh0, [hits3]
+        LINKV
+        MPYSV   [v1], sh5, [v2]
+        ADDNV   [v2], sh2, [cr] ? [hits3]
+        LINKV
+        MPYSV   [v1], sh6, [v2]
+        ADDNV   [v2], sh3, [cg] ? [hits3]
+        LINKV
+        MPYSV   [v1], sh7, [v2]
+        ADDNV   [v2], sh4, [cb] ? [hits3]
+        IBXNE   m11, minus_one_index, r0, gradient_next, m11
+        BIM     0, link_inner
         .endkernel

@@ -20,6 +20,7 @@
         .endshare
         .share  loop
         .reg    of_order, r192          ; places in the planes, or 0
+        .reg    of_sky, r196            ; the stops of scene_sky, or 0
         .endshare
         .reg    lit_least, r31
 
@@ -102,6 +103,7 @@ shade:
 ; Ray by ray: what it hit, or the background.
         load_at shade_operands, SHADE_OPERANDS, of_nearest
         load_at scene_background, 3, back_red
+        load_at scene_sky + 64 * 4, 1, of_sky
         load_order
         RTOR    n, loop_count
         ES      loop_index, 0
@@ -270,6 +272,12 @@ shade_done:
         BIM     0, link_queue
 
 shade_background:
+        IBXEQ   of_sky, r0, r0, shade_no_sky
+        LOD     [of_dx, loop_index], new_dx
+        LOD     [of_dy, loop_index], new_dy
+        LOD     [of_dz, loop_index], new_dz
+        see_sky new_dx, back_red, loop_at
+shade_no_sky:
         pixel_of loop_index, loop_place
         STO     [of_red, loop_place], back_red
         STO     [of_green, loop_place], back_green

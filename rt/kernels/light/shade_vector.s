@@ -37,12 +37,7 @@
 
         .data
 shade_bases:
-        .rept   SHADE_VECTORS - 4
-        .descriptor 0, shade_store + 64 * QUEUE * \+
-        .endr
-        .rept   4
-        .descriptor 0, shade_bits + 64 * QUEUE_BIT_WORDS * \+
-        .endr
+        vector_bases SHADE_VECTORS - 4, shade_store, 4, shade_bits
 shade_descriptors:
         .space  SHADE_VECTORS
 hit_part_count: .word 0
@@ -103,14 +98,14 @@ order_hit_store: .space QUEUE
 shade:
         RTOR    link, link_shade
         load_word queue_order, s0
-        IBXNE   s0, r0, r0, shade_sort
+        IBXNE   s0, r0, r0, shade_sky
         EX      s0, scene_background
         ELEN    s0, 3
         SWAP    [s0], s1, [r0]
         VTOV    s1, [out_red]
         VTOV    s2, [out_green]
         VTOV    s3, [out_blue]
-        IBXEQ   from_one_point, r0, r0, shade_sort
+        IBXEQ   from_one_point, r0, r0, shade_sky
         describe near_bits, queue_bits, n
         VTOV    r0, [out_depth]
         CMPNEV  [met], r0, [near_bits]
@@ -119,6 +114,36 @@ shade:
         VTOV    r0, [out_ny]
         VTOV    r0, [out_nz]
         VTOV    [met], [out_id]
+
+; The sky, where nothing is met.
+shade_sky:
+        load_word scene_sky + 64 * 4, s0
+        IBXEQ   s0, r0, r0, shade_sort
+        describe near_bits, queue_bits, n
+        CMPEQV  [met], r0, [near_bits]
+        CNTOB   [near_bits], h
+        IBXEQ   h, r0, r0, shade_sort
+        EX      target, set_hits
+        BSAVE   link_inner, [target]
+        describe s4, count_store, n
+        CPSV    [s4], [at] ? [near_bits]
+        CPSV    [adx], [px] ? [near_bits]
+        CPSV    [ady], [py] ? [near_bits]
+        CPSV    [adz], [pz] ? [near_bits]
+        EX      s0, scene_sky
+        ELEN    s0, 6
+        SWAP    [s0], m00, [r0]
+        EX      target, find_gradient
+        BSAVE   link_inner, [target]
+        load_word queue_order, s2
+        IBXEQ   s2, r0, r0, shade_sky_store
+        VXTOV   [at], [s2], [v0]
+        RTOR    v0, at
+shade_sky_store:
+        VTOVX   [at], [cr], [out_red]
+        VTOVX   [at], [cg], [out_green]
+        VTOVX   [at], [cb], [out_blue]
+
 shade_sort:
         ES      h, 0
         ES      parts_left, 0

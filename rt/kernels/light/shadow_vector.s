@@ -156,7 +156,7 @@ shadow_clear:
 shadow_tinted:
         set_lanes m, at
         load_record P_PASSING, 8, sh0
-        load_field P_CHECKER, s0
+        load_field P_PIGMENT, s0
         IBXNE   s0, r0, r0, shadow_checker
         tint_channel 0, sh0
         tint_channel 1, sh1

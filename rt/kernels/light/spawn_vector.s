@@ -90,7 +90,7 @@ spawn:
 ; What passes: sh8 .. sh11, in the odd cells of a checker, hits3, sh12 .. sh15.
         load_record P_PASSING, 8, sh8
         XORB    [hits3], [hits3], [hits3]
-        load_field P_CHECKER, spawn_checker
+        load_field P_PIGMENT, spawn_checker
         IBXEQ   spawn_checker, r0, r0, spawn_passing
         EX      target, find_checker
         BSAVE   link_inner, [target]

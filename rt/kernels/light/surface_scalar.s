@@ -86,11 +86,15 @@ surface_turned\@:
 ; ambient light.
         .macro  begin_colour words
         get_record P_COLOR, 6, color0r
-        checker_cell pigment_found\@
+        checker_cell pigment_found\@, pigment_gradient\@
         IBXEQ   cell, r0, r0, pigment_found\@
         RTOR    color1r, color0r
         RTOR    color1g, color0g
         RTOR    color1b, color0b
+        BIM     pigment_found\@
+pigment_gradient\@:
+        get_record P_PATTERN, 6, sh0
+        gradient_colour
 pigment_found\@:
         get_record P_FINISH, \words, f_ambientr
         MPYS    color0r, f_ambientr, red

@@ -20,12 +20,8 @@ disc_save:      .space DISC_REGISTERS
         .kernel disc
 disc:
         enter_kernel disc_save, DISC_REGISTERS, 9, tiny
-        dot     dx, dy, dz, sh0, sh1, sh2, t1, t2
-        dot     ox, oy, oz, sh0, sh1, sh2, t0, t3
-        ABS     t1, t2
-        SUBN    sh3, t0, t0
-        CFPLT   t2, tiny, disc_missed
-        DIVS    t0, t1, tin
+        meet_plane disc_missed
+        RTOR    t2, tin
         disc_axis ox, dx, sh4, t0, t3
         disc_axis oy, dy, sh5, t1, t4
         disc_axis oz, dz, sh6, t2, t5

@@ -21,12 +21,7 @@
         .kernel disc
 disc:
         load_record P_SHAPE, 9, sh0
-        dot_constant ox, oy, oz, sh0, sh1, sh2, w0, w2
-        SUBNV   sh3, [w0], [w0]
-        dot_constant dx, dy, dz, sh0, sh1, sh2, w1, w2
-        CMPLTV  |[w1]|, tiny, [bits0]
-        MASKV   one, [w1], [w1] ? [bits0]
-        DIVSV   [w0], [w1], [w2]
+        meet_plane
         disc_axis ox, dx, sh4, w4
         disc_axis oy, dy, sh5, w5
         disc_axis oz, dz, sh6, w6

@@ -34,23 +34,17 @@
 
         .data
 lane_bases:
-        .rept   LANE_VECTORS
-        .descriptor 0, lane_store + 64 * QUEUE * \+
-        .endr
+        vector_bases LANE_VECTORS, lane_store, 0, lane_bits
 lane_descriptors:
         .space  LANE_VECTORS
 lane_shade_bases:
-        .rept   SHADE_VECTORS - 4
-        .descriptor 0, lane_store + 64 * QUEUE * (LANE_VECTORS + \+)
-        .endr
-        .rept   4
-        .descriptor 0, lane_bits + 64 * QUEUE_BIT_WORDS * \+
-        .endr
+        vector_bases SHADE_VECTORS - 4, lane_shade_store, 4, lane_bits
 lane_shade_descriptors:
         .space  SHADE_VECTORS
 lane_bits:      .space 4 * QUEUE_BIT_WORDS
         .align  64
-lane_store:     .space (LANE_VECTORS + SHADE_VECTORS - 4) * QUEUE
+lane_store:     .space LANE_VECTORS * QUEUE
+lane_shade_store: .space (SHADE_VECTORS - 4) * QUEUE
         .code
 
         .macro  set_more_lanes count

@@ -79,19 +79,9 @@
         .data
 mesh_zero:      .word 1e-60
 walk_bases:
-        .rept   WALK_VECTORS - 2
-        .descriptor 0, lane_store + 64 * QUEUE * \+
-        .endr
-        .rept   2
-        .descriptor 0, near_bit_store + 64 * QUEUE_BIT_WORDS * \+
-        .endr
+        vector_bases WALK_VECTORS - 2, lane_store, 2, near_bit_store
 side_bases:
-        .rept   SIDE_VECTORS - 3
-        .descriptor 0, side_store + 64 * QUEUE * \+
-        .endr
-        .rept   3
-        .descriptor 0, lane_bits + 64 * QUEUE_BIT_WORDS * \+
-        .endr
+        vector_bases SIDE_VECTORS - 3, side_store, 3, lane_bits
         .equ    side_store, lane_store + 64 * QUEUE * (WALK_VECTORS - 2)
         .if     WALK_VECTORS - 2 + SIDE_VECTORS - 3 > LANE_VECTORS + SHADE_VECTORS - 4
         .error  "the lanes' vectors have no room for those of meshes"

@@ -10,15 +10,20 @@
         .data
 plane_save:     .space PLANE_REGISTERS
         .code
+; t0 = d - N . O, t1 = N . D, t2 = t, of the plane in sh0-sh3.
+        .macro  meet_plane parallel
+        dot     ox, oy, oz, sh0, sh1, sh2, t0, t2
+        SUBN    sh3, t0, t0
+        dot     dx, dy, dz, sh0, sh1, sh2, t1, t2
+        ABS     t1, t2
+        CFPLT   t2, tiny, \parallel
+        DIVS    t0, t1, t2
+        .endm
+
         .kernel plane
 plane:
         enter_kernel plane_save, PLANE_REGISTERS, 4, tiny
-        dot     ox, oy, oz, sh0, sh1, sh2, t0, t2
-        SUBN    sh3, t0, t0             ; d - N . O
-        dot     dx, dy, dz, sh0, sh1, sh2, t1, t2
-        ABS     t1, t2
-        CFPLT   t2, tiny, plane_parallel
-        DIVS    t0, t1, t2
+        meet_plane plane_parallel
         CFPLT   t1, r0, plane_enters
         RTOR    minus_big, tin
         RTOR    t2, tout

@@ -9,15 +9,21 @@
 ; Out: tin, tout; a miss is big, minus_big.
 ; Source: textbook; the plane as the half space below its normal is POV-Ray's.
 
-        .kernel plane
-plane:
-        load_record P_SHAPE, 4, sh0
+; [w0] = d - N . O, [w1] = N . D, or one for the parallel rays of bits0,
+; [w2] = t; of the plane in sh0-sh3.
+        .macro  meet_plane
         dot_constant ox, oy, oz, sh0, sh1, sh2, w0, w2
         SUBNV   sh3, [w0], [w0]
         dot_constant dx, dy, dz, sh0, sh1, sh2, w1, w2
         CMPLTV  |[w1]|, tiny, [bits0]
         MASKV   one, [w1], [w1] ? [bits0]
         DIVSV   [w0], [w1], [w2]
+        .endm
+
+        .kernel plane
+plane:
+        load_record P_SHAPE, 4, sh0
+        meet_plane
         CMPLTV  [w1], r0, [bits1]
         MASKV   [w2], minus_big, [tin] ? [bits1]
         MASKV   big, [w2], [tout] ? [bits1]

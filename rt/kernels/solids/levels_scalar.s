@@ -26,6 +26,7 @@
         .endrecord
 
         .regs   r13, level, levels_left, first_level, trace_link
+        .reg    sky_stops, r163         ; of scene_sky, or 0
         .regs   r240, first_distance, first_primitive, distance
         .regs   r243, hit_primitive, main_at, main_t
         .regs   r246, own_red, own_green, own_blue, main_red, main_green
@@ -85,6 +86,8 @@ hit:            .space 2                ; distance, primitive
 ; The lists of all levels, and the ray of the first.
         .kernel frame
 levels_begin:
+        EX      main_at, scene_sky + 64 * 4
+        LOD     [main_at], sky_stops
         EX      main_at, scene_levels
         LOD     [main_at], level
         EX      main_at, scene_level_count
@@ -172,6 +175,10 @@ trace_down:
         .kernel frame
 trace_background:
         load_at scene_background, 3, own_red
+        IBXEQ   sky_stops, r0, r0, trace_no_sky
+        load_level L_RAY + 3, 3, own_red
+        see_sky own_red, own_red, main_at
+trace_no_sky:
         store_level L_SAMPLE, 3, own_red
         .endkernel
         .kernel resolve

@@ -265,13 +265,12 @@ static bool read_all(struct reader *reader, const struct scene_token *name,
 {
     struct scene_value value = { .kind = VALUE_FILE };
 
-    while (reader_at_sign(reader, ',')) {
-        reader_step(reader);
+    while (!reader_at_sign(reader, ')')) {
+        if (reader_at_sign(reader, ','))
+            reader_step(reader);
         if (!read_next(reader, file))
             return false;
     }
-    if (!reader_at_sign(reader, ')'))
-        return reader_expected(reader, "')'");
     reader_step(reader);
     value.is.file = *file;
     if (file->source)
@@ -324,11 +323,12 @@ bool data_file_write(struct reader *reader, void *subject,
     if (!read_handle(reader, false))
         return false;
     reader_next(reader);
-    while (reader_accept_sign(reader, ','))
+    reader_comma(reader);
+    while (!reader_at_sign(reader, ')')) {
         if (!read_written(reader))
             return false;
-    if (!reader_at_sign(reader, ')'))
-        return reader_expected(reader, "')'");
+        reader_comma(reader);
+    }
     reader_step(reader);
     return true;
 }

@@ -18,8 +18,7 @@
 /* False: it is 0. */
 static bool make_unit(double normal[3])
 {
-    double size = fmax(fabs(normal[0]),
-                       fmax(fabs(normal[1]), fabs(normal[2])));
+    double size = greatest3(normal);
 
     if (size == 0)
         return false;
@@ -53,8 +52,7 @@ bool mesh_is_smooth(const struct triangle *triangle)
 
     for (int k = 1; k < 3; k++) {
         double apart[3];
-        for (int i = 0; i < 3; i++)
-            apart[i] = normals[0][i] - normals[k][i];
+        subtract3(normals[0], normals[k], apart);
         if (dot3(apart, apart) > NORMAL_SAME)
             return true;
     }
@@ -122,15 +120,24 @@ bool mesh_begin(struct reader *reader, struct mesh_reading *mesh,
     return shape_add(reader, &mesh->object, &primitive, &item->at);
 }
 
+bool mesh_count(struct reader *reader, size_t more,
+                const struct scene_token *at)
+{
+    reader->triangles += more;
+    return reader->triangles <= TRIANGLES_MOST
+           || reader_fault(reader, at,
+                           "more than %d triangles, copies counted",
+                           TRIANGLES_MOST);
+}
+
 bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
               const struct triangle *triangle, const struct scene_token *at)
 {
     struct triangles *triangles = &mesh->triangles;
     struct triangle *list;
 
-    if (++reader->triangles > TRIANGLES_MOST)
-        return reader_fault(reader, at, "more than %d triangles",
-                            TRIANGLES_MOST);
+    if (!mesh_count(reader, 1, at))
+        return false;
     list = array_grow(triangles->list, triangles->count, sizeof *list);
     if (!list)
         return reader_no_memory(reader);
@@ -213,21 +220,26 @@ static bool read_corners(struct reader *reader, bool smooth,
     return true;
 }
 
+bool mesh_pass_vectors(struct reader *reader, int count)
+{
+    double passed[3];
+
+    for (int i = 0; i < count; i++) {
+        if (i > 0)
+            reader_comma(reader);
+        if (!read_vector(reader, passed))
+            return false;
+    }
+    return true;
+}
+
 /* They say where a texture's picture lies. */
 static bool read_uv_vectors(struct reader *reader, void *subject,
                             const struct item *item)
 {
-    double ignored[3];
-
     (void)subject;
     (void)item;
-    for (int i = 0; i < 3; i++) {
-        if (i > 0)
-            reader_comma(reader);
-        if (!read_vector(reader, ignored))
-            return false;
-    }
-    return true;
+    return mesh_pass_vectors(reader, 3);
 }
 
 static bool read_texture(struct reader *reader, void *subject,
@@ -302,11 +314,9 @@ static bool read_triangle(struct reader *reader, void *subject,
 bool read_inside_vector(struct reader *reader, void *subject,
                         const struct item *item)
 {
-    double ignored[3];
-
     (void)subject;
     (void)item;
-    return read_vector(reader, ignored);
+    return mesh_pass_vectors(reader, 1);
 }
 
 static const struct keyword mesh_words[] = {

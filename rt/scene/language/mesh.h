@@ -24,6 +24,9 @@ bool mesh_begin(struct reader *reader, struct mesh_reading *mesh,
 bool mesh_end(struct reader *reader, struct mesh_reading *mesh, bool good,
               struct scene_object *object);
 
+/* So many more triangles, within the bound of TRIANGLES_MOST. */
+bool mesh_count(struct reader *reader, size_t more,
+                const struct scene_token *at);
 bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
               const struct triangle *triangle, const struct scene_token *at);
 /* The texture of a triangle. */
@@ -37,10 +40,11 @@ bool mesh_is_smooth(const struct triangle *triangle);
 /* '}' and before it nothing more. */
 bool mesh_close(struct reader *reader, const struct block *block, bool good);
 
+/* Vectors that change nothing here. */
+bool mesh_pass_vectors(struct reader *reader, int count);
 item_reader read_inside_vector;
 
 /* The block of mesh2. */
 bool mesh2_read(struct reader *reader, struct scene_object *object,
                 const struct item *item);
-
 #endif

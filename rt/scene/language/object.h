@@ -22,6 +22,8 @@ struct scene_part {
     struct primitive primitive; /* pigment and finish once textured, ior once
                                    filled */
     bool textured, filled;
+    const struct bicubic_patch
+        *patch; /* a mesh is made of it, in the world */
 };
 
 /* How the children of an object belong together: a union's stay apart. */

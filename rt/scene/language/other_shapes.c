@@ -2,7 +2,6 @@
 #include "rt/scene/language/statement.h"
 
 const struct keyword other_shapes[] = {
-    { "bicubic_patch", item_unsupported, 0 },
     { "blob", item_unsupported, 0 },
     { "height_field", item_unsupported, 0 },
     { "isosurface", item_unsupported, 0 },

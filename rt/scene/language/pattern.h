@@ -1,7 +1,7 @@
 /* pattern.h - the patterns of pigments and textures.
  *
- * Of all patterns only checker is drawn; of the others the first colour, or
- * the first texture, is used.
+ * Of all patterns only checker is drawn, and of pigments gradient; of the others
+ * the first colour, or the first texture, is used.
  */
 #ifndef RT_SCENE_PATTERN_H
 #define RT_SCENE_PATTERN_H
@@ -16,7 +16,7 @@
     { "cubic", read, 0 }, { "cylindrical", read, 0 }, \
     { "density_file", read, 0 }, { "dents", read, 0 }, \
     { "facets", read, 0 }, { "function", read, 0 }, \
-    { "gradient", read, 0 }, { "granite", read, 0 }, \
+    { "granite", read, 0 }, \
     { "hexagon", read, 0 }, { "image_map", read, 0 }, \
     { "image_pattern", read, 0 }, { "julia", read, 0 }, \
     { "leopard", read, 0 }, { "magnet", read, 0 }, \
@@ -42,5 +42,7 @@ body_reader pigment_body, texture_body;
  * the kind. */
 bool map_first(struct reader *reader, enum scene_value_kind kind,
                body_reader *body, void *subject, size_t size);
+/* From black to white. */
+bool color_map_gray(struct reader *reader, struct color_map *map);
 
 #endif

@@ -1,6 +1,7 @@
-/* pigment.c - pigments: a colour, or a checker of two. */
+/* pigment.c - pigments: a colour, a checker of two, a gradient of a map. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/pattern.h"
+#include "rt/scene/vector.h"
 
 #include <string.h>
 
@@ -128,6 +129,24 @@ static bool read_checker(struct reader *reader, void *subject,
     return done;
 }
 
+static bool read_gradient(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    struct pigment *pigment = subject;
+    double length;
+
+    if (!read_vector(reader, pigment->axis))
+        return false;
+    length = length3(pigment->axis);
+    if (!(length > 0) || !isfinite(length))
+        return reader_fault(reader, &item->at,
+                            "the vector of a gradient has no length");
+    scale3(1 / length, pigment->axis);
+    pigment->kind = PIGMENT_GRADIENT;
+    reader_comma(reader);
+    return true;
+}
+
 /* Another pattern: the first of its colours. */
 static bool read_pattern(struct reader *reader, void *subject,
                          const struct item *item)
@@ -191,22 +210,6 @@ bool map_first(struct reader *reader, enum scene_value_kind kind,
     return block_finish(reader, &map) && good;
 }
 
-static bool color_body(struct reader *reader, const struct block *block,
-                       void *subject)
-{
-    struct pigment *pigment = subject;
-    bool good = read_term(reader, pigment, 0);
-
-    pigment->kind = PIGMENT_COLOR;
-    return block_finish(reader, block) && good;
-}
-
-bool color_map_read(struct reader *reader, struct pigment *pigment)
-{
-    return map_first(reader, VALUE_COLOR_MAP, color_body, pigment,
-                     sizeof *pigment);
-}
-
 bool pigment_map_read(struct reader *reader, struct pigment *pigment)
 {
     return map_first(reader, VALUE_PIGMENT_MAP, pigment_body, pigment,
@@ -223,8 +226,13 @@ static bool read_color_map(struct reader *reader, void *subject,
 static bool read_pigment_map(struct reader *reader, void *subject,
                              const struct item *item)
 {
-    (void)item;
-    return pigment_map_read(reader, subject);
+    struct pigment *pigment = subject;
+
+    if (pigment->kind == PIGMENT_GRADIENT)
+        reader_report(reader, &item->at,
+                      "'pigment_map' is not supported: its first pigment is "
+                      "used");
+    return pigment_map_read(reader, pigment);
 }
 
 static bool read_step(struct reader *reader, void *subject,
@@ -251,6 +259,7 @@ static const struct keyword color_words[] = {
 
 static const struct keyword words[] = {
     { "checker", read_checker, 0 },
+    { "gradient", read_gradient, 0 },
     { "color_map", read_color_map, 0 },
     { "colour_map", read_color_map, 0 },
     { "pigment_map", read_pigment_map, 0 },
@@ -263,6 +272,21 @@ static const struct keyword words[] = {
 static const struct grammar grammar = {
     "a word of pigment", { color_words, words, pattern_words_left_out }, NULL
 };
+
+/* POV-Ray's gradient without a map goes from black to white.  What it lets pass
+ * is not seen. */
+static bool settle_gradient(struct reader *reader, struct pigment *pigment,
+                            const struct scene_token *at)
+{
+    if (pigment->map.count == 0 && !color_map_gray(reader, &pigment->map))
+        return false;
+    copy3(pigment->map.stops[0].color, pigment->color[0]);
+    if (pigment->map.clear > 0)
+        reader_report(reader, at,
+                      "a gradient that lets light pass is drawn opaque");
+    pigment->filter[0] = pigment->transmit[0] = 0;
+    return true;
+}
 
 /* It may begin with the name of a pigment or of a colour. */
 bool pigment_body(struct reader *reader, const struct block *block,
@@ -279,7 +303,9 @@ bool pigment_body(struct reader *reader, const struct block *block,
         pigment->kind = PIGMENT_COLOR;
         done = read_term(reader, pigment, 0);
     }
-    return block_items(reader, block, &grammar, pigment, done);
+    return block_items(reader, block, &grammar, pigment, done)
+           && (pigment->kind != PIGMENT_GRADIENT
+               || settle_gradient(reader, pigment, &block->open));
 }
 
 bool pigment_read(struct reader *reader, struct pigment *pigment)

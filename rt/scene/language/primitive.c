@@ -127,7 +127,6 @@ static bool read_one(struct reader *reader, const struct shape_field *field,
     case TAKES_USUAL:
     case TAKES_OTHER:
     case TAKES_PATH:
-    case TAKES_TRIANGLES: /* mesh.c reads them */
     case TAKES_END: break;
     }
     return false;

@@ -15,7 +15,7 @@
 enum {
     NESTING_MOST = 200,        /* blocks and brackets within each other */
     PRIMITIVES_MOST = 1000000, /* made in all, copies counted */
-    TRIANGLES_MOST = 10000000, /* of all meshes, copies not counted */
+    TRIANGLES_MOST = 4000000,  /* of meshes, likewise */
     SOLID_MOST = 10000,        /* primitives in one tree */
     ERRORS_MOST = 200,
     FILES_MOST = 1000,     /* read; each once */

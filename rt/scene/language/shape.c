@@ -1,5 +1,7 @@
 /* shape.c - solids made of others, objects and their modifiers. */
+#include "rt/scene/language/bicubic_patch.h"
 #include "rt/scene/language/expression.h"
+#include "rt/scene/language/mesh.h"
 #include "rt/scene/language/statement.h"
 #include "rt/shapes/shape.h"
 
@@ -15,13 +17,27 @@ static bool count_primitives(struct reader *reader, size_t more,
                            PRIMITIVES_MOST);
 }
 
+static size_t triangles_of(const struct scene_object *object)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < object->part_count; i++) {
+        const struct primitive *primitive = &object->parts[i].primitive;
+
+        if (primitive->kind == PRIMITIVE_MESH)
+            count += primitive->shape.mesh.triangles.count;
+    }
+    return count;
+}
+
 bool shape_copy(struct reader *reader, struct scene_object *copy,
                 const struct scene_object *object)
 {
     struct scene_token at = reader->token;
     size_t more = object->part_count + object->light_count;
 
-    if (!count_primitives(reader, more, &at))
+    if (!count_primitives(reader, more, &at)
+        || !mesh_count(reader, triangles_of(object), &at))
         return false;
     return object_copy(copy, object) || reader_no_memory(reader);
 }
@@ -356,8 +372,8 @@ bool looks_like_read(struct reader *reader, struct scene_object *object,
 /* Or triangles, of which one is made. */
 static bool is_mesh(enum shape_word shape)
 {
-    return shape == (enum shape_word)PRIMITIVE_MESH || shape == SHAPE_TRIANGLE
-           || shape == SHAPE_SMOOTH_TRIANGLE || shape == SHAPE_MESH2;
+    return shape == (enum shape_word)PRIMITIVE_MESH
+           || shape >= SHAPE_TRIANGLE;
 }
 
 static bool is_joined(enum shape_word shape)
@@ -404,6 +420,8 @@ static bool read_first(struct reader *reader, struct scene_object *object,
         return read_base(reader, object);
     if (shape == SHAPE_TEXT)
         return text_read(reader, object, &item->at);
+    if (shape == SHAPE_BICUBIC_PATCH)
+        return bicubic_patch_read(reader, object, &item->at);
     return read_solid(reader, shape, &primitive)
            && shape_add(reader, object, &primitive, &item->at);
 }

@@ -35,8 +35,10 @@ bool texture_read(struct reader *reader, struct texture *texture);
 /* Another texture, on one that there is. */
 bool texture_layer_read(struct reader *reader, const struct scene_token *at,
                         struct texture *texture);
-/* Of maps the first entry is read. */
+/* All of a map, of which the first is the pigment's colour, if it is no
+ * gradient. */
 bool color_map_read(struct reader *reader, struct pigment *pigment);
+/* Of these the first entry is read. */
 bool pigment_map_read(struct reader *reader, struct pigment *pigment);
 bool texture_map_read(struct reader *reader, struct texture *texture);
 /* The block of #default, and of the statement of that name. */
@@ -49,6 +51,7 @@ bool camera_read(struct reader *reader, const struct scene_token *at,
                  struct camera_setting *setting);
 extern const struct camera_setting camera_default;
 bool settings_read(struct reader *reader, struct scene *scene);
+bool sky_read(struct reader *reader, const struct scene_token *at);
 
 /* What a shape's word stands for: its PRIMITIVE_KIND, or one of these. */
 enum shape_word {
@@ -62,8 +65,9 @@ enum shape_word {
     SHAPE_LIGHT_GROUP,
     SHAPE_CUBIC, /* .. of which a quartic or a quadric is made */
     SHAPE_POLY,
-    SHAPE_TEXT,     /* of prisms */
-    SHAPE_TRIANGLE, /* .. of which a mesh is made */
+    SHAPE_TEXT, /* of prisms */
+    SHAPE_BICUBIC_PATCH,
+    SHAPE_TRIANGLE, /* from here on .. of which a mesh is made */
     SHAPE_SMOOTH_TRIANGLE,
     SHAPE_MESH2
 };
@@ -78,7 +82,8 @@ enum shape_word {
     { "cubic", read, SHAPE_CUBIC }, { "poly", read, SHAPE_POLY }, \
     { "text", read, SHAPE_TEXT }, { "triangle", read, SHAPE_TRIANGLE }, \
     { "smooth_triangle", read, SHAPE_SMOOTH_TRIANGLE }, \
-    { "mesh2", read, SHAPE_MESH2 }
+    { "mesh2", read, SHAPE_MESH2 }, \
+    { "bicubic_patch", read, SHAPE_BICUBIC_PATCH }
 /* clang-format on */
 /* Into an empty object; the caller frees it also after an error. */
 bool shape_read(struct reader *reader, struct scene_object *object,

@@ -205,10 +205,15 @@ static bool read_tiles(struct reader *reader, void *subject,
 }
 
 static const struct keyword texture_words[] = {
-    { "pigment", read_pigment, 0 }, { "finish", read_finish, 0 },
-    STEP_WORDS(read_step),          PATTERN_WORDS(read_pattern),
-    { "checker", read_pattern, 0 }, { "texture_map", read_texture_map, 0 },
-    { "tiles", read_tiles, 0 },     { NULL, NULL, 0 },
+    { "pigment", read_pigment, 0 },
+    { "finish", read_finish, 0 },
+    STEP_WORDS(read_step),
+    { "gradient", read_pattern, 0 },
+    PATTERN_WORDS(read_pattern),
+    { "checker", read_pattern, 0 },
+    { "texture_map", read_texture_map, 0 },
+    { "tiles", read_tiles, 0 },
+    { NULL, NULL, 0 },
 };
 
 static const struct keyword texture_left_out[] = {

@@ -30,7 +30,7 @@ enum scene_value_kind {
     VALUE_PIGMENT,
     VALUE_FINISH,
     VALUE_TEXTURE,
-    VALUE_COLOR_MAP,   /* the pigment of its first entry */
+    VALUE_COLOR_MAP,   /* a pigment with it */
     VALUE_PIGMENT_MAP, /* the same */
     VALUE_TEXTURE_MAP, /* its first texture */
     VALUE_LOOK,        /* nothing of it is drawn */

@@ -1,6 +1,7 @@
 /* world.c - a scene from a file: its statements, and what they add up to. */
 #include "rt/scene/language/scene_read.h"
 
+#include "rt/scene/language/bicubic_patch.h"
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/query.h"
@@ -67,8 +68,12 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
     if (!object_add(&reader->world, object))
         return reader_no_memory(reader);
     for (size_t i = first; i < reader->world.part_count; i++) {
-        make_opaque(reader, &reader->world.parts[i].primitive, at);
-        if (!check_part(reader, &reader->world.parts[i], at))
+        struct scene_part *part = &reader->world.parts[i];
+
+        make_opaque(reader, &part->primitive, at);
+        if (part->patch && !bicubic_patch_cut(reader, part, at))
+            return false;
+        if (!check_part(reader, part, at))
             return false;
     }
     return true;
@@ -120,6 +125,13 @@ static bool read_default(struct reader *reader, void *subject,
     return default_read(reader);
 }
 
+static bool read_sky(struct reader *reader, void *subject,
+                     const struct item *item)
+{
+    (void)subject;
+    return sky_read(reader, &item->at);
+}
+
 static bool read_background(struct reader *reader, void *subject,
                             const struct item *item)
 {
@@ -137,15 +149,21 @@ static bool read_background(struct reader *reader, void *subject,
 static const struct keyword statements[] = {
 #define SHAPE(KIND, name, ...) { #name, read_object, PRIMITIVE_##KIND },
 #include "rt/shapes/shapes.def"
-    OTHER_SHAPE_WORDS(read_object),          { "camera", read_camera, 0 },
-    { "background", read_background, 0 },    { "default", read_default, 0 },
-    { "global_settings", read_settings, 0 }, { NULL, NULL, 0 },
+    OTHER_SHAPE_WORDS(read_object),
+    { "camera", read_camera, 0 },
+    { "background", read_background, 0 },
+    { "default", read_default, 0 },
+    { "global_settings", read_settings, 0 },
+    { "sky_sphere", read_sky, 0 },
+    { NULL, NULL, 0 },
 };
 
 static const struct keyword left_out[] = {
-    { "atmosphere", item_left_out, 0 }, { "fog", item_left_out, 0 },
-    { "media", item_left_out, 0 },      { "rainbow", item_left_out, 0 },
-    { "sky_sphere", item_left_out, 0 }, { NULL, NULL, 0 },
+    { "atmosphere", item_left_out, 0 },
+    { "fog", item_left_out, 0 },
+    { "media", item_left_out, 0 },
+    { "rainbow", item_left_out, 0 },
+    { NULL, NULL, 0 },
 };
 
 const struct grammar file_grammar = { "a statement",

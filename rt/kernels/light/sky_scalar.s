@@ -1,0 +1,37 @@
+; sky_scalar.s - what a ray that meets nothing sees, if the sky is a gradient.
+;
+;       CALL SKY (DIRECTION, COLOUR)
+;
+; Both three words.  Order of the operations as in pigment_vector.s.
+; Source: POV-Ray's sky_sphere.
+
+        .data
+        .include "light/sky.s"
+sky_list:       .descriptor 3, sky_direction
+                .descriptor 3, sky_colour
+sky_direction:  .space 3
+sky_colour:     .space 3
+        .code
+
+; The colour of first .. by the direction of from .., three registers each.
+        .macro  see_sky from, first, at
+        EX      \at, sky_direction
+        ELEN    \at, 3
+        SWAP    [r0], \from, [\at]
+        call    sky, sky_list
+        load_at sky_colour, 3, \first
+        .endm
+
+        .kernel shade
+sky:
+        EX      save_at, pigment_save
+        ELEN    save_at, SKY_REGISTERS
+        SWAP    [r0], r32, [save_at]
+        LOD     [arguments], a_point
+        LOD     [arguments, m_index_one], a_color
+        SWAP    [a_point], px, [r0]
+        load_at scene_sky, 6, sh0
+        gradient_colour
+        SWAP    [r0], color0r, [a_color]
+        leave   pigment_save, SKY_REGISTERS
+        .endkernel

@@ -1,0 +1,195 @@
+/* test_scene_maps.c - the scene language: colour maps, gradients and skies. */
+#include "rt/scene/transform.h"
+#include "rt/shapes/primitive.h"
+#include "tests/random.h"
+#include "tests/unit/scene_reading.h"
+
+#include <stdio.h>
+
+static void check_map(const struct color_map *map, const char *expected)
+{
+    char found[1024], *to = found;
+
+    *to = '\0';
+    for (size_t i = 0; i < map->count; i++)
+        to += sprintf(to, "%g:%g,%g,%g ", map->stops[i].at,
+                      map->stops[i].color[0], map->stops[i].color[1],
+                      map->stops[i].color[2]);
+    assert_string_equal(found, expected);
+}
+
+/* The pigment of a sphere, and of the same pigment with a name. */
+static void check_pigment(const char *words, enum pigment_kind kind,
+                          const char *expected)
+{
+    static const char *const forms[] = {
+        "sphere { 0, 1 pigment { %s } }",
+        "#declare P = pigment { %s } sphere { 0, 1 pigment { P } }",
+        "#declare T = texture { pigment { %s } } sphere { 0, 1 texture { T } }",
+    };
+
+    for (size_t i = 0; i < COUNT(forms); i++) {
+        char text[1024];
+        snprintf(text, sizeof text, forms[i], words);
+        struct scene *scene = read_scene(text);
+        const struct pigment *pigment = &scene->primitives[0].pigment;
+        assert_int_equal(pigment->kind, kind);
+        check_map(&pigment->map, expected);
+        assert_false(pigment_is_clear(pigment));
+        scene_free(scene);
+    }
+}
+
+#define TWO "0:1,0,0 0.5:0,0,1 "
+
+static void test_maps(void **state)
+{
+    (void)state;
+    check_pigment("gradient x", PIGMENT_GRADIENT, "0:0,0,0 1:1,1,1 ");
+    check_pigment("gradient x color_map { [0 rgb x] [.5 rgb z] }",
+                  PIGMENT_GRADIENT, TWO);
+    check_pigment("gradient x, color_map { [0, rgb x], [.5, color rgb z] }",
+                  PIGMENT_GRADIENT, TWO);
+    check_pigment("gradient x colour_map { [0 color red 1] [.5 blue 1] }",
+                  PIGMENT_GRADIENT, TWO);
+    check_pigment(
+        "gradient x color_map { #for (I, 0, 1) [I/2 rgb <1 - I, 0, I>]"
+        " #end }",
+        PIGMENT_GRADIENT, TWO);
+    /* the oldest form; a value that falls; values beyond 0 and 1 */
+    check_pigment("gradient z color_map { [0, .5 color rgb x color rgb y]"
+                  " [.5, 1 color rgb z color rgb 1] }",
+                  PIGMENT_GRADIENT, "0:1,0,0 0.5:0,1,0 0.5:0,0,1 1:1,1,1 ");
+    check_pigment("gradient y color_map { [.6 rgb x] [.4 rgb y] [.7 rgb z] }",
+                  PIGMENT_GRADIENT, "0.6:1,0,0 0.6:0,1,0 0.7:0,0,1 ");
+    check_pigment("gradient y color_map { [-1 rgb x] [3 rgb y] }",
+                  PIGMENT_GRADIENT, "-1:1,0,0 3:0,1,0 ");
+}
+
+static void test_named_maps(void **state)
+{
+    struct scene *scene = read_scene(
+        "#declare M = color_map { [0 rgb x] [.5 rgb z] }\n"
+        "#declare G = pigment { gradient 2*y color_map { M } scale 2 }\n"
+        "sphere { 0, 1 pigment { G } }\n"
+        "sphere { 0, 1 pigment { G color_map { [0 rgb y] } rotate 90*z } }\n"
+        "sphere { 0, 1 pigment { rgb x } }\n"
+        "sphere { 0, 1 pigment { G rgb y } }\n");
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    check_map(&p[0].pigment.map, TWO);
+    assert_vector(p[0].pigment.axis, 0, 1, 0);
+    assert_close(p[0].pigment.to_local.rows[1][1], .5, CLOSE);
+    assert_vector(p[0].pigment.color[0], 1, 0, 0);
+    check_map(&p[1].pigment.map, "0:0,1,0 ");
+    assert_vector(p[1].pigment.axis, 0, 1, 0);
+    assert_close(p[1].pigment.to_local.rows[1][0], -.5, CLOSE);
+    assert_int_equal(p[2].pigment.kind, PIGMENT_COLOR);
+    assert_int_equal(p[3].pigment.kind, PIGMENT_COLOR);
+    scene_free(scene);
+}
+
+/* Of a pattern that is not drawn the first colour of its map counts. */
+static void test_other_patterns(void **state)
+{
+    struct scene *scene = read_with(
+        "sphere { 0, 1 pigment { bozo color_map { [.2 rgb x] [1 rgb y] } } }\n"
+        "sphere { 0, 1 pigment { gradient x pigment_map { [0 rgb z] } } }\n",
+        2);
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_int_equal(p[0].pigment.kind, PIGMENT_COLOR);
+    assert_vector(p[0].pigment.color[0], 1, 0, 0);
+    assert_int_equal(p[1].pigment.kind, PIGMENT_COLOR);
+    assert_vector(p[1].pigment.color[0], 0, 0, 1);
+    scene_free(scene);
+}
+
+static void test_clear(void **state)
+{
+    struct scene *scene = read_with(
+        "#declare G = pigment { gradient x color_map { [0 rgbt <1, 0, 0, .5>]"
+        " [1 rgb y] } }\n"
+        "sphere { 0, 1 pigment { G } }"
+        "sky_sphere { pigment { gradient x color_map { [0 rgb x]"
+        " [1 rgbf 1] } } }",
+        1);
+
+    (void)state;
+    assert_false(pigment_is_clear(&scene->primitives[0].pigment));
+    assert_int_equal(scene->sky.kind, PIGMENT_GRADIENT);
+    scene_free(scene);
+}
+
+static void test_skies(void **state)
+{
+    struct scene *scene = read_scene(
+        "background { rgb z } sky_sphere { pigment { rgb <1, .5, 0> } }");
+    double up[3] = { 0, 1, 0 };
+
+    (void)state;
+    assert_int_not_equal(scene->sky.kind, PIGMENT_GRADIENT);
+    assert_vector(scene->background, 1, .5, 0);
+    scene_free(scene);
+    scene = read_scene(
+        "sky_sphere { pigment { gradient y scale 2 } rotate x*90"
+        " scale 3 }");
+    assert_int_equal(scene->sky.kind, PIGMENT_GRADIENT);
+    transform_point(&scene->sky.to_local, up);
+    assert_vector(up, 0, 0, -1.0 / 6);
+    scene_free(scene);
+    scene = read_scene("sky_sphere { }");
+    assert_vector(scene->background, 0, 0, 0);
+    scene_free(scene);
+    scene = read_with("sky_sphere { pigment { gradient y }"
+                      " pigment { gradient x } pigment { gradient z } }",
+                      1);
+    assert_vector(scene->sky.axis, 0, 1, 0);
+    scene_free(scene);
+    scene_free(read_with("#declare S = sky_sphere { pigment { bozo } }"
+                         " sky_sphere { S scale 2 }",
+                         1));
+    scene_free(read_with("sky_sphere { pigment { checker } }", 1));
+    scene_free(read_with("sky_sphere { pigment { rgbt .5 } emission 2 }", 2));
+}
+
+#define MAP "sphere { 0, 1 pigment { gradient x color_map { "
+
+static void test_errors(void **state)
+{
+    static const struct line_error rows[] = {
+        { "sphere { 0, 1 pigment { gradient 0 } }", 25, "has no length" },
+        { "sphere { 0, 1 pigment { gradient } }", 34, "expected a number" },
+        { MAP "} } }", 48, "expected '['" },
+        { MAP "[rgb x] } } }", 49, "expected a number" },
+        { MAP "[0] } } }", 50, "expected a colo" },
+        { MAP "[0 rgb x } } }", 57, "expected ']'" },
+        { MAP "[0 rgb x rgb y] } } }", 57, "expected ']'" },
+        { MAP "#for (I, 0, 256) [0 rgb x] #end } } }", 73,
+          "more than 256 entries" },
+        { MAP "[0 rgb 1e101] } } }", 60, "out of range" },
+        { "sky_sphere { gradient y }", 14, "expected a word of sky_sphere" },
+        { "sky_sphere { pigment { gradient y } wibble }", 37,
+          "expected a word of sky_sphere" },
+        { "sky_sphere 3", 12, "expected '{'" },
+    };
+
+    (void)state;
+    assert_errors(rows, COUNT(rows));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_maps),
+        cmocka_unit_test(test_named_maps),
+        cmocka_unit_test(test_other_patterns),
+        cmocka_unit_test(test_clear),
+        cmocka_unit_test(test_skies),
+        cmocka_unit_test(test_errors),
+    };
+
+    return cmocka_run_group_tests_name("scene maps", tests, NULL, NULL);
+}
