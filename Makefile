@@ -82,7 +82,7 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-random check-quartic check-faces check-regions check-language \
-	check-commands check-install check-fit wasm-check
+	check-library check-commands check-install check-fit wasm-check
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 15000
@@ -182,8 +182,8 @@ $(BUILD)/asm/isa_example_texts.c: texts_in = asm/isa_examples
 $(BUILD)/asm/isa_example_texts.c: $(wildcard asm/isa_examples/*.s)
 $(BUILD)/rt/kernel_texts.c: texts_in = rt/kernels
 $(BUILD)/rt/kernel_texts.c: $(wildcard rt/kernels/*/*.s)
-$(BUILD)/rt/scene_texts.c: texts_in = rt/scene/language
-$(BUILD)/rt/scene_texts.c: $(wildcard rt/scene/language/*.inc)
+$(BUILD)/rt/scene_texts.c: texts_in = rt/scene/library
+$(BUILD)/rt/scene_texts.c: $(wildcard rt/scene/library/*.inc)
 $(BUILD)/%_texts.c: vm/embed.sh
 	@mkdir -p $(@D)
 	sh vm/embed.sh $(@F:.c=) $(texts_in) $(filter-out vm/embed.sh,$^) > $@.new
@@ -320,6 +320,9 @@ check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
 
 check-language:
 	sh tests/check_language.sh
+
+check-library: $(BUILD)/rt205 $(adapter)
+	sh tests/check_library.sh $(BUILD)
 
 # POV-Ray's own samples; long, and no part of check-long.
 check-samples:
@@ -471,7 +474,8 @@ clean:
 .PHONY: all demo tests check check-long check-rooms check-unit check-programs \
 	check-bugs check-docs check-isa check-arithmetic check-narrow \
 	check-random check-quartic check-planted check-faces check-regions \
-	check-scenes check-language check-samples check-commands check-install \
+	check-scenes check-language check-library check-samples check-commands \
+	check-install \
 	check-hosts check-poison check-timing check-fit fit cover cover-tests wasm-check docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:

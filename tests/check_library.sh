@@ -1,0 +1,175 @@
+#!/bin/sh
+# check_library.sh BUILD [FILE ..] - what the files of rt/scene/library declare
+# looks as what POV-Ray's files of these names declare, and is reported alike:
+# all names of POV-Ray's files, and calls of macros (tests/library.txt).
+#
+# A scene shows up to 192 of them.  Looks and numbers have a pixel each, and are
+# the same to the last bit; shapes, which may be made in another way, have 16,
+# the same in an 8-bit picture.  Where two scenes differ, each has its own.
+set -u
+. "$(dirname "$0")/count.sh"
+root=$(cd "$(dirname "$0")/.." && pwd)
+build=$(cd "$1" && pwd)
+ours=$root/rt/scene/library
+shift
+list=$root/tests/library.txt
+# Belongs to macros that are left out: derivatives of functions.
+left_out=__Gradient_Fn_Accuracy_
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
+
+# Ours include nothing but ours.
+for file in "$ours"/*.inc; do
+    for name in $(sed -n 's/^#include "\(.*\)"$/\1/p' "$file"); do
+        [ -f "$ours/$name" ]
+        verdict $? "$file: $name is not there"
+    done
+done
+
+theirs=
+for folder in /usr/share /usr/local/share; do
+    [ ! -f $folder/povray-3.7/include/colors.inc ] ||
+        theirs=$folder/povray-3.7/include
+done
+
+# What a file declares outside of its macros: the kind of each, and the name.
+declared() { # FILE
+    sed 's|//.*||' "$1" | tr '\n\t\r' '   ' | awk '
+    {
+        while ((from = index($0, "/*")) > 0) {
+            rest = substr($0, from + 2)
+            $0 = substr($0, 1, from - 1) " " \
+                substr(rest, index(rest, "*/") + 2)
+        }
+        count = split($0, parts, "#")
+        for (i = 2; i <= count; i++) {
+            part = parts[i]
+            if (part ~ /^(if|ifdef|ifndef|while|for|switch|macro)[ (]/) {
+                depth++
+                if (part ~ /^macro/ && !macro)
+                    macro = depth
+            } else if (part ~ /^end/) {
+                if (depth-- == macro)
+                    macro = 0
+            } else if (part ~ /^declare / && !macro && part ~ /=/) {
+                name = value = part
+                sub(/ *=.*/, "", name)
+                sub(/.* /, "", name)
+                sub(/[^=]*= */, "", value)
+                sub(/[^a-z_].*/, "", value)
+                if (name ~ /\]$/ || value == "function")
+                    continue
+                if (value ~ /^(pigment|texture|finish|material|interior)$/)
+                    print value, name
+                else if (value ~ /^colou?r_map$/)
+                    print "color_map", name
+                else if (value ~ \
+                    /^(sphere|box|plane|cone|cylinder|quadric|intersection)$/)
+                    print "object", name
+                else
+                    print "number", name
+            }
+        }
+    }' | sort -u
+}
+
+# A scene of lines "KIND TEXT", on stdin, with what FILE declares.
+scene() { # FILE
+    cat <<END
+#version 3.7;
+global_settings { assumed_gamma 1 }
+#include "colors.inc"
+#include "$1"
+#default { finish { ambient .1 diffuse .6 } }
+camera { location -16*z direction 16*z right 16*x up 12*y }
+light_source { <4, 5, -6>, 1 }
+plane { -z, -2 pigment { rgb <.7, .8, .9> } }
+END
+    awk '
+    {
+        kind = $1
+        sub(/^[^ ]* /, "")
+        at = sprintf("<%.1f, %.1f, 0>", (NR - 1)%16 - 7.3,
+            int((NR - 1)/16) - 5.3)
+        ball = "sphere { " at ", .45 "
+        if (kind == "pigment")
+            print ball "pigment { " $0 " } }"
+        else if (kind == "texture" || kind == "material")
+            print ball kind " { " $0 " } }"
+        else if (kind == "finish")
+            print ball "pigment { rgb <.5, .6, .4> } finish { " $0 " } }"
+        else if (kind == "interior")
+            print ball "pigment { rgbf .8 } interior { " $0 " } }"
+        else if (kind == "color_map")
+            print ball "pigment { bozo color_map { " $0 " } } }"
+        else if (kind == "number")
+            print ball "pigment { rgbft .1*(" $0 ") } finish { ambient 1 } }"
+        else if (kind == "object")
+            print "intersection { object { " $0 " scale .3 rotate 20 }",
+                "box { -.45, .45 } translate " at \
+                " pigment { rgb <.5, .6, .4> } }"
+        else if (kind == "mesh")
+            print "union { " $0 " scale .3 rotate 20 translate " at \
+                " pigment { rgb <.5, .6, .4> } }"
+    }'
+}
+
+# What it looks like, and what is reported, but for bounds, which change no
+# picture.
+shown() { # SCENE FOLDER SIZE
+    "$build/rt205" render "$1" -W $((16 * $3)) -H $((12 * $3)) --jobs 1 \
+        -I "$2" -o "$work/picture.png" >"$work/out" 2>"$work/err"
+    if [ "$3" -eq 1 ]; then
+        sed -n 's/^frame checksum //p' "$work/out"
+    else
+        # Pixels begin at the first IDAT; texts about the picture differ.
+        at=$(grep -abo IDAT "$work/picture.png" | sed 's/:.*//; q')
+        tail -c "+$at" "$work/picture.png" | cksum
+    fi
+    sed -n '/: error: /p; s/.*: report: //p' "$work/err" |
+        sed '/bounded_by/d; s/ ([0-9]* places.*//' | sort -u
+}
+
+same() { # SCENE SIZE
+    shown "$1" "$theirs" "$2" >"$work/theirs"
+    shown "$1" "$ours" "$2" >"$work/ours"
+    cmp -s "$work/theirs" "$work/ours" && ! grep -q ': error: ' "$work/ours"
+}
+
+compare() { # FILE LINES SIZE: each line is "KIND TEXT"
+    split -l 192 "$2" "$work/part."
+    for part in "$work"/part.??; do
+        [ -f "$part" ] || continue
+        scene "$1" <"$part" >"$work/all.pov"
+        if same "$work/all.pov" "$3"; then
+            passed=$((passed + $(wc -l <"$part")))
+        else
+            while read -r line; do
+                echo "$line" | scene "$1" >"$work/one.pov"
+                same "$work/one.pov" "$3"
+                verdict $? "$1: $line: $(diff "$work/theirs" "$work/ours")"
+            done <"$part"
+        fi
+        rm "$part"
+    done
+}
+
+[ $# -ne 0 ] || set -- $(cd "$ours" && echo *.inc)
+for name in "$@"; do
+    sed -n "s/^$name //p" "$list" >"$work/calls"
+    if [ -n "$theirs" ]; then
+        declared "$theirs/$name" | grep -vw "$left_out" |
+            cat - "$work/calls" >"$work/lines"
+        grep -E '^(object|mesh) ' "$work/lines" >"$work/shapes"
+        grep -Ev '^(object|mesh) ' "$work/lines" >"$work/looks"
+        compare "$name" "$work/looks" 1
+        compare "$name" "$work/shapes" 4
+    else
+        scene "$name" <"$work/calls" >"$work/all.pov"
+        ! shown "$work/all.pov" "$ours" 1 | grep ': error: '
+        verdict $? "$name cannot be read"
+    fi
+done
+[ -n "$theirs" ] || echo "(POV-Ray's files are not installed)"
+counted
