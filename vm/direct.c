@@ -3,6 +3,7 @@
  */
 #include "vm/direct.h"
 
+#include "vm/number/pairs.h"
 #include "vm/vector.h"
 
 /* Where the result goes, and which of it. */
@@ -220,6 +221,48 @@ static inline void take_chunk(const struct direct_result *result,
         compare_chunk(result, sources->operation, a, b, first, n);
 }
 
+/* Both instructions of a pair. */
+struct direct_both {
+    struct direct_sources one, two;
+    c205_word handed[CHUNK]; /* by the first to the second */
+    lanes_pair *in_one_pass; /* or NULL */
+};
+
+static inline pair_operand operand_at(struct place place, size_t first)
+{
+    pair_operand operand = { place.words + first * place.step,
+                             place.step == 0 };
+    return operand;
+}
+
+/* False: one goes after the other. */
+static inline bool take_in_one_pass(const struct direct_result *result,
+                                    const struct direct_both *pair,
+                                    size_t first, size_t n)
+{
+    bool done = false;
+    struct place other = pair->two.a.words == pair->handed ? pair->two.b
+                                                           : pair->two.a;
+    if (pair->in_one_pass)
+        pair->in_one_pass(&done, result->words + first,
+                          operand_at(pair->one.a, first),
+                          operand_at(pair->one.b, first),
+                          operand_at(other, first).words, n,
+                          &result->machine->data_flags);
+    return done;
+}
+
+static inline void take_pair(const struct direct_result *result,
+                             struct direct_both *pair, size_t first, size_t n)
+{
+    if (take_in_one_pass(result, pair, first, n))
+        return;
+    operate_all(result->machine, pair->one.operation, pair->handed,
+                operand_at(pair->one.a, first).words,
+                operand_at(pair->one.b, first).words, n);
+    take_chunk(result, &pair->two, first, n);
+}
+
 /* ---- The instructions ---------------------------------------------------- */
 
 bool direct_elementwise(struct c205 *machine, const struct decoded *decoded,
@@ -249,10 +292,7 @@ bool direct_pair(struct c205 *machine, const struct decoded *const *linked,
     const struct operation *second_one = operation_of(linked[1]);
     size_t n = direct_length(machine->slot[linked[1]->fields.c]);
     struct direct_result result;
-    struct {
-        struct direct_sources one, two;
-        c205_word handed[CHUNK];
-    } pair;
+    struct direct_both pair;
     if (!linked[0]->plain || !linked[1]->plain || !direct_turn(machine, n)
         || direct_length(machine->slot[linked[0]->fields.c]) != n
         || !find_result(&result, machine, linked[1], second_one->compare, n)
@@ -264,15 +304,16 @@ bool direct_pair(struct c205 *machine, const struct decoded *const *linked,
         || !keeps_sources(&result, &pair.one)
         || !keeps_sources(&result, &pair.two) || !keeps_control(&result))
         return false;
+    pair.in_one_pass = result.words && !result.controlled
+                           ? lanes_pair_of(first_one->binary,
+                                           second_one->binary, hand_a, hand_b)
+                           : NULL;
     touch_sources(machine, &pair.one, n);
     touch_sources(machine, &pair.two, n);
     touch_result(&result, linked[1]);
     for (size_t first = 0, some; first < n; first += some) {
         some = least(n - first, CHUNK);
-        operate_all(machine, first_one, pair.handed,
-                    pair.one.a.words + first * pair.one.a.step,
-                    pair.one.b.words + first * pair.one.b.step, some);
-        take_chunk(&result, &pair.two, first, some);
+        take_pair(&result, &pair, first, some);
     }
     return true;
 }

@@ -151,6 +151,49 @@ static c205_word beyond_usual(word_format f, uint64_t *seed)
     return at_the_ends(f, seed, 1);
 }
 
+typedef c205_word supply(word_format f, uint64_t *seed);
+
+/* With exponents of so many bits less than there are; the ends of coefficients,
+ * and machine zeros, among them. */
+static c205_word within(word_format f, uint64_t *seed, int less)
+{
+    int32_t end = 1 << (f.exponent_bits - 1) >> less;
+    int64_t half = INT64_C(1) << (f.digits - 1);
+    const int64_t ends[] = { half, 2 * half - 1, -half - 1, -2 * half };
+    size_t kind = xorshift(seed) % 16;
+    int32_t e = (int32_t)xorshift_between(seed, -end, end > 0 ? end - 1 : 0);
+
+    if (kind < SIZE(ends))
+        return format_make(f, e, ends[kind]);
+    return kind == SIZE(ends) ? C205_MACHINE_ZERO
+                              : xorshift_normalised_of(f, seed, e, e);
+}
+
+/* What doubles hold (vm/number/floored.h); likewise, of much the same exponents;
+ * with others rarely; and just not. */
+static c205_word moderate(word_format f, uint64_t *seed)
+{
+    return within(f, seed, 7);
+}
+
+static c205_word moderate_near(word_format f, uint64_t *seed)
+{
+    return within(f, seed, 13);
+}
+
+static c205_word mostly_moderate(word_format f, uint64_t *seed)
+{
+    supply *const others[] = { special, zero, unnormalised, anywhere };
+    uint64_t which = xorshift(seed) % 1024;
+
+    return which < SIZE(others) ? others[which](f, seed) : moderate(f, seed);
+}
+
+static c205_word beyond_moderate(word_format f, uint64_t *seed)
+{
+    return within(f, seed, 6);
+}
+
 static c205_word positive(word_format f, uint64_t *seed)
 {
     uint64_t flags = 0;
@@ -170,12 +213,12 @@ static c205_word about_a_square(word_format f, uint64_t *seed)
                        root * root - (int64_t)(xorshift(seed) & 1));
 }
 
-typedef c205_word supply(word_format f, uint64_t *seed);
 static supply *const supplies[] = {
-    special,     near,         around,          near_top,
-    near_bottom, anywhere,     any_bits,        unnormalised,
-    sparse,      mostly_usual, or_machine_zero, positive,
-    zero,        mostly_zero,  about_usual,     beyond_usual,
+    special,     near,          around,          near_top,
+    near_bottom, anywhere,      any_bits,        unnormalised,
+    sparse,      mostly_usual,  or_machine_zero, positive,
+    zero,        mostly_zero,   about_usual,     beyond_usual,
+    moderate,    moderate_near, mostly_moderate, beyond_moderate,
 };
 
 static void fill(c205_word *words, size_t n, supply *next, word_format f,

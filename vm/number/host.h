@@ -5,6 +5,8 @@
 #ifndef C205_HOST_H
 #define C205_HOST_H
 
+#include <stdbool.h>
+
 /* Lanes pay where a vector unit shifts each one by its own count; HOST_LANES:
  * that of what the files are compiled for.  Where there is none, words are
  * done one by one. */
@@ -71,6 +73,44 @@ static inline enum host_vectors host_vectors(void)
         else \
             name##_span arguments; \
     }
+#endif
+
+/* ---- Rounding of doubles --------------------------------------------------- */
+
+/* A way of rounding; that of what is loaded and stored after it was set. */
+typedef unsigned host_rounding;
+
+#ifdef HOST_VERSIONS
+static inline void host_round_as(host_rounding way)
+{
+    __asm__ volatile("ldmxcsr %0" : : "m"(way) : "memory");
+}
+
+/* False: doubles are not rounded down, as in an emulator that knows one way
+ * alone. */
+static inline bool host_round_down(host_rounding *before)
+{
+    host_rounding ways = 3U << 13, down = 1U << 13;
+    volatile double little = 0x1p-60;
+
+    __asm__ volatile("stmxcsr %0" : "=m"(*before) : : "memory");
+    host_round_as((*before & ~ways) | down);
+    if (1 - little < 1)
+        return true;
+    host_round_as(*before);
+    return false;
+}
+#else
+static inline void host_round_as(host_rounding way)
+{
+    (void)way;
+}
+
+static inline bool host_round_down(host_rounding *before)
+{
+    *before = 0;
+    return false;
+}
 #endif
 
 #endif

@@ -3,16 +3,26 @@
  */
 #include "vm/number/spans.h"
 
+#include "vm/number/floored.h"
 #include "vm/number/lane.h"
 #include "vm/number/quick.h"
 
 /* What has a quick rule also looks for blocks of one kind. */
-ZEROS_BLOCK(usual_block_add_normalised, GIVE_OTHERS, GIVE_OTHERS)
-ZEROS_BLOCK(usual_block_subtract_normalised, GIVE_NEITHER, GIVE_OTHERS)
-USUAL_BLOCK(usual_block_multiply_significant, usual_multiply_significant,
-            GIVE_ZEROS, GIVE_ZEROS)
-USUAL_BLOCK(usual_block_divide_significant, usual_divide_significant,
-            GIVE_NEITHER, GIVE_NEITHER)
+FLOORED_BLOCK(floored_add_block, floored_add)
+FLOORED_BLOCK(floored_subtract_block, floored_subtract)
+FLOORED_BLOCK(floored_multiply_block, floored_multiply)
+ZEROS_BLOCK(zeros_add, GIVE_OTHERS, GIVE_OTHERS)
+ZEROS_BLOCK(zeros_subtract, GIVE_NEITHER, GIVE_OTHERS)
+ZEROS_BLOCK(zeros_multiply, GIVE_ZEROS, GIVE_ZEROS)
+USUAL_BLOCK(usual_multiply, usual_multiply_significant)
+EITHER_BLOCK(usual_block_add_normalised, zeros_add, floored_add_block)
+EITHER_BLOCK(usual_block_subtract_normalised, zeros_subtract,
+             floored_subtract_block)
+EITHER_BLOCK(floored_or_usual_multiply, floored_multiply_block,
+             usual_multiply)
+EITHER_BLOCK(usual_block_multiply_significant, zeros_multiply,
+             floored_or_usual_multiply)
+USUAL_BLOCK(usual_block_divide_significant, usual_divide_significant)
 #define BLOCK_QUICK(name) usual_block_##name
 #define BLOCK_REGISTERS(name) NEVER_USUAL
 #define BLOCK_VECTORS(name) NEVER_USUAL

@@ -237,14 +237,21 @@ LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
         return block_of_zeros(to, a, b, n, first, flags) \
                || block_of_zeros(to, b, a, n, second, flags); \
     }
-#define USUAL_BLOCK(name, of_usual, first, second) \
-    ZEROS_BLOCK(name##_of_zeros, first, second) \
+#define USUAL_BLOCK(name, of_usual) \
     LANEWISE bool name BLOCK_PARAMETERS \
     { \
+        (void)flags; \
         if (!usual_pairs(a, b, n)) \
-            return name##_of_zeros(to, a, b, n, flags); \
+            return false; \
         EACH_LANE(to[j] = of_usual(a[j], b[j]);) \
         return true; \
+    }
+
+/* In one way, or else in another. */
+#define EITHER_BLOCK(name, one, other) \
+    LANEWISE bool name BLOCK_PARAMETERS \
+    { \
+        return one(to, a, b, n, flags) || other(to, a, b, n, flags); \
     }
 
 #endif

@@ -2,6 +2,7 @@
 #include "vm/time/banks.h"
 
 #include "vm/memory.h"
+#include "vm/number/host.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -21,80 +22,122 @@ void banks_free(struct banks *banks)
     free(banks->free_at);
 }
 
-/* What is left of an address, by the double quotient: it lies below 2^42, so
- * that the whole quotient is one too many or too few at most. */
-static inline size_t bank_of(uint64_t word, uint64_t count, double inverse)
+/* ---- Banks of accesses ---------------------------------------------------- */
+
+/* A list is looked at so many accesses at a time.  Mostly a bank is free again
+ * before the access after LATEST more begins: only so many need to be looked at,
+ * and no table of the banks. */
+enum { SPAN = 256, LATEST = 3 };
+
+/* The sum with a large number has no place for a fraction. */
+static inline double nearest_whole(double d)
 {
-    int64_t quotient = (int64_t)((double)(int64_t)word * inverse);
-    int64_t bank = (int64_t)word - quotient * (int64_t)count;
-    bank += bank < 0 ? (int64_t)count : 0;
-    bank -= bank >= (int64_t)count ? (int64_t)count : 0;
-    return (size_t)bank;
+    double large = 0x1p52;
+
+    return d + large - large;
 }
 
-static inline size_t accessed_bank(const struct banks *banks, double inverse,
-                                   uint64_t address)
+/* What is left of an address, which lies below 2^42 words, by the nearest whole
+ * quotient of doubles. */
+#define FIND_BANKS_PARAMETERS \
+    (double *restrict bank, const c205_word *restrict indices, size_t n, \
+     uint64_t table, uint64_t step, double count)
+LANEWISE void find_banks_span FIND_BANKS_PARAMETERS
 {
-    return bank_of((address & ADDRESS_MASK) / WORD_BITS, banks->count,
-                   inverse);
+    for (size_t i = 0; i < n; i++) {
+        uint64_t address = (table + indices[i] * step) & ADDRESS_MASK;
+        double word = (double)(int64_t)(address / WORD_BITS);
+        double rest = word - nearest_whole(word * (1 / count)) * count;
+        bank[i] = rest < 0 ? rest + count : rest;
+    }
 }
 
-static inline uint64_t later(uint64_t a, uint64_t b)
+/* How long access i waits from when the last one before it began, the second
+ * last and the third.  The banks of the latest accesses stand in front. */
+struct waits {
+    int64_t last[SPAN], second[SPAN], third[SPAN];
+};
+#define FIND_WAITS_PARAMETERS \
+    (struct waits *restrict waits, const double *restrict bank, size_t n, \
+     int64_t access, int64_t busy)
+LANEWISE void find_waits_span FIND_WAITS_PARAMETERS
+{
+    for (size_t i = 0; i < n; i++) {
+        const double *at = bank + LATEST + i;
+        waits->last[i] = at[0] == at[-1] ? busy : access;
+        waits->second[i] = at[0] == at[-2] ? busy : 0;
+        waits->third[i] = at[0] == at[-3] ? busy : 0;
+    }
+}
+
+static void find_banks FIND_BANKS_PARAMETERS;
+static void find_waits FIND_WAITS_PARAMETERS;
+VERSIONS(find_banks, find_banks_span, FIND_BANKS_PARAMETERS,
+         (bank, indices, n, table, step, count))
+VERSIONS(find_waits, find_waits_span, FIND_WAITS_PARAMETERS,
+         (waits, bank, n, access, busy))
+
+/* ---- Conflicts ------------------------------------------------------------ */
+
+static inline int64_t later(int64_t a, int64_t b)
 {
     return a < b ? b : a;
 }
 
-/* A bank is free again before the access after LATEST more begins: only so
- * many need to be looked at, and no table of the banks. */
-enum { LATEST = 3 };
-
-struct access {
-    size_t bank;
-    uint64_t begin;
+/* When the latest accesses began. */
+struct begun {
+    int64_t last, second, third;
 };
 
-static inline uint64_t wait_for(struct access access, size_t bank,
-                                uint64_t busy)
+static void begin_accesses(struct begun *begun, const struct waits *waits,
+                           size_t n)
 {
-    return access.bank == bank ? access.begin + busy : 0;
+    struct begun now = *begun;
+    for (size_t i = 0; i < n; i++) {
+        int64_t next = later(now.last + waits->last[i],
+                             later(now.second + waits->second[i],
+                                   now.third + waits->third[i]));
+        now.third = now.second;
+        now.second = now.last;
+        now.last = next;
+    }
+    *begun = now;
 }
 
 static uint64_t conflicts_of_latest(const struct banks *banks, uint64_t table,
                                     unsigned step, const c205_word *indices,
                                     size_t count)
 {
-    double inverse = 1.0 / (double)banks->count;
-    uint64_t access = banks->access, busy = banks->busy;
-    struct access last = { SIZE_MAX, 0 - access };
-    struct access second = { SIZE_MAX, 0 }, third = { SIZE_MAX, 0 };
-    for (size_t i = 0; i < count; i++) {
-        struct access next = {
-            accessed_bank(banks, inverse, table + indices[i] * step), 0
-        };
-        next.begin = later(last.begin
-                               + (next.bank == last.bank ? busy : access),
-                           later(wait_for(second, next.bank, busy),
-                                 wait_for(third, next.bank, busy)));
-        third = second;
-        second = last;
-        last = next;
+    int64_t access = (int64_t)banks->access, busy = (int64_t)banks->busy;
+    struct begun begun = { -access, -access, -access };
+    double bank[LATEST + SPAN] = { -1, -1, -1 }; /* the latest first */
+    struct waits waits;
+    for (size_t i = 0, n; i < count; i += n) {
+        n = count - i < SPAN ? count - i : SPAN;
+        find_banks(bank + LATEST, indices + i, n, table, step,
+                   (double)banks->count);
+        find_waits(&waits, bank, n, access, busy);
+        begin_accesses(&begun, &waits, n);
+        memmove(bank, bank + n, LATEST * sizeof *bank);
     }
-    return last.begin + access - count * access;
+    return (uint64_t)(begun.last + access) - count * banks->access;
 }
 
 static uint64_t conflicts_of_all(const struct banks *banks, uint64_t table,
                                  unsigned step, const c205_word *indices,
                                  size_t count)
 {
-    double inverse = 1.0 / (double)banks->count;
     uint64_t *free_at = banks->free_at;
     uint64_t clock = 0;
+    double bank[SPAN];
     memset(free_at, 0, banks->count * sizeof *free_at);
     for (size_t i = 0; i < count; i++) {
-        uint64_t *bank = &free_at[accessed_bank(banks, inverse,
-                                                table + indices[i] * step)];
-        clock = later(clock, *bank);
-        *bank = clock + banks->busy;
+        if (i % SPAN == 0)
+            find_banks(bank, indices + i, count - i < SPAN ? count - i : SPAN,
+                       table, step, (double)banks->count);
+        uint64_t *free = &free_at[(size_t)bank[i % SPAN]];
+        clock = clock < *free ? *free : clock;
+        *free = clock + banks->busy;
         clock += banks->access;
     }
     return clock - count * banks->access;
