@@ -2,6 +2,7 @@
  * or one after another at a period.
  */
 #include "vm/direct.h"
+#include "vm/number/host.h"
 #include "vm/vector.h"
 
 /* A is the index list, or the distance from one index to the next; indices
@@ -266,24 +267,34 @@ struct table_page {
     uint64_t low, high; /* the lowest and the highest element */
 };
 
+#define FIND_ENDS_PARAMETERS \
+    (struct table_page * table, const c205_word *indices, size_t n)
+LANEWISE void find_ends_span FIND_ENDS_PARAMETERS
+{
+    int64_t low = INT64_MAX, high = 0; /* hosts compare numbers with a sign */
+    for (size_t i = 0; i < n; i++) {
+        uint64_t sum = table->base + indices[i];
+        int64_t word = (int64_t)(sum & (ADDRESS_SPACE_WORDS - 1));
+        low = word < low ? word : low;
+        high = word > high ? word : high;
+    }
+    table->low = (uint64_t)low;
+    table->high = (uint64_t)high;
+}
+static void find_ends FIND_ENDS_PARAMETERS;
+VERSIONS(find_ends, find_ends_span, FIND_ENDS_PARAMETERS, (table, indices, n))
+
 /* False: they are in several pages, or in one that is not there. */
 static bool find_table(struct table_page *table, const struct c205 *machine,
                        c205_word descriptor, const c205_word *indices,
                        size_t n)
 {
-    uint64_t base = LOW(descriptor) / WORD_BITS, low = UINT64_MAX, high = 0;
-    for (size_t i = 0; i < n; i++) {
-        uint64_t word = (base + indices[i]) & (ADDRESS_SPACE_WORDS - 1);
-        low = word < low ? word : low;
-        high = word > high ? word : high;
-    }
-    table->base = base;
-    table->low = low;
-    table->high = high;
+    table->base = LOW(descriptor) / WORD_BITS;
+    find_ends(table, indices, n);
     table->page = NULL;
-    if (low / C205_PAGE_WORDS == high / C205_PAGE_WORDS
+    if (table->low / C205_PAGE_WORDS == table->high / C205_PAGE_WORDS
         && descriptor % WORD_BITS == 0)
-        table->page = memory_page(&machine->memory, low * WORD_BITS);
+        table->page = memory_page(&machine->memory, table->low * WORD_BITS);
     return table->page;
 }
 

@@ -55,7 +55,7 @@ LANEWISE void find_banks_span FIND_BANKS_PARAMETERS
 /* How long access i waits from when the last one before it began, the second
  * last and the third.  The banks of the latest accesses stand in front. */
 struct waits {
-    int64_t last[SPAN], second[SPAN], third[SPAN];
+    int64_t last[SPAN], second[SPAN + 1], third[SPAN + 1];
 };
 #define FIND_WAITS_PARAMETERS \
     (struct waits *restrict waits, const double *restrict bank, size_t n, \
@@ -68,6 +68,7 @@ LANEWISE void find_waits_span FIND_WAITS_PARAMETERS
         waits->second[i] = at[0] == at[-2] ? busy : 0;
         waits->third[i] = at[0] == at[-3] ? busy : 0;
     }
+    waits->second[n] = waits->third[n] = 0;
 }
 
 static void find_banks FIND_BANKS_PARAMETERS;
@@ -89,17 +90,21 @@ struct begun {
     int64_t last, second, third;
 };
 
+/* What does not depend on the last access is known one access earlier: each
+ * waits for one sum and one choice. */
 static void begin_accesses(struct begun *begun, const struct waits *waits,
                            size_t n)
 {
     struct begun now = *begun;
+    int64_t earliest = later(now.second + waits->second[0],
+                             now.third + waits->third[0]);
     for (size_t i = 0; i < n; i++) {
-        int64_t next = later(now.last + waits->last[i],
-                             later(now.second + waits->second[i],
-                                   now.third + waits->third[i]));
+        int64_t next = later(now.last + waits->last[i], earliest);
         now.third = now.second;
         now.second = now.last;
         now.last = next;
+        earliest = later(now.second + waits->second[i + 1],
+                         now.third + waits->third[i + 1]);
     }
     *begun = now;
 }
