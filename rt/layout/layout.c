@@ -49,13 +49,14 @@ static void put_shape(struct record *record,
 {
     struct shape_words shape;
     const char *kernel;
+    bool carried; /* into its own space, to meet the ray */
 
     if (!plan->simple || !shape_words_historical(primitive, &shape)
         || !object_symbol(record->layout->program, shape.kernel))
         shape_words(primitive, &shape);
     kernel = plan->simple ? shape.kernel : shape.solid;
-    record_routine(record, "P_KERNEL",
-                   shape.transformed ? "transformed" : kernel);
+    carried = shape.transformed && !primitive->unseen;
+    record_routine(record, "P_KERNEL", carried ? "transformed" : kernel);
     record_routine(record, "P_INNER", kernel);
     record_routine(record, "P_NORMAL", shape.normal);
     if (!plan->simple && shape.state) {

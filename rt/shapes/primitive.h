@@ -49,6 +49,8 @@ struct primitive {
     struct pigment pigment;
     struct finish finish;
     bool no_shadow;
+    bool unseen;   /* a part of a tree that cuts others and is not seen
+                                  itself */
     double ior;    /* index of refraction of its inside; 1 */
     bool inverted; /* an odd number of complements stands above
                                   it: its outward normal points to what is

@@ -16,6 +16,10 @@ void shape_words(const struct primitive *primitive, struct shape_words *words)
     words->normal = kernels->normal;
     words->solid = kernels->solid ? kernels->solid : kernels->kernel;
     words->state = kernels->state;
+    if (primitive->unseen) { /* as an open shape, nothing of which is there */
+        words->state = words->state ? words->state : words->solid;
+        words->solid = "unseen";
+    }
     words->on_patch = shape_is_surface(primitive);
     words->segments = shape->segments ? shape->segments(primitive)
                                       : kernels->segments;

@@ -225,6 +225,26 @@ static struct solid *random_joining(uint64_t *state)
     return solid_new(joining, 2 + below(state, PARTS_MOST - 1));
 }
 
+/* One in eight solids is clipped.  What else is drawn does not depend on it. */
+static struct solid *random_clip(uint64_t state)
+{
+    static void (*const shapes[])(uint64_t *, char *) = {
+        random_box,    random_plane, random_plane,   random_cylinder,
+        random_sphere, random_cone,  random_quadric, random_torus,
+    };
+    state = state * 3 + 1;
+    for (int i = 0; i < 8; i++)
+        xorshift(&state);
+    if (below(&state, 8))
+        return NULL;
+    struct solid *clip = solid_new(SHAPE, 0);
+    shapes[below(&state, sizeof shapes / sizeof *shapes)](&state,
+                                                          clip->shape);
+    random_motion(&state, clip->motion);
+    clip->inverse = below(&state, 4) == 0;
+    return clip;
+}
+
 static struct solid *random_solid(uint64_t *state, size_t depth)
 {
     bool joined = depth > 0 && below(state, 4);
@@ -240,6 +260,7 @@ static struct solid *random_solid(uint64_t *state, size_t depth)
         random_look(state, solid->look);
     random_motion(state, solid->motion);
     solid->inverse = below(state, 12) == 0;
+    solid->clip = random_clip(*state);
     return solid;
 }
 

@@ -46,6 +46,8 @@ void solid_free(struct solid *solid)
 {
     for (size_t i = 0; i < solid->count; i++)
         solid_free(solid->parts[i]);
+    if (solid->clip)
+        solid_free(solid->clip);
     free(solid->parts);
     free(solid);
 }
@@ -58,6 +60,8 @@ struct solid *solid_copy(const struct solid *solid)
     copy->parts = parts;
     for (size_t i = 0; i < solid->count; i++)
         parts[i] = solid_copy(solid->parts[i]);
+    if (solid->clip)
+        copy->clip = solid_copy(solid->clip);
     return copy;
 }
 
@@ -78,6 +82,11 @@ void solid_print(const struct solid *solid, int depth, FILE *text)
         solid_print(solid->parts[i], depth + 1, text);
     if (solid->count > 0)
         fprintf(text, "%*s", 4 * depth, "");
+    if (solid->clip) {
+        fprintf(text, "clipped_by {\n");
+        solid_print(solid->clip, depth + 1, text);
+        fprintf(text, "%*s} ", 4 * depth, "");
+    }
     fprintf(text, "%s%s%s}\n", solid->look, solid->inverse ? "inverse " : "",
             solid->motion);
 }
@@ -132,8 +141,13 @@ bool solid_leave_out(struct solid **place, size_t *way)
     if (leave_out_words(solid->look, way)
         || leave_out_words(solid->motion, way))
         return true;
-    if (!solid->inverse || !solid_is_next(way))
+    if (solid->inverse && solid_is_next(way)) {
+        solid->inverse = false;
+        return true;
+    }
+    if (!solid->clip || !solid_is_next(way))
         return false;
-    solid->inverse = false;
+    solid_free(solid->clip);
+    solid->clip = NULL;
     return true;
 }

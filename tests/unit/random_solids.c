@@ -209,6 +209,21 @@ static void add_mesh(char *text, size_t size)
         x, x, y, z, x, x, y, z, y, z, y, z, x);
 }
 
+/* One in ten things is clipped, in its place before it moves. */
+static void add_clip(char *text, size_t size)
+{
+    static void (*const add_shape[])(char *, size_t) = {
+        add_plane, add_ball, add_box, add_cylinder, add_cone, add_quadric
+    };
+
+    if (below(10))
+        return;
+    add_text(text, size, "clipped_by { ");
+    add_shape[below(sizeof add_shape / sizeof *add_shape)](text, size);
+    add_motion(text, size);
+    add_text(text, size, "%s} } ", below(4) ? "" : "inverse ");
+}
+
 static void add_leaf(char *text, size_t size)
 {
     static void (*const add_shape[])(char *, size_t) = {
@@ -220,8 +235,10 @@ static void add_leaf(char *text, size_t size)
 
     if (solids.meshes && (traced.reported || !solids.clear) && below(8) == 0)
         add_mesh(text, size);
-    else
+    else {
         add_shape[below(kinds)](text, size);
+        add_clip(text, size);
+    }
     add_look(text, size);
     add_text(text, size, below(8) ? "" : "inverse ");
     add_motion(text, size);
@@ -278,6 +295,8 @@ void add_solid(char *text, size_t size, size_t depth)
     solids.meshes = meshes && strcmp(joined[which].word, "union") == 0;
     add_text(text, size, "%s {\n", joined[which].word);
     add_children(text, size, depth);
+    if (!solids.meshes)
+        add_clip(text, size);
     add_motion(text, size);
     add_text(text, size, "}\n");
     solids.patches = patches;

@@ -194,13 +194,22 @@ static c205_word beyond_moderate(word_format f, uint64_t *seed)
     return within(f, seed, 6);
 }
 
-static c205_word positive(word_format f, uint64_t *seed)
+static c205_word absolute(word_format f, c205_word word)
 {
     uint64_t flags = 0;
-    c205_word word = anywhere(f, seed);
 
     return f.digits == WORD_DIGITS ? arith_absolute(word, &flags)
                                    : half_absolute(word, &flags);
+}
+
+static c205_word positive(word_format f, uint64_t *seed)
+{
+    return absolute(f, anywhere(f, seed));
+}
+
+static c205_word moderate_positive(word_format f, uint64_t *seed)
+{
+    return absolute(f, moderate(f, seed));
 }
 
 /* Squares and their neighbours, where a root turns. */
@@ -214,11 +223,27 @@ static c205_word about_a_square(word_format f, uint64_t *seed)
 }
 
 static supply *const supplies[] = {
-    special,     near,          around,          near_top,
-    near_bottom, anywhere,      any_bits,        unnormalised,
-    sparse,      mostly_usual,  or_machine_zero, positive,
-    zero,        mostly_zero,   about_usual,     beyond_usual,
-    moderate,    moderate_near, mostly_moderate, beyond_moderate,
+    special,
+    near,
+    around,
+    near_top,
+    near_bottom,
+    anywhere,
+    any_bits,
+    unnormalised,
+    sparse,
+    mostly_usual,
+    or_machine_zero,
+    positive,
+    zero,
+    mostly_zero,
+    about_usual,
+    beyond_usual,
+    moderate,
+    moderate_near,
+    mostly_moderate,
+    beyond_moderate,
+    moderate_positive,
 };
 
 static void fill(c205_word *words, size_t n, supply *next, word_format f,

@@ -92,11 +92,63 @@ static void test_trees(void **state)
           "intersection { object { H inverse translate x } " C " }",
           "&(!(&(0,!(1))),2) -++", 0 },
         { "object { difference { " A B " } inverse }", "!(&(0,!(1))) -+", 0 },
+        { "sphere { 0, 1 clipped_by { " C " } }", "&(0,1) ++", 0 },
+        { "sphere { 0, 1 clipped_by { " B C " } clipped_by { " D " } }",
+          "&(&(0,1,2),3) ++++", 0 },
+        { "union { " A B " clipped_by { " C " } }", "&(0,1) &(2,3) ++++", 0 },
+        { "merge { " A B " clipped_by { union { " C D " } } }",
+          "&(|(0,1),|(2,3)) ++++", 0 },
+        { "sphere { 0, 1 clipped_by { " C " } inverse }", "&(!(0),1) -+", 0 },
+        { "sphere { 0, 1 inverse clipped_by { " C " } inverse }", "&(0,1) ++",
+          0 },
+        { "difference { " A " sphere { 0, 1 clipped_by { difference { " B C
+          " } } } }",
+          "&(0,&(!(1),&(2,!(3)))) +-+-", 0 },
+        { "intersection { " A " merge { sphere { 0, 1 clipped_by { " C
+          " } } " B " inverse } }",
+          "&(0,&(&(!(1),2),!(3))) +-+-", 0 },
+        { "intersection { " A B " clipped_by { " C " } inverse }",
+          "&(|(!(0),!(1)),2) --+", 0 },
+        { "#declare H = sphere { 0, 1 clipped_by { " C " } }\n"
+          "object { H } difference { " A " object { H } }",
+          "&(0,1) &(2,&(!(3),4)) +++-+", 0 },
+        { "sphere { 0, 1 clipped_by { " C D " scale 2 } }", "&(0,1,2) +++",
+          0 },
+        { "sphere { 0, 1 bounded_by { " B " } }", "0 +", 0 },
+        { "intersection { " A B " bounded_by { box { -2, 2 } } }",
+          "&(0,1) ++", 0 },
+        { "intersection { " A C " bounded_by { sphere { 0, 2 } } }",
+          "&(0,1) ++", 0 },
+        { "union { " A B " bounded_by { box { -.9, 2 } } }", "0 1 ++", 1 },
+        { "union { " A B " bounded_by { box { -.9, 2 } scale 1.2 } }",
+          "0 1 ++", 0 },
+        { "union { " A B " bounded_by { clipped_by } }", "0 1 ++", 0 },
     };
 
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++)
         check_regions(rows[i].text, rows[i].reports, rows[i].regions);
+}
+
+/* What clips is not seen, casts no shadow and takes no look; a transform moves it
+ * if it comes later. */
+static void test_clips(void **state)
+{
+    struct scene *scene = read_scene(
+        "#default { pigment { rgbf 1 } }\n"
+        "sphere { 0, 1 translate y clipped_by { " C " } translate 2*y "
+        "pigment { rgbf <1, 0, 0, .5> } interior { ior 1.5 } }");
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    assert_true(!p[0].unseen && !p[0].no_shadow);
+    assert_true(p[1].unseen && p[1].no_shadow);
+    assert_close(p[0].to_world.rows[1][3], 3, CLOSE);
+    assert_close(p[1].to_world.rows[1][3], 2, CLOSE);
+    assert_true(pigment_is_clear(&p[0].pigment));
+    assert_false(pigment_is_clear(&p[1].pigment));
+    assert_close(p[1].ior, 1, CLOSE);
+    scene_free(scene);
 }
 
 /* A transform of the whole moves all parts. */
@@ -372,6 +424,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_trees),
+        cmocka_unit_test(test_clips),
         cmocka_unit_test(test_transforms),
         cmocka_unit_test(test_no_shadow),
         cmocka_unit_test(test_textures),

@@ -33,6 +33,7 @@ frame:
         .include "frame/begin_vector.s"
         .include "frame/intersect_vector.s"
         .include "solids/levels_vector.s"
+        .include "solids/unseen_vector.s"
 
 ; From here on registers have the names of the scalar program, which has them to
 ; itself (context_1984.s).

@@ -128,3 +128,4 @@ frame_store:
 
         .include "frame/samples.s"
         .include "frame/average_scalar.s"
+        .include "solids/unseen_scalar.s"

@@ -60,6 +60,7 @@ frame:
         .include "light/power_vector.s"
         .include "frame/samples.s"
         .include "frame/average_vector.s"
+        .include "solids/unseen_vector.s"
         .data
         .include "light/sky.s"
         .code

@@ -34,7 +34,29 @@ static bool add_branch(struct scene_object *object,
     if (!branches)
         return false;
     object->branches = branches;
-    branches[object->branch_count++] = (struct branch){ operation, size };
+    branches[object->branch_count++] = (struct branch){ operation, size,
+                                                        false };
+    return true;
+}
+
+/* Branches of another, and the parts that are their leaves. */
+static bool add_branches(struct scene_object *object,
+                         const struct branch *branches, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (!add_branch(object, branches[i].operation, branches[i].size))
+            return false;
+        object->branches[object->branch_count - 1].clips = branches[i].clips;
+    }
+    return true;
+}
+
+static bool add_parts(struct scene_object *object,
+                      const struct scene_part *parts, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!add_part(object, &parts[i]))
+            return false;
     return true;
 }
 
@@ -82,10 +104,8 @@ bool object_add(struct scene_object *object, const struct scene_object *child)
         if (!add_part(object, &part))
             return false;
     }
-    for (size_t i = 0; i < child->branch_count; i++)
-        if (!add_branch(object, child->branches[i].operation,
-                        child->branches[i].size))
-            return false;
+    if (!add_branches(object, child->branches, child->branch_count))
+        return false;
     for (size_t i = 0; i < child->light_count; i++)
         if (!object_add_light(object, &child->lights[i]))
             return false;
@@ -102,7 +122,7 @@ static bool add_root(struct scene_object *object,
         return false;
     memmove(object->branches + 1, object->branches,
             count * sizeof *object->branches);
-    object->branches[0] = (struct branch){ operation, count + 1 };
+    object->branches[0] = (struct branch){ operation, count + 1, false };
     return true;
 }
 
@@ -123,10 +143,106 @@ bool object_join(struct scene_object *object)
            || add_root(object, meet ? TREE_AND : TREE_OR);
 }
 
+static size_t count_leaves(const struct branch *branches, size_t count)
+{
+    size_t leaves = 0;
+
+    for (size_t i = 0; i < count; i++)
+        leaves += branches[i].operation == TREE_LEAF;
+    return leaves;
+}
+
+static bool is_clipped(const struct scene_object *object)
+{
+    for (size_t i = 0; i < object->branch_count; i++)
+        if (object->branches[i].clips)
+            return true;
+    return false;
+}
+
+/* Complements of an object's branches, under way: which part is the next leaf,
+ * and what has been made. */
+struct inverting {
+    struct scene_object *object;
+    size_t part;
+    struct scene_object made;
+};
+
+static void invert_parts(struct inverting *inverting, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        inverting->object->parts[inverting->part++]
+            .primitive.inverted ^= true;
+}
+
+static bool invert_branch(struct inverting *inverting, size_t at);
+
+/* An intersection, which becomes a merge, or a merge; or what is clipped, which
+ * stays where it is, and what clips, which stays as it is. */
+static bool invert_children(struct inverting *inverting, size_t at)
+{
+    const struct branch *from = inverting->object->branches;
+    struct branch root = from[at];
+    size_t end = at + root.size, place = inverting->made.branch_count;
+
+    if (!root.clips)
+        root.operation = root.operation == TREE_AND ? TREE_OR : TREE_AND;
+    if (!add_branches(&inverting->made, &root, 1)
+        || !invert_branch(inverting, at + 1))
+        return false;
+    for (at += 1 + from[at + 1].size; at < end; at += from[at].size) {
+        size_t leaves = count_leaves(&from[at], from[at].size);
+        if (root.clips
+                ? !add_branches(&inverting->made, &from[at], from[at].size)
+                : !invert_branch(inverting, at))
+            return false;
+        inverting->part += root.clips ? leaves : 0;
+    }
+    inverting->made.branches[place].size = inverting->made.branch_count
+                                           - place;
+    return true;
+}
+
+/* By de Morgan's rules: as in POV-Ray of a clipped solid only that is turned which
+ * is clipped. */
+static bool invert_branch(struct inverting *inverting, size_t at)
+{
+    const struct branch *from = &inverting->object->branches[at];
+    struct scene_object *made = &inverting->made;
+
+    switch (from->operation) {
+    case TREE_LEAF:
+        invert_parts(inverting, 1);
+        return add_branch(made, TREE_NOT, 2)
+               && add_branch(made, TREE_LEAF, 1);
+    case TREE_NOT: /* nothing below it is clipped */
+        invert_parts(inverting, count_leaves(from + 1, from->size - 1));
+        return add_branches(made, from + 1, from->size - 1);
+    case TREE_AND:
+    case TREE_OR: break;
+    }
+    return invert_children(inverting, at);
+}
+
+static bool invert_clipped(struct scene_object *object)
+{
+    struct inverting inverting = { .object = object };
+    bool done = invert_branch(&inverting, 0);
+
+    free(done ? object->branches : inverting.made.branches);
+    if (done) {
+        object->branches = inverting.made.branches;
+        object->branch_count = inverting.made.branch_count;
+    }
+    return done;
+}
+
 bool object_invert(struct scene_object *object)
 {
     if (!object_join(object))
         return false;
+    if (is_clipped(object))
+        return invert_clipped(object);
     for (size_t i = 0; i < object->part_count; i++)
         object->parts[i].primitive.inverted ^= true;
     if (object->branch_count == 0)
@@ -135,6 +251,44 @@ bool object_invert(struct scene_object *object)
         return add_root(object, TREE_NOT);
     remove_root(object);
     return true;
+}
+
+/* The solid of so many branches and parts, and behind it what clips it. */
+static bool add_clipped(struct scene_object *object,
+                        const struct branch *branches, size_t branch_count,
+                        const struct scene_part *parts, size_t part_count,
+                        const struct scene_object *clip)
+{
+    if (!add_branch(object, TREE_AND, 1 + branch_count + clip->branch_count))
+        return false;
+    object->branches[object->branch_count - 1].clips = true;
+    return add_branches(object, branches, branch_count)
+           && add_parts(object, parts, part_count)
+           && add_branches(object, clip->branches, clip->branch_count)
+           && add_parts(object, clip->parts, clip->part_count);
+}
+
+bool object_clip(struct scene_object *object, const struct scene_object *clip)
+{
+    struct scene_object made = *object;
+    const struct branch *branch = object->branches;
+    const struct scene_part *part = object->parts;
+    bool done = true;
+
+    made.branches = NULL;
+    made.parts = NULL;
+    made.branch_count = made.part_count = 0;
+    while (done && branch < object->branches + object->branch_count) {
+        size_t leaves = count_leaves(branch, branch->size);
+        done = add_clipped(&made, branch, branch->size, part, leaves, clip);
+        branch += branch->size;
+        part += leaves;
+    }
+    free(done ? object->branches : made.branches);
+    free(done ? object->parts : made.parts);
+    if (done)
+        *object = made;
+    return done;
 }
 
 /* As in POV-Ray it counts on the whole of a solid only. */

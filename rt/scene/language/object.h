@@ -32,6 +32,7 @@ enum joining { JOIN_APART, JOIN_MERGE, JOIN_INTERSECTION, JOIN_DIFFERENCE };
 struct branch {
     enum tree_operation operation;
     size_t size; /* branches from this one to the last below it */
+    bool clips;  /* an intersection with what clips its first child */
 };
 
 struct scene_object {
@@ -66,8 +67,11 @@ bool object_add_child(struct scene_object *object,
                       struct scene_object *child);
 /* All solids become one. */
 bool object_join(struct scene_object *object);
-/* The same, and what was outside becomes inside. */
+/* The same, and what was outside becomes inside; what clips stays. */
 bool object_invert(struct scene_object *object);
+/* Each solid is cut by all those of another, which are not seen. */
+bool object_clip(struct scene_object *object,
+                 const struct scene_object *clip);
 bool object_copy(struct scene_object *copy,
                  const struct scene_object *object);
 void object_move(struct scene_object *object, const struct placement *step);

@@ -1,5 +1,6 @@
 /* shape.c - solids made of others, objects and their modifiers. */
 #include "rt/scene/language/bicubic_patch.h"
+#include "rt/scene/language/clip.h"
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/mesh.h"
 #include "rt/scene/language/statement.h"
@@ -7,8 +8,8 @@
 
 #include <string.h>
 
-static bool count_primitives(struct reader *reader, size_t more,
-                             const struct scene_token *at)
+bool shape_count(struct reader *reader, size_t more,
+                 const struct scene_token *at)
 {
     reader->primitives_made += more;
     return reader->primitives_made <= PRIMITIVES_MOST
@@ -36,7 +37,7 @@ bool shape_copy(struct reader *reader, struct scene_object *copy,
     struct scene_token at = reader->token;
     size_t more = object->part_count + object->light_count;
 
-    if (!count_primitives(reader, more, &at)
+    if (!shape_count(reader, more, &at)
         || !mesh_count(reader, triangles_of(object), &at))
         return false;
     return object_copy(copy, object) || reader_no_memory(reader);
@@ -49,7 +50,7 @@ bool shape_add(struct reader *reader, struct scene_object *object,
     primitive->to_world = placement_none.to_world;
     primitive->to_local = placement_none.to_local;
     primitive->ior = 1;
-    if (!count_primitives(reader, 1, at))
+    if (!shape_count(reader, 1, at))
         return false;
     return object_add_primitive(object, primitive)
            || reader_no_memory(reader);
@@ -237,6 +238,8 @@ static const struct keyword modifiers[] = {
     { "inverse", read_inverse, 0 },
     { "no_shadow", read_no_shadow, 0 },
     { "sturm", read_sturm, 0 },
+    { "clipped_by", clipped_by_read, 0 },
+    { "bounded_by", bounded_by_read, 0 },
     { NULL, NULL, 0 },
 };
 
@@ -252,7 +255,6 @@ static const struct keyword modifiers_passed_over[] = {
 };
 
 static const struct keyword modifiers_left_out[] = {
-    { "bounded_by", item_left_out, 0 },
     { "color", item_left_out, 0 },
     { "colour", item_left_out, 0 },
     { "double_illuminate", item_left_out, 0 },
@@ -266,7 +268,6 @@ static const struct keyword modifiers_left_out[] = {
 };
 
 static const struct keyword modifiers_unsupported[] = {
-    { "clipped_by", item_unsupported, 0 },
     { "cutaway_textures", item_unsupported, 0 },
     { "no_image", item_unsupported, 0 },
     { NULL, NULL, 0 },

@@ -1,0 +1,286 @@
+#include "rt/scene/language/clip.h"
+
+#include "rt/scene/vector.h"
+#include "rt/shapes/shape.h"
+
+#include <string.h>
+
+/* ---- The objects in braces ----------------------------------------------- */
+
+/* What has been read of them: solids, one for each. */
+struct cutting {
+    struct scene_object solids;
+    bool as_said; /* `clipped_by` in bounded_by, which then says nothing */
+};
+
+/* It must say of each point on which side it is. */
+static bool check_inside(struct reader *reader,
+                         const struct scene_object *object,
+                         const struct scene_token *at)
+{
+    for (size_t i = 0; i < object->part_count; i++)
+        if (shape_is_surface(&object->parts[i].primitive))
+            return reader_fault(reader, at,
+                                "a %s has no inside, by which to cut",
+                                primitive_kind_name(
+                                    object->parts[i].primitive.kind));
+    return object->part_count > 0
+           || reader_fault(reader, at, "there is nothing by which to cut");
+}
+
+static bool read_solid(struct reader *reader, void *subject,
+                       const struct item *item)
+{
+    struct cutting *cutting = subject;
+    struct scene_object solid;
+    bool done;
+
+    memset(&solid, 0, sizeof solid);
+    done = shape_read(reader, &solid, item)
+           && check_inside(reader, &solid, &item->at)
+           && ((object_join(&solid) && object_add(&cutting->solids, &solid))
+               || reader_no_memory(reader));
+    scene_object_free(&solid);
+    return done;
+}
+
+static bool read_as_said(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct cutting *cutting = subject;
+
+    (void)reader;
+    (void)item;
+    cutting->as_said = true;
+    return true;
+}
+
+/* Of all of them. */
+static bool read_step(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    struct cutting *cutting = subject;
+    struct placement step;
+
+    if (!step_read(reader, item, &step))
+        return false;
+    object_move(&cutting->solids, &step);
+    return true;
+}
+
+static const struct keyword solids[] = {
+#define SHAPE(KIND, name, ...) { #name, read_solid, PRIMITIVE_##KIND },
+#include "rt/shapes/shapes.def"
+    OTHER_SHAPE_WORDS(read_solid),
+    STEP_WORDS(read_step),
+    { NULL, NULL, 0 },
+};
+static const struct keyword clipped_by_word[] = {
+    { "clipped_by", read_as_said, 0 },
+    { NULL, NULL, 0 },
+};
+static const struct keyword bounded_by_word[] = {
+    { "bounded_by", item_unsupported, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar of_clip = {
+    "an object to clip by", { solids, other_shapes, bounded_by_word }, NULL
+};
+static const struct grammar of_bound = {
+    "an object as a bound", { solids, other_shapes, clipped_by_word }, NULL
+};
+
+/* ---- clipped_by ---------------------------------------------------------- */
+
+/* Seen or not: what clips has no look, and takes none later. */
+static void hide(const struct reader *reader, struct scene_object *clip)
+{
+    for (size_t i = 0; i < clip->part_count; i++) {
+        struct scene_part *part = &clip->parts[i];
+        struct primitive *primitive = &part->primitive;
+
+        part->textured = part->filled = true;
+        primitive->pigment = reader->default_texture.pigment;
+        primitive->pigment.filter[0] = primitive->pigment.filter[1] = 0;
+        primitive->pigment.transmit[0] = primitive->pigment.transmit[1] = 0;
+        primitive->finish = reader->default_texture.finish;
+        primitive->ior = 1;
+        primitive->no_shadow = true;
+        primitive->unseen = true;
+    }
+}
+
+static bool has_mesh(const struct scene_object *object)
+{
+    for (size_t i = 0; i < object->part_count; i++)
+        if (object->parts[i].primitive.kind == PRIMITIVE_MESH)
+            return true;
+    return false;
+}
+
+static size_t count_solids(const struct scene_object *object)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < object->branch_count;
+         i += object->branches[i].size)
+        count++;
+    return count;
+}
+
+/* All of a solid that is made of others is one. */
+static bool make_whole(struct reader *reader, struct scene_object *object)
+{
+    return object->joining == JOIN_APART || object_join(object)
+           || reader_no_memory(reader);
+}
+
+/* Each solid of the object is one with what clips it. */
+static bool clip(struct reader *reader, struct scene_object *object,
+                 struct scene_object *by, const struct scene_token *at)
+{
+    size_t copies = count_solids(object) * by->part_count;
+
+    if (has_mesh(object))
+        return reader_fault(reader, at,
+                            "'clipped_by' of a mesh is not "
+                            "supported");
+    hide(reader, by);
+    return shape_count(reader, copies, at)
+           && (object_clip(object, by) || reader_no_memory(reader));
+}
+
+bool clipped_by_read(struct reader *reader, void *subject,
+                     const struct item *item)
+{
+    struct cutting cutting;
+    bool done;
+
+    memset(&cutting, 0, sizeof cutting);
+    done = block_read(reader, &of_clip, &cutting)
+           && make_whole(reader, subject);
+    if (done && cutting.solids.part_count > 0)
+        done = clip(reader, subject, &cutting.solids, &item->at);
+    scene_object_free(&cutting.solids);
+    return done;
+}
+
+/* ---- bounded_by ---------------------------------------------------------- */
+
+#define SLACK 1e-6 /* of a bound, in which it counts as reached */
+
+static bool box_holds(const struct primitive *box, const double point[3])
+{
+    for (int i = 0; i < 3; i++) {
+        double one = box->shape.box.corner[0][i];
+        double other = box->shape.box.corner[1][i];
+        double middle = (one + other) / 2, half = fabs(other - one) / 2;
+
+        if (!(fabs(point[i] - middle) <= half * (1 + SLACK)))
+            return false;
+    }
+    return true;
+}
+
+static bool sphere_holds(const struct primitive *sphere,
+                         const double point[3])
+{
+    double from[3];
+
+    for (int i = 0; i < 3; i++)
+        from[i] = point[i] - sphere->shape.sphere.center[i];
+    return length3(from) <= fabs(sphere->shape.sphere.radius) * (1 + SLACK);
+}
+
+/* A point of the world. */
+static bool holds(const struct primitive *bound, const double point[3])
+{
+    double local[3];
+
+    memcpy(local, point, sizeof local);
+    transform_point(&bound->to_local, local);
+    return bound->kind == PRIMITIVE_BOX ? box_holds(bound, local)
+                                        : sphere_holds(bound, local);
+}
+
+/* What a box about it, along the world's axes, does not leave; bounds are convex. */
+static bool holds_part(const struct primitive *bound,
+                       const struct primitive *part)
+{
+    struct bound about;
+
+    bound_primitive(part, &about);
+    for (int i = 0; i < 8; i++) {
+        double corner[3];
+        for (int axis = 0; axis < 3; axis++)
+            corner[axis] = i >> axis & 1 ? about.high[axis] : about.low[axis];
+        if (!holds(bound, corner))
+            return false;
+    }
+    return !bound_is_none(&about);
+}
+
+/* Does the branch lie within?  *part: its first leaf, then what is behind it. */
+static bool holds_branch(const struct primitive *bound,
+                         const struct scene_object *object, size_t at,
+                         size_t *part)
+{
+    const struct branch *branches = object->branches;
+    size_t end = at + branches[at].size;
+    bool any = false, all = true;
+
+    if (branches[at].operation == TREE_LEAF)
+        return holds_part(bound, &object->parts[(*part)++].primitive);
+    for (size_t child = at + 1; child < end; child += branches[child].size) {
+        bool held = holds_branch(bound, object, child, part);
+        any = any || held;
+        all = all && held;
+    }
+    return branches[at].operation == TREE_AND  ? any
+           : branches[at].operation == TREE_OR ? all
+                                               : false;
+}
+
+static bool holds_object(const struct scene_object *bound,
+                         const struct scene_object *object)
+{
+    const struct primitive *primitive = &bound->parts[0].primitive;
+    size_t part = 0;
+
+    if (bound->branch_count != 1
+        || (primitive->kind != PRIMITIVE_BOX
+            && primitive->kind != PRIMITIVE_SPHERE))
+        return false;
+    for (size_t i = 0; i < object->branch_count;
+         i += object->branches[i].size)
+        if (!holds_branch(primitive, object, i, &part))
+            return false;
+    return true;
+}
+
+/* Of one primitive POV-Ray forgets the bound. */
+static bool changes_nothing(const struct cutting *cutting,
+                            const struct scene_object *object)
+{
+    return cutting->as_said || object->part_count < 2
+           || cutting->solids.part_count == 0
+           || holds_object(&cutting->solids, object);
+}
+
+bool bounded_by_read(struct reader *reader, void *subject,
+                     const struct item *item)
+{
+    struct cutting cutting;
+    bool done;
+
+    memset(&cutting, 0, sizeof cutting);
+    done = block_read(reader, &of_bound, &cutting)
+           && make_whole(reader, subject);
+    if (done && !changes_nothing(&cutting, subject))
+        reader_report(reader, &item->at,
+                      "'bounded_by' is left out: whether it cuts the object "
+                      "is not known");
+    scene_object_free(&cutting.solids);
+    return done;
+}
