@@ -1,0 +1,81 @@
+/* test_banks.c - conflicts of long lists against the rule, access by access. */
+#include "tests/random.h"
+#include "vm/time/banks.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { LISTS = 2000, LENGTH_MOST = 1500, BANKS_MOST = 70 };
+
+/* An access begins one access after the one before, or when its bank is free. */
+static uint64_t by_the_rule(const struct banks *banks, uint64_t table,
+                            unsigned step, const c205_word *indices,
+                            size_t count)
+{
+    uint64_t free_at[BANKS_MOST] = { 0 }, next = 0;
+
+    for (size_t i = 0; i < count; i++) {
+        uint64_t address = (table + indices[i] * step)
+                           & UINT64_C(0xFFFFFFFFFFFF);
+        uint64_t *free_again = &free_at[address / 64 % banks->count];
+        uint64_t begin = next < *free_again ? *free_again : next;
+        *free_again = begin + banks->busy;
+        next = begin + banks->access;
+    }
+    return next - count * banks->access;
+}
+
+/* Ascending with gaps, in one bank, or anywhere. */
+static void fill(c205_word *indices, size_t count, size_t banks,
+                 uint64_t *seed)
+{
+    uint64_t kind = xorshift(seed) % 4, at = xorshift(seed) >> 16;
+
+    for (size_t i = 0; i < count; i++) {
+        uint64_t gap = kind == 0   ? 1 + xorshift(seed) % 3
+                       : kind == 1 ? banks * (xorshift(seed) % 2)
+                                   : xorshift(seed);
+        at = kind == 2 ? gap % (3 * banks) : at + gap;
+        indices[i] = at;
+    }
+}
+
+static void check_list(uint64_t *seed)
+{
+    static c205_word indices[LENGTH_MOST];
+    size_t count = (size_t)xorshift_between(seed, 0, LENGTH_MOST);
+    uint64_t access = 1 + xorshift(seed) % 3;
+    uint64_t table = xorshift(seed) >> 16, busy = xorshift(seed) % 16;
+    unsigned step = xorshift(seed) % 4 ? 64 : 32;
+    struct banks banks;
+
+    assert_true(banks_init(&banks,
+                           (size_t)xorshift_between(seed, 1, BANKS_MOST),
+                           access, busy));
+    fill(indices, count, banks.count, seed);
+    assert_int_equal(banks_conflicts(&banks, table, step, indices, count),
+                     by_the_rule(&banks, table, step, indices, count));
+    banks_free(&banks);
+}
+
+static void test_lists_by_chance(void **state)
+{
+    uint64_t seed = RANDOM_SEED;
+    (void)state;
+
+    for (int i = 0; i < LISTS; i++)
+        check_list(&seed);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_lists_by_chance),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
