@@ -19,12 +19,14 @@ struct transform {
 
 /* The ray through the picture at u, v (each -1/2 .. 1/2, v upwards) starts at
  * location and has the direction direction + u right + v up, not of length
- * one. */
+ * one; an orthographic camera's starts at location + u right + v up and has the
+ * direction direction. */
 struct camera {
     double location[3];
     double direction[3];
     double right[3];
     double up[3];
+    bool orthographic;
 };
 
 struct light {

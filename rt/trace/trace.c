@@ -119,7 +119,8 @@ static bool go_on(void *context)
 enum { CROSSINGS_USUAL = 6 };
 
 static struct object *assemble_form(const struct trace_options *options,
-                                    size_t crossings, c205_error *error)
+                                    const struct scene *scene,
+                                    c205_error *error)
 {
     struct asm_define defines[] = {
         { "QUEUE", (int64_t)options->queue },
@@ -128,9 +129,13 @@ static struct object *assemble_form(const struct trace_options *options,
         { NULL, 0 },
         { NULL, 0 },
         { NULL, 0 },
+        { NULL, 0 },
     };
     struct asm_define *next = &defines[1];
+    size_t crossings = most_crossings(scene);
 
+    if (scene->camera.orthographic)
+        *next++ = (struct asm_define){ "ORTHOGRAPHIC", 1 };
     if (options->historical)
         *next++ = (struct asm_define){ "HISTORICAL", 1 };
     if (options->variant)
@@ -181,9 +186,7 @@ static bool lay_out(struct trace *trace, const struct scene *scene,
                              : options->flat    ? BOUNDING_FLAT
                                                 : BOUNDING_HIERARCHY;
 
-    trace->work.program = trace->program = assemble_form(options,
-                                                         most_crossings(
-                                                             scene),
+    trace->work.program = trace->program = assemble_form(options, scene,
                                                          error);
     trace->work.layout = trace->layout = trace->program
                                              ? layout_new(trace->program,

@@ -41,7 +41,8 @@ static struct form {
     enum bounding bounding;
     enum visible visible;
     bool tiles;
-    struct trace *trace;       /* that has its program */
+    struct trace *trace[2];    /* that have its programs: in perspective,
+                                  orthographic */
     struct band_tracer tracer; /* .. and its machine */
 } forms[] = {
     { .mode = TRACE_SCALAR, .queue = 1 },
@@ -66,14 +67,11 @@ enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 4 };
 
 static c205_model *model;
 
-/* A program is assembled once, for all scenes. */
-static void assemble_forms(void)
+/* A program is assembled once, for all scenes with such a camera. */
+static void assemble_for(const char *camera, bool orthographic)
 {
-    struct scene *scene = scene_of("sphere { 0, 1 }");
+    struct scene *scene = scene_of(camera);
     c205_error error;
-    model = c205_model_find("cyber205-2pipe", &error);
-    if (!model)
-        give_up(error.message);
     for (size_t i = 0; i < FORMS; i++) {
         const struct trace_options options = { .mode = forms[i].mode,
                                                .queue = forms[i].queue,
@@ -81,17 +79,29 @@ static void assemble_forms(void)
                                                .width = WIDTH,
                                                .height = HEIGHT,
                                                .model = model };
-        forms[i].trace = trace_new(scene, &options, &error);
-        if (!forms[i].trace)
+        struct trace *trace = trace_new(scene, &options, &error);
+        if (!trace)
             give_up(error.message);
+        forms[i].trace[orthographic] = trace;
     }
     scene_free(scene);
+}
+
+static void assemble_forms(void)
+{
+    c205_error error;
+    model = c205_model_find("cyber205-2pipe", &error);
+    if (!model)
+        give_up(error.message);
+    assemble_for("camera { }", false);
+    assemble_for("camera { orthographic }", true);
 }
 
 static void free_forms(void)
 {
     for (size_t i = 0; i < FORMS; i++) {
-        trace_free(forms[i].trace);
+        trace_free(forms[i].trace[0]);
+        trace_free(forms[i].trace[1]);
         c205_free(forms[i].tracer.machine);
     }
     c205_model_free(model);
@@ -101,10 +111,11 @@ static void trace_form(struct form *form, const struct scene *scene,
                        c205_word words[WORDS])
 {
     c205_error error;
-    struct scene_layout *layout = layout_new(trace_program(form->trace),
-                                             scene, form->bounding, NULL,
-                                             NULL, &error);
-    const struct band_work work = { .program = trace_program(form->trace),
+    const struct object *program = trace_program(
+        form->trace[scene->camera.orthographic]);
+    struct scene_layout *layout = layout_new(program, scene, form->bounding,
+                                             NULL, NULL, &error);
+    const struct band_work work = { .program = program,
                                     .layout = layout,
                                     .model = model,
                                     .width = WIDTH,

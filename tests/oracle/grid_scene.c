@@ -288,6 +288,7 @@ static void random_view(uint64_t *state, struct grid_scene *scene)
     double s = scene->scale = below(state, 8) ? 1 : 1e-4;
     double x = s * on_grid(state), y = s * on_grid(state);
     double z = s * on_grid(state);
+    bool parallel = *state % 8 == 0; /* nothing else depends on it */
     switch (below(state, 8)) {
     case 0: /* rays run in faces */
     case 1:
@@ -304,11 +305,11 @@ static void random_view(uint64_t *state, struct grid_scene *scene)
         scene->aslant = true;
         solid_words(
             scene->view,
-            "location %g*<%.5f, %.5f, -%.5f> look_at %g*<.013, .0171, 0> "
+            "%slocation %g*<%.5f, %.5f, -%.5f> look_at %g*<.013, .0171, 0> "
             "right x*%d/%d angle %.2f",
-            s, between(state, -6, 6), between(state, -4, 6),
-            between(state, 5, 9), s, GRID_WIDTH, GRID_HEIGHT,
-            between(state, 20, 40));
+            parallel ? "orthographic " : "", s, between(state, -6, 6),
+            between(state, -4, 6), between(state, 5, 9), s, GRID_WIDTH,
+            GRID_HEIGHT, between(state, 20, 40));
         break;
     }
 }

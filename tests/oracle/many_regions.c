@@ -232,10 +232,12 @@ static void look_from_afar(const struct drawing *drawing)
                                           : whole_place(drawing);
     /* what is too near for look_at is no camera */
     double far = fmax(place.size * between(state, 1.2, 4), 1e-3);
+    bool parallel = *state % 6 == 0; /* nothing else depends on it */
     solid_words(drawing->scene->view,
-                "location <%.12g, %.12g, %.12g> "
+                "%slocation <%.12g, %.12g, %.12g> "
                 "look_at <%.12g, %.12g, %.12g> "
                 "right x*%zu/%zu angle %.2f",
+                parallel ? "orthographic " : "",
                 place.at[0] + far * between(state, -1, 1),
                 place.at[1] + far * between(state, -.6, 1),
                 place.at[2] - far * between(state, .7, 1.2),

@@ -152,9 +152,11 @@ static struct ray camera_ray(const struct camera *camera, double u, double v)
 {
     struct ray ray;
     for (int i = 0; i < 3; i++) {
-        ray.origin[i] = camera->location[i];
-        ray.direction[i] = camera->direction[i] + u * camera->right[i]
-                           + v * camera->up[i];
+        double across = u * camera->right[i] + v * camera->up[i];
+        ray.origin[i] = camera->location[i]
+                        + (camera->orthographic ? across : 0);
+        ray.direction[i] = camera->direction[i]
+                           + (camera->orthographic ? 0 : across);
     }
     normalise(ray.direction);
     return ray;

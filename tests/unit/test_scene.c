@@ -208,6 +208,36 @@ static void test_camera(void **state)
     scene_free(read_with("camera { } camera { location x }", 1));
 }
 
+/* What an orthographic camera shows: POV-Ray 3.7's, measured by its pictures. */
+static void test_orthographic(void **state)
+{
+    static const struct {
+        const char *words;
+        double right, up;
+    } rows[] = {
+        { "location -5*z look_at 0", 1.33 * 5, 5 },
+        { "location -5*z look_at 0 direction 2*z", 1.33 * 5 / 2, 5. / 2 },
+        { "location -5*z look_at 0 right 4*x up 3*y", 4, 3 },
+        { "location -5*z look_at 0 right 4*x", 4, 1 },
+        { "location -5*z look_at 0 up 3*y", 1.33, 3 },
+        { "location -5*z look_at 0 right 2*x up y angle 90", 10, 5 },
+        { "location -5*z angle 90", 12, 12 / 1.33 },
+        { "location -5*z", 1.33 * 6, 6 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        char text[200];
+        snprintf(text, sizeof text, "camera { orthographic %s }",
+                 rows[i].words);
+        struct scene *scene = read_scene(text);
+        assert_true(scene->camera.orthographic);
+        assert_vector(scene->camera.right, rows[i].right, 0, 0);
+        assert_vector(scene->camera.up, 0, rows[i].up, 0);
+        scene_free(scene);
+    }
+}
+
 static void test_primitives(void **state)
 {
     struct scene *scene = read_scene("sphere { <1, 2, 3>, -2 }\n"
@@ -502,6 +532,7 @@ int main(void)
         cmocka_unit_test(test_rotations),
         cmocka_unit_test(test_colors),
         cmocka_unit_test(test_camera),
+        cmocka_unit_test(test_orthographic),
         cmocka_unit_test(test_primitives),
         cmocka_unit_test(test_transforms),
         cmocka_unit_test(test_no_transform),

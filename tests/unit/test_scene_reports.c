@@ -25,7 +25,7 @@ static void test_errors(void **state)
         { "sphere { 0, 1 clipped_by { light_source { 0, 1 } } }", 1, 28,
           "nothing by which to cut" },
         { "sphere { 0, 1 inverted }", 1, 15, "found 'inverted'" },
-        { "camera { orthographic }", 1, 10, "'orthographic'" },
+        { "camera { fisheye }", 1, 10, "'fisheye'" },
         { "sphere { 0, Foo }", 1, 13, "'Foo', which is not declared" },
         { "sphere { 0, 0 }", 1, 13, "the radius is 0" },
         { "sphere { 0, 1", 1, 14, "expected '}' for the '{' of line 1" },

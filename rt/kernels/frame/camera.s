@@ -8,8 +8,12 @@
 ;   base = direction + (1/2 per column - 1/2 right)
 ;                    + (1/2 per row + 1/2 up)
 ;
+; The rays of an orthographic camera (ORTHOGRAPHIC = 1) start at
+; location + u right + v up, in one direction: so location has the place of
+; direction above, and the direction, of length one, that of location.
+;
 ; In: scene_camera, scene_width, scene_height.  Out: view.
-; Source: POV-Ray's perspective camera, as shared by every tracer.
+; Source: POV-Ray's cameras; that in perspective is shared by every tracer.
 ;
 ; It is called once, from the main program, with its registers its own.
 
@@ -46,9 +50,24 @@ camera:
         SWAP    [size_at], cam_width, [r0]
         EX      size_at, k_half
         LOD     [size_at], cam_half
+        .if     ORTHOGRAPHIC
+        MPYS    cam_dirx, cam_dirx, view_locx
+        MPYS    cam_diry, cam_diry, view_locy
+        MPYS    cam_dirz, cam_dirz, view_locz
+        ADDN    view_locx, view_locy, cam_t
+        ADDN    cam_t, view_locz, cam_t
+        SQRT    cam_t, cam_t
+        DIVS    cam_dirx, cam_t, view_locx
+        DIVS    cam_diry, cam_t, view_locy
+        DIVS    cam_dirz, cam_t, view_locz
+        RTOR    cam_locx, cam_dirx
+        RTOR    cam_locy, cam_diry
+        RTOR    cam_locz, cam_dirz
+        .else
         RTOR    cam_locx, view_locx
         RTOR    cam_locy, view_locy
         RTOR    cam_locz, view_locz
+        .endif
         view_axis cam_dirx, cam_rightx, cam_upx, view_basex, view_colx, view_rowx
         view_axis cam_diry, cam_righty, cam_upy, view_basey, view_coly, view_rowy
         view_axis cam_dirz, cam_rightz, cam_upz, view_basez, view_colz, view_rowz

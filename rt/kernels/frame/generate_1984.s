@@ -5,6 +5,9 @@
         .share  loop
         .regs   r156, first_pixel, to_dx, to_dy, to_dz
         .regs   r160, made_dx, made_dy, made_dz
+        .if     ORTHOGRAPHIC
+        .regs   r178, to_ox, to_oy, to_oz, made_ox, made_oy, made_oz
+        .endif
         .endshare
 
         .data
@@ -21,8 +24,14 @@ generate:
         ADDX    s1, position, s1
         hand_over s1
         hand_over adx, 3, 1
+        .if     ORTHOGRAPHIC
+        hand_over aox, 3, 4
+        .endif
         to_scalar
         load_at operands, 4, first_pixel
+        .if     ORTHOGRAPHIC
+        load_at operands + 64 * 4, 3, to_ox
+        .endif
         RTOR    n, loop_count
         ES      loop_index, 0
         EX      loop_at, scene_width
@@ -44,6 +53,12 @@ generate_next:
         STO     [to_dx, loop_index], made_dx
         STO     [to_dy, loop_index], made_dy
         STO     [to_dz, loop_index], made_dz
+        .if     ORTHOGRAPHIC
+        load_at made_ray, 3, made_ox
+        STO     [to_ox, loop_index], made_ox
+        STO     [to_oy, loop_index], made_oy
+        STO     [to_oz, loop_index], made_oz
+        .endif
         IBXNE   tile_places, r0, r0, generate_next_of_tile
         ADDN    column, m_one, column
         CFPLT   column, width, generate_same_row

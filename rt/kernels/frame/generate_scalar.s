@@ -38,6 +38,14 @@ generate_ray:
         ADDN    g_t, g_dx, g_dx
         ADDN    g_u, g_dy, g_dy
         ADDN    third, g_dz, g_dz
+        .if     ORTHOGRAPHIC
+        RTOR    g_dx, g_ox
+        RTOR    g_dy, g_oy
+        RTOR    g_dz, g_oz
+        RTOR    g_lx, g_dx
+        RTOR    g_ly, g_dy
+        RTOR    g_lz, g_dz
+        .else
         dot     g_dx, g_dy, g_dz, g_dx, g_dy, g_dz, g_t, g_u
         SQRT    g_t, g_t
         DIVS    m_one, g_t, g_t
@@ -47,6 +55,7 @@ generate_ray:
         RTOR    g_lx, g_ox
         RTOR    g_ly, g_oy
         RTOR    g_lz, g_oz
+        .endif
         SWAP    [r0], g_ox, [g_ray]
         leave   generate_save, GENERATE_REGISTERS
         .endkernel

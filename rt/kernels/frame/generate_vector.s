@@ -4,12 +4,13 @@
 ; k - width row; its ray is  base + column per_column + row per_row  (see
 ; camera.s), brought to length one.  k / width is cut towards zero, never up,
 ; so that its floor is the row for every k.  They start at one point, which is
-; in aox aoy aoz all the time.
+; in aox aoy aoz all the time; those of an orthographic camera have one direction,
+; and start there.
 ;
 ; A queue by tiles: order_vector.s.
 ;
 ; In:  position (the first k, from the band's first pixel on), n; view.
-; Out: adx ady adz.
+; Out: adx ady adz; aox aoy aoz of an orthographic camera.
 ; Source: camera.s for the formula; derived here for vectors of any length.
 
         .share  scratch
@@ -46,10 +47,22 @@ generate:
         MPYSV   [w1], width, [w2]
         SUBNV   [w0], [w2], [w0]
 generate_directions:
+        .if     ORTHOGRAPHIC
+        direction basex, colx, rowx, aox
+        direction basey, coly, rowy, aoy
+        direction basez, colz, rowz, aoz
+        EX      s0, view + 64 * VIEW_LOCATION
+        ELEN    s0, 3
+        SWAP    [s0], basex, [r0]
+        VTOV    basex, [adx]
+        VTOV    basey, [ady]
+        VTOV    basez, [adz]
+        .else
         direction basex, colx, rowx, adx
         direction basey, coly, rowy, ady
         direction basez, colz, rowz, adz
         normalise adx, ady, adz, w2, w3
+        .endif
         BIM     0, link_kernel
 
 generate_tile:

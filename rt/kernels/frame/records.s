@@ -110,6 +110,11 @@
         .equ    CROSSINGS_MOST, 6
         .endif
 
+; 1: the rays of the camera are parallel, and start at many points (camera.s).
+        .ifndef ORTHOGRAPHIC
+        .equ    ORTHOGRAPHIC, 0
+        .endif
+
 ; A row of a prism's table: a corner of its path, and the edge back to the one
 ; before, as its normal wants it.
         .record PRISM
@@ -275,8 +280,9 @@ rays_shadow:      .word 0
 
 ; What camera.s makes of the camera.
         .record VIEW
-        .field  VIEW_LOCATION, 3
+        .field  VIEW_LOCATION, 3   ; of an orthographic camera the direction ..
         .field  VIEW_BASE, 3       ; direction of the ray through the first pixel,
+                                ; .. its origin
         .field  VIEW_COLUMN, 3     ; its change per column
         .field  VIEW_ROW, 3        ; and per row
         .endrecord

@@ -94,6 +94,17 @@ order_hit_store: .space QUEUE
         IBXNE   parts_left, minus_one_index, r0, \again, parts_left
         .endm
 
+; To other if the rays are not those of the camera; but for an orthographic one
+; these alone start at one point.
+        .macro  unless_first_level other
+        .if     ORTHOGRAPHIC
+        load_word scene_levels, s0
+        IBXNE   level, r0, s0, \other
+        .else
+        IBXEQ   from_one_point, r0, r0, \other
+        .endif
+        .endm
+
         .kernel shade
 shade:
         RTOR    link, link_shade
@@ -105,7 +116,7 @@ shade:
         VTOV    s1, [out_red]
         VTOV    s2, [out_green]
         VTOV    s3, [out_blue]
-        IBXEQ   from_one_point, r0, r0, shade_sky
+        unless_first_level shade_sky
         describe near_bits, queue_bits, n
         VTOV    r0, [out_depth]
         CMPNEV  [met], r0, [near_bits]
@@ -284,7 +295,7 @@ shade_store_at:
         VTOVX   [s3], [red], [out_red]
         VTOVX   [s3], [green], [out_green]
         VTOVX   [s3], [blue], [out_blue]
-        IBXEQ   from_one_point, r0, r0, shade_done
+        unless_first_level shade_done
         VTOVX   [s3], [nx], [out_nx]
         VTOVX   [s3], [ny], [out_ny]
         VTOVX   [s3], [nz], [out_nz]

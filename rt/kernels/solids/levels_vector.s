@@ -162,7 +162,7 @@ first_in_rows:
         describe s2, importance_one, n
         EX      s3, queue_importance
         STO     [s3], s2
-        ES      from_one_point, 1
+        ES      from_one_point, 1 - ORTHOGRAPHIC
         EX      target, generate
         BSAVE   link_kernel, [target]
         BIM     0, link_walk

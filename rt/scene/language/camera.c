@@ -12,7 +12,8 @@
 
 /* POV-Ray's right is 1.33 x, not 4/3 x. */
 const struct camera_setting camera_default = {
-    { { 0, 0, 0 }, { 0, 0, 1 }, { 1.33, 0, 0 }, { 0, 1, 0 } }, { 0, 1, 0 }
+    { { 0, 0, 0 }, { 0, 0, 1 }, { 1.33, 0, 0 }, { 0, 1, 0 }, false },
+    { 0, 1, 0 }
 };
 
 struct camera_reading {
@@ -20,6 +21,7 @@ struct camera_reading {
     double angle; /* degrees; 0: not given */
     double look_at[3];
     bool looks;
+    bool spans; /* right or up is given */
     struct placement placement;
 };
 
@@ -30,6 +32,15 @@ static bool read_vector_of(struct reader *reader, void *subject,
     void *member = (char *)subject + item->keyword->detail;
 
     return read_vector(reader, member);
+}
+
+static bool read_span(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    struct camera_reading *reading = subject;
+
+    reading->spans = true;
+    return read_vector_of(reader, subject, item);
 }
 
 static bool read_look_at(struct reader *reader, void *subject,
@@ -54,12 +65,14 @@ static bool read_angle(struct reader *reader, void *subject,
                            "the angle is not between 0 and 180 degrees");
 }
 
-static bool read_perspective(struct reader *reader, void *subject,
-                             const struct item *item)
+/* perspective, orthographic: the detail. */
+static bool read_kind(struct reader *reader, void *subject,
+                      const struct item *item)
 {
+    struct camera_reading *reading = subject;
+
     (void)reader;
-    (void)subject;
-    (void)item;
+    reading->setting.camera.orthographic = item->keyword->detail;
     return true;
 }
 
@@ -76,20 +89,20 @@ static bool read_step(struct reader *reader, void *subject,
 }
 
 /* clang-format off */
-#define OF_CAMERA(name) \
-    { #name, read_vector_of, \
-      offsetof(struct camera_reading, setting.camera.name) }
+#define OF_CAMERA(name, read) \
+    { #name, read, offsetof(struct camera_reading, setting.camera.name) }
 /* clang-format on */
 
 static const struct keyword words[] = {
-    OF_CAMERA(location),
-    OF_CAMERA(direction),
-    OF_CAMERA(right),
-    OF_CAMERA(up),
+    OF_CAMERA(location, read_vector_of),
+    OF_CAMERA(direction, read_vector_of),
+    OF_CAMERA(right, read_span),
+    OF_CAMERA(up, read_span),
     { "sky", read_vector_of, offsetof(struct camera_reading, setting.sky) },
     { "look_at", read_look_at, 0 },
     { "angle", read_angle, 0 },
-    { "perspective", read_perspective, 0 },
+    { "perspective", read_kind, false },
+    { "orthographic", read_kind, true },
     STEP_WORDS(read_step),
     { NULL, NULL, 0 },
 };
@@ -106,7 +119,6 @@ static const struct keyword unsupported[] = {
     { "fisheye", item_unsupported, 0 },
     { "mesh_camera", item_unsupported, 0 },
     { "omnimax", item_unsupported, 0 },
-    { "orthographic", item_unsupported, 0 },
     { "panoramic", item_unsupported, 0 },
     { "spherical", item_unsupported, 0 },
     { "ultra_wide_angle", item_unsupported, 0 },
@@ -128,6 +140,22 @@ static void apply_angle(struct camera *camera, double angle)
     if (angle > 0)
         set_length(camera->direction,
                    length3(camera->right) / tan(angle * PI / 360) / 2);
+}
+
+/* An orthographic camera shows as much of what it looks at as one in perspective
+ * would, unless right or up says how much; with an angle always. */
+static void apply_distance(struct camera_reading *reading)
+{
+    struct camera *camera = &reading->setting.camera;
+    double ahead[3], distance;
+
+    if (!camera->orthographic || (reading->spans && reading->angle == 0))
+        return;
+    for (int i = 0; i < 3; i++)
+        ahead[i] = reading->look_at[i] - camera->location[i];
+    distance = length3(ahead) / length3(camera->direction);
+    scale3(distance, camera->right);
+    scale3(distance, camera->up);
 }
 
 static double handedness(const struct camera *camera)
@@ -187,9 +215,8 @@ static bool is_sound(const struct camera *camera)
 bool camera_read(struct reader *reader, const struct scene_token *at,
                  struct camera_setting *setting)
 {
-    struct camera_reading reading = {
-        *setting, 0, { 0, 0, 0 }, false, placement_none
-    };
+    struct camera_reading reading = { *setting, 0,     { 0, 0, 1 },
+                                      false,    false, placement_none };
     struct camera *camera = &reading.setting.camera;
     struct block block;
 
@@ -200,6 +227,7 @@ bool camera_read(struct reader *reader, const struct scene_token *at,
     apply_angle(camera, reading.angle);
     if (reading.looks && !apply_look_at(reader, at, &reading))
         return false;
+    apply_distance(&reading);
     apply_placement(camera, &reading.placement.to_world);
     *setting = reading.setting;
     return is_sound(camera)
