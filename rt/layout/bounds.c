@@ -17,22 +17,6 @@ static size_t gather(const struct scene *scene, size_t node,
     return count;
 }
 
-/* The least of the spheres, and what the boxes have in common. */
-static struct bound common_of(const struct bound *children, size_t count)
-{
-    struct bound least = bound_none;
-
-    for (size_t i = 0; i < count; i++)
-        if (children[i].radius < least.radius)
-            least = children[i];
-    for (size_t i = 0; i < count; i++)
-        for (int axis = 0; axis < 3; axis++) {
-            least.low[axis] = fmax(least.low[axis], children[i].low[axis]);
-            least.high[axis] = fmin(least.high[axis], children[i].high[axis]);
-        }
-    return least;
-}
-
 /* In a tree; alone it has what is seen of it. */
 static void bound_leaf(const struct primitive *primitive, struct bound *bound)
 {
@@ -60,7 +44,7 @@ static void bound_node(const struct scene *scene, size_t node,
         bound_leaf(&scene->primitives[scene->nodes[node].primitive],
                    &bounds[node]);
         break;
-    case TREE_AND: bounds[node] = common_of(children, count); break;
+    case TREE_AND: bound_common(children, count, &bounds[node]); break;
     case TREE_OR: bound_enclose(children, count, &bounds[node]); break;
     case TREE_NOT: bounds[node] = bound_none; break;
     }

@@ -116,6 +116,20 @@ void bound_enclose(const struct bound *parts, size_t count,
     bound_box(parts, count, whole);
 }
 
+void bound_common(const struct bound *parts, size_t count,
+                  struct bound *whole)
+{
+    *whole = bound_none;
+    for (size_t i = 0; i < count; i++)
+        if (parts[i].radius < whole->radius)
+            *whole = parts[i];
+    for (size_t i = 0; i < count; i++)
+        for (int axis = 0; axis < 3; axis++) {
+            whole->low[axis] = fmax(whole->low[axis], parts[i].low[axis]);
+            whole->high[axis] = fmin(whole->high[axis], parts[i].high[axis]);
+        }
+}
+
 /* --- hulls --------------------------------------------------------------- */
 
 void hull_point(struct hull *hull, const struct primitive *primitive,

@@ -24,6 +24,10 @@ double bound_reach(const struct bound *bound, const double from[3]);
 /* About others: a sphere little greater than the least, and the least box. */
 void bound_enclose(const struct bound *parts, size_t count,
                    struct bound *whole);
+/* What lies within all of them: the least of the spheres, and what the boxes have
+ * in common. */
+void bound_common(const struct bound *parts, size_t count,
+                  struct bound *whole);
 /* A primitive in the world.  Planes, quadrics and quartics have none. */
 void bound_primitive(const struct primitive *primitive, struct bound *bound);
 

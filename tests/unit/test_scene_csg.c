@@ -120,6 +120,19 @@ static void test_trees(void **state)
         { "intersection { " A C " bounded_by { sphere { 0, 2 } } }",
           "&(0,1) ++", 0 },
         { "union { " A B " bounded_by { box { -.9, 2 } } }", "0 1 ++", 1 },
+        { "intersection { quadric { <1, 0, 1>, 0, 0, -1 } " A
+          " bounded_by { sphere { 0, 1.001 } } }",
+          "&(0,1) ++", 0 },
+        { "intersection { box { <-2, 0, -.1>, <2, 5, 1.1> } "
+          "merge { box { -9*y, 1 } box { <-1, -1, 0>, <0, 9, 1> } } "
+          "bounded_by { box { <-2, 0, 0>, <2, 5, 1> } } }",
+          "&(0,|(1,2)) +++", 0 },
+        { "merge { sphere { 0, 1 } sphere { x, 1 } bounded_by { sphere { "
+          ".25*x, .7 } scale 2 } }",
+          "|(0,1) ++", 1 },
+        { "merge { sphere { 0, 1 } sphere { x, 1 } bounded_by { sphere { "
+          ".25*x, .76 } scale 2 rotate 0 } }",
+          "|(0,1) ++", 0 },
         { "union { " A B " bounded_by { box { -.9, 2 } scale 1.2 } }",
           "0 1 ++", 0 },
         { "union { " A B " bounded_by { clipped_by } }", "0 1 ++", 0 },

@@ -204,42 +204,79 @@ static bool holds(const struct primitive *bound, const double point[3])
                                         : sphere_holds(bound, local);
 }
 
-/* What a box about it, along the world's axes, does not leave; bounds are convex. */
-static bool holds_part(const struct primitive *bound,
-                       const struct primitive *part)
+/* The bound is convex: it holds a box if it holds its corners. */
+static bool holds_box(const struct primitive *bound,
+                      const struct bound *about)
 {
-    struct bound about;
-
-    bound_primitive(part, &about);
     for (int i = 0; i < 8; i++) {
         double corner[3];
         for (int axis = 0; axis < 3; axis++)
-            corner[axis] = i >> axis & 1 ? about.high[axis] : about.low[axis];
+            corner[axis] = i >> axis & 1 ? about->high[axis]
+                                         : about->low[axis];
         if (!holds(bound, corner))
             return false;
     }
-    return !bound_is_none(&about);
+    return true;
 }
 
-/* Does the branch lie within?  *part: its first leaf, then what is behind it. */
-static bool holds_branch(const struct primitive *bound,
-                         const struct scene_object *object, size_t at,
-                         size_t *part)
+/* Is the sphere one in the world, too?  Then how large, else 0. */
+static double radius_in_world(const struct primitive *sphere)
+{
+    const double(*rows)[4] = sphere->to_world.rows;
+    double square = dot3(rows[0], rows[0]);
+
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            if (!(fabs(dot3(rows[i], rows[k]) - (i == k ? square : 0))
+                  <= SLACK * square))
+                return 0;
+    return fabs(sphere->shape.sphere.radius) * sqrt(square);
+}
+
+static bool holds_sphere(const struct primitive *bound,
+                         const struct bound *about)
+{
+    double from[3];
+
+    if (bound->kind != PRIMITIVE_SPHERE)
+        return false;
+    memcpy(from, bound->shape.sphere.center, sizeof from);
+    transform_point(&bound->to_world, from);
+    for (int i = 0; i < 3; i++)
+        from[i] -= about->center[i];
+    return length3(from) + about->radius
+           <= radius_in_world(bound) * (1 + SLACK);
+}
+
+/* Without the margin that rays need. */
+static void bound_part(const struct primitive *primitive, struct bound *bound)
+{
+    const struct shape *shape = shape_of(primitive);
+
+    (shape->endless ? bound_without : shape->bound)(primitive, bound);
+}
+
+/* What is about a branch.  *part: its first leaf, then what is behind it. */
+static void bound_branch(const struct scene_object *object, size_t at,
+                         size_t *part, struct bound *whole)
 {
     const struct branch *branches = object->branches;
+    enum tree_operation operation = branches[at].operation;
     size_t end = at + branches[at].size;
-    bool any = false, all = true;
+    struct bound both[2];
 
-    if (branches[at].operation == TREE_LEAF)
-        return holds_part(bound, &object->parts[(*part)++].primitive);
-    for (size_t child = at + 1; child < end; child += branches[child].size) {
-        bool held = holds_branch(bound, object, child, part);
-        any = any || held;
-        all = all && held;
+    if (operation == TREE_LEAF) {
+        bound_part(&object->parts[(*part)++].primitive, whole);
+        return;
     }
-    return branches[at].operation == TREE_AND  ? any
-           : branches[at].operation == TREE_OR ? all
-                                               : false;
+    bound_branch(object, at + 1, part, &both[0]);
+    for (at += 1 + branches[at + 1].size; at < end; at += branches[at].size) {
+        bound_branch(object, at, part, &both[1]);
+        (operation == TREE_AND ? bound_common : bound_enclose)(both, 2,
+                                                               whole);
+        both[0] = *whole;
+    }
+    *whole = operation == TREE_NOT ? bound_none : both[0];
 }
 
 static bool holds_object(const struct scene_object *bound,
@@ -253,9 +290,12 @@ static bool holds_object(const struct scene_object *bound,
             && primitive->kind != PRIMITIVE_SPHERE))
         return false;
     for (size_t i = 0; i < object->branch_count;
-         i += object->branches[i].size)
-        if (!holds_branch(primitive, object, i, &part))
+         i += object->branches[i].size) {
+        struct bound about;
+        bound_branch(object, i, &part, &about);
+        if (!holds_box(primitive, &about) && !holds_sphere(primitive, &about))
             return false;
+    }
     return true;
 }
 
