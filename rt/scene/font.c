@@ -20,7 +20,7 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
-#define FLATNESS 5e-4 /* em */
+#define FLATNESS 1e-4 /* em: a curved side is shaded as a curve's */
 enum { EDGES_MOST = 64 /* of one curve */, TURNS_MOST = 100 };
 
 /* ---- The library --------------------------------------------------------- */

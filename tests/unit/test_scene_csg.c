@@ -115,6 +115,8 @@ static void test_trees(void **state)
         { "sphere { 0, 1 clipped_by { " C D " scale 2 } }", "&(0,1,2) +++",
           0 },
         { "sphere { 0, 1 bounded_by { " B " } }", "0 +", 0 },
+        { "plane { y, 0 bounded_by { " B " } }", "0 +", 0 },
+        { "quadric { <1, 0, 1>, 0, 0, -1 bounded_by { " B " } }", "0 +", 1 },
         { "intersection { " A B " bounded_by { box { -2, 2 } } }",
           "&(0,1) ++", 0 },
         { "intersection { " A C " bounded_by { sphere { 0, 2 } } }",

@@ -299,11 +299,21 @@ static bool holds_object(const struct scene_object *bound,
     return true;
 }
 
-/* Of one primitive POV-Ray forgets the bound. */
+/* Of one primitive POV-Ray forgets the bound, unless it is one that has no end. */
+static bool is_forgotten(const struct scene_object *object)
+{
+    enum primitive_kind kind;
+
+    if (object->part_count != 1)
+        return object->part_count == 0;
+    kind = object->parts[0].primitive.kind;
+    return kind != PRIMITIVE_QUADRIC && kind != PRIMITIVE_QUARTIC;
+}
+
 static bool changes_nothing(const struct cutting *cutting,
                             const struct scene_object *object)
 {
-    return cutting->as_said || object->part_count < 2
+    return cutting->as_said || is_forgotten(object)
            || cutting->solids.part_count == 0
            || holds_object(&cutting->solids, object);
 }
