@@ -1,5 +1,6 @@
 #include "rt/layout/layout.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -393,6 +394,36 @@ static void layout_sky(struct record_layout *layout,
     free(stops);
 }
 
+/* light/fog.s has the formula. */
+static void put_fog(struct record *record, const struct fog *fog)
+{
+    double scale = -1 / (fog->distance * log(2)), pass[3];
+
+    for (size_t i = 0; i < 3; i++)
+        pass[i] = 1 - fog->filter + fog->filter * fog->color[i];
+    record_numbers(record, "FOG_SCALE", &scale, 1);
+    record_numbers(record, "FOG_LEAST", &fog->transmit, 1);
+    record_numbers(record, "FOG_COLOR", fog->color, 3);
+    record_numbers(record, "FOG_PASS", pass, 3);
+    record_write(record);
+}
+
+static void layout_fogs(struct record_layout *layout,
+                        const struct scene *scene)
+{
+    struct record record;
+
+    if (scene->fog_count == 0)
+        return;
+    record_begin(&record, layout, "FOG_SIZE", scene->fog_count, 0);
+    layout_word(layout, "scene_fogs", record.address);
+    layout_word(layout, "scene_fog_count",
+                c205_from_integer((int64_t)scene->fog_count));
+    for (size_t i = 0; i < scene->fog_count; i++)
+        put_fog(&record, &scene->fogs[i]);
+    record_end(&record);
+}
+
 /* Where the pixels go that are made of samples. */
 static void layout_samples(struct record_layout *layout, double gamma,
                            struct frame_layout *frame)
@@ -463,6 +494,7 @@ struct scene_layout *layout_new(const struct object *program,
     layout_solids(&layout, scene, bounding);
     layout_levels(&layout, scene);
     layout_lights(&layout, scene);
+    layout_fogs(&layout, scene);
     whole->program = program;
     whole->end = layout.free;
     whole->gamma = scene->assumed_gamma;

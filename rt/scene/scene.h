@@ -73,6 +73,14 @@ struct pigment {
 /* Light passes, for one of its colours at least. */
 bool pigment_is_clear(const struct pigment *pigment);
 
+/* Of the same density everywhere: at its distance a share of 1/e is seen through
+ * it, of light that is not fogged; transmit of it at least. */
+struct fog {
+    double distance; /* above 0 */
+    double color[3], filter, transmit;
+};
+enum { FOGS_MOST = 16 };
+
 struct primitive; /* rt/shapes/primitive.h */
 
 /* A Boolean tree over primitives, its nodes in preorder: a node, then all that
@@ -100,6 +108,8 @@ struct scene {
     struct pigment
         sky; /* of directions: a gradient, before the background; any
                            other kind: there is none */
+    size_t fog_count;
+    struct fog fogs[FOGS_MOST];
     double ambient_light[3];
     double assumed_gamma; /* 0: not given */
     int max_trace_level;  /* rays in a chain of reflections, the first

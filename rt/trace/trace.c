@@ -130,12 +130,15 @@ static struct object *assemble_form(const struct trace_options *options,
         { NULL, 0 },
         { NULL, 0 },
         { NULL, 0 },
+        { NULL, 0 },
     };
     struct asm_define *next = &defines[1];
     size_t crossings = most_crossings(scene);
 
     if (scene->camera.orthographic)
         *next++ = (struct asm_define){ "ORTHOGRAPHIC", 1 };
+    if (scene->fog_count > 0)
+        *next++ = (struct asm_define){ "FOG", 1 };
     if (options->historical)
         *next++ = (struct asm_define){ "HISTORICAL", 1 };
     if (options->variant)

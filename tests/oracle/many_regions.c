@@ -296,15 +296,37 @@ static void random_lamp(const struct drawing *drawing, char *lamp)
                 between(state, .3, .9), shadowless);
 }
 
+/* One scene in six has fog, about as thick as the scene is deep; what else is
+ * drawn does not depend on it. */
+static void random_fog(uint64_t state, char *fog)
+{
+    state = state * 5 + 1;
+    for (int i = 0; i < 8; i++)
+        xorshift(&state);
+    if (below(&state, 6))
+        return;
+    double red = between(&state, 0, 1), green = between(&state, 0, 1);
+    double filter = one_in(&state, 2) ? between(&state, 0, 1) : 0;
+    double transmit = one_in(&state, 2) ? between(&state, 0, .5) : 0;
+    solid_words(fog,
+                "fog { distance %.3f color rgbft <%.2f, %.2f, .7, %.2f, "
+                "%.2f> }",
+                pow(10, between(&state, -1, 3)), red, green, filter,
+                transmit);
+}
+
 static void random_settings(const struct drawing *drawing)
 {
     static const char *const bailouts[] = { "", "", "adc_bailout 0 ",
                                             "adc_bailout .2 " };
     struct many_regions *scene = drawing->scene;
+    char fog[WORDS] = "";
+    random_fog(*drawing->state, fog);
     scene->levels = 1 + (int)below(drawing->state, 5);
     solid_words(scene->settings,
-                "global_settings { assumed_gamma 1 max_trace_level %d %s}",
-                scene->levels, bailouts[below(drawing->state, 4)]);
+                "global_settings { assumed_gamma 1 max_trace_level %d %s} "
+                "%.200s",
+                scene->levels, bailouts[below(drawing->state, 4)], fog);
 }
 
 /* --- scenes --------------------------------------------------------------- */

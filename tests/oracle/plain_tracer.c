@@ -127,9 +127,27 @@ static void branch(const struct branching *from, const struct plain_hit *hit)
         follow(from, refracted, greatest(passing), passing);
 }
 
-static void trace_path(const struct plain_tracer *tracer,
-                       const struct path *path, struct plain_hit *hit,
-                       double color[3])
+/* Each fog lets e^(-depth / distance) through, tinted by its filter, but its
+ * transmit at least, and is seen for the rest. */
+static void see_through_fogs(const struct scene *scene, double depth,
+                             double color[3])
+{
+    for (int i = 0; i < 3; i++) {
+        double haze = 0;
+        for (size_t k = 0; k < scene->fog_count; k++) {
+            const struct fog *fog = &scene->fogs[k];
+            double through = fmax(exp(-depth / fog->distance), fog->transmit);
+            double tint = 1 + fog->filter * (fog->color[i] - 1);
+            color[i] *= through * tint;
+            haze += (1 - through) * fog->color[i];
+        }
+        color[i] += haze;
+    }
+}
+
+static void trace_clearly(const struct plain_tracer *tracer,
+                          const struct path *path, struct plain_hit *hit,
+                          double color[3])
 {
     struct plain_surface surface;
     const struct branching from = { tracer, path, &surface, color };
@@ -144,6 +162,16 @@ static void trace_path(const struct plain_tracer *tracer,
     plain_describe(&path->ray, hit, &surface);
     plain_shade(tracer, &surface, color);
     branch(&from, hit);
+}
+
+/* POV-Ray's background is 2e10 away. */
+static void trace_path(const struct plain_tracer *tracer,
+                       const struct path *path, struct plain_hit *hit,
+                       double color[3])
+{
+    trace_clearly(tracer, path, hit, color);
+    see_through_fogs(tracer->scene, hit->primitive ? hit->distance : 2e10,
+                     color);
 }
 
 /* --- the frame ---------------------------------------------------------- */

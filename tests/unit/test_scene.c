@@ -208,6 +208,23 @@ static void test_camera(void **state)
     scene_free(read_with("camera { } camera { location x }", 1));
 }
 
+static void test_fogs(void **state)
+{
+    struct scene *scene = read_scene(
+        "fog { distance 20 color rgbft <.5, .6, .7, .1, .2> fog_type 1 }"
+        "fog { color rgb 1 } fog { rgb <1, 2, 3> distance 1e3 fog_offset 3 }");
+
+    (void)state;
+    assert_int_equal(scene->fog_count, 2);
+    assert_close(scene->fogs[0].distance, 20, CLOSE);
+    assert_vector(scene->fogs[0].color, .5, .6, .7);
+    assert_close(scene->fogs[0].filter, .1, CLOSE);
+    assert_close(scene->fogs[0].transmit, .2, CLOSE);
+    assert_close(scene->fogs[1].distance, 1000, CLOSE);
+    assert_vector(scene->fogs[1].color, 1, 2, 3);
+    scene_free(scene);
+}
+
 /* What an orthographic camera shows: POV-Ray 3.7's, measured by its pictures. */
 static void test_orthographic(void **state)
 {
@@ -533,6 +550,7 @@ int main(void)
         cmocka_unit_test(test_colors),
         cmocka_unit_test(test_camera),
         cmocka_unit_test(test_orthographic),
+        cmocka_unit_test(test_fogs),
         cmocka_unit_test(test_primitives),
         cmocka_unit_test(test_transforms),
         cmocka_unit_test(test_no_transform),

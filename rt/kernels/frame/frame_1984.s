@@ -62,6 +62,9 @@ frame:
         .include "light/shade_1984.s"
         .include "light/spawn_1984.s"
         .include "light/resolve_1984.s"
+        .if     FOG
+        .include "light/fog_1984.s"
+        .endif
         .include "frame/samples.s"
         .include "frame/average_scalar.s"
         .include "frame/average_1984.s"

@@ -61,6 +61,9 @@ frame:
         .include "frame/samples.s"
         .include "frame/average_vector.s"
         .include "solids/unseen_vector.s"
+        .if     FOG
+        .include "light/fog_vector.s"
+        .endif
         .data
         .include "light/sky.s"
         .code

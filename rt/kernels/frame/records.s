@@ -115,6 +115,11 @@
         .equ    ORTHOGRAPHIC, 0
         .endif
 
+; 1: there are fogs (light/fog.s).
+        .ifndef FOG
+        .equ    FOG, 0
+        .endif
+
 ; A row of a prism's table: a corner of its path, and the edge back to the one
 ; before, as its normal wants it.
         .record PRISM

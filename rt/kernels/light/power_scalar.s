@@ -1,4 +1,4 @@
-; power_scalar.s - p_x = p_x ^ exponent.  Method, series and order of the
+; power_scalar.s - p_x = p_x ^ exponent; two_to: p_x = 2^p_x.  Method, series and order of the
 ; operations as in power_vector.s.  A fast library routine: its arguments and
 ; constants are in registers; it is called by BSAVE power_link.
 
@@ -38,6 +38,7 @@ power:
         ADDN    p_t, p_k, p_x
         SUBN    p_x, m_half, p_x        ; log2 x
         MPYS    p_x, exponent, p_x
+two_to:
         CFPGE   p_x, p_floor, power_in_range
         RTOR    p_floor, p_x            ; z
 power_in_range:

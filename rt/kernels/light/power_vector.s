@@ -12,6 +12,8 @@
 ; writing k - 46 above the coefficient 2^46: this machine's floats are open to
 ; its shift and logical instructions.
 ;
+; two_to, its second half: [v0] = 2^[v0], for numbers not above about 0.
+;
 ; In:  [v0] > 0 and not above about 1; exponent; m.  Out: [v0].
 ; Uses v1-v4, hits1, s0.
 ; Source: the series are textbook; the split is derived here for this format.
@@ -55,6 +57,7 @@ power:
         LINKV
         SUBNV   [v0], half, [v0]        ; log2 x
         MPYSV   [v0], exponent, [v0]
+two_to:
         CMPLTV  [v0], p_floor, [hits1]
         VTOV    p_floor, [v0] ? [hits1] ; z
         FLRV    [v0], [v1]

@@ -22,6 +22,9 @@
         .field  L_NEAREST, 2            ; lists of arguments
         .field  L_SHADE, 4
         .field  L_SPAWN, 7
+        .if     FOG
+        .field  L_DISTANCE              ; how far it sees
+        .endif
         .at     64
         .endrecord
 
@@ -35,6 +38,11 @@
         .data
 hit:            .space 2                ; distance, primitive
         .code
+
+        .if     FOG
+        .include "light/fog.s"
+        .include "light/fog_scalar.s"
+        .endif
 
         .macro  of_level offset
         RTOR    level, main_at
@@ -133,6 +141,10 @@ trace_next:
         load_at hit, 2, distance
 trace_met:
         IBXEQ   hit_primitive, r0, r0, trace_background
+        .if     FOG
+        of_level L_DISTANCE
+        STO     [main_at], distance
+        .endif
         of_level L_SHADE + 1
         STO     [main_at], hit_primitive
         call_level shade, L_SHADE
@@ -174,6 +186,12 @@ trace_down:
 
         .kernel frame
 trace_background:
+        .if     FOG
+        EX      main_t, fog_far
+        LOD     [main_t], main_t
+        of_level L_DISTANCE
+        STO     [main_at], main_t
+        .endif
         load_at scene_background, 3, own_red
         IBXEQ   sky_stops, r0, r0, trace_no_sky
         load_level L_RAY + 3, 3, own_red
@@ -183,6 +201,13 @@ trace_no_sky:
         .endkernel
         .kernel resolve
 trace_ended:
+        .if     FOG
+        of_level L_DISTANCE
+        LOD     [main_at], fog_distance
+        load_level L_SAMPLE, 3, own_red
+        see_through_fog own_red, own_green, own_blue
+        store_level L_SAMPLE, 3, own_red
+        .endif
         IBXEQ   level, r0, first_level, trace_done
         load_level L_FACTOR, 6, own_red ; factor, colour
         IX      level, -64 * LEVEL_SIZE

@@ -23,6 +23,9 @@
         .field  LIST_KIND               ; 0 reflected, 1 refracted
         .field  LIST_PARENT             ; its place in the level before
         .field  LIST_COLOR, 3
+        .if     FOG
+        .field  LIST_DEPTH              ; how far it sees
+        .endif
         .endrecord
 
 ; A level, in words.
@@ -99,6 +102,13 @@ levels_queue:
         BSAVE   link, [target]
         EX      target, find_nearest
         BSAVE   link, [target]
+        .if     FOG
+        load_word scene_levels, s0
+        IBXEQ   level, r0, s0, levels_shade
+        EX      target, fog_depths
+        BSAVE   link, [target]
+levels_shade:
+        .endif
         EX      target, shade
         BSAVE   link, [target]
         LOD     [level, one_index], position
@@ -107,6 +117,10 @@ levels_queue:
         BIM     levels_next
 levels_up:
         IBXEQ   level, r0, s0, levels_done
+        .if     FOG
+        EX      target, fog_list
+        BSAVE   link, [target]
+        .endif
         EX      target, add_children
         BSAVE   link, [target]
         STO     [level], r0
@@ -115,6 +129,10 @@ levels_up:
         SUBX    level, s3, level
         BIM     levels_next
 levels_done:
+        .if     FOG
+        EX      target, fog_frame
+        BSAVE   link, [target]
+        .endif
         BIM     0, link_levels
 
 ; The next queue: its rays, its hits, where its colours go.
@@ -190,3 +208,7 @@ list_queue:
         ES      from_one_point, 0
         BIM     0, link
         .endkernel
+
+        .if     FOG
+        .include "light/fog_levels.s"
+        .endif

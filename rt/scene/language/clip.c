@@ -8,7 +8,7 @@
 /* ---- The objects in braces ----------------------------------------------- */
 
 /* What has been read of them: solids, one for each. */
-struct cutting {
+struct clipping {
     struct scene_object solids;
     bool as_said; /* `clipped_by` in bounded_by, which then says nothing */
 };
@@ -31,14 +31,14 @@ static bool check_inside(struct reader *reader,
 static bool read_solid(struct reader *reader, void *subject,
                        const struct item *item)
 {
-    struct cutting *cutting = subject;
+    struct clipping *clipping = subject;
     struct scene_object solid;
     bool done;
 
     memset(&solid, 0, sizeof solid);
     done = shape_read(reader, &solid, item)
            && check_inside(reader, &solid, &item->at)
-           && ((object_join(&solid) && object_add(&cutting->solids, &solid))
+           && ((object_join(&solid) && object_add(&clipping->solids, &solid))
                || reader_no_memory(reader));
     scene_object_free(&solid);
     return done;
@@ -47,11 +47,11 @@ static bool read_solid(struct reader *reader, void *subject,
 static bool read_as_said(struct reader *reader, void *subject,
                          const struct item *item)
 {
-    struct cutting *cutting = subject;
+    struct clipping *clipping = subject;
 
     (void)reader;
     (void)item;
-    cutting->as_said = true;
+    clipping->as_said = true;
     return true;
 }
 
@@ -59,12 +59,12 @@ static bool read_as_said(struct reader *reader, void *subject,
 static bool read_step(struct reader *reader, void *subject,
                       const struct item *item)
 {
-    struct cutting *cutting = subject;
+    struct clipping *clipping = subject;
     struct placement step;
 
     if (!step_read(reader, item, &step))
         return false;
-    object_move(&cutting->solids, &step);
+    object_move(&clipping->solids, &step);
     return true;
 }
 
@@ -154,15 +154,15 @@ static bool clip(struct reader *reader, struct scene_object *object,
 bool clipped_by_read(struct reader *reader, void *subject,
                      const struct item *item)
 {
-    struct cutting cutting;
+    struct clipping clipping;
     bool done;
 
-    memset(&cutting, 0, sizeof cutting);
-    done = block_read(reader, &of_clip, &cutting)
+    memset(&clipping, 0, sizeof clipping);
+    done = block_read(reader, &of_clip, &clipping)
            && make_whole(reader, subject);
-    if (done && cutting.solids.part_count > 0)
-        done = clip(reader, subject, &cutting.solids, &item->at);
-    scene_object_free(&cutting.solids);
+    if (done && clipping.solids.part_count > 0)
+        done = clip(reader, subject, &clipping.solids, &item->at);
+    scene_object_free(&clipping.solids);
     return done;
 }
 
@@ -310,27 +310,27 @@ static bool is_forgotten(const struct scene_object *object)
     return kind != PRIMITIVE_QUADRIC && kind != PRIMITIVE_QUARTIC;
 }
 
-static bool changes_nothing(const struct cutting *cutting,
+static bool changes_nothing(const struct clipping *clipping,
                             const struct scene_object *object)
 {
-    return cutting->as_said || is_forgotten(object)
-           || cutting->solids.part_count == 0
-           || holds_object(&cutting->solids, object);
+    return clipping->as_said || is_forgotten(object)
+           || clipping->solids.part_count == 0
+           || holds_object(&clipping->solids, object);
 }
 
 bool bounded_by_read(struct reader *reader, void *subject,
                      const struct item *item)
 {
-    struct cutting cutting;
+    struct clipping clipping;
     bool done;
 
-    memset(&cutting, 0, sizeof cutting);
-    done = block_read(reader, &of_bound, &cutting)
+    memset(&clipping, 0, sizeof clipping);
+    done = block_read(reader, &of_bound, &clipping)
            && make_whole(reader, subject);
-    if (done && !changes_nothing(&cutting, subject))
+    if (done && !changes_nothing(&clipping, subject))
         reader_report(reader, &item->at,
                       "'bounded_by' is left out: whether it cuts the object "
                       "is not known");
-    scene_object_free(&cutting.solids);
+    scene_object_free(&clipping.solids);
     return done;
 }

@@ -77,6 +77,7 @@ struct reader {
     size_t primitives_made, triangles;
     struct scene *scene;
     bool camera_given;
+    struct scene_token fog; /* the first one, if the scene has any */
 
     const struct scene_options *options;
     struct diagnostics *reports;

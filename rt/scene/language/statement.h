@@ -52,6 +52,7 @@ bool camera_read(struct reader *reader, const struct scene_token *at,
 extern const struct camera_setting camera_default;
 bool settings_read(struct reader *reader, struct scene *scene);
 bool sky_read(struct reader *reader, const struct scene_token *at);
+bool fog_read(struct reader *reader, const struct scene_token *at);
 
 /* What a shape's word stands for: its PRIMITIVE_KIND, or one of these. */
 enum shape_word {

@@ -132,6 +132,13 @@ static bool read_sky(struct reader *reader, void *subject,
     return sky_read(reader, &item->at);
 }
 
+static bool read_fog(struct reader *reader, void *subject,
+                     const struct item *item)
+{
+    (void)subject;
+    return fog_read(reader, &item->at);
+}
+
 static bool read_background(struct reader *reader, void *subject,
                             const struct item *item)
 {
@@ -155,12 +162,12 @@ static const struct keyword statements[] = {
     { "default", read_default, 0 },
     { "global_settings", read_settings, 0 },
     { "sky_sphere", read_sky, 0 },
+    { "fog", read_fog, 0 },
     { NULL, NULL, 0 },
 };
 
 static const struct keyword left_out[] = {
     { "atmosphere", item_left_out, 0 },
-    { "fog", item_left_out, 0 },
     { "media", item_left_out, 0 },
     { "rainbow", item_left_out, 0 },
     { NULL, NULL, 0 },
@@ -232,14 +239,32 @@ static bool take_regions(struct reader *reader)
     return true;
 }
 
+/* Which rays are within a body is not known here. */
+static void report_fogged_bodies(struct reader *reader)
+{
+    const struct scene *scene = reader->scene;
+
+    for (size_t i = 0; scene->fog_count > 0 && i < scene->primitive_count;
+         i++)
+        if (pigment_is_clear(&scene->primitives[i].pigment)) {
+            reader_report(reader, &reader->fog,
+                          "there is fog within clear bodies, too; in POV-Ray "
+                          "only if they are hollow");
+            return;
+        }
+}
+
 static bool take_world(struct reader *reader)
 {
     struct scene *scene = reader->scene;
+    bool done;
 
     scene->light_count = reader->world.light_count;
     scene->lights = reader->world.lights;
     reader->world.lights = NULL;
-    return take_primitives(reader) && take_regions(reader);
+    done = take_primitives(reader) && take_regions(reader);
+    report_fogged_bodies(reader);
+    return done;
 }
 
 static struct scene *new_scene(void)

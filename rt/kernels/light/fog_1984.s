@@ -1,0 +1,33 @@
+; fog_1984.s - the colours of n rays seen through fogs, one after another.
+;
+; In, out: as in fog_vector.s.
+
+        .include "light/fog_scalar.s"
+
+        .share  loop
+        .regs   r156, fog_depths_at, fog_reds_at, fog_greens_at, fog_blues_at
+        .regs   r160, ray_red, ray_green, ray_blue
+        .endshare
+
+        .kernel resolve
+fog_rays:
+        hand_over fog_depth
+        hand_over out_red, 3, 1
+        hand_over n, 1, 4
+        to_scalar
+        load_at operands, 4, fog_depths_at
+        load_at operands + 64 * 4, 1, loop_count
+        ES      loop_index, 0
+fog_ray:
+        LOD     [fog_depths_at, loop_index], fog_distance
+        LOD     [fog_reds_at, loop_index], ray_red
+        LOD     [fog_greens_at, loop_index], ray_green
+        LOD     [fog_blues_at, loop_index], ray_blue
+        see_through_fog ray_red, ray_green, ray_blue
+        STO     [fog_reds_at, loop_index], ray_red
+        STO     [fog_greens_at, loop_index], ray_green
+        STO     [fog_blues_at, loop_index], ray_blue
+        loop_next fog_ray
+        to_vector
+        BIM     0, link_kernel
+        .endkernel

@@ -1,0 +1,108 @@
+; fog_levels.s - when rays see through fogs: when all that comes of them has been
+; added to their colours, so a level's list before it is added to the level
+; before, and the frame's pixels at last.
+;
+; fog_list: In: level, its list traced.  fog_frame: In: the frame's planes.
+; fog_depths: In: the queue's nearest and met.  Out: its part of LIST_DEPTH.
+; Both say it of QUEUE rays at a time to fog_rays (fog_vector.s, fog_1984.s).
+
+        .include "light/fog.s"
+
+        .share  scratch
+        .reg    fog_depth, r250         ; how far the n rays see
+        .endshare
+
+        .data
+fog_position:   .word 0
+fog_link:       .word 0
+        .align  64
+fog_store:      .space QUEUE
+        .code
+
+; n := how many of s1 rays are left from fog_position on, which s4 becomes; to
+; done if there are none.
+        .macro  fog_queue done
+        load_word fog_position, s4
+        SUBX    s1, s4, n
+        IBXEQ   n, r0, r0, \done
+        EX      s2, QUEUE
+        IBXLE   n, r0, s2, fog_short\@
+        RTOR    s2, n
+fog_short\@:
+        ADDX    s4, n, s3
+        EX      s2, fog_position
+        STO     [s2], s3
+        SHIFTI  s4, 6, s4
+        .endm
+
+        .macro  fog_begin
+        EX      s0, fog_link
+        STO     [s0], link
+        EX      s0, fog_position
+        STO     [s0], r0
+        .endm
+
+        .macro  fog_call
+        EX      target, fog_rays
+        BSAVE   link_kernel, [target]
+        .endm
+
+        .macro  fog_return
+        load_word fog_link, link
+        BIM     0, link
+        .endm
+
+        .kernel resolve
+fog_depths:
+        list_vector level, LIST_DEPTH, s2
+        LOD     [level, one_index], s4
+        SHIFTI  s4, 6, s4
+        ADDX    s2, s4, s2
+        ADDLEN  s2, n, s2
+        VTOV    [nearest], [s2]
+        describe near_bits, queue_bits, n
+        CMPEQV  [met], r0, [near_bits]
+        load_word fog_far, s3
+        VTOV    s3, [s2] ? [near_bits]
+        BIM     0, link
+
+fog_list:
+        fog_begin
+fog_list_next:
+        LOD     [level], s1
+        fog_queue fog_list_done
+        EX      s3, 64 * LIST
+        list_vector level, LIST_COLOR, s2
+        ADDX    s2, s4, s2
+        three_planes s2, s3, out_red, out_green, out_blue
+        ADDX    out_blue, s3, fog_depth
+        fog_call
+        BIM     fog_list_next
+fog_list_done:
+        fog_return
+
+fog_frame:
+        fog_begin
+fog_frame_next:
+        load_word scene_pixels, s1
+        fog_queue fog_frame_done
+        load_word scene_frame, s2
+        load_word scene_pixels, s3
+        SHIFTI  s3, 6, s3
+        ADDX    s2, s4, s2
+        three_planes s2, s3, out_red, out_green, out_blue
+        ADDX    out_blue, s3, out_depth
+        ES      s2, 4
+        MPYX    s3, s2, s2
+        ADDX    out_depth, s2, out_id
+        describe fog_depth, fog_store, n
+        VTOV    [out_depth], [fog_depth]
+        describe near_bits, queue_bits, n
+        CMPEQV  [out_id], r0, [near_bits]
+        load_word fog_far, s3
+        VTOV    s3, [fog_depth] ? [near_bits]
+        fog_call
+        BIM     fog_frame_next
+fog_frame_done:
+        fog_return
+        .endkernel

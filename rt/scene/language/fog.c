@@ -1,0 +1,113 @@
+/* fog.c - fog { ... }: constant fogs. */
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/statement.h"
+
+struct fog_reading {
+    struct fog fog;
+    bool grounded; /* of another type */
+};
+
+static bool read_distance(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    struct fog_reading *reading = subject;
+
+    (void)item;
+    return read_number(reader, &reading->fog.distance);
+}
+
+static bool read_type(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    struct fog_reading *reading = subject;
+    double type;
+
+    if (!read_number(reader, &type))
+        return false;
+    reading->grounded = type == 2;
+    return type == 1 || type == 2
+           || reader_fault(reader, &item->at, "fog_type is 1 or 2");
+}
+
+static bool read_fog_color(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct fog_reading *reading = subject;
+    struct numbers color;
+
+    if (!read_color_after(reader, &item->at, &color))
+        return false;
+    for (int i = 0; i < 3; i++)
+        reading->fog.color[i] = color.n[i];
+    reading->fog.filter = color.n[3];
+    reading->fog.transmit = color.n[4];
+    return true;
+}
+
+static const struct keyword words[] = {
+    { "distance", read_distance, 0 }, { "fog_type", read_type, 0 },
+    { "color", read_fog_color, 0 },   { "colour", read_fog_color, 0 },
+    { "rgb", read_fog_color, 0 },     { "rgbf", read_fog_color, 0 },
+    { "rgbt", read_fog_color, 0 },    { "rgbft", read_fog_color, 0 },
+    { "srgb", read_fog_color, 0 },    { "srgbf", read_fog_color, 0 },
+    { "srgbt", read_fog_color, 0 },   { "srgbft", read_fog_color, 0 },
+    { "red", read_fog_color, 0 },     { "green", read_fog_color, 0 },
+    { "blue", read_fog_color, 0 },    { NULL, NULL, 0 },
+};
+
+/* Words of a ground fog, and of a turbulence that is reported. */
+static const struct keyword passed_over[] = {
+    { "fog_alt", item_passed_over, 0 }, { "fog_offset", item_passed_over, 0 },
+    { "lambda", item_passed_over, 0 },  { "octaves", item_passed_over, 0 },
+    { "omega", item_passed_over, 0 },   { "turb_depth", item_passed_over, 0 },
+    { "up", item_passed_over, 0 },      { NULL, NULL, 0 },
+};
+
+static const struct keyword left_out[] = {
+    { "turbulence", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar grammar = { "a word of fog",
+                                        { words, passed_over, left_out },
+                                        NULL };
+
+static bool take_fog(struct reader *reader, const struct fog_reading *reading,
+                     const struct scene_token *at)
+{
+    struct scene *scene = reader->scene;
+
+    if (reading->grounded) {
+        reader_report(reader, at, "a fog of the type 2 is left out");
+        return true;
+    }
+    if (reading->fog.distance == 0)
+        return true; /* as in POV-Ray there is none */
+    if (reading->fog.distance < 0) {
+        reader_report(reader, at,
+                      "a fog with a distance below 0 is left out");
+        return true;
+    }
+    if (scene->fog_count == FOGS_MOST)
+        return reader_fault(reader, at, "more than %d fogs", FOGS_MOST);
+    if (scene->fog_count == 0)
+        reader->fog = *at;
+    scene->fogs[scene->fog_count++] = reading->fog;
+    return true;
+}
+
+/* One with a name is a look, which is not drawn. */
+bool fog_read(struct reader *reader, const struct scene_token *at)
+{
+    struct fog_reading reading = { .fog = { .distance = 0 } };
+    struct block block;
+
+    if (!block_open(reader, &block, '{'))
+        return false;
+    if (reader_use(reader, VALUE_LOOK)) {
+        reader_report(reader, at, "'fog' is not supported and left out");
+        return block_finish(reader, &block);
+    }
+    return block_items(reader, &block, &grammar, &reading, true)
+           && take_fog(reader, &reading, at);
+}
