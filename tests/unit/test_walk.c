@@ -200,12 +200,48 @@ static void test_spheres(void **state)
     check_scenes(true, false, true);
 }
 
+/* Light comes down through many panes and balls of colours of their own: in
+ * whatever order they are met, their product is that of the scene's order. */
+static void write_window(char *text)
+{
+    text[0] = '\0';
+    add_text(text, TEXT_ROOM,
+             "#version 3.7; global_settings { assumed_gamma 1 "
+             "max_trace_level 2 }\nlight_source { <%.2f, 9, %.2f>, 1 }\n"
+             "camera { location <0, .5, -6> look_at -y angle 60 }\n"
+             "plane { y, -2 pigment { color rgb .9 } }\n",
+             between(-2, 2), between(-2, 2));
+    for (size_t i = 20 + below(60); i > 0; i--)
+        add_text(text, TEXT_ROOM,
+                 "%s scale %.3f translate <%.3f, %.3f, %.3f> "
+                 "pigment { rgbf <%.3f, %.3f, %.3f, .9> } }\n",
+                 below(2) ? "sphere { 0, 1" : "box { <-1, -.1, -1>, 1",
+                 between(.2, .6), between(-2, 2), between(1, 6),
+                 between(-2, 2), between(.7, 1), between(.7, 1),
+                 between(.7, 1));
+}
+
+static void test_windows(void **state)
+{
+    enum { WINDOWS = 6 };
+    char *text = malloc(TEXT_ROOM);
+    (void)state;
+
+    assert_non_null(text);
+    for (int i = 0; i < WINDOWS; i++) {
+        write_window(text);
+        check_ways(text);
+    }
+    free(text);
+}
+
 int main(int count, char **words)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_clouds),
         cmocka_unit_test(test_grids),
         cmocka_unit_test(test_spheres),
+        cmocka_unit_test(test_windows),
     };
 
     if (count > 1)
