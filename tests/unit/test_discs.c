@@ -31,6 +31,9 @@ static void test_beside(void **state)
     (void)state;
     check_middle(STRAIGHT "disc { 0, y, 1 }", 0, 0);
     check_middle(STRAIGHT "disc { 0, x, 1, .5 }", 0, 0);
+    /* so little aslant that it counts as along it */
+    check_middle(STRAIGHT "disc { 0, <0, 1, 1e-13>, 1 }", 0, 0);
+    check_middle(STRAIGHT "disc { 0, <0, 1, 1e-11>, 1 }", 1, 5);
     check_middle(STRAIGHT "disc { 0, y, 1 } disc { 3*z, z, 1 }", 2, 8);
     check_middle(STRAIGHT "disc { -5*z, z, 1 }", 0, 0);
     check_middle(STRAIGHT "disc { -6*z, z, 1 }", 0, 0);
