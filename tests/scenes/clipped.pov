@@ -32,5 +32,5 @@ quadric { <1, 0, 1>, 0, 0, -.16
 plane { z, 1 clipped_by { box { <-1, -1, 0>, <1, 1, 2> rotate 45*z } }
     pigment { Slate } translate <0, 1.5, 2> }
 prism { 0, 1.2, 5, <-.5, -.5>, <.5, -.5>, <.4, .5>, <-.4, .3>, <-.5, -.5>
-    clipped_by { plane { <0, 1, -.7>, .5 } } pigment { Slate } translate <3.4, 0, -2.2> }
+    clipped_by { plane { <0, 1, -.7>, .5 } } pigment { Slate } translate <3.4, .1, -2.2> }
 plane { y, 0 pigment { checker rgb .65, rgb .45 } }
