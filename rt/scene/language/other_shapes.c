@@ -10,7 +10,6 @@ const struct keyword other_shapes[] = {
     { "lemon", item_unsupported, 0 },
     { "ovus", item_unsupported, 0 },
     { "parametric", item_unsupported, 0 },
-    { "polygon", item_unsupported, 0 },
     { "polynomial", item_unsupported, 0 },
     { "sor", item_unsupported, 0 },
     { "sphere_sweep", item_unsupported, 0 },

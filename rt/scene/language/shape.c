@@ -3,6 +3,7 @@
 #include "rt/scene/language/clip.h"
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/mesh.h"
+#include "rt/scene/language/polygon.h"
 #include "rt/scene/language/statement.h"
 #include "rt/shapes/shape.h"
 
@@ -423,6 +424,8 @@ static bool read_first(struct reader *reader, struct scene_object *object,
         return text_read(reader, object, &item->at);
     if (shape == SHAPE_BICUBIC_PATCH)
         return bicubic_patch_read(reader, object, &item->at);
+    if (shape == SHAPE_POLYGON)
+        return polygon_read(reader, object, &item->at);
     return read_solid(reader, shape, &primitive)
            && shape_add(reader, object, &primitive, &item->at);
 }

@@ -68,6 +68,7 @@ enum shape_word {
     SHAPE_POLY,
     SHAPE_TEXT, /* of prisms */
     SHAPE_BICUBIC_PATCH,
+    SHAPE_POLYGON,
     SHAPE_TRIANGLE, /* from here on .. of which a mesh is made */
     SHAPE_SMOOTH_TRIANGLE,
     SHAPE_MESH2
@@ -84,7 +85,8 @@ enum shape_word {
     { "text", read, SHAPE_TEXT }, { "triangle", read, SHAPE_TRIANGLE }, \
     { "smooth_triangle", read, SHAPE_SMOOTH_TRIANGLE }, \
     { "mesh2", read, SHAPE_MESH2 }, \
-    { "bicubic_patch", read, SHAPE_BICUBIC_PATCH }
+    { "bicubic_patch", read, SHAPE_BICUBIC_PATCH }, \
+    { "polygon", read, SHAPE_POLYGON }
 /* clang-format on */
 /* Into an empty object; the caller frees it also after an error. */
 bool shape_read(struct reader *reader, struct scene_object *object,

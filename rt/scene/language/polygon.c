@@ -1,0 +1,517 @@
+/* polygon.c - polygon: a flat outline of one part or more, which becomes the
+ * triangles of a mesh.
+ *
+ * The outline is seen along the axis that is nearest to its normal.  Lines
+ * across at the heights of all its points, and of those where two edges cross,
+ * cut it into slabs, within which no edge ends and no two cross.  There, in
+ * their order across, the first edge and the second have the inside between
+ * them, the third and the fourth, and so on: what is covered twice is a hole,
+ * as in POV-Ray.  What lies between the same two edges in slabs one upon the
+ * other is one trapezoid: it is cut where an edge begins, ends or is crossed.
+ */
+#include "rt/scene/language/polygon.h"
+
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/mesh.h"
+#include "rt/scene/language/statement.h"
+#include "rt/scene/vector.h"
+#include "rt/shapes/shape.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* POV-Ray's: of the squares of lengths and products that count as 0, of two
+ * components that count as one, and of a point's way off the plane. */
+#define SQUARE_NONE 1e-10
+#define POINT_SAME 1e-10
+#define PLANE_SAME 1e-10
+
+/* CROSSING_COST: so that there is memory for all of them. */
+enum { POINTS_LEAST = 3, POINTS_MOST = 100000, CROSSING_COST = 256 };
+
+/* From the lower end to the upper one; none is level. */
+struct polygon_edge {
+    const double *low, *high;
+    double from, to;            /* their heights */
+    double middle;              /* its place across, half-way up the slab */
+    struct polygon_edge *right; /* the inside is between the two, */
+    double since;               /* .. from here on */
+};
+
+struct polygon {
+    struct reader *reader;
+    const struct scene_token *at;
+    struct arena arena; /* of what follows, without the triangles */
+    size_t count;
+    double (*points)[3];
+    int across, up; /* the axes that are seen */
+
+    size_t edge_count;
+    struct polygon_edge *edges; /* by their lower ends */
+    size_t height_count, height_room;
+    double *heights;
+    size_t begun;        /* edges, up to this height */
+    size_t active_count; /* .. that have not ended, across */
+    struct polygon_edge **active;
+
+    struct triangles triangles;
+    size_t triangle_room;
+};
+
+/* ---- Its points ---------------------------------------------------------- */
+
+static bool read_count(struct polygon *polygon)
+{
+    struct reader *reader = polygon->reader;
+    struct scene_token at = reader->token;
+    double number;
+
+    if (!read_number(reader, &number))
+        return false;
+    if (number < POINTS_LEAST)
+        return reader_fault(reader, &at, "a polygon needs three points");
+    if (number >= POINTS_MOST + 1)
+        return reader_fault(reader, &at, "more than %d points in one polygon",
+                            POINTS_MOST);
+    polygon->count = (size_t)number;
+    return true;
+}
+
+static bool read_points(struct polygon *polygon)
+{
+    size_t count;
+
+    if (!read_count(polygon))
+        return false;
+    count = polygon->count;
+    polygon->points = arena_take(&polygon->arena,
+                                 count * sizeof *polygon->points);
+    if (!polygon->points)
+        return reader_no_memory(polygon->reader);
+    for (size_t i = 0; i < count; i++) {
+        reader_comma(polygon->reader);
+        if (!read_vector(polygon->reader, polygon->points[i]))
+            return false;
+    }
+    return true;
+}
+
+/* ---- Its plane ----------------------------------------------------------- */
+
+/* As POV-Ray takes it: by the first point, the next one that is not the same,
+ * and the next one not in a line with these.  False: there is none. */
+static bool find_normal(const struct polygon *polygon, double normal[3])
+{
+    double(*points)[3] = polygon->points;
+    double along[3] = { 0 }, way[3];
+
+    for (size_t i = 1; i < polygon->count; i++) {
+        subtract3(points[i], points[0], way);
+        if (!(dot3(way, way) > SQUARE_NONE))
+            continue;
+        if (!(dot3(along, along) > SQUARE_NONE)) {
+            copy3(way, along);
+            continue;
+        }
+        cross3(along, way, normal);
+        if (dot3(normal, normal) > SQUARE_NONE)
+            return true;
+    }
+    return false;
+}
+
+static bool is_flat(const struct polygon *polygon, const double normal[3])
+{
+    for (size_t i = 1; i < polygon->count; i++) {
+        double way[3];
+
+        subtract3(polygon->points[i], polygon->points[0], way);
+        if (!(fabs(dot3(way, normal)) <= PLANE_SAME))
+            return false;
+    }
+    return true;
+}
+
+static void choose_axes(struct polygon *polygon, const double normal[3])
+{
+    int seen = 0;
+
+    for (int i = 1; i < 3; i++)
+        if (fabs(normal[i]) > fabs(normal[seen]))
+            seen = i;
+    polygon->across = (seen + 1) % 3;
+    polygon->up = (seen + 2) % 3;
+}
+
+/* What POV-Ray does not show, or NULL. */
+static const char *find_plane(struct polygon *polygon)
+{
+    double normal[3];
+
+    if (!find_normal(polygon, normal))
+        return "the polygon has no area, or one that is too small";
+    scale3(1 / length3(normal), normal);
+    if (!is_flat(polygon, normal))
+        return "the points of the polygon are not in one plane";
+    choose_axes(polygon, normal);
+    return NULL;
+}
+
+/* ---- Its edges ----------------------------------------------------------- */
+
+static void add_edge(struct polygon *polygon, const double *a,
+                     const double *b)
+{
+    struct polygon_edge *edge = &polygon->edges[polygon->edge_count];
+    bool rises = a[polygon->up] < b[polygon->up];
+
+    if (a[polygon->up] == b[polygon->up])
+        return;
+    edge->low = rises ? a : b;
+    edge->high = rises ? b : a;
+    edge->from = edge->low[polygon->up];
+    edge->to = edge->high[polygon->up];
+    polygon->edge_count++;
+}
+
+static bool is_same(const double a[3], const double b[3])
+{
+    for (int i = 0; i < 3; i++)
+        if (!(fabs(a[i] - b[i]) < POINT_SAME))
+            return false;
+    return true;
+}
+
+/* The last part, of which the first point has not come again. */
+static bool close_part(struct polygon *polygon, size_t first)
+{
+    if (first + 1 == polygon->count)
+        return reader_fault(polygon->reader, polygon->at,
+                            "the last point of the polygon stands alone, "
+                            "behind a part that is closed");
+    reader_report(polygon->reader, polygon->at,
+                  "the polygon is not closed: its first point comes again "
+                  "behind the last");
+    add_edge(polygon, polygon->points[polygon->count - 1],
+             polygon->points[first]);
+    return true;
+}
+
+/* A part ends where its first point comes again; the next point begins the
+ * next one. */
+static bool add_edges(struct polygon *polygon)
+{
+    double(*points)[3] = polygon->points;
+    size_t first = 0;
+
+    for (size_t i = 1; i < polygon->count; i++) {
+        bool closes = is_same(points[first], points[i]);
+        add_edge(polygon, points[i - 1], points[closes ? first : i]);
+        if (closes)
+            first = ++i;
+    }
+    return first >= polygon->count || close_part(polygon, first);
+}
+
+static int compare(double a, double b)
+{
+    return (a > b) - (a < b);
+}
+
+static int compare_low_ends(const void *a, const void *b)
+{
+    const struct polygon_edge *one = a, *other = b;
+
+    return compare(one->from, other->from);
+}
+
+static bool make_edges(struct polygon *polygon)
+{
+    struct arena *arena = &polygon->arena;
+    size_t count = polygon->count;
+
+    polygon->edges = arena_take(arena, count * sizeof *polygon->edges);
+    polygon->active = arena_take(arena, count * sizeof *polygon->active);
+    if (!polygon->edges || !polygon->active)
+        return reader_no_memory(polygon->reader);
+    if (!add_edges(polygon))
+        return false;
+    qsort(polygon->edges, polygon->edge_count, sizeof *polygon->edges,
+          compare_low_ends);
+    return true;
+}
+
+/* At its ends the point that was given. */
+static void point_at(const struct polygon *polygon,
+                     const struct polygon_edge *edge, double height,
+                     double point[3])
+{
+    double part = (height - edge->from) / (edge->to - edge->from);
+
+    if (height == edge->from || height == edge->to) {
+        copy3(height == edge->from ? edge->low : edge->high, point);
+        return;
+    }
+    for (int i = 0; i < 3; i++)
+        point[i] = edge->low[i] + part * (edge->high[i] - edge->low[i]);
+    point[polygon->up] = height;
+}
+
+static double across_at(const struct polygon *polygon,
+                        const struct polygon_edge *edge, double height)
+{
+    double point[3];
+
+    point_at(polygon, edge, height, point);
+    return point[polygon->across];
+}
+
+/* ---- The heights --------------------------------------------------------- */
+
+static bool add_height(struct polygon *polygon, double height)
+{
+    double *heights = arena_grow(&polygon->arena, polygon->heights,
+                                 polygon->height_count, &polygon->height_room,
+                                 sizeof *heights);
+
+    if (!heights)
+        return reader_no_memory(polygon->reader);
+    polygon->heights = heights;
+    heights[polygon->height_count++] = height;
+    return true;
+}
+
+/* Of two edges that change sides.  What only touches does so at a point of the
+ * outline. */
+static bool add_crossing(struct polygon *polygon,
+                         const struct polygon_edge *a,
+                         const struct polygon_edge *b)
+{
+    double low = fmax(a->from, b->from), high = fmin(a->to, b->to);
+    double below = across_at(polygon, a, low) - across_at(polygon, b, low);
+    double above = across_at(polygon, a, high) - across_at(polygon, b, high);
+
+    if (!((below < 0 && above > 0) || (below > 0 && above < 0)))
+        return true;
+    return reader_spend(polygon->reader, CROSSING_COST)
+           && add_height(polygon,
+                         low + (high - low) * (below / (below - above)));
+}
+
+/* Of an edge with those whose lower ends are beside it. */
+static bool add_crossings(struct polygon *polygon, size_t i)
+{
+    const struct polygon_edge *edges = polygon->edges;
+    size_t k = i + 1;
+
+    for (; k < polygon->edge_count && edges[k].from < edges[i].to; k++)
+        if (!add_crossing(polygon, &edges[i], &edges[k]))
+            return false;
+    return reader_spend(polygon->reader, TOKEN_COST * (k - i));
+}
+
+static int compare_heights(const void *a, const void *b)
+{
+    const double *one = a, *other = b;
+
+    return compare(*one, *other);
+}
+
+/* Each once. */
+static void sort_heights(struct polygon *polygon)
+{
+    double *heights = polygon->heights;
+    size_t kept = 0;
+
+    if (!heights)
+        return;
+    qsort(heights, polygon->height_count, sizeof *heights, compare_heights);
+    for (size_t i = 0; i < polygon->height_count; i++)
+        if (i == 0 || heights[i] != heights[kept - 1])
+            heights[kept++] = heights[i];
+    polygon->height_count = kept;
+}
+
+static bool find_heights(struct polygon *polygon)
+{
+    for (size_t i = 0; i < polygon->edge_count; i++)
+        if (!add_height(polygon, polygon->edges[i].from)
+            || !add_height(polygon, polygon->edges[i].to)
+            || !add_crossings(polygon, i))
+            return false;
+    sort_heights(polygon);
+    return true;
+}
+
+/* ---- The trapezoids ------------------------------------------------------ */
+
+static bool add_triangle(struct polygon *polygon, const double a[3],
+                         const double b[3], const double c[3])
+{
+    struct triangles *triangles = &polygon->triangles;
+    struct triangle *list;
+
+    if (!mesh_count(polygon->reader, 1, polygon->at))
+        return false;
+    list = arena_grow(&polygon->reader->scene->kept, triangles->list,
+                      triangles->count, &polygon->triangle_room,
+                      sizeof *list);
+    if (!list)
+        return reader_no_memory(polygon->reader);
+    triangles->list = list;
+    list += triangles->count++;
+    memset(list, 0, sizeof *list);
+    copy3(a, list->corners[0]);
+    copy3(b, list->corners[1]);
+    copy3(c, list->corners[2]);
+    return true;
+}
+
+/* Two sides are the same point where its edges meet: that triangle is left
+ * out. */
+static bool end_trapezoid(struct polygon *polygon, struct polygon_edge *left,
+                          double height)
+{
+    struct polygon_edge *right = left->right;
+    double low[2][3], high[2][3];
+
+    if (!right)
+        return true;
+    point_at(polygon, left, left->since, low[0]);
+    point_at(polygon, right, left->since, low[1]);
+    point_at(polygon, left, height, high[0]);
+    point_at(polygon, right, height, high[1]);
+    left->right = NULL;
+    return (memcmp(low[0], low[1], sizeof low[0]) == 0
+            || add_triangle(polygon, low[0], low[1], high[1]))
+           && (memcmp(high[0], high[1], sizeof high[0]) == 0
+               || add_triangle(polygon, low[0], high[1], high[0]));
+}
+
+/* Edges that end here, and their trapezoids. */
+static bool end_edges(struct polygon *polygon, double height)
+{
+    struct polygon_edge **active = polygon->active;
+    size_t kept = 0;
+
+    for (size_t i = 0; i < polygon->active_count; i++) {
+        bool ends = active[i]->to <= height;
+        if ((ends || (active[i]->right && active[i]->right->to <= height))
+            && !end_trapezoid(polygon, active[i], height))
+            return false;
+        if (!ends)
+            active[kept++] = active[i];
+    }
+    polygon->active_count = kept;
+    return true;
+}
+
+static void begin_edges(struct polygon *polygon, double height)
+{
+    struct polygon_edge *edges = polygon->edges;
+
+    for (; polygon->begun < polygon->edge_count
+           && edges[polygon->begun].from <= height;
+         polygon->begun++)
+        polygon->active[polygon->active_count++] = &edges[polygon->begun];
+}
+
+/* Of those in one place the same one is always the first. */
+static int compare_places(const void *a, const void *b)
+{
+    const struct polygon_edge *one = *(struct polygon_edge *const *)a;
+    const struct polygon_edge *other = *(struct polygon_edge *const *)b;
+    int order = compare(one->middle, other->middle);
+
+    return order ? order : (one > other) - (one < other);
+}
+
+static bool sort_active(struct polygon *polygon, double middle)
+{
+    size_t count = polygon->active_count;
+    struct polygon_edge **active = polygon->active;
+
+    for (size_t i = 0; i < count; i++)
+        active[i]->middle = across_at(polygon, active[i], middle);
+    qsort(active, count, sizeof *active, compare_places);
+    return reader_spend(polygon->reader, TOKEN_COST * (count + 1));
+}
+
+/* Of the edges in their order every second one is a left side. */
+static bool pair_edges(struct polygon *polygon, double height)
+{
+    struct polygon_edge **active = polygon->active;
+
+    for (size_t i = 0; i < polygon->active_count; i++) {
+        struct polygon_edge *right = i % 2 == 0 ? active[i + 1] : NULL;
+        if (active[i]->right == right)
+            continue;
+        if (!end_trapezoid(polygon, active[i], height))
+            return false;
+        active[i]->right = right;
+        active[i]->since = height;
+    }
+    return true;
+}
+
+/* The slab above a height. */
+static bool take_slab(struct polygon *polygon, size_t i)
+{
+    double low = polygon->heights[i], high = polygon->heights[i + 1];
+
+    begin_edges(polygon, low);
+    return sort_active(polygon, low / 2 + high / 2)
+           && pair_edges(polygon, low);
+}
+
+static bool cut(struct polygon *polygon)
+{
+    size_t count = polygon->height_count;
+
+    for (size_t i = 0; i < count; i++)
+        if (!end_edges(polygon, polygon->heights[i])
+            || (i + 1 < count && !take_slab(polygon, i)))
+            return false;
+    return true;
+}
+
+/* ---- The statement ------------------------------------------------------- */
+
+/* As in POV-Ray nothing is seen of it, which is no error. */
+static bool leave_out(struct polygon *polygon, const char *why)
+{
+    reader_report(polygon->reader, polygon->at, "%s: it is left out", why);
+    return true;
+}
+
+static bool add_mesh(struct polygon *polygon, struct scene_object *object)
+{
+    struct primitive primitive;
+
+    memset(&primitive, 0, sizeof primitive);
+    primitive.kind = PRIMITIVE_MESH;
+    primitive.shape.mesh.triangles = polygon->triangles;
+    if (shapes[PRIMITIVE_MESH]->settle(&primitive))
+        return leave_out(polygon, "the polygon has no area");
+    return shape_add(polygon->reader, object, &primitive, polygon->at);
+}
+
+static bool make_mesh(struct polygon *polygon, struct scene_object *object)
+{
+    const char *why = find_plane(polygon);
+
+    if (why)
+        return leave_out(polygon, why);
+    return make_edges(polygon) && find_heights(polygon) && cut(polygon)
+           && add_mesh(polygon, object);
+}
+
+bool polygon_read(struct reader *reader, struct scene_object *object,
+                  const struct scene_token *at)
+{
+    struct polygon polygon = { .reader = reader, .at = at };
+    bool done = read_points(&polygon) && make_mesh(&polygon, object);
+
+    arena_free(&polygon.arena);
+    return done;
+}
