@@ -1,127 +1,494 @@
-/* test_polygons.c - polygons become triangles that cover what lies inside of an odd
- * number of outlines, once. */
+/* polygon: the triangles that it becomes, against the rule of even and odd,
+ * asked for one point at a time: a point that is inside is in one triangle, one
+ * that is not is in none.
+ *
+ *     test_polygons [POLYGONS [SEED]]
+ */
+#include "rt/shapes/primitive.h"
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-#include <math.h>
+#include <stdio.h>
 
-enum { POLYGONS = 300, POINTS_MOST = 12, PARTS_MOST = 3, SAMPLES = 300 };
+enum { POINTS_MOST = 64, SAMPLES = 200, LINES = 4000 };
 
-/* Parts one behind the other, each with its first point again. */
-struct outlines {
-    size_t count, parts, ends[PARTS_MOST];
-    double points[PARTS_MOST * (POINTS_MOST + 1)][2];
+static size_t polygon_count = 400;
+static uint64_t random_state = RANDOM_SEED;
+
+static double between(double low, double high)
+{
+    return low
+           + (high - low) * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
+}
+
+static const struct triangles *triangles_of(const struct scene *scene)
+{
+    assert_int_equal(scene->primitive_count, 1);
+    assert_int_equal(scene->primitives[0].kind, PRIMITIVE_MESH);
+    return &scene->primitives[0].shape.mesh.triangles;
+}
+
+/* ---- The oracle ---------------------------------------------------------- */
+
+/* In a plane that its origin and two axes span; ends[i]: its part ends there,
+ * where its first point has come again. */
+struct flat_outline {
+    double origin[3], axes[2][3];
+    size_t count;
+    double points[POINTS_MOST][2];
+    bool ends[POINTS_MOST];
 };
 
-static double place(uint64_t *seed)
+/* The side of a line from a to b. */
+static double side(const double a[2], const double b[2], const double p[2])
 {
-    return (double)xorshift_between(seed, -1000, 1000) / 500;
+    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
 }
 
-static void draw(struct outlines *outlines, uint64_t *seed)
+static double distance(const double a[2], const double b[2],
+                       const double p[2])
 {
-    outlines->count = 0;
-    outlines->parts = 1 + xorshift(seed) % PARTS_MOST;
-    for (size_t part = 0; part < outlines->parts; part++) {
-        size_t first = outlines->count;
-        for (size_t i = 3 + xorshift(seed) % (POINTS_MOST - 2); i > 0; i--) {
-            outlines->points[outlines->count][0] = place(seed);
-            outlines->points[outlines->count++][1] = place(seed);
-        }
-        outlines->points[outlines->count][0] = outlines->points[first][0];
-        outlines->points[outlines->count++][1] = outlines->points[first][1];
-        outlines->ends[part] = outlines->count;
-    }
+    double way[2] = { b[0] - a[0], b[1] - a[1] };
+    double square = way[0] * way[0] + way[1] * way[1], part = 0;
+
+    if (square > 0)
+        part = (way[0] * (p[0] - a[0]) + way[1] * (p[1] - a[1])) / square;
+    part = fmax(0, fmin(1, part));
+    return hypot(p[0] - a[0] - part * way[0], p[1] - a[1] - part * way[1]);
 }
 
-/* By how often a line to the right crosses the outlines. */
-static bool is_inside(const struct outlines *outlines, double x, double y)
+/* How often the outline is crossed on the way to the right. */
+static bool is_inside(const struct flat_outline *outline, const double p[2])
 {
     bool inside = false;
-    size_t i = 0;
 
-    for (size_t part = 0; part < outlines->parts; part++, i++)
-        for (; i + 1 < outlines->ends[part]; i++) {
-            const double *a = outlines->points[i];
-            const double *b = outlines->points[i + 1];
-            if ((a[1] > y) != (b[1] > y)
-                && x < a[0] + (y - a[1]) * (b[0] - a[0]) / (b[1] - a[1]))
-                inside = !inside;
-        }
+    for (size_t i = 0; i + 1 < outline->count; i++) {
+        const double *a = outline->points[i], *b = outline->points[i + 1];
+        bool above[2] = { a[1] > p[1], b[1] > p[1] };
+        if (!outline->ends[i] && above[0] != above[1])
+            inside ^= (side(a, b, p) > 0) == above[1];
+    }
     return inside;
 }
 
-static double side(const double a[3], const double b[3], double x, double y)
+static bool is_near_edge(const struct flat_outline *outline,
+                         const double p[2], double near)
 {
-    return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+    for (size_t i = 0; i + 1 < outline->count; i++)
+        if (!outline->ends[i]
+            && distance(outline->points[i], outline->points[i + 1], p) < near)
+            return true;
+    return false;
 }
 
-/* As they stand before the polygon is moved: seen along z. */
-static size_t count_covering(const struct triangles *triangles, double x,
-                             double y)
+/* By lines along the second axis. */
+static double area_by_lines(const struct flat_outline *outline)
 {
-    size_t count = 0;
+    double sum = 0;
+
+    for (int line = 0; line < LINES; line++) {
+        double x = -4 + 8 * (line + .5) / LINES, crossings[POINTS_MOST];
+        size_t count = 0;
+        for (size_t i = 0; i + 1 < outline->count; i++) {
+            const double *a = outline->points[i];
+            const double *b = outline->points[i + 1];
+            if (!outline->ends[i] && (a[0] > x) != (b[0] > x))
+                crossings[count++] = a[1]
+                                     + (x - a[0]) / (b[0] - a[0])
+                                           * (b[1] - a[1]);
+        }
+        for (size_t i = 0; i < count; i++) {
+            size_t before = 0;
+            for (size_t k = 0; k < count; k++)
+                before += crossings[k] < crossings[i]
+                          || (crossings[k] == crossings[i] && k < i);
+            sum += before % 2 ? crossings[i] : -crossings[i];
+        }
+    }
+    return sum * 8 / LINES;
+}
+
+/* ---- By chance ----------------------------------------------------------- */
+
+static void add_point(struct flat_outline *outline, double x, double y)
+{
+    double *point = outline->points[outline->count++];
+
+    point[0] = x;
+    point[1] = y;
+}
+
+static void close_part(struct flat_outline *outline, size_t first)
+{
+    const double *point = outline->points[first];
+
+    add_point(outline, point[0], point[1]);
+    outline->ends[outline->count - 1] = true;
+}
+
+/* About a point: it crosses nothing, or with steps of two or more itself. */
+static void add_star(struct flat_outline *outline, size_t count, size_t step)
+{
+    double x = between(-1, 1), y = between(-1, 1), turn = between(0, 6);
+    size_t first = outline->count;
+
+    for (size_t i = 0; i < count; i++) {
+        double angle = turn
+                       + 2 * acos(-1) * (double)(i * step) / (double)count;
+        double radius = between(.5, 2);
+        add_point(outline, x + radius * cos(angle), y + radius * sin(angle));
+    }
+    close_part(outline, first);
+}
+
+/* Points of a grid: they lie on edges and upon each other, and edges do. */
+static void add_grid_part(struct flat_outline *outline, size_t count)
+{
+    size_t first = outline->count;
+
+    for (size_t i = 0; i < count; i++) {
+        double x, y;
+        do {
+            x = (double)xorshift_between(&random_state, -3, 3);
+            y = (double)xorshift_between(&random_state, -3, 3);
+        } while (i > 0 && x == outline->points[first][0]
+                 && y == outline->points[first][1]);
+        add_point(outline, x, y);
+    }
+    close_part(outline, first);
+}
+
+static void random_plane(struct flat_outline *outline)
+{
+    double turns[3];
+
+    for (int i = 0; i < 3; i++)
+        turns[i] = between(-3, 3);
+    double a = turns[0], b = turns[1], c = turns[2];
+    double axes[2][3] = {
+        { cos(a) * cos(b), sin(a) * cos(b), -sin(b) },
+        { cos(a) * sin(b) * sin(c) - sin(a) * cos(c),
+          sin(a) * sin(b) * sin(c) + cos(a) * cos(c), cos(b) * sin(c) },
+    };
+    memcpy(outline->axes, axes, sizeof axes);
+    for (int i = 0; i < 3; i++)
+        outline->origin[i] = between(-2, 2);
+}
+
+/* One of the three planes of two axes. */
+static void straight_plane(struct flat_outline *outline)
+{
+    int first = (int)xorshift_between(&random_state, 0, 2);
+
+    outline->axes[0][first] = 1;
+    outline->axes[1][(first + 1) % 3] = -1;
+    outline->origin[(first + 2) % 3] = 1;
+}
+
+static struct flat_outline random_outline(void)
+{
+    struct flat_outline outline = { .count = 0 };
+    int parts = (int)xorshift_between(&random_state, 1, 3);
+    bool grid = xorshift(&random_state) & 1;
+
+    if (xorshift(&random_state) & 1)
+        random_plane(&outline);
+    else
+        straight_plane(&outline);
+    for (int i = 0; i < parts; i++) {
+        size_t count = (size_t)xorshift_between(&random_state, 3, 11);
+        size_t step = (size_t)xorshift_between(&random_state, 1, 3);
+        if (grid)
+            add_grid_part(&outline, count);
+        else
+            add_star(&outline, count, count > 4 && count % step ? step : 1);
+    }
+    return outline;
+}
+
+static void put_in_space(const struct flat_outline *outline,
+                         const double p[2], double point[3])
+{
+    for (int i = 0; i < 3; i++)
+        point[i] = outline->origin[i] + p[0] * outline->axes[0][i]
+                   + p[1] * outline->axes[1][i];
+}
+
+static void write_outline(const struct flat_outline *outline, char *text)
+{
+    text += sprintf(text, "polygon { %zu", outline->count);
+    for (size_t i = 0; i < outline->count; i++) {
+        double p[3];
+        put_in_space(outline, outline->points[i], p);
+        text += sprintf(text, ",\n<%.17g, %.17g, %.17g>", p[0], p[1], p[2]);
+    }
+    sprintf(text, " }\n");
+}
+
+/* ---- Against it ---------------------------------------------------------- */
+
+struct flat_triangle {
+    double corners[3][2];
+};
+
+static struct flat_triangle put_in_plane(const struct flat_outline *outline,
+                                         const struct triangle *triangle)
+{
+    struct flat_triangle flat;
+
+    assert_false(triangle->smooth);
+    for (int k = 0; k < 3; k++) {
+        double away[3], back[3];
+        for (int i = 0; i < 3; i++)
+            away[i] = triangle->corners[k][i] - outline->origin[i];
+        for (int axis = 0; axis < 2; axis++)
+            flat.corners[k][axis] = outline->axes[axis][0] * away[0]
+                                    + outline->axes[axis][1] * away[1]
+                                    + outline->axes[axis][2] * away[2];
+        put_in_space(outline, flat.corners[k], back);
+        for (int i = 0; i < 3; i++)
+            assert_close(triangle->corners[k][i], back[i], 1e-9);
+    }
+    return flat;
+}
+
+static bool covers(const struct flat_triangle *flat, const double p[2])
+{
+    const double(*corners)[2] = flat->corners;
+    int left = 0;
+
+    for (int k = 0; k < 3; k++)
+        left += side(corners[k], corners[(k + 1) % 3], p) > 0;
+    return left == 0 || left == 3;
+}
+
+static double area_of(const struct flat_triangle *flat)
+{
+    return fabs(side(flat->corners[0], flat->corners[1], flat->corners[2]))
+           / 2;
+}
+
+static size_t times_covered(const struct flat_triangle *flat, size_t count,
+                            const double p[2])
+{
+    size_t times = 0;
+
+    for (size_t i = 0; i < count; i++)
+        times += covers(&flat[i], p);
+    return times;
+}
+
+static bool is_near_triangle(const struct flat_triangle *flat, size_t count,
+                             const double p[2])
+{
+    for (size_t i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++)
+            if (distance(flat[i].corners[k], flat[i].corners[(k + 1) % 3], p)
+                < 1e-9)
+                return true;
+    return false;
+}
+
+static void check_samples(const struct flat_outline *outline,
+                          const struct flat_triangle *flat, size_t count,
+                          const char *text)
+{
+    for (int i = 0; i < SAMPLES; i++) {
+        double p[2] = { between(-3.2, 3.2), between(-3.2, 3.2) };
+        size_t times = times_covered(flat, count, p);
+        if (!is_near_edge(outline, p, 1e-9)
+            && !is_near_triangle(flat, count, p)
+            && times != is_inside(outline, p))
+            fail_msg("%zu triangles at %g, %g of\n%s", times, p[0], p[1],
+                     text);
+    }
+}
+
+static void check_outline(const struct flat_outline *outline)
+{
+    static char text[POINTS_MOST * 100];
+    struct flat_triangle *flat;
+    double area = 0;
+
+    write_outline(outline, text);
+    struct scene *scene = read_scene(text);
+    const struct triangles *triangles = triangles_of(scene);
+    flat = malloc(triangles->count * sizeof *flat);
+    assert_non_null(flat);
+    for (size_t i = 0; i < triangles->count; i++) {
+        flat[i] = put_in_plane(outline, &triangles->list[i]);
+        area += area_of(&flat[i]);
+        for (int k = 0; k < 3; k++)
+            assert_true(is_near_edge(outline, flat[i].corners[k], 1e-9));
+    }
+    check_samples(outline, flat, triangles->count, text);
+    if (!(fabs(area - area_by_lines(outline)) < .01))
+        fail_msg("an area of %g, not %g, of\n%s", area,
+                 area_by_lines(outline), text);
+    free(flat);
+    scene_free(scene);
+}
+
+static void test_random_polygons(void **state)
+{
+    size_t checked = 0;
+
+    (void)state;
+    while (checked < polygon_count) {
+        struct flat_outline outline = random_outline();
+        if (area_by_lines(&outline) < .1)
+            continue;
+        check_outline(&outline);
+        checked++;
+    }
+}
+
+/* ---- Words and errors ---------------------------------------------------- */
+
+static double total_area(const struct triangles *triangles)
+{
+    double sum = 0;
 
     for (size_t i = 0; i < triangles->count; i++) {
         double(*c)[3] = triangles->list[i].corners;
-        double u = side(c[0], c[1], x, y), v = side(c[1], c[2], x, y);
-        double w = side(c[2], c[0], x, y);
-        count += (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+        double n[3];
+        for (int k = 0; k < 3; k++) {
+            int l = (k + 1) % 3, m = (k + 2) % 3;
+            n[k] = (c[1][l] - c[0][l]) * (c[2][m] - c[0][m])
+                   - (c[1][m] - c[0][m]) * (c[2][l] - c[0][l]);
+        }
+        sum += sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
     }
-    return count;
+    return sum;
 }
 
-/* aslant: z = x/2 - y/4 + 1. */
-static void check_polygon(const struct outlines *outlines, bool aslant,
-                          uint64_t *seed)
+static void check_area(const char *text, size_t reports, double area,
+                       size_t count)
 {
-    char text[8000] = "";
-    size_t length = 0;
-    struct scene *scene;
+    struct scene *scene = read_with(text, reports);
 
-    length += (size_t)sprintf(text, "polygon { %zu", outlines->count);
-    for (size_t i = 0; i < outlines->count; i++) {
-        double x = outlines->points[i][0], y = outlines->points[i][1];
-        if (aslant)
-            length += (size_t)sprintf(text + length,
-                                      ", <%.17g, %.17g, %.17g>", x, y,
-                                      x / 2 - y / 4 + 1);
-        else
-            length += (size_t)sprintf(text + length, ", <%.17g, %.17g>", x,
-                                      y);
-    }
-    strcpy(text + length, " }");
-    scene = read_scene(text);
-    assert_int_equal(scene->primitive_count, 1);
-    assert_int_equal(scene->primitives[0].kind, PRIMITIVE_MESH);
-    for (int i = 0; i < SAMPLES; i++) {
-        double x = place(seed) + 1e-4, y = place(seed) + 1.7e-4;
-        size_t covering =
-            count_covering(&scene->primitives[0].shape.mesh.triangles, x, y);
-        if (covering != is_inside(outlines, x, y))
-            fail_msg("%.17g, %.17g is covered by %zu triangles in\n%s", x, y,
-                     covering, text);
+    assert_close(total_area(triangles_of(scene)), area, CLOSE);
+    assert_int_equal(triangles_of(scene)->count, count);
+    scene_free(scene);
+}
+
+static void test_areas(void **state)
+{
+    double fifth = 2 * acos(-1) / 5;
+
+    (void)state;
+    check_area("polygon { 4, 0, x, y, 0 }", 0, .5, 1);
+    check_area("polygon { 4.9 <0, 0> <2, 0> <0, 3> <0, 0> }", 0, 3, 1);
+    check_area("polygon { 5, <0, 0>, <2, 0>, <2, 3>, <0, 3>, <0, 0> }", 0, 6,
+               2);
+    check_area("polygon { 5, 0, 2*y, 2*y + 3*z, 3*z, 0 inverse }", 0, 6, 2);
+    /* a hole, and in it another part */
+    check_area("polygon { 15, 0, 8*x, <8, 8>, 8*y, 0, <1, 1>, <1, 7>, <7, 7>,"
+               "<7, 1>, <1, 1>, <2, 2>, <4, 2>, <4, 4>, <2, 4>, <2, 2> }",
+               0, 64 - 36 + 4, 10);
+    /* twice the same part is none, and next to it is another one */
+    check_area(
+        "polygon { 12, 0, x, y, 0, 0, x, y, 0, 2*x, 3*x, <3, 1>, 2*x }", 0,
+        .5, 1);
+    /* one that crosses itself */
+    check_area("polygon { 5, <0, 0>, <2, 2>, <2, 0>, <0, 2>, <0, 0> }", 0, 2,
+               4);
+    check_area("polygon { 6, #for (I, 0, 5) "
+               "<sin(4*pi*mod(I, 5)/5), cos(4*pi*mod(I, 5)/5)> #end }",
+               0,
+               5 * cos(fifth) / cos(fifth / 2) * sin(fifth / 2)
+                   - 2.5 * sin(fifth) * pow(cos(fifth) / cos(fifth / 2), 2),
+               7);
+    /* its last point is the first one but for rounding */
+    check_area("polygon { 4, 0, x, y, <0, 5e-11> }", 0, .5, 1);
+}
+
+static void test_corners_are_given_points(void **state)
+{
+    struct scene *scene = read_scene(
+        "polygon { 5, <.1, .2, .7>, <.7, .3, 0>, <.6, .9, -.5>,"
+        "<.3, .5, .2>, <.1, .2, .7> }");
+    const struct triangle *list = triangles_of(scene)->list;
+    static double given[4][3] = {
+        { .1, .2, .7 }, { .7, .3, 0 }, { .6, .9, -.5 }, { .3, .5, .2 }
+    };
+
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        bool found = false;
+        for (size_t k = 0; k < 3 * triangles_of(scene)->count; k++)
+            found = found
+                    || memcmp(list[k / 3].corners[k % 3], given[i],
+                              sizeof given[i])
+                           == 0;
+        assert_true(found);
     }
     scene_free(scene);
 }
 
-static void test_polygons_by_chance(void **state)
+/* As in POV-Ray, which closes it and shows nothing of the others. */
+static void test_reports(void **state)
 {
-    uint64_t seed = RANDOM_SEED;
-    struct outlines outlines;
-    (void)state;
-
-    for (int i = 0; i < POLYGONS; i++) {
-        draw(&outlines, &seed);
-        check_polygon(&outlines, i % 2, &seed);
-    }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_polygons_by_chance),
+    static const char *const left_out[] = {
+        "polygon { 3, 0, x, 2*x }",
+        "polygon { 3, x, x, x }",
+        "polygon { 4, <0, 0>, <1e-3, 0>, <0, 1e-3>, <0, 0> scale 1e3 }",
+        "polygon { 5, 0, x, <1, 1, 2e-9>, y, 0 }",
+        "polygon { 5, 0, x, y, <1, 1, 1>, 0 }",
+        "polygon { 8, 0, x, y, 0, 0, x, y, 0 }",
     };
 
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    (void)state;
+    check_area("polygon { 3, 0, x, y }", 1, .5, 1);
+    check_area("polygon { 7, 0, x, y, 0, 2*x, 3*x, <2, 1> }", 1, 1, 2);
+    check_area("polygon { 5, 0, x, <1, 1, 5e-11>, y, 0 }", 0, 1, 2);
+    for (size_t i = 0; i < COUNT(left_out); i++) {
+        struct scene *scene = read_with(left_out[i], 1);
+        assert_int_equal(scene->primitive_count, 0);
+        scene_free(scene);
+        assert_error(left_out[i], &strict_options, 1, 1, "it is left out");
+    }
+    assert_error("polygon { 3, 0, x, y }", &strict_options, 1, 1,
+                 "the polygon is not closed");
+}
+
+static void test_errors(void **state)
+{
+    static const struct line_error rows[] = {
+        { "polygon { 2, 0, x }", 11, "needs three points" },
+        { "polygon { -1 }", 11, "needs three points" },
+        { "polygon { 1e9, 0, x, y }", 11, "more than 100000 points" },
+        { "polygon { 5, 0, x, <1, 1>, y pigment { rgb 1 } }", 30,
+          "expected a number" },
+        { "polygon { 4, 0, x, y, 0, 0 }", 24, "found ','" },
+        { "polygon { 5, 0, x, y, 0, <1, 1> }", 1, "stands alone" },
+        { "intersection { sphere { 0, 1 } polygon { 4, 0, x, y, 0 } }", 32,
+          "a mesh in an intersection" },
+        { "sphere { 0, 1 clipped_by { polygon { 4, 0, x, y, 0 } } }", 28,
+          "a mesh has no inside, by which to cut" },
+    };
+
+    (void)state;
+    assert_errors(rows, COUNT(rows));
+    /* all of its lines cross all others */
+    assert_refused("polygon { 3000, #for (I, 0, 2999) "
+                   "<I/3000 + sin(7*I), mod(I, 2)*3 + cos(I)> #end }",
+                   2, "takes too long");
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_areas),
+        cmocka_unit_test(test_corners_are_given_points),
+        cmocka_unit_test(test_reports),
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_random_polygons),
+    };
+
+    if (argc > 1)
+        polygon_count = strtoul(argv[1], NULL, 10);
+    if (argc > 2)
+        random_state ^= strtoull(argv[2], NULL, 10) << 13;
+    return cmocka_run_group_tests_name("polygons", tests, NULL, NULL);
 }

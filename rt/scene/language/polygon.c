@@ -25,6 +25,8 @@
 #define SQUARE_NONE 1e-10
 #define POINT_SAME 1e-10
 #define PLANE_SAME 1e-10
+/* Of the greatest component: what rounding makes of no length. */
+#define ROUNDING 1e-14
 
 /* CROSSING_COST: so that there is memory for all of them. */
 enum { POINTS_LEAST = 3, POINTS_MOST = 100000, CROSSING_COST = 256 };
@@ -44,7 +46,8 @@ struct polygon {
     struct arena arena; /* of what follows, without the triangles */
     size_t count;
     double (*points)[3];
-    int across, up; /* the axes that are seen */
+    int across, up;  /* the axes that are seen */
+    double rounding; /* a length that counts as none */
 
     size_t edge_count;
     struct polygon_edge *edges; /* by their lower ends */
@@ -57,6 +60,14 @@ struct polygon {
     struct triangles triangles;
     size_t triangle_room;
 };
+
+static bool is_near(const double a[3], const double b[3], double near)
+{
+    for (int i = 0; i < 3; i++)
+        if (!(fabs(a[i] - b[i]) < near))
+            return false;
+    return true;
+}
 
 /* ---- Its points ---------------------------------------------------------- */
 
@@ -89,9 +100,12 @@ static bool read_points(struct polygon *polygon)
     if (!polygon->points)
         return reader_no_memory(polygon->reader);
     for (size_t i = 0; i < count; i++) {
+        double *point = polygon->points[i];
         reader_comma(polygon->reader);
-        if (!read_vector(polygon->reader, polygon->points[i]))
+        if (!read_vector(polygon->reader, point))
             return false;
+        polygon->rounding = fmax(polygon->rounding,
+                                 ROUNDING * greatest3(point));
     }
     return true;
 }
@@ -174,14 +188,6 @@ static void add_edge(struct polygon *polygon, const double *a,
     polygon->edge_count++;
 }
 
-static bool is_same(const double a[3], const double b[3])
-{
-    for (int i = 0; i < 3; i++)
-        if (!(fabs(a[i] - b[i]) < POINT_SAME))
-            return false;
-    return true;
-}
-
 /* The last part, of which the first point has not come again. */
 static bool close_part(struct polygon *polygon, size_t first)
 {
@@ -205,7 +211,7 @@ static bool add_edges(struct polygon *polygon)
     size_t first = 0;
 
     for (size_t i = 1; i < polygon->count; i++) {
-        bool closes = is_same(points[first], points[i]);
+        bool closes = is_near(points[first], points[i], POINT_SAME);
         add_edge(polygon, points[i - 1], points[closes ? first : i]);
         if (closes)
             first = ++i;
@@ -367,28 +373,35 @@ static bool add_triangle(struct polygon *polygon, const double a[3],
     return true;
 }
 
-/* Two sides are the same point where its edges meet: that triangle is left
- * out. */
+/* Where its edges meet a side is a point: that triangle is left out. */
+static bool add_trapezoid(struct polygon *polygon, double low[2][3],
+                          double high[2][3])
+{
+    double near = polygon->rounding;
+
+    return (is_near(low[0], low[1], near)
+            || add_triangle(polygon, low[0], low[1], high[1]))
+           && (is_near(high[0], high[1], near)
+               || add_triangle(polygon, low[0], high[1], high[0]));
+}
+
 static bool end_trapezoid(struct polygon *polygon, struct polygon_edge *left,
                           double height)
 {
     struct polygon_edge *right = left->right;
     double low[2][3], high[2][3];
 
-    if (!right)
+    left->right = NULL;
+    if (!right || height - left->since < polygon->rounding)
         return true;
     point_at(polygon, left, left->since, low[0]);
     point_at(polygon, right, left->since, low[1]);
     point_at(polygon, left, height, high[0]);
     point_at(polygon, right, height, high[1]);
-    left->right = NULL;
-    return (memcmp(low[0], low[1], sizeof low[0]) == 0
-            || add_triangle(polygon, low[0], low[1], high[1]))
-           && (memcmp(high[0], high[1], sizeof high[0]) == 0
-               || add_triangle(polygon, low[0], high[1], high[0]));
+    return add_trapezoid(polygon, low, high);
 }
 
-/* Edges that end here, and their trapezoids. */
+/* Edges that end here, and the trapezoids on their right. */
 static bool end_edges(struct polygon *polygon, double height)
 {
     struct polygon_edge **active = polygon->active;
@@ -396,8 +409,7 @@ static bool end_edges(struct polygon *polygon, double height)
 
     for (size_t i = 0; i < polygon->active_count; i++) {
         bool ends = active[i]->to <= height;
-        if ((ends || (active[i]->right && active[i]->right->to <= height))
-            && !end_trapezoid(polygon, active[i], height))
+        if (ends && !end_trapezoid(polygon, active[i], height))
             return false;
         if (!ends)
             active[kept++] = active[i];
