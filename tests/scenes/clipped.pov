@@ -11,7 +11,7 @@ light_source { <-5, 9, -6>, rgb .9 }
 // a bowl, a box in a ball and a tube, a ring's half
 sphere { 0, .9 clipped_by { plane { <1, 1, .4>, .2 } } pigment { Clay } translate <-3.2, .9, 0> }
 box { -.8, .8 rotate <20, 30, 0>
-    clipped_by { sphere { 0, 1 } cylinder { -2*y, 2*y, .9 } }
+    clipped_by { sphere { 0, 1 } cylinder { -.55*y, .55*y, .95 open } }
     pigment { Slate } translate <-1.1, .9, 0> }
 torus { .8, .2 clipped_by { box { -1, 1 translate x } } rotate 60*x
     pigment { Clay } translate <.9, .8, .3> }
@@ -32,5 +32,6 @@ quadric { <1, 0, 1>, 0, 0, -.16
 plane { z, 1 clipped_by { box { <-1, -1, 0>, <1, 1, 2> rotate 45*z } }
     pigment { Slate } translate <0, 1.5, 2> }
 prism { 0, 1.2, 5, <-.5, -.5>, <.5, -.5>, <.4, .5>, <-.4, .3>, <-.5, -.5>
-    clipped_by { plane { <0, 1, -.7>, .5 } } pigment { Slate } translate <3.4, .1, -2.2> }
+    clipped_by { plane { <0, 1, -.7>, .5 } }
+    clipped_by { torus { .5, .32 translate .6*y } } pigment { Slate } translate <3.4, .1, -2.2> }
 plane { y, 0 pigment { checker rgb .65, rgb .45 } }

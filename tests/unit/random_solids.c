@@ -213,7 +213,8 @@ static void add_mesh(char *text, size_t size)
 static void add_clip(char *text, size_t size)
 {
     static void (*const add_shape[])(char *, size_t) = {
-        add_plane, add_ball, add_box, add_cylinder, add_cone, add_quadric
+        add_plane, add_ball,    add_box,   add_cylinder,
+        add_cone,  add_quadric, add_torus, add_prism,
     };
 
     if (below(10))
