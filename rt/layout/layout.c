@@ -96,19 +96,41 @@ static size_t space_of(const struct scene *scene, size_t i, size_t before)
                : i + 1;
 }
 
+/* Of the colours as they are in the record: times their opacity, or not yet. */
 static void put_finish(struct record *record, const struct scene *scene,
-                       const struct finish *finish)
+                       const struct finish *finish, double opacity)
 {
     double words[8];
 
     for (size_t i = 0; i < 3; i++)
-        words[i] = finish->ambient[i] * scene->ambient_light[i];
-    words[3] = finish->diffuse;
+        words[i] = (finish->ambient[i] * scene->ambient_light[i]
+                    + finish->emission[i])
+                   * opacity;
+    words[3] = finish->diffuse * opacity;
     words[4] = finish->phong;
     words[5] = finish->phong_size;
     words[6] = finish->specular;
     words[7] = finish->roughness > 0 ? 1 / finish->roughness : 0;
     record_numbers(record, "P_FINISH", words, 8);
+}
+
+/* Of a program that has finishes that depend on the angle. */
+static void put_gloss(struct record *record, const struct finish *finish)
+{
+    const double gloss[2] = { finish->brilliance, finish->metallic };
+    double range[3];
+
+    if (!object_symbol(record->layout->program, "P_GLOSS"))
+        return;
+    for (size_t i = 0; i < 3; i++)
+        range[i] = finish->reflection_most[i] - finish->reflection[i];
+    record_numbers(record, "P_GLOSS", gloss, 2);
+    record_numbers(record, "P_REFLECTION_RANGE", range, 3);
+    record_numbers(record, "P_REFLECTION_FALLOFF",
+                   &finish->reflection_falloff, 1);
+    record_numbers(record, "P_REFLECTION_METALLIC",
+                   &finish->reflection_metallic, 1);
+    record_integer(record, "P_REFLECTION_KIND", surface_mirror_kind(finish));
 }
 
 static void put_gradient(struct record *record, const struct pigment *pigment,
@@ -138,10 +160,14 @@ static void put_surface(struct record *record, const struct scene *scene,
                         struct map_place *map)
 {
     const struct pigment *pigment = &primitive->pigment;
+    bool metal = surface_is_metal(pigment, &primitive->finish);
     double color[2][3], passing[2][4];
 
     for (int i = 0; i < 2; i++) {
-        surface_color(pigment, i, color[i]);
+        if (metal)
+            memcpy(color[i], pigment->color[i], sizeof color[i]);
+        else
+            surface_color(pigment, i, color[i]);
         surface_passing(pigment, i, passing[i]);
         passing[i][3] = surface_passing_weight(passing[i],
                                                scene->adc_bailout);
@@ -155,7 +181,9 @@ static void put_surface(struct record *record, const struct scene *scene,
                        12);
     record_integer(record, "P_CLEAR", pigment_is_clear(pigment));
     record_numbers(record, "P_PASSING", &passing[0][0], 8);
-    put_finish(record, scene, &primitive->finish);
+    put_finish(record, scene, &primitive->finish,
+               metal ? surface_opacity(pigment, 0) : 1);
+    put_gloss(record, &primitive->finish);
 }
 
 static void put_mirror(struct record *record,
@@ -165,7 +193,8 @@ static void put_mirror(struct record *record,
     double words[4];
 
     memcpy(words, primitive->finish.reflection, 3 * sizeof *words);
-    words[3] = greatest_of(words);
+    words[3] = fmax(greatest_of(words),
+                    greatest_of(primitive->finish.reflection_most));
     record_integer(record, "P_MIRROR", surface_is_mirror(&primitive->finish));
     record_numbers(record, "P_REFLECTION", words, 4);
     record_numbers(record, "P_INDEX", index, 2);
@@ -194,7 +223,7 @@ static uint64_t look_of(struct record *record,
                         const struct primitive *primitive,
                         struct looks *looks)
 {
-    enum { PIGMENT, COLOR, PATTERN = 7, FINISH = 19, REST = 27 };
+    enum { PIGMENT, COLOR, PATTERN = 7, FINISH = 19, REST = 27, GLOSS = 44 };
     c205_word words[LOOK_WORDS] = { 0 }, transformed = 0;
     uint64_t look;
 
@@ -208,6 +237,8 @@ static uint64_t look_of(struct record *record,
     record_read(record, "P_FINISH", &words[FINISH], 8);
     record_read(record, "P_INVERTED", &words[REST], 9);
     record_read(record, "P_PASSING", &words[REST + 9], 8);
+    if (object_symbol(record->layout->program, "P_GLOSS"))
+        record_read(record, "P_GLOSS", &words[GLOSS], 8);
     look = looks_first(looks, words, record->address);
     if (look == 0)
         layout_fail(record->layout, "no memory");

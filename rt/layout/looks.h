@@ -8,7 +8,7 @@
 
 #include "vm/c205.h"
 
-enum { LOOK_WORDS = 44 };
+enum { LOOK_WORDS = 52 };
 
 struct looks;
 

@@ -37,13 +37,21 @@ struct light {
 };
 
 /* POV-Ray's finish; its defaults (3.7) are ambient .1, diffuse .6, the rest
- * 0, phong_size 40, roughness .05, reflection black. */
+ * 0, phong_size 40, roughness .05, reflection black, brilliance and falloff
+ * 1. */
 struct finish {
-    double ambient[3];
-    double reflection[3];
-    double diffuse;
+    double ambient[3];         /* times the ambient light */
+    double emission[3];        /* .. and as it is */
+    double reflection[3];      /* seen straight on */
+    double reflection_most[3]; /* .. along the surface */
+    double reflection_falloff; /* the power by which it goes from one to the
+                                  other with 1 less the cosine */
+    bool fresnel;              /* .. or by Fresnel's formulas */
+    double reflection_metallic;
+    double diffuse, brilliance; /* the power of the cosine */
     double phong, phong_size;
     double specular, roughness;
+    double metallic; /* how far highlights have the pigment's colour */
 };
 
 enum pigment_kind { PIGMENT_COLOR, PIGMENT_CHECKER, PIGMENT_GRADIENT };

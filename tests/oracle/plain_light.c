@@ -60,11 +60,14 @@ void plain_describe(const struct ray *ray, const struct plain_hit *hit,
     copy(surface->normal, hit->normal);
     int cell = pigment_cell(pigment, surface->point);
     passing_color(pigment, cell, surface->passing);
+    copy(surface->pigment, pigment->color[cell]);
     copy(surface->color, pigment->color[cell]);
     scale_by(surface->color,
              1 - pigment->filter[cell] - pigment->transmit[cell]);
     if (pigment->kind == PIGMENT_GRADIENT)
         plain_gradient(pigment, surface->point, surface->color);
+    if (pigment->kind == PIGMENT_GRADIENT)
+        copy(surface->pigment, surface->color);
 }
 
 /* phong: the eye's ray mirrored at the surface, against the light;
@@ -84,6 +87,52 @@ static double highlight(const struct finish *finish, const double eye[3],
     if (finish->specular > 0 && specular > 0)
         sum += finish->specular * pow(specular, 1 / finish->roughness);
     return sum;
+}
+
+/* POV-Ray's: the less of its own colour a metal shows the more obliquely it is
+ * seen or lit. */
+static void add_metal(double metallic, double cosine, const double pigment[3],
+                      double color[3])
+{
+    double angle = acos(fmin(cosine, 1)) / acos(0);
+    double fresnel = .014567225 / ((angle - 1.12) * (angle - 1.12))
+                     - .011612903;
+    double own = metallic * (1 - fmin(fmax(fresnel, 0), 1));
+    for (int i = 0; i < 3; i++)
+        color[i] *= 1 - own + own * pigment[i];
+}
+
+/* What of unpolarised light a surface between media gives back. */
+static double fresnel_share(double index, double cosine)
+{
+    double inside = sqrt(
+        fmax(1 - (1 - cosine * cosine) / (index * index), 0));
+    double across = (cosine - index * inside) / (cosine + index * inside);
+    double along = (index * cosine - inside) / (index * cosine + inside);
+    return (across * across + along * along) / 2;
+}
+
+static double greatest(const double color[3])
+{
+    return fmax(fabs(color[0]), fmax(fabs(color[1]), fabs(color[2])));
+}
+
+double plain_mirror(const struct plain_surface *surface, double index,
+                    double color[3])
+{
+    const struct finish *finish = surface->finish;
+    double cosine = -dot(surface->ray->direction, surface->normal);
+    double share = finish->fresnel
+                       ? fresnel_share(index, cosine)
+                       : pow(fmax(1 - cosine, 0), finish->reflection_falloff);
+    for (int i = 0; i < 3; i++)
+        color[i] = (1 - share) * finish->reflection[i]
+                   + share * finish->reflection_most[i];
+    double weight = finish->fresnel ? greatest(color)
+                                    : fmax(greatest(finish->reflection),
+                                           greatest(finish->reflection_most));
+    add_metal(finish->reflection_metallic, cosine, surface->pigment, color);
+    return weight;
 }
 
 /* --- shadows ------------------------------------------------------------ */
@@ -152,10 +201,12 @@ static void add_light(const struct plain_tracer *tracer,
                         ? 0
                         : highlight(surface->finish, surface->ray->direction,
                                     surface->normal, to_light.direction);
+    double lit = surface->finish->diffuse
+                 * pow(cosine, surface->finish->brilliance);
+    double gleam[3] = { bright, bright, bright };
+    add_metal(surface->finish->metallic, cosine, surface->pigment, gleam);
     for (int i = 0; i < 3; i++)
-        color[i] += left[i]
-                    * (surface->finish->diffuse * cosine * surface->color[i]
-                       + bright);
+        color[i] += left[i] * (lit * surface->color[i] + gleam[i]);
 }
 
 void plain_shade(const struct plain_tracer *tracer,
@@ -163,7 +214,8 @@ void plain_shade(const struct plain_tracer *tracer,
 {
     const struct scene *scene = tracer->scene;
     for (int i = 0; i < 3; i++)
-        color[i] = surface->finish->ambient[i] * scene->ambient_light[i]
+        color[i] = (surface->finish->ambient[i] * scene->ambient_light[i]
+                    + surface->finish->emission[i])
                    * surface->color[i];
     for (size_t i = 0; i < scene->light_count; i++)
         add_light(tracer, &scene->lights[i], surface, color);

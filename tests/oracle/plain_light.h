@@ -16,8 +16,9 @@ struct plain_surface {
     const struct ray *ray;
     const struct finish *finish;
     double point[3], normal[3]; /* against the ray */
-    double color[3];            /* of what is opaque of it */
-    double passing[3];          /* what it lets through, per channel */
+    double pigment[3];
+    double color[3];   /* of what is opaque of it */
+    double passing[3]; /* what it lets through, per channel */
 };
 
 /* The colour of a gradient at a point, of a sky in a direction. */
@@ -26,6 +27,13 @@ void plain_gradient(const struct pigment *pigment, const double point[3],
 
 void plain_describe(const struct ray *ray, const struct plain_hit *hit,
                     struct plain_surface *surface);
+
+/* What of a mirrored ray's colour the surface gives back; the index of what is
+ * behind it to what is before it counts in Fresnel's formulas.  Returns what
+ * the ray weighs, POV-Ray's: the greatest part of that colour before it is made
+ * metallic, but by a power of the angle the greatest of all angles. */
+double plain_mirror(const struct plain_surface *surface, double index,
+                    double color[3]);
 
 /* The surface's colour without what comes through it or is mirrored: ambient,
  * and what each light adds through what stands before it. */

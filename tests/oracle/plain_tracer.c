@@ -109,20 +109,21 @@ static void branch(const struct branching *from, const struct plain_hit *hit)
 {
     static const double all[3] = { 1, 1, 1 };
     const struct plain_surface *surface = from->surface;
-    const double *reflection = surface->finish->reflection;
     const double *passing = surface->passing;
     double index = hit->primitive->ior;
     bool clear = is_clear(from->tracer->scene, passing);
-    double mirrored[3], refracted[3];
+    double mirrored[3], refracted[3], reflection[3];
     bool leaves = refract(surface, hit->entering ? 1 / index : index,
                           refracted);
     mirror(surface, mirrored);
+    double weight = plain_mirror(surface, hit->entering ? index : 1 / index,
+                                 reflection);
     if (clear && !leaves) {
         follow(from, mirrored, greatest(passing), all);
         return;
     }
-    if (greatest(reflection) > 0)
-        follow(from, mirrored, greatest(reflection), reflection);
+    if (weight > 0)
+        follow(from, mirrored, weight, reflection);
     if (clear)
         follow(from, refracted, greatest(passing), passing);
 }

@@ -54,6 +54,7 @@ static struct object *stage_program(void)
                 + sprintf(text, "        .equ CROSSING_SIZE, 2\n"
                                 "        .equ VALUE_SIZE, 3\n"
                                 "        .equ LEVEL_SIZE, 10\n"
+                                "        .equ GLOSS, 1\n"
                                 "        .include \"frame/records.s\"\n"
                                 "        .entry first\nfirst:  EXIT\n"
                                 "        .data\n");

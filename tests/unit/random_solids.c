@@ -56,6 +56,25 @@ void add_gradient(char *text, size_t size)
     add_text(text, size, "} ");
 }
 
+/* What depends on the angle; of clear things none that are metallic, whose
+ * checkers are not POV-Ray's.  Nothing is drawn by it, so that the solids stay. */
+static void add_gloss(char *text, size_t size)
+{
+    static const char *const glosses[] = {
+        "brilliance 2.5 ",
+        "reflection { .1, rgb <.3, .5, .2> falloff 3 } ",
+        "emission .1 ",
+        "phong .4 metallic .7 ",
+        "specular .3 brilliance .7 metallic ",
+        "reflection { .4 metallic } ",
+    };
+    size_t count = sizeof glosses / sizeof *glosses;
+    size_t which = strlen(text) % (4 * count);
+
+    if (which < (solids.clear ? count / 2 : count))
+        add_text(text, size, "%s", glosses[which]);
+}
+
 void add_look(char *text, size_t size)
 {
     add_text(text, size, "pigment { ");
@@ -69,6 +88,7 @@ void add_look(char *text, size_t size)
         add_text(text, size, "phong %.2f ", between(0, 1));
     if (solids.clear && below(3) == 0)
         add_text(text, size, "reflection %.2f ", between(.1, .5));
+    add_gloss(text, size);
     add_text(text, size, "} ");
 }
 

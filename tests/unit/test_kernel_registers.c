@@ -148,45 +148,19 @@ static void run_watched(const struct object *program, c205 *machine,
     register_owners_free(owners);
 }
 
-static struct object *assemble(const struct trace_options *options)
-{
-    static const char *const programs[TRACE_MODES] = {
-        [TRACE_SCALAR] = "frame/frame_scalar.s",
-        [TRACE_VECTOR] = "frame/frame_vector.s",
-        [TRACE_KERNELS] = "frame/frame_1984.s",
-    };
-    struct asm_define defines[5] = { { "QUEUE", (int64_t)options->queue } };
-    size_t count = 1;
-    c205_error error = { "" };
-    struct object *program;
-
-    if (options->historical)
-        defines[count++] = (struct asm_define){ "HISTORICAL", 1 };
-    if (options->variant)
-        defines[count++] = (struct asm_define){ options->variant, 1 };
-    if (options->visible != VISIBLE_DEFAULT)
-        defines[count] = (struct asm_define){ "VISIBLE", options->visible };
-    program = program_assemble(programs[options->mode], defines, &error);
-    if (!program)
-        fail_msg("%s", error.message);
-    return program;
-}
-
 static void trace_watched(const struct scene *scene,
                           const struct trace_options *options,
                           const char *what)
 {
     c205_error error = { "" };
-    struct object *program = assemble(options);
     struct trace *trace = trace_new(scene, options, &error);
     c205 *machine = trace ? trace_machine(trace, &error) : NULL;
 
     if (!machine)
         fail_msg("%s: %s", what, error.message);
-    run_watched(program, machine, what);
+    run_watched(trace_program(trace), machine, what);
     c205_free(machine);
     trace_free(trace);
-    object_free(program);
 }
 
 /* In all modes; no_bounds, historical, variant and visible as they are. */

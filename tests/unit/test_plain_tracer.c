@@ -28,7 +28,11 @@ static struct primitive primitive_of(enum primitive_kind kind)
         .to_local = identity,
         .ior = 1,
         .pigment = { .color = { { 1, 1, 1 } }, .to_local = identity },
-        .finish = { .diffuse = 1, .phong_size = 40, .roughness = .05 },
+        .finish = { .reflection_falloff = 1,
+                    .diffuse = 1,
+                    .brilliance = 1,
+                    .phong_size = 40,
+                    .roughness = .05 },
     };
 }
 

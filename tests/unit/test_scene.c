@@ -34,6 +34,9 @@ static void test_defaults(void **state)
     assert_close(sphere->finish.phong_size, 40, CLOSE);
     assert_close(sphere->finish.specular, 0, CLOSE);
     assert_close(sphere->finish.roughness, .05, CLOSE);
+    assert_close(sphere->finish.brilliance, 1, CLOSE);
+    assert_close(sphere->finish.metallic, 0, CLOSE);
+    assert_vector(sphere->finish.emission, 0, 0, 0);
     assert_int_equal(sphere->pigment.kind, PIGMENT_COLOR);
     assert_vector(sphere->pigment.color[0], 0, 0, 0);
     assert_false(sphere->transformed);

@@ -330,13 +330,64 @@ static void test_reflections(void **state)
 {
     static const struct {
         const char *text;
-        double color[3];
+        double least[3], most[3], falloff, metallic;
+        bool fresnel;
     } rows[] = {
-        { "", { 0, 0, 0 } },
-        { "reflection .25", { .25, .25, .25 } },
-        { "reflection rgb <.1, .2, .3>", { .1, .2, .3 } },
-        { "reflection { <.1, .2, .3> }", { .1, .2, .3 } },
-        { "reflection { color rgb .5 } phong 1", { .5, .5, .5 } },
+        { "", { 0, 0, 0 }, { 0, 0, 0 }, 1, 0, false },
+        { "reflection .25",
+          { .25, .25, .25 },
+          { .25, .25, .25 },
+          1,
+          0,
+          false },
+        { "reflection rgb <.1, .2, .3>",
+          { .1, .2, .3 },
+          { .1, .2, .3 },
+          1,
+          0,
+          false },
+        { "reflection { <.1, .2, .3> }",
+          { .1, .2, .3 },
+          { .1, .2, .3 },
+          1,
+          0,
+          false },
+        { "reflection { color rgb .5 } phong 1",
+          { .5, .5, .5 },
+          { .5, .5, .5 },
+          1,
+          0,
+          false },
+        { "reflection { .1, rgb <.2, .3, .4> falloff 3 metallic }",
+          { .1, .1, .1 },
+          { .2, .3, .4 },
+          3,
+          1,
+          false },
+        { "reflection { .1 .2 fresnel metallic .5 }",
+          { .1, .1, .1 },
+          { .2, .2, .2 },
+          1,
+          .5,
+          true },
+        { "reflection { .5 fresnel on }",
+          { 0, 0, 0 },
+          { .5, .5, .5 },
+          1,
+          0,
+          true },
+        { "reflection { .5 fresnel off }",
+          { .5, .5, .5 },
+          { .5, .5, .5 },
+          1,
+          0,
+          false },
+        { "reflection { 0, 1 fresnel falloff 2 } reflection { .5 }",
+          { .5, .5, .5 },
+          { .5, .5, .5 },
+          1,
+          0,
+          false },
     };
 
     (void)state;
@@ -345,9 +396,13 @@ static void test_reflections(void **state)
         snprintf(text, sizeof text, "sphere { 0, 1 finish { %s } }",
                  rows[i].text);
         struct scene *scene = read_scene(text);
-        const double *color = rows[i].color;
-        assert_vector(scene->primitives->finish.reflection, color[0],
-                      color[1], color[2]);
+        const struct finish *finish = &scene->primitives->finish;
+        const double *least = rows[i].least, *most = rows[i].most;
+        assert_vector(finish->reflection, least[0], least[1], least[2]);
+        assert_vector(finish->reflection_most, most[0], most[1], most[2]);
+        assert_close(finish->reflection_falloff, rows[i].falloff, 0);
+        assert_close(finish->reflection_metallic, rows[i].metallic, 0);
+        assert_int_equal(finish->fresnel, rows[i].fresnel);
         scene_free(scene);
     }
 }

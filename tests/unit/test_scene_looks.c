@@ -152,8 +152,8 @@ static unsigned put_thing(struct drawing *drawing)
 /* The looks are declared in the first lines; returns those of the scene. */
 static unsigned draw(struct drawing *drawing)
 {
-    static const char *const words[LOOKS] = { "crand", "brilliance",
-                                              "emission", "metallic" };
+    static const char *const words[LOOKS] = { "crand", "irid", "subsurface",
+                                              "conserve_energy" };
     unsigned told = 0;
 
     drawing->names = 0;

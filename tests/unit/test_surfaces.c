@@ -48,6 +48,43 @@ static void test_finish(void **state)
     drop_curtain(&stage);
 }
 
+/* Finishes that depend on the angle.  The opacity of a metal is in its finish. */
+static void test_gloss(void **state)
+{
+    static const char text[] =
+        "sphere { 0, 1 pigment { rgbf <.8, .4, .2, .5> }\n"
+        "  finish { ambient .5 emission .25 diffuse .5 phong .5 metallic .75\n"
+        "    brilliance 2 reflection { .25, rgb <.5, .25, 1> falloff 3 } } }\n"
+        "sphere { 0, 1 pigment { rgb .5 } finish { reflection { 1 fresnel } }\n"
+        "  interior { ior 2 } }\n"
+        "sphere { 0, 1 pigment { checker rgbt <1, 1, 1, .5> rgb 1 }\n"
+        "  finish { reflection { .5 metallic } } }\n"
+        "sphere { 0, 1 pigment { rgb .5 } finish { reflection .5 } }";
+    static const double gloss[][7] = {
+        { 2, .75, .25, 0, .75, 3, 0 },
+        { 1, 0, 1, 1, 1, 1, 0 },
+        { 1, 0, 0, 0, 0, 1, 1 },
+        { 1, 0, 0, 0, 0, 1, 0 },
+    };
+    static const int kinds[] = { 1, 2, 1, 0 };
+    static const double checker[] = { .5, .5, .5, 1, 1, 1 };
+    static const double reflection[] = { .25, .25, .25, 1 };
+    struct stage stage;
+
+    (void)state;
+    raise_curtain(&stage, text, BOUNDING_FLAT);
+    for (size_t i = 0; i < COUNT(gloss); i++) {
+        check_numbers(&stage, i, "P_GLOSS", gloss[i], 7);
+        assert_integer(primitive(&stage, i, "P_REFLECTION_KIND"), kinds[i]);
+    }
+    check_numbers(&stage, 0, "P_COLOR", (const double[]){ .8, .4, .2 }, 3);
+    check_numbers(&stage, 0, "P_FINISH",
+                  (const double[]){ .375, .375, .375, .25 }, 4);
+    check_numbers(&stage, 0, "P_REFLECTION", reflection, 4);
+    check_numbers(&stage, 2, "P_COLOR", checker, 6);
+    drop_curtain(&stage);
+}
+
 /* As POV-Ray: the opacity is not held between 0 and 1, a colour weighs what it
  * is by size, and what passes too dimly in all is not followed. */
 static void test_odd_surfaces(void **state)
@@ -112,9 +149,8 @@ static void test_levels(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surfaces),
-        cmocka_unit_test(test_finish),
-        cmocka_unit_test(test_odd_surfaces),
+        cmocka_unit_test(test_surfaces), cmocka_unit_test(test_finish),
+        cmocka_unit_test(test_gloss),    cmocka_unit_test(test_odd_surfaces),
         cmocka_unit_test(test_levels),
     };
 

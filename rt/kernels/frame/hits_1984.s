@@ -88,7 +88,11 @@ surface:
         .regs   r74, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
         .regs   r79, f_size, f_specular, f_sharpness
         .endshare
+        .if     GLOSS
+        .equ    SHINE_REGISTERS, GLOSS_REGISTERS
+        .else
         .equ    SHINE_REGISTERS, 50
+        .endif
 
 towards:
         enter_hit 2, TOWARDS_REGISTERS
@@ -112,6 +116,9 @@ shine:
         load_hit HIT_SAMPLE, SAMPLE_SIZE + 6, red
         load_hit HIT_PIGMENT, 3, color0r
         get_record P_FINISH, 8, f_ambientr
+        .if     GLOSS
+        get_record P_GLOSS, 2, f_brilliance
+        .endif
         shine
         store_hit HIT_SAMPLE, 3, red
         leave_hit SHINE_REGISTERS

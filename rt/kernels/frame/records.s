@@ -4,6 +4,11 @@
 ; written once, here.  Numbers are normalised 64-bit words in world units;
 ; colours are linear.
 
+; 1: there are finishes that depend on the angle (light/gloss.s).
+        .ifndef GLOSS
+        .equ    GLOSS, 0
+        .endif
+
 ; A primitive.
         .equ    SHAPE_SIZE, 16
         .equ    PATCH_CROSSINGS, 4 ; the most of a ray with a patch
@@ -63,6 +68,15 @@
         .field  P_FINISH, 8        ; ambient 3 (times the ambient light),
                                 ; diffuse, phong, phong_size, specular,
                                 ; 1/roughness
+        .if     GLOSS
+        .field  P_GLOSS, 2         ; brilliance; how metallic highlights are
+        .field  P_REFLECTION_RANGE, 3 ; of P_REFLECTION, as the angle has it:
+                                ; most less least,
+        .field  P_REFLECTION_FALLOFF ; the power that it goes by,
+        .field  P_REFLECTION_METALLIC
+        .field  P_REFLECTION_KIND ; 0: it is always the same, 1: by a power,
+                                ; 2: by Fresnel's formulas
+        .endif
         .field  P_PATCH_POINT, 2   ; the parameters of the last hit, written
                                 ; by the scalar form only
         .field  P_STATE_KERNEL     ; under a tree, of an open shape: what gives
@@ -83,7 +97,8 @@
         .field  P_MIRROR           ; 1: it reflects
         .field  P_CLEAR            ; 1: light passes
         .field  P_INDEX, 2         ; index of refraction, its reciprocal
-        .field  P_REFLECTION, 4    ; colour, and the greatest of it
+        .field  P_REFLECTION, 4    ; colour, of one that depends on the angle
+                                ; the least; the greatest of all
         .field  P_PASSING, 8       ; the colour that passes and the greatest
                                 ; of it, below 0 if it is too dim to be
                                 ; followed; twice as P_COLOR

@@ -18,12 +18,16 @@
         ADDN    \channel, t1, \channel
         .endm
 
+        .if     GLOSS
+        .include "light/gloss_scalar.s"
+        .else
         .macro  add_highlight amount
         MPYS    p_x, \amount, t0
         add_light t0, light_r, red
         add_light t0, light_g, green
         add_light t0, light_b, blue
         .endm
+        .endif
 
         .macro  add_diffuse light, pigment, channel
         MPYS    t0, \light, t1
@@ -33,11 +37,18 @@
 
 ; Diffuse light and the highlights, added to red, green, blue.
         .macro  shine
+        .if     GLOSS
+        find_diffuse
+        .else
         MPYS    ndotl, f_diffuse, t0
+        .endif
         add_diffuse light_r, color0r, red
         add_diffuse light_g, color0g, green
         add_diffuse light_b, color0b, blue
         CFPEQ   light_gleams, r0, shine_end\@
+        .if     GLOSS
+        find_metal
+        .endif
         dot     dx, dy, dz, lx, ly, lz, ddotl, t0
         CFPGE   r0, f_phong, shine_no_phong\@
         MPYS    facing, m_two, t0

@@ -49,12 +49,16 @@
         ADDNV   [\channel], [v1], [\channel] ? [\bits]
         .endm
 
+        .if     GLOSS
+        .include "light/gloss_vector.s"
+        .else
         .macro  add_highlight amount, light_r, light_g, light_b
         MPYSV   [v0], \amount, [v0]
         add_light v0, \light_r, red, hits0
         add_light v0, \light_g, green, hits0
         add_light v0, \light_b, blue, hits0
         .endm
+        .endif
 
         .macro  add_diffuse light, pigment, channel
         MPYSV   [v0], \light, [v1]
@@ -67,7 +71,11 @@
         CMPLTV  r0, [ndotl], [hits3]
         CNTOB   [hits3], s0
         IBXEQ   s0, r0, r0, illuminate_done\@
+        .if     GLOSS
+        find_diffuse
+        .else
         MPYSV   [ndotl], f_diffuse, [v0]
+        .endif
         add_diffuse \light_r, cr, red
         add_diffuse \light_g, cg, green
         add_diffuse \light_b, cb, blue
@@ -75,6 +83,9 @@
         ADDN    f_phong, f_specular, s0
         CFPGE   r0, s0, illuminate_done\@
         dot_vectors hdx, hdy, hdz, lx, ly, lz, v6, v0
+        .if     GLOSS
+        find_metal
+        .endif
         CFPGE   r0, f_phong, illuminate_no_phong\@
         MPYSV   [facing], two, [v0]
         MPYSV   [v0], [ndotl], [v0]
@@ -132,6 +143,9 @@ illuminate_parts:
 illuminate_next:
         part_begin
         load_record P_FINISH, 8, f_ambientr
+        .if     GLOSS
+        load_record P_GLOSS, 2, f_brilliance
+        .endif
         IBXNE   tinted, r0, r0, illuminate_tinted
         illuminate_part light_r, light_g, light_b
         BIM     illuminate_parts_next

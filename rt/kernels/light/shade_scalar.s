@@ -5,7 +5,8 @@
 ; RAY = O, D (6 words); PRIMITIVE = the record of what it hit; DISTANCE (1);
 ; SAMPLE = colour, normal turned against the ray, N . D, the same of the
 ; outward normal, the place of the pigment's colour (pigment_scalar.s), point
-; (12 words).  Formulas and order of the operations as in shade_vector.s,
+; (12 words).  With finishes that depend on the angle another argument: PIGMENT = the
+; pigment's colour (3 words).  Formulas and order of the operations as in shade_vector.s,
 ; pigment_vector.s and light_vector.s, but what a light cannot reach is not
 ; worked out.
 
@@ -19,18 +20,35 @@ shadow_limit:   .space 1
 shadow_light:   .space 3
         .code
 
+        .if     GLOSS
+        .share  local
+        .reg    a_pigment, r138         ; until there is light
+        .endshare
+        .equ    SHADE_ARGUMENTS, 5
+        .else
+        .equ    SHADE_ARGUMENTS, 4
+        .endif
+
         .kernel shade
 shade:
         EX      save_at, shade_save
         ELEN    save_at, SHADE_REGISTERS
         SWAP    [r0], r32, [save_at]
         RTOR    link, link_saved
-        ELEN    arguments, 4
+        ELEN    arguments, SHADE_ARGUMENTS
         SWAP    [arguments], a_ray, [r0]
+        .if     GLOSS
+        RTOR    lights_left, a_pigment
+        .endif
         SWAP    [a_ray], ox, [r0]
         LOD     [a_distance], t0
         find_surface
         begin_colour 8
+        .if     GLOSS
+        ELEN    a_pigment, 3
+        SWAP    [r0], color0r, [a_pigment]
+        get_record P_GLOSS, 2, f_brilliance
+        .endif
         EX      here, scene_lights
         ELEN    here, 2
         SWAP    [here], t0, [r0]

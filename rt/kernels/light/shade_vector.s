@@ -264,10 +264,17 @@ shade_surface:
         part_begin
         EX      target, find_normal
         BSAVE   link_kernel, [target]
+        .if     GLOSS
+        EX      target, find_pigment
+        BSAVE   link_kernel, [target]
+        EX      target, spawn
+        BSAVE   link_kernel, [target]
+        .else
         EX      target, spawn
         BSAVE   link_kernel, [target]
         EX      target, find_pigment
         BSAVE   link_kernel, [target]
+        .endif
         load_record P_FINISH, 3, f_ambientr
         MPYSV   [cr], f_ambientr, [red]
         MPYSV   [cg], f_ambientg, [green]

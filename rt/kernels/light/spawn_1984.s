@@ -17,6 +17,9 @@ spawn_list:     .space 3
                 .descriptor 2, spawn_followed
                 .descriptor CHILD_SIZE, spawn_children
                 .descriptor CHILD_SIZE, spawn_children + 64 * CHILD_SIZE
+                .if     GLOSS
+                .word 0
+                .endif
 spawn_followed: .space 2
 spawn_children: .space 2 * CHILD_SIZE
         .code
@@ -82,6 +85,9 @@ spawn_hit:
         EX      loop_at, spawn_list
         STO     [loop_at, m_index_one], new_primitive
         spawn_argument 2, HIT_SAMPLE + SAMPLE_NORMAL, SAMPLE_SIZE - SAMPLE_NORMAL
+        .if     GLOSS
+        spawn_argument 7, HIT_PIGMENT, 3
+        .endif
         SHIFTI  new_place, 6, loop_work
         ADDX    hit_weight_at, loop_work, loop_work
         EX      loop_at, spawn_list + 64 * 3

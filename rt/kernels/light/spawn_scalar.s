@@ -8,7 +8,8 @@
 ; place of the colour, point (9); WEIGHT = that of the ray (1).
 ; FOLLOWED = 1 or 0: there is a reflected ray, a refracted one (2, integers);
 ; REFLECTED, REFRACTED = its O, D, least distance, the same to be scaled;
-; weight; the colour it is multiplied by (12 words).
+; weight; the colour it is multiplied by (12 words).  With finishes that depend on
+; the angle another argument: PIGMENT = its colour there (3).
 ;
 ; With c = -N . D:
 ;
@@ -38,7 +39,14 @@
         .regs   r66, sp_own_weight, sp_least, sp_e, sp_k, sp_t0, sp_t1, sp_t2
         .regs   r73, sp_flag, sp_at
         .endshare
+        .if     GLOSS
+        .include "light/mirror_scalar.s"
+        .equ    SPAWN_REGISTERS, MIRROR_REGISTERS
+        .equ    SPAWN_ARGUMENTS, 8
+        .else
         .equ    SPAWN_REGISTERS, 43
+        .equ    SPAWN_ARGUMENTS, 7
+        .endif
 
 ; A new ray, as it lies in these registers from sp_ox on.
         .record CHILD
@@ -77,8 +85,11 @@ spawn:
         EX      save_at, spawn_save
         ELEN    save_at, SPAWN_REGISTERS
         SWAP    [r0], r32, [save_at]
-        ELEN    arguments, 7
+        ELEN    arguments, SPAWN_ARGUMENTS
         SWAP    [arguments], sp_ray, [r0]
+        .if     GLOSS
+        RTOR    sp_dx, g_pigment
+        .endif
         IX      sp_ray, 64 * 3
         ELEN    sp_ray, 3
         SWAP    [sp_ray], sp_dx, [r0]
@@ -143,6 +154,9 @@ spawn_refracted:
 spawn_reflected:
         IBXEQ   sp_mirror, r0, r0, spawn_done
         weigh   P_REFLECTION, r0
+        .if     GLOSS
+        find_mirror
+        .endif
         CFPLT   sp_weight, sp_least, spawn_done
         mirrored
         ELEN    sp_reflected_at, CHILD_SIZE

@@ -63,6 +63,15 @@
         reflect hdz, nz, v3
         .endm
 
+; hits2 = where the rays enter.
+        .macro  find_entering
+        CMPLTV  [facing], r0, [hits2]
+        ANDNB   [hits2], [hits0], [hits2]
+        IBXEQ   spawn_inverted, r0, r0, spawn_entering\@
+        NANDB   [hits2], [hits2], [hits2]
+spawn_entering\@:
+        .endm
+
         .macro  refract d, n, to
         MPYSV   [v0], [\d], [v6]
         MPYSV   [v7], [\n], [v4]
@@ -85,6 +94,13 @@ spawn:
         IBXEQ   s0, r0, r0, spawn_nothing
         RTOR    link_kernel, link_spawn
         ES      spawn_total, 0
+        .if     GLOSS
+        load_field P_REFLECTION_KIND, spawn_kind
+        IBXEQ   spawn_kind, r0, r0, spawn_constant
+        EX      target, find_mirror
+        BSAVE   link_kernel, [target]
+spawn_constant:
+        .endif
         IBXEQ   spawn_clear, r0, r0, spawn_reflected
 
 ; What passes: sh8 .. sh11, in the odd cells of a checker, hits3, sh12 .. sh15.
@@ -104,11 +120,7 @@ spawn_passing:
 spawn_bend:
         XORB    [hits2], [hits2], [hits2]
         CFPEQ   spawn_index, one, spawn_reflected
-        CMPLTV  [facing], r0, [hits2]
-        ANDNB   [hits2], [hits0], [hits2]       ; enters
-        IBXEQ   spawn_inverted, r0, r0, spawn_enters
-        NANDB   [hits2], [hits2], [hits2]
-spawn_enters:
+        find_entering
         MASKV   spawn_reciprocal, spawn_index, [v0] ? [hits2]
         MPYSV   [v0], [v0], [v7]
         LINKV
@@ -127,7 +139,17 @@ spawn_bent:
 
 spawn_reflected:
         IBXEQ   spawn_mirror, r0, r0, spawn_refracted
+        .if     GLOSS
+        load_field P_REFLECTION_KIND, spawn_kind
+        IBXEQ   spawn_kind, r0, r0, spawn_most_constant
+        spawn_importance [ndotl]
+        BIM     spawn_important
+spawn_most_constant:
         spawn_importance spawn_most
+spawn_important:
+        .else
+        spawn_importance spawn_most
+        .endif
         IBXEQ   spawn_total, r0, r0, spawn_followed
         ANDNB   [hits1], [hits2], [hits1]
 spawn_followed:
@@ -137,9 +159,18 @@ spawn_followed:
         add_to_counter rays_reflected, spawn_count
         EX      target, spawn_ray
         BSAVE   link_kernel, [target]
+        .if     GLOSS
+        IBXEQ   spawn_kind, r0, r0, spawn_colour_constant
+        spawn_vector red
+        spawn_vector green
+        spawn_vector blue
+        BIM     spawn_coloured
+spawn_colour_constant:
+        .endif
         spawn_number spawn_r
         spawn_number spawn_g
         spawn_number spawn_b
+spawn_coloured:
         ES      spawn_kind, 0
         EX      target, spawn_rest
         BSAVE   link_kernel, [target]

@@ -20,8 +20,11 @@
         .field  L_FOLLOWED, 2           ; 1: a reflected ray, a refracted one
         .field  L_WAITING, CHILD_SIZE   ; the refracted one
         .field  L_NEAREST, 2            ; lists of arguments
-        .field  L_SHADE, 4
-        .field  L_SPAWN, 7
+        .field  L_SHADE, SHADE_ARGUMENTS
+        .field  L_SPAWN, SPAWN_ARGUMENTS
+        .if     GLOSS
+        .field  L_PIGMENT, 3
+        .endif
         .if     FOG
         .field  L_DISTANCE              ; how far it sees
         .endif
@@ -113,6 +116,10 @@ levels_next:
         level_argument L_SPAWN + 4, L_FOLLOWED, 2
         level_argument L_SPAWN + 5, LEVEL_SIZE + L_RAY, CHILD_SIZE
         level_argument L_SPAWN + 6, L_WAITING, CHILD_SIZE
+        .if     GLOSS
+        level_argument L_SHADE + 4, L_PIGMENT, 3
+        level_argument L_SPAWN + 7, L_PIGMENT, 3
+        .endif
         IX      level, 64 * LEVEL_SIZE
         IBXNE   levels_left, m_index_minus_one, r0, levels_next, levels_left
         RTOR    first_level, level

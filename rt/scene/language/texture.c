@@ -13,33 +13,84 @@ static bool read_ambient(struct reader *reader, void *subject,
     return read_rgb(reader, finish->ambient);
 }
 
-/* What two colours, or these words, make of the angle is left out. */
-static const struct keyword reflection_left_out[] = {
-    { "exponent", item_left_out, 0 },
-    { "falloff", item_left_out, 0 },
-    { "fresnel", item_left_out, 0 },
-    { "metallic", item_left_out, 0 },
+static bool read_emission(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    struct finish *finish = subject;
+
+    (void)item;
+    return read_rgb(reader, finish->emission);
+}
+
+/* How metallic something is: a number, or none for 1.  The keyword's detail is
+ * the member's offset. */
+static bool read_metallic(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    double *amount = (double *)((char *)subject + item->keyword->detail);
+
+    *amount = 1;
+    return !starts_expression(reader) || read_number(reader, amount);
+}
+
+static bool read_fresnel(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct finish *finish = subject;
+    double number = 1;
+
+    (void)item;
+    if (starts_expression(reader) && !read_number(reader, &number))
+        return false;
+    finish->fresnel = number != 0;
+    return true;
+}
+
+static bool read_falloff(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct finish *finish = subject;
+
+    (void)item;
+    return read_number(reader, &finish->reflection_falloff);
+}
+
+static const struct keyword reflection_words[] = {
+    { "falloff", read_falloff, 0 },
+    { "fresnel", read_fresnel, 0 },
+    { "metallic", read_metallic,
+      offsetof(struct finish, reflection_metallic) },
     { NULL, NULL, 0 },
 };
 
-static const struct grammar reflection_grammar = { "a word of reflection",
-                                                   { reflection_left_out },
-                                                   NULL };
+static const struct keyword reflection_left_out[] = {
+    { "exponent", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
 
-static bool read_least_and_most(struct reader *reader, double least[3])
+static const struct grammar reflection_grammar = {
+    "a word of reflection", { reflection_words, reflection_left_out }, NULL
+};
+
+/* One colour, seen from everywhere. */
+static bool read_mirror(struct reader *reader, struct finish *finish)
 {
-    struct scene_token more;
-    double most[3];
+    bool good = read_rgb(reader, finish->reflection);
 
-    if (!read_rgb(reader, least))
+    memcpy(finish->reflection_most, finish->reflection,
+           sizeof finish->reflection);
+    return good;
+}
+
+/* .. or two of them. */
+static bool read_mirrors(struct reader *reader, struct finish *finish,
+                         bool *two)
+{
+    if (!read_mirror(reader, finish))
         return false;
     reader_comma(reader);
-    more = reader->token;
-    if (!starts_color(reader) && !starts_expression(reader))
-        return true;
-    reader_report(reader, &more,
-                  "the second colour of 'reflection' is left out");
-    return read_rgb(reader, most);
+    *two = starts_color(reader) || starts_expression(reader);
+    return !*two || read_rgb(reader, finish->reflection_most);
 }
 
 static bool read_reflection(struct reader *reader, void *subject,
@@ -47,14 +98,21 @@ static bool read_reflection(struct reader *reader, void *subject,
 {
     struct finish *finish = subject;
     struct block block;
+    bool two = false;
 
     (void)item;
     if (!reader_at_sign(reader, '{'))
-        return read_rgb(reader, finish->reflection);
-    if (!block_open(reader, &block, '{'))
+        return read_mirror(reader, finish);
+    finish->fresnel = false;
+    finish->reflection_falloff = 1;
+    finish->reflection_metallic = 0;
+    if (!block_open(reader, &block, '{')
+        || !block_items(reader, &block, &reflection_grammar, finish,
+                        read_mirrors(reader, finish, &two)))
         return false;
-    return block_items(reader, &block, &reflection_grammar, subject,
-                       read_least_and_most(reader, finish->reflection));
+    if (finish->fresnel && !two) /* black, straight on */
+        memset(finish->reflection, 0, sizeof finish->reflection);
+    return true;
 }
 
 /* The keyword's detail is the member's offset. */
@@ -89,7 +147,10 @@ static bool read_roughness(struct reader *reader, void *subject,
 
 static const struct keyword finish_words[] = {
     { "ambient", read_ambient, 0 },
+    { "brilliance", read_amount, offsetof(struct finish, brilliance) },
     { "diffuse", read_amount, offsetof(struct finish, diffuse) },
+    { "emission", read_emission, 0 },
+    { "metallic", read_metallic, offsetof(struct finish, metallic) },
     { "phong", read_amount, offsetof(struct finish, phong) },
     { "phong_size", read_amount, offsetof(struct finish, phong_size) },
     { "specular", read_amount, offsetof(struct finish, specular) },
@@ -99,13 +160,10 @@ static const struct keyword finish_words[] = {
 };
 
 static const struct keyword finish_left_out[] = {
-    { "brilliance", item_left_out, 0 },
     { "conserve_energy", item_left_out, 0 },
     { "crand", item_left_out, 0 },
-    { "emission", item_left_out, 0 },
     { "fresnel", item_left_out, 0 },
     { "irid", item_left_out, 0 },
-    { "metallic", item_left_out, 0 },
     { "reflection_exponent", item_left_out, 0 },
     { "subsurface", item_left_out, 0 },
     { "use_alpha", item_left_out, 0 },

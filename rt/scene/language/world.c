@@ -19,7 +19,9 @@ static const struct texture texture_default = {
                                  { 0, 1, 0, 0 },
                                  { 0, 0, 1, 0 } } } },
     .finish = { .ambient = { .1, .1, .1 },
+                .reflection_falloff = 1,
                 .diffuse = .6,
+                .brilliance = 1,
                 .phong_size = 40,
                 .roughness = .05 },
 };
