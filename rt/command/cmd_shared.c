@@ -3,6 +3,7 @@
 
 #include "base/interrupt.h"
 #include "base/model.h"
+#include "rt/picture/picture.h"
 #include "rt/trace/processors.h"
 
 #include <stdio.h>
@@ -76,6 +77,7 @@ struct scene *cmd_read_scene(const struct rt205_arguments *arguments)
         .strict = arguments->strict,
         .search = arguments->search.items,
         .go_on = go_on,
+        .read_raster = picture_read_raster,
     };
     struct diagnostics reports = { 0 };
     struct scene *scene = scene_read(arguments->scene, &options, &reports);

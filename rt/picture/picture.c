@@ -479,3 +479,14 @@ bool picture_read_note(const char *path, const char *name, char *text,
     return files->read_note(path, name, text, size, &cause)
            || fail(error, "%s: %s", path, cause.message);
 }
+
+bool picture_read_raster(const char *format, const char *bytes, size_t length,
+                         struct raster *raster, struct raster_error *error)
+{
+    struct picture_error cause;
+    const struct picture_adapter *files = adapter(&cause);
+    if (files)
+        return files->read_raster(format, bytes, length, raster, error);
+    snprintf(error->message, sizeof error->message, "%s", cause.message);
+    return false;
+}

@@ -16,6 +16,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "rt/scene/raster.h"
+
 enum frame_channel {
     CHANNEL_RED,
     CHANNEL_GREEN,
@@ -91,6 +93,9 @@ bool picture_read(const char *path, struct frame *frame,
 /* The text of one note of a picture, "" when it has none. */
 bool picture_read_note(const char *path, const char *name, char *text,
                        size_t size, struct picture_error *error);
+
+/* A file's bytes as they are, for the reader of scenes. */
+raster_reader picture_read_raster;
 
 /* All samples 0.  The picture has at least one pixel; false when memory is
  * short. */

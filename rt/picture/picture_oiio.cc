@@ -32,6 +32,10 @@ const char date_variable[] = "SOURCE_DATE_EPOCH";
 const char jpeg_compression[] = "jpeg:98";
 const char jpeg_subsampling[] = "4:4:4";
 
+// Of TIFF's PhotometricInterpretation (TIFF 6.0): pixels are numbers of
+// colours.
+const int TIFF_PALETTE = 3;
+
 void require(bool good, const std::string &message)
 {
     if (!good)
@@ -39,7 +43,7 @@ void require(bool good, const std::string &message)
 }
 
 // Run the body; a failure is its message and false.
-template <class Body> bool guarded(picture_error *error, Body body)
+template <class Error, class Body> bool guarded(Error *error, Body body)
 {
     try {
         OIIO::attribute("threads", 1);
@@ -245,7 +249,65 @@ bool read_note(const char *path, const char *name, char *text, size_t size,
     });
 }
 
+// Grey or three colours, and perhaps how opaque they are.
+void describe(const OIIO::ImageSpec &spec, raster &image)
+{
+    const size_t width = static_cast<size_t>(spec.width);
+    const size_t height = static_cast<size_t>(spec.height);
+    require(spec.width > 0 && spec.height > 0, "it has no pixels");
+    require(width <= RASTER_PIXELS / height,
+            "it has more than " + std::to_string(RASTER_PIXELS) + " pixels");
+    require(spec.nchannels >= 1 && spec.nchannels <= 4,
+            "it has more than four channels");
+    require(spec.format == OIIO::TypeDesc::UINT8
+                || spec.format == OIIO::TypeDesc::UINT16,
+            "its samples are not whole numbers of 16 bits at most");
+    require(spec.get_int_attribute("tiff:PhotometricInterpretation")
+                != TIFF_PALETTE,
+            "its pixels are numbers of colours in a table, which cannot be "
+            "read of a TIFF file");
+    image.width = width;
+    image.height = height;
+    image.channels = static_cast<size_t>(spec.nchannels);
+    image.most = spec.format == OIIO::TypeDesc::UINT8 ? 255 : 65535;
+}
+
+void take_samples(OIIO::ImageInput &input, raster &image)
+{
+    const size_t count = image.width * image.height * image.channels;
+    std::vector<uint16_t> samples(count);
+    require(input.read_image(0, 0, 0, static_cast<int>(image.channels),
+                             OIIO::TypeDesc::UINT16, samples.data()),
+            input.geterror());
+    image.samples = static_cast<uint16_t *>(
+        std::calloc(count, sizeof *image.samples));
+    require(image.samples != nullptr, "out of memory");
+    for (size_t i = 0; i < count; i++)
+        image.samples[i] = static_cast<uint16_t>(samples[i] * image.most
+                                                 / 65535);
+}
+
+bool read_raster(const char *format, const char *bytes, size_t length,
+                 raster *image, raster_error *error)
+{
+    return guarded(error, [&] {
+        OIIO::Filesystem::IOMemReader file(bytes, length);
+        OIIO::ImageSpec how, spec;
+        auto input = OIIO::ImageInput::create(format);
+        require(input != nullptr, OIIO::geterror());
+        how.attribute("oiio:UnassociatedAlpha", 1);
+        require(input->set_ioproxy(&file),
+                std::string("OpenImageIO cannot read '") + format
+                    + "' from memory");
+        require(input->open(format, spec, how), input->geterror());
+        describe(spec, *image);
+        take_samples(*input, *image);
+        input->close();
+    });
+}
+
 } // namespace
 
-const struct picture_adapter rt205_picture_adapter = { begin, rows, end, read,
-                                                       read_note };
+const struct picture_adapter rt205_picture_adapter = {
+    begin, rows, end, read, read_note, read_raster
+};

@@ -9,6 +9,7 @@
 #include <stdio.h>
 
 #include "rt/picture/picture.h"
+#include "rt/scene/raster.h"
 
 #define PICTURE_ADAPTER_FILE "rt205_oiio.so"
 #define PICTURE_ADAPTER_SYMBOL "rt205_picture_adapter"
@@ -44,6 +45,10 @@ struct picture_adapter {
 
     bool (*read_note)(const char *path, const char *name, char *text,
                       size_t size, struct picture_error *error);
+
+    /* An image of whole numbers, from bytes: of 8 or 16 bits, which most
+     * tells. */
+    raster_reader *read_raster;
 };
 
 #endif

@@ -123,8 +123,11 @@ static bool tell_scene(const char *path, const struct scene *scene,
 
 static bool tell(const char *path, const struct trace_options *options)
 {
-    const struct scene_options reading = { .width = (int)options->width,
-                                           .height = (int)options->height };
+    const struct scene_options reading = {
+        .width = (int)options->width,
+        .height = (int)options->height,
+        .read_raster = picture_read_raster
+    };
     struct diagnostics reports = { 0 };
     struct scene *scene = scene_read(path, &reading, &reports);
     bool good = true;

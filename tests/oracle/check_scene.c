@@ -130,8 +130,11 @@ static bool parse(int count, char **words, struct request *request)
 
 static struct scene *read_scene(const struct request *request)
 {
-    const struct scene_options options = { .width = (int)request->width,
-                                           .height = (int)request->height };
+    const struct scene_options options = {
+        .width = (int)request->width,
+        .height = (int)request->height,
+        .read_raster = picture_read_raster
+    };
     struct diagnostics reports = { 0 };
     struct scene *scene = scene_read(request->scene, &options, &reports);
     diagnostics_print(&reports, stderr);

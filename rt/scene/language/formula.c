@@ -516,6 +516,16 @@ static bool take_arguments(struct reader *reader, size_t count,
     return reader_expect_sign(reader, ')');
 }
 
+static bool can_call(struct reader *reader, const struct formula *formula,
+                     const struct scene_token *at)
+{
+    return !formula->without
+           || reader_fault(reader, at,
+                           "the value of a function with '%s' is not "
+                           "supported",
+                           formula->without);
+}
+
 bool formula_call(struct reader *reader, const struct formula *formula,
                   struct numbers *value)
 {
@@ -523,14 +533,31 @@ bool formula_call(struct reader *reader, const struct formula *formula,
     const struct formula_caller call = { reader, &at };
     double arguments[PARAMETERS_MOST];
 
-    if (formula->without)
-        return reader_fault(reader, &at,
-                            "the value of a function with '%s' is not "
-                            "supported",
-                            formula->without);
+    if (!can_call(reader, formula, &at))
+        return false;
     *value = numbers_of(0);
     value->count = formula->moves ? 3 : 1;
     return take_arguments(reader, formula->parameter_count, arguments)
            && evaluate(&call, formula, arguments, value->n)
            && operand_finite(reader, &at, value);
+}
+
+bool formula_value(struct reader *reader, const struct formula *formula,
+                   const struct scene_token *at, const double arguments[3],
+                   double *value)
+{
+    const struct formula_caller call = { reader, at };
+    struct numbers result = numbers_of(0);
+
+    if (!can_call(reader, formula, at))
+        return false;
+    if (formula->moves || formula->parameter_count > 3)
+        return reader_fault(reader, at,
+                            "the function does not make a float of x, y and "
+                            "z");
+    if (!evaluate(&call, formula, arguments, result.n)
+        || !operand_finite(reader, at, &result))
+        return false;
+    *value = result.n[0];
+    return true;
 }

@@ -21,5 +21,10 @@ const struct formula *formula_read(struct reader *reader);
 /* The next token is its name: the call, and its value. */
 bool formula_call(struct reader *reader, const struct formula *formula,
                   struct numbers *value);
+/* The float that it makes of its parameters, of which it has three at most; an
+ * error is `at`. */
+bool formula_value(struct reader *reader, const struct formula *formula,
+                   const struct scene_token *at, const double arguments[3],
+                   double *value);
 
 #endif

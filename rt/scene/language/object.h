@@ -23,7 +23,8 @@ struct scene_part {
                                    filled */
     bool textured, filled;
     const struct bicubic_patch
-        *patch; /* a mesh is made of it, in the world */
+        *patch;        /* a mesh is made of it, in the world */
+    bool smooth_field; /* a mesh whose normals are settled there */
 };
 
 /* How the children of an object belong together: a union's stay apart. */

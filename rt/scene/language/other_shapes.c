@@ -3,7 +3,6 @@
 
 const struct keyword other_shapes[] = {
     { "blob", item_unsupported, 0 },
-    { "height_field", item_unsupported, 0 },
     { "isosurface", item_unsupported, 0 },
     { "julia_fractal", item_unsupported, 0 },
     { "lathe", item_unsupported, 0 },

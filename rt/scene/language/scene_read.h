@@ -3,6 +3,7 @@
 #define RT_SCENE_READ_H
 
 #include "base/diagnostic.h"
+#include "rt/scene/raster.h"
 #include "rt/shapes/primitive.h"
 
 struct scene_options {
@@ -15,6 +16,9 @@ struct scene_options {
      * nobody is asked. */
     bool (*go_on)(void *context);
     void *context;
+    /* What reads the images that the scene names, other than PGM and PPM. NULL:
+     * these are errors. */
+    raster_reader *read_raster;
 };
 
 /* Read a scene file.  NULL when it has errors (all are in *reports) or cannot

@@ -2,6 +2,7 @@
 #include "rt/scene/language/bicubic_patch.h"
 #include "rt/scene/language/clip.h"
 #include "rt/scene/language/expression.h"
+#include "rt/scene/language/height_field.h"
 #include "rt/scene/language/mesh.h"
 #include "rt/scene/language/polygon.h"
 #include "rt/scene/language/statement.h"
@@ -426,6 +427,8 @@ static bool read_first(struct reader *reader, struct scene_object *object,
         return bicubic_patch_read(reader, object, &item->at);
     if (shape == SHAPE_POLYGON)
         return polygon_read(reader, object, &item->at);
+    if (shape == SHAPE_HEIGHT_FIELD)
+        return height_field_read(reader, object, &item->at);
     return read_solid(reader, shape, &primitive)
            && shape_add(reader, object, &primitive, &item->at);
 }

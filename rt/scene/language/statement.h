@@ -69,6 +69,7 @@ enum shape_word {
     SHAPE_TEXT, /* of prisms */
     SHAPE_BICUBIC_PATCH,
     SHAPE_POLYGON,
+    SHAPE_HEIGHT_FIELD,
     SHAPE_TRIANGLE, /* from here on .. of which a mesh is made */
     SHAPE_SMOOTH_TRIANGLE,
     SHAPE_MESH2
@@ -86,7 +87,8 @@ enum shape_word {
     { "smooth_triangle", read, SHAPE_SMOOTH_TRIANGLE }, \
     { "mesh2", read, SHAPE_MESH2 }, \
     { "bicubic_patch", read, SHAPE_BICUBIC_PATCH }, \
-    { "polygon", read, SHAPE_POLYGON }
+    { "polygon", read, SHAPE_POLYGON }, \
+    { "height_field", read, SHAPE_HEIGHT_FIELD }
 /* clang-format on */
 /* Into an empty object; the caller frees it also after an error. */
 bool shape_read(struct reader *reader, struct scene_object *object,

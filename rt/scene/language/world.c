@@ -4,6 +4,7 @@
 #include "rt/scene/language/bicubic_patch.h"
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/expression.h"
+#include "rt/scene/language/height_field.h"
 #include "rt/scene/language/query.h"
 #include "rt/scene/language/statement.h"
 #include "rt/shapes/shape_words.h"
@@ -74,6 +75,8 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
 
         make_opaque(reader, &part->primitive, at);
         if (part->patch && !bicubic_patch_cut(reader, part, at))
+            return false;
+        if (part->smooth_field && !height_field_place(reader, part))
             return false;
         if (!check_part(reader, part, at))
             return false;

@@ -1,0 +1,298 @@
+/* height_field.c - height_field: a field of heights, which becomes the
+ * triangles of a mesh.
+ *
+ * The field fills the square from <0, 0, 0> to <1, 0, 1>, its heights stand on
+ * the points of a grid.  The diagonal from the greater x to the greater z
+ * halves each cell:
+ *
+ *     z+1  *---*
+ *          |\  |
+ *          | \ |
+ *          |  \|
+ *      z   *---*
+ *          x   x+1
+ *
+ * What is below the water level is cut off.
+ */
+#include "rt/scene/language/height_field.h"
+
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/heights.h"
+#include "rt/scene/language/mesh.h"
+#include "rt/scene/language/statement.h"
+#include "rt/scene/vector.h"
+#include "rt/shapes/shape.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* In POV-Ray the parts of a normal are whole numbers of so many steps. */
+#define NORMAL_STEPS 32767.
+
+struct height_field {
+    struct reader *reader;
+    const struct scene_token *at;
+    struct heights heights;
+    bool smooth;
+    double water;
+    struct triangles triangles;
+};
+
+struct field_point {
+    double place[3], normal[3];
+};
+
+/* ---- Its points ---------------------------------------------------------- */
+
+/* Of the triangle between a point and its neighbours along x and z, of length
+ * one, where a step along the grid and one of the height are of the same
+ * length. */
+static void add_normal(const struct heights *heights, size_t x, size_t z,
+                       int right, int up, double sum[3])
+{
+    double height = height_at(heights, x, z);
+    double beside = height_at(heights, x + (size_t)right, z);
+    double behind = height_at(heights, x, z + (size_t)up);
+    double normal[3] = { right * (height - beside), 1,
+                         up * (height - behind) };
+    double length = length3(normal);
+
+    for (int i = 0; i < 3; i++)
+        sum[i] += normal[i] / length;
+}
+
+/* As POV-Ray has it: of the four triangles about a point, or those of them that
+ * there are, whichever way the cells are halved; each part is cut to a whole
+ * number.  Of no special length. */
+static void point_normal(const struct heights *heights, size_t x, size_t z,
+                         double normal[3])
+{
+    double steps[3] = { (double)(heights->columns - 1), HEIGHT_ONE,
+                        (double)(heights->rows - 1) };
+    double length;
+
+    for (int i = 0; i < 3; i++)
+        normal[i] = 0;
+    for (int right = -1; right <= 1; right += 2)
+        for (int up = -1; up <= 1; up += 2)
+            if (x + (size_t)right < heights->columns
+                && z + (size_t)up < heights->rows)
+                add_normal(heights, x, z, right, up, normal);
+    length = length3(normal);
+    for (int i = 0; i < 3; i++)
+        normal[i] = trunc(normal[i] / length * NORMAL_STEPS) * steps[i];
+}
+
+static struct field_point point_of(const struct height_field *field, size_t x,
+                                   size_t z)
+{
+    const struct heights *heights = &field->heights;
+    struct field_point point = {
+        .place = { (double)x / (double)(heights->columns - 1),
+                   height_at(heights, x, z) / HEIGHT_ONE,
+                   (double)z / (double)(heights->rows - 1) }
+    };
+
+    if (field->smooth) {
+        point_normal(heights, x, z, point.normal);
+        scale3(1 / length3(point.normal), point.normal);
+    }
+    return point;
+}
+
+/* ---- Its triangles ------------------------------------------------------- */
+
+/* The half of a cell with the corner at the lesser x and z, or the other. */
+static void take_corners(const struct height_field *field, size_t x, size_t z,
+                         bool upper, struct field_point corners[3])
+{
+    corners[0] = point_of(field, x + upper, z + upper);
+    corners[1] = point_of(field, x + 1, z);
+    corners[2] = point_of(field, x, z + 1);
+}
+
+/* Where the water meets an edge. */
+static struct field_point shore(const struct height_field *field,
+                                const struct field_point *a,
+                                const struct field_point *b)
+{
+    double part = (field->water - a->place[1]) / (b->place[1] - a->place[1]);
+    struct field_point point;
+
+    for (int i = 0; i < 3; i++) {
+        point.place[i] = a->place[i] + part * (b->place[i] - a->place[i]);
+        point.normal[i] = a->normal[i] + part * (b->normal[i] - a->normal[i]);
+    }
+    point.place[1] = field->water;
+    return point;
+}
+
+/* What of a triangle is not below the water: so many points, or none. */
+static size_t cut_triangle(const struct height_field *field,
+                           const struct field_point corners[3],
+                           struct field_point left[4])
+{
+    size_t count = 0;
+
+    for (int i = 0; i < 3; i++) {
+        const struct field_point *a = &corners[i], *b = &corners[(i + 1) % 3];
+        bool dry = a->place[1] >= field->water;
+        if (dry)
+            left[count++] = *a;
+        if (dry != (b->place[1] >= field->water))
+            left[count++] = shore(field, a, b);
+    }
+    return count;
+}
+
+static void put_triangle(struct height_field *field,
+                         const struct field_point *a,
+                         const struct field_point *b,
+                         const struct field_point *c)
+{
+    const struct field_point *points[3] = { a, b, c };
+    struct triangle *triangle = &field->triangles
+                                     .list[field->triangles.count];
+
+    memset(triangle, 0, sizeof *triangle);
+    triangle->smooth = field->smooth;
+    for (int k = 0; k < 3; k++) {
+        copy3(points[k]->place, triangle->corners[k]);
+        copy3(points[k]->normal, triangle->normals[k]);
+    }
+    field->triangles.count++;
+}
+
+/* Counts them only, as long as there is no room for them. */
+static void add_half(struct height_field *field, size_t x, size_t z,
+                     bool upper)
+{
+    struct field_point corners[3], left[4];
+    size_t count;
+
+    take_corners(field, x, z, upper, corners);
+    count = cut_triangle(field, corners, left);
+    if (!field->triangles.list)
+        field->triangles.count += count > 2 ? count - 2 : 0;
+    else
+        for (size_t i = 2; i < count; i++)
+            put_triangle(field, &left[0], &left[i - 1], &left[i]);
+}
+
+static bool add_cells(struct height_field *field)
+{
+    size_t columns = field->heights.columns - 1;
+    size_t rows = field->heights.rows - 1;
+
+    field->triangles.count = 0;
+    for (size_t i = 0; i < columns * rows; i++)
+        for (int upper = 0; upper < 2; upper++)
+            add_half(field, i % columns, i / columns, upper);
+    return reader_spend(field->reader, TOKEN_COST * columns * rows);
+}
+
+static bool make_triangles(struct height_field *field)
+{
+    struct reader *reader = field->reader;
+    size_t count;
+
+    if (!add_cells(field))
+        return false;
+    count = field->triangles.count;
+    if (!mesh_count(reader, count, field->at))
+        return false;
+    field->triangles.list = arena_take(&reader->scene->kept,
+                                       (count + 1) * sizeof(struct triangle));
+    return field->triangles.list ? add_cells(field)
+                                 : reader_no_memory(reader);
+}
+
+/* ---- In the world -------------------------------------------------------- */
+
+/* By the transposed inverse. */
+static void carry_normal(const struct transform *to_local, double normal[3])
+{
+    double carried[3];
+
+    for (int i = 0; i < 3; i++)
+        carried[i] = to_local->rows[0][i] * normal[0]
+                     + to_local->rows[1][i] * normal[1]
+                     + to_local->rows[2][i] * normal[2];
+    scale3(1 / greatest3(carried), carried);
+    scale3(1 / length3(carried), carried);
+    copy3(carried, normal);
+}
+
+bool height_field_place(struct reader *reader, struct scene_part *part)
+{
+    struct primitive *primitive = &part->primitive;
+    struct triangles *triangles = &primitive->shape.mesh.triangles;
+    size_t count = triangles->count;
+    struct triangle *list = arena_take(&reader->scene->kept,
+                                       count * sizeof *list);
+
+    if (!list)
+        return reader_no_memory(reader);
+    memcpy(list, triangles->list, count * sizeof *list);
+    for (size_t i = 0; i < 3 * count; i++) {
+        struct triangle *triangle = &list[i / 3];
+        transform_point(&primitive->to_world, triangle->corners[i % 3]);
+        carry_normal(&primitive->to_local, triangle->normals[i % 3]);
+    }
+    triangles->list = list;
+    primitive->to_world = placement_none.to_world;
+    primitive->to_local = placement_none.to_local;
+    return true;
+}
+
+/* ---- The statement ------------------------------------------------------- */
+
+static bool read_words(struct height_field *field)
+{
+    struct reader *reader = field->reader;
+
+    for (;;) {
+        if (reader_accept(reader, "smooth"))
+            field->smooth = true;
+        else if (!reader_accept(reader, "water_level"))
+            return true;
+        else if (!read_number(reader, &field->water))
+            return false;
+    }
+}
+
+/* As in POV-Ray nothing is seen of it, which is no error. */
+static bool leave_out(const struct height_field *field)
+{
+    reader_report(field->reader, field->at,
+                  "the height_field lies below its water_level: it is left "
+                  "out");
+    return true;
+}
+
+static bool add_mesh(const struct height_field *field,
+                     struct scene_object *object)
+{
+    struct primitive primitive;
+
+    memset(&primitive, 0, sizeof primitive);
+    primitive.kind = PRIMITIVE_MESH;
+    primitive.shape.mesh.triangles = field->triangles;
+    if (shapes[PRIMITIVE_MESH]->settle(&primitive))
+        return leave_out(field);
+    if (!shape_add(field->reader, object, &primitive, field->at))
+        return false;
+    object->parts[object->part_count - 1].smooth_field = field->smooth;
+    return true;
+}
+
+bool height_field_read(struct reader *reader, struct scene_object *object,
+                       const struct scene_token *at)
+{
+    struct height_field field = { .reader = reader, .at = at };
+    bool done = heights_read(reader, &field.heights) && read_words(&field)
+                && make_triangles(&field) && add_mesh(&field, object);
+
+    free(field.heights.list);
+    return done;
+}

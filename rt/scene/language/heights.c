@@ -1,0 +1,307 @@
+/* heights.c - rows of heights: what POV-Ray takes the pixels of an image, or
+ * the values of a function, for.
+ *
+ * A height is a whole number from 0 to 65535.  As in POV-Ray 3.7, by trial:
+ *
+ *     grey                  the share of white, times 65535
+ *     grey, 8-bit PNG       the same, of .297 g + .589 g + .114 g in 32 bits
+ *     colours, 8 bits       256 red + green
+ *     colours, 16 bits      .297 red + .589 green + .114 blue, times 65535
+ *     numbers of colours    256 times the number
+ *
+ * What is behind the point is cut.  TIFF is taken as of 8 bits.
+ */
+#include "rt/scene/language/heights.h"
+
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/formula.h"
+#include "rt/scene/language/string_value.h"
+#include "rt/scene/raster.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FUNCTION_MOST \
+    32000. /* beyond, POV-Ray's whole numbers are too small */
+
+static bool allocate(struct reader *reader, struct heights *heights,
+                     size_t columns, size_t rows)
+{
+    heights->columns = columns;
+    heights->rows = rows;
+    heights->list = malloc(columns * rows * sizeof *heights->list);
+    return (heights->list || reader_no_memory(reader))
+           && reader_spend(reader, columns * rows);
+}
+
+double height_at(const struct heights *heights, size_t x, size_t z)
+{
+    return heights->list[z * heights->columns + x];
+}
+
+/* There must be a cell at least; of cells each has two triangles. */
+static bool check_size(struct reader *reader, const struct scene_token *at,
+                       double columns, double rows)
+{
+    if (columns < 2 || rows < 2)
+        return reader_fault(reader, at,
+                            "a height_field needs two rows of two heights at "
+                            "least");
+    return 2 * (columns - 1) * (rows - 1) <= TRIANGLES_MOST
+           || reader_fault(reader, at,
+                           "more than %d triangles in one height_field",
+                           TRIANGLES_MOST);
+}
+
+/* ---- Pixels -------------------------------------------------------------- */
+
+/* POV-Ray's floats have 32 bits, which is seen where the rest is cut. */
+static uint32_t shade(const float color[3], float most)
+{
+    volatile float red = color[0] * .297f, green = color[1] * .589f;
+    volatile float blue = color[2] * .114f, sum = red + green;
+
+    sum = sum + blue;
+    sum = sum * most;
+    return (uint32_t)sum;
+}
+
+struct pixels {
+    enum raster_kind kind;
+    bool numbers; /* of colours */
+    struct raster raster;
+};
+
+static uint32_t grey_height(const struct pixels *pixels, uint32_t sample)
+{
+    uint32_t most = pixels->raster.most;
+    float share = (float)sample / (float)most;
+    float color[3] = { share, share, share };
+
+    if (pixels->kind == RASTER_PNG && most == UINT8_MAX
+        && pixels->raster.channels == 1)
+        return 257 * shade(color, UINT8_MAX);
+    return (uint32_t)((uint64_t)sample * UINT16_MAX / most);
+}
+
+static uint32_t color_height(const struct pixels *pixels,
+                             const uint16_t *sample)
+{
+    uint32_t most = pixels->raster.most;
+    float color[3];
+
+    if (most <= UINT8_MAX)
+        return (256u * sample[0] + sample[1]) * UINT8_MAX / most;
+    for (int i = 0; i < 3; i++)
+        color[i] = (float)sample[i] / (float)most;
+    return shade(color, UINT16_MAX);
+}
+
+static uint32_t pixel_height(const struct pixels *pixels, size_t i)
+{
+    const struct raster *raster = &pixels->raster;
+    const uint16_t *sample = raster->samples + i * raster->channels;
+
+    if (pixels->numbers)
+        return 256u * sample[0];
+    return raster->channels < 3 ? grey_height(pixels, *sample)
+                                : color_height(pixels, sample);
+}
+
+static void cut_to_bytes(struct raster *raster)
+{
+    size_t count = raster->width * raster->height * raster->channels;
+
+    for (size_t i = 0; i < count && raster->most > UINT8_MAX; i++)
+        raster->samples[i] >>= 8;
+    raster->most = UINT8_MAX;
+}
+
+/* The image's lowest row lies at z = 0. */
+static bool take_pixels(struct reader *reader, const struct scene_token *at,
+                        struct pixels *pixels, struct heights *heights)
+{
+    struct raster *raster = &pixels->raster;
+    size_t columns = raster->width, rows = raster->height;
+
+    if (!check_size(reader, at, (double)columns, (double)rows)
+        || !allocate(reader, heights, columns, rows))
+        return false;
+    if (pixels->kind == RASTER_TIFF)
+        cut_to_bytes(raster);
+    for (size_t i = 0; i < columns * rows; i++)
+        heights->list[(rows - 1 - i / columns) * columns + i % columns] =
+            (uint16_t)pixel_height(pixels, i);
+    return true;
+}
+
+/* ---- Images -------------------------------------------------------------- */
+
+/* The words for the kinds; those that are not supported have none. */
+static const struct image_word {
+    const char *word;
+    enum raster_kind kind;
+} image_words[] = {
+    { "bmp", RASTER_BMP },   { "exr", RASTER_KINDS }, { "gif", RASTER_GIF },
+    { "hdr", RASTER_KINDS }, { "iff", RASTER_KINDS }, { "jpeg", RASTER_JPEG },
+    { "pgm", RASTER_PGM },   { "png", RASTER_PNG },   { "pot", RASTER_KINDS },
+    { "ppm", RASTER_PPM },   { "sys", RASTER_KINDS }, { "tga", RASTER_TGA },
+    { "tiff", RASTER_TIFF },
+};
+
+static const struct image_word *image_word(const struct scene_token *token)
+{
+    for (size_t i = 0; i < sizeof image_words / sizeof *image_words; i++)
+        if (is_token(token, image_words[i].word))
+            return &image_words[i];
+    return NULL;
+}
+
+/* .. into pixels; the bytes may be changed. */
+static bool read_pixels(struct reader *reader, const struct scene_token *at,
+                        char *bytes, size_t length, struct pixels *pixels)
+{
+    raster_reader *reads = reader->options ? reader->options->read_raster
+                                           : NULL;
+    struct raster_error error;
+
+    pixels->numbers = palette_is_used(pixels->kind, bytes, length);
+    if (pixels->numbers && !palette_to_numbers(pixels->kind, bytes, length))
+        return reader_fault(reader, at,
+                            "the image's table of colours is "
+                            "broken");
+    return raster_read(pixels->kind, bytes, length, reads, &pixels->raster,
+                       &error)
+           || reader_fault(reader, at, "the image cannot be read: %s",
+                           error.message);
+}
+
+static bool take_source(struct reader *reader, const struct scene_token *at,
+                        const struct scene_source *source,
+                        struct pixels *pixels, struct heights *heights)
+{
+    char *bytes = malloc(source->length + 1);
+    bool done;
+
+    if (!bytes)
+        return reader_no_memory(reader);
+    memcpy(bytes, source->text, source->length);
+    done = read_pixels(reader, at, bytes, source->length, pixels)
+           && take_pixels(reader, at, pixels, heights);
+    free(pixels->raster.samples);
+    free(bytes);
+    return done;
+}
+
+/* A word that says what the file is not is an error, as in POV-Ray. */
+static bool read_file(struct reader *reader, const struct image_word *word,
+                      const struct scene_token *at, const char *name,
+                      struct heights *heights)
+{
+    const struct scene_source *source = reader_find(reader, at, name);
+    struct pixels pixels;
+
+    if (!source)
+        return false;
+    if (source->length == 0)
+        return reader_fault(reader, at, "the file is empty");
+    memset(&pixels, 0, sizeof pixels);
+    pixels.kind = raster_kind_of(source->text, source->length);
+    if (word && word->kind != pixels.kind)
+        return reader_fault(reader, at, "the file is not '%s'", word->word);
+    return take_source(reader, at, source, &pixels, heights);
+}
+
+static bool read_image(struct reader *reader, struct heights *heights)
+{
+    const struct image_word *word = image_word(&reader->token);
+    struct scene_token at;
+    char *name;
+    bool done;
+
+    if (word && word->kind == RASTER_KINDS)
+        return reader_fault(reader, &reader->token,
+                            "images of the kind '%s' are not supported",
+                            word->word);
+    if (word)
+        reader_next(reader);
+    if (!starts_string(reader))
+        return reader_expected(reader, word ? "the name of an image"
+                                            : "the kind of an image, its "
+                                              "name, or 'function'");
+    at = reader->token;
+    if (!file_name_read(reader, &name))
+        return false;
+    done = read_file(reader, word, &at, name, heights);
+    free(name);
+    return done;
+}
+
+/* ---- Functions ----------------------------------------------------------- */
+
+/* Beyond 0 to 1 POV-Ray keeps the lowest 16 bits. */
+static bool take_value(struct reader *reader, const struct scene_token *at,
+                       double value, uint16_t *height)
+{
+    if (value < 0 || value > 1)
+        reader_report(reader, at,
+                      "the function has values below 0 or above 1, which "
+                      "count as others within");
+    if (fabs(value) > FUNCTION_MOST)
+        return reader_fault(reader, at, "the function has the value %g",
+                            value);
+    *height = (uint16_t)(int32_t)(value * UINT16_MAX);
+    return true;
+}
+
+/* x goes from 0 to 1 with the columns; y with the rows of an image, from the
+ * greatest z down; z is 0. */
+static bool take_values(struct reader *reader, const struct scene_token *at,
+                        const struct formula *formula,
+                        struct heights *heights)
+{
+    size_t columns = heights->columns, rows = heights->rows;
+
+    for (size_t i = 0; i < columns * rows; i++) {
+        size_t x = i % columns, z = i / columns;
+        double place[3] = { (double)x / (double)(columns - 1),
+                            (double)(rows - 1 - z) / (double)(rows - 1), 0 };
+        double value;
+        if (!formula_value(reader, formula, at, place, &value)
+            || !take_value(reader, at, value, &heights->list[i]))
+            return false;
+    }
+    return true;
+}
+
+static bool read_size(struct reader *reader, double *size)
+{
+    if (!read_number(reader, size))
+        return false;
+    *size = trunc(*size);
+    reader_comma(reader);
+    return true;
+}
+
+static bool read_function(struct reader *reader, struct heights *heights)
+{
+    struct scene_token at = reader->token;
+    const struct formula *formula;
+    double columns, rows;
+
+    if (!read_size(reader, &columns) || !read_size(reader, &rows)
+        || !check_size(reader, &at, columns, rows))
+        return false;
+    at = reader->token;
+    formula = formula_read(reader);
+    return formula && allocate(reader, heights, (size_t)columns, (size_t)rows)
+           && take_values(reader, &at, formula, heights);
+}
+
+bool heights_read(struct reader *reader, struct heights *heights)
+{
+    memset(heights, 0, sizeof *heights);
+    return reader_accept(reader, "function") ? read_function(reader, heights)
+                                             : read_image(reader, heights);
+}

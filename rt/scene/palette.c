@@ -1,0 +1,172 @@
+/* palette.c - tables of colours in image files, which become the numbers of
+ * their rows.
+ *
+ * Sources: the Portable Network Graphics specification (W3C, second edition);
+ * GIF89a (CompuServe); Truevision TGA, version 2.0; Microsoft's description of
+ * BITMAPINFOHEADER.
+ */
+#include "rt/scene/raster.h"
+
+#include <string.h>
+
+/* The places of what is looked at. */
+enum {
+    PNG_FIRST = 8, /* the first chunk: its length, its name, what it holds */
+    PNG_HEAD = 8,
+    PNG_TAIL = 4, /* the check sum behind it */
+    PNG_COLOR_TYPE = 25,
+    PNG_INDEXED = 3,
+    GIF_FLAGS = 10,
+    GIF_TABLE = 13,
+    GIF_IMAGE = 10, /* bytes before an image's own table */
+    GIF_HAS_TABLE = 0x80,
+    BMP_HEADER = 14,
+    BMP_BITS = 28,
+    TGA_TABLE = 18, /* less what the identification takes */
+};
+
+static unsigned byte_at(const char *bytes, size_t i)
+{
+    return (unsigned char)bytes[i];
+}
+
+/* Colours of so many bytes, up to the end of a file. */
+static bool paint(char *bytes, size_t length, size_t at, size_t count,
+                  size_t size)
+{
+    if (at > length || count > (length - at) / size || count > 256)
+        return false;
+    for (size_t i = 0; i < count; i++)
+        memset(bytes + at + i * size, (int)i, 3);
+    return true;
+}
+
+/* ---- PNG ----------------------------------------------------------------- */
+
+static size_t long_at(const char *bytes, size_t i)
+{
+    return (size_t)byte_at(bytes, i) << 24 | byte_at(bytes, i + 1) << 16
+           | byte_at(bytes, i + 2) << 8 | byte_at(bytes, i + 3);
+}
+
+/* The check sum of a chunk's name and what it holds (annex D). */
+static uint32_t check_sum(const char *bytes, size_t count)
+{
+    uint32_t sum = UINT32_MAX;
+
+    for (size_t i = 0; i < count; i++) {
+        sum ^= byte_at(bytes, i);
+        for (int bit = 0; bit < 8; bit++)
+            sum = sum & 1 ? 0xedb88320 ^ sum >> 1 : sum >> 1;
+    }
+    return ~sum;
+}
+
+static bool paint_png(char *bytes, size_t length)
+{
+    size_t at = PNG_FIRST, size, rest;
+    uint32_t sum;
+
+    for (;; at += PNG_HEAD + size + PNG_TAIL) {
+        rest = length - at;
+        if (rest < PNG_HEAD + PNG_TAIL)
+            return false;
+        size = long_at(bytes, at);
+        if (size > rest - PNG_HEAD - PNG_TAIL)
+            return false;
+        if (!memcmp(bytes + at + 4, "PLTE", 4))
+            break;
+    }
+    if (!paint(bytes, length, at + PNG_HEAD, size / 3, 3))
+        return false;
+    sum = check_sum(bytes + at + 4, size + 4);
+    for (size_t i = 0; i < PNG_TAIL; i++)
+        bytes[at + PNG_HEAD + size + i] = (char)(sum >> (24 - 8 * i));
+    return true;
+}
+
+/* ---- GIF ----------------------------------------------------------------- */
+
+/* Behind blocks that each begin with their size, the last one's being 0. */
+static size_t behind_blocks(const char *bytes, size_t length, size_t at)
+{
+    while (at < length && bytes[at])
+        at += 1 + byte_at(bytes, at);
+    return at + 1;
+}
+
+static bool paint_table(char *bytes, size_t length, size_t at, unsigned flags,
+                        size_t *behind)
+{
+    size_t count = flags & GIF_HAS_TABLE ? (size_t)2 << (flags & 7) : 0;
+
+    *behind = at + 3 * count;
+    return paint(bytes, length, at, count, 3);
+}
+
+/* That for all images, and that of the first one. */
+static bool paint_gif(char *bytes, size_t length)
+{
+    size_t at, ignored;
+
+    if (length < GIF_TABLE
+        || !paint_table(bytes, length, GIF_TABLE, byte_at(bytes, GIF_FLAGS),
+                        &at))
+        return false;
+    while (at + 1 < length && bytes[at] == '!')
+        at = behind_blocks(bytes, length, at + 2);
+    return at + GIF_IMAGE <= length && bytes[at] == ','
+           && paint_table(bytes, length, at + GIF_IMAGE,
+                          byte_at(bytes, at + GIF_IMAGE - 1), &ignored);
+}
+
+/* ---- BMP, TGA ------------------------------------------------------------ */
+
+/* Up to where the pixels begin. */
+static bool paint_bmp(char *bytes, size_t length)
+{
+    size_t at, end;
+
+    if (length < BMP_BITS + 2)
+        return false;
+    at = BMP_HEADER + byte_at(bytes, BMP_HEADER);
+    end = byte_at(bytes, 10) | byte_at(bytes, 11) << 8;
+    return end >= at && paint(bytes, length, at, (end - at) / 4, 4);
+}
+
+static bool paint_tga(char *bytes, size_t length)
+{
+    size_t bits = byte_at(bytes, 7);
+
+    return (bits == 24 || bits == 32)
+           && paint(bytes, length, TGA_TABLE + byte_at(bytes, 0),
+                    byte_at(bytes, 5) | byte_at(bytes, 6) << 8, bits / 8);
+}
+
+/* ---- All of them --------------------------------------------------------- */
+
+/* The types 1 and 9 of TGA, the latter run by run, are numbers. */
+bool palette_is_used(enum raster_kind kind, const char *bytes, size_t length)
+{
+    switch (kind) {
+    case RASTER_GIF: return true;
+    case RASTER_PNG:
+        return length > PNG_COLOR_TYPE
+               && bytes[PNG_COLOR_TYPE] == PNG_INDEXED;
+    case RASTER_BMP:
+        return length > BMP_BITS && byte_at(bytes, BMP_BITS) <= 8;
+    case RASTER_TGA: return length > TGA_TABLE && (bytes[2] & 7) == 1;
+    default: return false;
+    }
+}
+
+bool palette_to_numbers(enum raster_kind kind, char *bytes, size_t length)
+{
+    switch (kind) {
+    case RASTER_GIF: return paint_gif(bytes, length);
+    case RASTER_PNG: return paint_png(bytes, length);
+    case RASTER_BMP: return paint_bmp(bytes, length);
+    case RASTER_TGA: return paint_tga(bytes, length);
+    default: return false;
+    }
+}

@@ -1,0 +1,189 @@
+/* raster.c - image files as rows of whole numbers: their kinds, and those of
+ * Netpbm.
+ *
+ * Source: the manual pages pgm(5) and ppm(5) of Netpbm.
+ */
+#include "rt/scene/raster.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool fail(struct raster_error *error, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(error->message, sizeof error->message, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+/* ---- Kinds --------------------------------------------------------------- */
+
+static const struct raster_mark {
+    enum raster_kind kind;
+    const char *bytes;
+} marks[] = {
+    { RASTER_BMP, "BM" },
+    { RASTER_GIF, "GIF8" },
+    { RASTER_JPEG, "\xff\xd8\xff" },
+    { RASTER_PGM, "P2" },
+    { RASTER_PGM, "P5" },
+    { RASTER_PNG, "\x89PNG\r\n\x1a\n" },
+    { RASTER_PPM, "P3" },
+    { RASTER_PPM, "P6" },
+    { RASTER_TIFF, "II*" },
+    { RASTER_TIFF, "MM" },
+};
+
+/* As OpenImageIO calls them. */
+static const char *const formats[RASTER_KINDS] = {
+    [RASTER_BMP] = "bmp", [RASTER_GIF] = "gif",   [RASTER_JPEG] = "jpeg",
+    [RASTER_PNG] = "png", [RASTER_TGA] = "targa", [RASTER_TIFF] = "tiff",
+};
+
+enum raster_kind raster_kind_of(const char *bytes, size_t length)
+{
+    for (size_t i = 0; i < sizeof marks / sizeof *marks; i++) {
+        size_t size = strlen(marks[i].bytes);
+        if (length >= size && !memcmp(bytes, marks[i].bytes, size))
+            return marks[i].kind;
+    }
+    return RASTER_TGA;
+}
+
+/* ---- Netpbm -------------------------------------------------------------- */
+
+/* A file from which numbers are taken. */
+struct netpbm {
+    const unsigned char *next, *end;
+    bool plain; /* its samples are text */
+    bool wide;  /* .. or two bytes each, the greater one first */
+};
+
+static bool is_space(int byte)
+{
+    return byte == ' ' || (byte >= '\t' && byte <= '\r');
+}
+
+/* Spaces, and comments: from # to the end of the line. */
+static void pass_spaces(struct netpbm *file)
+{
+    bool comment = false;
+
+    for (; file->next < file->end; file->next++) {
+        if (*file->next == '#')
+            comment = true;
+        else if (!comment && !is_space(*file->next))
+            return;
+        if (*file->next == '\n' || *file->next == '\r')
+            comment = false;
+    }
+}
+
+/* In digits.  False: there is none, or one beyond RASTER_PIXELS. */
+static bool take_number(struct netpbm *file, uint32_t *number)
+{
+    const unsigned char *first;
+
+    pass_spaces(file);
+    first = file->next;
+    for (*number = 0; file->next < file->end && *file->next >= '0'
+                      && *file->next <= '9' && *number <= RASTER_PIXELS;
+         file->next++)
+        *number = 10 * *number + (uint32_t)(*file->next - '0');
+    return file->next > first && *number <= RASTER_PIXELS;
+}
+
+static bool take_sample(struct netpbm *file, uint32_t *sample)
+{
+    if (file->plain)
+        return take_number(file, sample);
+    if (file->end - file->next < 1 + file->wide)
+        return false;
+    *sample = *file->next++;
+    if (file->wide)
+        *sample = *sample << 8 | *file->next++;
+    return true;
+}
+
+static bool take_samples(struct netpbm *file, struct raster *raster,
+                         struct raster_error *error)
+{
+    size_t count = raster->width * raster->height * raster->channels;
+
+    for (size_t i = 0; i < count; i++) {
+        uint32_t sample;
+        if (!take_sample(file, &sample))
+            return fail(error, "only %zu of its %zu samples are there", i,
+                        count);
+        if (sample > raster->most)
+            return fail(error,
+                        "a sample is %lu, more than the %lu that it names as "
+                        "the greatest",
+                        (unsigned long)sample, (unsigned long)raster->most);
+        raster->samples[i] = (uint16_t)sample;
+    }
+    return true;
+}
+
+/* Behind the two letters of its kind: width, height and the greatest sample;
+ * one space ends them. */
+static bool take_header(struct netpbm *file, struct raster *raster,
+                        struct raster_error *error)
+{
+    uint32_t width, height;
+
+    if (!take_number(file, &width) || !take_number(file, &height)
+        || !take_number(file, &raster->most))
+        return fail(error, "its first numbers are wrong");
+    if (raster->most == 0 || raster->most > UINT16_MAX)
+        return fail(error, "its greatest sample is not from 1 to %d",
+                    UINT16_MAX);
+    if (width == 0 || height == 0)
+        return fail(error, "it has no pixels");
+    if (width > RASTER_PIXELS / height)
+        return fail(error, "it has more than %d pixels", RASTER_PIXELS);
+    file->wide = raster->most > UINT8_MAX;
+    file->next += file->next < file->end;
+    raster->width = width;
+    raster->height = height;
+    return true;
+}
+
+static bool read_netpbm(const char *bytes, size_t length,
+                        struct raster *raster, struct raster_error *error)
+{
+    const unsigned char *first = (const unsigned char *)bytes;
+    struct netpbm file = { .next = first + 2,
+                           .end = first + length,
+                           .plain = bytes[1] < '4' };
+
+    if (!take_header(&file, raster, error))
+        return false;
+    raster->samples = malloc(raster->width * raster->height * raster->channels
+                             * sizeof *raster->samples);
+    if (!raster->samples)
+        return fail(error, "there is not enough memory");
+    if (take_samples(&file, raster, error))
+        return true;
+    free(raster->samples);
+    raster->samples = NULL;
+    return false;
+}
+
+bool raster_read(enum raster_kind kind, const char *bytes, size_t length,
+                 raster_reader *reads, struct raster *raster,
+                 struct raster_error *error)
+{
+    memset(raster, 0, sizeof *raster);
+    if (kind == RASTER_PGM || kind == RASTER_PPM) {
+        raster->channels = kind == RASTER_PGM ? 1 : 3;
+        return read_netpbm(bytes, length, raster, error);
+    }
+    return reads ? reads(formats[kind], bytes, length, raster, error)
+                 : fail(error, "images other than PGM and PPM cannot be read "
+                               "here");
+}
