@@ -39,7 +39,8 @@ const int TIFF_PALETTE = 3;
 void require(bool good, const std::string &message)
 {
     if (!good)
-        throw std::runtime_error(message);
+        throw std::runtime_error(message.empty() ? "the file is broken"
+                                                 : message);
 }
 
 // Run the body; a failure is its message and false.

@@ -39,16 +39,21 @@ static void close_workplace(const struct workplace *place)
 static void become_povray(const char *scene, size_t width, size_t height,
                           const struct workplace *place)
 {
-    char input[LONGEST_PATH], output[128], wide[32], high[32];
+    char input[LONGEST_PATH], library[LONGEST_PATH];
+    char output[128], wide[32], high[32];
+    const char *slash = strrchr(scene, '/');
+    int folder = slash ? (int)(slash - scene) : 1;
     int log = open(place->log, O_WRONLY | O_CREAT | O_TRUNC, 0600);
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);
     snprintf(input, sizeof input, "+I%s", scene);
+    /* Images are looked for beside the scene. */
+    snprintf(library, sizeof library, "+L%.*s", folder, slash ? scene : ".");
     snprintf(output, sizeof output, "+O%s", place->picture);
     snprintf(wide, sizeof wide, "+W%zu", width);
     snprintf(high, sizeof high, "+H%zu", height);
     /* 16-bit PNG whose samples are linear; no display, no antialiasing. */
-    execlp("povray", "povray", input, output, wide, high, "+FN16",
+    execlp("povray", "povray", input, library, output, wide, high, "+FN16",
            "File_Gamma=1.0", "-D", "-A", "+WT1", (char *)NULL);
     perror("povray");
     _exit(127);

@@ -22,6 +22,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Of a byte the 5 bits that stand in a TGA file of 16 bits a pixel, which is told
+ * there. */
+enum { COARSE = 0xf8, TGA_BITS = 16 };
+
 #define FUNCTION_MOST \
     32000. /* beyond, POV-Ray's whole numbers are too small */
 
@@ -57,31 +61,38 @@ static bool check_size(struct reader *reader, const struct scene_token *at,
 /* ---- Pixels -------------------------------------------------------------- */
 
 /* POV-Ray's floats have 32 bits, which is seen where the rest is cut. */
-static uint32_t shade(const float color[3], float most)
+static uint32_t png_grey(float share)
 {
-    volatile float red = color[0] * .297f, green = color[1] * .589f;
-    volatile float blue = color[2] * .114f, sum = red + green;
+    float red = share * .297f, green = share * .589f, blue = share * .114f;
+    float sum = red + green;
 
     sum = sum + blue;
-    sum = sum * most;
-    return (uint32_t)sum;
+    sum = sum * UINT8_MAX;
+    return 257 * (uint32_t)sum;
+}
+
+static uint32_t brightness(const float color[3])
+{
+    double sum = .297 * (double)color[0] + .589 * (double)color[1]
+                 + .114 * (double)color[2];
+
+    return (uint32_t)(sum * UINT16_MAX);
 }
 
 struct pixels {
     enum raster_kind kind;
     bool numbers; /* of colours */
+    bool coarse;  /* TGA with colours of 5 bits */
     struct raster raster;
 };
 
 static uint32_t grey_height(const struct pixels *pixels, uint32_t sample)
 {
     uint32_t most = pixels->raster.most;
-    float share = (float)sample / (float)most;
-    float color[3] = { share, share, share };
 
     if (pixels->kind == RASTER_PNG && most == UINT8_MAX
         && pixels->raster.channels == 1)
-        return 257 * shade(color, UINT8_MAX);
+        return png_grey((float)sample / (float)most);
     return (uint32_t)((uint64_t)sample * UINT16_MAX / most);
 }
 
@@ -91,11 +102,13 @@ static uint32_t color_height(const struct pixels *pixels,
     uint32_t most = pixels->raster.most;
     float color[3];
 
+    if (pixels->coarse)
+        return 256u * (sample[0] & COARSE) + (sample[1] & COARSE);
     if (most <= UINT8_MAX)
         return (256u * sample[0] + sample[1]) * UINT8_MAX / most;
     for (int i = 0; i < 3; i++)
         color[i] = (float)sample[i] / (float)most;
-    return shade(color, UINT16_MAX);
+    return brightness(color);
 }
 
 static uint32_t pixel_height(const struct pixels *pixels, size_t i)
@@ -166,6 +179,8 @@ static bool read_pixels(struct reader *reader, const struct scene_token *at,
                                            : NULL;
     struct raster_error error;
 
+    pixels->coarse = pixels->kind == RASTER_TGA && length > TGA_BITS
+                     && (bytes[TGA_BITS] == 15 || bytes[TGA_BITS] == 16);
     pixels->numbers = palette_is_used(pixels->kind, bytes, length);
     if (pixels->numbers && !palette_to_numbers(pixels->kind, bytes, length))
         return reader_fault(reader, at,
