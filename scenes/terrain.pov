@@ -1,4 +1,5 @@
 // An island of two peaks, its heights by a formula, in a sea that mirrors it.
+//     rt205 render scenes/terrain.pov -o terrain.png --samples 3 -W 640 -H 400
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 camera {
