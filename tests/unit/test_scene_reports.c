@@ -289,7 +289,7 @@ static void test_includes(void **state)
 
     const char *const search[] = { folder, NULL };
     const struct scene_options searching = {
-        4, 3, false, search, NULL, NULL
+        4, 3, false, search, NULL, NULL, NULL
     };
     scene = scene_read_text("x.pov", "#include \"part.inc\"", &searching,
                             &reports);
@@ -439,7 +439,7 @@ static void test_libraries(void **state)
     char folder[] = "/tmp/scene-XXXXXX";
     const char *const search[] = { folder, NULL };
     const struct scene_options searching = {
-        4, 3, false, search, NULL, NULL
+        4, 3, false, search, NULL, NULL, NULL
     };
     struct diagnostics reports = { 0 };
     struct scene *scene;
