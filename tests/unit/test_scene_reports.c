@@ -288,9 +288,8 @@ static void test_includes(void **state)
     diagnostics_free(&reports);
 
     const char *const search[] = { folder, NULL };
-    const struct scene_options searching = {
-        4, 3, false, search, NULL, NULL, NULL
-    };
+    const struct scene_options searching = { 4,    3,    false, search,
+                                             NULL, NULL, NULL };
     scene = scene_read_text("x.pov", "#include \"part.inc\"", &searching,
                             &reports);
     assert_non_null(scene);
@@ -438,9 +437,8 @@ static void test_libraries(void **state)
     static const char *const names[] = { "one.inc", "two.inc", NULL };
     char folder[] = "/tmp/scene-XXXXXX";
     const char *const search[] = { folder, NULL };
-    const struct scene_options searching = {
-        4, 3, false, search, NULL, NULL, NULL
-    };
+    const struct scene_options searching = { 4,    3,    false, search,
+                                             NULL, NULL, NULL };
     struct diagnostics reports = { 0 };
     struct scene *scene;
 
