@@ -36,22 +36,32 @@ void keep_scene(const char *path, const char *text)
     }
 }
 
-int check_many(int count, char **words,
-               bool (*check)(size_t number, bool first))
+int check_many_ahead(int count, char **words,
+                     bool (*check)(size_t number, bool first),
+                     void (*begin)(size_t number), size_t ahead)
 {
     bool first = count > 1 && strcmp(words[count - 1], "--first") == 0;
     count -= first;
     size_t scenes = count > 1 ? strtoul(words[1], NULL, 10) : 300;
     size_t of = count > 3 ? strtoul(words[2], NULL, 10) : 1;
     size_t share = count > 3 ? strtoul(words[3], NULL, 10) : 0;
-    size_t passed = 0, failed = 0;
+    size_t passed = 0, failed = 0, next = share;
     if (of == 0) {
         fprintf(stderr, "usage: %s [SCENES [OF SHARE]] [--first]\n",
                 words[0]);
         return 2;
     }
-    for (size_t i = share; i < scenes && !(first && failed); i += of)
+    for (size_t i = share; i < scenes && !(first && failed); i += of) {
+        for (; begin && next < scenes && next <= i + ahead * of; next += of)
+            begin(next);
         check(i, first) ? passed++ : failed++;
+    }
     printf("%zu passed, %zu failed\n", passed, failed);
     return failed > 0;
+}
+
+int check_many(int count, char **words,
+               bool (*check)(size_t number, bool first))
+{
+    return check_many_ahead(count, words, check, NULL, 0);
 }

@@ -18,5 +18,9 @@ void keep_scene(const char *path, const char *text);
  * more is wanted.  Prints the counts; returns the program's exit code. */
 int check_many(int count, char **words,
                bool (*check)(size_t number, bool first));
+/* begin is called for each scene, up to so many before it is checked. */
+int check_many_ahead(int count, char **words,
+                     bool (*check)(size_t number, bool first),
+                     void (*begin)(size_t number), size_t ahead);
 
 #endif

@@ -83,21 +83,41 @@ static bool fail_with_log(const struct workplace *place,
     return false;
 }
 
+struct povray {
+    struct workplace place;
+    pid_t child;
+};
+
+struct povray *povray_begin(const char *scene, size_t width, size_t height,
+                            struct picture_error *error)
+{
+    struct povray *run = calloc(1, sizeof *run);
+    if (!run || !open_workplace(&run->place)) {
+        snprintf(error->message, sizeof error->message, "%s: %s",
+                 run ? run->place.folder : "POV-Ray", strerror(errno));
+        free(run);
+        return NULL;
+    }
+    run->child = fork();
+    if (run->child == 0)
+        become_povray(scene, width, height, &run->place);
+    return run;
+}
+
+bool povray_end(struct povray *run, struct frame *frame,
+                struct picture_error *error)
+{
+    bool good = run->child > 0 && succeeded(run->child)
+                    ? picture_read(run->place.picture, frame, error)
+                    : fail_with_log(&run->place, error);
+    close_workplace(&run->place);
+    free(run);
+    return good;
+}
+
 bool run_povray(const char *scene, size_t width, size_t height,
                 struct frame *frame, struct picture_error *error)
 {
-    struct workplace place;
-    if (!open_workplace(&place)) {
-        snprintf(error->message, sizeof error->message, "%s: %s",
-                 place.folder, strerror(errno));
-        return false;
-    }
-    pid_t child = fork();
-    if (child == 0)
-        become_povray(scene, width, height, &place);
-    bool good = child > 0 && succeeded(child)
-                    ? picture_read(place.picture, frame, error)
-                    : fail_with_log(&place, error);
-    close_workplace(&place);
-    return good;
+    struct povray *run = povray_begin(scene, width, height, error);
+    return run && povray_end(run, frame, error);
 }

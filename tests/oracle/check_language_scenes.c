@@ -1,0 +1,504 @@
+/* check_language_scenes.c - scene texts by chance, in every form and beside
+ * POV-Ray.
+ *
+ *     check_language_scenes [SCENES [OF SHARE]] [--first]
+ *
+ * Draws scene texts (language_scene.h), or every OF-th from the one of the number
+ * SHARE on.  Each is read without an error or a report, by POV-Ray, too.  The
+ * three stages, by rows and by tiles, with queues of lengths by chance, in one
+ * job and in two, give one frame, bit for bit.  That frame is POV-Ray's picture:
+ * a pixel is another one if a channel differs by more than .02 of white, as in
+ * check_sample, and no more than one pixel in a thousand may be so.
+ *
+ * Which side of an edge a pixel shows may hang on a rounding.  So another pixel
+ * is forgiven if POV-Ray itself shows another one there when the camera is
+ * moved a hundredth of a pixel to one of four sides.  What it moves is the camera as
+ * rt205 has read it; it is forgiven against POV-Ray's picture by that same
+ * camera, so that a camera that is read wrongly forgives nothing.  Of each picture at the
+ * most one pixel in fifty is forgiven.
+ *
+ * A scene that fails is made smaller, line by line and block by block, as long as
+ * it fails in the same way, printed with its seed, and written to
+ * language_N.pov; after --first nothing more is done, not even that.  Exit
+ * code 1: some failed; 2: POV-Ray is missing.
+ */
+#include "rt/picture/picture.h"
+#include "rt/scene/language/scene_read.h"
+#include "rt/trace/trace.h"
+#include "tests/oracle/chance.h"
+#include "tests/oracle/compare_pictures.h"
+#include "tests/oracle/language_scene.h"
+#include "tests/oracle/many_scenes.h"
+#include "tests/oracle/run_povray.h"
+#include "tests/oracle/solid_text.h"
+#include "tests/oracle/text_shrink.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    WIDTH = LANGUAGE_WIDTH,
+    HEIGHT = LANGUAGE_HEIGHT,
+    PIXELS = WIDTH * HEIGHT,
+    OTHERS_MOST = PIXELS / 1000,
+    FORGIVEN_MOST = PIXELS / 50,
+    AHEAD = 8,         /* runs of POV-Ray that are begun */
+    TRIALS_MOST = 600, /* to make a scene smaller */
+    REASON = 400,
+    PATH = 80
+};
+#define TOLERANCE .02
+#define MOVED .01 /* of a pixel */
+
+static c205_model *model;
+
+/* What is wrong with a scene: it remains the same as the scene becomes
+ * smaller. */
+enum fault { NO_FAULT, NOT_READ, NOT_BY_POVRAY, OTHER_FRAME, OTHER_PICTURE };
+
+struct judgement {
+    enum fault fault;
+    char message[REASON]; /* of who has not read it, without places */
+    char reason[REASON];
+    size_t pixel; /* that is another one */
+};
+
+static bool blame(struct judgement *judgement, enum fault fault,
+                  const char *message)
+{
+    judgement->fault = fault;
+    snprintf(judgement->message, REASON, "%.300s", message);
+    snprintf(judgement->reason, REASON, "%.300s", message);
+    return false;
+}
+
+/* --- reading -------------------------------------------------------------- */
+
+static struct scene *read_text(const char *text, struct judgement *judgement)
+{
+    const struct scene_options options = { .width = WIDTH,
+                                           .height = HEIGHT,
+                                           .strict = true };
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read_text("scene", text, &options, &reports);
+    if (!scene) {
+        const struct diagnostic *first = reports.items;
+        blame(judgement, NOT_READ,
+              reports.count > 0 ? first->message : "it cannot be read");
+        if (reports.count > 0)
+            snprintf(judgement->reason, REASON, "line %zu: %.300s",
+                     first->line, first->message);
+    }
+    diagnostics_free(&reports);
+    return scene;
+}
+
+/* --- forms ---------------------------------------------------------------- */
+
+/* Each is compared with the first; queues are drawn. */
+static const struct trace_options forms[] = {
+    { .mode = TRACE_SCALAR, .queue = 1 },
+    { .mode = TRACE_VECTOR, .order = ORDER_TILES, .jobs = 2 },
+    { .mode = TRACE_VECTOR, .order = ORDER_ROWS, .jobs = 1 },
+    { .mode = TRACE_KERNELS, .order = ORDER_TILES, .jobs = 1 },
+    { .mode = TRACE_KERNELS, .order = ORDER_ROWS, .jobs = 2 },
+};
+enum { FORMS = sizeof forms / sizeof *forms };
+
+static size_t random_queue(uint64_t *state)
+{
+    return one_in(state, 4) ? TRACE_QUEUE
+                            : (size_t)of_any_size(state, 4, 2 * PIXELS);
+}
+
+static struct trace_options random_form(size_t i, uint64_t *state)
+{
+    struct trace_options form = forms[i];
+    form.width = WIDTH;
+    form.height = HEIGHT;
+    form.model = model;
+    if (form.mode != TRACE_SCALAR)
+        form.queue = random_queue(state);
+    if (form.jobs > 1)
+        form.band = PIXELS / 5 + below(state, PIXELS / 2);
+    return form;
+}
+
+static struct trace *trace_form(const struct scene *scene,
+                                const struct trace_options *form)
+{
+    c205_error error;
+    struct trace *trace = trace_new(scene, form, &error);
+    if (!trace || !trace_run(trace, &error))
+        give_up(error.message);
+    return trace;
+}
+
+static bool same_frame(const struct trace *expected,
+                       const struct trace *found,
+                       const struct trace_options *form,
+                       struct judgement *judgement)
+{
+    for (int i = 0; i < FRAME_CHANNELS; i++) {
+        const c205_word *a = trace_channel(expected, (enum frame_channel)i);
+        const c205_word *b = trace_channel(found, (enum frame_channel)i);
+        size_t k = 0;
+        while (k < PIXELS && a[k] == b[k])
+            k++;
+        if (k == PIXELS)
+            continue;
+        blame(judgement, OTHER_FRAME, "");
+        snprintf(judgement->reason, REASON,
+                 "--mode %s --queue %zu --order %s --jobs %zu (bands of %zu "
+                 "pixels): another frame than --mode scalar, channel %d at "
+                 "%zu, %zu",
+                 trace_mode_name(form->mode), form->queue,
+                 order_name(form->order), form->jobs, form->band, i,
+                 k % WIDTH, k / WIDTH);
+        return false;
+    }
+    return true;
+}
+
+static bool same_in_all_forms(const struct scene *scene,
+                              const struct trace *expected, uint64_t state,
+                              struct judgement *judgement)
+{
+    bool good = true;
+    for (size_t i = 1; good && i < FORMS; i++) {
+        struct trace_options form = random_form(i, &state);
+        struct trace *trace = trace_form(scene, &form);
+        good = same_frame(expected, trace, &form, judgement);
+        trace_free(trace);
+    }
+    return good;
+}
+
+/* --- POV-Ray -------------------------------------------------------------- */
+
+/* A run of POV-Ray, and the file that it reads. */
+struct sitting {
+    char path[PATH];
+    struct povray *run;
+};
+
+static void begin_sitting(struct sitting *sitting, const char *text,
+                          size_t number, const char *what)
+{
+    struct picture_error error;
+    snprintf(sitting->path, PATH, "language_%zu%s.pov", number, what);
+    keep_scene(sitting->path, text);
+    sitting->run = povray_begin(sitting->path, WIDTH, HEIGHT, &error);
+    if (!sitting->run)
+        give_up(error.message);
+}
+
+static bool end_sitting(struct sitting *sitting, struct frame *picture,
+                        struct picture_error *error)
+{
+    bool good = povray_end(sitting->run, picture, error);
+    remove(sitting->path);
+    return good;
+}
+
+/* With the camera, as it was read, moved by so much of a pixel. */
+static char *text_seen_from(const char *text, const struct camera *camera,
+                            double right, double up)
+{
+    struct camera moved = *camera;
+    double *place = camera->orthographic ? moved.location : moved.direction;
+    char *words;
+    FILE *file = test_text(&words);
+    for (int i = 0; i < 3; i++)
+        place[i] += right / WIDTH * camera->right[i]
+                    + up / HEIGHT * camera->up[i];
+    fprintf(file, "%s\ncamera { %s\n", text,
+            camera->orthographic ? "orthographic" : "");
+#define VECTOR(name) \
+    fprintf(file, #name " <%.17g, %.17g, %.17g>\n", moved.name[0], \
+            moved.name[1], moved.name[2])
+    VECTOR(location);
+    VECTOR(direction);
+    VECTOR(right);
+    VECTOR(up);
+#undef VECTOR
+    fprintf(file, "}\n");
+    fclose(file);
+    return words;
+}
+
+/* --- pictures ------------------------------------------------------------- */
+
+static double shown(double sample)
+{
+    return fmin(1, fmax(0, sample));
+}
+
+/* A flag for each pixel that is another one; how many. */
+static size_t others(const struct frame *a, const struct frame *b,
+                     bool other[PIXELS], double *greatest)
+{
+    size_t count = 0;
+    *greatest = 0;
+    for (size_t k = 0; k < PIXELS; k++) {
+        double most = 0;
+        for (int i = CHANNEL_RED; i <= CHANNEL_BLUE; i++)
+            most = fmax(most, fabs(shown(a->channel[i][k])
+                                   - shown(b->channel[i][k])));
+        other[k] = !(most <= TOLERANCE);
+        count += other[k];
+        *greatest = fmax(*greatest, most);
+    }
+    return count;
+}
+
+enum { SIDES = 5 };
+static const double sides[SIDES][2] = {
+    { 0, 0 }, { MOVED, 0 }, { -MOVED, 0 }, { 0, MOVED }, { 0, -MOVED }
+};
+
+/* Flags pixels that POV-Ray shows otherwise from one of the sides. */
+static bool find_edges(const char *text, const struct camera *camera,
+                       size_t number, bool edge[PIXELS])
+{
+    struct sitting sitting[SIDES];
+    struct frame picture[SIDES];
+    struct picture_error error;
+    bool other[PIXELS], good[SIDES], all = true;
+    for (int i = 0; i < SIDES; i++) {
+        char what[16],
+            *moved = text_seen_from(text, camera, sides[i][0], sides[i][1]);
+        snprintf(what, sizeof what, "_side_%d", i);
+        begin_sitting(&sitting[i], moved, number, what);
+        free(moved);
+    }
+    memset(edge, false, PIXELS * sizeof *edge);
+    for (int i = 0; i < SIDES; i++) {
+        double greatest;
+        good[i] = end_sitting(&sitting[i], &picture[i], &error);
+        all &= good[i];
+        if (i > 0 && good[0] && good[i])
+            others(&picture[0], &picture[i], other, &greatest);
+        for (size_t k = 0; i > 0 && good[0] && good[i] && k < PIXELS; k++)
+            edge[k] |= other[k];
+    }
+    for (int i = 0; i < SIDES; i++)
+        if (good[i])
+            frame_free(&picture[i]);
+    return all;
+}
+
+static bool same_picture(const char *text, const struct camera *camera,
+                         size_t number, const struct frame *ours,
+                         const struct frame *theirs,
+                         struct judgement *judgement)
+{
+    bool other[PIXELS], edge[PIXELS];
+    double greatest;
+    size_t count = others(ours, theirs, other, &greatest), forgiven = 0;
+    size_t left = 0, worst = 0;
+    if (count <= OTHERS_MOST)
+        return true;
+    if (!find_edges(text, camera, number, edge))
+        return blame(judgement, NOT_BY_POVRAY, "not from a side");
+    for (size_t k = 0; k < PIXELS; k++) {
+        forgiven += other[k] && edge[k];
+        left += other[k] && !edge[k];
+        if (other[k] && !edge[k])
+            worst = k;
+    }
+    if (left <= OTHERS_MOST && forgiven <= FORGIVEN_MOST)
+        return true;
+    blame(judgement, OTHER_PICTURE, "");
+    judgement->pixel = worst;
+    snprintf(judgement->reason, REASON,
+             "POV-Ray shows %zu of %d pixels otherwise, by %.3f, and %zu on "
+             "edges; at %zu, %zu: %.4f %.4f %.4f, here %.4f %.4f %.4f",
+             left, PIXELS, greatest, forgiven, worst % WIDTH, worst / WIDTH,
+             theirs->channel[0][worst], theirs->channel[1][worst],
+             theirs->channel[2][worst], ours->channel[0][worst],
+             ours->channel[1][worst], ours->channel[2][worst]);
+    return false;
+}
+
+static bool same_as_povray(const char *text, const struct scene *scene,
+                           size_t number, const struct trace *trace,
+                           const struct frame *theirs,
+                           struct judgement *judgement)
+{
+    struct frame ours;
+    if (!frame_allocate(&ours, WIDTH, HEIGHT))
+        give_up("no memory left");
+    trace_read(trace, 0, &ours);
+    bool good = same_picture(text, &scene->camera, number, &ours, theirs,
+                             judgement);
+    frame_free(&ours);
+    return good;
+}
+
+/* --- scenes --------------------------------------------------------------- */
+
+static uint64_t seed_of(size_t number)
+{
+    return RANDOM_SEED ^ (number + 1) * UINT64_C(0x9E3779B97F4A7C15);
+}
+
+static void judge_scene(const char *text, const struct scene *scene,
+                        size_t number, struct sitting *sitting,
+                        struct judgement *judgement)
+{
+    struct trace_options serial = random_form(0, NULL);
+    struct trace *expected = trace_form(scene, &serial);
+    struct picture_error error;
+    struct frame theirs;
+    bool good = same_in_all_forms(scene, expected, seed_of(number),
+                                  judgement);
+    bool read = end_sitting(sitting, &theirs, &error);
+    if (good && !read)
+        blame(judgement, NOT_BY_POVRAY, error.message);
+    else if (good)
+        same_as_povray(text, scene, number, expected, &theirs, judgement);
+    if (read)
+        frame_free(&theirs);
+    trace_free(expected);
+}
+
+/* POV-Ray's run is begun. */
+static struct judgement judge(const char *text, size_t number,
+                              struct sitting *sitting)
+{
+    struct judgement judgement = { .fault = NO_FAULT };
+    struct picture_error error;
+    struct frame theirs;
+    struct scene *scene = read_text(text, &judgement);
+    if (scene)
+        judge_scene(text, scene, number, sitting, &judgement);
+    else if (end_sitting(sitting, &theirs, &error))
+        frame_free(&theirs);
+    else
+        strcat(judgement.message, " (nor does POV-Ray)");
+    scene_free(scene);
+    return judgement;
+}
+
+static struct judgement judge_anew(const char *text, size_t number)
+{
+    struct sitting sitting;
+    begin_sitting(&sitting, text, number, "_less");
+    return judge(text, number, &sitting);
+}
+
+/* --- failures ------------------------------------------------------------- */
+
+/* POV-Ray's last words are of another place. */
+static bool fails_alike(const struct judgement *judgement,
+                        const struct judgement *other)
+{
+    return judgement->fault == other->fault
+           && judgement->pixel == other->pixel
+           && (judgement->fault != NOT_READ
+               || strcmp(judgement->message, other->message) == 0);
+}
+
+/* What fails is also that smaller text?  Then it takes its place. */
+static bool take_smaller(char **text, char *smaller, size_t number,
+                         const struct judgement *judgement)
+{
+    if (!smaller)
+        return false;
+    struct judgement other = judge_anew(smaller, number);
+    bool alike = fails_alike(judgement, &other);
+    free(alike ? *text : smaller);
+    if (alike)
+        *text = smaller;
+    return alike;
+}
+
+static char *shrink(char *text, size_t number,
+                    const struct judgement *judgement)
+{
+    size_t trials = 0;
+    for (bool smaller = true; smaller && trials < TRIALS_MOST;) {
+        smaller = false;
+        for (size_t i = 1; i < text_lines(text) && trials < TRIALS_MOST;) {
+            bool less = take_smaller(&text, text_without(text, i, false),
+                                     number, judgement)
+                        || take_smaller(&text, text_without(text, i, true),
+                                        number, judgement);
+            smaller |= less;
+            i += !less;
+            trials++;
+        }
+    }
+    return text;
+}
+
+static void show(const char *text, size_t number)
+{
+    struct judgement judgement = judge_anew(text, number);
+    char path[PATH];
+    snprintf(path, sizeof path, "language_%zu.pov", number);
+    printf("FAIL %s (seed %016llX, -W %d -H %d): %s\n%s", path,
+           (unsigned long long)seed_of(number), WIDTH, HEIGHT,
+           judgement.reason, text);
+    fflush(stdout);
+    keep_scene(path, text);
+}
+
+/* --- the command ---------------------------------------------------------- */
+
+/* Scenes whose pictures POV-Ray has begun, by their numbers. */
+static struct waiting {
+    size_t number;
+    char *text; /* NULL: none */
+    struct sitting sitting;
+} waiting[AHEAD + 1];
+
+static struct waiting *waiting_for(const size_t *number)
+{
+    for (size_t i = 0; i <= AHEAD; i++)
+        if (number ? waiting[i].text && waiting[i].number == *number
+                   : !waiting[i].text)
+            return &waiting[i];
+    give_up("a scene was not begun");
+    return NULL;
+}
+
+static void begin_scene(size_t number)
+{
+    struct waiting *place = waiting_for(NULL);
+    place->number = number;
+    place->text = language_scene_text(seed_of(number));
+    begin_sitting(&place->sitting, place->text, number, "");
+}
+
+static bool check_scene(size_t number, bool first)
+{
+    struct waiting *place = waiting_for(&number);
+    struct judgement judgement = judge(place->text, number, &place->sitting);
+    if (judgement.fault && first) {
+        printf("scene %zu: %s\n", number, judgement.reason);
+    } else if (judgement.fault) {
+        printf("scene %zu: %s\n", number, judgement.reason);
+        fflush(stdout);
+        place->text = shrink(place->text, number, &judgement);
+        show(place->text, number);
+    }
+    free(place->text);
+    place->text = NULL;
+    return judgement.fault == NO_FAULT;
+}
+
+int main(int count, char **words)
+{
+    c205_error error;
+    model = c205_model_find("cyber205-2pipe", &error);
+    if (!model)
+        give_up(error.message);
+    int code = check_many_ahead(count, words, check_scene, begin_scene,
+                                AHEAD);
+    c205_model_free(model);
+    return code;
+}

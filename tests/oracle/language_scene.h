@@ -1,0 +1,20 @@
+/* language_scene.h - scenes by chance, as texts in the scene language.
+ *
+ * Declarations of every kind, expressions of every operator and function,
+ * conditions, loops, macros and arrays; all shapes that POV-Ray has, too, solids,
+ * clipped and bounded ones, motions, looks, lights, fogs, skies and cameras: of
+ * what docs/scenes.md says that it means the same in both programs.  What a rule
+ * there says to be another thing in POV-Ray is not drawn; the places say so.
+ */
+#ifndef LANGUAGE_SCENE_H
+#define LANGUAGE_SCENE_H
+
+#include <stdint.h>
+
+/* Pictures that they are made for. */
+enum { LANGUAGE_WIDTH = 40, LANGUAGE_HEIGHT = 30 };
+
+/* The caller frees it. */
+char *language_scene_text(uint64_t seed);
+
+#endif

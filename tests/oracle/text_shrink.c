@@ -1,0 +1,76 @@
+/* text_shrink.c - see text_shrink.h. */
+#include "tests/oracle/text_shrink.h"
+
+#include "tests/oracle/solid_text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+size_t text_lines(const char *text)
+{
+    size_t count = 0;
+    for (; *text; text++)
+        count += *text == '\n';
+    return count;
+}
+
+static const char *next_line(const char *line)
+{
+    const char *end = strchr(line, '\n');
+    return end ? end + 1 : line + strlen(line);
+}
+
+/* How many directives a word opens. */
+static int opened_by(const char *word)
+{
+    static const char *const openers[] = { "#if",    "#ifdef", "#ifndef",
+                                           "#while", "#for",   "#switch",
+                                           "#macro" };
+    size_t length = 1 + strspn(word + 1, "abcdefghijklmnopqrstuvwxyz");
+    if (length == 4 && strncmp(word, "#end", 4) == 0)
+        return -1;
+    for (size_t i = 0; i < sizeof openers / sizeof *openers; i++)
+        if (strlen(openers[i]) == length
+            && strncmp(word, openers[i], length) == 0)
+            return 1;
+    return 0;
+}
+
+/* How many blocks more are open behind a line than in front of it. */
+static int opened(const char *line)
+{
+    int open = 0;
+    for (; *line && *line != '\n'; line++)
+        if (*line == '#')
+            open += opened_by(line);
+        else
+            open += (*line == '{') - (*line == '}');
+    return open;
+}
+
+/* The line that closes what this one opens; itself, if it opens nothing. */
+static const char *last_line(const char *line)
+{
+    int open = opened(line);
+    while (open > 0 && *next_line(line)) {
+        line = next_line(line);
+        open += opened(line);
+    }
+    return line;
+}
+
+char *text_without(const char *text, size_t number, bool kept)
+{
+    const char *first = text;
+    for (; number > 0 && *first; number--)
+        first = next_line(first);
+    if (!*first || opened(first) < 0 || (kept && opened(first) == 0))
+        return NULL;
+    const char *last = last_line(first);
+    char *less = test_room(strlen(text) + 1);
+    strncat(less, text, (size_t)(first - text));
+    if (kept)
+        strncat(less, next_line(first), (size_t)(last - next_line(first)));
+    strcat(less, next_line(last));
+    return less;
+}
