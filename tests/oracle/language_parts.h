@@ -40,7 +40,7 @@ struct language {
     bool turning; /* I is a loop's float */
     bool calling; /* a macro may be called */
     bool clear;   /* light may pass: no fog */
-    size_t texts; /* of a font; they take POV-Ray long to read */
+    bool panes;   /* something is clear already */
 };
 
 /* --- lines ---------------------------------------------------------------- */

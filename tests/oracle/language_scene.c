@@ -283,12 +283,13 @@ static void say_lamp(struct language *draw)
 
 /* --- scenes --------------------------------------------------------------- */
 
-/* Below all else. */
+/* Below all else.  It is hollow, as an orthographic picture may begin below it: in
+ * a body that is not POV-Ray sees no fog. */
 static void say_ground(struct language *draw)
 {
     if (one_in(&draw->state, 2)) {
         open_block(draw, "plane {");
-        say_line(draw, "y, -2.6137");
+        say_line(draw, "y, -2.6137 hollow");
     } else {
         open_block(draw, "disc {");
         say_line(draw, "-2.6137*y, y, 6");

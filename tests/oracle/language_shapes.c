@@ -3,12 +3,14 @@
 
 /* --- solids --------------------------------------------------------------- */
 
+/* Of a radius below 0 POV-Ray's bounding box is inside out: it sees the ball only
+ * if there are fewer than three things. */
 static void open_ball(struct language *draw)
 {
     open_block(draw, "sphere {");
     begin_line(draw);
     say_point(draw, -.2, .2);
-    SAY_ONE_OF(draw, ", ", " ", ", -");
+    SAY_ONE_OF(draw, ", ", " ");
     say(draw, "%.4f\n", between(&draw->state, .4, .9));
 }
 

@@ -1,7 +1,12 @@
 /* language_things.c - solids, and things in their places, by chance. */
 #include "tests/oracle/language_shapes.h"
 
-static void say_solid(struct language *draw, int depth, bool inner);
+/* Where a solid stands: in a list, as a part of another solid, or as what a
+ * difference takes away or an intersection meets. */
+enum standing { LISTED, JOINED, CUTTING };
+
+static void say_solid(struct language *draw, int depth,
+                      enum standing standing);
 
 /* --- modifiers ------------------------------------------------------------ */
 
@@ -69,7 +74,7 @@ static void say_dress(struct language *draw)
 
 /* --- solids --------------------------------------------------------------- */
 
-static void say_leaf(struct language *draw, bool inner)
+static void say_leaf(struct language *draw, enum standing standing)
 {
     open_solid_shape(draw, false);
     if (one_in(&draw->state, 8))
@@ -77,7 +82,7 @@ static void say_leaf(struct language *draw, bool inner)
     if (one_in(&draw->state, 3))
         say_look(draw);
     say_turns(draw);
-    if (inner && one_in(&draw->state, 6))
+    if (standing == CUTTING && one_in(&draw->state, 6))
         say_line(draw, "inverse");
     say_shift(draw);
     close_block(draw, "}");
@@ -92,21 +97,26 @@ static void say_cutter(struct language *draw, int depth)
         say_turns(draw);
         close_block(draw, "}");
     } else
-        say_solid(draw, depth, true);
+        say_solid(draw, depth, CUTTING);
 }
 
 /* A disc is no part: of an intersection with one POV-Ray leaves out what is
- * beside the box about the disc. */
-static void say_joined(struct language *draw, int depth)
+ * beside the box about the disc.  A union is a list: as a part of a solid it
+ * keeps its inner faces in POV-Ray, which are seen where something is clipped or
+ * open. */
+static void say_joined(struct language *draw, int depth,
+                       enum standing standing)
 {
     static const char *const words[] = { "union", "merge", "intersection",
                                          "difference", "difference" };
     size_t which = below(&draw->state, 5);
+    which += which == 0 && standing != LISTED;
+    enum standing part = which == 0 ? LISTED : JOINED;
     open_block(draw, "%s {", words[which]);
-    say_solid(draw, depth - 1, false);
+    say_solid(draw, depth - 1, part);
     for (size_t left = 1 + below(&draw->state, 2); left > 0; left--)
         if (which < 2)
-            say_solid(draw, depth - 1, false);
+            say_solid(draw, depth - 1, part);
         else
             say_cutter(draw, depth - 1);
     if (one_in(&draw->state, 8))
@@ -131,15 +141,15 @@ static void say_reference(struct language *draw)
     close_block(draw, "}");
 }
 
-/* inner: it may be turned inside out. */
-static void say_solid(struct language *draw, int depth, bool inner)
+static void say_solid(struct language *draw, int depth,
+                      enum standing standing)
 {
     if (draw->names[NAME_SOLID] && one_in(&draw->state, 6))
         say_reference(draw);
     else if (depth > 0 && one_in(&draw->state, 2))
-        say_joined(draw, depth);
+        say_joined(draw, depth, standing);
     else
-        say_leaf(draw, inner);
+        say_leaf(draw, standing);
 }
 
 void declare_solid(struct language *draw)
@@ -149,9 +159,9 @@ void declare_solid(struct language *draw)
     say_new_name(draw, NAME_SOLID);
     say(draw, " =\n");
     if (one_in(&draw->state, 2))
-        say_joined(draw, 1);
+        say_joined(draw, 1, JOINED);
     else
-        say_leaf(draw, false);
+        say_leaf(draw, JOINED);
     draw->names[NAME_SOLID]++;
 }
 
@@ -179,7 +189,7 @@ static void say_sheet_thing(struct language *draw)
 static void say_solid_thing(struct language *draw)
 {
     open_block(draw, "object {");
-    say_joined(draw, 2);
+    say_joined(draw, 2, LISTED);
     if (one_in(&draw->state, 2))
         say_look(draw);
     say_turns(draw);
@@ -214,7 +224,7 @@ static void say_group(struct language *draw)
             say_shift(draw);
             close_block(draw, "}");
         } else
-            say_solid(draw, 1, false);
+            say_solid(draw, 1, LISTED);
     say_dress(draw);
     say_place(draw);
     close_block(draw, "}");
@@ -248,11 +258,11 @@ static void say_bounded_thing(struct language *draw)
 }
 
 /* Whole solids, without a way in: of an open one POV-Ray says that light enters
- * where here it leaves.  Of glass there is one, as bodies of glass must not
- * overlap; it lies where nothing else is that is clear. */
+ * where here it leaves.  Where one is of glass no other one is clear: bodies of glass
+ * must not overlap others. */
 static void say_clear_thing(struct language *draw)
 {
-    bool bent = one_in(&draw->state, 2);
+    bool bent = !draw->panes && one_in(&draw->state, 2);
     open_solid_shape(draw, true);
     say_turns(draw);
     say_clear_look(draw, bent);
@@ -260,8 +270,8 @@ static void say_clear_thing(struct language *draw)
         say_line(draw, "no_shadow");
     say_place(draw);
     close_block(draw, "}");
-    if (bent)
-        draw->clear = false;
+    draw->panes = true;
+    draw->clear = !bent;
 }
 
 /* --- things by directives ------------------------------------------------- */
