@@ -83,7 +83,7 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-random check-quartic check-faces check-regions \
-	check-language-scenes check-language check-library check-commands check-install check-fit wasm-check
+	check-language check-library check-commands check-install check-fit wasm-check
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 15000
@@ -126,7 +126,6 @@ check-long: export PROGRAMS = 200000
 check-long: export POLYNOMIALS = 10000
 check-long: export FACES = 20000
 check-long: export REGIONS = 10000
-check-long: export LANGUAGE = 5000
 check-long: export TRIES = 3000
 check-long: export HOSTS = full
 check-long: export DOCS = full

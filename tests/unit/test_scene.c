@@ -243,18 +243,26 @@ static void test_orthographic(void **state)
         { "location -5*z look_at 0 right 2*x up y angle 90", 10, 5 },
         { "location -5*z angle 90", 12, 12 / 1.33 },
         { "location -5*z", 1.33 * 6, 6 },
+        { "location z", 1.33, 1 },
+    };
+    static const char *const forms[] = {
+        "camera { orthographic %s }",
+        "#declare C = camera { orthographic %s } camera { C }",
+        "#declare C = camera { orthographic %s }\n"
+        "#declare D = camera { C } camera { D translate x }",
     };
 
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
-        char text[200];
-        snprintf(text, sizeof text, "camera { orthographic %s }",
-                 rows[i].words);
-        struct scene *scene = read_scene(text);
-        assert_true(scene->camera.orthographic);
-        assert_vector(scene->camera.right, rows[i].right, 0, 0);
-        assert_vector(scene->camera.up, 0, rows[i].up, 0);
-        scene_free(scene);
+        for (size_t form = 0; form < COUNT(forms); form++) {
+            char text[200];
+            snprintf(text, sizeof text, forms[form], rows[i].words);
+            struct scene *scene = read_scene(text);
+            assert_true(scene->camera.orthographic);
+            assert_vector(scene->camera.right, rows[i].right, 0, 0);
+            assert_vector(scene->camera.up, 0, rows[i].up, 0);
+            scene_free(scene);
+        }
     }
 }
 

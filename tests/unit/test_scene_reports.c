@@ -22,8 +22,14 @@ static void test_errors(void **state)
         { "mesh { triangle { 0, x, y } clipped_by { box { 0 1 } } }", 1, 29,
           "'clipped_by' of a mesh" },
         { "sphere { 0, 1 clipped_by { bounded_by } }", 1, 28, "bounded_by" },
+        { "sphere { 0, 1 clipped_by { union { box { 0, 1 }"
+          " light_source { 0, 1 } } } }",
+          1, 28, "a light has no inside" },
+        { "sphere { 0, 1 #for (I, 1, 10000) clipped_by { plane { y, 2 } } #end "
+          "}",
+          1, 34, "more than 10000 primitives in one solid" },
         { "sphere { 0, 1 clipped_by { light_source { 0, 1 } } }", 1, 28,
-          "nothing by which to cut" },
+          "a light has no inside" },
         { "sphere { 0, 1 inverted }", 1, 15, "found 'inverted'" },
         { "camera { fisheye }", 1, 10, "'fisheye'" },
         { "sphere { 0, Foo }", 1, 13, "'Foo', which is not declared" },

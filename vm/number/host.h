@@ -90,11 +90,11 @@ static inline void host_round_as(host_rounding way)
  * alone. */
 static inline bool host_round_down(host_rounding *before)
 {
-    host_rounding ways = 3U << 13, down = 1U << 13;
+    host_rounding ways = 3U << 13, down = 1U << 13, untrapped = 0x3FU << 7;
     volatile double little = 0x1p-60;
 
     __asm__ volatile("stmxcsr %0" : "=m"(*before) : : "memory");
-    host_round_as((*before & ~ways) | down);
+    host_round_as((*before & ~ways) | down | untrapped);
     if (1 - little < 1)
         return true;
     host_round_as(*before);

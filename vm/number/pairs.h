@@ -20,7 +20,8 @@ enum { PAIR_LENGTH = 512 }; /* at the most */
 
 /* From a and b by the first operation, with d by the second; n <= PAIR_LENGTH
  * words.  Where c overlaps an operand it begins there or below.  Not *done: it is
- * to be done otherwise, and nothing was stored. */
+ * to be done otherwise; of c, where it overlaps no operand, anything may be
+ * stored. */
 typedef void lanes_pair(bool *done, c205_word *c, pair_operand a,
                         pair_operand b, const c205_word *d, size_t n,
                         uint64_t *flags);

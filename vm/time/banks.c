@@ -29,16 +29,17 @@ void banks_free(struct banks *banks)
  * and no table of the banks. */
 enum { SPAN = 256, LATEST = 3 };
 
-/* The sum with a large number has no place for a fraction. */
+/* The sum with a large number has no place for a fraction; it is a variable, which
+ * has no more digits than a double. */
 static inline double nearest_whole(double d)
 {
-    double large = 0x1p52;
+    double large = 0x1p52, sum = d + large;
 
-    return d + large - large;
+    return sum - large;
 }
 
-/* What is left of an address, which lies below 2^42 words, by the nearest whole
- * quotient of doubles. */
+/* What is left of an address, which lies below 2^42 words, by a whole quotient of
+ * doubles that is off by one at the most, however the host rounds. */
 #define FIND_BANKS_PARAMETERS \
     (double *restrict bank, const c205_word *restrict indices, size_t n, \
      uint64_t table, uint64_t step, double count)
@@ -48,7 +49,8 @@ LANEWISE void find_banks_span FIND_BANKS_PARAMETERS
         uint64_t address = (table + indices[i] * step) & ADDRESS_MASK;
         double word = (double)(int64_t)(address / WORD_BITS);
         double rest = word - nearest_whole(word * (1 / count)) * count;
-        bank[i] = rest < 0 ? rest + count : rest;
+        rest = rest < 0 ? rest + count : rest;
+        bank[i] = rest >= count ? rest - count : rest;
     }
 }
 

@@ -13,7 +13,8 @@
 /* POV-Ray's right is 1.33 x, not 4/3 x. */
 const struct camera_setting camera_default = {
     { { 0, 0, 0 }, { 0, 0, 1 }, { 1.33, 0, 0 }, { 0, 1, 0 }, false },
-    { 0, 1, 0 }
+    { 0, 1, 0 },
+    false
 };
 
 struct camera_reading {
@@ -143,16 +144,22 @@ static void apply_angle(struct camera *camera, double angle)
 }
 
 /* An orthographic camera shows as much of what it looks at as one in perspective
- * would, unless right or up says how much; with an angle always. */
+ * would, unless right or up says how much; with an angle always.  One that has a
+ * name does so already. */
 static void apply_distance(struct camera_reading *reading)
 {
     struct camera *camera = &reading->setting.camera;
     double ahead[3], distance;
 
-    if (!camera->orthographic || (reading->spans && reading->angle == 0))
+    if (!camera->orthographic || reading->setting.spanned)
+        return;
+    reading->setting.spanned = true;
+    if (reading->spans && reading->angle == 0)
         return;
     for (int i = 0; i < 3; i++)
         ahead[i] = reading->look_at[i] - camera->location[i];
+    if (length3(ahead) < NEAR)
+        return;
     distance = length3(ahead) / length3(camera->direction);
     scale3(distance, camera->right);
     scale3(distance, camera->up);

@@ -18,6 +18,10 @@ static bool check_inside(struct reader *reader,
                          const struct scene_object *object,
                          const struct scene_token *at)
 {
+    if (object->light_count > 0)
+        return reader_fault(reader, at,
+                            "a light has no inside, by which to "
+                            "cut");
     for (size_t i = 0; i < object->part_count; i++)
         if (shape_is_surface(&object->parts[i].primitive))
             return reader_fault(reader, at,
@@ -140,8 +144,13 @@ static bool make_whole(struct reader *reader, struct scene_object *object)
 static bool clip(struct reader *reader, struct scene_object *object,
                  struct scene_object *by, const struct scene_token *at)
 {
-    size_t copies = count_solids(object) * by->part_count;
+    size_t count = count_solids(object), copies = count * by->part_count;
 
+    if (object->part_count + copies > count * SOLID_MOST)
+        return reader_fault(reader, at,
+                            "more than %d primitives in one solid, with "
+                            "those that clip it",
+                            SOLID_MOST);
     if (has_mesh(object))
         return reader_fault(reader, at,
                             "'clipped_by' of a mesh is not "

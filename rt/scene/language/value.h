@@ -23,6 +23,7 @@ bool numbers_are_finite(const struct numbers *numbers);
 struct camera_setting {
     struct camera camera;
     double sky[3];
+    bool spanned; /* an orthographic one shows as much as it has to */
 };
 
 enum scene_value_kind {
