@@ -90,6 +90,36 @@ static void test_named_maps(void **state)
     scene_free(scene);
 }
 
+/* As in POV-Ray, whose checker is a map from 0 to 1. */
+static void test_gradients_after_checkers(void **state)
+{
+    static const struct {
+        const char *words, *expected;
+    } rows[] = {
+        { "pigment { checker rgb x, rgb z } pigment { gradient x }",
+          "0:1,0,0 1:0,0,1 " },
+        { "pigment { checker rgb x } pigment { gradient x }",
+          "0:1,0,0 1:0,1,0 " },
+        { "pigment { checker } pigment { gradient x }", "0:0,0,1 1:0,1,0 " },
+        { "pigment { checker rgb x } pigment { rgb 1 } pigment { gradient x }",
+          "0:1,0,0 1:0,1,0 " },
+        { "pigment { checker } pigment { gradient x color_map { [.5 rgb y] } }",
+          "0.5:0,1,0 " },
+        { "pigment { gradient x color_map { [.5 rgb y] } } pigment { checker } "
+          "pigment { gradient y }",
+          "0:0,0,1 1:0,1,0 " },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        char text[1024];
+        snprintf(text, sizeof text, "sphere { 0, 1 %s }", rows[i].words);
+        struct scene *scene = read_scene(text);
+        check_map(&scene->primitives[0].pigment.map, rows[i].expected);
+        scene_free(scene);
+    }
+}
+
 /* Of a pattern that is not drawn the first colour of its map counts. */
 static void test_other_patterns(void **state)
 {
@@ -185,6 +215,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_maps),
         cmocka_unit_test(test_named_maps),
+        cmocka_unit_test(test_gradients_after_checkers),
         cmocka_unit_test(test_other_patterns),
         cmocka_unit_test(test_clear),
         cmocka_unit_test(test_skies),

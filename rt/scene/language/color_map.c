@@ -94,6 +94,22 @@ bool color_map_gray(struct reader *reader, struct color_map *map)
     return keep_map(reader, stops, map);
 }
 
+bool color_map_of_two(struct reader *reader, struct pigment *pigment)
+{
+    struct color_map map = { .count = 2 };
+    struct color_stop stops[2];
+
+    for (int i = 0; i < 2; i++) {
+        stops[i].at = i;
+        memcpy(stops[i].color, pigment->color[i], sizeof stops[i].color);
+        map.clear += pigment->filter[i] != 0 || pigment->transmit[i] != 0;
+    }
+    if (!keep_map(reader, stops, &map))
+        return false;
+    pigment->map = map;
+    return true;
+}
+
 static void set_first(struct pigment *pigment, const struct numbers *color)
 {
     memcpy(pigment->color[0], color->n, sizeof pigment->color[0]);

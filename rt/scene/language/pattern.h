@@ -44,5 +44,7 @@ bool map_first(struct reader *reader, enum scene_value_kind kind,
                body_reader *body, void *subject, size_t size);
 /* From black to white. */
 bool color_map_gray(struct reader *reader, struct color_map *map);
+/* From the first of a checker's colours to the second, the pigment's own. */
+bool color_map_of_two(struct reader *reader, struct pigment *pigment);
 
 #endif

@@ -108,6 +108,8 @@ static bool read_nested(struct reader *reader, struct pigment *pattern,
     return true;
 }
 
+/* Its colours stay the pigment's map: a gradient without one that takes the
+ * checker's place goes from the first to the second. */
 static bool read_checker(struct reader *reader, void *subject,
                          const struct item *item)
 {
@@ -126,7 +128,7 @@ static bool read_checker(struct reader *reader, void *subject,
         if (i == 0)
             reader_comma(reader);
     }
-    return done;
+    return done && color_map_of_two(reader, pigment);
 }
 
 static bool read_gradient(struct reader *reader, void *subject,
