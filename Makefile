@@ -78,8 +78,8 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 	clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
 # What check runs, and in what size: cases an operation, pairs of narrow words,
-# random programs, polynomials of a kind, scenes of solids, of many regions and by
-# their texts, tries a row of the table, compilers.  Those that take longest come first.
+# random programs, polynomials of a kind, scenes of solids and of many regions,
+# tries a row of the table, compilers.  Those that take longest come first.
 check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-random check-quartic check-faces check-regions \
@@ -297,7 +297,7 @@ check-faces: $(BUILD)/tests/oracle/check_faces
 check-regions: $(BUILD)/tests/oracle/check_regions
 	$(call by_shares,$(REGIONS))
 
-# Beside POV-Ray.
+# Each text beside POV-Ray's picture of it; not in check.
 check-language-scenes: $(BUILD)/tests/oracle/check_language_scenes $(adapter)
 	$(call by_shares,$(LANGUAGE))
 
@@ -480,8 +480,8 @@ clean:
 .PHONY: all demo tests check check-long check-rooms check-unit check-programs \
 	check-bugs check-docs check-isa check-arithmetic check-narrow \
 	check-random check-quartic check-planted check-faces check-regions \
-	check-scenes check-language-scenes check-language check-library check-samples check-commands \
-	check-install \
+	check-scenes check-language-scenes check-language check-library \
+	check-samples check-commands check-install \
 	check-hosts check-poison check-timing check-fit fit cover cover-tests wasm-check docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:

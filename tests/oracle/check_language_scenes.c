@@ -12,15 +12,16 @@
  *
  * Which side of an edge a pixel shows may hang on a rounding.  So another pixel
  * is forgiven if POV-Ray itself shows another one there when the camera is
- * moved a hundredth of a pixel to one of four sides.  What it moves is the camera as
- * rt205 has read it; it is forgiven against POV-Ray's picture by that same
- * camera, so that a camera that is read wrongly forgives nothing.  Of each picture at the
- * most one pixel in fifty is forgiven.
+ * moved a hundredth of a pixel to one of four sides.  What is moved is the
+ * camera as rt205 has read it, and the picture is compared with POV-Ray's by
+ * that same camera where it stood: a camera that is read wrongly forgives
+ * nothing.  Of a picture at the most one pixel in fifty is forgiven.
  *
  * A scene that fails is made smaller, line by line and block by block, as long as
  * it fails in the same way, printed with its seed, and written to
- * language_N.pov; after --first nothing more is done, not even that.  Exit
- * code 1: some failed; 2: POV-Ray is missing.
+ * language_N.pov; so are the first three of a run, as it takes some minutes.  After
+ * --first nothing more is done, not even that.  Exit code 1: some failed; 2:
+ * POV-Ray is missing.
  */
 #include "rt/picture/picture.h"
 #include "rt/scene/language/scene_read.h"
@@ -45,7 +46,8 @@ enum {
     OTHERS_MOST = PIXELS / 1000,
     FORGIVEN_MOST = PIXELS / 50,
     AHEAD = 8,         /* runs of POV-Ray that are begun */
-    TRIALS_MOST = 600, /* to make a scene smaller */
+    TRIALS_MOST = 400, /* to make a scene smaller */
+    SMALLER_MOST = 3,  /* scenes that are made so */
     REASON = 400,
     PATH = 80
 };
@@ -476,12 +478,12 @@ static void begin_scene(size_t number)
 
 static bool check_scene(size_t number, bool first)
 {
+    static size_t failed;
     struct waiting *place = waiting_for(&number);
     struct judgement judgement = judge(place->text, number, &place->sitting);
-    if (judgement.fault && first) {
+    if (judgement.fault)
         printf("scene %zu: %s\n", number, judgement.reason);
-    } else if (judgement.fault) {
-        printf("scene %zu: %s\n", number, judgement.reason);
+    if (judgement.fault && !first && failed++ < SMALLER_MOST) {
         fflush(stdout);
         place->text = shrink(place->text, number, &judgement);
         show(place->text, number);
@@ -494,6 +496,8 @@ static bool check_scene(size_t number, bool first)
 int main(int count, char **words)
 {
     c205_error error;
+    if (system("command -v povray >/dev/null") != 0)
+        give_up("povray is not installed");
     model = c205_model_find("cyber205-2pipe", &error);
     if (!model)
         give_up(error.message);

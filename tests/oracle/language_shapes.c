@@ -197,36 +197,40 @@ static void open_disc(struct language *draw)
     end_line(draw);
 }
 
-static void say_corners(struct language *draw, bool smooth)
+/* bent: how far its normals, if it has any, and its plane lean.  Of one that stands
+ * alone POV-Ray shows nothing if its normals are not all on one side of it, in any
+ * of the places through which its motions bring it. */
+static void open_triangle(struct language *draw, double bent)
 {
     static const double corner[3][2] = { { -.9, -.6 },
                                          { .8, -.7 },
                                          { 0, 1 } };
+    bool smooth = one_in(&draw->state, 2);
+    open_block(draw, smooth ? "smooth_triangle {" : "triangle {");
     begin_line(draw);
     for (int i = 0; i < 3; i++) {
         say(draw, "<%.4f, %.4f, %.4f>",
             corner[i][0] + between(&draw->state, -.2, .2),
             corner[i][1] + between(&draw->state, -.2, .2),
-            between(&draw->state, -.4, .4));
+            between(&draw->state, -bent, bent));
         if (smooth)
-            say(draw, ", <%.3f, %.3f, -1>", between(&draw->state, -.6, .6),
-                between(&draw->state, -.6, .6));
+            say(draw, ", <%.3f, %.3f, -1>",
+                between(&draw->state, -bent, bent),
+                between(&draw->state, -bent, bent));
         say(draw, i < 2 ? ", " : "\n");
     }
 }
 
-static void open_triangle(struct language *draw)
+static void open_lone_triangle(struct language *draw)
 {
-    bool smooth = one_in(&draw->state, 2);
-    open_block(draw, smooth ? "smooth_triangle {" : "triangle {");
-    say_corners(draw, smooth);
+    open_triangle(draw, .15);
 }
 
 static void open_mesh(struct language *draw)
 {
     open_block(draw, "mesh {");
     for (size_t left = 1 + below(&draw->state, 4); left > 0; left--) {
-        open_triangle(draw);
+        open_triangle(draw, .5);
         close_block(draw, "}");
     }
 }
@@ -319,7 +323,7 @@ static void open_sign(struct language *draw)
 void open_sheet(struct language *draw)
 {
     static void (*const shapes[])(struct language *) = {
-        open_disc, open_disc,    open_triangle, open_mesh,
+        open_disc, open_disc,    open_lone_triangle, open_mesh,
         open_net,  open_bicubic, open_polygon,
     };
     if (one_in(&draw->state, 12))

@@ -30,16 +30,19 @@ static void say_shift(struct language *draw)
              between(&draw->state, -.4, .4));
 }
 
+/* By what has an end not turned inside out: POV-Ray looks at quadrics and quartics
+ * in the box about what clips them, inside out or not. */
 static void say_clip(struct language *draw)
 {
     open_block(draw, "clipped_by {");
     for (size_t left = 1 + one_in(&draw->state, 4); left > 0; left--) {
-        if (one_in(&draw->state, 3))
+        bool solid = one_in(&draw->state, 3);
+        if (solid)
             open_solid_shape(draw, false);
         else
             open_endless(draw);
         say_turns(draw);
-        if (one_in(&draw->state, 5))
+        if (!solid && one_in(&draw->state, 5))
             say_line(draw, "inverse");
         close_block(draw, "}");
     }
