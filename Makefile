@@ -78,12 +78,13 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 	clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
 # What check runs, and in what size: cases an operation, pairs of narrow words,
-# random programs, polynomials of a kind, scenes of solids and of many regions,
-# tries a row of the table, compilers.  Those that take longest come first.
+# random programs, polynomials of a kind, scenes of solids, of many regions and as
+# texts, tries a row of the table, compilers.  Those that take longest come first.
 check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-random check-quartic check-faces check-regions \
-	check-language check-library check-commands check-install check-fit wasm-check
+	check-language-scenes check-language check-library check-commands \
+	check-install check-fit wasm-check
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 15000
@@ -126,6 +127,7 @@ check-long: export PROGRAMS = 200000
 check-long: export POLYNOMIALS = 10000
 check-long: export FACES = 20000
 check-long: export REGIONS = 10000
+check-long: export LANGUAGE = 5000
 check-long: export TRIES = 3000
 check-long: export HOSTS = full
 check-long: export DOCS = full
@@ -297,7 +299,7 @@ check-faces: $(BUILD)/tests/oracle/check_faces
 check-regions: $(BUILD)/tests/oracle/check_regions
 	$(call by_shares,$(REGIONS))
 
-# Each text beside POV-Ray's picture of it; not in check.
+# Each text beside POV-Ray's picture of it.
 check-language-scenes: $(BUILD)/tests/oracle/check_language_scenes $(adapter)
 	$(call by_shares,$(LANGUAGE))
 
