@@ -22,6 +22,11 @@ static inline int64_t xorshift_between(uint64_t *state, int64_t low,
     return low + (int64_t)(xorshift(state) % (uint64_t)(high - low + 1));
 }
 
+static inline double xorshift_real(uint64_t *state, double low, double high)
+{
+    return low + (high - low) * (double)(xorshift(state) >> 11) * 0x1p-53;
+}
+
 /* A normalised word of a format with an exponent of the given range. */
 static inline c205_word xorshift_normalised_of(word_format f, uint64_t *state,
                                                int32_t low, int32_t high)

@@ -24,10 +24,11 @@ size_t gradient_size(const struct color_map *map)
     return STOP_SIZE * (map->count + 1);
 }
 
+/* One with nothing behind it is the next one itself. */
 static void put_stop(const struct color_stop *stop,
                      const struct color_stop *next, double row[STOP_SIZE])
 {
-    double far = next ? next->at - stop->at : 0;
+    double far = next->at - stop->at;
 
     row[0] = stop->at;
     row[1] = far > STEP ? 1 / far : 0;
@@ -46,10 +47,10 @@ c205_word *gradient_stops(const struct color_map *map)
         double row[STOP_SIZE];
 
         if (i == 0)
-            put_stop(&below, NULL, row);
+            put_stop(&below, &below, row);
         else
             put_stop(&map->stops[i - 1],
-                     i < map->count ? &map->stops[i] : NULL, row);
+                     &map->stops[i < map->count ? i : i - 1], row);
         put_numbers(words + STOP_SIZE * i, row, STOP_SIZE);
     }
     return words;

@@ -481,7 +481,7 @@ bool picture_read_note(const char *path, const char *name, char *text,
 }
 
 bool picture_read_raster(const char *format, const char *bytes, size_t length,
-                         struct raster *raster, struct raster_error *error)
+                         struct raster *raster, c205_error *error)
 {
     struct picture_error cause;
     const struct picture_adapter *files = adapter(&cause);

@@ -289,7 +289,7 @@ void take_samples(OIIO::ImageInput &input, raster &image)
 }
 
 bool read_raster(const char *format, const char *bytes, size_t length,
-                 raster *image, raster_error *error)
+                 raster *image, c205_error *error)
 {
     return guarded(error, [&] {
         OIIO::Filesystem::IOMemReader file(bytes, length);

@@ -5,7 +5,7 @@
  * GIF89a (CompuServe); Truevision TGA, version 2.0; Microsoft's description of
  * BITMAPINFOHEADER.
  */
-#include "rt/scene/raster.h"
+#include "rt/scene/palette.h"
 
 #include <string.h>
 

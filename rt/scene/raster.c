@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool fail(struct raster_error *error, const char *format, ...)
+static bool fail(c205_error *error, const char *format, ...)
 {
     va_list arguments;
 
@@ -110,7 +110,7 @@ static bool take_sample(struct netpbm *file, uint32_t *sample)
 }
 
 static bool take_samples(struct netpbm *file, struct raster *raster,
-                         struct raster_error *error)
+                         c205_error *error)
 {
     size_t count = raster->width * raster->height * raster->channels;
 
@@ -132,7 +132,7 @@ static bool take_samples(struct netpbm *file, struct raster *raster,
 /* Behind the two letters of its kind: width, height and the greatest sample;
  * one space ends them. */
 static bool take_header(struct netpbm *file, struct raster *raster,
-                        struct raster_error *error)
+                        c205_error *error)
 {
     uint32_t width, height;
 
@@ -154,7 +154,7 @@ static bool take_header(struct netpbm *file, struct raster *raster,
 }
 
 static bool read_netpbm(const char *bytes, size_t length,
-                        struct raster *raster, struct raster_error *error)
+                        struct raster *raster, c205_error *error)
 {
     const unsigned char *first = (const unsigned char *)bytes;
     struct netpbm file = { .next = first + 2,
@@ -176,7 +176,7 @@ static bool read_netpbm(const char *bytes, size_t length,
 
 bool raster_read(enum raster_kind kind, const char *bytes, size_t length,
                  raster_reader *reads, struct raster *raster,
-                 struct raster_error *error)
+                 c205_error *error)
 {
     memset(raster, 0, sizeof *raster);
     if (kind == RASTER_PGM || kind == RASTER_PPM) {

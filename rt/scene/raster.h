@@ -11,6 +11,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "vm/c205.h"
+
 /* The top row first, the channels of a pixel side by side: grey or three
  * colours, and perhaps one that says how opaque the pixel is, which has left no
  * trace in the others.  Samples go from 0 to most. */
@@ -21,15 +23,11 @@ struct raster {
 };
 enum { RASTER_PIXELS = 1 << 23 }; /* at most */
 
-struct raster_error {
-    char message[256];
-};
-
 /* A file's bytes, of a format that OpenImageIO has by this name.  The caller
  * frees the samples. */
 typedef bool raster_reader(const char *format, const char *bytes,
                            size_t length, struct raster *raster,
-                           struct raster_error *error);
+                           c205_error *error);
 
 enum raster_kind {
     RASTER_BMP,
@@ -48,13 +46,6 @@ enum raster_kind raster_kind_of(const char *bytes, size_t length);
 /* reads: for what is not PGM or PPM; NULL: there is nobody. */
 bool raster_read(enum raster_kind kind, const char *bytes, size_t length,
                  raster_reader *reads, struct raster *raster,
-                 struct raster_error *error);
-
-/* Whether the pixels of a file are numbers of colours in a table. */
-bool palette_is_used(enum raster_kind kind, const char *bytes, size_t length);
-/* Each colour of the table becomes the grey of its number, so that the pixels
- * show their numbers.  False: the table is broken, or of a kind that is not
- * known here. */
-bool palette_to_numbers(enum raster_kind kind, char *bytes, size_t length);
+                 c205_error *error);
 
 #endif

@@ -28,6 +28,17 @@ void transform_point(const struct transform *transform, double point[3])
         point[i] += transform->rows[i][3];
 }
 
+void transform_normal(const struct transform *to_local, double normal[3])
+{
+    double carried[3];
+
+    for (int i = 0; i < 3; i++)
+        carried[i] = to_local->rows[0][i] * normal[0]
+                     + to_local->rows[1][i] * normal[1]
+                     + to_local->rows[2][i] * normal[2];
+    memcpy(normal, carried, sizeof carried);
+}
+
 struct transform transform_then(const struct transform *first,
                                 const struct transform *second)
 {

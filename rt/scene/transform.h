@@ -36,6 +36,9 @@ bool placement_is_finite(const struct placement *placement);
 struct transform transform_then(const struct transform *first,
                                 const struct transform *second);
 void transform_point(const struct transform *transform, double point[3]);
+/* A normal from the space that to_local leads to, by the transposed inverse; its
+ * length changes. */
+void transform_normal(const struct transform *to_local, double normal[3]);
 void transform_direction(const struct transform *transform, double vector[3]);
 
 #endif

@@ -57,17 +57,14 @@ static const char *settle(struct primitive *primitive)
 
 /* ---- In the world -------------------------------------------------------- */
 
-/* Normals go by the transposed inverse, and keep what lengths it gives them. */
+/* One of length one gets what length the transform gives it. */
 static void carry_normal(const struct primitive *primitive, double normal[3])
 {
-    const double(*rows)[4] = primitive->to_local.rows;
-    double n[3], length = length3(normal);
+    double length = length3(normal);
 
+    transform_normal(&primitive->to_local, normal);
     for (int i = 0; i < 3; i++)
-        n[i] = (rows[0][i] * normal[0] + rows[1][i] * normal[1]
-                + rows[2][i] * normal[2])
-               / length;
-    copy3(n, normal);
+        normal[i] /= length;
 }
 
 static struct triangle carried(const struct primitive *primitive, size_t i)

@@ -1,5 +1,6 @@
 #include "rt/shapes/shape.h"
 
+#include "rt/scene/transform.h"
 #include "rt/scene/vector.h"
 #include "rt/shapes/axis.h"
 
@@ -22,9 +23,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
     const double *normal = primitive->shape.plane.normal;
     double length;
 
-    for (size_t i = 0; i < 3; i++)
-        words[i] = normal[0] * back->rows[0][i] + normal[1] * back->rows[1][i]
-                   + normal[2] * back->rows[2][i];
+    copy3(normal, words);
+    transform_normal(back, words);
     words[3] = primitive->shape.plane.distance;
     for (size_t i = 0; i < 3; i++)
         words[3] -= normal[i] * back->rows[i][3];

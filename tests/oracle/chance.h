@@ -21,7 +21,7 @@ static inline bool one_in(uint64_t *state, size_t count)
 
 static inline double between(uint64_t *state, double low, double high)
 {
-    return low + (high - low) * (double)(xorshift(state) >> 11) * 0x1p-53;
+    return xorshift_real(state, low, high);
 }
 
 /* As many between 1 and 2 as between 100 and 200. */

@@ -23,24 +23,28 @@ void end_line(struct language *draw)
     say(draw, "\n");
 }
 
+static void say_words(struct language *draw, const char *format,
+                      va_list values)
+{
+    begin_line(draw);
+    vfprintf(draw->text, format, values);
+    end_line(draw);
+}
+
 void say_line(struct language *draw, const char *format, ...)
 {
     va_list values;
-    begin_line(draw);
     va_start(values, format);
-    vfprintf(draw->text, format, values);
+    say_words(draw, format, values);
     va_end(values);
-    end_line(draw);
 }
 
 void open_block(struct language *draw, const char *format, ...)
 {
     va_list values;
-    begin_line(draw);
     va_start(values, format);
-    vfprintf(draw->text, format, values);
+    say_words(draw, format, values);
     va_end(values);
-    end_line(draw);
     draw->depth++;
 }
 

@@ -64,10 +64,10 @@ void plain_describe(const struct ray *ray, const struct plain_hit *hit,
     copy(surface->color, pigment->color[cell]);
     scale_by(surface->color,
              1 - pigment->filter[cell] - pigment->transmit[cell]);
-    if (pigment->kind == PIGMENT_GRADIENT)
+    if (pigment->kind == PIGMENT_GRADIENT) {
         plain_gradient(pigment, surface->point, surface->color);
-    if (pigment->kind == PIGMENT_GRADIENT)
         copy(surface->pigment, surface->color);
+    }
 }
 
 /* phong: the eye's ray mirrored at the surface, against the light;
@@ -110,11 +110,6 @@ static double fresnel_share(double index, double cosine)
     double across = (cosine - index * inside) / (cosine + index * inside);
     double along = (index * cosine - inside) / (index * cosine + inside);
     return (across * across + along * along) / 2;
-}
-
-static double greatest(const double color[3])
-{
-    return fmax(fabs(color[0]), fmax(fabs(color[1]), fabs(color[2])));
 }
 
 double plain_mirror(const struct plain_surface *surface, double index,

@@ -51,6 +51,12 @@ static inline double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* The greatest of its parts, by size. */
+static inline double greatest(const double a[3])
+{
+    return fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2])));
+}
+
 /* result = a + scale b; result may be either. */
 static inline void add_scaled(double result[3], const double a[3],
                               double scale, const double b[3])

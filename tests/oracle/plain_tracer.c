@@ -45,11 +45,6 @@ struct branching {
     double *color;
 };
 
-static double greatest(const double color[3])
-{
-    return fmax(fabs(color[0]), fmax(fabs(color[1]), fabs(color[2])));
-}
-
 /* Every ray counts as a level, also one that goes straight on; POV-Ray does
  * not count those. */
 static void follow(const struct branching *from, const double direction[3],

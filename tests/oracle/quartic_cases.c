@@ -31,7 +31,7 @@ const char *quartic_kind_name(enum quartic_kind kind)
 
 static double unit(uint64_t *state) /* 0 .. 1 */
 {
-    return (double)(xorshift(state) >> 11) * 0x1p-53;
+    return xorshift_real(state, 0, 1);
 }
 
 static double signed_unit(uint64_t *state)

@@ -9,7 +9,7 @@ void assert_near(double found, double expected, double within)
 
 double number_between(uint64_t *random, double low, double high)
 {
-    return low + (high - low) * (double)(xorshift(random) >> 11) * 0x1p-53;
+    return xorshift_real(random, low, high);
 }
 
 void random_direction(uint64_t *random, double direction[3])

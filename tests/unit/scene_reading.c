@@ -78,3 +78,16 @@ void assert_refused(const char *text, size_t most, const char *message)
     }
     diagnostics_free(&reports);
 }
+
+const struct triangles *triangles_of_part(const struct scene *scene, size_t i)
+{
+    assert_true(i < scene->primitive_count);
+    assert_int_equal(scene->primitives[i].kind, PRIMITIVE_MESH);
+    return &scene->primitives[i].shape.mesh.triangles;
+}
+
+const struct triangles *triangles_of(const struct scene *scene)
+{
+    assert_int_equal(scene->primitive_count, 1);
+    return triangles_of_part(scene, 0);
+}

@@ -2,6 +2,7 @@
 #include "tests/random.h"
 #include "vm/time/banks.h"
 
+#include <fenv.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -71,10 +72,26 @@ static void test_lists_by_chance(void **state)
         check_list(&seed);
 }
 
+/* However whoever calls rounds doubles. */
+static void test_roundings(void **state)
+{
+    static const int ways[] = { FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO };
+    uint64_t seed = RANDOM_SEED;
+    int before = fegetround();
+
+    (void)state;
+    for (size_t i = 0; i < 3 * LISTS; i++) {
+        assert_int_equal(fesetround(ways[i % 3]), 0);
+        check_list(&seed);
+    }
+    fesetround(before);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_lists_by_chance),
+        cmocka_unit_test(test_roundings),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

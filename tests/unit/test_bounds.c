@@ -11,8 +11,7 @@ static uint64_t random_state = RANDOM_SEED;
 
 static double between(double low, double high)
 {
-    return low
-           + (high - low) * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
+    return xorshift_real(&random_state, low, high);
 }
 
 static struct bound first_bound(const char *text)

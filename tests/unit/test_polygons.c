@@ -17,15 +17,7 @@ static uint64_t random_state = RANDOM_SEED;
 
 static double between(double low, double high)
 {
-    return low
-           + (high - low) * (double)(xorshift(&random_state) >> 11) * 0x1p-53;
-}
-
-static const struct triangles *triangles_of(const struct scene *scene)
-{
-    assert_int_equal(scene->primitive_count, 1);
-    assert_int_equal(scene->primitives[0].kind, PRIMITIVE_MESH);
-    return &scene->primitives[0].shape.mesh.triangles;
+    return xorshift_real(&random_state, low, high);
 }
 
 /* ---- The oracle ---------------------------------------------------------- */

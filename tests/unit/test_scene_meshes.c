@@ -8,14 +8,6 @@
 
 #define HALF 0.70710678118654752440
 
-static const struct triangles *triangles_of(const struct scene *scene,
-                                            size_t i)
-{
-    assert_true(i < scene->primitive_count);
-    assert_int_equal(scene->primitives[i].kind, PRIMITIVE_MESH);
-    return &scene->primitives[i].shape.mesh.triangles;
-}
-
 /* --- what is read --------------------------------------------------------- */
 
 static void test_lone_triangles(void **state)
@@ -26,14 +18,14 @@ static void test_lone_triangles(void **state)
         "smooth_triangle { 0, z+x, x, z+x, y, z+x }\n"
         "#declare T = triangle { 0, x, y }\n"
         "object { T } union { object { T } triangle { 0, y, z } }\n");
-    const struct triangle *first = triangles_of(scene, 0)->list;
-    const struct triangle *smooth = triangles_of(scene, 1)->list;
+    const struct triangle *first = triangles_of_part(scene, 0)->list;
+    const struct triangle *smooth = triangles_of_part(scene, 1)->list;
 
     (void)state;
     assert_int_equal(scene->primitive_count, 6);
     assert_int_equal(scene->region_count, 6);
     for (size_t i = 0; i < 6; i++)
-        assert_int_equal(triangles_of(scene, i)->count, 1);
+        assert_int_equal(triangles_of_part(scene, i)->count, 1);
     assert_false(first->smooth);
     assert_vector(first->corners[0], 0, 0, 0);
     assert_vector(first->corners[1], 1, 0, 0);
@@ -46,11 +38,13 @@ static void test_lone_triangles(void **state)
     assert_vector(smooth->normals[0], 0, 0, -1);
     assert_vector(smooth->normals[1], 0, 0, -1);
     assert_vector(smooth->normals[2], -HALF, 0, -HALF);
-    assert_true(triangles_of(scene, 2)->list->smooth); /* equal normals */
-    assert_vector(triangles_of(scene, 2)->list->normals[1], HALF, 0, HALF);
+    assert_true(
+        triangles_of_part(scene, 2)->list->smooth); /* equal normals */
+    assert_vector(triangles_of_part(scene, 2)->list->normals[1], HALF, 0,
+                  HALF);
     assert_int_equal(scene->primitives[2].line, 3);
-    assert_ptr_equal(triangles_of(scene, 3)->list,
-                     triangles_of(scene, 4)->list);
+    assert_ptr_equal(triangles_of_part(scene, 3)->list,
+                     triangles_of_part(scene, 4)->list);
     scene_free(scene);
 }
 
@@ -67,7 +61,7 @@ static void test_meshes(void **state)
         "  triangle { x, y, z } hierarchy off hierarchy on hierarchy\n"
         "  scale 2 pigment { rgb x } sturm inverse }\n"
         "object { Inner inverse }");
-    const struct triangles *triangles = triangles_of(scene, 0);
+    const struct triangles *triangles = triangles_of_part(scene, 0);
     const struct primitive *p = scene->primitives;
 
     (void)state;
@@ -83,7 +77,7 @@ static void test_meshes(void **state)
     assert_vector(p[0].pigment.color[0], 1, 0, 0);
     assert_true(p[0].transformed && !p[0].inverted && !p[1].inverted);
     assert_int_equal(scene->node_count, 2);
-    assert_int_equal(triangles_of(scene, 1)->count, 1);
+    assert_int_equal(triangles_of_part(scene, 1)->count, 1);
     scene_free(scene);
 }
 
@@ -103,25 +97,25 @@ static void test_mesh2(void **state)
         "normal_vectors { 4, x, 2*y, z, -x }"
         "  face_indices { 2 <3, 2, 1> <0, 1, 3> } uv_indices { 2, 0, 0 }"
         "  normal_indices { 1 <0, 2, 3> } inside_vector x inside_vector y }\n");
-    const struct triangle *list = triangles_of(scene, 0)->list;
+    const struct triangle *list = triangles_of_part(scene, 0)->list;
 
     (void)state;
     assert_int_equal(scene->primitive_count, 4);
-    assert_int_equal(triangles_of(scene, 0)->count, 2);
+    assert_int_equal(triangles_of_part(scene, 0)->count, 2);
     assert_false(list[0].smooth || list[1].smooth);
     assert_vector(list[1].corners[0], 1, 0, 0);
     assert_vector(list[1].corners[1], 0, 1, 0);
     assert_vector(list[1].corners[2], 0, 0, 1);
-    list = triangles_of(scene, 1)->list;
+    list = triangles_of_part(scene, 1)->list;
     assert_true(list[0].smooth && list[1].smooth);
     assert_vector(list[0].normals[0], -1, 0, 0);
     assert_vector(list[0].normals[2], 0, 1, 0);
     assert_vector(list[1].corners[0], 0, 0, 0);
-    list = triangles_of(scene, 2)->list;
+    list = triangles_of_part(scene, 2)->list;
     assert_true(list[0].smooth);
     assert_false(list[1].smooth || list[2].smooth); /* equal; none */
     assert_vector(list[0].normals[1], 0, 1, 0);
-    list = triangles_of(scene, 3)->list;
+    list = triangles_of_part(scene, 3)->list;
     assert_true(list[0].smooth && !list[1].smooth);
     assert_vector(list[0].normals[0], 1, 0, 0);
     assert_vector(list[0].normals[2], -1, 0, 0);
@@ -138,14 +132,14 @@ static void test_nothing(void **state)
         " face_indices { 1 <0, 1, 2> } }\n"
         "smooth_triangle { 0, 1e-200*z, x, y, y, z }\n",
         1); /* of one cause */
-    const struct triangle *list = triangles_of(scene, 0)->list;
+    const struct triangle *list = triangles_of_part(scene, 0)->list;
 
     (void)state;
     assert_int_equal(scene->primitive_count, 3);
     assert_vector(list->normals[0], 1, 0, 0);
     assert_vector(list->normals[2], 1, 0, 0);
-    assert_vector(triangles_of(scene, 1)->list->normals[0], 1, 0, 0);
-    assert_vector(triangles_of(scene, 2)->list->normals[0], 0, 0, 1);
+    assert_vector(triangles_of_part(scene, 1)->list->normals[0], 1, 0, 0);
+    assert_vector(triangles_of_part(scene, 2)->list->normals[0], 0, 0, 1);
     scene_free(scene);
     scene =
         read_with("smooth_triangle { 0, 0, x, y, y, z pigment { rgb 1 } }\n"
@@ -541,15 +535,15 @@ static void assert_same_triangle(const struct triangle *a,
  * meshes before it has. */
 static void assert_same(const struct scene *scene)
 {
-    const struct triangles *mesh = triangles_of(scene, 0);
-    const struct triangles *mesh2 = triangles_of(scene, 1);
+    const struct triangles *mesh = triangles_of_part(scene, 0);
+    const struct triangles *mesh2 = triangles_of_part(scene, 1);
 
     assert_int_equal(mesh->count, mesh2->count);
     assert_int_equal(mesh->count + 2, scene->primitive_count);
     for (size_t i = 0; i < mesh->count; i++) {
         assert_same_triangle(&mesh->list[i], &mesh2->list[i]);
         assert_same_triangle(&mesh->list[i],
-                             triangles_of(scene, i + 2)->list);
+                             triangles_of_part(scene, i + 2)->list);
     }
 }
 
@@ -590,14 +584,14 @@ static void test_many(void **state)
         "mesh2 { vertex_vectors { 40002, y, z,"
         " #for (I, 1, 40000) <I, 0, 0>, #end }"
         " face_indices { 40000, #for (I, 1, 40000) <I + 1, 0, 1> #end } }");
-    const struct triangles *mesh = triangles_of(scene, 0);
+    const struct triangles *mesh = triangles_of_part(scene, 0);
 
     (void)state;
     assert_int_equal(mesh->count, MANY);
-    assert_int_equal(triangles_of(scene, 1)->count, MANY);
+    assert_int_equal(triangles_of_part(scene, 1)->count, MANY);
     for (size_t i = 0; i < MANY; i++)
         assert_same_triangle(&mesh->list[i],
-                             &triangles_of(scene, 1)->list[i]);
+                             &triangles_of_part(scene, 1)->list[i]);
     assert_close(mesh->list[MANY - 1].corners[0][0], MANY, 0);
     scene_free(scene);
 }

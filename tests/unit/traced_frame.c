@@ -149,9 +149,7 @@ size_t hits(const struct words *words)
 
 double between(double low, double high)
 {
-    return low
-           + (high - low) * (double)(xorshift(&traced.random) >> 11)
-                 * 0x1p-53;
+    return xorshift_real(&traced.random, low, high);
 }
 
 size_t among(size_t least, size_t most)

@@ -1,5 +1,5 @@
 ; gloss_scalar.s - finishes that depend on the angle: formulas in gloss.s, order
-; of the operations as in gloss_vector.s.  Parts of the subroutines that shade, as
+; of the operations as in gloss_vector.s and, of find_sheen, mirror_vector.s.  Parts of the subroutines that shade, as
 ; macros, and registers that these have in common.
 
         .include "light/gloss.s"

@@ -1,5 +1,5 @@
 ; mirror_scalar.s - what a mirror that depends on the angle takes of a colour:
-; formulas in gloss.s, order of the operations as in gloss_vector.s.  A part of
+; formulas in gloss.s, order of the operations as in mirror_vector.s.  A part of
 ; SPAWN (spawn_scalar.s), as macros.
 
         .share  local

@@ -1,5 +1,5 @@
-; mirror_vector.s - what mirrors that depend on the angle take of the colours:
-; formulas in gloss.s.
+; mirror_vector.s - how far a metal has its own colour at an angle, and what
+; mirrors that depend on the angle take of the colours: formulas in gloss.s.
 
 ; [v0] = 1 - F([v0]), of cosines that are above 0.  Uses v1, v2, v4, hits1, s0, s1.
         .kernel shade

@@ -278,7 +278,7 @@ static bool read_word(struct reader *reader, struct bicubic_patch *patch,
         number = trunc(number);
     if (word == PATCH_TYPE && number < 0)
         return reader_fault(reader, &at, "the type of a patch is below 0");
-    if (word >= PATCH_U && number > STEPS_MOST)
+    if ((word == PATCH_U || word == PATCH_V) && number > STEPS_MOST)
         return reader_fault(reader, &at, "'%s' is more than %d",
                             patch_words[word], STEPS_MOST);
     patch->given[word] = true;

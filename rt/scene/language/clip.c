@@ -156,7 +156,8 @@ static bool clip(struct reader *reader, struct scene_object *object,
                             "'clipped_by' of a mesh is not "
                             "supported");
     hide(reader, by);
-    return shape_count(reader, copies, at)
+    return reader_spend(reader, TOKEN_COST * (object->part_count + copies))
+           && shape_count(reader, copies, at)
            && (object_clip(object, by) || reader_no_memory(reader));
 }
 

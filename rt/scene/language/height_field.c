@@ -209,18 +209,11 @@ static bool make_triangles(struct height_field *field)
 
 /* ---- In the world -------------------------------------------------------- */
 
-/* By the transposed inverse. */
 static void carry_normal(const struct transform *to_local, double normal[3])
 {
-    double carried[3];
-
-    for (int i = 0; i < 3; i++)
-        carried[i] = to_local->rows[0][i] * normal[0]
-                     + to_local->rows[1][i] * normal[1]
-                     + to_local->rows[2][i] * normal[2];
-    scale3(1 / greatest3(carried), carried);
-    scale3(1 / length3(carried), carried);
-    copy3(carried, normal);
+    transform_normal(to_local, normal);
+    scale3(1 / greatest3(normal), normal);
+    scale3(1 / length3(normal), normal);
 }
 
 bool height_field_place(struct reader *reader, struct scene_part *part)

@@ -16,7 +16,7 @@
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/formula.h"
 #include "rt/scene/language/string_value.h"
-#include "rt/scene/raster.h"
+#include "rt/scene/palette.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -177,7 +177,7 @@ static bool read_pixels(struct reader *reader, const struct scene_token *at,
 {
     raster_reader *reads = reader->options ? reader->options->read_raster
                                            : NULL;
-    struct raster_error error;
+    c205_error error;
 
     pixels->coarse = pixels->kind == RASTER_TGA && length > TGA_BITS
                      && (bytes[TGA_BITS] == 15 || bytes[TGA_BITS] == 16);
