@@ -29,7 +29,7 @@ sky_sphere {
 };
 
 height_field {
-    function 150, 150 { min(Height(x, y), 1) }
+    function 100, 100 { min(Height(x, y), 1) }
     smooth water_level .06
     pigment {
         gradient y

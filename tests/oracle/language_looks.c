@@ -208,6 +208,34 @@ static void say_amount(struct language *draw, const char *word, double low,
     end_line(draw);
 }
 
+/* Not where light may pass: of a checker whose colours let different shares pass a
+ * metal is another one in POV-Ray. */
+static void say_metallic(struct language *draw)
+{
+    if (draw->clear || !one_in(&draw->state, 3))
+        return;
+    if (one_in(&draw->state, 3))
+        say_line(draw, "metallic");
+    else
+        say_amount(draw, "metallic", .2, 1);
+}
+
+/* A mirror that depends on the angle. */
+static void say_turned_mirror(struct language *draw)
+{
+    uint64_t *state = &draw->state;
+    open_block(draw, "reflection {");
+    begin_line(draw);
+    say(draw, "rgb <%.3f, %.3f, %.3f>, %.3f\n", between(state, 0, .4),
+        between(state, 0, .4), between(state, 0, .4), between(state, .2, .9));
+    if (one_in(state, 2))
+        say_line(draw, "fresnel");
+    else if (one_in(state, 2))
+        say_amount(draw, "falloff", .5, 4);
+    say_metallic(draw);
+    close_block(draw, "}");
+}
+
 static void say_highlights(struct language *draw)
 {
     uint64_t *state = &draw->state;
@@ -235,8 +263,15 @@ static void say_finish_words(struct language *draw, bool mirror)
         say_share(draw, "ambient", .4);
     if (one_in(state, 2))
         say_amount(draw, "diffuse", .4, .9);
+    if (one_in(state, 4))
+        say_amount(draw, "brilliance", .4, 4);
+    if (one_in(state, 5))
+        say_share(draw, "emission", .3);
     say_highlights(draw);
-    if (mirror)
+    say_metallic(draw);
+    if (mirror && one_in(state, 2))
+        say_turned_mirror(draw);
+    else if (mirror)
         say_reflection(draw);
 }
 
