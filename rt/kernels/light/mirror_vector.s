@@ -54,7 +54,7 @@ find_sheen:
         VTOV    [\channel], [ndotl] ? [hits1]
         .endm
 
-; What a mirror that depends on the angle takes of the colours, in red green
+; What a mirror, which may depend on the angle, takes of the colours, in red green
 ; blue; what the rays weigh, in ndotl.
 ;
 ; In:  cr cg cb, facing, hits0; spawn_index, spawn_r ..
@@ -63,6 +63,7 @@ find_sheen:
 find_mirror:
         RTOR    link_kernel, link_gloss
         load_record P_REFLECTION_RANGE, 6, sh0
+        IBXEQ   sh5, r0, r0, mirror_constant
         VTOV    -[facing], [v5]
         IBXNE   sh5, r0, one_index, mirror_fresnel
         SUBNV   one, [v5], [v0]
@@ -121,5 +122,12 @@ mirror_tinted:
         mirror_metallic cg, green
         mirror_metallic cb, blue
 mirror_found:
+        BIM     0, link_gloss
+
+mirror_constant:
+        VTOV    spawn_r, [red]
+        VTOV    spawn_g, [green]
+        VTOV    spawn_b, [blue]
+        VTOV    spawn_most, [ndotl]
         BIM     0, link_gloss
         .endkernel

@@ -95,11 +95,10 @@ spawn:
         RTOR    link_kernel, link_spawn
         ES      spawn_total, 0
         .if     GLOSS
-        load_field P_REFLECTION_KIND, spawn_kind
-        IBXEQ   spawn_kind, r0, r0, spawn_constant
+        IBXEQ   spawn_mirror, r0, r0, spawn_no_mirror
         EX      target, find_mirror
         BSAVE   link_kernel, [target]
-spawn_constant:
+spawn_no_mirror:
         .endif
         IBXEQ   spawn_clear, r0, r0, spawn_reflected
 
@@ -140,13 +139,7 @@ spawn_bent:
 spawn_reflected:
         IBXEQ   spawn_mirror, r0, r0, spawn_refracted
         .if     GLOSS
-        load_field P_REFLECTION_KIND, spawn_kind
-        IBXEQ   spawn_kind, r0, r0, spawn_most_constant
         spawn_importance [ndotl]
-        BIM     spawn_important
-spawn_most_constant:
-        spawn_importance spawn_most
-spawn_important:
         .else
         spawn_importance spawn_most
         .endif
@@ -160,17 +153,14 @@ spawn_followed:
         EX      target, spawn_ray
         BSAVE   link_kernel, [target]
         .if     GLOSS
-        IBXEQ   spawn_kind, r0, r0, spawn_colour_constant
         spawn_vector red
         spawn_vector green
         spawn_vector blue
-        BIM     spawn_coloured
-spawn_colour_constant:
-        .endif
+        .else
         spawn_number spawn_r
         spawn_number spawn_g
         spawn_number spawn_b
-spawn_coloured:
+        .endif
         ES      spawn_kind, 0
         EX      target, spawn_rest
         BSAVE   link_kernel, [target]
