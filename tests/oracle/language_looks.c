@@ -212,7 +212,7 @@ static void say_amount(struct language *draw, const char *word, double low,
  * metal is another one in POV-Ray. */
 static void say_metallic(struct language *draw)
 {
-    if (draw->clear || !one_in(&draw->state, 3))
+    if (!draw->metals || !one_in(&draw->state, 3))
         return;
     if (one_in(&draw->state, 3))
         say_line(draw, "metallic");
@@ -220,7 +220,8 @@ static void say_metallic(struct language *draw)
         say_amount(draw, "metallic", .2, 1);
 }
 
-/* A mirror that depends on the angle. */
+/* A mirror that depends on the angle: where light may pass not by Fresnel's formulas,
+ * which in POV-Ray ask for the glass that the ray is in. */
 static void say_turned_mirror(struct language *draw)
 {
     uint64_t *state = &draw->state;
@@ -228,7 +229,7 @@ static void say_turned_mirror(struct language *draw)
     begin_line(draw);
     say(draw, "rgb <%.3f, %.3f, %.3f>, %.3f\n", between(state, 0, .4),
         between(state, 0, .4), between(state, 0, .4), between(state, .2, .9));
-    if (one_in(state, 2))
+    if (draw->metals && one_in(state, 2))
         say_line(draw, "fresnel");
     else if (one_in(state, 2))
         say_amount(draw, "falloff", .5, 4);

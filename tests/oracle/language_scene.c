@@ -163,8 +163,10 @@ static void say_sky(struct language *draw)
  * is hollow. */
 static void say_fog(struct language *draw)
 {
-    draw->clear = !one_in(&draw->state, 5);
-    if (draw->clear)
+    size_t which = below(&draw->state, 5);
+    draw->clear = which > 1;
+    draw->metals = !draw->clear;
+    if (which > 0)
         return;
     begin_line(draw);
     say(draw, "fog { distance %.2f color ", between(&draw->state, 8, 40));

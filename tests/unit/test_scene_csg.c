@@ -326,6 +326,7 @@ static void test_clear_pigments(void **state)
     }
 }
 
+/* What a second one leaves out is as the first one says: measured. */
 static void test_reflections(void **state)
 {
     static const struct {
@@ -382,12 +383,18 @@ static void test_reflections(void **state)
           1,
           0,
           false },
-        { "reflection { 0, 1 fresnel falloff 2 } reflection { .5 }",
+        { "reflection { 0, 1 fresnel off } reflection { .5, 1 }",
           { .5, .5, .5 },
-          { .5, .5, .5 },
+          { 1, 1, 1 },
           1,
           0,
           false },
+        { "reflection { 0, 1 fresnel falloff 2 metallic } reflection { .5 }",
+          { .5, .5, .5 },
+          { .5, .5, .5 },
+          2,
+          1,
+          true },
     };
 
     (void)state;

@@ -33,33 +33,40 @@ static bool read_metallic(struct reader *reader, void *subject,
     return !starts_expression(reader) || read_number(reader, amount);
 }
 
+/* The finish, as the words of `reflection` change it.  As in POV-Ray what they do not
+ * name stays as a `reflection` before has left it. */
+struct mirror_reading {
+    struct finish finish;
+    bool fresnel; /* said here */
+};
+
 static bool read_fresnel(struct reader *reader, void *subject,
                          const struct item *item)
 {
-    struct finish *finish = subject;
+    struct mirror_reading *mirror = subject;
     double number = 1;
 
     (void)item;
     if (starts_expression(reader) && !read_number(reader, &number))
         return false;
-    finish->fresnel = number != 0;
+    mirror->fresnel = mirror->finish.fresnel = number != 0;
     return true;
 }
 
 static bool read_falloff(struct reader *reader, void *subject,
                          const struct item *item)
 {
-    struct finish *finish = subject;
+    struct mirror_reading *mirror = subject;
 
     (void)item;
-    return read_number(reader, &finish->reflection_falloff);
+    return read_number(reader, &mirror->finish.reflection_falloff);
 }
 
 static const struct keyword reflection_words[] = {
     { "falloff", read_falloff, 0 },
     { "fresnel", read_fresnel, 0 },
     { "metallic", read_metallic,
-      offsetof(struct finish, reflection_metallic) },
+      offsetof(struct mirror_reading, finish.reflection_metallic) },
     { NULL, NULL, 0 },
 };
 
@@ -97,20 +104,19 @@ static bool read_reflection(struct reader *reader, void *subject,
                             const struct item *item)
 {
     struct finish *finish = subject;
+    struct mirror_reading mirror = { *finish, false };
     struct block block;
     bool two = false;
 
     (void)item;
     if (!reader_at_sign(reader, '{'))
         return read_mirror(reader, finish);
-    finish->fresnel = false;
-    finish->reflection_falloff = 1;
-    finish->reflection_metallic = 0;
     if (!block_open(reader, &block, '{')
-        || !block_items(reader, &block, &reflection_grammar, finish,
-                        read_mirrors(reader, finish, &two)))
+        || !block_items(reader, &block, &reflection_grammar, &mirror,
+                        read_mirrors(reader, &mirror.finish, &two)))
         return false;
-    if (finish->fresnel && !two) /* black, straight on */
+    *finish = mirror.finish;
+    if (mirror.fresnel && !two) /* black, straight on */
         memset(finish->reflection, 0, sizeof finish->reflection);
     return true;
 }
