@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "rt/layout/gradient.h"
+#include "rt/layout/lights.h"
 #include "rt/layout/looks.h"
 #include "rt/layout/program.h"
 #include "rt/layout/record.h"
@@ -362,27 +363,6 @@ static void layout_levels(struct record_layout *layout,
                 c205_from_integer((int64_t)levels));
     layout_word(layout, "scene_bailout",
                 c205_from_double(scene->adc_bailout));
-}
-
-static void layout_lights(struct record_layout *layout,
-                          const struct scene *scene)
-{
-    struct record record;
-
-    record_begin(&record, layout, "LIGHT_SIZE", scene->light_count, 0);
-    layout_word(layout, "scene_lights", record.address);
-    for (size_t i = 0; i < scene->light_count; i++) {
-        const struct light *light = &scene->lights[i];
-        double gleams = light->shadowless ? 0 : 1;
-
-        record_numbers(&record, "LIGHT_POSITION", light->position, 3);
-        record_numbers(&record, "LIGHT_COLOR", light->color, 3);
-        record_numbers(&record, "LIGHT_GLEAMS", &gleams, 1);
-        record_write(&record);
-    }
-    record_end(&record);
-    layout_word(layout, "scene_light_count",
-                c205_from_integer((int64_t)scene->light_count));
 }
 
 static void layout_camera(struct record_layout *layout,

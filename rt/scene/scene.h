@@ -29,11 +29,27 @@ struct camera {
     bool orthographic;
 };
 
+/* Where a light shines: all around, or in a beam about the way from it to a
+ * point. */
+enum light_beam { BEAM_NONE, BEAM_CONE, BEAM_CYLINDER };
+
 struct light {
     double position[3];
     double color[3];
     bool shadowless; /* casts no shadow and, as in POV-Ray, makes no phong or
                         specular highlight */
+    bool parallel;   /* all its rays go the way from it to the point: a cone then
+                        holds all, those of a cylinder always do */
+    enum light_beam beam;
+    double point_at[3];
+    double radius,
+        falloff;      /* it is full within, and ends: of a cone in degrees
+                               off the axis, of a cylinder so far from it */
+    double tightness; /* the power by which it is less off the axis, of the
+                         cosine or of how near the edge is */
+    double fade_distance, fade_power; /* times 2 / (1 + (distance /
+                                         fade_distance) ^ fade_power), if
+                                         neither is 0 */
 };
 
 /* POV-Ray's finish; its defaults (3.7) are ambient .1, diffuse .6, the rest

@@ -12,6 +12,7 @@
  * fails, printed, and written to faces_N.pov; after --first nothing more is done, not
  * even that.  Exit code 1: some failed.
  */
+#include "rt/layout/lights.h"
 #include "rt/layout/program.h"
 #include "rt/trace/trace.h"
 #include "tests/oracle/grid_scene.h"
@@ -34,6 +35,9 @@ enum {
 
 /* --- forms ---------------------------------------------------------------- */
 
+/* Of a scene, that its program has to know. */
+enum feature { ORTHOGRAPHIC = 1, BEAMS = 2, FEATURES = 4 };
+
 /* Each is compared with the first. */
 static struct form {
     enum trace_mode mode;
@@ -41,9 +45,8 @@ static struct form {
     enum bounding bounding;
     enum visible visible;
     bool tiles;
-    struct trace *trace[2];    /* that have its programs: in perspective,
-                                  orthographic */
-    struct band_tracer tracer; /* .. and its machine */
+    struct trace *trace[FEATURES]; /* that have its programs */
+    struct band_tracer tracer;     /* .. and its machine */
 } forms[] = {
     { .mode = TRACE_SCALAR, .queue = 1 },
     { .mode = TRACE_SCALAR, .queue = 1, .bounding = BOUNDING_FLAT },
@@ -67,10 +70,16 @@ enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 4 };
 
 static c205_model *model;
 
-/* A program is assembled once, for all scenes with such a camera. */
-static void assemble_for(const char *camera, bool orthographic)
+static size_t features_of(const struct scene *scene)
 {
-    struct scene *scene = scene_of(camera);
+    return (scene->camera.orthographic ? ORTHOGRAPHIC : 0)
+           | (scene_has_beams(scene) ? BEAMS : 0);
+}
+
+/* A program is assembled once, for all scenes with such a camera and lights. */
+static void assemble_for(const char *text)
+{
+    struct scene *scene = scene_of(text);
     c205_error error;
     for (size_t i = 0; i < FORMS; i++) {
         const struct trace_options options = { .mode = forms[i].mode,
@@ -82,7 +91,7 @@ static void assemble_for(const char *camera, bool orthographic)
         struct trace *trace = trace_new(scene, &options, &error);
         if (!trace)
             give_up(error.message);
-        forms[i].trace[orthographic] = trace;
+        forms[i].trace[features_of(scene)] = trace;
     }
     scene_free(scene);
 }
@@ -93,15 +102,17 @@ static void assemble_forms(void)
     model = c205_model_find("cyber205-2pipe", &error);
     if (!model)
         give_up(error.message);
-    assemble_for("camera { }", false);
-    assemble_for("camera { orthographic }", true);
+    assemble_for("camera { }");
+    assemble_for("camera { orthographic }");
+    assemble_for("light_source { y, 1 parallel }");
+    assemble_for("camera { orthographic } light_source { y, 1 parallel }");
 }
 
 static void free_forms(void)
 {
     for (size_t i = 0; i < FORMS; i++) {
-        trace_free(forms[i].trace[0]);
-        trace_free(forms[i].trace[1]);
+        for (size_t k = 0; k < FEATURES; k++)
+            trace_free(forms[i].trace[k]);
         c205_free(forms[i].tracer.machine);
     }
     c205_model_free(model);
@@ -112,7 +123,7 @@ static void trace_form(struct form *form, const struct scene *scene,
 {
     c205_error error;
     const struct object *program = trace_program(
-        form->trace[scene->camera.orthographic]);
+        form->trace[features_of(scene)]);
     struct scene_layout *layout = layout_new(program, scene, form->bounding,
                                              NULL, NULL, &error);
     const struct band_work work = { .program = program,

@@ -1,6 +1,7 @@
 /* grid_scene.c - see grid_scene.h. */
 #include "tests/oracle/grid_scene.h"
 
+#include "tests/oracle/beam_text.h"
 #include "tests/oracle/chance.h"
 #include "tests/oracle/solid_text.h"
 
@@ -316,11 +317,15 @@ static void random_view(uint64_t *state, struct grid_scene *scene)
 
 static void random_lamp(uint64_t *state, char *lamp)
 {
-    if (below(state, 4) == 0)
-        solid_words(lamp, "light_source { <%g, %g, %g>, .7 }",
-                    3 * on_grid(state), 3 * on_grid(state),
-                    3 * on_grid(state));
-    else
+    if (below(state, 4) == 0) {
+        double at[3];
+        char beam[SOLID_WORDS];
+        for (int i = 2; i >= 0; i--)
+            at[i] = 3 * on_grid(state);
+        beam_words(*state, at, 2, beam);
+        solid_words(lamp, "light_source { <%g, %g, %g>, .7%.250s }", at[0],
+                    at[1], at[2], beam);
+    } else
         solid_words(lamp, "light_source { <%.3f, %.3f, -%.3f>, rgb .8 %s}",
                     between(state, -9, 9), between(state, 2, 12),
                     between(state, 4, 9),

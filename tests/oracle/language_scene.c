@@ -262,6 +262,56 @@ static void say_camera(struct language *draw)
     close_block(draw, "}");
 }
 
+/* Below all lamps. */
+static void say_point_at(struct language *draw)
+{
+    begin_line(draw);
+    say(draw, "point_at <");
+    say_number(draw, -4, 4);
+    say(draw, ", ");
+    say_number(draw, -3, 3);
+    say(draw, ", ");
+    say_number(draw, -4, 4);
+    say(draw, ">");
+    end_line(draw);
+}
+
+static void say_measure(struct language *draw, const char *word, double low,
+                        double high)
+{
+    begin_line(draw);
+    say(draw, "%s ", word);
+    say_number(draw, low, high);
+    end_line(draw);
+}
+
+/* False: its rays are parallel.  What lies behind such a light is faded in another
+ * way in POV-Ray (docs/scenes.md). */
+static bool say_beam(struct language *draw)
+{
+    bool cone = one_in(&draw->state, 2);
+    if (one_in(&draw->state, 4)) {
+        say_line(draw, "parallel");
+        say_point_at(draw);
+        return false;
+    }
+    say_line(draw, cone ? "spotlight" : "cylinder");
+    say_point_at(draw);
+    if (one_in(&draw->state, 2))
+        say_measure(draw, "radius", cone ? 5 : .5, cone ? 60 : 3);
+    if (one_in(&draw->state, 2))
+        say_measure(draw, "falloff", cone ? 10 : 1, cone ? 100 : 6);
+    if (one_in(&draw->state, 2))
+        say_measure(draw, "tightness", 0, 8);
+    return cone;
+}
+
+static void say_fading(struct language *draw)
+{
+    say_measure(draw, "fade_distance", 1, 12);
+    say_measure(draw, "fade_power", .5, 4);
+}
+
 static void say_lamp(struct language *draw)
 {
     open_block(draw, "light_source {");
@@ -275,8 +325,13 @@ static void say_lamp(struct language *draw)
     say(draw, ">, ");
     say_color(draw);
     end_line(draw);
+    bool fades = true;
     if (one_in(&draw->state, 5))
         say_line(draw, "shadowless");
+    else if (one_in(&draw->state, 3))
+        fades = say_beam(draw);
+    if (fades && one_in(&draw->state, 5))
+        say_fading(draw);
     if (one_in(&draw->state, 5))
         say_line(draw, "translate <%.3f, 1, .5>",
                  between(&draw->state, -2, 2));

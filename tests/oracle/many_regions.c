@@ -1,6 +1,7 @@
 /* many_regions.c - see many_regions.h. */
 #include "tests/oracle/many_regions.h"
 
+#include "tests/oracle/beam_text.h"
 #include "tests/oracle/chance.h"
 #include "tests/oracle/placed_solid.h"
 
@@ -289,11 +290,14 @@ static void random_lamp(const struct drawing *drawing, char *lamp)
     double far = one_in(state, 4) ? 0 : 4 * place.size + 2;
     if (one_in(state, 3))
         far = 20;
-    solid_words(lamp, "light_source { <%.6g, %.6g, %.6g>, rgb %.2f %s}",
-                place.at[0] + far * between(state, -1, 1),
-                place.at[1] + far * between(state, 0, 1),
-                place.at[2] - far * between(state, -.3, 1),
-                between(state, .3, .9), shadowless);
+    char beam[SOLID_WORDS];
+    double at[3], bright = between(state, .3, .9);
+    at[2] = place.at[2] - far * between(state, -.3, 1);
+    at[1] = place.at[1] + far * between(state, 0, 1);
+    at[0] = place.at[0] + far * between(state, -1, 1);
+    beam_words(*state, at, place.size + 1, beam);
+    solid_words(lamp, "light_source { <%.6g, %.6g, %.6g>, rgb %.2f %s%.250s}",
+                at[0], at[1], at[2], bright, shadowless, beam);
 }
 
 /* One scene in six has fog, about as thick as the scene is deep; what else is

@@ -174,6 +174,89 @@ static void pass_scene(const struct plain_tracer *tracer,
 
 /* --- light -------------------------------------------------------------- */
 
+/* The way from a point to the light; parallel rays come from a plane. */
+static double way_to_light(const struct light *light, const double point[3],
+                           double way[3])
+{
+    double axis[3];
+    add_scaled(way, light->position, -1, point);
+    if (!light->parallel) {
+        double distance = sqrt(dot(way, way));
+        scale_by(way, 1 / distance);
+        return distance;
+    }
+    add_scaled(axis, light->position, -1, light->point_at);
+    scale_by(axis, 1 / sqrt(dot(axis, axis)));
+    double distance = dot(way, axis);
+    copy(way, axis);
+    return distance;
+}
+
+/* 3 t^2 - 2 t^3 from low to high; all above high, whatever low is. */
+static double spline(double low, double high, double at)
+{
+    if (at >= high)
+        return 1;
+    if (at <= low)
+        return 0;
+    double t = (at - low) / (high - low);
+    return t * t * (3 - 2 * t);
+}
+
+static double cosine_of(double degrees)
+{
+    return cos(degrees * acos(-1) / 180);
+}
+
+static double share_in_cone(const struct light *light, const double way[3])
+{
+    double axis[3];
+    if (light->parallel)
+        return 1;
+    add_scaled(axis, light->position, -1, light->point_at);
+    double cosine = dot(way, axis) / sqrt(dot(axis, axis));
+    double full = cosine_of(light->radius);
+    if (cosine <= 0)
+        return 0;
+    return pow(cosine, light->tightness)
+           * (full > 0 ? spline(cosine_of(light->falloff), full, cosine) : 1);
+}
+
+static double share_in_cylinder(const struct light *light,
+                                const double point[3], const double axis[3],
+                                double distance)
+{
+    double foot[3], across[3];
+    if (distance <= 0)
+        return 0;
+    add_scaled(foot, point, distance, axis);
+    add_scaled(across, foot, -1, light->position);
+    double inner = 1 - sqrt(dot(across, across)) / light->falloff;
+    if (inner <= 0)
+        return 0;
+    return pow(inner, light->tightness)
+           * (light->radius > 0
+                  ? spline(0, 1 - light->radius / light->falloff, inner)
+                  : 1);
+}
+
+/* What share of a light comes so far, as POV-Ray's pictures have it. */
+static double share_of_light(const struct light *light, const double point[3],
+                             const double way[3], double distance)
+{
+    double share = 1;
+    if (light->beam == BEAM_CONE)
+        share = share_in_cone(light, way);
+    if (light->beam == BEAM_CYLINDER)
+        share = share_in_cylinder(light, point, way, distance);
+    if (light->fade_power > 0 && light->fade_distance != 0)
+        share *= 2
+                 / (1
+                    + pow(fabs(distance / light->fade_distance),
+                          light->fade_power));
+    return share;
+}
+
 /* A light behind the surface gives nothing, and one without shadows has no
  * highlights. */
 static void add_light(const struct plain_tracer *tracer,
@@ -183,13 +266,13 @@ static void add_light(const struct plain_tracer *tracer,
     struct ray to_light;
     double left[3];
     copy(to_light.origin, surface->point);
-    add_scaled(to_light.direction, light->position, -1, surface->point);
-    double distance = sqrt(dot(to_light.direction, to_light.direction));
-    scale_by(to_light.direction, 1 / distance);
+    double distance = way_to_light(light, surface->point, to_light.direction);
     double cosine = dot(surface->normal, to_light.direction);
     if (cosine < SMALL_ANGLE)
         return;
     copy(left, light->color);
+    scale_by(left, share_of_light(light, surface->point, to_light.direction,
+                                  distance));
     if (!light->shadowless)
         pass_scene(tracer, &to_light, distance, left);
     double bright = light->shadowless

@@ -215,16 +215,18 @@ static void test_fogs(void **state)
 {
     struct scene *scene = read_scene(
         "fog { distance 20 color rgbft <.5, .6, .7, .1, .2> fog_type 1 }"
-        "fog { color rgb 1 } fog { rgb <1, 2, 3> distance 1e3 fog_offset 3 }");
+        "fog { color rgb 1 } fog { rgb <1, 2, 3> distance 1e3 fog_offset 3 }"
+        "#declare B = rgb <.5, 1, 2>; fog { B*.5 + B distance 5 }");
 
     (void)state;
-    assert_int_equal(scene->fog_count, 2);
+    assert_int_equal(scene->fog_count, 3);
     assert_close(scene->fogs[0].distance, 20, CLOSE);
     assert_vector(scene->fogs[0].color, .5, .6, .7);
     assert_close(scene->fogs[0].filter, .1, CLOSE);
     assert_close(scene->fogs[0].transmit, .2, CLOSE);
     assert_close(scene->fogs[1].distance, 1000, CLOSE);
     assert_vector(scene->fogs[1].color, 1, 2, 3);
+    assert_vector(scene->fogs[2].color, .75, 1.5, 3);
     scene_free(scene);
 }
 
@@ -427,6 +429,52 @@ static void test_unions(void **state)
     scene_free(scene);
 }
 
+/* A light's kind is the last that is named; what it points at moves with it. */
+static void test_beams(void **state)
+{
+    struct scene *scene = read_scene(
+        "#declare L = light_source { <0, 4, 0>, 1 spotlight point_at x\n"
+        "    radius 10 falloff 20 tightness 3 }\n"
+        "light_source { L scale 2 rotate 90*z translate <0, 0, 1> }\n"
+        "light_source { 2*y, 1 cylinder fade_distance 3 fade_power 2 }\n"
+        "light_source { 2*y, 1 shadowless spotlight falloff 50 }\n"
+        "light_source { 2*y, 1 cylinder radius 2 shadowless }\n"
+        "light_source { 2*y, 1 parallel }\n"
+        "light_source { 2*y, 1 fade_distance 3 }\n"
+        "light_source { 2*y, 1 cylinder tightness 4 spotlight }\n");
+    const struct light *lights = scene->lights;
+
+    (void)state;
+    assert_int_equal(scene->light_count, 7);
+    assert_int_equal(lights[0].beam, BEAM_CONE);
+    assert_vector(lights[0].position, -8, 0, 1);
+    assert_vector(lights[0].point_at, 0, 2, 1);
+    assert_close(lights[0].radius, 10, 0);
+    assert_close(lights[0].falloff, 20, 0);
+    assert_close(lights[0].tightness, 3, 0);
+    assert_false(lights[0].parallel);
+    assert_int_equal(lights[1].beam, BEAM_CYLINDER);
+    assert_true(lights[1].parallel);
+    assert_vector(lights[1].point_at, 0, 0, 1);
+    assert_close(lights[1].radius, .75, 0);
+    assert_close(lights[1].falloff, 1, 0);
+    assert_close(lights[1].fade_distance, 3, 0);
+    assert_close(lights[1].fade_power, 2, 0);
+    assert_int_equal(lights[2].beam, BEAM_CONE);
+    assert_false(lights[2].shadowless);
+    assert_close(lights[2].radius, 30, 0);
+    assert_close(lights[2].falloff, 50, 0);
+    assert_int_equal(lights[3].beam, BEAM_NONE);
+    assert_true(lights[3].shadowless && lights[3].parallel);
+    assert_int_equal(lights[4].beam, BEAM_NONE);
+    assert_true(lights[4].parallel);
+    assert_close(lights[5].fade_power, 0, 0);
+    assert_int_equal(lights[6].beam, BEAM_CONE);
+    assert_true(lights[6].parallel);
+    assert_close(lights[6].tightness, 0, 0);
+    scene_free(scene);
+}
+
 static void test_declarations(void **state)
 {
     struct scene *scene = read_scene(
@@ -567,6 +615,7 @@ int main(void)
         cmocka_unit_test(test_no_transform),
         cmocka_unit_test(test_textures_move),
         cmocka_unit_test(test_unions),
+        cmocka_unit_test(test_beams),
         cmocka_unit_test(test_declarations),
         cmocka_unit_test(test_settings),
         cmocka_unit_test(test_trace_levels),

@@ -9,7 +9,7 @@
 ; H counts for more by |L| / 2^40, which is more than the products lose; the host
 ; has made the box larger by what the kernels may lose.  Where a line through the
 ; box is left is decided by the sphere alone (bound_vector.s).  Rays that start at
-; one point, or go to one light, have L in common.
+; one point, or go to one light's, have L in common.
 ;
 ; In:  region; the rays at hand, near of them: wox .. wdz, near_limit, place.
 ; Out: the same of those that meet it, s6 of them.
@@ -80,7 +80,7 @@ take_beside:
         ABSV    [wdy], [w1]
         ABSV    [wdz], [w2]
         RTOR    shadows, s0
-        IBXNE   shadows, r0, r0, beside_point
+        if_to_point beside_point, s1
         EX      s0, queue_origin
         IBXNE   from_one_point, r0, r0, beside_point
         beside_each box_x, wox, box_hx, w3, w6

@@ -76,11 +76,23 @@ bound_store:    .space 4 * QUEUE
         CMPGEV  [bound_g0], s3, [near_bits]
         .endm
 
+; To there if the rays all go to one light's place.
+        .macro  if_to_point there, work
+        .if     BEAMS
+        IBXEQ   shadows, r0, r0, not_to_point\@
+        load_word shadow_parallel, \work
+        IBXEQ   \work, r0, r0, \there
+not_to_point\@:
+        .else
+        IBXNE   shadows, r0, r0, \there
+        .endif
+        .endm
+
         .kernel bound
 test_queue_bound:
-        IBXNE   shadows, r0, r0, bound_to_light
+        if_to_point bound_to_light, s0
 test_bound:
-        IBXNE   shadows, r0, r0, bound_line_to_light
+        if_to_point bound_line_to_light, s0
         set_bound
         IBXNE   from_one_point, r0, r0, bound_from_point
         bound_axis bound_x, ox, dx, bound_g1, bound_g2

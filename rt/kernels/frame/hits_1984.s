@@ -21,6 +21,7 @@
         .field  HIT_DDOTL
         .field  HIT_WAY
         .field  HIT_PIGMENT, 3
+        .field  HIT_DIM                 ; of a beam
         .at     32
         .endrecord
 
@@ -82,12 +83,24 @@ surface:
         .regs   r47, px, py, pz, lx, ly, lz, ndotl, ddotl, light_distance
         .regs   r56, light_x, light_y, light_z, light_r, light_g, light_b
         .regs   r62, light_gleams
-        .equ    TOWARDS_REGISTERS, 31
         .regs   r63, ox, oy, oz, dx, dy, dz, hit_distance, hit_primitive
         .regs   r71, color0r, color0g, color0b
         .regs   r74, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
         .regs   r79, f_size, f_specular, f_sharpness
         .endshare
+        .if     BEAMS
+        .share  local
+        .reg    light_beam, r63         ; behind the light's other words
+        .regs   r64, beam_dims, beam_parallel, beam_kind
+        .regs   r67, beam_x, beam_y, beam_z, beam_narrow, beam_low, beam_steep
+        .regs   r73, beam_tightness, beam_fade, beam_power
+        .regs   r76, beam_off, beam_q, beam_three
+        .reg    dim, r33                ; a_light's, when that is loaded
+        .endshare
+        .equ    TOWARDS_REGISTERS, 47
+        .else
+        .equ    TOWARDS_REGISTERS, 31
+        .endif
         .if     GLOSS
         .equ    SHINE_REGISTERS, GLOSS_REGISTERS
         .else
@@ -105,13 +118,22 @@ towards_none:
         RTOR    m_zero, ndotl
 towards_found:
         store_hit HIT_LIGHT, 6, lx
+        .if     BEAMS
+        store_hit HIT_DIM, 1, dim
+        .endif
         leave_hit TOWARDS_REGISTERS
 
 shine:
         enter_hit 2, SHINE_REGISTERS
-        load_hit HIT_RAY, HIT_PLACE, ox
         ELEN    a_light, LIGHT_SIZE
         SWAP    [a_light], light_x, [r0]
+        .if     BEAMS
+        IBXEQ   light_beam, r0, r0, shine_all_around
+        load_hit HIT_DIM, 1, dim
+        dim_light
+shine_all_around:
+        .endif
+        load_hit HIT_RAY, HIT_PLACE, ox
         RTOR    hit_primitive, a_primitive
         load_hit HIT_SAMPLE, SAMPLE_SIZE + 6, red
         load_hit HIT_PIGMENT, 3, color0r

@@ -135,6 +135,11 @@
         .equ    FOG, 0
         .endif
 
+; 1: there are lights that do not shine all around, or fade (light/beam.s).
+        .ifndef BEAMS
+        .equ    BEAMS, 0
+        .endif
+
 ; A row of a prism's table: a corner of its path, and the edge back to the one
 ; before, as its normal wants it.
         .record PRISM
@@ -256,6 +261,10 @@
         .field  LIGHT_COLOR, 3
         .field  LIGHT_GLEAMS       ; 1: it makes highlights (POV-Ray's
                                 ; shadowless lights make none)
+        .if     BEAMS
+        .field  LIGHT_BEAM         ; address of its beam, or 0: it shines all
+                                ; around, with the same strength everywhere
+        .endif
         .endrecord
 
 ; The frame: planes of FRAME_CHANNELS numbers, pixel by pixel, top row first.

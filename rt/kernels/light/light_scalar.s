@@ -1,16 +1,34 @@
 ; light_scalar.s - one light and one point: formulas as in light_vector.s.
 ; Parts of the subroutines that shade, as macros.
 
+        .if     BEAMS
+        .include "light/beam_scalar.s"
+        .endif
+
 ; Towards the light in lx ly lz, its distance, N . L; or to none if it shines
 ; from behind.
         .macro  towards_light none
         SUBN    light_x, px, lx
         SUBN    light_y, py, ly
         SUBN    light_z, pz, lz
+        .if     BEAMS
+        IBXNE   light_beam, r0, r0, towards_beam\@
+        .endif
         normalise_by m_one, lx, ly, lz, light_distance, t1
+        .if     BEAMS
+        BIM     towards_way\@
+towards_beam\@:
+        beam_towards
+towards_way\@:
+        .endif
         dot     nx, ny, nz, lx, ly, lz, ndotl, t0
         CFPGE   r0, ndotl, \none
         CFPNE   ndotl, ndotl, \none     ; indefinite: L = 0
+        .if     BEAMS
+        IBXEQ   light_beam, r0, r0, towards_lit\@
+        find_dim \none
+towards_lit\@:
+        .endif
         .endm
 
         .macro  add_light strength, light, channel

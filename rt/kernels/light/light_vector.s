@@ -10,7 +10,8 @@
 ;
 ; with R.L = D.L - 2 (N.D)(N.L) and N.H = (N.L - N.D) / sqrt(2 - 2 D.L).
 ; Where L or H has no length these are indefinite, which is not above 0: such a
-; light, such a highlight is left out.
+; light, such a highlight is left out.  Of lights that do not shine all around, or
+; fade, L and l are in beam.s.
 ;
 ; In:  light_at; the hits, their parts.
 ; Out: added to red, green, blue.
@@ -37,6 +38,10 @@
         tint_of_part tint_g, 1
         tint_of_part tint_b, 2
         .endm
+
+        .if     BEAMS
+        .include "light/beam_vector.s"
+        .endif
 
         .macro  load_light
         ELEN    light_at, LIGHT_SIZE
@@ -129,16 +134,36 @@ illuminate:
         SUBNV   light_x, [px], [lx]
         SUBNV   light_y, [py], [ly]
         SUBNV   light_z, [pz], [lz]
+        .if     BEAMS
+        IBXNE   light_beam, r0, r0, illuminate_beam
+        .endif
         normalise lx, ly, lz, v0, v1
+        .if     BEAMS
+        BIM     illuminate_way
+illuminate_beam:
+        EX      target, beam_towards
+        BSAVE   link_inner, [target]
+illuminate_way:
+        .endif
         dot_vectors nx, ny, nz, lx, ly, lz, ndotl, v1
         CMPLTV  r0, [ndotl], [hits3]
         CNTOB   [hits3], s8
         ES      tinted, 0
         IBXEQ   s8, r0, r0, illuminate_none
+        .if     BEAMS
+        IBXEQ   light_beam, r0, r0, illuminate_cast
+        EX      target, find_dim
+        BSAVE   link, [target]
+        IBXEQ   s8, r0, r0, illuminate_none
+illuminate_cast:
+        .endif
         CFPEQ   light_gleams, r0, illuminate_parts      ; shadowless
         EX      target, cast_shadows
         BSAVE   link, [target]
 illuminate_parts:
+        .if     BEAMS
+        dim_light
+        .endif
         parts_begin
 illuminate_next:
         part_begin

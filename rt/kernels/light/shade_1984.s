@@ -34,6 +34,9 @@ shade_lights:   .word 0                 ; how many are left
 shade_light:    .space LIGHT_SIZE       ; the record, with the colour that
 hit_list:       .word 0                 ; reaches a point
                 .descriptor LIGHT_SIZE, shade_light
+        .if     BEAMS
+shadow_parallel: .word 0                ; 1: rays to the light go to no point
+        .endif
         .align 64
 hits:           .space HIT_SIZE * QUEUE
 lit_store:      .space 7 * QUEUE        ; rays to a light, and their limits
@@ -208,6 +211,18 @@ shade_towards_next:
         ADDX    ady, s3, adz
         ADDX    adz, s3, nearest
         ES      from_one_point, 0
+        .if     BEAMS
+        EX      s2, shade_light
+        IX      s2, 64 * LIGHT_BEAM
+        LOD     [s2], s2
+        RTOR    r0, s1
+        IBXEQ   s2, r0, r0, shadow_of_point
+        IX      s2, 64 * BEAM_PARALLEL
+        LOD     [s2], s1
+shadow_of_point:
+        EX      s2, shadow_parallel
+        STO     [s2], s1
+        .endif
         EX      shadows, shade_light
         EX      s0, walk_regions
         BSAVE   link_queue, [s0]

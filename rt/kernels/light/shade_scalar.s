@@ -79,6 +79,12 @@ shade_light:
         CFPNE   light_g, r0, shade_lit
         CFPEQ   light_b, r0, shade_next_light
 shade_lit:
+        .if     BEAMS
+        IBXEQ   light_beam, r0, r0, shade_all_around
+        IBXEQ   beam_dims, r0, r0, shade_all_around
+        dim_light
+shade_all_around:
+        .endif
         shine
 shade_next_light:
         IX      light_at, 64 * LIGHT_SIZE

@@ -21,6 +21,9 @@
         .data
 shadow_n:       .word 0                 ; what the shadows' queue is put over
 shadow_view:    .word 0
+        .if     BEAMS
+shadow_parallel: .word 0                ; 1: they go to no point
+        .endif
         .align  64
 shadow_store:   .space 7 * QUEUE        ; points, directions, limits
 tint_store:     .space 3 * QUEUE        ; of the queue, then of all hits
@@ -70,6 +73,9 @@ cast_shadows:
         STO     [s0], n
         EX      s0, shadow_view
         STO     [s0], from_one_point
+        .if     BEAMS
+        beam_shadows s0, s1
+        .endif
         load_word k_shadow, s0
         SUBNV   [v0], s0, [v0]
         IBXNE   s8, r0, h, shadows_of_some

@@ -2,6 +2,8 @@
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/statement.h"
 
+#include <string.h>
+
 struct fog_reading {
     struct fog fog;
     bool grounded; /* of another type */
@@ -29,6 +31,13 @@ static bool read_type(struct reader *reader, void *subject,
            || reader_fault(reader, &item->at, "fog_type is 1 or 2");
 }
 
+static void set_color(struct fog *fog, const struct numbers *color)
+{
+    memcpy(fog->color, color->n, sizeof fog->color);
+    fog->filter = color->n[3];
+    fog->transmit = color->n[4];
+}
+
 static bool read_fog_color(struct reader *reader, void *subject,
                            const struct item *item)
 {
@@ -37,10 +46,7 @@ static bool read_fog_color(struct reader *reader, void *subject,
 
     if (!read_color_after(reader, &item->at, &color))
         return false;
-    for (int i = 0; i < 3; i++)
-        reading->fog.color[i] = color.n[i];
-    reading->fog.filter = color.n[3];
-    reading->fog.transmit = color.n[4];
+    set_color(&reading->fog, &color);
     return true;
 }
 
@@ -96,6 +102,19 @@ static bool take_fog(struct reader *reader, const struct fog_reading *reading,
     return true;
 }
 
+/* A colour that begins with no word of its own may stand first. */
+static bool read_first_color(struct reader *reader, struct fog *fog)
+{
+    struct numbers color;
+
+    if (!starts_color(reader) || is_color_word(&reader->token))
+        return true;
+    if (!read_color(reader, &color))
+        return false;
+    set_color(fog, &color);
+    return true;
+}
+
 /* One with a name is a look, which is not drawn. */
 bool fog_read(struct reader *reader, const struct scene_token *at)
 {
@@ -108,6 +127,7 @@ bool fog_read(struct reader *reader, const struct scene_token *at)
         reader_report(reader, at, "'fog' is not supported and left out");
         return block_finish(reader, &block);
     }
-    return block_items(reader, &block, &grammar, &reading, true)
+    return block_items(reader, &block, &grammar, &reading,
+                       read_first_color(reader, &reading.fog))
            && take_fog(reader, &reading, at);
 }

@@ -1,9 +1,17 @@
-/* light.c - light_source: point lights. */
+/* light.c - light_source. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/statement.h"
 
 #include <string.h>
 
+#include "rt/scene/vector.h"
+
+/* Of a beam that is stronger at its edge; the kernels' powers have their
+ * range. */
+enum { TIGHTNESS_LEAST = -100 };
+
+/* POV-Ray's: a light has one kind, the last that is named; but the rays of what
+ * was a cylinder stay parallel. */
 static bool read_shadowless(struct reader *reader, void *subject,
                             const struct item *item)
 {
@@ -11,8 +19,10 @@ static bool read_shadowless(struct reader *reader, void *subject,
 
     (void)reader;
     (void)item;
-    for (size_t i = 0; i < object->light_count; i++)
+    for (size_t i = 0; i < object->light_count; i++) {
         object->lights[i].shadowless = true;
+        object->lights[i].beam = BEAM_NONE;
+    }
     return true;
 }
 
@@ -47,9 +57,102 @@ static bool read_looks_like(struct reader *reader, void *subject,
     return done;
 }
 
+/* .. with the edge that it has unless it is told; both measured. */
+static bool read_beam(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    struct scene_object *object = subject;
+    bool cone = item->keyword->detail == BEAM_CONE;
+
+    (void)reader;
+    for (size_t i = 0; i < object->light_count; i++) {
+        struct light *light = &object->lights[i];
+
+        light->shadowless = false;
+        light->beam = cone ? BEAM_CONE : BEAM_CYLINDER;
+        light->parallel = light->parallel || !cone;
+        light->radius = cone ? 30 : .75;
+        light->falloff = cone ? 45 : 1;
+        light->tightness = 0;
+    }
+    return true;
+}
+
+static bool read_parallel(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    struct scene_object *object = subject;
+
+    (void)reader;
+    (void)item;
+    for (size_t i = 0; i < object->light_count; i++)
+        object->lights[i].parallel = true;
+    return true;
+}
+
+static bool read_point_at(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    struct scene_object *object = subject;
+    double point[3];
+
+    (void)item;
+    if (!read_vector(reader, point))
+        return false;
+    for (size_t i = 0; i < object->light_count; i++)
+        copy3(point, object->lights[i].point_at);
+    return true;
+}
+
+/* A number of a beam, or of how a light fades. */
+enum measure {
+    LIGHT_RADIUS,
+    LIGHT_FALLOFF,
+    LIGHT_TIGHTNESS,
+    LIGHT_FADE_DISTANCE,
+    LIGHT_FADE_POWER
+};
+
+/* As in POV-Ray a beam is named before its measures. */
+static bool read_measure(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct scene_object *object = subject;
+    size_t measure = item->keyword->detail;
+    double number;
+
+    if (!read_number(reader, &number))
+        return false;
+    for (size_t i = 0; i < object->light_count; i++) {
+        struct light *light = &object->lights[i];
+        double *measures[] = { [LIGHT_RADIUS] = &light->radius,
+                               [LIGHT_FALLOFF] = &light->falloff,
+                               [LIGHT_TIGHTNESS] = &light->tightness,
+                               [LIGHT_FADE_DISTANCE] = &light->fade_distance,
+                               [LIGHT_FADE_POWER] = &light->fade_power };
+
+        if (measure <= LIGHT_TIGHTNESS && light->beam == BEAM_NONE)
+            return reader_fault(reader, &item->at,
+                                "'%s' is of a light that is, before it, a "
+                                "'spotlight' or a 'cylinder'",
+                                item->keyword->word);
+        *measures[measure] = number;
+    }
+    return true;
+}
+
 static const struct keyword words[] = {
     { "shadowless", read_shadowless, 0 },
     { "looks_like", read_looks_like, 0 },
+    { "spotlight", read_beam, BEAM_CONE },
+    { "cylinder", read_beam, BEAM_CYLINDER },
+    { "parallel", read_parallel, 0 },
+    { "point_at", read_point_at, 0 },
+    { "radius", read_measure, LIGHT_RADIUS },
+    { "falloff", read_measure, LIGHT_FALLOFF },
+    { "tightness", read_measure, LIGHT_TIGHTNESS },
+    { "fade_distance", read_measure, LIGHT_FADE_DISTANCE },
+    { "fade_power", read_measure, LIGHT_FADE_POWER },
     STEP_WORDS(read_step),
     { NULL, NULL, 0 },
 };
@@ -59,26 +162,17 @@ static const struct keyword passed_over[] = {
     { "adaptive", item_passed_over, 0 },
     { "area_illumination", item_passed_over, 0 },
     { "circular", item_passed_over, 0 },
-    { "falloff", item_passed_over, 0 },
     { "jitter", item_passed_over, 0 },
     { "media_attenuation", item_passed_over, 0 },
     { "media_interaction", item_passed_over, 0 },
     { "orient", item_passed_over, 0 },
     { "photons", item_passed_over, 0 },
-    { "point_at", item_passed_over, 0 },
-    { "radius", item_passed_over, 0 },
-    { "tightness", item_passed_over, 0 },
     { NULL, NULL, 0 },
 };
 
 static const struct keyword left_out[] = {
     { "area_light", item_left_out, 0 },
-    { "cylinder", item_left_out, 0 },
-    { "fade_distance", item_left_out, 0 },
-    { "fade_power", item_left_out, 0 },
-    { "parallel", item_left_out, 0 },
     { "projected_through", item_left_out, 0 },
-    { "spotlight", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
@@ -88,15 +182,40 @@ static const struct grammar grammar = { "a word of light_source",
 
 static bool read_point(struct reader *reader, struct scene_object *object)
 {
-    struct light light;
+    struct light light = { .point_at = { 0, 0, 1 } }; /* POV-Ray's */
 
-    memset(&light, 0, sizeof light);
     if (!read_vector(reader, light.position))
         return false;
     reader_comma(reader);
     if (!read_rgb(reader, light.color))
         return false;
     return object_add_light(object, &light) || reader_no_memory(reader);
+}
+
+/* What has an axis, has a way to go. */
+static bool check_beams(struct reader *reader,
+                        const struct scene_object *object,
+                        const struct scene_token *at)
+{
+    for (size_t i = 0; i < object->light_count; i++) {
+        const struct light *light = &object->lights[i];
+        double way[3];
+
+        subtract3(light->point_at, light->position, way);
+        if ((light->beam != BEAM_NONE || light->parallel)
+            && !(length3(way) > 0))
+            return reader_fault(reader, at,
+                                "the light is at the point that it points "
+                                "at");
+        if (light->tightness < TIGHTNESS_LEAST)
+            return reader_fault(reader, at, "a tightness below %d",
+                                TIGHTNESS_LEAST);
+        if (light->beam == BEAM_CYLINDER && !(light->falloff > 0))
+            return reader_fault(reader, at,
+                                "a cylinder with a falloff that is not above "
+                                "0");
+    }
+    return true;
 }
 
 bool light_read(struct reader *reader, struct scene_object *object)
@@ -116,5 +235,6 @@ bool light_read(struct reader *reader, struct scene_object *object)
         good = read_point(reader, object);
     }
     object->is_light = true;
-    return block_items(reader, &block, &grammar, object, good);
+    return block_items(reader, &block, &grammar, object, good)
+           && check_beams(reader, object, &block.open);
 }

@@ -342,8 +342,10 @@ void object_move(struct scene_object *object, const struct placement *step)
 {
     for (size_t i = 0; i < object->part_count; i++)
         part_move(&object->parts[i], step);
-    for (size_t i = 0; i < object->light_count; i++)
+    for (size_t i = 0; i < object->light_count; i++) {
         transform_point(&step->to_world, object->lights[i].position);
+        transform_point(&step->to_world, object->lights[i].point_at);
+    }
     if (object->textured)
         pigment_move(&object->texture.pigment, step);
 }

@@ -1,0 +1,33 @@
+; beam.s - lights that do not shine all around, or fade, as both forms of the
+; program have them (BEAMS = 1).
+;
+; The light at P shines along its axis; A is the unit vector against that, towards
+; the light.  With parallel rays L = A for all points X, and the distance is
+; A . (P - X); of such a light nothing is between it and a point behind it.  What
+; comes of its colour to X is
+;
+;   dim = s(q) q^tightness  2 / (1 + (distance / fade_distance)^fade_power)
+;
+;   q = L . A                                in a cone,
+;       1 - |P - X - A (A . (P - X))| / falloff    in a cylinder,
+;                                            but nothing for a point behind it,
+;   s(q) = (3 - 2 t) t^2,  t = (q - low) / (high - low), from 0 to 1
+;
+; and nothing where q is not above 0.  The edge goes from low to high, from the
+; cosines of falloff and radius, or from 0 to 1 - radius / falloff.  As the
+; power's base is at most 1, the fading is 2 / (1 + u) or 2 u / (1 + u) of
+; u = the ratio of the less distance to the greater, to the power.
+; Source: POV-Ray 3.7's spotlight, cylinder, parallel and fade_distance; the
+; formulas are in its documentation, and measured by its pictures.
+
+        .record BEAM
+        .field  BEAM_DIMS               ; 1: dim is not the same everywhere
+        .field  BEAM_PARALLEL           ; 1: its rays are
+        .field  BEAM_KIND               ; 0: all around, 1: cone, 2: cylinder
+        .field  BEAM_AXIS, 3            ; A
+        .field  BEAM_NARROW             ; 1 / falloff, of a cylinder
+        .field  BEAM_EDGE, 2            ; low, 1 / (high - low)
+        .field  BEAM_TIGHTNESS
+        .field  BEAM_FADE, 2            ; 1 / fade_distance; fade_power, or 0: it
+                                        ; does not fade
+        .endrecord

@@ -1,0 +1,159 @@
+; beam_vector.s - lights that do not shine all around, or fade: formulas in
+; beam.s.
+
+        .include "light/beam.s"
+
+        .share  scratch
+        .reg    light_beam, r248        ; behind the light's other words
+        .endshare
+        .share  shape
+        .regs   r40, beam_dims, beam_parallel, beam_kind
+        .regs   r43, beam_x, beam_y, beam_z, beam_narrow, beam_low, beam_steep
+        .regs   r49, beam_tightness, beam_fade, beam_power
+        .endshare
+
+        .data
+        .align  64
+dim_store:      .space QUEUE            ; dim, of all hits
+        .code
+
+; [v] from 0 to 1.
+        .macro  unit_range v
+        CMPLTV  [\v], r0, [hits1]
+        VTOV    r0, [\v] ? [hits1]
+        CMPLTV  one, [\v], [hits1]
+        VTOV    one, [\v] ? [hits1]
+        .endm
+
+        .macro  beam_across l, axis
+        LINKV
+        MPYSV   [v0], \axis, [v1]
+        SUBNV   [\l], [v1], [\l]
+        .endm
+
+; Whether the rays to the light are parallel, for the kernels that bound them.
+        .macro  beam_shadows work, at
+        RTOR    r0, \work
+        IBXEQ   light_beam, r0, r0, beam_shadows\@
+        RTOR    light_beam, \work
+        IX      \work, 64 * BEAM_PARALLEL
+        LOD     [\work], \work
+beam_shadows\@:
+        EX      \at, shadow_parallel
+        STO     [\at], \work
+        .endm
+
+        .kernel shade
+; The way to the light whose beam is light_beam.
+;
+; In:  lx ly lz = P - X.  Out: lx ly lz = L; [v0] = the distance; [v5] = that from
+; the axis of a cylinder.
+beam_towards:
+        RTOR    light_beam, s0
+        ELEN    s0, BEAM_SIZE
+        SWAP    [s0], beam_dims, [r0]
+        IBXNE   beam_parallel, r0, r0, beam_parallel_rays
+        normalise lx, ly, lz, v0, v1
+        BIM     0, link_inner
+beam_parallel_rays:
+        dot_constant lx, ly, lz, beam_x, beam_y, beam_z, v0, v1
+        IBXEQ   beam_kind, r0, r0, beam_directions
+        beam_across lx, beam_x
+        beam_across ly, beam_y
+        beam_across lz, beam_z
+        dot_vectors lx, ly, lz, lx, ly, lz, v5, v1
+        SQRTV   [v5], [v5]
+beam_directions:
+        VTOV    beam_x, [lx]
+        VTOV    beam_y, [ly]
+        VTOV    beam_z, [lz]
+        BIM     0, link_inner
+
+; dim, to dim_store.
+;
+; In:  as beam_towards gives it; hits3: the points that face the light, s8 of
+; them.  Out: those that light comes to; ndotl = 0 of the others.
+; Uses v0-v7, hits1, hits2, s0, s1.
+find_dim:
+        VTOV    [v0], [v6]
+        VTOV    one, [v7]
+        IBXEQ   beam_kind, r0, r0, dim_fading
+        IBXNE   beam_kind, r0, one_index, dim_cylinder
+        dot_constant lx, ly, lz, beam_x, beam_y, beam_z, v0, v1
+        BIM     dim_edge
+dim_cylinder:
+        LINKV
+        MPYSV   [v5], beam_narrow, [v0]
+        SUBNV   one, [v0], [v0]
+        CMPLTV  r0, [v6], [hits1]
+        VTOV    r0, [v0] ?! [hits1]
+dim_edge:
+        CMPLTV  r0, [v0], [hits1]
+        ANDB    [hits1], [hits3], [hits3]
+        LINKV
+        SUBNV   [v0], beam_low, [v1]
+        MPYSV   [v1], beam_steep, [v1]
+        unit_range v1
+        MPYSV   [v1], [v1], [v7]
+        ADDN    one, two, s0
+        LINKV
+        MPYSV   [v1], two, [v2]
+        SUBNV   s0, [v2], [v2]
+        MPYSV   [v2], [v7], [v7]
+        CFPEQ   beam_tightness, r0, dim_fading
+        MASKV   [v0], one, [v0] ? [hits3]
+        RTOR    beam_tightness, exponent
+        EX      target, power
+        BSAVE   link_inner, [target]
+        MPYSV   [v7], [v0], [v7]
+dim_fading:
+        CFPEQ   beam_power, r0, dim_found
+        MPYSV   [v6], beam_fade, [v0]
+        CMPLTV  [v0], r0, [hits1]
+        VTOV    -[v0], [v0] ? [hits1]
+        CMPLTV  one, [v0], [hits2]      ; farther than fade_distance
+        DIVSV   one, [v0], [v1]
+        VTOV    [v1], [v0] ? [hits2]
+        MASKV   [v0], one, [v0] ? [hits3]
+        RTOR    beam_power, exponent
+        EX      target, power
+        BSAVE   link_inner, [target]
+        ADDNV   [v0], one, [v1]
+        MASKV   [v0], one, [v0] ? [hits2]
+        MPYSV   [v0], two, [v0]
+        DIVSV   [v0], [v1], [v0]
+        MPYSV   [v7], [v0], [v7]
+dim_found:
+        CMPLTV  r0, [v7], [hits1]
+        ANDB    [hits1], [hits3], [hits3]
+        CNTOB   [hits3], s8
+        VTOV    r0, [ndotl] ?! [hits3]
+        describe s0, dim_store, h
+        VTOV    [v7], [s0]
+        VTOV    [v6], [v0]
+        BIM     0, link
+        .endkernel
+
+; A channel of what comes to the hits: of the light's colour, or of what was left
+; of it.
+        .macro  dim_channel light, number
+        describe s1, hit_tint_store + 64 * QUEUE * \number, h
+        IBXNE   tinted, r0, r0, dim_tinted\@
+        MPYSV   [s0], \light, [s1]
+        BIM     dim_channel\@
+dim_tinted\@:
+        MPYSV   [s0], [s1], [s1]
+dim_channel\@:
+        .endm
+
+        .macro  dim_light
+        IBXEQ   light_beam, r0, r0, dim_light\@
+        LOD     [light_beam], s0
+        IBXEQ   s0, r0, r0, dim_light\@
+        describe s0, dim_store, h
+        dim_channel light_r, 0
+        dim_channel light_g, 1
+        dim_channel light_b, 2
+        ES      tinted, 1
+dim_light\@:
+        .endm

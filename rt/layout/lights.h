@@ -1,0 +1,12 @@
+/* lights.h - a scene's lights in the machine's memory. */
+#ifndef RT_LIGHTS_H
+#define RT_LIGHTS_H
+
+#include "rt/layout/record.h"
+#include "rt/scene/scene.h"
+
+/* Whether the kernels need light/beam.s for one of its lights. */
+bool scene_has_beams(const struct scene *scene);
+void layout_lights(struct record_layout *layout, const struct scene *scene);
+
+#endif
