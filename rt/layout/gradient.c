@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "rt/layout/record.h"
+#include "rt/shapes/primitive.h"
 #include "rt/scene/vector.h"
 
 /* STOP_AT, STOP_SLOPE, STOP_COLOR, STOP_CHANGE */
@@ -17,6 +18,65 @@ void gradient_words(const struct pigment *pigment,
         for (int k = 0; k < 3; k++)
             words[i] += pigment->axis[k] * pigment->to_local.rows[k][i];
     }
+}
+
+bool scene_has_patterns(const struct scene *scene)
+{
+    bool found = scene->sky.kind == PIGMENT_PATTERN;
+
+    for (size_t i = 0; i < scene->primitive_count && !found; i++)
+        found = scene->primitives[i].pigment.kind == PIGMENT_PATTERN;
+    return found;
+}
+
+void pattern_rows(const struct pigment *pigment, double words[PATTERN_ROWS])
+{
+    memcpy(words, pigment->to_local.rows, PATTERN_ROWS * sizeof *words);
+    if (pigment->pattern.function == PATTERN_SLANTED)
+        gradient_words(pigment, words);
+}
+
+static bool has_steps(const struct pattern *pattern)
+{
+    return pattern->function == PATTERN_BRICK
+           || pattern->function == PATTERN_HEXAGON;
+}
+
+enum pattern_wave pattern_wave(const struct pattern *pattern)
+{
+    return has_steps(pattern) ? WAVE_NONE : pattern->wave;
+}
+
+void pattern_numbers(const struct pattern *pattern,
+                     double numbers[MAP_NUMBERS])
+{
+    numbers[0] = pattern->frequency;
+    numbers[1] = pattern->phase;
+    numbers[2] = pattern->exponent;
+    numbers[3] = 0;
+    if (pattern->function != PATTERN_BRICK)
+        return;
+    for (int i = 0; i < 3; i++)
+        numbers[i] = 1 / pattern->brick_size[i];
+    numbers[3] = pattern->mortar;
+}
+
+const char *pattern_routine(const struct pattern *pattern)
+{
+    static const char *const routines[PATTERN_FUNCTIONS] = {
+        [PATTERN_PLANAR] = "pattern_planar",
+        [PATTERN_SPHERICAL] = "pattern_spherical",
+        [PATTERN_CYLINDRICAL] = "pattern_cylindrical",
+        [PATTERN_BOXED] = "pattern_boxed",
+        [PATTERN_ONION] = "pattern_onion",
+        [PATTERN_LEOPARD] = "pattern_leopard",
+        [PATTERN_RADIAL] = "pattern_radial",
+        [PATTERN_SLANTED] = "pattern_slanted",
+        [PATTERN_BRICK] = "pattern_brick",
+        [PATTERN_HEXAGON] = "pattern_hexagon",
+    };
+
+    return routines[pattern->function];
 }
 
 size_t gradient_size(const struct color_map *map)

@@ -1,18 +1,28 @@
-/* gradient.h - the words of a pigment that is a gradient, in the order of
- * rt/kernels/frame/records.s. */
+/* gradient.h - the words of a pigment that has a map, in the order of
+ * rt/kernels/frame/records.s and rt/kernels/light/pattern.s. */
 #ifndef RT_GRADIENT_H
 #define RT_GRADIENT_H
 
 #include "rt/scene/scene.h"
 #include "vm/c205.h"
 
-/* Of P_PATTERN so many stand before its stops. */
-enum { GRADIENT_STOPS = 4 };
+/* Of P_PATTERN so many stand before a gradient's stops; of a pattern there are so
+ * many words, and of its P_MAP so many numbers. */
+enum { GRADIENT_STOPS = 4, PATTERN_ROWS = 12, MAP_NUMBERS = 4 };
 
+/* Whether the kernels need light/pattern.s for one of its pigments. */
+bool scene_has_patterns(const struct scene *scene);
 /* How a point's value grows with its three coordinates, and what it is at the
  * origin. */
 void gradient_words(const struct pigment *pigment,
                     double words[GRADIENT_STOPS]);
+/* From world points to those whose value a pattern has. */
+void pattern_rows(const struct pigment *pigment, double words[PATTERN_ROWS]);
+/* Whether its values go in a wave, by which numbers, and what finds them. */
+enum pattern_wave pattern_wave(const struct pattern *pattern);
+void pattern_numbers(const struct pattern *pattern,
+                     double numbers[MAP_NUMBERS]);
+const char *pattern_routine(const struct pattern *pattern);
 /* The rows of its map, one more than there are stops, and how many words these
  * are; NULL: no memory.  The caller frees them. */
 size_t gradient_size(const struct color_map *map);

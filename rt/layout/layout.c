@@ -134,11 +134,10 @@ static void put_gloss(struct record *record, const struct finish *finish)
     record_integer(record, "P_REFLECTION_KIND", surface_mirror_kind(finish));
 }
 
-static void put_gradient(struct record *record, const struct pigment *pigment,
-                         struct map_place *map)
+/* The stops of the pigment's map: map has them and their address. */
+static void put_stops(struct record *record, const struct pigment *pigment,
+                      struct map_place *map)
 {
-    double words[GRADIENT_STOPS];
-
     if (map->stops != pigment->map.stops) {
         c205_word *stops = gradient_stops(&pigment->map);
         if (stops)
@@ -150,10 +149,35 @@ static void put_gradient(struct record *record, const struct pigment *pigment,
         map->stops = pigment->map.stops;
         record_read(record, "P_STOPS", &map->address, 1);
     }
+}
+
+static void put_gradient(struct record *record, const struct pigment *pigment,
+                         struct map_place *map)
+{
+    double words[GRADIENT_STOPS];
+
+    put_stops(record, pigment, map);
     gradient_words(pigment, words);
     record_numbers(record, "P_PATTERN", words, GRADIENT_STOPS);
     record_address(record, "P_STOPS", map->address);
     record_integer(record, "P_STOP_COUNT", pigment->map.count);
+}
+
+static void put_pattern(struct record *record, const struct pigment *pigment,
+                        struct map_place *map)
+{
+    double words[PATTERN_ROWS], numbers[MAP_NUMBERS];
+
+    put_stops(record, pigment, map);
+    pattern_rows(pigment, words);
+    pattern_numbers(&pigment->pattern, numbers);
+    record_numbers(record, "P_PATTERN", words, PATTERN_ROWS);
+    record_routine(record, "P_MAP_FUNCTION",
+                   pattern_routine(&pigment->pattern));
+    record_integer(record, "P_MAP_WAVE", pattern_wave(&pigment->pattern));
+    record_numbers(record, "P_MAP_NUMBERS", numbers, MAP_NUMBERS);
+    record_address(record, "P_MAP_STOPS", map->address);
+    record_integer(record, "P_MAP_STOP_COUNT", pigment->map.count);
 }
 
 static void put_surface(struct record *record, const struct scene *scene,
@@ -177,6 +201,8 @@ static void put_surface(struct record *record, const struct scene *scene,
     record_numbers(record, "P_COLOR", &color[0][0], 6);
     if (pigment->kind == PIGMENT_GRADIENT)
         put_gradient(record, pigment, map);
+    else if (pigment->kind == PIGMENT_PATTERN)
+        put_pattern(record, pigment, map);
     else
         record_numbers(record, "P_PATTERN", &pigment->to_local.rows[0][0],
                        12);
@@ -210,7 +236,7 @@ static size_t table_words(const struct scene *scene)
         const struct pigment *pigment = &scene->primitives[i].pigment;
 
         count += shape_table_count(&scene->primitives[i]);
-        if (pigment->kind != PIGMENT_GRADIENT || pigment->map.stops == stops)
+        if (!pigment_has_map(pigment) || pigment->map.stops == stops)
             continue;
         stops = pigment->map.stops;
         count += gradient_size(&pigment->map);
@@ -224,7 +250,15 @@ static uint64_t look_of(struct record *record,
                         const struct primitive *primitive,
                         struct looks *looks)
 {
-    enum { PIGMENT, COLOR, PATTERN = 7, FINISH = 19, REST = 27, GLOSS = 44 };
+    enum {
+        PIGMENT,
+        COLOR,
+        PATTERN = 7,
+        FINISH = 19,
+        REST = 27,
+        GLOSS = 44,
+        MAP = 52
+    };
     c205_word words[LOOK_WORDS] = { 0 }, transformed = 0;
     uint64_t look;
 
@@ -240,6 +274,8 @@ static uint64_t look_of(struct record *record,
     record_read(record, "P_PASSING", &words[REST + 9], 8);
     if (object_symbol(record->layout->program, "P_GLOSS"))
         record_read(record, "P_GLOSS", &words[GLOSS], 8);
+    if (object_symbol(record->layout->program, "P_MAP"))
+        record_read(record, "P_MAP", &words[MAP], 8);
     look = looks_first(looks, words, record->address);
     if (look == 0)
         layout_fail(record->layout, "no memory");
@@ -380,6 +416,27 @@ static void layout_camera(struct record_layout *layout,
     layout_words(layout, layout_symbol(layout, "scene_background"), words, 3);
 }
 
+/* Of a sky that is no plain gradient; where its stops are. */
+static void layout_sky_pattern(struct record_layout *layout,
+                               const struct pigment *sky,
+                               const c205_word stops[2])
+{
+    double rows[PATTERN_ROWS], numbers[MAP_NUMBERS];
+    c205_word words[PATTERN_ROWS];
+
+    pattern_rows(sky, rows);
+    put_numbers(words, rows, PATTERN_ROWS);
+    layout_words(layout, layout_symbol(layout, "sky_pattern"), words,
+                 PATTERN_ROWS);
+    pattern_numbers(&sky->pattern, numbers);
+    words[0] = layout_symbol(layout, pattern_routine(&sky->pattern));
+    words[1] = c205_from_integer(pattern_wave(&sky->pattern));
+    put_numbers(words + 2, numbers, MAP_NUMBERS);
+    memcpy(words + 2 + MAP_NUMBERS, stops, 2 * sizeof *stops);
+    layout_words(layout, layout_symbol(layout, "sky_map"), words,
+                 2 + MAP_NUMBERS + 2);
+}
+
 static void layout_sky(struct record_layout *layout,
                        const struct scene *scene)
 {
@@ -387,7 +444,7 @@ static void layout_sky(struct record_layout *layout,
     double numbers[GRADIENT_STOPS];
     c205_word words[GRADIENT_STOPS + 2], *stops;
 
-    if (scene->sky.kind != PIGMENT_GRADIENT)
+    if (!pigment_has_map(&scene->sky))
         return;
     stops = gradient_stops(&scene->sky.map);
     if (!stops) {
@@ -402,6 +459,8 @@ static void layout_sky(struct record_layout *layout,
     layout_words(layout, layout_symbol(layout, "scene_sky"), words,
                  GRADIENT_STOPS + 2);
     layout_words(layout, words[GRADIENT_STOPS], stops, size);
+    if (scene->sky.kind == PIGMENT_PATTERN)
+        layout_sky_pattern(layout, &scene->sky, words + GRADIENT_STOPS);
     free(stops);
 }
 

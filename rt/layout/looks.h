@@ -8,7 +8,7 @@
 
 #include "vm/c205.h"
 
-enum { LOOK_WORDS = 52 };
+enum { LOOK_WORDS = 60 };
 
 struct looks;
 

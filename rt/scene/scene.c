@@ -2,6 +2,12 @@
 
 #include <stdlib.h>
 
+bool pigment_has_map(const struct pigment *pigment)
+{
+    return pigment->kind == PIGMENT_GRADIENT
+           || pigment->kind == PIGMENT_PATTERN;
+}
+
 bool pigment_is_clear(const struct pigment *pigment)
 {
     int colors = pigment->kind == PIGMENT_CHECKER ? 2 : 1;

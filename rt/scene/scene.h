@@ -38,7 +38,8 @@ struct light {
     double color[3];
     bool shadowless; /* casts no shadow and, as in POV-Ray, makes no phong or
                         specular highlight */
-    bool parallel;   /* all its rays go the way from it to the point: a cone then
+    bool
+        parallel; /* all its rays go the way from it to the point: a cone then
                         holds all, those of a cylinder always do */
     enum light_beam beam;
     double point_at[3];
@@ -70,7 +71,12 @@ struct finish {
     double metallic; /* how far highlights have the pigment's colour */
 };
 
-enum pigment_kind { PIGMENT_COLOR, PIGMENT_CHECKER, PIGMENT_GRADIENT };
+enum pigment_kind {
+    PIGMENT_COLOR,
+    PIGMENT_CHECKER,
+    PIGMENT_GRADIENT,
+    PIGMENT_PATTERN /* any other that has a map */
+};
 
 /* Colours at values from 0 to 1 that do not fall: those between are in a line
  * with those beside, those beyond are as the first or the last. */
@@ -83,6 +89,37 @@ struct color_map {
     size_t clear; /* so many that let light pass, as they are written */
 };
 
+/* Of a point a value, which then goes in a wave: rt/kernels/light/pattern.s has
+ * the formulas. */
+enum pattern_function {
+    PATTERN_PLANAR,
+    PATTERN_SPHERICAL,
+    PATTERN_CYLINDRICAL,
+    PATTERN_BOXED,
+    PATTERN_ONION,
+    PATTERN_LEOPARD,
+    PATTERN_RADIAL,
+    PATTERN_SLANTED, /* a gradient that is not the plain one */
+    PATTERN_BRICK,   /* values without waves: 0 and 1 */
+    PATTERN_HEXAGON, /* 0, 1/2 and 1 */
+    PATTERN_FUNCTIONS
+};
+enum pattern_wave {
+    WAVE_NONE,
+    WAVE_RAMP,
+    WAVE_TRIANGLE,
+    WAVE_SINE,
+    WAVE_SCALLOP,
+    WAVE_CUBIC,
+    WAVE_POLY
+};
+struct pattern {
+    enum pattern_function function;
+    enum pattern_wave wave;
+    double frequency, phase, exponent;
+    double brick_size[3], mortar;
+};
+
 struct pigment {
     enum pigment_kind kind;
     double color[2][3];        /* checker: where floor(x)+floor(y)+floor(z)
@@ -92,8 +129,10 @@ struct pigment {
     struct transform to_local; /* from world points to the pattern's */
     double axis[3]; /* gradient: of length one; the value is how far
                                   the point is along it, less its floor */
+    struct pattern pattern;
     struct color_map map;
 };
+bool pigment_has_map(const struct pigment *pigment);
 /* Light passes, for one of its colours at least. */
 bool pigment_is_clear(const struct pigment *pigment);
 
@@ -129,9 +168,8 @@ struct region {
 struct scene {
     struct camera camera;
     double background[3];
-    struct pigment
-        sky; /* of directions: a gradient, before the background; any
-                           other kind: there is none */
+    struct pigment sky; /* of directions: one with a map, before the
+                           background; any other kind: there is none */
     size_t fog_count;
     struct fog fogs[FOGS_MOST];
     double ambient_light[3];

@@ -9,6 +9,7 @@
 #include "rt/trace/band_file.h"
 #include "rt/trace/planes.h"
 #include "base/hash.h"
+#include "rt/layout/gradient.h"
 #include "rt/layout/lights.h"
 #include "rt/layout/program.h"
 #include "rt/layout/surface.h"
@@ -135,6 +136,7 @@ static struct object *assemble_form(const struct trace_options *options,
         { NULL, 0 },
         { NULL, 0 },
         { NULL, 0 },
+        { NULL, 0 },
     };
     struct asm_define *next = &defines[1];
     size_t crossings = most_crossings(scene);
@@ -147,6 +149,8 @@ static struct object *assemble_form(const struct trace_options *options,
         *next++ = (struct asm_define){ "GLOSS", 1 };
     if (scene_has_beams(scene))
         *next++ = (struct asm_define){ "BEAMS", 1 };
+    if (scene_has_patterns(scene))
+        *next++ = (struct asm_define){ "PATTERNS", 1 };
     if (options->historical)
         *next++ = (struct asm_define){ "HISTORICAL", 1 };
     if (options->variant)

@@ -120,6 +120,78 @@ static void say_gradient(struct language *draw)
     say_pattern_place(draw);
 }
 
+/* What goes round more than once or twice has edges that are as narrow as pixels. */
+static void say_waves(struct language *draw)
+{
+    if (one_in(&draw->state, 2)) {
+        begin_line(draw);
+        SAY_ONE_OF(draw, "ramp_wave", "triangle_wave", "sine_wave",
+                   "scallop_wave", "cubic_wave", "poly_wave");
+        end_line(draw);
+    }
+    if (one_in(&draw->state, 6))
+        say_line(draw, "poly_wave %.3f", between(&draw->state, .3, 4));
+    if (one_in(&draw->state, 3)) {
+        begin_line(draw);
+        say(draw, "frequency ");
+        say_number(draw, -2, 2);
+        end_line(draw);
+    }
+    if (one_in(&draw->state, 3)) {
+        begin_line(draw);
+        say(draw, "phase ");
+        say_number(draw, -1, 2);
+        end_line(draw);
+    }
+}
+
+static void say_list(struct language *draw, const char *pattern, size_t count)
+{
+    begin_line(draw);
+    say(draw, "%s ", pattern);
+    if (!one_in(&draw->state, 4))
+        for (size_t i = 0; i < count; i++) {
+            say_color(draw);
+            if (i + 1 < count)
+                SAY_ONE_OF(draw, ", ", " ");
+        }
+    end_line(draw);
+}
+
+static void say_pattern(struct language *draw)
+{
+    switch (below(&draw->state, 5)) {
+    case 0: say_list(draw, "hexagon", 3); break;
+    case 1:
+        say_list(draw, "brick", 2);
+        say_line(draw, "brick_size <%.3f, %.3f, %.3f>",
+                 between(&draw->state, .5, 1.5), between(&draw->state, .3, 1),
+                 between(&draw->state, .4, 1.2));
+        say_line(draw, "mortar %.3f", between(&draw->state, .05, .2));
+        break;
+    default:
+        begin_line(draw);
+        SAY_ONE_OF(draw, "planar", "spherical", "cylindrical", "boxed",
+                   "onion", "leopard", "radial", "gradient x",
+                   "gradient <1, 1, .5>");
+        if (one_in(&draw->state, 6))
+            end_line(draw);
+        else
+            say_map(draw);
+        say_waves(draw);
+        break;
+    }
+    say_pattern_place(draw);
+}
+
+static void say_mapped(struct language *draw)
+{
+    if (one_in(&draw->state, 2))
+        say_gradient(draw);
+    else
+        say_pattern(draw);
+}
+
 static void say_plain_color(struct language *draw)
 {
     begin_line(draw);
@@ -171,7 +243,7 @@ void say_pigment(struct language *draw, bool clear)
     } else if (kind < 3)
         say_checker(draw);
     else if (kind < 5)
-        say_gradient(draw);
+        say_mapped(draw);
     else
         say_plain_color(draw);
     close_block(draw, "}");
@@ -353,7 +425,7 @@ void declare_look(struct language *draw)
     switch (which) {
     case 0:
         if (one_in(&draw->state, 2))
-            say_gradient(draw);
+            say_mapped(draw);
         else
             say_checker(draw);
         break;

@@ -1,6 +1,8 @@
 /* plain_light.c - see plain_light.h. */
 #include "tests/oracle/plain_light.h"
 
+#include "tests/oracle/plain_pattern.h"
+
 /* POV-Ray 3.7's: lights more oblique than this, and patterns nearer than this
  * to the next cell, count as at the limit; shadows need blockers this far from
  * the point, from the light and, within one solid, from each other. */
@@ -21,14 +23,17 @@ static int pigment_cell(const struct pigment *pigment, const double point[3])
     return fmod(sum, 2) != 0;
 }
 
-void plain_gradient(const struct pigment *pigment, const double point[3],
-                    double color[3])
+void plain_map_color(const struct pigment *pigment, const double point[3],
+                     double color[3])
 {
     const struct color_stop *stops = pigment->map.stops;
     size_t last = pigment->map.count - 1, above = 0;
     double local[3];
     to_other_space(&pigment->to_local, point, local);
-    double along = dot(local, pigment->axis), value = along - floor(along);
+    double along = dot(local, pigment->axis);
+    double value = pigment->kind == PIGMENT_GRADIENT
+                       ? along - floor(along)
+                       : plain_pattern(pigment, local);
     while (above <= last && stops[above].at <= value)
         above++;
     if (above == 0 || above > last) {
@@ -64,8 +69,8 @@ void plain_describe(const struct ray *ray, const struct plain_hit *hit,
     copy(surface->color, pigment->color[cell]);
     scale_by(surface->color,
              1 - pigment->filter[cell] - pigment->transmit[cell]);
-    if (pigment->kind == PIGMENT_GRADIENT) {
-        plain_gradient(pigment, surface->point, surface->color);
+    if (pigment_has_map(pigment)) {
+        plain_map_color(pigment, surface->point, surface->color);
         copy(surface->pigment, surface->color);
     }
 }

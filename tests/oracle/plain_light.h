@@ -21,9 +21,9 @@ struct plain_surface {
     double passing[3]; /* what it lets through, per channel */
 };
 
-/* The colour of a gradient at a point, of a sky in a direction. */
-void plain_gradient(const struct pigment *pigment, const double point[3],
-                    double color[3]);
+/* The colour of a pigment with a map at a point, of a sky in a direction. */
+void plain_map_color(const struct pigment *pigment, const double point[3],
+                     double color[3]);
 
 void plain_describe(const struct ray *ray, const struct plain_hit *hit,
                     struct plain_surface *surface);

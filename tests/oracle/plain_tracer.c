@@ -151,8 +151,8 @@ static void trace_clearly(const struct plain_tracer *tracer,
     if (!hit->primitive) {
         const struct scene *scene = tracer->scene;
         copy(color, scene->background);
-        if (scene->sky.kind == PIGMENT_GRADIENT)
-            plain_gradient(&scene->sky, path->ray.direction, color);
+        if (pigment_has_map(&scene->sky))
+            plain_map_color(&scene->sky, path->ray.direction, color);
         return;
     }
     plain_describe(&path->ray, hit, &surface);

@@ -43,7 +43,7 @@ static void test_told_when_used(void **state)
           " #macro Ball(What) sphere { 0, 1 pigment { What } } #end"
           " Ball(P) Ball(P)",
           24, "its first colour is used" },
-        { "#declare L = light_source { 0, 1 parallel } light_source { L }",
+        { "#declare L = light_source { 0, 1 area_light x, y, 2, 2 } light_source { L }",
           34, "left out" },
         { "#declare N = normal { bumps 1 } #declare G = fog { distance 2 }"
           " #declare S = sky_sphere { pigment { rgb 1 } }"
@@ -59,7 +59,7 @@ static void test_told_when_used(void **state)
           15, "left out (3 places, this is the first)" },
         { "#for (I, 1, 9) sphere { 0, I uv_mapping } #end", 30, "left out" },
         { "global_settings { noise_generator 2 max_intersections 64 }"
-          " light_source { 0, 1 point_at 0 radius 9 photons { refraction on } }"
+          " light_source { 0, 1 point_at 0 photons { refraction on } }"
           " sphere { 0, 1 hollow on photons { target } }",
           0, "" },
         { "sphere { 0, 1 texture { pigment { rgb 1 } }"

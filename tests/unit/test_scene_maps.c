@@ -66,6 +66,65 @@ static void test_maps(void **state)
                   PIGMENT_GRADIENT, "-1:1,0,0 3:0,1,0 ");
 }
 
+static struct pattern pattern_of(const char *words)
+{
+    char text[512];
+    snprintf(text, sizeof text, "sphere { 0, 1 pigment { %s } }", words);
+    struct scene *scene = read_scene(text);
+    struct pattern pattern = scene->primitives[0].pigment.pattern;
+    assert_int_equal(scene->primitives[0].pigment.kind, PIGMENT_PATTERN);
+    scene_free(scene);
+    return pattern;
+}
+
+static void test_patterns(void **state)
+{
+    static const struct {
+        const char *words, *map;
+    } rows[] = {
+        { "planar", "0:0,0,0 1:1,1,1 " },
+        { "spherical color_map { [0 rgb x] [.5 rgb z] }", TWO },
+        { "radial", "0:0,1,1 0.333:1,1,0 0.666:1,0,1 1:0,1,1 " },
+        { "radial color_map { [0 rgb x] [.5 rgb z] }", TWO },
+        { "brick", "-0.5:0.5,0.5,0.5 0.5:0.5,0.5,0.5 0.5:0.6,0.15,0.15 "
+                   "1.5:0.6,0.15,0.15 " },
+        { "brick rgb x, rgb z", "-0.5:1,0,0 0.5:1,0,0 0.5:0,0,1 1.5:0,0,1 " },
+        { "brick pigment { rgb x } pigment { rgb z }",
+          "-0.5:1,0,0 0.5:1,0,0 0.5:0,0,1 1.5:0,0,1 " },
+        { "hexagon rgb 0 rgb y",
+          "-0.25:0,0,0 0.25:0,0,0 0.25:0,1,0 0.75:0,1,0 0.75:1,0,0 "
+          "1.25:1,0,0 " },
+        { "gradient x sine_wave", "0:0,0,0 1:1,1,1 " },
+        { "gradient x frequency 2", "0:0,0,0 1:1,1,1 " },
+        { "gradient x phase .5", "0:0,0,0 1:1,1,1 " },
+    };
+    struct pattern pattern;
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++)
+        check_pigment(rows[i].words, PIGMENT_PATTERN, rows[i].map);
+    check_pigment("gradient x frequency 1 ramp_wave", PIGMENT_GRADIENT,
+                  "0:0,0,0 1:1,1,1 ");
+    pattern = pattern_of("onion");
+    assert_int_equal(pattern.function, PATTERN_ONION);
+    assert_int_equal(pattern.wave, WAVE_RAMP);
+    assert_close(pattern.frequency, 1, 0);
+    pattern = pattern_of("boxed poly_wave 3 frequency 2 phase .25");
+    assert_int_equal(pattern.function, PATTERN_BOXED);
+    assert_int_equal(pattern.wave, WAVE_POLY);
+    assert_close(pattern.exponent, 3, 0);
+    assert_close(pattern.frequency, 2, 0);
+    assert_close(pattern.phase, .25, 0);
+    pattern = pattern_of("leopard poly_wave frequency 3 leopard");
+    assert_int_equal(pattern.wave, WAVE_RAMP);
+    assert_close(pattern.frequency, 1, 0);
+    pattern = pattern_of("brick brick_size <1, 2, 3> mortar .1");
+    assert_vector(pattern.brick_size, 1, 2, 3);
+    assert_close(pattern.mortar, .1, 0);
+    pattern = pattern_of("gradient y triangle_wave");
+    assert_int_equal(pattern.function, PATTERN_SLANTED);
+}
+
 static void test_named_maps(void **state)
 {
     struct scene *scene = read_scene(
@@ -214,6 +273,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_maps),
+        cmocka_unit_test(test_patterns),
         cmocka_unit_test(test_named_maps),
         cmocka_unit_test(test_gradients_after_checkers),
         cmocka_unit_test(test_other_patterns),

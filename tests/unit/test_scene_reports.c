@@ -88,6 +88,10 @@ static void test_errors(void **state)
           "a tightness below -100" },
         { "light_source { x, 1 cylinder falloff 0 }", 1, 14,
           "a falloff that is not above 0" },
+        { "sphere { 0, 1 pigment { brick brick_size <1, 0, 1> } }", 1, 31,
+          "a brick without size" },
+        { "sphere { 0, 1 pigment { onion poly_wave -101 } }", 1, 31,
+          "an exponent below -100" },
         { "poly { 5, <1> }", 1, 8, "only 2 to 4" },
         { "poly { 2, <1, 2> }", 1, 11, "expected 10 coefficients, found 2" },
         { "cubic { <1> }", 1, 9, "expected 20 coefficients, found 1" },
@@ -174,8 +178,8 @@ static void test_first_colors(void **state)
     static const char *const texts[] = {
         "bozo color_map { [0 rgb <1, 2, 3>] [1 rgb 0] }",
         "granite colour_map { [0, .5 color C color rgb 0] [.5, 1 x x] }",
-        "brick color rgb <1, 2, 3>, color rgb 0 brick_size 2",
-        "hexagon C, C*2, C*3",
+        "square color rgb <1, 2, 3>, color rgb 0",
+        "triangular C, C*2, C*3",
         "wood pigment_map { [0 C] [1 checker C, rgb 0] }",
         "image_map { png \"a.png\" } color C",
     };

@@ -64,6 +64,9 @@ frame:
         .if     FOG
         .include "light/fog_vector.s"
         .endif
+        .if     PATTERNS
+        .include "light/pattern_vector.s"
+        .endif
         .if     GLOSS
         .include "light/mirror_vector.s"
         .endif

@@ -9,6 +9,11 @@
         .equ    GLOSS, 0
         .endif
 
+; 1: there are patterns besides checkers and gradients (light/pattern.s).
+        .ifndef PATTERNS
+        .equ    PATTERNS, 0
+        .endif
+
 ; A primitive.
         .equ    SHAPE_SIZE, 16
         .equ    PATCH_CROSSINGS, 4 ; the most of a ray with a patch
@@ -21,7 +26,8 @@
         .field  P_ON_PATCH         ; 1: a hit has two parameters, too: on a
                                 ;    patch s and t, on a cylinder of 1984
                                 ;    the surfaces of entry and exit
-        .field  P_PIGMENT          ; 0: a colour, 1: a checker, 2: a gradient
+        .field  P_PIGMENT          ; 0: a colour, 1: a checker, 2: a gradient,
+                                ; 3: another pattern
         .field  P_TRANSFORMED      ; 1: the shape stands in a space of its own
         .field  P_TABLE            ; address of the words that P_SHAPE has no
                                 ; room for
@@ -65,6 +71,9 @@
         .field  P_COLOR, 6         ; pigment, and the checker's second
         .field  P_PATTERN, 12      ; from world to the pigment's space; of a gradient
                                 ; as scene_sky
+        .if     PATTERNS
+        .field  P_MAP, 8           ; of another pattern: a MAP (light/pattern.s)
+        .endif
         .field  P_FINISH, 8        ; ambient 3 (times the ambient light),
                                 ; diffuse, phong, phong_size, specular,
                                 ; 1/roughness

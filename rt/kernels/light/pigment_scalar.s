@@ -18,7 +18,11 @@
         .regs   r78, a_color, color0r, color0g, color0b
         .endshare
         .equ    PIGMENT_REGISTERS, 46
+        .if     PATTERNS
+        .equ    SKY_REGISTERS, 94
+        .else
         .equ    SKY_REGISTERS, 50
+        .endif
 
         .data
 pigment_save:   .space SKY_REGISTERS
@@ -68,14 +72,19 @@ pigment_save:   .space SKY_REGISTERS
         FLR     t0, t1
         ADDN    t1, r0, t1
         SUBN    t0, t1, t0
+        map_colour
+        .endm
+
+; .. of the value t0, by the map whose stops begin at sh4, sh5 behind that.
+        .macro  map_colour
         RTOR    sh4, here
-gradient_next\@:
+map_next\@:
         IX      here, 64 * STOP_SIZE
         LOD     [here], t1
-        CFPLT   t0, t1, gradient_between\@
-        IBXNE   sh5, m_index_minus_one, r0, gradient_next\@, sh5
+        CFPLT   t0, t1, map_between\@
+        IBXNE   sh5, m_index_minus_one, r0, map_next\@, sh5
         IX      here, 64 * STOP_SIZE
-gradient_between\@:
+map_between\@:
         IX      here, -64 * STOP_SIZE
         ELEN    here, STOP_SIZE
         SWAP    [here], sh6, [r0]
@@ -102,3 +111,8 @@ pigment_found:
         STO     [a_cell], cell
         leave   pigment_save, PIGMENT_REGISTERS
         .endkernel
+
+        .if     PATTERNS
+        .include "light/pattern.s"
+        .include "light/pattern_scalar.s"
+        .endif

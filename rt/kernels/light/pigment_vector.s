@@ -63,10 +63,23 @@ pigment_plain:
         BIM     0, link_kernel
 
 pigment_gradient:
+        .if     PATTERNS
+        ES      s1, 2
+        IBXNE   s0, r0, s1, pigment_pattern
+        .endif
         load_record P_PATTERN, 6, m00
         EX      target, find_gradient
         BSAVE   link_inner, [target]
         BIM     0, link_kernel
+
+        .if     PATTERNS
+pigment_pattern:
+        load_record P_PATTERN, 12, m00
+        load_record P_MAP, MAP_SIZE, map_function
+        EX      target, find_pattern
+        BSAVE   link_inner, [target]
+        BIM     0, link_kernel
+        .endif
 
 find_gradient:
         dot_constant px, py, pz, m00, m01, m02, v0, v1
@@ -74,6 +87,7 @@ find_gradient:
         FLRV    [v0], [v1]
         ADDNV   [v1], r0, [v1]
         SUBNV   [v0], [v1], [v0]
+find_colours:                                   ; of the values v0, by m10, m11
         RTOR    m10, s9
         next_stop
         LINKV

@@ -28,6 +28,14 @@
         .regs   r238, f_size, f_specular, f_sharpness
         .endshare
 
+        .if     PATTERNS
+        .include "light/pattern.s"
+        .share  scratch
+        .regs   r240, map_function, map_wave, map_a, map_b, map_c, map_d
+        .regs   r246, map_stops, map_stop_count
+        .endshare
+        .endif
+
         .record PART
         .field  PART_PRIMITIVE
         .field  PART_FIRST              ; of its hits,
@@ -141,11 +149,31 @@ shade_sky:
         CPSV    [adx], [px] ? [near_bits]
         CPSV    [ady], [py] ? [near_bits]
         CPSV    [adz], [pz] ? [near_bits]
+        .if     PATTERNS
+        load_word sky_map, s0
+        IBXEQ   s0, r0, r0, shade_sky_gradient
+        EX      s0, sky_pattern
+        ELEN    s0, 12
+        SWAP    [s0], m00, [r0]
+        EX      s0, sky_map
+        ELEN    s0, MAP_SIZE
+        SWAP    [s0], map_function, [r0]
+        EX      target, find_pattern
+        BIM     shade_sky_colours
+shade_sky_gradient:
+        EX      s0, scene_sky
+        ELEN    s0, 6
+        SWAP    [s0], m00, [r0]
+        EX      target, find_gradient
+shade_sky_colours:
+        BSAVE   link_inner, [target]
+        .else
         EX      s0, scene_sky
         ELEN    s0, 6
         SWAP    [s0], m00, [r0]
         EX      target, find_gradient
         BSAVE   link_inner, [target]
+        .endif
         load_word queue_order, s2
         IBXEQ   s2, r0, r0, shade_sky_store
         VXTOV   [at], [s2], [v0]

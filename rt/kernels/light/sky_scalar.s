@@ -30,8 +30,17 @@ sky:
         LOD     [arguments], a_point
         LOD     [arguments, m_index_one], a_color
         SWAP    [a_point], px, [r0]
+        .if     PATTERNS
+        load_at sky_map, MAP_SIZE, map_function
+        IBXEQ   map_function, r0, r0, sky_gradient
+        load_at sky_pattern, 12, sh0
+        pattern_colour
+        BIM     sky_found
+sky_gradient:
+        .endif
         load_at scene_sky, 6, sh0
         gradient_colour
+sky_found:
         SWAP    [r0], color0r, [a_color]
         leave   pigment_save, SKY_REGISTERS
         .endkernel

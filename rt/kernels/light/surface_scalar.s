@@ -93,6 +93,15 @@ surface_turned\@:
         RTOR    color1b, color0b
         BIM     pigment_found\@
 pigment_gradient\@:
+        .if     PATTERNS
+        ES      t1, 2
+        IBXEQ   t0, r0, t1, pigment_slope\@
+        get_record P_PATTERN, 12, sh0
+        get_record P_MAP, MAP_SIZE, map_function
+        pattern_colour
+        BIM     pigment_found\@
+pigment_slope\@:
+        .endif
         get_record P_PATTERN, 6, sh0
         gradient_colour
 pigment_found\@:

@@ -94,6 +94,34 @@ bool color_map_gray(struct reader *reader, struct color_map *map)
     return keep_map(reader, stops, map);
 }
 
+bool color_map_round(struct reader *reader, struct color_map *map)
+{
+    static const struct color_stop stops[4] = { { 0, { 0, 1, 1 } },
+                                                { .333, { 1, 1, 0 } },
+                                                { .666, { 1, 0, 1 } },
+                                                { 1, { 0, 1, 1 } } };
+
+    *map = (struct color_map){ .count = 4 };
+    return keep_map(reader, stops, map);
+}
+
+bool color_map_steps(struct reader *reader, const struct numbers *colors,
+                     size_t count, struct color_map *map)
+{
+    struct color_stop stops[2 * LISTED_MOST];
+
+    *map = (struct color_map){ .count = 2 * count };
+    for (size_t i = 0; i < 2 * count; i++) {
+        const double *terms = colors[i / 2].n;
+
+        stops[i].at = ((double)(i / 2) + (i % 2 ? .5 : -.5))
+                      / (double)(count - 1);
+        copy3(terms, stops[i].color);
+        map->clear += terms[3] != 0 || terms[4] != 0;
+    }
+    return keep_map(reader, stops, map);
+}
+
 bool color_map_of_two(struct reader *reader, struct pigment *pigment)
 {
     struct color_map map = { .count = 2 };
@@ -115,7 +143,7 @@ static void set_first(struct pigment *pigment, const struct numbers *color)
     memcpy(pigment->color[0], color->n, sizeof pigment->color[0]);
     pigment->filter[0] = color->n[3];
     pigment->transmit[0] = color->n[4];
-    if (pigment->kind != PIGMENT_GRADIENT)
+    if (!pigment_has_map(pigment))
         pigment->kind = PIGMENT_COLOR;
 }
 

@@ -1,7 +1,7 @@
 /* pattern.h - the patterns of pigments and textures.
  *
- * Of all patterns only checker is drawn, and of pigments gradient; of the others
- * the first colour, or the first texture, is used.
+ * Of textures only checker is drawn, of pigments also patterns without noise; of
+ * the others the first colour, or the first texture, is used.
  */
 #ifndef RT_SCENE_PATTERN_H
 #define RT_SCENE_PATTERN_H
@@ -11,26 +11,49 @@
 /* clang-format off */
 #define PATTERN_WORDS(read) \
     { "agate", read, 0 }, { "aoi", read, 0 }, { "average", read, 0 }, \
-    { "boxed", read, 0 }, { "bozo", read, 0 }, { "brick", read, 0 }, \
+    { "bozo", read, 0 }, \
     { "bumps", read, 0 }, { "cells", read, 0 }, { "crackle", read, 0 }, \
-    { "cubic", read, 0 }, { "cylindrical", read, 0 }, \
+    { "cubic", read, 0 }, \
     { "density_file", read, 0 }, { "dents", read, 0 }, \
     { "facets", read, 0 }, { "function", read, 0 }, \
     { "granite", read, 0 }, \
-    { "hexagon", read, 0 }, { "image_map", read, 0 }, \
+    { "image_map", read, 0 }, \
     { "image_pattern", read, 0 }, { "julia", read, 0 }, \
-    { "leopard", read, 0 }, { "magnet", read, 0 }, \
+    { "magnet", read, 0 }, \
     { "mandel", read, 0 }, { "marble", read, 0 }, { "object", read, 0 }, \
-    { "onion", read, 0 }, { "pavement", read, 0 }, \
-    { "pigment_pattern", read, 0 }, { "planar", read, 0 }, \
-    { "quilted", read, 0 }, { "radial", read, 0 }, \
+    { "pavement", read, 0 }, \
+    { "pigment_pattern", read, 0 }, \
+    { "quilted", read, 0 }, \
     { "ripples", read, 0 }, { "slope", read, 0 }, \
-    { "spherical", read, 0 }, { "spiral1", read, 0 }, \
+    { "spiral1", read, 0 }, \
     { "spiral2", read, 0 }, { "spotted", read, 0 }, \
     { "square", read, 0 }, { "tiling", read, 0 }, \
     { "triangular", read, 0 }, { "waves", read, 0 }, \
     { "wood", read, 0 }, { "wrinkles", read, 0 }
+/* Those that a pigment has. */
+#define PATTERN_FUNCTION_WORDS(read) \
+    { "boxed", read, PATTERN_BOXED }, { "brick", read, PATTERN_BRICK }, \
+    { "cylindrical", read, PATTERN_CYLINDRICAL }, \
+    { "hexagon", read, PATTERN_HEXAGON }, \
+    { "leopard", read, PATTERN_LEOPARD }, { "onion", read, PATTERN_ONION }, \
+    { "planar", read, PATTERN_PLANAR }, { "radial", read, PATTERN_RADIAL }, \
+    { "spherical", read, PATTERN_SPHERICAL }
 /* clang-format on */
+
+/* Into a pigment: such a pattern, and what changes it. */
+item_reader pattern_read;
+extern const struct keyword pattern_words[];
+/* A pattern as it is unless it is changed. */
+extern const struct pattern pattern_plain;
+/* Of a pigment that has been read: a gradient that was changed is another pattern;
+ * the map that a pattern has unless it is given. */
+bool pattern_settle(struct reader *reader, struct pigment *pigment,
+                    const struct scene_token *at);
+/* The colours that may stand behind the word of a pattern, count at the most; those
+ * that do not are left as they are. */
+enum { LISTED_MOST = 3 };
+bool pigment_colors(struct reader *reader, struct numbers *colors,
+                    size_t count);
 
 /* What may change a pattern, in pigments and textures alike. */
 extern const struct keyword pattern_words_left_out[];
@@ -44,6 +67,11 @@ bool map_first(struct reader *reader, enum scene_value_kind kind,
                body_reader *body, void *subject, size_t size);
 /* From black to white. */
 bool color_map_gray(struct reader *reader, struct color_map *map);
+/* From cyan over yellow and magenta to cyan. */
+bool color_map_round(struct reader *reader, struct color_map *map);
+/* Of the values 0 .. 1, count of them, a colour each. */
+bool color_map_steps(struct reader *reader, const struct numbers *colors,
+                     size_t count, struct color_map *map);
 /* From the first of a checker's colours to the second, the pigment's own. */
 bool color_map_of_two(struct reader *reader, struct pigment *pigment);
 

@@ -1,4 +1,4 @@
-/* pigment.c - pigments: a colour, a checker of two, a gradient of a map. */
+/* pigment.c - pigments: a colour, a checker of two, patterns of a map. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/pattern.h"
 #include "rt/scene/vector.h"
@@ -6,9 +6,6 @@
 #include <string.h>
 
 static const double black[COLOR_TERMS];
-/* POV-Ray's checker without colours of its own. */
-static const double checker_colors[2][COLOR_TERMS] = { { 0, 0, 1 },
-                                                       { 0, 1, 0 } };
 
 /* POV-Ray shows it where it hurries. */
 static bool read_quick_color(struct reader *reader, void *subject,
@@ -89,8 +86,7 @@ static bool read_color_word(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_nested(struct reader *reader, struct pigment *pattern,
-                        int which)
+static bool read_nested(struct reader *reader, struct numbers *color)
 {
     struct pigment pigment = reader->default_texture.pigment;
     struct scene_token at = reader->token;
@@ -102,10 +98,26 @@ static bool read_nested(struct reader *reader, struct pigment *pattern,
         reader_report(reader, &at,
                       "a pattern in a pattern is replaced by its first "
                       "colour");
-    memcpy(pattern->color[which], pigment.color[0], sizeof pigment.color[0]);
-    pattern->filter[which] = pigment.filter[0];
-    pattern->transmit[which] = pigment.transmit[0];
+    copy3(pigment.color[0], color->n);
+    color->n[3] = pigment.filter[0];
+    color->n[4] = pigment.transmit[0];
     return true;
+}
+
+bool pigment_colors(struct reader *reader, struct numbers *colors,
+                    size_t count)
+{
+    bool done = true;
+
+    for (size_t i = 0; i < count && done; i++) {
+        if (is_token(&reader->token, "pigment"))
+            done = read_nested(reader, &colors[i]);
+        else if (starts_color(reader))
+            done = read_color(reader, &colors[i]);
+        if (i + 1 < count)
+            reader_comma(reader);
+    }
+    return done;
 }
 
 /* Its colours stay the pigment's map: a gradient without one that takes the
@@ -113,21 +125,14 @@ static bool read_nested(struct reader *reader, struct pigment *pattern,
 static bool read_checker(struct reader *reader, void *subject,
                          const struct item *item)
 {
+    struct numbers colors[2] = { { .n = { 0, 0, 1 } }, { .n = { 0, 1, 0 } } };
     struct pigment *pigment = subject;
-    bool done = true;
+    bool done = pigment_colors(reader, colors, 2);
 
     (void)item;
     pigment->kind = PIGMENT_CHECKER;
-    set_color(pigment, 0, checker_colors[0]);
-    set_color(pigment, 1, checker_colors[1]);
-    for (int i = 0; i < 2 && done; i++) {
-        if (is_token(&reader->token, "pigment"))
-            done = read_nested(reader, pigment, i);
-        else if (starts_color(reader))
-            done = read_term(reader, pigment, i);
-        if (i == 0)
-            reader_comma(reader);
-    }
+    for (int i = 0; i < 2; i++)
+        set_color(pigment, i, colors[i].n);
     return done && color_map_of_two(reader, pigment);
 }
 
@@ -145,6 +150,7 @@ static bool read_gradient(struct reader *reader, void *subject,
                             "the vector of a gradient has no length");
     scale3(1 / length, pigment->axis);
     pigment->kind = PIGMENT_GRADIENT;
+    pigment->pattern = pattern_plain;
     reader_comma(reader);
     return true;
 }
@@ -230,7 +236,7 @@ static bool read_pigment_map(struct reader *reader, void *subject,
 {
     struct pigment *pigment = subject;
 
-    if (pigment->kind == PIGMENT_GRADIENT)
+    if (pigment_has_map(pigment))
         reader_report(reader, &item->at,
                       "'pigment_map' is not supported: its first pigment is "
                       "used");
@@ -265,30 +271,17 @@ static const struct keyword words[] = {
     { "color_map", read_color_map, 0 },
     { "colour_map", read_color_map, 0 },
     { "pigment_map", read_pigment_map, 0 },
+    PATTERN_FUNCTION_WORDS(pattern_read),
     PATTERN_WORDS(read_pattern),
     STEP_WORDS(read_step),
     { "uv_mapping", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = {
-    "a word of pigment", { color_words, words, pattern_words_left_out }, NULL
-};
-
-/* POV-Ray's gradient without a map goes from black to white.  What it lets pass
- * is not seen. */
-static bool settle_gradient(struct reader *reader, struct pigment *pigment,
-                            const struct scene_token *at)
-{
-    if (pigment->map.count == 0 && !color_map_gray(reader, &pigment->map))
-        return false;
-    copy3(pigment->map.stops[0].color, pigment->color[0]);
-    if (pigment->map.clear > 0)
-        reader_report(reader, at,
-                      "a gradient that lets light pass is drawn opaque");
-    pigment->filter[0] = pigment->transmit[0] = 0;
-    return true;
-}
+static const struct grammar grammar = { "a word of pigment",
+                                        { color_words, words, pattern_words,
+                                          pattern_words_left_out },
+                                        NULL };
 
 /* It may begin with the name of a pigment or of a colour. */
 bool pigment_body(struct reader *reader, const struct block *block,
@@ -306,8 +299,8 @@ bool pigment_body(struct reader *reader, const struct block *block,
         done = read_term(reader, pigment, 0);
     }
     return block_items(reader, block, &grammar, pigment, done)
-           && (pigment->kind != PIGMENT_GRADIENT
-               || settle_gradient(reader, pigment, &block->open));
+           && (!pigment_has_map(pigment)
+               || pattern_settle(reader, pigment, &block->open));
 }
 
 bool pigment_read(struct reader *reader, struct pigment *pigment)

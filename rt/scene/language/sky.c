@@ -54,7 +54,7 @@ static void take_sky(struct reader *reader, const struct pigment *sky,
     struct scene *scene = reader->scene;
 
     scene->sky = *sky;
-    if (sky->kind == PIGMENT_GRADIENT)
+    if (pigment_has_map(sky))
         return;
     if (sky->kind == PIGMENT_CHECKER)
         reader_report(reader, at,

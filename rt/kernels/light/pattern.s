@@ -1,0 +1,75 @@
+; pattern.s - patterns of pigments besides colours, checkers and gradients, as both
+; forms of the program have them (PATTERNS = 1).
+;
+; A pattern has a value v at each point X of the pigment's space, which is a place
+; among the stops of a map:
+;
+;   planar        1 - |y|                            but not below 0,
+;   spherical     1 - |X|                            likewise,
+;   cylindrical   1 - sqrt(x^2 + z^2)                likewise,
+;   boxed         1 - max(|x|, |y|, |z|)             likewise
+;   onion         |X|, less its floor
+;   leopard       ((sin x + sin y + sin z) / 3)^2
+;   radial        3/4 + the angle from z towards x, in turns from -1/2 to 1/2
+;   slanted       x, less its floor if it is above 0; the pattern's x is along the
+;                 axis: a gradient that has a wave
+;   brick         0 in the mortar, 1 in a brick
+;   hexagon       0, 1/2, 1 in hexagons along y, of edge 1
+;
+; Of all but the last two it then goes in waves:
+;
+;   w = frequency v + phase, less a whole multiple of 1.00001, towards 0; or v, if
+;       the frequency is 0; less its floor if that is below 0
+;   ramp w,  triangle 2 w up to 1/2, from there 2 - 2 w,  sine (1 + sin(2 pi w)) / 2,
+;   scallop |sin(pi w)|,  cubic (3 - 2 w) w^2,  poly w^exponent
+;
+; Bricks: with x, y, z more by the mortar m and k_checker, over the brick's size
+; (w, h, d), and {u} = u - floor(u), there is mortar where
+;
+;   {y/h} <= m/h,   {x/w + s} <= m/w,   {z/d + 1/2 - s} <= m/d
+;
+; with s = 0 where {y/(2 h)} <= 1/2, else 1/2.  Hexagons: of the lattice
+; k = 2/3 x, a = z / sqrt(3) - x/3 the nearest node by three roundings (k, a,
+; -k-a, of which the one that is moved farthest follows from the others); a - k
+; modulo 3.
+;
+; sin(2 pi t): t less the nearest whole, turned about 1/4 if it is beyond, and the
+; series up to the 15th power, within 1e-11.  Angles: atan by its series up to the
+; 17th power below tan(pi/8), within 3e-9; above, of (t - 1) / (t + 1).
+; Source: POV-Ray 3.7's patterns and waves, as its documentation has them, measured by
+; its pictures (1.00001 is of these); the nearest hexagon by cube coordinates.
+
+        .record MAP
+        .field  MAP_FUNCTION            ; address of the routine that finds v
+        .field  MAP_WAVE                ; 0: none, WAVE_RAMP ..
+        .field  MAP_NUMBERS, 4          ; frequency, phase, exponent; of bricks 1 /
+                                        ; size 3, mortar
+        .field  MAP_STOPS               ; as P_STOPS
+        .field  MAP_STOP_COUNT
+        .endrecord
+        .equ    P_MAP_FUNCTION, P_MAP + MAP_FUNCTION
+        .equ    P_MAP_WAVE, P_MAP + MAP_WAVE
+        .equ    P_MAP_NUMBERS, P_MAP + MAP_NUMBERS
+        .equ    P_MAP_STOPS, P_MAP + MAP_STOPS
+        .equ    P_MAP_STOP_COUNT, P_MAP + MAP_STOP_COUNT
+        .equ    WAVE_RAMP, 1
+        .equ    WAVE_TRIANGLE, 2
+        .equ    WAVE_SINE, 3
+        .equ    WAVE_SCALLOP, 4
+        .equ    WAVE_CUBIC, 5
+        .equ    WAVE_POLY, 6
+
+        .data
+pattern_constants:
+        .word 6.28318530717958647693    ; 2 pi
+        .word 0.15915494309189533577    ; 1 / (2 pi)
+        .word 7.64716373181981647590e-13 ; 1/15!
+        .word 0.25
+        .word 0.41421356237309504880    ; tan(pi/8)
+        .word 1.00001, 0.99999000009999900001   ; and its reciprocal
+        .word 0.66666666666666666667    ; 2/3
+        .word 0.57735026918962576451    ; 1/sqrt(3)
+        .word 0.33333333333333333333
+        .word 3.0
+        .equ    PATTERN_CONSTANTS, 11
+        .code

@@ -1,0 +1,115 @@
+#include "tests/oracle/plain_pattern.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+/* POV-Ray's frequency goes round at this, not at 1. */
+#define ROUND 1.00001
+/* .. and bricks begin so much earlier. */
+#define EARLIER 1e-10
+
+static double half_turn(void)
+{
+    return acos(-1);
+}
+
+static double within(double distance)
+{
+    return fmax(0, 1 - distance);
+}
+
+static double leopard(const double point[3])
+{
+    double sum = 0;
+    for (int i = 0; i < 3; i++)
+        sum += sin(point[i]) / 3;
+    return sum * sum;
+}
+
+/* Whether something of a length, repeated at once, has its joint here. */
+static bool in_joint(double at, double length, double mortar)
+{
+    double part = at / length;
+    return part - floor(part) <= mortar / length;
+}
+
+/* Courses along y; in every other one the joints along x stand over the middle of
+ * bricks, in the others those along z. */
+static double brick(const struct pattern *pattern, const double point[3])
+{
+    const double *size = pattern->brick_size;
+    double m = pattern->mortar, more = m + EARLIER;
+    double course = (point[1] + more) / (2 * size[1]);
+    bool first = course - floor(course) <= .5;
+    return !in_joint(point[1] + more, size[1], m)
+           && !in_joint(point[0] + more + (first ? 0 : size[0] / 2), size[0],
+                        m)
+           && !in_joint(point[2] + more + (first ? size[2] / 2 : 0), size[2],
+                        m);
+}
+
+/* The nearest centre of all that are near. */
+static double hexagon(const double point[3])
+{
+    double column = floor(point[0] / 1.5), best = INFINITY, number = 0;
+    for (double k = column - 1; k <= column + 2; k++) {
+        double row = floor(point[2] / sqrt(3) - k / 2);
+        for (double a = row - 1; a <= row + 2; a++) {
+            double away = hypot(point[0] - 1.5 * k,
+                                point[2] - sqrt(3) * (a + k / 2));
+            if (away < best) {
+                best = away;
+                number = a - k;
+            }
+        }
+    }
+    return (number - 3 * floor(number / 3)) / 2;
+}
+
+static double value_at(const struct pigment *pigment, const double point[3])
+{
+    double x = point[0], y = point[1], z = point[2];
+    double far = sqrt(x * x + y * y + z * z), along;
+    switch (pigment->pattern.function) {
+    case PATTERN_PLANAR: return within(fabs(y));
+    case PATTERN_SPHERICAL: return within(far);
+    case PATTERN_CYLINDRICAL: return within(hypot(x, z));
+    case PATTERN_BOXED: return within(fmax(fabs(x), fmax(fabs(y), fabs(z))));
+    case PATTERN_ONION: return fmod(far, 1);
+    case PATTERN_LEOPARD: return leopard(point);
+    case PATTERN_RADIAL:
+        return .25 + (atan2(x, z) + half_turn()) / (2 * half_turn());
+    case PATTERN_SLANTED:
+        along = x * pigment->axis[0] + y * pigment->axis[1]
+                + z * pigment->axis[2];
+        return along > 1 ? fmod(along, 1) : along;
+    case PATTERN_BRICK: return brick(&pigment->pattern, point);
+    default: return hexagon(point);
+    }
+}
+
+static double in_wave(const struct pattern *pattern, double at)
+{
+    switch (pattern->wave) {
+    case WAVE_TRIANGLE: return at > .5 ? 2 - 2 * at : 2 * at;
+    case WAVE_SINE: return (1 + sin(2 * half_turn() * at)) / 2;
+    case WAVE_SCALLOP: return fabs(sin(half_turn() * at));
+    case WAVE_CUBIC: return at * at * (3 - 2 * at);
+    case WAVE_POLY: return pow(at, pattern->exponent);
+    default: return at;
+    }
+}
+
+double plain_pattern(const struct pigment *pigment, const double point[3])
+{
+    const struct pattern *pattern = &pigment->pattern;
+    double value = value_at(pigment, point);
+    if (pattern->function == PATTERN_BRICK
+        || pattern->function == PATTERN_HEXAGON)
+        return value;
+    if (pattern->frequency != 0)
+        value = fmod(pattern->frequency * value + pattern->phase, ROUND);
+    if (value < 0)
+        value -= floor(value);
+    return in_wave(pattern, value);
+}
