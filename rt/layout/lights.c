@@ -47,7 +47,8 @@ static void put_edge(struct record *record, const struct light *light)
         high = cos(light->radius * PI / 180);
         soft = high > 0;
     } else if (light->beam == BEAM_CYLINDER) {
-        high = 1 - light->radius / light->falloff;
+        high = fmax(1 - light->radius / light->falloff,
+                    -1); /* q is above 0 */
         soft = light->radius > 0;
     }
     if (soft) {

@@ -145,9 +145,14 @@ static void say_sky(struct language *draw)
     say(draw, " }\n");
     if (!one_in(&draw->state, 4))
         return;
-    open_block(draw, "sky_sphere {");
+    bool named = one_in(&draw->state, 3);
+    open_block(draw,
+               named ? "#declare Heaven = sky_sphere {" : "sky_sphere {");
     open_block(draw, "pigment {");
-    say_line(draw, "gradient y");
+    begin_line(draw);
+    SAY_ONE_OF(draw, "gradient y", "gradient y triangle_wave", "planar",
+               "radial frequency 3", "boxed", "leopard frequency 2");
+    end_line(draw);
     say_line(draw,
              "color_map { [0 rgb <.8, .7, %.2f>] [%.2f rgb .4] "
              "[1 rgb <.1, .3, .6>] }",
@@ -157,6 +162,9 @@ static void say_sky(struct language *draw)
     say_line(draw, "translate -.37");
     close_block(draw, "}");
     close_block(draw, "}");
+    if (named)
+        say_line(draw, "sky_sphere { Heaven rotate <0, %.2f, 20> }",
+                 between(&draw->state, -90, 90));
 }
 
 /* In a fog nothing is clear: here it fills such a thing, in POV-Ray only if that

@@ -216,10 +216,11 @@ static void test_fogs(void **state)
     struct scene *scene = read_scene(
         "fog { distance 20 color rgbft <.5, .6, .7, .1, .2> fog_type 1 }"
         "fog { color rgb 1 } fog { rgb <1, 2, 3> distance 1e3 fog_offset 3 }"
-        "#declare B = rgb <.5, 1, 2>; fog { B*.5 + B distance 5 }");
+        "#declare B = rgb <.5, 1, 2>; fog { B*.5 + B distance 5 }"
+        "#declare F = fog { distance 7 rgb x }; fog { F } fog { F distance 8 }");
 
     (void)state;
-    assert_int_equal(scene->fog_count, 3);
+    assert_int_equal(scene->fog_count, 5);
     assert_close(scene->fogs[0].distance, 20, CLOSE);
     assert_vector(scene->fogs[0].color, .5, .6, .7);
     assert_close(scene->fogs[0].filter, .1, CLOSE);
@@ -227,6 +228,10 @@ static void test_fogs(void **state)
     assert_close(scene->fogs[1].distance, 1000, CLOSE);
     assert_vector(scene->fogs[1].color, 1, 2, 3);
     assert_vector(scene->fogs[2].color, .75, 1.5, 3);
+    assert_vector(scene->fogs[3].color, 1, 0, 0);
+    assert_close(scene->fogs[3].distance, 7, CLOSE);
+    assert_vector(scene->fogs[4].color, 1, 0, 0);
+    assert_close(scene->fogs[4].distance, 8, CLOSE);
     scene_free(scene);
 }
 

@@ -229,6 +229,19 @@ static void test_skies(void **state)
     transform_point(&scene->sky.to_local, up);
     assert_vector(up, 0, 0, -1.0 / 6);
     scene_free(scene);
+    scene = read_scene("#declare S = sky_sphere { pigment { gradient y } }"
+                       " sky_sphere { S scale 2 rotate x*90 scale 3 }");
+    up[0] = up[2] = 0;
+    up[1] = 1;
+    assert_int_equal(scene->sky.kind, PIGMENT_GRADIENT);
+    transform_point(&scene->sky.to_local, up);
+    assert_vector(up, 0, 0, -1.0 / 6);
+    scene_free(scene);
+    scene = read_with("#declare S = sky_sphere { pigment { gradient y } }"
+                      " sky_sphere { S pigment { gradient x } }",
+                      1);
+    assert_vector(scene->sky.axis, 0, 1, 0);
+    scene_free(scene);
     scene = read_scene("sky_sphere { }");
     assert_vector(scene->background, 0, 0, 0);
     scene_free(scene);

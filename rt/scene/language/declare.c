@@ -97,6 +97,26 @@ static bool declare_look(struct reader *reader, void *subject,
     return true;
 }
 
+static bool declare_sky(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    struct scene_value *value = subject;
+
+    (void)item;
+    value->kind = VALUE_SKY;
+    return sky_read(reader, &value->is.sky);
+}
+
+static bool declare_fog(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    struct scene_value *value = subject;
+
+    (void)item;
+    value->kind = VALUE_FOG;
+    return fog_read(reader, &value->is.fog);
+}
+
 static bool declare_interior(struct reader *reader, void *subject,
                              const struct item *item)
 {
@@ -149,6 +169,8 @@ static const struct keyword declared_words[] = {
     { "colour_map", declare_pigment, VALUE_COLOR_MAP },
     { "pigment_map", declare_pigment, VALUE_PIGMENT_MAP },
     { "texture_map", declare_texture, VALUE_TEXTURE_MAP },
+    { "sky_sphere", declare_sky, 0 },
+    { "fog", declare_fog, 0 },
     { "interior", declare_interior, 0 },
     { "material", declare_material, 0 },
     { "transform", declare_transform, 0 },
@@ -158,11 +180,10 @@ static const struct keyword declared_words[] = {
 };
 
 static const struct keyword declared_looks[] = {
-    { "density", declare_look, 0 },   { "density_map", declare_look, 0 },
-    { "fog", declare_look, 0 },       { "media", declare_look, 0 },
-    { "normal", declare_look, 0 },    { "normal_map", declare_look, 0 },
-    { "rainbow", declare_look, 0 },   { "sky_sphere", declare_look, 0 },
-    { "slope_map", declare_look, 0 }, { NULL, NULL, 0 },
+    { "density", declare_look, 0 },    { "density_map", declare_look, 0 },
+    { "media", declare_look, 0 },      { "normal", declare_look, 0 },
+    { "normal_map", declare_look, 0 }, { "rainbow", declare_look, 0 },
+    { "slope_map", declare_look, 0 },  { NULL, NULL, 0 },
 };
 
 static const struct grammar declared_grammar = {

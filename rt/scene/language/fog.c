@@ -4,15 +4,10 @@
 
 #include <string.h>
 
-struct fog_reading {
-    struct fog fog;
-    bool grounded; /* of another type */
-};
-
 static bool read_distance(struct reader *reader, void *subject,
                           const struct item *item)
 {
-    struct fog_reading *reading = subject;
+    struct fog_setting *reading = subject;
 
     (void)item;
     return read_number(reader, &reading->fog.distance);
@@ -21,7 +16,7 @@ static bool read_distance(struct reader *reader, void *subject,
 static bool read_type(struct reader *reader, void *subject,
                       const struct item *item)
 {
-    struct fog_reading *reading = subject;
+    struct fog_setting *reading = subject;
     double type;
 
     if (!read_number(reader, &type))
@@ -41,7 +36,7 @@ static void set_color(struct fog *fog, const struct numbers *color)
 static bool read_fog_color(struct reader *reader, void *subject,
                            const struct item *item)
 {
-    struct fog_reading *reading = subject;
+    struct fog_setting *reading = subject;
     struct numbers color;
 
     if (!read_color_after(reader, &item->at, &color))
@@ -78,30 +73,6 @@ static const struct grammar grammar = { "a word of fog",
                                         { words, passed_over, left_out },
                                         NULL };
 
-static bool take_fog(struct reader *reader, const struct fog_reading *reading,
-                     const struct scene_token *at)
-{
-    struct scene *scene = reader->scene;
-
-    if (reading->grounded) {
-        reader_report(reader, at, "a fog of the type 2 is left out");
-        return true;
-    }
-    if (reading->fog.distance == 0)
-        return true; /* as in POV-Ray there is none */
-    if (reading->fog.distance < 0) {
-        reader_report(reader, at,
-                      "a fog with a distance below 0 is left out");
-        return true;
-    }
-    if (scene->fog_count == FOGS_MOST)
-        return reader_fault(reader, at, "more than %d fogs", FOGS_MOST);
-    if (scene->fog_count == 0)
-        reader->fog = *at;
-    scene->fogs[scene->fog_count++] = reading->fog;
-    return true;
-}
-
 /* A colour that begins with no word of its own may stand first. */
 static bool read_first_color(struct reader *reader, struct fog *fog)
 {
@@ -115,19 +86,36 @@ static bool read_first_color(struct reader *reader, struct fog *fog)
     return true;
 }
 
-/* One with a name is a look, which is not drawn. */
-bool fog_read(struct reader *reader, const struct scene_token *at)
+bool fog_read(struct reader *reader, struct fog_setting *fog)
 {
-    struct fog_reading reading = { .fog = { .distance = 0 } };
     struct block block;
 
-    if (!block_open(reader, &block, '{'))
-        return false;
-    if (reader_use(reader, VALUE_LOOK)) {
-        reader_report(reader, at, "'fog' is not supported and left out");
-        return block_finish(reader, &block);
+    *fog = (struct fog_setting){ .fog = { .distance = 0 } };
+    return block_open_from(reader, &block, VALUE_FOG, fog, sizeof *fog)
+           && block_items(reader, &block, &grammar, fog,
+                          read_first_color(reader, &fog->fog));
+}
+
+bool fog_take(struct reader *reader, const struct fog_setting *setting,
+              const struct scene_token *at)
+{
+    struct scene *scene = reader->scene;
+
+    if (setting->grounded) {
+        reader_report(reader, at, "a fog of the type 2 is left out");
+        return true;
     }
-    return block_items(reader, &block, &grammar, &reading,
-                       read_first_color(reader, &reading.fog))
-           && take_fog(reader, &reading, at);
+    if (setting->fog.distance == 0)
+        return true; /* as in POV-Ray there is none */
+    if (setting->fog.distance < 0) {
+        reader_report(reader, at,
+                      "a fog with a distance below 0 is left out");
+        return true;
+    }
+    if (scene->fog_count == FOGS_MOST)
+        return reader_fault(reader, at, "more than %d fogs", FOGS_MOST);
+    if (scene->fog_count == 0)
+        reader->fog = *at;
+    scene->fogs[scene->fog_count++] = setting->fog;
+    return true;
 }

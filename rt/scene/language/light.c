@@ -104,41 +104,35 @@ static bool read_point_at(struct reader *reader, void *subject,
     return true;
 }
 
-/* A number of a beam, or of how a light fades. */
-enum measure {
-    LIGHT_RADIUS,
-    LIGHT_FALLOFF,
-    LIGHT_TIGHTNESS,
-    LIGHT_FADE_DISTANCE,
-    LIGHT_FADE_POWER
-};
-
-/* As in POV-Ray a beam is named before its measures. */
-static bool read_measure(struct reader *reader, void *subject,
-                         const struct item *item)
+/* The keyword's detail is the member's offset. */
+static bool read_fading(struct reader *reader, void *subject,
+                        const struct item *item)
 {
     struct scene_object *object = subject;
-    size_t measure = item->keyword->detail;
     double number;
 
     if (!read_number(reader, &number))
         return false;
     for (size_t i = 0; i < object->light_count; i++) {
-        struct light *light = &object->lights[i];
-        double *measures[] = { [LIGHT_RADIUS] = &light->radius,
-                               [LIGHT_FALLOFF] = &light->falloff,
-                               [LIGHT_TIGHTNESS] = &light->tightness,
-                               [LIGHT_FADE_DISTANCE] = &light->fade_distance,
-                               [LIGHT_FADE_POWER] = &light->fade_power };
+        char *light = (char *)&object->lights[i];
+        memcpy(light + item->keyword->detail, &number, sizeof number);
+    }
+    return true;
+}
 
-        if (measure <= LIGHT_TIGHTNESS && light->beam == BEAM_NONE)
+/* As in POV-Ray a beam is named before its measures. */
+static bool read_measure(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    const struct scene_object *object = subject;
+
+    for (size_t i = 0; i < object->light_count; i++)
+        if (object->lights[i].beam == BEAM_NONE)
             return reader_fault(reader, &item->at,
                                 "'%s' is of a light that is, before it, a "
                                 "'spotlight' or a 'cylinder'",
                                 item->keyword->word);
-        *measures[measure] = number;
-    }
-    return true;
+    return read_fading(reader, subject, item);
 }
 
 static const struct keyword words[] = {
@@ -148,11 +142,11 @@ static const struct keyword words[] = {
     { "cylinder", read_beam, BEAM_CYLINDER },
     { "parallel", read_parallel, 0 },
     { "point_at", read_point_at, 0 },
-    { "radius", read_measure, LIGHT_RADIUS },
-    { "falloff", read_measure, LIGHT_FALLOFF },
-    { "tightness", read_measure, LIGHT_TIGHTNESS },
-    { "fade_distance", read_measure, LIGHT_FADE_DISTANCE },
-    { "fade_power", read_measure, LIGHT_FADE_POWER },
+    { "radius", read_measure, offsetof(struct light, radius) },
+    { "falloff", read_measure, offsetof(struct light, falloff) },
+    { "tightness", read_measure, offsetof(struct light, tightness) },
+    { "fade_distance", read_fading, offsetof(struct light, fade_distance) },
+    { "fade_power", read_fading, offsetof(struct light, fade_power) },
     STEP_WORDS(read_step),
     { NULL, NULL, 0 },
 };

@@ -51,8 +51,14 @@ bool camera_read(struct reader *reader, const struct scene_token *at,
                  struct camera_setting *setting);
 extern const struct camera_setting camera_default;
 bool settings_read(struct reader *reader, struct scene *scene);
-bool sky_read(struct reader *reader, const struct scene_token *at);
-bool fog_read(struct reader *reader, const struct scene_token *at);
+/* The blocks of sky_sphere and fog, which may begin with a name; what the scene
+ * has of them. */
+bool sky_read(struct reader *reader, struct sky_setting *sky);
+void sky_take(struct reader *reader, const struct sky_setting *sky,
+              const struct scene_token *at);
+bool fog_read(struct reader *reader, struct fog_setting *fog);
+bool fog_take(struct reader *reader, const struct fog_setting *fog,
+              const struct scene_token *at);
 
 /* What a shape's word stands for: its PRIMITIVE_KIND, or one of these. */
 enum shape_word {

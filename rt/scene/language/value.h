@@ -26,6 +26,17 @@ struct camera_setting {
     bool spanned; /* an orthographic one shows as much as it has to */
 };
 
+/* Of its pigments the lowest. */
+struct sky_setting {
+    struct pigment pigment;
+    size_t pigments;
+};
+
+struct fog_setting {
+    struct fog fog;
+    bool grounded; /* of another type than the constant one */
+};
+
 enum scene_value_kind {
     VALUE_NUMBERS,
     VALUE_PIGMENT,
@@ -35,6 +46,8 @@ enum scene_value_kind {
     VALUE_PIGMENT_MAP, /* the same */
     VALUE_TEXTURE_MAP, /* its first texture */
     VALUE_LOOK,        /* nothing of it is drawn */
+    VALUE_SKY,
+    VALUE_FOG,
     VALUE_INTERIOR,
     VALUE_MATERIAL,
     VALUE_TRANSFORM,
@@ -89,6 +102,8 @@ struct scene_value {
         struct pigment pigment; /* of maps, too */
         struct finish finish;
         struct texture texture;
+        struct sky_setting sky;
+        struct fog_setting fog;
         double interior;              /* its index of refraction */
         struct scene_object material; /* without parts */
         struct placement transform;

@@ -133,15 +133,22 @@ static bool read_default(struct reader *reader, void *subject,
 static bool read_sky(struct reader *reader, void *subject,
                      const struct item *item)
 {
+    struct sky_setting sky;
+
     (void)subject;
-    return sky_read(reader, &item->at);
+    if (!sky_read(reader, &sky))
+        return false;
+    sky_take(reader, &sky, &item->at);
+    return true;
 }
 
 static bool read_fog(struct reader *reader, void *subject,
                      const struct item *item)
 {
+    struct fog_setting fog;
+
     (void)subject;
-    return fog_read(reader, &item->at);
+    return fog_read(reader, &fog) && fog_take(reader, &fog, &item->at);
 }
 
 static bool read_background(struct reader *reader, void *subject,
