@@ -58,13 +58,6 @@ static void put_edge(struct record *record, const struct light *light)
     record_numbers(record, "BEAM_EDGE", edge, 2);
 }
 
-/* A cone with parallel rays is as wide as all that it shines on. */
-static size_t kernels_beam(const struct light *light)
-{
-    return light->beam == BEAM_CONE && light->parallel ? BEAM_NONE
-                                                       : light->beam;
-}
-
 static void put_beam(struct record *record, const struct light *light)
 {
     double way[3], falloff = 1 / light->falloff;
@@ -74,7 +67,7 @@ static void put_beam(struct record *record, const struct light *light)
     scale3(1 / length3(way), way);
     record_integer(record, "BEAM_DIMS", dims(light));
     record_integer(record, "BEAM_PARALLEL", light->parallel);
-    record_integer(record, "BEAM_KIND", kernels_beam(light));
+    record_integer(record, "BEAM_KIND", light->beam);
     if (light->beam != BEAM_NONE || light->parallel)
         record_numbers(record, "BEAM_AXIS", way, 3);
     if (light->beam == BEAM_CYLINDER)

@@ -8,7 +8,7 @@
 ;
 ;   dim = s(q) q^tightness  2 / (1 + (distance / fade_distance)^fade_power)
 ;
-;   q = L . A                                in a cone,
+;   q = L . A                                in a cone (of parallel rays 1),
 ;       1 - |P - X - A (A . (P - X))| / falloff    in a cylinder,
 ;                                            but nothing for a point behind it,
 ;   s(q) = (3 - 2 t) t^2,  t = (q - low) / (high - low), from 0 to 1
