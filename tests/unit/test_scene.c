@@ -67,6 +67,9 @@ static void test_expressions(void **state)
         { "mod(-7, 3)", -1 },
         { "div(-7, 2)", -3 },
         { "int(-2.7)", -2 },
+        { "strlen(str(int(-.5), 0, 1))", 3 }, /* 0.0 */
+        { "strlen(str(div(-1, 2), 0, 1))", 3 },
+        { "strlen(str(ceil(-.5), 0, 1))", 4 }, /* -0.0, as in POV-Ray */
         { "ceil(-2.2)", -2 },
         { "floor(-2.2)", -3 },
         { "max(1, 5, 3)", 5 },

@@ -31,10 +31,16 @@ static void apply_atan2(const struct numbers *a, size_t n, struct numbers *r)
     give(r, atan2(a[0].n[0], a[1].n[0]));
 }
 
+/* Without a sign of 0, which the text of a number would show. */
+static double whole(double value)
+{
+    return trunc(value) + 0.0;
+}
+
 static void apply_div(const struct numbers *a, size_t n, struct numbers *r)
 {
     (void)n;
-    give(r, trunc(a[0].n[0] / a[1].n[0]));
+    give(r, whole(a[0].n[0] / a[1].n[0]));
 }
 
 static void apply_mod(const struct numbers *a, size_t n, struct numbers *r)
@@ -199,7 +205,7 @@ static const struct function functions[] = {
     { "div", "ff", apply_div, NULL },
     { "exp", "f", NULL, exp },
     { "floor", "f", NULL, floor },
-    { "int", "f", NULL, trunc },
+    { "int", "f", NULL, whole },
     { "ln", "f", NULL, log },
     { "log", "f", NULL, log10 },
     { "max", "f+", apply_max, NULL },
