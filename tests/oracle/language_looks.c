@@ -249,6 +249,16 @@ void say_pigment(struct language *draw, bool clear)
     close_block(draw, "}");
 }
 
+void say_far_pigment(struct language *draw)
+{
+    open_block(draw, "pigment {");
+    if (one_in(&draw->state, 2))
+        say_checker(draw);
+    else
+        say_plain_color(draw);
+    close_block(draw, "}");
+}
+
 /* --- finishes ------------------------------------------------------------- */
 
 static void say_share(struct language *draw, const char *word, double most)

@@ -82,6 +82,9 @@ void say_color(struct language *draw);
 /* --- looks and motions ---------------------------------------------------- */
 
 void say_pigment(struct language *draw, bool clear);
+/* Of what goes on for ever: far out a gradient is another one in POV-Ray, whose
+ * values go round at 1.00001 below -1. */
+void say_far_pigment(struct language *draw);
 void say_finish(struct language *draw, bool mirror);
 /* Lines of an object: its texture, or pigment and finish, or nothing. */
 void say_look(struct language *draw);

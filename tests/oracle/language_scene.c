@@ -355,11 +355,12 @@ static void say_ground(struct language *draw)
     if (one_in(&draw->state, 2)) {
         open_block(draw, "plane {");
         say_line(draw, "y, -2.6137 hollow");
+        say_far_pigment(draw);
     } else {
         open_block(draw, "disc {");
         say_line(draw, "-2.6137*y, y, 6");
+        say_pigment(draw, false);
     }
-    say_pigment(draw, false);
     if (one_in(&draw->state, 3))
         say_finish(draw, one_in(&draw->state, 3));
     close_block(draw, "}");

@@ -96,7 +96,7 @@ static bool is_zero(const struct trace *trace, size_t row)
 /* Every row is that of the whole frame, or nothing; how many are done. */
 static size_t check_stopped(const struct scene *scene,
                             const struct trace *whole, enum trace_mode mode,
-                            size_t patience)
+                            size_t jobs, size_t patience)
 {
     struct patience waiting = { patience };
     struct trace_options options = how(mode);
@@ -104,6 +104,7 @@ static size_t check_stopped(const struct scene *scene,
     c205_error error = { "" };
     size_t same = 0, done;
 
+    options.jobs = jobs;
     options.progress = wait_on;
     options.context = &waiting;
     trace = begin(scene, &options);
@@ -134,9 +135,12 @@ static void check_stops(const char *text, bool rows)
 
         assert_int_equal(trace_rows_done(whole), TALL);
         assert_int_equal(trace_bands_done(whole), trace_bands(whole));
-        for (size_t patience = 1; patience < 6; patience += 2)
-            done += check_stopped(scene, whole, (enum trace_mode)mode,
+        for (size_t patience = 1; patience < 6; patience += 2) {
+            /* how far two come hangs on when they run */
+            check_stopped(scene, whole, (enum trace_mode)mode, 2, patience);
+            done += check_stopped(scene, whole, (enum trace_mode)mode, 1,
                                   patience);
+        }
         if (rows || mode == TRACE_SCALAR)
             assert_true(done > 0 && done % ROWS > 0);
         trace_free(whole);
