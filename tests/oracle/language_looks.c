@@ -281,15 +281,6 @@ static void say_reflection(struct language *draw)
         say_share(draw, "reflection", .5);
 }
 
-static void say_amount(struct language *draw, const char *word, double low,
-                       double high)
-{
-    begin_line(draw);
-    say(draw, "%s ", word);
-    say_number(draw, low, high);
-    end_line(draw);
-}
-
 /* Not where light may pass: of a checker whose colours let different shares pass a
  * metal is another one in POV-Ray. */
 static void say_metallic(struct language *draw)

@@ -72,6 +72,9 @@ void say_float(struct language *draw, int depth);
 void say_vector(struct language *draw, int depth);
 /* Of a value between these, written down or computed. */
 void say_number(struct language *draw, double low, double high);
+/* A line of a word and such a value. */
+void say_amount(struct language *draw, const char *word, double low,
+                double high);
 /* A vector of three such. */
 void say_point(struct language *draw, double low, double high);
 /* Its length is between these. */

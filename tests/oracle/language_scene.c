@@ -274,22 +274,8 @@ static void say_camera(struct language *draw)
 static void say_point_at(struct language *draw)
 {
     begin_line(draw);
-    say(draw, "point_at <");
-    say_number(draw, -4, 4);
-    say(draw, ", ");
-    say_number(draw, -3, 3);
-    say(draw, ", ");
-    say_number(draw, -4, 4);
-    say(draw, ">");
-    end_line(draw);
-}
-
-static void say_measure(struct language *draw, const char *word, double low,
-                        double high)
-{
-    begin_line(draw);
-    say(draw, "%s ", word);
-    say_number(draw, low, high);
+    say(draw, "point_at ");
+    say_point(draw, -3, 3);
     end_line(draw);
 }
 
@@ -306,18 +292,18 @@ static bool say_beam(struct language *draw)
     say_line(draw, cone ? "spotlight" : "cylinder");
     say_point_at(draw);
     if (one_in(&draw->state, 2))
-        say_measure(draw, "radius", cone ? 5 : .5, cone ? 60 : 3);
+        say_amount(draw, "radius", cone ? 5 : .5, cone ? 60 : 3);
     if (one_in(&draw->state, 2))
-        say_measure(draw, "falloff", cone ? 10 : 1, cone ? 100 : 6);
+        say_amount(draw, "falloff", cone ? 10 : 1, cone ? 100 : 6);
     if (one_in(&draw->state, 2))
-        say_measure(draw, "tightness", 0, 8);
+        say_amount(draw, "tightness", 0, 8);
     return cone;
 }
 
 static void say_fading(struct language *draw)
 {
-    say_measure(draw, "fade_distance", 1, 12);
-    say_measure(draw, "fade_power", .5, 4);
+    say_amount(draw, "fade_distance", 1, 12);
+    say_amount(draw, "fade_power", .5, 4);
 }
 
 static void say_lamp(struct language *draw)

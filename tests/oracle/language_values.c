@@ -298,6 +298,15 @@ void say_point(struct language *draw, double low, double high)
     }
 }
 
+void say_amount(struct language *draw, const char *word, double low,
+                double high)
+{
+    begin_line(draw);
+    say(draw, "%s ", word);
+    say_number(draw, low, high);
+    end_line(draw);
+}
+
 void say_arrow(struct language *draw, double low, double high)
 {
     say_number(draw, low, high);
