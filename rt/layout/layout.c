@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rt/layout/gradient.h"
+#include "rt/layout/pigment.h"
 #include "rt/layout/lights.h"
 #include "rt/layout/looks.h"
 #include "rt/layout/program.h"
@@ -166,6 +166,7 @@ static void put_gradient(struct record *record, const struct pigment *pigment,
 static void put_pattern(struct record *record, const struct pigment *pigment,
                         struct map_place *map)
 {
+    const char *wave = pattern_wave(&pigment->pattern);
     double words[PATTERN_ROWS], numbers[MAP_NUMBERS];
 
     put_stops(record, pigment, map);
@@ -174,7 +175,8 @@ static void put_pattern(struct record *record, const struct pigment *pigment,
     record_numbers(record, "P_PATTERN", words, PATTERN_ROWS);
     record_routine(record, "P_MAP_FUNCTION",
                    pattern_routine(&pigment->pattern));
-    record_integer(record, "P_MAP_WAVE", pattern_wave(&pigment->pattern));
+    if (wave)
+        record_routine(record, "P_MAP_WAVE", wave);
     record_numbers(record, "P_MAP_NUMBERS", numbers, MAP_NUMBERS);
     record_address(record, "P_MAP_STOPS", map->address);
     record_integer(record, "P_MAP_STOP_COUNT", pigment->map.count);
@@ -421,6 +423,7 @@ static void layout_sky_pattern(struct record_layout *layout,
                                const struct pigment *sky,
                                const c205_word stops[2])
 {
+    const char *wave = pattern_wave(&sky->pattern);
     double rows[PATTERN_ROWS], numbers[MAP_NUMBERS];
     c205_word words[PATTERN_ROWS];
 
@@ -430,7 +433,7 @@ static void layout_sky_pattern(struct record_layout *layout,
                  PATTERN_ROWS);
     pattern_numbers(&sky->pattern, numbers);
     words[0] = layout_symbol(layout, pattern_routine(&sky->pattern));
-    words[1] = c205_from_integer(pattern_wave(&sky->pattern));
+    words[1] = wave ? layout_symbol(layout, wave) : 0;
     put_numbers(words + 2, numbers, MAP_NUMBERS);
     memcpy(words + 2 + MAP_NUMBERS, stops, 2 * sizeof *stops);
     layout_words(layout, layout_symbol(layout, "sky_map"), words,

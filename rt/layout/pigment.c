@@ -1,4 +1,4 @@
-#include "rt/layout/gradient.h"
+#include "rt/layout/pigment.h"
 
 #include <stdlib.h>
 
@@ -42,9 +42,15 @@ static bool has_steps(const struct pattern *pattern)
            || pattern->function == PATTERN_HEXAGON;
 }
 
-enum pattern_wave pattern_wave(const struct pattern *pattern)
+const char *pattern_wave(const struct pattern *pattern)
 {
-    return has_steps(pattern) ? WAVE_NONE : pattern->wave;
+    static const char *const routines[PATTERN_WAVES] = {
+        [WAVE_RAMP] = "wave_ramp",   [WAVE_TRIANGLE] = "wave_triangle",
+        [WAVE_SINE] = "wave_sine",   [WAVE_SCALLOP] = "wave_scallop",
+        [WAVE_CUBIC] = "wave_cubic", [WAVE_POLY] = "wave_poly",
+    };
+
+    return has_steps(pattern) ? NULL : routines[pattern->wave];
 }
 
 void pattern_numbers(const struct pattern *pattern,

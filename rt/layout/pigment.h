@@ -1,7 +1,7 @@
-/* gradient.h - the words of a pigment that has a map, in the order of
+/* pigment.h - the words of a pigment that has a map, in the order of
  * rt/kernels/frame/records.s and rt/kernels/light/pattern.s. */
-#ifndef RT_GRADIENT_H
-#define RT_GRADIENT_H
+#ifndef RT_LAYOUT_PIGMENT_H
+#define RT_LAYOUT_PIGMENT_H
 
 #include "rt/scene/scene.h"
 #include "vm/c205.h"
@@ -18,8 +18,9 @@ void gradient_words(const struct pigment *pigment,
                     double words[GRADIENT_STOPS]);
 /* From world points to those whose value a pattern has. */
 void pattern_rows(const struct pigment *pigment, double words[PATTERN_ROWS]);
-/* Whether its values go in a wave, by which numbers, and what finds them. */
-enum pattern_wave pattern_wave(const struct pattern *pattern);
+/* What makes a wave of its values, NULL if they go in none; by which numbers; and
+ * what finds them. */
+const char *pattern_wave(const struct pattern *pattern);
 void pattern_numbers(const struct pattern *pattern,
                      double numbers[MAP_NUMBERS]);
 const char *pattern_routine(const struct pattern *pattern);

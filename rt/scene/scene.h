@@ -105,13 +105,13 @@ enum pattern_function {
     PATTERN_FUNCTIONS
 };
 enum pattern_wave {
-    WAVE_NONE,
     WAVE_RAMP,
     WAVE_TRIANGLE,
     WAVE_SINE,
     WAVE_SCALLOP,
     WAVE_CUBIC,
-    WAVE_POLY
+    WAVE_POLY,
+    PATTERN_WAVES
 };
 struct pattern {
     enum pattern_function function;

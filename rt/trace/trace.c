@@ -9,7 +9,7 @@
 #include "rt/trace/band_file.h"
 #include "rt/trace/planes.h"
 #include "base/hash.h"
-#include "rt/layout/gradient.h"
+#include "rt/layout/pigment.h"
 #include "rt/layout/lights.h"
 #include "rt/layout/program.h"
 #include "rt/layout/surface.h"

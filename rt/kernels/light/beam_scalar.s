@@ -79,10 +79,8 @@ dim_on_edge\@:
         MPYS    dim, p_x, dim
 dim_fading\@:
         CFPEQ   beam_power, r0, dim_found\@
-        MPYS    light_distance, beam_fade, beam_q
-        CFPGE   beam_q, r0, dim_before\@
-        SUBN    r0, beam_q, beam_q
-dim_before\@:
+        ABS     light_distance, beam_q
+        MPYS    beam_q, beam_fade, beam_q
         CFPGE   m_one, beam_q, dim_near\@
         DIVS    m_one, beam_q, t0               ; farther than fade_distance
         beam_raise t0, beam_power

@@ -108,9 +108,8 @@ dim_edge:
         MPYSV   [v7], [v0], [v7]
 dim_fading:
         CFPEQ   beam_power, r0, dim_found
-        MPYSV   [v6], beam_fade, [v0]
-        CMPLTV  [v0], r0, [hits1]
-        VTOV    -[v0], [v0] ? [hits1]
+        ABSV    [v6], [v0]
+        MPYSV   [v0], beam_fade, [v0]
         CMPLTV  one, [v0], [hits2]      ; farther than fade_distance
         DIVSV   one, [v0], [v1]
         VTOV    [v1], [v0] ? [hits2]

@@ -41,7 +41,8 @@
 
         .record MAP
         .field  MAP_FUNCTION            ; address of the routine that finds v
-        .field  MAP_WAVE                ; 0: none, WAVE_RAMP ..
+        .field  MAP_WAVE                ; .. of the one that makes w of it; 0: v is
+                                        ; the value
         .field  MAP_NUMBERS, 4          ; frequency, phase, exponent; of bricks 1 /
                                         ; size 3, mortar
         .field  MAP_STOPS               ; as P_STOPS
@@ -52,12 +53,6 @@
         .equ    P_MAP_NUMBERS, P_MAP + MAP_NUMBERS
         .equ    P_MAP_STOPS, P_MAP + MAP_STOPS
         .equ    P_MAP_STOP_COUNT, P_MAP + MAP_STOP_COUNT
-        .equ    WAVE_RAMP, 1
-        .equ    WAVE_TRIANGLE, 2
-        .equ    WAVE_SINE, 3
-        .equ    WAVE_SCALLOP, 4
-        .equ    WAVE_CUBIC, 5
-        .equ    WAVE_POLY, 6
 
         .data
 pattern_constants:

@@ -71,16 +71,9 @@ pattern_wave:
         CFPGE   y_1, r0, pattern_above
         SUBN    y_0, y_1, y_0
 pattern_above:
-        ES      y_1, WAVE_TRIANGLE
-        IBXEQ   map_wave, r0, y_1, wave_triangle
-        ES      y_1, WAVE_SINE
-        IBXEQ   map_wave, r0, y_1, wave_sine
-        ES      y_1, WAVE_SCALLOP
-        IBXEQ   map_wave, r0, y_1, wave_scallop
-        ES      y_1, WAVE_CUBIC
-        IBXEQ   map_wave, r0, y_1, wave_cubic
-        ES      y_1, WAVE_POLY
-        IBXEQ   map_wave, r0, y_1, wave_poly
+        RTOR    map_wave, target
+        BSAVE   inner_link, [target]            ; it goes on at pattern_found
+wave_ramp:
 pattern_found:
         BIM     0, pattern_link
 
@@ -217,14 +210,7 @@ radial_off:
 radial_series:
         MPYS    y_0, y_0, y_3
         SUBN    r0, y_3, y_3
-        horner_start y_3, log17, log15
-        horner  y_3, log13
-        horner  y_3, log11
-        horner  y_3, log9
-        horner  y_3, log7
-        horner  y_3, log5
-        horner  y_3, log3
-        horner  y_3, m_one
+        log_series y_3
         MPYS    p_x, y_0, y_0
         MPYS    y_0, per_turn, y_0
         CFPEQ   y_4, r0, radial_octant

@@ -60,16 +60,9 @@ pattern_wave:
         ADDNV   [v1], r0, [v1]
         CMPLTV  [v1], r0, [hits1]
         SUBNV   [v0], [v1], [v0] ? [hits1]
-        ES      s0, WAVE_TRIANGLE
-        IBXEQ   map_wave, r0, s0, wave_triangle
-        ES      s0, WAVE_SINE
-        IBXEQ   map_wave, r0, s0, wave_sine
-        ES      s0, WAVE_SCALLOP
-        IBXEQ   map_wave, r0, s0, wave_scallop
-        ES      s0, WAVE_CUBIC
-        IBXEQ   map_wave, r0, s0, wave_cubic
-        ES      s0, WAVE_POLY
-        IBXEQ   map_wave, r0, s0, wave_poly
+        RTOR    map_wave, target
+        BSAVE   link_inner, [target]            ; it goes on at pattern_found
+wave_ramp:
 pattern_found:
         RTOR    map_stops, m10
         RTOR    map_stop_count, m11
@@ -205,14 +198,7 @@ pattern_radial:
         VTOV    [v0], [v2]
         MPYSV   [v2], [v2], [v3]
         VTOV    -[v3], [v3]
-        horner_start v3, log17, log15
-        horner  v3, log13
-        horner  v3, log11
-        horner  v3, log9
-        horner  v3, log7
-        horner  v3, log5
-        horner  v3, log3
-        horner  v3, one
+        log_series v3
         MPYSV   [v0], [v2], [v0]
         MPYSV   [v0], per_turn, [v0]
         MPYS    quarter, half, s0

@@ -14,6 +14,18 @@
         ADDN    p_t, \c, p_x
         .endm
 
+; p_x = 1 + x/3 + x^2/5 + ... + x^8/17.
+        .macro  log_series x
+        horner_start \x, log17, log15
+        horner  \x, log13
+        horner  \x, log11
+        horner  \x, log9
+        horner  \x, log7
+        horner  \x, log5
+        horner  \x, log3
+        horner  \x, m_one
+        .endm
+
         .kernel power
 power:
         EXP     p_x, p_k
@@ -25,14 +37,7 @@ power:
         ADDN    p_x, p_root_half, p_x
         DIVS    p_s, p_x, p_s           ; s
         MPYS    p_s, p_s, p_square
-        horner_start p_square, log17, log15
-        horner  p_square, log13
-        horner  p_square, log11
-        horner  p_square, log9
-        horner  p_square, log7
-        horner  p_square, log5
-        horner  p_square, log3
-        horner  p_square, m_one
+        log_series p_square
         MPYS    p_x, p_s, p_x
         MPYS    p_x, p_two_over_ln2, p_t
         ADDN    p_t, p_k, p_x

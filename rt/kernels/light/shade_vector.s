@@ -149,9 +149,13 @@ shade_sky:
         CPSV    [adx], [px] ? [near_bits]
         CPSV    [ady], [py] ? [near_bits]
         CPSV    [adz], [pz] ? [near_bits]
+        EX      s0, scene_sky
+        ELEN    s0, 6
+        SWAP    [s0], m00, [r0]
+        EX      target, find_gradient
         .if     PATTERNS
         load_word sky_map, s0
-        IBXEQ   s0, r0, r0, shade_sky_gradient
+        IBXEQ   s0, r0, r0, shade_sky_colours
         EX      s0, sky_pattern
         ELEN    s0, 12
         SWAP    [s0], m00, [r0]
@@ -159,21 +163,9 @@ shade_sky:
         ELEN    s0, MAP_SIZE
         SWAP    [s0], map_function, [r0]
         EX      target, find_pattern
-        BIM     shade_sky_colours
-shade_sky_gradient:
-        EX      s0, scene_sky
-        ELEN    s0, 6
-        SWAP    [s0], m00, [r0]
-        EX      target, find_gradient
 shade_sky_colours:
-        BSAVE   link_inner, [target]
-        .else
-        EX      s0, scene_sky
-        ELEN    s0, 6
-        SWAP    [s0], m00, [r0]
-        EX      target, find_gradient
-        BSAVE   link_inner, [target]
         .endif
+        BSAVE   link_inner, [target]
         load_word queue_order, s2
         IBXEQ   s2, r0, r0, shade_sky_store
         VXTOV   [at], [s2], [v0]
