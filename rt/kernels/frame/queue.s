@@ -266,3 +266,17 @@ near_set\@:
         MPYSV   [\x1], [\work], [\x1]
         MPYSV   [\x2], [\work], [\x2]
         .endm
+
+; Make the vector x0, x1, x2 of length one that all but is: a step of Newton's
+; for 1 / sqrt (X . X) from 1, X (1 + (1 - X . X) / 2), leaves 3/8 of the square
+; of what X . X is off by.
+        .macro  renormalise x0, x1, x2, scale, work
+        dot_vectors \x0, \x1, \x2, \x0, \x1, \x2, \scale, \work
+        SUBNV   one, [\scale], [\scale]
+        LINKV
+        MPYSV   [\scale], half, [\scale]
+        ADDNV   [\scale], one, [\scale]
+        MPYSV   [\x0], [\scale], [\x0]
+        MPYSV   [\x1], [\scale], [\x1]
+        MPYSV   [\x2], [\scale], [\x2]
+        .endm

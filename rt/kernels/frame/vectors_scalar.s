@@ -39,6 +39,17 @@
         MPYS    \x2, \work, \x2
         .endm
 
+; As queue.s has it.
+        .macro  renormalise_by unit, half, x0, x1, x2, scale, work
+        dot     \x0, \x1, \x2, \x0, \x1, \x2, \scale, \work
+        SUBN    \unit, \scale, \scale
+        MPYS    \scale, \half, \scale
+        ADDN    \scale, \unit, \scale
+        MPYS    \x0, \scale, \x0
+        MPYS    \x1, \scale, \x1
+        MPYS    \x2, \scale, \x2
+        .endm
+
 ; y = A x for the symmetric matrix of a quadric's record.
         .macro  matrix_rows x0, x1, x2, y0, y1, y2, w0, w1, w2, w3
         dot_rows \x0, \x1, \x2, sh3, sh6, sh7, sh6, sh4, sh8, sh7, sh8, sh5, \y0, \y1, \y2, \w0, \w1, \w2, \w3

@@ -14,6 +14,7 @@
 ; With c = -N . D:
 ;
 ;   reflected   D' = D - (2 N . D) N        times the reflection's colour
+;               and of length one again
 ;   refracted   k = 1 - e^2 (1 - c^2),  e = 1/ior where the ray enters, else
 ;               ior;  D' = e D + (e c - sqrt(k)) N; where ior = 1 straight on
 ;                                           times the colour that passes
@@ -68,6 +69,7 @@ spawn_save:     .space SPAWN_REGISTERS
         SUBN    sp_dx, sp_t0, sp_x
         SUBN    sp_dy, sp_t1, sp_y
         SUBN    sp_dz, sp_t2, sp_z
+        renormalise_by m_one, m_half, sp_x, sp_y, sp_z, sp_t0, sp_t1
         .endm
 
 ; The colour and its greatest part, from an offset of the record plus a place

@@ -4,6 +4,8 @@
 ; At a point X with unit normal N turned against the ray D, facing = N.D:
 ;
 ;   reflected   D' = D - (2 facing) N       times the reflection's colour
+;               and of length one again: within a mirroring sphere what is off
+;               would grow with each reflection
 ;   refracted   e = 1/ior where the ray enters, else ior;  cosine = -facing
 ;               k = 1 - (e e) (1 - cosine cosine)
 ;               D' = e D + (e cosine - sqrt(k)) N;  ior = 1: D' = D
@@ -61,6 +63,7 @@
         reflect hdx, nx, v1
         reflect hdy, ny, v2
         reflect hdz, nz, v3
+        renormalise v1, v2, v3, v4, v6
         .endm
 
 ; hits2 = where the rays enter.
