@@ -82,6 +82,7 @@ enum pigment_kind {
  * with those beside, those beyond are as the first or the last. */
 struct color_stop {
     double at, color[3];
+    double filter, transmit; /* of checkers; what has a map is opaque */
 };
 struct color_map {
     size_t count;
@@ -100,8 +101,8 @@ enum pattern_function {
     PATTERN_LEOPARD,
     PATTERN_RADIAL,
     PATTERN_SLANTED, /* a gradient that is not the plain one */
-    PATTERN_BRICK,   /* values without waves: 0 and 1 */
-    PATTERN_HEXAGON, /* 0, 1/2 and 1 */
+    PATTERN_BRICK,   /* a list of two: 0 and 1 */
+    PATTERN_HEXAGON, /* a list of three: 0, 1/2 and 1 */
     PATTERN_FUNCTIONS
 };
 enum pattern_wave {
@@ -131,6 +132,8 @@ struct pigment {
                                   the point is along it, less its floor */
     struct pattern pattern;
     struct color_map map;
+    struct color_map listed; /* brick, hexagon: what is at 0, 1 and 2, of
+                                which map has what its waves take */
 };
 bool pigment_has_map(const struct pigment *pigment);
 /* Light passes, for one of its colours at least. */

@@ -97,6 +97,23 @@ static void test_patterns(void **state)
         { "gradient x sine_wave", "0:0,0,0 1:1,1,1 " },
         { "gradient x frequency 2", "0:0,0,0 1:1,1,1 " },
         { "gradient x phase .5", "0:0,0,0 1:1,1,1 " },
+        /* waves of the values 0, 1 and 2 */
+        { "brick rgb x, rgb z triangle_wave",
+          "-0.5:1,0,0 0.5:1,0,0 0.5:1,0,0 1.5:1,0,0 " },
+        { "hexagon rgb x rgb y rgb z frequency .5",
+          "-0.25:1,0,0 0.25:1,0,0 0.25:0.5,0.5,0 0.75:0.5,0.5,0 "
+          "0.75:0,1,0 1.25:0,1,0 " },
+        { "brick rgb x, rgb z frequency -.25",
+          "-0.5:1,0,0 0.5:1,0,0 0.5:0.25,0,0.75 1.5:0.25,0,0.75 " },
+        { "brick rgb x, rgb z frequency .5 sine_wave",
+          "-0.5:0.5,0,0.5 0.5:0.5,0,0.5 0.5:0.5,0,0.5 1.5:0.5,0,0.5 " },
+        { "brick rgb x, rgb z frequency .5 scallop_wave",
+          "-0.5:1,0,0 0.5:1,0,0 0.5:0,0,1 1.5:0,0,1 " },
+        { "brick rgb x, rgb z frequency .5 phase .25 cubic_wave",
+          "-0.5:0.84375,0,0.15625 0.5:0.84375,0,0.15625 "
+          "0.5:0.15625,0,0.84375 1.5:0.15625,0,0.84375 " },
+        { "brick rgb x, rgb z frequency .5 poly_wave 2",
+          "-0.5:1,0,0 0.5:1,0,0 0.5:0.75,0,0.25 1.5:0.75,0,0.25 " },
     };
     struct pattern pattern;
 
@@ -115,14 +132,53 @@ static void test_patterns(void **state)
     assert_close(pattern.exponent, 3, 0);
     assert_close(pattern.frequency, 2, 0);
     assert_close(pattern.phase, .25, 0);
-    pattern = pattern_of("leopard poly_wave frequency 3 leopard");
-    assert_int_equal(pattern.wave, WAVE_RAMP);
-    assert_close(pattern.frequency, 1, 0);
     pattern = pattern_of("brick brick_size <1, 2, 3> mortar .1");
     assert_vector(pattern.brick_size, 1, 2, 3);
     assert_close(pattern.mortar, .1, 0);
     pattern = pattern_of("gradient y triangle_wave");
     assert_int_equal(pattern.function, PATTERN_SLANTED);
+}
+
+/* What takes a pattern's place has its waves, and values as they are after a
+ * list. */
+static void test_waves_stay(void **state)
+{
+    struct pattern pattern;
+    struct scene *scene;
+
+    (void)state;
+    pattern = pattern_of("leopard poly_wave 2 frequency 3 phase .5 boxed");
+    assert_int_equal(pattern.function, PATTERN_BOXED);
+    assert_int_equal(pattern.wave, WAVE_POLY);
+    assert_close(pattern.exponent, 2, 0);
+    assert_close(pattern.frequency, 3, 0);
+    assert_close(pattern.phase, .5, 0);
+    pattern = pattern_of("onion frequency 3 gradient x");
+    assert_int_equal(pattern.function, PATTERN_SLANTED);
+    assert_close(pattern.frequency, 3, 0);
+    pattern = pattern_of("hexagon onion phase .5");
+    assert_close(pattern.frequency, 0, 0);
+    pattern = pattern_of("checker onion phase .5");
+    assert_close(pattern.frequency, 0, 0);
+    pattern = pattern_of("brick onion frequency 2");
+    assert_close(pattern.frequency, 2, 0);
+    pattern = pattern_of("brick mortar .1 brick_size 1 brick");
+    assert_close(pattern.mortar, .5, 0);
+    assert_vector(pattern.brick_size, 8, 3, 4.5);
+    check_pigment("checker gradient x phase .5", PIGMENT_GRADIENT,
+                  "0:0,0,1 1:0,1,0 ");
+    check_pigment("hexagon rgb x rgb y rgb z gradient x", PIGMENT_GRADIENT,
+                  "0:1,0,0 1:0,1,0 2:0,0,1 ");
+    scene = read_scene(
+        "#declare H = pigment { hexagon rgb x rgb y rgb z frequency .5 }\n"
+        "sphere { 0, 1 pigment { H gradient x } }\n"
+        "sphere { 0, 1 pigment { checker rgb x rgbt <0, 0, 1, .5>\n"
+        "    frequency .5 } }\n");
+    check_map(&scene->primitives[0].pigment.map, "0:1,0,0 1:0,1,0 2:0,0,1 ");
+    assert_vector(scene->primitives[1].pigment.color[0], 1, 0, 0);
+    assert_vector(scene->primitives[1].pigment.color[1], .5, 0, .5);
+    assert_close(scene->primitives[1].pigment.transmit[1], .25, 0);
+    scene_free(scene);
 }
 
 static void test_named_maps(void **state)
@@ -287,6 +343,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_maps),
         cmocka_unit_test(test_patterns),
+        cmocka_unit_test(test_waves_stay),
         cmocka_unit_test(test_named_maps),
         cmocka_unit_test(test_gradients_after_checkers),
         cmocka_unit_test(test_other_patterns),

@@ -14,6 +14,17 @@ struct map_reading {
     struct numbers first; /* the first one's colour, all terms */
 };
 
+static void put_stop(struct color_map *map, struct color_stop *stop,
+                     double at, const double terms[COLOR_TERMS])
+{
+    stop->at = at;
+    copy3(terms, stop->color);
+    stop->filter = terms[3];
+    stop->transmit = terms[4];
+    map->clear += stop->filter != 0 || stop->transmit != 0;
+    map->count++;
+}
+
 static bool add_stop(struct reader *reader, struct map_reading *reading,
                      double at, const struct numbers *color)
 {
@@ -28,10 +39,9 @@ static bool add_stop(struct reader *reader, struct map_reading *reading,
                             "a colour of a map is out of range");
     if (map->count == 0)
         reading->first = *color;
-    stop->at = map->count > 0 && at < stop[-1].at ? stop[-1].at : at;
-    memcpy(stop->color, color->n, sizeof stop->color);
-    map->clear += color->n[3] != 0 || color->n[4] != 0;
-    map->count++;
+    if (map->count > 0 && at < stop[-1].at)
+        at = stop[-1].at;
+    put_stop(map, stop, at, color->n);
     return true;
 }
 
@@ -87,8 +97,9 @@ static bool keep_map(struct reader *reader, const struct color_stop *stops,
 
 bool color_map_gray(struct reader *reader, struct color_map *map)
 {
-    static const struct color_stop stops[2] = { { 0, { 0, 0, 0 } },
-                                                { 1, { 1, 1, 1 } } };
+    static const struct color_stop stops[2] = {
+        { .at = 0, .color = { 0, 0, 0 } }, { .at = 1, .color = { 1, 1, 1 } }
+    };
 
     *map = (struct color_map){ .count = 2 };
     return keep_map(reader, stops, map);
@@ -96,46 +107,63 @@ bool color_map_gray(struct reader *reader, struct color_map *map)
 
 bool color_map_round(struct reader *reader, struct color_map *map)
 {
-    static const struct color_stop stops[4] = { { 0, { 0, 1, 1 } },
-                                                { .333, { 1, 1, 0 } },
-                                                { .666, { 1, 0, 1 } },
-                                                { 1, { 0, 1, 1 } } };
+    static const struct color_stop stops[4] = {
+        { .at = 0, .color = { 0, 1, 1 } },
+        { .at = .333, .color = { 1, 1, 0 } },
+        { .at = .666, .color = { 1, 0, 1 } },
+        { .at = 1, .color = { 0, 1, 1 } }
+    };
 
     *map = (struct color_map){ .count = 4 };
     return keep_map(reader, stops, map);
 }
 
-bool color_map_steps(struct reader *reader, const struct numbers *colors,
+bool color_map_listed(struct reader *reader, const struct numbers *colors,
+                      size_t count, struct color_map *map)
+{
+    struct color_stop stops[LISTED_MOST];
+
+    *map = (struct color_map){ .count = 0 };
+    for (size_t i = 0; i < count; i++)
+        put_stop(map, &stops[i], (double)i, colors[i].n);
+    return keep_map(reader, stops, map);
+}
+
+/* Halfway from one value to the next it becomes the other one's colour. */
+bool color_map_steps(struct reader *reader, double (*colors)[COLOR_TERMS],
                      size_t count, struct color_map *map)
 {
     struct color_stop stops[2 * LISTED_MOST];
 
-    *map = (struct color_map){ .count = 2 * count };
-    for (size_t i = 0; i < 2 * count; i++) {
-        const double *terms = colors[i / 2].n;
-
-        stops[i].at = ((double)(i / 2) + (i % 2 ? .5 : -.5))
-                      / (double)(count - 1);
-        copy3(terms, stops[i].color);
-        map->clear += terms[3] != 0 || terms[4] != 0;
-    }
+    *map = (struct color_map){ .count = 0 };
+    for (size_t i = 0; i < 2 * count; i++)
+        put_stop(map, &stops[i],
+                 ((double)(i / 2) + (i % 2 ? .5 : -.5)) / (double)(count - 1),
+                 colors[i / 2]);
     return keep_map(reader, stops, map);
 }
 
-bool color_map_of_two(struct reader *reader, struct pigment *pigment)
+void color_map_at(const struct color_map *map, double value,
+                  double terms[COLOR_TERMS])
 {
-    struct color_map map = { .count = 2 };
-    struct color_stop stops[2];
+    size_t above = 0, below;
+    double share = 0;
 
-    for (int i = 0; i < 2; i++) {
-        stops[i].at = i;
-        memcpy(stops[i].color, pigment->color[i], sizeof stops[i].color);
-        map.clear += pigment->filter[i] != 0 || pigment->transmit[i] != 0;
-    }
-    if (!keep_map(reader, stops, &map))
-        return false;
-    pigment->map = map;
-    return true;
+    while (above < map->count && map->stops[above].at <= value)
+        above++;
+    below = above > 0 ? above - 1 : 0;
+    if (above == map->count)
+        above = below;
+    if (above > below)
+        share = (value - map->stops[below].at)
+                / (map->stops[above].at - map->stops[below].at);
+    for (int i = 0; i < 3; i++)
+        terms[i] = (1 - share) * map->stops[below].color[i]
+                   + share * map->stops[above].color[i];
+    terms[3] = (1 - share) * map->stops[below].filter
+               + share * map->stops[above].filter;
+    terms[4] = (1 - share) * map->stops[below].transmit
+               + share * map->stops[above].transmit;
 }
 
 static void set_first(struct pigment *pigment, const struct numbers *color)

@@ -4,18 +4,17 @@
 #include "rt/scene/language/expression.h"
 #include "rt/scene/vector.h"
 
+#define ROUND 1.00001 /* POV-Ray's frequency goes round at this, not at 1 */
+
 enum { EXPONENT_LEAST = -100 }; /* the kernels' powers have their range */
 
-const struct pattern pattern_plain = { .wave = WAVE_RAMP,
-                                       .frequency = 1,
-                                       .exponent = 1,
-                                       .brick_size = { 8, 3, 4.5 },
-                                       .mortar = .5 };
-
-/* POV-Ray's, unless they are given: mortar and brick; three hexagons. */
+/* POV-Ray's, unless they are given: mortar and brick, two cubes, three hexagons. */
+static const double brick_size[3] = { 8, 3, 4.5 };
 static const struct numbers bricks[LISTED_MOST] = {
     { .n = { .5, .5, .5 } }, { .n = { .6, .15, .15 } }
 };
+static const struct numbers checkers[LISTED_MOST] = { { .n = { 0, 0, 1 } },
+                                                      { .n = { 0, 1, 0 } } };
 static const struct numbers hexagons[LISTED_MOST] = { { .n = { 0, 0, 1 } },
                                                       { .n = { 0, 1, 0 } },
                                                       { .n = { 1, 0, 0 } } };
@@ -27,23 +26,40 @@ static bool read_listed(struct reader *reader, struct pigment *pigment,
 
     for (size_t i = 0; i < count; i++)
         colors[i] = unless[i];
+    pigment->pattern.frequency = 0;
     return pigment_colors(reader, colors, count)
-           && color_map_steps(reader, colors, count, &pigment->map);
+           && color_map_listed(reader, colors, count, &pigment->map);
 }
+
+/* Its waves are those of the pattern whose place it takes, as in POV-Ray; after a
+ * list that is frequency 0: values stay as they are. */
 
 bool pattern_read(struct reader *reader, void *subject,
                   const struct item *item)
 {
     struct pigment *pigment = subject;
+    struct pattern *pattern = &pigment->pattern;
 
     pigment->kind = PIGMENT_PATTERN;
-    pigment->pattern = pattern_plain;
-    pigment->pattern.function = (enum pattern_function)item->keyword->detail;
-    switch (pigment->pattern.function) {
-    case PATTERN_BRICK: return read_listed(reader, pigment, bricks, 2);
+    pattern->function = (enum pattern_function)item->keyword->detail;
+    switch (pattern->function) {
+    case PATTERN_BRICK:
+        copy3(brick_size, pattern->brick_size);
+        pattern->mortar = .5;
+        return read_listed(reader, pigment, bricks, 2);
     case PATTERN_HEXAGON: return read_listed(reader, pigment, hexagons, 3);
     default: return true;
     }
+}
+
+bool checker_read(struct reader *reader, void *subject,
+                  const struct item *item)
+{
+    struct pigment *pigment = subject;
+
+    (void)item;
+    pigment->kind = PIGMENT_CHECKER;
+    return read_listed(reader, pigment, checkers, 2);
 }
 
 static bool read_wave(struct reader *reader, void *subject,
@@ -100,8 +116,64 @@ const struct keyword pattern_words[] = {
 
 static bool is_changed(const struct pattern *pattern)
 {
-    return pattern->wave != WAVE_RAMP || pattern->frequency != 1
-           || pattern->phase != 0;
+    return pattern->wave != WAVE_RAMP
+           || (pattern->frequency != 0
+               && (pattern->frequency != 1 || pattern->phase != 0));
+}
+
+/* rt/kernels/light/pattern.s has the formulas. */
+static double in_wave(const struct pattern *pattern, double value)
+{
+    if (pattern->frequency != 0)
+        value = fmod(pattern->frequency * value + pattern->phase, ROUND);
+    if (value < 0)
+        value -= floor(value);
+    switch (pattern->wave) {
+    case WAVE_TRIANGLE: return value > .5 ? 2 - 2 * value : 2 * value;
+    case WAVE_SINE: return (1 + sin(2 * PI * value)) / 2;
+    case WAVE_SCALLOP: return fabs(sin(PI * value));
+    case WAVE_CUBIC: return value * value * (3 - 2 * value);
+    case WAVE_POLY: return pow(value, pattern->exponent);
+    default: return value;
+    }
+}
+
+/* The colours of a list are few: what the waves take for each is known here. */
+static bool settle_list(struct reader *reader, struct pigment *pigment,
+                        size_t count)
+{
+    double colors[LISTED_MOST][COLOR_TERMS];
+
+    for (size_t i = 0; i < count; i++)
+        color_map_at(&pigment->map, in_wave(&pigment->pattern, (double)i),
+                     colors[i]);
+    if (pigment->kind == PIGMENT_CHECKER) {
+        for (int i = 0; i < 2; i++)
+            pigment_set_color(pigment, i, colors[i]);
+        return true;
+    }
+    pigment->listed = pigment->map;
+    return color_map_steps(reader, colors, count, &pigment->map);
+}
+
+static size_t listed_count(const struct pigment *pigment)
+{
+    if (pigment->kind == PIGMENT_CHECKER)
+        return 2;
+    if (pigment->kind != PIGMENT_PATTERN)
+        return 0;
+    switch (pigment->pattern.function) {
+    case PATTERN_BRICK: return 2;
+    case PATTERN_HEXAGON: return 3;
+    default: return 0;
+    }
+}
+
+void pattern_resume(struct pigment *pigment)
+{
+    if (pigment->listed.count > 0)
+        pigment->map = pigment->listed;
+    pigment->listed.count = 0;
 }
 
 /* What a map lets pass is not seen. */
@@ -110,8 +182,14 @@ bool pattern_settle(struct reader *reader, struct pigment *pigment,
 {
     struct color_map *map = &pigment->map;
     struct pattern *pattern = &pigment->pattern;
+    size_t listed = listed_count(pigment);
     bool round = pigment->kind == PIGMENT_PATTERN
                  && pattern->function == PATTERN_RADIAL;
+
+    if (listed > 0 && !settle_list(reader, pigment, listed))
+        return false;
+    if (!pigment_has_map(pigment))
+        return true;
 
     if (map->count == 0
         && !(round ? color_map_round(reader, map)

@@ -54,8 +54,8 @@ const struct keyword pattern_words_left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static void set_color(struct pigment *pigment, int which,
-                      const double terms[COLOR_TERMS])
+void pigment_set_color(struct pigment *pigment, int which,
+                       const double terms[COLOR_TERMS])
 {
     memcpy(pigment->color[which], terms, 3 * sizeof *terms);
     pigment->filter[which] = terms[3];
@@ -69,7 +69,7 @@ static bool read_term(struct reader *reader, struct pigment *pigment,
 
     if (!read_color(reader, &color))
         return false;
-    set_color(pigment, which, color.n);
+    pigment_set_color(pigment, which, color.n);
     return true;
 }
 
@@ -82,7 +82,7 @@ static bool read_color_word(struct reader *reader, void *subject,
     if (!read_color_after(reader, &item->at, &color))
         return false;
     pigment->kind = PIGMENT_COLOR;
-    set_color(pigment, 0, color.n);
+    pigment_set_color(pigment, 0, color.n);
     return true;
 }
 
@@ -120,22 +120,6 @@ bool pigment_colors(struct reader *reader, struct numbers *colors,
     return done;
 }
 
-/* Its colours stay the pigment's map: a gradient without one that takes the
- * checker's place goes from the first to the second. */
-static bool read_checker(struct reader *reader, void *subject,
-                         const struct item *item)
-{
-    struct numbers colors[2] = { { .n = { 0, 0, 1 } }, { .n = { 0, 1, 0 } } };
-    struct pigment *pigment = subject;
-    bool done = pigment_colors(reader, colors, 2);
-
-    (void)item;
-    pigment->kind = PIGMENT_CHECKER;
-    for (int i = 0; i < 2; i++)
-        set_color(pigment, i, colors[i].n);
-    return done && color_map_of_two(reader, pigment);
-}
-
 static bool read_gradient(struct reader *reader, void *subject,
                           const struct item *item)
 {
@@ -150,7 +134,6 @@ static bool read_gradient(struct reader *reader, void *subject,
                             "the vector of a gradient has no length");
     scale3(1 / length, pigment->axis);
     pigment->kind = PIGMENT_GRADIENT;
-    pigment->pattern = pattern_plain;
     reader_comma(reader);
     return true;
 }
@@ -168,7 +151,7 @@ static bool read_pattern(struct reader *reader, void *subject,
                   "its first colour is used",
                   item->keyword->word);
     pigment->kind = PIGMENT_COLOR;
-    set_color(pigment, 0, black);
+    pigment_set_color(pigment, 0, black);
     reader_accept(reader, "df3"); /* of density_file */
     if (!starts_color(reader))
         skip_arguments(reader);
@@ -266,7 +249,7 @@ static const struct keyword color_words[] = {
 };
 
 static const struct keyword words[] = {
-    { "checker", read_checker, 0 },
+    { "checker", checker_read, 0 },
     { "gradient", read_gradient, 0 },
     { "color_map", read_color_map, 0 },
     { "colour_map", read_color_map, 0 },
@@ -298,9 +281,9 @@ bool pigment_body(struct reader *reader, const struct block *block,
         pigment->kind = PIGMENT_COLOR;
         done = read_term(reader, pigment, 0);
     }
+    pattern_resume(pigment);
     return block_items(reader, block, &grammar, pigment, done)
-           && (!pigment_has_map(pigment)
-               || pattern_settle(reader, pigment, &block->open));
+           && pattern_settle(reader, pigment, &block->open);
 }
 
 bool pigment_read(struct reader *reader, struct pigment *pigment)
