@@ -396,7 +396,8 @@ bool c205_load(c205 *machine, const c205_program *program, c205_error *error);
 
 typedef enum c205_access { C205_READ_ONLY, C205_READ_WRITE } c205_access;
 /* Map the pages that hold words words from a bit address on, zeroed where
- * they were not mapped before. */
+ * they were not mapped before.  One that may be written takes room when it is
+ * touched; if there is no memory for it then, it counts as not mapped. */
 bool c205_map(c205 *machine, uint64_t address, size_t words,
               c205_access access, c205_error *error);
 

@@ -35,7 +35,7 @@ void memory_init(struct memory *memory)
 static void spare_pages(struct memory *memory, struct page **pages)
 {
     for (size_t i = 0; i < DIRECTORY_PAGES; i++) {
-        if (!pages[i])
+        if (!pages[i] || pages[i] == &memory_untouched)
             continue;
         pages[i]->next = memory->spare;
         memory->spare = pages[i];
@@ -87,12 +87,37 @@ static struct page *new_page(struct memory *memory)
     return page ? memset(page, 0, sizeof *page) : calloc(1, sizeof *page);
 }
 
-static struct page *map_page(struct memory *memory, uint64_t address)
+struct page memory_untouched;
+
+/* Which pages the host has given is nothing that can be read. */
+struct page *memory_touch(const struct memory *memory, uint64_t address)
+{
+    struct memory *owner = (struct memory *)memory;
+    struct page **place = page_place(owner, address);
+    struct page *page = new_page(owner);
+    if (page) {
+        page->writable = true;
+        *place = page;
+    }
+    return page;
+}
+
+/* Pages that are never touched take no room. */
+static bool map_page(struct memory *memory, uint64_t address,
+                     c205_access access)
 {
     struct page **place = page_place(memory, address);
-    if (place && !*place)
+    bool untouched = place && (!*place || *place == &memory_untouched);
+    if (untouched && access == C205_READ_WRITE) {
+        *place = &memory_untouched;
+        return true;
+    }
+    if (untouched)
         *place = new_page(memory);
-    return place ? *place : NULL;
+    if (!place || !*place)
+        return false;
+    (*place)->writable = access == C205_READ_WRITE;
+    return true;
 }
 
 bool memory_map(struct memory *memory, uint64_t address, size_t words,
@@ -109,13 +134,11 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
     forget_near(memory);
     for (uint64_t page = address >> PAGE_SHIFT;
          words > 0 && page <= last >> PAGE_SHIFT; page++) {
-        struct page *mapped = map_page(memory, page << PAGE_SHIFT);
-        if (!mapped) {
+        if (!map_page(memory, page << PAGE_SHIFT, access)) {
             snprintf(error->message, sizeof error->message,
                      "no memory left for a page of the machine");
             return false;
         }
-        mapped->writable = access == C205_READ_WRITE;
     }
     return true;
 }
@@ -123,7 +146,7 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
 uint64_t memory_next_page(const struct memory *memory, uint64_t address)
 {
     uint64_t directory_bits = UINT64_C(1) << DIRECTORY_SHIFT;
-    while (address <= ADDRESS_MASK && !memory_page(memory, address))
+    while (address <= ADDRESS_MASK && !memory_peek(memory, address))
         if (memory->directory[address >> DIRECTORY_SHIFT])
             address += PAGE_BITS;
         else

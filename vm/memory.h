@@ -118,13 +118,27 @@ static inline const struct near_page *memory_near(struct memory *memory,
     return page->number == number ? page : memory_find_near(memory, address);
 }
 
+/* What stands for a page to be read and written, all zeros, until it is looked
+ * for. */
+extern struct page memory_untouched;
+
 /* NULL: not mapped. */
-static inline struct page *memory_page(const struct memory *memory,
+static inline struct page *memory_peek(const struct memory *memory,
                                        uint64_t address)
 {
     struct page **pages = memory->directory[address >> DIRECTORY_SHIFT];
     return pages ? pages[address >> PAGE_SHIFT & (DIRECTORY_PAGES - 1)]
                  : NULL;
+}
+
+struct page *memory_touch(const struct memory *memory, uint64_t address);
+
+/* NULL: not mapped, or no memory for a page that was not touched yet. */
+static inline struct page *memory_page(const struct memory *memory,
+                                       uint64_t address)
+{
+    struct page *page = memory_peek(memory, address);
+    return page == &memory_untouched ? memory_touch(memory, address) : page;
 }
 
 static inline size_t memory_word_index(uint64_t address)

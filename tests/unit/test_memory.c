@@ -55,6 +55,43 @@ static void test_check(void **state)
     let_go(memory);
 }
 
+/* A page takes room when it is touched, not before. */
+static void test_untouched(void **state)
+{
+    (void)state;
+    size_t pages = 200000; /* 105 GB */
+    struct memory *memory = memory_of(0, pages * C205_PAGE_WORDS);
+    uint64_t last = (pages - 1) * PAGE_BITS, fault;
+    c205_error error;
+    c205_word word = 1;
+    assert_int_equal(memory_next_page(memory, 7 * PAGE_BITS), 7 * PAGE_BITS);
+    assert_int_equal(memory_next_page(memory, last + PAGE_BITS), SPACE);
+    assert_int_equal(memory_load(memory, last, &word), C205_TRAP_NONE);
+    assert_int_equal(word, 0);
+    assert_int_equal(memory_store(memory, last - PAGE_BITS, 5),
+                     C205_TRAP_NONE);
+    assert_int_equal(memory_load(memory, last, &word), C205_TRAP_NONE);
+    assert_int_equal(word, 0);
+    assert_int_equal(memory_check(memory, 9 * PAGE_BITS - 64, 128, true,
+                                  &fault),
+                     C205_TRAP_NONE);
+    assert_true(memory_map(memory, 3 * PAGE_BITS, 1, C205_READ_ONLY, &error));
+    assert_int_equal(memory_store(memory, 3 * PAGE_BITS, 5),
+                     C205_TRAP_PROTECTED_ADDRESS);
+    assert_int_equal(memory_load(memory, 3 * PAGE_BITS, &word),
+                     C205_TRAP_NONE);
+    assert_int_equal(word, 0);
+    assert_true(
+        memory_map(memory, 3 * PAGE_BITS, 1, C205_READ_WRITE, &error));
+    assert_int_equal(memory_store(memory, 3 * PAGE_BITS, 5), C205_TRAP_NONE);
+    assert_int_equal(memory_load(memory, 4 * PAGE_BITS, &word),
+                     C205_TRAP_NONE);
+    assert_int_equal(word, 0);
+    memory_clear(memory);
+    assert_int_equal(memory_next_page(memory, 0), SPACE);
+    let_go(memory);
+}
+
 /* Pages that were unmapped come back without words, code or protection. */
 static void test_clear(void **state)
 {
@@ -194,6 +231,7 @@ static void test_near_pages(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(test_check),
+                                        cmocka_unit_test(test_untouched),
                                         cmocka_unit_test(test_clear),
                                         cmocka_unit_test(test_end_of_space),
                                         cmocka_unit_test(
