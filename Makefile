@@ -87,11 +87,11 @@ check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-install check-fit wasm-check
 CASES ?= 1000000
 PAIRS ?= some
-PROGRAMS ?= 15000
+PROGRAMS ?= 10000
 POLYNOMIALS ?= 600
 FACES ?= 300
-REGIONS ?= 300
-LANGUAGE ?= 200
+REGIONS ?= 200
+LANGUAGE ?= 120
 TRIES ?= 300
 HOSTS ?= quick
 DOCS ?= quick

@@ -4,9 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rt/layout/pigment.h"
+#include "rt/layout/interiors.h"
 #include "rt/layout/lights.h"
 #include "rt/layout/looks.h"
+#include "rt/layout/pigment.h"
 #include "rt/layout/program.h"
 #include "rt/layout/record.h"
 #include "rt/layout/regions.h"
@@ -215,6 +216,16 @@ static void put_surface(struct record *record, const struct scene *scene,
     put_gloss(record, &primitive->finish);
 }
 
+static void put_interior(struct record *record,
+                         const struct interiors *interiors,
+                         const struct primitive *primitive)
+{
+    double number = (double)interiors_number(interiors, primitive);
+
+    if (object_symbol(record->layout->program, "P_INTERIOR"))
+        record_numbers(record, "P_INTERIOR", &number, 1);
+}
+
 static void put_mirror(struct record *record,
                        const struct primitive *primitive)
 {
@@ -259,7 +270,8 @@ static uint64_t look_of(struct record *record,
         FINISH = 19,
         REST = 27,
         GLOSS = 44,
-        MAP = 52
+        MAP = 52,
+        INTERIOR = 60
     };
     c205_word words[LOOK_WORDS] = { 0 }, transformed = 0;
     uint64_t look;
@@ -278,6 +290,8 @@ static uint64_t look_of(struct record *record,
         record_read(record, "P_GLOSS", &words[GLOSS], 8);
     if (object_symbol(record->layout->program, "P_MAP"))
         record_read(record, "P_MAP", &words[MAP], 8);
+    if (object_symbol(record->layout->program, "P_INTERIOR"))
+        record_read(record, "P_INTERIOR", &words[INTERIOR], 1);
     look = looks_first(looks, words, record->address);
     if (look == 0)
         layout_fail(record->layout, "no memory");
@@ -298,6 +312,7 @@ static void put_part(struct record *record, const struct leaf_plan *plan,
 static struct row layout_primitives(struct record_layout *layout,
                                     const struct scene *scene,
                                     const struct leaf_plan *plans,
+                                    const struct interiors *interiors,
                                     const struct row *crossings,
                                     const struct row *values)
 {
@@ -323,6 +338,7 @@ static struct row layout_primitives(struct record_layout *layout,
         put_part(&record, &plans[i], crossings, values);
         put_surface(&record, scene, &scene->primitives[i], &map);
         put_mirror(&record, &scene->primitives[i]);
+        put_interior(&record, interiors, &scene->primitives[i]);
         look = look_of(&record, &scene->primitives[i], looks);
         alike = alike || look != record.address;
         record_address(&record, "P_LOOK", look);
@@ -357,7 +373,9 @@ static struct row layout_values(struct record_layout *layout,
 }
 
 static void layout_solids(struct record_layout *layout,
-                          const struct scene *scene, enum bounding bounding)
+                          const struct scene *scene,
+                          const struct interiors *interiors,
+                          enum bounding bounding)
 {
     struct leaf_plan *plans = calloc(scene->primitive_count + 1,
                                      sizeof *plans);
@@ -373,18 +391,19 @@ static void layout_solids(struct record_layout *layout,
                                               plan_leaves(scene, plans) },
                         1);
     places.values = layout_values(layout, scene);
-    places.primitives = layout_primitives(layout, scene, plans, &crossings,
-                                          &places.values);
+    places.primitives = layout_primitives(layout, scene, plans, interiors,
+                                          &crossings, &places.values);
     layout_regions(layout, scene, bounding, &places);
     free(plans);
 }
 
-/* Without mirrors and glass no rays come of others. */
+/* So many rays in a chain: without mirrors and glass none come of others. */
 static size_t count_levels(const struct scene *scene)
 {
+    if (scene_has_interiors(scene))
+        return (size_t)scene->max_trace_level + STRAIGHT_MOST;
     for (size_t i = 0; i < scene->primitive_count; i++)
-        if (pigment_is_clear(&scene->primitives[i].pigment)
-            || surface_is_mirror(&scene->primitives[i].finish))
+        if (surface_is_mirror(&scene->primitives[i].finish))
             return (size_t)scene->max_trace_level;
     return 1;
 }
@@ -556,6 +575,7 @@ struct scene_layout *layout_new(const struct object *program,
                                     .free = program_end(program),
                                     .go_on = go_on,
                                     .context = context };
+    struct interiors interiors;
 
     if (!whole) {
         layout_fail(&layout, "no memory");
@@ -564,7 +584,12 @@ struct scene_layout *layout_new(const struct object *program,
     layout.image = &whole->image;
     layout_camera(&layout, scene);
     layout_sky(&layout, scene);
-    layout_solids(&layout, scene, bounding);
+    if (!interiors_find(scene, &interiors))
+        layout_fail(&layout, "no memory");
+    else
+        layout_solids(&layout, scene, &interiors, bounding);
+    interiors_layout(&layout, &interiors, scene);
+    interiors_free(&interiors);
     layout_levels(&layout, scene);
     layout_lights(&layout, scene);
     layout_fogs(&layout, scene);

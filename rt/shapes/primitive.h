@@ -49,13 +49,15 @@ struct primitive {
     struct pigment pigment;
     struct finish finish;
     bool no_shadow;
-    bool unseen;   /* a part of a tree that cuts others and is not seen
+    bool unseen;     /* a part of a tree that cuts others and is not seen
                                   itself */
-    double ior;    /* index of refraction of its inside; 1 */
-    bool inverted; /* an odd number of complements stands above
+    double ior;      /* index of refraction of its inside; 1 */
+    size_t interior; /* those of one number, from 1 on, are one body to a ray
+                        that remembers in what it is */
+    bool inverted;   /* an odd number of complements stands above
                                   it: its outward normal points to what is
                                   solid */
-    size_t line;   /* where it is written, in the scene's main file */
+    size_t line;     /* where it is written, in the scene's main file */
 };
 
 #endif

@@ -9,8 +9,9 @@
 #include "rt/trace/band_file.h"
 #include "rt/trace/planes.h"
 #include "base/hash.h"
-#include "rt/layout/pigment.h"
+#include "rt/layout/interiors.h"
 #include "rt/layout/lights.h"
+#include "rt/layout/pigment.h"
 #include "rt/layout/program.h"
 #include "rt/layout/surface.h"
 #include "rt/layout/trees.h"
@@ -137,6 +138,7 @@ static struct object *assemble_form(const struct trace_options *options,
         { NULL, 0 },
         { NULL, 0 },
         { NULL, 0 },
+        { NULL, 0 },
     };
     struct asm_define *next = &defines[1];
     size_t crossings = most_crossings(scene);
@@ -151,6 +153,8 @@ static struct object *assemble_form(const struct trace_options *options,
         *next++ = (struct asm_define){ "BEAMS", 1 };
     if (scene_has_patterns(scene))
         *next++ = (struct asm_define){ "PATTERNS", 1 };
+    if (scene_has_interiors(scene))
+        *next++ = (struct asm_define){ "INTERIORS", 1 };
     if (options->historical)
         *next++ = (struct asm_define){ "HISTORICAL", 1 };
     if (options->variant)

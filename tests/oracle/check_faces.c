@@ -12,6 +12,7 @@
  * fails, printed, and written to faces_N.pov; after --first nothing more is done, not
  * even that.  Exit code 1: some failed.
  */
+#include "rt/layout/interiors.h"
 #include "rt/layout/lights.h"
 #include "rt/layout/program.h"
 #include "rt/trace/trace.h"
@@ -36,7 +37,7 @@ enum {
 /* --- forms ---------------------------------------------------------------- */
 
 /* Of a scene, that its program has to know. */
-enum feature { ORTHOGRAPHIC = 1, BEAMS = 2, FEATURES = 4 };
+enum feature { ORTHOGRAPHIC = 1, BEAMS = 2, INTERIORS = 4, FEATURES = 8 };
 
 /* Each is compared with the first. */
 static struct form {
@@ -73,10 +74,11 @@ static c205_model *model;
 static size_t features_of(const struct scene *scene)
 {
     return (scene->camera.orthographic ? ORTHOGRAPHIC : 0)
-           | (scene_has_beams(scene) ? BEAMS : 0);
+           | (scene_has_beams(scene) ? BEAMS : 0)
+           | (scene_has_interiors(scene) ? INTERIORS : 0);
 }
 
-/* A program is assembled once, for all scenes with such a camera and lights. */
+/* A program is assembled once, for all scenes with such a camera, lights, glass. */
 static void assemble_for(const char *text)
 {
     struct scene *scene = scene_of(text);
@@ -102,10 +104,15 @@ static void assemble_forms(void)
     model = c205_model_find("cyber205-2pipe", &error);
     if (!model)
         give_up(error.message);
-    assemble_for("camera { }");
-    assemble_for("camera { orthographic }");
-    assemble_for("light_source { y, 1 parallel }");
-    assemble_for("camera { orthographic } light_source { y, 1 parallel }");
+    for (int features = 0; features < FEATURES; features++) {
+        char text[200];
+        snprintf(text, sizeof text, "%s %s %s",
+                 features & ORTHOGRAPHIC ? "camera { orthographic }" : "",
+                 features & BEAMS ? "light_source { y, 1 parallel }" : "",
+                 features & INTERIORS ? "sphere { 0, 1 pigment { rgbt 1 } }"
+                                      : "");
+        assemble_for(text);
+    }
 }
 
 static void free_forms(void)

@@ -293,8 +293,7 @@ static void say_metallic(struct language *draw)
         say_amount(draw, "metallic", .2, 1);
 }
 
-/* A mirror that depends on the angle: where light may pass not by Fresnel's formulas,
- * which in POV-Ray ask for the glass that the ray is in. */
+/* A mirror that depends on the angle. */
 static void say_turned_mirror(struct language *draw)
 {
     uint64_t *state = &draw->state;
@@ -302,7 +301,7 @@ static void say_turned_mirror(struct language *draw)
     begin_line(draw);
     say(draw, "rgb <%.3f, %.3f, %.3f>, %.3f\n", between(state, 0, .4),
         between(state, 0, .4), between(state, 0, .4), between(state, .2, .9));
-    if (draw->metals && one_in(state, 2))
+    if (one_in(state, 2))
         say_line(draw, "fresnel");
     else if (one_in(state, 2))
         say_amount(draw, "falloff", .5, 4);

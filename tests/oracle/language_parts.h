@@ -40,8 +40,7 @@ struct language {
     bool turning; /* I is a loop's float */
     bool calling; /* a macro may be called */
     bool clear;   /* light may pass: no fog */
-    bool metals;  /* it passes nowhere: metals, and Fresnel's formulas */
-    bool panes;   /* something is clear already */
+    bool metals;  /* it passes nowhere */
 };
 
 /* --- lines ---------------------------------------------------------------- */

@@ -119,12 +119,11 @@ static void say_looks(struct language *draw)
 
 /* --- settings ------------------------------------------------------------- */
 
-/* Many levels: POV-Ray does not count those of rays that go straight on. */
 static void say_settings(struct language *draw)
 {
     say(draw,
-        "#version 3.7; global_settings { assumed_gamma %s max_trace_level 20 }\n",
-        one_in(&draw->state, 4) ? "2.2" : "1.0");
+        "#version 3.7; global_settings { assumed_gamma %s max_trace_level %zu }\n",
+        one_in(&draw->state, 4) ? "2.2" : "1.0", 3 + below(&draw->state, 10));
     if (one_in(&draw->state, 4)) {
         begin_line(draw);
         say(draw, "global_settings { ambient_light ");

@@ -260,12 +260,11 @@ static void say_bounded_thing(struct language *draw)
     close_block(draw, "}");
 }
 
-/* Whole solids, without a way in: of an open one POV-Ray says that light enters
- * where here it leaves.  Where one is of glass no other one is clear: bodies of glass
- * must not overlap others. */
+/* Whole solids, without a way in: a ray of the eye enters an open one from behind in
+ * POV-Ray, where here it leaves. */
 static void say_clear_thing(struct language *draw)
 {
-    bool bent = !draw->panes && one_in(&draw->state, 2);
+    bool bent = one_in(&draw->state, 2);
     open_solid_shape(draw, true);
     say_turns(draw);
     say_clear_look(draw, bent);
@@ -273,8 +272,6 @@ static void say_clear_thing(struct language *draw)
         say_line(draw, "no_shadow");
     say_place(draw);
     close_block(draw, "}");
-    draw->panes = true;
-    draw->clear = !bent;
 }
 
 /* --- things by directives ------------------------------------------------- */

@@ -9,6 +9,7 @@
 struct plain_tracer {
     const struct scene *scene;
     struct crossing_list *crossings;
+    bool clear; /* something of it is */
 };
 
 /* What a ray sees where it hits something. */

@@ -3,19 +3,32 @@
 
 #include "tests/oracle/plain_light.h"
 
+#include <assert.h>
 #include <math.h>
 
 /* Hits nearer than this are the surface that a ray starts from. */
 #define NEAREST_HIT 1e-6
 /* .. and what lies farther along a ray is not seen. */
 #define FARTHEST_HIT 1e12
+/* POV-Ray's: ratios nearer to 1 than this do not bend a ray. */
+#define SAME_INDEX 1e-10
 
-/* A ray on its way: how many rays led to it, itself counted, and how much of
- * the pixel's colour it may make. */
+/* The interiors that a ray is in, the outermost first: of each a primitive
+ * that has it. */
+enum { INTERIORS_MOST = 64 };
+struct interiors {
+    bool known; /* those of a ray from the eye are not */
+    size_t count;
+    const struct primitive *of[INTERIORS_MOST];
+};
+
+/* A ray on its way: how many rays led to it, itself counted, but those that
+ * went straight on; how much of the pixel's colour it may make. */
 struct path {
     struct ray ray;
     int level;
     double importance;
+    struct interiors interiors;
 };
 
 static void trace_path(const struct plain_tracer *tracer,
@@ -35,6 +48,59 @@ static void find_nearest(const struct plain_tracer *tracer,
     }
 }
 
+/* --- what a ray is in --------------------------------------------------- */
+
+/* A ray from the eye is in nothing, or in what it leaves first. */
+static void find_interiors(struct interiors *in, const struct plain_hit *hit)
+{
+    if (!in->known && !hit->entering)
+        in->of[in->count++] = hit->primitive;
+    in->known = true;
+}
+
+static double innermost_index(const struct interiors *in)
+{
+    return in->count ? in->of[in->count - 1]->ior : 1;
+}
+
+/* The place of an interior, or the count. */
+static size_t find(const struct interiors *in, size_t interior)
+{
+    size_t at = 0;
+    while (at < in->count && in->of[at]->interior != interior)
+        at++;
+    return at;
+}
+
+/* Out of an interior if the ray is in it, or else into it.  Returns the index
+ * of what it was in to that of what it is in then: 1, where the one that it
+ * comes out of was not the innermost. */
+static double cross(struct interiors *in, const struct primitive *surface)
+{
+    double from = innermost_index(in);
+    size_t at = find(in, surface->interior);
+    if (at == in->count) {
+        assert(in->count < INTERIORS_MOST);
+        in->of[in->count++] = surface;
+    } else {
+        in->count--;
+        for (; at < in->count; at++)
+            in->of[at] = in->of[at + 1];
+    }
+    return from / innermost_index(in);
+}
+
+/* The index that counts in Fresnel's formulas, POV-Ray's: out of the innermost
+ * of several it is 1, and nothing more than the least is mirrored. */
+static double mirror_index(const struct interiors *in,
+                           const struct primitive *surface)
+{
+    double innermost = innermost_index(in);
+    if (find(in, surface->interior) == in->count)
+        return surface->ior / innermost;
+    return (in->count > 1 ? innermost : 1) / surface->ior;
+}
+
 /* --- rays that come of a hit -------------------------------------------- */
 
 /* Where a ray is hit, and what it may still add to. */
@@ -45,22 +111,19 @@ struct branching {
     double *color;
 };
 
-/* Every ray counts as a level, also one that goes straight on; POV-Ray does
- * not count those. */
-static void follow(const struct branching *from, const double direction[3],
+/* A ray of a direction, a level and what it is in. */
+static void follow(const struct branching *from, struct path *path,
                    double share, const double weight[3])
 {
     const struct scene *scene = from->tracer->scene;
-    struct path path = { .level = from->path->level + 1,
-                         .importance = from->path->importance * share };
     struct plain_hit hit;
     double seen[3];
-    if (path.level > scene->max_trace_level
-        || path.importance < scene->adc_bailout)
+    path->importance = from->path->importance * share;
+    if (from->path->level >= scene->max_trace_level
+        || path->importance < scene->adc_bailout)
         return;
-    copy(path.ray.origin, from->surface->point);
-    copy(path.ray.direction, direction);
-    trace_path(from->tracer, &path, &hit, seen);
+    copy(path->ray.origin, from->surface->point);
+    trace_path(from->tracer, path, &hit, seen);
     for (int i = 0; i < 3; i++)
         from->color[i] += weight[i] * seen[i];
 }
@@ -71,6 +134,11 @@ static void mirror(const struct plain_surface *surface, double direction[3])
     add_scaled(direction, d, -2 * dot(d, surface->normal), surface->normal);
 }
 
+static bool goes_straight(double ratio)
+{
+    return fabs(ratio - 1) < SAME_INDEX;
+}
+
 /* Snell's law: across the normal the direction is `ratio` times what it was.
  * False: that is more than 1, and nothing leaves. */
 static bool refract(const struct plain_surface *surface, double ratio,
@@ -79,7 +147,7 @@ static bool refract(const struct plain_surface *surface, double ratio,
     const double *n = surface->normal;
     double across[3];
     copy(direction, surface->ray->direction);
-    if (ratio == 1)
+    if (goes_straight(ratio))
         return true;
     add_scaled(across, direction, -dot(direction, n), n);
     scale_by(across, ratio);
@@ -99,28 +167,37 @@ static bool is_clear(const struct scene *scene, const double passing[3])
 }
 
 /* What is totally reflected keeps all of its colour, and the surface is then
- * no other mirror besides. */
+ * no other mirror besides.  In a scene where nothing is clear each surface
+ * tells anew on which side of it a ray is. */
 static void branch(const struct branching *from, const struct plain_hit *hit)
 {
     static const double all[3] = { 1, 1, 1 };
     const struct plain_surface *surface = from->surface;
     const double *passing = surface->passing;
-    double index = hit->primitive->ior;
+    struct path mirrored = { .level = from->path->level + 1,
+                             .interiors = from->path->interiors };
+    double reflection[3];
     bool clear = is_clear(from->tracer->scene, passing);
-    double mirrored[3], refracted[3], reflection[3];
-    bool leaves = refract(surface, hit->entering ? 1 / index : index,
-                          refracted);
-    mirror(surface, mirrored);
-    double weight = plain_mirror(surface, hit->entering ? index : 1 / index,
-                                 reflection);
+    if (clear || surface->finish->fresnel)
+        find_interiors(&mirrored.interiors, hit);
+    struct path refracted = mirrored;
+    double index = mirror_index(&mirrored.interiors, hit->primitive);
+    double ratio = cross(&refracted.interiors, hit->primitive);
+    if (goes_straight(ratio))
+        refracted.level--;
+    if (!from->tracer->clear)
+        mirrored.interiors = from->path->interiors;
+    bool leaves = refract(surface, ratio, refracted.ray.direction);
+    mirror(surface, mirrored.ray.direction);
+    double weight = plain_mirror(surface, index, reflection);
     if (clear && !leaves) {
-        follow(from, mirrored, greatest(passing), all);
+        follow(from, &mirrored, greatest(passing), all);
         return;
     }
     if (weight > 0)
-        follow(from, mirrored, weight, reflection);
+        follow(from, &mirrored, weight, reflection);
     if (clear)
-        follow(from, refracted, greatest(passing), passing);
+        follow(from, &refracted, greatest(passing), passing);
 }
 
 /* Each fog lets e^(-depth / distance) through, tinted by its filter, but its
@@ -214,17 +291,28 @@ static void trace_pixel(const struct plain_tracer *tracer,
     const struct scene *scene = tracer->scene;
     double u = ((double)x + .5) / (double)frame->width - .5;
     double v = .5 - ((double)y + .5) / (double)frame->height;
-    const struct path path = { camera_ray(&scene->camera, u, v), 1, 1 };
+    const struct path path = { .ray = camera_ray(&scene->camera, u, v),
+                               .level = 1,
+                               .importance = 1 };
     struct plain_hit hit;
     double color[3];
     trace_path(tracer, &path, &hit, color);
     store(scene, frame, y * frame->width + x, color, &hit);
 }
 
+static bool lets_light_pass(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        if (pigment_is_clear(&scene->primitives[i].pigment))
+            return true;
+    return false;
+}
+
 bool plain_trace(const struct scene *scene, size_t width, size_t height,
                  struct frame *frame)
 {
-    const struct plain_tracer tracer = { scene, crossing_list_new(scene) };
+    const struct plain_tracer tracer = { scene, crossing_list_new(scene),
+                                         lets_light_pass(scene) };
     if (!tracer.crossings || !frame_allocate(frame, width, height)) {
         crossing_list_free(tracer.crossings);
         return false;

@@ -9,9 +9,6 @@ light_source { <-4, -.4, -9>, rgb <.3, .2, .2> }
 #default { finish { ambient .1 diffuse .4 phong .45 phong_size 30 } }
 
 plane { y, -1.5 pigment { rgb <.8, .6, .4> } }
-// Each body sees itself alone: POV-Ray counts the levels of what is seen through
-// clear bodies otherwise.
-box { <-.1, -1.5, -4>, <-.05, 4, 9> pigment { rgb <.5, .6, .7> } }
 // A clear ball that is a mirror, too.
 sphere {
     <-1.3, 0, 0>, 1

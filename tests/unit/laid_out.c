@@ -55,7 +55,9 @@ static struct object *stage_program(void)
                                 "        .equ VALUE_SIZE, 3\n"
                                 "        .equ LEVEL_SIZE, 10\n"
                                 "        .equ GLOSS, 1\n"
+                                "        .equ INTERIORS, 1\n"
                                 "        .include \"frame/records.s\"\n"
+                                "        .include \"light/interior.s\"\n"
                                 "        .entry first\nfirst:  EXIT\n"
                                 "        .data\n");
     struct object *program;

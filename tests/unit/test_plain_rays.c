@@ -112,19 +112,35 @@ static void test_levels(void **state)
 
 /* --- glass --------------------------------------------------------------- */
 
-/* Where a ray that falls at 45 degrees on a slab of the index n leaves it:
- * sin a / n is the sine within.  Behind the slab it goes on as before. */
-static void check_slab(double n, double depth)
+/* How far a ray of 45 degrees goes aside within a layer of the index n:
+ * sin a / n is the sine within. */
+static double aside(double n, double depth)
+{
+    double s = sqrt(.5) / n;
+    return depth * s / sqrt(1 - s * s);
+}
+
+/* A ray that falls at 45 degrees on what begins at z = 0 leaves it so far
+ * aside and so deep, and goes on as before. */
+static void check_behind(const char *things, double shift, double depth)
 {
     const struct look look = { { 0, 2, -2 }, { 0, -1, 1 } };
-    double s = sqrt(.5) / n, shift = depth * s / sqrt(1 - s * s);
+    char text[2048];
+    snprintf(text, sizeof text,
+             "%s sphere { <0, %.17g, %.17g>, 1e-6 pigment { rgb .8 } " LAMP
+             "}",
+             things, -shift - 1, depth + 1);
+    check(&look, text, .8, .8, .8);
+}
+
+static void check_slab(double n, double depth)
+{
     char text[512];
     snprintf(text, sizeof text,
              "box { <-9, -9, 0>, <9, 9, %.17g> "
-             "pigment { rgbt 1 } interior { ior %.17g } } "
-             "sphere { <0, %.17g, %.17g>, 1e-6 pigment { rgb .8 } " LAMP "}",
-             depth, n, -shift - 1, depth + 1);
-    check(&look, text, .8, .8, .8);
+             "pigment { rgbt 1 } interior { ior %.17g } } ",
+             depth, n);
+    check_behind(text, aside(n, depth), depth);
 }
 
 static void test_snell(void **state)
@@ -225,6 +241,173 @@ static void test_too_dark(void **state)
     }
 }
 
+/* --- glass in glass ------------------------------------------------------ */
+
+#define GLASS "pigment { rgbt 1 } interior { ior 1.5 } "
+#define WATER "pigment { rgbt 1 } interior { ior 1.33 } "
+#define SLAB(low, high) "box { <-9, -9, " #low ">, <9, 9, " #high "> "
+
+/* Of balls about one centre n times the ray's distance from it is the same in
+ * all media, and with it the sine of the angle at each surface.  The ray is
+ * turned four times, and has passed the centre as far as it did before. */
+static void test_ball_in_water(void **state)
+{
+    double b = .3;
+    const struct look look = { { 0, b, -5 }, { 0, 0, 1 } };
+    double turned = asin(b / 2) - asin(b / 1.33 / 2) + asin(b / 1.33)
+                    - asin(b / 1.5);
+    char text[512];
+    (void)state;
+    snprintf(text, sizeof text,
+             "sphere { 0, 2 " WATER "} sphere { 0, 1 " GLASS "} "
+             "sphere { %.17g*z, 1e-6 pigment { rgb .6 } " LAMP "}",
+             b / sin(2 * turned));
+    check(&look, text, .6, .6, .6);
+}
+
+/* What is gone into last is what counts until it is left; to come out of the
+ * other one before that changes nothing. */
+static void test_overlapping(void **state)
+{
+    double glass = aside(1.5, .5), water = aside(1.33, .5);
+    (void)state;
+    check_behind(SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) WATER "} ",
+                 glass + 2 * water, 1.5);
+    check_behind(SLAB(0, 1.5) WATER "} " SLAB(.5, 1) GLASS "} ",
+                 glass + 2 * water, 1.5);
+    check_behind(SLAB(0, 1.5) GLASS "} " SLAB(.5, 1) WATER "} ",
+                 2 * glass + water, 1.5);
+    check_behind(SLAB(0, 1.5) WATER
+                 "} " SLAB(.5, 1) "pigment { rgbt 1 } interior { ior 1 } } ",
+                 .5 + 2 * water, 1.5);
+    check_behind(SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) GLASS "} ", 3 * glass,
+                 1.5);
+    check_behind(SLAB(0, 1.5) GLASS "} " SLAB(.5, 2) WATER "} " SLAB(1, 2.5)
+                     GLASS "} ",
+                 4 * glass + water, 2.5);
+}
+
+/* Of what is one body each second surface leads out of it. */
+static void test_shared_interior(void **state)
+{
+    double glass = aside(1.5, .5);
+    (void)state;
+    check_behind("union { " SLAB(0, 1) "} " SLAB(.5, 1.5) "} " GLASS "} ",
+                 glass + .5 + glass, 1.5);
+    check_behind("merge { " SLAB(0, 1) "} " SLAB(.5, 1.5) "} " GLASS "} ",
+                 3 * glass, 1.5);
+}
+
+/* A ball about the eye, which is off its centre; a mirror in it tells nothing
+ * of what the ray is in. */
+static void check_from_within(double along, const char *things)
+{
+    double b = .5, radius = 2;
+    const struct look look = { { 0, b, 0 }, { 0, 0, along } };
+    double turned = asin(1.5 * b / radius) - asin(b / radius);
+    char text[512];
+    snprintf(text, sizeof text,
+             "sphere { 0, 2 " GLASS "} %s"
+             "sphere { %.17g*z, 1e-6 pigment { rgb .6 } " LAMP "}",
+             things, 1.5 * b / sin(turned));
+    check(&look, text, .6, .6, .6);
+}
+
+static void test_eye_within(void **state)
+{
+    (void)state;
+    check_from_within(1, "");
+    check_from_within(-1, SLAB(-.6, -.5) "scale <.1, .1, 1> "
+                                         "finish { reflection 1 } } ");
+}
+
+/* In at the front of a block, wholly reflected at a side, where it falls at 62
+ * degrees, out at the back. */
+static void test_total_keeps(void **state)
+{
+    const struct look look = { { -1.5, 0, -3 }, { 1, 0, 1 } };
+    char text[512];
+    (void)state;
+    snprintf(text, sizeof text,
+             "box { -1, 1 " GLASS "} "
+             "sphere { <%.17g, 0, 2>, 1e-6 pigment { rgb .7 } " LAMP "}",
+             2 - (.5 + aside(1.5, 2)) - 1);
+    check(&look, text, .7, .7, .7);
+}
+
+/* A ray that goes straight on is of its parent's level, and of the last level
+ * none goes on.  It does where the indices are the same. */
+static void check_level(int level, const char *things, double seen)
+{
+    struct look look = ZAHEAD;
+    char text[1024];
+    snprintf(
+        text, sizeof text,
+        "global_settings { max_trace_level %d } background { rgb .6 } %s",
+        level, things);
+    check(&look, text, seen, seen, seen);
+}
+
+static void test_straight_levels(void **state)
+{
+    static const char panes[] = "#for (I, 1, 8) box { <-1, -1, I>, <1, 1, "
+                                "I + .5> pigment { rgbt 1 } } #end ";
+    static const char same[] = SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) GLASS "} ";
+    static const char other[] = SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) WATER
+        "} ";
+    char mirrored[512];
+    (void)state;
+    check_level(1, panes, 0);
+    check_level(2, panes, .6);
+    snprintf(mirrored, sizeof mirrored,
+             "%s plane { -z, -20 finish { reflection .5 } } ", panes);
+    check_level(2, mirrored, 0);
+    check_level(3, mirrored, .3);
+    check_level(2, same, 0);
+    check_level(3, same, .6);
+    check_level(3, other, 0);
+    check_level(4, other, .6);
+}
+
+/* What a mirror by Fresnel's formulas gives back straight on. */
+static double straight_share(double index)
+{
+    return (index - 1) * (index - 1) / ((index + 1) * (index + 1));
+}
+
+/* .. and at 45 degrees, where one part is the square of the other. */
+static double slanted_share(double index)
+{
+    double inside = sqrt(index * index - .5), across = sqrt(.5);
+    double share = pow((across - inside) / (across + inside), 2);
+    return (share + share * share) / 2;
+}
+
+/* In water glass mirrors less.  Without anything clear each surface is mirror
+ * by the side that the ray comes from: the second one here wholly, as from
+ * within glass. */
+static void test_fresnel(void **state)
+{
+#define FRESNEL "finish { reflection { 0, 1 fresnel } } interior { ior 1.5 } "
+    struct look look = ZAHEAD;
+    const struct look slanted = { { 0, 0, 0 }, { 1, 0, 1 } };
+    double in_air = straight_share(1.5),
+           in_water = straight_share(1.5 / 1.33);
+    double once = slanted_share(1.5);
+    (void)state;
+    check(&look, "background { rgb 1 } " SLAB(1, 2) FRESNEL "} ", in_air,
+          in_air, in_air);
+    check(&look,
+          "global_settings { adc_bailout 1/1000 } "
+          "background { rgb 1 } plane { -z, 0 " WATER "} " SLAB(1, 2) FRESNEL
+          "} ",
+          in_water, in_water, in_water);
+    check(&slanted,
+          "plane { -z, -4 " FRESNEL "} plane { -z, 4 " FRESNEL "} "
+          "sphere { <14, 0, -2>, .1 pigment { rgb 1 } " LAMP "} ",
+          once, once, once);
+}
+
 /* --- shadows ------------------------------------------------------------- */
 
 /* The floor below a light, and what hangs between. */
@@ -292,6 +475,13 @@ int main(void)
         cmocka_unit_test(test_total_reflection),
         cmocka_unit_test(test_what_passes),
         cmocka_unit_test(test_too_dark),
+        cmocka_unit_test(test_ball_in_water),
+        cmocka_unit_test(test_overlapping),
+        cmocka_unit_test(test_shared_interior),
+        cmocka_unit_test(test_eye_within),
+        cmocka_unit_test(test_total_keeps),
+        cmocka_unit_test(test_straight_levels),
+        cmocka_unit_test(test_fresnel),
         cmocka_unit_test(test_shadows),
         cmocka_unit_test(test_shadows_of_solids),
     };

@@ -258,6 +258,77 @@ static void test_interiors(void **state)
     scene_free(scene);
 }
 
+/* The bodies of the primitives as letters, the first one `a`; `.` is one that
+ * is not seen. */
+static void check_bodies(const char *text, const char *expected)
+{
+    struct scene *scene = read_scene(text);
+    const struct primitive *p = scene->primitives;
+    size_t bodies[10];
+    int count = 0;
+    char found[30] = "";
+
+    for (size_t i = 0; i < scene->primitive_count; i++) {
+        int k = 0;
+        assert_true(p[i].unseen || p[i].interior > 0);
+        while (k < count && bodies[k] != p[i].interior)
+            k++;
+        if (!p[i].unseen && k == count)
+            bodies[count++] = p[i].interior;
+        found[i] = p[i].unseen ? '.' : (char)('a' + k);
+    }
+    if (strcmp(found, expected) != 0)
+        fail_msg("%s: %s, expected %s", text, found, expected);
+    scene_free(scene);
+}
+
+#define FILLED "sphere { 0, 1 interior { ior 1.5 } } "
+
+/* Each object of the scene is a body, and each interior is one of its own
+ * wherever it is given: by name, and in copies. */
+static void test_bodies(void **state)
+{
+    static const char *const rows[][2] = {
+        { A B, "ab" },
+        { "union { " A B " } union { " A B " }", "aabb" },
+        { "difference { " A B " } merge { " C D " }", "aabb" },
+        { FILLED FILLED, "ab" },
+        { "union { " A B " interior { ior 1.5 } }", "aa" },
+        { "union { " A B " material { interior { } } }", "aa" },
+        { "union { " FILLED B C " }", "abb" },
+        { "union { " FILLED B C " interior { ior 1.5 } }", "abb" },
+        { "union { union { " A B " interior { } } " C D " interior { } }",
+          "aabb" },
+        { "union { " A " union { " FILLED B " } }", "aba" },
+        { "sphere { 0, 1 clipped_by { " C " } }", "a." },
+        { "#declare I = interior { ior 1.5 } sphere { 0, 1 interior { I } } "
+          "union { " A " sphere { 0, 1 interior { I } } interior { I } }",
+          "abc" },
+        { "#declare M = material { interior { ior 1.5 } } "
+          "sphere { 0, 1 material { M } } sphere { 0, 1 material { M } }",
+          "ab" },
+        { "#declare S = " A " object { S } object { S }", "ab" },
+        { "#declare S = " FILLED "object { S } object { S }", "ab" },
+        { "#declare S = " FILLED "object { S } object { S interior { } }",
+          "ab" },
+        { "#declare S = " A " union { object { S } object { S } }", "aa" },
+        { "#declare S = " FILLED "union { object { S } object { S } " A
+          " interior { } }",
+          "abc" },
+        { "#declare U = union { " A B " interior { } } "
+          "object { U } object { U }",
+          "aabb" },
+        { "#declare U = union { " FILLED A B " interior { } } "
+          "object { U } union { object { U } " C " object { U } }",
+          "abbcddefgg" },
+        { "#for (I, 1, 2) union { " A FILLED "} #end", "abcd" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++)
+        check_bodies(rows[i][0], rows[i][1]);
+}
+
 /* By name, with more behind the name. */
 static void test_materials(void **state)
 {
@@ -506,6 +577,7 @@ int main(void)
         cmocka_unit_test(test_no_shadow),
         cmocka_unit_test(test_textures),
         cmocka_unit_test(test_interiors),
+        cmocka_unit_test(test_bodies),
         cmocka_unit_test(test_materials),
         cmocka_unit_test(test_clear_pigments),
         cmocka_unit_test(test_reflections),

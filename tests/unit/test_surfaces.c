@@ -2,6 +2,8 @@
  * machine's memory after a layout. */
 #include "tests/unit/laid_out.h"
 
+#include <math.h>
+
 static void test_surfaces(void **state)
 {
     static const char text[] =
@@ -113,6 +115,64 @@ static void test_odd_surfaces(void **state)
     drop_curtain(&stage);
 }
 
+static void check_interiors(const char *text, size_t bodies, double base,
+                            double full)
+{
+    struct stage stage;
+    uint64_t first;
+    c205_word table;
+
+    raise_curtain(&stage, text, BOUNDING_FLAT);
+    first = symbol(&stage, "scene_interiors");
+    table = stage_word(&stage, first);
+    assert_number(stage_word(&stage, table), 1);
+    for (size_t i = 1; i <= bodies; i++)
+        assert_number(stage_word(&stage, table + 64 * i), 1 + (double)i / 64);
+    assert_number(stage_word(&stage, first + 64), base);
+    assert_number(stage_word(&stage, first + 2 * 64), 1 / base);
+    assert_number(stage_word(&stage, first + 3 * 64), full);
+    assert_number(stage_word(&stage, first + 4 * 64),
+                  full > 0 ? 1 / full : 0);
+    assert_number(stage_word(&stage, first + 5 * 64), 9);
+    drop_curtain(&stage);
+}
+
+/* Those that rays may be in, in order; so many as there is room for are
+ * remembered. */
+static void test_interiors(void **state)
+{
+    static const char few[] =
+        "global_settings { max_trace_level 9 }\n"
+        "#default { pigment { rgbt .5 } }\n"
+        "sphere { 0, 1 interior { ior 1 + 1/64 } }\n"
+        "sphere { 0, 1 pigment { rgb 1 } interior { ior 3 } }\n"
+        "sphere { 0, 1 pigment { rgb 1 } interior { ior 1 + 2/64 }\n"
+        "    finish { reflection { 1 fresnel } } }\n"
+        "union { sphere { 0, 1 } sphere { 0, 2 } interior { ior 1 + 3/64 } }";
+    static const int numbers[] = { 1, 0, 2, 3, 3 };
+    static const char many[] =
+        "global_settings { max_trace_level 9 }\n"
+        "#for (I, 1, %d) sphere { 0, 1 pigment { rgbt .5 }\n"
+        "    interior { ior 1 + I/64 } } #end";
+    char text[200];
+    struct stage stage;
+
+    (void)state;
+    raise_curtain(&stage, few, BOUNDING_FLAT);
+    for (size_t i = 0; i < COUNT(numbers); i++)
+        assert_number(primitive(&stage, i, "P_INTERIOR"), numbers[i]);
+    drop_curtain(&stage);
+    check_interiors(few, 3, 4, 0);
+    snprintf(text, sizeof text, many, 11);
+    check_interiors(text, 11, 16, 0);
+    snprintf(text, sizeof text, many, 12);
+    check_interiors(text, 12, 16, ldexp(1, 4 * 10));
+    snprintf(text, sizeof text, many, 16);
+    check_interiors(text, 16, 32, ldexp(1, 5 * 8));
+    snprintf(text, sizeof text, many, 31);
+    check_interiors(text, 31, 32, ldexp(1, 5 * 8));
+}
+
 static void test_levels(void **state)
 {
     static const struct {
@@ -122,7 +182,7 @@ static void test_levels(void **state)
         { "sphere { 0, 1 }", 1 },
         { "sphere { 0, 1 finish { reflection rgb <0, 0, .1> } }", 7 },
         { "sphere { 0, 1 } sphere { 0, 1 pigment { rgbt <0, 0, 0, .1> } }",
-          7 },
+          7 + 64 },
     };
 
     (void)state;
@@ -149,9 +209,9 @@ static void test_levels(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surfaces), cmocka_unit_test(test_finish),
-        cmocka_unit_test(test_gloss),    cmocka_unit_test(test_odd_surfaces),
-        cmocka_unit_test(test_levels),
+        cmocka_unit_test(test_surfaces),  cmocka_unit_test(test_finish),
+        cmocka_unit_test(test_gloss),     cmocka_unit_test(test_odd_surfaces),
+        cmocka_unit_test(test_interiors), cmocka_unit_test(test_levels),
     };
 
     return cmocka_run_group_tests_name("surfaces", tests, set_up_model,

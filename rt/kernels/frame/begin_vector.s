@@ -38,6 +38,10 @@ begin_queues:
         VTOV    s6, [s5]
         describe s5, importance_one, s4
         VTOV    one, [s5]
+        .if     INTERIORS
+        describe s5, inside_unknown, s4
+        VTOV    minus_one, [s5]
+        .endif
         EX      target, begin_order
         BSAVE   link, [target]
         BIM     0, link_walk

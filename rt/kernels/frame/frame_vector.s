@@ -57,6 +57,10 @@ frame:
         .include "light/light_vector.s"
         .include "light/shadow_vector.s"
         .include "light/spawn_vector.s"
+        .if     INTERIORS
+        .include "light/interior.s"
+        .include "light/interior_vector.s"
+        .endif
         .include "light/power_vector.s"
         .include "frame/samples.s"
         .include "frame/average_vector.s"

@@ -9,6 +9,11 @@
         .equ    GLOSS, 0
         .endif
 
+; 1: light passes through something (light/interior.s).
+        .ifndef INTERIORS
+        .equ    INTERIORS, 0
+        .endif
+
 ; 1: there are patterns besides checkers and gradients (light/pattern.s).
         .ifndef PATTERNS
         .equ    PATTERNS, 0
@@ -85,6 +90,9 @@
         .field  P_REFLECTION_METALLIC
         .field  P_REFLECTION_KIND ; 0: it is always the same, 1: by a power,
                                 ; 2: by Fresnel's formulas
+        .endif
+        .if     INTERIORS
+        .field  P_INTERIOR         ; the number of its body (light/interior.s)
         .endif
         .field  P_PATCH_POINT, 2   ; the parameters of the last hit, written
                                 ; by the scalar form only
@@ -303,8 +311,8 @@ leaves_end:       .word 0       ; of those at hand, its end, written by vector c
 scene_branches:   .word 0       ; BRANCH_SIZE words for each branch: the list of
 branches_end:     .word 0       ; those at hand, its end, written by vector code
 scene_levels:     .word 0       ; LEVEL_SIZE words for each level of reflection
-scene_level_count: .word 0      ; max_trace_level, or 1 if nothing reflects or is
-                                ; clear, an integer
+scene_level_count: .word 0      ; how many: as many rays may come of one another;
+                                ; 1 if nothing reflects or is clear, an integer
 scene_bailout:    .word 0       ; what weighs less is not followed, a number
 scene_lights:     .word 0       ; address of the first, and how many
 scene_light_count: .word 0

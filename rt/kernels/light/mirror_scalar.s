@@ -47,6 +47,9 @@ mirror_falls:
         BIM     mirror_share
 
 mirror_fresnel:
+        .if     INTERIORS
+        RTOR    in_mirror, g_work
+        .else
         RTOR    sp_index, g_work
         ES      sp_flag, 0
         CFPGE   sp_outward, r0, mirror_side
@@ -55,6 +58,7 @@ mirror_side:
         IBXNE   sp_flag, r0, sp_inverted, mirror_enters
         RTOR    sp_reciprocal, g_work
 mirror_enters:
+        .endif
         MPYS    g_work, g_work, g_work
         MPYS    sp_t0, sp_t0, g_g
         ADDN    g_g, g_work, g_g

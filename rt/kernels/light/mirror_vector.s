@@ -80,8 +80,12 @@ mirror_power:
         BIM     mirror_tinted
 
 mirror_fresnel:
+        .if     INTERIORS
+        VTOV    [v7], [v1]
+        .else
         find_entering
         MASKV   spawn_index, spawn_reciprocal, [v1] ? [hits2]
+        .endif
         MPYSV   [v1], [v1], [v1]
         MPYSV   [v5], [v5], [v2]
         ADDNV   [v2], [v1], [v1]

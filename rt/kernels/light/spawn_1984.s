@@ -7,8 +7,15 @@
         .regs   r37, is_clear, hit_weight_at
         .regs   r39, is_reflected, is_refracted, parent
         .regs   r42, child_ox, child_oy, child_oz, child_dx, child_dy, child_dz
-        .regs   r48, child_least, child_scaled, child_weight, child_red
-        .regs   r52, child_green, child_blue
+        .regs   r48, child_least, child_scaled
+        .if     INTERIORS
+        .regs   r50, child_inside, child_level
+        .regs   r52, child_weight, child_red, child_green, child_blue
+        .regs   r56, ray_inside_at, ray_level_at
+        .regs   r58, ray_inside, ray_level, ray_weight
+        .else
+        .regs   r50, child_weight, child_red, child_green, child_blue
+        .endif
         .endshare
 
         .data
@@ -21,6 +28,9 @@ spawn_list:     .space 3
                 .word 0
                 .endif
 spawn_followed: .space 2
+        .if     INTERIORS
+spawn_state:    .space SPAWN_STATE
+        .endif
 spawn_children: .space 2 * CHILD_SIZE
         .code
 
@@ -53,6 +63,10 @@ spawn_children: .space 2 * CHILD_SIZE
         list_next child_green
         list_next child_blue
         list_next child_weight
+        .if     INTERIORS
+        list_next child_inside
+        list_next child_level
+        .endif
         list_next \kind
         list_next parent
         IX      list_index, 1
@@ -72,6 +86,12 @@ spawn_hits:
         EX      list_stride, 64 * LIST
         EX      loop_at, queue_importance
         LOD     [loop_at], hit_weight_at
+        .if     INTERIORS
+        EX      loop_at, queue_inside
+        LOD     [loop_at], ray_inside_at
+        EX      loop_at, queue_level
+        LOD     [loop_at], ray_level_at
+        .endif
         load_order
 spawn_hit:
         in_hit  HIT_PRIMITIVE, 2, new_primitive ; and its place
@@ -88,8 +108,17 @@ spawn_hit:
         .if     GLOSS
         spawn_argument 7, HIT_PIGMENT, 3
         .endif
+        .if     INTERIORS
+        LOD     [ray_inside_at, new_place], ray_inside
+        LOD     [ray_level_at, new_place], ray_level
+        LOD     [hit_weight_at, new_place], ray_weight
+        EX      loop_work, spawn_state
+        ELEN    loop_work, SPAWN_STATE
+        SWAP    [r0], ray_inside, [loop_work]
+        .else
         SHIFTI  new_place, 6, loop_work
         ADDX    hit_weight_at, loop_work, loop_work
+        .endif
         EX      loop_at, spawn_list + 64 * 3
         STO     [loop_at], loop_work
         call    spawn, spawn_list

@@ -5,18 +5,19 @@
 ;
 ; RAY = O, D (6 words); PRIMITIVE = the record of what it hit; SURFACE = of the
 ; sample: normal turned against the ray, N . D, the same of the outward normal,
-; place of the colour, point (9); WEIGHT = that of the ray (1).
+; place of the colour, point (9); WEIGHT = that of the ray (1), where light passes
+; through something the bodies that it is in and its level before it (3).
 ; FOLLOWED = 1 or 0: there is a reflected ray, a refracted one (2, integers);
 ; REFLECTED, REFRACTED = its O, D, least distance, the same to be scaled;
-; weight; the colour it is multiplied by (12 words).  With finishes that depend on
+; (bodies, level;) weight; the colour it is multiplied by (12 words).  With finishes that depend on
 ; the angle another argument: PIGMENT = its colour there (3).
 ;
 ; With c = -N . D:
 ;
 ;   reflected   D' = D - (2 N . D) N        times the reflection's colour
 ;               and of length one again
-;   refracted   k = 1 - e^2 (1 - c^2),  e = 1/ior where the ray enters, else
-;               ior;  D' = e D + (e c - sqrt(k)) N; where ior = 1 straight on
+;   refracted   k = 1 - e^2 (1 - c^2),  e of interior.s;
+;               D' = e D + (e c - sqrt(k)) N; where e = 1 straight on
 ;                                           times the colour that passes
 ;
 ; Where k < 0 all is reflected: the refracted ray goes where the reflected one
@@ -33,19 +34,33 @@
         .regs   r39, sp_dx, sp_dy, sp_dz
         .regs   r42, sp_nx, sp_ny, sp_nz, sp_facing, sp_outward, sp_cell
         .regs   r48, sp_ox, sp_oy, sp_oz        ; the new ray
-        .regs   r51, sp_x, sp_y, sp_z, sp_lower, sp_scaled, sp_weight
-        .regs   r57, sp_red, sp_green, sp_blue, sp_greatest
+        .regs   r51, sp_x, sp_y, sp_z, sp_lower, sp_scaled
+        .if     INTERIORS
+        .regs   r56, sp_inside, sp_level
+        .regs   r58, sp_weight, sp_red, sp_green, sp_blue, sp_greatest
+        .regs   r63, sp_inverted, sp_mirror, sp_clear, sp_index
+        .regs   r67, sp_reciprocal
+        .regs   r68, sp_own_inside, sp_own_level, sp_own_weight
+        .regs   r71, sp_least, sp_e, sp_k, sp_t0, sp_t1, sp_t2
+        .regs   r77, sp_flag, sp_at
+        .else
+        .regs   r56, sp_weight, sp_red, sp_green, sp_blue, sp_greatest
         .regs   r61, sp_inverted, sp_mirror, sp_clear, sp_index
         .regs   r65, sp_reciprocal
         .regs   r66, sp_own_weight, sp_least, sp_e, sp_k, sp_t0, sp_t1, sp_t2
         .regs   r73, sp_flag, sp_at
+        .endif
         .endshare
         .if     GLOSS
         .include "light/mirror_scalar.s"
         .equ    SPAWN_REGISTERS, MIRROR_REGISTERS
         .equ    SPAWN_ARGUMENTS, 8
         .else
+        .if     INTERIORS
+        .equ    SPAWN_REGISTERS, 59
+        .else
         .equ    SPAWN_REGISTERS, 43
+        .endif
         .equ    SPAWN_ARGUMENTS, 7
         .endif
 
@@ -53,9 +68,21 @@
         .record CHILD
         .field  CHILD_RAY, 6            ; O, D
         .field  CHILD_LEAST, 2          ; least distance, to be scaled
+        .if     INTERIORS
+        .field  CHILD_INSIDE            ; the bodies that it is in
+        .field  CHILD_LEVEL             ; its level
+        .endif
         .field  CHILD_WEIGHT
         .field  CHILD_FACTOR, 3         ; of its colour in the parent's
         .endrecord
+
+        .if     INTERIORS
+        .include "light/interior.s"
+        .include "light/interior_scalar.s"
+        .equ    SPAWN_STATE, 3          ; INSIDE, LEVEL, WEIGHT
+        .else
+        .equ    SPAWN_STATE, 1
+        .endif
 
         .data
 spawn_save:     .space SPAWN_REGISTERS
@@ -101,7 +128,12 @@ spawn:
         IX      sp_at, 64 * P_INVERTED
         ELEN    sp_at, 5
         SWAP    [sp_at], sp_inverted, [r0]
+        .if     INTERIORS
+        ELEN    sp_weight_at, SPAWN_STATE
+        SWAP    [sp_weight_at], sp_own_inside, [r0]
+        .else
         LOD     [sp_weight_at], sp_own_weight
+        .endif
         EX      sp_at, scene_bailout
         LOD     [sp_at], sp_least
         EX      sp_at, k_lower
@@ -110,6 +142,27 @@ spawn:
         STO     [sp_followed], r0
         STO     [sp_followed, m_index_one], r0
 
+        .if     INTERIORS
+        EX      sp_at, scene_interiors
+        ELEN    sp_at, INTERIORS_OF_SIZE
+        SWAP    [sp_at], in_table, [r0]
+        CFPGE   sp_own_level, in_levels, spawn_done
+        RTOR    sp_primitive, sp_at
+        IX      sp_at, 64 * P_INTERIOR
+        LOD     [sp_at], in_body
+        IBXNE   sp_clear, r0, r0, spawn_interiors
+        .if     GLOSS
+        RTOR    sp_primitive, sp_at
+        IX      sp_at, 64 * P_REFLECTION_KIND
+        LOD     [sp_at], sp_flag
+        ES      sp_at, 2                        ; by Fresnel's formulas
+        IBXEQ   sp_flag, r0, sp_at, spawn_interiors
+        .endif
+        BIM     spawn_no_interiors
+spawn_interiors:
+        find_interiors
+spawn_no_interiors:
+        ADDN    sp_own_level, m_one, sp_level
         IBXEQ   sp_clear, r0, r0, spawn_reflected
         weigh   P_PASSING, sp_cell
         CFPLT   sp_greatest, r0, spawn_reflected
@@ -119,15 +172,7 @@ spawn_through:
         RTOR    sp_dx, sp_x
         RTOR    sp_dy, sp_y
         RTOR    sp_dz, sp_z
-        CFPEQ   sp_index, m_one, spawn_refracted
-        ES      sp_flag, 0
-        CFPGE   sp_outward, r0, spawn_side
-        ES      sp_flag, 1
-spawn_side:
-        RTOR    sp_index, sp_e
-        IBXEQ   sp_flag, r0, sp_inverted, spawn_leaves
-        RTOR    sp_reciprocal, sp_e
-spawn_leaves:
+        CFPEQ   sp_e, m_one, spawn_straight
         SUBN    r0, sp_facing, sp_t0            ; c
         MPYS    sp_e, sp_e, sp_k
         MPYS    sp_t0, sp_t0, sp_t1
@@ -147,11 +192,15 @@ spawn_leaves:
         ADDN    sp_x, sp_t0, sp_x
         ADDN    sp_y, sp_t1, sp_y
         ADDN    sp_z, sp_t2, sp_z
+        BIM     spawn_refracted
+spawn_straight:
+        RTOR    sp_own_level, sp_level
 spawn_refracted:
         IBXEQ   sp_clear, r0, r0, spawn_reflected
         ELEN    sp_refracted_at, CHILD_SIZE
         SWAP    [r0], sp_ox, [sp_refracted_at]
         STO     [sp_followed, m_index_one], m_index_one
+        .endif
 
 spawn_reflected:
         IBXEQ   sp_mirror, r0, r0, spawn_done
@@ -160,6 +209,10 @@ spawn_reflected:
         find_mirror
         .endif
         CFPLT   sp_weight, sp_least, spawn_done
+        .if     INTERIORS
+        RTOR    sp_own_inside, sp_inside
+        ADDN    sp_own_level, m_one, sp_level
+        .endif
         mirrored
         ELEN    sp_reflected_at, CHILD_SIZE
         SWAP    [r0], sp_ox, [sp_reflected_at]
@@ -167,14 +220,17 @@ spawn_reflected:
 spawn_done:
         leave   spawn_save, SPAWN_REGISTERS
 
+        .if     INTERIORS
 spawn_total:
         IBXEQ   sp_clear, r0, r0, spawn_done
         mirrored
         RTOR    m_one, sp_red
         RTOR    m_one, sp_green
         RTOR    m_one, sp_blue
+        RTOR    sp_own_inside, sp_inside
         ELEN    sp_refracted_at, CHILD_SIZE
         SWAP    [r0], sp_ox, [sp_refracted_at]
         STO     [sp_followed, m_index_one], m_index_one
         leave   spawn_save, SPAWN_REGISTERS
+        .endif
         .endkernel

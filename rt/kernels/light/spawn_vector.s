@@ -6,16 +6,17 @@
 ;   reflected   D' = D - (2 facing) N       times the reflection's colour
 ;               and of length one again: within a mirroring sphere what is off
 ;               would grow with each reflection
-;   refracted   e = 1/ior where the ray enters, else ior;  cosine = -facing
+;   refracted   e = by how much less is in front (interior.s);  cosine = -facing
 ;               k = 1 - (e e) (1 - cosine cosine)
-;               D' = e D + (e cosine - sqrt(k)) N;  ior = 1: D' = D
+;               D' = e D + (e cosine - sqrt(k)) N;  e = 1: D' = D
 ;                                           times the colour that passes
 ;
 ; A ray enters where the outward normal points against it; of an inverted
 ; primitive where it does not.  Where k < 0 all is reflected: the refracted ray
 ; goes where the reflected one would, its colour is not changed, and there is no
 ; other reflected ray.  A ray is followed if its importance, its parent's times
-; the greatest part of the colour, is not below scene_bailout; what passes and
+; the greatest part of the colour, is not below scene_bailout, and, where light
+; passes through something, its parent's level is below the last; what passes and
 ; is marked as too dim (its greatest part below 0) is as if nothing passed.
 ;
 ; In:  a part of the hits, hits0: where its normal was turned; next_level.
@@ -27,6 +28,7 @@
         .regs   r237, spawn_reciprocal, spawn_r, spawn_g, spawn_b, spawn_most
         .regs   r242, spawn_tail, spawn_stride, spawn_count, spawn_kind
         .regs   r246, spawn_checker, link_spawn, spawn_into, spawn_total
+        .regs   r251, spawn_bent_count, spawn_inside
         .endshare
 
 ; The next vector of the list, from its end on: those of vector in hits1.
@@ -48,6 +50,14 @@
         load_word queue_importance, s0
         VXTOV   [at], [s0], [v4]
         MPYSV   [v4], \share, [v5]
+        .if     INTERIORS
+        EX      s0, scene_interiors + 64 * INTERIORS_LEVELS
+        LOD     [s0], s0
+        load_word queue_level, s1
+        VXTOV   [at], [s1], [v4]
+        CMPGEV  [v4], s0, [hits1]
+        VTOV    minus_one, [v5] ? [hits1]
+        .endif
         load_word scene_bailout, s0
         CMPGEV  [v5], s0, [hits1]
         .endm
@@ -97,12 +107,32 @@ spawn:
         IBXEQ   s0, r0, r0, spawn_nothing
         RTOR    link_kernel, link_spawn
         ES      spawn_total, 0
+        .if     INTERIORS
+        EX      target, take_interiors
+        BSAVE   link_inner, [target]
+        EX      target, find_interiors
+        IBXNE   spawn_clear, r0, r0, spawn_interiors
+        .if     GLOSS
+        load_field P_REFLECTION_KIND, s0
+        ES      s1, 2                           ; by Fresnel's formulas
+        IBXNE   s0, r0, s1, spawn_no_interiors
+spawn_interiors:
+        BSAVE   link_inner, [target]
+spawn_no_interiors:
+        .else
+        BIM     spawn_no_interiors
+spawn_interiors:
+        BSAVE   link_inner, [target]
+spawn_no_interiors:
+        .endif
+        .endif
         .if     GLOSS
         IBXEQ   spawn_mirror, r0, r0, spawn_no_mirror
         EX      target, find_mirror
         BSAVE   link_kernel, [target]
 spawn_no_mirror:
         .endif
+        .if     INTERIORS
         IBXEQ   spawn_clear, r0, r0, spawn_reflected
 
 ; What passes: sh8 .. sh11, in the odd cells of a checker, hits3, sh12 .. sh15.
@@ -118,12 +148,13 @@ spawn_passing:
         ES      spawn_clear, 0
         BIM     spawn_reflected
 
-; v0 = e, v7 = k, hits2: total reflection.
+; v0 = e, v7 = k, hits2: total reflection; spawn_bent_count: e is not 1.
 spawn_bend:
         XORB    [hits2], [hits2], [hits2]
-        CFPEQ   spawn_index, one, spawn_reflected
-        find_entering
-        MASKV   spawn_reciprocal, spawn_index, [v0] ? [hits2]
+        CMPNEV  [lz], one, [hits0]
+        CNTOB   [hits0], spawn_bent_count
+        IBXEQ   spawn_bent_count, r0, r0, spawn_reflected
+        VTOV    [lz], [v0]
         MPYSV   [v0], [v0], [v7]
         LINKV
         MPYSV   [facing], [facing], [v6]
@@ -132,12 +163,15 @@ spawn_bend:
         MPYSV   [v7], [v6], [v7]
         SUBNV   one, [v7], [v7]
         CMPLTV  [v7], r0, [hits2]
+        ANDB    [hits2], [hits0], [hits2]
+        VTOV    r0, [v7] ?! [hits0]
         IBXEQ   spawn_checker, r0, r0, spawn_bent
         MASKV   sh15, sh11, [v6] ? [hits3]
         CMPGEV  [v6], r0, [hits1]               ; not too dim
         ANDB    [hits2], [hits1], [hits2]
 spawn_bent:
         CNTOB   [hits2], spawn_total
+        .endif
 
 spawn_reflected:
         IBXEQ   spawn_mirror, r0, r0, spawn_refracted
@@ -165,16 +199,20 @@ spawn_followed:
         spawn_number spawn_b
         .endif
         ES      spawn_kind, 0
+        .if     INTERIORS
+        RTOR    lx, spawn_inside
+        .endif
         EX      target, spawn_rest
         BSAVE   link_kernel, [target]
 
 spawn_refracted:
+        .if     INTERIORS
         IBXEQ   spawn_clear, r0, r0, spawn_done
         MASKV   sh15, sh11, [v6] ? [hits3]
         spawn_importance [v6]
         CNTOB   [hits1], spawn_count
         IBXEQ   spawn_count, r0, r0, spawn_done
-        CFPNE   spawn_index, one, spawn_refract
+        IBXNE   spawn_bent_count, r0, r0, spawn_refract
         VTOV    [hdx], [v1]
         VTOV    [hdy], [v2]
         VTOV    [hdz], [v3]
@@ -186,6 +224,7 @@ spawn_none_total:
         SQRTV   [v7], [v7] ?! [hits2]
         MPYSV   -[facing], [v0], [v6]
         SUBNV   [v6], [v7], [v7]
+        VTOV    r0, [v7] ?! [hits0]             ; straight on
         refract hdx, nx, v1
         refract hdy, ny, v2
         refract hdz, nz, v3
@@ -205,8 +244,11 @@ spawn_weights:
         spawn_weight sh10, sh14
 spawn_weighted:
         ES      spawn_kind, 1
+        VTOV    [lx], [ly] ? [hits2]
+        RTOR    ly, spawn_inside
         EX      target, spawn_rest
         BSAVE   link_kernel, [target]
+        .endif
 spawn_done:
         BIM     0, link_spawn
 spawn_nothing:
@@ -227,9 +269,21 @@ spawn_ray:
         spawn_vector v3
         BIM     0, link_kernel
 
-; Importance, kind, place of the parent in its level.
+; Importance, the bodies it is in and its level, kind, place of the parent in the
+; list before.
 spawn_rest:
         spawn_vector v5
+        .if     INTERIORS
+        spawn_vector spawn_inside
+        load_word queue_level, s0
+        VXTOV   [at], [s0], [v4]
+        ADDNV   [v4], one, [v6]
+        IBXEQ   spawn_kind, r0, r0, spawn_counted
+        CMPEQV  [lz], one, [hits3]
+        VTOV    [v4], [v6] ? [hits3]
+spawn_counted:
+        spawn_vector v6
+        .endif
         spawn_number spawn_kind
         ADDLEN  spawn_tail, spawn_count, s0
         load_word queue_order, s2

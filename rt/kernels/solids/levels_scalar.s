@@ -14,6 +14,10 @@
         .record LEVEL
         .field  L_RAY, 6                ; O, D
         .field  L_LEAST, 2              ; least distance, to be scaled
+        .if     INTERIORS
+        .field  L_INSIDE                ; the bodies that it is in
+        .field  L_RAY_LEVEL             ; its own level: fewer than records, for
+        .endif                          ; what goes straight on is of the same
         .field  L_WEIGHT
         .field  L_FACTOR, 3             ; of its colour in the parent's
         .field  L_SAMPLE, SAMPLE_SIZE   ; as SHADE gives it
@@ -112,7 +116,7 @@ levels_next:
         level_argument L_SHADE + 3, L_SAMPLE, SAMPLE_SIZE
         level_argument L_SPAWN, L_RAY, 6
         level_argument L_SPAWN + 2, L_SAMPLE + SAMPLE_NORMAL, SAMPLE_SIZE - SAMPLE_NORMAL
-        level_argument L_SPAWN + 3, L_WEIGHT, 1
+        level_argument L_SPAWN + 3, L_WEIGHT + 1 - SPAWN_STATE, SPAWN_STATE
         level_argument L_SPAWN + 4, L_FOLLOWED, 2
         level_argument L_SPAWN + 5, LEVEL_SIZE + L_RAY, CHILD_SIZE
         level_argument L_SPAWN + 6, L_WAITING, CHILD_SIZE
@@ -128,6 +132,11 @@ levels_next:
         LOD     [main_t], main_t
         STO     [main_at], m_tmin
         STO     [main_at, m_index_one], main_t
+        .if     INTERIORS
+        of_level L_INSIDE
+        STO     [main_at], m_minus_one
+        STO     [main_at, m_index_one], m_one
+        .endif
         of_level L_WEIGHT
         STO     [main_at], m_one
         BIM     0, trace_link

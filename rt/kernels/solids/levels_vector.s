@@ -1,5 +1,6 @@
 ; levels_vector.s - which rays are traced when: levels of reflection, their
-; lists, and how the colours of reflected and refracted rays come together.
+; lists, and how the colours of reflected and refracted rays come together.  A
+; list is of the rays that come of those of the list before.
 ;
 ; The rays of the first level are made of pixels, those of the others stand in
 ; a list of their level, where the rays before put them (spawn_vector.s).  A
@@ -20,6 +21,10 @@
         .field  LIST_RAY, 6             ; origin 3, direction 3
         .field  LIST_WEIGHT, 3          ; of the ray's colour
         .field  LIST_IMPORTANCE         ; of the ray for its pixel
+        .if     INTERIORS
+        .field  LIST_INSIDE             ; the bodies that it is in
+        .field  LIST_RAY_LEVEL          ; its own level: fewer than lists, for
+        .endif                          ; what goes straight on is of the same
         .field  LIST_KIND               ; 0 reflected, 1 refracted
         .field  LIST_PARENT             ; its place in the level before
         .field  LIST_COLOR, 3
@@ -42,8 +47,15 @@
         .data
 levels_last:    .word 0                 ; address of the last level
 queue_importance: .word 0               ; descriptor: of the queue's rays
+        .if     INTERIORS
+queue_inside:   .word 0                 ; .. the bodies that they are in, their
+queue_level:    .word 0                 ; levels
+        .endif
         .align  64
 importance_one: .space QUEUE            ; that of the first level
+        .if     INTERIORS
+inside_unknown: .space QUEUE
+        .endif
         .code
 
 ; Address of vector number vector of a level's list.
@@ -57,17 +69,15 @@ trace_levels:
         RTOR    link, link_levels
         load_word scene_levels, level
         load_word scene_level_count, s2
+        ADDX    s2, minus_one_index, s2
         EX      s3, 64 * LEVEL_SIZE
-        RTOR    level, s4
-levels_clear:
-        STO     [s4], r0
-        STO     [s4, one_index], r0
-        EX      s5, levels_last
-        STO     [s5], s4
-        ADDX    s4, s3, s4
-        IBXNE   s2, minus_one_index, r0, levels_clear, s2
+        MPYX    s2, s3, s2
+        ADDX    level, s2, s2
+        EX      s3, levels_last
+        STO     [s3], s2
         load_word scene_pixels, s0
         STO     [level], s0
+        STO     [level, one_index], r0
 
 levels_next:
         LOD     [level], s1
@@ -180,6 +190,13 @@ first_in_rows:
         describe s2, importance_one, n
         EX      s3, queue_importance
         STO     [s3], s2
+        .if     INTERIORS
+        EX      s3, queue_level
+        STO     [s3], s2
+        describe s2, inside_unknown, n
+        EX      s3, queue_inside
+        STO     [s3], s2
+        .endif
         ES      from_one_point, 1 - ORTHOGRAPHIC
         EX      target, generate
         BSAVE   link_kernel, [target]
@@ -202,6 +219,14 @@ list_queue:
         ADDLEN  s2, n, s2
         EX      s5, queue_importance
         STO     [s5], s2
+        .if     INTERIORS
+        ADDX    s2, s3, s2
+        EX      s5, queue_inside
+        STO     [s5], s2
+        ADDX    s2, s3, s2
+        EX      s5, queue_level
+        STO     [s5], s2
+        .endif
         list_vector level, LIST_COLOR, s2
         ADDX    s2, s4, s2
         three_planes s2, s3, out_red, out_green, out_blue

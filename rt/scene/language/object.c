@@ -92,6 +92,7 @@ static void inherit(struct scene_part *part,
     }
     if (!part->filled && object->filled) {
         part->primitive.ior = object->ior;
+        part->primitive.interior = object->interior;
         part->filled = true;
     }
 }
@@ -322,8 +323,54 @@ bool object_copy(struct scene_object *copy, const struct scene_object *object)
     copy->texture = object->texture;
     copy->filled = object->filled;
     copy->ior = object->ior;
+    copy->interior = object->interior;
     copy->is_light = object->is_light;
     return object_add(copy, &bare);
+}
+
+static int compare_numbers(const void *a, const void *b)
+{
+    const size_t *x = a, *y = b;
+
+    return (*x > *y) - (*x < *y);
+}
+
+static size_t renumbered(const size_t *numbers, size_t count, size_t number,
+                         size_t last)
+{
+    const size_t *place = bsearch(&number, numbers, count, sizeof number,
+                                  compare_numbers);
+
+    return last + 1 + (size_t)(place - numbers);
+}
+
+bool object_renumber(struct scene_object *object, size_t *last)
+{
+    size_t *numbers = malloc((object->part_count + 1) * sizeof *numbers);
+    size_t count = 0, kept = 0;
+
+    if (!numbers)
+        return false;
+    for (size_t i = 0; i < object->part_count; i++)
+        if (object->parts[i].filled)
+            numbers[count++] = object->parts[i].primitive.interior;
+    if (object->filled)
+        numbers[count++] = object->interior;
+    qsort(numbers, count, sizeof *numbers, compare_numbers);
+    for (size_t i = 0; i < count; i++)
+        if (kept == 0 || numbers[kept - 1] != numbers[i])
+            numbers[kept++] = numbers[i];
+    for (size_t i = 0; i < object->part_count; i++) {
+        struct primitive *primitive = &object->parts[i].primitive;
+        if (object->parts[i].filled)
+            primitive->interior = renumbered(numbers, kept,
+                                             primitive->interior, *last);
+    }
+    if (object->filled)
+        object->interior = renumbered(numbers, kept, object->interior, *last);
+    *last += kept;
+    free(numbers);
+    return true;
 }
 
 static void part_move(struct scene_part *part, const struct placement *step)

@@ -19,8 +19,8 @@ struct texture {
 };
 
 struct scene_part {
-    struct primitive primitive; /* pigment and finish once textured, ior once
-                                   filled */
+    struct primitive primitive; /* pigment and finish once textured, ior and
+                                   interior once filled */
     bool textured, filled;
     const struct bicubic_patch
         *patch;        /* a mesh is made of it, in the world */
@@ -50,6 +50,7 @@ struct scene_object {
     struct texture texture;
     bool filled;
     double ior;
+    size_t interior;
 };
 
 void pigment_move(struct pigment *pigment, const struct placement *step);
@@ -75,6 +76,8 @@ bool object_clip(struct scene_object *object,
                  const struct scene_object *clip);
 bool object_copy(struct scene_object *copy,
                  const struct scene_object *object);
+/* Its interiors are others, numbered behind last, which becomes the greatest. */
+bool object_renumber(struct scene_object *object, size_t *last);
 void object_move(struct scene_object *object, const struct placement *step);
 void scene_object_free(struct scene_object *object);
 

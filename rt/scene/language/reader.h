@@ -75,6 +75,7 @@ struct reader {
     struct texture default_texture;
     struct scene_object world;
     size_t primitives_made, triangles;
+    size_t interiors; /* the greatest number of one */
     struct scene *scene;
     bool camera_given;
     struct scene_token fog; /* the first one, if the scene has any */

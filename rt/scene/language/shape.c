@@ -42,7 +42,9 @@ bool shape_copy(struct reader *reader, struct scene_object *copy,
     if (!shape_count(reader, more, &at)
         || !mesh_count(reader, triangles_of(object), &at))
         return false;
-    return object_copy(copy, object) || reader_no_memory(reader);
+    return (object_copy(copy, object)
+            && object_renumber(copy, &reader->interiors))
+           || reader_no_memory(reader);
 }
 
 bool shape_add(struct reader *reader, struct scene_object *object,
@@ -94,6 +96,14 @@ static bool read_finish(struct reader *reader, void *subject,
     return finish_read(reader, &own_texture(reader, subject)->finish);
 }
 
+void object_fill(struct reader *reader, struct scene_object *object,
+                 double ior)
+{
+    object->filled = true;
+    object->ior = ior;
+    object->interior = ++reader->interiors;
+}
+
 static bool read_interior(struct reader *reader, void *subject,
                           const struct item *item)
 {
@@ -101,8 +111,7 @@ static bool read_interior(struct reader *reader, void *subject,
 
     (void)item;
     if (!object->filled)
-        object->ior = 1;
-    object->filled = true;
+        object_fill(reader, object, 1);
     return interior_read(reader, &object->ior);
 }
 
@@ -197,15 +206,14 @@ static const struct grammar material_grammar = { "a word of material",
                                                  { material_words },
                                                  NULL };
 
-static void take_material(struct scene_object *object,
+static void take_material(struct reader *reader, struct scene_object *object,
                           const struct scene_object *material)
 {
     if (material->textured)
         object->texture = material->texture;
     object->textured |= material->textured;
     if (material->filled)
-        object->ior = material->ior;
-    object->filled |= material->filled;
+        object_fill(reader, object, material->ior);
 }
 
 bool material_read(struct reader *reader, struct scene_object *object)
@@ -217,7 +225,7 @@ bool material_read(struct reader *reader, struct scene_object *object)
         return false;
     value = reader_use(reader, VALUE_MATERIAL);
     if (value) {
-        take_material(object, &value->is.material);
+        take_material(reader, object, &value->is.material);
         reader_next(reader);
     }
     return block_items(reader, &block, &material_grammar, object, true);

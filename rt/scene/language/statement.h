@@ -122,7 +122,11 @@ bool light_read(struct reader *reader, struct scene_object *object);
 /* The block of looks_like: a thing whose origin is a light's position. */
 bool looks_like_read(struct reader *reader, struct scene_object *object,
                      const double position[3]);
-/* Another copy of an object, within the bound of PRIMITIVES_MOST. */
+/* An interior of its own, of this index of refraction. */
+void object_fill(struct reader *reader, struct scene_object *object,
+                 double ior);
+/* Another copy of an object, within the bound of PRIMITIVES_MOST; its interiors
+ * are others. */
 bool shape_copy(struct reader *reader, struct scene_object *copy,
                 const struct scene_object *object);
 /* Shapes of POV-Ray that are not supported. */

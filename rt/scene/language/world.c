@@ -69,6 +69,8 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
     if (!object->textured)
         object->texture = reader->default_texture;
     object->textured = true;
+    if (!object->filled)
+        object_fill(reader, object, 1);
     if (!object_add(&reader->world, object))
         return reader_no_memory(reader);
     for (size_t i = first; i < reader->world.part_count; i++) {
