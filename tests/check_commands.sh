@@ -190,6 +190,8 @@ ends 2 "$build/c205" run
 ends 2 "$build/c205" run --limit many good.s
 ends 2 "$build/c205" isa NOPE
 ends 2 "$build/rt205" render "$scene"
+ends 2 "$build/rt205" render "$scene" -o x.png --no-picture
+ends 2 "$build/rt205" render "$scene" --half --no-picture
 ends 2 "$build/rt205" render "$scene" -o x.png -W 0
 ends 2 "$build/rt205" render "$scene" -o x.png --queue 65536
 ends 2 "$build/rt205" render "$scene" -o x.png --mode sideways
@@ -585,6 +587,11 @@ ends 0 "$build/rt205" render "$scene" -o a.png -W 40 -H 30 --accounts \
 tells out '^shade,page fault,[0-9]*000,'
 cp a.png b.png
 ends 0 "$build/rt205" render "$scene" -o b.png -W 40 -H 30
+grep -v '^picture ' out >pictured
+ends 0 env RT205_LIBDIR=missing "$build/rt205" render "$scene" --no-picture \
+    -W 40 -H 30
+cmp -s pictured out
+verdict $? "rt205 render --no-picture tells something else"
 cmp -s a.png b.png
 verdict $? "the same frame twice gives two pictures"
 ends 2 "$build/rt205" render "$scene" -o a.gif -W 40 -H 30

@@ -35,7 +35,7 @@ is_listed() { # SCENE LIST
 checksum() { # SCENE OPTIONS ..: of a small frame
     scene_file=$1
     shift
-    "$build/rt205" render "$scene_file" -o "$work/small.exr" $small "$@" |
+    "$build/rt205" render "$scene_file" --no-picture $small "$@" |
         sed -n 's/^frame checksum //p'
 }
 

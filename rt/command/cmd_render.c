@@ -106,10 +106,10 @@ static void print_result(const struct result *result,
                 sampled ? "pixels" : "rays");
     results_say(results,
                 "%llu clocks, %s on the machine\n"
-                "frame checksum %s\n"
-                "picture %s\n",
-                (unsigned long long)result->clocks, time, result->checksum,
-                arguments->output);
+                "frame checksum %s\n",
+                (unsigned long long)result->clocks, time, result->checksum);
+    if (arguments->output)
+        results_say(results, "picture %s\n", arguments->output);
 }
 
 /* The same, where results are tables. */
@@ -144,7 +144,7 @@ static struct table *table_of(const struct result *result)
     table_count(table, result->clocks);
     table_number(table, accounts_seconds(result->model, result->clocks));
     table_text(table, result->checksum);
-    table_text(table, arguments->output);
+    table_text(table, arguments->output ? arguments->output : "");
     return table;
 }
 
@@ -165,7 +165,8 @@ static void write_result(const struct result *result, struct json *json)
     json_number(json, "seconds",
                 accounts_seconds(result->model, result->clocks));
     json_text(json, "checksum", result->checksum);
-    json_text(json, "picture", result->arguments->output);
+    if (result->arguments->output)
+        json_text(json, "picture", result->arguments->output);
     provenance_json(result->model, json);
 }
 
@@ -266,7 +267,7 @@ static int end_early(const struct rt205_arguments *arguments,
 {
     char rows[300] = "", bands[200] = "";
 
-    if (interrupt_came())
+    if (interrupt_came() && arguments->output)
         save_rows(arguments, trace, rows, sizeof rows);
     tell_resume(arguments, trace, bands, sizeof bands);
     return cmd_failed(arguments->command, "%s%s%s", why->message, rows,
@@ -280,7 +281,7 @@ static int trace_and_write(const struct rt205_arguments *arguments,
 
     if (!trace_run(trace, &error))
         return end_early(arguments, trace, &error);
-    if (write_picture(arguments, trace, &error)) {
+    if (!arguments->output || write_picture(arguments, trace, &error)) {
         trace_forget(trace);
         return tell(arguments, trace, results);
     }
@@ -292,9 +293,12 @@ static int run(const struct rt205_arguments *arguments, struct trace *trace,
                const struct results *results)
 {
     struct picture_error why;
-    struct picture_loader *loader = picture_load(&why);
+    struct picture_loader *loader;
     int code;
 
+    if (!arguments->output)
+        return trace_and_write(arguments, trace, results);
+    loader = picture_load(&why);
     if (!loader)
         return cmd_failed(arguments->command, "%s", why.message);
     code = trace_and_write(arguments, trace, results);
@@ -331,8 +335,15 @@ static int check_files(const struct rt205_arguments *arguments)
 {
     struct picture_error why;
 
+    if (arguments->output && arguments->no_picture)
+        return cmd_usage(arguments->command, "-o and --no-picture");
+    if (arguments->half && arguments->no_picture)
+        return cmd_usage(arguments->command, "--half and --no-picture");
+    if (arguments->no_picture)
+        return CMD_DONE;
     if (!arguments->output)
-        return cmd_usage(arguments->command, "name the picture with -o");
+        return cmd_usage(arguments->command,
+                         "name the picture with -o (--no-picture: none)");
     if (!picture_check_path(arguments->output, &why))
         return picture_is_named(arguments->output)
                    ? cmd_failed(arguments->command, "%s", why.message)
@@ -359,6 +370,8 @@ static const struct command_option options[] = {
       .offset = CMD_PLACE(output),
       .help = "the picture: .png .jpg (8-bit sRGB), .exr .tif (linear, with "
               "depth, normal and id); on stdout a .png" },
+    CMD_FLAG("no-picture", no_picture,
+             "none is written: what it took the machine is told"),
     CMD_SIZE(640, 480),
     CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
     CMD_QUEUE("rays in the vector queue"),
@@ -384,6 +397,8 @@ static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
 static const struct command_example examples[] = {
     { "rt205 render SCENE -o PICTURE",
       "the picture, and what it took the machine" },
+    { "rt205 render SCENE --no-picture --accounts",
+      "where the machine's clocks went" },
     { NULL, NULL }
 };
 

@@ -35,7 +35,7 @@ struct rt205_arguments {
     struct speedup_view view;   /* angle 0: not given */
     struct cmd_points points;
     int sweep; /* the number of the kind */
-    bool strict, half;
+    bool strict, half, no_picture;
     bool accounts;        /* of a frame, printed */
     bool all, first;      /* roots of polynomials */
     bool details, passes; /* of the speedup table; the passes are the root
