@@ -394,10 +394,14 @@ void c205_free(c205 *machine);
  * program's segments; set the program counter to its entry. */
 bool c205_load(c205 *machine, const c205_program *program, c205_error *error);
 
-typedef enum c205_access { C205_READ_ONLY, C205_READ_WRITE } c205_access;
+typedef enum c205_access {
+    C205_READ_ONLY,
+    C205_READ_WRITE,
+    C205_WHEN_TOUCHED /* read and written; a page takes room of the host when
+                         it is, and if there is none it is not mapped then */
+} c205_access;
 /* Map the pages that hold words words from a bit address on, zeroed where
- * they were not mapped before.  One that may be written takes room when it is
- * touched; if there is no memory for it then, it counts as not mapped. */
+ * they were not mapped before. */
 bool c205_map(c205 *machine, uint64_t address, size_t words,
               c205_access access, c205_error *error);
 

@@ -35,7 +35,7 @@ void memory_init(struct memory *memory)
 static void spare_pages(struct memory *memory, struct page **pages)
 {
     for (size_t i = 0; i < DIRECTORY_PAGES; i++) {
-        if (!pages[i] || pages[i] == &memory_untouched)
+        if (!pages[i] || memory_is_untouched(pages[i]))
             continue;
         pages[i]->next = memory->spare;
         memory->spare = pages[i];
@@ -87,7 +87,7 @@ static struct page *new_page(struct memory *memory)
     return page ? memset(page, 0, sizeof *page) : calloc(1, sizeof *page);
 }
 
-struct page memory_untouched;
+const uint64_t memory_untouched = 0;
 
 /* Which pages the host has given is nothing that can be read. */
 struct page *memory_touch(const struct memory *memory, uint64_t address)
@@ -102,21 +102,20 @@ struct page *memory_touch(const struct memory *memory, uint64_t address)
     return page;
 }
 
-/* Pages that are never touched take no room. */
 static bool map_page(struct memory *memory, uint64_t address,
                      c205_access access)
 {
     struct page **place = page_place(memory, address);
-    bool untouched = place && (!*place || *place == &memory_untouched);
-    if (untouched && access == C205_READ_WRITE) {
-        *place = &memory_untouched;
+    bool untouched = place && (!*place || memory_is_untouched(*place));
+    if (untouched && access == C205_WHEN_TOUCHED) {
+        *place = (struct page *)&memory_untouched;
         return true;
     }
     if (untouched)
         *place = new_page(memory);
     if (!place || !*place)
         return false;
-    (*place)->writable = access == C205_READ_WRITE;
+    (*place)->writable = access != C205_READ_ONLY;
     return true;
 }
 

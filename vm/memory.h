@@ -118,9 +118,14 @@ static inline const struct near_page *memory_near(struct memory *memory,
     return page->number == number ? page : memory_find_near(memory, address);
 }
 
-/* What stands for a page to be read and written, all zeros, until it is looked
- * for. */
-extern struct page memory_untouched;
+/* Its place stands for a page to be read and written, all zeros, until that is
+ * looked for. */
+extern const uint64_t memory_untouched;
+
+static inline bool memory_is_untouched(const struct page *page)
+{
+    return (const void *)page == &memory_untouched;
+}
 
 /* NULL: not mapped. */
 static inline struct page *memory_peek(const struct memory *memory,
@@ -138,7 +143,7 @@ static inline struct page *memory_page(const struct memory *memory,
                                        uint64_t address)
 {
     struct page *page = memory_peek(memory, address);
-    return page == &memory_untouched ? memory_touch(memory, address) : page;
+    return memory_is_untouched(page) ? memory_touch(memory, address) : page;
 }
 
 static inline size_t memory_word_index(uint64_t address)

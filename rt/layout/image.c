@@ -64,7 +64,8 @@ bool image_load(const struct image *image, c205 *machine, c205_error *error)
 
         if (block->mapped
             && !c205_map(machine, block->address, block->count,
-                         C205_READ_WRITE, error))
+                         block->words ? C205_READ_WRITE : C205_WHEN_TOUCHED,
+                         error))
             return false;
         if (block->words
             && !c205_write(machine, block->address, block->words,

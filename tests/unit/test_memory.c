@@ -60,10 +60,12 @@ static void test_untouched(void **state)
 {
     (void)state;
     size_t pages = 200000; /* 105 GB */
-    struct memory *memory = memory_of(0, pages * C205_PAGE_WORDS);
+    struct memory *memory = memory_of(0, 1);
     uint64_t last = (pages - 1) * PAGE_BITS, fault;
     c205_error error;
     c205_word word = 1;
+    assert_true(memory_map(memory, 0, pages * C205_PAGE_WORDS,
+                           C205_WHEN_TOUCHED, &error));
     assert_int_equal(memory_next_page(memory, 7 * PAGE_BITS), 7 * PAGE_BITS);
     assert_int_equal(memory_next_page(memory, last + PAGE_BITS), SPACE);
     assert_int_equal(memory_load(memory, last, &word), C205_TRAP_NONE);
