@@ -23,7 +23,8 @@ without_povray="scenes/car.pov scenes/steiner.pov tests/scenes/patches.pov
 # mesh; of characters it keeps them in 32 bits; normals that it interpolates
 # over the cells of a height_field, not over triangles.
 not_for_povray="tests/scenes/coincident.pov tests/scenes/csg_coincident.pov
-    tests/scenes/text.pov tests/scenes/mesh_closed.pov scenes/terrain.pov"
+    tests/scenes/text.pov tests/scenes/mesh_closed.pov scenes/terrain.pov
+    scenes/stage.pov scenes/mist.pov"
 # A face of a cylinder in that of a box: rounding says which is met.
 not_historical="scenes/bearing.pov"
 
