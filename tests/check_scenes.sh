@@ -7,12 +7,13 @@
 # POV-Ray's picture of the same file, within the tolerances that check_scene
 # states.  The way of 1984 to patches and cylinders gives the plain tracer's
 # frame, too.
+#
+# Frames are small; smaller, stage against stage, of the scenes that are to be looked
+# at, which have many parts.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1
 shift
-width=120 height=90     # against the other tracers
-small="-W 60 -H 45"     # stage against stage
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -25,6 +26,9 @@ without_povray="scenes/car.pov scenes/steiner.pov tests/scenes/patches.pov
 not_for_povray="tests/scenes/coincident.pov tests/scenes/csg_coincident.pov
     tests/scenes/text.pov tests/scenes/mesh_closed.pov scenes/terrain.pov
     scenes/stage.pov scenes/mist.pov"
+# Of thousands of triangles, each of which the plain tracer asks: fewer pixels.
+of_triangles="scenes/shell.pov scenes/terrain.pov scenes/sails.pov
+    scenes/vase.pov scenes/mist.pov"
 # A face of a cylinder in that of a box: rounding says which is met.
 not_historical="scenes/bearing.pov"
 
@@ -92,6 +96,9 @@ same_historical() { # SCENE
 }
 
 for scene in "$@"; do
+    small="-W 60 -H 45" width=120 height=90
+    case $scene in scenes/*) small="-W 36 -H 27" ;; esac
+    is_listed "$scene" "$of_triangles" && width=60 height=45
     povray=--povray
     is_listed "$scene" "$without_povray $not_for_povray" && povray=
     same_frames "$scene"

@@ -95,9 +95,22 @@ static void walk_words(c205_word *words, struct tape *tape)
     }
 }
 
+/* A page that was not touched stays so: it is like one of zeros. */
+static void tell_untouched(struct tape *tape)
+{
+    size_t access = C205_READ_WRITE, zeros = C205_PAGE_WORDS, words = 0;
+    tape_size(tape, &access, C205_READ_WRITE);
+    tape_size(tape, &zeros, C205_PAGE_WORDS);
+    tape_size(tape, &words, 0);
+}
+
 static void walk_page(struct memory *memory, uint64_t address,
                       struct tape *tape)
 {
+    if (memory_is_untouched(memory_peek(memory, address))) {
+        tell_untouched(tape);
+        return;
+    }
     struct page *page = memory_page(memory, address);
     size_t access = page && page->writable ? C205_READ_WRITE : C205_READ_ONLY;
     tape_size(tape, &access, C205_READ_WRITE);

@@ -336,9 +336,11 @@ static int check_files(const struct rt205_arguments *arguments)
     struct picture_error why;
 
     if (arguments->output && arguments->no_picture)
-        return cmd_usage(arguments->command, "-o and --no-picture");
+        return cmd_usage(arguments->command,
+                         "-o does not go with --no-picture");
     if (arguments->half && arguments->no_picture)
-        return cmd_usage(arguments->command, "--half and --no-picture");
+        return cmd_usage(arguments->command,
+                         "--half does not go with --no-picture");
     if (arguments->no_picture)
         return CMD_DONE;
     if (!arguments->output)

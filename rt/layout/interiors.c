@@ -5,9 +5,7 @@
 #include "rt/layout/surface.h"
 #include "rt/shapes/primitive.h"
 
-enum {
-    BITS = 46
-}; /* of whole numbers that are exact, and room for one more */
+enum { BITS = 46 }; /* one fewer than whole numbers have */
 
 bool scene_has_interiors(const struct scene *scene)
 {
@@ -19,8 +17,9 @@ bool scene_has_interiors(const struct scene *scene)
 
 static bool is_wanted(const struct primitive *primitive)
 {
-    return pigment_is_clear(&primitive->pigment)
-           || surface_mirror_kind(&primitive->finish) == MIRROR_FRESNEL;
+    return !primitive->unseen
+           && (pigment_is_clear(&primitive->pigment)
+               || surface_mirror_kind(&primitive->finish) == MIRROR_FRESNEL);
 }
 
 static int compare_numbers(const void *a, const void *b)
@@ -45,10 +44,10 @@ bool interiors_find(const struct scene *scene, struct interiors *interiors)
     for (size_t i = 0; i < count; i++)
         if (kept == 0 || numbers[kept - 1] != numbers[i])
             numbers[kept++] = numbers[i];
-    interiors->count = kept;
     interiors->index = malloc((kept + 1) * sizeof *interiors->index);
     if (!interiors->index)
         return false;
+    interiors->count = kept;
     for (size_t i = 0; i < scene->primitive_count; i++) {
         const struct primitive *primitive = &scene->primitives[i];
         size_t number = interiors_number(interiors, primitive);

@@ -178,7 +178,7 @@ struct scene {
     double ambient_light[3];
     double assumed_gamma; /* 0: not given */
     int max_trace_level;  /* rays in a chain of reflections, the first
-                               counted */
+                               counted, what goes straight on not */
     double adc_bailout;   /* rays that weigh less are not followed */
     size_t light_count;
     struct light *lights;

@@ -52,7 +52,7 @@ struct primitive {
     bool unseen;     /* a part of a tree that cuts others and is not seen
                                   itself */
     double ior;      /* index of refraction of its inside; 1 */
-    size_t interior; /* those of one number, from 1 on, are one body to a ray
+    size_t interior; /* those of one number are one body to a ray
                         that remembers in what it is */
     bool inverted;   /* an odd number of complements stands above
                                   it: its outward normal points to what is

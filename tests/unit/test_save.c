@@ -115,6 +115,31 @@ static void test_access(void **state)
     c205_free(machine);
 }
 
+/* A page that was not touched is saved as one of zeros is, and not touched by
+ * that. */
+static void test_untouched(void **state)
+{
+    const c205_access access[] = { C205_READ_WRITE, C205_WHEN_TOUCHED };
+    struct bytes saved[2];
+    (void)state;
+    for (size_t i = 0; i < 2; i++) {
+        c205_error error;
+        c205 *machine = c205_new(model, &error);
+        assert_non_null(machine);
+        assert_true(
+            c205_map(machine, 0, 3 * C205_PAGE_WORDS, access[i], &error));
+        saved[i] = save(machine);
+        assert_int_equal(memory_is_untouched(memory_peek(&machine->memory,
+                                                         UINT64_C(1) << 22)),
+                         i);
+        c205_free(machine);
+    }
+    assert_int_equal(saved[0].count, saved[1].count);
+    assert_memory_equal(saved[0].byte, saved[1].byte, saved[0].count);
+    free(saved[0].byte);
+    free(saved[1].byte);
+}
+
 /* A machine without a program, too. */
 static void test_empty_machine(void **state)
 {
@@ -331,6 +356,7 @@ int main(void)
         cmocka_unit_test(test_programs),
         cmocka_unit_test(test_kernels),
         cmocka_unit_test(test_access),
+        cmocka_unit_test(test_untouched),
         cmocka_unit_test(test_empty_machine),
         cmocka_unit_test(test_program_hash),
         cmocka_unit_test(test_truncated),

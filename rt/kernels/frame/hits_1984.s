@@ -82,7 +82,15 @@ surface:
         .regs   r38, red, green, blue, nx, ny, nz, facing, outward, cell
         .regs   r47, px, py, pz, lx, ly, lz, ndotl, ddotl, light_distance
         .regs   r56, light_x, light_y, light_z, light_r, light_g, light_b
-        .regs   r62, light_gleams
+        .if     BEAMS
+        .regs   r62, light_gleams, light_beam
+        .else
+        .reg    light_gleams, r62
+        .endif
+        .endshare
+
+; The ray, in place of the beam until there is light.
+        .share  local
         .regs   r63, ox, oy, oz, dx, dy, dz, hit_distance, hit_primitive
         .regs   r71, color0r, color0g, color0b
         .regs   r74, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
@@ -90,7 +98,6 @@ surface:
         .endshare
         .if     BEAMS
         .share  local
-        .reg    light_beam, r63         ; behind the light's other words
         .regs   r64, beam_dims, beam_parallel, beam_kind
         .regs   r67, beam_x, beam_y, beam_z, beam_narrow, beam_low, beam_steep
         .regs   r73, beam_tightness, beam_fade, beam_power

@@ -9,7 +9,6 @@
         .regs   r115, beam_x, beam_y, beam_z, beam_narrow, beam_low, beam_steep
         .regs   r121, beam_tightness, beam_fade, beam_power
         .regs   r124, dim, beam_off, beam_q, beam_three
-        .reg    light_beam, r139        ; behind the light's other words
         .endshare
 
 ; The way to the light whose beam is light_beam: as beam_vector.s has it.

@@ -14,7 +14,8 @@
 ;   least + share (most - least)            share = (1 - c)^falloff or
 ;       Fresnel's: (p^2 (1 + q^2)) / 2,     g = sqrt(n^2 + c^2 - 1),
 ;       p = (g - c) / (g + c),  q = (c (g + c) - 1) / (c (g - c) + 1),
-;       n = ior where the ray enters, else 1/ior
+;       n = w of interior.s where light passes through something, else ior where
+;       the ray enters, 1/ior where not
 ;
 ; and of a metallic one 1 + metallic (1 - F(c)) (pigment - 1) times that.  The ray
 ; weighs by the greatest part of that colour before it is made metallic; with a

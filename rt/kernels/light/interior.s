@@ -16,7 +16,7 @@
 ; the surface, n(b) / n(S) where b is come into; n(0) / n(b) where it is left for air;
 ; elsewhere n(S) / n(b).
 ;
-; e is 1, too, if it is within 1e-10 of it.  With e = 1 a ray goes straight on, and
+; e is 1, too, if it is within 1e-10 of it (k_checker, as small, serves for it).  With e = 1 a ray goes straight on, and
 ; is of its parent's level, by which alone it is known how many may come of one
 ; another; else it is of the next.  What is reflected is in S.
 ;

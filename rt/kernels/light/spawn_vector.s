@@ -6,7 +6,7 @@
 ;   reflected   D' = D - (2 facing) N       times the reflection's colour
 ;               and of length one again: within a mirroring sphere what is off
 ;               would grow with each reflection
-;   refracted   e = by how much less is in front (interior.s);  cosine = -facing
+;   refracted   e = index in front / index behind (interior.s); cosine = -facing
 ;               k = 1 - (e e) (1 - cosine cosine)
 ;               D' = e D + (e cosine - sqrt(k)) N;  e = 1: D' = D
 ;                                           times the colour that passes
@@ -56,7 +56,7 @@
         load_word queue_level, s1
         VXTOV   [at], [s1], [v4]
         CMPGEV  [v4], s0, [hits1]
-        VTOV    minus_one, [v5] ? [hits1]
+        VTOV    minus_big, [v5] ? [hits1]
         .endif
         load_word scene_bailout, s0
         CMPGEV  [v5], s0, [hits1]

@@ -17,7 +17,15 @@
         .regs   r89, lx, ly, lz
         .regs   r92, ndotl, ddotl, light_distance
         .regs   r132, light_x, light_y, light_z, light_r, light_g, light_b
-        .regs   r138, light_gleams
+        .if     BEAMS
+        .regs   r138, light_gleams, light_beam
+        .else
+        .reg    light_gleams, r138
+        .endif
+        .endshare
+
+; The finish, in place of the beam until there is light.
+        .share  local
         .regs   r139, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
         .regs   r144, f_size, f_specular, f_sharpness
         .regs   r147, ox, oy, oz, dx, dy, dz

@@ -1,6 +1,9 @@
 ; levels_vector.s - which rays are traced when: levels of reflection, their
 ; lists, and how the colours of reflected and refracted rays come together.  A
-; list is of the rays that come of those of the list before.
+; list is of the rays that come of those of the list before: "level" here is a list,
+; of which there are more than levels (LIST_RAY_LEVEL) where light passes through
+; something.  All lists are empty when a band begins: their memory is new, or they
+; were emptied when the band before ended.
 ;
 ; The rays of the first level are made of pixels, those of the others stand in
 ; a list of their level, where the rays before put them (spawn_vector.s).  A

@@ -110,6 +110,7 @@ static void hide(const struct reader *reader, struct scene_object *clip)
         primitive->pigment.transmit[0] = primitive->pigment.transmit[1] = 0;
         primitive->finish = reader->default_texture.finish;
         primitive->ior = 1;
+        primitive->interior = 0;
         primitive->no_shadow = true;
         primitive->unseen = true;
     }

@@ -33,7 +33,6 @@ static bool read_listed(struct reader *reader, struct pigment *pigment,
 
 /* Its waves are those of the pattern whose place it takes, as in POV-Ray; after a
  * list that is frequency 0: values stay as they are. */
-
 bool pattern_read(struct reader *reader, void *subject,
                   const struct item *item)
 {
