@@ -165,11 +165,12 @@ void font_turn_loop(double (*points)[2], size_t count)
 static bool close_loop(struct drawing *drawing)
 {
     struct glyph *glyph = drawing->glyph;
-    double(*loop)[2] = glyph->points + drawing->first;
     size_t count = glyph->count - drawing->first;
+    double(*loop)[2];
 
     if (count == 0)
         return true;
+    loop = glyph->points + drawing->first;
     if (count > 1 && is_at(loop[0], loop[count - 1])) {
         count--;
         glyph->count--;
