@@ -274,15 +274,15 @@ bool object_clip(struct scene_object *object, const struct scene_object *clip)
     struct scene_object made = *object;
     const struct branch *branch = object->branches;
     const struct scene_part *part = object->parts;
+    size_t left = object->branch_count;
     bool done = true;
 
     made.branches = NULL;
     made.parts = NULL;
     made.branch_count = made.part_count = 0;
-    while (done && branch < object->branches + object->branch_count) {
+    for (; done && left > 0; left -= branch->size, branch += branch->size) {
         size_t leaves = count_leaves(branch, branch->size);
         done = add_clipped(&made, branch, branch->size, part, leaves, clip);
-        branch += branch->size;
         part += leaves;
     }
     free(done ? object->branches : made.branches);
