@@ -18,6 +18,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 #define CODE UINT64_C(0x400000)   /* page 1 */
 #define DATA UINT64_C(0x10000000) /* page 64, and nothing beside it */
 #define CLOCKS 100000
+/* The data flag of the job interval timer: it may run out while an instruction
+ * traps. */
+#define TIMER (UINT64_C(1) << 27)
 #define SLICE 37
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 enum { WORD_BITS = 64, CODE_WORDS = 256, DATA_WORDS = 1024 };
@@ -160,6 +163,7 @@ static void check_trap(c205 *machine, const c205_word *code, size_t steps,
     must(!c205_step(machine, &stop));
     must(stop.trap == expected->trap && stop.pc == expected->pc);
     take_state(machine, &after);
+    after.flags &= before.flags | ~TIMER;
     check_same(&before, &after);
 }
 
