@@ -1,5 +1,6 @@
 #include "rt/layout/interiors.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "rt/layout/surface.h"
@@ -22,75 +23,57 @@ static bool is_wanted(const struct primitive *primitive)
                || surface_mirror_kind(&primitive->finish) == MIRROR_FRESNEL);
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-    const size_t *x = a, *y = b;
-
-    return (*x > *y) - (*x < *y);
-}
-
 bool interiors_find(const struct scene *scene, struct interiors *interiors)
 {
-    size_t *numbers = malloc((scene->primitive_count + 1) * sizeof *numbers);
-    size_t count = 0, kept = 0;
+    struct numbering *bodies = &interiors->bodies;
 
-    *interiors = (struct interiors){ .numbers = numbers };
-    if (!numbers)
+    interiors->index = NULL;
+    if (!numbering_begin(bodies, scene->primitive_count))
         return false;
     for (size_t i = 0; i < scene->primitive_count; i++)
         if (is_wanted(&scene->primitives[i]))
-            numbers[count++] = scene->primitives[i].interior;
-    qsort(numbers, count, sizeof *numbers, compare_numbers);
-    for (size_t i = 0; i < count; i++)
-        if (kept == 0 || numbers[kept - 1] != numbers[i])
-            numbers[kept++] = numbers[i];
-    interiors->index = malloc((kept + 1) * sizeof *interiors->index);
+            numbering_add(bodies, scene->primitives[i].interior);
+    numbering_settle(bodies);
+    interiors->index = calloc(bodies->count + 1, sizeof *interiors->index);
     if (!interiors->index)
         return false;
-    interiors->count = kept;
+    interiors->index[0] = 1; /* of air */
     for (size_t i = 0; i < scene->primitive_count; i++) {
         const struct primitive *primitive = &scene->primitives[i];
-        size_t number = interiors_number(interiors, primitive);
 
-        if (number > 0)
-            interiors->index[number - 1] = primitive->ior;
+        if (is_wanted(primitive))
+            interiors->index[interiors_number(interiors, primitive)] =
+                primitive->ior;
     }
     return true;
 }
 
 void interiors_free(struct interiors *interiors)
 {
-    free(interiors->numbers);
+    numbering_free(&interiors->bodies);
     free(interiors->index);
 }
 
 size_t interiors_number(const struct interiors *interiors,
                         const struct primitive *primitive)
 {
-    const size_t *place;
-
-    if (!is_wanted(primitive))
-        return 0;
-    place = bsearch(&primitive->interior, interiors->numbers,
-                    interiors->count, sizeof *place, compare_numbers);
-    return place ? (size_t)(place - interiors->numbers) + 1 : 0;
+    return is_wanted(primitive)
+               ? numbering_place(&interiors->bodies, primitive->interior)
+               : 0;
 }
 
-/* Air, then the bodies. */
 static uint64_t layout_table(struct record_layout *layout,
                              const struct interiors *interiors)
 {
-    size_t size = interiors->count + 1;
+    size_t size = interiors->bodies.count + 1;
     c205_word *words = malloc(size * sizeof *words);
     uint64_t table = layout_reserve(layout, size);
-    double air = 1;
 
     if (!words) {
         layout_fail(layout, "no memory");
         return table;
     }
-    put_numbers(words, &air, 1);
-    put_numbers(words + 1, interiors->index, interiors->count);
+    put_numbers(words, interiors->index, size);
     layout_words(layout, table, words, size);
     free(words);
     return table;
@@ -100,25 +83,26 @@ void interiors_layout(struct record_layout *layout,
                       const struct interiors *interiors,
                       const struct scene *scene)
 {
-    double base = 2, numbers[5] = { 0 };
-    c205_word words[1 + 5];
-    size_t bits = 1;
+    enum { NUMBERS = 5 };
+    int bits = 1, room; /* of a body's number; for so many bodies */
+    double base, full;
+    c205_word words[1 + NUMBERS];
 
     if (!scene_has_interiors(scene))
         return;
-    for (; base <= (double)interiors->count; base *= 2)
+    while (interiors->bodies.count >> bits > 0)
         bits++;
-    numbers[0] = base;
-    numbers[1] = 1 / base;
-    if (interiors->count > BITS / bits) {
-        numbers[2] = 1;
-        for (size_t i = 1; i < BITS / bits; i++)
-            numbers[2] *= base;
-        numbers[3] = 1 / numbers[2];
-    }
-    numbers[4] = (double)scene->max_trace_level;
+    room = BITS / bits;
+    base = ldexp(1, bits);
+    full = interiors->bodies.count > (size_t)room
+               ? ldexp(1, bits * (room - 1))
+               : 0;
     words[0] = layout_table(layout, interiors);
-    put_numbers(words + 1, numbers, 5);
+    put_numbers(words + 1,
+                (double[NUMBERS]){ base, 1 / base, full,
+                                   full > 0 ? 1 / full : 0,
+                                   (double)scene->max_trace_level },
+                NUMBERS);
     layout_words(layout, layout_symbol(layout, "scene_interiors"), words,
-                 1 + 5);
+                 1 + NUMBERS);
 }

@@ -3,6 +3,7 @@
 #ifndef RT_LAYOUT_INTERIORS_H
 #define RT_LAYOUT_INTERIORS_H
 
+#include "base/numbering.h"
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"
 
@@ -14,12 +15,10 @@ enum { STRAIGHT_MOST = 64 };
 bool scene_has_interiors(const struct scene *scene);
 
 /* Those of the primitives that light passes through, and of mirrors by Fresnel's
- * formulas: their numbers in the scene, ascending, of which the first is 1 to the
- * kernels. */
+ * formulas: the kernels number them from 1 on. */
 struct interiors {
-    size_t count;
-    size_t *numbers;
-    double *index; /* of refraction */
+    struct numbering bodies; /* of the scene's numbers */
+    double *index;           /* of refraction: of air, then of each */
 };
 /* False: no memory. */
 bool interiors_find(const struct scene *scene, struct interiors *interiors);

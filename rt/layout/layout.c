@@ -77,9 +77,9 @@ static void put_shape(struct record *record,
     record_numbers(record, "P_LOCAL", &primitive->to_local.rows[0][0], 12);
 }
 
-/* The map of the gradient before, which the next one may have, too. */
+/* Where the stops of the map before are, which the next pigment may have, too. */
 struct map_place {
-    const struct color_stop *stops;
+    const struct pigment *pigment;
     c205_word address;
 };
 
@@ -135,21 +135,22 @@ static void put_gloss(struct record *record, const struct finish *finish)
     record_integer(record, "P_REFLECTION_KIND", surface_mirror_kind(finish));
 }
 
-/* The stops of the pigment's map: map has them and their address. */
+/* The stops of the pigment's map: map has them and their address then. */
 static void put_stops(struct record *record, const struct pigment *pigment,
                       struct map_place *map)
 {
-    if (map->stops != pigment->map.stops) {
-        c205_word *stops = gradient_stops(&pigment->map);
-        if (stops)
-            record_table(record, "P_STOPS", stops,
-                         gradient_size(&pigment->map));
-        else
-            layout_fail(record->layout, "no memory");
-        free(stops);
-        map->stops = pigment->map.stops;
-        record_read(record, "P_STOPS", &map->address, 1);
-    }
+    c205_word *stops;
+
+    if (map->pigment && has_stops_of(pigment, map->pigment))
+        return;
+    stops = stops_words(pigment);
+    if (stops)
+        record_table(record, "P_STOPS", stops, stops_size(pigment));
+    else
+        layout_fail(record->layout, "no memory");
+    free(stops);
+    map->pigment = pigment;
+    record_read(record, "P_STOPS", &map->address, 1);
 }
 
 static void put_gradient(struct record *record, const struct pigment *pigment,
@@ -161,13 +162,13 @@ static void put_gradient(struct record *record, const struct pigment *pigment,
     gradient_words(pigment, words);
     record_numbers(record, "P_PATTERN", words, GRADIENT_STOPS);
     record_address(record, "P_STOPS", map->address);
-    record_integer(record, "P_STOP_COUNT", pigment->map.count);
+    record_integer(record, "P_STOP_COUNT", stop_count(pigment));
 }
 
 static void put_pattern(struct record *record, const struct pigment *pigment,
                         struct map_place *map)
 {
-    const char *wave = pattern_wave(&pigment->pattern);
+    const char *wave = pattern_wave(pigment);
     double words[PATTERN_ROWS], numbers[MAP_NUMBERS];
 
     put_stops(record, pigment, map);
@@ -180,7 +181,7 @@ static void put_pattern(struct record *record, const struct pigment *pigment,
         record_routine(record, "P_MAP_WAVE", wave);
     record_numbers(record, "P_MAP_NUMBERS", numbers, MAP_NUMBERS);
     record_address(record, "P_MAP_STOPS", map->address);
-    record_integer(record, "P_MAP_STOP_COUNT", pigment->map.count);
+    record_integer(record, "P_MAP_STOP_COUNT", stop_count(pigment));
 }
 
 static void put_surface(struct record *record, const struct scene *scene,
@@ -242,17 +243,18 @@ static void put_mirror(struct record *record,
 
 static size_t table_words(const struct scene *scene)
 {
-    const struct color_stop *stops = NULL;
+    const struct pigment *before = NULL;
     size_t count = 0;
 
     for (size_t i = 0; i < scene->primitive_count; i++) {
         const struct pigment *pigment = &scene->primitives[i].pigment;
 
         count += shape_table_count(&scene->primitives[i]);
-        if (!pigment_has_map(pigment) || pigment->map.stops == stops)
+        if (!pigment_has_map(pigment)
+            || (before && has_stops_of(pigment, before)))
             continue;
-        stops = pigment->map.stops;
-        count += gradient_size(&pigment->map);
+        before = pigment;
+        count += stops_size(pigment);
     }
     return count;
 }
@@ -442,7 +444,7 @@ static void layout_sky_pattern(struct record_layout *layout,
                                const struct pigment *sky,
                                const c205_word stops[2])
 {
-    const char *wave = pattern_wave(&sky->pattern);
+    const char *wave = pattern_wave(sky);
     double rows[PATTERN_ROWS], numbers[MAP_NUMBERS];
     c205_word words[PATTERN_ROWS];
 
@@ -462,13 +464,13 @@ static void layout_sky_pattern(struct record_layout *layout,
 static void layout_sky(struct record_layout *layout,
                        const struct scene *scene)
 {
-    size_t size = gradient_size(&scene->sky.map);
+    size_t size = stops_size(&scene->sky);
     double numbers[GRADIENT_STOPS];
     c205_word words[GRADIENT_STOPS + 2], *stops;
 
     if (!pigment_has_map(&scene->sky))
         return;
-    stops = gradient_stops(&scene->sky.map);
+    stops = stops_words(&scene->sky);
     if (!stops) {
         layout_fail(layout, "no memory");
         return;
@@ -477,7 +479,7 @@ static void layout_sky(struct record_layout *layout,
     put_numbers(words, numbers, GRADIENT_STOPS);
     words[GRADIENT_STOPS] = layout_reserve(layout, size);
     words[GRADIENT_STOPS + 1] = c205_from_integer(
-        (int64_t)scene->sky.map.count);
+        (int64_t)stop_count(&scene->sky));
     layout_words(layout, layout_symbol(layout, "scene_sky"), words,
                  GRADIENT_STOPS + 2);
     layout_words(layout, words[GRADIENT_STOPS], stops, size);
@@ -584,11 +586,12 @@ struct scene_layout *layout_new(const struct object *program,
     layout.image = &whole->image;
     layout_camera(&layout, scene);
     layout_sky(&layout, scene);
-    if (!interiors_find(scene, &interiors))
-        layout_fail(&layout, "no memory");
-    else
+    if (interiors_find(scene, &interiors)) {
         layout_solids(&layout, scene, &interiors, bounding);
-    interiors_layout(&layout, &interiors, scene);
+        interiors_layout(&layout, &interiors, scene);
+    } else {
+        layout_fail(&layout, "no memory");
+    }
     interiors_free(&interiors);
     layout_levels(&layout, scene);
     layout_lights(&layout, scene);

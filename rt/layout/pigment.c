@@ -36,13 +36,7 @@ void pattern_rows(const struct pigment *pigment, double words[PATTERN_ROWS])
         gradient_words(pigment, words);
 }
 
-static bool has_steps(const struct pattern *pattern)
-{
-    return pattern->function == PATTERN_BRICK
-           || pattern->function == PATTERN_HEXAGON;
-}
-
-const char *pattern_wave(const struct pattern *pattern)
+const char *pattern_wave(const struct pigment *pigment)
 {
     static const char *const routines[PATTERN_WAVES] = {
         [WAVE_RAMP] = "wave_ramp",   [WAVE_TRIANGLE] = "wave_triangle",
@@ -50,7 +44,8 @@ const char *pattern_wave(const struct pattern *pattern)
         [WAVE_CUBIC] = "wave_cubic", [WAVE_POLY] = "wave_poly",
     };
 
-    return has_steps(pattern) ? NULL : routines[pattern->wave];
+    return pigment_list_count(pigment) > 0 ? NULL
+                                           : routines[pigment->pattern.wave];
 }
 
 void pattern_numbers(const struct pattern *pattern,
@@ -85,9 +80,45 @@ const char *pattern_routine(const struct pattern *pattern)
     return routines[pattern->function];
 }
 
-size_t gradient_size(const struct color_map *map)
+size_t stop_count(const struct pigment *pigment)
 {
-    return STOP_SIZE * (map->count + 1);
+    size_t listed = pigment_list_count(pigment);
+
+    return listed > 0 ? 2 * listed : pigment->map.count;
+}
+
+bool has_stops_of(const struct pigment *pigment, const struct pigment *other)
+{
+    const struct pattern *a = &pigment->pattern, *b = &other->pattern;
+    size_t listed = pigment_list_count(pigment);
+
+    return pigment->map.stops == other->map.stops
+           && listed == pigment_list_count(other)
+           && (listed == 0
+               || (a->wave == b->wave && a->frequency == b->frequency
+                   && a->phase == b->phase && a->exponent == b->exponent));
+}
+
+size_t stops_size(const struct pigment *pigment)
+{
+    return STOP_SIZE * (stop_count(pigment) + 1);
+}
+
+/* The kernels have values from 0 to 1 of a list, as far from one another: halfway
+ * from one to the next its colour becomes that one's. */
+static struct color_stop step(const struct pigment *pigment, size_t i)
+{
+    double last = (double)pigment_list_count(pigment) - 1;
+    struct color_stop stop = pigment_listed(pigment, i / 2);
+
+    stop.at = ((double)(i / 2) + (i % 2 ? .5 : -.5)) / last;
+    return stop;
+}
+
+static struct color_stop stop_of(const struct pigment *pigment, size_t i)
+{
+    return pigment_list_count(pigment) > 0 ? step(pigment, i)
+                                           : pigment->map.stops[i];
 }
 
 /* One with nothing behind it is the next one itself. */
@@ -103,20 +134,20 @@ static void put_stop(const struct color_stop *stop,
         row[5 + i] = far > STEP ? next->color[i] - stop->color[i] : 0;
 }
 
-c205_word *gradient_stops(const struct color_map *map)
+/* Before the first there is one as it. */
+c205_word *stops_words(const struct pigment *pigment)
 {
-    c205_word *words = calloc(gradient_size(map) + 1, sizeof *words);
-    struct color_stop below = map->stops[0];
+    c205_word *words = calloc(stops_size(pigment) + 1, sizeof *words);
+    size_t count = stop_count(pigment);
+    struct color_stop stop = stop_of(pigment, 0);
 
-    below.at = -1;
-    for (size_t i = 0; words && i <= map->count; i++) {
+    stop.at = -1;
+    for (size_t i = 0; words && i <= count; i++) {
+        struct color_stop next = i < count ? stop_of(pigment, i) : stop;
         double row[STOP_SIZE];
 
-        if (i == 0)
-            put_stop(&below, &below, row);
-        else
-            put_stop(&map->stops[i - 1],
-                     &map->stops[i < map->count ? i : i - 1], row);
+        put_stop(&stop, i > 0 ? &next : &stop, row);
+        stop = next;
         put_numbers(words + STOP_SIZE * i, row, STOP_SIZE);
     }
     return words;

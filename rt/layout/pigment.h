@@ -20,13 +20,16 @@ void gradient_words(const struct pigment *pigment,
 void pattern_rows(const struct pigment *pigment, double words[PATTERN_ROWS]);
 /* What makes a wave of its values, NULL if they go in none; by which numbers; and
  * what finds them. */
-const char *pattern_wave(const struct pattern *pattern);
+const char *pattern_wave(const struct pigment *pigment);
 void pattern_numbers(const struct pattern *pattern,
                      double numbers[MAP_NUMBERS]);
 const char *pattern_routine(const struct pattern *pattern);
-/* The rows of its map, one more than there are stops, and how many words these
- * are; NULL: no memory.  The caller frees them. */
-size_t gradient_size(const struct color_map *map);
-c205_word *gradient_stops(const struct color_map *map);
+/* The stops of its map, of a list as steps; whether they are another one's. */
+size_t stop_count(const struct pigment *pigment);
+bool has_stops_of(const struct pigment *pigment, const struct pigment *other);
+/* Their rows, one more than there are stops, and how many words these are; NULL:
+ * no memory.  The caller frees them. */
+size_t stops_size(const struct pigment *pigment);
+c205_word *stops_words(const struct pigment *pigment);
 
 #endif

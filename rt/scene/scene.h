@@ -101,8 +101,8 @@ enum pattern_function {
     PATTERN_LEOPARD,
     PATTERN_RADIAL,
     PATTERN_SLANTED, /* a gradient that is not the plain one */
-    PATTERN_BRICK,   /* a list of two: 0 and 1 */
-    PATTERN_HEXAGON, /* a list of three: 0, 1/2 and 1 */
+    PATTERN_BRICK,
+    PATTERN_HEXAGON,
     PATTERN_FUNCTIONS
 };
 enum pattern_wave {
@@ -131,13 +131,15 @@ struct pigment {
     double axis[3]; /* gradient: of length one; the value is how far
                                   the point is along it, less its floor */
     struct pattern pattern;
-    struct color_map map;
-    struct color_map listed; /* brick, hexagon: what is at 0, 1 and 2, of
-                                which map has what its waves take */
+    struct color_map map; /* of a list: its colours, at 0, 1 .. */
 };
 bool pigment_has_map(const struct pigment *pigment);
 /* Light passes, for one of its colours at least. */
 bool pigment_is_clear(const struct pigment *pigment);
+/* A checker, bricks and hexagons have a list of so many colours; all others 0. */
+size_t pigment_list_count(const struct pigment *pigment);
+/* The i-th that is drawn, from 0 on: what the map has where the waves put i. */
+struct color_stop pigment_listed(const struct pigment *pigment, size_t i);
 
 /* Of the same density everywhere: at its distance a share of 1/e is seen through
  * it, of light that is not fogged; transmit of it at least. */

@@ -63,7 +63,7 @@ static double hexagon(const double point[3])
             }
         }
     }
-    return (number - 3 * floor(number / 3)) / 2;
+    return number - 3 * floor(number / 3);
 }
 
 static double value_at(const struct pigment *pigment, const double point[3])
@@ -104,9 +104,6 @@ double plain_pattern(const struct pigment *pigment, const double point[3])
 {
     const struct pattern *pattern = &pigment->pattern;
     double value = value_at(pigment, point);
-    if (pattern->function == PATTERN_BRICK
-        || pattern->function == PATTERN_HEXAGON)
-        return value;
     if (pattern->frequency != 0)
         value = fmod(pattern->frequency * value + pattern->phase, ROUND);
     if (value < 0)

@@ -44,4 +44,9 @@ sphere { <-3, .3, 3.5>, .3 pigment { Waves } }
 sphere { <-2, .3, 3.5>, .3 pigment { Waves triangle_wave } }
 sphere { <-1, .3, 3.5>, .3 pigment { Waves frequency 2 } }
 sphere { <0, .3, 3.5>, .3 pigment { Waves frequency 2 } }
+#declare Listed = pigment { hexagon rgb <.9, .2, .1> rgb .9 rgb <.2, .3, .8> scale .08 rotate 90*x }
+sphere { <1, .3, 3.5>, .3 pigment { Listed } }
+sphere { <2, .3, 3.5>, .3 pigment { Listed frequency .4 phase .15 } }
+sphere { <3, .3, 3.5>, .3 pigment { Listed checker frequency .4 sine_wave scale 2 } }
+sphere { <-4, .3, 3.5>, .3 pigment { Listed brick frequency .3 cubic_wave brick_size .3 mortar .04 } }
 sphere { <4, .6, -3.6>, .6 pigment { rgb .1 } finish { reflection .8 } }

@@ -86,34 +86,9 @@ static void test_patterns(void **state)
         { "spherical color_map { [0 rgb x] [.5 rgb z] }", TWO },
         { "radial", "0:0,1,1 0.333:1,1,0 0.666:1,0,1 1:0,1,1 " },
         { "radial color_map { [0 rgb x] [.5 rgb z] }", TWO },
-        { "brick", "-0.5:0.5,0.5,0.5 0.5:0.5,0.5,0.5 0.5:0.6,0.15,0.15 "
-                   "1.5:0.6,0.15,0.15 " },
-        { "brick rgb x, rgb z", "-0.5:1,0,0 0.5:1,0,0 0.5:0,0,1 1.5:0,0,1 " },
-        { "brick pigment { rgb x } pigment { rgb z }",
-          "-0.5:1,0,0 0.5:1,0,0 0.5:0,0,1 1.5:0,0,1 " },
-        { "hexagon rgb 0 rgb y",
-          "-0.25:0,0,0 0.25:0,0,0 0.25:0,1,0 0.75:0,1,0 0.75:1,0,0 "
-          "1.25:1,0,0 " },
         { "gradient x sine_wave", "0:0,0,0 1:1,1,1 " },
         { "gradient x frequency 2", "0:0,0,0 1:1,1,1 " },
         { "gradient x phase .5", "0:0,0,0 1:1,1,1 " },
-        /* waves of the values 0, 1 and 2 */
-        { "brick rgb x, rgb z triangle_wave",
-          "-0.5:1,0,0 0.5:1,0,0 0.5:1,0,0 1.5:1,0,0 " },
-        { "hexagon rgb x rgb y rgb z frequency .5",
-          "-0.25:1,0,0 0.25:1,0,0 0.25:0.5,0.5,0 0.75:0.5,0.5,0 "
-          "0.75:0,1,0 1.25:0,1,0 " },
-        { "brick rgb x, rgb z frequency -.25",
-          "-0.5:1,0,0 0.5:1,0,0 0.5:0.25,0,0.75 1.5:0.25,0,0.75 " },
-        { "brick rgb x, rgb z frequency .5 sine_wave",
-          "-0.5:0.5,0,0.5 0.5:0.5,0,0.5 0.5:0.5,0,0.5 1.5:0.5,0,0.5 " },
-        { "brick rgb x, rgb z frequency .5 scallop_wave",
-          "-0.5:1,0,0 0.5:1,0,0 0.5:0,0,1 1.5:0,0,1 " },
-        { "brick rgb x, rgb z frequency .5 phase .25 cubic_wave",
-          "-0.5:0.84375,0,0.15625 0.5:0.84375,0,0.15625 "
-          "0.5:0.15625,0,0.84375 1.5:0.15625,0,0.84375 " },
-        { "brick rgb x, rgb z frequency .5 poly_wave 2",
-          "-0.5:1,0,0 0.5:1,0,0 0.5:0.75,0,0.25 1.5:0.75,0,0.25 " },
     };
     struct pattern pattern;
 
@@ -137,6 +112,47 @@ static void test_patterns(void **state)
     assert_close(pattern.mortar, .1, 0);
     pattern = pattern_of("gradient y triangle_wave");
     assert_int_equal(pattern.function, PATTERN_SLANTED);
+}
+
+/* What is drawn of a list: its colours are in waves, too. */
+static void check_list(const char *words, const char *expected)
+{
+    char text[512], found[512] = "", *to = found;
+    snprintf(text, sizeof text, "sphere { 0, 1 pigment { %s } }", words);
+    struct scene *scene = read_scene(text);
+    const struct pigment *pigment = &scene->primitives[0].pigment;
+    for (size_t i = 0; i < pigment_list_count(pigment); i++) {
+        struct color_stop listed = pigment_listed(pigment, i);
+        to += sprintf(to, "%g,%g,%g ", listed.color[0], listed.color[1],
+                      listed.color[2]);
+    }
+    assert_string_equal(found, expected);
+    scene_free(scene);
+}
+
+static void test_lists(void **state)
+{
+    (void)state;
+    check_list("onion", "");
+    check_list("brick", "0.5,0.5,0.5 0.6,0.15,0.15 ");
+    check_list("brick rgb x, rgb z", "1,0,0 0,0,1 ");
+    check_list("brick pigment { rgb x } pigment { rgb z }", "1,0,0 0,0,1 ");
+    check_list("hexagon rgb 0 rgb y", "0,0,0 0,1,0 1,0,0 ");
+    check_list("checker rgb x", "1,0,0 0,1,0 ");
+    check_list("brick rgb x, rgb z triangle_wave", "1,0,0 1,0,0 ");
+    check_list("hexagon rgb x rgb y rgb z frequency .5",
+               "1,0,0 0.5,0.5,0 0,1,0 ");
+    check_list("brick rgb x, rgb z frequency -.25", "1,0,0 0.25,0,0.75 ");
+    check_list("brick rgb x, rgb z frequency .5 sine_wave",
+               "0.5,0,0.5 0.5,0,0.5 ");
+    check_list("brick rgb x, rgb z frequency .5 scallop_wave",
+               "1,0,0 0,0,1 ");
+    check_list("brick rgb x, rgb z frequency .5 phase .25 cubic_wave",
+               "0.84375,0,0.15625 0.15625,0,0.84375 ");
+    check_list("brick rgb x, rgb z frequency .5 poly_wave 2",
+               "1,0,0 0.75,0,0.25 ");
+    check_list("hexagon rgb 0 rgb y color_map { [.5 rgb x] [2 rgb z] }",
+               "1,0,0 0.666667,0,0.333333 0,0,1 ");
 }
 
 /* What takes a pattern's place has its waves, and values as they are after a
@@ -343,6 +359,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_maps),
         cmocka_unit_test(test_patterns),
+        cmocka_unit_test(test_lists),
         cmocka_unit_test(test_waves_stay),
         cmocka_unit_test(test_named_maps),
         cmocka_unit_test(test_gradients_after_checkers),

@@ -1,8 +1,10 @@
-/* Surfaces, and how many levels of rays come of them, as they stand in a
- * machine's memory after a layout. */
+/* test_surfaces.c - surfaces, the bodies behind them, and how many levels of rays
+ * come of them, as they stand in a machine's memory after a layout. */
 #include "tests/unit/laid_out.h"
 
 #include <math.h>
+
+#include "rt/layout/pigment.h"
 
 static void test_surfaces(void **state)
 {
@@ -115,6 +117,31 @@ static void test_odd_surfaces(void **state)
     drop_curtain(&stage);
 }
 
+/* The steps of a list are another one's if the waves are, too. */
+static void test_stops(void **state)
+{
+    static const char text[] =
+        "#declare B = pigment { brick rgb x rgb y }\n"
+        "#declare O = pigment { onion color_map { [0 rgb x] } }\n"
+        "sphere { 0, 1 pigment { B } } sphere { 0, 1 pigment { B scale 2 } }\n"
+        "sphere { 0, 1 pigment { B triangle_wave } }\n"
+        "sphere { 0, 1 pigment { B frequency .5 } }\n"
+        "sphere { 0, 1 pigment { B onion } } sphere { 0, 1 pigment { O } }\n"
+        "sphere { 0, 1 pigment { O triangle_wave frequency 2 } }";
+    static const bool same[] = { true, false, false, false, false, true };
+    struct scene *scene = read_scene(text);
+    const struct primitive *p = scene->primitives;
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(same); i++)
+        assert_int_equal(has_stops_of(&p[i + 1].pigment, &p[i].pigment),
+                         same[i]);
+    assert_int_equal(stop_count(&p[0].pigment), 4);
+    assert_int_equal(stop_count(&p[4].pigment), 2);
+    assert_int_equal(stop_count(&p[5].pigment), 1);
+    scene_free(scene);
+}
+
 static void check_interiors(const char *text, size_t bodies, double base,
                             double full)
 {
@@ -209,9 +236,10 @@ static void test_levels(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surfaces),  cmocka_unit_test(test_finish),
-        cmocka_unit_test(test_gloss),     cmocka_unit_test(test_odd_surfaces),
-        cmocka_unit_test(test_interiors), cmocka_unit_test(test_levels),
+        cmocka_unit_test(test_surfaces), cmocka_unit_test(test_finish),
+        cmocka_unit_test(test_gloss),    cmocka_unit_test(test_odd_surfaces),
+        cmocka_unit_test(test_stops),    cmocka_unit_test(test_interiors),
+        cmocka_unit_test(test_levels),
     };
 
     return cmocka_run_group_tests_name("surfaces", tests, set_up_model,

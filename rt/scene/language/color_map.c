@@ -129,43 +129,6 @@ bool color_map_listed(struct reader *reader, const struct numbers *colors,
     return keep_map(reader, stops, map);
 }
 
-/* Halfway from one value to the next it becomes the other one's colour. */
-bool color_map_steps(struct reader *reader, double (*colors)[COLOR_TERMS],
-                     size_t count, struct color_map *map)
-{
-    struct color_stop stops[2 * LISTED_MOST];
-
-    *map = (struct color_map){ .count = 0 };
-    for (size_t i = 0; i < 2 * count; i++)
-        put_stop(map, &stops[i],
-                 ((double)(i / 2) + (i % 2 ? .5 : -.5)) / (double)(count - 1),
-                 colors[i / 2]);
-    return keep_map(reader, stops, map);
-}
-
-void color_map_at(const struct color_map *map, double value,
-                  double terms[COLOR_TERMS])
-{
-    size_t above = 0, below;
-    double share = 0;
-
-    while (above < map->count && map->stops[above].at <= value)
-        above++;
-    below = above > 0 ? above - 1 : 0;
-    if (above == map->count)
-        above = below;
-    if (above > below)
-        share = (value - map->stops[below].at)
-                / (map->stops[above].at - map->stops[below].at);
-    for (int i = 0; i < 3; i++)
-        terms[i] = (1 - share) * map->stops[below].color[i]
-                   + share * map->stops[above].color[i];
-    terms[3] = (1 - share) * map->stops[below].filter
-               + share * map->stops[above].filter;
-    terms[4] = (1 - share) * map->stops[below].transmit
-               + share * map->stops[above].transmit;
-}
-
 static void set_first(struct pigment *pigment, const struct numbers *color)
 {
     memcpy(pigment->color[0], color->n, sizeof pigment->color[0]);

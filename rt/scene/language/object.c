@@ -2,6 +2,7 @@
 #include "rt/scene/language/object.h"
 
 #include "base/array.h"
+#include "base/numbering.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -328,48 +329,27 @@ bool object_copy(struct scene_object *copy, const struct scene_object *object)
     return object_add(copy, &bare);
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-    const size_t *x = a, *y = b;
-
-    return (*x > *y) - (*x < *y);
-}
-
-static size_t renumbered(const size_t *numbers, size_t count, size_t number,
-                         size_t last)
-{
-    const size_t *place = bsearch(&number, numbers, count, sizeof number,
-                                  compare_numbers);
-
-    return last + 1 + (size_t)(place - numbers);
-}
-
 bool object_renumber(struct scene_object *object, size_t *last)
 {
-    size_t *numbers = malloc((object->part_count + 1) * sizeof *numbers);
-    size_t count = 0, kept = 0;
+    struct numbering old;
 
-    if (!numbers)
+    if (!numbering_begin(&old, object->part_count + 1))
         return false;
     for (size_t i = 0; i < object->part_count; i++)
         if (object->parts[i].filled)
-            numbers[count++] = object->parts[i].primitive.interior;
+            numbering_add(&old, object->parts[i].primitive.interior);
     if (object->filled)
-        numbers[count++] = object->interior;
-    qsort(numbers, count, sizeof *numbers, compare_numbers);
-    for (size_t i = 0; i < count; i++)
-        if (kept == 0 || numbers[kept - 1] != numbers[i])
-            numbers[kept++] = numbers[i];
+        numbering_add(&old, object->interior);
+    numbering_settle(&old);
     for (size_t i = 0; i < object->part_count; i++) {
-        struct primitive *primitive = &object->parts[i].primitive;
+        size_t *interior = &object->parts[i].primitive.interior;
         if (object->parts[i].filled)
-            primitive->interior = renumbered(numbers, kept,
-                                             primitive->interior, *last);
+            *interior = *last + numbering_place(&old, *interior);
     }
     if (object->filled)
-        object->interior = renumbered(numbers, kept, object->interior, *last);
-    *last += kept;
-    free(numbers);
+        object->interior = *last + numbering_place(&old, object->interior);
+    *last += old.count;
+    numbering_free(&old);
     return true;
 }
 

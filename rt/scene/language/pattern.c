@@ -4,7 +4,6 @@
 #include "rt/scene/language/expression.h"
 #include "rt/scene/vector.h"
 
-#define ROUND 1.00001 /* POV-Ray's frequency goes round at this, not at 1 */
 
 enum { EXPONENT_LEAST = -100 }; /* the kernels' powers have their range */
 
@@ -120,59 +119,15 @@ static bool is_changed(const struct pattern *pattern)
                && (pattern->frequency != 1 || pattern->phase != 0));
 }
 
-/* rt/kernels/light/pattern.s has the formulas. */
-static double in_wave(const struct pattern *pattern, double value)
+static void settle_checker(struct pigment *pigment)
 {
-    if (pattern->frequency != 0)
-        value = fmod(pattern->frequency * value + pattern->phase, ROUND);
-    if (value < 0)
-        value -= floor(value);
-    switch (pattern->wave) {
-    case WAVE_TRIANGLE: return value > .5 ? 2 - 2 * value : 2 * value;
-    case WAVE_SINE: return (1 + sin(2 * PI * value)) / 2;
-    case WAVE_SCALLOP: return fabs(sin(PI * value));
-    case WAVE_CUBIC: return value * value * (3 - 2 * value);
-    case WAVE_POLY: return pow(value, pattern->exponent);
-    default: return value;
+    for (int i = 0; i < 2; i++) {
+        struct color_stop listed = pigment_listed(pigment, (size_t)i);
+
+        copy3(listed.color, pigment->color[i]);
+        pigment->filter[i] = listed.filter;
+        pigment->transmit[i] = listed.transmit;
     }
-}
-
-/* The colours of a list are few: what the waves take for each is known here. */
-static bool settle_list(struct reader *reader, struct pigment *pigment,
-                        size_t count)
-{
-    double colors[LISTED_MOST][COLOR_TERMS];
-
-    for (size_t i = 0; i < count; i++)
-        color_map_at(&pigment->map, in_wave(&pigment->pattern, (double)i),
-                     colors[i]);
-    if (pigment->kind == PIGMENT_CHECKER) {
-        for (int i = 0; i < 2; i++)
-            pigment_set_color(pigment, i, colors[i]);
-        return true;
-    }
-    pigment->listed = pigment->map;
-    return color_map_steps(reader, colors, count, &pigment->map);
-}
-
-static size_t listed_count(const struct pigment *pigment)
-{
-    if (pigment->kind == PIGMENT_CHECKER)
-        return 2;
-    if (pigment->kind != PIGMENT_PATTERN)
-        return 0;
-    switch (pigment->pattern.function) {
-    case PATTERN_BRICK: return 2;
-    case PATTERN_HEXAGON: return 3;
-    default: return 0;
-    }
-}
-
-void pattern_resume(struct pigment *pigment)
-{
-    if (pigment->listed.count > 0)
-        pigment->map = pigment->listed;
-    pigment->listed.count = 0;
 }
 
 /* What a map lets pass is not seen. */
@@ -181,12 +136,11 @@ bool pattern_settle(struct reader *reader, struct pigment *pigment,
 {
     struct color_map *map = &pigment->map;
     struct pattern *pattern = &pigment->pattern;
-    size_t listed = listed_count(pigment);
     bool round = pigment->kind == PIGMENT_PATTERN
                  && pattern->function == PATTERN_RADIAL;
 
-    if (listed > 0 && !settle_list(reader, pigment, listed))
-        return false;
+    if (pigment->kind == PIGMENT_CHECKER)
+        settle_checker(pigment);
     if (!pigment_has_map(pigment))
         return true;
 

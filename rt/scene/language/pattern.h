@@ -43,10 +43,8 @@
 /* Into a pigment: such a pattern, and what changes it. */
 item_reader pattern_read, checker_read;
 extern const struct keyword pattern_words[];
-/* Of a pigment that is read from here on: its list is its map again.  Of one that
- * has been read: a gradient that was changed is another pattern; the map that a
- * pattern has unless it is given; what the waves take of a list. */
-void pattern_resume(struct pigment *pigment);
+/* Of a pigment that has been read: a gradient that was changed is another pattern;
+ * the map that a pattern has unless it is given; the two colours of a checker. */
 bool pattern_settle(struct reader *reader, struct pigment *pigment,
                     const struct scene_token *at);
 /* The colours that may stand behind the word of a pattern, count at the most; those
@@ -54,10 +52,6 @@ bool pattern_settle(struct reader *reader, struct pigment *pigment,
 enum { LISTED_MOST = 3 };
 bool pigment_colors(struct reader *reader, struct numbers *colors,
                     size_t count);
-
-/* One of the two colours that stand in it. */
-void pigment_set_color(struct pigment *pigment, int which,
-                       const double terms[COLOR_TERMS]);
 
 /* What may change a pattern, in pigments and textures alike. */
 extern const struct keyword pattern_words_left_out[];
@@ -76,11 +70,5 @@ bool color_map_round(struct reader *reader, struct color_map *map);
 /* From one colour of a list to the next: they are at 0, 1 .., count of them. */
 bool color_map_listed(struct reader *reader, const struct numbers *colors,
                       size_t count, struct color_map *map);
-/* Of the values 0 .. 1, count of them, a colour each. */
-bool color_map_steps(struct reader *reader, double (*colors)[COLOR_TERMS],
-                     size_t count, struct color_map *map);
-/* What it has at a value. */
-void color_map_at(const struct color_map *map, double value,
-                  double terms[COLOR_TERMS]);
 
 #endif

@@ -54,8 +54,8 @@ const struct keyword pattern_words_left_out[] = {
     { NULL, NULL, 0 },
 };
 
-void pigment_set_color(struct pigment *pigment, int which,
-                       const double terms[COLOR_TERMS])
+static void set_color(struct pigment *pigment, int which,
+                      const double terms[COLOR_TERMS])
 {
     memcpy(pigment->color[which], terms, 3 * sizeof *terms);
     pigment->filter[which] = terms[3];
@@ -69,7 +69,7 @@ static bool read_term(struct reader *reader, struct pigment *pigment,
 
     if (!read_color(reader, &color))
         return false;
-    pigment_set_color(pigment, which, color.n);
+    set_color(pigment, which, color.n);
     return true;
 }
 
@@ -82,7 +82,7 @@ static bool read_color_word(struct reader *reader, void *subject,
     if (!read_color_after(reader, &item->at, &color))
         return false;
     pigment->kind = PIGMENT_COLOR;
-    pigment_set_color(pigment, 0, color.n);
+    set_color(pigment, 0, color.n);
     return true;
 }
 
@@ -151,7 +151,7 @@ static bool read_pattern(struct reader *reader, void *subject,
                   "its first colour is used",
                   item->keyword->word);
     pigment->kind = PIGMENT_COLOR;
-    pigment_set_color(pigment, 0, black);
+    set_color(pigment, 0, black);
     reader_accept(reader, "df3"); /* of density_file */
     if (!starts_color(reader))
         skip_arguments(reader);
@@ -281,7 +281,6 @@ bool pigment_body(struct reader *reader, const struct block *block,
         pigment->kind = PIGMENT_COLOR;
         done = read_term(reader, pigment, 0);
     }
-    pattern_resume(pigment);
     return block_items(reader, block, &grammar, pigment, done)
            && pattern_settle(reader, pigment, &block->open);
 }

@@ -1,0 +1,84 @@
+/* pigment.c - what a pigment has, and the colours of those that are a list. */
+#include "rt/scene/scene.h"
+
+#include <math.h>
+
+#include "rt/scene/vector.h"
+
+#define ROUND 1.00001 /* POV-Ray's frequency goes round at this, not at 1 */
+
+bool pigment_has_map(const struct pigment *pigment)
+{
+    return pigment->kind == PIGMENT_GRADIENT
+           || pigment->kind == PIGMENT_PATTERN;
+}
+
+bool pigment_is_clear(const struct pigment *pigment)
+{
+    int colors = pigment->kind == PIGMENT_CHECKER ? 2 : 1;
+
+    for (int i = 0; i < colors; i++)
+        if (pigment->filter[i] != 0 || pigment->transmit[i] != 0)
+            return true;
+    return false;
+}
+
+size_t pigment_list_count(const struct pigment *pigment)
+{
+    if (pigment->kind == PIGMENT_CHECKER)
+        return 2;
+    if (pigment->kind != PIGMENT_PATTERN)
+        return 0;
+    switch (pigment->pattern.function) {
+    case PATTERN_BRICK: return 2;
+    case PATTERN_HEXAGON: return 3;
+    default: return 0;
+    }
+}
+
+/* rt/kernels/light/pattern.s has the formulas. */
+static double in_wave(const struct pattern *pattern, double value)
+{
+    if (pattern->frequency != 0)
+        value = fmod(pattern->frequency * value + pattern->phase, ROUND);
+    if (value < 0)
+        value -= floor(value);
+    switch (pattern->wave) {
+    case WAVE_TRIANGLE: return value > .5 ? 2 - 2 * value : 2 * value;
+    case WAVE_SINE: return (1 + sin(2 * PI * value)) / 2;
+    case WAVE_SCALLOP: return fabs(sin(PI * value));
+    case WAVE_CUBIC: return value * value * (3 - 2 * value);
+    case WAVE_POLY: return pow(value, pattern->exponent);
+    default: return value;
+    }
+}
+
+static double between(double a, double b, double share)
+{
+    return (1 - share) * a + share * b;
+}
+
+static struct color_stop map_at(const struct color_map *map, double value)
+{
+    const struct color_stop *above = map->stops, *below;
+    const struct color_stop *end = map->stops + map->count;
+    struct color_stop stop = { .at = value };
+    double share;
+
+    while (above < end && above->at <= value)
+        above++;
+    below = above > map->stops ? above - 1 : above;
+    if (above == end)
+        above = below;
+    share = above > below ? (value - below->at) / (above->at - below->at) : 0;
+    for (int i = 0; i < 3; i++)
+        stop.color[i] = between(below->color[i], above->color[i], share);
+    stop.filter = between(below->filter, above->filter, share);
+    stop.transmit = between(below->transmit, above->transmit, share);
+    return stop;
+}
+
+struct color_stop pigment_listed(const struct pigment *pigment, size_t i)
+{
+    return map_at(&pigment->map, in_wave(&pigment->pattern, (double)i));
+}
