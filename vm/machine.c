@@ -445,11 +445,22 @@ static void describe_code(const c205 *machine, uint64_t pc, char text[20])
                  (unsigned long long)(word << skip >> WORD_BITS / 2));
 }
 
+/* It was to take room when it was touched, and there was none. */
+static bool lacks_page(const c205 *machine, const c205_stop *stop)
+{
+    return stop->trap == C205_TRAP_UNMAPPED_ADDRESS
+           && stop->address <= ADDRESS_MASK
+           && memory_is_untouched(
+               memory_peek(&machine->memory, stop->address));
+}
+
 void c205_describe_stop(const c205 *machine, const c205_stop *stop,
                         c205_error *text)
 {
     unsigned long long pc = stop->pc, address = stop->address;
     char code[20] = "", operand[32] = "";
+    const char *rule = lacks_page(machine, stop) ? MEMORY_NO_PAGE
+                                                 : stop->rule;
     if (stop->trap == C205_TRAP_NONE) {
         snprintf(text->message, sizeof text->message,
                  "ended at %llX with status %lld", pc,
@@ -463,8 +474,8 @@ void c205_describe_stop(const c205 *machine, const c205_stop *stop,
     if (has_address(stop))
         snprintf(operand, sizeof operand, ": address %llX", address);
     snprintf(text->message, sizeof text->message, "trap %s at %llX%s%s%s%s",
-             c205_trap_name(stop->trap), pc, code, operand,
-             stop->rule ? ": " : "", stop->rule ? stop->rule : "");
+             c205_trap_name(stop->trap), pc, code, operand, rule ? ": " : "",
+             rule ? rule : "");
 }
 
 bool c205_map(c205 *machine, uint64_t address, size_t words,

@@ -134,8 +134,7 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
     for (uint64_t page = address >> PAGE_SHIFT;
          words > 0 && page <= last >> PAGE_SHIFT; page++) {
         if (!map_page(memory, page << PAGE_SHIFT, access)) {
-            snprintf(error->message, sizeof error->message,
-                     "no memory left for a page of the machine");
+            snprintf(error->message, sizeof error->message, MEMORY_NO_PAGE);
             return false;
         }
     }

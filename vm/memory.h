@@ -118,6 +118,8 @@ static inline const struct near_page *memory_near(struct memory *memory,
     return page->number == number ? page : memory_find_near(memory, address);
 }
 
+#define MEMORY_NO_PAGE "no memory left for a page of the machine"
+
 /* Its place stands for a page to be read and written, all zeros, until that is
  * looked for. */
 extern const uint64_t memory_untouched;

@@ -494,6 +494,45 @@ static bool report_pipes(FILE *out, c205_error *error)
     }
 TASKS(TEST)
 
+/* A page that was to take room when it is touched: the trap says why it is not
+ * there, and it is when there is memory. */
+static void test_untouched_page(void **state)
+{
+    static const char text[] = "        .entry first\n"
+                               "first:  EX r4, 0x50000000\n"
+                               "        STO [r4], r4\n"
+                               "        EXIT\n";
+    c205_error error = { "" };
+    struct object *program = assembled(text, &error);
+    size_t lacked = 0;
+    (void)state;
+    for (size_t fails = 1;; fails++) {
+        c205 *machine = loaded(program, &error);
+        c205_word word;
+        assert_non_null(machine);
+        assert_true(
+            c205_map(machine, 0x50000000, 1, C205_WHEN_TOUCHED, &error));
+        host.calls = 0;
+        host.fails = fails;
+        c205_stop stop = c205_run(machine, UINT64_MAX);
+        bool failed = host.calls >= fails;
+        host.fails = 0;
+        c205_describe_stop(machine, &stop, &error);
+        if (stop.trap == C205_TRAP_UNMAPPED_ADDRESS)
+            assert_non_null(strstr(error.message, "no memory left"));
+        else
+            assert_int_equal(stop.trap, C205_TRAP_NONE);
+        assert_true(c205_read(machine, 0x50000000, &word, 1));
+        assert_int_equal(word, stop.trap == C205_TRAP_NONE ? 0x50000000 : 0);
+        c205_free(machine);
+        if (!failed)
+            break;
+        lacked += stop.trap != C205_TRAP_NONE;
+    }
+    assert_true(lacked > 0);
+    object_free(program);
+}
+
 static void test_any_block(void **state)
 {
     (void)state;
@@ -525,6 +564,7 @@ int main(void)
 {
 #define LISTED(task) cmocka_unit_test(test_##task),
     const struct CMUnitTest tests[] = { TASKS(LISTED) cmocka_unit_test(
-        test_any_block) };
+                                            test_untouched_page),
+                                        cmocka_unit_test(test_any_block) };
     return cmocka_run_group_tests_name("allocation", tests, prepare, tidy);
 }

@@ -210,7 +210,7 @@ radial_off:
 radial_series:
         MPYS    y_0, y_0, y_3
         SUBN    r0, y_3, y_3
-        log_series y_3
+        log_series y_3, m_one
         MPYS    p_x, y_0, y_0
         MPYS    y_0, per_turn, y_0
         CFPEQ   y_4, r0, radial_octant

@@ -198,7 +198,7 @@ pattern_radial:
         VTOV    [v0], [v2]
         MPYSV   [v2], [v2], [v3]
         VTOV    -[v3], [v3]
-        log_series v3
+        log_series v3, one
         MPYSV   [v0], [v2], [v0]
         MPYSV   [v0], per_turn, [v0]
         MPYS    quarter, half, s0

@@ -10,6 +10,18 @@
         .regs   r230, exp11, exp12, exp13
         .equ    POWER_CONSTANTS, 32
 
+; 1 + x/3 + x^2/5 + .. + x^8/17, where the form's horner leaves it.
+        .macro  log_series x, unit
+        horner_start \x, log17, log15
+        horner  \x, log13
+        horner  \x, log11
+        horner  \x, log9
+        horner  \x, log7
+        horner  \x, log5
+        horner  \x, log3
+        horner  \x, \unit
+        .endm
+
         .data
 power_constants:
         .word X'0000 FFFF FFFF FFFF'    ; the coefficient of a word

@@ -14,18 +14,6 @@
         ADDN    p_t, \c, p_x
         .endm
 
-; p_x = 1 + x/3 + x^2/5 + ... + x^8/17.
-        .macro  log_series x
-        horner_start \x, log17, log15
-        horner  \x, log13
-        horner  \x, log11
-        horner  \x, log9
-        horner  \x, log7
-        horner  \x, log5
-        horner  \x, log3
-        horner  \x, m_one
-        .endm
-
         .kernel power
 power:
         EXP     p_x, p_k
@@ -37,7 +25,7 @@ power:
         ADDN    p_x, p_root_half, p_x
         DIVS    p_s, p_x, p_s           ; s
         MPYS    p_s, p_s, p_square
-        log_series p_square
+        log_series p_square, m_one
         MPYS    p_x, p_s, p_x
         MPYS    p_x, p_two_over_ln2, p_t
         ADDN    p_t, p_k, p_x

@@ -31,18 +31,6 @@
         ADDNV   [v4], \c, [v0]
         .endm
 
-; [v0] = 1 + x/3 + x^2/5 + ... + x^8/17.
-        .macro  log_series x
-        horner_start \x, log17, log15
-        horner \x, log13
-        horner \x, log11
-        horner \x, log9
-        horner \x, log7
-        horner \x, log5
-        horner \x, log3
-        horner \x, one
-        .endm
-
         .kernel power
 power:
         EXPV    [v0], [v1]
@@ -54,7 +42,7 @@ power:
         ADDNV   [v0], p_root_half, [v0]
         DIVSV   [v2], [v0], [v2]        ; s
         MPYSV   [v2], [v2], [v3]
-        log_series v3
+        log_series v3, one
         MPYSV   [v0], [v2], [v0]
         LINKV
         MPYSV   [v0], p_two_over_ln2, [v4]
