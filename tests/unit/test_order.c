@@ -72,43 +72,6 @@ static void test_same_frame(void **state)
     scene_free(scene);
 }
 
-/* More bodies in one another than are remembered; more panes than a chain has
- * rays; more mirrorings than there are levels where nothing is too dim. */
-static void test_limits_of_rays(void **state)
-{
-    static const char *const texts[] = {
-        AHEAD "global_settings { max_trace_level 60 }\n"
-              "#for (I, 1, 14) sphere { .01*I*x, .5 + I/30\n"
-              "    pigment { rgbt <.1, .1, 0, .9> }\n"
-              "    interior { ior 1 + .02*I } } #end",
-        AHEAD "global_settings { max_trace_level 3 adc_bailout 0 }\n"
-              "#for (I, 1, 80) box { <-2, -2, I/9>, <2, 2, I/9 + .04>\n"
-              "    pigment { rgbt <.1, .1, 0, .99> } } #end",
-        AHEAD "global_settings { max_trace_level 4 adc_bailout -2 }\n"
-              "sphere { 0, 1 pigment { rgbt <.1, .2, .3, .5> }\n"
-              "    finish { reflection .6 } interior { ior 1.3 } }",
-    };
-
-    (void)state;
-    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
-        struct scene *scene = read_text(texts[i]);
-        struct trace_options options = { .mode = TRACE_SCALAR,
-                                         .width = 16,
-                                         .height = 12,
-                                         .queue = 150,
-                                         .model = prior_model };
-        struct trace *trace = run_trace(scene, &options);
-        uint64_t expected = trace_checksum(trace);
-
-        trace_free(trace);
-        options.mode = TRACE_VECTOR;
-        check_same(scene, &options, expected);
-        options.mode = TRACE_KERNELS;
-        check_same(scene, &options, expected);
-        scene_free(scene);
-    }
-}
-
 /* Planes longer than a vector. */
 static void test_one_large_band(void **state)
 {
@@ -175,7 +138,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_same_frame),
-        cmocka_unit_test(test_limits_of_rays),
         cmocka_unit_test(test_one_large_band),
         cmocka_unit_test(test_tiles_meet_less),
     };

@@ -106,12 +106,38 @@ static void test_every(void **state)
     }
 }
 
+/* More bodies in one another than are remembered; more panes than a chain has
+ * rays; more mirrorings than there are levels where nothing is too dim. */
+static void test_limits_of_rays(void **state)
+{
+    static const char *const texts[] = {
+        AHEAD "global_settings { max_trace_level 60 }\n"
+              "#for (I, 1, 14) sphere { .01*I*x, .5 + I/30\n"
+              "    pigment { rgbt <.1, .1, 0, .9> }\n"
+              "    interior { ior 1 + .02*I } } #end",
+        AHEAD "global_settings { max_trace_level 3 adc_bailout 0 }\n"
+              "#for (I, 1, 80) box { <-2, -2, I/9>, <2, 2, I/9 + .04>\n"
+              "    pigment { rgbt <.1, .1, 0, .99> } } #end",
+        AHEAD "global_settings { max_trace_level 4 adc_bailout -2 }\n"
+              "sphere { 0, 1 pigment { rgbt <.1, .2, .3, .5> }\n"
+              "    finish { reflection .6 } interior { ior 1.3 } }",
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        struct words *frame = same_frame(texts[i]);
+        check_paper_stage(texts[i], frame);
+        free(frame);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_opaque),
         cmocka_unit_test(test_clear),
         cmocka_unit_test(test_every),
+        cmocka_unit_test(test_limits_of_rays),
     };
     return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }
