@@ -16,9 +16,17 @@ static bool dims(const struct light *light)
     return light->beam != BEAM_NONE || fades(light);
 }
 
+/* Points from which it casts shadows; 0: the one where it is. */
+static size_t points_of(const struct light *light)
+{
+    size_t count = light->area_size[0] * light->area_size[1];
+
+    return count > 1 && !light->shadowless ? count : 0;
+}
+
 static bool has_beam(const struct light *light)
 {
-    return dims(light) || light->parallel;
+    return dims(light) || light->parallel || points_of(light) > 0;
 }
 
 static size_t count_beams(const struct scene *scene)
@@ -34,6 +42,100 @@ bool scene_has_beams(const struct scene *scene)
 {
     return count_beams(scene) > 0;
 }
+
+static size_t count_points(const struct scene *scene)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < scene->light_count; i++)
+        count += points_of(&scene->lights[i]);
+    return count;
+}
+
+bool scene_has_areas(const struct scene *scene)
+{
+    return count_points(scene) > 0;
+}
+
+/* ---- Areas --------------------------------------------------------------- */
+
+/* What point number at counts of those from first to last.  POV-Ray's: of each
+ * half of a side a half, where the middle one is in both, until there are two. */
+static double weight_of(size_t first, size_t last, size_t at)
+{
+    size_t sum = first + last;
+
+    if (at < first || at > last)
+        return 0;
+    if (last - first < 2)
+        return last == first ? 1 : .5;
+    return (weight_of(first, sum / 2, at)
+            + weight_of((sum + 1) / 2, last, at))
+           / 2;
+}
+
+/* From -.5 to .5. */
+static double place_on_side(size_t at, size_t size)
+{
+    return size > 1 ? (double)at / (double)(size - 1) - .5 : 0;
+}
+
+/* POV-Ray's: the border of a square goes to the circle within, each line to the
+ * middle is drawn together evenly; with a point in the middle it is moved. */
+static void draw_together(double place[2])
+{
+    double most;
+
+    place[0] += .001;
+    place[1] += .001;
+    most = fmax(fabs(place[0]), fabs(place[1]));
+    most /= sqrt(place[0] * place[0] + place[1] * place[1]);
+    place[0] *= most;
+    place[1] *= most;
+}
+
+static void put_point(struct record *record, const struct light *light,
+                      size_t i, size_t k)
+{
+    const size_t *size = light->area_size;
+    double place[2] = { place_on_side(i, size[0]),
+                        place_on_side(k, size[1]) };
+    double weight = weight_of(0, size[0] - 1, i)
+                    * weight_of(0, size[1] - 1, k);
+    double position[3];
+
+    if (light->circular)
+        draw_together(place);
+    for (int axis = 0; axis < 3; axis++)
+        position[axis] = light->position[axis]
+                         + place[0] * light->area_axes[0][axis]
+                         + place[1] * light->area_axes[1][axis];
+    record_numbers(record, "LIGHT_POINT_POSITION", position, 3);
+    record_numbers(record, "LIGHT_POINT_WEIGHT", &weight, 1);
+    record_write(record);
+}
+
+static void layout_points(struct record_layout *layout,
+                          const struct scene *scene, size_t count,
+                          struct row *row)
+{
+    struct record record;
+
+    record_begin(&record, layout, "LIGHT_POINT_SIZE", count, 0);
+    *row = record_row(&record);
+    for (size_t light = 0; light < scene->light_count; light++) {
+        const size_t *size = scene->lights[light].area_size;
+
+        if (points_of(&scene->lights[light]) == 0)
+            continue;
+        for (size_t i = 0; i < size[0]; i++)
+            for (size_t k = 0; k < size[1]; k++)
+                put_point(&record, &scene->lights[light], i, k);
+    }
+    record_end(&record);
+}
+
+/* ---- Beams --------------------------------------------------------------- */
 
 /* Where q is (light/beam.s) the edge begins, and how it grows from there. */
 static void put_edge(struct record *record, const struct light *light)
@@ -58,7 +160,8 @@ static void put_edge(struct record *record, const struct light *light)
     record_numbers(record, "BEAM_EDGE", edge, 2);
 }
 
-static void put_beam(struct record *record, const struct light *light)
+static void put_beam(struct record *record, const struct light *light,
+                     uint64_t points)
 {
     double way[3], falloff = 1 / light->falloff;
     double fade[2] = { 1 / fabs(light->fade_distance), light->fade_power };
@@ -76,6 +179,10 @@ static void put_beam(struct record *record, const struct light *light)
     record_numbers(record, "BEAM_TIGHTNESS", &light->tightness, 1);
     if (fades(light))
         record_numbers(record, "BEAM_FADE", fade, 2);
+    if (points_of(light) > 0) {
+        record_address(record, "BEAM_POINTS", points);
+        record_integer(record, "BEAM_POINT_COUNT", points_of(light));
+    }
     record_write(record);
 }
 
@@ -93,12 +200,20 @@ static void layout_beams(struct record_layout *layout,
                          struct row *row)
 {
     struct record record;
+    struct row points = { 0, 0 };
+    size_t point_count = count_points(scene), point = 0;
 
+    if (point_count > 0)
+        layout_points(layout, scene, point_count, &points);
     record_begin(&record, layout, "BEAM_SIZE", count, 0);
     *row = record_row(&record);
-    for (size_t i = 0; i < scene->light_count; i++)
-        if (has_beam(&scene->lights[i]))
-            put_beam(&record, &scene->lights[i]);
+    for (size_t i = 0; i < scene->light_count; i++) {
+        const struct light *light = &scene->lights[i];
+
+        if (has_beam(light))
+            put_beam(&record, light, row_at(&points, point));
+        point += points_of(light);
+    }
     record_end(&record);
 }
 

@@ -7,6 +7,8 @@
 
 /* Whether the kernels need light/beam.s for one of its lights. */
 bool scene_has_beams(const struct scene *scene);
+/* .. and light/area_vector.s. */
+bool scene_has_areas(const struct scene *scene);
 void layout_lights(struct record_layout *layout, const struct scene *scene);
 
 #endif

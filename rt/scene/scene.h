@@ -33,6 +33,9 @@ struct camera {
  * point. */
 enum light_beam { BEAM_NONE, BEAM_CONE, BEAM_CYLINDER };
 
+/* Points of a light's area. */
+enum { AREA_POINTS_MOST = 65536 };
+
 struct light {
     double position[3];
     double color[3];
@@ -48,6 +51,10 @@ struct light {
                                off the axis, of a cylinder so far from it */
     double tightness; /* the power by which it is less off the axis, of the
                          cosine or of how near the edge is */
+    double area_axes[2][3]; /* of a parallelogram about its place, */
+    size_t area_size[2];    /* with so many points along each of these, from
+                               which it casts shadows; 0: it has none */
+    bool circular;          /* .. an ellipse */
     double fade_distance, fade_power; /* times 2 / (1 + (distance /
                                          fade_distance) ^ fade_power), if
                                          neither is 0 */

@@ -139,6 +139,7 @@ static struct object *assemble_form(const struct trace_options *options,
         { NULL, 0 },
         { NULL, 0 },
         { NULL, 0 },
+        { NULL, 0 },
     };
     struct asm_define *next = &defines[1];
     size_t crossings = most_crossings(scene);
@@ -151,6 +152,8 @@ static struct object *assemble_form(const struct trace_options *options,
         *next++ = (struct asm_define){ "GLOSS", 1 };
     if (scene_has_beams(scene))
         *next++ = (struct asm_define){ "BEAMS", 1 };
+    if (scene_has_areas(scene))
+        *next++ = (struct asm_define){ "AREAS", 1 };
     if (scene_has_patterns(scene))
         *next++ = (struct asm_define){ "PATTERNS", 1 };
     if (scene_has_interiors(scene))

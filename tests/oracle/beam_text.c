@@ -29,6 +29,29 @@ static void fade(uint64_t *state, double size, char words[SOLID_WORDS])
                 one_in(state, 2) ? 2 : between(state, .2, 9));
 }
 
+/* On whole numbers, or anyhow. */
+static void say_axis(uint64_t *state, double size, char words[SOLID_WORDS])
+{
+    double axis[3] = { 0, 0, 0 };
+    if (one_in(state, 2))
+        axis[below(state, 3)] = 2;
+    else
+        for (int i = 0; i < 3; i++)
+            axis[i] = size * between(state, -.6, .6);
+    solid_words(words, "<%.5g, %.5g, %.5g>", axis[0], axis[1], axis[2]);
+}
+
+static void spread(uint64_t *state, double size, char words[SOLID_WORDS])
+{
+    char one[SOLID_WORDS], other[SOLID_WORDS];
+    say_axis(state, size, one);
+    say_axis(state, size, other);
+    size_t across = 1 + below(state, 4), down = 1 + below(state, 3);
+    bool circular = across > 1 && down > 1 && one_in(state, 3);
+    solid_words(words, " area_light %.60s, %.60s, %zu, %zu%s", one, other,
+                across, down, circular ? " circular" : "");
+}
+
 void beam_words(uint64_t state, const double position[3], double size,
                 char words[SOLID_WORDS])
 {
@@ -37,14 +60,21 @@ void beam_words(uint64_t state, const double position[3], double size,
     for (int i = 0; i < 8; i++)
         xorshift(&state);
     words[0] = '\0';
-    if (one_in(&state, 2))
+    if (one_in(&state, 2)) {
+        if (one_in(&state, 4))
+            spread(&state, size, words);
         return;
+    }
     aim(&state, position, size, at);
     fade(&state, size, fading);
     double tightness = one_in(&state, 2) ? 0 : between(&state, -1, 20);
     double full = between(&state, -.1, 1.1);
     switch (below(&state, 4)) {
-    case 0: solid_words(words, "%.99s", fading); break;
+    case 0:
+        spread(&state, size, at);
+        solid_words(words, "%.99s%.150s", fading,
+                    one_in(&state, 2) ? at : "");
+        break;
     case 1: solid_words(words, " parallel%.99s%.99s", at, fading); break;
     case 2:
         solid_words(words,

@@ -37,7 +37,13 @@ enum {
 /* --- forms ---------------------------------------------------------------- */
 
 /* Of a scene, that its program has to know. */
-enum feature { ORTHOGRAPHIC = 1, BEAMS = 2, INTERIORS = 4, FEATURES = 8 };
+enum feature {
+    ORTHOGRAPHIC = 1,
+    BEAMS = 2,
+    INTERIORS = 4,
+    AREAS = 8, /* which are beams, too */
+    FEATURES = 16
+};
 
 /* Each is compared with the first. */
 static struct form {
@@ -75,44 +81,44 @@ static size_t features_of(const struct scene *scene)
 {
     return (scene->camera.orthographic ? ORTHOGRAPHIC : 0)
            | (scene_has_beams(scene) ? BEAMS : 0)
+           | (scene_has_areas(scene) ? AREAS : 0)
            | (scene_has_interiors(scene) ? INTERIORS : 0);
 }
 
-/* A program is assembled once, for all scenes with such a camera, lights, glass. */
-static void assemble_for(const char *text)
+/* A program is assembled once, for all scenes with such a camera, lights,
+ * glass. */
+static struct trace *assemble(const struct form *form, size_t features)
 {
+    char text[200];
+    snprintf(text, sizeof text, "%s %s %s %s",
+             features & ORTHOGRAPHIC ? "camera { orthographic }" : "",
+             features & BEAMS ? "light_source { y, 1 parallel }" : "",
+             features & AREAS ? "light_source { y, 1 area_light x, z, 2, 2 }"
+                              : "",
+             features & INTERIORS ? "sphere { 0, 1 pigment { rgbt 1 } }"
+                                  : "");
     struct scene *scene = scene_of(text);
+    const struct trace_options options = { .mode = form->mode,
+                                           .queue = form->queue,
+                                           .visible = form->visible,
+                                           .width = WIDTH,
+                                           .height = HEIGHT,
+                                           .model = model };
     c205_error error;
-    for (size_t i = 0; i < FORMS; i++) {
-        const struct trace_options options = { .mode = forms[i].mode,
-                                               .queue = forms[i].queue,
-                                               .visible = forms[i].visible,
-                                               .width = WIDTH,
-                                               .height = HEIGHT,
-                                               .model = model };
-        struct trace *trace = trace_new(scene, &options, &error);
-        if (!trace)
-            give_up(error.message);
-        forms[i].trace[features_of(scene)] = trace;
-    }
+    struct trace *trace = trace_new(scene, &options, &error);
+    if (!trace)
+        give_up(error.message);
     scene_free(scene);
+    return trace;
 }
 
-static void assemble_forms(void)
+static const struct object *program_for(struct form *form,
+                                        const struct scene *scene)
 {
-    c205_error error;
-    model = c205_model_find("cyber205-2pipe", &error);
-    if (!model)
-        give_up(error.message);
-    for (int features = 0; features < FEATURES; features++) {
-        char text[200];
-        snprintf(text, sizeof text, "%s %s %s",
-                 features & ORTHOGRAPHIC ? "camera { orthographic }" : "",
-                 features & BEAMS ? "light_source { y, 1 parallel }" : "",
-                 features & INTERIORS ? "sphere { 0, 1 pigment { rgbt 1 } }"
-                                      : "");
-        assemble_for(text);
-    }
+    struct trace **trace = &form->trace[features_of(scene)];
+    if (!*trace)
+        *trace = assemble(form, features_of(scene));
+    return trace_program(*trace);
 }
 
 static void free_forms(void)
@@ -129,8 +135,7 @@ static void trace_form(struct form *form, const struct scene *scene,
                        c205_word words[WORDS])
 {
     c205_error error;
-    const struct object *program = trace_program(
-        form->trace[features_of(scene)]);
+    const struct object *program = program_for(form, scene);
     struct scene_layout *layout = layout_new(program, scene, form->bounding,
                                              NULL, NULL, &error);
     const struct band_work work = { .program = program,
@@ -321,7 +326,10 @@ static bool check_scene(size_t number, bool first)
 
 int main(int count, char **words)
 {
-    assemble_forms();
+    c205_error error;
+    model = c205_model_find("cyber205-2pipe", &error);
+    if (!model)
+        give_up(error.message);
     int code = check_many(count, words, check_scene);
     free_forms();
     return code;

@@ -305,6 +305,22 @@ static void say_fading(struct language *draw)
     say_amount(draw, "fade_power", .5, 4);
 }
 
+/* What else is drawn does not depend on it. */
+static void say_area(struct language *draw)
+{
+    uint64_t state = draw->state * 5 + 1;
+    for (int i = 0; i < 8; i++)
+        xorshift(&state);
+    if (!one_in(&state, 5))
+        return;
+    size_t across = 1 + below(&state, 6), down = 1 + below(&state, 4);
+    say_line(draw, "area_light <%.3f, 0, %.3f>, <0, %.3f, 1>, %zu, %zu",
+             between(&state, .3, 2), between(&state, -1, 1),
+             between(&state, -1, 1), across, down);
+    if (across > 1 && down > 1 && one_in(&state, 2))
+        say_line(draw, "circular");
+}
+
 static void say_lamp(struct language *draw)
 {
     open_block(draw, "light_source {");
@@ -323,6 +339,8 @@ static void say_lamp(struct language *draw)
         say_line(draw, "shadowless");
     else if (one_in(&draw->state, 3))
         fades = say_beam(draw);
+    if (fades)
+        say_area(draw);
     if (fades && one_in(&draw->state, 5))
         say_fading(draw);
     if (one_in(&draw->state, 5))

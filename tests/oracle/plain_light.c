@@ -262,6 +262,59 @@ static double share_of_light(const struct light *light, const double point[3],
     return share;
 }
 
+/* The share that the light's rule gives a place of a side: two ends are halves,
+ * longer stretches are halved again. */
+static double side_share(int from, int to, int place)
+{
+    if (place < from || place > to)
+        return 0;
+    if (from == to)
+        return 1;
+    if (to - from == 1)
+        return .5;
+    double middle = (from + to) / 2.0;
+    return .5 * side_share(from, (int)floor(middle), place)
+           + .5 * side_share((int)ceil(middle), to, place);
+}
+
+static void area_place(const struct light *light, int u, int v,
+                       double place[3])
+{
+    int across = (int)light->area_size[0], down = (int)light->area_size[1];
+    double a = across > 1 ? u / (across - 1.0) - .5 : 0;
+    double b = down > 1 ? v / (down - 1.0) - .5 : 0;
+    if (light->circular) {
+        a += .001;
+        b += .001;
+        double scale = fmax(fabs(a), fabs(b)) / hypot(a, b);
+        a *= scale;
+        b *= scale;
+    }
+    add_scaled(place, light->position, a, light->area_axes[0]);
+    add_scaled(place, place, b, light->area_axes[1]);
+}
+
+/* Of an area each place sends its share. */
+static void pass_from_area(const struct plain_tracer *tracer,
+                           const struct light *light,
+                           const struct ray *to_light, double color[3])
+{
+    int across = (int)light->area_size[0], down = (int)light->area_size[1];
+    double sum[3] = { 0, 0, 0 };
+    for (int i = 0; i < across * down; i++) {
+        struct ray ray = *to_light;
+        struct light there = *light;
+        double left[3], share = side_share(0, across - 1, i / down)
+                                * side_share(0, down - 1, i % down);
+        area_place(light, i / down, i % down, there.position);
+        double distance = way_to_light(&there, ray.origin, ray.direction);
+        copy(left, color);
+        pass_scene(tracer, &ray, distance, left);
+        add_scaled(sum, sum, share, left);
+    }
+    copy(color, sum);
+}
+
 /* A light behind the surface gives nothing, and one without shadows has no
  * highlights. */
 static void add_light(const struct plain_tracer *tracer,
@@ -278,7 +331,9 @@ static void add_light(const struct plain_tracer *tracer,
     copy(left, light->color);
     scale_by(left, share_of_light(light, surface->point, to_light.direction,
                                   distance));
-    if (!light->shadowless)
+    if (!light->shadowless && light->area_size[0] > 0)
+        pass_from_area(tracer, light, &to_light, left);
+    else if (!light->shadowless)
         pass_scene(tracer, &to_light, distance, left);
     double bright = light->shadowless
                         ? 0

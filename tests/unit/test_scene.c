@@ -483,6 +483,28 @@ static void test_beams(void **state)
     scene_free(scene);
 }
 
+static void test_areas(void **state)
+{
+    struct scene *scene = read_scene(
+        "#declare L = light_source { 0, 1 area_light x, 2*y 3, 2.9 }\n"
+        "light_source { L scale 2 rotate 90*z translate <0, 0, 1> }\n"
+        "light_source { y, 1 circular area_light z, y, 32768, 2 adaptive 2 }\n"
+        "light_source { y, 1 spotlight }\n");
+    const struct light *lights = scene->lights;
+
+    (void)state;
+    assert_vector(lights[0].position, 0, 0, 1);
+    assert_vector(lights[0].area_axes[0], 0, 2, 0);
+    assert_vector(lights[0].area_axes[1], -4, 0, 0);
+    assert_int_equal(lights[0].area_size[0], 3);
+    assert_int_equal(lights[0].area_size[1], 2);
+    assert_false(lights[0].circular);
+    assert_int_equal(lights[1].area_size[0], AREA_POINTS_MOST / 2);
+    assert_true(lights[1].circular);
+    assert_int_equal(lights[2].area_size[0], 0);
+    scene_free(scene);
+}
+
 static void test_declarations(void **state)
 {
     struct scene *scene = read_scene(
@@ -624,6 +646,7 @@ int main(void)
         cmocka_unit_test(test_textures_move),
         cmocka_unit_test(test_unions),
         cmocka_unit_test(test_beams),
+        cmocka_unit_test(test_areas),
         cmocka_unit_test(test_declarations),
         cmocka_unit_test(test_settings),
         cmocka_unit_test(test_trace_levels),

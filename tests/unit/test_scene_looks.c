@@ -43,8 +43,8 @@ static void test_told_when_used(void **state)
           " #macro Ball(What) sphere { 0, 1 pigment { What } } #end"
           " Ball(P) Ball(P)",
           24, "its first colour is used" },
-        { "#declare L = light_source { 0, 1 area_light x, y, 2, 2 } light_source { L }",
-          34, "left out" },
+        { "#declare L = light_source { 0, 1 area_light x, y, 2, 2 jitter } light_source { L }",
+          56, "left out" },
         { "#declare N = normal { bumps 1 } #declare G = fog { distance 2 }"
           " #declare S = sky_sphere { pigment { rgb 1 } }"
           " #declare D = media { emission 1 }",

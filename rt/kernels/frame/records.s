@@ -157,6 +157,11 @@
         .equ    BEAMS, 0
         .endif
 
+; 1: .. and of these lights some have an area (light/area_vector.s).
+        .ifndef AREAS
+        .equ    AREAS, 0
+        .endif
+
 ; A row of a prism's table: a corner of its path, and the edge back to the one
 ; before, as its normal wants it.
         .record PRISM

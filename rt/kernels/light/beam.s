@@ -17,8 +17,11 @@
 ; cosines of falloff and radius, or from 0 to 1 - radius / falloff.  As the
 ; power's base is at most 1, the fading is 2 / (1 + u) or 2 u / (1 + u) of
 ; u = the ratio of the less distance to the greater, to the power.
-; Source: POV-Ray 3.7's spotlight, cylinder, parallel and fade_distance; the
-; formulas are in its documentation, and measured by its pictures.
+; A light with an area is a point for all of this.  Only what stands before it is
+; asked for from each of its points, and what comes through is the sum of what does
+; from them, times their weights.
+; Source: POV-Ray 3.7's spotlight, cylinder, parallel, fade_distance, area_light;
+; the formulas are in its documentation, and measured by its pictures.
 
         .record BEAM
         .field  BEAM_DIMS               ; 1: dim is not the same everywhere
@@ -30,4 +33,18 @@
         .field  BEAM_TIGHTNESS
         .field  BEAM_FADE, 2            ; 1 / fade_distance; fade_power, or 0: it
                                         ; does not fade
+        .if     AREAS
+        .field  BEAM_POINTS             ; of its area: the address of the first,
+        .field  BEAM_POINT_COUNT        ; or 0; how many
+        .endif
         .endrecord
+        .equ    BEAM_WORDS, BEAM_FADE + 2       ; the measures
+
+        .if     AREAS
+; A point of a light's area; the kernels that bound rays to it take it for the
+; light that they go to.
+        .record LIGHT_POINT
+        .field  LIGHT_POINT_POSITION, 3 ; as LIGHT_POSITION
+        .field  LIGHT_POINT_WEIGHT
+        .endrecord
+        .endif

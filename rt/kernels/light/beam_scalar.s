@@ -17,7 +17,7 @@
 ; from the axis of a cylinder.
         .macro  beam_towards
         RTOR    light_beam, here
-        ELEN    here, BEAM_SIZE
+        ELEN    here, BEAM_WORDS
         SWAP    [here], beam_dims, [r0]
         IBXNE   beam_parallel, r0, r0, beam_rays\@
         normalise_by m_one, lx, ly, lz, light_distance, t1

@@ -50,7 +50,7 @@ beam_shadows\@:
 ; the axis of a cylinder.
 beam_towards:
         RTOR    light_beam, s0
-        ELEN    s0, BEAM_SIZE
+        ELEN    s0, BEAM_WORDS
         SWAP    [s0], beam_dims, [r0]
         IBXNE   beam_parallel, r0, r0, beam_parallel_rays
         normalise lx, ly, lz, v0, v1

@@ -42,6 +42,9 @@
         .if     BEAMS
         .include "light/beam_vector.s"
         .endif
+        .if     AREAS
+        .include "light/area_vector.s"
+        .endif
 
         .macro  load_light
         ELEN    light_at, LIGHT_SIZE
@@ -158,6 +161,14 @@ illuminate_way:
 illuminate_cast:
         .endif
         CFPEQ   light_gleams, r0, illuminate_parts      ; shadowless
+        .if     AREAS
+        area_of_light s0, illuminate_point
+        EX      target, cast_from_area
+        BSAVE   link, [target]
+        BIM     illuminate_parts
+illuminate_point:
+        RTOR    light_at, shadows
+        .endif
         EX      target, cast_shadows
         BSAVE   link, [target]
 illuminate_parts:

@@ -37,6 +37,9 @@ hit_list:       .word 0                 ; reaches a point
         .if     BEAMS
 shadow_parallel: .word 0                ; 1: rays to the light go to no point
         .endif
+        .if     AREAS
+shade_shadows:  .word 0                 ; what they go to
+        .endif
         .align 64
 hits:           .space HIT_SIZE * QUEUE
 lit_store:      .space 7 * QUEUE        ; rays to a light, and their limits
@@ -90,6 +93,10 @@ pixel\@:
         EX      lit_at, light_left + 64 * QUEUE * \number
         STO     [lit_at, lit_count], \value
         .endm
+
+        .if     AREAS
+        .include "light/area_1984.s"
+        .endif
 
         .kernel shade
 shade:
@@ -197,6 +204,10 @@ shade_towards_next:
         next_hit shade_towards_hit
         RTOR    lit_count, n
         IBXEQ   lit_count, r0, r0, shade_shine
+        .if     AREAS
+        area_begin
+shade_walk:
+        .endif
         to_vector
         .endkernel
 
@@ -223,10 +234,17 @@ shadow_of_point:
         EX      s2, shadow_parallel
         STO     [s2], s1
         .endif
+        .if     AREAS
+        load_word shade_shadows, shadows
+        .else
         EX      shadows, shade_light
+        .endif
         EX      s0, walk_regions
         BSAVE   link_queue, [s0]
         to_scalar
+        .if     AREAS
+        area_next shade_walk
+        .endif
         .endkernel
 
 ; What comes through shines on them.

@@ -29,6 +29,24 @@ shadow_light:   .space 3
         .equ    SHADE_ARGUMENTS, 4
         .endif
 
+; The ray of shadow_ray to a light so far away: here = what is left of it.
+        .macro  cast_shadow distance
+        EX      here, k_shadow
+        LOD     [here], t0
+        SUBN    \distance, t0, t0
+        EX      here, shadow_limit
+        STO     [here], t0
+        EX      here, shadow_light
+        ELEN    here, 3
+        SWAP    [r0], light_r, [here]
+        call    shadow, shadow_list
+        EX      here, shadow_light
+        .endm
+
+        .if     AREAS
+        .include "light/area_scalar.s"
+        .endif
+
         .kernel shade
 shade:
         EX      save_at, shade_save
@@ -63,18 +81,16 @@ shade_light:
         EX      here, shadow_ray
         ELEN    here, 6
         SWAP    [r0], px, [here]
-        EX      here, k_shadow
-        LOD     [here], t0
-        SUBN    light_distance, t0, t0
-        EX      here, shadow_limit
-        STO     [here], t0
-        EX      here, shadow_light
-        ELEN    here, 3
-        SWAP    [r0], light_r, [here]
-        call    shadow, shadow_list
-        EX      here, shadow_light
+        .if     AREAS
+        area_of_light shade_point_light
+        light_of_area
+        BIM     shade_passed
+shade_point_light:
+        .endif
+        cast_shadow light_distance
         ELEN    here, 3
         SWAP    [here], light_r, [r0]
+shade_passed:
         CFPNE   light_r, r0, shade_lit
         CFPNE   light_g, r0, shade_lit
         CFPEQ   light_b, r0, shade_next_light

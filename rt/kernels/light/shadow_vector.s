@@ -10,7 +10,8 @@
 ; rule).
 ;
 ; In:  hits3: the points that face the light, s8 of them; v0: distance from it;
-;      px .., lx ..; ndotl.
+;      px .., lx ..; ndotl; with areas shadows: the light, or the point of its
+;      area, that they go to.
 ; Out: ndotl = 0 in the dark; tinted = 1 and tint_r .. for all hits where
 ;      something clear is in the way of any.
 ; found_shadow: In: what walk_tree has found (visible_vector.s).  Out: nearest =
@@ -98,7 +99,9 @@ shadows_of_some:
 shadows_cast:
         RTOR    s8, n
         ES      from_one_point, 0
+        .if     AREAS == 0
         RTOR    light_at, shadows
+        .endif
         EX      found, found_shadow
         EX      target, walk_regions
         BSAVE   link, [target]

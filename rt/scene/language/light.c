@@ -135,7 +135,62 @@ static bool read_measure(struct reader *reader, void *subject,
     return read_fading(reader, subject, item);
 }
 
+/* POV-Ray's: what is behind the point is cut off. */
+static bool read_side(struct reader *reader, const struct item *item,
+                      size_t *size)
+{
+    double number;
+
+    reader_comma(reader);
+    if (!read_number(reader, &number))
+        return false;
+    if (!(number >= 1 && number <= AREA_POINTS_MOST))
+        return reader_fault(reader, &item->at,
+                            "an area_light has 1 to %d points along a side",
+                            AREA_POINTS_MOST);
+    *size = (size_t)number;
+    return true;
+}
+
+static bool read_area(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    struct scene_object *object = subject;
+    double axes[2][3];
+    size_t size[2] = { 0, 0 };
+
+    if (!read_vector(reader, axes[0]))
+        return false;
+    reader_comma(reader);
+    if (!read_vector(reader, axes[1]) || !read_side(reader, item, &size[0])
+        || !read_side(reader, item, &size[1]))
+        return false;
+    if (size[0] * size[1] > AREA_POINTS_MOST)
+        return reader_fault(reader, &item->at,
+                            "an area_light of %zu points: at most %d",
+                            size[0] * size[1], AREA_POINTS_MOST);
+    for (size_t i = 0; i < object->light_count; i++) {
+        memcpy(object->lights[i].area_axes, axes, sizeof axes);
+        memcpy(object->lights[i].area_size, size, sizeof size);
+    }
+    return true;
+}
+
+static bool read_circular(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    struct scene_object *object = subject;
+
+    (void)reader;
+    (void)item;
+    for (size_t i = 0; i < object->light_count; i++)
+        object->lights[i].circular = true;
+    return true;
+}
+
 static const struct keyword words[] = {
+    { "area_light", read_area, 0 },
+    { "circular", read_circular, 0 },
     { "shadowless", read_shadowless, 0 },
     { "looks_like", read_looks_like, 0 },
     { "spotlight", read_beam, BEAM_CONE },
@@ -151,21 +206,20 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-/* Words of lights that are not supported, which are reported. */
+/* Words of what is not supported, which is reported; and of the points of an area
+ * all are asked. */
 static const struct keyword passed_over[] = {
     { "adaptive", item_passed_over, 0 },
-    { "area_illumination", item_passed_over, 0 },
-    { "circular", item_passed_over, 0 },
-    { "jitter", item_passed_over, 0 },
     { "media_attenuation", item_passed_over, 0 },
     { "media_interaction", item_passed_over, 0 },
-    { "orient", item_passed_over, 0 },
     { "photons", item_passed_over, 0 },
     { NULL, NULL, 0 },
 };
 
 static const struct keyword left_out[] = {
-    { "area_light", item_left_out, 0 },
+    { "area_illumination", item_left_out, 0 },
+    { "jitter", item_left_out, 0 },
+    { "orient", item_left_out, 0 },
     { "projected_through", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
@@ -212,6 +266,40 @@ static bool check_beams(struct reader *reader,
     return true;
 }
 
+/* POV-Ray's. */
+static bool check_areas(struct reader *reader,
+                        const struct scene_object *object,
+                        const struct scene_token *at)
+{
+    for (size_t i = 0; i < object->light_count; i++) {
+        const struct light *light = &object->lights[i];
+        const size_t *size = light->area_size;
+
+        if (light->circular && (size[0] == 1 || size[1] == 1))
+            return reader_fault(reader, at,
+                                "a circular area_light has 2 points or more "
+                                "along each side");
+    }
+    return true;
+}
+
+/* Of parallel rays POV-Ray makes of an area what has no name. */
+static void leave_out_areas(struct reader *reader,
+                            struct scene_object *object,
+                            const struct scene_token *at)
+{
+    for (size_t i = 0; i < object->light_count; i++) {
+        struct light *light = &object->lights[i];
+
+        if (light->parallel && light->area_size[0] > 0) {
+            light->area_size[0] = light->area_size[1] = 0;
+            reader_report(reader, at,
+                          "the 'area_light' of a light with parallel rays is "
+                          "left out");
+        }
+    }
+}
+
 bool light_read(struct reader *reader, struct scene_object *object)
 {
     const struct scene_value *value;
@@ -229,6 +317,10 @@ bool light_read(struct reader *reader, struct scene_object *object)
         good = read_point(reader, object);
     }
     object->is_light = true;
-    return block_items(reader, &block, &grammar, object, good)
-           && check_beams(reader, object, &block.open);
+    if (!block_items(reader, &block, &grammar, object, good)
+        || !check_beams(reader, object, &block.open)
+        || !check_areas(reader, object, &block.open))
+        return false;
+    leave_out_areas(reader, object, &block.open);
+    return true;
 }

@@ -372,6 +372,8 @@ void object_move(struct scene_object *object, const struct placement *step)
     for (size_t i = 0; i < object->light_count; i++) {
         transform_point(&step->to_world, object->lights[i].position);
         transform_point(&step->to_world, object->lights[i].point_at);
+        transform_direction(&step->to_world, object->lights[i].area_axes[0]);
+        transform_direction(&step->to_world, object->lights[i].area_axes[1]);
     }
     if (object->textured)
         pigment_move(&object->texture.pigment, step);

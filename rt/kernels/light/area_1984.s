@@ -1,0 +1,146 @@
+; area_1984.s - what of a light with an area comes through to the hits of a queue;
+; the order of the operations as in area_vector.s.  Part of shade_1984.s, as macros:
+; the rays to a point of the area are the queue that is made in lit_store.
+
+        .share  loop
+        .regs   r177, area_x, area_y, area_z, area_weight
+        .regs   r181, area_dx, area_dy, area_dz, area_distance
+        .regs   r185, area_work, area_r, area_g, area_b, area_sum, area_next_at
+        .regs   r191, area_next_left
+        .endshare
+
+        .data
+area_at:        .word 0                 ; the point, and how many are left with it
+                .word 0
+area_rays:      .word 0                 ; of the queue
+        .align  64
+area_store:     .space 3 * QUEUE        ; what has come through
+        .code
+
+        .macro  area_loop
+        load_at area_rays, 1, loop_count
+        ES      loop_index, 0
+        .endm
+
+        .macro  area_load store, number, value
+        EX      lit_at, \store + 64 * QUEUE * \number
+        LOD     [lit_at, loop_index], \value
+        .endm
+
+        .macro  area_put store, number, value
+        EX      lit_at, \store + 64 * QUEUE * \number
+        STO     [lit_at, loop_index], \value
+        .endm
+
+; The rays to the point of area_at, in place of those to the light.
+        .macro  area_rays_to_point
+        load_at area_at, 1, area_next_at
+        EX      loop_at, shade_shadows
+        STO     [loop_at], area_next_at
+        ELEN    area_next_at, LIGHT_POINT_SIZE
+        SWAP    [area_next_at], area_x, [r0]
+        load_at shade_light + 64 * LIGHT_COLOR, 3, area_r
+        area_loop
+area_ray\@:
+        area_load lit_store, 0, area_dx
+        area_load lit_store, 1, area_dy
+        area_load lit_store, 2, area_dz
+        SUBN    area_x, area_dx, area_dx
+        SUBN    area_y, area_dy, area_dy
+        SUBN    area_z, area_dz, area_dz
+        normalise_by m_one, area_dx, area_dy, area_dz, area_distance, area_work
+        CFPNE   area_distance, r0, area_way\@
+        RTOR    m_one, area_dx
+        RTOR    m_zero, area_dy
+        RTOR    m_zero, area_dz
+area_way\@:
+        SUBN    area_distance, lit_least, area_distance
+        area_put lit_store, 3, area_dx
+        area_put lit_store, 4, area_dy
+        area_put lit_store, 5, area_dz
+        area_put lit_store, 6, area_distance
+        area_put light_left, 0, area_r
+        area_put light_left, 1, area_g
+        area_put light_left, 2, area_b
+        loop_next area_ray\@
+        load_at area_rays, 1, loop_at
+        RTOR    loop_at, n
+        .endm
+
+        .macro  area_add number
+        area_load light_left, \number, area_r
+        area_load area_store, \number, area_sum
+        MPYS    area_weight, area_r, area_r
+        ADDN    area_sum, area_r, area_sum
+        area_put area_store, \number, area_sum
+        .endm
+
+        .macro  area_end number
+        area_load area_store, \number, area_sum
+        area_put light_left, \number, area_sum
+        .endm
+
+; shade_light has an area: the rays to its first point.
+        .macro  area_begin
+        EX      loop_at, shade_light
+        EX      lit_at, shade_shadows
+        STO     [lit_at], loop_at
+        load_at shade_light + 64 * LIGHT_BEAM, 1, loop_at
+        ES      area_next_at, 0
+        IBXEQ   loop_at, r0, r0, area_begin\@
+        IX      loop_at, 64 * BEAM_POINTS
+        ELEN    loop_at, 2
+        SWAP    [loop_at], area_next_at, [r0]
+area_begin\@:
+        EX      loop_at, area_at
+        ELEN    loop_at, 2
+        SWAP    [r0], area_next_at, [loop_at]
+        IBXEQ   area_next_at, r0, r0, area_begun\@
+        EX      loop_at, area_rays
+        STO     [loop_at], lit_count
+        area_loop
+area_zero\@:
+        area_put area_store, 0, m_zero
+        area_put area_store, 1, m_zero
+        area_put area_store, 2, m_zero
+        loop_next area_zero\@
+        area_rays_to_point
+area_begun\@:
+        .endm
+
+; What came through from a point of the area is added; the next one is met in walk.
+        .macro  area_next walk
+        load_at area_at, 1, area_next_at
+        IBXEQ   area_next_at, r0, r0, area_done\@
+        IX      area_next_at, 64 * LIGHT_POINT_WEIGHT
+        LOD     [area_next_at], area_weight
+        area_loop
+area_ray\@:
+        area_load lit_store, 6, area_distance
+        CFPEQ   area_distance, m_minus_big, area_dark\@
+        area_add 0
+        area_add 1
+        area_add 2
+area_dark\@:
+        loop_next area_ray\@
+        load_at area_at, 2, area_next_at
+        IX      area_next_at, 64 * LIGHT_POINT_SIZE
+        IX      area_next_left, -1
+        EX      loop_at, area_at
+        ELEN    loop_at, 2
+        SWAP    [r0], area_next_at, [loop_at]
+        IBXEQ   area_next_left, r0, r0, area_last\@
+        EX      loop_at, k_shadow
+        LOD     [loop_at], lit_least
+        area_rays_to_point
+        BIM     \walk
+area_last\@:
+        area_loop
+area_sum\@:
+        area_put lit_store, 6, m_zero
+        area_end 0
+        area_end 1
+        area_end 2
+        loop_next area_sum\@
+area_done\@:
+        .endm

@@ -1,0 +1,61 @@
+; area_scalar.s - what of a light with an area comes through to a point; the order
+; of the operations as in area_vector.s.  Part of shade_scalar.s, as macros.
+
+        .share  local
+        .regs   r58, area_x, area_y, area_z, area_weight, area_at, area_left
+        .regs   r64, area_r, area_g, area_b, area_distance
+        .regs   r68, area_passing_r, area_passing_g, area_passing_b
+        .endshare
+
+; Where the points of light_beam stand and how many they are, or to none.
+        .macro  area_of_light none
+        IBXEQ   light_beam, r0, r0, \none
+        RTOR    light_beam, here
+        IX      here, 64 * BEAM_POINTS
+        ELEN    here, 2
+        SWAP    [here], area_at, [r0]
+        IBXEQ   area_at, r0, r0, \none
+        .endm
+
+; The way from px py pz to the point area_x .., and its length.
+        .macro  area_way
+        SUBN    area_x, px, area_x
+        SUBN    area_y, py, area_y
+        SUBN    area_z, pz, area_z
+        normalise_by m_one, area_x, area_y, area_z, area_distance, t1
+        CFPNE   area_distance, r0, area_way\@
+        RTOR    m_one, area_x
+        RTOR    m_zero, area_y
+        RTOR    m_zero, area_z
+area_way\@:
+        .endm
+
+        .macro  area_add sum, passing
+        MPYS    area_weight, \passing, t0
+        ADDN    \sum, t0, \sum
+        .endm
+
+; light_r .. = what comes from all points of its area.
+        .macro  light_of_area
+        RTOR    m_zero, area_r
+        RTOR    m_zero, area_g
+        RTOR    m_zero, area_b
+area_point\@:
+        ELEN    area_at, LIGHT_POINT_SIZE
+        SWAP    [area_at], area_x, [r0]
+        area_way
+        EX      here, shadow_ray + 64 * 3
+        ELEN    here, 3
+        SWAP    [r0], area_x, [here]
+        cast_shadow area_distance
+        ELEN    here, 3
+        SWAP    [here], area_passing_r, [r0]
+        area_add area_r, area_passing_r
+        area_add area_g, area_passing_g
+        area_add area_b, area_passing_b
+        IX      area_at, 64 * LIGHT_POINT_SIZE
+        IBXNE   area_left, m_index_minus_one, r0, area_point\@, area_left
+        RTOR    area_r, light_r
+        RTOR    area_g, light_g
+        RTOR    area_b, light_b
+        .endm

@@ -1,0 +1,117 @@
+; area_vector.s - what of a light with an area comes through to what a queue hit.
+;
+; From the points that face the light rays go to each point of its area, a queue
+; for each (shadow_vector.s); in the dark nothing comes of its weight.  A point of
+; the light where the hit is has nothing before it, and any direction does.
+;
+; In:  hits3, light_at, light_beam; px ..
+; Out: hit_tint_store = what comes through; tinted = 1; lx .., ndotl as they are
+;      for the light's own place; ndotl = 0 but for hits3.
+; Source: beam.s.
+
+        .data
+area_at:        .word 0                 ; the next point, how many are left
+                .word 0
+area_link:      .word 0
+        .align  64
+area_store:     .space 3 * QUEUE        ; what has come through, of all hits
+        .code
+
+; Where the points of light_beam stand, or to none.
+        .macro  area_of_light work, none
+        IBXEQ   light_beam, r0, r0, \none
+        RTOR    light_beam, \work
+        IX      \work, 64 * BEAM_POINTS
+        LOD     [\work], \work
+        IBXEQ   \work, r0, r0, \none
+        .endm
+
+        .macro  area_channel into, number
+        describe \into, area_store + 64 * QUEUE * \number, h
+        .endm
+
+        .macro  area_begin number
+        area_channel s0, \number
+        VTOV    r0, [s0]
+        .endm
+
+; The weights of the point where there is light, times what comes through.
+        .macro  area_add light, number
+        area_channel s0, \number
+        MPYSV   [ndotl], \light, [v1]
+        ADDNV   [s0], [v1], [s0]
+        .endm
+
+        .macro  area_end number
+        area_channel s0, \number
+        describe s1, hit_tint_store + 64 * QUEUE * \number, h
+        VTOV    [s0], [s1]
+        .endm
+
+; The way from the hits to a point.
+        .macro  area_way x, y, z
+        SUBNV   \x, [px], [lx]
+        SUBNV   \y, [py], [ly]
+        SUBNV   \z, [pz], [lz]
+        normalise lx, ly, lz, v0, v1
+        .endm
+
+        .kernel shadow
+cast_from_area:
+        EX      s0, area_link
+        STO     [s0], link
+        RTOR    light_beam, s0
+        IX      s0, 64 * BEAM_POINTS
+        ELEN    s0, 2
+        EX      s1, area_at
+        ELEN    s1, 2
+        SWAP    [s0], s2, [r0]
+        SWAP    [r0], s2, [s1]
+        area_begin 0
+        area_begin 1
+        area_begin 2
+cast_from_point:
+        load_word area_at, shadows
+        RTOR    shadows, s3
+        ELEN    s3, LIGHT_POINT_SIZE
+        SWAP    [s3], s4, [r0]
+        area_way s4, s5, s6
+        CMPEQV  [v0], r0, [hits1]
+        CNTOB   [hits1], s0
+        IBXEQ   s0, r0, r0, cast_to_point
+        VTOV    one, [lx] ? [hits1]
+        VTOV    r0, [ly] ? [hits1]
+        VTOV    r0, [lz] ? [hits1]
+cast_to_point:
+        VTOV    s7, [ndotl]
+        CNTOB   [hits3], s8
+        ES      tinted, 0
+        EX      target, cast_shadows
+        BSAVE   link, [target]
+        IBXNE   tinted, r0, r0, area_tinted
+        area_add light_r, 0
+        area_add light_g, 1
+        area_add light_b, 2
+        BIM     area_next
+area_tinted:
+        area_add [tint_r], 0
+        area_add [tint_g], 1
+        area_add [tint_b], 2
+area_next:
+        EX      s0, area_at
+        ELEN    s0, 2
+        SWAP    [s0], s2, [r0]
+        IX      s2, 64 * LIGHT_POINT_SIZE
+        IX      s3, -1
+        SWAP    [r0], s2, [s0]
+        IBXNE   s3, r0, r0, cast_from_point
+        area_end 0
+        area_end 1
+        area_end 2
+        ES      tinted, 1
+        area_way light_x, light_y, light_z
+        dot_vectors nx, ny, nz, lx, ly, lz, ndotl, v1
+        VTOV    r0, [ndotl] ?! [hits3]
+        load_word area_link, s0
+        BIM     0, s0
+        .endkernel
