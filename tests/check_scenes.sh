@@ -22,11 +22,10 @@ without_povray="scenes/car.pov scenes/steiner.pov tests/scenes/patches.pov
     tests/scenes/csg_patches.pov"
 # What POV-Ray leaves to the rounding of its numbers, as rays to the edges of a
 # mesh; of characters it keeps them in 32 bits; normals that it interpolates
-# over the cells of a height_field, not over triangles; rays that begin at the
-# light.
+# over the cells of a height_field, not over triangles.
 not_for_povray="tests/scenes/coincident.pov tests/scenes/csg_coincident.pov
     tests/scenes/text.pov tests/scenes/mesh_closed.pov scenes/terrain.pov
-    scenes/stage.pov scenes/mist.pov tests/scenes/area_touched.pov"
+    scenes/stage.pov scenes/mist.pov"
 # Of thousands of triangles, each of which the plain tracer asks: fewer pixels.
 of_triangles="scenes/shell.pov scenes/terrain.pov scenes/sails.pov
     scenes/vase.pov scenes/mist.pov"

@@ -121,25 +121,15 @@ static bool go_on(void *context)
 
 /* What the kernels have room for unless they are told. */
 enum { CROSSINGS_USUAL = 6 };
+/* Constants that they are told besides the queue. */
+enum { DEFINES_MORE = 11 };
 
 static struct object *assemble_form(const struct trace_options *options,
                                     const struct scene *scene,
                                     c205_error *error)
 {
-    struct asm_define defines[] = {
-        { "QUEUE", (int64_t)options->queue },
-        { NULL, 0 },
-        { NULL, 0 },
-        { NULL, 0 },
-        { NULL, 0 },
-        { NULL, 0 },
-        { NULL, 0 },
-        { NULL, 0 },
-        { NULL, 0 },
-        { NULL, 0 },
-        { NULL, 0 },
-        { NULL, 0 },
-        { NULL, 0 },
+    struct asm_define defines[1 + DEFINES_MORE + 1] = {
+        { "QUEUE", (int64_t)options->queue }, /* behind all of them NULL */
     };
     struct asm_define *next = &defines[1];
     size_t crossings = most_crossings(scene);

@@ -294,7 +294,7 @@ static void area_place(const struct light *light, int u, int v,
     add_scaled(place, place, b, light->area_axes[1]);
 }
 
-/* Of an area each place sends its share. */
+/* Of an area each place sends its share, through all that is before it. */
 static void pass_from_area(const struct plain_tracer *tracer,
                            const struct light *light,
                            const struct ray *to_light, double color[3])
@@ -309,7 +309,7 @@ static void pass_from_area(const struct plain_tracer *tracer,
         area_place(light, i / down, i % down, there.position);
         double distance = way_to_light(&there, ray.origin, ray.direction);
         copy(left, color);
-        pass_scene(tracer, &ray, distance, left);
+        pass_scene(tracer, &ray, distance + SHADOW_DISTANCE, left);
         add_scaled(sum, sum, share, left);
     }
     copy(color, sum);

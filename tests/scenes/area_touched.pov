@@ -1,21 +1,38 @@
-// Lights whose areas have points on what they shine on, just where rays of the camera
-// meet it: at a distance of 0 nothing is before them, in no direction.  A pixel is 1
-// wide at 120 x 90, 2 at 60 x 45.
+// Lights whose areas touch what they shine on, on top of a ball, just where a ray of
+// the camera meets it: at a distance of 0 nothing is before them, of no kind of shape
+// (pixels are 1 wide at 120 x 90, where the second ball is met so, and 2 at 60 x 45;
+// these balls have no shadows, for whether they darken themselves there is left to
+// rounding).  Or they are within 1e-3 of its surface, without, where it still darkens
+// what is behind it, and within.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { orthographic location <0, 0, -40> direction z right 120*x up 90*y }
 #default { finish { ambient .1 diffuse .8 } }
 light_source { <1, 0, -2>, .4 area_light 4*z, x, 3, 1 }
-light_source { <11, 4, -4>, .4 area_light <4, 0, 8>, <0, 4, 0>, 5, 3 }
-light_source { <-20.5, .5, -6>, .4 area_light 2*z, 4*y, 2, 3 }
-plane { -z, 0 pigment { rgb .9 } }
-sphere { <6.131, 6.217, -3.3>, 2.5 pigment { rgb <1, .6, .4> } }
-box { <-30.2, -4.3, -5>, <-18.4, 8.1, -1.3> pigment { rgb <.5, .7, .9> } }
+light_source { <-20.5, .5, -4>, .4 area_light 8*z, x, 3, 1 }
+light_source { <21.3, 17.2, -2>, .7 area_light 3.7996*z, x, 3, 1 }
+light_source { <-21.3, -17.8, -2>, .7 area_light 3.8004*z, x, 3, 1 }
+sphere { <1, 0, 3>, 3 pigment { rgb <1, .6, .4> } no_shadow }
+sphere { <-20.5, .5, 5>, 5 pigment { rgb <.5, .7, .9> } no_shadow }
+sphere { <21.3, 17.2, 3>, 3.1 pigment { rgb <.9, .8, .4> } }
+sphere { <-21.3, -17.8, 3>, 3.1 pigment { rgb <.9, .8, .4> } }
+plane { -z, -7.3 pigment { rgb .9 } }
+box { <-34.2, -4.3, -5>, <-28.4, 8.1, -1.3> pigment { rgb <.5, .7, .9> } }
 difference {
-    box { <-6.1, -8.2, -4.3>, <4.1, -2.3, -1.2> }
-    sphere { <0, -4, -4>, 2 }
+    box { <-6.1, -12.2, -4.3>, <4.1, -6.3, -1.2> }
+    sphere { <0, -8, -4>, 2 }
     pigment { rgb <.6, .9, .5> }
 }
 triangle { <14.137, .219, -2.173>, <22.31, .077, -2.411>, <16.53, 9.13, -1.31> pigment { rgb .6 } }
-torus { 4, 1 rotate 90*x translate <-12, 8, -2> pigment { rgb .8 } }
-cylinder { <20.3, -8.1, -3.2>, <30.1, -4.2, -3.2>, 2 pigment { rgbt <.8, .8, .2, .5> } }
+torus { 4, 1 rotate 90*x translate <-11.2, 8.3, -2> pigment { rgb .8 } }
+plane { y, -41 pigment { rgb .9 } }
+disc { <9, 3, -1>, <1,2,3>, 2, 1 pigment { rgb .5 } }
+quadric { <1, 1.3, 1.1>, <0, 0, 0>, <0, 0, 0>, -4 translate <-9, -7, -2> pigment { rgb .4 } }
+quadric { <1, 1.3, -1.1>, <0, 0, 0>, <0, 0, 0>, -4 clipped_by { sphere { 0, 5 } } translate <19, -17, -2> pigment { rgb .4 } }
+cone { <-20, 8, 0>, 3, <-24, 11, -2>, 1 pigment { rgb .6 } }
+prism { linear_spline 0, 2, 5, <0, 0>, <3, 0>, <4, 3>, <-1, 2>, <0, 0> rotate -70*x translate <22, 14, -3> pigment { rgb .7 } }
+quartic { <1,0,0,0,2,0,0,2,0,-10.4,0,0,0,0,0,0,0,0,0,0,1,0,0,2,0,5.6,0,0,0,0,1,0,-10.4,0,7.84> rotate 40*x translate <-14, -14, -1> pigment { rgb .8 } }
+intersection { sphere { 0, 4 } box { -3, 3 rotate 20 } torus { 3, 1.5 inverse } translate <30, 6, 0> pigment { rgb .7 } }
+merge { sphere { 0, 2 } sphere { 1.5*x, 2 } pigment { rgbt .7 } translate <-32, -6, 0> }
+cylinder { <20.3, -8.1, -3.2>, <30.1, -4.2, -3.2>, 2 open pigment { rgbt <.8, .8, .2, .5> } }
+mesh { triangle { <10, -10, -2>, <16, -10, -1>, <12, -15, -3> } triangle { <10, -10, -2>, <16, -10, -1>, <12, -5, -3> } pigment { rgb .6 } }

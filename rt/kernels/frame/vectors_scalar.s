@@ -39,6 +39,16 @@
         MPYS    \x2, \work, \x2
         .endm
 
+; .. where one without a length is taken for x.
+        .macro  direction_by unit, x0, x1, x2, length, work
+        normalise_by \unit, \x0, \x1, \x2, \length, \work
+        CFPNE   \length, r0, direction\@
+        RTOR    \unit, \x0
+        RTOR    m_zero, \x1
+        RTOR    m_zero, \x2
+direction\@:
+        .endm
+
 ; As queue.s has it.
         .macro  renormalise_by unit, half, x0, x1, x2, scale, work
         dot     \x0, \x1, \x2, \x0, \x1, \x2, \scale, \work

@@ -32,6 +32,13 @@ area_store:     .space 3 * QUEUE        ; what has come through
         STO     [lit_at, loop_index], \value
         .endm
 
+; The next point of the area, and how many are left with it.
+        .macro  area_go_on
+        EX      loop_at, area_at
+        ELEN    loop_at, 2
+        SWAP    [r0], area_next_at, [loop_at]
+        .endm
+
 ; The rays to the point of area_at, in place of those to the light.
         .macro  area_rays_to_point
         load_at area_at, 1, area_next_at
@@ -48,13 +55,7 @@ area_ray\@:
         SUBN    area_x, area_dx, area_dx
         SUBN    area_y, area_dy, area_dy
         SUBN    area_z, area_dz, area_dz
-        normalise_by m_one, area_dx, area_dy, area_dz, area_distance, area_work
-        CFPNE   area_distance, r0, area_way\@
-        RTOR    m_one, area_dx
-        RTOR    m_zero, area_dy
-        RTOR    m_zero, area_dz
-area_way\@:
-        SUBN    area_distance, lit_least, area_distance
+        direction_by m_one, area_dx, area_dy, area_dz, area_distance, area_work
         area_put lit_store, 3, area_dx
         area_put lit_store, 4, area_dy
         area_put lit_store, 5, area_dz
@@ -92,9 +93,7 @@ area_way\@:
         ELEN    loop_at, 2
         SWAP    [loop_at], area_next_at, [r0]
 area_begin\@:
-        EX      loop_at, area_at
-        ELEN    loop_at, 2
-        SWAP    [r0], area_next_at, [loop_at]
+        area_go_on
         IBXEQ   area_next_at, r0, r0, area_begun\@
         EX      loop_at, area_rays
         STO     [loop_at], lit_count
@@ -126,12 +125,8 @@ area_dark\@:
         load_at area_at, 2, area_next_at
         IX      area_next_at, 64 * LIGHT_POINT_SIZE
         IX      area_next_left, -1
-        EX      loop_at, area_at
-        ELEN    loop_at, 2
-        SWAP    [r0], area_next_at, [loop_at]
+        area_go_on
         IBXEQ   area_next_left, r0, r0, area_last\@
-        EX      loop_at, k_shadow
-        LOD     [loop_at], lit_least
         area_rays_to_point
         BIM     \walk
 area_last\@:

@@ -17,19 +17,6 @@
         IBXEQ   area_at, r0, r0, \none
         .endm
 
-; The way from px py pz to the point area_x .., and its length.
-        .macro  area_way
-        SUBN    area_x, px, area_x
-        SUBN    area_y, py, area_y
-        SUBN    area_z, pz, area_z
-        normalise_by m_one, area_x, area_y, area_z, area_distance, t1
-        CFPNE   area_distance, r0, area_way\@
-        RTOR    m_one, area_x
-        RTOR    m_zero, area_y
-        RTOR    m_zero, area_z
-area_way\@:
-        .endm
-
         .macro  area_add sum, passing
         MPYS    area_weight, \passing, t0
         ADDN    \sum, t0, \sum
@@ -43,7 +30,10 @@ area_way\@:
 area_point\@:
         ELEN    area_at, LIGHT_POINT_SIZE
         SWAP    [area_at], area_x, [r0]
-        area_way
+        SUBN    area_x, px, area_x
+        SUBN    area_y, py, area_y
+        SUBN    area_z, pz, area_z
+        direction_by m_one, area_x, area_y, area_z, area_distance, t1
         EX      here, shadow_ray + 64 * 3
         ELEN    here, 3
         SWAP    [r0], area_x, [here]

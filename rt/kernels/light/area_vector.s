@@ -1,8 +1,11 @@
 ; area_vector.s - what of a light with an area comes through to what a queue hit.
 ;
 ; From the points that face the light rays go to each point of its area, a queue
-; for each (shadow_vector.s); in the dark nothing comes of its weight.  A point of
-; the light where the hit is has nothing before it, and any direction does.
+; for each (shadow_vector.s), which ends there, not k_shadow before as those to a
+; light without an area (POV-Ray's rule); in the dark nothing comes of its weight.
+; Where a point of the light and a hit are one, nothing is between, in any direction:
+; x is taken, as the scalar form would look for the next crossing of a clear body for
+; ever in one that is indefinite.
 ;
 ; In:  hits3, light_at, light_beam; px ..
 ; Out: hit_tint_store = what comes through; tinted = 1; lx .., ndotl as they are

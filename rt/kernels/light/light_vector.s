@@ -39,6 +39,12 @@
         tint_of_part tint_b, 2
         .endm
 
+; The limits of rays to the light's own place.
+        .macro  end_before_light
+        load_word k_shadow, s0
+        SUBNV   [v0], s0, [v0]
+        .endm
+
         .if     BEAMS
         .include "light/beam_vector.s"
         .endif
@@ -167,6 +173,7 @@ illuminate_cast:
         BSAVE   link, [target]
         BIM     illuminate_parts
 illuminate_point:
+        end_before_light
         RTOR    light_at, shadows
         .endif
         EX      target, cast_shadows

@@ -29,13 +29,10 @@ shadow_light:   .space 3
         .equ    SHADE_ARGUMENTS, 4
         .endif
 
-; The ray of shadow_ray to a light so far away: here = what is left of it.
-        .macro  cast_shadow distance
-        EX      here, k_shadow
-        LOD     [here], t0
-        SUBN    \distance, t0, t0
+; The ray of shadow_ray up to a limit: here = what is left of the light.
+        .macro  cast_shadow limit
         EX      here, shadow_limit
-        STO     [here], t0
+        STO     [here], \limit
         EX      here, shadow_light
         ELEN    here, 3
         SWAP    [r0], light_r, [here]
@@ -87,7 +84,10 @@ shade_light:
         BIM     shade_passed
 shade_point_light:
         .endif
-        cast_shadow light_distance
+        EX      here, k_shadow
+        LOD     [here], t0
+        SUBN    light_distance, t0, t0
+        cast_shadow t0
         ELEN    here, 3
         SWAP    [here], light_r, [r0]
 shade_passed:

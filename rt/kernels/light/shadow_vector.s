@@ -11,7 +11,7 @@
 ;
 ; In:  hits3: the points that face the light, s8 of them; v0: distance from it;
 ;      px .., lx ..; ndotl; with areas shadows: the light, or the point of its
-;      area, that they go to.
+;      area, that they go to, and v0: their limits.
 ; Out: ndotl = 0 in the dark; tinted = 1 and tint_r .. for all hits where
 ;      something clear is in the way of any.
 ; found_shadow: In: what walk_tree has found (visible_vector.s).  Out: nearest =
@@ -77,8 +77,9 @@ cast_shadows:
         .if     BEAMS
         beam_shadows s0, s1
         .endif
-        load_word k_shadow, s0
-        SUBNV   [v0], s0, [v0]
+        .if     AREAS == 0
+        end_before_light
+        .endif
         IBXNE   s8, r0, h, shadows_of_some
         RTOR    px, aox
         RTOR    py, aoy

@@ -135,7 +135,7 @@ static bool read_measure(struct reader *reader, void *subject,
     return read_fading(reader, subject, item);
 }
 
-/* POV-Ray's: what is behind the point is cut off. */
+/* POV-Ray's: what is behind the decimal point is cut off. */
 static bool read_side(struct reader *reader, const struct item *item,
                       size_t *size)
 {
@@ -206,8 +206,8 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-/* Words of what is not supported, which is reported; and of the points of an area
- * all are asked. */
+/* Of what is not supported, which is reported, and how an area may be guessed at:
+ * here all its points are asked. */
 static const struct keyword passed_over[] = {
     { "adaptive", item_passed_over, 0 },
     { "media_attenuation", item_passed_over, 0 },
@@ -266,7 +266,7 @@ static bool check_beams(struct reader *reader,
     return true;
 }
 
-/* POV-Ray's. */
+/* An error of POV-Ray's, too. */
 static bool check_areas(struct reader *reader,
                         const struct scene_object *object,
                         const struct scene_token *at)
@@ -283,7 +283,8 @@ static bool check_areas(struct reader *reader,
     return true;
 }
 
-/* Of parallel rays POV-Ray makes of an area what has no name. */
+/* POV-Ray gives parallel rays other shadows with an area than without, which are
+ * not understood. */
 static void leave_out_areas(struct reader *reader,
                             struct scene_object *object,
                             const struct scene_token *at)
