@@ -82,12 +82,6 @@ static inline double moderate_value(c205_word w)
            - floored_double(large);
 }
 
-/* All bits, of 0 and -0 alone. */
-static inline uint64_t zero_mask(double value)
-{
-    return 0 - (uint64_t)(value == 0);
-}
-
 /* A double to a normalised word, rounded down; not of zero.  -2^46 is no
  * normalised coefficient, -2^47 is one: a negative number counts as one place
  * shorter where the digits behind its first one are 0.  The floor of what has the
@@ -120,15 +114,15 @@ static inline double floored_value(double value)
 
 /* ---- Operations ---------------------------------------------------------- */
 
-/* A result, to be rounded down once more; unless odd. */
+/* A result, to be rounded down once more; unless it is odd. */
 typedef struct floored {
     double value;
-    uint64_t odd;
+    bool is_odd;
 } floored;
 
 static inline floored floored_add(double x, double y)
 {
-    const floored sum = { x + y, 0 };
+    const floored sum = { x + y, false };
 
     return sum;
 }
@@ -137,15 +131,14 @@ static inline floored floored_add(double x, double y)
  * some of which are cut off whole. */
 static inline floored floored_subtract(double x, double y)
 {
-    const floored difference = { x - y,
-                                 0 - (uint64_t)((x + y == x) & (y > 0)) };
+    const floored difference = { x - y, (x + y == x) & (y > 0) };
 
     return difference;
 }
 
 static inline floored floored_multiply(double x, double y)
 {
-    const floored product = { x * y, 0 };
+    const floored product = { x * y, false };
 
     return product;
 }
@@ -158,6 +151,7 @@ enum { FLOORED_LEAST = 32 };
 /* What is known of a block only when it is done. */
 typedef struct floored_block {
     uint64_t all, any; /* edges */
+    /* Counts, which clang 14 vectorises; masks gathered by | it does not. */
     uint64_t odd, zeros;
 } floored_block;
 
@@ -173,8 +167,8 @@ static inline void take_edges(floored_block *block, c205_word a, c205_word b)
 
 static inline double take_result(floored_block *block, floored result)
 {
-    block->odd |= result.odd;
-    block->zeros |= zero_mask(result.value);
+    block->odd += result.is_odd;
+    block->zeros += result.value == 0;
     return result.value;
 }
 
