@@ -22,10 +22,14 @@ without_povray="scenes/car.pov scenes/steiner.pov tests/scenes/patches.pov
     tests/scenes/csg_patches.pov"
 # What POV-Ray leaves to the rounding of its numbers, as rays to the edges of a
 # mesh; of characters it keeps them in 32 bits; normals that it interpolates
-# over the cells of a height_field, not over triangles.
-not_for_povray="tests/scenes/coincident.pov tests/scenes/csg_coincident.pov
+# over the cells of a height_field, not over triangles; an orthographic camera with
+# a lens, with which its picture is of one colour.
+not_for_povray="tests/scenes/lens_orthographic.pov
+    tests/scenes/coincident.pov tests/scenes/csg_coincident.pov
     tests/scenes/text.pov tests/scenes/mesh_closed.pov scenes/terrain.pov
     scenes/stage.pov scenes/mist.pov"
+# Through a lens, where POV-Ray's rays are random.
+roughly_povray="tests/scenes/lens.pov"
 # Of thousands of triangles, each of which the plain tracer asks: fewer pixels.
 of_triangles="scenes/shell.pov scenes/terrain.pov scenes/sails.pov
     scenes/vase.pov scenes/mist.pov"
@@ -101,6 +105,7 @@ for scene in "$@"; do
     is_listed "$scene" "$of_triangles" && width=60 height=45
     povray=--povray
     is_listed "$scene" "$without_povray $not_for_povray" && povray=
+    is_listed "$scene" "$roughly_povray" && povray=--roughly
     same_frames "$scene"
     same_as_others "$scene" "" "$povray"
     verdict $? "$scene: not what the other tracers see"

@@ -6,13 +6,15 @@
 #include "rt/study/profile.h"
 
 static void tell_head(const struct rt205_arguments *arguments,
-                      uint64_t checksum, const struct results *results)
+                      const struct trace *trace,
+                      const struct results *results)
 {
     const struct trace_options *options = &arguments->trace;
     struct json *json = results->json;
     char text[17];
 
-    snprintf(text, sizeof text, "%016llX", (unsigned long long)checksum);
+    snprintf(text, sizeof text, "%016llX",
+             (unsigned long long)trace_checksum(trace));
     results_say(
         results,
         "%s: %zu x %zu, a queue of %zu; frame checksum %s in all stages\n",
@@ -24,7 +26,7 @@ static void tell_head(const struct rt205_arguments *arguments,
     json_text(json, "scene", arguments->scene);
     json_count(json, "width", options->width);
     json_count(json, "height", options->height);
-    json_count(json, "samples", options->samples);
+    json_count(json, "samples", trace_samples(trace));
     json_count(json, "queue", options->queue);
     json_text(json, "checksum", text);
     provenance_json(options->model, json);
@@ -61,7 +63,7 @@ static bool tell(const struct rt205_arguments *arguments,
 {
     bool good = true;
 
-    tell_head(arguments, trace_checksum(profile->traces[0]), results);
+    tell_head(arguments, profile->traces[0], results);
     for (int kind = 0; kind < PROFILE_TABLES && good; kind++)
         good = tell_table((enum profile_table)kind, profile, results);
     return good;

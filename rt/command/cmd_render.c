@@ -66,6 +66,7 @@ struct result {
     const struct rt205_arguments *arguments;
     const c205_model *model;
     uint64_t clocks;
+    size_t samples;    /* rays of a pixel, across and down */
     size_t rays, hits; /* of the camera; pixels that show something */
     char checksum[17];
 };
@@ -77,6 +78,7 @@ static struct result result_of(const struct rt205_arguments *arguments,
     struct result result = { .arguments = arguments,
                              .model = accounts->model,
                              .clocks = accounts->clocks,
+                             .samples = trace_samples(trace),
                              .rays = trace_rays(trace, RAY_PRIMARY),
                              .hits = trace_hits(trace) };
 
@@ -90,12 +92,12 @@ static void print_result(const struct result *result,
 {
     const struct rt205_arguments *arguments = result->arguments;
     const struct trace_options *trace = &arguments->trace;
-    bool sampled = trace->samples > 1;
+    bool sampled = result->samples > 1;
     char queue[48] = "", samples[64] = "", time[ACCOUNTS_TIME];
 
     if (sampled)
         snprintf(samples, sizeof samples, " of %zu x %zu rays",
-                 trace->samples, trace->samples);
+                 result->samples, result->samples);
     if (trace->mode != TRACE_SCALAR)
         snprintf(queue, sizeof queue, ", a queue of %zu", trace->queue);
     accounts_time(result->model, result->clocks, time);
@@ -156,7 +158,7 @@ static void write_result(const struct result *result, struct json *json)
     json_text(json, "mode", trace_mode_name(trace->mode));
     json_count(json, "width", trace->width);
     json_count(json, "height", trace->height);
-    json_count(json, "samples", trace->samples);
+    json_count(json, "samples", result->samples);
     json_count(json, "queue", trace->queue);
     json_text(json, "order", order_name(trace_order(trace)));
     json_count(json, "rays", result->rays);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "rt/layout/interiors.h"
+#include "rt/layout/lens.h"
 #include "rt/layout/lights.h"
 #include "rt/layout/looks.h"
 #include "rt/layout/pigment.h"
@@ -520,6 +521,7 @@ static void layout_fogs(struct record_layout *layout,
 
 /* Where the pixels go that are made of samples. */
 static void layout_samples(struct record_layout *layout, double gamma,
+                           const struct camera *camera,
                            struct frame_layout *frame)
 {
     size_t pixels = frame->width * frame->rows;
@@ -530,10 +532,13 @@ static void layout_samples(struct record_layout *layout, double gamma,
         layout_word(layout, "scene_gamma", c205_from_double(gamma));
     frame->address = layout_reserve(layout, pixels * FRAME_CHANNELS);
     layout_word(layout, "scene_picture", frame->address);
+    if (camera->lens_radius > 0)
+        layout_lens(layout, camera, frame->samples);
 }
 
 /* To the program, samples are pixels, of a larger frame. */
 static void layout_frame(struct record_layout *layout, double gamma,
+                         const struct camera *camera,
                          struct frame_layout *frame)
 {
     size_t samples = frame->samples > 0 ? frame->samples : 1;
@@ -555,7 +560,7 @@ static void layout_frame(struct record_layout *layout, double gamma,
     frame->address = layout_reserve(layout, pixels * FRAME_CHANNELS);
     layout_word(layout, "scene_frame", frame->address);
     if (samples > 1)
-        layout_samples(layout, gamma, frame);
+        layout_samples(layout, gamma, camera, frame);
 }
 
 struct scene_layout {
@@ -563,6 +568,7 @@ struct scene_layout {
     struct image image;
     uint64_t end; /* the next address that nothing uses */
     double gamma; /* of the scene's colours; 0: not given */
+    struct camera camera;
 };
 
 struct scene_layout *layout_new(const struct object *program,
@@ -599,6 +605,7 @@ struct scene_layout *layout_new(const struct object *program,
     whole->program = program;
     whole->end = layout.free;
     whole->gamma = scene->assumed_gamma;
+    whole->camera = scene->camera;
     if (!layout.failed)
         return whole;
     layout_free(whole);
@@ -623,7 +630,7 @@ bool layout_put(const struct scene_layout *whole, c205 *machine,
                                     .free = whole->end };
     bool good;
 
-    layout_frame(&layout, whole->gamma, frame);
+    layout_frame(&layout, whole->gamma, &whole->camera, frame);
     good = !layout.failed && image_load(&whole->image, machine, error)
            && image_load(&image, machine, error);
     image_free(&image);

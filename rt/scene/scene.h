@@ -27,7 +27,13 @@ struct camera {
     double right[3];
     double up[3];
     bool orthographic;
+    double lens_radius;    /* 0: none */
+    double focal_distance; /* along direction, to what is sharp */
+    int lens_points;       /* from which a pixel is seen, at the least */
 };
+
+/* Of a lens. */
+enum { LENS_POINTS_MOST = 256 };
 
 /* Where a light shines: all around, or in a beam about the way from it to a
  * point. */

@@ -122,7 +122,20 @@ static bool go_on(void *context)
 /* What the kernels have room for unless they are told. */
 enum { CROSSINGS_USUAL = 6 };
 /* Constants that they are told besides the queue. */
-enum { DEFINES_MORE = 11 };
+enum { DEFINES_MORE = 12 };
+
+/* As many as are asked for, and one for each point of a lens at the least. */
+static size_t samples_across(const struct trace_options *options,
+                             const struct scene *scene)
+{
+    const struct camera *camera = &scene->camera;
+    size_t samples = options->samples > 0 ? options->samples : 1;
+
+    if (camera->lens_radius > 0)
+        while (samples * samples < (size_t)camera->lens_points)
+            samples++;
+    return samples;
+}
 
 static struct object *assemble_form(const struct trace_options *options,
                                     const struct scene *scene,
@@ -136,6 +149,8 @@ static struct object *assemble_form(const struct trace_options *options,
 
     if (scene->camera.orthographic)
         *next++ = (struct asm_define){ "ORTHOGRAPHIC", 1 };
+    if (scene->camera.lens_radius > 0 && options->samples > 1)
+        *next++ = (struct asm_define){ "LENS", 1 };
     if (scene->fog_count > 0)
         *next++ = (struct asm_define){ "FOG", 1 };
     if (scene_is_glossy(scene))
@@ -165,9 +180,9 @@ static void divide(struct trace *trace)
     const struct trace_options *options = &trace->options;
     size_t pixels = options->band > 0 ? options->band : TRACE_BAND;
 
-    size_t samples = options->samples > 0 ? options->samples : 1;
-
-    trace->band_rows = pixels / (samples * samples * options->width);
+    trace->band_rows = pixels
+                       / (options->samples * options->samples
+                          * options->width);
     if (trace->band_rows == 0)
         trace->band_rows = 1;
     if (trace->band_rows > options->height)
@@ -247,15 +262,16 @@ struct trace *trace_new(const struct scene *scene,
     pthread_mutex_init(&trace->lock, NULL);
     pthread_mutex_init(&trace->watching, NULL);
     trace->options = *options;
+    trace->options.samples = samples_across(options, scene);
     trace->accounts.model = options->model;
-    trace->gamma = scene->assumed_gamma > 0 && options->samples <= 1
+    trace->gamma = scene->assumed_gamma > 0 && trace->options.samples == 1
                        ? scene->assumed_gamma
                        : 1;
     trace->work = (struct band_work){
         .model = options->model,
         .width = options->width,
         .height = options->height,
-        .samples = options->samples,
+        .samples = trace->options.samples,
         .tiles = trace_order(options) == ORDER_TILES,
         .ray_by_ray = options->mode == TRACE_SCALAR,
         .rays_a_call = options->mode == TRACE_SCALAR ? 1 : options->queue,
@@ -281,6 +297,11 @@ void trace_free(struct trace *trace)
     free(trace->taken);
     planes_give_back(&trace->planes);
     free(trace);
+}
+
+size_t trace_samples(const struct trace *trace)
+{
+    return trace->options.samples;
 }
 
 /* ---- Bands that are done ------------------------------------------------- */

@@ -83,6 +83,10 @@ bool trace_keep(struct trace *trace, const char *path, c205_error *error);
 /* The frame is safe elsewhere: remove the file that trace_keep named. */
 void trace_forget(struct trace *trace);
 
+/* Rays of a pixel, across and down: more than the options say where the scene's
+ * camera has a lens. */
+size_t trace_samples(const struct trace *trace);
+
 /* False: a trap, or progress said to stop; the error says which. */
 bool trace_run(struct trace *trace, c205_error *error);
 

@@ -1,11 +1,12 @@
 /* check_scene.c - a frame of rt205 against two other tracers.
  *
- *     check_scene SCENE.pov WIDTH HEIGHT FRAME.exr [--povray]
+ *     check_scene SCENE.pov WIDTH HEIGHT FRAME.exr [--povray | --roughly]
  *
  * FRAME.exr is what rt205 rendered of the scene, with 32-bit samples.  It is
  * compared with the plain tracer's frame, channel by channel; with --povray
  * POV-Ray's picture of the same file is compared with that of the plain
- * tracer, and with the frame ("both").  A FRAME.exr of "-" leaves the frame
+ * tracer, and with the frame ("both"); --roughly allows for rays that POV-Ray
+ * sends at random, through a lens.  A FRAME.exr of "-" leaves the frame
  * out.  Prints one line per comparison.  Exit code 1: one failed; 2: wrong
  * usage.
  */
@@ -27,11 +28,14 @@
 static const struct comparison with_povray = {
     "colour", CHANNEL_RED, 3, 1, false, POVRAY_TOLERANCE, DECIDED_BY_ROUNDING
 };
+/* .. hundreds of them, beside a few of ours. */
+static const struct comparison roughly = { "colour", CHANNEL_RED, 3,   1,
+                                           false,    .05,         .002 };
 
 struct request {
     const char *scene, *frame; /* frame is NULL: leave that out */
     size_t width, height;
-    bool povray;
+    const struct comparison *povray; /* or NULL */
 };
 
 /* --- comparisons -------------------------------------------------------- */
@@ -77,17 +81,17 @@ static bool check_frame(const struct frame *expected, const char *path,
     return good;
 }
 
-static bool check_directly(const struct frame *povray, const char *path,
-                           const bool *inner)
+static bool check_directly(const struct frame *povray,
+                           const struct request *request, const bool *inner)
 {
     struct picture_error error;
     struct frame frame;
-    if (!picture_read(path, &frame, &error)) {
+    if (!picture_read(request->frame, &frame, &error)) {
         fprintf(stderr, "%s\n", error.message);
         return false;
     }
     bool good = same_size("both", povray, &frame)
-                && report("both", &with_povray, povray, &frame, inner);
+                && report("both", request->povray, povray, &frame, inner);
     frame_free(&frame);
     return good;
 }
@@ -106,9 +110,9 @@ static bool check_povray(const struct frame *expected,
         return false;
     }
     bool good = same_size("povray", expected, &found)
-                && report("povray", &with_povray, expected, &found, inner);
+                && report("povray", request->povray, expected, &found, inner);
     if (good && request->frame)
-        good = check_directly(&found, request->frame, inner);
+        good = check_directly(&found, request, inner);
     frame_free(&found);
     return good;
 }
@@ -117,15 +121,18 @@ static bool check_povray(const struct frame *expected,
 
 static bool parse(int count, char **words, struct request *request)
 {
-    if (count < 5 || count > 6
-        || (count == 6 && strcmp(words[5], "--povray")))
+    const char *way = count == 6 ? words[5] : "";
+    if (count < 5 || count > 6)
         return false;
+    request->povray = strcmp(way, "--povray") == 0    ? &with_povray
+                      : strcmp(way, "--roughly") == 0 ? &roughly
+                                                      : NULL;
     request->scene = words[1];
     request->width = strtoul(words[2], NULL, 10);
     request->height = strtoul(words[3], NULL, 10);
     request->frame = strcmp(words[4], "-") ? words[4] : NULL;
-    request->povray = count == 6;
-    return request->width && request->height;
+    return request->width && request->height
+           && (count == 5 || request->povray);
 }
 
 static struct scene *read_scene(const struct request *request)
@@ -163,7 +170,7 @@ int main(int count, char **words)
     struct request request;
     if (!parse(count, words, &request)) {
         fprintf(stderr, "usage: check_scene SCENE.pov WIDTH HEIGHT "
-                        "FRAME.exr [--povray]\n");
+                        "FRAME.exr [--povray | --roughly]\n");
         return 2;
     }
     struct scene *scene = read_scene(&request);

@@ -1,6 +1,7 @@
 /* plain_tracer.c - see plain_tracer.h. */
 #include "tests/oracle/plain_tracer.h"
 
+#include "tests/oracle/plain_camera.h"
 #include "tests/oracle/plain_light.h"
 
 #include <assert.h>
@@ -249,20 +250,6 @@ static void trace_path(const struct plain_tracer *tracer,
 
 /* --- the frame ---------------------------------------------------------- */
 
-static struct ray camera_ray(const struct camera *camera, double u, double v)
-{
-    struct ray ray;
-    for (int i = 0; i < 3; i++) {
-        double across = u * camera->right[i] + v * camera->up[i];
-        ray.origin[i] = camera->location[i]
-                        + (camera->orthographic ? across : 0);
-        ray.direction[i] = camera->direction[i]
-                           + (camera->orthographic ? 0 : across);
-    }
-    normalise(ray.direction);
-    return ray;
-}
-
 /* Colours computed for a display of some gamma: its power of them is light. */
 static double as_light(const struct scene *scene, double color)
 {
@@ -271,33 +258,57 @@ static double as_light(const struct scene *scene, double color)
 }
 
 static void store(const struct scene *scene, const struct frame *frame,
-                  size_t pixel, const double color[3],
+                  size_t pixel, const double light[3],
                   const struct plain_hit *hit)
 {
     double id = hit->primitive
                     ? (double)(hit->primitive - scene->primitives + 1)
                     : 0;
     for (size_t i = 0; i < 3; i++) {
-        frame->channel[CHANNEL_RED + i][pixel] = as_light(scene, color[i]);
+        frame->channel[CHANNEL_RED + i][pixel] = light[i];
         frame->channel[CHANNEL_NORMAL_X + i][pixel] = hit->normal[i];
     }
     frame->channel[CHANNEL_DEPTH][pixel] = id > 0 ? hit->distance : 0;
     frame->channel[CHANNEL_ID][pixel] = id;
 }
 
-static void trace_pixel(const struct plain_tracer *tracer,
-                        const struct frame *frame, size_t x, size_t y)
+/* What of a pixel's light comes to this sample. */
+static struct plain_hit trace_sample(const struct plain_tracer *tracer,
+                                     const struct frame *frame,
+                                     size_t samples, size_t x, size_t y,
+                                     double light[3])
 {
     const struct scene *scene = tracer->scene;
-    double u = ((double)x + .5) / (double)frame->width - .5;
-    double v = .5 - ((double)y + .5) / (double)frame->height;
-    const struct path path = { .ray = camera_ray(&scene->camera, u, v),
-                               .level = 1,
-                               .importance = 1 };
+    const struct path path = {
+        .ray = plain_camera_ray(&scene->camera, frame->width * samples,
+                                frame->height * samples, x, y),
+        .level = 1,
+        .importance = 1
+    };
     struct plain_hit hit;
     double color[3];
     trace_path(tracer, &path, &hit, color);
-    store(scene, frame, y * frame->width + x, color, &hit);
+    for (int i = 0; i < 3; i++)
+        light[i] += as_light(scene, color[i]) / (double)(samples * samples);
+    return hit;
+}
+
+/* Depth, normal and number are those of the sample at half of the rows and columns. */
+static void trace_pixel(const struct plain_tracer *tracer,
+                        const struct frame *frame, size_t x, size_t y)
+{
+    size_t samples = plain_samples(&tracer->scene->camera);
+    double light[3] = { 0, 0, 0 };
+    struct plain_hit middle = { .primitive = NULL };
+    for (size_t i = 0; i < samples * samples; i++) {
+        size_t row = i / samples, column = i % samples;
+        struct plain_hit hit = trace_sample(tracer, frame, samples,
+                                            x * samples + column,
+                                            y * samples + row, light);
+        if (row == samples / 2 && column == samples / 2)
+            middle = hit;
+    }
+    store(tracer->scene, frame, y * frame->width + x, light, &middle);
 }
 
 static bool lets_light_pass(const struct scene *scene)

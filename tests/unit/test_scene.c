@@ -212,6 +212,9 @@ static void test_camera(void **state)
 
     scene_free(read_with("camera { look_at y }", 1)); /* along the sky */
     scene_free(read_with("camera { } camera { location x }", 1));
+    scene_free(
+        read_with("camera { aperture 1 blur_samples 257 focal_point y }", 1));
+    scene_free(read_with("camera { aperture 1 blur_samples 4 }", 1));
 }
 
 static void test_fogs(void **state)

@@ -12,6 +12,9 @@
 ; location + u right + v up, in one direction: so location has the place of
 ; direction above, and the direction, of length one, that of location.
 ;
+; Of a lens (LENS = 1, lens.s) at a distance F from what is sharp there is also
+; focus = |direction| / F, or 1 / F.
+;
 ; In: scene_camera, scene_width, scene_height.  Out: view.
 ; Source: POV-Ray's cameras; that in perspective is shared by every tracer.
 ;
@@ -25,7 +28,7 @@
         .regs   r48, cam_width, cam_height, cam_half, cam_t
         .regs   r52, view_locx, view_locy, view_locz, view_basex, view_basey
         .regs   r57, view_basez, view_colx, view_coly, view_colz, view_rowx
-        .regs   r62, view_rowy, view_rowz
+        .regs   r62, view_rowy, view_rowz, view_focus, cam_focus
         .endshare
 
         .macro  view_axis dir, right, up, base, col, row
@@ -50,6 +53,10 @@ camera:
         SWAP    [size_at], cam_width, [r0]
         EX      size_at, k_half
         LOD     [size_at], cam_half
+        .if     LENS
+        EX      size_at, scene_focus
+        LOD     [size_at], cam_focus
+        .endif
         .if     ORTHOGRAPHIC
         MPYS    cam_dirx, cam_dirx, view_locx
         MPYS    cam_diry, cam_diry, view_locy
@@ -63,10 +70,24 @@ camera:
         RTOR    cam_locx, cam_dirx
         RTOR    cam_locy, cam_diry
         RTOR    cam_locz, cam_dirz
+        .if     LENS
+        EX      size_at, k_one
+        LOD     [size_at], cam_t
+        DIVS    cam_t, cam_focus, view_focus
+        .endif
         .else
         RTOR    cam_locx, view_locx
         RTOR    cam_locy, view_locy
         RTOR    cam_locz, view_locz
+        .if     LENS
+        MPYS    cam_dirx, cam_dirx, view_focus
+        MPYS    cam_diry, cam_diry, cam_t
+        ADDN    view_focus, cam_t, view_focus
+        MPYS    cam_dirz, cam_dirz, cam_t
+        ADDN    view_focus, cam_t, view_focus
+        SQRT    view_focus, view_focus
+        DIVS    view_focus, cam_focus, view_focus
+        .endif
         .endif
         view_axis cam_dirx, cam_rightx, cam_upx, view_basex, view_colx, view_rowx
         view_axis cam_diry, cam_righty, cam_upy, view_basey, view_coly, view_rowy

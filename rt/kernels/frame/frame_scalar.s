@@ -23,6 +23,9 @@
         .include "shapes/every_scalar.s"
         .include "frame/transform_scalar.s"
         .include "frame/camera.s"
+        .if     LENS
+        .include "frame/lens.s"
+        .endif
         .include "frame/generate_scalar.s"
         .include "frame/bound_scalar.s"
         .include "solids/visible_scalar.s"

@@ -10,9 +10,14 @@
         .regs   r32, g_pixel, g_view, g_ray, g_column, g_row
         .regs   r37, g_ox, g_oy, g_oz, g_dx, g_dy, g_dz, g_t, g_u
         .regs   r45, g_lx, g_ly, g_lz, g_basex, g_basey, g_basez, g_colx
-        .regs   r52, g_coly, g_colz, g_rowx, g_rowy, g_rowz
+        .regs   r52, g_coly, g_colz, g_rowx, g_rowy, g_rowz, g_focus
         .endshare
+        .if     LENS
+        .include "frame/lens_scalar.s"
+        .equ    GENERATE_REGISTERS, 30
+        .else
         .equ    GENERATE_REGISTERS, 25
+        .endif
 
         .data
 generate_save:  .space GENERATE_REGISTERS
@@ -45,13 +50,19 @@ generate_ray:
         RTOR    g_lx, g_dx
         RTOR    g_ly, g_dy
         RTOR    g_lz, g_dz
-        .else
+        .endif
+        .if     LENS
+        lens_ray
+        .endif
+        .if     LENS || ! ORTHOGRAPHIC
         dot     g_dx, g_dy, g_dz, g_dx, g_dy, g_dz, g_t, g_u
         SQRT    g_t, g_t
         DIVS    m_one, g_t, g_t
         MPYS    g_dx, g_t, g_dx
         MPYS    g_dy, g_t, g_dy
         MPYS    g_dz, g_t, g_dz
+        .endif
+        .if     ! EYES_APART
         RTOR    g_lx, g_ox
         RTOR    g_ly, g_oy
         RTOR    g_lz, g_oz

@@ -5,12 +5,12 @@
 ; camera.s), brought to length one.  k / width is cut towards zero, never up,
 ; so that its floor is the row for every k.  They start at one point, which is
 ; in aox aoy aoz all the time; those of an orthographic camera have one direction,
-; and start there.
+; and start there, and those through a lens in many points (lens.s).
 ;
 ; A queue by tiles: order_vector.s.
 ;
 ; In:  position (the first k, from the band's first pixel on), n; view.
-; Out: adx ady adz; aox aoy aoz of an orthographic camera.
+; Out: adx ady adz; if EYES_APART aox aoy aoz.
 ; Source: camera.s for the formula; derived here for vectors of any length.
 
         .share  scratch
@@ -61,6 +61,11 @@ generate_directions:
         direction basex, colx, rowx, adx
         direction basey, coly, rowy, ady
         direction basez, colz, rowz, adz
+        .endif
+        .if     LENS
+        lens_rays
+        .endif
+        .if     LENS || ! ORTHOGRAPHIC
         normalise adx, ady, adz, w2, w3
         .endif
         BIM     0, link_kernel

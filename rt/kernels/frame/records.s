@@ -147,6 +147,14 @@
         .equ    ORTHOGRAPHIC, 0
         .endif
 
+; 1: the camera has a lens (lens.s).
+        .ifndef LENS
+        .equ    LENS, 0
+        .endif
+
+; 1: the rays of the camera start at many points.
+        .equ    EYES_APART, ORTHOGRAPHIC || LENS
+
 ; 1: there are fogs (light/fog.s).
         .ifndef FOG
         .equ    FOG, 0
@@ -336,6 +344,9 @@ rays_shadow:      .word 0
                                 ; .. its origin
         .field  VIEW_COLUMN, 3     ; its change per column
         .field  VIEW_ROW, 3        ; and per row
+        .if     LENS
+        .field  VIEW_FOCUS, 1      ; lens.s
+        .endif
         .endrecord
 view:             .space VIEW_SIZE
 

@@ -102,10 +102,10 @@ order_hit_store: .space QUEUE
         IBXNE   parts_left, minus_one_index, r0, \again, parts_left
         .endm
 
-; To other if the rays are not those of the camera; but for an orthographic one
-; these alone start at one point.
+; To other if the rays are not those of the camera; unless EYES_APART these alone
+; start at one point.
         .macro  unless_first_level other
-        .if     ORTHOGRAPHIC
+        .if     EYES_APART
         load_word scene_levels, s0
         IBXNE   level, r0, s0, \other
         .else

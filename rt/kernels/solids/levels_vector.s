@@ -200,7 +200,7 @@ first_in_rows:
         EX      s3, queue_inside
         STO     [s3], s2
         .endif
-        ES      from_one_point, 1 - ORTHOGRAPHIC
+        ES      from_one_point, 1 - EYES_APART
         EX      target, generate
         BSAVE   link_kernel, [target]
         BIM     0, link_walk

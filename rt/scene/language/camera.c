@@ -12,7 +12,7 @@
 
 /* POV-Ray's right is 1.33 x, not 4/3 x. */
 const struct camera_setting camera_default = {
-    { { 0, 0, 0 }, { 0, 0, 1 }, { 1.33, 0, 0 }, { 0, 1, 0 }, false },
+    { { 0, 0, 0 }, { 0, 0, 1 }, { 1.33, 0, 0 }, { 0, 1, 0 }, false, 0, 0, 0 },
     { 0, 1, 0 },
     false
 };
@@ -23,6 +23,8 @@ struct camera_reading {
     double look_at[3];
     bool looks;
     bool spans; /* right or up is given */
+    double focal_point[3];
+    bool focuses;
     struct placement placement;
 };
 
@@ -77,6 +79,49 @@ static bool read_kind(struct reader *reader, void *subject,
     return true;
 }
 
+/* POV-Ray's rays start at up to a quarter of its aperture from the location
+ * (measured). */
+static bool read_aperture(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    struct camera_reading *reading = subject;
+    double aperture;
+
+    (void)item;
+    if (!read_number(reader, &aperture))
+        return false;
+    reading->setting.camera.lens_radius = fabs(aperture) / 4;
+    return true;
+}
+
+static bool read_lens_points(struct reader *reader, void *subject,
+                             const struct item *item)
+{
+    struct camera_reading *reading = subject;
+    double points;
+
+    if (!read_number(reader, &points))
+        return false;
+    if (points < 1)
+        return reader_fault(reader, &item->at,
+                            "'blur_samples' is not 1 or more");
+    if (points > LENS_POINTS_MOST)
+        reader_report(reader, &item->at, "'blur_samples' counts as %d",
+                      LENS_POINTS_MOST);
+    reading->setting.camera.lens_points = (int)fmin(points, LENS_POINTS_MOST);
+    return true;
+}
+
+static bool read_focal_point(struct reader *reader, void *subject,
+                             const struct item *item)
+{
+    struct camera_reading *reading = subject;
+
+    (void)item;
+    reading->focuses = true;
+    return read_vector(reader, reading->focal_point);
+}
+
 static bool read_step(struct reader *reader, void *subject,
                       const struct item *item)
 {
@@ -104,15 +149,24 @@ static const struct keyword words[] = {
     { "angle", read_angle, 0 },
     { "perspective", read_kind, false },
     { "orthographic", read_kind, true },
+    { "aperture", read_aperture, 0 },
+    { "blur_samples", read_lens_points, 0 },
+    { "focal_point", read_focal_point, 0 },
     STEP_WORDS(read_step),
     { NULL, NULL, 0 },
 };
 
+/* How sure POV-Ray is to be that it has enough of its random rays. */
+static const struct keyword passed_over[] = {
+    { "confidence", item_passed_over, 0 },
+    { "variance", item_passed_over, 0 },
+    { NULL, NULL, 0 },
+};
+
 static const struct keyword left_out[] = {
-    { "aperture", item_left_out, 0 },    { "blur_samples", item_left_out, 0 },
-    { "bokeh", item_left_out, 0 },       { "confidence", item_left_out, 0 },
-    { "focal_point", item_left_out, 0 }, { "normal", item_left_out, 0 },
-    { "variance", item_left_out, 0 },    { NULL, NULL, 0 },
+    { "bokeh", item_left_out, 0 },
+    { "normal", item_left_out, 0 },
+    { NULL, NULL, 0 },
 };
 
 static const struct keyword unsupported[] = {
@@ -126,9 +180,9 @@ static const struct keyword unsupported[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a word of camera",
-                                        { words, left_out, unsupported },
-                                        NULL };
+static const struct grammar grammar = {
+    "a word of camera", { words, passed_over, left_out, unsupported }, NULL
+};
 
 static void set_length(double vector[3], double length)
 {
@@ -201,6 +255,28 @@ static bool apply_look_at(struct reader *reader, const struct scene_token *at,
     return true;
 }
 
+/* The distance to the focal point is that of what is sharp, wherever the point is;
+ * it is as the words say, before any step (measured). */
+static void apply_focal_point(struct reader *reader,
+                              const struct scene_token *at,
+                              struct camera_reading *reading)
+{
+    struct camera *camera = &reading->setting.camera;
+    double to_it[3];
+
+    if (reading->focuses) {
+        subtract3(reading->focal_point, camera->location, to_it);
+        camera->focal_distance = length3(to_it);
+    }
+    if (camera->lens_radius > 0 && camera->lens_points > 0
+        && camera->focal_distance == 0) {
+        reader_report(reader, at,
+                      "without a focal_point away from the location "
+                      "nothing is out of focus");
+        camera->lens_radius = 0;
+    }
+}
+
 static void apply_placement(struct camera *camera,
                             const struct transform *transform)
 {
@@ -216,14 +292,17 @@ static bool is_sound(const struct camera *camera)
     double volume = handedness(camera);
 
     return isfinite(volume) && volume != 0
-           && isfinite(dot3(camera->location, camera->location));
+           && isfinite(dot3(camera->location, camera->location))
+           && isfinite(camera->focal_distance)
+           && isfinite(camera->lens_radius);
 }
 
 bool camera_read(struct reader *reader, const struct scene_token *at,
                  struct camera_setting *setting)
 {
-    struct camera_reading reading = { *setting, 0,     { 0, 0, 1 },
-                                      false,    false, placement_none };
+    struct camera_reading reading = {
+        *setting, 0, { 0, 0, 1 }, false, false, { 0 }, false, placement_none
+    };
     struct camera *camera = &reading.setting.camera;
     struct block block;
 
@@ -235,6 +314,7 @@ bool camera_read(struct reader *reader, const struct scene_token *at,
     if (reading.looks && !apply_look_at(reader, at, &reading))
         return false;
     apply_distance(&reading);
+    apply_focal_point(reader, at, &reading);
     apply_placement(camera, &reading.placement.to_world);
     *setting = reading.setting;
     return is_sound(camera)

@@ -1,0 +1,79 @@
+/* lens.c - points all over a camera's lens, one for each ray of a pixel.
+ *
+ * A square of samples x samples cells covers the lens: the middle of cell i, j at
+ *
+ *     a = (2 i + 1)/samples - 1,   b = (2 j + 1)/samples - 1
+ *
+ * goes to the point of the unit disk at the radius a and the angle pi/4 b/a if |a| > |b|,
+ * else at the radius b and the angle pi/2 - pi/4 a/b: equal areas stay equal
+ * (Shirley and Chiu, "A Low Distortion Map Between Disk and Square", 1997).
+ *
+ * Neighbours in a pixel are to be strangers on the lens, and a row or column of
+ * the pixel is to meet all of it: the ray in row r and column c has the cell
+ *
+ *     i = r + c,   j = r + 2 c    (modulo samples),
+ *
+ * Arnold's cat map, which leaves no cell out.  All pixels have the same points: no
+ * noise, but few of them show as several pictures over each other.
+ */
+#include "rt/layout/lens.h"
+
+#include "rt/scene/vector.h"
+
+/* Of the unit disk. */
+static void disk_point(double a, double b, double point[2])
+{
+    bool by_a = fabs(a) > fabs(b);
+    double radius = by_a ? a : b;
+    double angle = by_a     ? PI / 4 * (b / a)
+                   : b != 0 ? PI / 2 - PI / 4 * (a / b)
+                            : 0;
+
+    point[0] = radius * cos(angle);
+    point[1] = radius * sin(angle);
+}
+
+/* Two vectors as long as the lens's radius, at right angles to the direction
+ * and to each other. */
+static void lens_axes(const struct camera *camera, double x[3], double y[3])
+{
+    double ahead[3];
+
+    copy3(camera->direction, ahead);
+    scale3(1 / length3(ahead), ahead);
+    cross3(ahead, camera->right, y);
+    scale3(1 / length3(y), y);
+    cross3(y, ahead, x);
+    scale3(camera->lens_radius, x);
+    scale3(camera->lens_radius, y);
+}
+
+static double middle(size_t cell, size_t samples)
+{
+    return (double)(2 * (cell % samples) + 1) / (double)samples - 1;
+}
+
+void layout_lens(struct record_layout *layout, const struct camera *camera,
+                 size_t samples)
+{
+    size_t count = samples * samples;
+    uint64_t address = layout_reserve(layout, 3 * count);
+    double x[3], y[3], point[2];
+
+    lens_axes(camera, x, y);
+    for (size_t i = 0; i < count; i++) {
+        size_t row = i / samples, column = i % samples;
+
+        disk_point(middle(row + column, samples),
+                   middle(row + 2 * column, samples), point);
+        for (size_t axis = 0; axis < 3; axis++) {
+            c205_word word = c205_from_double(x[axis] * point[0]
+                                              + y[axis] * point[1]);
+
+            layout_words(layout, address + 64 * (axis * count + i), &word, 1);
+        }
+    }
+    layout_word(layout, "scene_lens", address);
+    layout_word(layout, "scene_focus",
+                c205_from_double(camera->focal_distance));
+}

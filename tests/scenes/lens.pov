@@ -1,0 +1,30 @@
+// A lens: things before, in and behind what is sharp, in a mirror, through
+// glass, a shadow.  POV-Ray's rays through it are random, so that it takes many.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+background { rgb <.3, .35, .4> }
+camera {
+    location <.5, 2, -7>
+    angle 42
+    right x*image_width/image_height
+    aperture 1.2
+    focal_point <0, .7, -.5>
+    look_at <0, .6, 0>
+    confidence .999
+    variance 0
+    #ifdef (elliptical_torus) blur_samples 14 #else blur_samples 300 #end
+}
+light_source { <5, 9, -7>, .8 }
+light_source { <-9, 4, -5>, .2 shadowless }
+plane { y, 0 pigment { checker rgb .6 rgb .4 scale 2 } }
+sphere { <0, .7, 0>, .7 pigment { rgb <.7, .4, .3> } }
+sphere { <1.6, .8, 4>, .8 pigment { rgb <.4, .6, .3> } }
+sphere { <-1.2, .5, -3>, .5
+    pigment { rgb <.3, .4, .6> }
+    finish { reflection .3 }
+}
+box { <1, .1, -2.4>, <1.7, .9, -1.8>
+    pigment { rgbt <.8, .9, .8, .7> }
+    interior { ior 1.2 }
+    rotate 10*y
+}
