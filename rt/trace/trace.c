@@ -121,9 +121,6 @@ static bool go_on(void *context)
 
 /* What the kernels have room for unless they are told. */
 enum { CROSSINGS_USUAL = 6 };
-/* Constants that they are told besides the queue. */
-enum { DEFINES_MORE = 12 };
-
 /* As many as are asked for, and one for each point of a lens at the least. */
 static size_t samples_across(const struct trace_options *options,
                              const struct scene *scene)
@@ -137,42 +134,63 @@ static size_t samples_across(const struct trace_options *options,
     return samples;
 }
 
+static bool is_orthographic(const struct scene *scene)
+{
+    return scene->camera.orthographic;
+}
+
+static bool has_fogs(const struct scene *scene)
+{
+    return scene->fog_count > 0;
+}
+
+/* What kernels can do besides, for the scenes that ask for it. */
+static const struct feature {
+    const char *symbol;
+    bool (*is_in)(const struct scene *scene);
+} features[] = {
+    { "ORTHOGRAPHIC", is_orthographic },  { "FOG", has_fogs },
+    { "GLOSS", scene_is_glossy },         { "BEAMS", scene_has_beams },
+    { "AREAS", scene_has_areas },         { "PATTERNS", scene_has_patterns },
+    { "INTERIORS", scene_has_interiors },
+};
+enum { FEATURES = sizeof features / sizeof *features };
+
+/* The constants that a program is assembled with. */
+struct defines {
+    struct asm_define list[FEATURES + 8]; /* the last is NULL */
+    size_t count;
+};
+
+static void define(struct defines *defines, const char *symbol, size_t value)
+{
+    defines->list[defines->count++] = (struct asm_define){ symbol,
+                                                           (int64_t)value };
+}
+
 static struct object *assemble_form(const struct trace_options *options,
                                     const struct scene *scene,
                                     c205_error *error)
 {
-    struct asm_define defines[1 + DEFINES_MORE + 1] = {
-        { "QUEUE", (int64_t)options->queue }, /* behind all of them NULL */
-    };
-    struct asm_define *next = &defines[1];
+    struct defines defines = { .count = 0 };
     size_t crossings = most_crossings(scene);
 
-    if (scene->camera.orthographic)
-        *next++ = (struct asm_define){ "ORTHOGRAPHIC", 1 };
+    define(&defines, "QUEUE", options->queue);
+    for (size_t i = 0; i < FEATURES; i++)
+        if (features[i].is_in(scene))
+            define(&defines, features[i].symbol, 1);
     if (scene->camera.lens_radius > 0 && options->samples > 1)
-        *next++ = (struct asm_define){ "LENS", 1 };
-    if (scene->fog_count > 0)
-        *next++ = (struct asm_define){ "FOG", 1 };
-    if (scene_is_glossy(scene))
-        *next++ = (struct asm_define){ "GLOSS", 1 };
-    if (scene_has_beams(scene))
-        *next++ = (struct asm_define){ "BEAMS", 1 };
-    if (scene_has_areas(scene))
-        *next++ = (struct asm_define){ "AREAS", 1 };
-    if (scene_has_patterns(scene))
-        *next++ = (struct asm_define){ "PATTERNS", 1 };
-    if (scene_has_interiors(scene))
-        *next++ = (struct asm_define){ "INTERIORS", 1 };
+        define(&defines, "LENS", 1);
     if (options->historical)
-        *next++ = (struct asm_define){ "HISTORICAL", 1 };
+        define(&defines, "HISTORICAL", 1);
     if (options->variant)
-        *next++ = (struct asm_define){ options->variant, 1 };
+        define(&defines, options->variant, 1);
     if (options->visible != VISIBLE_DEFAULT)
-        *next++ = (struct asm_define){ "VISIBLE", options->visible };
+        define(&defines, "VISIBLE", options->visible);
     if (crossings > CROSSINGS_USUAL)
-        *next = (struct asm_define){ "CROSSINGS_MOST", (int64_t)crossings };
-
-    return program_assemble(forms[options->mode].program, defines, error);
+        define(&defines, "CROSSINGS_MOST", crossings);
+    return program_assemble(forms[options->mode].program, defines.list,
+                            error);
 }
 
 static void divide(struct trace *trace)
