@@ -27,5 +27,8 @@ compare scenes/bench.pov 1024 768
 compare scenes/bracket.pov 1024 1024
 for scene in scenes/*.pov; do
     case $scene in scenes/bench.pov | scenes/bracket.pov) continue ;; esac
+    # how many rays go through a lens POV-Ray decides by chance
+    grep -q focal_point "$scene" && continue
+| scenes/bracket.pov) continue ;; esac
     compare "$scene" 640 480
 done
