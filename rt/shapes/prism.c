@@ -16,7 +16,7 @@ static const struct shape_field fields[] = {
     { TAKES_OTHER, 0, "bezier_spline", 0, NULL },
     { TAKES_NUMBER, SHAPE_AT(prism, low), NULL, 0, NULL },
     { TAKES_NUMBER, SHAPE_AT(prism, high), NULL, 0, NULL },
-    { TAKES_PATH, SHAPE_AT(prism, path), NULL, 0, NULL },
+    { TAKES_PATH, SHAPE_AT(prism, path), NULL, 3, NULL },
     { TAKES_WORD, SHAPE_AT(prism, open), "open", 0, NULL },
     { TAKES_END, 0, NULL, 0, NULL },
 };

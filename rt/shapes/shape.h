@@ -29,8 +29,8 @@ enum shape_takes {
     TAKES_WORD,   /* may stand there: a bool says whether it does */
     TAKES_USUAL,  /* a word that may stand there and says what is so anyway */
     TAKES_OTHER,  /* a word of POV-Ray's that is not supported */
-    TAKES_PATH,   /* a number of points, and the points, to a struct outline;
-                     there is room for one more */
+    TAKES_PATH,   /* a number of points, count at the least, and the points,
+                     to a struct outline; there is room for one more */
 };
 
 struct shape_field {
@@ -97,6 +97,9 @@ struct shape {
     /* Where it is not kernels.segments; NULL: it is. */
     size_t (*segments)(const struct primitive *primitive);
     const char *region; /* of the accounts, in which its kernels run */
+    /* Of kernels that are assembled for scenes with such a shape alone: it is 1
+     * there.  NULL: they always are. */
+    const char *symbol;
     struct shape_kernels kernels;
     /* Some have two sorts: when it is the other one (or NULL), and the
      * routines of that. */

@@ -15,6 +15,7 @@
 #include "rt/layout/program.h"
 #include "rt/layout/surface.h"
 #include "rt/layout/trees.h"
+#include "rt/shapes/shape.h"
 
 struct trace {
     struct trace_options options;
@@ -158,7 +159,8 @@ enum { FEATURES = sizeof features / sizeof *features };
 
 /* The constants that a program is assembled with. */
 struct defines {
-    struct asm_define list[FEATURES + 8]; /* the last is NULL */
+    struct asm_define
+        list[FEATURES + PRIMITIVE_KINDS + 8]; /* the last is NULL */
     size_t count;
 };
 
@@ -166,6 +168,18 @@ static void define(struct defines *defines, const char *symbol, size_t value)
 {
     defines->list[defines->count++] = (struct asm_define){ symbol,
                                                            (int64_t)value };
+}
+
+/* The kernels of shapes that are in the scene. */
+static void define_shapes(struct defines *defines, const struct scene *scene)
+{
+    bool there[PRIMITIVE_KINDS] = { false };
+
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        there[scene->primitives[i].kind] = true;
+    for (size_t i = 0; i < PRIMITIVE_KINDS; i++)
+        if (there[i] && shapes[i]->symbol)
+            define(defines, shapes[i]->symbol, 1);
 }
 
 static struct object *assemble_form(const struct trace_options *options,
@@ -179,6 +193,7 @@ static struct object *assemble_form(const struct trace_options *options,
     for (size_t i = 0; i < FEATURES; i++)
         if (features[i].is_in(scene))
             define(&defines, features[i].symbol, 1);
+    define_shapes(&defines, scene);
     if (scene->camera.lens_radius > 0 && options->samples > 1)
         define(&defines, "LENS", 1);
     if (options->historical)

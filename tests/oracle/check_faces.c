@@ -42,7 +42,8 @@ enum feature {
     BEAMS = 2,
     INTERIORS = 4,
     AREAS = 8, /* which are beams, too */
-    FEATURES = 16
+    LATHES = 16,
+    FEATURES = 32
 };
 
 /* Each is compared with the first. */
@@ -77,24 +78,34 @@ enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 4 };
 
 static c205_model *model;
 
+static bool has_lathe(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        if (scene->primitives[i].kind == PRIMITIVE_LATHE)
+            return true;
+    return false;
+}
+
 static size_t features_of(const struct scene *scene)
 {
     return (scene->camera.orthographic ? ORTHOGRAPHIC : 0)
            | (scene_has_beams(scene) ? BEAMS : 0)
            | (scene_has_areas(scene) ? AREAS : 0)
+           | (has_lathe(scene) ? LATHES : 0)
            | (scene_has_interiors(scene) ? INTERIORS : 0);
 }
 
-/* A program is assembled once, for all scenes with such a camera, lights,
+/* A program is assembled once, for all scenes with such a camera, lights, shapes,
  * glass. */
 static struct trace *assemble(const struct form *form, size_t features)
 {
     char text[200];
-    snprintf(text, sizeof text, "%s %s %s %s",
+    snprintf(text, sizeof text, "%s %s %s %s %s",
              features & ORTHOGRAPHIC ? "camera { orthographic }" : "",
              features & BEAMS ? "light_source { y, 1 parallel }" : "",
              features & AREAS ? "light_source { y, 1 area_light x, z, 2, 2 }"
                               : "",
+             features & LATHES ? "lathe { 2, x, x + y }" : "",
              features & INTERIORS ? "sphere { 0, 1 pigment { rgbt 1 } }"
                                   : "");
     struct scene *scene = scene_of(text);

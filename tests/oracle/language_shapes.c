@@ -126,9 +126,51 @@ static void (*const closed_shapes[])(struct language *) = {
 };
 enum { CLOSED = sizeof closed_shapes / sizeof *closed_shapes };
 
+/* From the axis to the axis, or open at its ends: rising, with a level segment and
+ * an upright one now and then.  It begins with a torus' numbers. */
+static void open_lathe(struct language *draw, uint64_t *state, bool closed)
+{
+    bool open = !closed && one_in(state, 3);
+    size_t corners = 1 + below(state, 5);
+    double height = -.4, radius = between(state, .2, .9);
+    bool level = false;
+    open_block(draw, "lathe {");
+    begin_line(draw);
+    say(draw, "%s%zu", one_in(state, 2) ? "linear_spline " : "",
+        corners + (open ? 2 : 4));
+    if (!open)
+        say(draw, ", <0, -.8>");
+    say(draw, ", <");
+    say_number(draw, .5, .8);
+    say(draw, ", -.8>, <");
+    say_number(draw, .1, .4);
+    say(draw, ", -.6>");
+    for (size_t i = 0; i < corners; i++) {
+        say(draw, ", <%.4f, %.4f>", radius, height);
+        level = !level && one_in(state, 4);
+        height += level ? 0 : between(state, .1, 1.2 / (double)corners);
+        radius = level || !one_in(state, 4) ? between(state, .1, .9) : radius;
+    }
+    say(draw, open ? "\n" : ", <0, %.4f>\n", height);
+}
+
+/* Instead of half of the tori: what else is drawn does not depend on it. */
+static bool is_lathe(const struct language *draw, uint64_t *state)
+{
+    *state = draw->state * 5 + 1;
+    for (int i = 0; i < 8; i++)
+        xorshift(state);
+    return one_in(state, 2);
+}
+
 void open_solid_shape(struct language *draw, bool closed)
 {
     size_t which = below(&draw->state, CLOSED);
+    uint64_t state;
+    if (closed_shapes[which] == open_torus && is_lathe(draw, &state)) {
+        open_lathe(draw, &state, closed);
+        return;
+    }
     closed_shapes[which](draw);
     bool opens = closed_shapes[which] == open_cylinder
                  || closed_shapes[which] == open_cone

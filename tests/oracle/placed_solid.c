@@ -98,11 +98,34 @@ static void move_to(uint64_t *state, const struct place *place,
         place->at[0], place->at[1], place->at[2]);
 }
 
+/* A spool, or what is open. */
+static void random_lathe(uint64_t *state, struct solid *solid)
+{
+    double radius = .1 * (double)(1 + below(state, 6));
+    double height = .1 * (double)below(state, 8) - .3;
+    if (one_in(state, 3))
+        solid_words(solid->shape,
+                    "lathe { 3, <.9, -.8>, <%.12g, %.12g>, <.7, .9> ", radius,
+                    height);
+    else
+        solid_words(solid->shape,
+                    "lathe { 6, <0, -1>, <1, -1>, <%.12g, %.12g>, <1, 1>, "
+                    "<.4, 1>, <0, %.12g> ",
+                    radius, height, height + .1);
+}
+
+/* Or a lathe; what else is drawn does not depend on it. */
 static void random_torus(uint64_t *state, const struct place *place,
                          struct solid *solid)
 {
-    solid_words(solid->shape, "torus { .75, %.12g ",
-                .1 + .1 * (double)below(state, 4));
+    uint64_t other = *state * 5 + 1;
+    double minor = .1 + .1 * (double)below(state, 4);
+    for (int i = 0; i < 8; i++)
+        xorshift(&other);
+    if (one_in(&other, 2))
+        random_lathe(&other, solid);
+    else
+        solid_words(solid->shape, "torus { .75, %.12g ", minor);
     move_to(state, place, solid);
 }
 

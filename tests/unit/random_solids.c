@@ -169,10 +169,28 @@ static void add_quadric(char *text, size_t size)
              size_between(.2, .8));
 }
 
+/* Of two sizes: closed or open, with level and upright segments. */
+static void add_lathe(char *text, size_t size, double large, double small)
+{
+    bool open = strlen(text) % 4 == 0;
+
+    add_text(text, size,
+             "lathe { %d, %s<%.4f, -%.4f>, <%.4f, -%.4f>, <%.4f, %.4f>, "
+             "<%.4f, %.4f>, <%.4f, %.4f>%s ",
+             open ? 5 : 7, open ? "" : "<0, -1>, ", small, large, large,
+             small, large, small, small, small, small, large,
+             open ? "" : ", <0, .75>");
+}
+
+/* Or a lathe: what is drawn else does not depend on it. */
 static void add_torus(char *text, size_t size)
 {
-    add_text(text, size, "torus { %.4f, %.4f ", size_between(.6, 1),
-             size_between(.15, .4));
+    double major = size_between(.6, 1), minor = size_between(.15, .4);
+
+    if (strlen(text) % 3 == 0)
+        add_lathe(text, size, major, minor);
+    else
+        add_text(text, size, "torus { %.4f, %.4f ", major, minor);
 }
 
 static void add_elliptical_torus(char *text, size_t size)

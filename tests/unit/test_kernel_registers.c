@@ -57,6 +57,7 @@ static void test_assembled(void **state)
         { "FALSI", FALSI_ANDERSON_BJORCK },
         { "VISIBLE", VISIBLE_STEPPING },
         { "VISIBLE", VISIBLE_EVERY },
+        { "LATHES", 1 },
     };
     size_t programs = 0;
 

@@ -11,8 +11,7 @@ static void test_errors(void **state)
         const char *message; /* a part of it */
     } rows[] = {
         { "blob { }", 1, 1, "'blob' is not supported" },
-        { "union { sphere { 0, 1 }\n lathe { 0, 1, y, 0 } }", 2, 2,
-          "'lathe'" },
+        { "union { sphere { 0, 1 }\n ovus { 0, 1, y, 0 } }", 2, 2, "'ovus'" },
         { "difference { sphere { 0 1 } sor { } }", 1, 29, "'sor'" },
         { "sphere { 0, 1 interior { ior 0 } }", 1, 26, "ior is not above 0" },
         { "merge { sphere { 0 1 } inverse sphere { 0 1 } }", 1, 32,
@@ -218,7 +217,7 @@ static void test_all_errors(void **state)
 {
     static const char text[] =
         "sphere { 0, foo finish { wibble 2 phong x } scale }\n"
-        "lathe { 0, y, 1 }\n"
+        "ovus { 0, y, 1 }\n"
         "union { box { 0, 1 rotate <1, 2 } sphere { } bar }\n"
         "camera { location }\n";
     static const size_t lines[] = { 1, 1, 1, 1, 2, 3, 3, 3, 4 };

@@ -153,6 +153,31 @@ static void test_prisms(void **state)
     scene_free(scene);
 }
 
+/* Without points that repeat the one before; an end at the beginning is there. */
+static void test_lathes(void **state)
+{
+    struct scene *scene = read_scene(
+        "lathe { linear_spline 6, <1, 0>, <1, 1e-11>, <2, 0>, <2, 1>,"
+        " <2, 1>, <1, 1e-12> }\n"
+        "lathe { 2.7 <1, 0> <0, 1> sturm translate x }\n");
+    const struct primitive *p = scene->primitives;
+    const struct outline *path = &p[0].shape.lathe.path;
+    static const double expected[][2] = {
+        { 1, 0 }, { 2, 0 }, { 2, 1 }, { 1, 0 }
+    };
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, 2);
+    assert_int_equal(p[0].kind, PRIMITIVE_LATHE);
+    assert_int_equal(path->count, COUNT(expected));
+    for (size_t i = 0; i < path->count; i++)
+        for (int k = 0; k < 2; k++)
+            assert_close(path->points[i][k], expected[i][k], 0);
+    assert_true(p[1].transformed);
+    assert_int_equal(p[1].shape.lathe.path.count, 2);
+    scene_free(scene);
+}
+
 /* Each text has this one error. */
 static void test_errors(void **state)
 {
@@ -198,6 +223,21 @@ static void test_errors(void **state)
           "'conic_sweep' is not supported" },
         { "prism { linear_sweep bezier_spline 0, 1, 4, x, y, z, 0 }", 22,
           "'bezier_spline' is not supported" },
+        { "lathe { 1, <1, 0> }", 9, "two points" },
+        { "lathe { linear_spline 3, <0, 0>, <1, 0> }", 41,
+          "expected a number" },
+        { "lathe { 2001, <0, 0> }", 9, "more than 2000 points" },
+        { "lathe { 2, <1, 0>, <-1, 0> }", 9,
+          "radius of the lathe is below 0" },
+        { "lathe { 3, <0, 0>, <0, 1>, <0, 2> }", 9, "no surface" },
+        { "lathe { 2, <1, 1>, <1, 1> }", 9, "no surface" },
+        { "lathe { quadratic_spline 3, <0, 0>, <1, 0>, <1, 1> }", 9,
+          "'quadratic_spline' is not supported" },
+        { "lathe { cubic_spline 4, x, y, z, 0 }", 9,
+          "'cubic_spline' is not supported" },
+        { "lathe { bezier_spline 4, x, y, z, 0 }", 9,
+          "'bezier_spline' is not supported" },
+        { "lathe { 2, <1, 0>, <1, 1> open }", 27, "" },
         { "steiner_patch { x, y, z, 0, 0 }", 31, "expected a number" },
         { "steiner_patch { x, y, z, 0, 0, 0 weights 1, 1, 1, 1, 1 }", 56,
           "expected a number" },
@@ -289,6 +329,7 @@ int main(void)
         cmocka_unit_test(test_polynomials),
         cmocka_unit_test(test_patches),
         cmocka_unit_test(test_prisms),
+        cmocka_unit_test(test_lathes),
         cmocka_unit_test(test_errors),
         cmocka_unit_test(test_conditions),
         cmocka_unit_test(test_many_conditions),

@@ -64,14 +64,19 @@ static void check_routines(const struct object *program,
 
 static void check_program(const char *kernel, bool historical)
 {
-    const struct asm_define defines[] = {
-        { "QUEUE", 100 },
-        { historical ? "HISTORICAL" : NULL, 1 },
-        { NULL, 0 },
+    struct asm_define defines[2 + PRIMITIVE_KINDS + 1] = {
+        { "QUEUE", 100 }, /* behind all of them NULL */
     };
+    struct asm_define *next = &defines[1];
     c205_error error = { "" };
-    struct object *program = program_assemble(kernel, defines, &error);
+    struct object *program;
 
+    for (size_t i = 0; i < PRIMITIVE_KINDS; i++)
+        if (shapes[i]->symbol)
+            *next++ = (struct asm_define){ shapes[i]->symbol, 1 };
+    if (historical)
+        *next = (struct asm_define){ "HISTORICAL", 1 };
+    program = program_assemble(kernel, defines, &error);
     if (!program)
         fail_msg("%s", error.message);
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {

@@ -96,6 +96,7 @@ static void test_kernels(void **state)
                                           "tests/scenes/csg_culled.pov",
                                           "tests/scenes/csg_patches.pov",
                                           "tests/scenes/csg_prisms.pov",
+                                          "tests/scenes/csg_lathes.pov",
                                           "tests/scenes/mesh.pov" };
     struct sink sink = stream_sink(stderr);
     c205_error error;

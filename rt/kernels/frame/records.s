@@ -19,6 +19,11 @@
         .equ    PATTERNS, 0
         .endif
 
+; 1: there are lathes (shapes/lathe_vector.s).
+        .ifndef LATHES
+        .equ    LATHES, 0
+        .endif
+
 ; A primitive.
         .equ    SHAPE_SIZE, 16
         .equ    PATCH_CROSSINGS, 4 ; the most of a ray with a patch
@@ -69,6 +74,9 @@
                                 ;             another plane (steiner_patch_vector.s)
                                 ;   prism     low, high, how many rows; table:
                                 ;             rows, as below
+                                ;   lathe     height of its middle, square of its radius,
+                                ;             half of its height, how many rows are seen,
+                                ;             how many there are; table: rows, as below
                                 ;   mesh      words of a triangle's row; table:
                                 ;             nodes and triangles, as below
         .field  P_LOCAL, 12        ; rows of the matrix from world to own
@@ -178,6 +186,24 @@
         .field  PRISM_DIRECTION, 2
         .field  PRISM_LENGTH
         .field  PRISM_NORMAL, 2    ; outward
+        .endrecord
+
+; A row of a lathe's table: a corner of its path, its height told from the middle;
+; of the segment back to the one before, what crossings want: its heights, if it
+; rises to here (1) or falls, its line  nr r + ny y = k,  nr >= 0; and what its
+; normal wants.
+        .record LATHE
+        .field  LATHE_SQUARE       ; r^2
+        .field  LATHE_HEIGHT
+        .field  LATHE_BEGINS       ; 1: the path begins here, and there is no segment
+        .field  LATHE_LOW
+        .field  LATHE_HIGH
+        .field  LATHE_RISES
+        .field  LATHE_LINE, 4      ; ny, k, nr^2, nr
+        .field  LATHE_RADIUS       ; r
+        .field  LATHE_DIRECTION, 2 ; in r and y, of length one
+        .field  LATHE_LENGTH
+        .field  LATHE_NORMAL, 2    ; outward
         .endrecord
 
 ; The table of a mesh: a row of zeros, the nodes of a hierarchy of boxes, in

@@ -13,12 +13,15 @@
         .ifndef LANE_REGISTERS
         .include "shapes/lanes_scalar.s"
         .endif
+        .ifndef LIST_REGISTERS
+        .include "shapes/columns_scalar.s"
+        .endif
 
         .share  local
         .regs   r79, row_at, rows_left, here_x, here_z, begins
         .regs   r84, path_dx, path_dz, inverse, side, side_before, way, way_before
-        .regs   r91, edge_low, edge_high, cap_low, cap_high, crossed_at, least
-        .regs   r97, inside_low, inside_high, list_end, list_last, list_at
+        .regs   r91, edge_low, edge_high, cap_low, cap_high
+        .regs   r97, inside_low, inside_high
         .endshare
         .equ    PRISM_REGISTERS, 70
 
@@ -144,42 +147,6 @@ open_prism:
 prism_miss:
         miss_near prism_save, PRISM_REGISTERS
 
-; The list of crossings, ascending, a_segment .. list_last; what has no room
-; before list_end is dropped from its far end.
-        .macro  begin_list
-        RTOR    a_primitive, t0
-        IX      t0, 64 * P_SEGMENTS
-        LOD     [t0], t0
-        ADDX    t0, t0, t0
-        SHIFTI  t0, 6, t0
-        ADDX    a_segment, t0, list_end
-        RTOR    a_segment, list_last
-        .endm
-
-        .macro  insert
-        IBXNE   list_last, r0, list_end, insert_here\@
-        IX      list_last, -64
-        LOD     [list_last], t1
-        CFPLT   crossed_at, t1, insert_here\@
-        IX      list_last, 64
-        BIM     insert_done\@
-insert_here\@:
-        RTOR    list_last, list_at
-        IX      list_last, 64
-insert_next\@:
-        IBXEQ   list_at, r0, a_segment, insert_store\@
-        IX      list_at, -64
-        LOD     [list_at], t1
-        CFPGE   crossed_at, t1, insert_behind\@
-        STO     [list_at, index_one], t1
-        BIM     insert_next\@
-insert_behind\@:
-        IX      list_at, 64
-insert_store\@:
-        STO     [list_at], crossed_at
-insert_done\@:
-        .endm
-
 ; inside_high = 1: an odd number is in the list.
         .macro  between_caps
         CFPLT   edge_low, crossed_at, between_above\@
@@ -220,20 +187,5 @@ open_prism_sides:
 prism_passed:
         begin_list
 prism_fill:
-        SUBX    list_last, a_segment, t0
-        SHIFTI  t0, -6, t0
-        AND     t0, index_one, t0
-        IBXEQ   t0, r0, r0, prism_even
-        IX      list_last, -64
-        LOD     [list_last], t1
-        STO     [list_last, index_one], t1
-        IX      list_last, 64 * 2
-prism_even:
-        IBXEQ   list_last, r0, list_end, prism_filled
-        STO     [list_last], big
-        STO     [list_last, index_one], minus_big
-        IX      list_last, 64 * 2
-        BIM     prism_even
-prism_filled:
-        leave_segments prism_save, PRISM_REGISTERS
+        leave_list prism_save, PRISM_REGISTERS
         .endkernel

@@ -36,6 +36,9 @@
         .ifndef LANE_VECTORS
         .include "shapes/lanes_vector.s"
         .endif
+        .ifndef SEGMENT_COLUMNS
+        .include "shapes/columns_vector.s"
+        .endif
 
 ; Of the lanes, all rays at hand, in the lanes' own vectors.
         .reg    way, lane_at
@@ -49,24 +52,20 @@
         .reg    edge_high, lane_low
         .reg    cap_low, lane_high
         .reg    cap_high, k4
-        .reg    crossed_at, k3
         .reg    from_x, k2
         .reg    from_z, k1
-        .reg    path_work, k0
+        .reg    path_work, column_work
         .share  hits
         .regs   r164, left, left_before, crossed, inside_low
         .endshare
         .reg    inside_high, bits2
 
-; Of a row; of the columns.
-        .reg    columns_used, s2
+; Of a row.
         .reg    row_at, s3
         .reg    here_x, s4
         .reg    here_z, s5
         .reg    begins, s6
         .reg    rows_left, s7
-        .reg    column_at, s8
-        .reg    columns_left, s9
 
         .macro  begin_prism
         load_record P_SHAPE, 3, sh0
@@ -101,12 +100,6 @@ prism_slanted\@:
         DIVSV   one, [inverse], [inverse]
         XORB    [inside_low], [inside_low], [inside_low]
         XORB    [inside_high], [inside_high], [inside_high]
-        .endm
-
-        .macro  trade a, b
-        RTOR    \a, s0
-        RTOR    \b, \a
-        RTOR    s0, \b
         .endm
 
 ; The crossings with each edge, at [crossed_at] where [crossed], to found.
@@ -208,58 +201,6 @@ open_prism:
         walk_edges side_ahead
         leave_prism
 
-; The columns, two for each segment: tin and what stands behind it.
-        .macro  first_column
-        RTOR    tin, column_at
-        load_field P_SEGMENTS, columns_left
-        .endm
-
-        .macro  next_column
-        EX      s0, 64 * CROSSING_SIZE
-        ADDX    column_at, s0, column_at
-        .endm
-
-        .macro  next_segment again
-        IBXNE   columns_left, minus_one_index, r0, \again, columns_left
-        .endm
-
-        .macro  clear_columns
-        ES      columns_used, 0
-        first_column
-clear_column\@:
-        VTOV    big, [column_at]
-        next_column
-        VTOV    big, [column_at]
-        next_column
-        next_segment clear_column\@
-        .endm
-
-; The lesser of the column and [crossed_at] stays, the other goes on.
-        .macro  exchange_column
-        CMPLTV  [crossed_at], [column_at], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, column_kept\@
-        MASKV   [column_at], [crossed_at], [path_work] ? [bits0]
-        VTOV    [crossed_at], [column_at] ? [bits0]
-        trade   crossed_at, path_work
-column_kept\@:
-        next_column
-        .endm
-
-; [crossed_at] where [bits], into the columns, of which each time one more may
-; be in use.
-        .macro  insert bits
-        MASKV   [crossed_at], big, [crossed_at] ? [\bits]
-        first_column
-        ADDX    columns_left, columns_left, columns_left
-        IBXEQ   columns_used, r0, columns_left, insert_used\@
-        ADDX    columns_used, one_index, columns_used
-        RTOR    columns_used, columns_left
-insert_used\@:
-        exchange_column
-        next_segment insert_used\@
-        .endm
-
 ; Crossings between the caps; [inside_high] where their number is odd.
         .macro  between_caps
         CMPGEV  [edge_low], [crossed_at], [bits0]
@@ -305,17 +246,6 @@ open_prism_sides:
         clear_columns
         walk_edges side_between
 
-; Segments that are not: a second end is as the first one, or misses.
 prism_fill:
-        first_column
-fill_segment:
-        RTOR    column_at, s2
-        next_column
-        CMPGEV  [column_at], big, [bits0]
-        VTOV    [s2], [column_at] ? [bits0]
-        CMPGEV  [column_at], big, [bits0]
-        VTOV    minus_big, [column_at] ? [bits0]
-        next_column
-        next_segment fill_segment
-        BIM     0, link_kernel
+        leave_columns
         .endkernel

@@ -5,7 +5,6 @@ const struct keyword other_shapes[] = {
     { "blob", item_unsupported, 0 },
     { "isosurface", item_unsupported, 0 },
     { "julia_fractal", item_unsupported, 0 },
-    { "lathe", item_unsupported, 0 },
     { "lemon", item_unsupported, 0 },
     { "ovus", item_unsupported, 0 },
     { "parametric", item_unsupported, 0 },

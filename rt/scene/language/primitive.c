@@ -63,15 +63,16 @@ static bool read_terms(struct reader *reader, double *terms, size_t count)
 
 /* ---- Paths --------------------------------------------------------------- */
 
-static bool read_count(struct reader *reader, size_t *count)
+static bool read_count(struct reader *reader, size_t least, size_t *count)
 {
     struct scene_token at = reader->token;
     double number;
 
     if (!read_number(reader, &number))
         return false;
-    if (number < 3)
-        return reader_fault(reader, &at, "a path needs three points");
+    if (number < (double)least)
+        return reader_fault(reader, &at, "a path needs %s points",
+                            least == 2 ? "two" : "three");
     if (number > PATH_MOST)
         return reader_fault(reader, &at, "more than %d points in one path",
                             PATH_MOST);
@@ -79,12 +80,13 @@ static bool read_count(struct reader *reader, size_t *count)
     return true;
 }
 
-/* Their number, then the points; of each x and z stand as two numbers. */
-static bool read_path(struct reader *reader, struct outline *path)
+/* Their number, then the points; of each two numbers stand. */
+static bool read_path(struct reader *reader, size_t least,
+                      struct outline *path)
 {
     double vector[3];
 
-    if (!read_count(reader, &path->count))
+    if (!read_count(reader, least, &path->count))
         return false;
     path->points = arena_take(&reader->scene->kept,
                               (path->count + 1) * sizeof *path->points);
@@ -178,7 +180,7 @@ static bool read_field(struct reader *reader, const struct shape_field *field,
         return read_word(reader, field, to);
     if (field->takes == TAKES_PATH) {
         reader_comma(reader);
-        return read_path(reader, to);
+        return read_path(reader, field->count, to);
     }
     if (field->behind) {
         reader_comma(reader);

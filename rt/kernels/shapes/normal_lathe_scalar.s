@@ -1,0 +1,67 @@
+; normal_lathe_scalar.s - the normal of a lathe; see normal_lathe_vector.s.
+
+        .if     LATHES
+        .kernel shade
+        .share  local
+        .regs   r96, from_axis_here, height_here, foot_height, foot_begins
+        .regs   r100, foot_radius, back_r, back_y, back_length, outward_r
+        .regs   r105, outward_y, rows_here
+        .endshare
+
+normal_lathe:
+        load_shape 4
+        RTOR    sh3, rows_here
+        MPYS    qx, qx, t0
+        MPYS    qz, qz, t1
+        SUBN    qy, sh0, height_here
+        ADDN    t1, t0, t0
+        SQRT    t0, from_axis_here
+        EX      t0, k_big
+        LOD     [t0], t0                        ; the least square so far
+        get_field P_TABLE, here
+        IX      here, 64 * LATHE_HEIGHT
+normal_lathe_row:
+        ELEN    here, 2
+        SWAP    [here], foot_height, [r0]       ; and foot_begins
+        CFPNE   foot_begins, r0, normal_lathe_next
+        RTOR    here, t1
+        IX      t1, 64 * (LATHE_RADIUS - LATHE_HEIGHT)
+        ELEN    t1, 6
+        SWAP    [t1], foot_radius, [r0]         ; .. outward_y
+        SUBN    from_axis_here, foot_radius, t1
+        SUBN    height_here, foot_height, t2
+        MPYS    t1, back_r, t3
+        MPYS    t2, back_y, t4
+        MPYS    t1, outward_r, t5
+        MPYS    t2, outward_y, t6
+        ADDN    t4, t3, t3                      ; along
+        ADDN    t6, t5, t4
+        MPYS    t4, t4, t4                      ; across, its square
+        SUBN    t3, back_length, t5
+        CFPGE   r0, t5, normal_lathe_begins
+        MPYS    t5, t5, t5
+        ADDN    t4, t5, t4
+normal_lathe_begins:
+        CFPGE   t3, r0, normal_lathe_square
+        MPYS    t3, t3, t3
+        ADDN    t4, t3, t4
+normal_lathe_square:
+        CFPGE   t4, t0, normal_lathe_next
+        RTOR    t4, t0
+        RTOR    outward_r, nx
+        RTOR    outward_y, ny
+normal_lathe_next:
+        IX      here, 64 * LATHE_SIZE
+        SUBN    rows_here, m_one, rows_here
+        CFPLT   r0, rows_here, normal_lathe_row
+        RTOR    qx, t1
+        CFPNE   from_axis_here, r0, normal_lathe_off_axis
+        RTOR    m_one, from_axis_here
+        RTOR    m_one, t1
+normal_lathe_off_axis:
+        DIVS    nx, from_axis_here, t2
+        MPYS    t1, t2, nx
+        MPYS    qz, t2, nz
+        BIM     0, normal_link
+        .endkernel
+        .endif

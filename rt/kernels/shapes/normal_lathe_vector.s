@@ -1,0 +1,76 @@
+; normal_lathe_vector.s - the normals of lathes; see normal_vector.s.
+;
+; A point at the distance rho from the axis belongs to the segment that is nearest
+; in r and y, as in normal_prism_vector.s: of the segment from a corner (r, y) back
+; to the one before, with its direction u, length l and outward normal n,
+;
+;   along = (rho - r, Y - y) . u    across = (rho - r, Y - y) . n
+;   distance^2 = across^2 + max(along - l, 0)^2 + min(along, 0)^2
+;   N = (nr X / rho, ny, nr Z / rho);  on the axis X / rho is 1.
+
+        .if     LATHES
+        .kernel shade
+        .share  shape
+        .regs   r44, foot_height, foot_begins
+        .regs   r46, foot_radius, back_r, back_y, back_length, outward_r, outward_y
+        .endshare
+
+; The least square of a distance so far in [v0], rho in [v6], Y in [v7].
+        .macro  take_segment
+        SUBNV   [v6], foot_radius, [v1]
+        SUBNV   [v7], foot_height, [v2]
+        MPYSV   [v1], back_r, [v3]
+        LINKV
+        MPYSV   [v2], back_y, [v4]
+        ADDNV   [v4], [v3], [v3]
+        MPYSV   [v1], outward_r, [v4]
+        LINKV
+        MPYSV   [v2], outward_y, [v5]
+        ADDNV   [v5], [v4], [v4]
+        MPYSV   [v4], [v4], [v4]
+        SUBNV   [v3], back_length, [v5]
+        CMPLTV  r0, [v5], [hits0]
+        MPYSV   [v5], [v5], [v5]
+        ADDNV   [v4], [v5], [v4] ? [hits0]
+        CMPLTV  [v3], r0, [hits0]
+        MPYSV   [v3], [v3], [v3]
+        ADDNV   [v4], [v3], [v4] ? [hits0]
+        CMPLTV  [v4], [v0], [hits0]
+        VTOV    [v4], [v0] ? [hits0]
+        VTOV    outward_r, [nx] ? [hits0]
+        VTOV    outward_y, [ny] ? [hits0]
+        .endm
+
+normal_lathe:
+        load_record P_SHAPE, 4, sh0
+        RTOR    sh3, s2
+        MPYSV   [qx], [qx], [v6]
+        MPYSV   [qz], [qz], [v1]
+        ADDNV   [v1], [v6], [v6]
+        SQRTV   [v6], [v6]
+        SUBNV   [qy], sh0, [v7]
+        VTOV    big, [v0]
+        load_field P_TABLE, s1
+        IX      s1, 64 * LATHE_HEIGHT
+normal_lathe_row:
+        ELEN    s1, 2
+        SWAP    [s1], foot_height, [r0]         ; and foot_begins
+        CFPNE   foot_begins, r0, normal_lathe_next
+        RTOR    s1, s0
+        IX      s0, 64 * (LATHE_RADIUS - LATHE_HEIGHT)
+        ELEN    s0, 6
+        SWAP    [s0], foot_radius, [r0]         ; .. outward_y
+        take_segment
+normal_lathe_next:
+        IX      s1, 64 * LATHE_SIZE
+        SUBN    s2, one, s2
+        CFPLT   r0, s2, normal_lathe_row
+        CMPEQV  [v6], r0, [hits0]
+        VTOV    one, [v6] ? [hits0]
+        MASKV   one, [qx], [v1] ? [hits0]
+        DIVSV   [nx], [v6], [v2]
+        MPYSV   [v1], [v2], [nx]
+        MPYSV   [qz], [v2], [nz]
+        BIM     0, link_kernel
+        .endkernel
+        .endif

@@ -1,0 +1,392 @@
+#include "rt/shapes/shape.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Points so near to each other are one. */
+#define CLOSED 1e-10
+
+static const struct shape_field fields[] = {
+    { TAKES_USUAL, 0, "linear_spline", 0, NULL },
+    { TAKES_OTHER, 0, "quadratic_spline", 0, NULL },
+    { TAKES_OTHER, 0, "cubic_spline", 0, NULL },
+    { TAKES_OTHER, 0, "bezier_spline", 0, NULL },
+    { TAKES_PATH, SHAPE_AT(lathe, path), NULL, 2, NULL },
+    { TAKES_END, 0, NULL, 0, NULL },
+};
+
+/* ---- The path ------------------------------------------------------------ */
+
+static bool is_near(const double a[2], const double b[2])
+{
+    return fabs(a[0] - b[0]) < CLOSED && fabs(a[1] - b[1]) < CLOSED;
+}
+
+/* Without the points that repeat the one before; an end at the beginning is
+ * exactly there. */
+static void drop_repeated(struct outline *path)
+{
+    double(*points)[2] = path->points;
+    size_t kept = 1;
+
+    for (size_t i = 1; i < path->count; i++)
+        if (!is_near(points[i], points[kept - 1]))
+            memcpy(points[kept++], points[i], sizeof *points);
+    path->count = kept;
+    if (kept > 2 && is_near(points[0], points[kept - 1]))
+        memcpy(points[kept - 1], points[0], sizeof *points);
+}
+
+static const char *settle(struct primitive *primitive)
+{
+    struct outline *path = &primitive->shape.lathe.path;
+    double greatest = 0;
+
+    for (size_t i = 0; i < path->count; i++) {
+        if (path->points[i][0] < 0)
+            return "a radius of the lathe is below 0";
+        greatest = fmax(greatest, path->points[i][0]);
+    }
+    drop_repeated(path);
+    return path->count < 2 || greatest == 0 ? "the lathe has no surface"
+                                            : NULL;
+}
+
+/* What closes a path that is not: level to the least radius, there to the
+ * height of its beginning, level back to that.  So POV-Ray has it, where only
+ * what is not nearer to the axis than the path can be inside. */
+enum { CLOSING = 3 };
+
+struct closed {
+    const struct outline *path;
+    double closing[CLOSING][2];
+    size_t count; /* of the points, with those that close */
+};
+
+/* A segment that stands in what closes the path would be no face of the solid,
+ * so that nothing of it were seen in others: that is moved by so much of the
+ * radius. */
+#define ASIDE 1e-4
+
+static const double *point_of(const struct closed *closed, size_t i)
+{
+    size_t seen = closed->path->count;
+
+    return i < seen ? closed->path->points[i] : closed->closing[i - seen];
+}
+
+static void add_closing(struct closed *closed, double radius, double height)
+{
+    const double *last = point_of(closed, closed->count - 1);
+    double *next = closed->closing[closed->count - closed->path->count];
+
+    if (radius == last[0] && height == last[1])
+        return;
+    next[0] = radius;
+    next[1] = height;
+    closed->count++;
+}
+
+/* Where the path is closed upright. */
+static double closing_radius(const struct outline *path)
+{
+    double least = INFINITY;
+    bool stands = false;
+
+    for (size_t i = 0; i < path->count; i++)
+        least = fmin(least, path->points[i][0]);
+    for (size_t i = 1; i < path->count; i++)
+        stands |= path->points[i - 1][0] == least
+                  && path->points[i][0] == least;
+    return stands ? least * (1 - ASIDE) : least;
+}
+
+/* Where it is closed level, at an end whose neighbour stands there, too. */
+static double closing_height(const double *end, const double *neighbour)
+{
+    return end[1] == neighbour[1] && neighbour[0] < end[0]
+               ? end[1] + ASIDE * end[0]
+               : end[1];
+}
+
+static struct closed close_path(const struct primitive *primitive)
+{
+    const struct outline *path = &primitive->shape.lathe.path;
+    const double(*points)[2] = (const double(*)[2])path->points;
+    const double *first = points[0], *last = points[path->count - 1];
+    struct closed closed = { .path = path, .count = path->count };
+    double radius = closing_radius(path);
+
+    if ((first[0] == 0 && last[0] == 0)
+        || (first[0] == last[0] && first[1] == last[1]))
+        return closed;
+    add_closing(&closed, radius,
+                closing_height(last, points[path->count - 2]));
+    add_closing(&closed, radius, closing_height(first, points[1]));
+    add_closing(&closed, first[0], first[1]);
+    return closed;
+}
+
+static bool is_open(const struct primitive *primitive)
+{
+    return close_path(primitive).count > primitive->shape.lathe.path.count;
+}
+
+/* ---- Its bound ----------------------------------------------------------- */
+
+struct cylinder_about {
+    double low, high, radius;
+};
+
+static struct cylinder_about cylinder_of(const struct primitive *primitive)
+{
+    const struct outline *path = &primitive->shape.lathe.path;
+    struct cylinder_about about = { INFINITY, -INFINITY, 0 };
+
+    for (size_t i = 0; i < path->count; i++) {
+        about.low = fmin(about.low, path->points[i][1]);
+        about.high = fmax(about.high, path->points[i][1]);
+        about.radius = fmax(about.radius, path->points[i][0]);
+    }
+    return about;
+}
+
+static void hull_at(struct hull *hull, const struct primitive *primitive,
+                    double radius, double height)
+{
+    static const double axis[3] = { 0, 1, 0 };
+    const double center[3] = { 0, height, 0 };
+
+    hull_ring(hull, primitive, center, axis, radius);
+}
+
+/* Circles about the ends, as wide as the path is. */
+static void bound_cylinder(const struct primitive *primitive,
+                           struct bound *bound)
+{
+    struct cylinder_about about = cylinder_of(primitive);
+    struct hull hull = { .count = 0 };
+
+    hull_at(&hull, primitive, about.radius, about.low);
+    hull_at(&hull, primitive, about.radius, about.high);
+    bound_hull(&hull, bound);
+}
+
+/* Circles about all points. */
+static void put_bound(const struct primitive *primitive, struct bound *bound)
+{
+    const struct outline *path = &primitive->shape.lathe.path;
+    struct bound *points = malloc(path->count * RING * sizeof *points);
+
+    if (!points) {
+        bound_cylinder(primitive, bound);
+        return;
+    }
+    for (size_t i = 0; i < path->count; i++) {
+        struct hull hull = { .count = 0 };
+
+        hull_at(&hull, primitive, path->points[i][0], path->points[i][1]);
+        memcpy(&points[i * RING], hull.points, RING * sizeof *points);
+    }
+    bound_enclose(points, path->count * RING, bound);
+    free(points);
+}
+
+/* ---- How often a ray crosses it ------------------------------------------ */
+
+/* Segments, one after another, that bulge away from the axis: each turns from
+ * the one before towards the axis, and all rise or all fall. */
+struct bulge {
+    double along[2]; /* the last of them */
+    int sense;       /* 1: they rise, -1: they fall, 0: all are level */
+    bool begun;
+};
+
+static int sense_of(const double along[2])
+{
+    return (along[1] > 0) - (along[1] < 0);
+}
+
+static bool bulges_on(const struct bulge *bulge, const double along[2])
+{
+    double turn = bulge->along[0] * along[1] - bulge->along[1] * along[0];
+    int sense = bulge->sense ? bulge->sense : sense_of(along);
+
+    if (sense_of(along) == -sense && sense != 0)
+        return false;
+    if (bulge->along[1] == 0 && along[1] == 0)
+        return bulge->along[0] * along[0] > 0;
+    return turn * sense >= 0;
+}
+
+/* A line is a hyperbola beside the axis, and what is beyond it convex: each
+ * bulge is crossed twice at most, one that is level once. */
+static size_t segments(const struct primitive *primitive)
+{
+    struct closed closed = close_path(primitive);
+    struct bulge bulge = { .begun = false };
+    size_t crossings = 0;
+
+    for (size_t i = 1; i < closed.count; i++) {
+        const double *from = point_of(&closed, i - 1);
+        const double *to = point_of(&closed, i);
+        const double along[2] = { to[0] - from[0], to[1] - from[1] };
+        bool goes_on = bulge.begun && bulges_on(&bulge, along);
+
+        if (!goes_on) {
+            bulge.sense = 0;
+            crossings++;
+        }
+        if (bulge.sense == 0 && sense_of(along) != 0) {
+            bulge.sense = sense_of(along);
+            crossings++;
+        }
+        memcpy(bulge.along, along, sizeof along);
+        bulge.begun = true;
+    }
+    return (crossings + 1) / 2;
+}
+
+/* ---- Its words ----------------------------------------------------------- */
+
+/* Of segments that a level line, or one along the axis, from a point outwards
+ * meets, that one left out: is their number odd? */
+static bool is_inside(const struct closed *closed, size_t segment,
+                      const double point[2], int across)
+{
+    int along = 1 - across;
+    bool inside = false;
+
+    for (size_t i = 1; i < closed->count; i++) {
+        const double *from = point_of(closed, i - 1);
+        const double *to = point_of(closed, i);
+        double share = (point[across] - from[across])
+                       / (to[across] - from[across]);
+
+        if (i != segment
+            && (from[across] > point[across]) != (to[across] > point[across])
+            && from[along] + (to[along] - from[along]) * share > point[along])
+            inside = !inside;
+    }
+    return inside;
+}
+
+enum { ROW = 16 };
+
+/* In the order of rt/kernels/frame/records.s. */
+enum row_word {
+    SQUARE,
+    HEIGHT,
+    BEGINS,
+    LOW,
+    HIGH,
+    RISES,
+    LINE_Y,
+    LINE_K,
+    LINE_R2,
+    LINE_R,
+    RADIUS,
+    DIRECTION,
+    LENGTH = DIRECTION + 2,
+    NORMAL
+};
+
+static void put_corner(const double *point, double middle, double *row)
+{
+    row[SQUARE] = point[0] * point[0];
+    row[HEIGHT] = point[1] - middle;
+    row[RADIUS] = point[0];
+}
+
+/* Across a segment, away from the axis; of a level one upwards. */
+static void put_normal(const double along[2], double length, double *normal)
+{
+    double sign = along[1] < 0 ? -1 : 1;
+
+    normal[0] = sign * along[1] / length;
+    normal[1] = along[1] == 0 ? 1 : -sign * along[0] / length;
+}
+
+/* The segment back to the point before. */
+static void put_segment(const struct closed *closed, size_t i, double middle,
+                        double *row)
+{
+    const double *to = point_of(closed, i), *from = point_of(closed, i - 1);
+    const double along[2] = { from[0] - to[0], from[1] - to[1] };
+    const double amid[2] = { to[0] + along[0] / 2, to[1] + along[1] / 2 };
+    double length = hypot(along[0], along[1]), normal[2];
+    int across = along[1] == 0 ? 0 : 1;
+    double outward = is_inside(closed, i, amid, across) ? -1 : 1;
+
+    put_normal(along, length, normal);
+    row[LOW] = fmin(from[1], to[1]) - middle;
+    row[HIGH] = fmax(from[1], to[1]) - middle;
+    row[RISES] = along[1] < 0;
+    row[LINE_Y] = normal[1];
+    row[LINE_K] = normal[0] * to[0] + normal[1] * row[HEIGHT];
+    row[LINE_R2] = normal[0] * normal[0];
+    row[LINE_R] = normal[0];
+    row[DIRECTION] = along[0] / length;
+    row[DIRECTION + 1] = along[1] / length;
+    row[LENGTH] = length;
+    row[NORMAL] = outward * normal[0];
+    row[NORMAL + 1] = outward * normal[1];
+}
+
+static double middle_of(const struct primitive *primitive)
+{
+    struct cylinder_about about = cylinder_of(primitive);
+
+    return (about.low + about.high) / 2;
+}
+
+/* The radius is a little greater, and the half height, than could matter. */
+static size_t put_words(const struct primitive *primitive, double *words)
+{
+    struct cylinder_about about = cylinder_of(primitive);
+    double half = (about.high - about.low) / 2 + ASIDE * about.radius;
+
+    words[0] = (about.low + about.high) / 2;
+    words[1] = about.radius * about.radius * (1 + 1e-6);
+    words[2] = half + 1e-6 * (half + about.radius);
+    words[3] = (double)primitive->shape.lathe.path.count;
+    words[4] = (double)close_path(primitive).count;
+    return 5;
+}
+
+static size_t put_table(const struct primitive *primitive, double *table)
+{
+    struct closed closed = close_path(primitive);
+    double middle = middle_of(primitive);
+
+    for (size_t i = 0; table && i < closed.count; i++, table += ROW) {
+        put_corner(point_of(&closed, i), middle, table);
+        table[BEGINS] = i == 0;
+        if (i > 0)
+            put_segment(&closed, i, middle, table);
+    }
+    return ROW * closed.count;
+}
+
+const struct shape shape_lathe = {
+    .fields = fields,
+    .settle = settle,
+    .povray = "lathe",
+    .bound = put_bound,
+    .words = put_words,
+    .table = put_table,
+    .segments = segments,
+    .region = "lathe",
+    .symbol = "LATHES",
+    .kernels = { .kernel = "lathe",
+                 .normal = "normal_lathe",
+                 .segments = 1,
+                 .solid = "lathe_solid" },
+    .is_other = is_open,
+    .other = { .kernel = "lathe",
+               .normal = "normal_lathe",
+               .segments = 1,
+               .solid = "open_lathe_crossings",
+               .state = "lathe_solid" },
+};
