@@ -341,6 +341,9 @@ static double middle_of(const struct primitive *primitive)
     return (about.low + about.high) / 2;
 }
 
+/* What a point of its surface is within, whatever is rounded, of its size. */
+#define NEAR 1e-3
+
 /* The radius is a little greater, and the half height, than could matter. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
@@ -352,7 +355,9 @@ static size_t put_words(const struct primitive *primitive, double *words)
     words[2] = half + 1e-6 * (half + about.radius);
     words[3] = (double)primitive->shape.lathe.path.count;
     words[4] = (double)close_path(primitive).count;
-    return 5;
+    words[5] = NEAR * NEAR * (half + about.radius) * (half + about.radius);
+    words[6] = 1.01 * NEAR * (half + about.radius);
+    return 7;
 }
 
 static size_t put_table(const struct primitive *primitive, double *table)

@@ -76,7 +76,9 @@
                                 ;             rows, as below
                                 ;   lathe     height of its middle, square of its radius,
                                 ;             half of its height, how many rows are seen,
-                                ;             how many there are; table: rows, as below
+                                ;             how many there are, a distance that
+                                ;             points on it are within: its square, and
+                                ;             a little more; table: rows, as below
                                 ;   mesh      words of a triangle's row; table:
                                 ;             nodes and triangles, as below
         .field  P_LOCAL, 12        ; rows of the matrix from world to own

@@ -61,8 +61,8 @@ heights_ordered\@:
         CFPLT   sh2, ray_low, \miss
         BIM     heights_end\@
 heights_none\@:
-        RTOR    big, ray_low
-        RTOR    minus_big, ray_high
+        SUBN    r0, sh2, ray_low
+        RTOR    sh2, ray_high
 heights_end\@:
         .endm
 
@@ -96,6 +96,13 @@ heights_end\@:
         CFPEQ   dy, r0, lathe_level\@
         DIVS    one, dy, per_rise
 lathe_level\@:
+        .endm
+
+        .macro  load_line
+        RTOR    segment_at, t0
+        IX      t0, 64 * LATHE_RISES
+        ELEN    t0, 5
+        SWAP    [t0], row_rises, [r0]           ; .. line_nr
         .endm
 
 ; E in cone_e.
@@ -197,12 +204,14 @@ once_below\@:
         LOD     [t0], segment_at
         RTOR    \rows, segments_left
 segment\@:
-        ELEN    segment_at, 3
-        SWAP    [segment_at], row_square, [r0]  ; and row_height, row_begins
+        ELEN    segment_at, 5
+        SWAP    [segment_at], row_square, [r0]  ; .. row_high
+        ES      beyond, 0
+        CFPLT   row_height, ray_low, segment_before\@
+        CFPLT   ray_high, row_height, segment_before\@
         MPYS    dx, row_height, t0
         MPYS    dz, row_height, t1
         MPYS    rise_square, row_square, t2
-        ES      beyond, 0
         ADDN    t0, turn_x, t0
         ADDN    t1, turn_z, t1
         MPYS    t0, t0, t0
@@ -212,14 +221,11 @@ segment\@:
         ES      beyond, 1
 segment_before\@:
         CFPNE   row_begins, r0, segment_passed\@
-        RTOR    segment_at, t0
-        IX      t0, 64 * LATHE_LOW
-        ELEN    t0, 7
         IBXNE   beyond, r0, beyond_before, segment_once\@
         IBXNE   beyond, r0, r0, segment_passed\@
-        SWAP    [t0], row_low, [r0]             ; .. line_nr
         CFPLT   ray_high, row_low, segment_passed\@
         CFPLT   row_high, ray_low, segment_passed\@
+        load_line
         meet_cone
         keep_twice segment_passed\@
         solve_cone
@@ -231,7 +237,7 @@ segment_before\@:
         \found
         BIM     segment_passed\@
 segment_once\@:
-        SWAP    [t0], row_low, [r0]
+        load_line
         meet_cone
         CFPGE   cone_e, r0, segment_real\@
         ADDN    r0, r0, cone_e

@@ -15,6 +15,10 @@
 ;   twice or never if neither is.  Where the ray comes to the segment's heights
 ;           only outside of the cylinder about the path, never: passed over, too.
 ;
+; A corner at whose height all rays of the queue are outside of that cylinder is
+; beyond none of them, and a segment of such heights is crossed by none: of these
+; nothing is worked out.
+;
 ; A corner is decided once for both segments that have it, and one on the axis is
 ; never beyond: so a ray crosses a path that is closed, or goes from the axis to
 ; the axis, an even number of times, whatever is rounded.
@@ -85,11 +89,13 @@
         .endshare
         .reg    segment_at, s3
         .reg    segments_left, s4
+        .reg    queue_low, s5
+        .reg    queue_high, s6
 
 ; The ray's heights where it is within the cylinder about the path: with h the
 ; root of  R^2 (dx^2 + dz^2) - (ox dz - oz dx)^2,
 ;   oy - (ox dx + oz dz +- h) dy / (dx^2 + dz^2)
-; None of a ray along y, which is within or not, and crosses no segment twice.
+; all of a ray along y; those of the queue.
         .macro  heights_within miss
         LINKV
         MPYSV   [level_square], sh1, [w0]
@@ -108,18 +114,15 @@
         SUBNV   [lane_oy], [w3], [w3]
         MASKV   [w3], [w2], [ray_low] ? [falling]
         MASKV   [w2], [w3], [ray_high] ? [falling]
-        ORB     [bits0], [bits1], [bits0]
+        SUBN    r0, sh2, s7
+        VTOV    s7, [ray_low] ? [bits1]
+        VTOV    sh2, [ray_high] ? [bits1]
         VTOV    big, [ray_low] ? [bits0]
         VTOV    minus_big, [ray_high] ? [bits0]
-        SUBN    r0, sh2, s0
-        CMPGEV  [ray_high], s0, [bits0]
-        ORB     [bits0], [bits1], [bits1]
-        CMPGEV  sh2, [ray_low], [bits0]
-        ANDB    [bits0], [bits1], [bits0]
-        CMPEQV  [level_square], r0, [bits1]
-        ORB     [bits0], [bits1], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, \miss
+        MINV    [ray_low], s0, queue_low
+        MAXV    [ray_high], s0, queue_high
+        CFPLT   queue_high, s7, \miss
+        CFPLT   sh2, queue_low, \miss
         .endm
 
         .macro  begin_lathe miss
@@ -299,8 +302,16 @@ segment\@:
         ELEN    segment_at, 10
         SWAP    [segment_at], row_square, [r0]
         IX      segment_at, 64 * LATHE_SIZE
+        CFPLT   row_height, queue_low, corner_far\@
+        CFPLT   queue_high, row_height, corner_far\@
         look_at_corner
+        BIM     corner_known\@
+corner_far\@:
+        XORB    [beyond], [beyond], [beyond]
+corner_known\@:
         CFPNE   row_begins, r0, segment_passed\@
+        CFPLT   row_high, queue_low, segment_passed\@
+        CFPLT   queue_high, row_low, segment_passed\@
         sort_rays segment_passed\@
         meet_cone
         keep_twice segment_passed\@

@@ -4,26 +4,32 @@
         .kernel shade
         .share  local
         .regs   r96, from_axis_here, height_here, foot_height, foot_begins
-        .regs   r100, foot_radius, back_r, back_y, back_length, outward_r
-        .regs   r105, outward_y, rows_here
+        .regs   r100, foot_low, foot_high, foot_radius, back_r, back_y
+        .regs   r105, back_length, outward_r, outward_y, rows_here
+        .regs   r109, height_less, height_more
         .endshare
 
 normal_lathe:
-        load_shape 4
+        load_shape 7
         RTOR    sh3, rows_here
         MPYS    qx, qx, t0
         MPYS    qz, qz, t1
         SUBN    qy, sh0, height_here
         ADDN    t1, t0, t0
         SQRT    t0, from_axis_here
-        EX      t0, k_big
-        LOD     [t0], t0                        ; the least square so far
+        RTOR    sh5, t0                         ; the least square so far
+        SUBN    height_here, sh6, height_less
+        ADDN    height_here, sh6, height_more
+        RTOR    m_one, nx
+        RTOR    m_zero, ny
         get_field P_TABLE, here
         IX      here, 64 * LATHE_HEIGHT
 normal_lathe_row:
-        ELEN    here, 2
-        SWAP    [here], foot_height, [r0]       ; and foot_begins
+        ELEN    here, 4
+        SWAP    [here], foot_height, [r0]       ; .. foot_high
         CFPNE   foot_begins, r0, normal_lathe_next
+        CFPLT   foot_high, height_less, normal_lathe_next
+        CFPLT   height_more, foot_low, normal_lathe_next
         RTOR    here, t1
         IX      t1, 64 * (LATHE_RADIUS - LATHE_HEIGHT)
         ELEN    t1, 6

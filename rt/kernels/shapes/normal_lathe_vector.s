@@ -7,12 +7,16 @@
 ;   along = (rho - r, Y - y) . u    across = (rho - r, Y - y) . n
 ;   distance^2 = across^2 + max(along - l, 0)^2 + min(along, 0)^2
 ;   N = (nr X / rho, ny, nr Z / rho);  on the axis X / rho is 1.
+;
+; What is not nearer than a thousandth of the lathe is none: segments of heights
+; that are farther from those of all points are passed over.
 
         .if     LATHES
         .kernel shade
         .share  shape
-        .regs   r44, foot_height, foot_begins
-        .regs   r46, foot_radius, back_r, back_y, back_length, outward_r, outward_y
+        .regs   r46, foot_height, foot_begins, foot_low, foot_high
+        .regs   r50, foot_radius, back_r, back_y, back_length, outward_r
+        .regs   r55, outward_y
         .endshare
 
 ; The least square of a distance so far in [v0], rho in [v6], Y in [v7].
@@ -42,20 +46,28 @@
         .endm
 
 normal_lathe:
-        load_record P_SHAPE, 4, sh0
+        load_record P_SHAPE, 7, sh0
         RTOR    sh3, s2
         MPYSV   [qx], [qx], [v6]
         MPYSV   [qz], [qz], [v1]
         ADDNV   [v1], [v6], [v6]
         SQRTV   [v6], [v6]
         SUBNV   [qy], sh0, [v7]
-        VTOV    big, [v0]
+        VTOV    sh5, [v0]
+        VTOV    one, [nx]
+        VTOV    r0, [ny]
+        MINV    [v7], s0, s3
+        MAXV    [v7], s0, s4
+        SUBN    s3, sh6, s3
+        ADDN    s4, sh6, s4
         load_field P_TABLE, s1
         IX      s1, 64 * LATHE_HEIGHT
 normal_lathe_row:
-        ELEN    s1, 2
-        SWAP    [s1], foot_height, [r0]         ; and foot_begins
+        ELEN    s1, 4
+        SWAP    [s1], foot_height, [r0]         ; .. foot_high
         CFPNE   foot_begins, r0, normal_lathe_next
+        CFPLT   foot_high, s3, normal_lathe_next
+        CFPLT   s4, foot_low, normal_lathe_next
         RTOR    s1, s0
         IX      s0, 64 * (LATHE_RADIUS - LATHE_HEIGHT)
         ELEN    s0, 6
