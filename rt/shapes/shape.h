@@ -30,7 +30,7 @@ enum shape_takes {
     TAKES_USUAL,  /* a word that may stand there and says what is so anyway */
     TAKES_OTHER,  /* a word of POV-Ray's that is not supported */
     TAKES_PATH,   /* a number of points, count at the least, and the points,
-                     to a struct outline; there is room for one more */
+                     to a struct outline; there is room for twice as many */
 };
 
 struct shape_field {

@@ -24,6 +24,11 @@
         .equ    LATHES, 0
         .endif
 
+; 1: there are prisms of quadratic splines (shapes/quadratic_prism_vector.s).
+        .ifndef QUADRATIC_PRISMS
+        .equ    QUADRATIC_PRISMS, 0
+        .endif
+
 ; A primitive.
         .equ    SHAPE_SIZE, 16
         .equ    PATCH_CROSSINGS, 4 ; the most of a ray with a patch
@@ -79,6 +84,8 @@
                                 ;             how many there are, a distance that
                                 ;             points on it are within: its square, and
                                 ;             a little more; table: rows, as below
+                                ;   quadratic_prism  as a prism; table: rows, as
+                                ;             below
                                 ;   mesh      words of a triangle's row; table:
                                 ;             nodes and triangles, as below
         .field  P_LOCAL, 12        ; rows of the matrix from world to own
@@ -188,6 +195,22 @@
         .field  PRISM_DIRECTION, 2
         .field  PRISM_LENGTH
         .field  PRISM_NORMAL, 2    ; outward
+        .endrecord
+
+; A row of the table of a prism of a quadratic spline: a corner of its path, and
+; of the parabola to there from the corner before, P, what its crossings want:
+; P + (BEND w + 2 LEAD) w;  and what its normal wants: the same, but of what is
+; straight from its least point to its greatest; w of a point on it, told from P.
+        .record QUADRATIC
+        .field  QUADRATIC_POINT, 2     ; x, z
+        .field  QUADRATIC_BEGINS       ; 1: a loop begins here, and there is no parabola
+        .field  QUADRATIC_BEND, 2
+        .field  QUADRATIC_LEAD, 2
+        .field  QUADRATIC_FOOT, 2      ; P + (BOW w + WAY) w
+        .field  QUADRATIC_BOW, 2
+        .field  QUADRATIC_WAY, 2
+        .field  QUADRATIC_SHARE, 2     ; w = this . (point - P)
+        .field  QUADRATIC_OUTWARD      ; 1, or -1: across the way to its right, or left
         .endrecord
 
 ; A row of a lathe's table: a corner of its path, its height told from the middle;

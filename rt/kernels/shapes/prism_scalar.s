@@ -30,8 +30,8 @@ prism_save:     .space PRISM_REGISTERS
         .code
 
 ; The part between the caps' planes, or to miss; the ray's way across y.
-        .macro  enter_prism miss
-        enter_solver 3, prism_save, PRISM_REGISTERS
+        .macro  enter_prism miss, save=prism_save, registers=PRISM_REGISTERS
+        enter_solver 3, \save, \registers
         RTOR    lower, least
         RTOR    minus_big, tin
         RTOR    big, tout
@@ -125,10 +125,10 @@ cap_high_not\@:
 cap_not\@:
         .endm
 
-        .macro  leave_prism
-        CFPGE   tin, big, prism_miss
+        .macro  leave_prism miss, save=prism_save, registers=PRISM_REGISTERS
+        CFPGE   tin, big, \miss
         RTOR    tin, tout
-        leave_solver prism_save, PRISM_REGISTERS
+        leave_solver \save, \registers
         .endm
 
         .kernel prism
@@ -138,12 +138,12 @@ prism:
         walk_edges side_or_cap_ahead
         cap_ahead inside_low, cap_low
         cap_ahead inside_high, cap_high
-        leave_prism
+        leave_prism prism_miss
 open_prism:
         enter_prism prism_miss
         RTOR    big, tin
         walk_edges side_ahead
-        leave_prism
+        leave_prism prism_miss
 prism_miss:
         miss_near prism_save, PRISM_REGISTERS
 

@@ -89,7 +89,7 @@ static bool read_path(struct reader *reader, size_t least,
     if (!read_count(reader, least, &path->count))
         return false;
     path->points = arena_take(&reader->scene->kept,
-                              (path->count + 1) * sizeof *path->points);
+                              2 * path->count * sizeof *path->points);
     if (!path->points)
         return reader_no_memory(reader);
     for (size_t i = 0; i < path->count; i++) {

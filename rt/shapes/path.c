@@ -1,0 +1,154 @@
+/* path.c - see path.h. */
+#include "rt/shapes/path.h"
+
+#include <math.h>
+
+/* Points so near to a loop's first close it, as in POV-Ray. */
+#define CLOSED 1e-10
+
+static bool is_at(const double a[2], const double b[2])
+{
+    return a[0] == b[0] && a[1] == b[1];
+}
+
+bool path_is_near(const double a[2], const double b[2])
+{
+    return fabs(a[0] - b[0]) < CLOSED && fabs(a[1] - b[1]) < CLOSED;
+}
+
+bool path_next(struct path_walk *walk)
+{
+    const double(*points)[2] = (const double(*)[2])walk->path->points;
+
+    walk->begins = walk->at == walk->first;
+    if (walk->at + 1 >= walk->path->count)
+        return false;
+    walk->from = points[walk->at++];
+    walk->to = points[walk->at];
+    if ((walk->at - walk->first) % walk->apart == 0
+        && is_at(walk->to, points[walk->first]))
+        walk->first = ++walk->at;
+    return true;
+}
+
+/* ---- Bounds -------------------------------------------------------------- */
+
+/* A circle about the path, at both ends. */
+void path_bound(const struct primitive *primitive, const struct outline *path,
+                double low_end, double high_end, struct bound *bound)
+{
+    double low[2] = { INFINITY, INFINITY },
+           high[2] = { -INFINITY, -INFINITY };
+    double base[3], cap[3], radius = 0;
+    struct hull hull = { .count = 0 };
+
+    for (size_t i = 0; i < path->count; i++)
+        for (int k = 0; k < 2; k++) {
+            low[k] = fmin(low[k], path->points[i][k]);
+            high[k] = fmax(high[k], path->points[i][k]);
+        }
+    for (int k = 0; k < 2; k++)
+        base[2 * k] = cap[2 * k] = (low[k] + high[k]) / 2;
+    base[1] = low_end;
+    cap[1] = high_end;
+    for (size_t i = 0; i < path->count; i++)
+        radius = fmax(radius, hypot(path->points[i][0] - base[0],
+                                    path->points[i][1] - base[2]));
+    hull_rings(&hull, primitive, base, radius, cap, radius);
+    bound_hull(&hull, bound);
+}
+
+/* ---- How often a line crosses one ---------------------------------------- */
+
+/* On which side of a direction an edge goes; 0: along it, or nearly. */
+static int side_of(const struct path_walk *edge, const double direction[2])
+{
+    double x = edge->to[0] - edge->from[0], z = edge->to[1] - edge->from[1];
+    double across = direction[0] * z - direction[1] * x;
+
+    return fabs(across)
+                   <= 1e-9 * hypot(x, z) * hypot(direction[0], direction[1])
+               ? 0
+           : across > 0 ? 1
+                        : -1;
+}
+
+/* How often edges, one after another, may change sides: those along the
+ * direction go to either. */
+struct changes {
+    int first, last;        /* the side of the first edge that has one, and of
+                                 the last */
+    size_t before, between; /* edges along it before the first, since the
+                                 last */
+    size_t count;
+};
+
+/* Between two sides with so many edges along it. */
+static size_t changes_between(int a, int b, size_t along)
+{
+    return along + 1 - ((along + 1) % 2 != (size_t)(a != b));
+}
+
+static void add_edge(struct changes *changes, int side)
+{
+    if (side == 0) {
+        changes->between++;
+        return;
+    }
+    if (changes->last == 0) {
+        changes->first = side;
+        changes->before = changes->between;
+    } else {
+        changes->count += changes_between(changes->last, side,
+                                          changes->between);
+    }
+    changes->last = side;
+    changes->between = 0;
+}
+
+/* Round the loop, from the last edge to the first. */
+static size_t close_changes(const struct changes *changes)
+{
+    if (changes->last == 0)
+        return changes->between;
+    return changes->count
+           + changes_between(changes->last, changes->first,
+                             changes->between + changes->before);
+}
+
+/* A line crosses each run of edges on one side of its direction once at most.
+ */
+static size_t crossings_along(const struct outline *path, size_t apart,
+                              const double direction[2])
+{
+    struct path_walk walk = { .path = path, .apart = apart };
+    struct changes changes = { 0, 0, 0, 0, 0 };
+    size_t count = 0;
+
+    while (path_next(&walk)) {
+        if (walk.begins) {
+            count += close_changes(&changes);
+            changes = (struct changes){ 0, 0, 0, 0, 0 };
+        }
+        add_edge(&changes, side_of(&walk, direction));
+    }
+    return count + close_changes(&changes);
+}
+
+/* The number of runs changes only where a line turns past an edge. */
+size_t path_crossings(const struct outline *path, size_t apart)
+{
+    struct path_walk walk = { .path = path, .apart = apart };
+    size_t most = 2;
+
+    while (path_next(&walk)) {
+        const double direction[2] = { walk.to[0] - walk.from[0],
+                                      walk.to[1] - walk.from[1] };
+        size_t count = direction[0] == 0 && direction[1] == 0
+                           ? 0
+                           : crossings_along(path, apart, direction);
+
+        most = count > most ? count : most;
+    }
+    return most;
+}

@@ -1,0 +1,133 @@
+/* plain_quadratic_prism.c - prisms of quadratic splines: each side is a parabola
+ * that is swept along y, each cap what an odd number of loops runs round. */
+#include "tests/oracle/plain_shapes.h"
+
+/* from (1 - w)^2 + 2 handle w (1 - w) + to w^2 */
+struct arc {
+    const double *from, *handle, *to;
+};
+struct arcs {
+    const struct outline *path;
+    size_t next, first;
+};
+
+static bool take_arc(struct arcs *arcs, struct arc *arc)
+{
+    const double(*points)[2] = (const double(*)[2])arcs->path->points;
+    const double *first = points[arcs->first];
+    if (arcs->next + 2 >= arcs->path->count)
+        return false;
+    *arc = (struct arc){ points[arcs->next], points[arcs->next + 1],
+                         points[arcs->next + 2] };
+    arcs->next += 2;
+    if (arc->to[0] == first[0] && arc->to[1] == first[1])
+        arcs->first = ++arcs->next;
+    return true;
+}
+
+static double place_at(const struct arc *arc, int k, double w)
+{
+    return arc->from[k] * (1 - w) * (1 - w)
+           + 2 * arc->handle[k] * w * (1 - w) + arc->to[k] * w * w;
+}
+
+static double slope_at(const struct arc *arc, int k, double w)
+{
+    return 2 * (arc->handle[k] - arc->from[k]) * (1 - w)
+           + 2 * (arc->to[k] - arc->handle[k]) * w;
+}
+
+/* Where x nx + z nz = c: the w from 0 up to 1, in any order. */
+static size_t meet_line(const struct arc *arc, double nx, double nz, double c,
+                        double w[2])
+{
+    double p0 = nx * arc->from[0] + nz * arc->from[1] - c;
+    double p1 = nx * arc->handle[0] + nz * arc->handle[1] - c;
+    double p2 = nx * arc->to[0] + nz * arc->to[1] - c;
+    double a = p0 - 2 * p1 + p2, b = p1 - p0, root = sqrt(b * b - a * p0);
+    double q = b < 0 ? root - b : -root - b;
+    double roots[2] = { q / a, p0 / q };
+    size_t count = 0;
+    for (int i = 0; i < 2; i++)
+        if (roots[i] >= 0 && roots[i] < 1)
+            w[count++] = roots[i];
+    return count;
+}
+
+/* By what stands at the same z, farther along x. */
+static bool is_round(const struct outline *path, double x, double z)
+{
+    struct arcs arcs = { .path = path };
+    struct arc arc;
+    bool inside = false;
+    while (take_arc(&arcs, &arc)) {
+        double w[2];
+        size_t count = meet_line(&arc, 0, 1, z, w);
+        for (size_t i = 0; i < count; i++)
+            inside ^= place_at(&arc, 0, w[i]) > x;
+    }
+    return inside;
+}
+
+bool in_quadratic_prism(const struct primitive *primitive,
+                        const double point[3])
+{
+    return point[1] > primitive->shape.quadratic_prism.low
+           && point[1] < primitive->shape.quadratic_prism.high
+           && is_round(&primitive->shape.quadratic_prism.path, point[0],
+                       point[2]);
+}
+
+static size_t cross_sides(const struct primitive *primitive,
+                          const struct arc *arc, const struct ray *ray,
+                          struct crossing *crossings)
+{
+    const double *o = ray->origin, *d = ray->direction;
+    double w[2], level = d[0] * d[0] + d[2] * d[2];
+    size_t count = 0, roots = meet_line(arc, d[2], -d[0],
+                                        d[2] * o[0] - d[0] * o[2], w);
+    for (size_t i = 0; i < roots; i++) {
+        double x = place_at(arc, 0, w[i]) - o[0];
+        double z = place_at(arc, 1, w[i]) - o[2];
+        double distance = (x * d[0] + z * d[2]) / level;
+        double y = o[1] + distance * d[1];
+        crossings[count] = (struct crossing){
+            distance, { slope_at(arc, 1, w[i]), 0, -slope_at(arc, 0, w[i]) }
+        };
+        count += y >= primitive->shape.quadratic_prism.low
+                 && y <= primitive->shape.quadratic_prism.high;
+    }
+    return count;
+}
+
+static size_t cross_cap(const struct primitive *primitive, double height,
+                        const struct ray *ray, struct crossing *crossing)
+{
+    double point[3];
+    if (ray->direction[1] == 0)
+        return 0;
+    *crossing = (struct crossing){ .distance = (height - ray->origin[1])
+                                               / ray->direction[1],
+                                   .normal = { 0, 1, 0 } };
+    point_on(ray, crossing->distance, point);
+    return is_round(&primitive->shape.quadratic_prism.path, point[0],
+                    point[2]);
+}
+
+size_t cross_quadratic_prism(const struct primitive *primitive,
+                             const struct ray *ray,
+                             struct crossing crossings[MOST_CROSSINGS])
+{
+    struct arcs arcs = { .path = &primitive->shape.quadratic_prism.path };
+    struct arc arc;
+    size_t count = 0;
+    while (count < MOST_CROSSINGS - 3 && take_arc(&arcs, &arc))
+        count += cross_sides(primitive, &arc, ray, &crossings[count]);
+    if (primitive->shape.quadratic_prism.open)
+        return count;
+    count += cross_cap(primitive, primitive->shape.quadratic_prism.low, ray,
+                       &crossings[count]);
+    return count
+           + cross_cap(primitive, primitive->shape.quadratic_prism.high, ray,
+                       &crossings[count]);
+}
