@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rt/layout/images.h"
 #include "rt/layout/interiors.h"
 #include "rt/layout/lens.h"
 #include "rt/layout/lights.h"
@@ -78,10 +79,12 @@ static void put_shape(struct record *record,
     record_numbers(record, "P_LOCAL", &primitive->to_local.rows[0][0], 12);
 }
 
-/* Where the stops of the map before are, which the next pigment may have, too. */
+/* Where the stops of the map before are, which the next pigment may have, too;
+ * where all images are. */
 struct map_place {
     const struct pigment *pigment;
     c205_word address;
+    const uint64_t *images;
 };
 
 /* Neighbours in one space have its number, so that a ray is carried over once.
@@ -185,6 +188,22 @@ static void put_pattern(struct record *record, const struct pigment *pigment,
     record_integer(record, "P_MAP_STOP_COUNT", stop_count(pigment));
 }
 
+/* Of an image the table stands in place of stops. */
+static void put_image(struct record *record, const struct pigment *pigment,
+                      const struct map_place *map)
+{
+    const struct image_map *image = &pigment->image;
+    double numbers[MAP_NUMBERS];
+
+    image_numbers(image, numbers);
+    record_numbers(record, "P_PATTERN", &pigment->to_local.rows[0][0],
+                   PATTERN_ROWS);
+    record_routine(record, "P_MAP_FUNCTION", image_routine(image));
+    record_routine(record, "P_MAP_WAVE", image_sampler(image));
+    record_numbers(record, "P_MAP_NUMBERS", numbers, MAP_NUMBERS);
+    record_address(record, "P_MAP_STOPS", map->images[image->table->number]);
+}
+
 static void put_surface(struct record *record, const struct scene *scene,
                         const struct primitive *primitive,
                         struct map_place *map)
@@ -208,6 +227,8 @@ static void put_surface(struct record *record, const struct scene *scene,
         put_gradient(record, pigment, map);
     else if (pigment->kind == PIGMENT_PATTERN)
         put_pattern(record, pigment, map);
+    else if (pigment->kind == PIGMENT_IMAGE)
+        put_image(record, pigment, map);
     else
         record_numbers(record, "P_PATTERN", &pigment->to_local.rows[0][0],
                        12);
@@ -312,17 +333,16 @@ static void put_part(struct record *record, const struct leaf_plan *plan,
     record_address(record, "P_VALUE", row_at(values, plan->value));
 }
 
-static struct row layout_primitives(struct record_layout *layout,
-                                    const struct scene *scene,
-                                    const struct leaf_plan *plans,
-                                    const struct interiors *interiors,
-                                    const struct row *crossings,
-                                    const struct row *values)
+static struct row
+layout_primitives(struct record_layout *layout, const struct scene *scene,
+                  const struct leaf_plan *plans,
+                  const struct interiors *interiors, const uint64_t *images,
+                  const struct row *crossings, const struct row *values)
 {
     struct looks *looks = looks_new(scene->primitive_count);
     bool alike = false;
     struct record record;
-    struct map_place map = { NULL, 0 };
+    struct map_place map = { NULL, 0, images };
     size_t space = 0;
     struct row row;
     uint64_t look;
@@ -378,7 +398,7 @@ static struct row layout_values(struct record_layout *layout,
 static void layout_solids(struct record_layout *layout,
                           const struct scene *scene,
                           const struct interiors *interiors,
-                          enum bounding bounding)
+                          const uint64_t *images, enum bounding bounding)
 {
     struct leaf_plan *plans = calloc(scene->primitive_count + 1,
                                      sizeof *plans);
@@ -395,7 +415,7 @@ static void layout_solids(struct record_layout *layout,
                         1);
     places.values = layout_values(layout, scene);
     places.primitives = layout_primitives(layout, scene, plans, interiors,
-                                          &crossings, &places.values);
+                                          images, &crossings, &places.values);
     layout_regions(layout, scene, bounding, &places);
     free(plans);
 }
@@ -462,13 +482,41 @@ static void layout_sky_pattern(struct record_layout *layout,
                  2 + MAP_NUMBERS + 2);
 }
 
+/* .. that is an image. */
+static void layout_sky_image(struct record_layout *layout,
+                             const struct pigment *sky,
+                             const uint64_t *images)
+{
+    const struct image_map *image = &sky->image;
+    double rows[PATTERN_ROWS], numbers[MAP_NUMBERS];
+    c205_word words[PATTERN_ROWS];
+
+    pattern_rows(sky, rows);
+    put_numbers(words, rows, PATTERN_ROWS);
+    layout_words(layout, layout_symbol(layout, "sky_pattern"), words,
+                 PATTERN_ROWS);
+    image_numbers(image, numbers);
+    words[0] = layout_symbol(layout, image_routine(image));
+    words[1] = layout_symbol(layout, image_sampler(image));
+    put_numbers(words + 2, numbers, MAP_NUMBERS);
+    words[2 + MAP_NUMBERS] = images[image->table->number];
+    words[2 + MAP_NUMBERS + 1] = 0;
+    layout_words(layout, layout_symbol(layout, "sky_map"), words,
+                 2 + MAP_NUMBERS + 2);
+    layout_words(layout,
+                 layout_symbol(layout, "scene_sky") + 64 * GRADIENT_STOPS,
+                 words + 2 + MAP_NUMBERS, 1);
+}
+
 static void layout_sky(struct record_layout *layout,
-                       const struct scene *scene)
+                       const struct scene *scene, const uint64_t *images)
 {
     size_t size = stops_size(&scene->sky);
     double numbers[GRADIENT_STOPS];
     c205_word words[GRADIENT_STOPS + 2], *stops;
 
+    if (scene->sky.kind == PIGMENT_IMAGE)
+        layout_sky_image(layout, &scene->sky, images);
     if (!pigment_has_map(&scene->sky))
         return;
     stops = stops_words(&scene->sky);
@@ -571,6 +619,25 @@ struct scene_layout {
     struct camera camera;
 };
 
+static void layout_things(struct record_layout *layout,
+                          const struct scene *scene, enum bounding bounding)
+{
+    uint64_t *images = images_layout(layout, scene);
+    struct interiors interiors;
+
+    if (!images)
+        return;
+    layout_sky(layout, scene, images);
+    if (interiors_find(scene, &interiors)) {
+        layout_solids(layout, scene, &interiors, images, bounding);
+        interiors_layout(layout, &interiors, scene);
+    } else {
+        layout_fail(layout, "no memory");
+    }
+    interiors_free(&interiors);
+    free(images);
+}
+
 struct scene_layout *layout_new(const struct object *program,
                                 const struct scene *scene,
                                 enum bounding bounding,
@@ -583,7 +650,6 @@ struct scene_layout *layout_new(const struct object *program,
                                     .free = program_end(program),
                                     .go_on = go_on,
                                     .context = context };
-    struct interiors interiors;
 
     if (!whole) {
         layout_fail(&layout, "no memory");
@@ -591,14 +657,7 @@ struct scene_layout *layout_new(const struct object *program,
     }
     layout.image = &whole->image;
     layout_camera(&layout, scene);
-    layout_sky(&layout, scene);
-    if (interiors_find(scene, &interiors)) {
-        layout_solids(&layout, scene, &interiors, bounding);
-        interiors_layout(&layout, &interiors, scene);
-    } else {
-        layout_fail(&layout, "no memory");
-    }
-    interiors_free(&interiors);
+    layout_things(&layout, scene, bounding);
     layout_levels(&layout, scene);
     layout_lights(&layout, scene);
     layout_fogs(&layout, scene);

@@ -20,12 +20,17 @@ void gradient_words(const struct pigment *pigment,
     }
 }
 
+static bool is_pattern(const struct pigment *pigment)
+{
+    return pigment->kind == PIGMENT_PATTERN || pigment->kind == PIGMENT_IMAGE;
+}
+
 bool scene_has_patterns(const struct scene *scene)
 {
-    bool found = scene->sky.kind == PIGMENT_PATTERN;
+    bool found = is_pattern(&scene->sky);
 
     for (size_t i = 0; i < scene->primitive_count && !found; i++)
-        found = scene->primitives[i].pigment.kind == PIGMENT_PATTERN;
+        found = is_pattern(&scene->primitives[i].pigment);
     return found;
 }
 

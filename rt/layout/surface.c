@@ -77,7 +77,7 @@ double surface_opacity(const struct pigment *pigment, int which)
 bool surface_is_metal(const struct pigment *pigment,
                       const struct finish *finish)
 {
-    bool one = pigment->kind != PIGMENT_CHECKER
+    bool one = pigment_cells(pigment) == 1
                || surface_opacity(pigment, 0) == surface_opacity(pigment, 1);
 
     return one && (finish->metallic != 0 || finish->reflection_metallic != 0);

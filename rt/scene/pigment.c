@@ -13,11 +13,31 @@ bool pigment_has_map(const struct pigment *pigment)
            || pigment->kind == PIGMENT_PATTERN;
 }
 
+/* All of a sphere and a torus is within the image. */
+bool image_is_bounded(const struct image_map *map)
+{
+    return map->once
+           && (map->mapping == IMAGE_PLANAR
+               || map->mapping == IMAGE_CYLINDRICAL);
+}
+
+int pigment_cells(const struct pigment *pigment)
+{
+    return pigment->kind == PIGMENT_CHECKER
+                   || (pigment->kind == PIGMENT_IMAGE
+                       && image_is_bounded(&pigment->image))
+               ? 2
+               : 1;
+}
+
+bool pigment_makes_sky(const struct pigment *pigment)
+{
+    return pigment_has_map(pigment) || pigment->kind == PIGMENT_IMAGE;
+}
+
 bool pigment_is_clear(const struct pigment *pigment)
 {
-    int colors = pigment->kind == PIGMENT_CHECKER ? 2 : 1;
-
-    for (int i = 0; i < colors; i++)
+    for (int i = 0; i < pigment_cells(pigment); i++)
         if (pigment->filter[i] != 0 || pigment->transmit[i] != 0)
             return true;
     return false;

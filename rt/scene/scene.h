@@ -11,6 +11,7 @@
 #include <stddef.h>
 
 #include "base/arena.h"
+#include "rt/scene/image_map.h"
 
 /* x' = rows[i][0..2] . x + rows[i][3] */
 struct transform {
@@ -88,7 +89,8 @@ enum pigment_kind {
     PIGMENT_COLOR,
     PIGMENT_CHECKER,
     PIGMENT_GRADIENT,
-    PIGMENT_PATTERN /* any other that has a map */
+    PIGMENT_PATTERN, /* any other that has a map */
+    PIGMENT_IMAGE
 };
 
 /* Colours at values from 0 to 1 that do not fall: those between are in a line
@@ -137,7 +139,8 @@ struct pattern {
 struct pigment {
     enum pigment_kind kind;
     double color[2][3];        /* checker: where floor(x)+floor(y)+floor(z)
-                                  is even, and odd; gradient: the first */
+                                  is even, and odd; image: within, and outside;
+                                  gradient: the first */
     double filter[2];          /* the share of light that passes, coloured */
     double transmit[2];        /* .. and as it is */
     struct transform to_local; /* from world points to the pattern's */
@@ -145,8 +148,14 @@ struct pigment {
                                   the point is along it, less its floor */
     struct pattern pattern;
     struct color_map map; /* of a list: its colours, at 0, 1 .. */
+    struct image_map image;
 };
 bool pigment_has_map(const struct pigment *pigment);
+/* Cells that may let different light pass: two of a checker, and of an image that
+ * is bounded; else one. */
+int pigment_cells(const struct pigment *pigment);
+/* More than a colour, in each direction of a sky. */
+bool pigment_makes_sky(const struct pigment *pigment);
 /* Light passes, for one of its colours at least. */
 bool pigment_is_clear(const struct pigment *pigment);
 /* A checker, bricks and hexagons have a list of so many colours; all others 0. */
@@ -186,8 +195,10 @@ struct region {
 struct scene {
     struct camera camera;
     double background[3];
-    struct pigment sky; /* of directions: one with a map, before the
+    struct pigment
+        sky; /* of directions: one with a map or an image, before the
                            background; any other kind: there is none */
+    size_t image_count; /* of the tables of images */
     size_t fog_count;
     struct fog fogs[FOGS_MOST];
     double ambient_light[3];

@@ -1,6 +1,7 @@
 /* plain_light.c - see plain_light.h. */
 #include "tests/oracle/plain_light.h"
 
+#include "tests/oracle/plain_image.h"
 #include "tests/oracle/plain_pattern.h"
 
 /* POV-Ray 3.7's: lights more oblique than this, and patterns nearer than this
@@ -11,13 +12,15 @@
 
 /* --- surfaces ----------------------------------------------------------- */
 
-/* Which of the two of a checker. */
+/* Which of the two of a checker; within an image, or outside. */
 static int pigment_cell(const struct pigment *pigment, const double point[3])
 {
     double local[3], sum = 0;
+    to_other_space(&pigment->to_local, point, local);
+    if (pigment->kind == PIGMENT_IMAGE)
+        return plain_image_misses(&pigment->image, local);
     if (pigment->kind != PIGMENT_CHECKER)
         return 0;
-    to_other_space(&pigment->to_local, point, local);
     for (int i = 0; i < 3; i++)
         sum += floor(local[i] + SMALL_ANGLE);
     return fmod(sum, 2) != 0;
@@ -30,6 +33,10 @@ void plain_map_color(const struct pigment *pigment, const double point[3],
     size_t last = pigment->map.count - 1, above = 0;
     double local[3];
     to_other_space(&pigment->to_local, point, local);
+    if (pigment->kind == PIGMENT_IMAGE) {
+        plain_image(&pigment->image, local, color);
+        return;
+    }
     double along = dot(local, pigment->axis);
     double value = pigment->kind == PIGMENT_GRADIENT
                        ? along - floor(along)
@@ -69,7 +76,7 @@ void plain_describe(const struct ray *ray, const struct plain_hit *hit,
     copy(surface->color, pigment->color[cell]);
     scale_by(surface->color,
              1 - pigment->filter[cell] - pigment->transmit[cell]);
-    if (pigment_has_map(pigment)) {
+    if (pigment_makes_sky(pigment) && cell == 0) {
         plain_map_color(pigment, surface->point, surface->color);
         copy(surface->pigment, surface->color);
     }

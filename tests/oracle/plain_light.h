@@ -22,7 +22,8 @@ struct plain_surface {
     double passing[3]; /* what it lets through, per channel */
 };
 
-/* The colour of a pigment with a map at a point, of a sky in a direction. */
+/* The colour of a pigment with a map or an image at a point, of a sky in a
+ * direction. */
 void plain_map_color(const struct pigment *pigment, const double point[3],
                      double color[3]);
 

@@ -229,7 +229,7 @@ static void trace_clearly(const struct plain_tracer *tracer,
     if (!hit->primitive) {
         const struct scene *scene = tracer->scene;
         copy(color, scene->background);
-        if (pigment_has_map(&scene->sky))
+        if (pigment_makes_sky(&scene->sky))
             plain_map_color(&scene->sky, path->ray.direction, color);
         return;
     }

@@ -190,7 +190,7 @@ static void test_first_colors(void **state)
         "square color rgb <1, 2, 3>, color rgb 0",
         "triangular C, C*2, C*3",
         "wood pigment_map { [0 C] [1 checker C, rgb 0] }",
-        "image_map { png \"a.png\" } color C",
+        "image_map { hdr \"a.hdr\" } color C",
     };
 
     (void)state;

@@ -75,6 +75,10 @@ frame:
         .if     PATTERNS
         .include "light/pattern_vector.s"
         .endif
+        .if     IMAGES
+        .include "light/image.s"
+        .include "light/image_vector.s"
+        .endif
         .if     GLOSS
         .include "light/mirror_vector.s"
         .endif

@@ -29,6 +29,11 @@
         .equ    QUADRATIC_PRISMS, 0
         .endif
 
+; 1: some of them are images (light/image.s).
+        .ifndef IMAGES
+        .equ    IMAGES, 0
+        .endif
+
 ; A primitive.
         .equ    SHAPE_SIZE, 16
         .equ    PATCH_CROSSINGS, 4 ; the most of a ray with a patch
@@ -42,7 +47,7 @@
                                 ;    patch s and t, on a cylinder of 1984
                                 ;    the surfaces of entry and exit
         .field  P_PIGMENT          ; 0: a colour, 1: a checker, 2: a gradient,
-                                ; 3: another pattern
+                                ; 3: another pattern, 4: an image
         .field  P_TRANSFORMED      ; 1: the shape stands in a space of its own
         .field  P_TABLE            ; address of the words that P_SHAPE has no
                                 ; room for

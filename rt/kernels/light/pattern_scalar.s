@@ -36,12 +36,26 @@ greater\@:
         pattern_axis sh0, sh1, sh2, sh3, q_x
         pattern_axis sh4, sh5, sh6, sh7, q_y
         pattern_axis sh8, sh9, sh10, sh11, q_z
+        .if     IMAGES
+        ES      image_cell, 0
+        .endif
         EX      target, find_pattern
         BSAVE   pattern_link, [target]
+        .if     IMAGES
+        IBXNE   map_stop_count, r0, r0, pattern_mapped\@
+        RTOR    y_0, color0r
+        RTOR    y_1, color0g
+        RTOR    y_2, color0b
+        BIM     pattern_coloured\@
+pattern_mapped\@:
+        .endif
         RTOR    y_0, t0
         RTOR    map_stops, sh4
         RTOR    map_stop_count, sh5
         map_colour
+        .if     IMAGES
+pattern_coloured\@:
+        .endif
         .endm
 
         .macro  pattern_axis k0, k1, k2, k3, q

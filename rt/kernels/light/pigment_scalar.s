@@ -16,11 +16,18 @@
         .regs   r74, px, py, pz
         .regs   r77, cell
         .regs   r78, a_color, color0r, color0g, color0b
+        .if     IMAGES
+        .regs   r126, image_cell, image_link
+        .endif
         .endshare
+        .if     IMAGES
+        .equ    PIGMENT_REGISTERS, 96
+        .equ    SKY_REGISTERS, 96
+        .elseif PATTERNS
         .equ    PIGMENT_REGISTERS, 46
-        .if     PATTERNS
         .equ    SKY_REGISTERS, 94
         .else
+        .equ    PIGMENT_REGISTERS, 46
         .equ    SKY_REGISTERS, 50
         .endif
 
@@ -106,7 +113,15 @@ pigment_cell:
         ELEN    arguments, 3
         SWAP    [arguments], a_point, [r0]
         SWAP    [a_point], px, [r0]
+        .if     IMAGES
+        checker_cell pigment_found, pigment_image
+        BIM     pigment_found
+pigment_image:
+        EX      target, find_image_cell
+        BSAVE   image_link, [target]
+        .else
         checker_cell pigment_found, pigment_found
+        .endif
 pigment_found:
         STO     [a_cell], cell
         leave   pigment_save, PIGMENT_REGISTERS
@@ -115,4 +130,8 @@ pigment_found:
         .if     PATTERNS
         .include "light/pattern.s"
         .include "light/pattern_scalar.s"
+        .endif
+        .if     IMAGES
+        .include "light/image.s"
+        .include "light/image_scalar.s"
         .endif

@@ -176,7 +176,11 @@ shadow_checker:
         seen_point aox, adx, px
         seen_point aoy, ady, py
         seen_point aoz, adz, pz
+        .if     IMAGES
+        EX      target, find_cells
+        .else
         EX      target, find_checker
+        .endif
         BSAVE   link_inner, [target]
         MASKV   sh4, sh0, [cr] ? [hits3]
         MASKV   sh5, sh1, [cg] ? [hits3]

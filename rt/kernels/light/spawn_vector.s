@@ -140,7 +140,11 @@ spawn_no_mirror:
         XORB    [hits3], [hits3], [hits3]
         load_field P_PIGMENT, spawn_checker
         IBXEQ   spawn_checker, r0, r0, spawn_passing
+        .if     IMAGES
+        EX      target, find_cells
+        .else
         EX      target, find_checker
+        .endif
         BSAVE   link_inner, [target]
         BIM     spawn_bend
 spawn_passing:

@@ -107,6 +107,13 @@ pigment_gradient\@:
         get_record P_PATTERN, 12, sh0
         get_record P_MAP, MAP_SIZE, map_function
         pattern_colour
+        .if     IMAGES
+        RTOR    image_cell, cell
+        IBXEQ   cell, r0, r0, pigment_found\@
+        RTOR    color1r, color0r
+        RTOR    color1g, color0g
+        RTOR    color1b, color0b
+        .endif
         BIM     pigment_found\@
 pigment_slope\@:
         .endif

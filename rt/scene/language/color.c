@@ -5,6 +5,7 @@
  * terms that follow replace its own.
  */
 #include "rt/scene/language/expression.h"
+#include "rt/scene/transfer.h"
 
 #include <math.h>
 #include <string.h>
@@ -59,11 +60,10 @@ bool starts_color(const struct reader *reader)
            || (value && value->is.numbers.count == COLOR_TERMS);
 }
 
-/* IEC 61966-2-1, then to the scene's own gamma. */
+/* Linear light, then of the scene's own gamma. */
 static double from_srgb(double value, double gamma)
 {
-    double linear = value <= 0.04045 ? value / 12.92
-                                     : pow((value + 0.055) / 1.055, 2.4);
+    double linear = srgb_light(value);
 
     return gamma > 0 && gamma != 1 && linear > 0 ? pow(linear, 1 / gamma)
                                                  : linear;

@@ -15,8 +15,9 @@
 
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/formula.h"
-#include "rt/scene/language/string_value.h"
+#include "rt/scene/language/image_file.h"
 #include "rt/scene/palette.h"
+#include "rt/scene/transfer.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -60,17 +61,6 @@ static bool check_size(struct reader *reader, const struct scene_token *at,
 
 /* ---- Pixels -------------------------------------------------------------- */
 
-/* POV-Ray's floats have 32 bits, which is seen where the rest is cut. */
-static uint32_t png_grey(float share)
-{
-    float red = share * .297f, green = share * .589f, blue = share * .114f;
-    float sum = red + green;
-
-    sum = sum + blue;
-    sum = sum * UINT8_MAX;
-    return 257 * (uint32_t)sum;
-}
-
 static uint32_t brightness(const float color[3])
 {
     double sum = .297 * (double)color[0] + .589 * (double)color[1]
@@ -92,7 +82,7 @@ static uint32_t grey_height(const struct pixels *pixels, uint32_t sample)
 
     if (pixels->kind == RASTER_PNG && most == UINT8_MAX
         && pixels->raster.channels == 1)
-        return png_grey((float)sample / (float)most);
+        return 257 * grey_png_steps((float)sample / (float)most);
     return (uint32_t)((uint64_t)sample * UINT16_MAX / most);
 }
 
@@ -151,106 +141,50 @@ static bool take_pixels(struct reader *reader, const struct scene_token *at,
 
 /* ---- Images -------------------------------------------------------------- */
 
-/* The words for the kinds; those that are not supported have none. */
-static const struct image_word {
-    const char *word;
-    enum raster_kind kind;
-} image_words[] = {
-    { "bmp", RASTER_BMP },   { "exr", RASTER_KINDS }, { "gif", RASTER_GIF },
-    { "hdr", RASTER_KINDS }, { "iff", RASTER_KINDS }, { "jpeg", RASTER_JPEG },
-    { "pgm", RASTER_PGM },   { "png", RASTER_PNG },   { "pot", RASTER_KINDS },
-    { "ppm", RASTER_PPM },   { "sys", RASTER_KINDS }, { "tga", RASTER_TGA },
-    { "tiff", RASTER_TIFF },
-};
-
-static const struct image_word *image_word(const struct scene_token *token)
-{
-    for (size_t i = 0; i < sizeof image_words / sizeof *image_words; i++)
-        if (is_token(token, image_words[i].word))
-            return &image_words[i];
-    return NULL;
-}
-
 /* .. into pixels; the bytes may be changed. */
-static bool read_pixels(struct reader *reader, const struct scene_token *at,
-                        char *bytes, size_t length, struct pixels *pixels)
+static bool read_pixels(struct reader *reader, const struct image_file *file,
+                        char *bytes, struct pixels *pixels)
 {
-    raster_reader *reads = reader->options ? reader->options->read_raster
-                                           : NULL;
-    c205_error error;
+    size_t length = file->source->length;
 
+    pixels->kind = file->kind;
     pixels->coarse = pixels->kind == RASTER_TGA && length > TGA_BITS
                      && (bytes[TGA_BITS] == 15 || bytes[TGA_BITS] == 16);
     pixels->numbers = palette_is_used(pixels->kind, bytes, length);
     if (pixels->numbers && !palette_to_numbers(pixels->kind, bytes, length))
-        return reader_fault(reader, at,
+        return reader_fault(reader, &file->at,
                             "the image's table of colours is "
                             "broken");
-    return raster_read(pixels->kind, bytes, length, reads, &pixels->raster,
-                       &error)
-           || reader_fault(reader, at, "the image cannot be read: %s",
-                           error.message);
+    return image_file_pixels(reader, file, bytes, &pixels->raster);
 }
 
-static bool take_source(struct reader *reader, const struct scene_token *at,
-                        const struct scene_source *source,
-                        struct pixels *pixels, struct heights *heights)
+static bool take_file(struct reader *reader, const struct image_file *file,
+                      struct heights *heights)
 {
+    const struct scene_source *source = file->source;
+    struct pixels pixels;
     char *bytes = malloc(source->length + 1);
     bool done;
 
     if (!bytes)
         return reader_no_memory(reader);
+    memset(&pixels, 0, sizeof pixels);
     memcpy(bytes, source->text, source->length);
-    done = read_pixels(reader, at, bytes, source->length, pixels)
-           && take_pixels(reader, at, pixels, heights);
-    free(pixels->raster.samples);
+    done = read_pixels(reader, file, bytes, &pixels)
+           && take_pixels(reader, &file->at, &pixels, heights);
+    free(pixels.raster.samples);
     free(bytes);
     return done;
 }
 
-/* A word that says what the file is not is an error, as in POV-Ray. */
-static bool read_file(struct reader *reader, const struct image_word *word,
-                      const struct scene_token *at, const char *name,
-                      struct heights *heights)
-{
-    const struct scene_source *source = reader_find(reader, at, name);
-    struct pixels pixels;
-
-    if (!source)
-        return false;
-    if (source->length == 0)
-        return reader_fault(reader, at, "the file is empty");
-    memset(&pixels, 0, sizeof pixels);
-    pixels.kind = raster_kind_of(source->text, source->length);
-    if (word && word->kind != pixels.kind)
-        return reader_fault(reader, at, "the file is not '%s'", word->word);
-    return take_source(reader, at, source, &pixels, heights);
-}
-
 static bool read_image(struct reader *reader, struct heights *heights)
 {
-    const struct image_word *word = image_word(&reader->token);
-    struct scene_token at;
-    char *name;
-    bool done;
+    struct image_file file;
 
-    if (word && word->kind == RASTER_KINDS)
-        return reader_fault(reader, &reader->token,
-                            "images of the kind '%s' are not supported",
-                            word->word);
-    if (word)
-        reader_next(reader);
-    if (!starts_string(reader))
-        return reader_expected(reader, word ? "the name of an image"
-                                            : "the kind of an image, its "
-                                              "name, or 'function'");
-    at = reader->token;
-    if (!file_name_read(reader, &name))
-        return false;
-    done = read_file(reader, word, &at, name, heights);
-    free(name);
-    return done;
+    return image_file_read(reader,
+                           "the kind of an image, its name, or 'function'",
+                           &file)
+           && take_file(reader, &file, heights);
 }
 
 /* ---- Functions ----------------------------------------------------------- */

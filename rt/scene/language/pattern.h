@@ -17,7 +17,6 @@
     { "density_file", read, 0 }, { "dents", read, 0 }, \
     { "facets", read, 0 }, { "function", read, 0 }, \
     { "granite", read, 0 }, \
-    { "image_map", read, 0 }, \
     { "image_pattern", read, 0 }, { "julia", read, 0 }, \
     { "magnet", read, 0 }, \
     { "mandel", read, 0 }, { "marble", read, 0 }, { "object", read, 0 }, \
@@ -41,7 +40,7 @@
 /* clang-format on */
 
 /* Into a pigment: such a pattern, and what changes it. */
-item_reader pattern_read, checker_read;
+item_reader pattern_read, checker_read, image_map_read;
 extern const struct keyword pattern_words[];
 /* Of a pigment that has been read: a gradient that was changed is another pattern;
  * the map that a pattern has unless it is given; the two colours of a checker. */

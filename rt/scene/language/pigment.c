@@ -1,4 +1,4 @@
-/* pigment.c - pigments: a colour, a checker of two, patterns of a map. */
+/* pigment.c - pigments: a colour, a checker of two, patterns of a map, images. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/pattern.h"
 #include "rt/scene/vector.h"
@@ -251,6 +251,7 @@ static const struct keyword color_words[] = {
 static const struct keyword words[] = {
     { "checker", checker_read, 0 },
     { "gradient", read_gradient, 0 },
+    { "image_map", image_map_read, 0 },
     { "color_map", read_color_map, 0 },
     { "colour_map", read_color_map, 0 },
     { "pigment_map", read_pigment_map, 0 },

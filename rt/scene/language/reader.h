@@ -75,7 +75,9 @@ struct reader {
     struct texture default_texture;
     struct scene_object world;
     size_t primitives_made, triangles;
-    size_t interiors; /* the greatest number of one */
+    size_t interiors;                /* the greatest number of one */
+    const struct kept_image *images; /* the last one (image_map.c) */
+    size_t image_pixels;             /* of all of them */
     struct scene *scene;
     bool camera_given;
     struct scene_token fog; /* the first one, if the scene has any */

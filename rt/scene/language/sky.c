@@ -61,7 +61,11 @@ void sky_take(struct reader *reader, const struct sky_setting *sky,
     if (sky->pigments == 0)
         return;
     scene->sky = *pigment;
-    if (pigment_has_map(pigment))
+    if (pigment->kind == PIGMENT_IMAGE && image_is_bounded(&pigment->image)) {
+        reader_report(reader, at, "an image that is a sky once is repeated");
+        scene->sky.image.once = false;
+    }
+    if (pigment_makes_sky(pigment))
         return;
     if (pigment->kind == PIGMENT_CHECKER)
         reader_report(reader, at,

@@ -273,6 +273,7 @@ static const struct keyword texture_words[] = {
     { "finish", read_finish, 0 },
     STEP_WORDS(read_step),
     { "gradient", read_pattern, 0 },
+    { "image_map", read_pattern, 0 },
     PATTERN_FUNCTION_WORDS(read_pattern),
     PATTERN_WORDS(read_pattern),
     { "checker", read_pattern, 0 },

@@ -1,0 +1,86 @@
+/* transfer.c - see transfer.h.
+ *
+ * Source: the Portable Network Graphics specification (W3C, second edition).
+ */
+#include "rt/scene/transfer.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A chunk of a PNG file: its length, its name, what it holds, a check sum. */
+enum { PNG_FIRST = 8, PNG_HEAD = 8, PNG_TAIL = 4 };
+#define PNG_GAMMA 100000. /* of one */
+
+static uint32_t long_at(const char *bytes, size_t i)
+{
+    const unsigned char *b = (const unsigned char *)bytes + i;
+
+    return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8
+           | b[3];
+}
+
+/* What a file has samples to the power of; 0: it says nothing, or sRGB. */
+static double png_power(const char *bytes, size_t length)
+{
+    double power = 0;
+    size_t at = PNG_FIRST, size;
+
+    for (; length - at >= PNG_HEAD + PNG_TAIL;
+         at += PNG_HEAD + size + PNG_TAIL) {
+        const char *name = bytes + at + 4;
+        size = long_at(bytes, at);
+        if (size > length - at - PNG_HEAD - PNG_TAIL
+            || !memcmp(name, "IDAT", 4))
+            break;
+        if (!memcmp(name, "sRGB", 4))
+            return 0;
+        if (!memcmp(name, "gAMA", 4) && size == 4)
+            power = long_at(bytes, at + PNG_HEAD) / PNG_GAMMA;
+    }
+    return power;
+}
+
+struct transfer_function transfer_of(enum raster_kind kind, const char *bytes,
+                                     size_t length)
+{
+    struct transfer_function transfer = { TRANSFER_SRGB, 1 };
+    double power;
+
+    if (kind == RASTER_TIFF || kind == RASTER_PGM || kind == RASTER_PPM)
+        transfer.kind = TRANSFER_NONE;
+    power = kind == RASTER_PNG ? png_power(bytes, length) : 0;
+    if (power > 0)
+        transfer = (struct transfer_function){ TRANSFER_POWER, 1 / power };
+    return transfer;
+}
+
+double srgb_light(double share)
+{
+    return share <= 0.04045 ? share / 12.92
+                            : pow((share + 0.055) / 1.055, 2.4);
+}
+
+double transfer_light(const struct transfer_function *transfer, double share,
+                      double assumed_gamma)
+{
+    double light;
+
+    if (transfer->kind == TRANSFER_NONE)
+        return share;
+    light = transfer->kind == TRANSFER_SRGB ? srgb_light(share)
+                                            : pow(share, transfer->exponent);
+    return assumed_gamma > 0 && assumed_gamma != 1
+               ? pow(light, 1 / assumed_gamma)
+               : light;
+}
+
+/* POV-Ray's floats have 32 bits, which is seen where the rest is cut. */
+uint32_t grey_png_steps(float share)
+{
+    float red = share * .297f, green = share * .589f, blue = share * .114f;
+    float sum = red + green;
+
+    sum = sum + blue;
+    sum = sum * UINT8_MAX;
+    return (uint32_t)sum;
+}
