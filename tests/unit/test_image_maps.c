@@ -1,0 +1,465 @@
+/* image_map: what the samples of files of all kinds stand for, as POV-Ray 3.7's
+ * pictures of the same bytes show it; its words; what is no image_map. */
+#include "rt/picture/picture.h"
+#include "rt/shapes/primitive.h"
+#include "tests/unit/scene_reading.h"
+
+#include <stdio.h>
+#include <unistd.h>
+
+#define SEEN 6e-5 /* four places of POV-Ray's pictures */
+
+static const struct scene_options with_images = {
+    .width = 640, .height = 480, .read_raster = picture_read_raster
+};
+
+/* ---- Files --------------------------------------------------------------- */
+
+static char path[64];
+
+static void keep(const char *bytes, size_t count)
+{
+    FILE *file = fopen(path, "wb");
+
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, count, file), count);
+    assert_int_equal(fclose(file), 0);
+}
+
+/* Of a sphere in the image that words say; before: what stands before it. */
+static struct scene *read_image(const char *before, const char *words,
+                                struct diagnostics *reports)
+{
+    char text[1000];
+
+    snprintf(text, sizeof text, "%s sphere { 0, 1 pigment { image_map { ",
+             before);
+    snprintf(text + strlen(text), sizeof text - strlen(text), words, path);
+    strcat(text, " } } }");
+    return scene_read_text("test.pov", text, &with_images, reports);
+}
+
+/* With so many reports, of which one says so. */
+static struct scene *expect_reports(const char *before, const char *words,
+                                    size_t count, const char *message)
+{
+    struct diagnostics reports = { 0 };
+    struct scene *scene = read_image(before, words, &reports);
+
+    if (!scene || reports.count != count
+        || (count > 0 && !strstr(reports.items->message, message))) {
+        diagnostics_print(&reports, stderr);
+        fail_msg("not %zu reports: '%s'", count, message);
+    }
+    assert_int_equal(scene->primitives->pigment.kind, PIGMENT_IMAGE);
+    diagnostics_free(&reports);
+    return scene;
+}
+
+static void expect_fault(const char *words, size_t column,
+                         const char *message)
+{
+    struct diagnostics reports = { 0 };
+    struct scene *scene = read_image("", words, &reports);
+
+    if (scene || reports.count != 1
+        || reports.items->column
+               != column + sizeof "sphere { 0, 1 pigment { image_map { "
+        || !strstr(reports.items->message, message)) {
+        diagnostics_print(&reports, stderr);
+        fail_msg("not '%s' at %zu", message, column);
+    }
+    diagnostics_free(&reports);
+}
+
+static const struct image_map *map_of(const struct scene *scene)
+{
+    return &scene->primitives->pigment.image;
+}
+
+/* ---- Samples ------------------------------------------------------------- */
+
+/* Images of one row: 0, 10, 11, 64, 128, 200, 250, 255 of 255, or as many of
+ * 65535. */
+enum { SHADES = 8 };
+#define GREYS "\x00\x0a\x0b@\x80\xc8\xfa\xff"
+#define GREYS16 "\0\0\x0a\x0a\x0b\x0b@@\x80\x80\xc8\xc8\xfa\xfa\xff\xff"
+#define COLORS \
+    "\0\0\0\x0a\x0a\x0a\x0b\x0b\x0b@@@\x80\x80\x80\xc8\xc8\xc8\xfa\xfa\xfa" \
+    "\xff\xff\xff"
+#define FILE_OF(bytes) bytes, sizeof bytes - 1
+
+/* What POV-Ray shows them as. */
+static const double as_they_are[SHADES] = { 0,     .0392, .0431, .2510,
+                                            .5020, .7843, .9804, 1 };
+static const double as_srgb[SHADES] = { 0,     .0030, .0033, .0513,
+                                        .2159, .5776, .9560, 1 };
+static const double to_the_2_2[SHADES] = { 0,     .0008, .0010, .0478,
+                                           .2195, .5860, .9574, 1 };
+static const double grey_png[SHADES] = { 0,     0,     0,     .0510,
+                                         .2157, .5765, .9529, 1 };
+static const double grey_png_1[SHADES] = { 0,     .0353, .0431, .2510,
+                                           .5020, .7804, .9804, 1 };
+static const double grey_png_2_2[SHADES] = { 0,     0,     0,     .0471,
+                                             .2157, .5843, .9569, 1 };
+
+#define GREY_PNG \
+    "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00" \
+    "\x00\x08\x00\x00\x00\x01\x08\x00\x00\x00\x00\xc6k\xb0" \
+    "\x9f\x00\x00\x00\x11IDATx\x9c\x63`\xe0\xe2vh8\xf1\xeb" \
+    "\x3f\x00\x09\x1c\x03\x97\x90\x37\x30\x14\x00\x00\x00" \
+    "\x00IEND\xae\x42`\x82"
+#define GREY_PNG_1 \
+    "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00" \
+    "\x00\x08\x00\x00\x00\x01\x08\x00\x00\x00\x00\xc6k\xb0" \
+    "\x9f\x00\x00\x00\x04gAMA\x00\x01\x86\xa0\x31\xe8\x96_" \
+    "\x00\x00\x00\x11IDATx\x9c\x63`\xe0\xe2vh8\xf1\xeb\x3f" \
+    "\x00\x09\x1c\x03\x97\x90\x37\x30\x14\x00\x00\x00\x00IE" \
+    "ND\xae\x42`\x82"
+#define GREY_PNG_2_2 \
+    "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00" \
+    "\x00\x08\x00\x00\x00\x01\x08\x00\x00\x00\x00\xc6k\xb0" \
+    "\x9f\x00\x00\x00\x04gAMA\x00\x00\xb1\x8f\x0b\xfc\x61" \
+    "\x05\x00\x00\x00\x11IDATx\x9c\x63`\xe0\xe2vh8\xf1\xeb" \
+    "\x3f\x00\x09\x1c\x03\x97\x90\x37\x30\x14\x00\x00\x00" \
+    "\x00IEND\xae\x42`\x82"
+#define GREY_PNG_SRGB \
+    "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00" \
+    "\x00\x08\x00\x00\x00\x01\x08\x00\x00\x00\x00\xc6k\xb0" \
+    "\x9f\x00\x00\x00\x01sRGB\x00\xae\xce\x1c\xe9\x00\x00" \
+    "\x00\x11IDATx\x9c\x63`\xe0\xe2vh8\xf1\xeb\x3f\x00\x09" \
+    "\x1c\x03\x97\x90\x37\x30\x14\x00\x00\x00\x00IEND\xae" \
+    "\x42`\x82"
+#define GREY_PNG_16 \
+    "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00" \
+    "\x00\x08\x00\x00\x00\x01\x10\x00\x00\x00\x00\x96\xfbl" \
+    "\xdc\x00\x00\x00\x19IDATx\x9c\x63``\xe0\xe2\xe2\xe6vph" \
+    "h8q\xe2\xd7\xaf\xff\xff\x01 \xc7\x07-\x1f\x30\x14]\x00" \
+    "\x00\x00\x00IEND\xae\x42`\x82"
+#define COLOR_PNG \
+    "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00" \
+    "\x00\x08\x00\x00\x00\x01\x08\x02\x00\x00\x00lbx\x14" \
+    "\x00\x00\x00\x22IDATx\x9c\x63```\xe0\xe2\xe2\xe2\xe6" \
+    "\xe6vpphhh8q\xe2\xc4\xaf_\xbf\xfe\xff\xff\x0f\x00G\x02" \
+    "\x0a\xc3JI|\xff\x00\x00\x00\x00IEND\xae\x42`\x82"
+#define TABLE_PNG \
+    "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00" \
+    "\x00\x08\x00\x00\x00\x01\x08\x03\x00\x00\x00\xd4\xde" \
+    "\x1fq\x00\x00\x00\x18PLTE\x00\x00\x00\x0a\x0a\x0a\x0b" \
+    "\x0b\x0b@@@\x80\x80\x80\xc8\xc8\xc8\xfa\xfa\xfa\xff" \
+    "\xff\xff\x62-#\x97\x00\x00\x00\x11IDATx\x9c\x63``dbfae" \
+    "c\x07\x00\x00]\x00\x1d\xb3\xba\xa5\x0a\x00\x00\x00\x00" \
+    "IEND\xae\x42`\x82"
+#define CLEAR_PNG \
+    "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00" \
+    "\x00\x08\x00\x00\x00\x01\x08\x04\x00\x00\x00I\x09'\xc8" \
+    "\x00\x00\x00\x1aIDATx\x9c\x63`\xf8\xcf\xf5\x90\xfb\xb0" \
+    "\xc3\xd2\x86\xf6\x13\x99\xbf\xbc\xff\xeb\x02\x00\x41" \
+    "\x8f\x08G,\xf7\xb7\x8c\x00\x00\x00\x00IEND\xae\x42`" \
+    "\x82"
+
+#define COLOR_TIFF \
+    "II*\x00\x08\x00\x00\x00\x0a\x00\x00\x01\x03\x00\x01" \
+    "\x00\x00\x00\x08\x00\x00\x00\x01\x01\x03\x00\x01\x00" \
+    "\x00\x00\x01\x00\x00\x00\x02\x01\x03\x00\x03\x00\x00" \
+    "\x00\x86\x00\x00\x00\x03\x01\x03\x00\x01\x00\x00\x00" \
+    "\x01\x00\x00\x00\x06\x01\x03\x00\x01\x00\x00\x00\x02" \
+    "\x00\x00\x00\x11\x01\x04\x00\x01\x00\x00\x00\x8c\x00" \
+    "\x00\x00\x15\x01\x03\x00\x01\x00\x00\x00\x03\x00\x00" \
+    "\x00\x16\x01\x03\x00\x01\x00\x00\x00\x01\x00\x00\x00" \
+    "\x17\x01\x04\x00\x01\x00\x00\x00\x18\x00\x00\x00\x1c" \
+    "\x01\x03\x00\x01\x00\x00\x00\x01\x00\x00\x00\x00\x00" \
+    "\x00\x00\x08\x00\x08\x00\x08\x00\x00\x00\x00\x0a\x0a" \
+    "\x0a\x0b\x0b\x0b@@@\x80\x80\x80\xc8\xc8\xc8\xfa\xfa" \
+    "\xfa\xff\xff\xff"
+
+#define TABLE_GIF \
+    "GIF89a\x08\x00\x01\x00\xa2\x00\x00\x00\x00\x00\x0a\x0a" \
+    "\x0a\x0b\x0b\x0b@@@\x80\x80\x80\xc8\xc8\xc8\xfa\xfa" \
+    "\xfa\xff\xff\xff,\x00\x00\x00\x00\x08\x00\x01\x00\x00" \
+    "\x03\x06\x08!8Th\x97\x00;"
+#define COLOR_BMP \
+    "BMN\x00\x00\x00\x00\x00\x00\x00\x36\x00\x00\x00(\x00" \
+    "\x00\x00\x08\x00\x00\x00\x01\x00\x00\x00\x01\x00\x18" \
+    "\x00\x00\x00\x00\x00\x18\x00\x00\x00\x13\x0b\x00\x00" \
+    "\x13\x0b\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00" \
+    "\x00\x00\x0a\x0a\x0a\x0b\x0b\x0b@@@\x80\x80\x80\xc8" \
+    "\xc8\xc8\xfa\xfa\xfa\xff\xff\xff"
+
+static const struct known_file {
+    const char *word;
+    const char *bytes;
+    size_t count;
+    const double *light;
+} known_files[] = {
+    { "pgm", FILE_OF("P5\n8 1\n255\n" GREYS), as_they_are },
+    { "pgm", FILE_OF("P5\n8 1\n65535\n" GREYS16), as_they_are },
+    { "ppm", FILE_OF("P6\n8 1\n255\n" COLORS), as_they_are },
+    { "tiff", FILE_OF(COLOR_TIFF), as_they_are },
+    { "tga", FILE_OF("\0\0\x02\0\0\0\0\0\0\0\0\0\x08\0\x01\0\x18\x20" COLORS),
+      as_srgb },
+    { "tga", FILE_OF("\0\0\x03\0\0\0\0\0\0\0\0\0\x08\0\x01\0\x08\x20" GREYS),
+      as_srgb },
+    { "bmp", FILE_OF(COLOR_BMP), as_srgb },
+    { "gif", FILE_OF(TABLE_GIF), as_srgb },
+    { "png", FILE_OF(COLOR_PNG), as_srgb },
+    { "png", FILE_OF(TABLE_PNG), as_srgb },
+    { "png", FILE_OF(GREY_PNG_16), as_srgb },
+    { "png", FILE_OF(GREY_PNG), grey_png },
+    { "png", FILE_OF(GREY_PNG_SRGB), grey_png },
+    { "png", FILE_OF(GREY_PNG_1), grey_png_1 },
+    { "png", FILE_OF(GREY_PNG_2_2), grey_png_2_2 },
+};
+
+static void check_light(const struct scene *scene, const char *what,
+                        const double light[SHADES])
+{
+    const struct image_table *table = map_of(scene)->table;
+
+    assert_int_equal(table->width, SHADES);
+    assert_int_equal(table->height, 1);
+    for (size_t i = 0; i < 3 * SHADES; i++) {
+        double found = table->light[table->samples[i]];
+        if (fabs(found - light[i / 3]) > SEEN)
+            fail_msg("%s, sample %zu: %.6f, not %.4f", what, i, found,
+                     light[i / 3]);
+    }
+}
+
+static void expect_light(const char *before, const char *words,
+                         const double light[SHADES])
+{
+    struct scene *scene = expect_reports(before, words, 0, "");
+
+    check_light(scene, words, light);
+    scene_free(scene);
+}
+
+static void test_kinds(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < COUNT(known_files); i++) {
+        const struct known_file *file = &known_files[i];
+        char words[20];
+        keep(file->bytes, file->count);
+        snprintf(words, sizeof words, "%s \"%%s\"", file->word);
+        expect_light("#version 3.7;", words, file->light);
+        expect_light("", "\"%s\"", file->light);
+    }
+}
+
+/* What is said takes the place of what the file says, or its kind. */
+static void test_gammas(void **state)
+{
+    static const double working[SHADES] = { 0,     .0717, .0750, .2592,
+                                            .4981, .7792, .9797, 1 };
+
+    (void)state;
+    keep(FILE_OF("P5\n8 1\n255\n" GREYS));
+    expect_light("", "\"%s\" gamma srgb", as_srgb);
+    expect_light("", "\"%s\" gamma 2.2", to_the_2_2);
+    expect_light("global_settings { assumed_gamma 2.2 }", "\"%s\"",
+                 as_they_are);
+    keep(FILE_OF(GREY_PNG_1));
+    expect_light("", "\"%s\" gamma 2.2", grey_png_2_2);
+    expect_light("", "\"%s\" gamma srgb", grey_png);
+    keep(FILE_OF(COLOR_PNG));
+    expect_light("", "\"%s\" gamma 1", as_they_are);
+    expect_light("global_settings { assumed_gamma 2.2 }", "\"%s\"", working);
+    expect_light("#version 3.6;", "\"%s\"", as_they_are);
+    expect_light("#version 3.6;", "\"%s\" gamma 2.2", to_the_2_2);
+}
+
+/* ---- Words --------------------------------------------------------------- */
+
+static void expect_map(const char *words, enum image_mapping mapping,
+                       enum image_sampling sampling, bool once, bool clear)
+{
+    struct scene *scene = expect_reports("", words, 0, "");
+    const struct image_map *map = map_of(scene);
+
+    assert_int_equal(map->mapping, mapping);
+    assert_int_equal(map->sampling, sampling);
+    assert_int_equal(map->once, once);
+    assert_int_equal(pigment_is_clear(&scene->primitives->pigment), clear);
+    assert_int_equal(pigment_cells(&scene->primitives->pigment), 1 + clear);
+    scene_free(scene);
+}
+
+static void test_words(void **state)
+{
+    (void)state;
+    keep(FILE_OF("P6\n8 1\n255\n" COLORS));
+    expect_map("\"%s\"", IMAGE_PLANAR, IMAGE_NEAREST, false, false);
+    expect_map("ppm \"%s\" map_type 0 once", IMAGE_PLANAR, IMAGE_NEAREST,
+               true, true);
+    expect_map("<1, -1, 0> ppm \"%s\" map_type 1 once interpolate 2",
+               IMAGE_SPHERICAL, IMAGE_BILINEAR, true, false);
+    expect_map("\"%s\" once map_type 2 interpolate 4", IMAGE_CYLINDRICAL,
+               IMAGE_BY_DISTANCE, true, true);
+    expect_map("\"%s\" interpolate 2.7 map_type 5 once use_color",
+               IMAGE_TORUS, IMAGE_BILINEAR, true, false);
+    expect_map("\"%s\" map_type 2 use_alpha premultiplied off",
+               IMAGE_CYLINDRICAL, IMAGE_NEAREST, false, false);
+}
+
+/* One table of a file and a gamma. */
+static void test_tables(void **state)
+{
+    char text[600];
+    struct scene *scene;
+
+    (void)state;
+    keep(FILE_OF("P6\n8 1\n255\n" COLORS));
+    snprintf(text, sizeof text,
+             "#declare P = pigment { image_map { \"%s\" } }\n"
+             "sphere { 0, 1 pigment { P } }\n"
+             "sphere { 0, 1 pigment { image_map { ppm \"%s\" once } } }\n"
+             "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }\n"
+             "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }",
+             path, path, path, path);
+    scene = read_scene(text);
+    assert_int_equal(scene->image_count, 2);
+    for (size_t i = 0; i < 4; i++)
+        assert_int_equal(scene->primitives[i].pigment.image.table->number,
+                         i / 2);
+    scene_free(scene);
+}
+
+/* ---- What is left out, and what is none ---------------------------------- */
+
+static void expect_report(const char *words, const char *message)
+{
+    scene_free(expect_reports("", words, 1, message));
+}
+
+static void test_reports(void **state)
+{
+    (void)state;
+    keep(FILE_OF(CLEAR_PNG));
+    expect_report("png \"%s\"", "lets light pass");
+    keep(FILE_OF("P6\n8 1\n255\n" COLORS));
+    expect_report("\"%s\" filter all .5", "lets light pass");
+    expect_report("\"%s\" transmit 3, .5", "lets light pass");
+    expect_report("\"%s\" map_type 7", "'map_type 7'");
+    expect_report("\"%s\" interpolate 3", "'interpolate 3'");
+    expect_report("\"%s\" offset <.5, 0>", "'offset'");
+    expect_report("<1, 0, -1> \"%s\"", "the way of an image");
+}
+
+/* Drawn black. */
+static void test_kinds_left_out(void **state)
+{
+    static const char *const words[] = { "hdr \"a.hdr\" once",
+                                         "exr \"a.exr\" gamma 2",
+                                         "function 9, 9 { x }",
+                                         "pigment 9, 9 { rgb 1 }" };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(words); i++) {
+        char text[200];
+        struct scene *scene;
+        snprintf(text, sizeof text,
+                 "sphere { 0, 1 pigment { image_map { %s } scale 2 } }",
+                 words[i]);
+        scene = read_with(text, 1);
+        assert_int_equal(scene->primitives->pigment.kind, PIGMENT_COLOR);
+        assert_vector(scene->primitives->pigment.color[0], 0, 0, 0);
+        scene_free(scene);
+    }
+}
+
+/* A sky goes on for ever. */
+static void test_sky(void **state)
+{
+    char text[200];
+    struct scene *scene;
+
+    (void)state;
+    keep(FILE_OF("P6\n8 1\n255\n" COLORS));
+    snprintf(
+        text, sizeof text,
+        "sky_sphere { pigment { image_map { \"%s\" map_type 1 once } } }",
+        path);
+    scene = read_scene(text);
+    assert_int_equal(scene->sky.kind, PIGMENT_IMAGE);
+    assert_true(scene->sky.image.once);
+    scene_free(scene);
+    snprintf(text, sizeof text,
+             "sky_sphere { pigment { image_map { \"%s\" once } } }", path);
+    scene = read_with(text, 1);
+    assert_false(scene->sky.image.once);
+    scene_free(scene);
+}
+
+static void test_faults(void **state)
+{
+    static const struct line_error errors[] = {
+        { "sphere { 0, 1 pigment { image_map { \"no.png\" } } }", 37,
+          "no such file" },
+        { "sphere { 0, 1 pigment { image_map { png \"no.png\" } } }", 41,
+          "no such file" },
+        { "sphere { 0, 1 pigment { image_map { once } } }", 37,
+          "the kind of an image, or its name" },
+        { "sphere { 0, 1 pigment { image_map { png once } } }", 41,
+          "the name of an image" },
+    };
+
+    (void)state;
+    assert_errors(errors, COUNT(errors));
+    keep(FILE_OF("P6\n8 1\n255\n" COLORS));
+    expect_fault("png \"%s\"", 5, "the file is not 'png'");
+    expect_fault("\"%s\" interpolate 1", 4 + strlen(path),
+                 "'interpolate' is 2, 3 or 4");
+    expect_fault("\"%s\" gamma 0", 4 + strlen(path), "not above 0");
+    expect_fault("\"%s\" wibble", 4 + strlen(path),
+                 "expected a word of image_map");
+    keep("", 0);
+    expect_fault("\"%s\"", 1, "the file is empty");
+    keep(FILE_OF("P6\n8 1\n255\n"));
+    expect_fault("\"%s\"", 1, "only 0 of its 24 samples");
+    keep(FILE_OF("P6\n9999 9999\n255\n"));
+    expect_fault("\"%s\"", 1, "more than 8388608 pixels");
+}
+
+/* Each of two images is within it. */
+static void test_limit(void **state)
+{
+    enum { SIDE = 2100, PIXELS = SIDE * SIDE };
+    char *bytes = calloc(1, 100 + PIXELS), text[400];
+    struct diagnostics reports = { 0 };
+    int head = sprintf(bytes, "P5\n%d %d\n255\n", SIDE, SIDE);
+
+    (void)state;
+    keep(bytes, (size_t)head + PIXELS);
+    free(bytes);
+    scene_free(expect_reports("", "\"%s\"", 0, ""));
+    snprintf(text, sizeof text,
+             "sphere { 0, 1 pigment { image_map { \"%s\" } } }\n"
+             "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }",
+             path, path);
+    assert_null(scene_read_text("test.pov", text, &with_images, &reports));
+    assert_int_equal(reports.count, 1);
+    assert_int_equal(reports.items->line, 2);
+    assert_int_equal(reports.items->column, 37);
+    assert_non_null(strstr(reports.items->message,
+                           "the images of the scene have more than 8388608"));
+    diagnostics_free(&reports);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_kinds),   cmocka_unit_test(test_gammas),
+        cmocka_unit_test(test_words),   cmocka_unit_test(test_tables),
+        cmocka_unit_test(test_reports), cmocka_unit_test(test_kinds_left_out),
+        cmocka_unit_test(test_sky),     cmocka_unit_test(test_faults),
+        cmocka_unit_test(test_limit),
+    };
+    int result;
+
+    snprintf(path, sizeof path, "/tmp/rt205-images-%ld", (long)getpid());
+    result = cmocka_run_group_tests(tests, NULL, NULL);
+    remove(path);
+    return result;
+}
