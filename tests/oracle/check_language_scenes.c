@@ -38,6 +38,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum {
     WIDTH = LANGUAGE_WIDTH,
@@ -493,6 +494,16 @@ static bool check_scene(size_t number, bool first)
     return judgement.fault == NO_FAULT;
 }
 
+/* Whole, for all that run at once here. */
+static void keep_image(void)
+{
+    char path[PATH];
+    snprintf(path, sizeof path, "%s.%ld", LANGUAGE_IMAGE, (long)getpid());
+    keep_scene(path, language_image);
+    if (rename(path, LANGUAGE_IMAGE) != 0)
+        give_up("the image for the scenes cannot be kept");
+}
+
 int main(int count, char **words)
 {
     c205_error error;
@@ -501,6 +512,7 @@ int main(int count, char **words)
     model = c205_model_find("cyber205-2pipe", &error);
     if (!model)
         give_up(error.message);
+    keep_image();
     int code = check_many_ahead(count, words, check_scene, begin_scene,
                                 AHEAD);
     c205_model_free(model);

@@ -194,9 +194,11 @@ static void say_mapped(struct language *draw)
 
 static void say_plain_color(struct language *draw)
 {
+    begin_image(draw, 4);
     begin_line(draw);
     say_color(draw);
     end_line(draw);
+    end_image(draw);
 }
 
 static void say_clear_color(struct language *draw)

@@ -33,6 +33,7 @@ enum { LANGUAGE_ELEMENTS = 4 }; /* of an array */
 struct language {
     uint64_t state;
     FILE *text;
+    FILE *text_of_all; /* where text goes to again behind an image, or NULL */
     int depth; /* of blocks */
     size_t names[LANGUAGE_NAMES];
     bool streams; /* Stream is a seed */
@@ -87,6 +88,10 @@ void say_pigment(struct language *draw, bool clear);
 /* Of what goes on for ever: far out a gradient is another one in POV-Ray, whose
  * values go round at 1.00001 below -1. */
 void say_far_pigment(struct language *draw);
+/* Of one pigment of so many the lines that make it an image.  What else is drawn of
+ * it is drawn as ever, up to end_image, but not said. */
+void begin_image(struct language *draw, size_t one_of);
+void end_image(struct language *draw);
 void say_finish(struct language *draw, bool mirror);
 /* Lines of an object: its texture, or pigment and finish, or nothing. */
 void say_look(struct language *draw);

@@ -148,6 +148,7 @@ static void say_sky(struct language *draw)
     open_block(draw,
                named ? "#declare Heaven = sky_sphere {" : "sky_sphere {");
     open_block(draw, "pigment {");
+    begin_image(draw, 3);
     begin_line(draw);
     SAY_ONE_OF(draw, "gradient y", "gradient y triangle_wave", "planar",
                "radial frequency 3", "boxed", "leopard frequency 2");
@@ -159,6 +160,7 @@ static void say_sky(struct language *draw)
     if (one_in(&draw->state, 2))
         say_line(draw, "scale 2");
     say_line(draw, "translate -.37");
+    end_image(draw);
     close_block(draw, "}");
     close_block(draw, "}");
     if (named)

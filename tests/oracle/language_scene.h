@@ -14,6 +14,10 @@
 /* Pictures that they are made for. */
 enum { LANGUAGE_WIDTH = 40, LANGUAGE_HEIGHT = 30 };
 
+/* What they show by image_map stands in a file of this name, beside them. */
+#define LANGUAGE_IMAGE "language_image.ppm"
+extern const char language_image[];
+
 /* The caller frees it. */
 char *language_scene_text(uint64_t seed);
 

@@ -1,0 +1,73 @@
+/* language_image.c - pigments that are an image, by chance. */
+#include "tests/oracle/language_parts.h"
+#include "tests/oracle/language_scene.h"
+
+const char language_image[] =
+    "P3\n"
+    "8 6\n"
+    "255\n"
+    "133 153 166  176 104 102  51 125 93  208 132 248  60 62 48  185 115 37  171 95 243  81 82 80\n"
+    "78 248 110  76 197 183  55 48 125  188 185 200  242 184 163  139 113 252  254 232 163  109 57 178\n"
+    "168 87 38  241 124 37  228 55 87  155 74 208  47 246 75  139 116 239  121 198 209  56 193 207\n"
+    "44 47 145  187 237 127  129 225 95  98 191 123  131 37 88  206 133 90  144 233 195  51 223 196\n"
+    "183 48 179  183 41 32  56 67 65  95 207 46  154 229 68  176 134 217  185 190 135  78 176 89\n"
+    "89 157 208  180 250 128  253 79 136  89 252 198  156 115 126  138 99 223  196 238 191  51 232 133\n";
+
+static uint64_t aside(const struct language *draw)
+{
+    uint64_t state = draw->state * 7 + 3;
+    for (int i = 0; i < 8; i++)
+        xorshift(&state);
+    return state;
+}
+
+/* What is planar or about a cylinder is not shown once: it would be clear around
+ * that, of which a rule of shadows is another one in POV-Ray. */
+static void say_words(struct language *draw, uint64_t *state)
+{
+    static const char *const types[] = { "", "map_type 0", "map_type 2",
+                                         "map_type 1", "map_type 5" };
+    static const char *const gammas[] = { "", "", "gamma 2.2", "gamma srgb" };
+    static const char *const between_them[] = { "", "interpolate 2",
+                                                "interpolate 4" };
+    size_t type = below(state, 5);
+    say(draw, "%s \"%s\" %s %s %s", one_in(state, 2) ? "ppm" : "",
+        LANGUAGE_IMAGE, gammas[below(state, 4)], types[type],
+        between_them[below(state, 3)]);
+    if (type >= 3 && one_in(state, 3))
+        say(draw, " once");
+}
+
+/* Borders of pixels lie off the planes in which things are drawn. */
+static void say_place(struct language *draw, uint64_t *state)
+{
+    if (one_in(state, 2))
+        say_line(draw, "rotate <%.2f, %.2f, %.2f>", between(state, -90, 90),
+                 between(state, -90, 90), between(state, -90, 90));
+    say_line(draw, "scale %.4f", between(state, .7, 2));
+    say_line(draw, "translate <%.4f, %.4f, %.4f>", between(state, .1, .3),
+             between(state, .1, .3), between(state, .1, .3));
+}
+
+void begin_image(struct language *draw, size_t one_of)
+{
+    uint64_t state = aside(draw);
+    if (!one_in(&state, one_of))
+        return;
+    begin_line(draw);
+    say(draw, "image_map { ");
+    say_words(draw, &state);
+    say(draw, " }\n");
+    say_place(draw, &state);
+    draw->text_of_all = draw->text;
+    draw->text = fopen("/dev/null", "w");
+}
+
+void end_image(struct language *draw)
+{
+    if (!draw->text_of_all)
+        return;
+    fclose(draw->text);
+    draw->text = draw->text_of_all;
+    draw->text_of_all = NULL;
+}
