@@ -15,7 +15,8 @@ struct image_table {
                                 first, its left one first: from 0 to most */
     const double *light;     /* what the samples 0 .. most stand for */
 };
-enum { IMAGE_PIXELS_MOST = 1 << 23 }; /* of all images of a scene */
+/* Of a scene: images, and pixels of all of them. */
+enum { IMAGES_MOST = 1000, IMAGE_PIXELS_MOST = 1 << 23 };
 
 /* How a point becomes a place of the image: rt/kernels/light/image.s has the
  * formulas. */

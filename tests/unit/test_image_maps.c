@@ -447,6 +447,25 @@ static void test_limit(void **state)
     diagnostics_free(&reports);
 }
 
+/* A loop reads another one with each turn. */
+static void test_many(void **state)
+{
+    char text[300];
+
+    (void)state;
+    keep(FILE_OF("P5\n8 1\n255\n" GREYS));
+    snprintf(text, sizeof text,
+             "#for (I, 1, 1000) sphere { 0, 1 pigment { image_map { \"%s\" "
+             "gamma I } } } #end\n"
+             "sphere { 0, 1 pigment { image_map { \"%s\" gamma 9 } } }",
+             path, path);
+    scene_free(read_scene(text));
+    snprintf(text + strlen(text), sizeof text - strlen(text),
+             " box { 0, 1 pigment { image_map { \"%s\" gamma .5 } } }", path);
+    assert_error(text, &with_images, 2, 87 + strlen(path),
+                 "more than 1000 images");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -454,7 +473,7 @@ int main(void)
         cmocka_unit_test(test_words),   cmocka_unit_test(test_tables),
         cmocka_unit_test(test_reports), cmocka_unit_test(test_kinds_left_out),
         cmocka_unit_test(test_sky),     cmocka_unit_test(test_faults),
-        cmocka_unit_test(test_limit),
+        cmocka_unit_test(test_limit),   cmocka_unit_test(test_many),
     };
     int result;
 

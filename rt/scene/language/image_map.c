@@ -71,18 +71,29 @@ static bool take_samples(struct reader *reader, const struct raster *raster,
     return true;
 }
 
-static bool take_table(struct reader *reader, const struct raster *raster,
-                       const struct image_reading *reading,
-                       struct kept_image *kept)
+/* What is read anew with each turn of a loop has an end, too. */
+static bool check_size(struct reader *reader, const struct raster *raster,
+                       const struct scene_token *at)
 {
     size_t pixels = raster->width * raster->height;
 
+    if (reader->scene->image_count == IMAGES_MOST)
+        return reader_fault(reader, at, "more than %d images", IMAGES_MOST);
     if (pixels > IMAGE_PIXELS_MOST - reader->image_pixels)
-        return reader_fault(reader, &reading->file.at,
+        return reader_fault(reader, at,
                             "the images of the scene have more than %d "
                             "pixels",
                             IMAGE_PIXELS_MOST);
     reader->image_pixels += pixels;
+    return reader_spend(reader, pixels + raster->most);
+}
+
+static bool take_table(struct reader *reader, const struct raster *raster,
+                       const struct image_reading *reading,
+                       struct kept_image *kept)
+{
+    if (!check_size(reader, raster, &reading->file.at))
+        return false;
     kept->source = reading->file.source;
     kept->transfer = reading->transfer;
     kept->table.number = reader->scene->image_count++;
