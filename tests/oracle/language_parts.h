@@ -34,7 +34,7 @@ struct language {
     uint64_t state;
     FILE *text;
     FILE *text_of_all; /* where text goes to again behind an image, or NULL */
-    int depth; /* of blocks */
+    int depth;         /* of blocks */
     size_t names[LANGUAGE_NAMES];
     bool streams; /* Stream is a seed */
     bool library; /* colors.inc is there */
