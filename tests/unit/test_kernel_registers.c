@@ -10,6 +10,7 @@
 
 #include "rt/shapes/kernels.h"
 #include "rt/layout/program.h"
+#include "rt/picture/picture.h"
 #include "rt/roots/roots.h"
 #include "rt/study/speedup.h"
 #include "tests/oracle/register_owners.h"
@@ -204,7 +205,9 @@ static void test_cylinders(void **state)
 
 static void test_scenes(void **state)
 {
-    const struct scene_options options = { .width = COLUMNS, .height = ROWS };
+    const struct scene_options options = {
+        .width = COLUMNS, .height = ROWS, .read_raster = picture_read_raster
+    };
     DIR *folder = opendir("scenes");
     struct dirent *entry;
     size_t count = 0;

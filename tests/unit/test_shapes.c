@@ -4,6 +4,7 @@
 #include "tests/unit/scene_reading.h"
 
 #include "rt/layout/program.h"
+#include "rt/picture/picture.h"
 #include "rt/scene/transform.h"
 #include "rt/shapes/shape_words.h"
 #include "tests/oracle/plain_shapes.h"
@@ -135,7 +136,10 @@ static void look_through(const struct primitive *primitive)
 static void look_at_scene(const char *path)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read(path, &reading_options, &reports);
+    const struct scene_options options = {
+        .width = 640, .height = 480, .read_raster = picture_read_raster
+    };
+    struct scene *scene = scene_read(path, &options, &reports);
 
     if (!scene)
         fail_msg("%s is not read", path);

@@ -3,6 +3,7 @@
 #include "tests/unit/asm_helper.h"
 
 #include "asm/watch.h"
+#include "rt/picture/picture.h"
 #include "rt/scene/language/scene_read.h"
 #include "rt/trace/trace.h"
 
@@ -59,7 +60,9 @@ static void check(const char *path, const c205_model *model,
                   enum trace_mode mode, enum visible visible)
 {
     struct diagnostics reports = { 0 };
-    const struct scene_options reading = { .width = WIDTH, .height = HEIGHT };
+    const struct scene_options reading = {
+        .width = WIDTH, .height = HEIGHT, .read_raster = picture_read_raster
+    };
     struct scene *scene = scene_read(path, &reading, &reports);
     warning_set warned = 0;
     const struct observer observer = { begin, listen, merge, end, &warned };
@@ -97,6 +100,7 @@ static void test_kernels(void **state)
                                           "tests/scenes/csg_patches.pov",
                                           "tests/scenes/csg_prisms.pov",
                                           "tests/scenes/csg_lathes.pov",
+                                          "tests/scenes/images.pov",
                                           "tests/scenes/mesh.pov" };
     struct sink sink = stream_sink(stderr);
     c205_error error;
