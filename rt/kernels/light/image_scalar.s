@@ -23,6 +23,17 @@
         SQRT    y_0, \to
         .endm
 
+; x less its floor; 0 if that is not within a tile.
+        .macro  take_floor x, floor
+        SUBN    \x, \floor, \x
+        CFPGE   \x, r0, floor_above\@
+        RTOR    m_zero, \x
+floor_above\@:
+        CFPLT   \x, m_one, floor_taken\@
+        RTOR    m_zero, \x
+floor_taken\@:
+        .endm
+
 ; The pixel of column and row, times its weight.
         .macro  add_corner column, row
         BSAVE   sine_link, [weigh_at]
@@ -107,8 +118,8 @@ image_planar:
         ADDN    y_0, r0, y_0
         FLR     q_y, y_1
         ADDN    y_1, r0, y_1
-        SUBN    q_x, y_0, q_x
-        SUBN    q_y, y_1, q_y
+        take_floor q_x, y_0
+        take_floor q_y, y_1
         CFPEQ   map_c, r0, image_place
         CFPNE   y_1, m_minus_one, image_outside
         CFPNE   map_c, m_two, image_place
@@ -130,6 +141,7 @@ image_nearest:
         MPYL    y_0, pixel_words, y_0
         MPYL    y_1, row_words, y_1
         ADDX    y_1, y_0, texel
+        AND     texel, p_fraction, texel        ; y_1 may be a machine zero
         SHIFTI  texel, 6, texel
         ADDX    map_stops, texel, texel
         ELEN    texel, PIXEL_SIZE
