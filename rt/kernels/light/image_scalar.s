@@ -5,7 +5,7 @@
 
         .share  local
         .regs   r48, row_words, pixel_words, column_at, column_before
-        .regs   r52, row_at, row_before, weigh_at, image_u, texel, weight
+        .regs   r52, row_at, row_before, image_u, texel, weight
         .regs   r58, corner_r, corner_g, corner_b, edge_before, edge_behind
         .regs   r63, weight_sum
         .endshare
@@ -34,9 +34,25 @@ floor_above\@:
 floor_taken\@:
         .endm
 
+; The weight by q_x, q_y.  The latter uses y_3, and adds to weight_sum.
+        .macro  weigh_bilinear
+        MPYS    q_x, q_y, weight
+        .endm
+
+        .macro  weigh_by_distance
+        SUBN    m_one, q_x, y_3
+        MPYS    y_3, y_3, weight
+        SUBN    m_one, q_y, y_3
+        MPYS    y_3, y_3, y_3
+        ADDN    weight, y_3, weight
+        ADDN    weight, m_tiny, weight
+        DIVS    m_one, weight, weight
+        ADDN    weight_sum, weight, weight_sum
+        .endm
+
 ; The pixel of column and row, times its weight.
-        .macro  add_corner column, row
-        BSAVE   sine_link, [weigh_at]
+        .macro  add_corner weigh, column, row
+        \weigh
         ADDX    \row, \column, texel
         SHIFTI  texel, 6, texel
         ADDX    map_stops, texel, texel
@@ -74,6 +90,23 @@ neighbours_within\@:
 neighbours_found\@:
         MPYL    \at, \words, \at
         MPYL    \before, \words, \before
+        .endm
+
+; q_x, q_y become p, q.
+        .macro  add_four weigh
+        find_neighbours q_x, map_a, pixel_words, column_at, column_before
+        find_neighbours q_y, map_b, row_words, row_at, row_before
+        RTOR    m_zero, y_0
+        RTOR    m_zero, y_1
+        RTOR    m_zero, y_2
+        RTOR    m_zero, weight_sum
+        add_corner \weigh, column_at, row_at
+        SUBN    m_one, q_x, q_x
+        add_corner \weigh, column_before, row_at
+        SUBN    m_one, q_y, q_y
+        add_corner \weigh, column_before, row_before
+        SUBN    m_one, q_x, q_x
+        add_corner \weigh, column_at, row_before
         .endm
 
         .kernel shade
@@ -149,48 +182,13 @@ image_nearest:
         BIM     0, pattern_link
 
 image_bilinear:
-        EX      weigh_at, weigh_bilinear
-        EX      target, image_four
-        BSAVE   inner_link, [target]
+        add_four weigh_bilinear
         BIM     0, pattern_link
 image_by_distance:
-        EX      weigh_at, weigh_by_distance
-        EX      target, image_four
-        BSAVE   inner_link, [target]
+        add_four weigh_by_distance
         DIVS    m_one, weight_sum, weight_sum
         MPYS    y_0, weight_sum, y_0
         MPYS    y_1, weight_sum, y_1
         MPYS    y_2, weight_sum, y_2
         BIM     0, pattern_link
-
-; q_x, q_y become p, q.
-image_four:
-        find_neighbours q_x, map_a, pixel_words, column_at, column_before
-        find_neighbours q_y, map_b, row_words, row_at, row_before
-        RTOR    m_zero, y_0
-        RTOR    m_zero, y_1
-        RTOR    m_zero, y_2
-        RTOR    m_zero, weight_sum
-        add_corner column_at, row_at
-        SUBN    m_one, q_x, q_x
-        add_corner column_before, row_at
-        SUBN    m_one, q_y, q_y
-        add_corner column_before, row_before
-        SUBN    m_one, q_x, q_x
-        add_corner column_at, row_before
-        BIM     0, inner_link
-
-weigh_bilinear:
-        MPYS    q_x, q_y, weight
-        BIM     0, sine_link
-weigh_by_distance:
-        SUBN    m_one, q_x, y_3
-        MPYS    y_3, y_3, weight
-        SUBN    m_one, q_y, y_3
-        MPYS    y_3, y_3, y_3
-        ADDN    weight, y_3, weight
-        ADDN    weight, m_tiny, weight
-        DIVS    m_one, weight, weight
-        ADDN    weight_sum, weight, weight_sum
-        BIM     0, sine_link
         .endkernel

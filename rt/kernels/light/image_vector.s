@@ -4,9 +4,7 @@
 ; Out: cr cg cb.  Uses v0-v7, red, green, blue, hits1-hits3, s0-s9.
 
         .share
-        .regs   r7, row_words, pixel_words, edge_before, edge_behind
-        .regs   r12, link_four, last_column
-        .reg    weigh_at, r15
+        .regs   r7, row_words, pixel_words, edge_before, edge_behind, last_column
         .endshare
 
 ; [v0] = the pattern radial of x, z.
@@ -62,9 +60,25 @@ outside_found\@:
         IX      s0, 64
         .endm
 
+; [v7] = the weight by v5, v6.  The latter uses v4, and adds to the sum [blue].
+        .macro  weigh_bilinear
+        MPYSV   [v5], [v6], [v7]
+        .endm
+
+        .macro  weigh_by_distance
+        SUBNV   one, [v5], [v4]
+        MPYSV   [v4], [v4], [v7]
+        SUBNV   one, [v6], [v4]
+        MPYSV   [v4], [v4], [v4]
+        ADDNV   [v7], [v4], [v7]
+        ADDNV   [v7], tiny, [v7]
+        DIVSV   one, [v7], [v7]
+        ADDNV   [blue], [v7], [blue]
+        .endm
+
 ; The pixels of column and row, times their weight.
-        .macro  add_corner column, row
-        BSAVE   link_sine, [weigh_at]
+        .macro  add_corner weigh, column, row
+        \weigh
         ADDXV   [\row], [\column], [v4]
         RTOR    map_stops, s0
         add_pixel cr
@@ -94,6 +108,23 @@ neighbours_repeated\@:
         VTOV    edge_before, [\before] ? [hits1]
         MPYLV   [\at], \words, [\at]
         MPYLV   [\before], \words, [\before]
+        .endm
+
+; v0, v3 the columns, v1, v2 the rows at and before; v5, v6 = p, q.
+        .macro  add_four weigh
+        find_neighbours v5, map_a, pixel_words, v0, v3
+        find_neighbours v6, map_b, row_words, v1, v2
+        VTOV    r0, [cr]
+        VTOV    r0, [cg]
+        VTOV    r0, [cb]
+        VTOV    r0, [blue]
+        add_corner \weigh, v0, v1
+        SUBNV   one, [v5], [v5]
+        add_corner \weigh, v3, v1
+        SUBNV   one, [v6], [v6]
+        add_corner \weigh, v3, v2
+        SUBNV   one, [v5], [v5]
+        add_corner \weigh, v0, v2
         .endm
 
         .kernel shade
@@ -173,51 +204,13 @@ image_nearest:
         BIM     0, link_inner
 
 image_bilinear:
-        EX      weigh_at, weigh_bilinear
-        EX      target, image_four
-        BSAVE   link_four, [target]
+        add_four weigh_bilinear
         BIM     0, link_inner
-
-; [blue] = the sum of the weights.
 image_by_distance:
-        EX      weigh_at, weigh_by_distance
-        EX      target, image_four
-        BSAVE   link_four, [target]
+        add_four weigh_by_distance
         DIVSV   one, [blue], [blue]
         MPYSV   [cr], [blue], [cr]
         MPYSV   [cg], [blue], [cg]
         MPYSV   [cb], [blue], [cb]
         BIM     0, link_inner
-
-; v0, v3 the columns, v1, v2 the rows at and before; v5, v6 = p, q.
-image_four:
-        find_neighbours v5, map_a, pixel_words, v0, v3
-        find_neighbours v6, map_b, row_words, v1, v2
-        VTOV    r0, [cr]
-        VTOV    r0, [cg]
-        VTOV    r0, [cb]
-        VTOV    r0, [blue]
-        add_corner v0, v1
-        SUBNV   one, [v5], [v5]
-        add_corner v3, v1
-        SUBNV   one, [v6], [v6]
-        add_corner v3, v2
-        SUBNV   one, [v5], [v5]
-        add_corner v0, v2
-        BIM     0, link_four
-
-; [v7] = the weight by v5, v6.  Uses v4.
-weigh_bilinear:
-        MPYSV   [v5], [v6], [v7]
-        BIM     0, link_sine
-weigh_by_distance:
-        SUBNV   one, [v5], [v4]
-        MPYSV   [v4], [v4], [v7]
-        SUBNV   one, [v6], [v4]
-        MPYSV   [v4], [v4], [v4]
-        ADDNV   [v7], [v4], [v7]
-        ADDNV   [v7], tiny, [v7]
-        DIVSV   one, [v7], [v7]
-        ADDNV   [blue], [v7], [blue]
-        BIM     0, link_sine
         .endkernel
