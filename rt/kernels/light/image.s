@@ -10,9 +10,9 @@
 ;   torus        u = t(x, z),  v = t(1 - r, -y),   r = sqrt(x^2 + z^2)
 ;
 ; where t(a, b) is the angle from a towards b; all angles in turns, of the radial
-; pattern's routine (pattern.s).  With {c} = c - floor(c), or 0 if c is beyond whole
-; numbers, and e = k_checker, of an image of W columns and H rows, row 0 on top, the
-; place is
+; pattern's routine (pattern.s).  With {c} = c - floor(c), which is below 1, as
+; differences are cut, and e = k_checker, of an image of W columns and H rows, row 0
+; on top, the place is
 ;
 ;   column c = W {u + e},   row d = H {-(v + e)}
 ;

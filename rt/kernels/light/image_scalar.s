@@ -23,17 +23,6 @@
         SQRT    y_0, \to
         .endm
 
-; x less its floor; 0 if that is not within a tile.
-        .macro  take_floor x, floor
-        SUBN    \x, \floor, \x
-        CFPGE   \x, r0, floor_above\@
-        RTOR    m_zero, \x
-floor_above\@:
-        CFPLT   \x, m_one, floor_taken\@
-        RTOR    m_zero, \x
-floor_taken\@:
-        .endm
-
 ; The weight by q_x, q_y.  The latter uses y_3, and adds to weight_sum.
         .macro  weigh_bilinear
         MPYS    q_x, q_y, weight
@@ -151,8 +140,8 @@ image_planar:
         ADDN    y_0, r0, y_0
         FLR     q_y, y_1
         ADDN    y_1, r0, y_1
-        take_floor q_x, y_0
-        take_floor q_y, y_1
+        SUBN    q_x, y_0, q_x
+        SUBN    q_y, y_1, q_y
         CFPEQ   map_c, r0, image_place
         CFPNE   y_1, m_minus_one, image_outside
         CFPNE   map_c, m_two, image_place

@@ -33,16 +33,6 @@
         ADDNV   [\v_floor], r0, [\v_floor]
         .endm
 
-; [x] less its floor; 0 where that is not within a tile, of numbers that have no room
-; for what is behind the point.
-        .macro  take_floor x, floor
-        SUBNV   [\x], [\floor], [\x]
-        CMPGEV  [\x], r0, [hits1]
-        CMPLTV  [\x], one, [hits2]
-        ANDB    [hits1], [hits2], [hits1]
-        VTOV    r0, [\x] ?! [hits1]
-        .endm
-
 ; [hits3] = where that is outside of the image, by bound, which is not 0.
         .macro  find_outside bound, u_floor, v_floor
         CMPNEV  [\v_floor], minus_one, [hits3]
@@ -169,8 +159,8 @@ image_torus:
 ; In: v5 v6 = u, v.
 image_planar:
         find_tile v5, v6, v0, v1
-        take_floor v5, v0
-        take_floor v6, v1
+        SUBNV   [v5], [v0], [v5]
+        SUBNV   [v6], [v1], [v6]
         CFPEQ   map_c, r0, image_place
         find_outside map_c, v0, v1
 image_place:
