@@ -21,20 +21,19 @@ static uint64_t aside(const struct language *draw)
     return state;
 }
 
-/* What is planar or about a cylinder is not shown once: it would be clear around
- * that, of which a rule of shadows is another one in POV-Ray. */
-static void say_words(struct language *draw, uint64_t *state)
+/* What is planar or about a cylinder is clear around an image that is shown once. */
+static void say_words(struct language *draw, uint64_t *state, bool clear)
 {
     static const char *const types[] = { "", "map_type 0", "map_type 2",
                                          "map_type 1", "map_type 5" };
     static const char *const gammas[] = { "", "", "gamma 2.2", "gamma srgb" };
     static const char *const between_them[] = { "", "interpolate 2",
                                                 "interpolate 4" };
-    size_t type = below(state, 5);
+    size_t type = below(state, clear ? 3 : 5);
     say(draw, "%s \"%s\" %s %s %s", one_in(state, 2) ? "ppm" : "",
         LANGUAGE_IMAGE, gammas[below(state, 4)], types[type],
         between_them[below(state, 3)]);
-    if (type >= 3 && one_in(state, 3))
+    if (clear || (type >= 3 && one_in(state, 3)))
         say(draw, " once");
 }
 
@@ -49,14 +48,14 @@ static void say_place(struct language *draw, uint64_t *state)
              between(state, .1, .3), between(state, .1, .3));
 }
 
-void begin_image(struct language *draw, size_t one_of)
+void begin_image(struct language *draw, size_t one_of, bool clear)
 {
     uint64_t state = aside(draw);
     if (!one_in(&state, one_of))
         return;
     begin_line(draw);
     say(draw, "image_map { ");
-    say_words(draw, &state);
+    say_words(draw, &state, clear);
     say(draw, " }\n");
     say_place(draw, &state);
     draw->text_of_all = draw->text;

@@ -194,7 +194,7 @@ static void say_mapped(struct language *draw)
 
 static void say_plain_color(struct language *draw)
 {
-    begin_image(draw, 4);
+    begin_image(draw, 4, false);
     begin_line(draw);
     say_color(draw);
     end_line(draw);
@@ -203,6 +203,7 @@ static void say_plain_color(struct language *draw)
 
 static void say_clear_color(struct language *draw)
 {
+    begin_image(draw, 4, true);
     begin_line(draw);
     switch (below(&draw->state, 4)) {
     case 0:
@@ -229,6 +230,7 @@ static void say_clear_color(struct language *draw)
         break;
     }
     end_line(draw);
+    end_image(draw);
 }
 
 void say_pigment(struct language *draw, bool clear)

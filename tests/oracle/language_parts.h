@@ -88,9 +88,10 @@ void say_pigment(struct language *draw, bool clear);
 /* Of what goes on for ever: far out a gradient is another one in POV-Ray, whose
  * values go round at 1.00001 below -1. */
 void say_far_pigment(struct language *draw);
-/* Of one pigment of so many the lines that make it an image.  What else is drawn of
+/* Of one pigment of so many the lines that make it an image, clear around that or not
+ * anywhere.  What else is drawn of
  * it is drawn as ever, up to end_image, but not said. */
-void begin_image(struct language *draw, size_t one_of);
+void begin_image(struct language *draw, size_t one_of, bool clear);
 void end_image(struct language *draw);
 void say_finish(struct language *draw, bool mirror);
 /* Lines of an object: its texture, or pigment and finish, or nothing. */

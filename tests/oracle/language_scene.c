@@ -148,7 +148,7 @@ static void say_sky(struct language *draw)
     open_block(draw,
                named ? "#declare Heaven = sky_sphere {" : "sky_sphere {");
     open_block(draw, "pigment {");
-    begin_image(draw, 3);
+    begin_image(draw, 3, false);
     begin_line(draw);
     SAY_ONE_OF(draw, "gradient y", "gradient y triangle_wave", "planar",
                "radial frequency 3", "boxed", "leopard frequency 2");
