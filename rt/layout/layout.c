@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rt/layout/bumps.h"
 #include "rt/layout/images.h"
 #include "rt/layout/interiors.h"
 #include "rt/layout/lens.h"
@@ -295,7 +296,8 @@ static uint64_t look_of(struct record *record,
         REST = 27,
         GLOSS = 44,
         MAP = 52,
-        INTERIOR = 60
+        INTERIOR = 60,
+        BUMP = 61
     };
     c205_word words[LOOK_WORDS] = { 0 }, transformed = 0;
     uint64_t look;
@@ -316,6 +318,8 @@ static uint64_t look_of(struct record *record,
         record_read(record, "P_MAP", &words[MAP], 8);
     if (object_symbol(record->layout->program, "P_INTERIOR"))
         record_read(record, "P_INTERIOR", &words[INTERIOR], 1);
+    if (object_symbol(record->layout->program, "P_BUMP"))
+        record_read(record, "P_BUMP", &words[BUMP], 1);
     look = looks_first(looks, words, record->address);
     if (look == 0)
         layout_fail(record->layout, "no memory");
@@ -337,7 +341,8 @@ static struct row
 layout_primitives(struct record_layout *layout, const struct scene *scene,
                   const struct leaf_plan *plans,
                   const struct interiors *interiors, const uint64_t *images,
-                  const struct row *crossings, const struct row *values)
+                  const uint64_t *bumps, const struct row *crossings,
+                  const struct row *values)
 {
     struct looks *looks = looks_new(scene->primitive_count);
     bool alike = false;
@@ -362,6 +367,8 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
         put_surface(&record, scene, &scene->primitives[i], &map);
         put_mirror(&record, &scene->primitives[i]);
         put_interior(&record, interiors, &scene->primitives[i]);
+        if (bumps[i] != 0)
+            record_address(&record, "P_BUMP", bumps[i]);
         look = look_of(&record, &scene->primitives[i], looks);
         alike = alike || look != record.address;
         record_address(&record, "P_LOOK", look);
@@ -402,22 +409,28 @@ static void layout_solids(struct record_layout *layout,
 {
     struct leaf_plan *plans = calloc(scene->primitive_count + 1,
                                      sizeof *plans);
+    uint64_t *bumps = calloc(scene->primitive_count + 1, sizeof *bumps);
     struct region_places places;
     struct row crossings;
 
-    if (!plans) {
+    if (!plans || !bumps) {
         layout_fail(layout, "no memory");
+        free(plans);
+        free(bumps);
         return;
     }
+    layout_bumps(layout, scene, bumps);
     layout_reserve_rows(layout,
                         &(struct row_wanted){ &crossings, "CROSSING_SIZE",
                                               plan_leaves(scene, plans) },
                         1);
     places.values = layout_values(layout, scene);
     places.primitives = layout_primitives(layout, scene, plans, interiors,
-                                          images, &crossings, &places.values);
+                                          images, bumps, &crossings,
+                                          &places.values);
     layout_regions(layout, scene, bounding, &places);
     free(plans);
+    free(bumps);
 }
 
 /* So many rays in a chain: without mirrors and glass none come of others. */

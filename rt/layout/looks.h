@@ -8,7 +8,7 @@
 
 #include "vm/c205.h"
 
-enum { LOOK_WORDS = 61 };
+enum { LOOK_WORDS = 62 };
 
 struct looks;
 

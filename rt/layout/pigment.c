@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "rt/layout/bumps.h"
 #include "rt/layout/record.h"
 #include "rt/shapes/primitive.h"
 #include "rt/scene/vector.h"
@@ -27,7 +28,7 @@ static bool is_pattern(const struct pigment *pigment)
 
 bool scene_has_patterns(const struct scene *scene)
 {
-    bool found = is_pattern(&scene->sky);
+    bool found = is_pattern(&scene->sky) || scene_has_bumps(scene);
 
     for (size_t i = 0; i < scene->primitive_count && !found; i++)
         found = is_pattern(&scene->primitives[i].pigment);
@@ -80,6 +81,7 @@ const char *pattern_routine(const struct pattern *pattern)
         [PATTERN_SLANTED] = "pattern_slanted",
         [PATTERN_BRICK] = "pattern_brick",
         [PATTERN_HEXAGON] = "pattern_hexagon",
+        [PATTERN_CHECKER] = "pattern_checker",
     };
 
     return routines[pattern->function];

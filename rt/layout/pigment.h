@@ -10,7 +10,7 @@
  * many words, and of its P_MAP so many numbers. */
 enum { GRADIENT_STOPS = 4, PATTERN_ROWS = 12, MAP_NUMBERS = 4 };
 
-/* Whether the kernels need light/pattern.s for one of its pigments. */
+/* Whether the kernels need light/pattern.s for one of its pigments or normals. */
 bool scene_has_patterns(const struct scene *scene);
 /* How a point's value grows with its three coordinates, and what it is at the
  * origin. */

@@ -51,6 +51,7 @@ size_t pigment_list_count(const struct pigment *pigment)
         return 0;
     switch (pigment->pattern.function) {
     case PATTERN_BRICK: return 2;
+    case PATTERN_CHECKER: return 2;
     case PATTERN_HEXAGON: return 3;
     default: return 0;
     }
@@ -98,7 +99,12 @@ static struct color_stop map_at(const struct color_map *map, double value)
     return stop;
 }
 
+double pigment_list_value(const struct pigment *pigment, size_t i)
+{
+    return in_wave(&pigment->pattern, (double)i);
+}
+
 struct color_stop pigment_listed(const struct pigment *pigment, size_t i)
 {
-    return map_at(&pigment->map, in_wave(&pigment->pattern, (double)i));
+    return map_at(&pigment->map, pigment_list_value(pigment, i));
 }

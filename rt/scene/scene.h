@@ -118,6 +118,7 @@ enum pattern_function {
     PATTERN_SLANTED, /* a gradient that is not the plain one */
     PATTERN_BRICK,
     PATTERN_HEXAGON,
+    PATTERN_CHECKER, /* as a bump only: a pigment of it is another kind */
     PATTERN_FUNCTIONS
 };
 enum pattern_wave {
@@ -161,7 +162,43 @@ bool pigment_is_clear(const struct pigment *pigment);
 /* A checker, bricks and hexagons have a list of so many colours; all others 0. */
 size_t pigment_list_count(const struct pigment *pigment);
 /* The i-th that is drawn, from 0 on: what the map has where the waves put i. */
+/* .. and the value that they make of it. */
+double pigment_list_value(const struct pigment *pigment, size_t i);
 struct color_stop pigment_listed(const struct pigment *pigment, size_t i);
+
+/* A slope_map: at a value it is so high, and rises so much by the next one. */
+struct slope_stop {
+    double at, height, slope;
+};
+
+/* Heights over points: those of a pattern (kind PIGMENT_COLOR: there are none, and it
+ * changes no normal), as they are or by a slope_map. */
+struct bump {
+    struct pigment pattern; /* no colours of it */
+    double amount, accuracy;
+    size_t stop_count;
+    const struct slope_stop *stops; /* the scene keeps them */
+};
+
+/* What changes the normals of a surface: a bump, or several in its space, between
+ * which its pattern chooses. */
+struct bump_entry {
+    double at; /* .. of an average: how much it counts */
+    struct bump bump;
+};
+struct bump_list {
+    struct bump bump;
+    bool average; /* all of them are added */
+    size_t count; /* 0: the bump itself */
+    const struct bump_entry *entries;
+};
+struct bumps {
+    const struct bump_list *list; /* the scene keeps it; NULL: none */
+    struct transform to_local;    /* from world points to its pattern's */
+    bool unscaled; /* normals keep their lengths there, as of no_bump_scale */
+};
+/* There is something that changes normals. */
+bool bumps_show(const struct bumps *bumps);
 
 /* Of the same density everywhere: at its distance a share of 1/e is seen through
  * it, of light that is not fogged; transmit of it at least. */

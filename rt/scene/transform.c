@@ -125,7 +125,7 @@ struct placement placement_rotation(const double degrees[3])
 
 /* The inverse's rows are the cross products of the map's columns over the
  * determinant. */
-static bool invert(const struct transform *map, struct transform *inverse)
+bool transform_invert(const struct transform *map, struct transform *inverse)
 {
     double column[3][3], shift[3];
 
@@ -154,7 +154,7 @@ bool placement_matrix(const double values[12], struct placement *placement)
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 4; j++)
             placement->to_world.rows[i][j] = values[3 * j + i];
-    return invert(&placement->to_world, &placement->to_local);
+    return transform_invert(&placement->to_world, &placement->to_local);
 }
 
 bool placement_is_none(const struct placement *placement)

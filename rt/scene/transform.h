@@ -35,6 +35,8 @@ bool placement_is_finite(const struct placement *placement);
 /* The map that does `first`, then `second`. */
 struct transform transform_then(const struct transform *first,
                                 const struct transform *second);
+/* False when there is no inverse. */
+bool transform_invert(const struct transform *map, struct transform *inverse);
 void transform_point(const struct transform *transform, double point[3]);
 /* A normal from the space that to_local leads to, by the transposed inverse; its
  * length changes. */

@@ -47,6 +47,7 @@ struct primitive {
     struct transform to_local; /* the inverse of to_world */
     bool transformed;          /* to_world is not the identity */
     struct pigment pigment;
+    struct bumps bumps;
     struct finish finish;
     bool no_shadow;
     bool unseen;     /* a part of a tree that cuts others and is not seen

@@ -9,6 +9,7 @@
 #include "rt/trace/band_file.h"
 #include "rt/trace/planes.h"
 #include "base/hash.h"
+#include "rt/layout/bumps.h"
 #include "rt/layout/images.h"
 #include "rt/layout/interiors.h"
 #include "rt/layout/lights.h"
@@ -151,10 +152,11 @@ static const struct feature {
     const char *symbol;
     bool (*is_in)(const struct scene *scene);
 } features[] = {
-    { "ORTHOGRAPHIC", is_orthographic }, { "FOG", has_fogs },
-    { "GLOSS", scene_is_glossy },        { "BEAMS", scene_has_beams },
-    { "AREAS", scene_has_areas },        { "PATTERNS", scene_has_patterns },
-    { "IMAGES", scene_has_images },      { "INTERIORS", scene_has_interiors },
+    { "ORTHOGRAPHIC", is_orthographic },  { "FOG", has_fogs },
+    { "GLOSS", scene_is_glossy },         { "BEAMS", scene_has_beams },
+    { "AREAS", scene_has_areas },         { "PATTERNS", scene_has_patterns },
+    { "IMAGES", scene_has_images },       { "BUMPS", scene_has_bumps },
+    { "INTERIORS", scene_has_interiors },
 };
 enum { FEATURES = sizeof features / sizeof *features };
 

@@ -1,6 +1,7 @@
 /* plain_light.c - see plain_light.h. */
 #include "tests/oracle/plain_light.h"
 
+#include "tests/oracle/plain_bump.h"
 #include "tests/oracle/plain_image.h"
 #include "tests/oracle/plain_pattern.h"
 
@@ -68,8 +69,11 @@ void plain_describe(const struct ray *ray, const struct plain_hit *hit,
     const struct pigment *pigment = &hit->primitive->pigment;
     surface->ray = ray;
     surface->finish = &hit->primitive->finish;
+    surface->bumps = &hit->primitive->bumps;
     point_on(ray, hit->distance, surface->point);
+    copy(surface->before, hit->normal);
     copy(surface->normal, hit->normal);
+    plain_bumps(&hit->primitive->bumps, surface->point, surface->normal);
     int cell = pigment_cell(pigment, surface->point);
     passing_color(pigment, cell, surface->passing);
     copy(surface->pigment, pigment->color[cell]);
@@ -121,7 +125,7 @@ static double fresnel_share(double index, double cosine)
         fmax(1 - (1 - cosine * cosine) / (index * index), 0));
     double across = (cosine - index * inside) / (cosine + index * inside);
     double along = (index * cosine - inside) / (index * cosine + inside);
-    return (across * across + along * along) / 2;
+    return fmin((across * across + along * along) / 2, 1);
 }
 
 double plain_mirror(const struct plain_surface *surface, double index,

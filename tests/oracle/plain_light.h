@@ -16,7 +16,9 @@ struct plain_tracer {
 struct plain_surface {
     const struct ray *ray;
     const struct finish *finish;
-    double point[3], normal[3]; /* against the ray */
+    const struct bumps *bumps;
+    double point[3], before[3]; /* the normal against the ray .. */
+    double normal[3];           /* .. and as bumps change it */
     double pigment[3];
     double color[3];   /* of what is opaque of it */
     double passing[3]; /* what it lets through, per channel */

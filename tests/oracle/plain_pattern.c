@@ -5,7 +5,7 @@
 
 /* POV-Ray's frequency goes round at this, not at 1. */
 #define ROUND 1.00001
-/* .. and bricks begin so much earlier. */
+/* .. and bricks and cubes begin so much earlier. */
 #define EARLIER 1e-10
 
 static double half_turn(void)
@@ -84,6 +84,10 @@ static double value_at(const struct pigment *pigment, const double point[3])
                 + z * pigment->axis[2];
         return along > 1 ? fmod(along, 1) : along;
     case PATTERN_BRICK: return brick(&pigment->pattern, point);
+    case PATTERN_CHECKER:
+        return fabs(
+            fmod(floor(x + EARLIER) + floor(y + EARLIER) + floor(z + EARLIER),
+                 2));
     default: return hexagon(point);
     }
 }

@@ -129,10 +129,18 @@ static void follow(const struct branching *from, struct path *path,
         from->color[i] += weight[i] * seen[i];
 }
 
+/* A changed normal may send it behind the surface: POV-Ray then takes the normal that
+ * was, of what is behind the changed one, too, from the start. */
 static void mirror(const struct plain_surface *surface, double direction[3])
 {
     const double *d = surface->ray->direction;
     add_scaled(direction, d, -2 * dot(d, surface->normal), surface->normal);
+    double ahead = dot(direction, surface->before);
+    if (ahead >= 0 || !bumps_show(surface->bumps))
+        return;
+    if (dot(direction, surface->normal) >= 0)
+        d = direction;
+    add_scaled(direction, d, -2 * dot(d, surface->before), surface->before);
 }
 
 static bool goes_straight(double ratio)
@@ -145,11 +153,13 @@ static bool goes_straight(double ratio)
 static bool refract(const struct plain_surface *surface, double ratio,
                     double direction[3])
 {
-    const double *n = surface->normal;
-    double across[3];
+    double n[3], across[3];
+    copy(n, surface->normal);
     copy(direction, surface->ray->direction);
     if (goes_straight(ratio))
         return true;
+    if (dot(direction, n) > 0) /* its back is seen */
+        scale_by(n, -1);
     add_scaled(across, direction, -dot(direction, n), n);
     scale_by(across, ratio);
     double left = 1 - dot(across, across);
@@ -236,6 +246,7 @@ static void trace_clearly(const struct plain_tracer *tracer,
     plain_describe(&path->ray, hit, &surface);
     plain_shade(tracer, &surface, color);
     branch(&from, hit);
+    copy(hit->normal, surface.normal);
 }
 
 /* POV-Ray's background is 2e10 away. */

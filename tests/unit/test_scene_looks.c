@@ -29,10 +29,10 @@ static void test_told_when_used(void **state)
         { "#declare T = texture { normal { dents 1 } }"
           " #declare S = sphere { 0, 1 texture { T } }"
           " union { object { S } object { S } }",
-          24, "left out" },
+          33, "left out" },
         { "#declare M = material { texture { normal { dents 1 } } }"
           " sphere { 0, 1 material { M } }",
-          35, "left out" },
+          44, "left out" },
         { "#declare I = interior { media { scattering { 1, 1 } } }"
           " sphere { 0, 1 interior { I } }",
           25, "left out" },
@@ -49,7 +49,7 @@ static void test_told_when_used(void **state)
           " #declare S = sky_sphere { pigment { rgb 1 } }"
           " #declare D = media { emission 1 }",
           0, "" },
-        { "#declare N = normal { bumps 1 } sphere { 0, 1 normal { N } }", 47,
+        { "#declare N = normal { bumps 1 } sphere { 0, 1 normal { N } }", 23,
           "left out" },
         { "#declare S = sphere { 0, 1 #warning \"said\" }", 28, "said" },
         { "#default { finish { crand 1 } }", 21, "left out" },

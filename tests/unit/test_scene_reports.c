@@ -127,7 +127,21 @@ static void test_reports(void **state)
         size_t column;
         const char *message;
     } rows[] = {
-        { "sphere { 0, 1 normal { bumps .5 scale { } } }", 15, "'normal'" },
+        { "sphere { 0, 1 normal { bumps .5 scale { } } }", 24, "'bumps'" },
+        { "sphere { 0, 1 normal { bozo normal_map { [0 gradient x] } } }", 24,
+          "a normal of the pattern 'bozo'" },
+        { "sphere { 0, 1 normal { bump_map { png \"a.png\" } scale 2 } }", 24,
+          "'bump_map'" },
+        { "sphere { 0, 1 normal { gradient x turbulence 1 } }", 35,
+          "'turbulence'" },
+        { "sphere { 0, 1 normal { average normal_map { [onion] [bumps] } } }",
+          54, "'bumps'" },
+        { "sphere { 0, 1 normal { onion normal_map { [0 onion] [1 planar"
+          " normal_map { [0 radial] [1 boxed] } ] } } }",
+          53, "replaced by its first" },
+        { "sphere { 0, 1 normal { onion normal_map {"
+          " [0 onion no_bump_scale] } } }",
+          43, "within a map" },
         { "sphere { 0, 1 no_reflection }", 15, "'no_reflection'" },
         { "sphere { 0, 1 finish { reflection { .1 exponent 2 } } }", 40,
           "'exponent'" },

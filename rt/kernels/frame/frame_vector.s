@@ -79,6 +79,9 @@ frame:
         .include "light/image.s"
         .include "light/image_vector.s"
         .endif
+        .if     BUMPS
+        .include "light/bump_vector.s"
+        .endif
         .if     GLOSS
         .include "light/mirror_vector.s"
         .endif

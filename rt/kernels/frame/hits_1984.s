@@ -22,7 +22,11 @@
         .field  HIT_WAY
         .field  HIT_PIGMENT, 3
         .field  HIT_DIM                 ; of a beam
+        .if     BUMPS
+        .at     35              ; odd, for the banks
+        .else
         .at     32
+        .endif
         .endrecord
 
         .share  local
@@ -72,6 +76,7 @@ surface:
         RTOR    hit_distance, t0
         find_surface
         begin_colour 3
+        give_normal_before
         store_hit HIT_SAMPLE, SAMPLE_SIZE, red
         store_hit HIT_PIGMENT, 3, color0r
         leave_hit SURFACE_REGISTERS
@@ -142,7 +147,12 @@ shine_all_around:
         .endif
         load_hit HIT_RAY, HIT_PLACE, ox
         RTOR    hit_primitive, a_primitive
+        .if     BUMPS
+        load_hit HIT_SAMPLE, SAMPLE_SIZE, red
+        load_hit HIT_LIGHT, 6, lx
+        .else
         load_hit HIT_SAMPLE, SAMPLE_SIZE + 6, red
+        .endif
         load_hit HIT_PIGMENT, 3, color0r
         get_record P_FINISH, 8, f_ambientr
         .if     GLOSS

@@ -19,6 +19,16 @@
         .equ    PATTERNS, 0
         .endif
 
+; 1: .. and pigments that are images (light/image.s).
+        .ifndef IMAGES
+        .equ    IMAGES, 0
+        .endif
+
+; 1: .. and normals that these change (light/bump.s).
+        .ifndef BUMPS
+        .equ    BUMPS, 0
+        .endif
+
 ; 1: there are lathes (shapes/lathe_vector.s).
         .ifndef LATHES
         .equ    LATHES, 0
@@ -27,11 +37,6 @@
 ; 1: there are prisms of quadratic splines (shapes/quadratic_prism_vector.s).
         .ifndef QUADRATIC_PRISMS
         .equ    QUADRATIC_PRISMS, 0
-        .endif
-
-; 1: some of them are images (light/image.s).
-        .ifndef IMAGES
-        .equ    IMAGES, 0
         .endif
 
 ; A primitive.
@@ -100,6 +105,9 @@
                                 ; as scene_sky
         .if     PATTERNS
         .field  P_MAP, 8           ; of another pattern: a MAP (light/pattern.s)
+        .endif
+        .if     BUMPS
+        .field  P_BUMP             ; address of what changes its normals, or 0
         .endif
         .field  P_FINISH, 8        ; ambient 3 (times the ambient light),
                                 ; diffuse, phong, phong_size, specular,

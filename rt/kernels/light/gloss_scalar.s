@@ -17,12 +17,16 @@
         ADDN    g_work, \c, g_share
         .endm
 
-; g_share = 1 - F(g_share), of a cosine above 0.
+; g_share = 1 - F(g_share), of a cosine above 0, with bumps of any.
         .macro  find_sheen
         EX      g_work, gloss_constants
         ELEN    g_work, GLOSS_CONSTANTS
         SWAP    [g_work], g_a7, [r0]
         RTOR    g_share, g_cosine
+        .if     BUMPS
+        RTOR    g_share, third
+        ABS     g_cosine, g_cosine
+        .endif
         CFPGE   m_one, g_cosine, sheen_cosine\@
         RTOR    m_one, g_cosine
 sheen_cosine\@:
@@ -37,6 +41,11 @@ sheen_cosine\@:
         gloss_horner g_a1
         gloss_horner g_a0
         MPYS    g_share, g_root, g_share
+        .if     BUMPS
+        CFPGE   third, r0, sheen_front\@
+        SUBN    m_two, g_share, g_share
+sheen_front\@:
+        .endif
         SUBN    g_share, g_turn, g_share
         MPYS    g_share, g_share, g_share
         DIVS    g_scale, g_share, g_share

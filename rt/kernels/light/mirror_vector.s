@@ -1,12 +1,17 @@
 ; mirror_vector.s - how far a metal has its own colour at an angle, and what
 ; mirrors that depend on the angle take of the colours: formulas in gloss.s.
 
-; [v0] = 1 - F([v0]), of cosines that are above 0.  Uses v1, v2, v4, hits1, s0, s1.
+; [v0] = 1 - F([v0]), of cosines that are above 0, with bumps of any.  Uses v1-v4,
+; hits1, s0, s1.
         .kernel shade
 find_sheen:
         EX      s0, gloss_constants
         ELEN    s0, GLOSS_CONSTANTS
         SWAP    [s0], m00, [r0]
+        .if     BUMPS
+        VTOV    [v0], [v3]
+        ABSV    [v0], [v0]
+        .endif
         CMPLTV  one, [v0], [hits1]
         VTOV    one, [v0] ? [hits1]
         VTOV    [v0], [v2]
@@ -19,8 +24,15 @@ find_sheen:
         horner  v2, m11
         horner  v2, m12
         horner  v2, m13
+        .if     BUMPS
+        MPYSV   [v0], [v1], [v0]
+        SUBNV   two, [v0], [v1]
+        CMPLTV  [v3], r0, [hits1]
+        VTOV    [v1], [v0] ? [hits1]    ; x
+        .else
         LINKV
         MPYSV   [v0], [v1], [v0]        ; x
+        .endif
         SUBNV   [v0], m20, [v0]
         MPYSV   [v0], [v0], [v0]
         DIVSV   m21, [v0], [v0]

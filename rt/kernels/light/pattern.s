@@ -15,8 +15,9 @@
 ;                 axis: a gradient that has a wave
 ;   brick         0 in the mortar, 1 in a brick
 ;   hexagon       0, 1/2, 1 in hexagons along y, of edge 1
+;   checker       0, 1 where floor(x) + floor(y) + floor(z) is even, odd; of bumps
 ;
-; Of all but the last two it then goes in waves:
+; Of all but the last three it then goes in waves:
 ;
 ;   w = frequency v + phase, less a whole multiple of 1.00001, towards 0; or v, if
 ;       the frequency is 0; less its floor if that is below 0

@@ -311,4 +311,24 @@ hexagon_found:
         SUBN    y_0, y_1, y_0
         MPYS    y_0, m_half, y_0
         BIM     0, inner_link
+
+        .if     BUMPS
+        .macro  cell_floor q, whole
+        ADDN    \q, m_checker_shift, \whole
+        FLR     \whole, \whole
+        .endm
+
+pattern_checker:
+        cell_floor q_x, y_0
+        cell_floor q_y, y_1
+        cell_floor q_z, y_2
+        ADDU    y_0, y_1, y_0
+        ADDU    y_0, y_2, y_0
+        AND     y_0, m_index_one, y_1
+        RTOR    m_zero, y_0
+        IBXEQ   y_1, r0, r0, checker_even
+        RTOR    m_one, y_0
+checker_even:
+        BIM     0, inner_link
+        .endif
         .endkernel

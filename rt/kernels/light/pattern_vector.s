@@ -39,6 +39,9 @@ find_pattern:
         pattern_axis m00, m01, m02, m03, v5
         pattern_axis m10, m11, m12, m13, v6
         pattern_axis m20, m21, m22, m23, v7
+; .. or, with BSAVE link_pattern, of the points v5 v6 v7 the values v0, if there are
+; no stops.
+find_value:
         EX      s0, pattern_constants
         ELEN    s0, PATTERN_CONSTANTS
         SWAP    [s0], turn, [r0]
@@ -64,10 +67,17 @@ pattern_wave:
         BSAVE   link_inner, [target]            ; it goes on at pattern_found
 wave_ramp:
 pattern_found:
+        .if     BUMPS
+        IBXEQ   map_stop_count, r0, r0, pattern_value
+        .endif
         RTOR    map_stops, m10
         RTOR    map_stop_count, m11
         RTOR    link_pattern, link_inner
         BIM     find_colours
+        .if     BUMPS
+pattern_value:
+        BIM     0, link_pattern
+        .endif
 
 wave_triangle:
         MPYSV   [v0], two, [v0]
@@ -282,4 +292,24 @@ pattern_hexagon:
         SUBNV   [v0], [v1], [v0]
         MPYSV   [v0], half, [v0]
         BIM     0, link_inner
+
+        .if     BUMPS
+        .macro  cell_floor q, whole
+        ADDNV   [\q], checker_shift, [\whole]
+        FLRV    [\whole], [\whole]
+        .endm
+
+pattern_checker:
+        cell_floor v5, v0
+        cell_floor v6, v1
+        cell_floor v7, v2
+        ADDUV   [v0], [v1], [v0]
+        LINKV
+        ADDUV   [v0], [v2], [v0]
+        ANDV    [v0], one_index, [v1]
+        CMPNEV  [v1], r0, [hits1]
+        VTOV    r0, [v0]
+        VTOV    one, [v0] ? [hits1]
+        BIM     0, link_inner
+        .endif
         .endkernel

@@ -191,7 +191,12 @@ shade_towards_hit:
         left_vector 0, lit_red
         left_vector 1, lit_green
         left_vector 2, lit_blue
+        .if     BUMPS
+        in_hit  HIT_SAMPLE + SAMPLE_POINT, 3, new_ox
+        in_hit  HIT_LIGHT, 3, new_dx
+        .else
         in_hit  HIT_SAMPLE + SAMPLE_POINT, 6, new_ox ; point, L
+        .endif
         lit_vector 0, new_ox
         lit_vector 1, new_oy
         lit_vector 2, new_oz

@@ -106,6 +106,7 @@ shade_next_light:
         IX      light_at, 64 * LIGHT_SIZE
         IBXNE   lights_left, m_index_minus_one, r0, shade_light, lights_left
 shade_store:
+        give_normal_before
         SWAP    [r0], red, [a_sample]
         RTOR    link_saved, link
         leave   shade_save, SHADE_REGISTERS

@@ -36,6 +36,13 @@
         .endshare
         .endif
 
+        .if     BUMPS
+        .include "light/bump.s"
+        .share  scratch
+        .reg    bump_at, r233
+        .endshare
+        .endif
+
         .record PART
         .field  PART_PRIMITIVE
         .field  PART_FIRST              ; of its hits,
@@ -364,7 +371,8 @@ set_part:
         BIM     0, link_inner
 
 ; The normal at the points, in the world, turned against the ray; facing =
-; its product with the ray's direction; hits0: where it was turned.
+; its product with the ray's direction; hits0: where it was turned, or, if there are
+; bumps, where it does not face the ray; then both are as the bumps have them.
 find_normal:
         RTOR    link_kernel, link_inner
         look_at_points px, py, pz
@@ -403,6 +411,12 @@ normal_world:
         VTOV    -[nz], [nz] ? [hits0]
         VTOV    -[facing], [facing] ? [hits0]
 normal_faces:
+        .if     BUMPS
+        CMPLTV  [facing], r0, [hits1]
+        ORNB    [hits0], [hits1], [hits0]
+        load_field P_BUMP, bump_at
+        IBXNE   bump_at, r0, r0, bumped
+        .endif
         BIM     0, link_inner
 
 ; Spheres that look alike: as normal_sphere, with a centre for each.

@@ -5,7 +5,7 @@
 ;
 ; RAY = O, D (6 words); PRIMITIVE = the record of what it hit; SURFACE = of the
 ; sample: normal turned against the ray, N . D, the same of the outward normal,
-; place of the colour, point (9); WEIGHT = that of the ray (1), where light passes
+; place of the colour, point (9), with bumps the normal without them (3); WEIGHT = that of the ray (1), where light passes
 ; through something the bodies that it is in and its level before it (3).
 ; FOLLOWED = 1 or 0: there is a reflected ray, a refracted one (2, integers);
 ; REFLECTED, REFRACTED = its O, D, least distance, the same to be scaled;
@@ -53,15 +53,25 @@
         .endshare
         .if     GLOSS
         .include "light/mirror_scalar.s"
+        .if     BUMPS == 0
         .equ    SPAWN_REGISTERS, MIRROR_REGISTERS
+        .endif
         .equ    SPAWN_ARGUMENTS, 8
         .else
+        .if     BUMPS == 0
         .if     INTERIORS
         .equ    SPAWN_REGISTERS, 59
         .else
         .equ    SPAWN_REGISTERS, 43
         .endif
+        .endif
         .equ    SPAWN_ARGUMENTS, 7
+        .endif
+        .if     BUMPS
+        .share  local
+        .regs   r126, sp_before_x, sp_before_y, sp_before_z, sp_bump
+        .endshare
+        .equ    SPAWN_REGISTERS, 98     ; to these
         .endif
 
 ; A new ray, as it lies in these registers from sp_ox on.
@@ -88,6 +98,30 @@
 spawn_save:     .space SPAWN_REGISTERS
         .code
 
+        .if     BUMPS
+; sp_x .. that would go behind the surface do not (bump.s).
+        .macro  mirror_outside
+        IBXEQ   sp_bump, r0, r0, mirror_is_outside\@
+        dot     sp_x, sp_y, sp_z, sp_before_x, sp_before_y, sp_before_z, sp_k, sp_t0
+        CFPGE   sp_k, r0, mirror_is_outside\@
+        dot     sp_x, sp_y, sp_z, sp_nx, sp_ny, sp_nz, sp_t1, sp_t0
+        CFPGE   sp_t1, r0, mirror_again\@
+        RTOR    sp_dx, sp_x
+        RTOR    sp_dy, sp_y
+        RTOR    sp_dz, sp_z
+        dot     sp_x, sp_y, sp_z, sp_before_x, sp_before_y, sp_before_z, sp_k, sp_t0
+mirror_again\@:
+        MPYS    sp_k, m_two, sp_k
+        MPYS    sp_k, sp_before_x, sp_t0
+        MPYS    sp_k, sp_before_y, sp_t1
+        MPYS    sp_k, sp_before_z, sp_t2
+        SUBN    sp_x, sp_t0, sp_x
+        SUBN    sp_y, sp_t1, sp_y
+        SUBN    sp_z, sp_t2, sp_z
+mirror_is_outside\@:
+        .endm
+        .endif
+
         .macro  mirrored
         MPYS    sp_facing, m_two, sp_k
         MPYS    sp_k, sp_nx, sp_t0
@@ -96,6 +130,9 @@ spawn_save:     .space SPAWN_REGISTERS
         SUBN    sp_dx, sp_t0, sp_x
         SUBN    sp_dy, sp_t1, sp_y
         SUBN    sp_dz, sp_t2, sp_z
+        .if     BUMPS
+        mirror_outside
+        .endif
         renormalise_by m_one, m_half, sp_x, sp_y, sp_z, sp_t0, sp_t1
         .endm
 
@@ -124,6 +161,14 @@ spawn:
         SWAP    [sp_ray], sp_dx, [r0]
         ELEN    sp_surface, 9
         SWAP    [sp_surface], sp_nx, [r0]
+        .if     BUMPS
+        IX      sp_surface, 64 * (SAMPLE_BEFORE - SAMPLE_NORMAL)
+        ELEN    sp_surface, 3
+        SWAP    [sp_surface], sp_before_x, [r0]
+        RTOR    sp_primitive, sp_at
+        IX      sp_at, 64 * P_BUMP
+        LOD     [sp_at], sp_bump
+        .endif
         RTOR    sp_primitive, sp_at
         IX      sp_at, 64 * P_INVERTED
         ELEN    sp_at, 5
@@ -182,6 +227,11 @@ spawn_through:
         CFPLT   sp_k, r0, spawn_total
         MPYS    sp_e, sp_t0, sp_t0
         SQRT    sp_k, sp_k
+        .if     BUMPS
+        CFPGE   r0, sp_facing, spawn_from_front
+        SUBN    r0, sp_k, sp_k
+spawn_from_front:
+        .endif
         MPYS    sp_e, sp_dx, sp_x
         MPYS    sp_e, sp_dy, sp_y
         MPYS    sp_e, sp_dz, sp_z

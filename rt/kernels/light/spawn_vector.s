@@ -19,7 +19,8 @@
 ; passes through something, its parent's level is below the last; what passes and
 ; is marked as too dim (its greatest part below 0) is as if nothing passed.
 ;
-; In:  a part of the hits, hits0: where its normal was turned; next_level.
+; In:  a part of the hits, hits0: where its normal was turned, of bumps where the ray
+;      does not enter; next_level.
 ; Out: rays at the end of the next level's list: reflected, then refracted.
 ; Source: Snell's law; the rules are POV-Ray's.
 
@@ -73,13 +74,21 @@
         reflect hdx, nx, v1
         reflect hdy, ny, v2
         reflect hdz, nz, v3
+        .if     BUMPS
+        EX      target, mirror_outside
+        BSAVE   link_kernel, [target]
+        .endif
         renormalise v1, v2, v3, v4, v6
         .endm
 
 ; hits2 = where the rays enter.
         .macro  find_entering
+        .if     BUMPS
+        NANDB   [hits0], [hits0], [hits2]
+        .else
         CMPLTV  [facing], r0, [hits2]
         ANDNB   [hits2], [hits0], [hits2]
+        .endif
         IBXEQ   spawn_inverted, r0, r0, spawn_entering\@
         NANDB   [hits2], [hits2], [hits2]
 spawn_entering\@:
@@ -226,6 +235,10 @@ spawn_refract:
         reflect_all
 spawn_none_total:
         SQRTV   [v7], [v7] ?! [hits2]
+        .if     BUMPS
+        EX      target, refract_from_back
+        BSAVE   link_kernel, [target]
+        .endif
         MPYSV   -[facing], [v0], [v6]
         SUBNV   [v6], [v7], [v7]
         VTOV    r0, [v7] ?! [hits0]             ; straight on

@@ -40,7 +40,19 @@
         .field  SAMPLE_OUTWARD          ; .. of the outward normal
         .field  SAMPLE_CELL             ; place of the colour
         .field  SAMPLE_POINT, 3
+        .if     BUMPS
+        .field  SAMPLE_BEFORE, 3        ; the normal without bumps
+        .endif
         .endrecord
+
+; Without bumps, to where a sample has it, at last.
+        .macro  give_normal_before
+        .if     BUMPS
+        RTOR    raw_x, lx
+        RTOR    raw_y, ly
+        RTOR    raw_z, lz
+        .endif
+        .endm
 
         .macro  point o, d, p
         MPYS    t0, \d, t1
@@ -88,7 +100,15 @@ surface_world\@:
         SUBN    r0, nz, nz
         SUBN    r0, facing, facing
 surface_turned\@:
+        .if     BUMPS
+        change_normal
+        .endif
         .endm
+
+        .if     BUMPS
+        .include "light/bump.s"
+        .include "light/bump_scalar.s"
+        .endif
 
 ; The pigment there, color0, and words of the finish; the colour begins with the
 ; ambient light.

@@ -142,10 +142,15 @@ bool block_read(struct reader *reader, const struct grammar *grammar,
            && block_items(reader, &block, grammar, subject, true);
 }
 
-bool block_finish(struct reader *reader, const struct block *block)
+void block_pass(struct reader *reader, const struct block *block)
 {
     while (!at_close(reader, block))
         reader_next(reader);
+}
+
+bool block_finish(struct reader *reader, const struct block *block)
+{
+    block_pass(reader, block);
     return block_close(reader, block);
 }
 

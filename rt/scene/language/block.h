@@ -59,6 +59,8 @@ bool block_read(struct reader *reader, const struct grammar *grammar,
                 void *subject);
 /* The rest of an open block, whatever it is. */
 bool block_finish(struct reader *reader, const struct block *block);
+/* .. up to its closing sign, which is left. */
+void block_pass(struct reader *reader, const struct block *block);
 /* From '{' to its '}', whatever is between. */
 void block_skip(struct reader *reader);
 

@@ -108,6 +108,7 @@ static void hide(const struct reader *reader, struct scene_object *clip)
         primitive->pigment = reader->default_texture.pigment;
         primitive->pigment.filter[0] = primitive->pigment.filter[1] = 0;
         primitive->pigment.transmit[0] = primitive->pigment.transmit[1] = 0;
+        primitive->bumps.list = NULL;
         primitive->finish = reader->default_texture.finish;
         primitive->ior = 1;
         primitive->interior = 0;

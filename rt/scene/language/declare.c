@@ -72,6 +72,20 @@ static bool declare_texture(struct reader *reader, void *subject,
     return texture_read(reader, texture) && read_layers(reader, texture);
 }
 
+/* .. or that has a map. */
+static bool declare_normal(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct scene_value *value = subject;
+    struct bumps *bumps = &value->is.bumps;
+
+    value->kind = (enum scene_value_kind)item->keyword->detail;
+    *bumps = reader->default_texture.bumps;
+    return value->kind == VALUE_NORMAL_MAP  ? normal_map_read(reader, bumps)
+           : value->kind == VALUE_SLOPE_MAP ? slope_map_read(reader, bumps)
+                                            : normal_read(reader, bumps);
+}
+
 static bool declare_function(struct reader *reader, void *subject,
                              const struct item *item)
 {
@@ -165,6 +179,9 @@ static const struct keyword declared_words[] = {
     { "pigment", declare_pigment, VALUE_PIGMENT },
     { "finish", declare_finish, 0 },
     { "texture", declare_texture, VALUE_TEXTURE },
+    { "normal", declare_normal, VALUE_NORMAL },
+    { "normal_map", declare_normal, VALUE_NORMAL_MAP },
+    { "slope_map", declare_normal, VALUE_SLOPE_MAP },
     { "color_map", declare_pigment, VALUE_COLOR_MAP },
     { "colour_map", declare_pigment, VALUE_COLOR_MAP },
     { "pigment_map", declare_pigment, VALUE_PIGMENT_MAP },
@@ -180,10 +197,11 @@ static const struct keyword declared_words[] = {
 };
 
 static const struct keyword declared_looks[] = {
-    { "density", declare_look, 0 },    { "density_map", declare_look, 0 },
-    { "media", declare_look, 0 },      { "normal", declare_look, 0 },
-    { "normal_map", declare_look, 0 }, { "rainbow", declare_look, 0 },
-    { "slope_map", declare_look, 0 },  { NULL, NULL, 0 },
+    { "density", declare_look, 0 },
+    { "density_map", declare_look, 0 },
+    { "media", declare_look, 0 },
+    { "rainbow", declare_look, 0 },
+    { NULL, NULL, 0 },
 };
 
 static const struct grammar declared_grammar = {

@@ -116,15 +116,24 @@ static bool default_finish(struct reader *reader, void *subject,
     return finish_read(reader, &texture->finish);
 }
 
+static bool default_normal(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct texture *texture = subject;
+
+    (void)item;
+    return normal_read(reader, &texture->bumps);
+}
+
 static const struct keyword default_words[] = {
     { "texture", default_texture, 0 }, { "pigment", default_pigment, 0 },
     { "finish", default_finish, 0 },   { "camera", item_left_out, 0 },
-    { "normal", item_left_out, 0 },    { NULL, NULL, 0 },
+    { "normal", default_normal, 0 },   { NULL, NULL, 0 },
 };
 
-static const struct grammar default_grammar = { "texture, pigment or finish",
-                                                { default_words },
-                                                NULL };
+static const struct grammar default_grammar = {
+    "texture, pigment, normal or finish", { default_words }, NULL
+};
 
 bool default_read(struct reader *reader)
 {

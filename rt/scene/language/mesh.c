@@ -61,6 +61,12 @@ bool mesh_is_smooth(const struct triangle *triangle)
 
 /* ---- Textures of triangles ----------------------------------------------- */
 
+static bool has_bumps(const struct bumps *own, const struct bumps *other)
+{
+    return own->list == other->list && own->unscaled == other->unscaled
+           && !memcmp(&own->to_local, &other->to_local, sizeof own->to_local);
+}
+
 static bool has_texture(const struct primitive *primitive,
                         const struct texture *texture)
 {
@@ -71,7 +77,8 @@ static bool has_texture(const struct primitive *primitive,
     return own->kind == other->kind
            && !memcmp(own->color, other->color, sizeof *own - numbers)
            && !memcmp(&primitive->finish, &texture->finish,
-                      sizeof texture->finish);
+                      sizeof texture->finish)
+           && has_bumps(&primitive->bumps, &texture->bumps);
 }
 
 void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
@@ -87,6 +94,7 @@ void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
     mesh->look_at = *at;
     part->textured = true;
     part->primitive.pigment = texture->pigment;
+    part->primitive.bumps = texture->bumps;
     part->primitive.finish = texture->finish;
 }
 

@@ -12,6 +12,17 @@ void pigment_move(struct pigment *pigment, const struct placement *step)
     pigment->to_local = transform_then(&step->to_local, &pigment->to_local);
 }
 
+static void bumps_move(struct bumps *bumps, const struct placement *step)
+{
+    bumps->to_local = transform_then(&step->to_local, &bumps->to_local);
+}
+
+void texture_move(struct texture *texture, const struct placement *step)
+{
+    pigment_move(&texture->pigment, step);
+    bumps_move(&texture->bumps, step);
+}
+
 static bool add_part(struct scene_object *object,
                      const struct scene_part *part)
 {
@@ -88,6 +99,7 @@ static void inherit(struct scene_part *part,
 {
     if (!part->textured && object->textured) {
         part->primitive.pigment = object->texture.pigment;
+        part->primitive.bumps = object->texture.bumps;
         part->primitive.finish = object->texture.finish;
         part->textured = true;
     }
@@ -361,8 +373,10 @@ static void part_move(struct scene_part *part, const struct placement *step)
                                          &step->to_world);
     primitive->to_local = transform_then(&step->to_local,
                                          &primitive->to_local);
-    if (part->textured)
-        pigment_move(&primitive->pigment, step);
+    if (!part->textured)
+        return;
+    pigment_move(&primitive->pigment, step);
+    bumps_move(&primitive->bumps, step);
 }
 
 void object_move(struct scene_object *object, const struct placement *step)
@@ -376,7 +390,7 @@ void object_move(struct scene_object *object, const struct placement *step)
         transform_direction(&step->to_world, object->lights[i].area_axes[1]);
     }
     if (object->textured)
-        pigment_move(&object->texture.pigment, step);
+        texture_move(&object->texture, step);
 }
 
 void scene_object_free(struct scene_object *object)

@@ -15,12 +15,13 @@
 
 struct texture {
     struct pigment pigment;
+    struct bumps bumps;
     struct finish finish;
 };
 
 struct scene_part {
-    struct primitive primitive; /* pigment and finish once textured, ior and
-                                   interior once filled */
+    struct primitive primitive; /* pigment, bumps and finish once textured,
+                                   ior and interior once filled */
     bool textured, filled;
     const struct bicubic_patch
         *patch;        /* a mesh is made of it, in the world */
@@ -54,6 +55,7 @@ struct scene_object {
 };
 
 void pigment_move(struct pigment *pigment, const struct placement *step);
+void texture_move(struct texture *texture, const struct placement *step);
 
 /* Those that return false are out of memory. */
 bool object_add_primitive(struct scene_object *object,

@@ -30,21 +30,28 @@ static bool read_listed(struct reader *reader, struct pigment *pigment,
            && color_map_listed(reader, colors, count, &pigment->map);
 }
 
+void pattern_begin(struct pigment *pigment, enum pattern_function function)
+{
+    struct pattern *pattern = &pigment->pattern;
+
+    pigment->kind = PIGMENT_PATTERN;
+    pattern->function = function;
+    if (function == PATTERN_BRICK) {
+        copy3(brick_size, pattern->brick_size);
+        pattern->mortar = .5;
+    }
+}
+
 /* Its waves are those of the pattern whose place it takes, as in POV-Ray; after a
  * list that is frequency 0: values stay as they are. */
 bool pattern_read(struct reader *reader, void *subject,
                   const struct item *item)
 {
     struct pigment *pigment = subject;
-    struct pattern *pattern = &pigment->pattern;
 
-    pigment->kind = PIGMENT_PATTERN;
-    pattern->function = (enum pattern_function)item->keyword->detail;
-    switch (pattern->function) {
-    case PATTERN_BRICK:
-        copy3(brick_size, pattern->brick_size);
-        pattern->mortar = .5;
-        return read_listed(reader, pigment, bricks, 2);
+    pattern_begin(pigment, (enum pattern_function)item->keyword->detail);
+    switch (pigment->pattern.function) {
+    case PATTERN_BRICK: return read_listed(reader, pigment, bricks, 2);
     case PATTERN_HEXAGON: return read_listed(reader, pigment, hexagons, 3);
     default: return true;
     }

@@ -39,8 +39,10 @@
     { "spherical", read, PATTERN_SPHERICAL }
 /* clang-format on */
 
+/* Such a pattern, as its word makes it. */
+void pattern_begin(struct pigment *pigment, enum pattern_function function);
 /* Into a pigment: such a pattern, and what changes it. */
-item_reader pattern_read, checker_read, image_map_read;
+item_reader pattern_read, checker_read, gradient_read, image_map_read;
 extern const struct keyword pattern_words[];
 /* Of a pigment that has been read: a gradient that was changed is another pattern;
  * the map that a pattern has unless it is given; the two colours of a checker. */
@@ -57,11 +59,25 @@ extern const struct keyword pattern_words_left_out[];
 
 typedef bool body_reader(struct reader *reader, const struct block *block,
                          void *subject);
-body_reader pigment_body, texture_body;
+body_reader pigment_body, texture_body, normal_body;
 /* The first entry of a map, { [ number body ] ... }, or that of a named one of
  * the kind. */
 bool map_first(struct reader *reader, enum scene_value_kind kind,
                body_reader *body, void *subject, size_t size);
+/* What changes normals while it is read; of it the bump's pattern has its space, and
+ * stands first, so that words of patterns change it. */
+struct normal_reading {
+    struct bump_list list;
+    bool unscaled;
+    const struct block *block; /* that is read */
+};
+void normal_begin(struct normal_reading *reading, const struct bumps *bumps);
+bool normal_keep(struct reader *reader, const struct normal_reading *reading,
+                 struct bumps *bumps);
+/* The maps of a normal, and the normals of a list. */
+item_reader read_slope_map, read_normal_map;
+bool normal_list_read(struct reader *reader, struct normal_reading *reading,
+                      size_t count);
 /* From black to white. */
 bool color_map_gray(struct reader *reader, struct color_map *map);
 /* From cyan over yellow and magenta to cyan. */

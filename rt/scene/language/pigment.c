@@ -120,8 +120,8 @@ bool pigment_colors(struct reader *reader, struct numbers *colors,
     return done;
 }
 
-static bool read_gradient(struct reader *reader, void *subject,
-                          const struct item *item)
+bool gradient_read(struct reader *reader, void *subject,
+                   const struct item *item)
 {
     struct pigment *pigment = subject;
     double length;
@@ -250,7 +250,7 @@ static const struct keyword color_words[] = {
 
 static const struct keyword words[] = {
     { "checker", checker_read, 0 },
-    { "gradient", read_gradient, 0 },
+    { "gradient", gradient_read, 0 },
     { "image_map", image_map_read, 0 },
     { "color_map", read_color_map, 0 },
     { "colour_map", read_color_map, 0 },

@@ -72,7 +72,7 @@ static bool read_texture(struct reader *reader, void *subject,
     return texture_read(reader, &object->texture);
 }
 
-/* pigment and finish change the texture that the object has. */
+/* pigment, finish and normal change the texture that the object has. */
 static struct texture *own_texture(struct reader *reader,
                                    struct scene_object *object)
 {
@@ -94,6 +94,13 @@ static bool read_finish(struct reader *reader, void *subject,
 {
     (void)item;
     return finish_read(reader, &own_texture(reader, subject)->finish);
+}
+
+static bool read_normal(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    (void)item;
+    return normal_read(reader, &own_texture(reader, subject)->bumps);
 }
 
 void object_fill(struct reader *reader, struct scene_object *object,
@@ -191,7 +198,7 @@ static bool read_material_step(struct reader *reader, void *subject,
 
     if (!step_read(reader, item, &step))
         return false;
-    pigment_move(&object->texture.pigment, &step);
+    texture_move(&object->texture, &step);
     return true;
 }
 
@@ -243,6 +250,7 @@ static const struct keyword modifiers[] = {
     { "texture", read_texture, 0 },
     { "pigment", read_pigment, 0 },
     { "finish", read_finish, 0 },
+    { "normal", read_normal, 0 },
     { "interior", read_interior, 0 },
     { "material", read_material, 0 },
     { "inverse", read_inverse, 0 },
@@ -271,7 +279,6 @@ static const struct keyword modifiers_left_out[] = {
     { "interior_texture", item_left_out, 0 },
     { "no_radiosity", item_left_out, 0 },
     { "no_reflection", item_left_out, 0 },
-    { "normal", item_left_out, 0 },
     { "radiosity", item_left_out, 0 },
     { "uv_mapping", item_left_out, 0 },
     { NULL, NULL, 0 },

@@ -31,6 +31,7 @@ bool transform_read(struct reader *reader, struct placement *placement);
 /* Each changes what it finds: start from the scene's defaults. */
 bool pigment_read(struct reader *reader, struct pigment *pigment);
 bool finish_read(struct reader *reader, struct finish *finish);
+bool normal_read(struct reader *reader, struct bumps *bumps);
 bool texture_read(struct reader *reader, struct texture *texture);
 /* Another texture, on one that there is. */
 bool texture_layer_read(struct reader *reader, const struct scene_token *at,
@@ -41,6 +42,9 @@ bool color_map_read(struct reader *reader, struct pigment *pigment);
 /* Of these the first entry is read. */
 bool pigment_map_read(struct reader *reader, struct pigment *pigment);
 bool texture_map_read(struct reader *reader, struct texture *texture);
+/* All entries of these. */
+bool normal_map_read(struct reader *reader, struct bumps *bumps);
+bool slope_map_read(struct reader *reader, struct bumps *bumps);
 /* The block of #default, and of the statement of that name. */
 bool default_read(struct reader *reader);
 bool interior_read(struct reader *reader, double *ior);

@@ -1,4 +1,4 @@
-/* texture.c - finish, and textures of a pigment and a finish. */
+/* texture.c - finish, and textures of a pigment, a normal and a finish. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/pattern.h"
 
@@ -207,6 +207,25 @@ static bool read_finish(struct reader *reader, void *subject,
     return finish_read(reader, &texture->finish);
 }
 
+static bool read_normal(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    struct texture *texture = subject;
+
+    (void)item;
+    return normal_read(reader, &texture->bumps);
+}
+
+static bool read_no_bump_scale(struct reader *reader, void *subject,
+                               const struct item *item)
+{
+    struct texture *texture = subject;
+
+    (void)reader;
+    (void)item;
+    return texture->bumps.unscaled = true;
+}
+
 static bool read_step(struct reader *reader, void *subject,
                       const struct item *item)
 {
@@ -215,7 +234,7 @@ static bool read_step(struct reader *reader, void *subject,
 
     if (!step_read(reader, item, &step))
         return false;
-    pigment_move(&texture->pigment, &step);
+    texture_move(texture, &step);
     return true;
 }
 
@@ -271,6 +290,8 @@ static bool read_tiles(struct reader *reader, void *subject,
 static const struct keyword texture_words[] = {
     { "pigment", read_pigment, 0 },
     { "finish", read_finish, 0 },
+    { "normal", read_normal, 0 },
+    { "no_bump_scale", read_no_bump_scale, 0 },
     STEP_WORDS(read_step),
     { "gradient", read_pattern, 0 },
     { "image_map", read_pattern, 0 },
@@ -284,8 +305,6 @@ static const struct keyword texture_words[] = {
 
 static const struct keyword texture_left_out[] = {
     { "material_map", item_left_out, 0 },
-    { "no_bump_scale", item_passed_over, 0 },
-    { "normal", item_left_out, 0 },
     { "uv_mapping", item_left_out, 0 },
     { NULL, NULL, 0 },
 };

@@ -45,7 +45,10 @@ enum scene_value_kind {
     VALUE_COLOR_MAP,   /* a pigment with it */
     VALUE_PIGMENT_MAP, /* the same */
     VALUE_TEXTURE_MAP, /* its first texture */
-    VALUE_LOOK,        /* nothing of it is drawn */
+    VALUE_NORMAL,
+    VALUE_NORMAL_MAP, /* a normal with it */
+    VALUE_SLOPE_MAP,  /* the same */
+    VALUE_LOOK,       /* nothing of it is drawn */
     VALUE_SKY,
     VALUE_FOG,
     VALUE_INTERIOR,
@@ -102,6 +105,7 @@ struct scene_value {
         struct pigment pigment; /* of maps, too */
         struct finish finish;
         struct texture texture;
+        struct bumps bumps; /* of maps, too */
         struct sky_setting sky;
         struct fog_setting fog;
         double interior;              /* its index of refraction */

@@ -20,6 +20,9 @@ static const struct texture texture_default = {
                                  { 0, 1, 0, 0 },
                                  { 0, 0, 1, 0 } } },
                  .pattern = { .frequency = 1, .exponent = 1 } },
+    .bumps = { .to_local = { { { 1, 0, 0, 0 },
+                               { 0, 1, 0, 0 },
+                               { 0, 0, 1, 0 } } } },
     .finish = { .ambient = { .1, .1, .1 },
                 .reflection_falloff = 1,
                 .diffuse = .6,
@@ -30,6 +33,16 @@ static const struct texture texture_default = {
 enum { TRACE_LEVEL_DEFAULT = 5 };
 #define LANGUAGE_VERSION 3.7
 
+/* Normals go to the space of a bump and back. */
+static bool has_space(const struct bumps *bumps)
+{
+    struct placement placement = { .to_local = bumps->to_local };
+
+    return !bumps_show(bumps)
+           || (transform_invert(&placement.to_local, &placement.to_world)
+               && placement_is_finite(&placement));
+}
+
 static bool check_part(struct reader *reader, struct scene_part *part,
                        const struct scene_token *at)
 {
@@ -39,7 +52,8 @@ static bool check_part(struct reader *reader, struct scene_part *part,
                                  primitive->pigment.to_local };
 
     primitive->transformed = !placement_is_none(&own);
-    if (!placement_is_finite(&own) || !placement_is_finite(&pattern))
+    if (!placement_is_finite(&own) || !placement_is_finite(&pattern)
+        || !has_space(&primitive->bumps))
         return reader_fault(reader, at, "a transform is out of range");
     return shape_is_finite(primitive)
            || reader_fault(reader, at,

@@ -1,0 +1,271 @@
+; bump_vector.s - normals that a pattern changes, at the m points of a part of the
+; hits: formulas in bump.s.
+
+        .share  scratch
+        .regs   r234, bump_outer, bump_left, bump_corner, bump_corners_left
+        .regs   r250, link_bump, link_height
+        .endshare
+
+        .data
+        .align  64
+bump_normals:   .space 3 * QUEUE        ; of a part: those without bumps
+bump_bits:      .space 2 * QUEUE_BIT_WORDS
+        .code
+
+        .macro  load_bump offset, number, first
+        RTOR    bump_at, s0
+        IX      s0, 64 * (\offset)
+        ELEN    s0, \number
+        SWAP    [s0], \first, [r0]
+        .endm
+
+        .macro  load_bump_field offset, register
+        RTOR    bump_at, s0
+        IX      s0, 64 * (\offset)
+        LOD     [s0], \register
+        .endm
+
+; Descriptors of the normals that the part had without bumps.
+        .macro  normals_before x0, x1, x2
+        describe \x0, bump_normals, m
+        describe \x1, bump_normals + 64 * QUEUE, m
+        describe \x2, bump_normals + 64 * QUEUE * 2, m
+        .endm
+
+        .macro  bump_row row0, row1, row2, x0, x1, x2, to
+        dot_constant \x0, \x1, \x2, \row0, \row1, \row2, \to, v0
+        .endm
+
+; The three products with the nine words that load_bump has put to m00.
+        .macro  bump_rows x0, x1, x2, y0, y1, y2
+        bump_row m00, m01, m02, \x0, \x1, \x2, \y0
+        bump_row m03, m10, m11, \x0, \x1, \x2, \y1
+        bump_row m12, m13, m20, \x0, \x1, \x2, \y2
+        .endm
+
+        .macro  bump_axis k0, k1, k2, k3, q
+        dot_constant px, py, pz, \k0, \k1, \k2, \q, v0
+        ADDNV   [\q], \k3, [\q]
+        .endm
+
+        .macro  bump_place x, y, z
+        load_bump BUMP_TO_LOCAL, 12, m00
+        bump_axis m00, m01, m02, m03, \x
+        bump_axis m10, m11, m12, m13, \y
+        bump_axis m20, m21, m22, m23, \z
+        .endm
+
+        .macro  bump_push normal, by
+        LINKV
+        MPYSV   [v0], \by, [v1]
+        ADDNV   [v1], [\normal], [\normal]
+        .endm
+
+; [sum] = share [x] where hits2, more by [share] [x] where hits1.
+        .macro  bump_upper x, sum
+        MPYSV   [\x], [ndotl], [v1]
+        ADDNV   [\sum], [v1], [\sum] ? [hits1]
+        .endm
+
+        .macro  bump_lower x, sum
+        MPYSV   [\x], [v0], [v1]
+        VTOV    [v1], [\sum] ? [hits2]
+        .endm
+
+        .macro  bump_weigh x, sum
+        LINKV
+        MPYSV   [\x], s1, [v1]
+        ADDNV   [v1], [\sum], [\sum]
+        .endm
+
+        .macro  turn_back before, v
+        MPYSV   [v4], [\before], [v6]
+        SUBNV   [\v], [v6], [\v] ? [s7]
+        .endm
+
+        .kernel spawn
+; Reflected directions v1 v2 v3 that would go behind the surface of a part with bumps
+; do not.  Uses v4, v6; BSAVE link_kernel.
+mirror_outside:
+        load_field P_BUMP, s0
+        IBXEQ   s0, r0, r0, mirror_is_outside
+        normals_before s4, s5, s6
+        describe s7, bump_bits, m
+        describe s8, bump_bits + 64 * QUEUE_BIT_WORDS, m
+        dot_vectors v1, v2, v3, s4, s5, s6, v4, v6
+        CMPLTV  [v4], r0, [s7]
+        dot_vectors v1, v2, v3, nx, ny, nz, v4, v6
+        CMPLTV  [v4], r0, [s8]
+        ANDB    [s7], [s8], [s8]
+        VTOV    [hdx], [v1] ? [s8]
+        VTOV    [hdy], [v2] ? [s8]
+        VTOV    [hdz], [v3] ? [s8]
+        dot_vectors v1, v2, v3, s4, s5, s6, v4, v6
+        MPYSV   [v4], two, [v4]
+        turn_back s4, v1
+        turn_back s5, v2
+        turn_back s6, v3
+mirror_is_outside:
+        BIM     0, link_kernel
+
+; The root v7 has another sign where rays see the normal's back.
+refract_from_back:
+        describe s7, bump_bits, m
+        CMPLTV  r0, [facing], [s7]
+        VTOV    -[v7], [v7] ? [s7]
+        BIM     0, link_kernel
+        .endkernel
+
+        .kernel shade
+; The primitive's normals, nx ny nz, facing: of its bumps, bump_at.  hits0 is as it
+; was.  Uses v0-v7, hits1-hits3, lx .., cr .., red .., ndotl.
+bumped:
+        RTOR    link_inner, link_bump
+        normals_before s1, s2, s3
+        VTOV    [nx], [s1]
+        VTOV    [ny], [s2]
+        VTOV    [nz], [s3]
+        load_bump_field BUMP_ENTRY_COUNT, bump_left
+        IBXNE   bump_left, r0, r0, bumped_by_map
+        EX      target, find_bump
+        BSAVE   link_kernel, [target]
+bumped_found:
+        VTOV    [lx], [nx]
+        VTOV    [ly], [ny]
+        VTOV    [lz], [nz]
+        dot_vectors nx, ny, nz, hdx, hdy, hdz, facing, v0
+        BIM     0, link_bump
+
+; The values of the map's pattern in facing; then entry after entry, their sum in cr
+; cg cb, the upper one's share in ndotl.
+bumped_by_map:
+        RTOR    bump_at, bump_outer
+        load_bump BUMP_MAP, MAP_SIZE, map_function
+        IBXEQ   map_function, r0, r0, bumped_by_all
+        bump_place v5, v6, v7
+        EX      target, find_height
+        BSAVE   link_height, [target]
+        VTOV    [v0], [facing]
+        load_bump_field BUMP_ENTRIES, bump_at
+bumped_entry:
+        EX      target, find_bump
+        BSAVE   link_kernel, [target]
+        load_bump BUMP_FROM, 4, m00             ; and to, low, rise
+        CFPGE   m00, big, bumped_lower          ; the first
+        CMPGEV  [facing], m00, [hits1]
+        CMPLTV  [facing], m01, [hits2]
+        ANDB    [hits1], [hits2], [hits1]
+        bump_upper lx, cr
+        bump_upper ly, cg
+        bump_upper lz, cb
+        CFPGE   m01, big, bumped_next           ; the last
+bumped_lower:
+        CMPGEV  [facing], m01, [hits2]
+        LINKV
+        SUBNV   [facing], m02, [v0]
+        MPYSV   [v0], m03, [v0]
+        CMPLTV  [v0], r0, [hits1]
+        VTOV    r0, [v0] ? [hits1]
+        CMPLTV  one, [v0], [hits1]
+        VTOV    one, [v0] ? [hits1]
+        VTOV    [v0], [ndotl] ? [hits2]
+        SUBNV   one, [v0], [v0]
+        bump_lower lx, cr
+        bump_lower ly, cg
+        bump_lower lz, cb
+bumped_next:
+        IX      bump_at, 64 * BUMP_SIZE
+        IBXNE   bump_left, minus_one_index, r0, bumped_entry, bump_left
+bumped_summed:
+        RTOR    bump_outer, bump_at
+        load_bump BUMP_BACK, 9, m00
+        bump_rows cr, cg, cb, lx, ly, lz
+        normalise lx, ly, lz, v0, v1
+        BIM     bumped_found
+
+bumped_by_all:
+        load_bump_field BUMP_ENTRIES, bump_at
+        VTOV    r0, [cr]
+        VTOV    r0, [cg]
+        VTOV    r0, [cb]
+bumped_each:
+        EX      target, find_bump
+        BSAVE   link_kernel, [target]
+        load_bump_field BUMP_RISE, s1
+        bump_weigh lx, cr
+        bump_weigh ly, cg
+        bump_weigh lz, cb
+        IX      bump_at, 64 * BUMP_SIZE
+        IBXNE   bump_left, minus_one_index, r0, bumped_each, bump_left
+        BIM     bumped_summed
+
+; lx ly lz = the normal by the bump at bump_at, in the space of its map.
+find_bump:
+        bump_place red, green, blue
+        load_bump BUMP_CARRY, 9, m00
+        bump_rows nx, ny, nz, lx, ly, lz
+        load_bump_field BUMP_SCALED, s1
+        IBXEQ   s1, r0, r0, bump_unscaled
+        normalise lx, ly, lz, v0, v1
+bump_unscaled:
+        load_bump BUMP_MAP, MAP_SIZE, map_function
+        RTOR    bump_at, bump_corner
+        IX      bump_corner, 64 * BUMP_CORNERS
+        ES      bump_corners_left, 4
+bump_next:
+        ELEN    bump_corner, BUMP_CORNER_SIZE
+        SWAP    [bump_corner], m00, [r0]
+        ADDNV   [red], m00, [v5]
+        ADDNV   [green], m01, [v6]
+        ADDNV   [blue], m02, [v7]
+        EX      target, find_height
+        BSAVE   link_height, [target]
+        bump_push lx, m03
+        bump_push ly, m10
+        bump_push lz, m11
+        IX      bump_corner, 64 * BUMP_CORNER_SIZE
+        IBXNE   bump_corners_left, minus_one_index, r0, bump_next, bump_corners_left
+        load_bump BUMP_BACK, 9, m00
+        bump_rows lx, ly, lz, v5, v6, v7
+        load_bump_field BUMP_NORMALISED, s1
+        IBXEQ   s1, r0, r0, bump_returned
+        normalise v5, v6, v7, v0, v1
+bump_returned:
+        VTOV    [v5], [lx]
+        VTOV    [v6], [ly]
+        VTOV    [v7], [lz]
+        BIM     0, link_kernel
+
+; [v0] = the heights at v5 v6 v7, by map_function .. and the bump's map.  Uses v1-v7,
+; hits1-hits3; BSAVE link_height.
+find_height:
+        EX      target, find_value
+        BSAVE   link_pattern, [target]
+        load_bump_field BUMP_HEIGHTS, s9
+        IBXEQ   s9, r0, r0, height_found
+        ELEN    s9, HEIGHT_SIZE
+        SWAP    [s9], sh0, [r0]
+        VTOV    sh2, [v3]
+height_next:
+        IX      s9, 64 * HEIGHT_SIZE
+        ELEN    s9, HEIGHT_SIZE
+        SWAP    [s9], sh0, [r0]
+        CFPGE   sh0, big, height_last
+        CMPGEV  [v0], sh0, [hits1]
+        LINKV
+        SUBNV   [v0], sh0, [v1]
+        MPYSV   [v1], sh1, [v1]
+        LINKV
+        MPYSV   [v1], sh5, [v2]
+        ADDNV   [v2], sh4, [v2]
+        MPYSV   [v2], [v1], [v2]
+        LINKV
+        ADDNV   [v2], sh3, [v2]
+        MPYSV   [v2], [v1], [v2]
+        ADDNV   [v2], sh2, [v3] ? [hits1]
+        BIM     height_next
+height_last:
+        VTOV    [v3], [v0]
+height_found:
+        BIM     0, link_height
+        .endkernel

@@ -1,0 +1,311 @@
+#include "rt/layout/bumps.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/layout/pigment.h"
+#include "rt/scene/transform.h"
+#include "rt/scene/vector.h"
+#include "rt/shapes/primitive.h"
+
+enum { CORNERS = 4, CORNER_WORDS = 6, HEIGHT_SIZE = 6 };
+#define BEYOND 4e30 /* the kernels' big, for certain */
+#define STEP 1e-30  /* what is nearer is in the same place */
+
+/* POV-Ray's, as its digits are. */
+static const double corners[CORNERS][3] = {
+    { .942809041, -.333333333, 0 },
+    { -.471404521, -.333333333, .816496581 },
+    { -.471404521, -.333333333, -.816496581 },
+    { 0, 1, 0 },
+};
+
+bool scene_has_bumps(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        if (bumps_show(&scene->primitives[i].bumps))
+            return true;
+    return false;
+}
+
+static bool have_one_record(const struct bumps *a, const struct bumps *b)
+{
+    return a->list == b->list && a->unscaled == b->unscaled
+           && !memcmp(&a->to_local, &b->to_local, sizeof a->to_local);
+}
+
+/* ---- Heights ------------------------------------------------------------- */
+
+/* A list has a row a place; a map one before its first entry, too. */
+static size_t height_rows(const struct bump *bump)
+{
+    size_t listed = pigment_list_count(&bump->pattern);
+
+    if (listed > 0)
+        return listed;
+    return bump->stop_count > 0 ? bump->stop_count + 1 : 0;
+}
+
+static size_t height_words(const struct bump *bump)
+{
+    size_t rows = height_rows(bump);
+
+    return rows > 0 ? (rows + 1) * HEIGHT_SIZE : 0;
+}
+
+static void put_level(double at, double height, double row[HEIGHT_SIZE])
+{
+    memset(row, 0, HEIGHT_SIZE * sizeof *row);
+    row[0] = at;
+    row[2] = height;
+}
+
+static void put_slope(const struct slope_stop *stop,
+                      const struct slope_stop *next, double row[HEIGHT_SIZE])
+{
+    double far = next->at - stop->at, rise = next->height - stop->height;
+
+    put_level(stop->at, stop->height, row);
+    if (far <= STEP)
+        return;
+    row[1] = 1 / far;
+    row[3] = stop->slope;
+    row[4] = 3 * rise - 2 * stop->slope - next->slope;
+    row[5] = stop->slope + next->slope - 2 * rise;
+}
+
+/* The kernels have values from 0 to 1 of a list, as far from one another. */
+static void put_listed(const struct bump *bump, size_t count,
+                       double rows[][HEIGHT_SIZE])
+{
+    for (size_t i = 0; i < count; i++)
+        put_level(((double)i - .5) / ((double)count - 1),
+                  pigment_list_value(&bump->pattern, i), rows[i]);
+}
+
+static void put_slopes(const struct bump *bump, double rows[][HEIGHT_SIZE])
+{
+    const struct slope_stop *stops = bump->stops;
+    size_t last = bump->stop_count - 1;
+
+    put_level(-1, stops[0].height, rows[0]);
+    for (size_t i = 0; i <= last; i++)
+        put_slope(&stops[i], &stops[i < last ? i + 1 : i], rows[i + 1]);
+}
+
+static void put_heights(struct record *record, const struct bump *bump)
+{
+    size_t count = height_rows(bump), size = height_words(bump);
+    double(*rows)[HEIGHT_SIZE] = calloc(count + 1, sizeof *rows);
+    c205_word *words = calloc(size + 1, sizeof *words);
+
+    if (!rows || !words) {
+        layout_fail(record->layout, "no memory");
+    } else if (size > 0) {
+        if (pigment_list_count(&bump->pattern) > 0)
+            put_listed(bump, count, rows);
+        else
+            put_slopes(bump, rows);
+        put_level(BEYOND, 0, rows[count]);
+        record_check(record, rows[0], size);
+        put_numbers(words, rows[0], size);
+        record_table(record, "BUMP_HEIGHTS", words, size);
+    }
+    free(rows);
+    free(words);
+}
+
+/* ---- Spaces -------------------------------------------------------------- */
+
+/* As the pattern's function wants it: of what slopes along an axis, that one. */
+static void put_pattern(struct record *record, const struct bump *bump,
+                        const struct transform *to_local)
+{
+    struct pigment pattern = bump->pattern;
+    const char *wave = pattern_wave(&pattern);
+    double rows[PATTERN_ROWS], numbers[MAP_NUMBERS];
+
+    pattern.to_local = *to_local;
+    pattern_rows(&pattern, rows);
+    pattern_numbers(&pattern.pattern, numbers);
+    record_numbers(record, "BUMP_TO_LOCAL", rows, PATTERN_ROWS);
+    record_routine(record, "BUMP_FUNCTION",
+                   pattern_routine(&pattern.pattern));
+    if (wave)
+        record_routine(record, "BUMP_WAVE", wave);
+    record_numbers(record, "BUMP_NUMBERS", numbers, MAP_NUMBERS);
+    put_heights(record, bump);
+}
+
+static void put_corners(struct record *record, const struct bump *bump)
+{
+    const struct pigment *pattern = &bump->pattern;
+    bool slanted = pattern->pattern.function == PATTERN_SLANTED;
+    bool flat = pattern->kind == PIGMENT_COLOR;
+    double push = flat ? 0 : -5 * bump->amount * .02 / bump->accuracy;
+    double words[CORNERS * CORNER_WORDS] = { 0 };
+
+    for (int i = 0; i < CORNERS; i++) {
+        double *word = words + CORNER_WORDS * i;
+
+        if (slanted)
+            word[0] = dot3(corners[i], pattern->axis);
+        else
+            copy3(corners[i], word);
+        scale3(bump->accuracy, word);
+        copy3(corners[i], word + 3);
+        scale3(push, word + 3);
+    }
+    record_numbers(record, "BUMP_CORNERS", words, CORNERS * CORNER_WORDS);
+}
+
+/* The transposed linear part. */
+static void put_back(struct record *record, const struct transform *map,
+                     const char *field)
+{
+    double words[9];
+
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            words[3 * i + j] = map->rows[j][i];
+    record_numbers(record, field, words, 9);
+}
+
+/* .. of the inverse. */
+static void put_carry(struct record *record, const struct transform *to_local)
+{
+    struct transform to_world;
+
+    if (transform_invert(to_local, &to_world))
+        put_back(record, &to_world, "BUMP_CARRY");
+    else
+        layout_fail(record->layout, "the normal of line %zu is out of range",
+                    record->line);
+}
+
+/* A bump whose pattern's space has another one around it, or none. */
+static void put_bump(struct record *record, const struct bump *bump,
+                     const struct transform *around,
+                     const struct transform *to_local, bool unscaled)
+{
+    struct transform whole = around ? transform_then(around, to_local)
+                                    : *to_local;
+
+    put_pattern(record, bump, &whole);
+    put_corners(record, bump);
+    put_carry(record, &whole);
+    put_back(record, to_local, "BUMP_BACK");
+    record_integer(record, "BUMP_SCALED", !unscaled);
+    record_integer(record, "BUMP_NORMALISED", !unscaled || !around);
+}
+
+/* ---- Maps ---------------------------------------------------------------- */
+
+/* Where among the values of its map it counts: from the entry before on, from its own
+ * place on; of the first and the last everywhere. */
+static void put_share(struct record *record, const struct bump_list *list,
+                      size_t i)
+{
+    const struct bump_entry *entries = list->entries;
+    size_t last = list->count - 1;
+    double from = i > 1 ? entries[i - 1].at : i == 1 ? -BEYOND : BEYOND;
+    double to = i == 0 ? -BEYOND : i < last ? entries[i].at : BEYOND;
+    double far = i < last ? entries[i + 1].at - entries[i].at : 0;
+    double rise = list->average ? entries[i].at
+                                : (far > STEP ? 1 / far : BEYOND);
+
+    record_numbers(record, "BUMP_FROM", &from, 1);
+    record_numbers(record, "BUMP_TO", &to, 1);
+    record_numbers(record, "BUMP_LOW", &entries[i].at, 1);
+    record_numbers(record, "BUMP_RISE", &rise, 1);
+}
+
+static void put_entries(struct record *record, const struct bumps *bumps,
+                        const struct bump_list *list)
+{
+    for (size_t i = 0; i < list->count; i++) {
+        const struct bump *bump = &list->entries[i].bump;
+
+        put_bump(record, bump, &bumps->to_local, &bump->pattern.to_local,
+                 bumps->unscaled);
+        put_share(record, list, i);
+        record_write(record);
+    }
+}
+
+static void put_map(struct record *record, const struct bumps *bumps)
+{
+    const struct bump_list *list = bumps->list;
+
+    put_back(record, &bumps->to_local, "BUMP_BACK");
+    if (!list->average)
+        put_pattern(record, &list->bump, &bumps->to_local);
+    record_address(record, "BUMP_ENTRIES",
+                   record->address + UINT64_C(64) * record->size);
+    record_integer(record, "BUMP_ENTRY_COUNT", list->count);
+    record_write(record);
+    put_entries(record, bumps, list);
+}
+
+static void put_bumps(struct record *record, const struct bumps *bumps)
+{
+    const struct bump_list *list = bumps->list;
+
+    if (list->count > 0) {
+        put_map(record, bumps);
+        return;
+    }
+    put_bump(record, &list->bump, NULL, &bumps->to_local, bumps->unscaled);
+    record_write(record);
+}
+
+/* ---- All of them --------------------------------------------------------- */
+
+/* Records and words of heights of those that are not the ones before. */
+static void count_bumps(const struct scene *scene, size_t *records,
+                        size_t *words)
+{
+    const struct bumps *before = NULL;
+
+    *records = *words = 0;
+    for (size_t i = 0; i < scene->primitive_count; i++) {
+        const struct bumps *bumps = &scene->primitives[i].bumps;
+
+        if (!bumps_show(bumps) || (before && have_one_record(bumps, before)))
+            continue;
+        before = bumps;
+        *records += 1 + bumps->list->count;
+        *words += height_words(&bumps->list->bump);
+        for (size_t k = 0; k < bumps->list->count; k++)
+            *words += height_words(&bumps->list->entries[k].bump);
+    }
+}
+
+void layout_bumps(struct record_layout *layout, const struct scene *scene,
+                  uint64_t *addresses)
+{
+    const struct bumps *before = NULL;
+    size_t records, words;
+    uint64_t address = 0;
+    struct record record;
+
+    count_bumps(scene, &records, &words);
+    if (records == 0)
+        return;
+    record_begin(&record, layout, "BUMP_SIZE", records, words);
+    for (size_t i = 0; i < scene->primitive_count && !layout->failed; i++) {
+        const struct bumps *bumps = &scene->primitives[i].bumps;
+
+        if (!bumps_show(bumps))
+            continue;
+        record.line = scene->primitives[i].line;
+        if (!before || !have_one_record(bumps, before)) {
+            before = bumps;
+            address = record.address;
+            put_bumps(&record, bumps);
+        }
+        addresses[i] = address;
+    }
+    record_end(&record);
+}

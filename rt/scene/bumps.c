@@ -1,0 +1,10 @@
+/* bumps.c - what changes normals. */
+#include "rt/scene/scene.h"
+
+bool bumps_show(const struct bumps *bumps)
+{
+    const struct bump_list *list = bumps->list;
+
+    return list
+           && (list->bump.pattern.kind != PIGMENT_COLOR || list->average);
+}

@@ -1,0 +1,208 @@
+/* normal.c - normals: bumps by a pattern without noise, and what changes them. */
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/pattern.h"
+
+#include <string.h>
+
+/* POV-Ray's; no pattern yet, and so no bumps. */
+static const struct bump bump_default = {
+    .pattern = { .kind = PIGMENT_COLOR,
+                 .pattern = { .frequency = 1, .exponent = 1 } },
+    .amount = .5,
+    .accuracy = .02,
+};
+
+void normal_begin(struct normal_reading *reading, const struct bumps *bumps)
+{
+    memset(reading, 0, sizeof *reading);
+    reading->list.bump = bump_default;
+    if (bumps->list)
+        reading->list = *bumps->list;
+    reading->list.bump.pattern.to_local = bumps->to_local;
+    reading->unscaled = bumps->unscaled;
+}
+
+/* What a pattern may be followed by. */
+static bool read_amount(struct reader *reader, struct normal_reading *reading)
+{
+    reader_comma(reader);
+    return !starts_expression(reader)
+           || read_number(reader, &reading->list.bump.amount);
+}
+
+/* Of a list each place has its normal, or its number is a height. */
+static bool read_function(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    struct normal_reading *reading = subject;
+    struct bump_list *list = &reading->list;
+    struct bump *bump = &list->bump;
+    size_t count;
+
+    pattern_begin(&bump->pattern,
+                  (enum pattern_function)item->keyword->detail);
+    list->average = false;
+    count = pigment_list_count(&bump->pattern);
+    if (count > 0) {
+        bump->pattern.pattern.frequency = 0;
+        bump->accuracy = bump_default.accuracy;
+        bump->stop_count = list->count = 0;
+        if (!normal_list_read(reader, reading, count))
+            return false;
+    }
+    return read_amount(reader, reading);
+}
+
+static bool read_gradient(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    struct normal_reading *reading = subject;
+
+    if (!gradient_read(reader, subject, item))
+        return false;
+    pattern_begin(&reading->list.bump.pattern, PATTERN_SLANTED);
+    reading->list.average = false;
+    return read_amount(reader, reading);
+}
+
+static bool read_average(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct normal_reading *reading = subject;
+
+    (void)item;
+    pattern_begin(&reading->list.bump.pattern, PATTERN_PLANAR);
+    reading->list.average = true;
+    return read_amount(reader, reading);
+}
+
+/* Nothing of this normal is drawn, whatever else it says. */
+static bool read_unsupported(struct reader *reader, void *subject,
+                             const struct item *item)
+{
+    struct normal_reading *reading = subject;
+    struct bump_list *list = &reading->list;
+
+    reader_report(reader, &item->at,
+                  "a normal of the pattern '%s' is not supported and left "
+                  "out",
+                  item->keyword->word);
+    list->bump.pattern.kind = PIGMENT_COLOR;
+    list->average = false;
+    list->bump.stop_count = list->count = 0;
+    block_pass(reader, reading->block);
+    return true;
+}
+
+static bool read_bump_size(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct normal_reading *reading = subject;
+
+    (void)item;
+    return read_number(reader, &reading->list.bump.amount);
+}
+
+static bool read_accuracy(struct reader *reader, void *subject,
+                          const struct item *item)
+{
+    struct normal_reading *reading = subject;
+
+    if (!read_number(reader, &reading->list.bump.accuracy))
+        return false;
+    return reading->list.bump.accuracy != 0
+           || reader_fault(reader, &item->at, "an accuracy of 0");
+}
+
+static bool read_no_bump_scale(struct reader *reader, void *subject,
+                               const struct item *item)
+{
+    struct normal_reading *reading = subject;
+
+    (void)reader;
+    (void)item;
+    return reading->unscaled = true;
+}
+
+static bool read_step(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    struct normal_reading *reading = subject;
+    struct placement step;
+
+    if (!step_read(reader, item, &step))
+        return false;
+    pigment_move(&reading->list.bump.pattern, &step);
+    return true;
+}
+
+static const struct keyword words[] = {
+    PATTERN_FUNCTION_WORDS(read_function),
+    { "checker", read_function, PATTERN_CHECKER },
+    { "gradient", read_gradient, 0 },
+    { "average", read_average, 0 },
+    PATTERN_WORDS(read_unsupported),
+    { "bump_map", read_unsupported, 0 },
+    { "accuracy", read_accuracy, 0 },
+    { "bump_size", read_bump_size, 0 },
+    { "no_bump_scale", read_no_bump_scale, 0 },
+    { "normal_map", read_normal_map, 0 },
+    { "slope_map", read_slope_map, 0 },
+    STEP_WORDS(read_step),
+    { NULL, NULL, 0 },
+};
+
+static const struct keyword left_out[] = {
+    { "uv_mapping", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar grammar = { "a word of normal",
+                                        { words, left_out, pattern_words,
+                                          pattern_words_left_out },
+                                        NULL };
+
+/* It may begin with the name of a normal. */
+bool normal_body(struct reader *reader, const struct block *block,
+                 void *subject)
+{
+    const struct scene_value *value = reader_use(reader, VALUE_NORMAL);
+    struct normal_reading *reading = subject;
+
+    if (value) {
+        normal_begin(reading, &value->is.bumps);
+        reader_next(reader);
+    }
+    reading->block = block;
+    if (!block_items(reader, block, &grammar, reading,
+                     read_amount(reader, reading)))
+        return false;
+    return !reading->list.average || reading->list.count > 0
+           || reader_fault(reader, &block->open,
+                           "an average without a normal_map");
+}
+
+bool normal_keep(struct reader *reader, const struct normal_reading *reading,
+                 struct bumps *bumps)
+{
+    struct bump_list *list = arena_take(&reader->scene->kept, sizeof *list);
+
+    if (!list)
+        return reader_no_memory(reader);
+    *list = reading->list;
+    bumps->list = list;
+    bumps->to_local = reading->list.bump.pattern.to_local;
+    bumps->unscaled = reading->unscaled;
+    return true;
+}
+
+bool normal_read(struct reader *reader, struct bumps *bumps)
+{
+    struct normal_reading reading;
+    struct block block;
+
+    normal_begin(&reading, bumps);
+    return block_open(reader, &block, '{')
+           && normal_body(reader, &block, &reading)
+           && normal_keep(reader, &reading, bumps);
+}

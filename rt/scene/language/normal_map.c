@@ -1,0 +1,281 @@
+/* normal_map.c - the maps of a normal: slope_map { [value <height, slope>] .. },
+ * normal_map { [value normal] .. }, and the normals of a list. */
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/pattern.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { ENTRIES_MOST = 256 }; /* as in POV-Ray */
+
+static bool keep(struct reader *reader, const void *items, size_t size,
+                 const void **kept)
+{
+    void *copy = arena_take(&reader->scene->kept, size);
+
+    if (!copy)
+        return reader_no_memory(reader);
+    memcpy(copy, items, size);
+    *kept = copy;
+    return true;
+}
+
+static bool has_room(struct reader *reader, size_t count)
+{
+    return count < ENTRIES_MOST
+           || reader_fault(reader, &reader->token,
+                           "more than %d entries in a map", ENTRIES_MOST);
+}
+
+/* Entries are in the order of their places. */
+static bool read_place(struct reader *reader, size_t count, double before,
+                       double *at)
+{
+    if (!read_number(reader, at))
+        return false;
+    reader_comma(reader);
+    if (count > 0 && *at < before)
+        *at = before;
+    return true;
+}
+
+/* ---- slope_map ----------------------------------------------------------- */
+
+static bool read_slope(struct reader *reader, struct bump *bump,
+                       struct slope_stop *stops)
+{
+    struct slope_stop *stop = &stops[bump->stop_count];
+    double before = bump->stop_count > 0 ? stop[-1].at : 0, slope[3];
+    struct block entry;
+    bool good;
+
+    if (!has_room(reader, bump->stop_count)
+        || !block_open(reader, &entry, '['))
+        return false;
+    good = read_place(reader, bump->stop_count, before, &stop->at)
+           && read_vector(reader, slope);
+    if (good && !reader_at_sign(reader, ']'))
+        good = reader_expected(reader, "']'");
+    if (!block_finish(reader, &entry) || !good)
+        return false;
+    stop->height = slope[0];
+    stop->slope = slope[1];
+    bump->stop_count++;
+    return true;
+}
+
+static bool read_own_slopes(struct reader *reader, struct bump *bump)
+{
+    struct slope_stop stops[ENTRIES_MOST];
+    const void *kept = NULL;
+
+    bump->stop_count = 0;
+    do {
+        if (!read_slope(reader, bump, stops))
+            return false;
+        reader_comma(reader);
+    } while (reader_at_sign(reader, '['));
+    if (!keep(reader, stops, bump->stop_count * sizeof *stops, &kept))
+        return false;
+    bump->stops = kept;
+    return true;
+}
+
+static bool read_slopes(struct reader *reader, struct bump *bump)
+{
+    const struct scene_value *value;
+    struct block block;
+    bool good = true;
+
+    if (!block_open(reader, &block, '{'))
+        return false;
+    value = reader_use(reader, VALUE_SLOPE_MAP);
+    if (value && value->is.bumps.list) {
+        bump->stop_count = value->is.bumps.list->bump.stop_count;
+        bump->stops = value->is.bumps.list->bump.stops;
+    } else {
+        good = read_own_slopes(reader, bump);
+    }
+    return block_finish(reader, &block) && good;
+}
+
+/* POV-Ray's: a list has no maps. */
+static bool has_place(struct reader *reader,
+                      const struct normal_reading *reading,
+                      const struct item *item)
+{
+    return pigment_list_count(&reading->list.bump.pattern) == 0
+           || reader_fault(reader, &item->at, "a list of normals has no '%s'",
+                           item->keyword->word);
+}
+
+bool read_slope_map(struct reader *reader, void *subject,
+                    const struct item *item)
+{
+    struct normal_reading *reading = subject;
+
+    if (!has_place(reader, reading, item))
+        return false;
+    reading->list.count = 0;
+    return read_slopes(reader, &reading->list.bump);
+}
+
+bool slope_map_read(struct reader *reader, struct bumps *bumps)
+{
+    struct normal_reading reading;
+
+    normal_begin(&reading, bumps);
+    return read_slopes(reader, &reading.list.bump)
+           && normal_keep(reader, &reading, bumps);
+}
+
+/* ---- normal_map ---------------------------------------------------------- */
+
+/* Of a normal that is several itself the first one. */
+static void take_entry(struct reader *reader,
+                       const struct normal_reading *from,
+                       const struct scene_token *at, struct bump *bump)
+{
+    const struct bump_list *list = &from->list;
+
+    *bump = list->bump;
+    if (from->unscaled)
+        reader_report(reader, at, "'no_bump_scale' within a map is left out");
+    if (list->count == 0)
+        return;
+    reader_report(reader, at,
+                  "a normal of several within a map is replaced by its "
+                  "first");
+    *bump = list->entries[0].bump;
+    bump->pattern.to_local = transform_then(&list->bump.pattern.to_local,
+                                            &bump->pattern.to_local);
+}
+
+static void begin_entry(const struct reader *reader,
+                        struct normal_reading *reading)
+{
+    normal_begin(reading, &reader->default_texture.bumps);
+}
+
+/* Of an average the number may be missing. */
+static bool read_entry(struct reader *reader, struct bump_list *list,
+                       struct bump_entry *entries)
+{
+    struct bump_entry *entry = &entries[list->count];
+    double before = list->count > 0 && !list->average ? entry[-1].at : -1e30;
+    struct normal_reading reading;
+    struct block block;
+
+    if (!has_room(reader, list->count) || !block_open(reader, &block, '['))
+        return false;
+    begin_entry(reader, &reading);
+    entry->at = 1;
+    if ((!list->average || starts_expression(reader))
+        && !read_place(reader, list->count, before, &entry->at)) {
+        block_finish(reader, &block);
+        return false;
+    }
+    if (!normal_body(reader, &block, &reading))
+        return false;
+    take_entry(reader, &reading, &block.open, &entry->bump);
+    list->count++;
+    return true;
+}
+
+static bool read_entries(struct reader *reader, struct bump_list *list,
+                         struct bump_entry *entries)
+{
+    const void *kept = NULL;
+
+    list->count = 0;
+    do {
+        if (!read_entry(reader, list, entries))
+            return false;
+        reader_comma(reader);
+    } while (reader_at_sign(reader, '['));
+    if (!keep(reader, entries, list->count * sizeof *entries, &kept))
+        return false;
+    list->entries = kept;
+    return true;
+}
+
+static bool read_own_entries(struct reader *reader, struct bump_list *list)
+{
+    struct bump_entry *entries = calloc(ENTRIES_MOST, sizeof *entries);
+    bool good = entries ? read_entries(reader, list, entries)
+                        : reader_no_memory(reader);
+
+    free(entries);
+    return good;
+}
+
+static bool read_normals(struct reader *reader, struct bump_list *list)
+{
+    const struct scene_value *value;
+    struct block block;
+    bool good = true;
+
+    if (!block_open(reader, &block, '{'))
+        return false;
+    value = reader_use(reader, VALUE_NORMAL_MAP);
+    if (value && value->is.bumps.list) {
+        list->count = value->is.bumps.list->count;
+        list->entries = value->is.bumps.list->entries;
+    } else {
+        good = read_own_entries(reader, list);
+    }
+    return block_finish(reader, &block) && good;
+}
+
+bool read_normal_map(struct reader *reader, void *subject,
+                     const struct item *item)
+{
+    struct normal_reading *reading = subject;
+
+    if (!has_place(reader, reading, item))
+        return false;
+    reading->list.bump.stop_count = 0;
+    return read_normals(reader, &reading->list);
+}
+
+bool normal_map_read(struct reader *reader, struct bumps *bumps)
+{
+    struct normal_reading reading;
+
+    normal_begin(&reading, bumps);
+    reading.list.average = true; /* perhaps: numbers may be missing */
+    return read_normals(reader, &reading.list)
+           && normal_keep(reader, &reading, bumps);
+}
+
+/* ---- Lists --------------------------------------------------------------- */
+
+bool normal_list_read(struct reader *reader, struct normal_reading *reading,
+                      size_t count)
+{
+    struct bump_entry entries[LISTED_MOST];
+    const void *kept = NULL;
+
+    if (!is_token(&reader->token, "normal"))
+        return true;
+    for (size_t i = 0; i < count; i++) {
+        struct normal_reading entry;
+        struct scene_token at = reader->token;
+        struct block block;
+
+        if (!reader_accept(reader, "normal"))
+            return reader_expected(reader, "a normal");
+        begin_entry(reader, &entry);
+        if (!block_open(reader, &block, '{')
+            || !normal_body(reader, &block, &entry))
+            return false;
+        entries[i].at = (double)i;
+        take_entry(reader, &entry, &at, &entries[i].bump);
+        reader_comma(reader);
+    }
+    if (!keep(reader, entries, count * sizeof *entries, &kept))
+        return false;
+    reading->list.count = count;
+    reading->list.entries = kept;
+    return true;
+}

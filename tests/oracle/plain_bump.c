@@ -1,0 +1,162 @@
+#include "tests/oracle/plain_bump.h"
+
+#include "tests/oracle/plain_pattern.h"
+#include "tests/oracle/plain_shapes.h"
+
+#include <math.h>
+
+/* --- heights -------------------------------------------------------------- */
+
+/* From one end with its slope to the other: Hermite's cubics. */
+static double between_ends(const struct slope_stop *a,
+                           const struct slope_stop *b, double u)
+{
+    double v = 1 - u;
+    return a->height * v * v * (1 + 2 * u) + b->height * u * u * (1 + 2 * v)
+           + a->slope * u * v * v - b->slope * u * u * v;
+}
+
+static double height(const struct bump *bump, const double point[3])
+{
+    const struct slope_stop *stops = bump->stops;
+    double value = plain_pattern(&bump->pattern, point);
+    size_t last = bump->stop_count, k = 0;
+    if (last == 0)
+        return value;
+    if (value < stops[0].at)
+        return stops[0].height;
+    while (k + 1 < last && stops[k + 1].at <= value)
+        k++;
+    if (k + 1 == last)
+        return stops[k].height;
+    return between_ends(&stops[k], &stops[k + 1],
+                        (value - stops[k].at)
+                            / (stops[k + 1].at - stops[k].at));
+}
+
+/* --- spaces --------------------------------------------------------------- */
+
+static void map_point(const struct transform *map, const double point[3],
+                      double there[3])
+{
+    for (int i = 0; i < 3; i++)
+        there[i] = dot(map->rows[i], point) + map->rows[i][3];
+}
+
+/* Normals go back by the transposed map: n_i = the sum of map_ji n'_j. */
+static void back(const struct transform *map, const double there[3],
+                 double normal[3])
+{
+    for (int i = 0; i < 3; i++)
+        normal[i] = map->rows[0][i] * there[0] + map->rows[1][i] * there[1]
+                    + map->rows[2][i] * there[2];
+}
+
+static double triple(const double a[3], const double b[3], const double c[3])
+{
+    return a[0] * (b[1] * c[2] - b[2] * c[1])
+           + a[1] * (b[2] * c[0] - b[0] * c[2])
+           + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/* .. and there by Cramer's rule. */
+static void there_from(const struct transform *map, const double normal[3],
+                       double there[3])
+{
+    double rows[3][3];
+    for (int i = 0; i < 3; i++)
+        copy(rows[i], map->rows[i]);
+    double whole = triple(rows[0], rows[1], rows[2]);
+    there[0] = triple(normal, rows[1], rows[2]) / whole;
+    there[1] = triple(rows[0], normal, rows[2]) / whole;
+    there[2] = triple(rows[0], rows[1], normal) / whole;
+}
+
+/* --- bumps ---------------------------------------------------------------- */
+
+/* Away from where it rises, by differences to the corners of a tetrahedron. */
+static void push(const struct bump *bump, const double point[3],
+                 double normal[3])
+{
+    double r = sqrt(8) / 3, h = sqrt(2. / 3), amount = -.1 * bump->amount;
+    const double corners[4][3] = { { r, -1. / 3, 0 },
+                                   { -r / 2, -1. / 3, h },
+                                   { -r / 2, -1. / 3, -h },
+                                   { 0, 1, 0 } };
+    for (int i = 0; i < 4; i++) {
+        double corner[3];
+        add_scaled(corner, point, bump->accuracy, corners[i]);
+        add_scaled(normal, normal,
+                   amount * height(bump, corner) / bump->accuracy,
+                   corners[i]);
+    }
+}
+
+/* In the space around it. */
+static void change(const struct bump *bump, const struct transform *space,
+                   bool unscaled, const double point[3], double normal[3])
+{
+    double there[3], at[3];
+    map_point(space, point, at);
+    there_from(space, normal, there);
+    if (!unscaled)
+        normalise(there);
+    if (bump->pattern.kind != PIGMENT_COLOR)
+        push(bump, at, there);
+    back(space, there, normal);
+    if (!unscaled)
+        normalise(normal);
+}
+
+static void change_by(const struct bump_entry *entry, bool unscaled,
+                      const double at[3], const double before[3],
+                      double share, double sum[3])
+{
+    double normal[3];
+    copy(normal, before);
+    change(&entry->bump, &entry->bump.pattern.to_local, unscaled, at, normal);
+    add_scaled(sum, sum, share, normal);
+}
+
+static void blend(const struct bump_list *list, bool unscaled,
+                  const double at[3], const double before[3], double sum[3])
+{
+    const struct bump_entry *entries = list->entries;
+    double value = plain_pattern(&list->bump.pattern, at);
+    size_t k = 0;
+    while (k < list->count && entries[k].at <= value)
+        k++;
+    if (k == 0 || k == list->count) {
+        change_by(&entries[k ? k - 1 : 0], unscaled, at, before, 1, sum);
+        return;
+    }
+    double u = (value - entries[k - 1].at)
+               / (entries[k].at - entries[k - 1].at);
+    change_by(&entries[k - 1], unscaled, at, before, 1 - u, sum);
+    change_by(&entries[k], unscaled, at, before, u, sum);
+}
+
+void plain_bumps(const struct bumps *bumps, const double point[3],
+                 double normal[3])
+{
+    const struct bump_list *list = bumps->list;
+    double at[3], there[3], sum[3] = { 0, 0, 0 };
+    if (!bumps_show(bumps))
+        return;
+    if (list->count == 0) {
+        change(&list->bump, &bumps->to_local, bumps->unscaled, point, normal);
+        normalise(normal);
+        return;
+    }
+    map_point(&bumps->to_local, point, at);
+    there_from(&bumps->to_local, normal, there);
+    if (!bumps->unscaled)
+        normalise(there);
+    if (!list->average)
+        blend(list, bumps->unscaled, at, there, sum);
+    for (size_t i = 0; list->average && i < list->count; i++)
+        change_by(&list->entries[i], bumps->unscaled, at, there,
+                  list->entries[i].at, sum);
+    back(&bumps->to_local, sum, normal);
+    normalise(normal);
+}

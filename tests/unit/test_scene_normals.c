@@ -1,0 +1,257 @@
+/* test_scene_normals.c - the scene language: normals by patterns, and their maps. */
+#include "rt/scene/transform.h"
+#include "rt/shapes/primitive.h"
+#include "tests/unit/scene_reading.h"
+
+#include <stdio.h>
+
+/* Of the first object. */
+static struct scene *scene_with(const char *words, size_t reports)
+{
+    char text[1024];
+    snprintf(text, sizeof text, "sphere { 0, 1 normal { %s } }", words);
+    return read_with(text, reports);
+}
+
+static const struct bump_list *list_of(const struct scene *scene)
+{
+    const struct bump_list *list = scene->primitives[0].bumps.list;
+    assert_non_null(list);
+    return list;
+}
+
+static void check_bump(const char *words, enum pattern_function function,
+                       double amount, double accuracy)
+{
+    static const char *const forms[] = {
+        "sphere { 0, 1 normal { %s } }",
+        "sphere { 0, 1 texture { normal { %s } } }",
+        "#declare N = normal { %s } sphere { 0, 1 normal { N } }",
+        "#default { normal { %s } } sphere { 0, 1 }",
+        "#declare M = material { texture { normal { %s } } }"
+        " sphere { 0, 1 material { M } }",
+        "#declare A = array[1] { normal { %s } }"
+        " sphere { 0, 1 normal { A[0] } }",
+    };
+
+    for (size_t i = 0; i < COUNT(forms); i++) {
+        char text[1024];
+        snprintf(text, sizeof text, forms[i], words);
+        struct scene *scene = read_scene(text);
+        const struct bump *bump = &list_of(scene)->bump;
+        assert_true(bumps_show(&scene->primitives[0].bumps));
+        assert_int_equal(bump->pattern.kind, PIGMENT_PATTERN);
+        assert_int_equal(bump->pattern.pattern.function, function);
+        assert_close(bump->amount, amount, 0);
+        assert_close(bump->accuracy, accuracy, 0);
+        scene_free(scene);
+    }
+}
+
+static void test_bumps(void **state)
+{
+    (void)state;
+    check_bump("gradient x", PATTERN_SLANTED, .5, .02);
+    check_bump("gradient x, 3", PATTERN_SLANTED, 3, .02);
+    check_bump("gradient <1, 2, 3> 3 bump_size 2", PATTERN_SLANTED, 2, .02);
+    check_bump("bump_size 2 gradient y", PATTERN_SLANTED, 2, .02);
+    check_bump("onion -1 accuracy .3", PATTERN_ONION, -1, .3);
+    check_bump("onion accuracy .3 brick .7", PATTERN_BRICK, .7, .02);
+    check_bump("checker .1", PATTERN_CHECKER, .1, .02);
+    check_bump("hexagon", PATTERN_HEXAGON, .5, .02);
+    check_bump("radial 2 frequency 8 sine_wave", PATTERN_RADIAL, 2, .02);
+}
+
+/* What has no pattern changes nothing, nor what has an unknown one. */
+static void test_none(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t reports;
+    } rows[] = {
+        { "sphere { 0, 1 }", 0 },
+        { "sphere { 0, 1 normal { bump_size 2 } }", 0 },
+        { "sphere { 0, 1 normal { gradient x } normal { bumps 2 scale 3 } }",
+          1 },
+        { "sphere { 0, 1 normal { bumps 2 normal_map { [0 onion] } } }", 1 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct scene *scene = read_with(rows[i].text, rows[i].reports);
+        assert_false(bumps_show(&scene->primitives[0].bumps));
+        scene_free(scene);
+    }
+}
+
+/* A normal goes on where the one before it ended; it moves with the object, its
+ * texture, its material. */
+static void test_motions(void **state)
+{
+    static const char *const texts[] = {
+        "sphere { 0, 1 normal { onion scale 2 translate x } }",
+        "sphere { 0, 1 normal { onion scale 2 } translate x }",
+        "sphere { 0, 1 texture { normal { onion } scale 2 translate x } }",
+        "sphere { 0, 1 normal { onion scale 2 } normal { translate x } }",
+        "#declare N = normal { onion scale 2 }"
+        " sphere { 0, 1 normal { N translate x } }",
+        "#declare M = material { texture { normal { onion } } scale 2 }"
+        " sphere { 0, 1 material { M } translate x }",
+        "union { sphere { 0, 1 } box { 0, 1 } normal { onion scale 2 }"
+        " translate x }",
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(texts); i++) {
+        struct scene *scene = read_scene(texts[i]);
+        double point[3] = { 3, 2, 4 };
+        transform_point(&scene->primitives[0].bumps.to_local, point);
+        assert_close(point[0], 1, 1e-15);
+        assert_close(point[1], 1, 1e-15);
+        assert_close(point[2], 2, 1e-15);
+        assert_int_equal(list_of(scene)->bump.pattern.pattern.function,
+                         PATTERN_ONION);
+        scene_free(scene);
+    }
+}
+
+static void test_unscaled(void **state)
+{
+    struct scene *scene = read_scene(
+        "sphere { 0, 1 normal { onion no_bump_scale } }"
+        "sphere { 0, 1 texture { normal { onion } no_bump_scale } }"
+        "sphere { 0, 1 texture { normal { onion } } }");
+
+    (void)state;
+    assert_true(scene->primitives[0].bumps.unscaled);
+    assert_true(scene->primitives[1].bumps.unscaled);
+    assert_false(scene->primitives[2].bumps.unscaled);
+    scene_free(scene);
+}
+
+static void test_slope_maps(void **state)
+{
+    static const char *const texts[] = {
+        "gradient x slope_map { [.2 <0, 1>] [.1, <.5, -1>] [1 <2, 0>] }",
+        "gradient x normal_map { [0 onion] [1 radial] }"
+        " slope_map { [.2 <0, 1>], [.2, <.5, -1>] [1 <2, 0>] }",
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(texts); i++) {
+        struct scene *scene = scene_with(texts[i], 0);
+        const struct bump *bump = &list_of(scene)->bump;
+        assert_int_equal(list_of(scene)->count, 0);
+        assert_int_equal(bump->stop_count, 3);
+        assert_close(bump->stops[1].at, .2, 0);
+        assert_close(bump->stops[1].height, .5, 0);
+        assert_close(bump->stops[1].slope, -1, 0);
+        assert_close(bump->stops[2].height, 2, 0);
+        scene_free(scene);
+    }
+}
+
+static void check_entries(const char *words, size_t count, const double *at)
+{
+    struct scene *scene = scene_with(words, 0);
+    const struct bump_list *list = list_of(scene);
+
+    assert_int_equal(list->count, count);
+    assert_int_equal(list->bump.stop_count, 0);
+    for (size_t i = 0; i < count; i++)
+        assert_close(list->entries[i].at, at[i], 0);
+    scene_free(scene);
+}
+
+static void test_normal_maps(void **state)
+{
+    struct scene *scene;
+
+    (void)state;
+    check_entries(
+        "gradient x normal_map { [.3 onion] [.2 radial] [2 planar] }", 3,
+        (double[]){ .3, .3, 2 });
+    check_entries("gradient x slope_map { [0 <0, 1>] }"
+                  " normal_map { [0 onion] [1 radial] }",
+                  2, (double[]){ 0, 1 });
+    check_entries("average normal_map { [onion] [3 radial] [2, planar] }", 3,
+                  (double[]){ 1, 3, 2 });
+    check_entries("checker normal { onion } normal { radial }", 2,
+                  (double[]){ 0, 1 });
+    check_entries(
+        "hexagon normal { onion }, normal { radial } normal { boxed }", 3,
+        (double[]){ 0, 1, 2 });
+    scene = scene_with("average normal_map { [onion 2 scale 2] [bumps 3] }",
+                       1);
+    assert_true(list_of(scene)->average);
+    assert_close(list_of(scene)->entries[0].bump.amount, 2, 0);
+    assert_close(list_of(scene)->entries[0].bump.pattern.to_local.rows[1][1],
+                 .5, 0);
+    assert_int_equal(list_of(scene)->entries[1].bump.pattern.kind,
+                     PIGMENT_COLOR);
+    scene_free(scene);
+    scene = read_scene("#declare S = slope_map { [0 <0, 1>] [1 <1, 0>] }"
+                       "#declare M = normal_map { [0 onion] [1 radial] }"
+                       "sphere { 0, 1 normal { planar slope_map { S } } }"
+                       "sphere { 0, 1 normal { planar normal_map { M } } }");
+    assert_int_equal(scene->primitives[0].bumps.list->bump.stop_count, 2);
+    assert_int_equal(scene->primitives[1].bumps.list->count, 2);
+    assert_false(scene->primitives[1].bumps.list->average);
+    scene_free(scene);
+}
+
+/* The normal of several within a map: its first one, where it stands there. */
+static void test_nested(void **state)
+{
+    struct scene *scene =
+        scene_with("onion normal_map { [0 radial] [1 planar scale 2"
+                   " normal_map { [0 boxed scale 3] [1 leopard] }] }",
+                   1);
+    const struct bump *bump = &list_of(scene)->entries[1].bump;
+
+    (void)state;
+    assert_int_equal(bump->pattern.pattern.function, PATTERN_BOXED);
+    assert_close(bump->pattern.to_local.rows[0][0], 1. / 6, 1e-15);
+    scene_free(scene);
+}
+
+static void test_errors(void **state)
+{
+    static const struct line_error errors[] = {
+        { "sphere { 0, 1 normal { onion accuracy 0 } }", 30,
+          "an accuracy of 0" },
+        { "sphere { 0, 1 normal { average } }", 22,
+          "an average without a normal_map" },
+        { "sphere { 0, 1 normal { brick slope_map { [0 <0, 1>] } } }", 30,
+          "a list of normals has no 'slope_map'" },
+        { "sphere { 0, 1 normal { checker normal { onion } } }", 49,
+          "expected a normal" },
+        { "sphere { 0, 1 normal { onion normal_map { } } }", 43,
+          "expected '['" },
+        { "sphere { 0, 1 normal { onion normal_map { [onion] } } }", 44,
+          "expected" },
+        { "sphere { 0, 1 normal { onion slope_map { [0 1 2] } } }", 47,
+          "expected" },
+        { "sphere { 0, 1 normal { onion rgb 1 } }", 30,
+          "expected a word of normal" },
+        { "sphere { 0, 1 normal { gradient 0 } }", 24,
+          "the vector of a gradient has no length" },
+        { "sphere { 0, 1 normal { onion scale 1e200 scale 1e200 } }", 1,
+          "out of range" },
+    };
+
+    (void)state;
+    assert_errors(errors, COUNT(errors));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_bumps),      cmocka_unit_test(test_none),
+        cmocka_unit_test(test_motions),    cmocka_unit_test(test_unscaled),
+        cmocka_unit_test(test_slope_maps), cmocka_unit_test(test_normal_maps),
+        cmocka_unit_test(test_nested),     cmocka_unit_test(test_errors),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
