@@ -202,30 +202,43 @@ static void put_bump(struct record *record, const struct bump *bump,
 
 /* ---- Maps ---------------------------------------------------------------- */
 
+/* The kernels want two entries to choose between: one stands twice. */
+static size_t entry_rows(const struct bump_list *list)
+{
+    return list->count == 1 ? 2 : list->count;
+}
+
+static const struct bump_entry *entry_of(const struct bump_list *list,
+                                         size_t row)
+{
+    return &list->entries[row < list->count ? row : list->count - 1];
+}
+
 /* Where among the values of its map it counts: from the entry before on, from its own
  * place on; of the first and the last everywhere. */
 static void put_share(struct record *record, const struct bump_list *list,
                       size_t i)
 {
-    const struct bump_entry *entries = list->entries;
-    size_t last = list->count - 1;
-    double from = i > 1 ? entries[i - 1].at : i == 1 ? -BEYOND : BEYOND;
-    double to = i == 0 ? -BEYOND : i < last ? entries[i].at : BEYOND;
-    double far = i < last ? entries[i + 1].at - entries[i].at : 0;
-    double rise = list->average ? entries[i].at
-                                : (far > STEP ? 1 / far : BEYOND);
+    size_t last = entry_rows(list) - 1;
+    double at = entry_of(list, i)->at;
+    double from = i > 1    ? entry_of(list, i - 1)->at
+                  : i == 1 ? -BEYOND
+                           : BEYOND;
+    double to = i == 0 ? -BEYOND : i < last ? at : BEYOND;
+    double far = entry_of(list, i + 1)->at - at;
+    double rise = list->average ? at : far > STEP ? 1 / far : BEYOND;
 
     record_numbers(record, "BUMP_FROM", &from, 1);
     record_numbers(record, "BUMP_TO", &to, 1);
-    record_numbers(record, "BUMP_LOW", &entries[i].at, 1);
+    record_numbers(record, "BUMP_LOW", &at, 1);
     record_numbers(record, "BUMP_RISE", &rise, 1);
 }
 
 static void put_entries(struct record *record, const struct bumps *bumps,
                         const struct bump_list *list)
 {
-    for (size_t i = 0; i < list->count; i++) {
-        const struct bump *bump = &list->entries[i].bump;
+    for (size_t i = 0; i < entry_rows(list); i++) {
+        const struct bump *bump = &entry_of(list, i)->bump;
 
         put_bump(record, bump, &bumps->to_local, &bump->pattern.to_local,
                  bumps->unscaled);
@@ -243,7 +256,7 @@ static void put_map(struct record *record, const struct bumps *bumps)
         put_pattern(record, &list->bump, &bumps->to_local);
     record_address(record, "BUMP_ENTRIES",
                    record->address + UINT64_C(64) * record->size);
-    record_integer(record, "BUMP_ENTRY_COUNT", list->count);
+    record_integer(record, "BUMP_ENTRY_COUNT", entry_rows(list));
     record_write(record);
     put_entries(record, bumps, list);
 }
@@ -275,10 +288,10 @@ static void count_bumps(const struct scene *scene, size_t *records,
         if (!bumps_show(bumps) || (before && have_one_record(bumps, before)))
             continue;
         before = bumps;
-        *records += 1 + bumps->list->count;
+        *records += 1 + entry_rows(bumps->list);
         *words += height_words(&bumps->list->bump);
-        for (size_t k = 0; k < bumps->list->count; k++)
-            *words += height_words(&bumps->list->entries[k].bump);
+        for (size_t k = 0; k < entry_rows(bumps->list); k++)
+            *words += height_words(&entry_of(bumps->list, k)->bump);
     }
 }
 

@@ -1,4 +1,4 @@
-/* language_looks.c - pigments, finishes, textures and motions by chance. */
+/* language_looks.c - pigments, finishes, normals, textures and motions by chance. */
 #include "tests/oracle/language_parts.h"
 
 /* --- motions -------------------------------------------------------------- */
@@ -364,6 +364,120 @@ static bool is_mirror(struct language *draw)
     return one_in(&draw->state, 5);
 }
 
+/* --- normals -------------------------------------------------------------- */
+
+/* Without the functions and streams that numbers may have: what else is drawn does
+ * not depend on normals. */
+static void say_bump(struct language *draw, double most)
+{
+    uint64_t *state = &draw->state;
+    say(draw, "%s",
+        (const char *const[]){ "gradient x", "gradient <1, -1, .5>", "onion",
+                               "leopard", "radial frequency 3", "boxed",
+                               "spherical", "cylindrical",
+                               "planar" }[below(state, 9)]);
+    say(draw, "%s",
+        (const char *const[]){ "", " sine_wave", " triangle_wave",
+                               " scallop_wave",
+                               " cubic_wave" }[below(state, 5)]);
+    say(draw, " bump_size %.3f", between(state, -most, most));
+    if (one_in(state, 4))
+        say(draw, " phase %.3f", between(state, 0, 1));
+    say(draw, " scale %.4f", between(state, .2, .6));
+}
+
+static void say_bump_list(struct language *draw, double most)
+{
+    static const struct {
+        const char *word;
+        int count;
+    } lists[] = { { "checker", 2 }, { "hexagon", 3 }, { "brick", 2 } };
+    size_t which = below(&draw->state, 3);
+    begin_line(draw);
+    say(draw, "%s", lists[which].word);
+    if (one_in(&draw->state, 2))
+        say(draw, ", %.3f", between(&draw->state, -most, most));
+    else
+        for (int i = 0; i < lists[which].count; i++) {
+            say(draw, " normal { ");
+            say_bump(draw, most);
+            say(draw, " }");
+        }
+    if (which == 2)
+        say(draw, " brick_size <.713, .427, .531> mortar .061");
+    end_line(draw);
+}
+
+static void say_bump_map(struct language *draw, double most)
+{
+    bool average = one_in(&draw->state, 3);
+    double at = between(&draw->state, 0, .3);
+    say_line(draw, average                   ? "average"
+                   : one_in(&draw->state, 2) ? "gradient y sine_wave"
+                                             : "onion");
+    open_block(draw, "normal_map {");
+    for (size_t left = 1 + below(&draw->state, 3); left > 0; left--) {
+        begin_line(draw);
+        say(draw, "[%.3f ", at);
+        say_bump(draw, most);
+        say(draw, "]\n");
+        at += between(&draw->state, .1, .5);
+    }
+    close_block(draw, "}");
+}
+
+static void say_slopes(struct language *draw, double most)
+{
+    uint64_t *state = &draw->state;
+    double at = between(state, 0, .3);
+    say_line(draw, one_in(state, 2) ? "gradient y" : "onion");
+    say_line(draw, "bump_size %.3f", between(state, -most, most));
+    open_block(draw, "slope_map {");
+    for (size_t left = 1 + below(state, 4); left > 0; left--) {
+        say_line(draw, "[%.3f <%.3f, %.3f>]", at, between(state, 0, 1),
+                 between(state, -1, 1));
+        at += one_in(state, 4) ? 0 : between(state, .1, .4);
+    }
+    close_block(draw, "}");
+}
+
+static void say_own_normal(struct language *draw, double most)
+{
+    uint64_t *state = &draw->state;
+    open_block(draw, "normal {");
+    switch (below(state, 6)) {
+    case 0: say_bump_list(draw, most); break;
+    case 1: say_bump_map(draw, most); break;
+    case 2: say_slopes(draw, most); break;
+    default:
+        begin_line(draw);
+        say_bump(draw, most);
+        end_line(draw);
+        break;
+    }
+    say_line(draw, "scale <1, %.4f, 1>", between(state, .6, 1.2));
+    say_line(draw, "rotate <%.2f, %.2f, 0>", between(state, -60, 60),
+             between(state, -60, 60));
+    say_line(draw, "translate <%.4f, %.4f, %.4f>", between(state, .1, .2),
+             between(state, .1, .2), between(state, .1, .2));
+    if (one_in(state, 6))
+        say_line(draw, "no_bump_scale");
+    close_block(draw, "}");
+}
+
+/* Now and then; of mirrors not so steep: what then goes along the surface meets it again
+ * or not, by how near POV-Ray looks. */
+static void say_normal(struct language *draw, double most)
+{
+    uint64_t before = draw->state;
+    draw->state = before * 5 + 3;
+    for (int i = 0; i < 8; i++)
+        xorshift(&draw->state);
+    if (one_in(&draw->state, 4))
+        say_own_normal(draw, most);
+    draw->state = before;
+}
+
 /* --- textures ------------------------------------------------------------- */
 
 static void say_texture_words(struct language *draw)
@@ -378,16 +492,21 @@ static void say_texture_words(struct language *draw)
         say_pigment(draw, false);
     if (!named || one_in(&draw->state, 3))
         say_finish(draw, is_mirror(draw));
+    say_normal(draw, .2);
     say_turns(draw);
 }
 
 void say_look(struct language *draw)
 {
     switch (below(&draw->state, 4)) {
-    case 0: say_pigment(draw, false); break;
+    case 0:
+        say_pigment(draw, false);
+        say_normal(draw, 1);
+        break;
     case 1:
         say_pigment(draw, false);
         say_finish(draw, is_mirror(draw));
+        say_normal(draw, .2);
         break;
     default:
         open_block(draw, "texture {");
@@ -402,6 +521,7 @@ void say_clear_look(struct language *draw, bool bent)
     say_pigment(draw, true);
     if (one_in(&draw->state, 2))
         say_finish(draw, is_mirror(draw));
+    say_normal(draw, .2);
     if (bent) {
         begin_line(draw);
         say(draw, "interior { ior ");

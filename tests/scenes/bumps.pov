@@ -41,3 +41,4 @@ union { sphere { <-2, .3, -2.6>, .3 } box { <-1.2, 0, -2.9>, <-.6, .5, -2.3> pig
 sphere { <.3, .3, -2.6>, .3 pigment { rgb 1 } normal { spherical 1 scale .4 translate <.2, .4, -2.8> } }
 sphere { <1.2, .3, -2.6>, .3 pigment { rgb 1 } normal { cylindrical 1 scale .4 rotate 40*x translate <1.2, .3, -2.7> } }
 sphere { <2.1, .3, -2.6>, .3 pigment { rgb 1 } normal { Ribs bump_size 2 rotate 60*z } }
+sphere { <-2.9, .3, -2.6>, .3 pigment { rgb 1 } normal { onion normal_map { [.4 Ribs bump_size .6 scale .5] } rotate 30*x } }

@@ -2,8 +2,9 @@
 ; of the operations as in bump_vector.s.  Parts of the subroutines that shade.
 
         .share  local
-        .regs   r126, raw_x, raw_y, raw_z       ; the normal without bumps
-        .regs   r129, bump_at, bump_outer, bump_link
+        .regs   r126, bump_outer, bump_link
+        .regs   r128, raw_x, raw_y, raw_z       ; the normal without bumps
+        .reg    bump_at, r131
         .regs   r132, bump_value, bump_x, bump_y, bump_z
         .regs   r136, bump_corner, bump_left
         .reg    height_link, r83                ; facing, until it is known
