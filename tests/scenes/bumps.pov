@@ -42,3 +42,6 @@ sphere { <.3, .3, -2.6>, .3 pigment { rgb 1 } normal { spherical 1 scale .4 tran
 sphere { <1.2, .3, -2.6>, .3 pigment { rgb 1 } normal { cylindrical 1 scale .4 rotate 40*x translate <1.2, .3, -2.7> } }
 sphere { <2.1, .3, -2.6>, .3 pigment { rgb 1 } normal { Ribs bump_size 2 rotate 60*z } }
 sphere { <-2.9, .3, -2.6>, .3 pigment { rgb 1 } normal { onion normal_map { [.4 Ribs bump_size .6 scale .5] } rotate 30*x } }
+#declare Bead = sphere { 0, .2 pigment { rgb <1, .7, .4> } normal { onion 1 scale .1 translate <.1, .2, 0> } }
+object { Bead translate <-.3, .2, -3.3> }
+object { Bead rotate 90*y translate <.3, .2, -3.3> }

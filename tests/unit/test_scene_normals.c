@@ -99,6 +99,8 @@ static void test_motions(void **state)
         " sphere { 0, 1 material { M } translate x }",
         "union { sphere { 0, 1 } box { 0, 1 } normal { onion scale 2 }"
         " translate x }",
+        "union { sphere { 0, 1 normal { onion } } box { 0, 1 }"
+        " scale 2 translate x }",
     };
 
     (void)state;
@@ -178,6 +180,8 @@ static void test_normal_maps(void **state)
                   (double[]){ 1, 3, 2 });
     check_entries("checker normal { onion } normal { radial }", 2,
                   (double[]){ 0, 1 });
+    check_entries("onion slope_map { [0 <0, 1>] } brick", 0, NULL);
+    check_entries("onion normal_map { [0 onion] } brick", 0, NULL);
     check_entries(
         "hexagon normal { onion }, normal { radial } normal { boxed }", 3,
         (double[]){ 0, 1, 2 });
@@ -205,13 +209,14 @@ static void test_nested(void **state)
 {
     struct scene *scene =
         scene_with("onion normal_map { [0 radial] [1 planar scale 2"
-                   " normal_map { [0 boxed scale 3] [1 leopard] }] }",
+                   " normal_map { [0 boxed translate x] [1 leopard] }] }",
                    1);
     const struct bump *bump = &list_of(scene)->entries[1].bump;
 
     (void)state;
     assert_int_equal(bump->pattern.pattern.function, PATTERN_BOXED);
-    assert_close(bump->pattern.to_local.rows[0][0], 1. / 6, 1e-15);
+    assert_close(bump->pattern.to_local.rows[0][0], .5, 0);
+    assert_close(bump->pattern.to_local.rows[0][3], -1, 0);
     scene_free(scene);
 }
 
