@@ -93,6 +93,10 @@ static void test_motions(void **state)
         "sphere { 0, 1 normal { onion scale 2 } translate x }",
         "sphere { 0, 1 texture { normal { onion } scale 2 translate x } }",
         "sphere { 0, 1 normal { onion scale 2 } normal { translate x } }",
+        "sphere { 0, 1 texture { pigment { rgb 1 } scale 3 }"
+        " normal { onion scale 2 } translate x }",
+        "union { sphere { 0, 1 pigment { rgb 1 } scale 3"
+        " normal { onion scale 2 } } box { 0, 1 } translate x }",
         "#declare N = normal { onion scale 2 }"
         " sphere { 0, 1 normal { N translate x } }",
         "#declare M = material { texture { normal { onion } } scale 2 }"

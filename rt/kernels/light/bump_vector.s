@@ -61,7 +61,8 @@ bump_bits:      .space 2 * QUEUE_BIT_WORDS
         ADDNV   [v1], [\normal], [\normal]
         .endm
 
-; [sum] = share [x] where hits2, more by [share] [x] where hits1.
+; [sum] is more by the share ndotl of [x] where hits1; it is the share v0 of [x] where
+; hits2.
         .macro  bump_upper x, sum
         MPYSV   [\x], [ndotl], [v1]
         ADDNV   [\sum], [v1], [\sum] ? [hits1]
@@ -168,7 +169,7 @@ bumped_lower:
         VTOV    r0, [v0] ? [hits1]
         CMPLTV  one, [v0], [hits1]
         VTOV    one, [v0] ? [hits1]
-        VTOV    [v0], [ndotl] ? [hits2]
+        VTOV    [v0], [ndotl]
         SUBNV   one, [v0], [v0]
         bump_lower lx, cr
         bump_lower ly, cg

@@ -12,9 +12,11 @@ void pigment_move(struct pigment *pigment, const struct placement *step)
     pigment->to_local = transform_then(&step->to_local, &pigment->to_local);
 }
 
+/* What moves before there is a normal does not move it: so POV-Ray. */
 static void bumps_move(struct bumps *bumps, const struct placement *step)
 {
-    bumps->to_local = transform_then(&step->to_local, &bumps->to_local);
+    if (bumps->list)
+        bumps->to_local = transform_then(&step->to_local, &bumps->to_local);
 }
 
 void texture_move(struct texture *texture, const struct placement *step)
