@@ -12,6 +12,7 @@
  * fails, printed, and written to faces_N.pov; after --first nothing more is done, not
  * even that.  Exit code 1: some failed.
  */
+#include "rt/layout/bumps.h"
 #include "rt/layout/interiors.h"
 #include "rt/layout/lights.h"
 #include "rt/layout/program.h"
@@ -43,7 +44,8 @@ enum feature {
     INTERIORS = 4,
     AREAS = 8, /* which are beams, too */
     LATHES = 16,
-    FEATURES = 32
+    BUMPS = 32,
+    FEATURES = 64
 };
 
 /* Each is compared with the first. */
@@ -92,20 +94,22 @@ static size_t features_of(const struct scene *scene)
            | (scene_has_beams(scene) ? BEAMS : 0)
            | (scene_has_areas(scene) ? AREAS : 0)
            | (has_lathe(scene) ? LATHES : 0)
+           | (scene_has_bumps(scene) ? BUMPS : 0)
            | (scene_has_interiors(scene) ? INTERIORS : 0);
 }
 
 /* A program is assembled once, for all scenes with such a camera, lights, shapes,
- * glass. */
+ * normals, glass. */
 static struct trace *assemble(const struct form *form, size_t features)
 {
-    char text[200];
-    snprintf(text, sizeof text, "%s %s %s %s %s",
+    char text[300];
+    snprintf(text, sizeof text, "%s %s %s %s %s %s",
              features & ORTHOGRAPHIC ? "camera { orthographic }" : "",
              features & BEAMS ? "light_source { y, 1 parallel }" : "",
              features & AREAS ? "light_source { y, 1 area_light x, z, 2, 2 }"
                               : "",
              features & LATHES ? "lathe { 2, x, x + y }" : "",
+             features & BUMPS ? "sphere { 0, 1 normal { onion } }" : "",
              features & INTERIORS ? "sphere { 0, 1 pigment { rgbt 1 } }"
                                   : "");
     struct scene *scene = scene_of(text);
