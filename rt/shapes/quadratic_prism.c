@@ -165,26 +165,35 @@ static bool is_ahead(const struct parabola *parabola, double w,
                             parabola->from[1] + along(parabola, 1, w)
                                 - point[1] };
 
-    return w >= 0 && w < 1 && dot(direction, way) > 0;
+    return dot(direction, way) > 0;
 }
 
-/* How often the ray from a point crosses it; own: the point is its middle. */
+/* How often the ray from a point crosses it, told by the sides of its ends as
+ * in quadratic_prism_vector.s; own: the point is its middle, which does not
+ * count. */
 static size_t crossings_ahead(const struct parabola *parabola, bool own,
                               const double point[2],
                               const double direction[2])
 {
     const double from[2] = { parabola->from[0] - point[0],
                              parabola->from[1] - point[1] };
+    const double to[2] = { parabola->to[0] - point[0],
+                           parabola->to[1] - point[1] };
     double a = cross(direction, parabola->bend);
     double b = cross(direction, parabola->lead), c = cross(direction, from);
-    double root = sqrt(fmax(0, b * b - a * c));
+    double square = b * b - a * c, root = sqrt(fmax(0, square));
     double q = b < 0 ? root - b : -root - b;
+    bool left = cross(direction, to) >= 0;
 
-    if (own)
-        return a != 0 && is_ahead(parabola, 2 * c / a, point, direction);
-    if (b * b - a * c < 0 || q == 0)
+    if (left != (c >= 0))
+        return !own
+               && is_ahead(parabola, left == (b >= 0) ? c / q : q / a, point,
+                           direction);
+    if (square <= 0 || (b < 0) == (a + b < 0) || left != (b < 0))
         return 0;
-    return (size_t)(a != 0 && is_ahead(parabola, q / a, point, direction))
+    if (own)
+        return is_ahead(parabola, 2 * c / a, point, direction);
+    return (size_t)is_ahead(parabola, q / a, point, direction)
            + (size_t)is_ahead(parabola, c / q, point, direction);
 }
 
@@ -219,7 +228,7 @@ enum row_word {
 
 /* What is so little bent, beside its length, counts as straight where normals
  * are worked out. */
-#define STRAIGHT 1e-6
+#define STRAIGHT 1e-8
 
 /* As the normal wants it: of what is straight the whole of its line, which may
  * go beyond the ends and come back. */

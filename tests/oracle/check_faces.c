@@ -37,15 +37,46 @@ enum {
 
 /* --- forms ---------------------------------------------------------------- */
 
-/* Of a scene, that its program has to know. */
-enum feature {
-    ORTHOGRAPHIC = 1,
-    BEAMS = 2,
-    INTERIORS = 4,
-    AREAS = 8, /* which are beams, too */
-    LATHES = 16,
-    BUMPS = 32,
-    FEATURES = 64
+static bool is_orthographic(const struct scene *scene)
+{
+    return scene->camera.orthographic;
+}
+
+static bool has_kind(const struct scene *scene, enum primitive_kind kind)
+{
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        if (scene->primitives[i].kind == kind)
+            return true;
+    return false;
+}
+
+static bool has_lathes(const struct scene *scene)
+{
+    return has_kind(scene, PRIMITIVE_LATHE);
+}
+
+static bool has_quadratic_prisms(const struct scene *scene)
+{
+    return has_kind(scene, PRIMITIVE_QUADRATIC_PRISM);
+}
+
+/* What of a scene its program has to know; a text that has it. */
+static const struct feature {
+    bool (*is_in)(const struct scene *scene);
+    const char *text;
+} features[] = {
+    { is_orthographic, "camera { orthographic }" },
+    { scene_has_beams, "light_source { y, 1 parallel }" },
+    { scene_has_areas, "light_source { y, 1 area_light x, z, 2, 2 }" },
+    { has_lathes, "lathe { 2, x, x + y }" },
+    { has_quadratic_prisms,
+      "prism { quadratic_spline 0, 1, 5, 0, x, y, 0, x }" },
+    { scene_has_bumps, "sphere { 0, 1 normal { onion } }" },
+    { scene_has_interiors, "sphere { 0, 1 pigment { rgbt 1 } }" },
+};
+enum {
+    FEATURES = sizeof features / sizeof *features,
+    FEATURE_SETS = 1 << FEATURES
 };
 
 /* Each is compared with the first. */
@@ -55,8 +86,8 @@ static struct form {
     enum bounding bounding;
     enum visible visible;
     bool tiles;
-    struct trace *trace[FEATURES]; /* that have its programs */
-    struct band_tracer tracer;     /* .. and its machine */
+    struct trace *trace[FEATURE_SETS]; /* that have its programs */
+    struct band_tracer tracer;         /* .. and its machine */
 } forms[] = {
     { .mode = TRACE_SCALAR, .queue = 1 },
     { .mode = TRACE_SCALAR, .queue = 1, .bounding = BOUNDING_FLAT },
@@ -80,38 +111,22 @@ enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 4 };
 
 static c205_model *model;
 
-static bool has_lathe(const struct scene *scene)
-{
-    for (size_t i = 0; i < scene->primitive_count; i++)
-        if (scene->primitives[i].kind == PRIMITIVE_LATHE)
-            return true;
-    return false;
-}
-
+/* A bit for each. */
 static size_t features_of(const struct scene *scene)
 {
-    return (scene->camera.orthographic ? ORTHOGRAPHIC : 0)
-           | (scene_has_beams(scene) ? BEAMS : 0)
-           | (scene_has_areas(scene) ? AREAS : 0)
-           | (has_lathe(scene) ? LATHES : 0)
-           | (scene_has_bumps(scene) ? BUMPS : 0)
-           | (scene_has_interiors(scene) ? INTERIORS : 0);
+    size_t set = 0;
+    for (size_t i = 0; i < FEATURES; i++)
+        set |= (size_t)features[i].is_in(scene) << i;
+    return set;
 }
 
-/* A program is assembled once, for all scenes with such a camera, lights, shapes,
- * normals, glass. */
-static struct trace *assemble(const struct form *form, size_t features)
+/* A program is assembled once for all scenes with the same features. */
+static struct trace *assemble(const struct form *form, size_t set)
 {
-    char text[300];
-    snprintf(text, sizeof text, "%s %s %s %s %s %s",
-             features & ORTHOGRAPHIC ? "camera { orthographic }" : "",
-             features & BEAMS ? "light_source { y, 1 parallel }" : "",
-             features & AREAS ? "light_source { y, 1 area_light x, z, 2, 2 }"
-                              : "",
-             features & LATHES ? "lathe { 2, x, x + y }" : "",
-             features & BUMPS ? "sphere { 0, 1 normal { onion } }" : "",
-             features & INTERIORS ? "sphere { 0, 1 pigment { rgbt 1 } }"
-                                  : "");
+    char text[50 * FEATURES] = "";
+    for (size_t i = 0; i < FEATURES; i++)
+        if (set >> i & 1)
+            strcat(text, features[i].text);
     struct scene *scene = scene_of(text);
     const struct trace_options options = { .mode = form->mode,
                                            .queue = form->queue,
@@ -139,7 +154,7 @@ static const struct object *program_for(struct form *form,
 static void free_forms(void)
 {
     for (size_t i = 0; i < FORMS; i++) {
-        for (size_t k = 0; k < FEATURES; k++)
+        for (size_t k = 0; k < FEATURE_SETS; k++)
             trace_free(forms[i].trace[k]);
         c205_free(forms[i].tracer.machine);
     }

@@ -1,6 +1,8 @@
 /* language_shapes.c - see language_shapes.h. */
 #include "tests/oracle/language_shapes.h"
 
+#include <string.h>
+
 /* --- solids --------------------------------------------------------------- */
 
 /* Of a radius below 0 POV-Ray's bounding box is inside out: it sees the ball only
@@ -93,30 +95,51 @@ static void open_quartic(struct language *draw)
     say_line(draw, "sturm");
 }
 
-/* An outline that does not cross itself, now and then with a hole. */
+/* What else is drawn does not depend on what is drawn with this. */
+static uint64_t beside(const struct language *draw)
+{
+    uint64_t state = draw->state * 5 + 1;
+    for (int i = 0; i < 8; i++)
+        xorshift(&state);
+    return state;
+}
+
+/* An outline that does not cross itself, now and then with a hole; of straight
+ * edges or of parabolas, where each loop has a point before its first. */
 static void open_prism(struct language *draw)
 {
+    uint64_t state = beside(draw);
+    bool curved = one_in(&state, 2);
     bool hole = one_in(&draw->state, 3);
     size_t corners = 3 + below(&draw->state, 4);
     open_block(draw, "prism {");
     begin_line(draw);
-    SAY_ONE_OF(draw, "", "linear_sweep ", "linear_sweep linear_spline ");
+    if (curved)
+        say(draw, "quadratic_spline ");
+    SAY_ONE_OF(draw, "", "linear_sweep ",
+               curved ? "linear_sweep " : "linear_sweep linear_spline ");
     say(draw, "%.4f, %.4f, %zu", between(&draw->state, -.7, -.2),
-        between(&draw->state, .2, .7), corners + 1 + (hole ? 4 : 0));
+        between(&draw->state, .2, .7),
+        corners + 1 + curved + (hole ? 4 + curved : 0));
     end_line(draw);
-    double first[2] = { 0 };
+    double points[7][2];
     begin_line(draw);
     for (size_t i = 0; i < corners; i++) {
         double angle = 6.2832 * (double)i / (double)corners + .3;
         double far = between(&draw->state, .6, .9);
-        double at[2] = { far * cos(angle), far * sin(angle) };
-        if (i == 0)
-            first[0] = at[0], first[1] = at[1];
-        say(draw, "<%.4f, %.4f>, ", at[0], at[1]);
+        points[i][0] = far * cos(angle);
+        points[i][1] = far * sin(angle);
     }
-    say(draw, "<%.4f, %.4f>", first[0], first[1]);
+    memcpy(points[corners], points[0], sizeof *points);
+    if (curved)
+        say(draw, "<%.4f, %.4f>, ", points[corners - 1][0],
+            points[corners - 1][1]);
+    for (size_t i = 0; i <= corners; i++)
+        say(draw, "%s<%.4f, %.4f>", i ? ", " : "", points[i][0],
+            points[i][1]);
     if (hole)
-        say(draw, ", <.2, .01>, <-.1, .17>, <-.12, -.16>, <.2, .01>");
+        say(draw, "%s, <.2, .01>, <-.1, .17>, <-.12, -.16>, <.2, .01>",
+            curved ? ", <-.12, -.16>" : "");
     end_line(draw);
 }
 
@@ -154,20 +177,11 @@ static void open_lathe(struct language *draw, uint64_t *state, bool closed)
     say(draw, open ? "\n" : ", <0, %.4f>\n", height);
 }
 
-/* Instead of half of the tori: what else is drawn does not depend on it. */
-static bool is_lathe(const struct language *draw, uint64_t *state)
-{
-    *state = draw->state * 5 + 1;
-    for (int i = 0; i < 8; i++)
-        xorshift(state);
-    return one_in(state, 2);
-}
-
 void open_solid_shape(struct language *draw, bool closed)
 {
     size_t which = below(&draw->state, CLOSED);
-    uint64_t state;
-    if (closed_shapes[which] == open_torus && is_lathe(draw, &state)) {
+    uint64_t state = beside(draw);
+    if (closed_shapes[which] == open_torus && one_in(&state, 2)) {
         open_lathe(draw, &state, closed);
         return;
     }

@@ -98,6 +98,15 @@ static void move_to(uint64_t *state, const struct place *place,
         place->at[0], place->at[1], place->at[2]);
 }
 
+/* What else is drawn does not depend on what is drawn with this. */
+static uint64_t beside(const uint64_t *state)
+{
+    uint64_t other = *state * 5 + 1;
+    for (int i = 0; i < 8; i++)
+        xorshift(&other);
+    return other;
+}
+
 /* A spool, or what is open. */
 static void random_lathe(uint64_t *state, struct solid *solid)
 {
@@ -114,14 +123,12 @@ static void random_lathe(uint64_t *state, struct solid *solid)
                     radius, height, height + .1);
 }
 
-/* Or a lathe; what else is drawn does not depend on it. */
+/* Or a lathe. */
 static void random_torus(uint64_t *state, const struct place *place,
                          struct solid *solid)
 {
-    uint64_t other = *state * 5 + 1;
+    uint64_t other = beside(state);
     double minor = .1 + .1 * (double)below(state, 4);
-    for (int i = 0; i < 8; i++)
-        xorshift(&other);
     if (one_in(&other, 2))
         random_lathe(&other, solid);
     else
@@ -129,12 +136,16 @@ static void random_torus(uint64_t *state, const struct place *place,
     move_to(state, place, solid);
 }
 
+/* Half of them of parabolas. */
 static void random_prism(uint64_t *state, const struct place *place,
                          struct solid *solid)
 {
+    uint64_t other = beside(state);
     solid_words(solid->shape,
-                "prism { -.5, .5, 5, <-1, -1>, <1, -1>, <1, 1>, <%.12g, 0>, "
+                "prism { %s, <-1, -1>, <1, -1>, <1, 1>, <%.12g, 0>, "
                 "<-1, -1> ",
+                one_in(&other, 2) ? "quadratic_spline -.5, .5, 6, <0, .4>"
+                                  : "-.5, .5, 5",
                 .1 * (double)below(state, 9) - .4);
     move_to(state, place, solid);
 }

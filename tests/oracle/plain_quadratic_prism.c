@@ -37,7 +37,8 @@ static double slope_at(const struct arc *arc, int k, double w)
            + 2 * (arc->to[k] - arc->handle[k]) * w;
 }
 
-/* Where x nx + z nz = c: the w from 0 up to 1, in any order. */
+/* Where x nx + z nz = c: its ends are on one side, and it comes over and goes
+ * back, or not; or they are not, and it is there once. */
 static size_t meet_line(const struct arc *arc, double nx, double nz, double c,
                         double w[2])
 {
@@ -46,12 +47,13 @@ static size_t meet_line(const struct arc *arc, double nx, double nz, double c,
     double p2 = nx * arc->to[0] + nz * arc->to[1] - c;
     double a = p0 - 2 * p1 + p2, b = p1 - p0, root = sqrt(b * b - a * p0);
     double q = b < 0 ? root - b : -root - b;
-    double roots[2] = { q / a, p0 / q };
-    size_t count = 0;
-    for (int i = 0; i < 2; i++)
-        if (roots[i] >= 0 && roots[i] < 1)
-            w[count++] = roots[i];
-    return count;
+    w[0] = q / a;
+    w[1] = q == 0 ? w[0] : p0 / q;
+    if ((p0 > 0) == (p2 > 0))
+        return w[0] > 0 && w[0] < 1 && w[1] > 0 && w[1] < 1 ? 2 : 0;
+    if (!(fabs(w[0] - .5) < fabs(w[1] - .5)))
+        w[0] = w[1];
+    return 1;
 }
 
 /* By what stands at the same z, farther along x. */

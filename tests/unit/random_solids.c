@@ -208,17 +208,25 @@ static void add_quartic(char *text, size_t size)
              place_between(-.3, .3), size_between(.4, 1));
 }
 
-/* A corner piece, or an arrow. */
+/* A corner piece, or an arrow; or of these parabolas: what is drawn else does not
+ * depend on it. */
 static void add_prism(char *text, size_t size)
 {
     double x = size_between(.4, 1.1), z = size_between(.4, 1.1);
+    bool curved = strlen(text) % 3 == 0;
+    char end[40] = "", start[40] = "6";
 
+    if (curved) {
+        snprintf(start, sizeof start, "8, <-%.4f, 0>", x);
+        snprintf(end, sizeof end, ", <-%.4f, -%.4f>", x, z);
+    }
     add_text(text, size,
-             "prism { -%.4f, %.4f, 6, <-%.4f, -%.4f>, <%.4f, -%.4f>, "
-             "<%.4f, %.4f>, <%.4f, %.4f>, <0, %.4f>, <-%.4f, %.4f> %s ",
-             size_between(.3, 1), size_between(.3, 1), x, z, x, z, x,
-             place_between(-.3, .3), place_between(-.2, .2),
-             place_between(-.3, .3), z, x, z, below(4) ? "" : "open");
+             "prism { %s-%.4f, %.4f, %s, <-%.4f, -%.4f>, <%.4f, -%.4f>, "
+             "<%.4f, %.4f>, <%.4f, %.4f>, <0, %.4f>, <-%.4f, %.4f>%s %s ",
+             curved ? "quadratic_spline " : "", size_between(.3, 1),
+             size_between(.3, 1), start, x, z, x, z, x, place_between(-.3, .3),
+             place_between(-.2, .2), place_between(-.3, .3), z, x, z, end,
+             below(4) ? "" : "open");
 }
 
 static void add_patch(char *text, size_t size)

@@ -59,6 +59,7 @@ static void test_assembled(void **state)
         { "VISIBLE", VISIBLE_STEPPING },
         { "VISIBLE", VISIBLE_EVERY },
         { "LATHES", 1 },
+        { "QUADRATIC_PRISMS", 1 },
     };
     size_t programs = 0;
 

@@ -14,6 +14,8 @@ static uint64_t random_state = RANDOM_SEED;
 /* --- primitives ---------------------------------------------------------- */
 
 #define PATCH "steiner_patch { x, y, z, 0, 0, 0 "
+#define CURVED \
+    "prism { quadratic_spline 0, 1, 5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <1, 0> "
 #define SQUARE "prism { 0, 1, 4, <0, 0>, <1, 0>, <1, 1>, <0, 1> "
 
 static const struct shape_row {
@@ -41,6 +43,9 @@ static const struct shape_row {
       2 },
     { "prism { 0, 1, 4, <0, 0>, <2, 1>, <0, 2>, <1, 1>", "prism",
       "prism_solid", NULL, 2, 4, 0 },
+    { CURVED, "quadratic_prism", "quadratic_prism_solid", NULL, 1, 2, 0 },
+    { CURVED "open", "open_quadratic_prism", "open_quadratic_prism_sides",
+      "quadratic_prism_solid", 1, 2, 2 },
     { "lathe { 4, <0, 0>, <1, 0>, <1, 1>, <0, 1>", "lathe", "lathe_solid",
       NULL, 1, 2, 0 },
     { "lathe { 3, <0, 0>, <1, 1>, <1, 2>", "lathe", "open_lathe_crossings",

@@ -153,6 +153,38 @@ static void test_prisms(void **state)
     scene_free(scene);
 }
 
+/* A loop's first point only gives a direction; between two others stands the
+ * handle of the parabola from one to the next.  A last point that begins no loop
+ * is left out, as in POV-Ray. */
+static void test_quadratic_prisms(void **state)
+{
+    struct scene *scene = read_scene(
+        "prism { quadratic_spline linear_sweep 1, -1, 11,"
+        " <0, 4>, <0, 0>, <4, 0>, <4, 4>, <1e-11, 0>,"
+        " <7, 1>, <5, 5>, <9, 5>, <5, 9>, <5, 5>, <8, 8> }\n"
+        "prism { linear_sweep quadratic_spline 0, 1, 5,"
+        " x, 0, x, x + y, 0 open }\n");
+    const struct primitive *p = scene->primitives;
+    const struct outline *path = &p[0].shape.quadratic_prism.path;
+    static const double expected[][2] = {
+        { 0, 0 }, { 1, -1 }, { 4, 0 }, { 5, 1 }, { 4, 4 }, { 3, 4 }, { 0, 0 },
+        { 5, 5 }, { 5.5, 6 }, { 9, 5 }, { 9, 6 }, { 5, 9 }, { 4, 9 }, { 5, 5 },
+    };
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, 2);
+    assert_int_equal(p[0].kind, PRIMITIVE_QUADRATIC_PRISM);
+    assert_close(p[0].shape.quadratic_prism.low, -1, 0);
+    assert_false(p[0].shape.quadratic_prism.open);
+    assert_int_equal(path->count, COUNT(expected));
+    for (size_t i = 0; i < path->count; i++)
+        for (int k = 0; k < 2; k++)
+            assert_close(path->points[i][k], expected[i][k], 0);
+    assert_int_equal(p[1].kind, PRIMITIVE_QUADRATIC_PRISM);
+    assert_true(p[1].shape.quadratic_prism.open);
+    scene_free(scene);
+}
+
 /* Without points that repeat the one before; an end at the beginning is there. */
 static void test_lathes(void **state)
 {
@@ -223,6 +255,21 @@ static void test_errors(void **state)
           "'conic_sweep' is not supported" },
         { "prism { linear_sweep bezier_spline 0, 1, 4, x, y, z, 0 }", 22,
           "'bezier_spline' is not supported" },
+        { "prism { quadratic_spline 0, 1, 4, <0, 1>, <0, 0>, <1, 0>, <0, 0> }",
+          9, "five points" },
+        { "prism { quadratic_spline 0, 1, 5, <0, 1>, <0, 0>, <1, 0>, <1, 1>,"
+          " <0, 1> }",
+          9, "does not come back" },
+        { "prism { quadratic_spline 0, 1, 7, <0, 1>, <0, 0>, <1, 0>, <1, 1>,"
+          " <0, 0>, <2, 2>, <3, 3> }",
+          9, "does not come back" },
+        { "prism { quadratic_spline 1, 1, 5, <0, 1>, <0, 0>, <1, 0>, <1, 1>,"
+          " <0, 0> }",
+          9, "no height" },
+        { "prism { quadratic_spline conic_sweep 0, 1, 3, x, y, z }", 26,
+          "'conic_sweep' is not supported" },
+        { "prism { linear_sweep cubic_spline 0, 1, 4, x, y, z, 0 }", 22,
+          "'cubic_spline' is not supported" },
         { "lathe { 1, <1, 0> }", 9, "two points" },
         { "lathe { linear_spline 3, <0, 0>, <1, 0> }", 41,
           "expected a number" },
@@ -329,6 +376,7 @@ int main(void)
         cmocka_unit_test(test_polynomials),
         cmocka_unit_test(test_patches),
         cmocka_unit_test(test_prisms),
+        cmocka_unit_test(test_quadratic_prisms),
         cmocka_unit_test(test_lathes),
         cmocka_unit_test(test_errors),
         cmocka_unit_test(test_conditions),

@@ -101,6 +101,7 @@ static void test_kernels(void **state)
                                           "tests/scenes/csg_prisms.pov",
                                           "tests/scenes/csg_lathes.pov",
                                           "tests/scenes/images.pov",
+                                          "tests/scenes/quadratic_prism.pov",
                                           "tests/scenes/mesh.pov" };
     struct sink sink = stream_sink(stderr);
     c205_error error;
