@@ -71,7 +71,8 @@ static void put_shape(struct record *record,
         record_routine(record, "P_STATE_INNER", shape.state);
     }
     record_integer(record, "P_TRANSFORMED", shape.transformed);
-    record_integer(record, "P_ON_PATCH", shape.on_patch);
+    record_integer(record, "P_ON_PATCH",
+                   shape.on_mesh && !plan->simple ? 2 : shape.on_patch);
     record_integer(record, "P_SEGMENTS", shape.segments);
     record_integer(record, "P_EVENTS", shape.events);
     record_integer(record, "P_INVERTED", primitive->inverted);

@@ -111,6 +111,16 @@ static void count_nodes(struct places *places)
     }
 }
 
+static bool has_mesh(const struct scene *scene, size_t node)
+{
+    for (size_t i = node; i < scene->nodes[node].next; i++)
+        if (scene->nodes[i].operation == TREE_LEAF
+            && primitive_is_mesh(
+                &scene->primitives[scene->nodes[i].primitive]))
+            return true;
+    return false;
+}
+
 static void layout_node(struct record *record, const struct places *places,
                         size_t i)
 {
@@ -129,6 +139,8 @@ static void layout_node(struct record *record, const struct places *places,
     record_address(record, "N_NEXT", node_at(places, node->next));
     record_address(record, "N_VALUE",
                    row_at(&places->given->values, join->value));
+    if (object_symbol(record->layout->program, "N_MESH"))
+        record_integer(record, "N_MESH", has_mesh(places->scene, i));
     record_write(record);
 }
 

@@ -4,6 +4,15 @@
 
 #include "rt/shapes/shape_words.h"
 
+/* With room for more than three segments: of meshes there are any number, which
+ * their kernels write where the region has room for them. */
+enum { CROSSINGS_WITH_MESHES = 8 };
+
+bool primitive_is_mesh(const struct primitive *primitive)
+{
+    return shape_of(primitive)->crossings != NULL;
+}
+
 /* --- crossings ----------------------------------------------------------- */
 
 bool region_is_simple(const struct scene *scene, const struct region *region)
@@ -14,6 +23,19 @@ bool region_is_simple(const struct scene *scene, const struct region *region)
     return region->primitive_count == 1 && !pigment_is_clear(&first->pigment);
 }
 
+/* Crossings, and their triangles. */
+static size_t place_mesh(const struct primitive *primitive,
+                         const struct shape_words *shape, size_t next,
+                         struct leaf_plan *plan)
+{
+    plan->first_state = plan->first_event = next;
+    next += 2 * shape_of(primitive)->crossings(primitive);
+    if (!primitive->unseen)
+        return next;
+    plan->first_event = next;
+    return next + shape->events;
+}
+
 /* A solid's segments are what can be seen of it; other shapes have both, and
  * a patch the two parameters of each behind its crossings. */
 static size_t place_leaf(const struct primitive *primitive, size_t next,
@@ -22,6 +44,8 @@ static size_t place_leaf(const struct primitive *primitive, size_t next,
     struct shape_words shape;
 
     shape_words(primitive, &shape);
+    if (shape.on_mesh)
+        return place_mesh(primitive, &shape, next, plan);
     plan->first_state = next;
     plan->first_event = next;
     next += 2 * shape.segments;
@@ -54,15 +78,30 @@ size_t plan_leaves(const struct scene *scene, struct leaf_plan *plans)
     return most;
 }
 
+bool scene_has_crossed_meshes(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->region_count; i++) {
+        const struct region *region = &scene->regions[i];
+
+        if (region_is_simple(scene, region))
+            continue;
+        for (size_t k = 0; k < region->primitive_count; k++)
+            if (primitive_is_mesh(
+                    &scene->primitives[region->first_primitive + k]))
+                return true;
+    }
+    return false;
+}
+
 size_t most_crossings(const struct scene *scene)
 {
-    size_t most = 0;
+    size_t most = scene_has_crossed_meshes(scene) ? CROSSINGS_WITH_MESHES : 0;
 
     for (size_t i = 0; i < scene->primitive_count; i++) {
         struct shape_words shape;
 
         shape_words(&scene->primitives[i], &shape);
-        if (shape.events > most)
+        if (!shape.on_mesh && shape.events > most)
             most = shape.events;
     }
     return most;

@@ -12,6 +12,11 @@
  * wanted. */
 bool region_is_simple(const struct scene *scene, const struct region *region);
 
+bool primitive_is_mesh(const struct primitive *primitive);
+/* Whether any mesh is not simple: the kernels need
+ * shapes/mesh_crossings_vector.s. */
+bool scene_has_crossed_meshes(const struct scene *scene);
+
 /* Of one primitive in its region. */
 struct leaf_plan {
     bool simple;        /* its region is this primitive, and opaque */

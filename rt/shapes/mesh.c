@@ -370,10 +370,25 @@ static bool is_integer(const struct primitive *primitive, size_t word)
            && word % NODE_ROW >= NODE_LINKS;
 }
 
+/* A line crosses each triangle once at the most, and where that comes to an odd
+ * number it begins inside. */
+static size_t crossings(const struct primitive *primitive)
+{
+    size_t count = primitive->shape.mesh.triangles.count;
+
+    return count + count % 2;
+}
+
+static size_t segments(const struct primitive *primitive)
+{
+    return primitive->shape.mesh.solid ? crossings(primitive) / 2 : 0;
+}
+
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     words[0] = (double)row_size(primitive);
-    return 1;
+    words[1] = (double)crossings(primitive);
+    return 2;
 }
 
 /* Its words are told in the world from the start. */
@@ -394,8 +409,16 @@ const struct shape shape_mesh = {
     .is_integer = is_integer,
     .is_finite = is_finite,
     .carry = carry,
+    .segments = segments,
+    .crossings = crossings,
     .region = "mesh",
-    .kernels = { .kernel = "mesh", .normal = "normal_smooth_mesh" },
+    .kernels = { .kernel = "mesh",
+                 .normal = "normal_smooth_mesh",
+                 .solid = "mesh_crossings",
+                 .inside = "mesh_solid" },
     .is_other = is_flat,
-    .other = { .kernel = "mesh", .normal = "normal_mesh" },
+    .other = { .kernel = "mesh",
+               .normal = "normal_mesh",
+               .solid = "mesh_crossings",
+               .inside = "mesh_solid" },
 };

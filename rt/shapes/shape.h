@@ -55,6 +55,8 @@ struct shape_kernels {
                                NULL: the first routine finds them all */
     const char *state;      /* in a tree, of an open shape: the segments
                                inside of the closed one; else NULL */
+    const char *inside;     /* in a tree, of one that may be a surface or a
+                               solid: the segments of a solid; else NULL */
     const char *historical; /* the kernel of 1984 */
     const char *historical_normal; /* where that notes what a normal needs:
                                       two parameters of a hit; else NULL */
@@ -96,6 +98,9 @@ struct shape {
 
     /* Where it is not kernels.segments; NULL: it is. */
     size_t (*segments)(const struct primitive *primitive);
+    /* A hit has a triangle: all of a ray's crossings, of which there are so many
+     * at the most, have theirs.  NULL: it has none. */
+    size_t (*crossings)(const struct primitive *primitive);
     const char *region; /* of the accounts, in which its kernels run */
     /* Of kernels that are assembled for scenes with such a shape alone: it is 1
      * there.  NULL: they always are. */

@@ -16,14 +16,20 @@ void shape_words(const struct primitive *primitive, struct shape_words *words)
     words->normal = kernels->normal;
     words->solid = kernels->solid ? kernels->solid : kernels->kernel;
     words->state = kernels->state;
+    words->segments = shape->segments ? shape->segments(primitive)
+                                      : kernels->segments;
+    words->on_mesh = shape->crossings != NULL;
+    words->on_patch = words->on_mesh || words->segments == 0;
+    words->events = words->on_mesh         ? shape->crossings(primitive)
+                    : words->segments == 0 ? PATCH_CROSSINGS
+                                           : 2 * words->segments;
+    if (kernels->inside && words->segments > 0)
+        words->solid = kernels->inside;
     if (primitive->unseen) { /* as an open shape, nothing of which is there */
         words->state = words->state ? words->state : words->solid;
         words->solid = "unseen";
+        words->events = words->on_mesh ? 2 : words->events;
     }
-    words->on_patch = shape_is_surface(primitive);
-    words->segments = shape->segments ? shape->segments(primitive)
-                                      : kernels->segments;
-    words->events = words->on_patch ? PATCH_CROSSINGS : 2 * words->segments;
 }
 
 bool shape_words_historical(const struct primitive *primitive,

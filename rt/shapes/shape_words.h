@@ -17,6 +17,7 @@ struct shape_words {
     size_t count;
     bool transformed;            /* it stands in a space of its own */
     bool on_patch;               /* a hit has two parameters, too */
+    bool on_mesh;                /* .. one of which is a triangle */
     const char *kernel, *normal; /* routines, in both forms of the program */
     const char *solid; /* for all crossings of a ray: the kernel that
                           is used in trees */

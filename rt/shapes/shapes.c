@@ -32,7 +32,11 @@ shape_kernels_of(const struct primitive *primitive)
 
 bool shape_is_surface(const struct primitive *primitive)
 {
-    return shape_of(primitive)->kernels.segments == 0;
+    const struct shape *shape = shape_of(primitive);
+
+    return (shape->segments ? shape->segments(primitive)
+                            : shape->kernels.segments)
+           == 0;
 }
 
 const char *shape_as_read(struct primitive *primitive)

@@ -152,11 +152,16 @@ static const struct feature {
     const char *symbol;
     bool (*is_in)(const struct scene *scene);
 } features[] = {
-    { "ORTHOGRAPHIC", is_orthographic },  { "FOG", has_fogs },
-    { "GLOSS", scene_is_glossy },         { "BEAMS", scene_has_beams },
-    { "AREAS", scene_has_areas },         { "PATTERNS", scene_has_patterns },
-    { "IMAGES", scene_has_images },       { "BUMPS", scene_has_bumps },
+    { "ORTHOGRAPHIC", is_orthographic },
+    { "FOG", has_fogs },
+    { "GLOSS", scene_is_glossy },
+    { "BEAMS", scene_has_beams },
+    { "AREAS", scene_has_areas },
+    { "PATTERNS", scene_has_patterns },
+    { "IMAGES", scene_has_images },
+    { "BUMPS", scene_has_bumps },
     { "INTERIORS", scene_has_interiors },
+    { "MESH_CROSSINGS", scene_has_crossed_meshes },
 };
 enum { FEATURES = sizeof features / sizeof *features };
 

@@ -7,6 +7,7 @@
 
 #define EDGE 1e-13L     /* what lies so far outside of a triangle is on it */
 #define SAME 1e-12L     /* two distances that are one */
+#define UNSURE 1e-10L   /* a ray so near to an edge may pass it */
 #define PARALLEL 1e-14L /* a line so near to a triangle's plane misses it */
 
 typedef long double accurate[3];
@@ -158,9 +159,45 @@ size_t cross_mesh(const struct primitive *primitive, const struct ray *ray,
     return count;
 }
 
+/* --- inside --------------------------------------------------------------- */
+
+/* How often a ray from a point meets triangles; -1: it comes so near to an edge
+ * that it is not sure. */
+static long count_ahead(const struct triangles *triangles,
+                        const struct ray *ray)
+{
+    long count = 0;
+    for (size_t i = 0; i < triangles->count; i++) {
+        struct meeting meeting;
+        if (!meet_plane(&triangles->list[i], ray, &meeting))
+            return -1;
+        long double least = fminl(meeting.shares[0],
+                                  fminl(meeting.shares[1],
+                                        meeting.shares[2]));
+        if (fabsl(least) < UNSURE)
+            return -1;
+        count += least > 0 && meeting.distance > 0;
+    }
+    return count;
+}
+
+/* As in POV-Ray what a ray comes out of an odd number of times, whatever its
+ * direction: of a closed mesh that is one thing. */
 bool in_mesh(const struct primitive *primitive, const double point[3])
 {
-    (void)primitive;
-    (void)point;
+    enum { DIRECTIONS = 20 };
+    struct ray ray;
+    if (!primitive->shape.mesh.solid)
+        return false;
+    copy(ray.origin, point);
+    for (int i = 0; i < DIRECTIONS; i++) {
+        long count;
+        ray.direction[0] = sin(3 + 2.1 * i);
+        ray.direction[1] = cos(1 + 3.3 * i);
+        ray.direction[2] = sin(5.7 * i + .4);
+        count = count_ahead(&primitive->shape.mesh.triangles, &ray);
+        if (count >= 0)
+            return count % 2 != 0;
+    }
     return false;
 }

@@ -232,15 +232,28 @@ static const struct place *first_shown(const struct crossing_list *list,
     return seen;
 }
 
-/* A patch alone has a side that its normal points to. */
-static void describe(const struct place *place, bool solid_behind,
-                     const double direction[3], struct plain_hit *hit)
+/* To a ray a mesh without inside is what it comes into; but as an opaque one
+ * alone it has a side, as a patch has, that its normal points to. */
+static bool comes_into(const struct crossing_list *list,
+                       const struct place *place, double along)
 {
+    const struct primitive *primitive = place->primitive;
+    if (primitive->kind == PRIMITIVE_MESH
+        && (!is_alone(list->region) || pigment_is_clear(&primitive->pigment)))
+        return true;
+    return (along < 0) != primitive->inverted;
+}
+
+static void describe(const struct crossing_list *list,
+                     const struct place *place, bool solid_behind,
+                     struct plain_hit *hit)
+{
+    const double *direction = list->ray->direction;
     hit->primitive = place->primitive;
     normal_to_world(&place->primitive->to_local, place->normal, hit->normal);
     double along = dot(hit->normal, direction);
     hit->entering = shape_is_surface(place->primitive)
-                        ? (along < 0) != place->primitive->inverted
+                        ? comes_into(list, place, along)
                         : solid_behind;
     if (along > 0)
         scale_by(hit->normal, -1);
@@ -254,8 +267,8 @@ static bool look_at(const struct crossing_list *list,
     if (!shows(&sides, place->primitive))
         return false;
     hit->distance = place->distance;
-    describe(first_shown(list, &sides, place), is_solid(&sides.behind),
-             list->ray->direction, hit);
+    describe(list, first_shown(list, &sides, place), is_solid(&sides.behind),
+             hit);
     return true;
 }
 

@@ -32,7 +32,7 @@ typedef size_t cross_shape(const struct primitive *primitive,
 cross_shape plain_crossings;
 
 /* Is a point of the primitive's own space inside of it?  A patch has no
- * inside. */
+ * inside, nor has a mesh without an inside_vector. */
 typedef bool enclose_point(const struct primitive *primitive,
                            const double point[3]);
 enclose_point plain_encloses;

@@ -364,9 +364,6 @@ static void test_errors(void **state)
         { "bicubic_patch { type 1 " SQUARE ", x }", 195, "found \',\'" },
         { "bicubic_patch { type 1 0,0,0,0 0,0,0,0 0,0,0,0 0,0,0,0 }", 1,
           "no triangle has an area" },
-        { "intersection { sphere { 0, 1 } bicubic_patch { type 1 " SQUARE
-          " } }",
-          32, "a mesh in an intersection" },
     };
 
     (void)state;

@@ -1,5 +1,8 @@
 /* Closed meshes, seen from inside: no ray slips out, be it aimed at points, at
- * edges or anywhere, in either form of the tracer.
+ * edges or anywhere, in either form of the tracer.  As solids they have an inside,
+ * and wherever a ray passes it crosses them an even number of times: of a ball
+ * about the eye nothing is left that lies outside of one about it all, or inside
+ * of one that it stands apart from.
  *
  *     test_closed_meshes [SCENES [SEED]]
  */
@@ -8,6 +11,8 @@
 #include "tests/unit/random_solids.h"
 
 static size_t scene_count = 4; /* of each sort */
+/* What the eye sees of a mesh: its inside; of the ball nothing. */
+static enum { SHELL, BALL_WITHIN, BALL_APART } sight;
 static struct net net;
 static char text[1 << 18];
 
@@ -18,13 +23,14 @@ static void set_size(size_t width, size_t height)
     traced.pixels = width * height;
 }
 
-/* No pixel shows the background, in whatever way it is traced. */
+/* No pixel shows the background, or all do, in whatever way it is traced. */
 static void check_closed(void)
 {
     struct words *words = same_frame(text);
 
     for (size_t k = 0; k < traced.pixels; k++)
-        if (c205_to_integer(words->channel[CHANNEL_ID][k]) == 0)
+        if ((c205_to_integer(words->channel[CHANNEL_ID][k]) == 0)
+            == (sight == SHELL))
             fail_msg("pixel %zu of %zu by %zu: a ray slips out of\n%s", k,
                      traced.width, traced.height, text);
     check_paper_stage(text, words);
@@ -48,6 +54,28 @@ static void begin_scene(const double location[3], const double ahead[3],
     add_text(text, sizeof text, "}\n");
 }
 
+/* Of a mesh of some size, about the ball or apart from it. */
+static void begin_mesh(const double location[3], double scale)
+{
+    if (sight == SHELL)
+        return;
+    add_text(text, sizeof text, "%s { sphere {",
+             sight == BALL_WITHIN ? "difference" : "intersection");
+    add_vector("", location);
+    add_text(text, sizeof text, ", %.17g }\n", .05 * scale);
+}
+
+static void inside_vector(void)
+{
+    if (sight != SHELL)
+        add_vector("inside_vector", (double[]){ .3, .8, .1 });
+}
+
+static void end_mesh(void)
+{
+    add_text(text, sizeof text, sight == SHELL ? "}\n" : "} }\n");
+}
+
 /* At any place, of any size. */
 static void write_closed(void)
 {
@@ -64,10 +92,13 @@ static void write_closed(void)
         ahead[i] = between(-1, 1);
     }
     begin_scene(location, ahead, right, up);
+    begin_mesh(location, scale);
     net_text(&net, text, sizeof text, &traced.random);
+    inside_vector();
     add_text(text, sizeof text,
-             "scale %.17g translate <%.17g, %.17g, %.17g> }\n", scale, by[0],
+             "scale %.17g translate <%.17g, %.17g, %.17g> ", scale, by[0],
              by[1], by[2]);
+    end_mesh();
 }
 
 static void test_closed(void **state)
@@ -110,8 +141,10 @@ static void write_symmetric(size_t neighbour, const double middle[3])
     cross(ahead, aside, right);
     cross(right, ahead, up);
     begin_scene(middle, ahead, right, up);
+    begin_mesh(middle, 4);
     net_mesh_text(&net, text, sizeof text);
-    add_text(text, sizeof text, "}\n");
+    inside_vector();
+    end_mesh();
 }
 
 static void test_symmetric(void **state)
@@ -147,8 +180,10 @@ static void write_whole(size_t side, const double middle[3])
     up[(axis + 2) % 3] = 32;
     ahead[(axis + 1) % 3] = ahead[(axis + 2) % 3] = .5;
     begin_scene(middle, ahead, right, up);
+    begin_mesh(middle, 16);
     net_mesh2_text(&net, text, sizeof text);
-    add_text(text, sizeof text, "}\n");
+    inside_vector();
+    end_mesh();
 }
 
 static void test_rays_to_points(void **state)
@@ -171,7 +206,8 @@ static void test_rays_to_points(void **state)
 /* The rays of the first row go to points of one edge of a face, its ends and
  * its middle among them, those of the first column and of a diagonal to the
  * others'. */
-static void write_aimed(const size_t face[3], const double location[3])
+static void write_aimed(const size_t face[3], const double location[3],
+                        double scale)
 {
     double stretch = (double)traced.width / (double)(traced.width - 1);
     double half = .5 - .5 / (double)traced.width;
@@ -185,8 +221,10 @@ static void write_aimed(const size_t face[3], const double location[3])
         ahead[i] = a - location[i] + half * right[i] - half * up[i];
     }
     begin_scene(location, ahead, right, up);
+    begin_mesh(location, scale);
     net_mesh_text(&net, text, sizeof text);
-    add_text(text, sizeof text, "}\n");
+    inside_vector();
+    end_mesh();
 }
 
 static void test_rays_along_edges(void **state)
@@ -203,12 +241,53 @@ static void test_rays_along_edges(void **state)
         }
         net_move(&net, scale, by);
         for (int tries = 0; tries < 3; tries++) {
-            write_aimed(net.faces[below(net.face_count)], location);
+            write_aimed(net.faces[below(net.face_count)], location, scale);
             check_closed();
         }
     }
     set_size(WIDTH, HEIGHT);
 }
+
+static int look_at_ball_within(void **state)
+{
+    (void)state;
+    sight = BALL_WITHIN;
+    return 0;
+}
+
+static int look_at_shell(void **state)
+{
+    (void)state;
+    sight = SHELL;
+    return 0;
+}
+
+/* Through a body from one side to the other. */
+static void test_rays_from_outside(void **state)
+{
+    (void)state;
+    sight = BALL_APART;
+    set_size(9, 9);
+    for (size_t i = 0; i < 3 * scene_count; i++) {
+        double scale = pow(10, between(-2, 3)), by[3], location[3];
+
+        net_random_body(&net, 1 + i % 2, &traced.random);
+        for (int k = 0; k < 3; k++) {
+            by[k] = i % 3 ? scale * between(-9, 9) : 0;
+            location[k] = by[k];
+        }
+        location[i % 3] += scale * (i % 2 ? 12 : -12);
+        net_move(&net, scale, by);
+        for (int tries = 0; tries < 3; tries++) {
+            write_aimed(net.faces[below(net.face_count)], location, scale);
+            check_closed();
+        }
+    }
+    set_size(WIDTH, HEIGHT);
+}
+
+#define SOLID(test) \
+    cmocka_unit_test_setup_teardown(test, look_at_ball_within, look_at_shell)
 
 int main(int argc, char **argv)
 {
@@ -217,6 +296,11 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_rays_to_points),
         cmocka_unit_test(test_rays_along_edges),
         cmocka_unit_test(test_closed),
+        SOLID(test_symmetric),
+        SOLID(test_rays_to_points),
+        SOLID(test_rays_along_edges),
+        SOLID(test_closed),
+        cmocka_unit_test_teardown(test_rays_from_outside, look_at_shell),
     };
 
     if (argc > 1)

@@ -613,7 +613,10 @@ static void test_errors(void **state)
           "expected" },
         { "intersection { height_field { function 3, 3 { x } } "
           "sphere { 0, 1 } }",
-          16, "a mesh in an intersection" },
+          16, "a height_field in an intersection" },
+        { "union { height_field { function 3, 3 { x } } sphere { 0, 1 } "
+          "inverse }",
+          62, "'inverse' of a height_field with other objects" },
     };
 
     (void)state;

@@ -454,8 +454,6 @@ static void test_errors(void **state)
           "expected a number" },
         { "polygon { 4, 0, x, y, 0, 0 }", 24, "found ','" },
         { "polygon { 5, 0, x, y, 0, <1, 1> }", 1, "stands alone" },
-        { "intersection { sphere { 0, 1 } polygon { 4, 0, x, y, 0 } }", 32,
-          "a mesh in an intersection" },
         { "sphere { 0, 1 clipped_by { polygon { 4, 0, x, y, 0 } } }", 28,
           "a mesh has no inside, by which to cut" },
     };

@@ -194,6 +194,10 @@ tree_taken:
         STO     [to_met, loop_place], w_out
         find_patch w_out
         IBXEQ   its_patch, r0, r0, tree_skip
+        .if     MESH_CROSSINGS
+        ES      loop_work, 2
+        IBXEQ   its_patch, r0, loop_work, tree_triangle
+        .endif
         IX      w_out, 64 * P_FIRST_EVENT
         LOD     [w_out], loop_work
         ADDX    w_crossings, loop_work, w_crossings
@@ -217,6 +221,39 @@ tree_end:
         to_vector
         region_took_hits
         BIM     walk_skip
+
+        .if     MESH_CROSSINGS
+; On which triangle of a mesh, and if the ray leaves there, as in regions_scalar.s.
+tree_triangle:
+        RTOR    w_out, loop_at
+        IX      loop_at, 64 * (P_SHAPE + 1)
+        LOD     [loop_at], its_patch
+        FLR     its_patch, its_patch
+        EX      loop_work, CROSSING_SIZE
+        MPYX    its_patch, loop_work, its_patch
+        IX      loop_at, 64 * (P_SEGMENTS - P_SHAPE - 1)
+        LOD     [loop_at], ray_limit
+        IX      w_out, 64 * P_FIRST_EVENT
+        LOD     [w_out], loop_work
+        ADDX    w_crossings, loop_work, w_crossings
+        load_at k_delta, 1, segment_out
+        SUBN    w_in, segment_out, next_in
+        ADDN    w_in, segment_out, next_out
+        ES      segment_out, 0
+        BIM     tree_triangle_here
+tree_triangle_next:
+        ADDX    w_crossings, stride, w_crossings
+        IBXEQ   ray_limit, r0, r0, tree_triangle_here
+        XOR     segment_out, m_index_one, segment_out
+tree_triangle_here:
+        LOD     [w_crossings], segment_in
+        CFPLT   segment_in, next_in, tree_triangle_next
+        CFPLT   next_out, segment_in, tree_triangle_next
+        LOD     [w_crossings, its_patch], segment_in
+        STO     [to_hit_s, loop_place], segment_in
+        STO     [to_hit_t, loop_place], segment_out
+        BIM     tree_skip
+        .endif
 
 tree_missed:
         STO     [leaf_value], r0

@@ -14,6 +14,12 @@
         .equ    INTERIORS, 0
         .endif
 
+; 1: of a mesh more is asked than what a ray meets first: it stands in a tree, or light
+; passes through it (shapes/mesh_crossings_vector.s).
+        .ifndef MESH_CROSSINGS
+        .equ    MESH_CROSSINGS, 0
+        .endif
+
 ; 1: there are patterns besides checkers and gradients (light/pattern.s).
         .ifndef PATTERNS
         .equ    PATTERNS, 0
@@ -51,6 +57,9 @@
         .field  P_ON_PATCH         ; 1: a hit has two parameters, too: on a
                                 ;    patch s and t, on a cylinder of 1984
                                 ;    the surfaces of entry and exit
+                                ; 2: of a mesh all of whose crossings are
+                                ;    asked: the triangle, and 1 if the ray
+                                ;    leaves it there
         .field  P_PIGMENT          ; 0: a colour, 1: a checker, 2: a gradient,
                                 ; 3: another pattern, 4: an image
         .field  P_TRANSFORMED      ; 1: the shape stands in a space of its own
@@ -96,7 +105,8 @@
                                 ;             a little more; table: rows, as below
                                 ;   quadratic_prism  as a prism; table: rows, as
                                 ;             below
-                                ;   mesh      words of a triangle's row; table:
+                                ;   mesh      words of a triangle's row, room for so
+                                ;             many crossings; table:
                                 ;             nodes and triangles, as below
         .field  P_LOCAL, 12        ; rows of the matrix from world to own
                                 ; space, each three factors and a shift
@@ -138,6 +148,9 @@
                                 ; the same of a closed shape; of a patch
                                 ; PATCH_CROSSINGS, missing ones big, then in
                                 ; the vector form as many s, then as many t
+                                ; of a mesh these three are what the last rays
+                                ; have, and the triangles stand behind the room
+                                ; for crossings
         .field  P_VALUE            ; address of its value in the tree
         .field  P_INVERTED         ; 1: what its outward normal points to is
                                 ; solid
@@ -316,6 +329,9 @@
                                 ; tree
         .field  N_NEXT             ; address of the node to go on with
         .field  N_VALUE            ; address of its value
+        .if     MESH_CROSSINGS
+        .field  N_MESH             ; 1: a mesh is below it
+        .endif
         .endrecord
 
 ; A step of the evaluation of a tree.  The host leaves room for the values and

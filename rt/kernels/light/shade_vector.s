@@ -411,6 +411,14 @@ normal_world:
         VTOV    -[nz], [nz] ? [hits0]
         VTOV    -[facing], [facing] ? [hits0]
 normal_faces:
+        .if     MESH_CROSSINGS
+        load_field P_ON_PATCH, s0
+        ES      s1, 2
+        IBXNE   s0, r0, s1, normal_sided
+        VXTOV   [at], [hit_t], [v0]             ; a mesh has no outside
+        CMPNEV  [v0], r0, [hits0]
+normal_sided:
+        .endif
         .if     BUMPS
         CMPLTV  [facing], r0, [hits1]
         ORNB    [hits0], [hits1], [hits0]

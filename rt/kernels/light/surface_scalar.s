@@ -100,6 +100,16 @@ surface_world\@:
         SUBN    r0, nz, nz
         SUBN    r0, facing, facing
 surface_turned\@:
+        .if     MESH_CROSSINGS
+        get_field P_ON_PATCH, t0
+        ES      t1, 2
+        IBXNE   t0, r0, t1, surface_sided\@
+        get_field P_PATCH_POINT + 1, t0         ; a mesh has no outside
+        RTOR    facing, outward
+        IBXEQ   t0, r0, r0, surface_sided\@
+        SUBN    r0, facing, outward
+surface_sided\@:
+        .endif
         .if     BUMPS
         change_normal
         .endif

@@ -81,10 +81,8 @@ lesser\@:
         SUBN    \c2, \o, \c2
         .endm
 
-        .kernel mesh
-mesh:
-        enter_solver 1, mesh_save, MESH_REGISTERS
-        RTOR    lower, mesh_least
+; What a walk needs of the ray: its own axes, signs.
+        .macro  begin_mesh
         FLR     sh0, mesh_row
         RTOR    a_primitive, t0
         IX      t0, 64 * P_TABLE
@@ -96,25 +94,28 @@ mesh:
         ABS     dx, t0
         ABS     dy, t1
         ABS     dz, t2
-        CFPLT   t0, t1, mesh_not_x
-        CFPLT   t0, t2, mesh_z
+        CFPLT   t0, t1, mesh_not_x\@
+        CFPLT   t0, t2, mesh_z\@
         own_axes 1, 2, 0, y, z, x
-        BIM     mesh_turned
-mesh_not_x:
-        CFPLT   t1, t2, mesh_z
+        BIM     mesh_turned\@
+mesh_not_x\@:
+        CFPLT   t1, t2, mesh_z\@
         own_axes 2, 0, 1, z, x, y
-        BIM     mesh_turned
-mesh_z:
+        BIM     mesh_turned\@
+mesh_z\@:
         own_axes 0, 1, 2, x, y, z
-mesh_turned:
+mesh_turned\@:
         ES      signs, 0
         begin_axis dx, 1, inverse_x, size_x
         begin_axis dy, 2, inverse_y, size_y
         begin_axis dz, 4, inverse_z, size_z
         RTOR    big, tin
-        RTOR    met_link, nearest_side          ; behind all triangles
+        .endm
+
+; Through the nodes before tin; the sides of the ray that a triangle has to sides.
+        .macro  walk_mesh sides
         ES      node, MESH_SIZE
-mesh_node:
+mesh_node\@:
         SHIFTI  node, 6, node_at
         ADDX    node_at, mesh_table, node_at
         RTOR    node_at, t0
@@ -141,23 +142,23 @@ mesh_node:
         greater low_x, low_z
         lesser  high_x, high_z
         MPYS    low_x, mesh_less, low_x
-        CFPLT   high_x, r0, mesh_beside
-        CFPLT   high_x, low_x, mesh_beside
-        CFPGE   low_x, tin, mesh_beside
+        CFPLT   high_x, r0, mesh_beside\@
+        CFPLT   high_x, low_x, mesh_beside\@
+        CFPGE   low_x, tin, mesh_beside\@
         LOD     [node_at, signs], node
-        IBXLT   node, r0, met_link, mesh_node
+        IBXLT   node, r0, met_link, mesh_node\@
         SUBX    node, met_link, node
         IX      node_at, 64 * (MESH_FIRST - MESH_LINKS)
         ELEN    node_at, 2
         SWAP    [node_at], triangle, [r0]       ; and triangles_left
-        BIM     mesh_triangle
-mesh_beside:
+        BIM     mesh_triangle\@
+mesh_beside\@:
         IX      node_at, 64
         LOD     [node_at, signs], node
-        IBXNE   node, r0, r0, mesh_node
-        BIM     mesh_walked
+        IBXNE   node, r0, r0, mesh_node\@
+        BIM     mesh_walked\@
 
-mesh_triangle:
+mesh_triangle\@:
         SHIFTI  triangle, 6, triangle_at
         ADDX    triangle_at, mesh_table, triangle_at
         ES      t0, 3
@@ -185,9 +186,24 @@ mesh_triangle:
         MPYS    side_y2, side_x0, t1
         MPYS    side_x0, side_y1, side_w
         MPYS    side_y0, side_x1, t2
+        \sides
+        ADDX    triangle, mesh_row, triangle
+        IX      triangles_left, -1
+        IBXNE   triangles_left, r0, r0, mesh_triangle\@
+        IBXNE   node, r0, r0, mesh_node\@
+mesh_walked\@:
+        .endm
+
+; U, V, W.
+        .macro  subtract_sides
         SUBN    side_u, t0, side_u
         SUBN    side_v, t1, side_v
         SUBN    side_w, t2, side_w
+        .endm
+
+; What is met first: tin, nearest_side.
+        .macro  nearest_sides
+        subtract_sides
         CFPLT   side_u, r0, mesh_all_below
         CFPLT   side_v, r0, mesh_not_above
         CFPGE   side_w, r0, mesh_side
@@ -215,11 +231,15 @@ mesh_nearer:
         RTOR    t0, tin
         RTOR    triangle, nearest_side
 mesh_next:
-        ADDX    triangle, mesh_row, triangle
-        IX      triangles_left, -1
-        IBXNE   triangles_left, r0, r0, mesh_triangle
-        IBXNE   node, r0, r0, mesh_node
-mesh_walked:
+        .endm
+
+        .kernel mesh
+mesh:
+        enter_solver 1, mesh_save, MESH_REGISTERS
+        RTOR    lower, mesh_least
+        begin_mesh
+        RTOR    met_link, nearest_side          ; behind all triangles
+        walk_mesh nearest_sides
         CFPGE   tin, big, mesh_missed
         RTOR    tin, tout
         IX      a_primitive, 64 * P_PATCH_POINT
@@ -229,3 +249,7 @@ mesh_walked:
 mesh_missed:
         miss_near mesh_save, MESH_REGISTERS
         .endkernel
+
+        .if     MESH_CROSSINGS
+        .include "shapes/mesh_crossings_scalar.s"
+        .endif

@@ -227,10 +227,8 @@ side_bases:
         ANDB    [\bits], [side_tie], [\bits]
         .endm
 
-        .kernel mesh
-mesh:
-        load_record P_TABLE, 2, mesh_table      ; and mesh_row
-        FLR     mesh_row, mesh_row
+; What a walk needs of the rays at hand: their own axes.
+        .macro  begin_mesh
         RTOR    mesh_table, mesh_links
         IX      mesh_links, 64 * MESH_LINKS
         EX      mesh_leaf_link, MESH_MET
@@ -250,13 +248,10 @@ mesh:
         DIVSV   one, [w5], [w5]
         MPYSV   [w3], [w5], [w3]
         MPYSV   [w4], [w5], [w4]
-        VTOV    [near_limit], [w9]
-        VTOV    big, [tin]
-        VTOV    r0, [patch_s]                   ; before all triangles
-        IBXNE   shadows, r0, r0, mesh_begin     ; what is at the light stops none
-        VTOV    mesh_leaf_link, [patch_s]       ; behind all: at the limit counts
-mesh_begin:
-        VTOV    r0, [patch_t]
+        .endm
+
+; All stand at the first node.
+        .macro  start_walk limits
         ES      s2, MESH_SIZE
         VTOV    s2, [mesh_at]
         .if     QUEUE < PARTS || QUEUE > 65535 - PARTS
@@ -264,13 +259,18 @@ mesh_begin:
         .else
         mix_rays
         .endif
-        VXTOV   [mesh_place], [near_limit], [mesh_limit]
+        VXTOV   [mesh_place], [\limits], [mesh_limit]
         VTOV    r0, [mesh_signs]
         load_word mesh_zero, s1
         begin_axis ox, dx, 1, mesh_ox, mesh_ix, mesh_ax
         begin_axis oy, dy, 2, mesh_oy, mesh_iy, mesh_ay
         begin_axis oz, dz, 4, mesh_oz, mesh_iz, mesh_az
-mesh_step:
+        .endm
+
+; To the end; pairs are met by the routine meet, which may change limits or
+; not.
+        .macro  walk_mesh meet, limits
+mesh_step\@:
         load_word bound_less, s1
         box_axis 0, mesh_ox, mesh_ix, mesh_ax, mesh_low, mesh_high
         box_next 1, mesh_oy, mesh_iy, mesh_ay
@@ -286,15 +286,15 @@ mesh_step:
         VXTOV   [mesh_g0], [mesh_links], [mesh_g1]
         CMPGEV  [mesh_g1], mesh_leaf_link, [mesh_met]
         CNTOB   [mesh_met], leaf_count
-        IBXNE   leaf_count, r0, r0, mesh_leaves
-mesh_on:
+        IBXNE   leaf_count, r0, r0, mesh_leaves\@
+mesh_on\@:
         VTOV    [mesh_g1], [mesh_at]
         CMPNEV  [mesh_at], r0, [mesh_bits]
         CNTOB   [mesh_bits], s2
-        IBXEQ   s2, r0, r0, mesh_walked
-        if_few  s2, m, mesh_narrow
-        BIM     mesh_step
-mesh_narrow:
+        IBXEQ   s2, r0, r0, mesh_walked\@
+        if_few  s2, m, mesh_narrow\@
+        BIM     mesh_step\@
+mesh_narrow\@:
         walk_keep mesh_at
         walk_keep mesh_place
         walk_keep mesh_ox
@@ -310,10 +310,10 @@ mesh_narrow:
         walk_keep mesh_limit
         RTOR    s2, m
         set_walk
-        BIM     mesh_step
+        BIM     mesh_step\@
 
 ; Rays at leaves, leaf_count of them: a pair with each triangle.
-mesh_leaves:
+mesh_leaves\@:
         SUBXV   [mesh_g1], mesh_leaf_link, [mesh_g1] ? [mesh_met]
         RTOR    w10, leaf_triangle
         RTOR    w11, leaf_place
@@ -325,13 +325,15 @@ mesh_leaves:
         VXTOV   [leaf_triangle], [s0], [leaf_left]
         IX      s0, 64 * (MESH_FIRST - MESH_COUNT)
         VXTOV   [leaf_triangle], [s0], [leaf_triangle]
-leaf_next:
+leaf_next\@:
         ADDX    mesh_pairs, leaf_count, s0
-        IBXLE   s0, r0, m, leaf_pairs
-        EX      target, meet_sides
+        IBXLE   s0, r0, m, leaf_pairs\@
+        EX      target, \meet
         BSAVE   lane_link, [target]
+        .if     \limits
         VXTOV   [mesh_place], [w9], [mesh_limit]
-leaf_pairs:
+        .endif
+leaf_pairs\@:
         SHIFTI  mesh_pairs, 6, s0
         add_pair leaf_place, side_store
         add_pair leaf_triangle, side_store + 64 * QUEUE
@@ -340,18 +342,43 @@ leaf_pairs:
         describe leaf_bits, lane_bits + 64 * QUEUE_BIT_WORDS * 3, leaf_count
         CMPNEV  [leaf_left], r0, [leaf_bits]
         CNTOB   [leaf_bits], leaf_count
-        IBXEQ   leaf_count, r0, r0, mesh_on
+        IBXEQ   leaf_count, r0, r0, mesh_on\@
         CPSV    [leaf_triangle], [leaf_triangle] ? [leaf_bits]
         CPSV    [leaf_place], [leaf_place] ? [leaf_bits]
         CPSV    [leaf_left], [leaf_left] ? [leaf_bits]
         ADDXV   [leaf_triangle], mesh_row, [leaf_triangle]
-        BIM     leaf_next
+        BIM     leaf_next\@
 
-mesh_walked:
-        IBXEQ   mesh_pairs, r0, r0, mesh_done
-        EX      target, meet_sides
+mesh_walked\@:
+        IBXEQ   mesh_pairs, r0, r0, mesh_done\@
+        EX      target, \meet
         BSAVE   lane_link, [target]
-mesh_done:
+mesh_done\@:
+        .endm
+
+; The corners of the pairs' triangles: x, y, z, sheared.
+        .macro  take_corners
+        side_axis w6, w0, side_x0, side_x1, side_x2
+        side_axis w7, w1, side_y0, side_y1, side_y2
+        side_axis w8, w2, side_z0, side_z1, side_z2
+        shear   w3, side_x0, side_x1, side_x2
+        shear   w4, side_y0, side_y1, side_y2
+        .endm
+
+        .kernel mesh
+mesh:
+        load_record P_TABLE, 2, mesh_table      ; and mesh_row
+        FLR     mesh_row, mesh_row
+        begin_mesh
+        VTOV    [near_limit], [w9]
+        VTOV    big, [tin]
+        VTOV    r0, [patch_s]                   ; before all triangles
+        IBXNE   shadows, r0, r0, mesh_begin     ; what is at the light stops none
+        VTOV    mesh_leaf_link, [patch_s]       ; behind all: at the limit counts
+mesh_begin:
+        VTOV    r0, [patch_t]
+        start_walk near_limit
+        walk_mesh meet_sides, 1
         CMPLTV  [tin], big, [bits0]
         MASKV   [tin], minus_big, [tout] ? [bits0]
         BIM     0, link_kernel
@@ -360,11 +387,7 @@ mesh_done:
 meet_sides:
         set_sides mesh_pairs
         ES      mesh_pairs, 0
-        side_axis w6, w0, side_x0, side_x1, side_x2
-        side_axis w7, w1, side_y0, side_y1, side_y2
-        side_axis w8, w2, side_z0, side_z1, side_z2
-        shear   w3, side_x0, side_x1, side_x2
-        shear   w4, side_y0, side_y1, side_y2
+        take_corners
         side_edge side_x1, side_y1, side_x2, side_y2, side_u
         side_edge side_x2, side_y2, side_x0, side_y0, side_v
         side_edge side_x0, side_y0, side_x1, side_y1, side_w
@@ -432,3 +455,7 @@ sides_stop:
 sides_met:
         BIM     0, lane_link
         .endkernel
+
+        .if     MESH_CROSSINGS
+        .include "shapes/mesh_crossings_vector.s"
+        .endif

@@ -80,6 +80,11 @@ meet_events:
         ELEN    n_primitive, 2
         SWAP    [n_primitive], target, [r0]     ; and inner
         call_leaf
+        .if     MESH_CROSSINGS
+        RTOR    n_primitive, w_at               ; a mesh has told how many
+        IX      w_at, 64 * P_SEGMENTS
+        LOD     [w_at], l_segments
+        .endif
         .endkernel
 
         .kernel visible

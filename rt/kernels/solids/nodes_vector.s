@@ -11,6 +11,9 @@
 ;                   from P_FIRST_EVENT on
 ;   patch           PATCH_CROSSINGS crossings, as many s, as many t from
 ;                   P_FIRST_EVENT on
+;   mesh            P_SEGMENTS times in, out, or P_EVENTS crossings, and behind
+;                   the room for them their triangles, from P_FIRST_EVENT on; of
+;                   one that is not seen from P_FIRST_STATE on
 ;
 ; Spheres of less than half of the region's radius are tested; those of needed nodes
 ; are no smaller than it.  Where few rays come near a node those are gathered for all
@@ -85,12 +88,36 @@
 
         .equ    CROSSING_SIZE, QUEUE
 
+        .if     MESH_CROSSINGS
+; To other if the primitive is not a mesh all of whose crossings are asked.
+        .macro  unless_mesh other
+        load_field P_ON_PATCH, s0
+        ES      s1, 2
+        IBXNE   s0, r0, s1, \other
+        .endm
+
+; Words from its crossings on to their triangles.
+        .macro  triangles_behind into
+        load_field P_SHAPE + 1, \into
+        FLR     \into, \into
+        EX      s0, 64 * CROSSING_SIZE
+        MPYX    \into, s0, \into
+        .endm
+        .endif
+
 ; The words of a node behind its bound.
         .share  shape
         .regs   r61, node_steps, node_step_count, node_primitive, node_needed
         .regs   r65, node_behind, node_value
+        .if     MESH_CROSSINGS
+        .reg    node_mesh, r67
+        .endif
         .endshare
+        .if     MESH_CROSSINGS
+        .equ    NODE_WORDS, N_MESH + 1
+        .else
         .equ    NODE_WORDS, N_VALUE + 1
+        .endif
         .share  phase
         .reg    leaf_needed, r188
         .reg    least_culled, r187      ; smaller bounds are tested
@@ -185,6 +212,9 @@ node_next:
         ADDX    s0, s0, s1
         ADDX    s1, s1, s1
         IBXGE   s1, r0, near, node_near
+        .if     MESH_CROSSINGS
+        IBXNE   node_mesh, r0, r0, node_near
+        .endif
         load_word few_outer, s1
         IBXEQ   s1, r0, r0, node_few
         BIM     node_near
@@ -220,12 +250,28 @@ node_solid:
         RTOR    primitive, shape_at
         call_kernel
         load_field P_STATE_KERNEL, s0
+        .if     MESH_CROSSINGS
+        IBXEQ   s0, r0, r0, node_counted
+        .else
         IBXEQ   s0, r0, r0, node_met
+        .endif
         load_record P_SEGMENTS, 4, leaf_segments
         find_segments leaf_first_state
         RTOR    leaf_segments, segments_wanted
         RTOR    primitive, shape_at
         IX      shape_at, 64 * P_STATE_KERNEL
         call_kernel
+        .if     MESH_CROSSINGS
+
+; A mesh tells how many segments and events there are.
+node_counted:
+        unless_mesh node_met
+        load_record P_SEGMENTS, 2, s2           ; and s3
+        load_word leaves_end, s0
+        IX      s0, -64 * (LEAF_SIZE - LEAF_PART)
+        ELEN    s0, 2
+        SWAP    [r0], s2, [s0]
+        RTOR    s2, segments_wanted
+        .endif
         BIM     node_met
         .endkernel

@@ -353,6 +353,19 @@ squeeze_rays:
         leaves_begin
 squeeze_leaf:
         leaf_at_hand
+        .if     MESH_CROSSINGS
+        unless_mesh squeeze_no_mesh
+        IBXNE   shadows, r0, r0, squeeze_triangles
+        IBXEQ   leaf_segments, r0, r0, squeeze_mesh
+        IBXNE   leaf_first_state, r0, leaf_first_event, squeeze_no_mesh
+squeeze_mesh:
+        triangles_behind s4
+        ADDX    leaf_first_event, s4, s4
+        squeeze_slots leaf_events, s4
+squeeze_triangles:
+        IBXEQ   leaf_segments, r0, r0, squeeze_patch_slots
+squeeze_no_mesh:
+        .endif
         IBXEQ   leaf_segments, r0, r0, squeeze_patch
         ADDX    leaf_segments, leaf_segments, leaf_segments
         squeeze_slots leaf_segments, leaf_first_state
@@ -411,6 +424,11 @@ found_taken:
         leaves_begin
 found_leaf:
         leaf_at_hand
+        .if     MESH_CROSSINGS
+        load_field P_ON_PATCH, s0
+        ES      s1, 2
+        IBXEQ   s0, r0, s1, found_mesh
+        .endif
         IBXNE   leaf_segments, r0, r0, found_next
         load_field P_ID, identity
         CMPEQV  [event_met], identity, [bits0]
@@ -442,4 +460,39 @@ found_next:
         leaves_next found_leaf
 found_none:
         BIM     0, link_kernel
+
+        .if     MESH_CROSSINGS
+; On which triangle of a mesh, and if the rays leave there: of a solid where each
+; second crossing is.
+found_mesh:
+        load_field P_ID, identity
+        CMPEQV  [event_met], identity, [bits0]
+        ANDB    [s5], [bits0], [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, found_next
+        load_word k_delta, s0
+        SUBNV   [event], s0, [before]
+        ADDNV   [event], s0, [after]
+        triangles_behind s3
+        find_slot leaf_first_event
+        ES      s6, 0
+found_triangle:
+        crossing_near bits1, bits2
+        ANDB    [bits0], [bits1], [bits1]
+        CNTOB   [bits1], s0
+        IBXEQ   s0, r0, r0, found_later
+        ANDNB   [bits0], [bits1], [bits0]
+        take_found place, taken_at, 0, bits1
+        ADDX    slot, s3, s4
+        take_found s4, taken_distance, 1, bits1
+        VTOVX   [taken_at], [taken_distance], [hit_s]
+        VTOVX   [taken_at], s6, [hit_t]
+found_later:
+        ADDX    slot, slot_size, slot
+        IBXEQ   leaf_segments, r0, r0, found_enters
+        XOR     s6, one_index, s6
+found_enters:
+        IBXNE   leaf_events, minus_one_index, r0, found_triangle, leaf_events
+        BIM     found_next
+        .endif
         .endkernel

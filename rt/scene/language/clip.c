@@ -1,5 +1,6 @@
 #include "rt/scene/language/clip.h"
 
+#include "rt/scene/language/mesh.h"
 #include "rt/scene/vector.h"
 #include "rt/shapes/shape.h"
 
@@ -117,14 +118,6 @@ static void hide(const struct reader *reader, struct scene_object *clip)
     }
 }
 
-static bool has_mesh(const struct scene_object *object)
-{
-    for (size_t i = 0; i < object->part_count; i++)
-        if (object->parts[i].primitive.kind == PRIMITIVE_MESH)
-            return true;
-    return false;
-}
-
 static size_t count_solids(const struct scene_object *object)
 {
     size_t count = 0;
@@ -153,13 +146,10 @@ static bool clip(struct reader *reader, struct scene_object *object,
                             "more than %d primitives in one solid, with "
                             "those that clip it",
                             SOLID_MOST);
-    if (has_mesh(object))
-        return reader_fault(reader, at,
-                            "'clipped_by' of a mesh is not "
-                            "supported");
     hide(reader, by);
     return reader_spend(reader, TOKEN_COST * (object->part_count + copies))
            && shape_count(reader, copies, at)
+           && mesh_count(reader, (count - 1) * mesh_triangles(by), at)
            && (object_clip(object, by) || reader_no_memory(reader));
 }
 

@@ -276,6 +276,7 @@ static bool add_mesh(const struct height_field *field,
     if (!shape_add(field->reader, object, &primitive, field->at))
         return false;
     object->parts[object->part_count - 1].smooth_field = field->smooth;
+    object->parts[object->part_count - 1].field = true;
     return true;
 }
 

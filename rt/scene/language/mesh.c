@@ -128,6 +128,19 @@ bool mesh_begin(struct reader *reader, struct mesh_reading *mesh,
     return shape_add(reader, &mesh->object, &primitive, &item->at);
 }
 
+size_t mesh_triangles(const struct scene_object *object)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < object->part_count; i++) {
+        const struct primitive *primitive = &object->parts[i].primitive;
+
+        if (primitive->kind == PRIMITIVE_MESH)
+            count += primitive->shape.mesh.triangles.count;
+    }
+    return count;
+}
+
 bool mesh_count(struct reader *reader, size_t more,
                 const struct scene_token *at)
 {
@@ -317,14 +330,19 @@ static bool read_triangle(struct reader *reader, void *subject,
     return mesh_add(reader, mesh, &triangle, &item->at);
 }
 
-/* A mesh with one is solid, which matters only in what has no meshes here:
- * intersections, differences and merges. */
+/* A mesh with one is solid; as in POV-Ray one of 0 is none. */
 bool read_inside_vector(struct reader *reader, void *subject,
                         const struct item *item)
 {
-    (void)subject;
+    struct mesh_reading *mesh = subject;
+    double vector[3];
+
     (void)item;
-    return mesh_pass_vectors(reader, 1);
+    if (!read_vector(reader, vector))
+        return false;
+    mesh->object.parts->primitive.shape.mesh.solid = greatest3(vector)
+                                                     >= NORMAL_SAME;
+    return true;
 }
 
 static const struct keyword mesh_words[] = {

@@ -24,6 +24,8 @@ bool mesh_begin(struct reader *reader, struct mesh_reading *mesh,
 bool mesh_end(struct reader *reader, struct mesh_reading *mesh, bool good,
               struct scene_object *object);
 
+/* Those of all its meshes. */
+size_t mesh_triangles(const struct scene_object *object);
 /* So many more triangles, within the bound of TRIANGLES_MOST. */
 bool mesh_count(struct reader *reader, size_t more,
                 const struct scene_token *at);

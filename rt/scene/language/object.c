@@ -168,6 +168,20 @@ static size_t count_leaves(const struct branch *branches, size_t count)
     return leaves;
 }
 
+static bool is_open_mesh(const struct scene_part *part)
+{
+    return part->primitive.kind == PRIMITIVE_MESH
+           && !part->primitive.shape.mesh.solid;
+}
+
+static bool has_open_mesh(const struct scene_object *object)
+{
+    for (size_t i = 0; i < object->part_count; i++)
+        if (is_open_mesh(&object->parts[i]))
+            return true;
+    return false;
+}
+
 static bool is_clipped(const struct scene_object *object)
 {
     for (size_t i = 0; i < object->branch_count; i++)
@@ -220,7 +234,7 @@ static bool invert_children(struct inverting *inverting, size_t at)
 }
 
 /* By de Morgan's rules: as in POV-Ray of a clipped solid only that is turned which
- * is clipped. */
+ * is clipped, and a mesh that is a surface stays as it is. */
 static bool invert_branch(struct inverting *inverting, size_t at)
 {
     const struct branch *from = &inverting->object->branches[at];
@@ -228,10 +242,12 @@ static bool invert_branch(struct inverting *inverting, size_t at)
 
     switch (from->operation) {
     case TREE_LEAF:
+        if (is_open_mesh(&inverting->object->parts[inverting->part]))
+            return inverting->part++, add_branch(made, TREE_LEAF, 1);
         invert_parts(inverting, 1);
         return add_branch(made, TREE_NOT, 2)
                && add_branch(made, TREE_LEAF, 1);
-    case TREE_NOT: /* nothing below it is clipped */
+    case TREE_NOT: /* nothing below it is clipped, or such a mesh */
         invert_parts(inverting, count_leaves(from + 1, from->size - 1));
         return add_branches(made, from + 1, from->size - 1);
     case TREE_AND:
@@ -257,7 +273,7 @@ bool object_invert(struct scene_object *object)
 {
     if (!object_join(object))
         return false;
-    if (is_clipped(object))
+    if (is_clipped(object) || has_open_mesh(object))
         return invert_clipped(object);
     for (size_t i = 0; i < object->part_count; i++)
         object->parts[i].primitive.inverted ^= true;

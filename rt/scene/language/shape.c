@@ -20,19 +20,6 @@ bool shape_count(struct reader *reader, size_t more,
                            PRIMITIVES_MOST);
 }
 
-static size_t triangles_of(const struct scene_object *object)
-{
-    size_t count = 0;
-
-    for (size_t i = 0; i < object->part_count; i++) {
-        const struct primitive *primitive = &object->parts[i].primitive;
-
-        if (primitive->kind == PRIMITIVE_MESH)
-            count += primitive->shape.mesh.triangles.count;
-    }
-    return count;
-}
-
 bool shape_copy(struct reader *reader, struct scene_object *copy,
                 const struct scene_object *object)
 {
@@ -40,7 +27,7 @@ bool shape_copy(struct reader *reader, struct scene_object *copy,
     size_t more = object->part_count + object->light_count;
 
     if (!shape_count(reader, more, &at)
-        || !mesh_count(reader, triangles_of(object), &at))
+        || !mesh_count(reader, mesh_triangles(object), &at))
         return false;
     return (object_copy(copy, object)
             && object_renumber(copy, &reader->interiors))
@@ -132,25 +119,23 @@ static bool check_solid(struct reader *reader,
                            SOLID_MOST);
 }
 
-static bool has_mesh(const struct scene_object *object)
+static bool has_field(const struct scene_object *object)
 {
     for (size_t i = 0; i < object->part_count; i++)
-        if (object->parts[i].primitive.kind == PRIMITIVE_MESH)
+        if (object->parts[i].field)
             return true;
     return false;
 }
 
-/* Of a mesh, which has no inside, nothing changes: so POV-Ray. */
 static bool read_inverse(struct reader *reader, void *subject,
                          const struct item *item)
 {
     const struct scene_object *object = subject;
 
-    if (has_mesh(object))
-        return object->part_count == 1
-               || reader_fault(reader, &item->at,
-                               "'inverse' of a mesh with other objects is "
-                               "not supported");
+    if (has_field(object) && object->part_count > 1)
+        return reader_fault(reader, &item->at,
+                            "'inverse' of a height_field with other objects "
+                            "is not supported");
     return check_solid(reader, subject, &item->at)
            && (object_invert(subject) || reader_no_memory(reader));
 }
@@ -310,14 +295,14 @@ static void report_patches(struct reader *reader,
         }
 }
 
-static bool check_meshes(struct reader *reader,
+static bool check_fields(struct reader *reader,
                          const struct scene_object *child,
                          const struct scene_token *at)
 {
-    return !has_mesh(child)
+    return !has_field(child)
            || reader_fault(reader, at,
-                           "a mesh in an intersection, difference or merge "
-                           "is not supported");
+                           "a height_field in an intersection, difference or "
+                           "merge is not supported");
 }
 
 static bool read_child(struct reader *reader, void *subject,
@@ -330,7 +315,7 @@ static bool read_child(struct reader *reader, void *subject,
     memset(&child, 0, sizeof child);
     done = shape_read(reader, &child, item)
            && (object->joining == JOIN_APART
-               || check_meshes(reader, &child, &item->at));
+               || check_fields(reader, &child, &item->at));
     if (done && object->joining >= JOIN_INTERSECTION)
         report_patches(reader, &child, &item->at);
     if (done && !object_add_child(object, &child))

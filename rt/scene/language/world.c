@@ -62,19 +62,6 @@ static bool check_part(struct reader *reader, struct scene_part *part,
                            primitive_kind_name(primitive->kind));
 }
 
-/* What is seen through a mesh is not drawn. */
-static void make_opaque(struct reader *reader, struct primitive *primitive,
-                        const struct scene_token *at)
-{
-    struct pigment *pigment = &primitive->pigment;
-
-    if (primitive->kind != PRIMITIVE_MESH || !pigment_is_clear(pigment))
-        return;
-    reader_report(reader, at, "a mesh that lets light pass is drawn opaque");
-    for (int i = 0; i < 2; i++)
-        pigment->filter[i] = pigment->transmit[i] = 0;
-}
-
 static bool add_to_world(struct reader *reader, struct scene_object *object,
                          const struct scene_token *at)
 {
@@ -90,7 +77,6 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
     for (size_t i = first; i < reader->world.part_count; i++) {
         struct scene_part *part = &reader->world.parts[i];
 
-        make_opaque(reader, &part->primitive, at);
         if (part->patch && !bicubic_patch_cut(reader, part, at))
             return false;
         if (part->smooth_field && !height_field_place(reader, part))

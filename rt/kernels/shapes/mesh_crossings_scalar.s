@@ -1,0 +1,139 @@
+; mesh_crossings_scalar.s - all crossings of one ray with a mesh.
+;
+;       CALL MESH_CROSSINGS (RAY, PRIMITIVE, CROSSINGS)
+;       CALL MESH_SOLID (RAY, PRIMITIVE, SEGMENTS)
+;
+; Arguments as in sphere_scalar.s, method as in mesh_crossings_vector.s.  CROSSINGS
+; = those beyond the ray's least distance, ascending, SEGMENTS = the ray's way
+; inside from its start on: how many there are goes to P_SEGMENTS, P_EVENTS; behind
+; as many words as there is room for stands the triangle of each.
+
+        .share  local
+        .regs   r131, crossed, list_count, list_triangles, list_at, list_before
+        .regs   r136, list_t, list_triangle
+        .endshare
+        .equ    MESH_CROSSING_REGISTERS, 106
+
+        .data
+crossings_save: .space MESH_CROSSING_REGISTERS
+        .code
+
+; An edge from a to b with the products ax by and ay bx.
+        .macro  cross_edge ya, yb, product, other
+        CFPGE   \ya, r0, edge_from_above\@
+        CFPLT   \yb, r0, edge_crossed\@
+        CFPLT   \product, \other, edge_crossed\@
+        BIM     edge_changes\@
+edge_from_above\@:
+        CFPGE   \yb, r0, edge_crossed\@
+        CFPLT   \other, \product, edge_crossed\@
+edge_changes\@:
+        XOR     crossed, index_one, crossed
+edge_crossed\@:
+        .endm
+
+; t0, triangle into the list, in order.
+        .macro  list_crossing
+        RTOR    list_count, list_at
+        IX      list_count, 1
+list_next\@:
+        IBXEQ   list_at, r0, r0, list_here\@
+        ADDX    list_at, list_before, t1
+        LOD     [a_segment, t1], list_t
+        LOD     [list_triangles, t1], list_triangle
+        CFPLT   list_t, t0, list_here\@
+        CFPNE   list_t, t0, list_behind\@
+        IBXLT   list_triangle, r0, triangle, list_here\@
+list_behind\@:
+        STO     [a_segment, list_at], list_t
+        STO     [list_triangles, list_at], list_triangle
+        RTOR    t1, list_at
+        BIM     list_next\@
+list_here\@:
+        STO     [a_segment, list_at], t0
+        STO     [list_triangles, list_at], triangle
+        .endm
+
+        .macro  every_side
+        ES      crossed, 0
+        cross_edge side_y1, side_y2, side_u, t0
+        cross_edge side_y2, side_y0, side_v, t1
+        cross_edge side_y0, side_y1, side_w, t2
+        IBXEQ   crossed, r0, r0, side_not\@
+        subtract_sides
+        ABS     side_u, side_u
+        ABS     side_v, side_v
+        ABS     side_w, side_w
+        ADDN    side_u, side_v, t3
+        ADDN    t3, side_w, t3
+        CFPNE   t3, r0, side_wide\@
+        RTOR    one, side_u
+        RTOR    one, t3
+side_wide\@:
+        MPYS    side_u, side_z0, t0
+        MPYS    side_v, side_z1, t1
+        MPYS    side_w, side_z2, t2
+        ADDN    t0, t1, t0
+        ADDN    t0, t2, t0
+        MPYS    t0, own_z, t0
+        DIVS    t0, t3, t0
+        CFPGE   mesh_least, t0, side_not\@
+        list_crossing
+side_not\@:
+        .endm
+
+; The list is empty; behind it stand the triangles.
+        .macro  begin_crossings
+        FLR     sh1, list_triangles
+        SHIFTI  list_triangles, 6, list_triangles
+        ADDX    a_segment, list_triangles, list_triangles
+        ES      list_before, -1
+        ES      list_count, 0
+        .endm
+
+; How many there are, a_primitive's P_SEGMENTS being count.
+        .macro  leave_crossings count
+        IX      a_primitive, 64 * P_SEGMENTS
+        STO     [a_primitive], \count
+        IX      a_primitive, 64 * (P_STATE_KERNEL - P_SEGMENTS)
+        LOD     [a_primitive], t0
+        IBXNE   t0, r0, r0, crossings_unseen\@
+        IX      a_primitive, 64 * (P_EVENTS - P_STATE_KERNEL)
+        STO     [a_primitive], list_count
+crossings_unseen\@:
+        leave_segments crossings_save, MESH_CROSSING_REGISTERS
+        .endm
+
+        .kernel mesh
+mesh_crossings:
+        enter_solver 2, crossings_save, MESH_CROSSING_REGISTERS
+        RTOR    lower, mesh_least
+        BIM     crossings_begin
+mesh_solid:
+        enter_solver 2, crossings_save, MESH_CROSSING_REGISTERS
+        RTOR    r0, mesh_least
+crossings_begin:
+        begin_mesh
+        begin_crossings
+        walk_mesh every_side
+        CFPEQ   mesh_least, r0, crossings_solid
+        IBXNE   list_count, r0, r0, crossings_any
+        STO     [a_segment], big
+        ES      list_count, 1
+crossings_any:
+        leave_crossings r0
+crossings_solid:
+        IBXNE   list_count, r0, r0, solid_met
+        STO     [a_segment], big
+        STO     [a_segment, index_one], minus_big
+        ES      list_count, 2
+solid_met:
+        AND     list_count, index_one, t2
+        IBXEQ   t2, r0, r0, solid_even
+        RTOR    minus_big, t0
+        RTOR    r0, triangle
+        list_crossing
+solid_even:
+        SHIFTI  list_count, -1, t2
+        leave_crossings t2
+        .endkernel

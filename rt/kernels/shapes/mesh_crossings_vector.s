@@ -1,0 +1,293 @@
+; mesh_crossings_vector.s - all crossings of a queue's rays with a mesh, for
+; trees and for meshes that light passes through.
+;
+; The rays walk as in mesh_vector.s, but no triangle ends a walk.  A closed mesh has
+; an even number of crossings with a line only if each is counted once, also where
+; the line meets an edge or a corner.  So the ray is cut out of a plane: with the
+; corners P as there, the ray being the origin, and what has y >= 0 being above,
+;
+;   an edge from a below to b above crosses y = 0 to the right  if  ax by >= ay bx
+;   a triangle is crossed if of its edges two cross y = 0, and one of them to the
+;       right
+;
+; Of an edge that is all that depends on it, and all triangles at an edge ask it in
+; one order, from below.  The plane cuts each triangle in none or two of its edges,
+; so a closed mesh in closed lines of edges; and on such a line sides change an even
+; number of times, whatever is rounded.  With U, V, W as there:
+;
+;   t = (|U| z0 + |V| z1 + |W| z2) / dz / (|U| + |V| + |W|)
+;
+; for all of them have one sign, but where what is rounded decides; where all
+; are 0, t = z0 / dz.
+;
+; Each crossing goes to the end of its ray's list; of several pairs of one ray that
+; are met at once the last that is stored, the others in the next turn.  Lists are
+; columns, one for the first crossings of all rays, one for the second ..; as many
+; columns behind as there is room for stand their triangles.  At last the columns
+; are brought in order, by exchanges of neighbours.
+;
+; mesh_crossings: the crossings beyond lower, a little farther than near_limit at the
+;   most: what lies behind that is not seen.
+; mesh_solid: those beyond the ray's start.  It starts inside if their number is odd:
+;   then the first is minus_big.
+;
+; In:  ox oy oz dx dy dz lower near_limit, near long; the primitive's record and
+;      table.
+; Out: from tin on columns of crossings, ascending, of those at one distance the first
+;      triangle first; behind the last big, or of segments minus_big for where
+;      they end; P_SEGMENTS; P_EVENTS, but where P_STATE_KERNEL is another.
+; Source: which sides: the crossings of a polygon, textbook; that a mesh's are even
+; whatever is rounded, and the lists: derived here.
+
+        .share  hits
+        .reg    mesh_counts, r167               ; how many crossings, integers
+        .endshare
+
+; As the pairs' vectors in mesh_vector.s, with bits for the corners.
+        .share  scratch
+        .regs   r251, side_b0, side_b1, side_b2
+        .endshare
+        .equ    CROSSING_VECTORS, SIDE_VECTORS + 3
+
+; What is known of the mesh, in the place of its shape.
+        .share  shape
+        .regs   r40, mesh_is_solid, mesh_room, triangles_at
+        .endshare
+
+        .data
+crossing_bases:
+        vector_bases SIDE_VECTORS - 3, side_store, 6, crossing_bits
+crossing_bits:  .space 6 * QUEUE_BIT_WORDS
+        .align  64
+mesh_count_store: .space QUEUE
+odd_store:      .space 2 * QUEUE
+        .code
+
+        .macro  set_crossing_sides count
+        set_lengths \count, m_high, crossing_bases, lane_descriptors, CROSSING_VECTORS, side_place
+        .endm
+
+; [side_bits] changes where an edge from a to b crosses y = 0 to the right: with
+; [into], [side_g0] = the products ax by, ay bx; then [into] = their difference.
+        .macro  cross_edge above_a, above_b, ax, ay, bx, by, into
+        MPYSV   [\ax], [\by], [\into]
+        MPYSV   [\ay], [\bx], [side_g0]
+        ANDNB   [\above_b], [\above_a], [side_more]
+        side_and side_more, [\into], [side_g0]
+        XORB    [side_bits], [side_more], [side_bits]
+        ANDNB   [\above_a], [\above_b], [side_more]
+        side_and side_more, [side_g0], [\into]
+        XORB    [side_bits], [side_more], [side_bits]
+        SUBNV   [\into], [side_g0], [\into]
+        .endm
+
+; The column behind, and the one of its triangles.
+        .macro  next_list_column column
+        EX      s0, 64 * CROSSING_SIZE
+        ADDX    \column, s0, \column
+        .endm
+
+; [a] and [b] where [bits0] change places.
+        .macro  swap_columns a, b
+        VTOV    [\a], [w0]
+        VTOV    [\b], [\a] ? [bits0]
+        VTOV    [w0], [\b] ? [bits0]
+        .endm
+
+        .kernel mesh
+mesh_crossings:
+        ES      mesh_is_solid, 0
+        load_word k_delta, s0
+        ADDN    s0, s0, s0
+        ADDNV   [near_limit], s0, [w9]
+        BIM     crossings_begin
+mesh_solid:
+        ES      mesh_is_solid, 1
+        VTOV    big, [w9]
+crossings_begin:
+        load_field P_SHAPE + 1, mesh_room
+        FLR     mesh_room, mesh_room
+        EX      s0, 64 * CROSSING_SIZE
+        MPYX    mesh_room, s0, mesh_room
+        ADDX    tin, mesh_room, triangles_at
+        load_record P_TABLE, 2, mesh_table      ; and mesh_row
+        FLR     mesh_row, mesh_row
+        begin_mesh
+        describe mesh_counts, mesh_count_store, near
+        ES      s0, 0
+        VTOV    s0, [mesh_counts]
+        start_walk w9
+        walk_mesh meet_every, 0
+
+; An odd number: one more.
+        IBXEQ   mesh_is_solid, r0, r0, crossings_fill
+        ANDV    [mesh_counts], one_index, [w0]
+        CMPNEV  [w0], r0, [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, crossings_fill
+        EX      s2, odd_store
+        EX      s3, odd_store + 64 * QUEUE
+        CPSV    [iota], [s2] ? [bits0]
+        CPSV    [mesh_counts], [s3] ? [bits0]
+        EX      s4, CROSSING_SIZE
+        MPYLV   [s3], s4, [s3]
+        ADDXV   [s2], [s3], [s2]
+        VTOVX   [s2], minus_big, [tin]
+        VTOVX   [s2], r0, [triangles_at]
+        ADDXV   [mesh_counts], one_index, [mesh_counts] ? [bits0]
+
+; Behind the last: s2 columns are in use.
+crossings_fill:
+        ES      s2, 0
+        RTOR    tin, s3
+        RTOR    triangles_at, s4
+crossings_column:
+        CMPLTV  s2, [mesh_counts], [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, crossings_filled
+        IBXEQ   s0, r0, near, crossings_full
+        VTOV    big, [s3] ?! [bits0]
+        VTOV    r0, [s4] ?! [bits0]
+crossings_full:
+        next_list_column s3
+        next_list_column s4
+        IX      s2, 1
+        BIM     crossings_column
+crossings_filled:
+        IBXNE   s2, r0, r0, crossings_order
+        VTOV    big, [tin]
+        ES      s2, 1
+        IBXEQ   mesh_is_solid, r0, r0, crossings_count
+        next_list_column s3
+        VTOV    minus_big, [s3]
+        ES      s2, 2
+        BIM     crossings_count
+
+; Column after column to its place among those before it.
+crossings_order:
+        ES      s3, 1
+        RTOR    tin, s4
+crossings_next:
+        IBXEQ   s3, r0, s2, crossings_ordered
+        next_list_column s4
+        RTOR    s4, s6
+        RTOR    s3, s9
+crossings_before:
+        RTOR    s6, s5
+        EX      s0, -64 * CROSSING_SIZE
+        ADDX    s5, s0, s5
+        ADDX    s5, mesh_room, s7
+        ADDX    s6, mesh_room, s8
+        CMPLTV  [s6], [s5], [bits0]
+        CMPEQV  [s6], [s5], [bits1]
+        CMPLTV  [s8], [s7], [bits2]
+        ANDB    [bits1], [bits2], [bits1]
+        ORB     [bits0], [bits1], [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, crossings_placed
+        swap_columns s5, s6
+        swap_columns s7, s8
+        RTOR    s5, s6
+        IBXNE   s9, minus_one_index, r0, crossings_before, s9
+crossings_placed:
+        IX      s3, 1
+        BIM     crossings_next
+
+; Segments that are not.
+crossings_ordered:
+        IBXEQ   mesh_is_solid, r0, r0, crossings_count
+        RTOR    tin, s3
+        ES      s4, 0
+crossings_segment:
+        CMPGEV  [s3], big, [bits0]
+        next_list_column s3
+        VTOV    minus_big, [s3] ? [bits0]
+        next_list_column s3
+        IX      s4, 2
+        IBXNE   s4, r0, s2, crossings_segment
+
+crossings_count:
+        ES      s3, 0
+        IBXEQ   mesh_is_solid, r0, r0, crossings_store
+        SHIFTI  s2, -1, s3
+crossings_store:
+        store_field P_SEGMENTS, s3
+        load_field P_STATE_KERNEL, s0
+        IBXNE   s0, r0, r0, crossings_given
+        store_field P_EVENTS, s2
+crossings_given:
+        BIM     0, link_kernel
+
+; The pairs are met, mesh_pairs of them.
+meet_every:
+        set_crossing_sides mesh_pairs
+        ES      mesh_pairs, 0
+        take_corners
+        CMPGEV  [side_y0], r0, [side_b0]
+        CMPGEV  [side_y1], r0, [side_b1]
+        CMPGEV  [side_y2], r0, [side_b2]
+        XORB    [side_bits], [side_bits], [side_bits]
+        cross_edge side_b1, side_b2, side_x1, side_y1, side_x2, side_y2, side_u
+        cross_edge side_b2, side_b0, side_x2, side_y2, side_x0, side_y0, side_v
+        cross_edge side_b0, side_b1, side_x0, side_y0, side_x1, side_y1, side_w
+        CNTOB   [side_bits], s2
+        IBXEQ   s2, r0, r0, every_met
+        side_keep side_place
+        side_keep side_triangle
+        side_keep side_u
+        side_keep side_v
+        side_keep side_w
+        side_keep side_z0
+        side_keep side_z1
+        side_keep side_z2
+        set_crossing_sides s2
+        ABSV    [side_u], [side_u]
+        ABSV    [side_v], [side_v]
+        ABSV    [side_w], [side_w]
+        ADDNV   [side_u], [side_v], [side_x0]
+        ADDNV   [side_x0], [side_w], [side_x0]
+        CMPEQV  [side_x0], r0, [side_bits]
+        VTOV    one, [side_u] ? [side_bits]
+        VTOV    one, [side_x0] ? [side_bits]
+        MPYSV   [side_u], [side_z0], [side_z0]
+        MPYSV   [side_v], [side_z1], [side_z1]
+        MPYSV   [side_w], [side_z2], [side_z2]
+        ADDNV   [side_z0], [side_z1], [side_z0]
+        ADDNV   [side_z0], [side_z2], [side_z0]
+        of_ray  w5, side_g1
+        MPYSV   [side_z0], [side_g1], [side_z0]
+        DIVSV   [side_z0], [side_x0], [side_z0] ; t
+        IBXNE   mesh_is_solid, r0, r0, every_ahead
+        of_ray  lower, side_g1
+        CMPLTV  [side_g1], [side_z0], [side_bits]
+        of_ray  w9, side_g1
+        side_and side_bits, [side_g1], [side_z0]
+        BIM     every_counted
+every_ahead:
+        CMPLTV  r0, [side_z0], [side_bits]
+every_counted:
+        CNTOB   [side_bits], s3
+        IBXEQ   s3, r0, r0, every_met
+        IBXEQ   s3, r0, s2, every_turn
+        RTOR    s3, s2
+every_keep:
+        side_keep side_place
+        side_keep side_triangle
+        side_keep side_z0
+        set_crossing_sides s2
+every_turn:
+        VXTOV   [side_place], [mesh_counts], [side_x0]
+        EX      s3, CROSSING_SIZE
+        MPYLV   [side_x0], s3, [side_x1]
+        ADDXV   [side_x1], [side_place], [side_x1]
+        VTOVX   [side_x1], [side_z0], [tin]
+        VTOVX   [side_x1], [side_triangle], [triangles_at]
+        ADDXV   [side_x0], one_index, [side_x0]
+        VTOVX   [side_place], [side_x0], [mesh_counts]
+        VXTOV   [side_x1], [triangles_at], [side_x2]
+        CMPNEV  [side_x2], [side_triangle], [side_bits]
+        CNTOB   [side_bits], s2
+        IBXNE   s2, r0, r0, every_keep
+every_met:
+        BIM     0, lane_link
+        .endkernel
