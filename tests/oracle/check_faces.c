@@ -16,6 +16,7 @@
 #include "rt/layout/interiors.h"
 #include "rt/layout/lights.h"
 #include "rt/layout/program.h"
+#include "rt/layout/trees.h"
 #include "rt/trace/trace.h"
 #include "tests/oracle/grid_scene.h"
 #include "tests/oracle/many_scenes.h"
@@ -73,6 +74,8 @@ static const struct feature {
       "prism { quadratic_spline 0, 1, 5, 0, x, y, 0, x }" },
     { scene_has_bumps, "sphere { 0, 1 normal { onion } }" },
     { scene_has_interiors, "sphere { 0, 1 pigment { rgbt 1 } }" },
+    { scene_has_crossed_meshes,
+      "merge { triangle { 0, x, y } sphere { 0, 1 } }" },
 };
 enum {
     FEATURES = sizeof features / sizeof *features,

@@ -3,6 +3,7 @@
 
 #include "tests/oracle/beam_text.h"
 #include "tests/oracle/chance.h"
+#include "tests/oracle/mesh_text.h"
 #include "tests/oracle/solid_text.h"
 
 #include <stdio.h>
@@ -269,13 +270,31 @@ static struct solid *random_clip(uint64_t state)
     return clip;
 }
 
+/* One in ten shapes is a box of triangles.  What else is drawn does not depend on
+ * it. */
+static void random_box_mesh(uint64_t state, char *shape)
+{
+    double corner[2][3];
+    shape[0] = '\0';
+    if (state % 10)
+        return;
+    for (int i = 0; i < 3; i++) {
+        corner[0][i] = on_grid(&state);
+        corner[1][i] = off(&state, corner[0][i]);
+    }
+    mesh_box_words(state, corner, shape);
+}
+
 static struct solid *random_solid(uint64_t *state, size_t depth)
 {
+    char unused[WORDS];
     bool joined = depth > 0 && below(state, 4);
     struct solid *solid = joined ? random_joining(state)
                                  : solid_new(SHAPE, 0);
-    if (!joined)
-        random_shape(state, solid->shape);
+    if (!joined) {
+        random_box_mesh(*state, solid->shape);
+        random_shape(state, solid->shape[0] ? unused : solid->shape);
+    }
     for (size_t i = 0; i < solid->count; i++)
         solid->parts[i] = i > 0 && below(state, 8) == 0
                               ? solid_copy(solid->parts[i - 1])

@@ -1,6 +1,9 @@
 /* language_shapes.c - see language_shapes.h. */
 #include "tests/oracle/language_shapes.h"
 
+#include "tests/oracle/mesh_text.h"
+
+#include <stdlib.h>
 #include <string.h>
 
 /* --- solids --------------------------------------------------------------- */
@@ -177,19 +180,38 @@ static void open_lathe(struct language *draw, uint64_t *state, bool closed)
     say(draw, open ? "\n" : ", <0, %.4f>\n", height);
 }
 
+/* A body of triangles, in the place of what is drawn. */
+static void open_star(struct language *draw,
+                      void (*open_shape)(struct language *))
+{
+    struct language unseen = *draw;
+    char *passed, words[SOLID_WORDS];
+    mesh_star_words(draw->state, words);
+    open_block(draw, "%s", words);
+    unseen.text = test_text(&passed);
+    open_shape(&unseen);
+    fclose(unseen.text);
+    free(passed);
+    draw->state = unseen.state;
+}
+
 void open_solid_shape(struct language *draw, bool closed)
 {
+    bool star = draw->state % 10 == 0; /* nothing else depends on it */
     size_t which = below(&draw->state, CLOSED);
     uint64_t state = beside(draw);
-    if (closed_shapes[which] == open_torus && one_in(&state, 2)) {
+    if (!star && closed_shapes[which] == open_torus && one_in(&state, 2)) {
         open_lathe(draw, &state, closed);
         return;
     }
-    closed_shapes[which](draw);
+    if (star)
+        open_star(draw, closed_shapes[which]);
+    else
+        closed_shapes[which](draw);
     bool opens = closed_shapes[which] == open_cylinder
                  || closed_shapes[which] == open_cone
                  || closed_shapes[which] == open_prism;
-    if (!closed && opens && one_in(&draw->state, 4))
+    if (!closed && opens && one_in(&draw->state, 4) && !star)
         say_line(draw, "open");
 }
 

@@ -31,7 +31,6 @@ struct drawing {
     struct place places[MANY_REGIONS_MOST]; /* of the scene's solids */
     bool whole;                             /* on whole numbers */
     bool endless;                           /* some things are */
-    bool meshes;                            /* some things are */
 };
 
 /* --- groups --------------------------------------------------------------- */
@@ -165,7 +164,6 @@ static void add_solid(struct drawing *drawing, const struct group *group,
         solid = endless_at(state, place);
     } else if (one_in(state, 16)) {
         solid = mesh_at(state, place);
-        drawing->meshes = true;
     } else {
         solid = solid_at(state, place, scene->mood, 2);
     }
@@ -195,7 +193,7 @@ static void join_some(struct drawing *drawing)
     size_t most = all ? scene->solid_count : JOINED_MOST;
     size_t count = 1 + below(drawing->state, most);
     enum solid_joining joining = random_joining(drawing->state);
-    struct solid *whole = solid_new(drawing->meshes ? UNION : joining, count);
+    struct solid *whole = solid_new(joining, count);
     size_t first = scene->solid_count -= count;
     for (size_t i = 0; i < count; i++)
         whole->parts[i] = scene->solids[first + i];

@@ -1,6 +1,8 @@
 /* placed_solid.c - see placed_solid.h. */
 #include "tests/oracle/placed_solid.h"
 
+#include "tests/oracle/mesh_text.h"
+
 #include "tests/oracle/chance.h"
 
 void place_make_short(struct place *place)
@@ -191,18 +193,26 @@ static struct solid *shape_at(uint64_t *state, const struct place *place)
         random_cylinder, random_cone,   random_torus,  random_prism,
     };
     struct solid *solid = solid_new(SHAPE, 0);
+    uint64_t own = *state; /* nothing else depends on it */
     if (one_in(state, 60)) /* the host takes long to lay one out */
         random_patch(state, place, solid);
     else
         shapes[below(state, sizeof shapes / sizeof *shapes)](state, place,
                                                              solid);
+    if (own % 12 == 0) {
+        mesh_star_words(own, solid->shape);
+        solid->motion[0] = '\0';
+        move_to(&own, place, solid);
+    }
     return solid;
 }
 
-/* A pyramid whose front is open, its top anywhere, and a smooth side. */
+/* A pyramid whose front is open, its top anywhere, and a smooth side; or a
+ * body, of which nothing else depends. */
 struct solid *mesh_at(uint64_t *state, const struct place *place)
 {
     struct solid *solid = solid_new(SHAPE, 0);
+    uint64_t own = *state;
     double x = .25 * (double)below(state, 9) - 1;
     double z = .25 * (double)below(state, 9) - 1;
     solid_words(solid->shape,
@@ -210,6 +220,8 @@ struct solid *mesh_at(uint64_t *state, const struct place *place)
                 "triangle { -x, z, <%.12g, 1, %.12g> } smooth_triangle { "
                 "x, <1, 1, 0>, z, <0, 1, 1>, <%.12g, 1, %.12g>, y } ",
                 x, z, x, z, x, z);
+    if (own % 3 == 0)
+        mesh_star_words(own, solid->shape);
     move_to(state, place, solid);
     return solid;
 }

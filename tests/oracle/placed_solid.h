@@ -23,7 +23,7 @@ enum mood { DULL, MIXED, CLEAR, MOODS };
 /* A shape or, if depth is not 0, perhaps a tree so deep; the caller frees it. */
 struct solid *solid_at(uint64_t *state, const struct place *place,
                        enum mood mood, int depth);
-/* It is no part of solids. */
+/* Open, or a body. */
 struct solid *mesh_at(uint64_t *state, const struct place *place);
 /* A shape that no bound can hold. */
 struct solid *endless_at(uint64_t *state, const struct place *place);

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-enum { SOLID_WORDS = 320 };
+enum { SOLID_WORDS = 800 };
 
 enum solid_joining { SHAPE, UNION, MERGE, INTERSECTION, DIFFERENCE };
 

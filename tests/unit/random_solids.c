@@ -240,7 +240,7 @@ static void add_patch(char *text, size_t size)
                  size_between(.5, 2));
 }
 
-/* A roof and one of its gables, which is smooth. */
+/* A roof and one of its gables, which is smooth, or both, and it is a body. */
 static void add_mesh(char *text, size_t size)
 {
     double x = size_between(.3, 1), y = place_between(-.5, 1);
@@ -253,6 +253,11 @@ static void add_mesh(char *text, size_t size)
         " smooth_triangle { <0, %.4f, %.4f>, y, <0, %.4f, -%.4f>, y + z,"
         " <%.4f, 0, 0>, y - z } ",
         x, x, y, z, x, x, y, z, y, z, y, z, x);
+    if (below(2))
+        add_text(text, size,
+                 "triangle { <0, %.4f, %.4f>, <0, %.4f, -%.4f>, <-%.4f, 0, 0>"
+                 " } inside_vector <.3, .8, .1> ",
+                 y, z, y, z, x);
 }
 
 /* One in ten things is clipped, in its place before it moves. */
@@ -280,7 +285,7 @@ static void add_leaf(char *text, size_t size)
     };
     size_t kinds = sizeof add_shape / sizeof *add_shape - !solids.patches;
 
-    if (solids.meshes && (traced.reported || !solids.clear) && below(8) == 0)
+    if (solids.meshes && below(8) == 0)
         add_mesh(text, size);
     else {
         add_shape[below(kinds)](text, size);
@@ -339,11 +344,10 @@ void add_solid(char *text, size_t size, size_t depth)
         return;
     }
     solids.patches = patches && (traced.reported || !joined[which].meets);
-    solids.meshes = meshes && strcmp(joined[which].word, "union") == 0;
+    solids.meshes = meshes && (traced.reported || !joined[which].meets);
     add_text(text, size, "%s {\n", joined[which].word);
     add_children(text, size, depth);
-    if (!solids.meshes)
-        add_clip(text, size);
+    add_clip(text, size);
     add_motion(text, size);
     add_text(text, size, "}\n");
     solids.patches = patches;

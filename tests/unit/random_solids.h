@@ -15,7 +15,7 @@ extern struct solids {
     bool clear; /* some parts are; their solids, too, are mirrors */
     bool gridded;
     bool patches; /* where they are not reported, unless reports may be */
-    bool meshes;  /* likewise; they stand apart, or in unions that do */
+    bool meshes;  /* likewise */
 } solids;
 
 size_t below(size_t count);
