@@ -49,6 +49,15 @@ static void put_table(struct record *record,
     free(words);
 }
 
+/* Of P_ON_PATCH. */
+static size_t mesh_sort(const struct primitive *primitive,
+                        const struct shape_words *shape)
+{
+    enum { NO_OUTSIDE = 2, OUTSIDE, UNSEEN };
+
+    return primitive->unseen ? UNSEEN : shape->state ? OUTSIDE : NO_OUTSIDE;
+}
+
 static void put_shape(struct record *record,
                       const struct primitive *primitive,
                       const struct leaf_plan *plan)
@@ -72,7 +81,9 @@ static void put_shape(struct record *record,
     }
     record_integer(record, "P_TRANSFORMED", shape.transformed);
     record_integer(record, "P_ON_PATCH",
-                   shape.on_mesh && !plan->simple ? 2 : shape.on_patch);
+                   shape.on_mesh && !plan->simple
+                       ? mesh_sort(primitive, &shape)
+                       : shape.on_patch);
     record_integer(record, "P_SEGMENTS", shape.segments);
     record_integer(record, "P_EVENTS", shape.events);
     record_integer(record, "P_INVERTED", primitive->inverted);

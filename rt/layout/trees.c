@@ -29,11 +29,11 @@ static size_t place_mesh(const struct primitive *primitive,
                          struct leaf_plan *plan)
 {
     plan->first_state = plan->first_event = next;
-    next += 2 * shape_of(primitive)->crossings(primitive);
-    if (!primitive->unseen)
-        return next;
-    plan->first_event = next;
-    return next + shape->events;
+    if (shape->state) {
+        next += 4 * shape->segments;
+        plan->first_event = next;
+    }
+    return next + (primitive->unseen ? 1 : 2) * shape->events;
 }
 
 /* A solid's segments are what can be seen of it; other shapes have both, and

@@ -55,6 +55,11 @@ static const char *settle(struct primitive *primitive)
     return kept == 0 ? "no triangle has an area" : NULL;
 }
 
+static bool has_body(const struct primitive *primitive)
+{
+    return primitive->shape.mesh.body.count > 0;
+}
+
 /* ---- In the world -------------------------------------------------------- */
 
 /* One of length one gets what length the transform gives it. */
@@ -67,9 +72,10 @@ static void carry_normal(const struct primitive *primitive, double normal[3])
         normal[i] /= length;
 }
 
-static struct triangle carried(const struct primitive *primitive, size_t i)
+static struct triangle carried(const struct primitive *primitive,
+                               const struct triangles *triangles, size_t i)
 {
-    struct triangle triangle = primitive->shape.mesh.triangles.list[i];
+    struct triangle triangle = triangles->list[i];
 
     for (int k = 0; k < 3; k++) {
         transform_point(&primitive->to_world, triangle.corners[k]);
@@ -108,13 +114,14 @@ static double reach_of(const struct triangle *triangle,
 }
 
 /* About the middle of the box, as far as the farthest corner. */
-static void bound_many(const struct primitive *primitive, struct bound *bound)
+static void bound_many(const struct primitive *primitive,
+                       const struct triangles *triangles, struct bound *bound)
 {
-    size_t count = primitive->shape.mesh.triangles.count;
+    size_t count = triangles->count;
     struct box box = box_empty;
 
     for (size_t i = 0; i < count; i++) {
-        struct triangle triangle = carried(primitive, i);
+        struct triangle triangle = carried(primitive, triangles, i);
         struct boxed boxed = boxed_of(&triangle);
 
         box_join(&box, &boxed.box);
@@ -125,21 +132,24 @@ static void bound_many(const struct primitive *primitive, struct bound *bound)
         bound->center[i] = box.low[i] / 2 + box.high[i] / 2;
     bound->radius = 0;
     for (size_t i = 0; i < count; i++) {
-        struct triangle triangle = carried(primitive, i);
+        struct triangle triangle = carried(primitive, triangles, i);
 
         bound->radius = fmax(bound->radius,
                              reach_of(&triangle, bound->center));
     }
 }
 
-/* Of few the least sphere. */
+/* Of few the least sphere; a body has all of the surface. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
-    const struct triangles *triangles = &primitive->shape.mesh.triangles;
+    const struct triangles *triangles = has_body(primitive)
+                                            ? &primitive->shape.mesh.body
+                                            : &primitive->shape.mesh
+                                                   .triangles;
     struct hull hull = { .count = 0 };
 
     if (triangles->count > HULL_MOST / 3) {
-        bound_many(primitive, bound);
+        bound_many(primitive, triangles, bound);
         return;
     }
     for (size_t i = 0; i < 3 * triangles->count; i++)
@@ -273,11 +283,22 @@ static void put_smooth(const struct triangle *triangle, double *row)
                                       * shares[k][j];
 }
 
-/* One that has lost its area on the way to the world has any normal. */
-static void put_triangle(const struct primitive *primitive, size_t i,
+static void turn_up(const struct primitive *primitive, double normal[3])
+{
+    double up[3] = { 0, 1, 0 };
+
+    transform_normal(&primitive->to_local, up);
+    if (dot3(up, normal) < 0)
+        scale3(-1, normal);
+}
+
+/* One that has lost its area on the way to the world has any normal; above a body
+ * they point away from it, upwards. */
+static void put_triangle(const struct primitive *primitive,
+                         const struct triangles *triangles, size_t i,
                          double *row)
 {
-    struct triangle triangle = carried(primitive, i);
+    struct triangle triangle = carried(primitive, triangles, i);
 
     memcpy(row, triangle.corners, sizeof triangle.corners);
     if (!has_area(&triangle))
@@ -286,6 +307,8 @@ static void put_triangle(const struct primitive *primitive, size_t i,
         put_smooth(&triangle, row + 9);
     else
         plane_normal(&triangle, row + 9);
+    if (has_body(primitive) && !triangle.smooth)
+        turn_up(primitive, row + 9);
 }
 
 static void put_nodes(const struct mesh_table *table)
@@ -297,6 +320,7 @@ static void put_nodes(const struct mesh_table *table)
 }
 
 static void fill_table(const struct primitive *primitive,
+                       const struct triangles *triangles,
                        const struct mesh_hierarchy *hierarchy, double *table)
 {
     const struct box *whole = &hierarchy->nodes[0].box;
@@ -310,50 +334,77 @@ static void fill_table(const struct primitive *primitive,
     double *row = filled.nodes + NODE_ROW * hierarchy->node_count;
 
     put_nodes(&filled);
-    for (size_t i = 0; i < primitive->shape.mesh.triangles.count; i++)
-        put_triangle(primitive, hierarchy->order[i], row + filled.row * i);
+    for (size_t i = 0; i < triangles->count; i++)
+        put_triangle(primitive, triangles, hierarchy->order[i],
+                     row + filled.row * i);
 }
 
 static bool plan(const struct primitive *primitive,
+                 const struct triangles *triangles,
                  struct mesh_hierarchy *hierarchy)
 {
-    size_t count = primitive->shape.mesh.triangles.count;
-    struct boxed *triangles = malloc((count + 1) * sizeof *triangles);
+    struct boxed *boxes = malloc((triangles->count + 1) * sizeof *boxes);
     bool good;
 
-    for (size_t i = 0; triangles && i < count; i++) {
-        struct triangle triangle = carried(primitive, i);
+    for (size_t i = 0; boxes && i < triangles->count; i++) {
+        struct triangle triangle = carried(primitive, triangles, i);
 
-        triangles[i] = boxed_of(&triangle);
+        boxes[i] = boxed_of(&triangle);
     }
-    good = triangles && mesh_hierarchy_build(triangles, count, hierarchy);
-    free(triangles);
+    good = boxes && mesh_hierarchy_build(boxes, triangles->count, hierarchy);
+    free(boxes);
     return good;
 }
 
-/* Returns 0 without memory. */
+/* Words before the triangles, and all. */
+static size_t nodes_size(const struct triangles *triangles)
+{
+    return NODE_ROW * (mesh_hierarchy_nodes(triangles->count) + 1);
+}
+
+static size_t table_size(const struct primitive *primitive,
+                         const struct triangles *triangles)
+{
+    return nodes_size(triangles) + row_size(primitive) * triangles->count;
+}
+
+static bool put_hierarchy(const struct primitive *primitive,
+                          const struct triangles *triangles, double *table)
+{
+    struct mesh_hierarchy hierarchy = { 0 };
+    bool good = plan(primitive, triangles, &hierarchy);
+
+    if (good)
+        fill_table(primitive, triangles, &hierarchy, table);
+    mesh_hierarchy_free(&hierarchy);
+    return good;
+}
+
+/* What is seen, and behind it the body.  Returns 0 without memory. */
 static size_t put_table(const struct primitive *primitive, double *table)
 {
-    size_t triangles = primitive->shape.mesh.triangles.count;
-    size_t count = NODE_ROW * (mesh_hierarchy_nodes(triangles) + 1)
-                   + row_size(primitive) * triangles;
-    struct mesh_hierarchy hierarchy = { 0 };
+    const struct triangles *seen = &primitive->shape.mesh.triangles;
+    const struct triangles *body = &primitive->shape.mesh.body;
+    size_t size = table_size(primitive, seen);
 
-    if (table && plan(primitive, &hierarchy))
-        fill_table(primitive, &hierarchy, table);
-    else if (table)
-        count = 0;
-    mesh_hierarchy_free(&hierarchy);
-    return count;
+    if (table && !put_hierarchy(primitive, seen, table))
+        return 0;
+    if (body->count == 0)
+        return size;
+    if (table && !put_hierarchy(primitive, body, table + size))
+        return 0;
+    return size + table_size(primitive, body);
 }
 
 /* What the triangles are made of; boxes are between their corners. */
 static bool is_finite(const struct primitive *primitive)
 {
-    for (size_t i = 0; i < primitive->shape.mesh.triangles.count; i++) {
+    const struct triangles *triangles = &primitive->shape.mesh.triangles;
+
+    for (size_t i = 0; i < triangles->count; i++) {
         double row[SMOOTH_ROW] = { 0 };
 
-        put_triangle(primitive, i, row);
+        put_triangle(primitive, triangles, i, row);
         for (size_t k = 0; k < SMOOTH_ROW; k++)
             if (!isfinite(row[k]))
                 return false;
@@ -364,31 +415,47 @@ static bool is_finite(const struct primitive *primitive)
 /* Words of a node, behind its box. */
 static bool is_integer(const struct primitive *primitive, size_t word)
 {
-    size_t triangles = primitive->shape.mesh.triangles.count;
+    const struct triangles *triangles = &primitive->shape.mesh.triangles;
+    size_t seen = table_size(primitive, triangles);
 
-    return word < NODE_ROW * (mesh_hierarchy_nodes(triangles) + 1)
-           && word % NODE_ROW >= NODE_LINKS;
+    if (word >= seen) {
+        triangles = &primitive->shape.mesh.body;
+        word -= seen;
+    }
+    return word < nodes_size(triangles) && word % NODE_ROW >= NODE_LINKS;
 }
 
 /* A line crosses each triangle once at the most, and where that comes to an odd
  * number it begins inside. */
+static size_t even(size_t count)
+{
+    return count + count % 2;
+}
+
 static size_t crossings(const struct primitive *primitive)
 {
-    size_t count = primitive->shape.mesh.triangles.count;
-
-    return count + count % 2;
+    return even(primitive->shape.mesh.triangles.count);
 }
 
 static size_t segments(const struct primitive *primitive)
 {
-    return primitive->shape.mesh.solid ? crossings(primitive) / 2 : 0;
+    return primitive->shape.mesh.solid
+               ? crossings(primitive) / 2
+               : even(primitive->shape.mesh.body.count) / 2;
 }
 
 static size_t put_words(const struct primitive *primitive, double *words)
 {
+    const struct triangles *body = &primitive->shape.mesh.body;
+
     words[0] = (double)row_size(primitive);
     words[1] = (double)crossings(primitive);
-    return 2;
+    if (body->count == 0)
+        return 2;
+    words[2] = (double)table_size(primitive,
+                                  &primitive->shape.mesh.triangles);
+    words[3] = (double)even(body->count);
+    return 4;
 }
 
 /* Its words are told in the world from the start. */
@@ -411,14 +478,17 @@ const struct shape shape_mesh = {
     .carry = carry,
     .segments = segments,
     .crossings = crossings,
+    .has_body = has_body,
     .region = "mesh",
     .kernels = { .kernel = "mesh",
                  .normal = "normal_smooth_mesh",
                  .solid = "mesh_crossings",
-                 .inside = "mesh_solid" },
+                 .inside = "mesh_solid",
+                 .body = "mesh_body" },
     .is_other = is_flat,
     .other = { .kernel = "mesh",
                .normal = "normal_mesh",
                .solid = "mesh_crossings",
-               .inside = "mesh_solid" },
+               .inside = "mesh_solid",
+               .body = "mesh_body" },
 };

@@ -57,6 +57,8 @@ struct shape_kernels {
                                inside of the closed one; else NULL */
     const char *inside;     /* in a tree, of one that may be a surface or a
                                solid: the segments of a solid; else NULL */
+    const char *body;       /* .. or may have a body that is not seen: what
+                               is inside of that */
     const char *historical; /* the kernel of 1984 */
     const char *historical_normal; /* where that notes what a normal needs:
                                       two parameters of a hit; else NULL */
@@ -98,6 +100,8 @@ struct shape {
 
     /* Where it is not kernels.segments; NULL: it is. */
     size_t (*segments)(const struct primitive *primitive);
+    /* Whether it has such a body.  NULL: it has none. */
+    bool (*has_body)(const struct primitive *primitive);
     /* A hit has a triangle: all of a ray's crossings, of which there are so many
      * at the most, have theirs.  NULL: it has none. */
     size_t (*crossings)(const struct primitive *primitive);

@@ -23,7 +23,9 @@ void shape_words(const struct primitive *primitive, struct shape_words *words)
     words->events = words->on_mesh         ? shape->crossings(primitive)
                     : words->segments == 0 ? PATCH_CROSSINGS
                                            : 2 * words->segments;
-    if (kernels->inside && words->segments > 0)
+    if (shape->has_body && shape->has_body(primitive))
+        words->state = kernels->body;
+    else if (kernels->inside && words->segments > 0)
         words->solid = kernels->inside;
     if (primitive->unseen) { /* as an open shape, nothing of which is there */
         words->state = words->state ? words->state : words->solid;

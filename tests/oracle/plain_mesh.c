@@ -170,7 +170,7 @@ static long count_ahead(const struct triangles *triangles,
     for (size_t i = 0; i < triangles->count; i++) {
         struct meeting meeting;
         if (!meet_plane(&triangles->list[i], ray, &meeting))
-            return -1;
+            continue;
         long double least = fminl(meeting.shares[0],
                                   fminl(meeting.shares[1],
                                         meeting.shares[2]));
@@ -186,16 +186,17 @@ static long count_ahead(const struct triangles *triangles,
 bool in_mesh(const struct primitive *primitive, const double point[3])
 {
     enum { DIRECTIONS = 20 };
+    const struct triangles *triangles = primitive->shape.mesh.solid
+                                            ? &primitive->shape.mesh.triangles
+                                            : &primitive->shape.mesh.body;
     struct ray ray;
-    if (!primitive->shape.mesh.solid)
-        return false;
     copy(ray.origin, point);
     for (int i = 0; i < DIRECTIONS; i++) {
         long count;
         ray.direction[0] = sin(3 + 2.1 * i);
         ray.direction[1] = cos(1 + 3.3 * i);
         ray.direction[2] = sin(5.7 * i + .4);
-        count = count_ahead(&primitive->shape.mesh.triangles, &ray);
+        count = count_ahead(triangles, &ray);
         if (count >= 0)
             return count % 2 != 0;
     }

@@ -195,8 +195,8 @@ tree_taken:
         find_patch w_out
         IBXEQ   its_patch, r0, r0, tree_skip
         .if     MESH_CROSSINGS
-        ES      loop_work, 2
-        IBXEQ   its_patch, r0, loop_work, tree_triangle
+        SHIFTI  its_patch, -1, loop_work
+        IBXEQ   loop_work, r0, m_index_one, tree_triangle
         .endif
         IX      w_out, 64 * P_FIRST_EVENT
         LOD     [w_out], loop_work
@@ -225,6 +225,7 @@ tree_end:
         .if     MESH_CROSSINGS
 ; On which triangle of a mesh, and if the ray leaves there, as in regions_scalar.s.
 tree_triangle:
+        RTOR    its_patch, next_limit
         RTOR    w_out, loop_at
         IX      loop_at, 64 * (P_SHAPE + 1)
         LOD     [loop_at], its_patch
@@ -233,6 +234,10 @@ tree_triangle:
         MPYX    its_patch, loop_work, its_patch
         IX      loop_at, 64 * (P_SEGMENTS - P_SHAPE - 1)
         LOD     [loop_at], ray_limit
+        ES      loop_work, 2
+        IBXEQ   next_limit, r0, loop_work, tree_sided
+        RTOR    r0, ray_limit
+tree_sided:
         IX      w_out, 64 * P_FIRST_EVENT
         LOD     [w_out], loop_work
         ADDX    w_crossings, loop_work, w_crossings

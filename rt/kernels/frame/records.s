@@ -59,7 +59,9 @@
                                 ;    the surfaces of entry and exit
                                 ; 2: of a mesh all of whose crossings are
                                 ;    asked: the triangle, and 1 if the ray
-                                ;    leaves it there
+                                ;    leaves it there, for it has no outside
+                                ;    of its own; 3: its normals point
+                                ;    outwards; 4: it is not seen
         .field  P_PIGMENT          ; 0: a colour, 1: a checker, 2: a gradient,
                                 ; 3: another pattern, 4: an image
         .field  P_TRANSFORMED      ; 1: the shape stands in a space of its own
@@ -106,7 +108,10 @@
                                 ;   quadratic_prism  as a prism; table: rows, as
                                 ;             below
                                 ;   mesh      words of a triangle's row, room for so
-                                ;             many crossings; table:
+                                ;             many crossings; of one with a
+                                ;             body, too: where its table
+                                ;             stands in this, in words; room
+                                ;             for so many crossings; table:
                                 ;             nodes and triangles, as below
         .field  P_LOCAL, 12        ; rows of the matrix from world to own
                                 ; space, each three factors and a shift

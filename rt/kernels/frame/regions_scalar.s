@@ -144,8 +144,8 @@ nearest_seen:
         LOD     [w_out], w_t1
         RTOR    w_leaf, w_at
         .if     MESH_CROSSINGS
-        ES      w_t2, 2
-        IBXEQ   w_t0, r0, w_t2, nearest_triangle
+        SHIFTI  w_t0, -1, w_t2
+        IBXEQ   w_t2, r0, m_index_one, nearest_triangle
         .endif
         IX      w_at, 64 * (P_PATCH_POINTS - 2)
         EX      w_t2, k_delta
@@ -176,6 +176,10 @@ nearest_triangle:
         FLR     w_t5, w_t5                      ; triangles stand so far behind
         IX      w_at, 64 * (P_SEGMENTS - P_SHAPE - 1)
         LOD     [w_at], w_t6
+        ES      w_t2, 2
+        IBXEQ   w_t0, r0, w_t2, nearest_sided
+        RTOR    r0, w_t6                        ; its normals tell
+nearest_sided:
         EX      w_t2, k_delta
         LOD     [w_t2], w_t2
         SUBN    w_in, w_t2, w_t3

@@ -2,6 +2,7 @@
 ;
 ;       CALL MESH_CROSSINGS (RAY, PRIMITIVE, CROSSINGS)
 ;       CALL MESH_SOLID (RAY, PRIMITIVE, SEGMENTS)
+;       CALL MESH_BODY (RAY, PRIMITIVE, SEGMENTS)
 ;
 ; Arguments as in sphere_scalar.s, method as in mesh_crossings_vector.s.  CROSSINGS
 ; = those beyond the ray's least distance, ascending, SEGMENTS = the ray's way
@@ -83,25 +84,12 @@ side_not\@:
         .endm
 
 ; The list is empty; behind it stand the triangles.
-        .macro  begin_crossings
-        FLR     sh1, list_triangles
+        .macro  begin_crossings room
+        FLR     \room, list_triangles
         SHIFTI  list_triangles, 6, list_triangles
         ADDX    a_segment, list_triangles, list_triangles
         ES      list_before, -1
         ES      list_count, 0
-        .endm
-
-; How many there are, a_primitive's P_SEGMENTS being count.
-        .macro  leave_crossings count
-        IX      a_primitive, 64 * P_SEGMENTS
-        STO     [a_primitive], \count
-        IX      a_primitive, 64 * (P_STATE_KERNEL - P_SEGMENTS)
-        LOD     [a_primitive], t0
-        IBXNE   t0, r0, r0, crossings_unseen\@
-        IX      a_primitive, 64 * (P_EVENTS - P_STATE_KERNEL)
-        STO     [a_primitive], list_count
-crossings_unseen\@:
-        leave_segments crossings_save, MESH_CROSSING_REGISTERS
         .endm
 
         .kernel mesh
@@ -109,19 +97,31 @@ mesh_crossings:
         enter_solver 2, crossings_save, MESH_CROSSING_REGISTERS
         RTOR    lower, mesh_least
         BIM     crossings_begin
+mesh_body:
+        enter_solver 4, crossings_save, MESH_CROSSING_REGISTERS
+        RTOR    r0, mesh_least
+        FLR     sh2, list_at
+        SHIFTI  list_at, 6, list_at
+        begin_crossings sh3
+        begin_mesh
+        ADDX    mesh_table, list_at, mesh_table
+        BIM     crossings_walk
 mesh_solid:
         enter_solver 2, crossings_save, MESH_CROSSING_REGISTERS
         RTOR    r0, mesh_least
 crossings_begin:
+        begin_crossings sh1
         begin_mesh
-        begin_crossings
+crossings_walk:
         walk_mesh every_side
         CFPEQ   mesh_least, r0, crossings_solid
         IBXNE   list_count, r0, r0, crossings_any
         STO     [a_segment], big
         ES      list_count, 1
 crossings_any:
-        leave_crossings r0
+        IX      a_primitive, 64 * P_EVENTS
+        STO     [a_primitive], list_count
+        leave_segments crossings_save, MESH_CROSSING_REGISTERS
 crossings_solid:
         IBXNE   list_count, r0, r0, solid_met
         STO     [a_segment], big
@@ -135,5 +135,13 @@ solid_met:
         list_crossing
 solid_even:
         SHIFTI  list_count, -1, t2
-        leave_crossings t2
+        IX      a_primitive, 64 * P_SEGMENTS
+        STO     [a_primitive], t2
+        IX      a_primitive, 64 * (P_STATE_KERNEL - P_SEGMENTS)
+        LOD     [a_primitive], t0
+        IBXNE   t0, r0, r0, crossings_given
+        IX      a_primitive, 64 * (P_EVENTS - P_STATE_KERNEL)
+        STO     [a_primitive], list_count
+crossings_given:
+        leave_segments crossings_save, MESH_CROSSING_REGISTERS
         .endkernel

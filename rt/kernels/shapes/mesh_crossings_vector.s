@@ -28,14 +28,14 @@
 ;
 ; mesh_crossings: the crossings beyond lower, a little farther than near_limit at the
 ;   most: what lies behind that is not seen.
-; mesh_solid: those beyond the ray's start.  It starts inside if their number is odd:
+; mesh_solid, mesh_body: those beyond the ray's start, with the mesh or with its body.  It starts inside if their number is odd:
 ;   then the first is minus_big.
 ;
 ; In:  ox oy oz dx dy dz lower near_limit, near long; the primitive's record and
 ;      table.
 ; Out: from tin on columns of crossings, ascending, of those at one distance the first
 ;      triangle first; behind the last big, or of segments minus_big for where
-;      they end; P_SEGMENTS; P_EVENTS, but where P_STATE_KERNEL is another.
+;      they end; P_SEGMENTS, P_EVENTS, of a shape with P_STATE_KERNEL what is asked.
 ; Source: which sides: the crossings of a polygon, textbook; that a mesh's are even
 ; whatever is rounded, and the lists: derived here.
 
@@ -101,17 +101,27 @@ mesh_crossings:
         ADDN    s0, s0, s0
         ADDNV   [near_limit], s0, [w9]
         BIM     crossings_begin
+mesh_body:
+        ES      mesh_is_solid, 1
+        VTOV    big, [w9]
+        load_record P_SHAPE + 2, 2, s2          ; where its table stands, its room
+        FLR     s2, s2
+        SHIFTI  s2, 6, s2
+        load_record P_TABLE, 2, mesh_table
+        ADDX    mesh_table, s2, mesh_table
+        BIM     crossings_room
 mesh_solid:
         ES      mesh_is_solid, 1
         VTOV    big, [w9]
 crossings_begin:
-        load_field P_SHAPE + 1, mesh_room
-        FLR     mesh_room, mesh_room
+        load_field P_SHAPE + 1, s3
+        load_record P_TABLE, 2, mesh_table      ; and mesh_row
+crossings_room:
+        FLR     mesh_row, mesh_row
+        FLR     s3, mesh_room
         EX      s0, 64 * CROSSING_SIZE
         MPYX    mesh_room, s0, mesh_room
         ADDX    tin, mesh_room, triangles_at
-        load_record P_TABLE, 2, mesh_table      ; and mesh_row
-        FLR     mesh_row, mesh_row
         begin_mesh
         describe mesh_counts, mesh_count_store, near
         ES      s0, 0
@@ -207,13 +217,12 @@ crossings_segment:
         IBXNE   s4, r0, s2, crossings_segment
 
 crossings_count:
-        ES      s3, 0
         IBXEQ   mesh_is_solid, r0, r0, crossings_store
         SHIFTI  s2, -1, s3
-crossings_store:
         store_field P_SEGMENTS, s3
         load_field P_STATE_KERNEL, s0
         IBXNE   s0, r0, r0, crossings_given
+crossings_store:
         store_field P_EVENTS, s2
 crossings_given:
         BIM     0, link_kernel

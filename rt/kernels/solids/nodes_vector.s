@@ -89,11 +89,12 @@
         .equ    CROSSING_SIZE, QUEUE
 
         .if     MESH_CROSSINGS
-; To other if the primitive is not a mesh all of whose crossings are asked.
+; To other if the primitive is not a mesh all of whose crossings are asked, and
+; that is seen.
         .macro  unless_mesh other
         load_field P_ON_PATCH, s0
-        ES      s1, 2
-        IBXNE   s0, r0, s1, \other
+        SHIFTI  s0, -1, s0
+        IBXNE   s0, r0, one_index, \other
         .endm
 
 ; Words from its crossings on to their triangles.
@@ -265,7 +266,9 @@ node_solid:
 
 ; A mesh tells how many segments and events there are.
 node_counted:
-        unless_mesh node_met
+        load_field P_ON_PATCH, s0
+        ES      s1, 2
+        IBXLT   s0, r0, s1, node_met
         load_record P_SEGMENTS, 2, s2           ; and s3
         load_word leaves_end, s0
         IX      s0, -64 * (LEAF_SIZE - LEAF_PART)

@@ -356,9 +356,6 @@ squeeze_leaf:
         .if     MESH_CROSSINGS
         unless_mesh squeeze_no_mesh
         IBXNE   shadows, r0, r0, squeeze_triangles
-        IBXEQ   leaf_segments, r0, r0, squeeze_mesh
-        IBXNE   leaf_first_state, r0, leaf_first_event, squeeze_no_mesh
-squeeze_mesh:
         triangles_behind s4
         ADDX    leaf_first_event, s4, s4
         squeeze_slots leaf_events, s4
@@ -426,8 +423,8 @@ found_leaf:
         leaf_at_hand
         .if     MESH_CROSSINGS
         load_field P_ON_PATCH, s0
-        ES      s1, 2
-        IBXEQ   s0, r0, s1, found_mesh
+        SHIFTI  s0, -1, s0
+        IBXEQ   s0, r0, one_index, found_mesh
         .endif
         IBXNE   leaf_segments, r0, r0, found_next
         load_field P_ID, identity
@@ -463,7 +460,7 @@ found_none:
 
         .if     MESH_CROSSINGS
 ; On which triangle of a mesh, and if the rays leave there: of a solid where each
-; second crossing is.
+; second crossing is; with a body its normals tell.
 found_mesh:
         load_field P_ID, identity
         CMPEQV  [event_met], identity, [bits0]
@@ -490,6 +487,7 @@ found_triangle:
 found_later:
         ADDX    slot, slot_size, slot
         IBXEQ   leaf_segments, r0, r0, found_enters
+        IBXNE   leaf_first_state, r0, leaf_first_event, found_enters
         XOR     s6, one_index, s6
 found_enters:
         IBXNE   leaf_events, minus_one_index, r0, found_triangle, leaf_events

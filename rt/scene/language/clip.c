@@ -1,5 +1,6 @@
 #include "rt/scene/language/clip.h"
 
+#include "rt/scene/language/field_body.h"
 #include "rt/scene/language/mesh.h"
 #include "rt/scene/vector.h"
 #include "rt/shapes/shape.h"
@@ -42,6 +43,7 @@ static bool read_solid(struct reader *reader, void *subject,
 
     memset(&solid, 0, sizeof solid);
     done = shape_read(reader, &solid, item)
+           && fields_fill(reader, &solid, &item->at)
            && check_inside(reader, &solid, &item->at)
            && ((object_join(&solid) && object_add(&clipping->solids, &solid))
                || reader_no_memory(reader));

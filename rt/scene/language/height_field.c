@@ -216,23 +216,36 @@ static void carry_normal(const struct transform *to_local, double normal[3])
     scale3(1 / length3(normal), normal);
 }
 
-bool height_field_place(struct reader *reader, struct scene_part *part)
+/* Others of their own. */
+static bool place_triangles(struct reader *reader,
+                            const struct primitive *primitive,
+                            struct triangles *triangles)
 {
-    struct primitive *primitive = &part->primitive;
-    struct triangles *triangles = &primitive->shape.mesh.triangles;
     size_t count = triangles->count;
     struct triangle *list = arena_take(&reader->scene->kept,
-                                       count * sizeof *list);
+                                       (count + 1) * sizeof *list);
 
     if (!list)
         return reader_no_memory(reader);
-    memcpy(list, triangles->list, count * sizeof *list);
+    if (count > 0)
+        memcpy(list, triangles->list, count * sizeof *list);
     for (size_t i = 0; i < 3 * count; i++) {
         struct triangle *triangle = &list[i / 3];
         transform_point(&primitive->to_world, triangle->corners[i % 3]);
-        carry_normal(&primitive->to_local, triangle->normals[i % 3]);
+        if (triangle->smooth)
+            carry_normal(&primitive->to_local, triangle->normals[i % 3]);
     }
     triangles->list = list;
+    return true;
+}
+
+bool height_field_place(struct reader *reader, struct scene_part *part)
+{
+    struct primitive *primitive = &part->primitive;
+
+    if (!place_triangles(reader, primitive, &primitive->shape.mesh.triangles)
+        || !place_triangles(reader, primitive, &primitive->shape.mesh.body))
+        return false;
     primitive->to_world = placement_none.to_world;
     primitive->to_local = placement_none.to_local;
     return true;

@@ -136,7 +136,8 @@ size_t mesh_triangles(const struct scene_object *object)
         const struct primitive *primitive = &object->parts[i].primitive;
 
         if (primitive->kind == PRIMITIVE_MESH)
-            count += primitive->shape.mesh.triangles.count;
+            count += primitive->shape.mesh.triangles.count
+                     + primitive->shape.mesh.body.count;
     }
     return count;
 }

@@ -171,7 +171,8 @@ static size_t count_leaves(const struct branch *branches, size_t count)
 static bool is_open_mesh(const struct scene_part *part)
 {
     return part->primitive.kind == PRIMITIVE_MESH
-           && !part->primitive.shape.mesh.solid;
+           && !part->primitive.shape.mesh.solid
+           && part->primitive.shape.mesh.body.count == 0;
 }
 
 static bool has_open_mesh(const struct scene_object *object)

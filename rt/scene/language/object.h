@@ -26,7 +26,7 @@ struct scene_part {
     const struct bicubic_patch
         *patch;        /* a mesh is made of it, in the world */
     bool smooth_field; /* a mesh whose normals are settled there */
-    bool field;        /* a mesh, with an inside that is not known here */
+    bool field;        /* a mesh, that gets a body if its inside matters */
 };
 
 /* How the children of an object belong together: a union's stay apart. */

@@ -2,6 +2,7 @@
 #include "rt/scene/language/bicubic_patch.h"
 #include "rt/scene/language/clip.h"
 #include "rt/scene/language/expression.h"
+#include "rt/scene/language/field_body.h"
 #include "rt/scene/language/height_field.h"
 #include "rt/scene/language/mesh.h"
 #include "rt/scene/language/polygon.h"
@@ -119,24 +120,11 @@ static bool check_solid(struct reader *reader,
                            SOLID_MOST);
 }
 
-static bool has_field(const struct scene_object *object)
-{
-    for (size_t i = 0; i < object->part_count; i++)
-        if (object->parts[i].field)
-            return true;
-    return false;
-}
-
 static bool read_inverse(struct reader *reader, void *subject,
                          const struct item *item)
 {
-    const struct scene_object *object = subject;
-
-    if (has_field(object) && object->part_count > 1)
-        return reader_fault(reader, &item->at,
-                            "'inverse' of a height_field with other objects "
-                            "is not supported");
     return check_solid(reader, subject, &item->at)
+           && fields_fill(reader, subject, &item->at)
            && (object_invert(subject) || reader_no_memory(reader));
 }
 
@@ -295,16 +283,6 @@ static void report_patches(struct reader *reader,
         }
 }
 
-static bool check_fields(struct reader *reader,
-                         const struct scene_object *child,
-                         const struct scene_token *at)
-{
-    return !has_field(child)
-           || reader_fault(reader, at,
-                           "a height_field in an intersection, difference or "
-                           "merge is not supported");
-}
-
 static bool read_child(struct reader *reader, void *subject,
                        const struct item *item)
 {
@@ -315,7 +293,7 @@ static bool read_child(struct reader *reader, void *subject,
     memset(&child, 0, sizeof child);
     done = shape_read(reader, &child, item)
            && (object->joining == JOIN_APART
-               || check_fields(reader, &child, &item->at));
+               || fields_fill(reader, &child, &item->at));
     if (done && object->joining >= JOIN_INTERSECTION)
         report_patches(reader, &child, &item->at);
     if (done && !object_add_child(object, &child))

@@ -1,0 +1,242 @@
+/* field_body.c - what lies below a field of heights: a body of triangles that
+ * are not seen.
+ *
+ * In POV-Ray a field is solid from its surface down without an end, as far as
+ * its square goes, and where the water has taken the surface away from the
+ * water's level down.  The body has two parts, both closed: over the lowest point
+ * of the surface what is below each of its triangles, walls where it ends and a
+ * ground; and a column from there down.  Where ground and column touch a ray
+ * crosses both, and that is as if it crossed none.
+ */
+#include "rt/scene/language/field_body.h"
+
+#include "rt/scene/language/mesh.h"
+#include "rt/scene/language/statement.h"
+#include "rt/scene/vector.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define COLUMN_DEPTH 1e4 /* for without an end */
+#define GRAIN 0x1p-40    /* an edge that the water cuts is cut twice */
+enum { COLUMN_FACES = 12 };
+
+struct field_body {
+    struct triangles triangles;
+    double ground;
+};
+
+static void add(struct field_body *body, const double a[3], const double b[3],
+                const double c[3])
+{
+    struct triangle *triangle = &body->triangles
+                                     .list[body->triangles.count++];
+
+    memset(triangle, 0, sizeof *triangle);
+    copy3(a, triangle->corners[0]);
+    copy3(b, triangle->corners[1]);
+    copy3(c, triangle->corners[2]);
+}
+
+static void below(const struct field_body *body, const double point[3],
+                  double foot[3])
+{
+    copy3(point, foot);
+    foot[1] = body->ground;
+}
+
+/* ---- Walls --------------------------------------------------------------- */
+
+/* The lesser end first. */
+struct field_edge {
+    const double *ends[2];
+};
+
+static int compare_points(const double *a, const double *b)
+{
+    for (int i = 0; i < 3; i++)
+        if (a[i] != b[i])
+            return a[i] < b[i] ? -1 : 1;
+    return 0;
+}
+
+static int compare_edges(const void *a, const void *b)
+{
+    const struct field_edge *one = a, *other = b;
+    int first = compare_points(one->ends[0], other->ends[0]);
+
+    return first ? first : compare_points(one->ends[1], other->ends[1]);
+}
+
+static void take_edges(const struct triangles *surface,
+                       struct field_edge *edges)
+{
+    for (size_t i = 0; i < 3 * surface->count; i++) {
+        const struct triangle *triangle = &surface->list[i / 3];
+        const double *a = triangle->corners[i % 3];
+        const double *b = triangle->corners[(i + 1) % 3];
+        bool turned = compare_points(a, b) > 0;
+
+        edges[i].ends[0] = turned ? b : a;
+        edges[i].ends[1] = turned ? a : b;
+    }
+    qsort(edges, 3 * surface->count, sizeof *edges, compare_edges);
+}
+
+static void add_wall(struct field_body *body, const struct field_edge *edge)
+{
+    const double *a = edge->ends[0], *b = edge->ends[1];
+    double a_foot[3], b_foot[3];
+
+    below(body, a, a_foot);
+    below(body, b, b_foot);
+    if (b[1] > body->ground)
+        add(body, a, b, b_foot);
+    if (a[1] > body->ground)
+        add(body, a, b_foot, a_foot);
+}
+
+/* At edges of one triangle alone. */
+static void add_walls(struct field_body *body, const struct field_edge *edges,
+                      size_t count)
+{
+    for (size_t i = 0, next; i < count; i = next) {
+        for (next = i + 1; next < count; next++)
+            if (compare_edges(&edges[i], &edges[next]) != 0)
+                break;
+        if ((next - i) % 2 != 0)
+            add_wall(body, &edges[i]);
+    }
+}
+
+/* ---- The body ------------------------------------------------------------ */
+
+static void add_surface(struct field_body *body,
+                        const struct triangles *surface)
+{
+    for (size_t i = 0; i < surface->count; i++) {
+        struct triangle triangle = surface->list[i];
+
+        for (int k = 0; k < 9; k++)
+            triangle.corners[k / 3][k % 3] =
+                GRAIN * round(triangle.corners[k / 3][k % 3] / GRAIN);
+        add(body, triangle.corners[0], triangle.corners[1],
+            triangle.corners[2]);
+        for (int k = 0; k < 3; k++)
+            body->ground = fmin(body->ground, triangle.corners[k][1]);
+    }
+}
+
+static void add_ground(struct field_body *body, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        double feet[3][3];
+
+        for (int k = 0; k < 3; k++)
+            below(body, body->triangles.list[i].corners[k], feet[k]);
+        add(body, feet[0], feet[1], feet[2]);
+    }
+}
+
+/* A bit of a corner's number for each axis: 1 of x, 2 of y, 4 of z. */
+static void column_corner(const struct field_body *body, int number,
+                          double corner[3])
+{
+    corner[0] = number & 1;
+    corner[1] = number & 2 ? body->ground : body->ground - COLUMN_DEPTH;
+    corner[2] = number >> 2;
+}
+
+static void add_column(struct field_body *body)
+{
+    static const int faces[COLUMN_FACES][3] = {
+        { 0, 1, 3 }, { 0, 3, 2 }, { 4, 5, 7 }, { 4, 7, 6 },
+        { 0, 2, 6 }, { 0, 6, 4 }, { 1, 3, 7 }, { 1, 7, 5 },
+        { 0, 4, 5 }, { 0, 5, 1 }, { 2, 6, 7 }, { 2, 7, 3 },
+    };
+
+    for (int i = 0; i < COLUMN_FACES; i++) {
+        double corners[3][3];
+
+        for (int k = 0; k < 3; k++)
+            column_corner(body, faces[i][k], corners[k]);
+        add(body, corners[0], corners[1], corners[2]);
+    }
+}
+
+static void fill(struct field_body *body, const struct triangles *surface,
+                 struct field_edge *edges)
+{
+    struct triangles top;
+
+    add_surface(body, surface);
+    top = body->triangles;
+    add_ground(body, top.count);
+    take_edges(&top, edges);
+    add_walls(body, edges, 3 * top.count);
+    add_column(body);
+}
+
+/* Room for a wall of two at each edge. */
+static bool make_body(struct reader *reader, const struct triangles *surface,
+                      struct field_body *body)
+{
+    size_t most = 8 * surface->count + COLUMN_FACES;
+    struct field_edge *edges = malloc((3 * surface->count + 1)
+                                      * sizeof *edges);
+    bool good;
+
+    body->ground = INFINITY;
+    body->triangles.count = 0;
+    body->triangles.list = malloc(most * sizeof *body->triangles.list);
+    good = edges && body->triangles.list;
+    if (good)
+        fill(body, surface, edges);
+    free(edges);
+    return good || reader_no_memory(reader);
+}
+
+/* The scene keeps as many as they are. */
+static bool keep_body(struct reader *reader, const struct field_body *body,
+                      struct triangles *kept)
+{
+    size_t size = body->triangles.count * sizeof *kept->list;
+
+    kept->list = arena_take(&reader->scene->kept, size);
+    if (!kept->list)
+        return reader_no_memory(reader);
+    memcpy(kept->list, body->triangles.list, size);
+    kept->count = body->triangles.count;
+    return true;
+}
+
+static bool fill_part(struct reader *reader, struct scene_part *part,
+                      const struct scene_token *at)
+{
+    struct triangles *own = &part->primitive.shape.mesh.body;
+    struct field_body body;
+    bool done;
+
+    if (!part->field || own->count > 0)
+        return true;
+    done = reader_spend(reader,
+                        TOKEN_COST
+                            * part->primitive.shape.mesh.triangles.count)
+           && make_body(reader, &part->primitive.shape.mesh.triangles, &body);
+    if (!done)
+        return false;
+    done = mesh_count(reader, body.triangles.count, at)
+           && keep_body(reader, &body, own);
+    free(body.triangles.list);
+    return done;
+}
+
+bool fields_fill(struct reader *reader, struct scene_object *object,
+                 const struct scene_token *at)
+{
+    for (size_t i = 0; i < object->part_count; i++)
+        if (!fill_part(reader, &object->parts[i], at))
+            return false;
+    return true;
+}
