@@ -102,7 +102,10 @@ static void test_kernels(void **state)
                                           "tests/scenes/csg_lathes.pov",
                                           "tests/scenes/images.pov",
                                           "tests/scenes/quadratic_prism.pov",
-                                          "tests/scenes/mesh.pov" };
+                                          "tests/scenes/mesh.pov",
+                                          "tests/scenes/mesh_solids.pov",
+                                          "tests/scenes/mesh_glass.pov",
+                                          "tests/scenes/field_solids.pov" };
     struct sink sink = stream_sink(stderr);
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe", &error);

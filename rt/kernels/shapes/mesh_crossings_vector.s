@@ -166,10 +166,13 @@ crossings_full:
 crossings_filled:
         IBXNE   s2, r0, r0, crossings_order
         VTOV    big, [tin]
+        VTOV    r0, [triangles_at]
         ES      s2, 1
         IBXEQ   mesh_is_solid, r0, r0, crossings_count
         next_list_column s3
+        next_list_column s4
         VTOV    minus_big, [s3]
+        VTOV    r0, [s4]
         ES      s2, 2
         BIM     crossings_count
 
