@@ -38,7 +38,7 @@ END
 printf '        ADDN r1, r2\n        NOPE\n        ADDNV [r1], [r2], [r3\n' >bad.s
 printf 'loop:   BIM loop\n' >endless.s
 printf '        EX r10, 64\n        LOD [r10], r11\n        EXIT\n' >trap.s
-printf '#version 3.7;\nblob { }\nsphere { 0, }\n' >bad.pov
+printf '#version 3.7;\novus { }\nsphere { 0, }\n' >bad.pov
 printf '#version 3.7;\nsphere { 0, 1 pigment { granite } }\n' >replaced.pov
 printf '#version 3.7;\nsphere { 0, 1e-310 }\n' >beyond.pov
 

@@ -33,6 +33,22 @@ struct triangles {
     struct triangle *list;
 };
 
+/* A ball, or a cylinder with half balls at its ends: at a distance d below its
+ * radius from the centre, or from the axis between the ends, it adds
+ * strength (1 - d^2 / radius^2)^2 to the field, in a space of its own. */
+struct blob_part {
+    bool cylinder;
+    double base[3], cap[3]; /* of a ball the base is the centre */
+    double radius, strength;
+    struct transform to_blob, to_local; /* from its space, and back */
+};
+
+/* As many as there are; the scene keeps them. */
+struct blob_parts {
+    size_t count;
+    struct blob_part *list;
+};
+
 struct primitive {
     enum primitive_kind kind;
     union {

@@ -17,6 +17,7 @@
 #include "rt/layout/program.h"
 #include "rt/layout/surface.h"
 #include "rt/layout/trees.h"
+#include "rt/shapes/blob.h"
 #include "rt/shapes/shape.h"
 
 struct trace {
@@ -168,7 +169,7 @@ enum { FEATURES = sizeof features / sizeof *features };
 /* The constants that a program is assembled with. */
 struct defines {
     struct asm_define
-        list[FEATURES + PRIMITIVE_KINDS + 8]; /* the last is NULL */
+        list[FEATURES + PRIMITIVE_KINDS + 9]; /* the last is NULL */
     size_t count;
 };
 
@@ -196,6 +197,8 @@ static struct object *assemble_form(const struct trace_options *options,
 {
     struct defines defines = { .count = 0 };
     size_t crossings = most_crossings(scene);
+    size_t pieces = blob_pieces_most(scene);
+    size_t pieces = blob_pieces_most(scene);
 
     define(&defines, "QUEUE", options->queue);
     for (size_t i = 0; i < FEATURES; i++)
@@ -210,6 +213,8 @@ static struct object *assemble_form(const struct trace_options *options,
         define(&defines, options->variant, 1);
     if (options->visible != VISIBLE_DEFAULT)
         define(&defines, "VISIBLE", options->visible);
+    if (pieces > 0)
+        define(&defines, "BLOB_PIECES", pieces);
     if (crossings > CROSSINGS_USUAL)
         define(&defines, "CROSSINGS_MOST", crossings);
     return program_assemble(forms[options->mode].program, defines.list,

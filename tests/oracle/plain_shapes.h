@@ -38,7 +38,8 @@ typedef bool enclose_point(const struct primitive *primitive,
 enclose_point plain_encloses;
 
 /* Of each: plain_shapes.c, plain_solids.c, plain_quartic.c, plain_steiner.c,
- * plain_prism.c, plain_quadratic_prism.c, plain_lathe.c, plain_mesh.c */
+ * plain_prism.c, plain_quadratic_prism.c, plain_lathe.c, plain_blob.c,
+ * plain_mesh.c */
 #define SHAPE(KIND, name, ...) \
     cross_shape cross_##name; \
     enclose_point in_##name;

@@ -65,6 +65,11 @@ static void test_known(void **state)
           5,
           .02 },
         { "lathe { 3, <0, 0>, <3, 0>, <1, 1> }", { 0, 0, 0 }, 3.06, .02 },
+        { "blob { sphere { -3*x, 1, 2 } cylinder { x, 2*x, 2, 1 }"
+          " sphere { 0, 9, -1 } }",
+          { 0, 0, 0 },
+          4,
+          .002 },
         { "mesh { triangle { 0, 2*x, <1, 1, 0> }"
           " triangle { <1, 1, 0>, 0, <1, -1, 0> } }",
           { 1, 0, 0 },
@@ -224,6 +229,8 @@ static void test_crossings(void **state)
          " <1.5, .5>, <0, 2>, <-2, 0>"),
         "lathe { 5, <0, -2>, <1, -1>, <.3, .5>, <1.5, 1>, <0, 2>",
         "lathe { 3, <2, 0>, <.5, .1>, <.5, 1>",
+        ("blob { threshold .1 sphere { 0, 1, 2 scale <1, 2, .5> rotate 40 }"
+         " cylinder { -2*x, <1, 2, 1>, 1, 1 } sphere { y, 2, -.5 }"),
         ("mesh { triangle { <-2, 0, 1>, <2, -1, 0>, <0, 2, -1> }"
          " smooth_triangle { -y, y, 2*z, z, 2*x, x }"),
         ("steiner_patch { -2*x, 2*y, 2*x, <-2, 2, 1>, <2, 2, -1>, -2*y"

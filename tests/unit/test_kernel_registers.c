@@ -52,6 +52,7 @@ static void test_assembled(void **state)
     static const struct asm_define switches[] = {
         { NULL, 0 },
         { "HISTORICAL", 1 },
+        { "BLOB_PIECES", 4 },
         { "FALSI", FALSI_PAPER },
         { "FALSI", FALSI_ILLINOIS },
         { "FALSI", FALSI_PEGASUS },

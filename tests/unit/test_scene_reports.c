@@ -10,7 +10,7 @@ static void test_errors(void **state)
         size_t line, column;
         const char *message; /* a part of it */
     } rows[] = {
-        { "blob { }", 1, 1, "'blob' is not supported" },
+        { "ovus { }", 1, 1, "'ovus' is not supported" },
         { "union { sphere { 0, 1 }\n ovus { 0, 1, y, 0 } }", 2, 2, "'ovus'" },
         { "difference { sphere { 0 1 } sor { } }", 1, 29, "'sor'" },
         { "sphere { 0, 1 interior { ior 0 } }", 1, 26, "ior is not above 0" },

@@ -99,6 +99,8 @@ static void test_kernels(void **state)
                                           "tests/scenes/csg_culled.pov",
                                           "tests/scenes/csg_patches.pov",
                                           "tests/scenes/csg_prisms.pov",
+                                          "tests/scenes/blobs.pov",
+                                          "tests/scenes/csg_blobs.pov",
                                           "tests/scenes/csg_lathes.pov",
                                           "tests/scenes/images.pov",
                                           "tests/scenes/quadratic_prism.pov",

@@ -100,6 +100,10 @@
                                 ;             another plane (steiner_patch_vector.s)
                                 ;   prism     low, high, how many rows; table:
                                 ;             rows, as below
+                                ;   blob      centre 3, square of its bound,
+                                ;             threshold, how many rows,
+                                ;             resolution of distances;
+                                ;             table: rows, as below
                                 ;   lathe     height of its middle, square of its radius,
                                 ;             half of its height, how many rows are seen,
                                 ;             how many there are, a distance that
@@ -190,6 +194,12 @@
         .equ    CROSSINGS_MOST, 6
         .endif
 
+; The most pieces of a blob (shapes/blob_vector.s): the host counts them when the
+; program is assembled.  0: there are no blobs.
+        .ifndef BLOB_PIECES
+        .equ    BLOB_PIECES, 0
+        .endif
+
 ; 1: the rays of the camera are parallel, and start at many points (camera.s).
         .ifndef ORTHOGRAPHIC
         .equ    ORTHOGRAPHIC, 0
@@ -260,6 +270,19 @@
         .field  LATHE_DIRECTION, 2 ; in r and y, of length one
         .field  LATHE_LENGTH
         .field  LATHE_NORMAL, 2    ; outward
+        .endrecord
+
+; A row of a blob's table: a component.  The space of its own is that in which its
+; radius is one, its base the origin, and the axis of a cylinder along z.
+        .record BLOB
+        .field  BLOB_KIND          ; 0: a ball, 1: an ellipsoid, 2: a cylinder
+        .field  BLOB_CENTER, 3     ; told from the blob's centre
+        .field  BLOB_SQUARE        ; of a ball's radius, and
+        .field  BLOB_INVERSE       ; its reciprocal
+        .field  BLOB_STRENGTH
+        .field  BLOB_LENGTH        ; of a cylinder, in its own space; else 0
+        .field  BLOB_MATRIX, 12    ; from there to its own space: rows of three
+                                ; factors and a shift
         .endrecord
 
 ; The table of a mesh: a row of zeros, the nodes of a hierarchy of boxes, in

@@ -2,7 +2,6 @@
 #include "rt/scene/language/statement.h"
 
 const struct keyword other_shapes[] = {
-    { "blob", item_unsupported, 0 },
     { "isosurface", item_unsupported, 0 },
     { "julia_fractal", item_unsupported, 0 },
     { "lemon", item_unsupported, 0 },

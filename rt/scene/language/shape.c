@@ -1,5 +1,6 @@
 /* shape.c - solids made of others, objects and their modifiers. */
 #include "rt/scene/language/bicubic_patch.h"
+#include "rt/scene/language/blob.h"
 #include "rt/scene/language/clip.h"
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/field_body.h"
@@ -434,6 +435,8 @@ bool shape_read(struct reader *reader, struct scene_object *object,
 
     if (shape == SHAPE_LIGHT)
         return light_read(reader, object);
+    if (shape == (enum shape_word)PRIMITIVE_BLOB)
+        return blob_read(reader, object, item);
     if (is_mesh(shape))
         return mesh_read(reader, object, item);
     if (!block_open(reader, &block, '{'))

@@ -1,0 +1,648 @@
+; blob_vector.s - a queue of rays meets a blob: components, each with a field
+; about it, and the surface where their sum is T.
+;
+; A component of strength S and radius r adds, at the distance d from it,
+;
+;   S g^2,   g = 1 - d^2/r^2         where d < r, else nothing.
+;
+; Along a ray d^2 is a quadratic, g = c + 2 b t + a t^2, and the field a quartic,
+; from where the ray comes nearer than r up to where it leaves: a piece.  A ball
+; is one piece (and so is an ellipsoid, a ball in a space of its own).  A cylinder
+; is three: where the ray is between the planes across its axis at the ends, d
+; is told from the axis, on either side of them from the end that is there.
+; A piece begins exactly where its neighbour ends, so that there is no gap.
+;
+; t is told from the ray's closest approach to the blob's centre.  Of each piece
+; a, b, c, where the ray enters it and where it leaves are found once.  Then the
+; rays walk, each from one such place t0 to its next one.  The sum of the pieces
+; that it is in is one quartic on the way; about t0, where nothing cancels,
+;
+;   b' = b + a t0     c' = c + (b + b') t0
+;   S (c' + 2 b' s + a s^2)^2 = S (a^2 s^4 + 4 a b' s^3 + (4 b'^2 + 2 a c') s^2
+;                                  + 4 b' c' s + c'^2)
+;
+; If its Bernstein coefficients on the way are all of one sign it has no root
+; there; else the root solver finds all changes of sign.  The field at t0 and that
+; at the end of the way before are the same, but rounded otherwise: where their
+; signs differ a crossing lies at t0.  So a ray that has entered leaves again.
+;
+; A ray on which the greatest values of all pieces do not sum up to T misses.
+; Rays that are done are compressed out when they are half of all.
+;
+; In:  ox oy oz dx dy dz lower, near long; the primitive's record and table.
+; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
+;      blob_solid: P_SEGMENTS segments, of vectors one after another from tin on.
+; Source: the field: Wyvill's and Blinn's idea in the form that POV-Ray gives;
+; the walk: derived here.
+
+        .if     BLOB_PIECES
+
+        .ifndef LANE_VECTORS
+        .include "shapes/lanes_vector.s"
+        .endif
+        .include "shapes/blob_constants.s"
+
+; Of the lanes: where their way begins, where it ends, how long it is, the sum of
+; the pieces' greatest values; of solids where in the columns the next crossing goes,
+; and how many columns are left, a number.
+        .share  scratch
+        .regs   r233, way_t, way_end, way_length, most_field, crossing_at, columns_free
+        .equ    BLOB_VECTORS, 6
+        .regs   r239, piece_a, piece_b, piece_c, piece_enter, piece_leave
+        .regs   r244, pieces_used
+        .reg    nearest_way, r245       ; 0: all crossings; 1, 2: the nearest, which
+        .endshare                       ; lies on the first way, or behind it
+        .regs   s4, strength_at, pieces_left, blob_row, rows_left
+        .regs   m00, blob_quarter, blob_sixth, blob_four        ; in the walk
+        .share  hits
+        .reg    lane_inside, hits3
+        .endshare
+
+; What has no value before the walk: a cylinder's vectors.
+        .reg    first_z, k0             ; ends, in the ray's order
+        .reg    last_z, k1
+        .reg    first_at, k2
+        .reg    last_at, k3
+        .reg    cap_z, k4
+
+        .equ    PIECE_SIZE, 5 * QUEUE
+
+        .data
+blob_strengths: .space BLOB_PIECES
+        .align  64
+blob_store:     .space PIECE_SIZE * BLOB_PIECES
+        .code
+
+        .macro  set_blob_lanes
+        set_lanes m
+        set_lengths m, m_high, lane_bases, lane_descriptors, BLOB_VECTORS, way_t
+        .endm
+
+; ---- The pieces
+
+        .macro  next_vector before, vector
+        RTOR    \before, \vector
+        IX      \vector, 64 * QUEUE
+        .endm
+
+        .macro  first_piece
+        describe piece_a, blob_store, m
+        next_vector piece_a, piece_b
+        next_vector piece_b, piece_c
+        next_vector piece_c, piece_enter
+        next_vector piece_enter, piece_leave
+        EX      strength_at, blob_strengths
+        .endm
+
+        .macro  next_piece
+        IX      piece_a, 64 * PIECE_SIZE
+        IX      piece_b, 64 * PIECE_SIZE
+        IX      piece_c, 64 * PIECE_SIZE
+        IX      piece_enter, 64 * PIECE_SIZE
+        IX      piece_leave, 64 * PIECE_SIZE
+        IX      strength_at, 64
+        .endm
+
+; Where the quadratic [a] t^2 + 2 [b] t - [c] is below 0, a > 0: from [from] to
+; [to] in the lanes of hits0; work: disc and its root.
+        .macro  reach_of a, b, c, inverse, from, to, disc, root
+        MPYSV   [\b], [\b], [\disc]
+        MPYSV   [\a], [\c], [\root]
+        ADDNV   [\root], [\disc], [\disc]
+        CMPLTV  r0, [\disc], [hits0]
+        SQRTV   [\disc], [\root] ? [hits0]
+        ADDNV   [\b], [\root], [\from]
+        MPYSV   -[\from], [\inverse], [\from]
+        SUBNV   [\root], [\b], [\to]
+        MPYSV   [\to], [\inverse], [\to]
+        .endm
+
+; The piece from [from] to [to] in the lanes of hits0: to none if there is none
+; ahead; else hits1 = those that have it ahead of them.
+        .macro  take_piece from, to, none
+        CMPLTV  [\from], [\to], [hits1]
+        ANDB    [hits0], [hits1], [hits1]
+        CMPLTV  [lane_low], [\to], [hits2]
+        ANDB    [hits1], [hits2], [hits1]
+        CNTOB   [hits1], s0
+        IBXEQ   s0, r0, r0, \none
+        MASKV   [\from], big, [piece_enter] ? [hits1]
+        MASKV   [\to], big, [piece_leave] ? [hits1]
+        CMPLTV  [\from], [way_t], [hits2]
+        ANDB    [hits1], [hits2], [hits2]
+        VTOV    [\from], [way_t] ? [hits2]
+        STO     [strength_at], sh14
+        IX      pieces_used, 1
+        .endm
+
+; The greatest value of a piece, strength [g]^2, in the lanes of bits.
+        .macro  add_most g, bits
+        CFPGE   r0, sh14, add_most\@
+        MPYSV   [\g], [\g], [\g]
+        MPYSV   [\g], sh14, [\g]
+        ADDNV   [most_field], [\g], [most_field] ? [\bits]
+add_most\@:
+        .endm
+
+; A ball: sh9-sh11 its centre, sh12 r^2, sh13 1/r^2.
+        .macro  take_ball
+        SUBNV   [lane_ox], sh9, [e0]
+        SUBNV   [lane_oy], sh10, [e1]
+        SUBNV   [lane_oz], sh11, [e2]
+        dot_vectors e0, e1, e2, lane_dx, lane_dy, lane_dz, e3, e4
+        dot_vectors e0, e1, e2, e0, e1, e2, e5, e4
+        SUBNV   sh12, [e5], [e5]
+        MPYSV   [e3], [e3], [e6]
+        ADDNV   [e6], [e5], [e6]
+        CMPLTV  r0, [e6], [hits0]
+        SQRTV   [e6], [e7] ? [hits0]
+        ADDNV   [e3], [e7], [e8]
+        SUBNV   r0, [e8], [e8]
+        SUBNV   [e7], [e3], [e9]
+        take_piece e8, e9, blob_next_row
+        SUBN    r0, sh13, s2
+        VTOV    s2, [piece_a]
+        MPYSV   [e3], s2, [piece_b]
+        MPYSV   [e5], sh13, [piece_c]
+        MPYSV   [e6], sh13, [e10]
+        add_most e10, hits1
+        next_piece
+        .endm
+
+; [x] and [d] = the ray's origin and its direction along an axis of the part's own
+; space.
+        .macro  part_axis m0, m1, m2, m3, x, d
+        dot_constant lane_ox, lane_oy, lane_oz, \m0, \m1, \m2, \x, e12
+        ADDNV   [\x], \m3, [\x]
+        dot_constant lane_dx, lane_dy, lane_dz, \m0, \m1, \m2, \d, e12
+        .endm
+
+; Origin e0-e2, direction e3-e5.
+        .macro  part_axes
+        part_axis m00, m01, m02, m03, e0, e3
+        part_axis m10, m11, m12, m13, e1, e4
+        part_axis m20, m21, m22, m23, e2, e5
+        .endm
+
+; Of the quadratic, its signs turned.
+        .macro  put_piece a, b, c
+        VTOV    -[\a], [piece_a]
+        VTOV    -[\b], [piece_b]
+        VTOV    [\c], [piece_c]
+        .endm
+
+        .macro  take_ellipsoid
+        part_axes
+        dot_vectors e3, e4, e5, e3, e4, e5, e6, e12
+        dot_vectors e0, e1, e2, e3, e4, e5, e7, e12
+        dot_vectors e0, e1, e2, e0, e1, e2, e8, e12
+        SUBNV   one, [e8], [e8]
+        DIVSV   one, [e6], [e9]
+        reach_of e6, e7, e8, e9, e0, e1, e2, e3
+        take_piece e0, e1, blob_next_row
+        put_piece e6, e7, e8
+        MPYSV   [e2], [e9], [e2]
+        add_most e2, hits1
+        next_piece
+        .endm
+
+; Where the ray passes the planes at the ends, first_at and last_at, and how high
+; it is above the end that it comes to first, and above the other, at the start.
+; One along the planes is on one side of them or the other for ever.
+        .macro  find_ends
+        SUBNV   [e2], sh15, [cap_z]
+        CMPLTV  |[e5]|, tiny, [hits0]
+        CMPLTV  [e5], r0, [hits1]
+        ANDNB   [hits1], [hits0], [hits1]
+        MASKV   one, [e5], [e6] ? [hits0]
+        DIVSV   one, [e6], [e6]
+        MASKV   [cap_z], [e2], [first_z] ? [hits1]
+        MASKV   [e2], [cap_z], [last_z] ? [hits1]
+        MPYSV   -[first_z], [e6], [first_at]
+        MPYSV   -[last_z], [e6], [last_at]
+        CNTOB   [hits0], s0
+        IBXEQ   s0, r0, r0, find_ends\@
+        VTOV    minus_big, [first_at] ? [hits0]
+        VTOV    big, [last_at] ? [hits0]
+        CMPLTV  [e2], r0, [hits1]
+        ANDB    [hits0], [hits1], [hits1]
+        VTOV    big, [first_at] ? [hits1]
+        CMPLTV  r0, [cap_z], [hits1]
+        ANDB    [hits0], [hits1], [hits1]
+        VTOV    minus_big, [last_at] ? [hits1]
+find_ends\@:
+        .endm
+
+        .macro  rise_to low, x
+        CMPLTV  [\x], [\low], [hits1]
+        VTOV    [\low], [\x] ? [hits1]
+        .endm
+
+        .macro  sink_to high, x
+        CMPLTV  [\high], [\x], [hits1]
+        VTOV    [\high], [\x] ? [hits1]
+        .endm
+
+; Between the planes: e6 t^2 + 2 e7 t - e8 of the distance from the axis.  A ray
+; along the axis is near it for ever or never.  To blob_next_row if no ray comes
+; near it: then the ends are as far.
+        .macro  take_side
+        MPYSV   [e3], [e3], [e6]
+        MPYSV   [e4], [e4], [e12]
+        ADDNV   [e12], [e6], [e6]
+        MPYSV   [e0], [e3], [e7]
+        MPYSV   [e1], [e4], [e12]
+        ADDNV   [e12], [e7], [e7]
+        MPYSV   [e0], [e0], [e8]
+        MPYSV   [e1], [e1], [e12]
+        ADDNV   [e12], [e8], [e8]
+        SUBNV   one, [e8], [e8]
+        MPYS    tiny, tiny, s2
+        CMPLTV  [e6], s2, [hits2]
+        MASKV   one, [e6], [e9] ? [hits2]
+        DIVSV   one, [e9], [e9]
+        reach_of e6, e7, e8, e9, e0, e1, e3, e4
+        CNTOB   [hits2], s0
+        IBXEQ   s0, r0, r0, side_crossed
+        VTOV    [e8], [e3] ? [hits2]
+        CMPLTV  r0, [e3], [hits0]
+        VTOV    minus_big, [e0] ? [hits2]
+        VTOV    big, [e1] ? [hits2]
+side_crossed:
+        CNTOB   [hits0], s0
+        IBXEQ   s0, r0, r0, blob_next_row
+        MPYSV   [e3], [e9], [e3]
+        add_most e3, hits0
+        rise_to first_at, e0
+        sink_to last_at, e1
+        take_piece e0, e1, side_none
+        put_piece e6, e7, e8
+        next_piece
+side_none:
+        .endm
+
+; The half ball at one end: e3 t^2 + 2 e0 t - e1 of the distance from there.
+        .macro  reach_of_end z
+        MPYSV   [\z], [e5], [e0]
+        ADDNV   [e0], [e7], [e0]
+        MPYSV   [\z], [\z], [e1]
+        SUBNV   [e8], [e1], [e1]
+        reach_of e3, e0, e1, e4, e9, e10, e11, e12
+        .endm
+
+        .macro  take_end
+        take_piece e9, e10, end_none\@
+        put_piece e3, e0, e1
+        next_piece
+end_none\@:
+        .endm
+
+        .macro  take_cylinder
+        part_axes
+        find_ends
+        take_side
+        MPYSV   [e5], [e5], [e3]
+        ADDNV   [e3], [e6], [e3]
+        DIVSV   one, [e3], [e4]
+        reach_of_end first_z
+        sink_to first_at, e10
+        take_end
+        reach_of_end last_z
+        rise_to last_at, e9
+        take_end
+        .endm
+
+; Of all components; then the lanes' ways begin: at their least distance, or
+; where they enter a piece.
+        .macro  take_pieces
+        set_blob_lanes
+        first_piece
+        VTOV    big, [way_t]
+        VTOV    r0, [most_field]
+        ES      pieces_used, 0
+        load_field P_TABLE, blob_row
+        RTOR    sh5, rows_left
+blob_part:
+        ELEN    blob_row, 7
+        SWAP    [blob_row], sh8, [r0]
+        CFPNE   sh8, r0, blob_moved
+        take_ball
+        BIM     blob_next_row
+blob_moved:
+        RTOR    blob_row, s2
+        IX      s2, 64 * BLOB_LENGTH
+        ELEN    s2, 13
+        SWAP    [s2], sh15, [r0]                ; and m00 ..
+        CFPNE   sh8, one, blob_long
+        take_ellipsoid
+        BIM     blob_next_row
+blob_long:
+        take_cylinder
+blob_next_row:
+        IX      blob_row, 64 * BLOB_SIZE
+        SUBN    rows_left, one, rows_left
+        CFPLT   r0, rows_left, blob_part
+        CMPLTV  [most_field], sh4, [hits0]
+        VTOV    big, [way_t] ? [hits0]
+        rise_to lane_low, way_t
+        VTOV    [lane_at], [crossing_at]
+        load_field P_SEGMENTS, s2
+        ADDN    s2, s2, s2
+        VTOV    s2, [columns_free]
+        XORB    [lane_inside], [lane_inside], [lane_inside]
+        .endm
+
+; ---- The walk
+
+; The register is to be used for the next piece, as long as before.
+        .macro  keep_vector vector
+        CPSV    [\vector], [\vector] ? [hits1]
+        lengthen m, \vector
+        .endm
+
+; The lanes of hits1 alone are left, m of them.
+        .macro  keep_lanes
+        CPSV    [lane_at], [lane_at] ? [hits1]
+        CPSV    [lane_along], [lane_along] ? [hits1]
+        CPSV    [way_t], [way_t] ? [hits1]
+        CPSV    [crossing_at], [crossing_at] ? [hits1]
+        CPSV    [columns_free], [columns_free] ? [hits1]
+        CPSB    [lane_inside], [lane_inside] ? [hits1]
+        first_piece
+        RTOR    pieces_used, pieces_left
+keep_piece\@:
+        keep_vector piece_a
+        keep_vector piece_b
+        keep_vector piece_c
+        keep_vector piece_enter
+        keep_vector piece_leave
+        next_piece
+        IBXNE   pieces_left, minus_one_index, r0, keep_piece\@, pieces_left
+        CNTOB   [hits1], m
+        set_blob_lanes
+        .endm
+
+; To none if no lane is on its way; if half of them are not, these are left out.
+        .macro  leave_lanes none
+        CMPLTV  [way_t], big, [hits1]
+        CNTOB   [hits1], s0
+        IBXEQ   s0, r0, r0, \none
+        ADDX    s0, s0, s0
+        IBXGE   s0, r0, m, leave_lanes\@
+        keep_lanes
+leave_lanes\@:
+        .endm
+
+        .macro  add_to k
+        ADDNV   [\k], [e6], [\k] ? [hits1]
+        .endm
+
+; The field of a piece, in the lanes of hits1, about their way's beginning.
+        .macro  add_piece
+        LOD     [strength_at], s2
+        MPYS    s2, blob_four, s3
+        MPYSV   [piece_a], [way_t], [e0]
+        ADDNV   [piece_b], [e0], [e1]           ; b'
+        ADDNV   [piece_b], [e1], [e2]
+        MPYSV   [e2], [way_t], [e2]
+        ADDNV   [e2], [piece_c], [e2]           ; c'
+        MPYSV   [piece_a], s2, [e3]             ; S a
+        MPYSV   [e1], s3, [e4]                  ; 4 S b'
+        MPYSV   [e2], s2, [e5]                  ; S c'
+        MPYSV   [e3], [piece_a], [e6]
+        add_to  k4
+        MPYSV   [e4], [piece_a], [e6]
+        add_to  k3
+        MPYSV   [e4], [e1], [e6]
+        add_to  k2
+        MPYSV   [e3], [e2], [e6]
+        ADDNV   [e6], [e6], [e6]
+        add_to  k2
+        MPYSV   [e4], [e2], [e6]
+        add_to  k1
+        MPYSV   [e5], [e2], [e6]
+        add_to  k0
+        .endm
+
+; From way_t to way_end, big if nothing follows: the field less T.
+        .macro  next_way
+        VTOV    big, [way_end]
+        VTOV    r0, [k4]
+        VTOV    r0, [k3]
+        VTOV    r0, [k2]
+        VTOV    r0, [k1]
+        SUBN    r0, sh4, s2
+        VTOV    s2, [k0]
+        first_piece
+        RTOR    pieces_used, pieces_left
+way_piece\@:
+        CMPLTV  [way_t], [piece_leave], [hits1]
+        CNTOB   [hits1], s0
+        IBXEQ   s0, r0, r0, way_next\@
+        CMPLTV  [way_t], [piece_enter], [hits0]
+        MASKV   [piece_enter], [piece_leave], [e0] ? [hits0]
+        CMPLTV  [e0], [way_end], [hits2]
+        ANDB    [hits1], [hits2], [hits2]
+        VTOV    [e0], [way_end] ? [hits2]
+        ANDNB   [hits1], [hits0], [hits1]
+        CNTOB   [hits1], s0
+        IBXEQ   s0, r0, r0, way_next\@
+        add_piece
+way_next\@:
+        next_piece
+        IBXNE   pieces_left, minus_one_index, r0, way_piece\@, pieces_left
+        .endm
+
+; hits0: the field is not below T at the beginning; hits1: not all Bernstein
+; coefficients say the same.
+        .macro  differ k
+        CMPGEV  [\k], r0, [hits2]
+        XORB    [hits0], [hits2], [hits2]
+        ORB     [hits1], [hits2], [hits1]
+        .endm
+
+        .macro  look_along
+        SUBNV   [way_end], [way_t], [way_length]
+        CMPLTV  [way_end], big, [hits2]
+        VTOV    r0, [way_length] ?! [hits2]
+        MPYSV   [k1], [way_length], [e0]
+        MPYSV   [way_length], [way_length], [e4]
+        MPYSV   [k2], [e4], [e1]
+        MPYSV   [e4], [way_length], [e5]
+        MPYSV   [k3], [e5], [e2]
+        MPYSV   [e4], [e4], [e5]
+        MPYSV   [k4], [e5], [e3]
+        MPYSV   [e0], blob_quarter, [e4]
+        MPYSV   [e1], blob_sixth, [e5]
+        MPYSV   [e2], blob_quarter, [e6]
+        ADDNV   [k0], [e4], [e7]
+        ADDNV   [e4], [e5], [e4]
+        ADDNV   [e7], [e4], [e8]
+        ADDNV   [e4], [e5], [e4]
+        ADDNV   [e4], [e6], [e4]
+        ADDNV   [e8], [e4], [e9]
+        ADDNV   [k0], [e0], [e10]
+        ADDNV   [e10], [e1], [e10]
+        ADDNV   [e10], [e2], [e10]
+        ADDNV   [e10], [e3], [e10]
+        CMPGEV  [k0], r0, [hits0]
+        XORB    [hits1], [hits1], [hits1]
+        differ  e7
+        differ  e8
+        differ  e9
+        differ  e10
+        .endm
+
+; The roots of the lanes of hits1, told from way_t.
+        .macro  solve_way
+        VTOV    r0, [e5]
+        VTOV    r0, [way_length] ?! [hits1]
+        RTOR    link_inner, lane_link
+        EX      target, solve_quartic_signs
+        call_quartic target, k4, k3, k2, k1, k0, e5, way_length, sh6
+        RTOR    lane_link, link_inner
+        .endm
+
+; A crossing at [e0] in the lanes of hits1.
+        .macro  take_nearest
+        SUBNV   [e0], [lane_along], [e0]
+        VTOVX   [lane_at], [e0], [tin] ? [hits1]
+        VTOVX   [lane_at], [e0], [tout] ? [hits1]
+        VTOV    big, [way_end] ? [hits1]
+        .endm
+
+; .. into the next column, if there is one.
+        .macro  take_crossing
+        CMPLTV  r0, [columns_free], [hits2]
+        ANDB    [hits1], [hits2], [hits2]
+        SUBNV   [e0], [lane_along], [e0]
+        VTOVX   [crossing_at], [e0], [tin] ? [hits2]
+        EX      s2, CROSSING_SIZE
+        ADDXV   [crossing_at], s2, [crossing_at] ? [hits2]
+        SUBNV   [columns_free], one, [columns_free] ? [hits2]
+        .endm
+
+; Where a lane is in the blob by the way before and not by this one, or the other
+; way round, hits1, it crosses at way_t; but the first way has none before.
+        .macro  signs_at_beginning
+        XORB    [lane_inside], [hits0], [hits1]
+        IBXNE   nearest_way, r0, one_index, signs_walked\@
+        XORB    [hits1], [hits1], [hits1]
+        ES      nearest_way, 2
+signs_walked\@:
+        CMPLTV  [way_t], big, [hits2]
+        ANDB    [hits1], [hits2], [hits1]
+        .endm
+
+; At the end a lane is in the blob if it was at the beginning or crosses an odd
+; number of times, but not both.
+        .macro  inside_at_end
+        CMPEQV  [root_count], one, [hits1]
+        XORB    [hits0], [hits1], [lane_inside]
+        ADDN    one, two, s2
+        CMPEQV  [root_count], s2, [hits1]
+        XORB    [lane_inside], [hits1], [lane_inside]
+        .endm
+
+; ---- The routines
+
+; No segments.
+        .macro  clear_segments
+        first_column
+clear_segment:
+        VTOV    big, [column_at]
+        next_column
+        VTOV    minus_big, [column_at]
+        next_column
+        next_segment clear_segment
+        .endm
+
+        .macro  begin_blob
+        load_record P_SHAPE, 7, sh0
+        SUBNV   [ox], sh0, [w8]
+        SUBNV   [oy], sh1, [w9]
+        SUBNV   [oz], sh2, [w10]
+        .endm
+
+; A crossing where the ways meet, and the roots.
+        .macro  take_root number, root
+        CMPLTV  \number, [root_count], [hits1]
+        ADDNV   [way_t], [\root], [e0]
+        take_crossing
+        .endm
+
+        .macro  take_crossings
+        VTOV    [way_t], [e0]
+        take_crossing
+        take_root r0, root0
+        take_root one, root1
+        take_root two, root2
+        ADDN    one, two, s3
+        take_root s3, root3
+        .endm
+
+        .macro  take_first
+        ADDNV   [way_t], [root0], [e0]
+        VTOV    [way_t], [e0] ? [hits1]
+        CMPLTV  r0, [root_count], [hits2]
+        ORB     [hits1], [hits2], [hits1]
+        take_nearest
+        .endm
+
+        .kernel blob
+blob_solid:
+        clear_segments
+        ES      nearest_way, 0
+        begin_blob
+        find_all_lanes w8, w9, w10, sh3, blob_done
+        BIM     blob_lanes
+blob:
+        VTOV    big, [tin]
+        VTOV    minus_big, [tout]
+        ES      nearest_way, 1
+        begin_blob
+        find_lanes w8, w9, w10, sh3, blob_done
+blob_lanes:
+        take_lanes
+        take_pieces
+        EX      s2, blob_numbers
+        ELEN    s2, 3
+        SWAP    [s2], blob_quarter, [r0]        ; and blob_sixth, blob_four
+        leave_lanes blob_done
+blob_walk:
+        next_way
+        look_along
+        CNTOB   [hits1], s0
+        IBXEQ   s0, r0, r0, blob_passed
+        solve_way
+        signs_at_beginning
+        IBXNE   nearest_way, r0, r0, blob_first
+        take_crossings
+        BIM     blob_ended
+blob_first:
+        take_first
+blob_ended:
+        inside_at_end
+        BIM     blob_go_on
+
+; No root: the ways meet with another sign, if at all.
+blob_passed:
+        signs_at_beginning
+        ORB     [hits0], [hits0], [lane_inside]
+        CNTOB   [hits1], s0
+        IBXEQ   s0, r0, r0, blob_go_on
+        VTOV    [way_t], [e0]
+        IBXNE   nearest_way, r0, r0, blob_there
+        take_crossing
+        BIM     blob_go_on
+blob_there:
+        take_nearest
+blob_go_on:
+        VTOV    [way_end], [way_t]
+        leave_lanes blob_done
+        BIM     blob_walk
+blob_done:
+        BIM     0, link_kernel
+        .endkernel
+
+        .endif

@@ -1,0 +1,225 @@
+/* blob.c - blob { threshold .. }: balls and cylinders that melt into each
+ * other, one primitive. */
+#include "rt/scene/language/blob.h"
+
+#include "base/array.h"
+#include "rt/scene/language/expression.h"
+#include "rt/scene/vector.h"
+#include "rt/shapes/blob.h"
+#include "rt/shapes/shape.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct blob_reading {
+    struct scene_object object; /* first: what the modifiers are given */
+    struct scene_token at;      /* its word */
+    struct blob_parts parts;    /* of array_grow, up to the end */
+};
+
+/* ---- A component --------------------------------------------------------- */
+
+static bool read_radius(struct reader *reader, double *radius)
+{
+    struct scene_token at;
+
+    reader_comma(reader);
+    at = reader->token;
+    if (!read_number(reader, radius))
+        return false;
+    *radius = fabs(*radius);
+    return *radius > 0 || reader_fault(reader, &at, "the radius is 0");
+}
+
+static bool read_strength(struct reader *reader, double *strength)
+{
+    reader_comma(reader);
+    reader_accept(reader, "strength");
+    return read_number(reader, strength);
+}
+
+static bool read_ends(struct reader *reader, struct blob_part *part)
+{
+    struct scene_token at = reader->token;
+    double axis[3];
+
+    if (!read_vector(reader, part->base))
+        return false;
+    reader_comma(reader);
+    if (!read_vector(reader, part->cap))
+        return false;
+    subtract3(part->cap, part->base, axis);
+    return length3(axis) > 0
+           || reader_fault(reader, &at, "the cylinder has no length");
+}
+
+static bool read_part(struct reader *reader, struct blob_part *part)
+{
+    return (part->cylinder ? read_ends(reader, part)
+                           : read_vector(reader, part->base))
+           && read_radius(reader, &part->radius)
+           && read_strength(reader, &part->strength);
+}
+
+static bool read_step(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    struct blob_part *part = subject;
+    struct placement step;
+
+    if (!step_read(reader, item, &step))
+        return false;
+    part->to_blob = transform_then(&part->to_blob, &step.to_world);
+    part->to_local = transform_then(&step.to_local, &part->to_local);
+    return true;
+}
+
+/* POV-Ray mixes the textures of components. */
+static bool pass_look(struct reader *reader, void *subject,
+                      const struct item *item)
+{
+    (void)subject;
+    reader_report(reader, &item->at,
+                  "textures of a blob's components are left out: it has one");
+    skip_arguments(reader);
+    return true;
+}
+
+static const struct keyword part_words[] = {
+    STEP_WORDS(read_step),       { "texture", pass_look, 0 },
+    { "pigment", pass_look, 0 }, { "finish", pass_look, 0 },
+    { "normal", pass_look, 0 },  { "uv_mapping", pass_look, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar part_grammar = {
+    "a word that moves the component", { part_words }, NULL
+};
+
+static bool add_part(struct reader *reader, struct blob_reading *blob,
+                     const struct blob_part *part,
+                     const struct scene_token *at)
+{
+    struct blob_part *list;
+
+    if (blob->parts.count == BLOB_PARTS_MOST)
+        return reader_fault(reader, at, "more than %d components in one blob",
+                            BLOB_PARTS_MOST);
+    list = array_grow(blob->parts.list, blob->parts.count, sizeof *list);
+    if (!list)
+        return reader_no_memory(reader);
+    blob->parts.list = list;
+    list[blob->parts.count++] = *part;
+    return true;
+}
+
+/* The keyword's detail: whether it is a cylinder. */
+static bool read_component(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct blob_part part;
+    struct block block;
+    bool good;
+
+    memset(&part, 0, sizeof part);
+    part.cylinder = item->keyword->detail;
+    part.to_blob = part.to_local = placement_none.to_world;
+    if (!block_open(reader, &block, '{'))
+        return false;
+    good = read_part(reader, &part);
+    return block_items(reader, &block, &part_grammar, &part, good)
+           && add_part(reader, subject, &part, &item->at);
+}
+
+/* As POV-Ray once wrote them: strength, radius, centre. */
+static bool read_bare_component(struct reader *reader, void *subject,
+                                const struct item *item)
+{
+    struct blob_part part;
+
+    memset(&part, 0, sizeof part);
+    part.to_blob = part.to_local = placement_none.to_world;
+    if (!read_strength(reader, &part.strength)
+        || !read_radius(reader, &part.radius))
+        return false;
+    reader_comma(reader);
+    return read_vector(reader, part.base)
+           && add_part(reader, subject, &part, &item->at);
+}
+
+/* ---- The blob ------------------------------------------------------------ */
+
+static bool read_threshold(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct blob_reading *blob = subject;
+    struct primitive *primitive = &blob->object.parts->primitive;
+    struct scene_token at = reader->token;
+    double threshold;
+
+    (void)item;
+    if (!read_number(reader, &threshold))
+        return false;
+    primitive->shape.blob.threshold = threshold;
+    return threshold > 0
+           || reader_fault(reader, &at, "the threshold is not above 0");
+}
+
+static const struct keyword blob_words[] = {
+    { "threshold", read_threshold, 0 },
+    { "sphere", read_component, false },
+    { "cylinder", read_component, true },
+    { "component", read_bare_component, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar blob_grammar = {
+    "a component or a word that changes the blob",
+    { blob_words },
+    &modifier_grammar
+};
+
+static bool begin(struct reader *reader, struct blob_reading *blob,
+                  const struct item *item)
+{
+    struct primitive primitive;
+
+    memset(blob, 0, sizeof *blob);
+    memset(&primitive, 0, sizeof primitive);
+    blob->at = item->at;
+    primitive.kind = PRIMITIVE_BLOB;
+    primitive.shape.blob.threshold = 1;
+    return shape_add(reader, &blob->object, &primitive, &item->at);
+}
+
+/* The scene keeps the components. */
+static bool keep(struct reader *reader, struct blob_reading *blob)
+{
+    struct primitive *primitive = &blob->object.parts->primitive;
+    size_t count = blob->parts.count;
+    struct blob_part *list;
+
+    if (count == 0)
+        return reader_fault(reader, &blob->at, "the blob has no component");
+    list = arena_take(&reader->scene->kept, count * sizeof *list);
+    if (!list)
+        return reader_no_memory(reader);
+    memcpy(list, blob->parts.list, count * sizeof *list);
+    primitive->shape.blob.parts = (struct blob_parts){ count, list };
+    return reader_check(reader, &blob->at,
+                        shapes[PRIMITIVE_BLOB]->settle(primitive));
+}
+
+bool blob_read(struct reader *reader, struct scene_object *object,
+               const struct item *item)
+{
+    struct blob_reading blob;
+    struct block block;
+    bool good = begin(reader, &blob, item) && block_open(reader, &block, '{')
+                && block_items(reader, &block, &blob_grammar, &blob, true)
+                && keep(reader, &blob);
+
+    free(blob.parts.list);
+    *object = blob.object;
+    return good;
+}

@@ -1,0 +1,254 @@
+#include "rt/shapes/blob.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "rt/scene/transform.h"
+#include "rt/scene/vector.h"
+#include "rt/shapes/shape.h"
+
+/* rt/scene/language/blob.c reads what stands in its braces. */
+static const struct shape_field fields[] = {
+    { TAKES_END, 0, NULL, 0, NULL },
+};
+
+/* What has no strength adds nothing. */
+static const char *settle(struct primitive *primitive)
+{
+    struct blob_parts *parts = &primitive->shape.blob.parts;
+    size_t kept = 0;
+    bool adds = false;
+
+    for (size_t i = 0; i < parts->count; i++) {
+        adds |= parts->list[i].strength > 0;
+        if (parts->list[i].strength != 0)
+            parts->list[kept++] = parts->list[i];
+    }
+    parts->count = kept;
+    return adds ? NULL : "no component of the blob has a strength above 0";
+}
+
+/* ---- Its bound ----------------------------------------------------------- */
+
+/* About a ball of a part's space, which is placed so. */
+static void bound_ball(const double center[3], double radius,
+                       const struct transform *placed, struct bound *bound)
+{
+    struct primitive ball;
+
+    memset(&ball, 0, sizeof ball);
+    ball.kind = PRIMITIVE_SPHERE;
+    copy3(center, ball.shape.sphere.center);
+    ball.shape.sphere.radius = radius;
+    ball.to_world = *placed;
+    shapes[PRIMITIVE_SPHERE]->bound(&ball, bound);
+}
+
+static void bound_part(const struct blob_part *part,
+                       const struct transform *placed, struct bound *bound)
+{
+    struct transform to_there = transform_then(&part->to_blob, placed);
+    struct bound ends[2];
+
+    bound_ball(part->base, part->radius, &to_there, &ends[0]);
+    bound_ball(part->cylinder ? part->cap : part->base, part->radius,
+               &to_there, &ends[1]);
+    bound_enclose(ends, 2, bound);
+}
+
+/* What adds to the field; the rest only takes from it. */
+static void bound_parts(const struct primitive *primitive,
+                        const struct transform *placed, struct bound *bound)
+{
+    const struct blob_parts *parts = &primitive->shape.blob.parts;
+    struct bound bounds[BLOB_PARTS_MOST];
+    size_t count = 0;
+
+    for (size_t i = 0; i < parts->count; i++)
+        if (parts->list[i].strength > 0)
+            bound_part(&parts->list[i], placed, &bounds[count++]);
+    bound_enclose(bounds, count, bound);
+}
+
+static void put_bound(const struct primitive *primitive, struct bound *bound)
+{
+    bound_parts(primitive, &primitive->to_world, bound);
+}
+
+/* ---- How often a ray crosses it ------------------------------------------ */
+
+static bool takes_away(const struct blob_parts *parts)
+{
+    for (size_t i = 0; i < parts->count; i++)
+        if (parts->list[i].strength < 0)
+            return true;
+    return false;
+}
+
+/* A ray enters and leaves a ball, and a cylinder passes from one of its three
+ * pieces to the next.  Between two of all these places the field is a quartic: it
+ * has one maximum, or two if it may bend downwards at its ends. */
+static size_t segments(const struct primitive *primitive)
+{
+    const struct blob_parts *parts = &primitive->shape.blob.parts;
+    size_t events = 0;
+
+    for (size_t i = 0; i < parts->count; i++)
+        events += parts->list[i].cylinder ? 4 : 2;
+    return (events - 1) * (takes_away(parts) ? 2 : 1);
+}
+
+size_t blob_pieces(const struct primitive *primitive)
+{
+    const struct blob_parts *parts = &primitive->shape.blob.parts;
+    size_t pieces = 0;
+
+    for (size_t i = 0; i < parts->count; i++)
+        pieces += parts->list[i].cylinder ? 3 : 1;
+    return pieces;
+}
+
+size_t blob_pieces_most(const struct scene *scene)
+{
+    size_t most = 0;
+
+    for (size_t i = 0; i < scene->primitive_count; i++) {
+        const struct primitive *primitive = &scene->primitives[i];
+
+        if (primitive->kind == PRIMITIVE_BLOB
+            && blob_pieces(primitive) > most)
+            most = blob_pieces(primitive);
+    }
+    return most;
+}
+
+/* ---- Its words ----------------------------------------------------------- */
+
+/* The rows of its table are told in records.s. */
+enum {
+    ROW_KIND,
+    ROW_CENTER,
+    ROW_SQUARE = ROW_CENTER + 3,
+    ROW_INVERSE,
+    ROW_STRENGTH,
+    ROW_LENGTH,
+    ROW_MATRIX,
+    ROW = ROW_MATRIX + 12
+};
+enum part_kind { BALL, ELLIPSOID, CYLINDER };
+
+/* Its own centre, and how far it reaches from there. */
+static void find_center(const struct primitive *primitive,
+                        struct bound *bound)
+{
+    bound_parts(primitive, &placement_none.to_world, bound);
+}
+
+static size_t put_words(const struct primitive *primitive, double *words)
+{
+    struct bound bound;
+    double radius;
+
+    find_center(primitive, &bound);
+    radius = 1.001 * bound.radius;
+    copy3(bound.center, words);
+    words[3] = radius * radius;
+    words[4] = primitive->shape.blob.threshold;
+    words[5] = (double)primitive->shape.blob.parts.count;
+    words[6] = radius * ROOT_RESOLUTION;
+    return 7;
+}
+
+/* Does it only shift? */
+static bool keeps_balls(const struct transform *transform)
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            if (transform->rows[i][j] != (i == j))
+                return false;
+    return true;
+}
+
+/* Three unit vectors, the last along the axis of a cylinder. */
+static void put_axes(const struct blob_part *part, double axes[3][3])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            axes[i][j] = i == j;
+    if (!part->cylinder)
+        return;
+    subtract3(part->cap, part->base, axes[2]);
+    scale3(1 / length3(axes[2]), axes[2]);
+    axes[0][0] = fabs(axes[2][0]) < .7;
+    axes[0][1] = !axes[0][0];
+    cross3(axes[2], axes[0], axes[1]);
+    scale3(1 / length3(axes[1]), axes[1]);
+    cross3(axes[1], axes[2], axes[0]);
+}
+
+/* To where the part has the radius one, its base is the origin, and the axis of a
+ * cylinder goes along z: from points told from the blob's centre. */
+static void put_matrix(const struct blob_part *part, const double center[3],
+                       double *matrix)
+{
+    double axes[3][3], origin[3];
+
+    put_axes(part, axes);
+    copy3(center, origin);
+    transform_point(&part->to_local, origin);
+    subtract3(origin, part->base, origin);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++)
+            for (int k = 0; k < 3; k++)
+                matrix[4 * i + j] += axes[i][k] * part->to_local.rows[k][j]
+                                     / part->radius;
+        matrix[4 * i + 3] = dot3(axes[i], origin) / part->radius;
+    }
+}
+
+static void put_row(const struct blob_part *part, const double center[3],
+                    double *row)
+{
+    double axis[3];
+
+    row[ROW_KIND] = part->cylinder                 ? CYLINDER
+                    : keeps_balls(&part->to_local) ? BALL
+                                                   : ELLIPSOID;
+    copy3(part->base, row + ROW_CENTER);
+    transform_point(&part->to_blob, row + ROW_CENTER);
+    subtract3(row + ROW_CENTER, center, row + ROW_CENTER);
+    row[ROW_SQUARE] = part->radius * part->radius;
+    row[ROW_INVERSE] = 1 / row[ROW_SQUARE];
+    row[ROW_STRENGTH] = part->strength;
+    subtract3(part->cap, part->base, axis);
+    row[ROW_LENGTH] = part->cylinder ? length3(axis) / part->radius : 0;
+    put_matrix(part, center, row + ROW_MATRIX);
+}
+
+static size_t put_table(const struct primitive *primitive, double *table)
+{
+    const struct blob_parts *parts = &primitive->shape.blob.parts;
+    struct bound bound;
+
+    if (table) {
+        find_center(primitive, &bound);
+        for (size_t i = 0; i < parts->count; i++)
+            put_row(&parts->list[i], bound.center, table + ROW * i);
+    }
+    return ROW * parts->count;
+}
+
+const struct shape shape_blob = {
+    .fields = fields,
+    .settle = settle,
+    .povray = "blob",
+    .bound = put_bound,
+    .words = put_words,
+    .table = put_table,
+    .segments = segments,
+    .region = "blob",
+    .kernels = { .kernel = "blob",
+                 .normal = "normal_blob",
+                 .segments = 1,
+                 .solid = "blob_solid" },
+};

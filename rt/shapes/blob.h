@@ -1,0 +1,16 @@
+/* blob.h - what must be known of blobs before the program is assembled. */
+#ifndef RT_BLOB_H
+#define RT_BLOB_H
+
+#include "rt/shapes/primitive.h"
+
+enum { BLOB_PARTS_MOST = 256 };
+
+/* The pieces of which its field is made along a ray: a ball is one, a cylinder
+ * three. */
+size_t blob_pieces(const struct primitive *primitive);
+/* The most of a blob of the scene: the kernels are assembled with room for so
+ * many (BLOB_PIECES in records.s).  0: there are no blobs. */
+size_t blob_pieces_most(const struct scene *scene);
+
+#endif
