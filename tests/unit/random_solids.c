@@ -15,7 +15,7 @@ double size_between(double low, double high)
     return solids.gridded ? ceil(4 * size) / 4 : size;
 }
 
-static double place_between(double low, double high)
+double place_between(double low, double high)
 {
     double place = between(low, high);
 

@@ -22,6 +22,7 @@ size_t below(size_t count);
 
 /* Of a shape: a size, which is above 0, or a place. */
 double size_between(double low, double high);
+double place_between(double low, double high);
 double angle(void);
 
 void add_gradient(char *text, size_t size);

@@ -15,6 +15,17 @@ struct blob_reading {
     struct scene_object object; /* first: what the modifiers are given */
     struct scene_token at;      /* its word */
     struct blob_parts parts;    /* of array_grow, up to the end */
+    struct scene_token
+        look_at; /* the first texture of a component; it is that
+                                   of the object's part */
+};
+
+/* A component, and how it looks. */
+struct part_reading {
+    struct blob_part part;
+    struct texture texture;
+    bool textured;
+    struct scene_token look_at;
 };
 
 /* ---- A component --------------------------------------------------------- */
@@ -64,31 +75,52 @@ static bool read_part(struct reader *reader, struct blob_part *part)
 static bool read_step(struct reader *reader, void *subject,
                       const struct item *item)
 {
-    struct blob_part *part = subject;
+    struct part_reading *reading = subject;
+    struct blob_part *part = &reading->part;
     struct placement step;
 
     if (!step_read(reader, item, &step))
         return false;
     part->to_blob = transform_then(&part->to_blob, &step.to_world);
     part->to_local = transform_then(&step.to_local, &part->to_local);
+    pigment_move(&reading->texture.pigment, &step);
     return true;
 }
 
-/* POV-Ray mixes the textures of components. */
-static bool pass_look(struct reader *reader, void *subject,
-                      const struct item *item)
+static struct texture *own_texture(struct part_reading *reading,
+                                   const struct item *item)
 {
-    (void)subject;
-    reader_report(reader, &item->at,
-                  "textures of a blob's components are left out: it has one");
-    skip_arguments(reader);
-    return true;
+    if (!reading->textured)
+        reading->look_at = item->at;
+    reading->textured = true;
+    return &reading->texture;
+}
+
+static bool read_texture(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    return texture_read(reader, own_texture(subject, item));
+}
+
+static bool read_pigment(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    return pigment_read(reader, &own_texture(subject, item)->pigment);
+}
+
+static bool read_finish(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    return finish_read(reader, &own_texture(subject, item)->finish);
 }
 
 static const struct keyword part_words[] = {
-    STEP_WORDS(read_step),       { "texture", pass_look, 0 },
-    { "pigment", pass_look, 0 }, { "finish", pass_look, 0 },
-    { "normal", pass_look, 0 },  { "uv_mapping", pass_look, 0 },
+    STEP_WORDS(read_step),
+    { "texture", read_texture, 0 },
+    { "pigment", read_pigment, 0 },
+    { "finish", read_finish, 0 },
+    { "normal", item_left_out, 0 },
+    { "uv_mapping", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
@@ -113,22 +145,39 @@ static bool add_part(struct reader *reader, struct blob_reading *blob,
     return true;
 }
 
+/* POV-Ray mixes the textures of components; here the blob has one. */
+static void take_look(struct blob_reading *blob,
+                      const struct part_reading *reading)
+{
+    struct scene_part *part = blob->object.parts;
+
+    if (!reading->textured || part->textured)
+        return;
+    blob->look_at = reading->look_at;
+    part->textured = true;
+    part->primitive.pigment = reading->texture.pigment;
+    part->primitive.finish = reading->texture.finish;
+}
+
 /* The keyword's detail: whether it is a cylinder. */
 static bool read_component(struct reader *reader, void *subject,
                            const struct item *item)
 {
-    struct blob_part part;
+    struct part_reading reading;
     struct block block;
     bool good;
 
-    memset(&part, 0, sizeof part);
-    part.cylinder = item->keyword->detail;
-    part.to_blob = part.to_local = placement_none.to_world;
+    memset(&reading, 0, sizeof reading);
+    reading.texture = reader->default_texture;
+    reading.part.cylinder = item->keyword->detail;
+    reading.part.to_blob = reading.part.to_local = placement_none.to_world;
     if (!block_open(reader, &block, '{'))
         return false;
-    good = read_part(reader, &part);
-    return block_items(reader, &block, &part_grammar, &part, good)
-           && add_part(reader, subject, &part, &item->at);
+    good = read_part(reader, &reading.part);
+    if (!block_items(reader, &block, &part_grammar, &reading, good))
+        return false;
+    take_look(subject, &reading);
+    return add_part(reader, subject, &reading.part, &item->at);
 }
 
 /* As POV-Ray once wrote them: strength, radius, centre. */
@@ -192,6 +241,20 @@ static bool begin(struct reader *reader, struct blob_reading *blob,
     return shape_add(reader, &blob->object, &primitive, &item->at);
 }
 
+/* The same only if there is one. */
+static void settle_look(struct reader *reader, struct blob_reading *blob)
+{
+    struct scene_part *part = blob->object.parts;
+    bool own = blob->object.textured;
+
+    if (!part->textured || (blob->parts.count == 1 && !own))
+        return;
+    reader_report(reader, &blob->look_at,
+                  "the textures of a blob's components are replaced by %s",
+                  own ? "that of the blob" : "the first");
+    part->textured = !own;
+}
+
 /* The scene keeps the components. */
 static bool keep(struct reader *reader, struct blob_reading *blob)
 {
@@ -206,6 +269,7 @@ static bool keep(struct reader *reader, struct blob_reading *blob)
         return reader_no_memory(reader);
     memcpy(list, blob->parts.list, count * sizeof *list);
     primitive->shape.blob.parts = (struct blob_parts){ count, list };
+    settle_look(reader, blob);
     return reader_check(reader, &blob->at,
                         shapes[PRIMITIVE_BLOB]->settle(primitive));
 }

@@ -1,0 +1,313 @@
+/* Blobs: both forms of the tracer agree with each other and the plain tracer,
+ * for components of any kind, alone and in solids, and meet them where geometry
+ * says.
+ *
+ *     test_blobs [SCENES [SEED]]
+ */
+#define MIDDLING_FRAMES
+#include "tests/unit/random_solids.h"
+
+#include "rt/shapes/shape_words.h"
+#include "tests/oracle/plain_shapes.h"
+
+static size_t scene_count = 4; /* of each sort */
+
+/* ---- Components ---------------------------------------------------------- */
+
+/* On a grid ends, planes and axes of several coincide, some with rays. */
+static void add_place(char *text, size_t size, double reach)
+{
+    add_text(text, size, "<%.4f, %.4f, %.4f>", place_between(-reach, reach),
+             place_between(-reach, reach), place_between(-reach, reach));
+}
+
+/* Every fifth takes away. */
+static void add_strength(char *text, size_t size)
+{
+    add_text(text, size, ", %s%s%.4f ", below(2) ? "strength " : "",
+             below(5) ? "" : "-", between(.5, 2));
+}
+
+static void add_motions(char *text, size_t size)
+{
+    if (below(3) == 0)
+        add_text(text, size, "scale <%.4f, %.4f, %.4f> ",
+                 size_between(.5, 1.5), size_between(.5, 1.5),
+                 size_between(.5, 1.5));
+    if (below(3) == 0)
+        add_text(text, size, "rotate <%.2f, %.2f, %.2f> ", angle(), angle(),
+                 angle());
+    if (below(3) == 0) {
+        add_text(text, size, "translate ");
+        add_place(text, size, .5);
+    }
+}
+
+static void add_cylinder_part(char *text, size_t size)
+{
+    double from[3], way[3];
+
+    for (int i = 0; i < 3; i++) {
+        from[i] = place_between(-1, .5);
+        way[i] = solids.gridded && below(2) ? 0 : size_between(.25, 1);
+    }
+    if (way[0] + way[1] + way[2] == 0)
+        way[below(3)] = .75;
+    add_text(text, size,
+             "cylinder { <%.4f, %.4f, %.4f>, <%.4f, %.4f, %.4f>, ", from[0],
+             from[1], from[2], from[0] + way[0], from[1] + way[1],
+             from[2] + way[2]);
+}
+
+static void add_component(char *text, size_t size)
+{
+    if (below(2)) {
+        add_cylinder_part(text, size);
+    } else {
+        add_text(text, size, "sphere { ");
+        add_place(text, size, 1);
+        add_text(text, size, ", ");
+    }
+    add_text(text, size, "%.4f", size_between(.4, 1));
+    add_strength(text, size);
+    if (below(2))
+        add_motions(text, size);
+    add_text(text, size, "} ");
+}
+
+/* The first is there for certain. */
+static void add_any_blob(char *text, size_t size)
+{
+    add_text(text, size, "blob { threshold %.4f sphere { ", between(.2, .8));
+    add_place(text, size, .5);
+    add_text(text, size, ", %.4f, 1.5 } ", size_between(.5, 1));
+    for (size_t i = below(6); i > 0; i--)
+        add_component(text, size);
+}
+
+static void add_moved_blob(char *text, size_t size)
+{
+    add_any_blob(text, size);
+    add_text(text, size, " scale <1.6, %.2f, 1.4> rotate <%.2f, %.2f, %.2f> ",
+             between(1, 2), angle(), angle(), angle());
+    add_text(text, size, "translate ");
+    add_point(text, size, 1.3);
+    add_text(text, size, " ");
+}
+
+static void test_random_scenes(void **state)
+{
+    (void)state;
+    for (int gridded = 0; gridded < 2; gridded++) {
+        solids.gridded = gridded;
+        check_random_scenes(add_moved_blob, scene_count);
+    }
+    solids.gridded = false;
+}
+
+/* ---- Solids -------------------------------------------------------------- */
+
+static void add_part(char *text, size_t size)
+{
+    if (below(3))
+        add_any_blob(text, size);
+    else if (below(2))
+        add_text(text, size, "sphere { 0, %.4f ", size_between(.5, 1.2));
+    else
+        add_text(text, size, "box { -%.4f, %.4f ", size_between(.5, 1),
+                 size_between(.5, 1));
+    add_look(text, size);
+    add_text(text, size, below(8) ? "" : "inverse ");
+    if (below(2))
+        add_text(text, size, "rotate <%.2f, %.2f, %.2f> ", angle(), angle(),
+                 angle());
+    add_text(text, size, "translate ");
+    add_place(text, size, .5);
+    add_text(text, size, "}\n");
+}
+
+static void write_solids(char *text, size_t size)
+{
+    static const char *const joined[] = { "difference", "intersection",
+                                          "merge", "union" };
+
+    text[0] = '\0';
+    add_text(
+        text, size,
+        "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
+        "background { rgb <.2, .3, .5> } light_source { <%.1f, 8, -7>, .7 }\n"
+        "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n",
+        between(-7, 7), place_between(-2, 2), place_between(-2, 2));
+    for (size_t solids_left = 2; solids_left > 0; solids_left--) {
+        add_text(text, size, "%s {\n", joined[below(4)]);
+        for (size_t i = 2 + below(3); i > 0; i--)
+            add_part(text, size);
+        add_text(text, size, "translate ");
+        add_place(text, size, .5);
+        add_text(text, size, "}\n");
+    }
+}
+
+/* One frame of all stages, of both ways to the nearest, and without bounds. */
+static void check_solids(const char *text)
+{
+    struct words *words = plain_frame(text), *others;
+
+    check_paper_stage(text, words);
+    traced.visible = VISIBLE_EVERY;
+    traced.no_bounds = true;
+    others = same_frame(text);
+    traced.visible = VISIBLE_DEFAULT;
+    traced.no_bounds = false;
+    if (memcmp(words, others, sizeof *words) != 0)
+        fail_msg("every crossing without bounds gives another frame of\n%s",
+                 text);
+    free(words);
+    free(others);
+}
+
+static void test_solids(void **state)
+{
+    static char text[1 << 16];
+
+    (void)state;
+    for (size_t i = 0; i < 2 * scene_count; i++) {
+        solids.clear = i % 2;
+        solids.gridded = i % 4 >= 2;
+        write_solids(text, sizeof text);
+        check_solids(text);
+    }
+    solids.gridded = solids.clear = false;
+}
+
+/* ---- What geometry says -------------------------------------------------- */
+
+/* (1 - 3/4)^2 = 1/16: a ball of the radius r is seen as one of r sqrt 3 / 2. */
+#define HALF "threshold .0625 "
+#define SEEN 0.86602540378443865
+
+static void test_middle(void **state)
+{
+    (void)state;
+    check_middle(AHEAD "blob { " HALF "sphere { 0, 2, 1 } }", 1,
+                 5 - 2 * SEEN);
+    /* below, beside, too weak, taken away */
+    check_middle(AHEAD "blob { " HALF "sphere { 2*y, 2, 1 } }", 0, 0);
+    check_middle(AHEAD "blob { " HALF "sphere { 0, 2, .0624 } }", 0, 0);
+    check_middle(AHEAD "blob { " HALF "sphere { 0, 2, 1 }"
+                       " sphere { 0, 2.5, -1 } }",
+                 0, 0);
+    /* sums */
+    check_middle(AHEAD "blob { " HALF "sphere { 0, 2, .04 }"
+                       " sphere { 0, 2, .04 } sphere { 0, 2, .92 } }",
+                 1, 5 - 2 * SEEN);
+    /* a ball's half, the side, and the other end, from both sides */
+    check_middle(AHEAD "blob { " HALF "cylinder { 0, 2*z, 2, 1 } }", 1,
+                 5 - 2 * SEEN);
+    check_middle(AHEAD "blob { " HALF "cylinder { 2*z, 0, 2, 1 } }", 1,
+                 5 - 2 * SEEN);
+    check_middle(AHEAD "blob { " HALF "cylinder { -x, x, 2, 1 } }", 1,
+                 5 - 2 * SEEN);
+    check_middle(AHEAD "blob { " HALF "cylinder { x, 3*x, 2, 1 } }", 1,
+                 5 - sqrt(2));
+    /* in the plane of an end, which belongs to both */
+    check_middle(AHEAD "blob { " HALF "cylinder { 0, 3*x, 2, 1 } }", 1,
+                 5 - 2 * SEEN);
+    check_middle(AHEAD "blob { " HALF "cylinder { -3*y, 0, 2, 1 } }", 1,
+                 5 - 2 * SEEN);
+    /* moved, stretched */
+    check_middle(AHEAD "blob { " HALF "sphere { x, 1, 1 translate -x"
+                       " scale <1, 1, 2> } }",
+                 1, 5 - 2 * SEEN);
+    check_middle(AHEAD "blob { " HALF "cylinder { -x, x, 1, 1 scale 2"
+                       " rotate 90*z } rotate 30*y }",
+                 1, 5 - 2 * SEEN);
+    /* from within, and behind */
+    check_middle(AHEAD "blob { " HALF "sphere { -5*z, 2, 1 } }", 1, 2 * SEEN);
+    check_middle(AHEAD "blob { " HALF "sphere { -8*z, 2, 1 } }", 0, 0);
+    /* in solids */
+    check_middle(AHEAD "intersection { blob { " HALF "sphere { 0, 2, 1 } }"
+                       " plane { -z, 1 } }",
+                 2, 4);
+    check_middle(AHEAD "difference { sphere { 0, 3 } blob { " HALF
+                       "cylinder { -4*z, 0, 2, 1 } } }",
+                 2, 5 + 2 * SEEN);
+}
+
+/* Three humps of two balls: the most that a line can meet.  With the distance a
+ * between them and the middle, the field falls from there to s^2 = 1 - 3 a^2, and
+ * has a hump at a. */
+#define HUMPS \
+    "blob { threshold .997 sphere { -.52*z, 1, 1 } sphere { .52*z, 1, 1 }" \
+    " scale 2 "
+
+static void test_humps(void **state)
+{
+    static const char *const cuts[] = { "-1.06", "-.9", "0", ".9", "1.06" };
+    static const struct ray ray = { { 0, 0, -5 }, { 0, 0, 1 } };
+    struct crossing crossings[MOST_CROSSINGS];
+    struct scene *scene = read_text(HUMPS "}");
+    struct shape_words words;
+
+    (void)state;
+    shape_words(scene->primitives, &words);
+    assert_int_equal(words.segments, 3);
+    assert_int_equal(plain_crossings(scene->primitives, &ray, crossings), 6);
+    scene_free(scene);
+    for (int i = 0; i < 5; i++) {
+        char text[600];
+
+        snprintf(text, sizeof text,
+                 AHEAD "intersection { " HUMPS "} plane { -z, -(%s) } }",
+                 cuts[i]);
+        free(plain_frame(text));
+    }
+}
+
+/* ---- Normals ------------------------------------------------------------- */
+
+static void test_inside(void **state)
+{
+    (void)state;
+    for (int try = 0; try < 200; try++) {
+        char text[4000] = "";
+        const struct ray ray = { { between(-1, 1), between(-1, 1), -9 },
+                                 { between(-.1, .1), between(-.1, .1), 1 } };
+        struct crossing crossings[MOST_CROSSINGS];
+        struct scene *scene;
+        size_t count;
+
+        add_any_blob(text, sizeof text);
+        add_text(text, sizeof text, "}");
+        scene = read_text(text);
+        count = plain_crossings(scene->primitives, &ray, crossings);
+        assert_int_equal(count % 2, 0);
+        for (size_t i = 0; i < count; i++) {
+            double point[3], out[3];
+
+            point_on(&ray, crossings[i].distance, point);
+            normalise(crossings[i].normal);
+            add_scaled(out, point, 1e-6, crossings[i].normal);
+            assert_false(plain_encloses(scene->primitives, out));
+            add_scaled(out, point, -1e-6, crossings[i].normal);
+            assert_true(plain_encloses(scene->primitives, out));
+        }
+        scene_free(scene);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_inside), cmocka_unit_test(test_middle),
+        cmocka_unit_test(test_humps),  cmocka_unit_test(test_random_scenes),
+        cmocka_unit_test(test_solids),
+    };
+
+    if (argc > 1)
+        scene_count = strtoul(argv[1], NULL, 10);
+    if (argc > 2)
+        traced.random ^= strtoull(argv[2], NULL, 10) << 13;
+    return cmocka_run_group_tests_name("blobs", tests, set_up_frames,
+                                       tear_down_model);
+}

@@ -1,0 +1,216 @@
+/* test_scene_blobs.c - the scene language: blobs. */
+#include "tests/unit/scene_reading.h"
+
+#include "rt/scene/vector.h"
+#include "rt/shapes/blob.h"
+#include "rt/shapes/shape_words.h"
+
+static const struct blob_part *parts_of(const struct scene *scene,
+                                        size_t count)
+{
+    assert_int_equal(scene->primitive_count, 1);
+    assert_int_equal(scene->primitives->kind, PRIMITIVE_BLOB);
+    assert_int_equal(scene->primitives->shape.blob.parts.count, count);
+    return scene->primitives->shape.blob.parts.list;
+}
+
+static void assert_part(const struct blob_part *part, bool cylinder,
+                        double radius, double strength)
+{
+    assert_int_equal(part->cylinder, cylinder);
+    assert_close(part->radius, radius, 0);
+    assert_close(part->strength, strength, 0);
+}
+
+static void test_components(void **state)
+{
+    struct scene *scene = read_scene(
+        "blob { threshold .7 sphere { <1, 2, 3>, -2, strength 4 }"
+        " cylinder { x 2*y .5 strength -1 } component .5, 3, z"
+        " sphere { 0 1, 0 } threshold .6 sphere { 0, 1, 1 } sturm 1"
+        " hierarchy off }");
+    const struct blob_part *parts = parts_of(scene, 4);
+
+    (void)state;
+    assert_close(scene->primitives->shape.blob.threshold, .6, 0);
+    assert_part(&parts[0], false, 2, 4);
+    assert_vector(parts[0].base, 1, 2, 3);
+    assert_part(&parts[1], true, .5, -1);
+    assert_vector(parts[1].base, 1, 0, 0);
+    assert_vector(parts[1].cap, 0, 2, 0);
+    assert_part(&parts[2], false, 3, .5);
+    assert_vector(parts[2].base, 0, 0, 1);
+    assert_part(&parts[3], false, 1, 1);
+    scene_free(scene);
+    scene = read_scene("blob { sphere { 0, 1, 2 } }");
+    assert_close(scene->primitives->shape.blob.threshold, 1, 0);
+    scene_free(scene);
+}
+
+/* A component moves within the blob, and the blob with it. */
+static void test_motions(void **state)
+{
+    struct scene *scene = read_scene(
+        "blob { sphere { x, 1, 2 scale 2 rotate 90*z translate <1, 0, 5> }"
+        " translate 3*y }");
+    const struct blob_part *part = parts_of(scene, 1);
+    double center[3] = { 1, 0, 0 }, back[3] = { 1, 2, 5 };
+
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        center[i] = dot3(part->to_blob.rows[i], part->base)
+                    + part->to_blob.rows[i][3];
+        back[i] = dot3(part->to_local.rows[i], (double[]){ 1, 2, 5 })
+                  + part->to_local.rows[i][3];
+    }
+    assert_vector(center, 1, 2, 5);
+    assert_vector(back, 1, 0, 0);
+    assert_close(scene->primitives->to_world.rows[1][3], 3, 0);
+    scene_free(scene);
+}
+
+/* Looks of components are one report; those of the blob are its own. */
+static void test_looks(void **state)
+{
+    static const char text[] =
+        "blob { sphere { 0, 1, 2 pigment { rgb x } finish { ambient 1 } }"
+        " cylinder { 0, x, 1, 1 texture { pigment { rgb y } } scale 2 }%s }";
+    static const char *const own[] = { " pigment { rgb <.25, .5, .75> }",
+                                       "" };
+    static const char *const by[] = { "by that of the blob", "by the first" };
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        char blob[400];
+        struct scene *scene;
+
+        snprintf(blob, sizeof blob, text, own[i]);
+        scene = read_with(blob, 1);
+        parts_of(scene, 2);
+        if (i == 0)
+            assert_vector(scene->primitives->pigment.color[0], .25, .5, .75);
+        else
+            assert_vector(scene->primitives->pigment.color[0], 1, 0, 0);
+        scene_free(scene);
+        assert_error(blob, &strict_options, 1, 25, by[i]);
+    }
+}
+
+/* One has the look of its component, which moves with that and with the blob. */
+static void test_one_look(void **state)
+{
+    struct scene *scene = read_scene(
+        "blob { sphere { 0, 1, 2 pigment { rgb z } translate x } scale 2 }");
+    const struct pigment *pigment = &scene->primitives->pigment;
+
+    (void)state;
+    assert_vector(pigment->color[0], 0, 0, 1);
+    assert_close(pigment->to_local.rows[0][0], .5, 0);
+    assert_close(pigment->to_local.rows[0][3], -1, 0);
+    scene_free(scene);
+}
+
+static void test_errors(void **state)
+{
+    static const struct line_error errors[] = {
+        { "blob { }", 1, "the blob has no component" },
+        { "blob { threshold .5 }", 1, "the blob has no component" },
+        { "blob { threshold 0 sphere { 0, 1, 1 } }", 18,
+          "the threshold is not above 0" },
+        { "blob { threshold -1 sphere { 0, 1, 1 } }", 18,
+          "the threshold is not above 0" },
+        { "blob { sphere { 0, 0, 1 } }", 20, "the radius is 0" },
+        { "blob { cylinder { x, x, 1, 1 } }", 19,
+          "the cylinder has no length" },
+        { "blob { component 1, 0, x }", 21, "the radius is 0" },
+        { "blob { sphere { 0, 1 } }", 22, "expected a number" },
+        { "blob { sphere { 0, 1, -1 } sphere { 0, 1, 0 } }", 1,
+          "no component of the blob has a strength above 0" },
+        { "blob { sphere { 0, 1, 1 interior { ior 2 } } }", 25,
+          "a word that moves the component" },
+        { "blob { sphere { 0, 1, 1 } box { 0, 1 } }", 27,
+          "a component or a word that changes the blob" },
+        { "blob { sphere { 0, 1, 1 } sturm sphere { 0, 1, 1 } }", 33,
+          "a word that changes the object" },
+        { "blob { #for (I, 1, 257) sphere { 0, 1, 1 } #end }", 25,
+          "more than 256 components in one blob" },
+        { "blob { sphere { 0, 1e200, 1 } }", 1,
+          "the blob is too large or too small" },
+    };
+
+    (void)state;
+    assert_errors(errors, COUNT(errors));
+}
+
+/* ---- What the machine is told -------------------------------------------- */
+
+static size_t pieces_of(const char *text)
+{
+    struct scene *scene = read_scene(text);
+    size_t pieces = blob_pieces_most(scene);
+
+    scene_free(scene);
+    return pieces;
+}
+
+static void test_pieces(void **state)
+{
+    (void)state;
+    assert_int_equal(pieces_of("sphere { 0, 1 }"), 0);
+    assert_int_equal(pieces_of("blob { sphere { 0, 1, 1 } }"), 1);
+    assert_int_equal(pieces_of("blob { sphere { 0, 1, 1 }"
+                               " cylinder { 0, x, 1, 1 } }"
+                               " blob { sphere { 0, 1, 1 } }"),
+                     4);
+}
+
+/* The rows of its table: an own space in which the radius is one, the base the
+ * origin, the axis along z. */
+static void test_rows(void **state)
+{
+    enum { ROW = 20, LENGTH = 7, MATRIX = 8 };
+    struct scene *scene = read_scene(
+        "blob { cylinder { <1, 2, 3>, <1, 5, 7>, .5, 2 scale <1, 2, 1> }"
+        " sphere { <1, 2, 3>, .5, 1 translate x } sphere { 0, 2, 1 scale 2 } "
+        "}");
+    const struct primitive *primitive = scene->primitives;
+    struct shape_words words;
+    double *table = shape_table(primitive, 3 * ROW);
+    static const double ends[2][3] = { { 1, 4, 3 }, { 1, 10, 7 } };
+
+    (void)state;
+    assert_int_equal(shape_table_count(primitive), 3 * ROW);
+    shape_words(primitive, &words);
+    assert_close(words.words[4], 1, 0);
+    assert_close(words.words[5], 3, 0);
+    assert_close(table[0], 2, 0);
+    assert_close(table[LENGTH], 10, CLOSE);
+    for (int end = 0; end < 2; end++) {
+        double own[3], from[3];
+
+        subtract3(ends[end], words.words, from);
+        for (int i = 0; i < 3; i++)
+            own[i] = dot3(table + MATRIX + 4 * i, from)
+                     + table[MATRIX + 4 * i + 3];
+        assert_vector(own, 0, 0, end * 10);
+    }
+    assert_close(table[ROW], 0, 0);
+    assert_close(table[ROW + 1] + words.words[0], 2, CLOSE);
+    assert_close(table[ROW + 4], .25, 0);
+    assert_close(table[ROW + 5], 4, 0);
+    assert_close(table[2 * ROW], 1, 0);
+    free(table);
+    scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_components), cmocka_unit_test(test_motions),
+        cmocka_unit_test(test_looks),      cmocka_unit_test(test_one_look),
+        cmocka_unit_test(test_errors),     cmocka_unit_test(test_pieces),
+        cmocka_unit_test(test_rows),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
