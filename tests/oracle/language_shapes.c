@@ -146,6 +146,60 @@ static void open_prism(struct language *draw)
     end_line(draw);
 }
 
+/* Balls and rods that melt together; what is taken away leaves a dent.  Small
+ * parts are not drawn: POV-Ray sees nothing of a blob within a hundredth of where a
+ * ray begins.  Nor is sturm, with which it loses a crossing now and then. */
+static void say_component(struct language *draw)
+{
+    bool rod = one_in(&draw->state, 2);
+    open_block(draw, rod ? "cylinder {" : "sphere {");
+    begin_line(draw);
+    say_point(draw, -.4, .4);
+    say(draw, ", ");
+    if (rod) {
+        say_point(draw, .1, .5);
+        say(draw, ", ");
+    }
+    say_number(draw, .4, .7);
+    SAY_ONE_OF(draw, ", ", ", strength ", " strength ");
+    say(draw, "%s%.4f\n", one_in(&draw->state, 5) ? "-" : "",
+        between(&draw->state, .5, 1.2));
+    if (one_in(&draw->state, 3))
+        say_line(draw, "scale <%.3f, %.3f, 1> rotate <0, %.1f, %.1f>",
+                 between(&draw->state, .7, 1.2),
+                 between(&draw->state, .7, 1.2), between(&draw->state, 0, 90),
+                 between(&draw->state, 0, 90));
+    close_block(draw, "}");
+}
+
+static void open_blob(struct language *draw)
+{
+    open_block(draw, "blob {");
+    say_line(draw, "threshold %.4f", between(&draw->state, .2, .6));
+    say_line(draw, "sphere { <%.3f, 0, %.3f>, .8, 1.3 }",
+             between(&draw->state, -.3, .3), between(&draw->state, -.3, .3));
+    for (size_t left = below(&draw->state, 4); left > 0; left--)
+        say_component(draw);
+    if (one_in(&draw->state, 2))
+        say_line(draw, "component .8, .7, <0, %.3f, 0>",
+                 between(&draw->state, -.5, .5));
+}
+
+/* Now and then, instead of another shape: scenes that have none are as they were
+ * before there were blobs. */
+static bool opens_blob(struct language *draw)
+{
+    uint64_t kept = draw->state, state = kept * 7 + 3;
+    for (int i = 0; i < 8; i++)
+        xorshift(&state);
+    if (!one_in(&state, 12))
+        return false;
+    draw->state = state;
+    open_blob(draw);
+    draw->state = kept;
+    return true;
+}
+
 static void (*const closed_shapes[])(struct language *) = {
     open_ball,  open_box,       open_cylinder, open_cone,
     open_torus, open_ellipsoid, open_quartic,  open_prism,
@@ -197,6 +251,8 @@ static void open_star(struct language *draw,
 
 void open_solid_shape(struct language *draw, bool closed)
 {
+    if (opens_blob(draw))
+        return;
     bool star = draw->state % 10 == 0; /* nothing else depends on it */
     size_t which = below(&draw->state, CLOSED);
     uint64_t state = beside(draw);

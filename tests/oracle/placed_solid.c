@@ -185,6 +185,26 @@ static void random_plane(uint64_t *state, const struct place *place,
                          : -place->at[axis] - place->size);
 }
 
+/* Now and then instead of another shape, which is drawn all the same: so what
+ * else is drawn does not depend on it. */
+static void random_blob(uint64_t *state, const struct place *place,
+                        struct solid *solid)
+{
+    uint64_t own = *state * 7 + 3;
+    for (int i = 0; i < 8; i++)
+        xorshift(&own);
+    if (!one_in(&own, 15))
+        return;
+    solid_words(solid->shape,
+                "blob { threshold .%zu sphere { <-.4, 0, %.12g>, .8, 1 } "
+                "cylinder { <.3, -.4, 0>, <.3, .5, 0>, .%zu, 1 } "
+                "sphere { <0, %.12g, 0>, .6, %s.8 } ",
+                1 + below(&own, 6), .1 * (double)below(&own, 9) - .4,
+                3 + below(&own, 5), .1 * (double)below(&own, 9) - .4,
+                one_in(&own, 2) ? "-" : "");
+    move_to(&own, place, solid);
+}
+
 static struct solid *shape_at(uint64_t *state, const struct place *place)
 {
     static random_shape *const shapes[] = {
@@ -203,6 +223,8 @@ static struct solid *shape_at(uint64_t *state, const struct place *place)
         mesh_star_words(own, solid->shape);
         solid->motion[0] = '\0';
         move_to(&own, place, solid);
+    } else {
+        random_blob(state, place, solid);
     }
     return solid;
 }
