@@ -65,7 +65,14 @@
         .reg    last_at, k3
         .reg    cap_z, k4
 
-        .equ    PIECE_SIZE, 5 * QUEUE
+; So many lanes at a time, at the most: pieces take much room.
+        .if     QUEUE > 2000
+        .equ    BLOB_LANES, 2000
+        .else
+        .equ    BLOB_LANES, QUEUE
+        .endif
+        .equ    PIECE_SIZE, 5 * BLOB_LANES
+        .reg    lanes_end, sh7
 
         .data
 blob_strengths: .space BLOB_PIECES
@@ -82,7 +89,7 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
 
         .macro  next_vector before, vector
         RTOR    \before, \vector
-        IX      \vector, 64 * QUEUE
+        IX      \vector, 64 * BLOB_LANES
         .endm
 
         .macro  first_piece
@@ -564,6 +571,33 @@ clear_segment:
         SUBNV   [oz], sh2, [w10]
         .endm
 
+; All rays that come near, bits0, or those among the next BLOB_LANES rays, m of
+; them; in bits2 those that are left.
+        .macro  begin_lanes
+        .if     QUEUE > BLOB_LANES
+        ORB     [bits0], [bits0], [bits2]
+        ES      lanes_end, 0
+blob_more:
+        IX      lanes_end, BLOB_LANES
+        CMPLTV  [iota], lanes_end, [bits0]
+        ANDB    [bits0], [bits2], [bits0]
+        ANDNB   [bits2], [bits0], [bits2]
+        CNTOB   [bits0], m
+        IBXEQ   m, r0, r0, blob_done
+        IBXEQ   nearest_way, r0, r0, begin_lanes\@
+        ES      nearest_way, 1
+begin_lanes\@:
+        .endif
+        take_lanes
+        .endm
+
+        .macro  end_lanes
+        .if     QUEUE > BLOB_LANES
+        CNTOB   [bits2], s0
+        IBXNE   s0, r0, r0, blob_more
+        .endif
+        .endm
+
 ; A crossing where the ways meet, and the roots.
         .macro  take_root number, root
         CMPLTV  \number, [root_count], [hits1]
@@ -594,16 +628,16 @@ blob_solid:
         clear_segments
         ES      nearest_way, 0
         begin_blob
-        find_all_lanes w8, w9, w10, sh3, blob_done
+        find_all_lanes w8, w9, w10, sh3, blob_missed
         BIM     blob_lanes
 blob:
         VTOV    big, [tin]
         VTOV    minus_big, [tout]
         ES      nearest_way, 1
         begin_blob
-        find_lanes w8, w9, w10, sh3, blob_done
+        find_lanes w8, w9, w10, sh3, blob_missed
 blob_lanes:
-        take_lanes
+        begin_lanes
         take_pieces
         EX      s2, blob_numbers
         ELEN    s2, 3
@@ -642,6 +676,8 @@ blob_go_on:
         leave_lanes blob_done
         BIM     blob_walk
 blob_done:
+        end_lanes
+blob_missed:
         BIM     0, link_kernel
         .endkernel
 
