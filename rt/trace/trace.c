@@ -198,7 +198,6 @@ static struct object *assemble_form(const struct trace_options *options,
     struct defines defines = { .count = 0 };
     size_t crossings = most_crossings(scene);
     size_t pieces = blob_pieces_most(scene);
-    size_t pieces = blob_pieces_most(scene);
 
     define(&defines, "QUEUE", options->queue);
     for (size_t i = 0; i < FEATURES; i++)
