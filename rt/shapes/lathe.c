@@ -275,7 +275,7 @@ static bool is_inside(const struct closed *closed, size_t segment,
 enum { ROW = 16 };
 
 /* In the order of rt/kernels/frame/records.s. */
-enum row_word {
+enum lathe_word {
     SQUARE,
     HEIGHT,
     BEGINS,

@@ -161,9 +161,10 @@ static double along(const struct parabola *parabola, int k, double w)
 static bool is_ahead(const struct parabola *parabola, double w,
                      const double point[2], const double direction[2])
 {
-    const double way[2] = { parabola->from[0] + along(parabola, 0, w) - point[0],
-                            parabola->from[1] + along(parabola, 1, w)
-                                - point[1] };
+    const double way[2] = {
+        parabola->from[0] + along(parabola, 0, w) - point[0],
+        parabola->from[1] + along(parabola, 1, w) - point[1]
+    };
 
     return dot(direction, way) > 0;
 }
@@ -214,7 +215,7 @@ static bool is_inside(const struct outline *path, size_t number,
 enum { ROW = 16 };
 
 /* In the order of rt/kernels/frame/records.s. */
-enum row_word {
+enum quadratic_word {
     POINT,
     BEGINS = POINT + 2,
     BEND,

@@ -27,8 +27,8 @@ static bool take_arc(struct arcs *arcs, struct arc *arc)
 
 static double place_at(const struct arc *arc, int k, double w)
 {
-    return arc->from[k] * (1 - w) * (1 - w)
-           + 2 * arc->handle[k] * w * (1 - w) + arc->to[k] * w * w;
+    return arc->from[k] * (1 - w) * (1 - w) + 2 * arc->handle[k] * w * (1 - w)
+           + arc->to[k] * w * w;
 }
 
 static double slope_at(const struct arc *arc, int k, double w)
@@ -86,8 +86,8 @@ static size_t cross_sides(const struct primitive *primitive,
 {
     const double *o = ray->origin, *d = ray->direction;
     double w[2], level = d[0] * d[0] + d[2] * d[2];
-    size_t count = 0, roots = meet_line(arc, d[2], -d[0],
-                                        d[2] * o[0] - d[0] * o[2], w);
+    double apart = d[2] * o[0] - d[0] * o[2];
+    size_t count = 0, roots = meet_line(arc, d[2], -d[0], apart, w);
     for (size_t i = 0; i < roots; i++) {
         double x = place_at(arc, 0, w[i]) - o[0];
         double z = place_at(arc, 1, w[i]) - o[2];

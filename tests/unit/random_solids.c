@@ -224,9 +224,9 @@ static void add_prism(char *text, size_t size)
              "prism { %s-%.4f, %.4f, %s, <-%.4f, -%.4f>, <%.4f, -%.4f>, "
              "<%.4f, %.4f>, <%.4f, %.4f>, <0, %.4f>, <-%.4f, %.4f>%s %s ",
              curved ? "quadratic_spline " : "", size_between(.3, 1),
-             size_between(.3, 1), start, x, z, x, z, x, place_between(-.3, .3),
-             place_between(-.2, .2), place_between(-.3, .3), z, x, z, end,
-             below(4) ? "" : "open");
+             size_between(.3, 1), start, x, z, x, z, x,
+             place_between(-.3, .3), place_between(-.2, .2),
+             place_between(-.3, .3), z, x, z, end, below(4) ? "" : "open");
 }
 
 static void add_patch(char *text, size_t size)

@@ -252,6 +252,7 @@ static void test_along(void **state)
         "lathe { 2, <0, 0>, <1, 1> rotate 45*x }",
         "lathe { 3, <0, 0>, <1, 1>, <0, 2> rotate 45*x }",
         "lathe { 3, <0, 1>, <1, 0>, <0, -1> rotate 45*x translate y }",
+        "lathe { " CONE " matrix <1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 0, 0> }",
         "lathe { " RING " translate y }",
         "lathe { " RING " rotate 90*x translate y }",
         "lathe { " DRUM " rotate 90*x translate y }",

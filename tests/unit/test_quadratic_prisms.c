@@ -367,12 +367,9 @@ static void test_normals(void **state)
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_segments),
-        cmocka_unit_test(test_paths),
-        cmocka_unit_test(test_normals),
-        cmocka_unit_test(test_middle),
-        cmocka_unit_test(test_random_scenes),
-        cmocka_unit_test(test_solids),
+        cmocka_unit_test(test_segments),      cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_normals),       cmocka_unit_test(test_middle),
+        cmocka_unit_test(test_random_scenes), cmocka_unit_test(test_solids),
     };
 
     if (argc > 1)

@@ -167,8 +167,9 @@ static void test_quadratic_prisms(void **state)
     const struct primitive *p = scene->primitives;
     const struct outline *path = &p[0].shape.quadratic_prism.path;
     static const double expected[][2] = {
-        { 0, 0 }, { 1, -1 }, { 4, 0 }, { 5, 1 }, { 4, 4 }, { 3, 4 }, { 0, 0 },
-        { 5, 5 }, { 5.5, 6 }, { 9, 5 }, { 9, 6 }, { 5, 9 }, { 4, 9 }, { 5, 5 },
+        { 0, 0 }, { 1, -1 }, { 4, 0 }, { 5, 1 },   { 4, 4 },
+        { 3, 4 }, { 0, 0 },  { 5, 5 }, { 5.5, 6 }, { 9, 5 },
+        { 9, 6 }, { 5, 9 },  { 4, 9 }, { 5, 5 },
     };
 
     (void)state;
