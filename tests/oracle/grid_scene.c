@@ -2,6 +2,7 @@
 #include "tests/oracle/grid_scene.h"
 
 #include "tests/oracle/beam_text.h"
+#include "tests/oracle/bump_text.h"
 #include "tests/oracle/chance.h"
 #include "tests/oracle/mesh_text.h"
 #include "tests/oracle/solid_text.h"
@@ -207,29 +208,6 @@ static void random_look(uint64_t *state, char *look)
     }
 }
 
-/* One in four looks has a normal.  What else is drawn does not depend on it. */
-static void random_bump(uint64_t state, char look[WORDS])
-{
-    static const char *const bumps[] = {
-        "gradient x, 2 triangle_wave",
-        "onion 3 sine_wave",
-        "checker 1",
-        "radial 4 frequency 5",
-        "hexagon normal { onion 2 scale .3 } normal { planar 3 } "
-        "normal { leopard 2 scale .1 }",
-        "boxed normal_map { [.2 spherical 5] [.6 gradient y, 9] }",
-    };
-    char bare[WORDS];
-    state = state * 7 + 3;
-    for (int i = 0; i < 8; i++)
-        xorshift(&state);
-    if (below(&state, 4))
-        return;
-    solid_words(bare, "%.*s", WORDS - 1, look);
-    solid_words(look, "%.100snormal { %.110s scale .7 } ", bare,
-                bumps[below(&state, sizeof bumps / sizeof *bumps)]);
-}
-
 static void random_motion(uint64_t *state, char *motion)
 {
     char turn[WORDS] = "", shift[WORDS] = "";
@@ -301,7 +279,7 @@ static struct solid *random_solid(uint64_t *state, size_t depth)
                               : random_solid(state, depth - 1);
     if (below(state, 3) == 0 || (depth == 0 && below(state, 2)))
         random_look(state, solid->look);
-    random_bump(*state, solid->look);
+    bump_words(*state, 4, solid->look);
     random_motion(state, solid->motion);
     solid->inverse = below(state, 12) == 0;
     solid->clip = random_clip(*state);

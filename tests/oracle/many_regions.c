@@ -2,6 +2,7 @@
 #include "tests/oracle/many_regions.h"
 
 #include "tests/oracle/beam_text.h"
+#include "tests/oracle/bump_text.h"
 #include "tests/oracle/chance.h"
 #include "tests/oracle/placed_solid.h"
 
@@ -168,6 +169,7 @@ static void add_solid(struct drawing *drawing, const struct group *group,
         solid = solid_at(state, place, scene->mood, 2);
     }
     random_look(state, scene->mood, solid->look);
+    bump_words(*state, 8, solid->look);
     scene->solids[count] = solid;
 }
 
