@@ -74,3 +74,19 @@ void mesh_star_words(uint64_t state, char words[SOLID_WORDS])
                 round + 2, points, between(&state, .25, .9),
                 between(&state, -.9, .1), 2 * round, faces, inside(&state));
 }
+
+void mesh_field_words(uint64_t state, char words[SOLID_WORDS])
+{
+    char water[40] = "";
+    shake(&state);
+    if (one_in(&state, 2))
+        snprintf(water, sizeof water, "water_level %.3f ",
+                 between(&state, .2, .6));
+    size_t columns = 2 + below(&state, 5), rows = 2 + below(&state, 5);
+    double along = between(&state, 2, 9), across = between(&state, 2, 9);
+    solid_words(words,
+                "height_field { function %zu, %zu { .5 + "
+                ".3*sin(%.3f*x)*cos(%.3f*y) } %s%stranslate -.5 scale 1.4 ",
+                columns, rows, along, across,
+                one_in(&state, 2) ? "smooth " : "", water);
+}

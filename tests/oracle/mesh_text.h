@@ -1,4 +1,4 @@
-/* mesh_text.h - closed meshes by chance in the scene language, up to their
+/* mesh_text.h - closed meshes and fields of heights by chance in the scene language, up to their
  * modifiers. */
 #ifndef MESH_TEXT_H
 #define MESH_TEXT_H
@@ -13,5 +13,7 @@ void mesh_box_words(uint64_t state, double corner[2][3],
 /* About the origin, within the distance 1: points all round, near and far, an apex
  * above and one below, so that a line may cross it many times. */
 void mesh_star_words(uint64_t state, char words[SOLID_WORDS]);
+/* A field of heights as wide, perhaps with water. */
+void mesh_field_words(uint64_t state, char words[SOLID_WORDS]);
 
 #endif

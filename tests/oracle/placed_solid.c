@@ -220,7 +220,7 @@ static struct solid *shape_at(uint64_t *state, const struct place *place)
         shapes[below(state, sizeof shapes / sizeof *shapes)](state, place,
                                                              solid);
     if (own % 12 == 0) {
-        mesh_star_words(own, solid->shape);
+        (own % 48 ? mesh_star_words : mesh_field_words)(own, solid->shape);
         solid->motion[0] = '\0';
         move_to(&own, place, solid);
     } else {
