@@ -66,10 +66,12 @@ static void check_routines(const struct object *program,
 
 static void check_program(const char *kernel, bool historical)
 {
-    struct asm_define defines[3 + PRIMITIVE_KINDS + 1] = {
-        { "QUEUE", 100 }, { "BLOB_PIECES", 4 }, /* behind all of them NULL */
+    struct asm_define defines[4 + PRIMITIVE_KINDS + 1] = {
+        { "QUEUE", 100 },
+        { "BLOB_PIECES", 4 },
+        { "MESH_CROSSINGS", 1 }, /* behind all of them NULL */
     };
-    struct asm_define *next = &defines[2];
+    struct asm_define *next = &defines[3];
     c205_error error = { "" };
     struct object *program;
 
