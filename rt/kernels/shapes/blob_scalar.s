@@ -23,9 +23,9 @@
         .regs   r118, u0, u1, u2, p0, p1, p2, side_a, side_b, side_c
         .regs   r127, first_z, first_at, last_z, last_at, cap_z
         .regs   r132, way_t, way_end, way_length, most_field, way_inside
-        .regs   r137, blob_row, rows_left, piece_at, pieces_end
+        .regs   r137, blob_row, blob_rows_left, piece_at, pieces_end
         .regs   r141, columns_end, column_at, walk_first, way_pieces
-        .regs   r145, blob_quarter, blob_sixth, blob_four, crossed_at
+        .regs   r145, blob_quarter, blob_sixth, blob_four, blob_crossed_at
         .regs   r149, f0, f1, f2, f3
         .endshare
         .equ    BLOB_REGISTERS, 121
@@ -248,7 +248,7 @@ end_none\@:
         RTOR    a_primitive, t1
         IX      t1, 64 * P_TABLE
         LOD     [t1], blob_row
-        RTOR    sh5, rows_left
+        RTOR    sh5, blob_rows_left
 blob_part:
         ELEN    blob_row, 7
         SWAP    [blob_row], part_kind, [r0]
@@ -268,8 +268,8 @@ blob_long:
         take_cylinder
 blob_next_row:
         IX      blob_row, 64 * BLOB_SIZE
-        SUBN    rows_left, one, rows_left
-        CFPLT   r0, rows_left, blob_part
+        SUBN    blob_rows_left, one, blob_rows_left
+        CFPLT   r0, blob_rows_left, blob_part
         CFPGE   way_t, big, \none
         CFPLT   most_field, sh4, \none
         rise_to near_low, way_t
@@ -376,10 +376,10 @@ look_differ:
 ; A crossing, told from the closest approach; the nearest is all, or there is
 ; more room for them.
         .macro  take_crossing at
-        SUBN    \at, along, crossed_at
+        SUBN    \at, along, blob_crossed_at
         IBXEQ   columns_end, r0, r0, blob_met
         IBXEQ   column_at, r0, columns_end, take_full\@
-        STO     [column_at], crossed_at
+        STO     [column_at], blob_crossed_at
         IX      column_at, 64
 take_full\@:
         .endm
@@ -465,8 +465,8 @@ blob_fill:
 blob_filled:
         leave_segments blob_save, BLOB_REGISTERS
 blob_met:
-        RTOR    crossed_at, tin
-        RTOR    crossed_at, tout
+        RTOR    blob_crossed_at, tin
+        RTOR    blob_crossed_at, tout
         leave_solver blob_save, BLOB_REGISTERS
 blob_miss:
         miss_near blob_save, BLOB_REGISTERS

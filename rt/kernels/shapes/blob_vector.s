@@ -52,7 +52,7 @@
         .regs   r244, pieces_used
         .reg    nearest_way, r245       ; 0: all crossings; 1, 2: the nearest, which
         .endshare                       ; lies on the first way, or behind it
-        .regs   s4, strength_at, pieces_left, blob_row, rows_left
+        .regs   s4, strength_at, pieces_left, blob_row, blob_rows_left
         .regs   m00, blob_quarter, blob_sixth, blob_four        ; in the walk
         .share  hits
         .reg    lane_inside, hits3
@@ -328,7 +328,7 @@ end_none\@:
         VTOV    r0, [most_field]
         ES      pieces_used, 0
         load_field P_TABLE, blob_row
-        RTOR    sh5, rows_left
+        RTOR    sh5, blob_rows_left
 blob_part:
         ELEN    blob_row, 7
         SWAP    [blob_row], sh8, [r0]
@@ -347,8 +347,8 @@ blob_long:
         take_cylinder
 blob_next_row:
         IX      blob_row, 64 * BLOB_SIZE
-        SUBN    rows_left, one, rows_left
-        CFPLT   r0, rows_left, blob_part
+        SUBN    blob_rows_left, one, blob_rows_left
+        CFPLT   r0, blob_rows_left, blob_part
         CMPLTV  [most_field], sh4, [hits0]
         VTOV    big, [way_t] ? [hits0]
         rise_to lane_low, way_t
