@@ -35,6 +35,12 @@ static bool have_one_record(const struct bumps *a, const struct bumps *b)
            && !memcmp(&a->to_local, &b->to_local, sizeof a->to_local);
 }
 
+static bool is_quilted(const struct bump *bump)
+{
+    return bump->pattern.kind == PIGMENT_PATTERN
+           && bump->pattern.pattern.function == PATTERN_QUILTED;
+}
+
 /* ---- Heights ------------------------------------------------------------- */
 
 /* A list has a row a place; a map one before its first entry, too. */
@@ -138,6 +144,17 @@ static void put_pattern(struct record *record, const struct bump *bump,
     put_heights(record, bump);
 }
 
+/* Of the distance from the middle of a cube: POV-Ray's, as its digits are. */
+static void put_quilt(struct record *record, const struct bump *bump)
+{
+    double scale = 1.154700538 * bump->amount;
+    double first = 3 * bump->controls[0], second = 3 * bump->controls[1];
+    double words[3] = { first, second - 2 * first, 1 + first - second };
+
+    scale3(scale, words);
+    record_numbers(record, "BUMP_CORNERS", words, 3);
+}
+
 static void put_corners(struct record *record, const struct bump *bump)
 {
     const struct pigment *pattern = &bump->pattern;
@@ -192,8 +209,13 @@ static void put_bump(struct record *record, const struct bump *bump,
     struct transform whole = around ? transform_then(around, to_local)
                                     : *to_local;
 
-    put_pattern(record, bump, &whole);
-    put_corners(record, bump);
+    if (is_quilted(bump)) {
+        record_numbers(record, "BUMP_TO_LOCAL", &whole.rows[0][0], 12);
+        put_quilt(record, bump);
+    } else {
+        put_pattern(record, bump, &whole);
+        put_corners(record, bump);
+    }
     put_carry(record, &whole);
     put_back(record, to_local, "BUMP_BACK");
     record_integer(record, "BUMP_SCALED", !unscaled);

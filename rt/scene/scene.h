@@ -119,6 +119,7 @@ enum pattern_function {
     PATTERN_BRICK,
     PATTERN_HEXAGON,
     PATTERN_CHECKER, /* as a bump only: a pigment of it is another kind */
+    PATTERN_QUILTED, /* as a bump only, which has no heights */
     PATTERN_FUNCTIONS
 };
 enum pattern_wave {
@@ -176,6 +177,7 @@ struct slope_stop {
 struct bump {
     struct pigment pattern; /* no colours of it */
     double amount, accuracy;
+    double controls[2]; /* quilted */
     size_t stop_count;
     const struct slope_stop *stops; /* the scene keeps them */
 };

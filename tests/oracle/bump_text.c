@@ -12,6 +12,7 @@ void bump_words(uint64_t state, size_t in, char look[SOLID_WORDS])
         "hexagon normal { onion 2 scale .3 } normal { planar 3 } "
         "normal { leopard 2 scale .1 }",
         "boxed normal_map { [.2 spherical 5] [.6 gradient y, 9] }",
+        "quilted 2 control0 .3",
     };
     char bare[SOLID_WORDS];
     state = state * 7 + 3;

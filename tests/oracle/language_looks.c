@@ -374,8 +374,8 @@ static void say_bump(struct language *draw, double most)
     say(draw, "%s",
         (const char *const[]){ "gradient x", "gradient <1, -1, .5>", "onion",
                                "leopard", "radial frequency 3", "boxed",
-                               "spherical", "cylindrical",
-                               "planar" }[below(state, 9)]);
+                               "spherical", "cylindrical", "planar",
+                               "quilted" }[below(state, 10)]);
     say(draw, "%s",
         (const char *const[]){ "", " sine_wave", " triangle_wave",
                                " scallop_wave",

@@ -92,6 +92,19 @@ static void push(const struct bump *bump, const double point[3],
     }
 }
 
+/* By where a point is in its cube. */
+static void quilt(const struct bump *bump, const double point[3],
+                  double normal[3])
+{
+    double from[3];
+    for (int i = 0; i < 3; i++)
+        from[i] = point[i] - floor(point[i]) - .5;
+    double t = sqrt(dot(from, from)), s = 1 - t;
+    double curve = t * t * t + 3 * t * s * s * bump->controls[0]
+                   + 3 * t * t * s * bump->controls[1];
+    add_scaled(normal, normal, bump->amount * curve / sqrt(.75), from);
+}
+
 /* In the space around it. */
 static void change(const struct bump *bump, const struct transform *space,
                    bool unscaled, const double point[3], double normal[3])
@@ -101,7 +114,10 @@ static void change(const struct bump *bump, const struct transform *space,
     there_from(space, normal, there);
     if (!unscaled)
         normalise(there);
-    if (bump->pattern.kind != PIGMENT_COLOR)
+    if (bump->pattern.kind != PIGMENT_COLOR
+        && bump->pattern.pattern.function == PATTERN_QUILTED)
+        quilt(bump, at, there);
+    else if (bump->pattern.kind != PIGMENT_COLOR)
         push(bump, at, there);
     back(space, there, normal);
     if (!unscaled)

@@ -45,3 +45,6 @@ sphere { <-2.9, .3, -2.6>, .3 pigment { rgb 1 } normal { onion normal_map { [.4 
 #declare Bead = sphere { 0, .2 pigment { rgb <1, .7, .4> } normal { onion 1 scale .1 translate <.1, .2, 0> } }
 object { Bead translate <-.3, .2, -3.3> }
 object { Bead rotate 90*y translate <.3, .2, -3.3> }
+sphere { <-1.2, .25, -3.2>, .25 pigment { rgb .9 } normal { quilted 1 control0 0 control1 .5 scale .15 rotate 30*z } }
+sphere { <1.4, .25, -3.3>, .25 pigment { rgb .9 } normal { onion normal_map { [.2 quilted -1 control0 .4 scale .1]
+        [.7 radial 1 frequency 6] } translate <1.4, .2, -3.2> } }

@@ -59,6 +59,7 @@ static void test_bumps(void **state)
     check_bump("onion accuracy .3 brick .7", PATTERN_BRICK, .7, .02);
     check_bump("checker .1", PATTERN_CHECKER, .1, .02);
     check_bump("hexagon", PATTERN_HEXAGON, .5, .02);
+    check_bump("quilted 2", PATTERN_QUILTED, 2, .02);
     check_bump("radial 2 frequency 8 sine_wave", PATTERN_RADIAL, 2, .02);
 }
 
@@ -224,6 +225,19 @@ static void test_nested(void **state)
     scene_free(scene);
 }
 
+static void test_quilted(void **state)
+{
+    struct scene *scene =
+        scene_with("onion slope_map { [0 <0, 1>] } quilted control1 .3", 0);
+    const struct bump *bump = &list_of(scene)->bump;
+
+    (void)state;
+    assert_close(bump->controls[0], 1, 0);
+    assert_close(bump->controls[1], .3, 0);
+    assert_int_equal(bump->stop_count, 0);
+    scene_free(scene);
+}
+
 static void test_errors(void **state)
 {
     static const struct line_error errors[] = {
@@ -259,7 +273,8 @@ int main(void)
         cmocka_unit_test(test_bumps),      cmocka_unit_test(test_none),
         cmocka_unit_test(test_motions),    cmocka_unit_test(test_unscaled),
         cmocka_unit_test(test_slope_maps), cmocka_unit_test(test_normal_maps),
-        cmocka_unit_test(test_nested),     cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_nested),     cmocka_unit_test(test_quilted),
+        cmocka_unit_test(test_errors),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

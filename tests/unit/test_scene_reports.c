@@ -137,6 +137,8 @@ static void test_reports(void **state)
         { "sphere { 0, 1 normal { onion normal_map { [0 onion] [1 planar"
           " normal_map { [0 radial] [1 boxed] } ] } } }",
           53, "replaced by its first" },
+        { "sphere { 0, 1 normal { quilted normal_map { [0 onion] } } }", 22,
+          "of a quilted normal" },
         { "sphere { 0, 1 normal { onion normal_map {"
           " [0 onion no_bump_scale] } } }",
           43, "within a map" },

@@ -22,6 +22,12 @@
 ;
 ; a = accuracy, push = -5 amount 0.02 / a.  Unscaled, N' keeps its length.
 ;
+; Quilted, with V = Q less its floor, less 1/2 in each direction, and t = |V|,
+;
+;   N' = N' + amount (t^3 + 3 c0 t (1 - t)^2 + 3 c1 t^2 (1 - t)) 2 / sqrt(3) V
+;
+; c0 and c1 = control0 and control1; as BUMP_CORNERS has it, a polynomial of t.
+;
 ; Of a map of bumps with values at v0, v1 .., in the space of a pattern whose value is
 ; v there, the normals N_i in that space are (1 - u) N_i + u N_i+1, u from 0 to 1
 ; from v_i to v_i+1; of an average their sum by their weights.  L^T of that space,
@@ -42,7 +48,7 @@
 
         .record BUMP
         .field  BUMP_MAP, MAP_SIZE      ; a MAP without stops; function 0: of an
-                                        ; average
+                                        ; average, or quilted
         .field  BUMP_HEIGHTS            ; address of the first HEIGHT, which is
                                         ; before the first value, or 0
         .field  BUMP_TO_LOCAL, 12       ; from the world, as the function wants it
@@ -51,7 +57,8 @@
         .field  BUMP_SCALED             ; 1: N' gets length one, N does
         .field  BUMP_NORMALISED
         .field  BUMP_CORNERS, 24        ; of each corner a c, as the function wants
-                                        ; it, and push c
+                                        ; it, and push c; quilted: factors of t,
+                                        ; t^2, t^3
         .field  BUMP_FROM               ; of an entry: where it is the upper one,
         .field  BUMP_TO                 ; from there on the lower one,
         .field  BUMP_LOW                ; its value, 1 / how far the next one is;

@@ -45,6 +45,18 @@
         ADDN    t1, \normal, \normal
         .endm
 
+; v = where q is in its cube, from its middle.
+        .macro  quilt_place q, v
+        RTOR    \q, \v
+        less_floor \v, t0
+        SUBN    \v, m_half, \v
+        .endm
+
+        .macro  quilt_push v, normal
+        MPYS    t1, \v, t2
+        ADDN    t2, \normal, \normal
+        .endm
+
         .macro  bump_lower share, x, sum
         MPYS    \x, \share, \sum
         .endm
@@ -145,6 +157,7 @@ find_bump:
         normalise_by m_one, lx, ly, lz, t0, t1
 bump_unscaled:
         bump_words BUMP_MAP, MAP_SIZE, map_function
+        IBXEQ   map_function, r0, r0, bump_quilted
         RTOR    bump_at, bump_corner
         IX      bump_corner, 64 * BUMP_CORNERS
         ES      t9, 4
@@ -161,6 +174,7 @@ bump_next:
         bump_push lz, sh5
         IX      bump_corner, 64 * BUMP_CORNER_SIZE
         IBXNE   t9, m_index_minus_one, r0, bump_next, t9
+bump_back:
         bump_words BUMP_BACK, 9, sh0
         bump_rows lx, ly, lz, qx, qy, qz
         bump_word BUMP_NORMALISED, t1
@@ -171,6 +185,23 @@ bump_returned:
         RTOR    qy, ly
         RTOR    qz, lz
         BIM     0, bump_link
+
+bump_quilted:
+        bump_words BUMP_CORNERS, 3, sh0
+        quilt_place bump_x, q_x
+        quilt_place bump_y, q_y
+        quilt_place bump_z, q_z
+        dot     q_x, q_y, q_z, q_x, q_y, q_z, t0, t1
+        SQRT    t0, t0
+        MPYS    t0, sh2, t1
+        ADDN    t1, sh1, t1
+        MPYS    t1, t0, t1
+        ADDN    t1, sh0, t1
+        MPYS    t1, t0, t1
+        quilt_push q_x, lx
+        quilt_push q_y, ly
+        quilt_push q_z, lz
+        BIM     bump_back
 
 ; y_0 = the height at q_x q_y q_z, by map_function .. and the bump's map.
 find_height:

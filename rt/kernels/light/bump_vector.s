@@ -61,6 +61,18 @@ bump_bits:      .space 2 * QUEUE_BIT_WORDS
         ADDNV   [v1], [\normal], [\normal]
         .endm
 
+; [v] = where [q] is in its cube, from its middle.
+        .macro  quilt_place q, v
+        VTOV    [\q], [\v]
+        less_floor \v, v0
+        SUBNV   [\v], half, [\v]
+        .endm
+
+        .macro  quilt_push v, normal
+        MPYSV   [v1], [\v], [v2]
+        ADDNV   [v2], [\normal], [\normal]
+        .endm
+
 ; [sum] is more by the share ndotl of [x] where hits1; it is the share v0 of [x] where
 ; hits2.
         .macro  bump_upper x, sum
@@ -210,6 +222,7 @@ find_bump:
         normalise lx, ly, lz, v0, v1
 bump_unscaled:
         load_bump BUMP_MAP, MAP_SIZE, map_function
+        IBXEQ   map_function, r0, r0, bump_quilted
         RTOR    bump_at, bump_corner
         IX      bump_corner, 64 * BUMP_CORNERS
         ES      bump_corners_left, 4
@@ -226,6 +239,7 @@ bump_next:
         bump_push lz, m11
         IX      bump_corner, 64 * BUMP_CORNER_SIZE
         IBXNE   bump_corners_left, minus_one_index, r0, bump_next, bump_corners_left
+bump_back:
         load_bump BUMP_BACK, 9, m00
         bump_rows lx, ly, lz, v5, v6, v7
         load_bump_field BUMP_NORMALISED, s1
@@ -236,6 +250,25 @@ bump_returned:
         VTOV    [v6], [ly]
         VTOV    [v7], [lz]
         BIM     0, link_kernel
+
+bump_quilted:
+        load_bump BUMP_CORNERS, 3, m00
+        quilt_place red, v5
+        quilt_place green, v6
+        quilt_place blue, v7
+        dot_vectors v5, v6, v7, v5, v6, v7, v0, v1
+        SQRTV   [v0], [v0]
+        LINKV
+        MPYSV   [v0], m02, [v1]
+        ADDNV   [v1], m01, [v1]
+        MPYSV   [v1], [v0], [v1]
+        LINKV
+        ADDNV   [v1], m00, [v1]
+        MPYSV   [v1], [v0], [v1]
+        quilt_push v5, lx
+        quilt_push v6, ly
+        quilt_push v7, lz
+        BIM     bump_back
 
 ; [v0] = the heights at v5 v6 v7, by map_function .. and the bump's map.  Uses v1-v7,
 ; hits1-hits3; BSAVE link_height.

@@ -76,6 +76,45 @@ static bool read_average(struct reader *reader, void *subject,
     return read_amount(reader, reading);
 }
 
+static bool read_quilted(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct normal_reading *reading = subject;
+    struct bump *bump = &reading->list.bump;
+
+    (void)item;
+    pattern_begin(&bump->pattern, PATTERN_QUILTED);
+    bump->pattern.pattern.frequency = 0;
+    bump->controls[0] = bump->controls[1] = 1;
+    reading->list.average = false;
+    return read_amount(reader, reading);
+}
+
+/* The keyword's detail is which. */
+static bool read_control(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct normal_reading *reading = subject;
+
+    return read_number(reader,
+                       &reading->list.bump.controls[item->keyword->detail]);
+}
+
+/* What is quilted has no values for a map. */
+static void settle_quilted(struct reader *reader, struct bump_list *list,
+                           const struct scene_token *at)
+{
+    if (list->bump.pattern.kind != PIGMENT_PATTERN
+        || list->bump.pattern.pattern.function != PATTERN_QUILTED)
+        return;
+    list->bump.stop_count = 0;
+    if (list->count == 0)
+        return;
+    reader_report(reader, at,
+                  "the 'normal_map' of a quilted normal is left out");
+    list->count = 0;
+}
+
 /* Nothing of this normal is drawn, whatever else it says. */
 static bool read_unsupported(struct reader *reader, void *subject,
                              const struct item *item)
@@ -141,10 +180,13 @@ static const struct keyword words[] = {
     { "checker", read_function, PATTERN_CHECKER },
     { "gradient", read_gradient, 0 },
     { "average", read_average, 0 },
+    { "quilted", read_quilted, 0 },
     PATTERN_WORDS(read_unsupported),
     { "bump_map", read_unsupported, 0 },
     { "accuracy", read_accuracy, 0 },
     { "bump_size", read_bump_size, 0 },
+    { "control0", read_control, 0 },
+    { "control1", read_control, 1 },
     { "no_bump_scale", read_no_bump_scale, 0 },
     { "normal_map", read_normal_map, 0 },
     { "slope_map", read_slope_map, 0 },
@@ -177,6 +219,7 @@ bool normal_body(struct reader *reader, const struct block *block,
     if (!block_items(reader, block, &grammar, reading,
                      read_amount(reader, reading)))
         return false;
+    settle_quilted(reader, &reading->list, &block->open);
     return !reading->list.average || reading->list.count > 0
            || reader_fault(reader, &block->open,
                            "an average without a normal_map");
