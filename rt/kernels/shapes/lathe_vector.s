@@ -15,9 +15,9 @@
 ;   twice or never if neither is.  Where the ray comes to the segment's heights
 ;           only outside of the cylinder about the path, never: passed over, too.
 ;
-; A corner at whose height all rays of the queue are outside of that cylinder is
-; beyond none of them, and a segment of such heights is crossed by none: of these
-; nothing is worked out.
+; A corner at whose height the ray is outside of that cylinder is not beyond.
+; Where that is so of all rays of the queue nothing is worked out of it, and
+; nothing of segments of such heights.
 ;
 ; A corner is decided once for both segments that have it, and one on the axis is
 ; never beyond: so a ray crosses a path that is closed, or goes from the axis to
@@ -171,6 +171,10 @@
         LINKV
         MPYSV   [rise_square], row_square, [w1]
         CMPLTV  [w0], [w1], [beyond]
+        CMPGEV  row_height, [ray_low], [bits0]
+        CMPGEV  [ray_high], row_height, [bits1]
+        ANDB    [bits0], [beyond], [beyond]
+        ANDB    [bits1], [beyond], [beyond]
         .endm
 
 ; [once], and [twice] of those that may be; to passed_over if there are none.
