@@ -263,10 +263,10 @@ static void test_along(void **state)
     for (size_t i = 0; i < sizeof lathes / sizeof *lathes; i++) {
         char text[1000];
 
-        snprintf(text, sizeof text, AHEAD "%s", lathes[i]);
+        snprintf(text, sizeof text, STRAIGHT "%s", lathes[i]);
         free(same_frame(text));
-        snprintf(text, sizeof text, AHEAD "difference { box { -2, 2 } %s }",
-                 lathes[i]);
+        snprintf(text, sizeof text,
+                 STRAIGHT "difference { box { -2, 2 } %s }", lathes[i]);
         free(same_frame(text));
     }
 }

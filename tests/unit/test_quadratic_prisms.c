@@ -292,6 +292,7 @@ static void check_point(const struct primitive *prism, const double *corner,
         point[k] = corner[k] + (row[BEND + k] * w + 2 * row[LEAD + k]) * w;
         share += row[SHARE + k] * (point[k] - row[FOOT + k]);
     }
+    assert_true(share > -1e-6 && share < 1 + 1e-6);
     for (int k = 0; k < 2; k++)
         assert_true(fabs(row[FOOT + k]
                          + (row[BOW + k] * share + row[WAY + k]) * share
@@ -341,7 +342,8 @@ static void test_paths(void **state)
     }
 }
 
-/* The normals of what does not cross itself lead from inside to outside. */
+/* The normals of what does not cross itself lead from inside to outside; at the
+ * end, what does: straight edges that go on beyond their ends. */
 static void test_normals(void **state)
 {
     static const char *const paths[] = {
@@ -350,16 +352,18 @@ static void test_normals(void **state)
         " <-1, .2>, <-1, -.2>, <-.2, .2>, <-.2, -1>, <.2, -1>, <.2, .2>",
         "11, <0, -2>, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>,"
         " <0, -1>, <-.5, -.5>, <.5, -.5>, <0, .5>, <-.5, -.5>",
+        "7, <-3, 0>, <0, 0>, <1, 0>, <1.2, 0>, <.6, .9>, <.6, .9>, <0, 0>",
     };
+    size_t count = sizeof paths / sizeof *paths;
 
     (void)state;
-    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
+    for (size_t i = 0; i < count; i++) {
         char text[1000];
         struct scene *scene;
 
         snprintf(text, sizeof text, PRISM "-1, 1, %s }", paths[i]);
         scene = read_text(text);
-        check_table(scene->primitives, false);
+        check_table(scene->primitives, i + 1 == count);
         scene_free(scene);
     }
 }
