@@ -23,11 +23,12 @@ without_povray="scenes/car.pov scenes/steiner.pov tests/scenes/patches.pov
 # What POV-Ray leaves to the rounding of its numbers, as rays to the edges of a
 # mesh; of characters it keeps them in 32 bits; normals that it interpolates
 # over the cells of a height_field, not over triangles; an orthographic camera with
-# a lens, with which its picture is of one colour; rays through a lens, which are random.
+# a lens, with which its picture is of one colour; rays through a lens, which are
+# random; it sees nothing of a blob from nearer than .01, as a mirrored ray may.
 not_for_povray="tests/scenes/lens_orthographic.pov
     tests/scenes/coincident.pov tests/scenes/csg_coincident.pov
     tests/scenes/text.pov tests/scenes/mesh_closed.pov scenes/terrain.pov
-    scenes/stage.pov scenes/mist.pov scenes/marbles.pov"
+    scenes/stage.pov scenes/mist.pov scenes/marbles.pov scenes/drops.pov"
 # Through a lens, where POV-Ray's rays are random.
 roughly_povray="tests/scenes/lens.pov"
 # Of thousands of triangles, each of which the plain tracer asks, or of many

@@ -93,16 +93,33 @@ bool scene_has_crossed_meshes(const struct scene *scene)
     return false;
 }
 
+/* That kernels list: a blob alone gives its nearest one, and meshes count their own. */
+static size_t crossings_of(const struct primitive *primitive, bool alone)
+{
+    struct shape_words shape;
+
+    if (alone && primitive->kind == PRIMITIVE_BLOB)
+        return 0;
+    shape_words(primitive, &shape);
+    return shape.on_mesh ? 0 : shape.events;
+}
+
 size_t most_crossings(const struct scene *scene)
 {
     size_t most = scene_has_crossed_meshes(scene) ? CROSSINGS_WITH_MESHES : 0;
 
-    for (size_t i = 0; i < scene->primitive_count; i++) {
-        struct shape_words shape;
+    for (size_t i = 0; i < scene->region_count; i++) {
+        const struct region *region = &scene->regions[i];
+        const struct primitive *first = scene->primitives
+                                        + region->first_primitive;
+        bool alone = region_is_simple(scene, region);
 
-        shape_words(&scene->primitives[i], &shape);
-        if (!shape.on_mesh && shape.events > most)
-            most = shape.events;
+        for (size_t k = 0; k < region->primitive_count; k++) {
+            size_t count = crossings_of(&first[k], alone);
+
+            if (count > most)
+                most = count;
+        }
     }
     return most;
 }

@@ -56,4 +56,4 @@ blob { threshold .65
 
 // From within, and without a threshold, which is 1 then.
 blob { sphere { <.5, 4, -9>, 30, 1.03 } cylinder { -20*x, 20*x, 25, .9 }
-    pigment { color rgb <.3, .2, .4> } translate <0, 12, 14> }
+    pigment { color rgb <.3, .2, .4> } translate <0, 3, 4> }

@@ -15,7 +15,8 @@
 ; t is told from the ray's closest approach to the blob's centre.  Of each piece
 ; a, b, c, where the ray enters it and where it leaves are found once.  Then the
 ; rays walk, each from one such place t0 to its next one.  The sum of the pieces
-; that it is in is one quartic on the way; about t0, where nothing cancels,
+; that it is in is one quartic on the way; about t0, so that no powers above the
+; second cancel,
 ;
 ;   b' = b + a t0     c' = c + (b + b') t0
 ;   S (c' + 2 b' s + a s^2)^2 = S (a^2 s^4 + 4 a b' s^3 + (4 b'^2 + 2 a c') s^2
