@@ -276,6 +276,32 @@ static void add_clip(char *text, size_t size)
     add_text(text, size, "%s} } ", below(4) ? "" : "inverse ");
 }
 
+/* Two balls and a rod, now and then instead of another shape: solids that have none
+ * are as they were before there were blobs. */
+static bool add_blob(char *text, size_t size)
+{
+    uint64_t kept = traced.random;
+    bool there;
+
+    traced.random = kept * 7 + 3;
+    for (int i = 0; i < 8; i++)
+        below(2);
+    there = below(16) == 0;
+    if (there)
+        add_text(text, size,
+                 "blob { threshold %.4f sphere { <%.4f, 0, 0>, %.4f, 1 }"
+                 " cylinder { <%.4f, -%.4f, 0>, <%.4f, %.4f, 0>, %.4f, 1 }"
+                 " sphere { <0, %.4f, %.4f>, %.4f, %s.8 } ",
+                 between(.2, .6), place_between(-.5, 0), size_between(.5, 1),
+                 place_between(0, .5), size_between(.25, .5),
+                 place_between(0, .5), size_between(.25, .5),
+                 size_between(.4, .8), place_between(-.5, .5),
+                 place_between(-.5, .5), size_between(.4, .8),
+                 below(2) ? "-" : "");
+    traced.random = kept;
+    return there;
+}
+
 static void add_leaf(char *text, size_t size)
 {
     static void (*const add_shape[])(char *, size_t) = {
@@ -288,7 +314,8 @@ static void add_leaf(char *text, size_t size)
     if (solids.meshes && below(8) == 0)
         add_mesh(text, size);
     else {
-        add_shape[below(kinds)](text, size);
+        if (!add_blob(text, size))
+            add_shape[below(kinds)](text, size);
         add_clip(text, size);
     }
     add_look(text, size);
