@@ -172,6 +172,8 @@ static bool keeps_balls(const struct transform *transform)
 /* Three unit vectors, the last along the axis of a cylinder. */
 static void put_axes(const struct blob_part *part, double axes[3][3])
 {
+    int across;
+
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             axes[i][j] = i == j;
@@ -179,8 +181,9 @@ static void put_axes(const struct blob_part *part, double axes[3][3])
         return;
     subtract3(part->cap, part->base, axes[2]);
     scale3(1 / length3(axes[2]), axes[2]);
-    axes[0][0] = fabs(axes[2][0]) < .7;
-    axes[0][1] = !axes[0][0];
+    across = fabs(axes[2][0]) < .7 ? 0 : 1;
+    axes[0][0] = across == 0 ? 1 : 0;
+    axes[0][1] = across == 1 ? 1 : 0;
     cross3(axes[2], axes[0], axes[1]);
     scale3(1 / length3(axes[1]), axes[1]);
     cross3(axes[1], axes[2], axes[0]);

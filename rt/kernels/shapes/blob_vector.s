@@ -33,8 +33,7 @@
 ; In:  ox oy oz dx dy dz lower, near long; the primitive's record and table.
 ; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
 ;      blob_solid: P_SEGMENTS segments, of vectors one after another from tin on.
-; Source: the field: Wyvill's and Blinn's idea in the form that POV-Ray gives;
-; the walk: derived here.
+; Source: the field: POV-Ray's manual, 3.7; the walk: derived here.
 
         .if     BLOB_PIECES
 
