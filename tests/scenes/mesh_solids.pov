@@ -32,6 +32,7 @@ plane { y, -1.1 pigment { checker rgb .85 rgb .5 } }
 difference {                                    // a star out of a box
     box { <-.9, -.5, -.9>, <.9, .5, .9> }
     object { Star scale 1.1 rotate <80, 10, 5> pigment { rgb <.9, .5, .2> } }
+    object { Star scale .25 rotate 80*x translate <.75, .35, -.9> }
     rotate -25*y translate <-2.5, .1, 1> pigment { rgb <.3, .6, .4> } finish { phong .5 } }
 intersection {                                  // smooth, with a ball
     object { Gem scale 1.25 } sphere { 0, .85 pigment { rgb <.2, .3, .8> } }
