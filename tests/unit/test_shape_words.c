@@ -310,6 +310,43 @@ static void test_kernels_of_patches(void **state)
     assert_int_equal(words.table_count, STEINER_TABLE);
 }
 
+/* A surface, a solid, what clips, what has a body: room for a crossing with each
+ * triangle, and for where a ray begins. */
+static void test_sorts_of_meshes(void **state)
+{
+    struct triangle list[3] = { { .corners = { { 0 }, { 1 }, { 0, 1 } } },
+                                { .corners = { { 0 }, { 1 }, { 0, 1 } } },
+                                { .corners = { { 0 }, { 1 }, { 0, 1 } } } };
+    struct primitive mesh = { .kind = PRIMITIVE_MESH,
+                              .shape.mesh.triangles = { 3, list } };
+    struct shape_words words;
+
+    (void)state;
+    shape_words(&mesh, &words);
+    assert_true(words.on_mesh && words.on_patch && !words.state);
+    assert_int_equal(words.segments, 0);
+    assert_int_equal(words.events, 4);
+    assert_string_equal(words.kernel, "mesh");
+    assert_string_equal(words.solid, "mesh_crossings");
+    mesh.shape.mesh.solid = true;
+    shape_words(&mesh, &words);
+    assert_int_equal(words.segments, 2);
+    assert_int_equal(words.events, 4);
+    assert_string_equal(words.solid, "mesh_solid");
+    mesh.unseen = true;
+    shape_words(&mesh, &words);
+    assert_int_equal(words.events, 2);
+    assert_string_equal(words.solid, "unseen");
+    assert_string_equal(words.state, "mesh_solid");
+    mesh.unseen = mesh.shape.mesh.solid = false;
+    mesh.shape.mesh.body = (struct triangles){ 2, list };
+    shape_words(&mesh, &words);
+    assert_int_equal(words.segments, 1);
+    assert_int_equal(words.events, 4);
+    assert_string_equal(words.solid, "mesh_crossings");
+    assert_string_equal(words.state, "mesh_body");
+}
+
 /* Base, axis, radius and the planes of both ends, as the kernel of 1984 wants
  * them; a hit has the surfaces of entry and exit. */
 static void test_historical_cylinders(void **state)
@@ -456,6 +493,7 @@ int main(void)
         cmocka_unit_test(test_types_of_surfaces),
         cmocka_unit_test(test_historical_cylinders),
         cmocka_unit_test(test_kernels_of_patches),
+        cmocka_unit_test(test_sorts_of_meshes),
         cmocka_unit_test(test_polynomials_of_patches),
         cmocka_unit_test(test_other_planes),
         cmocka_unit_test(test_weights_of_one_patch),
