@@ -10,7 +10,8 @@ plane { y, -1.2 pigment { checker rgb .9 rgb .45 } }
     translate <-.5, -.5, -.5> scale <2, 1.2, 2> }
 #declare Isles = height_field { function 13, 15 { .4 + .35*sin(9*x)*cos(7*y) }
     water_level .3 translate <-.5, -.5, -.5> scale <2, 1.2, 2> }
-intersection { object { Hills } cylinder { -y, y, .8 } pigment { rgb <.5,.8,.4> } translate <-2.6,.1,1> }
+intersection { object { Hills } cylinder { -y, y, .8 } pigment { rgbf <.7,.95,.6,.8> } interior { ior 1.15 }
+    translate <-2.6,.1,1> }
 difference { box { -.8, .8 } object { Hills pigment { rgb <.9,.6,.3> } } pigment { rgb <.7,.7,.9> } rotate 20*y translate <0,.2,1.5> }
 intersection { object { Isles } sphere { 0, .9 } pigment { rgb <.8,.5,.4> } translate <2.5,0,.6> }
 merge { object { Isles scale .6 } sphere { <.1, .2, 0>, .3 } pigment { rgb <.5,.7,.8> } rotate <10,0,20> translate <-1.6,-.2,-2> }
