@@ -10,8 +10,9 @@
 ; as many words as there is room for stands the triangle of each.
 
         .share  local
-        .regs   r131, crossed, list_count, list_triangles, list_at, list_before
-        .regs   r136, list_t, list_triangle
+        .regs   r131, mesh_crossed, sorted_count, sorted_triangles, sorted_at
+        .reg    sorted_before, r135
+        .regs   r136, sorted_t, sorted_triangle
         .endshare
         .equ    MESH_CROSSING_REGISTERS, 106
 
@@ -29,38 +30,38 @@ edge_from_above\@:
         CFPGE   \yb, r0, edge_crossed\@
         CFPLT   \other, \product, edge_crossed\@
 edge_changes\@:
-        XOR     crossed, index_one, crossed
+        XOR     mesh_crossed, index_one, mesh_crossed
 edge_crossed\@:
         .endm
 
 ; t0, triangle into the list, in order.
         .macro  list_crossing
-        RTOR    list_count, list_at
-        IX      list_count, 1
+        RTOR    sorted_count, sorted_at
+        IX      sorted_count, 1
 list_next\@:
-        IBXEQ   list_at, r0, r0, list_here\@
-        ADDX    list_at, list_before, t1
-        LOD     [a_segment, t1], list_t
-        LOD     [list_triangles, t1], list_triangle
-        CFPLT   list_t, t0, list_here\@
-        CFPNE   list_t, t0, list_behind\@
-        IBXLT   list_triangle, r0, triangle, list_here\@
+        IBXEQ   sorted_at, r0, r0, list_here\@
+        ADDX    sorted_at, sorted_before, t1
+        LOD     [a_segment, t1], sorted_t
+        LOD     [sorted_triangles, t1], sorted_triangle
+        CFPLT   sorted_t, t0, list_here\@
+        CFPNE   sorted_t, t0, list_behind\@
+        IBXLT   sorted_triangle, r0, triangle, list_here\@
 list_behind\@:
-        STO     [a_segment, list_at], list_t
-        STO     [list_triangles, list_at], list_triangle
-        RTOR    t1, list_at
+        STO     [a_segment, sorted_at], sorted_t
+        STO     [sorted_triangles, sorted_at], sorted_triangle
+        RTOR    t1, sorted_at
         BIM     list_next\@
 list_here\@:
-        STO     [a_segment, list_at], t0
-        STO     [list_triangles, list_at], triangle
+        STO     [a_segment, sorted_at], t0
+        STO     [sorted_triangles, sorted_at], triangle
         .endm
 
         .macro  every_side
-        ES      crossed, 0
+        ES      mesh_crossed, 0
         cross_edge side_y1, side_y2, side_u, t0
         cross_edge side_y2, side_y0, side_v, t1
         cross_edge side_y0, side_y1, side_w, t2
-        IBXEQ   crossed, r0, r0, side_not\@
+        IBXEQ   mesh_crossed, r0, r0, side_not\@
         subtract_sides
         ABS     side_u, side_u
         ABS     side_v, side_v
@@ -85,11 +86,11 @@ side_not\@:
 
 ; The list is empty; behind it stand the triangles.
         .macro  begin_crossings room
-        FLR     \room, list_triangles
-        SHIFTI  list_triangles, 6, list_triangles
-        ADDX    a_segment, list_triangles, list_triangles
-        ES      list_before, -1
-        ES      list_count, 0
+        FLR     \room, sorted_triangles
+        SHIFTI  sorted_triangles, 6, sorted_triangles
+        ADDX    a_segment, sorted_triangles, sorted_triangles
+        ES      sorted_before, -1
+        ES      sorted_count, 0
         .endm
 
         .kernel mesh
@@ -100,11 +101,11 @@ mesh_crossings:
 mesh_body:
         enter_solver 4, crossings_save, MESH_CROSSING_REGISTERS
         RTOR    r0, mesh_least
-        FLR     sh2, list_at
-        SHIFTI  list_at, 6, list_at
+        FLR     sh2, sorted_at
+        SHIFTI  sorted_at, 6, sorted_at
         begin_crossings sh3
         begin_mesh
-        ADDX    mesh_table, list_at, mesh_table
+        ADDX    mesh_table, sorted_at, mesh_table
         BIM     crossings_walk
 mesh_solid:
         enter_solver 2, crossings_save, MESH_CROSSING_REGISTERS
@@ -115,33 +116,33 @@ crossings_begin:
 crossings_walk:
         walk_mesh every_side
         CFPEQ   mesh_least, r0, crossings_solid
-        IBXNE   list_count, r0, r0, crossings_any
+        IBXNE   sorted_count, r0, r0, crossings_any
         STO     [a_segment], big
-        ES      list_count, 1
+        ES      sorted_count, 1
 crossings_any:
         IX      a_primitive, 64 * P_EVENTS
-        STO     [a_primitive], list_count
+        STO     [a_primitive], sorted_count
         leave_segments crossings_save, MESH_CROSSING_REGISTERS
 crossings_solid:
-        IBXNE   list_count, r0, r0, solid_met
+        IBXNE   sorted_count, r0, r0, solid_met
         STO     [a_segment], big
         STO     [a_segment, index_one], minus_big
-        ES      list_count, 2
+        ES      sorted_count, 2
 solid_met:
-        AND     list_count, index_one, t2
+        AND     sorted_count, index_one, t2
         IBXEQ   t2, r0, r0, solid_even
         RTOR    minus_big, t0
         RTOR    r0, triangle
         list_crossing
 solid_even:
-        SHIFTI  list_count, -1, t2
+        SHIFTI  sorted_count, -1, t2
         IX      a_primitive, 64 * P_SEGMENTS
         STO     [a_primitive], t2
         IX      a_primitive, 64 * (P_STATE_KERNEL - P_SEGMENTS)
         LOD     [a_primitive], t0
         IBXNE   t0, r0, r0, crossings_given
         IX      a_primitive, 64 * (P_EVENTS - P_STATE_KERNEL)
-        STO     [a_primitive], list_count
+        STO     [a_primitive], sorted_count
 crossings_given:
         leave_segments crossings_save, MESH_CROSSING_REGISTERS
         .endkernel
