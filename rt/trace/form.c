@@ -1,0 +1,121 @@
+#include "rt/trace/form.h"
+
+#include <string.h>
+
+#include "rt/layout/bumps.h"
+#include "rt/layout/images.h"
+#include "rt/layout/interiors.h"
+#include "rt/layout/lights.h"
+#include "rt/layout/pigment.h"
+#include "rt/layout/program.h"
+#include "rt/layout/surface.h"
+#include "rt/layout/trees.h"
+#include "rt/shapes/blob.h"
+#include "rt/shapes/shape.h"
+
+static const struct form {
+    const char *name, *program;
+} forms[TRACE_MODES] = {
+    [TRACE_SCALAR] = { "scalar", "frame/frame_scalar.s" },
+    [TRACE_VECTOR] = { "vector", "frame/frame_vector.s" },
+    [TRACE_KERNELS] = { "kernels", "frame/frame_1984.s" },
+};
+
+const char *trace_mode_name(enum trace_mode mode)
+{
+    return forms[mode].name;
+}
+
+bool trace_mode_named(const char *name, enum trace_mode *mode)
+{
+    for (int i = 0; i < TRACE_MODES; i++)
+        if (strcmp(name, forms[i].name) == 0) {
+            *mode = (enum trace_mode)i;
+            return true;
+        }
+    return false;
+}
+
+/* What the kernels have room for unless they are told. */
+enum { CROSSINGS_USUAL = 6 };
+
+static bool is_orthographic(const struct scene *scene)
+{
+    return scene->camera.orthographic;
+}
+
+static bool has_fogs(const struct scene *scene)
+{
+    return scene->fog_count > 0;
+}
+
+/* What kernels can do besides, for the scenes that ask for it. */
+static const struct feature {
+    const char *symbol;
+    bool (*is_in)(const struct scene *scene);
+} features[] = {
+    { "ORTHOGRAPHIC", is_orthographic },
+    { "FOG", has_fogs },
+    { "GLOSS", scene_is_glossy },
+    { "BEAMS", scene_has_beams },
+    { "AREAS", scene_has_areas },
+    { "PATTERNS", scene_has_patterns },
+    { "IMAGES", scene_has_images },
+    { "BUMPS", scene_has_bumps },
+    { "INTERIORS", scene_has_interiors },
+    { "MESH_CROSSINGS", scene_has_crossed_meshes },
+};
+enum { FEATURES = sizeof features / sizeof *features };
+
+/* The constants that a program is assembled with. */
+struct defines {
+    struct asm_define
+        list[FEATURES + PRIMITIVE_KINDS + 9]; /* the last is NULL */
+    size_t count;
+};
+
+static void define(struct defines *defines, const char *symbol, size_t value)
+{
+    defines->list[defines->count++] = (struct asm_define){ symbol,
+                                                           (int64_t)value };
+}
+
+/* The kernels of shapes that are in the scene. */
+static void define_shapes(struct defines *defines, const struct scene *scene)
+{
+    bool there[PRIMITIVE_KINDS] = { false };
+
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        there[scene->primitives[i].kind] = true;
+    for (size_t i = 0; i < PRIMITIVE_KINDS; i++)
+        if (there[i] && shapes[i]->symbol)
+            define(defines, shapes[i]->symbol, 1);
+}
+
+struct object *form_assemble(const struct trace_options *options,
+                             const struct scene *scene, c205_error *error)
+{
+    struct defines defines = { .count = 0 };
+    size_t crossings = most_crossings(scene);
+    size_t pieces = blob_pieces_most(scene);
+
+    define(&defines, "QUEUE", options->queue);
+    for (size_t i = 0; i < FEATURES; i++)
+        if (features[i].is_in(scene))
+            define(&defines, features[i].symbol, 1);
+    define_shapes(&defines, scene);
+    if (scene->camera.lens_radius > 0 && options->samples > 1)
+        define(&defines, "LENS", 1);
+    if (options->historical)
+        define(&defines, "HISTORICAL", 1);
+    if (options->variant)
+        define(&defines, options->variant, 1);
+    if (options->visible != VISIBLE_DEFAULT)
+        define(&defines, "VISIBLE", options->visible);
+    if (pieces > 0)
+        define(&defines, "BLOB_PIECES", pieces);
+    if (crossings > CROSSINGS_USUAL)
+        define(&defines, "CROSSINGS_MOST", crossings);
+    return program_assemble(forms[options->mode].program, defines.list,
+                            error);
+}
