@@ -5,10 +5,10 @@
 ; parabola  P + (bow w + way) w  the w of a point X that is on it is linear:
 ; w = share . (X - P), for share is across the bow.  So
 ;
-;   w, cut to 0 .. 1    distance = X - P - (bow w + way) w
+;   w, cut to 0 .. 1    distance = |X - P - (bow w + way) w|
 ;
-; tells nothing but how far a point of another edge is not, and 0 of its own.
-; Normal: across  2 bow w + way.
+; which is 0 on the edge itself, and on another one no less than the distance from
+; there to here.  Normal: across  2 bow w + way.
 
         .if     QUADRATIC_PRISMS
         .kernel shade
@@ -18,7 +18,7 @@
         .regs   r52, curve_outward
         .endshare
 
-; [part] = the way from the foot, (bow w + way) w; [slope] = bow w + way.
+; [slope] = bow w + way; [left_over] = from - slope w.
         .macro  along_curve bow, path, from, slope, left_over
         LINKV
         MPYSV   [v3], \bow, [\slope]
