@@ -19,16 +19,24 @@
 #include "rt/picture/picture.h"
 #include "rt/shapes/shape_words.h"
 
-static void table_in_words(const struct primitive *primitive,
-                           const double *table, size_t count,
-                           c205_word *words)
+/* False: there is no memory. */
+static bool put_integers(const struct primitive *primitive,
+                         const double *table, size_t count, c205_word *words)
 {
     const struct shape *shape = shape_of(primitive);
+    bool *marks;
 
-    put_numbers(words, table, count);
-    for (size_t i = 0; shape->is_integer && i < count; i++)
-        if (shape->is_integer(primitive, i))
+    if (!shape->mark_integers)
+        return true;
+    marks = calloc(count + 1, sizeof *marks);
+    if (!marks)
+        return false;
+    shape->mark_integers(primitive, marks);
+    for (size_t i = 0; i < count; i++)
+        if (marks[i])
             words[i] = c205_from_integer((int64_t)table[i]);
+    free(marks);
+    return true;
 }
 
 static void put_table(struct record *record,
@@ -42,8 +50,11 @@ static void put_table(struct record *record,
         layout_fail(record->layout, "no memory");
     } else if (count > 0) {
         record_check(record, table, count);
-        table_in_words(primitive, table, count, words);
-        record_table(record, "P_TABLE", words, count);
+        put_numbers(words, table, count);
+        if (put_integers(primitive, table, count, words))
+            record_table(record, "P_TABLE", words, count);
+        else
+            layout_fail(record->layout, "no memory");
     }
     free(table);
     free(words);

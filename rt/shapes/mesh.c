@@ -413,16 +413,22 @@ static bool is_finite(const struct primitive *primitive)
 }
 
 /* Words of a node, behind its box. */
-static bool is_integer(const struct primitive *primitive, size_t word)
+static void mark_links(const struct triangles *triangles, bool *marks)
 {
-    const struct triangles *triangles = &primitive->shape.mesh.triangles;
-    size_t seen = table_size(primitive, triangles);
+    size_t size = nodes_size(triangles);
 
-    if (word >= seen) {
-        triangles = &primitive->shape.mesh.body;
-        word -= seen;
-    }
-    return word < nodes_size(triangles) && word % NODE_ROW >= NODE_LINKS;
+    for (size_t i = 0; i < size; i++)
+        marks[i] = i % NODE_ROW >= NODE_LINKS;
+}
+
+static void mark_integers(const struct primitive *primitive, bool *marks)
+{
+    const struct triangles *seen = &primitive->shape.mesh.triangles;
+    const struct triangles *body = &primitive->shape.mesh.body;
+
+    mark_links(seen, marks);
+    if (body->count > 0)
+        mark_links(body, marks + table_size(primitive, seen));
 }
 
 /* A line crosses each triangle once at the most, and where that comes to an odd
@@ -473,7 +479,7 @@ const struct shape shape_mesh = {
     .bound = put_bound,
     .words = put_words,
     .table = put_table,
-    .is_integer = is_integer,
+    .mark_integers = mark_integers,
     .is_finite = is_finite,
     .carry = carry,
     .segments = segments,

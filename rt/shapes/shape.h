@@ -89,8 +89,9 @@ struct shape {
      * many, and, if table is not NULL, the words, or 0 if there is no memory
      * to work them out.  NULL: none. */
     size_t (*table)(const struct primitive *primitive, double *table);
-    /* Which of them are integers.  NULL: all are numbers. */
-    bool (*is_integer)(const struct primitive *primitive, size_t word);
+    /* Which of them are integers: marks these where no mark is.  NULL: all are
+     * numbers. */
+    void (*mark_integers)(const struct primitive *primitive, bool *marks);
     /* Whether all are finite, if that is told sooner than by working them
      * out; or NULL. */
     bool (*is_finite)(const struct primitive *primitive);
