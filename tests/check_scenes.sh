@@ -32,9 +32,9 @@ not_for_povray="tests/scenes/lens_orthographic.pov
 # Through a lens, where POV-Ray's rays are random.
 roughly_povray="tests/scenes/lens.pov"
 # Of thousands of triangles, each of which the plain tracer asks, or of many
-# components: fewer pixels.
+# components, or that send many rays: fewer pixels.
 of_triangles="scenes/shell.pov scenes/terrain.pov scenes/sails.pov
-    scenes/vase.pov scenes/mist.pov scenes/drops.pov"
+    scenes/vase.pov scenes/mist.pov scenes/drops.pov scenes/marbles.pov"
 # A face of a cylinder in that of a box: rounding says which is met.
 not_historical="scenes/bearing.pov"
 
