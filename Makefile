@@ -52,8 +52,8 @@ asm_api = $(addprefix asm/,assemble.h disassemble.h expect.h listing.h object.h 
 	print.h state.h trap_report.h warning.def warning.h watch.h) \
 	base/diagnostic.h base/sink.h
 rt_api = $(addprefix rt/,scene/raster.h scene/scene.h scene/image_map.h \
-	scene/language/scene_read.h shapes/primitive.h shapes/shapes.def layout/layout.h layout/bounding.h \
-	picture/picture.h trace/band.h trace/observer.h trace/trace.h \
+	scene/language/scene_read.h shapes/primitive.h shapes/shapes.def \
+	layout/layout.h layout/bounding.h picture/picture.h trace/band.h trace/observer.h trace/trace.h \
 	trace/order.h trace/vector_use.h trace/visible.h) \
 	$(addprefix base/,accounts.h arena.h json.h table.h)
 unit_tests = $(addprefix $(BUILD)/tests/unit/,$(UNITS))
