@@ -53,8 +53,8 @@ asm_api = $(addprefix asm/,assemble.h disassemble.h expect.h listing.h object.h 
 	base/diagnostic.h base/sink.h
 rt_api = $(addprefix rt/,scene/raster.h scene/scene.h scene/image_map.h \
 	scene/language/scene_read.h shapes/primitive.h shapes/shapes.def \
-	layout/layout.h layout/bounding.h picture/picture.h trace/band.h trace/observer.h trace/trace.h \
-	trace/order.h trace/vector_use.h trace/visible.h) \
+	layout/layout.h layout/bounding.h picture/picture.h trace/band.h \
+	trace/observer.h trace/trace.h trace/order.h trace/vector_use.h trace/visible.h) \
 	$(addprefix base/,accounts.h arena.h json.h table.h)
 unit_tests = $(addprefix $(BUILD)/tests/unit/,$(UNITS))
 oracles = $(BUILD)/tests/oracle/check_arithmetic \
