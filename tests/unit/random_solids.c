@@ -380,3 +380,64 @@ void add_solid(char *text, size_t size, size_t depth)
     solids.patches = patches;
     solids.meshes = meshes;
 }
+
+/* --- solids with a shape --------------------------------------------------- */
+
+typedef void shape_words(char *text, size_t size);
+
+static void add_part(char *text, size_t size, shape_words *add_shape)
+{
+    if (below(3))
+        add_shape(text, size);
+    else if (below(2))
+        add_ball(text, size);
+    else if (below(2))
+        add_box(text, size);
+    else
+        add_torus(text, size);
+    add_look(text, size);
+    add_text(text, size, below(8) ? "" : "inverse ");
+    add_motion(text, size);
+    add_text(text, size, "}\n");
+}
+
+static void write_solids_with(char *text, size_t size, shape_words *add_shape)
+{
+    static const char *const joined[] = { "difference", "intersection",
+                                          "merge", "union" };
+
+    add_text(
+        text, size,
+        "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
+        "background { rgb <.2, .3, .5> } light_source { <%.1f, 8, -7>, .7 }\n"
+        "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n",
+        between(-7, 7), place_between(-2, 2), place_between(-2, 2));
+    for (size_t solids_left = 2; solids_left > 0; solids_left--) {
+        add_text(text, size, "%s {\n", joined[below(4)]);
+        for (size_t i = 2 + below(3); i > 0; i--)
+            add_part(text, size, add_shape);
+        add_motion(text, size);
+        add_text(text, size, "}\n");
+    }
+}
+
+void check_solids_with(void (*add_shape)(char *text, size_t size))
+{
+    static char text[1 << 16];
+    struct words *words, *others;
+
+    text[0] = '\0';
+    write_solids_with(text, sizeof text, add_shape);
+    words = plain_frame(text);
+    check_paper_stage(text, words);
+    traced.visible = VISIBLE_EVERY;
+    traced.no_bounds = true;
+    others = same_frame(text);
+    traced.visible = VISIBLE_DEFAULT;
+    traced.no_bounds = false;
+    if (memcmp(words, others, sizeof *words) != 0)
+        fail_msg("every crossing without bounds gives another frame of\n%s",
+                 text);
+    free(words);
+    free(others);
+}

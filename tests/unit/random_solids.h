@@ -29,4 +29,9 @@ void add_gradient(char *text, size_t size);
 void add_look(char *text, size_t size);
 void add_solid(char *text, size_t size, size_t depth);
 
+/* Two solids of some parts each, two of three of which are the shape that is begun by
+ * these words: one frame of all stages, of both ways to the nearest, and without
+ * bounds, the plain tracer's. */
+void check_solids_with(void (*add_shape)(char *text, size_t size));
+
 #endif

@@ -100,80 +100,17 @@ static void test_random_scenes(void **state)
 
 /* ---- Solids -------------------------------------------------------------- */
 
-static void add_motion(char *text, size_t size)
+static void add_plain_lathe(char *text, size_t size)
 {
-    if (below(2))
-        add_text(text, size, "rotate <%.2f, %.2f, %.2f> ", angle(), angle(),
-                 angle());
-    add_text(text, size, "translate ");
-    add_point(text, size, .6);
-}
-
-static void add_part(char *text, size_t size)
-{
-    if (below(3))
-        add_any_lathe(text, size, false);
-    else if (below(2))
-        add_text(text, size, "sphere { 0, %.4f ", between(.5, 1.2));
-    else
-        add_text(text, size, "box { -%.4f, %.4f ", between(.3, 1),
-                 between(.3, 1));
-    add_look(text, size);
-    add_text(text, size, below(8) ? "" : "inverse ");
-    add_text(text, size, "scale <%.3f, %.3f, %.3f> ", between(.7, 1.4),
-             between(.7, 1.4), between(.7, 1.4));
-    add_motion(text, size);
-    add_text(text, size, "}\n");
-}
-
-static void write_solids(char *text, size_t size)
-{
-    static const char *const joined[] = { "difference", "intersection",
-                                          "merge", "union" };
-
-    text[0] = '\0';
-    add_text(
-        text, size,
-        "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
-        "background { rgb <.2, .3, .5> } light_source { <%.1f, 8, -7>, .7 }\n"
-        "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n",
-        between(-7, 7), between(-2, 2), between(-2, 2));
-    for (size_t solids_left = 2; solids_left > 0; solids_left--) {
-        add_text(text, size, "%s {\n", joined[below(4)]);
-        for (size_t i = 2 + below(3); i > 0; i--)
-            add_part(text, size);
-        add_motion(text, size);
-        add_text(text, size, "}\n");
-    }
-}
-
-/* One frame of all stages, of both ways to the nearest, and without bounds. */
-static void check_solids(const char *text)
-{
-    struct words *words = plain_frame(text), *others;
-
-    check_paper_stage(text, words);
-    traced.visible = VISIBLE_EVERY;
-    traced.no_bounds = true;
-    others = same_frame(text);
-    traced.visible = VISIBLE_DEFAULT;
-    traced.no_bounds = false;
-    if (memcmp(words, others, sizeof *words) != 0)
-        fail_msg("every crossing without bounds gives another frame of\n%s",
-                 text);
-    free(words);
-    free(others);
+    add_any_lathe(text, size, false);
 }
 
 static void test_solids(void **state)
 {
-    static char text[1 << 16];
-
     (void)state;
     for (size_t i = 0; i < 2 * scene_count; i++) {
         solids.clear = i % 2;
-        write_solids(text, sizeof text);
-        check_solids(text);
+        check_solids_with(add_plain_lathe);
     }
 }
 
