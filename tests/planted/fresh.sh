@@ -1,6 +1,7 @@
 #!/bin/sh
 # fresh.sh - the text that each fault of bugs.list replaces stands once in its
-# file.  Whether the fault is found is for run.sh to say.
+# file, and an empty line parts it from the fault before.  Whether the fault is
+# found is for run.sh to say.
 set -u
 cd "$(dirname "$0")/../.."
 
@@ -12,7 +13,13 @@ awk '
         close(path)
         return count + 0
     }
-    /^# / { what = substr($0, 3) }
+    /^# / {
+        what = substr($0, 3)
+        if (before ~ /^\+/) {
+            print "FAIL joined to the fault before: " what
+            failed++
+        }
+    }
     /^= / { path = substr($0, 3) }
     /^- / {
         if (times(substr($0, 3), path) == 1)
@@ -22,6 +29,7 @@ awk '
             failed++
         }
     }
+    { before = $0 }
     END {
         printf "%d passed, %d failed\n", passed, failed
         exit failed > 0
