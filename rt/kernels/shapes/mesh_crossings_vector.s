@@ -244,14 +244,7 @@ meet_every:
         cross_edge side_b0, side_b1, side_x0, side_y0, side_x1, side_y1, side_w
         CNTOB   [side_bits], s2
         IBXEQ   s2, r0, r0, every_met
-        side_keep side_place
-        side_keep side_triangle
-        side_keep side_u
-        side_keep side_v
-        side_keep side_w
-        side_keep side_z0
-        side_keep side_z1
-        side_keep side_z2
+        keep_sides
         set_crossing_sides s2
         ABSV    [side_u], [side_u]
         ABSV    [side_v], [side_v]

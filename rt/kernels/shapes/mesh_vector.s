@@ -183,6 +183,18 @@ side_bases:
         CPSV    [\vector], [\vector] ? [side_bits]
         .endm
 
+; Only those pairs of which nothing has shown that the ray passes by.
+        .macro  keep_sides
+        side_keep side_place
+        side_keep side_triangle
+        side_keep side_u
+        side_keep side_v
+        side_keep side_w
+        side_keep side_z0
+        side_keep side_z1
+        side_keep side_z2
+        .endm
+
 ; [into] = [vector] of the rays of the pairs.
         .macro  of_ray vector, into
         VXTOV   [side_place], [\vector], [\into]
@@ -400,14 +412,7 @@ meet_sides:
         ORB     [side_bits], [side_more], [side_bits]
         CNTOB   [side_bits], s2
         IBXEQ   s2, r0, r0, sides_met
-        side_keep side_place
-        side_keep side_triangle
-        side_keep side_u
-        side_keep side_v
-        side_keep side_w
-        side_keep side_z0
-        side_keep side_z1
-        side_keep side_z2
+        keep_sides
         set_sides s2
         MPYSV   [side_u], [side_z0], [side_z0]
         MPYSV   [side_v], [side_z1], [side_z1]

@@ -34,26 +34,7 @@ normal_lathe_row:
         IX      t1, 64 * (LATHE_RADIUS - LATHE_HEIGHT)
         ELEN    t1, 6
         SWAP    [t1], foot_radius, [r0]         ; .. outward_y
-        SUBN    from_axis_here, foot_radius, t1
-        SUBN    height_here, foot_height, t2
-        MPYS    t1, back_r, t3
-        MPYS    t2, back_y, t4
-        MPYS    t1, outward_r, t5
-        MPYS    t2, outward_y, t6
-        ADDN    t4, t3, t3                      ; along
-        ADDN    t6, t5, t4
-        MPYS    t4, t4, t4                      ; across, its square
-        SUBN    t3, back_length, t5
-        CFPGE   r0, t5, normal_lathe_begins
-        MPYS    t5, t5, t5
-        ADDN    t4, t5, t4
-normal_lathe_begins:
-        CFPGE   t3, r0, normal_lathe_square
-        MPYS    t3, t3, t3
-        ADDN    t4, t3, t4
-normal_lathe_square:
-        CFPGE   t4, t0, normal_lathe_next
-        RTOR    t4, t0
+        nearest_edge from_axis_here, height_here, foot_radius, foot_height, back_r, back_y, back_length, outward_r, outward_y, normal_lathe_next
         RTOR    outward_r, nx
         RTOR    outward_y, ny
 normal_lathe_next:

@@ -21,26 +21,7 @@
 
 ; The least square of a distance so far in [v0], rho in [v6], Y in [v7].
         .macro  take_segment
-        SUBNV   [v6], foot_radius, [v1]
-        SUBNV   [v7], foot_height, [v2]
-        MPYSV   [v1], back_r, [v3]
-        LINKV
-        MPYSV   [v2], back_y, [v4]
-        ADDNV   [v4], [v3], [v3]
-        MPYSV   [v1], outward_r, [v4]
-        LINKV
-        MPYSV   [v2], outward_y, [v5]
-        ADDNV   [v5], [v4], [v4]
-        MPYSV   [v4], [v4], [v4]
-        SUBNV   [v3], back_length, [v5]
-        CMPLTV  r0, [v5], [hits0]
-        MPYSV   [v5], [v5], [v5]
-        ADDNV   [v4], [v5], [v4] ? [hits0]
-        CMPLTV  [v3], r0, [hits0]
-        MPYSV   [v3], [v3], [v3]
-        ADDNV   [v4], [v3], [v4] ? [hits0]
-        CMPLTV  [v4], [v0], [hits0]
-        VTOV    [v4], [v0] ? [hits0]
+        nearest_edge v6, v7, foot_radius, foot_height, back_r, back_y, back_length, outward_r, outward_y
         VTOV    outward_r, [nx] ? [hits0]
         VTOV    outward_y, [ny] ? [hits0]
         .endm

@@ -1,6 +1,45 @@
 ; normal_prism_scalar.s - the normal of a prism; see normal_prism_vector.s.
 
         .kernel shade
+
+; Of an edge that is nearer than the least square of a distance so far, t0.
+        .macro  nearest_edge x, z, foot_x, foot_z, back_x, back_z, length, out_x, out_z, farther
+        SUBN    \x, \foot_x, t1
+        SUBN    \z, \foot_z, t2
+        MPYS    t1, \back_x, t3
+        MPYS    t2, \back_z, t4
+        MPYS    t1, \out_x, t5
+        MPYS    t2, \out_z, t6
+        ADDN    t4, t3, t3                      ; along
+        ADDN    t6, t5, t4
+        MPYS    t4, t4, t4                      ; across, its square
+        SUBN    t3, \length, t5
+        CFPGE   r0, t5, edge_begins\@
+        MPYS    t5, t5, t5
+        ADDN    t4, t5, t4
+edge_begins\@:
+        CFPGE   t3, r0, edge_square\@
+        MPYS    t3, t3, t3
+        ADDN    t4, t3, t4
+edge_square\@:
+        CFPGE   t4, t0, \farther
+        RTOR    t4, t0
+        .endm
+
+; The nearer one of the caps at y = sh0 and sh1, the square of its distance in t0.
+        .macro  nearest_cap
+        SUBN    qy, sh0, t0
+        SUBN    qy, sh1, t1
+        MPYS    t0, t0, t0
+        MPYS    t1, t1, t1
+        RTOR    m_zero, nx
+        RTOR    m_minus_one, ny
+        CFPGE   t1, t0, cap_nearest\@
+        RTOR    t1, t0
+        RTOR    m_one, ny
+cap_nearest\@:
+        .endm
+
 normal_open_prism:
         load_shape 3
         EX      t0, k_big
@@ -10,15 +49,7 @@ normal_open_prism:
         BIM     normal_prism_sides
 normal_prism:
         load_shape 3
-        SUBN    qy, sh0, t0
-        SUBN    qy, sh1, t1
-        MPYS    t0, t0, t0
-        MPYS    t1, t1, t1
-        RTOR    m_zero, nx
-        RTOR    m_minus_one, ny
-        CFPGE   t1, t0, normal_prism_sides
-        RTOR    t1, t0
-        RTOR    m_one, ny
+        nearest_cap
 normal_prism_sides:
         RTOR    m_zero, nz
         get_field P_TABLE, here
@@ -27,26 +58,7 @@ normal_prism_row:
         SWAP    [here], sh3, [r0]
         IX      here, 64 * PRISM_SIZE
         CFPNE   sh5, r0, normal_prism_next
-        SUBN    qx, sh3, t1
-        SUBN    qz, sh4, t2
-        MPYS    t1, sh6, t3
-        MPYS    t2, sh7, t4
-        MPYS    t1, sh9, t5
-        MPYS    t2, sh10, t6
-        ADDN    t4, t3, t3                      ; along
-        ADDN    t6, t5, t4
-        MPYS    t4, t4, t4                      ; across, its square
-        SUBN    t3, sh8, t5
-        CFPGE   r0, t5, normal_prism_begins
-        MPYS    t5, t5, t5
-        ADDN    t4, t5, t4
-normal_prism_begins:
-        CFPGE   t3, r0, normal_prism_square
-        MPYS    t3, t3, t3
-        ADDN    t4, t3, t4
-normal_prism_square:
-        CFPGE   t4, t0, normal_prism_next
-        RTOR    t4, t0
+        nearest_edge qx, qz, sh3, sh4, sh6, sh7, sh8, sh9, sh10, normal_prism_next
         RTOR    sh9, nx
         RTOR    m_zero, ny
         RTOR    sh10, nz

@@ -9,20 +9,20 @@
 
         .kernel shade
 
-; The least square of a distance so far in [v0].
-        .macro  take_edge
-        SUBNV   [qx], sh3, [v1]
-        SUBNV   [qz], sh4, [v2]
-        MPYSV   [v1], sh6, [v3]
+; Of an edge that is nearer than the least square of a distance so far, [v0]: hits0.
+        .macro  nearest_edge x, z, foot_x, foot_z, back_x, back_z, length, out_x, out_z
+        SUBNV   [\x], \foot_x, [v1]
+        SUBNV   [\z], \foot_z, [v2]
+        MPYSV   [v1], \back_x, [v3]
         LINKV
-        MPYSV   [v2], sh7, [v4]
+        MPYSV   [v2], \back_z, [v4]
         ADDNV   [v4], [v3], [v3]
-        MPYSV   [v1], sh9, [v4]
+        MPYSV   [v1], \out_x, [v4]
         LINKV
-        MPYSV   [v2], sh10, [v5]
+        MPYSV   [v2], \out_z, [v5]
         ADDNV   [v5], [v4], [v4]
         MPYSV   [v4], [v4], [v4]
-        SUBNV   [v3], sh8, [v5]
+        SUBNV   [v3], \length, [v5]
         CMPLTV  r0, [v5], [hits0]
         MPYSV   [v5], [v5], [v5]
         ADDNV   [v4], [v5], [v4] ? [hits0]
@@ -31,9 +31,26 @@
         ADDNV   [v4], [v3], [v4] ? [hits0]
         CMPLTV  [v4], [v0], [hits0]
         VTOV    [v4], [v0] ? [hits0]
+        .endm
+
+        .macro  take_edge
+        nearest_edge qx, qz, sh3, sh4, sh6, sh7, sh8, sh9, sh10
         VTOV    sh9, [nx] ? [hits0]
         VTOV    r0, [ny] ? [hits0]
         VTOV    sh10, [nz] ? [hits0]
+        .endm
+
+; The nearer one of the caps at y = sh0 and sh1, the square of its distance in [v0].
+        .macro  nearest_cap
+        SUBNV   [qy], sh0, [v0]
+        SUBNV   [qy], sh1, [v1]
+        MPYSV   [v0], [v0], [v0]
+        MPYSV   [v1], [v1], [v1]
+        VTOV    r0, [nx]
+        VTOV    minus_one, [ny]
+        CMPLTV  [v1], [v0], [hits0]
+        VTOV    [v1], [v0] ? [hits0]
+        VTOV    one, [ny] ? [hits0]
         .endm
 
 normal_open_prism:
@@ -44,15 +61,7 @@ normal_open_prism:
         BIM     normal_prism_sides
 normal_prism:
         load_record P_SHAPE, 3, sh0
-        SUBNV   [qy], sh0, [v0]
-        SUBNV   [qy], sh1, [v1]
-        MPYSV   [v0], [v0], [v0]
-        MPYSV   [v1], [v1], [v1]
-        VTOV    r0, [nx]
-        VTOV    minus_one, [ny]
-        CMPLTV  [v1], [v0], [hits0]
-        VTOV    [v1], [v0] ? [hits0]
-        VTOV    one, [ny] ? [hits0]
+        nearest_cap
 normal_prism_sides:
         VTOV    r0, [nz]
         load_field P_TABLE, s1

@@ -17,15 +17,7 @@ normal_open_quadratic_prism:
         BIM     normal_curves
 normal_quadratic_prism:
         load_shape 3
-        SUBN    qy, sh0, t0
-        SUBN    qy, sh1, t1
-        MPYS    t0, t0, t0
-        MPYS    t1, t1, t1
-        RTOR    m_zero, nx
-        RTOR    m_minus_one, ny
-        CFPGE   t1, t0, normal_curves
-        RTOR    t1, t0
-        RTOR    m_one, ny
+        nearest_cap
 normal_curves:
         RTOR    m_zero, nz
         get_field P_TABLE, here

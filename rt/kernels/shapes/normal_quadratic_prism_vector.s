@@ -69,15 +69,7 @@ normal_open_quadratic_prism:
         BIM     normal_curves
 normal_quadratic_prism:
         load_record P_SHAPE, 3, sh0
-        SUBNV   [qy], sh0, [v0]
-        SUBNV   [qy], sh1, [v1]
-        MPYSV   [v0], [v0], [v0]
-        MPYSV   [v1], [v1], [v1]
-        VTOV    r0, [nx]
-        VTOV    minus_one, [ny]
-        CMPLTV  [v1], [v0], [hits0]
-        VTOV    [v1], [v0] ? [hits0]
-        VTOV    one, [ny] ? [hits0]
+        nearest_cap
 normal_curves:
         VTOV    r0, [nz]
         load_field P_TABLE, s1

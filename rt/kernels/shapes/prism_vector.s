@@ -102,6 +102,19 @@ prism_slanted\@:
         XORB    [inside_high], [inside_high], [inside_high]
         .endm
 
+; Where a corner lies, seen along the path: on its left, and how far along.
+        .macro  see_corner x, z
+        SUBNV   \x, [ox], [from_x]
+        SUBNV   \z, [oz], [from_z]
+        MPYSV   [path_dx], [from_z], [side]
+        MPYSV   [path_dz], [from_x], [path_work]
+        SUBNV   [side], [path_work], [side]
+        MPYSV   [path_dx], [from_x], [way]
+        MPYSV   [path_dz], [from_z], [path_work]
+        ADDNV   [path_work], [way], [way]
+        CMPGEV  [side], r0, [left]
+        .endm
+
 ; The crossings with each edge, at [crossed_at] where [crossed], to found.
         .macro  walk_edges found
         load_field P_TABLE, row_at
@@ -110,15 +123,7 @@ prism_row\@:
         ELEN    row_at, 3
         SWAP    [row_at], here_x, [r0]          ; and here_z, begins
         IX      row_at, 64 * PRISM_SIZE
-        SUBNV   here_x, [ox], [from_x]
-        SUBNV   here_z, [oz], [from_z]
-        MPYSV   [path_dx], [from_z], [side]
-        MPYSV   [path_dz], [from_x], [path_work]
-        SUBNV   [side], [path_work], [side]
-        MPYSV   [path_dx], [from_x], [way]
-        MPYSV   [path_dz], [from_z], [path_work]
-        ADDNV   [path_work], [way], [way]
-        CMPGEV  [side], r0, [left]
+        see_corner here_x, here_z
         CFPNE   begins, r0, prism_next\@
         XORB    [left], [left_before], [crossed]
         CNTOB   [crossed], s0

@@ -111,15 +111,7 @@ curve\@:
         ELEN    row_at, 7
         SWAP    [row_at], end_x, [r0]           ; .. lead_z
         IX      row_at, 64 * QUADRATIC_SIZE
-        SUBNV   end_x, [ox], [from_x]
-        SUBNV   end_z, [oz], [from_z]
-        MPYSV   [path_dx], [from_z], [side]
-        MPYSV   [path_dz], [from_x], [path_work]
-        SUBNV   [side], [path_work], [side]
-        MPYSV   [path_dx], [from_x], [way]
-        MPYSV   [path_dz], [from_z], [path_work]
-        ADDNV   [path_work], [way], [way]
-        CMPGEV  [side], r0, [left]
+        see_corner end_x, end_z
         CFPNE   loop_begins, r0, curve_passed\@
         XORB    [left], [left_before], [crossed]
         cross_row bend_x, bend_z, side_bend

@@ -338,6 +338,31 @@ shown_next:
 seen_found:
         BIM     0, link_inner
 
+; The rays of bits0 are those that met the leaf, around these distances.
+        .macro  found_rays
+        load_field P_ID, identity
+        CMPEQV  [event_met], identity, [bits0]
+        ANDB    [s5], [bits0], [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, found_next
+        load_word k_delta, s0
+        SUBNV   [event], s0, [before]
+        ADDNV   [event], s0, [after]
+        .endm
+
+; Of those that have this crossing, what stands behind it, to hit_s; none: other.
+        .macro  found_at other
+        crossing_near bits1, bits2
+        ANDB    [bits0], [bits1], [bits1]
+        CNTOB   [bits1], s0
+        IBXEQ   s0, r0, r0, \other
+        ANDNB   [bits0], [bits1], [bits0]
+        take_found place, taken_at, 0, bits1
+        ADDX    slot, s3, s4
+        take_found s4, taken_distance, 1, bits1
+        VTOVX   [taken_at], [taken_distance], [hit_s]
+        .endm
+
 ; The s9 rays of active alone remain at hand.
         .macro  squeeze_slots count, first
         RTOR    \count, s2
@@ -427,26 +452,11 @@ found_leaf:
         IBXEQ   s0, r0, one_index, found_mesh
         .endif
         IBXNE   leaf_segments, r0, r0, found_next
-        load_field P_ID, identity
-        CMPEQV  [event_met], identity, [bits0]
-        ANDB    [s5], [bits0], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, found_next
-        load_word k_delta, s0
-        SUBNV   [event], s0, [before]
-        ADDNV   [event], s0, [after]
+        found_rays
         find_slot leaf_first_event
         EX      s3, 64 * CROSSING_SIZE * PATCH_CROSSINGS
 found_crossing:
-        crossing_near bits1, bits2
-        ANDB    [bits0], [bits1], [bits1]
-        CNTOB   [bits1], s0
-        IBXEQ   s0, r0, r0, found_other
-        ANDNB   [bits0], [bits1], [bits0]
-        take_found place, taken_at, 0, bits1
-        ADDX    slot, s3, s4
-        take_found s4, taken_distance, 1, bits1
-        VTOVX   [taken_at], [taken_distance], [hit_s]
+        found_at found_other
         ADDX    s4, s3, s4
         take_found s4, taken_distance, 1, bits1
         VTOVX   [taken_at], [taken_distance], [hit_t]
@@ -462,27 +472,12 @@ found_none:
 ; On which triangle of a mesh, and if the rays leave there: of a solid where each
 ; second crossing is; with a body its normals tell.
 found_mesh:
-        load_field P_ID, identity
-        CMPEQV  [event_met], identity, [bits0]
-        ANDB    [s5], [bits0], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, found_next
-        load_word k_delta, s0
-        SUBNV   [event], s0, [before]
-        ADDNV   [event], s0, [after]
+        found_rays
         triangles_behind s3
         find_slot leaf_first_event
         ES      s6, 0
 found_triangle:
-        crossing_near bits1, bits2
-        ANDB    [bits0], [bits1], [bits1]
-        CNTOB   [bits1], s0
-        IBXEQ   s0, r0, r0, found_later
-        ANDNB   [bits0], [bits1], [bits0]
-        take_found place, taken_at, 0, bits1
-        ADDX    slot, s3, s4
-        take_found s4, taken_distance, 1, bits1
-        VTOVX   [taken_at], [taken_distance], [hit_s]
+        found_at found_later
         VTOVX   [taken_at], s6, [hit_t]
 found_later:
         ADDX    slot, slot_size, slot
