@@ -106,6 +106,14 @@ static void add_motion(char *text, size_t size)
              place_between(-.6, .6));
 }
 
+void add_turn(char *text, size_t size, double larger)
+{
+    add_text(text, size, " scale %.1f rotate <%.2f, %.2f, %.2f> translate ",
+             larger, between(-90, 90), between(-90, 90), between(-90, 90));
+    add_point(text, size, 1.3);
+    add_text(text, size, " ");
+}
+
 /* --- shapes -------------------------------------------------------------- */
 
 

@@ -25,6 +25,8 @@ double size_between(double low, double high);
 double place_between(double low, double high);
 double angle(void);
 
+/* A motion that turns a shape any way, so many times as large. */
+void add_turn(char *text, size_t size, double larger);
 void add_gradient(char *text, size_t size);
 void add_look(char *text, size_t size);
 void add_solid(char *text, size_t size, size_t depth);

@@ -1,10 +1,26 @@
 /* scene_reading.c - texts that must be read, and others that must not. */
 #include "scene_reading.h"
 
+#include "rt/picture/picture.h"
+
+#include <stdio.h>
+
 const struct scene_options reading_options = { .width = 640, .height = 480 };
 const struct scene_options strict_options = { .width = 640,
                                               .height = 480,
                                               .strict = true };
+const struct scene_options with_images = {
+    .width = 640, .height = 480, .read_raster = picture_read_raster
+};
+
+void write_file(const char *path, const char *bytes, size_t count)
+{
+    FILE *file = fopen(path, "wb");
+
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, count, file), count);
+    assert_int_equal(fclose(file), 0);
+}
 
 void assert_close(double a, double b, double within)
 {

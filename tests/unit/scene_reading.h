@@ -18,6 +18,11 @@
 #define PRINTED 1e-6 /* POV-Ray's six places */
 
 extern const struct scene_options reading_options, strict_options;
+/* .. to read images, too. */
+extern const struct scene_options with_images;
+
+/* A file of these bytes. */
+void write_file(const char *path, const char *bytes, size_t count);
 
 void assert_close(double a, double b, double within);
 void assert_vector(const double a[3], double x, double y, double z);

@@ -5,9 +5,7 @@
  *
  *     test_height_fields [FIELDS [SEED]]
  */
-#include "rt/picture/picture.h"
 #include "rt/shapes/primitive.h"
-#include "tests/random.h"
 #include "rt/shapes/shape.h"
 #include "tests/oracle/plain_shapes.h"
 #include "tests/random.h"
@@ -21,10 +19,6 @@ enum { GRID_MOST = 9, SAMPLES = 100 };
 static size_t field_count = 200;
 static uint64_t random_state = RANDOM_SEED;
 
-static const struct scene_options with_images = {
-    .width = 640, .height = 480, .read_raster = picture_read_raster
-};
-
 static double between(double low, double high)
 {
     return xorshift_real(&random_state, low, high);
@@ -36,11 +30,7 @@ static char path[64];
 
 static void keep(const char *bytes, size_t count)
 {
-    FILE *file = fopen(path, "wb");
-
-    assert_non_null(file);
-    assert_int_equal(fwrite(bytes, 1, count, file), count);
-    assert_int_equal(fclose(file), 0);
+    write_file(path, bytes, count);
 }
 
 static struct scene *read_field(const char *words, const char *modifiers,

@@ -1,6 +1,5 @@
 /* image_map: what the samples of files of all kinds stand for, as POV-Ray 3.7's
  * pictures of the same bytes show it; its words; what is no image_map. */
-#include "rt/picture/picture.h"
 #include "rt/shapes/primitive.h"
 #include "tests/unit/scene_reading.h"
 
@@ -9,21 +8,13 @@
 
 #define SEEN 6e-5 /* four places of POV-Ray's pictures */
 
-static const struct scene_options with_images = {
-    .width = 640, .height = 480, .read_raster = picture_read_raster
-};
-
 /* ---- Files --------------------------------------------------------------- */
 
 static char path[64];
 
 static void keep(const char *bytes, size_t count)
 {
-    FILE *file = fopen(path, "wb");
-
-    assert_non_null(file);
-    assert_int_equal(fwrite(bytes, 1, count, file), count);
-    assert_int_equal(fclose(file), 0);
+    write_file(path, bytes, count);
 }
 
 /* Of a sphere in the image that words say; before: what stands before it. */

@@ -89,10 +89,7 @@ static void add_any_prism(char *text, size_t size, bool tangles)
 static void add_tangled_prism(char *text, size_t size)
 {
     add_any_prism(text, size, true);
-    add_text(text, size, " scale 1.6 rotate <%.2f, %.2f, %.2f> translate ",
-             between(-90, 90), between(-90, 90), between(-90, 90));
-    add_point(text, size, 1.3);
-    add_text(text, size, " ");
+    add_turn(text, size, 1.6);
 }
 
 static void test_random_scenes(void **state)
