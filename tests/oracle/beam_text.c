@@ -56,9 +56,7 @@ void beam_words(uint64_t state, const double position[3], double size,
                 char words[SOLID_WORDS])
 {
     char at[SOLID_WORDS], fading[SOLID_WORDS];
-    state = state * 5 + 1;
-    for (int i = 0; i < 8; i++)
-        xorshift(&state);
+    state = stream_beside(state, 5, 1);
     words[0] = '\0';
     if (one_in(&state, 2)) {
         if (one_in(&state, 4))

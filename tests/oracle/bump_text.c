@@ -15,9 +15,7 @@ void bump_words(uint64_t state, size_t in, char look[SOLID_WORDS])
         "quilted 2 control0 .3",
     };
     char bare[SOLID_WORDS];
-    state = state * 7 + 3;
-    for (int i = 0; i < 8; i++)
-        xorshift(&state);
+    state = stream_beside(state, 7, 3);
     if (!one_in(&state, in))
         return;
     solid_words(bare, "%.*s", SOLID_WORDS - 1, look);

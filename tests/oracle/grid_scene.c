@@ -235,9 +235,7 @@ static struct solid *random_clip(uint64_t state)
         random_box,    random_plane, random_plane,   random_cylinder,
         random_sphere, random_cone,  random_quadric, random_torus,
     };
-    state = state * 3 + 1;
-    for (int i = 0; i < 8; i++)
-        xorshift(&state);
+    state = stream_beside(state, 3, 1);
     if (below(&state, 8))
         return NULL;
     struct solid *clip = solid_new(SHAPE, 0);

@@ -13,14 +13,6 @@ const char language_image[] =
     "183 48 179  183 41 32  56 67 65  95 207 46  154 229 68  176 134 217  185 190 135  78 176 89\n"
     "89 157 208  180 250 128  253 79 136  89 252 198  156 115 126  138 99 223  196 238 191  51 232 133\n";
 
-static uint64_t aside(const struct language *draw)
-{
-    uint64_t state = draw->state * 7 + 3;
-    for (int i = 0; i < 8; i++)
-        xorshift(&state);
-    return state;
-}
-
 /* What is planar or about a cylinder is clear around an image that is shown once. */
 static void say_words(struct language *draw, uint64_t *state, bool clear)
 {
@@ -50,7 +42,7 @@ static void say_place(struct language *draw, uint64_t *state)
 
 void begin_image(struct language *draw, size_t one_of, bool clear)
 {
-    uint64_t state = aside(draw);
+    uint64_t state = stream_beside(draw->state, 7, 3);
     if (!one_in(&state, one_of))
         return;
     begin_line(draw);

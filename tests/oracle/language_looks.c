@@ -470,9 +470,7 @@ static void say_own_normal(struct language *draw, double most)
 static void say_normal(struct language *draw, double most)
 {
     uint64_t before = draw->state;
-    draw->state = before * 5 + 3;
-    for (int i = 0; i < 8; i++)
-        xorshift(&draw->state);
+    draw->state = stream_beside(before, 5, 3);
     if (one_in(&draw->state, 4))
         say_own_normal(draw, most);
     draw->state = before;

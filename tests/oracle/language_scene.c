@@ -310,9 +310,7 @@ static void say_fading(struct language *draw)
 /* What else is drawn does not depend on it. */
 static void say_area(struct language *draw)
 {
-    uint64_t state = draw->state * 5 + 1;
-    for (int i = 0; i < 8; i++)
-        xorshift(&state);
+    uint64_t state = stream_beside(draw->state, 5, 1);
     if (!one_in(&state, 5))
         return;
     size_t across = 1 + below(&state, 6), down = 1 + below(&state, 4);

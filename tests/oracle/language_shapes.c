@@ -98,20 +98,11 @@ static void open_quartic(struct language *draw)
     say_line(draw, "sturm");
 }
 
-/* What else is drawn does not depend on what is drawn with this. */
-static uint64_t beside(const struct language *draw)
-{
-    uint64_t state = draw->state * 5 + 1;
-    for (int i = 0; i < 8; i++)
-        xorshift(&state);
-    return state;
-}
-
 /* An outline that does not cross itself, now and then with a hole; of straight
  * edges or of parabolas, where each loop has a point before its first. */
 static void open_prism(struct language *draw)
 {
-    uint64_t state = beside(draw);
+    uint64_t state = stream_beside(draw->state, 5, 1);
     bool curved = one_in(&state, 2);
     bool hole = one_in(&draw->state, 3);
     size_t corners = 3 + below(&draw->state, 4);
@@ -189,9 +180,7 @@ static void open_blob(struct language *draw)
  * before there were blobs. */
 static bool opens_blob(struct language *draw)
 {
-    uint64_t kept = draw->state, state = kept * 7 + 3;
-    for (int i = 0; i < 8; i++)
-        xorshift(&state);
+    uint64_t kept = draw->state, state = stream_beside(kept, 7, 3);
     if (!one_in(&state, 12))
         return false;
     draw->state = state;
@@ -255,7 +244,7 @@ void open_solid_shape(struct language *draw, bool closed)
         return;
     bool star = draw->state % 10 == 0; /* nothing else depends on it */
     size_t which = below(&draw->state, CLOSED);
-    uint64_t state = beside(draw);
+    uint64_t state = stream_beside(draw->state, 5, 1);
     if (!star && closed_shapes[which] == open_torus && one_in(&state, 2)) {
         open_lathe(draw, &state, closed);
         return;

@@ -304,9 +304,7 @@ static void random_lamp(const struct drawing *drawing, char *lamp)
  * drawn does not depend on it. */
 static void random_fog(uint64_t state, char *fog)
 {
-    state = state * 5 + 1;
-    for (int i = 0; i < 8; i++)
-        xorshift(&state);
+    state = stream_beside(state, 5, 1);
     if (below(&state, 6))
         return;
     double red = between(&state, 0, 1), green = between(&state, 0, 1);

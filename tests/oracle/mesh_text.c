@@ -6,13 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-static void shake(uint64_t *state)
-{
-    *state = *state * 7 + 1;
-    for (int i = 0; i < 8; i++)
-        xorshift(state);
-}
-
 /* No two are along each other, or an axis. */
 static const char *inside(uint64_t *state)
 {
@@ -30,7 +23,7 @@ void mesh_box_words(uint64_t state, double corner[2][3],
                                      { 0, 2, 6, 4 }, { 1, 3, 7, 5 },
                                      { 0, 4, 5, 1 }, { 2, 6, 7, 3 } };
     char points[SOLID_WORDS] = "", faces[SOLID_WORDS] = "";
-    shake(&state);
+    state = stream_beside(state, 7, 1);
     for (int i = 0; i < 8; i++) {
         size_t used = strlen(points);
         snprintf(points + used, sizeof points - used, ", <%g, %g, %g>",
@@ -53,7 +46,7 @@ void mesh_star_words(uint64_t state, char words[SOLID_WORDS])
 {
     enum { ROUND_MOST = 8 };
     char points[SOLID_WORDS] = "", faces[SOLID_WORDS] = "";
-    shake(&state);
+    state = stream_beside(state, 7, 1);
     int round = 3 + (int)below(&state, ROUND_MOST - 2);
     for (int i = 0; i < round; i++) {
         size_t used = strlen(points);
@@ -78,7 +71,7 @@ void mesh_star_words(uint64_t state, char words[SOLID_WORDS])
 void mesh_field_words(uint64_t state, char words[SOLID_WORDS])
 {
     char water[40] = "";
-    shake(&state);
+    state = stream_beside(state, 7, 1);
     if (one_in(&state, 2))
         snprintf(water, sizeof water, "water_level %.3f ",
                  between(&state, .2, .6));

@@ -100,15 +100,6 @@ static void move_to(uint64_t *state, const struct place *place,
         place->at[0], place->at[1], place->at[2]);
 }
 
-/* What else is drawn does not depend on what is drawn with this. */
-static uint64_t beside(const uint64_t *state)
-{
-    uint64_t other = *state * 5 + 1;
-    for (int i = 0; i < 8; i++)
-        xorshift(&other);
-    return other;
-}
-
 /* A spool, or what is open. */
 static void random_lathe(uint64_t *state, struct solid *solid)
 {
@@ -129,7 +120,7 @@ static void random_lathe(uint64_t *state, struct solid *solid)
 static void random_torus(uint64_t *state, const struct place *place,
                          struct solid *solid)
 {
-    uint64_t other = beside(state);
+    uint64_t other = stream_beside(*state, 5, 1);
     double minor = .1 + .1 * (double)below(state, 4);
     if (one_in(&other, 2))
         random_lathe(&other, solid);
@@ -142,7 +133,7 @@ static void random_torus(uint64_t *state, const struct place *place,
 static void random_prism(uint64_t *state, const struct place *place,
                          struct solid *solid)
 {
-    uint64_t other = beside(state);
+    uint64_t other = stream_beside(*state, 5, 1);
     solid_words(solid->shape,
                 "prism { %s, <-1, -1>, <1, -1>, <1, 1>, <%.12g, 0>, "
                 "<-1, -1> ",
@@ -190,9 +181,7 @@ static void random_plane(uint64_t *state, const struct place *place,
 static void random_blob(uint64_t *state, const struct place *place,
                         struct solid *solid)
 {
-    uint64_t own = *state * 7 + 3;
-    for (int i = 0; i < 8; i++)
-        xorshift(&own);
+    uint64_t own = stream_beside(*state, 7, 3);
     if (!one_in(&own, 15))
         return;
     solid_words(solid->shape,
