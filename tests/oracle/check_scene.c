@@ -1,13 +1,15 @@
 /* check_scene.c - a frame of rt205 against two other tracers.
  *
  *     check_scene SCENE.pov WIDTH HEIGHT FRAME.exr [--povray | --roughly]
+ *                 [HISTORICAL.exr]
  *
  * FRAME.exr is what rt205 rendered of the scene, with 32-bit samples.  It is
  * compared with the plain tracer's frame, channel by channel; with --povray
  * POV-Ray's picture of the same file is compared with that of the plain
  * tracer, and with the frame ("both"); --roughly allows for rays that POV-Ray
  * sends at random, through a lens.  A FRAME.exr of "-" leaves the frame
- * out.  Prints one line per comparison.  Exit code 1: one failed; 2: wrong
+ * out; HISTORICAL.exr, the way of 1984, is compared with the plain tracer's, too.
+ * Prints one line per comparison.  Exit code 1: one failed; 2: wrong
  * usage.
  */
 #include "rt/picture/picture.h"
@@ -33,7 +35,8 @@ static const struct comparison roughly = { "colour", CHANNEL_RED, 3,   1,
                                            false,    .05,         .002 };
 
 struct request {
-    const char *scene, *frame; /* frame is NULL: leave that out */
+    const char *scene;
+    const char *frame, *historical; /* NULL: leave that out */
     size_t width, height;
     const struct comparison *povray; /* or NULL */
 };
@@ -65,8 +68,8 @@ static bool same_size(const char *who, const struct frame *expected,
     return false;
 }
 
-static bool check_frame(const struct frame *expected, const char *path,
-                        const bool *inner)
+static bool check_frame(const char *who, const struct frame *expected,
+                        const char *path, const bool *inner)
 {
     struct picture_error error;
     struct frame found;
@@ -74,9 +77,9 @@ static bool check_frame(const struct frame *expected, const char *path,
         fprintf(stderr, "%s\n", error.message);
         return false;
     }
-    bool good = same_size("rt205", expected, &found);
+    bool good = same_size(who, expected, &found);
     for (size_t i = 0, sized = good; sized && i < WITH_FRAME; i++)
-        good &= report("rt205", &with_frame[i], expected, &found, inner);
+        good &= report(who, &with_frame[i], expected, &found, inner);
     frame_free(&found);
     return good;
 }
@@ -119,20 +122,34 @@ static bool check_povray(const struct frame *expected,
 
 /* --- the command -------------------------------------------------------- */
 
+/* What may stand behind the frame, in any order. */
+static bool parse_more(const char *word, struct request *request)
+{
+    bool is_way = word[0] == '-';
+    if (is_way ? request->povray != NULL : request->historical != NULL)
+        return false;
+    if (!is_way)
+        request->historical = word;
+    else
+        request->povray = strcmp(word, "--povray") == 0    ? &with_povray
+                          : strcmp(word, "--roughly") == 0 ? &roughly
+                                                           : NULL;
+    return !is_way || request->povray;
+}
+
 static bool parse(int count, char **words, struct request *request)
 {
-    const char *way = count == 6 ? words[5] : "";
-    if (count < 5 || count > 6)
+    if (count < 5)
         return false;
-    request->povray = strcmp(way, "--povray") == 0    ? &with_povray
-                      : strcmp(way, "--roughly") == 0 ? &roughly
-                                                      : NULL;
-    request->scene = words[1];
-    request->width = strtoul(words[2], NULL, 10);
-    request->height = strtoul(words[3], NULL, 10);
-    request->frame = strcmp(words[4], "-") ? words[4] : NULL;
-    return request->width && request->height
-           && (count == 5 || request->povray);
+    *request = (struct request){ .scene = words[1],
+                                 .width = strtoul(words[2], NULL, 10),
+                                 .height = strtoul(words[3], NULL, 10),
+                                 .frame = strcmp(words[4], "-") ? words[4]
+                                                                : NULL };
+    for (int i = 5; i < count; i++)
+        if (!parse_more(words[i], request))
+            return false;
+    return request->width && request->height;
 }
 
 static struct scene *read_scene(const struct request *request)
@@ -157,7 +174,9 @@ static bool compare(const struct request *request, const struct scene *scene)
     bool *inner = inner_pixels(&expected);
     bool good = inner != NULL;
     if (good && request->frame)
-        good = check_frame(&expected, request->frame, inner);
+        good = check_frame("rt205", &expected, request->frame, inner);
+    if (inner && request->historical)
+        good &= check_frame("1984", &expected, request->historical, inner);
     if (inner && request->povray)
         good &= check_povray(&expected, request, inner);
     free(inner);
@@ -169,8 +188,9 @@ int main(int count, char **words)
 {
     struct request request;
     if (!parse(count, words, &request)) {
-        fprintf(stderr, "usage: check_scene SCENE.pov WIDTH HEIGHT "
-                        "FRAME.exr [--povray | --roughly]\n");
+        fprintf(stderr,
+                "usage: check_scene SCENE.pov WIDTH HEIGHT "
+                "FRAME.exr [--povray | --roughly] [HISTORICAL.exr]\n");
         return 2;
     }
     struct scene *scene = read_scene(&request);
