@@ -1,7 +1,7 @@
 #!/bin/sh
-# fresh.sh - the text that each fault of bugs.list replaces stands once in its
-# file, and an empty line parts it from the fault before.  Whether the fault is
-# found is for run.sh to say.
+# fresh.sh - the text that each fault of bugs.list replaces is one line's, stands
+# once in its file, and an empty line parts it from the fault before.  Whether
+# the fault is found is for run.sh to say.
 set -u
 cd "$(dirname "$0")/../.."
 
@@ -22,7 +22,10 @@ awk '
     }
     /^= / { path = substr($0, 3) }
     /^- / {
-        if (times(substr($0, 3), path) == 1)
+        if (before ~ /^- /) {
+            print "FAIL two lines are replaced: " what
+            failed++
+        } else if (times(substr($0, 3), path) == 1)
             passed++
         else {
             print "FAIL stale in " path ": " what
