@@ -13,7 +13,7 @@ const struct scene_options with_images = {
     .width = 640, .height = 480, .read_raster = picture_read_raster
 };
 
-void write_file(const char *path, const char *bytes, size_t count)
+void write_bytes(const char *path, const char *bytes, size_t count)
 {
     FILE *file = fopen(path, "wb");
 

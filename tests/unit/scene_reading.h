@@ -22,7 +22,7 @@ extern const struct scene_options reading_options, strict_options;
 extern const struct scene_options with_images;
 
 /* A file of these bytes. */
-void write_file(const char *path, const char *bytes, size_t count);
+void write_bytes(const char *path, const char *bytes, size_t count);
 
 void assert_close(double a, double b, double within);
 void assert_vector(const double a[3], double x, double y, double z);

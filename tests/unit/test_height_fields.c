@@ -30,7 +30,7 @@ static char path[64];
 
 static void keep(const char *bytes, size_t count)
 {
-    write_file(path, bytes, count);
+    write_bytes(path, bytes, count);
 }
 
 static struct scene *read_field(const char *words, const char *modifiers,

@@ -14,7 +14,7 @@ static char path[64];
 
 static void keep(const char *bytes, size_t count)
 {
-    write_file(path, bytes, count);
+    write_bytes(path, bytes, count);
 }
 
 /* Of a sphere in the image that words say; before: what stands before it. */
