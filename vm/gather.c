@@ -260,15 +260,16 @@ static struct vector describe_table(const struct c205 *machine,
 
 /* ---- Where all stands in pages of the host ------------------------------- */
 
-/* The elements that a list names, in one page; counted in words. */
-struct table_page {
-    struct page *page;
+/* The elements that a list names; counted in words. */
+struct table {
     uint64_t base;      /* of the table, from the beginning of all pages */
     uint64_t low, high; /* the lowest and the highest element */
+    struct page *page;  /* that of all elements; NULL: there are several */
+    struct page *const *pages; /* .. and then all those of a directory */
 };
 
 #define FIND_ENDS_PARAMETERS \
-    (struct table_page * table, const c205_word *indices, size_t n)
+    (struct table * table, const c205_word *indices, size_t n)
 LANEWISE void find_ends_span FIND_ENDS_PARAMETERS
 {
     int64_t low = INT64_MAX, high = 0; /* hosts compare numbers with a sign */
@@ -284,29 +285,50 @@ LANEWISE void find_ends_span FIND_ENDS_PARAMETERS
 static void find_ends FIND_ENDS_PARAMETERS;
 VERSIONS(find_ends, find_ends_span, FIND_ENDS_PARAMETERS, (table, indices, n))
 
-/* False: they are in several pages, or in one that is not there. */
-static bool find_table(struct table_page *table, const struct c205 *machine,
+static inline struct page *page_of(const struct table *table, uint64_t word)
+{
+    return table->pages[word / C205_PAGE_WORDS % DIRECTORY_PAGES];
+}
+
+static bool has_pages(const struct table *table, const c205_word *indices,
+                      size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        const struct page *page = page_of(table, table->base + indices[i]);
+        if (!page || memory_is_untouched(page))
+            return false;
+    }
+    return true;
+}
+
+/* False: some are in pages that are not there, or too far apart. */
+static bool find_table(struct table *table, const struct c205 *machine,
                        c205_word descriptor, const c205_word *indices,
                        size_t n)
 {
     table->base = LOW(descriptor) / WORD_BITS;
     find_ends(table, indices, n);
+    uint64_t low = table->low * WORD_BITS, high = table->high * WORD_BITS;
     table->page = NULL;
-    if (table->low / C205_PAGE_WORDS == table->high / C205_PAGE_WORDS
-        && descriptor % WORD_BITS == 0)
-        table->page = memory_page(&machine->memory, table->low * WORD_BITS);
+    table->pages = machine->memory.directory[low >> DIRECTORY_SHIFT];
+    if (descriptor % WORD_BITS != 0
+        || low >> DIRECTORY_SHIFT != high >> DIRECTORY_SHIFT)
+        return false;
+    if (low >> PAGE_SHIFT != high >> PAGE_SHIFT)
+        return table->pages && has_pages(table, indices, n);
+    table->page = memory_page(&machine->memory, low);
     return table->page;
 }
 
-static bool meets_table(const struct table_page *table,
-                        const c205_word *words, size_t n)
+static bool meets_table(const struct table *table, const c205_word *words,
+                        size_t n)
 {
     const c205_word *low = table->page->word + table->low % C205_PAGE_WORDS;
     return direct_meets(words, n * sizeof *words, low,
                         (table->high - table->low + 1) * sizeof *low);
 }
 
-static inline size_t place_in(const struct table_page *table, c205_word index)
+static inline size_t place_in(const struct table *table, c205_word index)
 {
     return (table->base + index) % C205_PAGE_WORDS;
 }
@@ -321,6 +343,21 @@ static void tell_indices(struct c205 *machine, const c205_word *indices,
     effect->table_step = WORD_BITS;
 }
 
+static void gather_words(c205_word *c, const struct table *table,
+                         const c205_word *indices, size_t n)
+{
+    const struct page *page = table->page;
+    if (page) {
+        for (size_t i = 0; i < n; i++)
+            c[i] = page->word[place_in(table, indices[i])];
+        return;
+    }
+    for (size_t i = 0; i < n; i++) {
+        const struct page *from = page_of(table, table->base + indices[i]);
+        c[i] = from->word[place_in(table, indices[i])];
+    }
+}
+
 /* False: it is not simple (direct.h).  The clock reads the list afterwards, so
  * nothing may be stored upon it; upon what else is read it may, as one element
  * goes after the other. */
@@ -331,7 +368,7 @@ static bool gather_directly(struct c205 *machine,
     c205_word to = machine->slot[decoded->fields.c];
     size_t n = least(direct_length(list), direct_length(to));
     uint64_t bits = (uint64_t)n * WORD_BITS;
-    struct table_page table;
+    struct table table;
     if (!decoded->plain || decoded->z || !direct_turn(machine, n))
         return false;
     const c205_word *indices = direct_read(machine, list, n);
@@ -341,8 +378,7 @@ static bool gather_directly(struct c205 *machine,
         || !find_table(&table, machine, machine->slot[decoded->b], indices,
                        n))
         return false;
-    for (size_t i = 0; i < n; i++)
-        c[i] = table.page->word[place_in(&table, indices[i])];
+    gather_words(c, &table, indices, n);
     machine_touch(machine, LOW(list), bits);
     machine_touch(machine, LOW(to), bits);
     tell_indices(machine, indices, n, machine->slot[decoded->b]);
@@ -356,7 +392,7 @@ static bool scatter_directly(struct c205 *machine,
     c205_word from = machine->slot[decoded->b];
     size_t n = direct_length(list);
     uint64_t bits = (uint64_t)n * WORD_BITS;
-    struct table_page table;
+    struct table table;
     if (!decoded->plain || decoded->z || !direct_turn(machine, n)
         || decoded->fields.g & C205_G_BROADCAST_B)
         return false;
@@ -364,7 +400,7 @@ static bool scatter_directly(struct c205 *machine,
     const c205_word *b = direct_read(machine, from, n);
     if (!indices || !b
         || !find_table(&table, machine, machine->slot[decoded->c], indices, n)
-        || !table.page->writable || table.page->holds_code
+        || !table.page || !table.page->writable || table.page->holds_code
         || meets_table(&table, indices, n))
         return false;
     for (size_t i = 0; i < n; i++)

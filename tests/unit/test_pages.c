@@ -305,6 +305,24 @@ static uint64_t draw_page(uint64_t last, size_t capacity)
     }
 }
 
+/* Of a few pages, mostly, as gathers have them. */
+static void touch_list(struct pages *pages, struct plain_list *list,
+                       uint64_t page, struct translation *expected,
+                       struct translation *met)
+{
+    enum { LIST = 700 };
+    c205_word indices[LIST];
+    size_t count = xorshift(&chance) % LIST;
+    uint64_t spread = xorshift(&chance) % 3 ? 12 : 400;
+    uint64_t low = page > spread ? page - spread : 0;
+    for (size_t i = 0; i < count; i++) {
+        uint64_t other = low + xorshift(&chance) % (spread + 1);
+        indices[i] = other * 512 + xorshift(&chance) % 512;
+        plain_touch(list, other & (ADDRESS_MASK >> 15), expected);
+    }
+    pages_touch_indexed(pages, 0, WORD, indices, count, met);
+}
+
 static void compare_lists(size_t capacity, size_t registers)
 {
     static struct plain_list list;
@@ -319,6 +337,8 @@ static void compare_lists(size_t capacity, size_t registers)
         page = draw_page(page, capacity);
         plain_touch(&list, page, &expected);
         pages_touch(&pages, page * 512 * WORD, 1, &met);
+        if (i % 64 == 0)
+            touch_list(&pages, &list, page, &expected, &met);
         assert_int_equal(met.misses, expected.misses);
         assert_int_equal(met.faults, expected.faults);
         if (xorshift(&chance) % 3000 == 0) {

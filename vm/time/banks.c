@@ -13,6 +13,7 @@ bool banks_init(struct banks *banks, size_t count, uint64_t access,
     banks->count = count;
     banks->access = access;
     banks->busy = busy;
+    banks->latest = (struct bank_list){ 0 };
     banks->free_at = malloc(count * sizeof *banks->free_at);
     return banks->free_at;
 }
@@ -20,6 +21,7 @@ bool banks_init(struct banks *banks, size_t count, uint64_t access,
 void banks_free(struct banks *banks)
 {
     free(banks->free_at);
+    free(banks->latest.indices);
 }
 
 /* ---- Banks of accesses ---------------------------------------------------- */
@@ -150,12 +152,69 @@ static uint64_t conflicts_of_all(const struct banks *banks, uint64_t table,
     return clock - count * banks->access;
 }
 
-uint64_t banks_conflicts(struct banks *banks, uint64_t table, unsigned step,
-                         const c205_word *indices, size_t count)
+static uint64_t conflicts(const struct banks *banks, uint64_t table,
+                          unsigned step, const c205_word *indices,
+                          size_t count)
 {
-    if (banks->busy <= banks->access)
-        return 0;
     return banks->busy <= (LATEST + 1) * banks->access
                ? conflicts_of_latest(banks, table, step, indices, count)
                : conflicts_of_all(banks, table, step, indices, count);
+}
+
+/* ---- The same list again -------------------------------------------------- */
+
+/* Records are gathered word by word: the list is that of the gather before, and
+ * all banks are others by the same distance, as long as no address goes on at the
+ * beginning of memory. */
+static bool is_whole(uint64_t table, unsigned step, c205_word spread)
+{
+    return step == WORD_BITS && table % WORD_BITS == 0
+           && spread < ADDRESS_SPACE_WORDS - table / WORD_BITS;
+}
+
+static bool is_latest(const struct bank_list *latest,
+                      const c205_word *indices, size_t count)
+{
+    return count == latest->count
+           && memcmp(indices, latest->indices, count * sizeof *indices) == 0;
+}
+
+static c205_word spread_of(const c205_word *indices, size_t count)
+{
+    c205_word spread = 0;
+    for (size_t i = 0; i < count; i++)
+        spread |= indices[i];
+    return spread;
+}
+
+/* Without memory for it none is the latest. */
+static void keep_latest(struct bank_list *latest, const c205_word *indices,
+                        size_t count)
+{
+    latest->count = 0;
+    if (count > latest->room) {
+        free(latest->indices);
+        latest->indices = malloc(count * sizeof *indices);
+        latest->room = latest->indices ? count : 0;
+    }
+    if (count > latest->room)
+        return;
+    memcpy(latest->indices, indices, count * sizeof *indices);
+    latest->count = count;
+    latest->spread = spread_of(indices, count);
+}
+
+uint64_t banks_conflicts(struct banks *banks, uint64_t table, unsigned step,
+                         const c205_word *indices, size_t count)
+{
+    struct bank_list *latest = &banks->latest;
+    if (banks->busy <= banks->access || count == 0)
+        return 0;
+    if (!is_latest(latest, indices, count))
+        keep_latest(latest, indices, count);
+    else if (latest->whole && is_whole(table, step, latest->spread))
+        return latest->conflicts;
+    latest->whole = is_whole(table, step, latest->spread);
+    latest->conflicts = conflicts(banks, table, step, indices, count);
+    return latest->conflicts;
 }

@@ -9,11 +9,22 @@
 
 #include "vm/c205.h"
 
+/* The list met last, for which what banks_conflicts tells is known of any table
+ * when it is whole: in whole words of the address space. */
+struct bank_list {
+    c205_word *indices;
+    size_t count, room;
+    c205_word spread; /* all bits of them; none is greater */
+    bool whole;
+    uint64_t conflicts;
+};
+
 struct banks {
     size_t count;
     uint64_t access;   /* time of an access: a clock, in the clock's ticks */
     uint64_t busy;     /* how long one keeps its bank busy */
     uint64_t *free_at; /* when each takes the next access */
+    struct bank_list latest;
 };
 
 bool banks_init(struct banks *banks, size_t count, uint64_t access,
