@@ -261,7 +261,7 @@ static struct vector describe_table(const struct c205 *machine,
 /* ---- Where all stands in pages of the host ------------------------------- */
 
 /* The elements that a list names; counted in words. */
-struct table {
+struct table_place {
     uint64_t base;      /* of the table, from the beginning of all pages */
     uint64_t low, high; /* the lowest and the highest element */
     struct page *page;  /* that of all elements; NULL: there are several */
@@ -269,7 +269,7 @@ struct table {
 };
 
 #define FIND_ENDS_PARAMETERS \
-    (struct table * table, const c205_word *indices, size_t n)
+    (struct table_place * table, const c205_word *indices, size_t n)
 LANEWISE void find_ends_span FIND_ENDS_PARAMETERS
 {
     int64_t low = INT64_MAX, high = 0; /* hosts compare numbers with a sign */
@@ -285,13 +285,14 @@ LANEWISE void find_ends_span FIND_ENDS_PARAMETERS
 static void find_ends FIND_ENDS_PARAMETERS;
 VERSIONS(find_ends, find_ends_span, FIND_ENDS_PARAMETERS, (table, indices, n))
 
-static inline struct page *page_of(const struct table *table, uint64_t word)
+static inline struct page *page_of(const struct table_place *table,
+                                   uint64_t word)
 {
     return table->pages[word / C205_PAGE_WORDS % DIRECTORY_PAGES];
 }
 
-static bool has_pages(const struct table *table, const c205_word *indices,
-                      size_t n)
+static bool has_pages(const struct table_place *table,
+                      const c205_word *indices, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
         const struct page *page = page_of(table, table->base + indices[i]);
@@ -302,7 +303,7 @@ static bool has_pages(const struct table *table, const c205_word *indices,
 }
 
 /* False: some are in pages that are not there, or too far apart. */
-static bool find_table(struct table *table, const struct c205 *machine,
+static bool find_table(struct table_place *table, const struct c205 *machine,
                        c205_word descriptor, const c205_word *indices,
                        size_t n)
 {
@@ -320,15 +321,16 @@ static bool find_table(struct table *table, const struct c205 *machine,
     return table->page;
 }
 
-static bool meets_table(const struct table *table, const c205_word *words,
-                        size_t n)
+static bool meets_table(const struct table_place *table,
+                        const c205_word *words, size_t n)
 {
     const c205_word *low = table->page->word + table->low % C205_PAGE_WORDS;
     return direct_meets(words, n * sizeof *words, low,
                         (table->high - table->low + 1) * sizeof *low);
 }
 
-static inline size_t place_in(const struct table *table, c205_word index)
+static inline size_t place_in(const struct table_place *table,
+                              c205_word index)
 {
     return (table->base + index) % C205_PAGE_WORDS;
 }
@@ -343,7 +345,7 @@ static void tell_indices(struct c205 *machine, const c205_word *indices,
     effect->table_step = WORD_BITS;
 }
 
-static void gather_words(c205_word *c, const struct table *table,
+static void gather_words(c205_word *c, const struct table_place *table,
                          const c205_word *indices, size_t n)
 {
     const struct page *page = table->page;
@@ -368,7 +370,7 @@ static bool gather_directly(struct c205 *machine,
     c205_word to = machine->slot[decoded->fields.c];
     size_t n = least(direct_length(list), direct_length(to));
     uint64_t bits = (uint64_t)n * WORD_BITS;
-    struct table table;
+    struct table_place table;
     if (!decoded->plain || decoded->z || !direct_turn(machine, n))
         return false;
     const c205_word *indices = direct_read(machine, list, n);
@@ -392,7 +394,7 @@ static bool scatter_directly(struct c205 *machine,
     c205_word from = machine->slot[decoded->b];
     size_t n = direct_length(list);
     uint64_t bits = (uint64_t)n * WORD_BITS;
-    struct table table;
+    struct table_place table;
     if (!decoded->plain || decoded->z || !direct_turn(machine, n)
         || decoded->fields.g & C205_G_BROADCAST_B)
         return false;
