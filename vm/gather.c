@@ -291,14 +291,26 @@ static inline struct page *page_of(const struct table_place *table,
     return table->pages[word / C205_PAGE_WORDS % DIRECTORY_PAGES];
 }
 
+static inline bool has_page(const struct table_place *table, uint64_t word)
+{
+    const struct page *page = page_of(table, word);
+    return page && !memory_is_untouched(page);
+}
+
+/* Are all there from the lowest to the highest, or at least those of the list? */
 static bool has_pages(const struct table_place *table,
                       const c205_word *indices, size_t n)
 {
-    for (size_t i = 0; i < n; i++) {
-        const struct page *page = page_of(table, table->base + indices[i]);
-        if (!page || memory_is_untouched(page))
+    uint64_t page = table->low / C205_PAGE_WORDS;
+    uint64_t last = table->high / C205_PAGE_WORDS;
+    bool there = last - page < n;
+    for (; there && page <= last; page++)
+        there = has_page(table, page * C205_PAGE_WORDS);
+    if (there)
+        return true;
+    for (size_t i = 0; i < n; i++)
+        if (!has_page(table, table->base + indices[i]))
             return false;
-    }
     return true;
 }
 

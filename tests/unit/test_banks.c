@@ -69,17 +69,20 @@ static void check_list(uint64_t *seed)
     uint64_t table = xorshift(seed) >> 16, busy = xorshift(seed) % 16;
     unsigned step = xorshift(seed) % 4 ? 64 : 32;
     struct banks banks;
+    struct index_list list = { 0 };
 
     assert_true(banks_init(&banks,
                            (size_t)xorshift_between(seed, 1, BANKS_MOST),
                            access, busy));
     fill(indices, count, banks.count, seed);
     for (int i = 0; i < AGAIN; i++) {
-        assert_int_equal(banks_conflicts(&banks, table, step, indices, count),
+        index_list_meet(&list, indices, count);
+        assert_int_equal(banks_conflicts(&banks, table, step, &list),
                          by_the_rule(&banks, table, step, indices, count));
         change(indices, count, &table, &step, seed);
     }
     banks_free(&banks);
+    index_list_free(&list);
 }
 
 static void test_lists_by_chance(void **state)

@@ -305,22 +305,30 @@ static uint64_t draw_page(uint64_t last, size_t capacity)
     }
 }
 
-/* Of a few pages, mostly, as gathers have them. */
+/* Some words of records in a few pages, mostly, one word of all after another. */
 static void touch_list(struct pages *pages, struct plain_list *list,
-                       uint64_t page, struct translation *expected,
-                       struct translation *met)
+                       struct index_list *met_list, uint64_t page,
+                       struct translation *expected, struct translation *met)
 {
     enum { LIST = 700 };
     c205_word indices[LIST];
     size_t count = xorshift(&chance) % LIST;
-    uint64_t spread = xorshift(&chance) % 3 ? 12 : 400;
-    uint64_t low = page > spread ? page - spread : 0;
-    for (size_t i = 0; i < count; i++) {
-        uint64_t other = low + xorshift(&chance) % (spread + 1);
-        indices[i] = other * 512 + xorshift(&chance) % 512;
-        plain_touch(list, other & (ADDRESS_MASK >> 15), expected);
+    uint64_t spread = xorshift(&chance) % 3 ? 12 : 400, table = 0;
+    for (size_t i = 0; i < count; i++)
+        indices[i] = 512 * (page + xorshift(&chance) % (spread + 1))
+                     + xorshift(&chance) % (i % 2 ? 512 : 8);
+    for (int turn = 0; turn < 4; turn++) {
+        for (size_t i = 0; i < count; i++)
+            plain_touch(list,
+                        (table + indices[i] * WORD) % (ADDRESS_MASK + 1)
+                            / (512 * WORD),
+                        expected);
+        index_list_meet(met_list, indices, count);
+        pages_touch_indexed(pages, table, WORD, met_list, met);
+        table += xorshift(&chance) % 3 ? WORD : 200 * WORD;
+        if (count > 0)
+            indices[0] += xorshift(&chance) % 8 / 7;
     }
-    pages_touch_indexed(pages, 0, WORD, indices, count, met);
 }
 
 static void compare_lists(size_t capacity, size_t registers)
@@ -328,6 +336,7 @@ static void compare_lists(size_t capacity, size_t registers)
     static struct plain_list list;
     struct translation expected = { 0, 0 }, met = { 0, 0 };
     struct pages pages;
+    struct index_list met_list = { 0 };
     uint64_t page = 0;
     list.registers = registers;
     list.capacity = capacity;
@@ -338,7 +347,7 @@ static void compare_lists(size_t capacity, size_t registers)
         plain_touch(&list, page, &expected);
         pages_touch(&pages, page * 512 * WORD, 1, &met);
         if (i % 64 == 0)
-            touch_list(&pages, &list, page, &expected, &met);
+            touch_list(&pages, &list, &met_list, page, &expected, &met);
         assert_int_equal(met.misses, expected.misses);
         assert_int_equal(met.faults, expected.faults);
         if (xorshift(&chance) % 3000 == 0) {
@@ -346,6 +355,7 @@ static void compare_lists(size_t capacity, size_t registers)
             list.count = 0;
         }
     }
+    index_list_free(&met_list);
     pages_free(&pages);
 }
 

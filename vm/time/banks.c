@@ -21,7 +21,6 @@ bool banks_init(struct banks *banks, size_t count, uint64_t access,
 void banks_free(struct banks *banks)
 {
     free(banks->free_at);
-    free(banks->latest.indices);
 }
 
 /* ---- Banks of accesses ---------------------------------------------------- */
@@ -163,58 +162,26 @@ static uint64_t conflicts(const struct banks *banks, uint64_t table,
 
 /* ---- The same list again -------------------------------------------------- */
 
-/* Records are gathered word by word: the list is that of the gather before, and
- * all banks are others by the same distance, as long as no address goes on at the
- * beginning of memory. */
+/* Then all banks are others by the same distance, as long as no address goes on at
+ * the beginning of memory. */
 static bool is_whole(uint64_t table, unsigned step, c205_word spread)
 {
     return step == WORD_BITS && table % WORD_BITS == 0
            && spread < ADDRESS_SPACE_WORDS - table / WORD_BITS;
 }
 
-static bool is_latest(const struct bank_list *latest,
-                      const c205_word *indices, size_t count)
-{
-    return count == latest->count
-           && memcmp(indices, latest->indices, count * sizeof *indices) == 0;
-}
-
-static c205_word spread_of(const c205_word *indices, size_t count)
-{
-    c205_word spread = 0;
-    for (size_t i = 0; i < count; i++)
-        spread |= indices[i];
-    return spread;
-}
-
-/* Without memory for it none is the latest. */
-static void keep_latest(struct bank_list *latest, const c205_word *indices,
-                        size_t count)
-{
-    latest->count = 0;
-    if (count > latest->room) {
-        free(latest->indices);
-        latest->indices = malloc(count * sizeof *indices);
-        latest->room = latest->indices ? count : 0;
-    }
-    if (count > latest->room)
-        return;
-    memcpy(latest->indices, indices, count * sizeof *indices);
-    latest->count = count;
-    latest->spread = spread_of(indices, count);
-}
-
 uint64_t banks_conflicts(struct banks *banks, uint64_t table, unsigned step,
-                         const c205_word *indices, size_t count)
+                         const struct index_list *list)
 {
     struct bank_list *latest = &banks->latest;
-    if (banks->busy <= banks->access || count == 0)
+    bool whole = is_whole(table, step, list->spread);
+    if (banks->busy <= banks->access)
         return 0;
-    if (!is_latest(latest, indices, count))
-        keep_latest(latest, indices, count);
-    else if (latest->whole && is_whole(table, step, latest->spread))
+    if (whole && latest->whole && latest->number == list->number)
         return latest->conflicts;
-    latest->whole = is_whole(table, step, latest->spread);
-    latest->conflicts = conflicts(banks, table, step, indices, count);
+    latest->number = list->number;
+    latest->whole = whole;
+    latest->conflicts = conflicts(banks, table, step, list->indices,
+                                  list->count);
     return latest->conflicts;
 }

@@ -7,14 +7,12 @@
 #ifndef C205_BANKS_H
 #define C205_BANKS_H
 
-#include "vm/c205.h"
+#include "vm/time/index_list.h"
 
-/* The list met last, for which what banks_conflicts tells is known of any table
- * when it is whole: in whole words of the address space. */
+/* What the list that was met last took; of any other table the same if both are whole:
+ * in whole words of the address space. */
 struct bank_list {
-    c205_word *indices;
-    size_t count, room;
-    c205_word spread; /* all bits of them; none is greater */
+    uint64_t number; /* the list's; 0: there was none */
     bool whole;
     uint64_t conflicts;
 };
@@ -34,6 +32,6 @@ void banks_free(struct banks *banks);
 /* By how much the accesses to table + step x index, in this order, take
  * longer than one after the other; all banks are free at the beginning. */
 uint64_t banks_conflicts(struct banks *banks, uint64_t table, unsigned step,
-                         const c205_word *indices, size_t count);
+                         const struct index_list *list);
 
 #endif

@@ -109,9 +109,11 @@ static inline struct translation translate(struct clock *clock,
     const struct touch *touch = effect->touch;
     for (unsigned left = effect->touch_count; left > 0; left--, touch++)
         pages_touch(&clock->pages, touch->address, touch->bits, &met);
-    if (effect->indices)
+    if (effect->indices) {
+        index_list_meet(&clock->list, effect->indices, effect->index_count);
         pages_touch_indexed(&clock->pages, effect->table, effect->table_step,
-                            effect->indices, effect->index_count, &met);
+                            &clock->list, &met);
+    }
     return met;
 }
 
@@ -298,8 +300,7 @@ static inline void add_phases(struct clock *clock,
     if (effect->indices)
         add_phase(clock,
                   banks_conflicts(&clock->banks, effect->table,
-                                  effect->table_step, effect->indices,
-                                  effect->index_count),
+                                  effect->table_step, &clock->list),
                   C205_BANK_CONFLICT);
     add_phase(clock, stream, C205_VECTOR_STREAM);
 }

@@ -78,6 +78,7 @@ void clock_free(struct clock *clock)
         return;
     pages_free(&clock->pages);
     banks_free(&clock->banks);
+    index_list_free(&clock->list);
     schedules_free(clock->schedules);
     accounts_close(&clock->accounts);
     free(clock);

@@ -91,6 +91,7 @@ struct clock {
     uint64_t branch_taken, branch_not_taken, branch_out_of_stack;
     uint64_t translation_miss, page_fault;
     struct rate swap_word;
+    struct index_list list; /* of the latest gather or scatter */
     struct pages pages;
     struct banks banks;
     struct clock_accounts accounts;

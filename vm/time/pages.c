@@ -2,12 +2,11 @@
 #include "vm/time/pages.h"
 
 #include "vm/memory.h"
-#include "vm/number/host.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { HEAD = 0, NAMED_MOST = 256, SPAN = 256 };
+enum { HEAD = 0 };
 #define NO_PAGE UINT64_MAX
 
 /* The least n for which 2^n is not less. */
@@ -25,6 +24,7 @@ bool pages_init(struct pages *pages, uint64_t page_words, uint64_t real_words,
     uint64_t capacity = real_words / page_words;
     pages->shift = power_of_two(page_words * WORD_BITS);
     pages->registers = registers;
+    pages->named.number = 0;
     pages->capacity = capacity > 0 ? (size_t)capacity : 1;
     pages->hash_bits = 1 + power_of_two(pages->capacity);
     pages->resident = calloc(pages->capacity + 1, sizeof *pages->resident);
@@ -186,119 +186,27 @@ void pages_touch_all(struct pages *pages, uint64_t address, uint64_t bits,
 
 /* ---- Lists of indices ----------------------------------------------------- */
 
-/* Pages of a list, which lie no farther apart than NAMED_MOST. */
-struct page_list {
-    unsigned shift,
-        places; /* of a page; of a step, which is a power of two */
-    uint64_t table;
-    uint64_t low, high; /* the lowest page and the highest */
-};
-
-static inline uint64_t page_of(const struct page_list *list, c205_word index)
+static bool all_known(const struct pages *pages,
+                      const struct named_pages *named)
 {
-    return ((list->table + (index << list->places)) & ADDRESS_MASK)
-           >> list->shift;
-}
-
-#define FIND_RANGE_PARAMETERS \
-    (struct page_list * list, const c205_word *indices, size_t n)
-LANEWISE void find_range_span FIND_RANGE_PARAMETERS
-{
-    int64_t low = INT64_MAX, high = 0; /* hosts compare numbers with a sign */
-    for (size_t i = 0; i < n; i++) {
-        int64_t page = (int64_t)page_of(list, indices[i]);
-        low = page < low ? page : low;
-        high = page > high ? page : high;
-    }
-    list->low = (uint64_t)low;
-    list->high = (uint64_t)high;
-}
-
-/* Where each stands among them. */
-#define FIND_PLACES_PARAMETERS \
-    (uint8_t *restrict place, const struct page_list *list, \
-     const c205_word *restrict indices, size_t n)
-LANEWISE void find_places_span FIND_PLACES_PARAMETERS
-{
-    struct page_list of = *list;
-    for (size_t i = 0; i < n; i++)
-        place[i] = (uint8_t)(page_of(&of, indices[i]) - of.low);
-}
-
-static void find_range FIND_RANGE_PARAMETERS;
-static void find_places FIND_PLACES_PARAMETERS;
-VERSIONS(find_range, find_range_span, FIND_RANGE_PARAMETERS,
-         (list, indices, n))
-VERSIONS(find_places, find_places_span, FIND_PLACES_PARAMETERS,
-         (place, list, indices, n))
-
-/* How many of the list it takes to name each page for the last time; 0: it does
- * not. */
-static void find_last(const struct page_list *list, const c205_word *indices,
-                      size_t count, uint32_t *last)
-{
-    uint8_t place[SPAN];
-    for (size_t first = 0, n; first < count; first += n) {
-        n = count - first < SPAN ? count - first : SPAN;
-        find_places(place, list, indices + first, n);
-        for (size_t i = 0; i < n; i++)
-            last[place[i]] = (uint32_t)(first + i + 1);
-    }
-}
-
-/* The pages that are named, in the order of `last`; there are not many. */
-struct named {
-    size_t count;
-    uint64_t page[NAMED_MOST];
-};
-
-static void add_named(struct named *named, const struct page_list *list,
-                      const uint32_t *last, uint64_t page)
-{
-    size_t at = named->count++;
-    for (; at > 0
-           && last[named->page[at - 1] - list->low] > last[page - list->low];
-         at--)
-        named->page[at] = named->page[at - 1];
-    named->page[at] = page;
-}
-
-/* False: some are not in the registers, or they are too far apart. */
-static bool find_named(const struct pages *pages, struct page_list *list,
-                       const c205_word *indices, size_t count,
-                       struct named *named)
-{
-    uint32_t last[NAMED_MOST] = { 0 };
-    named->count = 0;
-    find_range(list, indices, count);
-    if (count == 0 || list->high - list->low >= NAMED_MOST)
-        return false;
-    if (list->low < list->high)
-        find_last(list, indices, count, last);
-    else
-        last[0] = 1;
-    for (uint64_t page = list->low; page <= list->high; page++) {
-        if (last[page - list->low] == 0)
-            continue;
-        if (!pages_know(pages, page))
+    for (size_t i = 0; i < named->count; i++)
+        if (!pages_know(pages, named->page[i]))
             return false;
-        add_named(named, list, last, page);
-    }
     return true;
 }
 
 /* Where the registers know all of them nobody drops out, and in the end they
  * stand as they were named last. */
 void pages_touch_indexed(struct pages *pages, uint64_t table, unsigned step,
-                         const c205_word *indices, size_t count,
+                         const struct index_list *list,
                          struct translation *met)
 {
-    struct page_list list = { pages->shift, power_of_two(step), table, 0, 0 };
-    struct named named;
-    if (find_named(pages, &list, indices, count, &named))
-        for (size_t i = 0; i < named.count; i++)
-            touch(pages, named.page[i] << pages->shift, met);
+    struct named_pages *named = &pages->named;
+    if (named_pages_find(named, list, table, step, pages->shift)
+        && all_known(pages, named))
+        for (size_t i = 0; i < named->count; i++)
+            touch(pages, named->page[i] << pages->shift, met);
     else
-        for (size_t i = 0; i < count; i++)
-            touch(pages, table + indices[i] * step, met);
+        for (size_t i = 0; i < list->count; i++)
+            touch(pages, table + list->indices[i] * step, met);
 }

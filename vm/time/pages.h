@@ -16,7 +16,7 @@
 #ifndef C205_PAGES_H
 #define C205_PAGES_H
 
-#include "vm/c205.h"
+#include "vm/time/named_pages.h"
 
 /* A page in real memory.  Pages are named by their places in an array; place
  * 0, the head, is none of them. */
@@ -36,7 +36,8 @@ struct pages {
     uint32_t edge;       /* the oldest that is known; 0: none is */
     uint64_t latest;     /* the page that is known to be in front */
     struct resident *resident;
-    uint32_t *hashed; /* the first page of each hash, or 0 */
+    uint32_t *hashed;         /* the first page of each hash, or 0 */
+    struct named_pages named; /* by the latest list */
 };
 
 /* What looking up some pages has met with.  A page fault is a miss too: the
@@ -74,7 +75,7 @@ static inline void pages_touch(struct pages *pages, uint64_t address,
 }
 /* The pages of table + step x index for a list of indices. */
 void pages_touch_indexed(struct pages *pages, uint64_t table, unsigned step,
-                         const c205_word *indices, size_t count,
+                         const struct index_list *list,
                          struct translation *met);
 
 #endif
