@@ -230,8 +230,9 @@ static void put_node(const struct mesh_table *table, size_t node)
     double *row = table->nodes + NODE_ROW * node;
 
     for (int i = 0; i < 3; i++) {
-        row[i] = from->box.low[i] - table->margin;
-        row[3 + i] = from->box.high[i] + table->margin;
+        row[i] = from->box.low[i] / 2 + from->box.high[i] / 2;
+        row[3 + i] = from->box.high[i] / 2 - from->box.low[i] / 2
+                     + table->margin;
     }
     row[NODE_FIRST] = node_place(table->hierarchy->node_count)
                       + (double)(table->row * from->first);

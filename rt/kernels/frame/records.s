@@ -292,8 +292,7 @@
 ; 0, the end.  Near a leaf they go on where the others do, and the link is
 ; greater by MESH_MET.
         .record MESH
-        .field  MESH_LOW, 3        ; of the box, greater than what it holds
-        .field  MESH_HIGH, 3
+        .field  MESH_BOX, 6        ; centre 3, half sides 3
         .field  MESH_LINKS, 16     ; near, not near; for each of eight signs
         .field  MESH_FIRST         ; of a leaf: its first triangle, and
         .field  MESH_COUNT         ; how many stand there

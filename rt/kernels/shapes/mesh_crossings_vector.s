@@ -40,7 +40,7 @@
 ; whatever is rounded, and the lists: derived here.
 
         .share  hits
-        .reg    mesh_counts, r164               ; how many crossings, integers
+        .reg    mesh_counts, r167               ; how many crossings, integers
         .endshare
 
 ; As the pairs' vectors in mesh_vector.s, with bits for the corners.
@@ -126,7 +126,8 @@ crossings_room:
         describe mesh_counts, mesh_count_store, near
         ES      s0, 0
         VTOV    s0, [mesh_counts]
-        walk_mesh meet_every, w9, 0
+        start_walk w9
+        walk_mesh meet_every, 0
 
 ; An odd number: one more.
         IBXEQ   mesh_is_solid, r0, r0, crossings_fill

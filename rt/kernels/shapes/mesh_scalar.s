@@ -13,8 +13,8 @@
         .regs   r79, mesh_table, mesh_row, node, node_at, signs, met_link
         .regs   r85, axis_x, axis_y, axis_z             ; the ray's own: 0, 1, 2
         .regs   r88, own_ox, own_oy, own_oz, shear_x, shear_y, own_z
-        .regs   r94, inverse_x, inverse_y, inverse_z, shift_x, shift_y, shift_z
-        .regs   r100, near_x, near_y, near_z, far_x, far_y, far_z
+        .regs   r94, inverse_x, inverse_y, inverse_z, size_x, size_y, size_z
+        .regs   r100, box_x, box_y, box_z, box_hx, box_hy, box_hz
         .regs   r106, low_x, low_y, low_z, high_x, high_y, high_z
         .regs   r112, mesh_less, mesh_zero, triangle, triangles_left, nearest_side
         .regs   r117, side_x0, side_y0, side_z0, side_x1, side_y1, side_z1
@@ -41,20 +41,15 @@ mesh_save:      .space MESH_REGISTERS
         MPYS    d\y, own_z, shear_y
         .endm
 
-        .macro  begin_axis axis, o, d, inverse, shift, near, far
+        .macro  begin_axis d, sign, inverse, size
         RTOR    \d, t0
         CFPNE   t0, r0, axis_slanted\@
         RTOR    mesh_zero, t0
 axis_slanted\@:
         DIVS    one, t0, \inverse
-        MPYS    \o, \inverse, \shift
-        SUBN    r0, \shift, \shift
-        ES      \near, MESH_LOW + \axis
-        ES      \far, MESH_HIGH + \axis
+        ABS     \inverse, \size
         CFPGE   \d, r0, axis_above\@
-        IX      signs, 2 << \axis
-        IX      \near, MESH_HIGH - MESH_LOW
-        IX      \far, MESH_LOW - MESH_HIGH
+        IX      signs, 2 * \sign
 axis_above\@:
         .endm
 
@@ -111,9 +106,9 @@ mesh_z\@:
         own_axes 0, 1, 2, x, y, z
 mesh_turned\@:
         ES      signs, 0
-        begin_axis 0, ox, dx, inverse_x, shift_x, near_x, far_x
-        begin_axis 1, oy, dy, inverse_y, shift_y, near_y, far_y
-        begin_axis 2, oz, dz, inverse_z, shift_z, near_z, far_z
+        begin_axis dx, 1, inverse_x, size_x
+        begin_axis dy, 2, inverse_y, size_y
+        begin_axis dz, 4, inverse_z, size_z
         RTOR    big, tin
         .endm
 
@@ -123,25 +118,33 @@ mesh_turned\@:
 mesh_node\@:
         SHIFTI  node, 6, node_at
         ADDX    node_at, mesh_table, node_at
-        LOD     [node_at, near_x], low_x
-        LOD     [node_at, near_y], low_y
-        LOD     [node_at, near_z], low_z
-        LOD     [node_at, far_x], high_x
-        LOD     [node_at, far_y], high_y
-        LOD     [node_at, far_z], high_z
-        IX      node_at, 64 * MESH_LINKS
-        MPYS    low_x, inverse_x, low_x
-        MPYS    low_y, inverse_y, low_y
-        MPYS    low_z, inverse_z, low_z
-        MPYS    high_x, inverse_x, high_x
-        MPYS    high_y, inverse_y, high_y
-        MPYS    high_z, inverse_z, high_z
-        ADDN    low_x, shift_x, low_x
-        ADDN    low_y, shift_y, low_y
-        ADDN    low_z, shift_z, low_z
-        ADDN    high_x, shift_x, high_x
-        ADDN    high_y, shift_y, high_y
-        ADDN    high_z, shift_z, high_z
+        LOD     [node_at], box_x
+        IX      node_at, 64
+        LOD     [node_at], box_y
+        IX      node_at, 64
+        LOD     [node_at], box_z
+        IX      node_at, 64
+        LOD     [node_at], box_hx
+        IX      node_at, 64
+        LOD     [node_at], box_hy
+        IX      node_at, 64
+        LOD     [node_at], box_hz
+        IX      node_at, 64 * (MESH_LINKS - 5)
+        SUBN    box_x, ox, box_x
+        SUBN    box_y, oy, box_y
+        SUBN    box_z, oz, box_z
+        MPYS    box_hx, size_x, box_hx
+        MPYS    box_hy, size_y, box_hy
+        MPYS    box_hz, size_z, box_hz
+        MPYS    box_x, inverse_x, box_x
+        MPYS    box_y, inverse_y, box_y
+        MPYS    box_z, inverse_z, box_z
+        SUBN    box_x, box_hx, low_x
+        ADDN    box_x, box_hx, high_x
+        SUBN    box_y, box_hy, low_y
+        ADDN    box_y, box_hy, high_y
+        SUBN    box_z, box_hz, low_z
+        ADDN    box_z, box_hz, high_z
         greater low_x, low_y
         lesser  high_x, high_y
         greater low_x, low_z

@@ -2,22 +2,20 @@
 ; of boxes.
 ;
 ; Each ray walks through the hierarchy by itself, and all take a step at a time:
-; a node is told by where it stands, what it holds is gathered.  Rays whose
-; directions have the same signs walk together: to them one side of a box along an
-; axis is the near one, and a node's links tell where a ray goes on, so that of two
-; nodes below the nearer comes first; there is no stack.  Rays at the end are left
-; out when they are many.  A ray that comes to a leaf makes pairs with its triangles
-; and walks on; pairs are met before there are more than rays that walk.
+; a node is told by where it stands, what it holds is gathered.  Its links say
+; where a ray goes on, by the signs of its direction so that of two nodes below
+; the nearer comes first; there is no stack.  Rays at the end are left out when
+; they are many.  A ray that comes to a leaf makes pairs with its triangles and
+; walks on; pairs are met before there are more than rays that walk.
 ;
-; A box with the sides N and F, the near one and the far one, is passed, of each axis,
-; for
+; A box with centre C and half sides H is passed, of each axis, for
 ;
-;   N / d - o / d  <=  t  <=  F / d - o / d
+;   (C - o) / d - H / |d|  <=  t  <=  (C - o) / d + H / |d|
 ;
 ; and near if these have a t >= 0 in common before the ray's limit.  The boxes
-; are greater than what they hold by more than is rounded where the ray's origin is
-; about as far as they are; of rays from far away, who lose more, the beginning counts
-; for a little less, by as much of t.  Where d is 0 it counts as 1e-60.
+; are greater than what they hold by more than is rounded, and the beginning
+; counts for a little less, for what rays from far away lose.  Where d is 0 it
+; counts as 1e-60.
 ;
 ; A triangle: the axis z where |d| is greatest, and x, y the next after it.  Its
 ; corners, told from o and sheared along d, are P = (x - z dx / dz, y - z dy / dz),
@@ -44,30 +42,24 @@
         .include "shapes/lanes_vector.s"
         .endif
 
-; The rays that walk, m of them: the node, the place among those at hand, 1/d, -o/d,
-; limit; all rays at hand, mixed, and the numbers of their signs.
+; The rays that walk, m of them: the node, the place among those at hand, origin,
+; 1/d, 1/|d|, twice the number of its signs, limit.
         .share  hits
-        .regs   r136, mesh_at, mesh_place, mesh_ix, mesh_iy, mesh_iz
-        .regs   r141, mesh_bx, mesh_by, mesh_bz, mesh_limit
-        .regs   r145, mesh_order, mesh_octants
-        .regs   r147, mesh_low, mesh_high, mesh_g0, mesh_g1, mesh_g2, mesh_g3
-        .regs   r153, mesh_bits, mesh_met
-        .equ    WALK_VECTORS, 19
-        .regs   r155, mesh_table, mesh_row, mesh_links
-        .reg    mesh_pairs, r158
-        .endshare
-
-; What their signs are, where the near sides of nodes stand; twice where the middles
-; do.
-        .share  shape
-        .regs   r43, mesh_octant, mesh_near_x, mesh_near_y, mesh_near_z, mesh_middles
+        .regs   r136, mesh_at, mesh_place, mesh_ox, mesh_oy, mesh_oz
+        .regs   r141, mesh_ix, mesh_iy, mesh_iz, mesh_ax, mesh_ay, mesh_az
+        .regs   r147, mesh_signs, mesh_limit
+        .regs   r149, mesh_low, mesh_high, mesh_g0, mesh_g1, mesh_g2, mesh_g3
+        .regs   r155, mesh_bits, mesh_met
+        .equ    WALK_VECTORS, 21
+        .regs   r157, mesh_table, mesh_row, mesh_links, mesh_leaf_link
+        .reg    mesh_pairs, r161
         .endshare
 
 ; Rays that come to a leaf: its next triangle, their places, how many triangles
 ; it has left.
         .share  hits
-        .regs   r159, leaf_triangle, leaf_place, leaf_left, leaf_bits
-        .reg    leaf_count, r163
+        .regs   r162, leaf_triangle, leaf_place, leaf_left, leaf_bits
+        .reg    leaf_count, r166
         .endshare
 
 ; The pairs: places and triangles, three corners by x, y, z of their own, U, V, W.
@@ -122,7 +114,7 @@ side_bases:
 ; Rays at hand that are neighbours come to the same nodes, whose words are in
 ; one bank, which is busy for four accesses: so they are taken from one of PARTS
 ; parts of them after the other.
-; [mesh_order] = i / PARTS + i mod PARTS times the size of a part, as far as there
+; [mesh_place] = i / PARTS + i mod PARTS times the size of a part, as far as there
 ; are such rays; i has a little more room than pairs have.
         .macro  mix_rays
         EX      s2, PARTS - 1
@@ -137,48 +129,38 @@ side_bases:
         MPYLV   [side_x1], s3, [side_x1]
         ADDXV   [side_x0], [side_x1], [side_x0]
         CMPLTV  [side_x0], m, [side_bits]
-        CPSV    [side_x0], [mesh_order] ? [side_bits]
+        CPSV    [side_x0], [mesh_place] ? [side_bits]
         .endm
 
-        .macro  add_sign d, sign
-        VXTOV   [mesh_order], [\d], [mesh_g0]
-        CMPLTV  [mesh_g0], r0, [mesh_bits]
-        ES      s2, \sign
-        ADDXV   [mesh_octants], s2, [mesh_octants] ? [mesh_bits]
-        .endm
-
-        .macro  begin_axis axis, o, d, inverse, shift, near_side
+        .macro  begin_axis o, d, sign, own, inverse, size
+        VXTOV   [mesh_place], [\o], [\own]
         VXTOV   [mesh_place], [\d], [mesh_g0]
+        ES      s2, 2 * \sign
+        CMPLTV  [mesh_g0], r0, [mesh_bits]
+        ADDXV   [mesh_signs], s2, [mesh_signs] ? [mesh_bits]
         CMPEQV  [mesh_g0], r0, [mesh_bits]
         VTOV    s1, [mesh_g0] ? [mesh_bits]
         DIVSV   one, [mesh_g0], [\inverse]
-        VXTOV   [mesh_place], [\o], [mesh_g0]
-        MPYSV   [mesh_g0], [\inverse], [mesh_g0]
-        SUBNV   r0, [mesh_g0], [\shift]
-        RTOR    mesh_table, \near_side
-        IX      \near_side, 64 * (MESH_LOW + \axis)
-        ES      s2, 1 << \axis
-        AND     s2, mesh_octant, s2
-        IBXEQ   s2, r0, r0, axis_begun\@
-        IX      \near_side, 64 * 3
-axis_begun\@:
+        ABSV    [\inverse], [\size]
         .endm
 
-; The box along one axis: [low], [high].
-        .macro  box_axis axis, near_side, inverse, shift, low, high
-        VXTOV   [mesh_at], [\near_side], [\low]
-        SUBX    mesh_middles, \near_side, s0
-        IX      s0, 64 * 2 * \axis
-        VXTOV   [mesh_at], [s0], [\high]
-        MPYSV   [\low], [\inverse], [\low]
-        MPYSV   [\high], [\inverse], [\high]
-        ADDNV   [\low], [\shift], [\low]
-        ADDNV   [\high], [\shift], [\high]
+; Of the box at MESH_BOX + number: [low], [high] along one axis.
+        .macro  box_axis number, own, inverse, size, low, high
+        RTOR    mesh_table, s0
+        IX      s0, 64 * (MESH_BOX + \number)
+        VXTOV   [mesh_at], [s0], [mesh_g0]
+        IX      s0, 64 * 3
+        VXTOV   [mesh_at], [s0], [mesh_g1]
+        SUBNV   [mesh_g0], [\own], [mesh_g0]
+        MPYSV   [mesh_g0], [\inverse], [mesh_g0]
+        MPYSV   [mesh_g1], [\size], [mesh_g1]
+        SUBNV   [mesh_g0], [mesh_g1], [\low]
+        ADDNV   [mesh_g0], [mesh_g1], [\high]
         .endm
 
 ; .. and what it has in common with those before.
-        .macro  box_next axis, near_side, inverse, shift
-        box_axis \axis, \near_side, \inverse, \shift, mesh_g2, mesh_g3
+        .macro  box_next number, own, inverse, size
+        box_axis \number, \own, \inverse, \size, mesh_g2, mesh_g3
         CMPLTV  [mesh_low], [mesh_g2], [mesh_bits]
         VTOV    [mesh_g2], [mesh_low] ? [mesh_bits]
         CMPLTV  [mesh_g3], [mesh_high], [mesh_bits]
@@ -259,8 +241,9 @@ axis_begun\@:
 
 ; What a walk needs of the rays at hand: their own axes.
         .macro  begin_mesh
-        ADDX    mesh_table, mesh_table, mesh_middles
-        IX      mesh_middles, 64 * (MESH_LOW + MESH_HIGH)
+        RTOR    mesh_table, mesh_links
+        IX      mesh_links, 64 * MESH_LINKS
+        EX      mesh_leaf_link, MESH_MET
         ES      mesh_pairs, 0
         RTOR    near, m
         set_walk
@@ -279,64 +262,41 @@ axis_begun\@:
         MPYSV   [w4], [w5], [w4]
         .endm
 
-; All rays at hand, and the signs of their directions: 1 of x, 2 of y, 4 of z.
-        .macro  begin_octants
+; All stand at the first node.
+        .macro  start_walk limits
+        ES      s2, MESH_SIZE
+        VTOV    s2, [mesh_at]
         .if     QUEUE < PARTS || QUEUE > 65535 - PARTS
-        VTOV    [iota], [mesh_order]
+        VTOV    [iota], [mesh_place]
         .else
         mix_rays
         .endif
-        ES      s2, 0
-        VTOV    s2, [mesh_octants]
-        add_sign dx, 1
-        add_sign dy, 2
-        add_sign dz, 4
-        .endm
-
-; Those of one octant, s3 of them, stand at the first node.
-        .macro  start_walk limits
-        RTOR    s3, m
-        CPSV    [mesh_order], [mesh_place] ? [mesh_bits]
-        set_walk
-        ES      s2, MESH_SIZE
-        VTOV    s2, [mesh_at]
         VXTOV   [mesh_place], [\limits], [mesh_limit]
-        SHIFTI  mesh_octant, 7, mesh_links
-        ADDX    mesh_links, mesh_table, mesh_links
-        IX      mesh_links, 64 * MESH_LINKS
+        VTOV    r0, [mesh_signs]
         load_word mesh_zero, s1
-        begin_axis 0, ox, dx, mesh_ix, mesh_bx, mesh_near_x
-        begin_axis 1, oy, dy, mesh_iy, mesh_by, mesh_near_y
-        begin_axis 2, oz, dz, mesh_iz, mesh_bz, mesh_near_z
+        begin_axis ox, dx, 1, mesh_ox, mesh_ix, mesh_ax
+        begin_axis oy, dy, 2, mesh_oy, mesh_iy, mesh_ay
+        begin_axis oz, dz, 4, mesh_oz, mesh_iz, mesh_az
         .endm
 
-; All to the end, up to [limits]; pairs are met by the routine meet, which changes
-; w9, and moves them, or not.
-        .macro  walk_mesh meet, limits, moves
-        begin_octants
-        ES      mesh_octant, 0
-mesh_octant\@:
-        RTOR    near, m
-        set_walk
-        CMPEQV  [mesh_octants], mesh_octant, [mesh_bits]
-        CNTOB   [mesh_bits], s3
-        IBXEQ   s3, r0, r0, mesh_done\@
-        start_walk \limits
+; To the end; pairs are met by the routine meet, which may change limits or
+; not.
+        .macro  walk_mesh meet, limits
 mesh_step\@:
         load_word bound_less, s1
-        EX      s2, MESH_MET
-        box_axis 0, mesh_near_x, mesh_ix, mesh_bx, mesh_low, mesh_high
-        box_next 1, mesh_near_y, mesh_iy, mesh_by
-        box_next 2, mesh_near_z, mesh_iz, mesh_bz
+        box_axis 0, mesh_ox, mesh_ix, mesh_ax, mesh_low, mesh_high
+        box_next 1, mesh_oy, mesh_iy, mesh_ay
+        box_next 2, mesh_oz, mesh_iz, mesh_az
         MPYSV   [mesh_low], s1, [mesh_low]
         CMPGEV  [mesh_high], [mesh_low], [mesh_bits]
         CMPGEV  [mesh_high], r0, [mesh_met]
         ANDB    [mesh_bits], [mesh_met], [mesh_bits]
         CMPLTV  [mesh_low], [mesh_limit], [mesh_met]
         ANDB    [mesh_bits], [mesh_met], [mesh_bits]
-        ADDXV   [mesh_at], one_index, [mesh_at] ?! [mesh_bits]
-        VXTOV   [mesh_at], [mesh_links], [mesh_g1]
-        CMPGEV  [mesh_g1], s2, [mesh_met]
+        ADDXV   [mesh_at], [mesh_signs], [mesh_g0]
+        ADDXV   [mesh_g0], one_index, [mesh_g0] ?! [mesh_bits]
+        VXTOV   [mesh_g0], [mesh_links], [mesh_g1]
+        CMPGEV  [mesh_g1], mesh_leaf_link, [mesh_met]
         CNTOB   [mesh_met], leaf_count
         IBXNE   leaf_count, r0, r0, mesh_leaves\@
 mesh_on\@:
@@ -349,12 +309,16 @@ mesh_on\@:
 mesh_narrow\@:
         walk_keep mesh_at
         walk_keep mesh_place
+        walk_keep mesh_ox
+        walk_keep mesh_oy
+        walk_keep mesh_oz
         walk_keep mesh_ix
         walk_keep mesh_iy
         walk_keep mesh_iz
-        walk_keep mesh_bx
-        walk_keep mesh_by
-        walk_keep mesh_bz
+        walk_keep mesh_ax
+        walk_keep mesh_ay
+        walk_keep mesh_az
+        walk_keep mesh_signs
         walk_keep mesh_limit
         RTOR    s2, m
         set_walk
@@ -362,7 +326,7 @@ mesh_narrow\@:
 
 ; Rays at leaves, leaf_count of them: a pair with each triangle.
 mesh_leaves\@:
-        SUBXV   [mesh_g1], s2, [mesh_g1] ? [mesh_met]
+        SUBXV   [mesh_g1], mesh_leaf_link, [mesh_g1] ? [mesh_met]
         RTOR    w10, leaf_triangle
         RTOR    w11, leaf_place
         RTOR    mesh_g0, leaf_left
@@ -378,7 +342,7 @@ leaf_next\@:
         IBXLE   s0, r0, m, leaf_pairs\@
         EX      target, \meet
         BSAVE   lane_link, [target]
-        .if     \moves
+        .if     \limits
         VXTOV   [mesh_place], [w9], [mesh_limit]
         .endif
 leaf_pairs\@:
@@ -402,9 +366,6 @@ mesh_walked\@:
         EX      target, \meet
         BSAVE   lane_link, [target]
 mesh_done\@:
-        IX      mesh_octant, 1
-        ES      s2, 8
-        IBXNE   mesh_octant, r0, s2, mesh_octant\@
         .endm
 
 ; The corners of the pairs' triangles: x, y, z, sheared.
@@ -425,11 +386,11 @@ mesh:
         VTOV    big, [tin]
         VTOV    r0, [patch_s]                   ; before all triangles
         IBXNE   shadows, r0, r0, mesh_begin     ; what is at the light stops none
-        EX      s1, MESH_MET
-        VTOV    s1, [patch_s]                   ; behind all: at the limit counts
+        VTOV    mesh_leaf_link, [patch_s]       ; behind all: at the limit counts
 mesh_begin:
         VTOV    r0, [patch_t]
-        walk_mesh meet_sides, w9, 1
+        start_walk near_limit
+        walk_mesh meet_sides, 1
         CMPLTV  [tin], big, [bits0]
         MASKV   [tin], minus_big, [tout] ? [bits0]
         BIM     0, link_kernel
