@@ -23,6 +23,7 @@ awk '
     }
     /^growth,"flake, 7381",ratio,/ { judge(quoted[2] ", times POV-Ray\x27s", 2) }
     /^growth,"flake, exponent",clocks,/ { judge("flake, exponent of clocks", .5) }
+    /^growth,"mesh, 100352",ratio,/ { judge(quoted[2] ", times POV-Ray\x27s", 2) }
     /^machine,"add, 64.*,ns\/element,/ { judge("add, ns an element", .7) }
     /^machine,"multiply, .*,ns\/element,/ { judge("multiply, ns an element", .75) }
     /^hosts,.*AVX2 to/ { judge(quoted[2] ", times, at the most", 2.5) }

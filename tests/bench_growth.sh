@@ -1,6 +1,7 @@
 #!/bin/sh
 # bench_growth.sh BUILD - what a frame takes against the number of things in it:
-# spheres of a flake, small solids in a field, holes and knobs of one plate.
+# spheres of a flake, small solids in a field, holes and knobs of one plate,
+# triangles of a mesh.
 #
 # Processor seconds of ours and of POV-Ray's trace, the machine's clocks, and
 # the most memory that the process had.  The exponent is that of the power of the
@@ -75,6 +76,38 @@ difference {
 END
 }
 
+# A ball with bumps, so many rows of as many pairs of triangles.
+mesh() { # ROWS
+    cat <<END
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+camera {
+    location <0, 1, -3.4>
+    right x * image_width / image_height
+    angle 44
+    look_at 0
+}
+light_source { <-6, 4.5, -3>, 1 }
+#declare Bumps = function(u, v) {
+    1 + 0.12*sin(7*u)*sin(5*v) + 0.03*sin(31*u + 3*v)*sin(23*v)
+}
+#macro Point(I, J)
+    #local U = 2*pi*I/$1;
+    #local V = pi*J/$1;
+    Bumps(U, V)*<cos(U)*sin(V), cos(V), sin(U)*sin(V)>
+#end
+mesh {
+    #for (I, 0, $1 - 1)
+        #for (J, 0, $1 - 1)
+            triangle { Point(I, J), Point(I + 1, J), Point(I + 1, J + 1) }
+            triangle { Point(I, J), Point(I + 1, J + 1), Point(I, J + 1) }
+        #end
+    #end
+    pigment { color rgb <0.8, 0.6, 0.3> }
+}
+END
+}
+
 exponent() { # COLUMN: of lines of a number and what was measured
     awk -v column="$1" '$1 >= 90 && $1 <= 10000 && $column > 0 {
             x = log($1); y = log($column)
@@ -136,3 +169,4 @@ printf '%-8s %9s %8s %9s %6s %9s %9s\n' of things "rt205, s" "povray, s" \
 grow flake flake 1:10 2:91 3:820 4:7381 5:66430
 grow solids field 10:10 100:100 1000:1000 10000:10000
 grow plate plate 10:10 100:100 1000:1000
+grow mesh mesh 7:98 22:968 71:10082 224:100352
