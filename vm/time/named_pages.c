@@ -5,9 +5,9 @@
 
 enum { SPAN = 256 };
 
-/* ---- Where the elements are ----------------------------------------------- */
+/* ---- Where its elements are ----------------------------------------------- */
 
-struct elements {
+struct page_walk {
     unsigned shift,
         places; /* of a page; of a step, which is a power of two */
     uint64_t table;
@@ -23,16 +23,16 @@ static unsigned places_of(unsigned step)
     return places;
 }
 
-static inline uint64_t address_of(const struct elements *of, c205_word index)
+static inline uint64_t address_of(const struct page_walk *of, c205_word index)
 {
     return (of->table + (index << of->places)) & ADDRESS_MASK;
 }
 
 #define FIND_RANGE_PARAMETERS \
-    (struct elements * elements, const c205_word *indices, size_t n)
+    (struct page_walk * walk, const c205_word *indices, size_t n)
 LANEWISE void find_range_span FIND_RANGE_PARAMETERS
 {
-    struct elements of = *elements;
+    struct page_walk of = *walk;
     uint64_t mask = (UINT64_C(1) << of.shift) - 1;
     /* hosts compare numbers with a sign */
     int64_t low = INT64_MAX, high = 0, most = 0;
@@ -44,18 +44,18 @@ LANEWISE void find_range_span FIND_RANGE_PARAMETERS
         high = page > high ? page : high;
         most = inside > most ? inside : most;
     }
-    elements->low = (uint64_t)low;
-    elements->high = (uint64_t)high;
-    elements->inside = (uint64_t)most;
+    walk->low = (uint64_t)low;
+    walk->high = (uint64_t)high;
+    walk->inside = (uint64_t)most;
 }
 
 /* Of each its page, told from the lowest. */
 #define FIND_PLACES_PARAMETERS \
-    (uint8_t *restrict place, const struct elements *elements, \
+    (uint8_t *restrict place, const struct page_walk *walk, \
      const c205_word *restrict indices, size_t n)
 LANEWISE void find_places_span FIND_PLACES_PARAMETERS
 {
-    struct elements of = *elements;
+    struct page_walk of = *walk;
     for (size_t i = 0; i < n; i++)
         place[i] = (uint8_t)((address_of(&of, indices[i]) >> of.shift)
                              - of.low);
@@ -64,21 +64,21 @@ LANEWISE void find_places_span FIND_PLACES_PARAMETERS
 static void find_range FIND_RANGE_PARAMETERS;
 static void find_places FIND_PLACES_PARAMETERS;
 VERSIONS(find_range, find_range_span, FIND_RANGE_PARAMETERS,
-         (elements, indices, n))
+         (walk, indices, n))
 VERSIONS(find_places, find_places_span, FIND_PLACES_PARAMETERS,
-         (place, elements, indices, n))
+         (place, walk, indices, n))
 
 /* ---- Named last ------------------------------------------------------------ */
 
 /* How many of the list it takes to name each page for the last time; 0: it does
  * not. */
-static void find_last(const struct elements *elements,
+static void find_last(const struct page_walk *walk,
                       const struct index_list *list, uint32_t *last)
 {
     uint8_t place[SPAN];
     for (size_t first = 0, n; first < list->count; first += n) {
         n = list->count - first < SPAN ? list->count - first : SPAN;
-        find_places(place, elements, list->indices + first, n);
+        find_places(place, walk, list->indices + first, n);
         for (size_t i = 0; i < n; i++)
             last[place[i]] = (uint32_t)(first + i + 1);
     }
@@ -106,24 +106,24 @@ bool named_pages_find(struct named_pages *named,
                       const struct index_list *list, uint64_t table,
                       unsigned step, unsigned shift)
 {
-    struct elements elements = { .shift = shift,
-                                 .places = places_of(step),
-                                 .table = table };
+    struct page_walk walk = { .shift = shift,
+                              .places = places_of(step),
+                              .table = table };
     uint32_t last[NAMED_MOST] = { 0 };
     if (is_known(named, list, table, step))
         return true;
     named->number = 0;
-    find_range(&elements, list->indices, list->count);
-    if (list->count == 0 || elements.high - elements.low >= NAMED_MOST)
+    find_range(&walk, list->indices, list->count);
+    if (list->count == 0 || walk.high - walk.low >= NAMED_MOST)
         return false;
-    find_last(&elements, list, last);
+    find_last(&walk, list, last);
     named->count = 0;
-    for (uint64_t page = elements.low; page <= elements.high; page++)
-        if (last[page - elements.low] > 0)
-            add_page(named, elements.low, last, page);
+    for (uint64_t page = walk.low; page <= walk.high; page++)
+        if (last[page - walk.low] > 0)
+            add_page(named, walk.low, last, page);
     named->number = list->number;
     named->step = step;
     named->table = table;
-    named->slack = (UINT64_C(1) << shift) - 1 - elements.inside;
+    named->slack = (UINT64_C(1) << shift) - 1 - walk.inside;
     return true;
 }
