@@ -13,6 +13,7 @@
 #include "rt/picture/picture.h"
 #include "rt/roots/roots.h"
 #include "rt/study/speedup.h"
+#include "tests/oracle/points.h"
 #include "tests/oracle/register_owners.h"
 #include "vm/text.h"
 
@@ -61,6 +62,7 @@ static void test_assembled(void **state)
         { "VISIBLE", VISIBLE_EVERY },
         { "LATHES", 1 },
         { "QUADRATIC_PRISMS", 1 },
+        { "LATTICE", 1 },
     };
     size_t programs = 0;
 
@@ -77,7 +79,7 @@ static void test_assembled(void **state)
             check_assembled(kernel->name, defines);
         }
     }
-    assert_int_equal(programs, 5);
+    assert_int_equal(programs, 7);
 }
 
 /* The cylinder as it is studied. */
@@ -436,6 +438,34 @@ static void test_roots(void **state)
     }
 }
 
+/* ---- Points -------------------------------------------------------------- */
+
+static void test_points(void **state)
+{
+    static const struct point_choice choice = { .seed = 3, .m = 10 };
+
+    (void)state;
+    for (int i = 0; i < 2 * POINT_FORMS; i++) {
+        const struct point_kind kind = {
+            .form = (enum point_form)(i % POINT_FORMS),
+            .lattice = i / POINT_FORMS,
+            .numbers = true,
+            .queue = 7,
+            .points = 500,
+            .coordinates = STREAM_DRAWS,
+        };
+        c205_error error = { "" };
+        struct point_maker *maker = point_maker_new(&kind, &error);
+        c205 *machine = maker ? point_maker_load(maker, &choice, &error)
+                              : NULL;
+
+        if (!machine)
+            fail_msg("%s", error.message);
+        run_watched(point_maker_program(maker), machine, "points");
+        point_maker_free(maker);
+    }
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
@@ -447,6 +477,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_scenes),
         cmocka_unit_test(test_random_solids),
         cmocka_unit_test(test_roots),
+        cmocka_unit_test(test_points),
     };
 
     if (argc > 1)

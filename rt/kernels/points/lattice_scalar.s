@@ -1,0 +1,78 @@
+; lattice_scalar.s - points of a shifted rank-1 lattice, up to six coordinates in
+; (0, 1) each; one point at a time.
+;
+; Coordinate j of point i of N = 2^m, m = 0 .. 20, under the shift number k of
+; a seed:
+;
+;   y = (i z_j 2^(47-m) + shift_kj) mod 2^47
+;   u = y 2^-47
+;
+; z is the generating vector.  The shifts are numbers t of the random stream, made
+; odd: then y is odd, u the middle of one of 2^46 cells, and its mean over all
+; shifts exactly 1/2.  Shift k of the seed s takes six positions of the stream
+; before the seed's ray 0:
+;
+;   p = s G - 7 (k + 1) + j + 1.
+;
+; An estimate by N points is as good as its spread over some shifts, which are
+; independent, says.
+;
+; Source of z: R. Cools, F. Y. Kuo, D. Nuyens, "Constructing embedded lattice rules
+; for multivariate integration" (2006), their file of 3,600 dimensions for 2^10 to
+; 2^20 points; of random shifts: R. Cranley, T. N. L. Patterson (1976).
+
+        .ifndef lattice_registers
+
+        .include "points/stream_scalar.s"
+
+        .equ    LATTICE_DIMENSIONS, 6
+
+        .data
+lattice_vector:
+        .word   1, 182667, 469891, 498753, 110745, 446247
+        .code
+
+; The registers of the lattice, from first on: z 2^(47-m), the shifts, 2^47 - 1.
+        .macro  lattice_registers first
+        .regs   \first, lattice_z0, lattice_z1, lattice_z2, lattice_z3, lattice_z4, lattice_z5, lattice_shift0, lattice_shift1, lattice_shift2, lattice_shift3, lattice_shift4, lattice_shift5, lattice_mask
+        .endm
+
+; Loads all of them, for N = 2^m points and the shift k of a seed.  work0 .. work5
+; are scratch.
+        .macro  lattice_load m, seed, k, work
+        EX      lattice_mask, X'7FFF FFFF FFFF'
+        ES      \work\()0, 47
+        SUBX    \work\()0, \m, \work\()0
+        SHIFT   stream_one, \work\()0, \work\()1
+        EX      \work\()0, lattice_vector
+        ELEN    \work\()0, LATTICE_DIMENSIONS
+        SWAP    [\work\()0], lattice_z0, [r0]
+        .rept   LATTICE_DIMENSIONS
+        MPYL    lattice_z\+, \work\()1, lattice_z\+
+        .endr
+        ADDX    \k, stream_one, \work\()0
+        stream_state \seed, \work\()0, -7, \work\()1, \work\()2, \work\()3, \work\()4
+        .rept   LATTICE_DIMENSIONS
+        MPYL    \work\()1, stream_ahead0, \work\()1
+        RTOR    \work\()1, lattice_shift\+
+        .endr
+        stream_mixed LATTICE_DIMENSIONS, lattice_shift\+, lattice_shift\+, \work\()\+
+        .rept   LATTICE_DIMENSIONS
+        OR      lattice_shift\+, stream_one, lattice_shift\+
+        .endr
+        .endm
+
+; word\+ := the first so many y of point i, an integer.
+        .macro  lattice_words i, count, word
+        .rept   \count
+        MPYL    lattice_z\+, \i, \word
+        .endr
+        .rept   \count
+        ADDX    \word, lattice_shift\+, \word
+        .endr
+        .rept   \count
+        AND     \word, lattice_mask, \word
+        .endr
+        .endm
+
+        .endif

@@ -1,0 +1,60 @@
+; points_program.s - what the two programs of points have in common, which make
+; POINTS points and lay them out coordinate by coordinate.
+;
+; Constants that may be defined:
+;
+;   QUEUE       points at a time, of the vector form; 2000
+;   POINTS      1 .. 65535; 2000
+;   LATTICE     1: of the lattice, 0: draws of the random stream; 0
+;   COORDINATES of a point, of the lattice: 1 .. 6, of the stream: 5; 5
+;   NUMBERS     1: numbers in (0, 1), 0: the integers of 47 bits that they are made
+;               of; 1
+;
+; In:  points_seed, points_first, the number of the first ray or point, and, of the
+;      lattice, points_m and points_shift: N = 2^m points, the shift k; integers.
+; Out: points_made, POINTS words for each coordinate.
+
+        .ifndef QUEUE
+        .equ    QUEUE, 2000
+        .endif
+        .ifndef POINTS
+        .equ    POINTS, 2000
+        .endif
+        .ifndef LATTICE
+        .equ    LATTICE, 0
+        .endif
+        .ifndef COORDINATES
+        .equ    COORDINATES, 5
+        .endif
+        .ifndef NUMBERS
+        .equ    NUMBERS, 1
+        .endif
+
+        .data
+points_given:
+points_seed:    .word 0
+points_first:   .word 0
+points_m:       .word 20
+points_shift:   .word 0
+points_made:    .space POINTS * COORDINATES
+        .code
+
+        .regs   r10, points_s, points_i, points_log, points_k ; what is given
+        .regs   r14, points_at, points_left
+        .regs   r20, made0, made1, made2, made3, made4, made5
+        .regs   r26, work0, work1, work2, work3, work4, work5
+        stream_registers r32
+        lattice_registers r48
+
+; What is given, the constants; of the stream, points_x: the state of the first ray.
+        .macro  points_begin
+        EX      points_at, points_given
+        ELEN    points_at, 4
+        SWAP    [points_at], points_s, [r0]
+        stream_load points_at
+        .if     LATTICE
+        lattice_load points_log, points_s, points_k, work
+        .else
+        stream_state points_s, points_i, STREAM_DRAWS, points_x, work0, work1, work2
+        .endif
+        .endm

@@ -1,0 +1,39 @@
+; points_scalar.s - the points of points_program.s, one after the other.
+
+        .include "points/lattice_scalar.s"
+        .include "points/points_program.s"
+
+        .reg    points_x, r16           ; the state of the ray
+        .regs   r40, plane0, plane1, plane2, plane3, plane4, plane5
+
+        .entry  points_scalar
+points_scalar:
+        .kernel begin
+        points_begin
+        ES      points_at, 0
+        EX      points_left, POINTS
+        .rept   COORDINATES
+        EX      plane\+, points_made + 64 * POINTS * \+
+        .endr
+        .endkernel
+points_next:
+        .kernel points
+        .if     LATTICE
+        lattice_words points_i, COORDINATES, made\+
+        ADDX    points_i, stream_one, points_i
+        .else
+        stream_words points_x, made\+, work\+
+        .endif
+        .endkernel
+        .if     NUMBERS
+        .kernel units
+        stream_units COORDINATES, made\+, made\+
+        .endkernel
+        .endif
+        .kernel store
+        .rept   COORDINATES
+        STO     [plane\+, points_at], made\+
+        .endr
+        IBXNE   points_at, stream_one, points_left, points_next, points_at
+        .endkernel
+        EXIT

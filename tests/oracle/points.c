@@ -1,0 +1,143 @@
+#include "tests/oracle/points.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "rt/layout/program.h"
+
+/* ---- By the definition --------------------------------------------------- */
+
+static const uint64_t mask = (UINT64_C(1) << 47) - 1;
+
+/* Unsigned products keep their low 64 bits, and so the low 47. */
+uint64_t stream_state_at(uint64_t p)
+{
+    uint64_t root;
+
+    if (p == 0)
+        return 1;
+    root = stream_state_at(p / 2);
+    return root * root * (p % 2 ? UINT64_C(44485709377909) : 1) & mask;
+}
+
+/* The integer next to 2^45 / golden ratio. */
+static const uint64_t seed_apart = UINT64_C(21745137823721);
+
+uint64_t stream_mixed(uint64_t x)
+{
+    x = (x ^ x >> 23) * UINT64_C(0x5851F42D4C95) & mask;
+    return x ^ x >> 24;
+}
+
+uint64_t stream_word(uint64_t seed, uint64_t ray, unsigned draw)
+{
+    uint64_t p = seed * seed_apart + STREAM_DRAWS * ray + draw + 1;
+
+    return stream_mixed(stream_state_at(p & mask));
+}
+
+uint64_t lattice_word(unsigned m, uint64_t seed, uint64_t shift, uint64_t i,
+                      unsigned coordinate)
+{
+    static const uint64_t z[LATTICE_COORDINATES] = { 1,      182667, 469891,
+                                                     498753, 110745, 446247 };
+    uint64_t p = seed * seed_apart - 7 * (shift + 1) + coordinate + 1;
+    uint64_t cells = UINT64_C(1) << (47 - m);
+
+    return (i * z[coordinate] * cells
+            + (stream_mixed(stream_state_at(p & mask)) | 1))
+           & mask;
+}
+
+/* ---- By the machine ------------------------------------------------------ */
+
+struct point_maker {
+    struct point_kind kind;
+    struct object *program;
+    c205_model *model;
+    c205 *machine;
+    uint64_t given, made; /* addresses */
+};
+
+static bool prepare(struct point_maker *maker, c205_error *error)
+{
+    const struct point_kind *kind = &maker->kind;
+    const struct asm_define defines[] = {
+        { "QUEUE", (int64_t)kind->queue },
+        { "POINTS", (int64_t)kind->points },
+        { "LATTICE", kind->lattice },
+        { "COORDINATES", (int64_t)kind->coordinates },
+        { "NUMBERS", kind->numbers },
+        { NULL, 0 },
+    };
+
+    maker->program = program_assemble(kind->form == POINTS_SCALAR
+                                          ? "points/points_scalar.s"
+                                          : "points/points_vector.s",
+                                      defines, error);
+    if (!maker->program)
+        return false;
+    maker->given = (uint64_t)object_symbol(maker->program, "points_given")
+                       ->value;
+    maker->made = (uint64_t)object_symbol(maker->program, "points_made")
+                      ->value;
+    maker->model = c205_model_find("cyber205-2pipe", error);
+    maker->machine = maker->model ? c205_new(maker->model, error) : NULL;
+    return maker->machine != NULL;
+}
+
+struct point_maker *point_maker_new(const struct point_kind *kind,
+                                    c205_error *error)
+{
+    struct point_maker *maker = calloc(1, sizeof *maker);
+
+    if (!maker) {
+        snprintf(error->message, sizeof error->message, "no memory");
+        return NULL;
+    }
+    maker->kind = *kind;
+    if (prepare(maker, error))
+        return maker;
+    point_maker_free(maker);
+    return NULL;
+}
+
+void point_maker_free(struct point_maker *maker)
+{
+    if (!maker)
+        return;
+    c205_free(maker->machine);
+    c205_model_free(maker->model);
+    object_free(maker->program);
+    free(maker);
+}
+
+c205 *point_maker_load(struct point_maker *maker,
+                       const struct point_choice *choice, c205_error *error)
+{
+    /* Integers have the exponent 0. */
+    c205_word given[] = { choice->seed, choice->first, choice->m,
+                          choice->shift };
+
+    if (!c205_load(maker->machine, &maker->program->program, error))
+        return NULL;
+    c205_write(maker->machine, maker->given, given,
+               sizeof given / sizeof *given);
+    return maker->machine;
+}
+
+bool point_maker_run(struct point_maker *maker,
+                     const struct point_choice *choice, c205_word *words,
+                     c205_error *error)
+{
+    c205 *machine = point_maker_load(maker, choice, error);
+
+    return machine && program_run(machine, NULL, NULL, NULL, error)
+           && c205_read(machine, maker->made, words,
+                        maker->kind.points * maker->kind.coordinates);
+}
+
+const struct object *point_maker_program(const struct point_maker *maker)
+{
+    return maker->program;
+}

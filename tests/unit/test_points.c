@@ -1,0 +1,370 @@
+/* test_points.c - the machine's random stream and lattice against their
+ * definitions, in both forms, and what they are for: uniform points.
+ *
+ *     test_points [TRIES [SEED]]
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "tests/oracle/points.h"
+#include "tests/random.h"
+
+enum { POINTS_MOST = 65535, WORDS_MOST = POINTS_MOST * LATTICE_COORDINATES };
+
+static size_t tries = 40;
+static uint64_t state = RANDOM_SEED;
+static c205_word words[POINT_FORMS][WORDS_MOST];
+
+static size_t between(size_t low, size_t high)
+{
+    return (size_t)xorshift_between(&state, (int64_t)low, (int64_t)high);
+}
+
+/* Of all sizes alike, from 1 bit on. */
+static uint64_t some_integer(unsigned bits)
+{
+    return xorshift(&state) >> between(64 - bits, 63);
+}
+
+static size_t some_length(void)
+{
+    return (size_t)(1 + some_integer(16) % POINTS_MOST);
+}
+
+static void make(const struct point_kind *kind,
+                 const struct point_choice *choice, c205_word *into)
+{
+    c205_error error = { "" };
+    struct point_maker *maker = point_maker_new(kind, &error);
+
+    if (!maker || !point_maker_run(maker, choice, into, &error))
+        fail_msg("%s", error.message);
+    point_maker_free(maker);
+}
+
+/* ---- Against the definition --------------------------------------------- */
+
+/* Positions one by one, of a generator that is stepped. */
+static void test_positions(void **unused)
+{
+    uint64_t x = 1;
+
+    (void)unused;
+    for (uint64_t p = 0; p < 10000; p++) {
+        assert_int_equal(stream_state_at(p), x);
+        x = (x * UINT64_C(44485709377909)) % (UINT64_C(1) << 47);
+    }
+    assert_int_equal(stream_state_at(UINT64_C(1) << 45), 1);
+    assert_int_not_equal(stream_state_at(UINT64_C(1) << 44), 1);
+}
+
+static struct point_kind some_kind(bool lattice)
+{
+    return (struct point_kind){
+        .lattice = lattice,
+        .queue = some_length(),
+        .points = some_length(),
+        .coordinates = lattice ? between(1, LATTICE_COORDINATES)
+                               : STREAM_DRAWS,
+    };
+}
+
+static struct point_choice some_choice(bool lattice, size_t points)
+{
+    uint64_t m = between(0, 20);
+
+    if (!lattice)
+        return (struct point_choice){ .seed = some_integer(45),
+                                      .first = some_integer(43) };
+    return (struct point_choice){ .seed = some_integer(45),
+                                  .first = some_integer(30)
+                                           % (1048577 - points),
+                                  .m = m,
+                                  .shift = some_integer(20) };
+}
+
+static uint64_t defined(const struct point_kind *kind,
+                        const struct point_choice *choice, size_t i,
+                        unsigned j)
+{
+    return kind->lattice ? lattice_word((unsigned)choice->m, choice->seed,
+                                        choice->shift, choice->first + i, j)
+                         : stream_word(choice->seed, choice->first + i, j);
+}
+
+static void compare_words(const struct point_kind *kind,
+                          const struct point_choice *choice)
+{
+    const c205_word *made = words[kind->form];
+
+    for (unsigned j = 0; j < kind->coordinates; j++)
+        for (size_t i = 0; i < kind->points; i++) {
+            c205_word word = made[j * kind->points + i];
+
+            if (word != defined(kind, choice, i, j))
+                fail_msg("form %d, queue %zu, seed %llu, m %d, shift %llu: "
+                         "coordinate %u of point %llu + %zu is %llX",
+                         kind->form, kind->queue,
+                         (unsigned long long)choice->seed, (int)choice->m,
+                         (unsigned long long)choice->shift, j,
+                         (unsigned long long)choice->first, i,
+                         (unsigned long long)word);
+        }
+}
+
+static void compare_forms(bool lattice)
+{
+    for (size_t i = 0; i < tries; i++) {
+        struct point_kind kind = some_kind(lattice);
+        struct point_choice choice = some_choice(lattice, kind.points);
+
+        for (int form = 0; form < POINT_FORMS; form++) {
+            kind.form = (enum point_form)form;
+            make(&kind, &choice, words[form]);
+            compare_words(&kind, &choice);
+        }
+    }
+}
+
+static void test_stream_words(void **unused)
+{
+    (void)unused;
+    compare_forms(false);
+}
+
+static void test_lattice_words(void **unused)
+{
+    (void)unused;
+    compare_forms(true);
+}
+
+/* Exactly t 2^-47, normalised, and neither 0 nor 1. */
+static void compare_numbers(bool lattice)
+{
+    for (size_t i = 0; i < tries / 4; i++) {
+        struct point_kind kind = some_kind(lattice);
+        struct point_choice choice = some_choice(lattice, kind.points);
+        size_t count = kind.points * kind.coordinates;
+
+        kind.numbers = true;
+        for (int form = 0; form < POINT_FORMS; form++) {
+            kind.form = (enum point_form)form;
+            make(&kind, &choice, words[form]);
+        }
+        assert_memory_equal(words[POINTS_SCALAR], words[POINTS_VECTOR],
+                            count * sizeof **words);
+        for (size_t k = 0; k < count; k++) {
+            double number = c205_to_double(words[POINTS_VECTOR][k]);
+            uint64_t word = defined(&kind, &choice, k % kind.points,
+                                    (unsigned)(k / kind.points));
+
+            assert_true(number == (double)word * 0x1p-47);
+            assert_true(number > 0 && number < 1);
+            assert_int_equal(words[POINTS_VECTOR][k],
+                             c205_from_double(number));
+        }
+    }
+}
+
+static void test_stream_numbers(void **unused)
+{
+    (void)unused;
+    compare_numbers(false);
+}
+
+static void test_lattice_numbers(void **unused)
+{
+    (void)unused;
+    compare_numbers(true);
+}
+
+/* ---- Cuts ---------------------------------------------------------------- */
+
+/* Points first .. in two pieces, in queues of other lengths, as in one. */
+static void compare_cut(bool lattice)
+{
+    struct point_kind kind = some_kind(lattice);
+    struct point_choice choice;
+    size_t points, pieces[2];
+    const c205_word *whole = words[POINTS_SCALAR];
+    c205_word *piece = words[POINTS_VECTOR];
+
+    kind.form = POINTS_VECTOR;
+    kind.points = points = between(2, 5000);
+    choice = some_choice(lattice, points);
+    make(&kind, &choice, words[POINTS_SCALAR]);
+    pieces[0] = between(1, points - 1);
+    pieces[1] = points - pieces[0];
+    for (size_t k = 0, begin = 0; k < 2; begin += pieces[k++]) {
+        kind.points = pieces[k];
+        kind.queue = between(1, points);
+        make(&kind, &choice, piece);
+        for (size_t j = 0; j < kind.coordinates; j++)
+            assert_memory_equal(piece + j * pieces[k],
+                                whole + j * points + begin,
+                                pieces[k] * sizeof *piece);
+        choice.first += pieces[k];
+    }
+}
+
+static void test_cuts(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < tries; i++)
+        compare_cut(i % 2);
+}
+
+/* ---- What points are for -------------------------------------------------- */
+
+/* Each coordinate of all N points meets each of N cells once. */
+static void test_cells(void **unused)
+{
+    enum { M = 12, N = 1 << M };
+    static const struct point_kind kind = {
+        .form = POINTS_VECTOR,
+        .lattice = true,
+        .queue = N,
+        .points = N,
+        .coordinates = LATTICE_COORDINATES
+    };
+    struct point_choice choice = { .seed = 7, .m = M };
+
+    (void)unused;
+    make(&kind, &choice, words[0]);
+    for (size_t j = 0; j < LATTICE_COORDINATES; j++) {
+        static bool met[N];
+
+        memset(met, 0, sizeof met);
+        for (size_t i = 0; i < N; i++) {
+            c205_word word = words[0][j * N + i];
+
+            assert_true(word % 2 == 1);
+            assert_false(met[word >> (47 - M)]);
+            met[word >> (47 - M)] = true;
+        }
+    }
+}
+
+enum { M = 10, N = 1 << M, SHIFTS = 16, DIMENSIONS = 4 };
+
+/* The product of 1 + (u_j - 1/2) over the first coordinates, whose integral is
+ * 1: smooth, and no period fits it. */
+static double mean_of_function(const c205_word *point)
+{
+    double sum = 0;
+
+    for (size_t i = 0; i < N; i++) {
+        double product = 1;
+
+        for (size_t j = 0; j < DIMENSIONS; j++)
+            product *= .5 + c205_to_double(point[j * N + i]);
+        sum += product;
+    }
+    return sum / N;
+}
+
+struct estimate {
+    double mean, error; /* of the mean: the standard error */
+};
+
+/* From SHIFTS independent sets of points. */
+static struct estimate estimate(struct point_maker *maker, bool lattice,
+                                uint64_t seed)
+{
+    double value[SHIFTS], sum = 0, squares = 0;
+    c205_error error = { "" };
+
+    for (uint64_t k = 0; k < SHIFTS; k++) {
+        struct point_choice choice = {
+            .seed = seed, .first = lattice ? 0 : k * N, .m = M, .shift = k
+        };
+
+        if (!point_maker_run(maker, &choice, words[0], &error))
+            fail_msg("%s", error.message);
+        value[k] = mean_of_function(words[0]);
+        sum += value[k];
+    }
+    for (size_t k = 0; k < SHIFTS; k++)
+        squares += pow(value[k] - sum / SHIFTS, 2);
+    return (struct estimate){ sum / SHIFTS,
+                              sqrt(squares / (SHIFTS - 1) / SHIFTS) };
+}
+
+/* Over many seeds: the root mean square of the errors, how often Student's
+ * interval for 95 % holds the exact value, and the mean error in standard
+ * errors. */
+struct quality {
+    double error, covered, bias;
+};
+
+static struct quality try_seeds(bool lattice, size_t seeds)
+{
+    static const double student = 2.1314; /* 97.5 %, 15 degrees of freedom */
+    const struct point_kind kind = { .form = POINTS_VECTOR,
+                                     .lattice = lattice,
+                                     .numbers = true,
+                                     .queue = N,
+                                     .points = N,
+                                     .coordinates = STREAM_DRAWS };
+    double squares = 0, sum = 0, covered = 0;
+    c205_error error = { "" };
+    struct point_maker *maker = point_maker_new(&kind, &error);
+
+    if (!maker)
+        fail_msg("%s", error.message);
+    for (size_t seed = 0; seed < seeds; seed++) {
+        struct estimate found = estimate(maker, lattice, seed);
+        double off = found.mean - 1;
+
+        sum += off;
+        squares += off * off;
+        covered += fabs(off) <= student * found.error;
+    }
+    point_maker_free(maker);
+    return (struct quality){ sqrt(squares / (double)seeds),
+                             covered / (double)seeds, sum / sqrt(squares) };
+}
+
+static void test_quality(void **unused)
+{
+    enum { SEEDS = 400 };
+    struct quality lattice = try_seeds(true, SEEDS);
+    struct quality random = try_seeds(false, SEEDS);
+    double spread = sqrt(.95 * .05 / SEEDS);
+
+    (void)unused;
+    print_message("errors: lattice %g, random points %g\n"
+                  "covered: %.4f and %.4f; bias %.2f and %.2f\n",
+                  lattice.error, random.error, lattice.covered,
+                  random.covered, lattice.bias, random.bias);
+    assert_true(lattice.error < random.error / 5);
+    assert_true(fabs(lattice.covered - .95) < 3 * spread);
+    assert_true(fabs(random.covered - .95) < 3 * spread);
+    assert_true(fabs(lattice.bias) < 3 && fabs(random.bias) < 3);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_positions),
+        cmocka_unit_test(test_stream_words),
+        cmocka_unit_test(test_lattice_words),
+        cmocka_unit_test(test_stream_numbers),
+        cmocka_unit_test(test_lattice_numbers),
+        cmocka_unit_test(test_cuts),
+        cmocka_unit_test(test_cells),
+        cmocka_unit_test(test_quality),
+    };
+
+    if (argc > 1)
+        tries = (size_t)strtoul(argv[1], NULL, 10);
+    if (argc > 2)
+        state ^= strtoull(argv[2], NULL, 10) * UINT64_C(0x9E3779B97F4A7C15);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
