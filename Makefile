@@ -63,7 +63,8 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_scene $(BUILD)/tests/oracle/check_random \
 	$(BUILD)/tests/oracle/check_quartic $(BUILD)/tests/oracle/check_faces \
 	$(BUILD)/tests/oracle/check_regions $(BUILD)/tests/oracle/digest \
-	$(BUILD)/tests/oracle/check_language_scenes
+	$(BUILD)/tests/oracle/check_language_scenes \
+	$(BUILD)/tests/oracle/draw_words
 fuzz_targets = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,\
 	$(wildcard tests/fuzz/fuzz_*.c))
 replays = $(subst /fuzz_,/replay_,$(fuzz_targets))
@@ -132,10 +133,10 @@ check-long: export TRIES = 3000
 check-long: export HOSTS = full
 check-long: export DOCS = full
 check-long:
-	@sh .ci/need $(test_packages) valgrind
+	@sh .ci/need $(test_packages) valgrind dieharder
 	-@$(MAKE) --no-print-directory -k -j $(JOBS) all tests $(BUILD)/fit205
 	@sh tests/run_all.sh "$(MAKE)" $(JOBS) check-docs $(check_parts:check-docs=) \
-		check-poison check-timing san cover -- check-planted
+		check-poison check-timing check-stream san cover -- check-planted
 
 fit:
 	@sh .ci/need $(build_packages) $(fit_packages) $(exact_packages)
@@ -237,7 +238,8 @@ $(BUILD)/tests/unit/test_goal: $(BUILD)/tests/unit/test_goal.o \
 		$(BUILD)/libc205.a
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lm
 $(BUILD)/tests/unit/test_fit: $(BUILD)/tests/unit/test_fit.o \
-		$(call objects,$(observing_c)) $(libraries)
+		$(call objects,$(observing_c)) $(BUILD)/tests/oracle/points.o \
+		$(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lm -ldl -lpthread
 $(BUILD)/tests/oracle/check_sample: $(BUILD)/tests/timed_program.o
 $(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(libraries)
@@ -285,6 +287,11 @@ check-narrow: $(BUILD)/tests/oracle/check_narrow
 
 check-random: $(BUILD)/tests/oracle/check_random
 	$< $(PROGRAMS) $(FIRST)
+
+# The random stream, by dieharder; a part of check-long.  TESTS=0,205: those.
+check-stream: $(BUILD)/tests/oracle/draw_words
+	@sh .ci/need dieharder
+	sh tests/check_stream.sh $(BUILD)
 
 check-quartic: $(BUILD)/tests/oracle/check_quartic
 	$< $(POLYNOMIALS)

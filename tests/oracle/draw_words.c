@@ -1,0 +1,77 @@
+/* draw_words.c - the words of the machine's random stream, for who tests them.
+ *
+ *     draw_words [--bare] SEED
+ *
+ * Writes 32 bits of each draw to stdout, ray by ray, in the host's order of bytes,
+ * until nobody reads on: the highest of the 47, made by the machine in vector form
+ * (rt/kernels/points).  --bare: those of the generator without its mixed output, as
+ * the definition has it, which are known to be bad.
+ */
+#include "tests/oracle/points.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { RAYS = 65535, WORDS = RAYS * STREAM_DRAWS };
+
+static c205_word planes[WORDS];
+static uint32_t drawn[WORDS];
+
+static void fail(const char *what)
+{
+    fprintf(stderr, "draw_words: %s\n", what);
+    exit(2);
+}
+
+static bool write_drawn(void)
+{
+    return fwrite(drawn, sizeof *drawn, WORDS, stdout) == WORDS;
+}
+
+static void draw_by_machine(uint64_t seed)
+{
+    static const struct point_kind kind = { .form = POINTS_VECTOR,
+                                            .queue = RAYS,
+                                            .points = RAYS,
+                                            .coordinates = STREAM_DRAWS };
+    struct point_choice choice = { .seed = seed };
+    c205_error error = { "" };
+    struct point_maker *maker = point_maker_new(&kind, &error);
+
+    if (!maker)
+        fail(error.message);
+    do {
+        if (!point_maker_run(maker, &choice, planes, &error))
+            fail(error.message);
+        for (size_t k = 0; k < WORDS; k++)
+            drawn[k] =
+                (uint32_t)(planes[k % STREAM_DRAWS * RAYS + k / STREAM_DRAWS]
+                           >> 15);
+        choice.first += RAYS;
+    } while (write_drawn());
+    point_maker_free(maker);
+}
+
+static void draw_bare(uint64_t seed)
+{
+    uint64_t step = stream_state_at(1), mask = (UINT64_C(1) << 47) - 1;
+    uint64_t x = stream_state_at(seed);
+
+    do {
+        for (size_t k = 0; k < WORDS; k++) {
+            x = x * step & mask;
+            drawn[k] = (uint32_t)(x >> 15);
+        }
+    } while (write_drawn());
+}
+
+int main(int argc, char **argv)
+{
+    bool bare = argc == 3 && strcmp(argv[1], "--bare") == 0;
+
+    if (argc != 2 && !bare)
+        fail("usage: draw_words [--bare] SEED");
+    (bare ? draw_bare : draw_by_machine)(strtoull(argv[argc - 1], NULL, 10));
+    return 0;
+}
