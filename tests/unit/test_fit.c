@@ -3,6 +3,7 @@
 #include "rt/study/fit/constants.h"
 #include "rt/study/fit/observations.h"
 #include "rt/study/fit/untouched.h"
+#include "tests/oracle/points.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -228,24 +229,19 @@ static void test_refused(void **state)
  * doubles and its own logarithm. */
 static double photon_draws(void)
 {
-    uint64_t multiplier = UINT64_C(44485709377909);
-    uint64_t modulus = UINT64_C(1) << 47;
-    uint64_t jump = 1, first = 1, seed;
     double draws = 0;
 
-    for (int i = 0; i < 1024; i++)
-        jump = jump * multiplier % modulus;
-    for (int photon = 0; photon < 4000; photon++) {
+    for (uint64_t photon = 1; photon <= 4000; photon++) {
+        uint64_t position = 1025 * photon;
         double x = 0, mu = 1, u[3];
 
-        seed = first = first * jump % modulus;
         do {
-            for (int i = 0; i < 3; i++) {
-                seed = seed * multiplier % modulus;
-                u[i] = (double)seed / (double)modulus;
-            }
+            for (uint64_t i = 0; i < 3; i++)
+                u[i] = (double)stream_mixed(stream_state_at(position + i + 1))
+                       * 0x1p-47;
             x -= mu * log(u[0]);
             mu = 2 * u[2] - 1;
+            position += 3;
             draws += x < 0 || x >= 3 ? 1 : u[1] >= .9 ? 2 : 3;
         } while (x >= 0 && x < 3 && u[1] < .9);
     }

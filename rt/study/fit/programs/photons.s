@@ -23,7 +23,7 @@
         .include "frame/linkage.s"
         .include "photons.inc"
 
-        .equ    APART, 1024     ; draws from the row of one to that of the next
+        .equ    APART, 1025     ; draws from the row of one to that of the next, odd
 
         .data
 seeds:          .space PHOTONS
@@ -54,14 +54,14 @@ seeds:          .space PHOTONS
 
         .entry  photons
 photons:
-        load_at photon_constants, PHOTON_CONSTANTS, multiplier
+        load_at photon_constants, PHOTON_CONSTANTS, offset
+        stream_load at
+        stream_vector_load
         ES      minus, -1
 
-; jump := MULTIPLIER to the power APART; the seeds are its powers.
-        ES      jump, 1
+; jump := a to the power APART; the seeds are its powers.
         ES      count, APART
-power:  MPYL    jump, multiplier, jump
-        IBXNE   count, minus, r0, power, count
+        stream_power count, jump, seed, at
         EX      at, seeds
         ES      count, PHOTONS
         ES      seed, 1
