@@ -136,7 +136,8 @@ check-long:
 	@sh .ci/need $(test_packages) valgrind dieharder
 	-@$(MAKE) --no-print-directory -k -j $(JOBS) all tests $(BUILD)/fit205
 	@sh tests/run_all.sh "$(MAKE)" $(JOBS) check-docs $(check_parts:check-docs=) \
-		check-poison check-timing check-stream san cover -- check-planted
+		check-poison check-points check-timing check-stream \
+		san cover -- check-planted
 
 fit:
 	@sh .ci/need $(build_packages) $(fit_packages) $(exact_packages)
@@ -207,7 +208,7 @@ $(BUILD)/vm/number/lanes.o $(BUILD)/vm/number/halves.o \
 
 # The reference of the instructions, and what the pages say is printed.
 shown = $(programs) $(BUILD)/fit205 $(BUILD)/tests/oracle/check_quartic \
-	$(adapter)
+	$(BUILD)/tests/unit/test_points $(adapter)
 docs: $(BUILD)/c205 $(shown)
 	$< isa --markdown >$(BUILD)/isa.md
 	@mv $(BUILD)/isa.md docs/isa.md
@@ -312,6 +313,9 @@ check-language-scenes: $(BUILD)/tests/oracle/check_language_scenes $(adapter)
 
 # A part of check-unit, here with more tries.
 check-poison: $(BUILD)/tests/unit/test_poison
+	$< $(TRIES)
+
+check-points: $(BUILD)/tests/unit/test_points
 	$< $(TRIES)
 
 check-timing: $(BUILD)/tests/unit/test_timing $(BUILD)/tests/unit/test_renaming

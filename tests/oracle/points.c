@@ -29,11 +29,14 @@ uint64_t stream_mixed(uint64_t x)
     return x ^ x >> 24;
 }
 
+uint64_t stream_position(uint64_t seed, uint64_t ray, unsigned draw)
+{
+    return (seed * seed_apart + STREAM_DRAWS * ray + draw + 1) & mask;
+}
+
 uint64_t stream_word(uint64_t seed, uint64_t ray, unsigned draw)
 {
-    uint64_t p = seed * seed_apart + STREAM_DRAWS * ray + draw + 1;
-
-    return stream_mixed(stream_state_at(p & mask));
+    return stream_mixed(stream_state_at(stream_position(seed, ray, draw)));
 }
 
 uint64_t lattice_word(unsigned m, uint64_t seed, uint64_t shift, uint64_t i,

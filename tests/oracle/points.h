@@ -16,6 +16,8 @@ enum { STREAM_DRAWS = 5, LATTICE_COORDINATES = 6 };
 uint64_t stream_state_at(uint64_t p);
 /* t of x. */
 uint64_t stream_mixed(uint64_t x);
+/* Of a draw, modulo 2^47. */
+uint64_t stream_position(uint64_t seed, uint64_t ray, unsigned draw);
 /* The integer in (0, 2^47) that a draw, 0 .. 4, of a ray is made of. */
 uint64_t stream_word(uint64_t seed, uint64_t ray, unsigned draw);
 /* The one of a coordinate, 0 .. 5, of point i of 2^m under a shift of a seed. */

@@ -64,7 +64,33 @@ static void test_positions(void **unused)
     assert_int_not_equal(stream_state_at(UINT64_C(1) << 44), 1);
 }
 
+static int by_size(const void *a, const void *b)
+{
+    uint64_t first = *(const uint64_t *)a, second = *(const uint64_t *)b;
+
+    return (first > second) - (first < second);
+}
+
+/* Of seeds in a row the nearest two are far apart. */
+static void test_seeds(void **unused)
+{
+    enum { SEEDS = 100000 };
+    static const uint64_t period = UINT64_C(1) << 45;
+    static uint64_t begin[SEEDS + 1];
+    uint64_t first = some_integer(40);
+
+    (void)unused;
+    for (size_t i = 0; i < SEEDS; i++)
+        begin[i] = stream_position(first + i, 0, 0) % period;
+    qsort(begin, SEEDS, sizeof *begin, by_size);
+    begin[SEEDS] = begin[0] + period;
+    for (size_t i = 0; i < SEEDS; i++)
+        assert_true((double)(begin[i + 1] - begin[i])
+                    > (double)period / 2.7 / SEEDS);
+}
+
 static struct point_kind some_kind(bool lattice)
+
 {
     return (struct point_kind){
         .lattice = lattice,
@@ -222,31 +248,31 @@ static void test_cuts(void **unused)
 
 /* ---- What points are for -------------------------------------------------- */
 
-/* Each coordinate of all N points meets each of N cells once. */
+/* Each coordinate of all points meets each of as many cells once. */
 static void test_cells(void **unused)
 {
-    enum { M = 12, N = 1 << M };
+    enum { LOG = 12, CELLS = 1 << LOG };
     static const struct point_kind kind = {
         .form = POINTS_VECTOR,
         .lattice = true,
-        .queue = N,
-        .points = N,
+        .queue = CELLS,
+        .points = CELLS,
         .coordinates = LATTICE_COORDINATES
     };
-    struct point_choice choice = { .seed = 7, .m = M };
+    struct point_choice choice = { .seed = 7, .m = LOG };
 
     (void)unused;
     make(&kind, &choice, words[0]);
     for (size_t j = 0; j < LATTICE_COORDINATES; j++) {
-        static bool met[N];
+        static bool met[CELLS];
 
         memset(met, 0, sizeof met);
-        for (size_t i = 0; i < N; i++) {
-            c205_word word = words[0][j * N + i];
+        for (size_t i = 0; i < CELLS; i++) {
+            c205_word word = words[0][j * CELLS + i];
 
             assert_true(word % 2 == 1);
-            assert_false(met[word >> (47 - M)]);
-            met[word >> (47 - M)] = true;
+            assert_false(met[word >> (47 - LOG)]);
+            met[word >> (47 - LOG)] = true;
         }
     }
 }
@@ -331,6 +357,12 @@ static struct quality try_seeds(bool lattice, size_t seeds)
                              covered / (double)seeds, sum / sqrt(squares) };
 }
 
+static void print_quality(const char *points, struct quality quality)
+{
+    print_message("%-7s  %.6f  %9.1f  %5.2f\n", points, quality.error,
+                  100 * quality.covered, quality.bias);
+}
+
 static void test_quality(void **unused)
 {
     enum { SEEDS = 400 };
@@ -339,10 +371,9 @@ static void test_quality(void **unused)
     double spread = sqrt(.95 * .05 / SEEDS);
 
     (void)unused;
-    print_message("errors: lattice %g, random points %g\n"
-                  "covered: %.4f and %.4f; bias %.2f and %.2f\n",
-                  lattice.error, random.error, lattice.covered,
-                  random.covered, lattice.bias, random.bias);
+    print_message("points   error     covered %%  bias\n");
+    print_quality("lattice", lattice);
+    print_quality("random", random);
     assert_true(lattice.error < random.error / 5);
     assert_true(fabs(lattice.covered - .95) < 3 * spread);
     assert_true(fabs(random.covered - .95) < 3 * spread);
@@ -353,6 +384,7 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_positions),
+        cmocka_unit_test(test_seeds),
         cmocka_unit_test(test_stream_words),
         cmocka_unit_test(test_lattice_words),
         cmocka_unit_test(test_stream_numbers),
