@@ -9,10 +9,7 @@ begin_queues:
         EX      s0, power_constants
         ELEN    s0, POWER_CONSTANTS
         SWAP    [s0], p_fraction, [r0]
-        SUBN    r0, one, minus_one
-        ES      one_index, 1
-        ES      minus_one_index, -1
-        ES      near, 0
+        begin_counting
         EX      target, camera
         BSAVE   link, [target]
         EX      s0, view

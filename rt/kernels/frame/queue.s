@@ -167,6 +167,14 @@ count_store:    .space QUEUE            ; 0, 1, 2, ...
         SWAP    [s1], \first, [r0]
         .endm
 
+; What is counted with; one is loaded, and no ray is at hand.
+        .macro  begin_counting
+        SUBN    r0, one, minus_one
+        ES      one_index, 1
+        ES      minus_one_index, -1
+        ES      near, 0
+        .endm
+
 ; There are count rays at hand.
         .macro  set_near count
         IBXEQ   \count, r0, near, near_set\@
@@ -193,6 +201,21 @@ near_set\@:
         RTOR    primitive, shape_at
         IX      shape_at, 64 * (\offset)
         STO     [shape_at], \register
+        .endm
+
+; Three planes, apart by a stride: the n words of the queue, of each from first on.
+        .macro  three_planes first, stride, a, b, c
+        ADDLEN  \first, n, \a
+        ADDX    \a, \stride, \b
+        ADDX    \b, \stride, \c
+        .endm
+
+; What the rays of the queue hit.
+        .macro  set_hits_of_queue
+        describe nearest, queue_store + 64 * QUEUE * 6, n
+        describe met, queue_store + 64 * QUEUE * 7, n
+        describe hit_s, queue_store + 64 * QUEUE * 8, n
+        describe hit_t, queue_store + 64 * QUEUE * 9, n
         .endm
 
 ; A word of the program's data.

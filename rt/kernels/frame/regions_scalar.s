@@ -83,6 +83,79 @@ simple_ahead\@:
         CFPLT   w_in, w_limit, \near
         .endm
 
+; The parameters of the crossing at w_in, seen on w_leaf (and w_out), of a tree: to its
+; P_PATCH_POINT, if it is a patch or a mesh; then to done.
+        .macro  note_point done
+        RTOR    w_out, w_at
+        IX      w_at, 64 * P_ON_PATCH
+        LOD     [w_at], w_t0
+        IBXEQ   w_t0, r0, r0, \done
+        IX      w_out, 64 * P_FIRST_EVENT
+        LOD     [w_out], w_t1
+        RTOR    w_leaf, w_at
+        .if     MESH_CROSSINGS
+        SHIFTI  w_t0, -1, w_t2
+        IBXEQ   w_t2, r0, m_index_one, point_triangle\@
+        .endif
+        IX      w_at, 64 * (P_PATCH_POINTS - 2)
+        EX      w_t2, k_delta
+        LOD     [w_t2], w_t2
+        SUBN    w_in, w_t2, w_t3
+        ADDN    w_in, w_t2, w_t4
+point_crossing\@:
+        LOD     [w_t1], w_t2
+        IX      w_t1, 64
+        IX      w_at, 64 * 2
+        CFPLT   w_t2, w_t3, point_crossing\@
+        CFPLT   w_t4, w_t2, point_crossing\@
+        ELEN    w_at, 2
+        SWAP    [w_at], w_t0, [r0]              ; and w_t1
+        RTOR    w_leaf, w_at
+        IX      w_at, 64 * P_PATCH_POINT
+        ELEN    w_at, 2
+        SWAP    [r0], w_t0, [w_at]
+        BIM     \done
+
+        .if     MESH_CROSSINGS
+; On which triangle of a mesh, and 1 if the ray leaves there: of a solid where each
+; second crossing is.
+point_triangle\@:
+        RTOR    w_leaf, w_at
+        IX      w_at, 64 * (P_SHAPE + 1)
+        LOD     [w_at], w_t5
+        FLR     w_t5, w_t5                      ; triangles stand so far behind
+        IX      w_at, 64 * (P_SEGMENTS - P_SHAPE - 1)
+        LOD     [w_at], w_t6
+        ES      w_t2, 2
+        IBXEQ   w_t0, r0, w_t2, point_sided\@
+        RTOR    r0, w_t6                        ; its normals tell
+point_sided\@:
+        EX      w_t2, k_delta
+        LOD     [w_t2], w_t2
+        SUBN    w_in, w_t2, w_t3
+        ADDN    w_in, w_t2, w_t4
+        RTOR    w_t1, w_t0                      ; the first
+point_mesh_crossing\@:
+        LOD     [w_t1], w_t2
+        IX      w_t1, 64
+        CFPLT   w_t2, w_t3, point_mesh_crossing\@
+        CFPLT   w_t4, w_t2, point_mesh_crossing\@
+        IX      w_t1, -64
+        SUBX    w_t1, w_t0, w_t2
+        LOD     [w_t1, w_t5], w_t0
+        RTOR    r0, w_t1
+        IBXEQ   w_t6, r0, r0, point_enters\@
+        SHIFTI  w_t2, -6, w_t2
+        AND     w_t2, m_index_one, w_t1
+point_enters\@:
+        RTOR    w_leaf, w_at
+        IX      w_at, 64 * P_PATCH_POINT
+        ELEN    w_at, 2
+        SWAP    [r0], w_t0, [w_at]
+        BIM     \done
+        .endif
+        .endm
+
         .kernel visible
 nearest:
         enter_walk nearest_save, WALK_REGISTERS, 2
@@ -136,72 +209,5 @@ nearest_tree:
 nearest_seen:
         RTOR    w_in, w_limit
         RTOR    w_out, w_leaf
-        RTOR    w_out, w_at
-        IX      w_at, 64 * P_ON_PATCH
-        LOD     [w_at], w_t0
-        IBXEQ   w_t0, r0, r0, nearest_skip
-        IX      w_out, 64 * P_FIRST_EVENT
-        LOD     [w_out], w_t1
-        RTOR    w_leaf, w_at
-        .if     MESH_CROSSINGS
-        SHIFTI  w_t0, -1, w_t2
-        IBXEQ   w_t2, r0, m_index_one, nearest_triangle
-        .endif
-        IX      w_at, 64 * (P_PATCH_POINTS - 2)
-        EX      w_t2, k_delta
-        LOD     [w_t2], w_t2
-        SUBN    w_in, w_t2, w_t3
-        ADDN    w_in, w_t2, w_t4
-nearest_crossing:
-        LOD     [w_t1], w_t2
-        IX      w_t1, 64
-        IX      w_at, 64 * 2
-        CFPLT   w_t2, w_t3, nearest_crossing
-        CFPLT   w_t4, w_t2, nearest_crossing
-        ELEN    w_at, 2
-        SWAP    [w_at], w_t0, [r0]              ; and w_t1
-        RTOR    w_leaf, w_at
-        IX      w_at, 64 * P_PATCH_POINT
-        ELEN    w_at, 2
-        SWAP    [r0], w_t0, [w_at]
-        BIM     nearest_skip
-
-        .if     MESH_CROSSINGS
-; On which triangle of a mesh, and 1 if the ray leaves there: of a solid where each
-; second crossing is.
-nearest_triangle:
-        RTOR    w_leaf, w_at
-        IX      w_at, 64 * (P_SHAPE + 1)
-        LOD     [w_at], w_t5
-        FLR     w_t5, w_t5                      ; triangles stand so far behind
-        IX      w_at, 64 * (P_SEGMENTS - P_SHAPE - 1)
-        LOD     [w_at], w_t6
-        ES      w_t2, 2
-        IBXEQ   w_t0, r0, w_t2, nearest_sided
-        RTOR    r0, w_t6                        ; its normals tell
-nearest_sided:
-        EX      w_t2, k_delta
-        LOD     [w_t2], w_t2
-        SUBN    w_in, w_t2, w_t3
-        ADDN    w_in, w_t2, w_t4
-        RTOR    w_t1, w_t0                      ; the first
-nearest_mesh_crossing:
-        LOD     [w_t1], w_t2
-        IX      w_t1, 64
-        CFPLT   w_t2, w_t3, nearest_mesh_crossing
-        CFPLT   w_t4, w_t2, nearest_mesh_crossing
-        IX      w_t1, -64
-        SUBX    w_t1, w_t0, w_t2
-        LOD     [w_t1, w_t5], w_t0
-        RTOR    r0, w_t1
-        IBXEQ   w_t6, r0, r0, nearest_enters
-        SHIFTI  w_t2, -6, w_t2
-        AND     w_t2, m_index_one, w_t1
-nearest_enters:
-        RTOR    w_leaf, w_at
-        IX      w_at, 64 * P_PATCH_POINT
-        ELEN    w_at, 2
-        SWAP    [r0], w_t0, [w_at]
-        BIM     nearest_skip
-        .endif
+        note_point nearest_skip
         .endkernel

@@ -149,19 +149,6 @@ levels_done:
         BIM     0, link_levels
 
 ; The next queue: its rays, its hits, where its colours go.
-        .macro  three_planes first, stride, a, b, c
-        ADDLEN  \first, n, \a
-        ADDX    \a, \stride, \b
-        ADDX    \b, \stride, \c
-        .endm
-
-        .macro  set_hits_of_queue
-        describe nearest, queue_store + 64 * QUEUE * 6, n
-        describe met, queue_store + 64 * QUEUE * 7, n
-        describe hit_s, queue_store + 64 * QUEUE * 8, n
-        describe hit_t, queue_store + 64 * QUEUE * 9, n
-        .endm
-
 first_queue:
         RTOR    link, link_walk
         set_hits_of_queue

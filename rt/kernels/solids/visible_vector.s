@@ -443,6 +443,9 @@ found_taken:
         region_took_hits
         VTOVX   [taken_at], [taken_distance], [nearest]
         VTOVX   [taken_at], [taken_met], [met]
+
+; The parameters of the rays of s5, of those of event_met that are patches or meshes.
+found_points:
         leaves_begin
 found_leaf:
         leaf_at_hand

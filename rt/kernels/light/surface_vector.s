@@ -1,0 +1,122 @@
+; surface_vector.s - the normals of surfaces where rays hit them.
+;
+; A point goes to the space of the shape, the normal there back, by the transpose
+; of the same matrix, and then to length one.
+;
+; set_hits:    In: h.  Out: the vectors of all hits, h long.
+; set_part:    In: part_at, a part of them.  Out: primitive, m; its part of them.
+; find_normal: In: part_at, primitive; at, [px] [py] [pz] [hdx] [hdy] [hdz], as
+;   long.  Out: [nx] [ny] [nz], [facing], hits0.
+; Source: textbook.
+
+        .kernel shade
+; The vectors of all hits.
+set_hits:
+        set_lengths h, m_high, shade_bases, shade_descriptors, SHADE_VECTORS, at
+        describe ndotl, NDOTL_STORE, h
+        BIM     0, link_inner
+
+; .. of the part that part_at names: what it has of the vectors of all hits; the
+; vectors that nothing keeps, from their beginning on.
+set_part:
+        RTOR    part_at, s0
+        ELEN    s0, PART_SIZE
+        SWAP    [s0], s1, [r0]
+        RTOR    s1, primitive
+        SHIFTI  s2, 6, part_offset
+        RTOR    s3, m
+        SHIFTI  m, 48, m_high
+        ADDX    m_high, part_offset, s4
+        EX      s0, shade_bases
+        ELEN    s0, HIT_VECTORS
+        EX      s1, shade_descriptors
+        ELEN    s1, HIT_VECTORS
+        ADDXV   s4, [s0], [s1]
+        IX      s0, 64 * HIT_VECTORS
+        ELEN    s0, SHADE_VECTORS - HIT_VECTORS
+        IX      s1, 64 * HIT_VECTORS
+        ELEN    s1, SHADE_VECTORS - HIT_VECTORS
+        ORV     [s0], m_high, [s1]
+        EX      s1, shade_descriptors
+        ELEN    s1, SHADE_VECTORS
+        SWAP    [s1], at, [r0]
+        describe ndotl, NDOTL_STORE, m
+        ADDX    ndotl, part_offset, ndotl
+        BIM     0, link_inner
+
+; The normal at the points, in the world, turned against the ray; facing =
+; its product with the ray's direction; hits0: where it was turned, or, if there are
+; bumps, where it does not face the ray; then both are as the bumps have them.
+find_normal:
+        RTOR    link_kernel, link_inner
+        look_at_points px, py, pz
+        load_field P_TRANSFORMED, s9
+        RTOR    part_at, s0
+        IX      s0, 64 * PART_SHARED
+        LOD     [s0], s0
+        IBXNE   s0, r0, r0, normal_shared
+        IBXEQ   s9, r0, r0, normal_own
+        load_record P_LOCAL, 12, m00
+        dot_constant px, py, pz, m00, m01, m02, lx, v0
+        ADDNV   [lx], m03, [lx]
+        dot_constant px, py, pz, m10, m11, m12, ly, v0
+        ADDNV   [ly], m13, [ly]
+        dot_constant px, py, pz, m20, m21, m22, lz, v0
+        ADDNV   [lz], m23, [lz]
+        look_at_points lx, ly, lz
+normal_own:
+        load_field P_NORMAL, target
+        BSAVE   link_kernel, [target]
+        IBXEQ   s9, r0, r0, normal_world
+        dot_constant nx, ny, nz, m00, m10, m20, lx, v0
+        dot_constant nx, ny, nz, m01, m11, m21, ly, v0
+        dot_constant nx, ny, nz, m02, m12, m22, lz, v0
+        normalise lx, ly, lz, v0, v1
+        VTOV    [lx], [nx]
+        VTOV    [ly], [ny]
+        VTOV    [lz], [nz]
+normal_world:
+        dot_vectors nx, ny, nz, hdx, hdy, hdz, facing, v0
+        CMPLTV  r0, [facing], [hits0]
+        CNTOB   [hits0], s0
+        IBXEQ   s0, r0, r0, normal_faces
+        VTOV    -[nx], [nx] ? [hits0]
+        VTOV    -[ny], [ny] ? [hits0]
+        VTOV    -[nz], [nz] ? [hits0]
+        VTOV    -[facing], [facing] ? [hits0]
+normal_faces:
+        .if     MESH_CROSSINGS
+        load_field P_ON_PATCH, s0
+        ES      s1, 2
+        IBXNE   s0, r0, s1, normal_sided
+        VXTOV   [at], [hit_t], [v0]             ; a mesh has no outside
+        CMPNEV  [v0], r0, [hits0]
+normal_sided:
+        .endif
+        .if     BUMPS
+        CMPLTV  [facing], r0, [hits1]
+        ORNB    [hits0], [hits1], [hits0]
+        load_field P_BUMP, bump_at
+        IBXNE   bump_at, r0, r0, bumped
+        .endif
+        BIM     0, link_inner
+
+; Spheres that look alike: as normal_sphere, with a centre for each.
+normal_shared:
+        VXTOV   [at], [met], [v1]
+        find_records v1, v1, P_SHAPE, s1
+        VXTOV   [v1], [s1], [lx]
+        IX      s1, 64
+        VXTOV   [v1], [s1], [ly]
+        IX      s1, 64
+        VXTOV   [v1], [s1], [lz]
+        IX      s1, 64 * 2
+        VXTOV   [v1], [s1], [v2]
+        SUBNV   [px], [lx], [nx]
+        MPYSV   [nx], [v2], [nx]
+        SUBNV   [py], [ly], [ny]
+        MPYSV   [ny], [v2], [ny]
+        SUBNV   [pz], [lz], [nz]
+        MPYSV   [nz], [v2], [nz]
+        BIM     normal_world
+        .endkernel
