@@ -18,6 +18,7 @@ struct places {
     bool *needed;    /* .. without which their trees have no value */
     size_t *kept;    /* how many nodes before each are no complements */
     size_t *results; /* of the regions: the value of its tree */
+    int *bodies;     /* .. R_BODY */
     uint64_t *clear; /* .. the address of its word, or 0 */
     struct hierarchy hierarchy;
     bool *spheres; /* its nodes with spheres alone below */
@@ -55,6 +56,8 @@ static size_t layout_tree(struct record *record, struct places *places,
         return before;
     }
     places->results[i] = plan.result;
+    if (region_is_closed(places->scene, region))
+        places->bodies[i] = plan.complement ? -1 : 1;
     for (size_t k = 0; k < region->node_count; k++)
         plan.joins[k].first_step += before;
     for (size_t k = 0; k < plan.step_count; k++)
@@ -241,6 +244,7 @@ static void layout_region(struct record *record, const struct places *places,
                    node_at(places, region->first_node + region->node_count));
     record_address(record, "R_RESULT",
                    row_at(&places->given->values, places->results[i]));
+    record_integer(record, "R_BODY", (size_t)places->bodies[i]);
     record_write(record);
 }
 
@@ -407,13 +411,14 @@ static void layout_scene(struct record_layout *layout,
         .needed = calloc(nodes, sizeof *places.needed),
         .kept = calloc(nodes, sizeof *places.kept),
         .results = calloc(regions, sizeof *places.results),
+        .bodies = calloc(regions, sizeof *places.bodies),
         .clear = calloc(regions, sizeof *places.clear),
         .spheres = calloc(2 * regions, sizeof *places.spheres),
         .given = given,
     };
 
     if (places.joins && places.needed && places.kept && places.results
-        && places.clear && places.spheres
+        && places.bodies && places.clear && places.spheres
         && plan_hierarchy(&places, bounding))
         layout_records(layout, &places);
     else
@@ -422,6 +427,7 @@ static void layout_scene(struct record_layout *layout,
     free(places.needed);
     free(places.kept);
     free(places.results);
+    free(places.bodies);
     free(places.clear);
     free(places.spheres);
     hierarchy_free(&places.hierarchy);

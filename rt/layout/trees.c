@@ -20,7 +20,24 @@ bool region_is_simple(const struct scene *scene, const struct region *region)
     const struct primitive
         *first = &scene->primitives[region->first_primitive];
 
-    return region->primitive_count == 1 && !pigment_is_clear(&first->pigment);
+    return !scene->every_crossing && region->primitive_count == 1
+           && !pigment_is_clear(&first->pigment);
+}
+
+static bool is_closed(const struct primitive *primitive)
+{
+    struct shape_words shape;
+
+    shape_words(primitive, &shape);
+    return shape.segments > 0 && !shape.state;
+}
+
+bool region_is_closed(const struct scene *scene, const struct region *region)
+{
+    for (size_t i = 0; i < region->primitive_count; i++)
+        if (!is_closed(&scene->primitives[region->first_primitive + i]))
+            return false;
+    return true;
 }
 
 /* Crossings, and their triangles. */
@@ -120,6 +137,20 @@ size_t most_crossings(const struct scene *scene)
             if (count > most)
                 most = count;
         }
+    }
+    return most;
+}
+
+size_t seen_crossings_most(const struct scene *scene)
+{
+    size_t most = 0;
+
+    for (size_t i = 0; i < scene->primitive_count; i++) {
+        struct shape_words shape;
+
+        shape_words(&scene->primitives[i], &shape);
+        if (!scene->primitives[i].unseen)
+            most += shape.events;
     }
     return most;
 }
@@ -236,6 +267,7 @@ bool plan_tree(const struct scene *scene, const struct region *region,
     for (size_t i = region->node_count; i-- > 0;)
         evaluate(&evaluation, scene, region, region->first_node + i);
     plan->result = evaluation.stack[0].place;
+    plan->complement = evaluation.stack[0].complement;
     free(evaluation.stack);
     return true;
 }

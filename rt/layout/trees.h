@@ -12,6 +12,10 @@
  * wanted. */
 bool region_is_simple(const struct scene *scene, const struct region *region);
 
+/* Are all its surfaces those of bodies, and seen?  Then a line is inside of it
+ * between one crossing and another. */
+bool region_is_closed(const struct scene *scene, const struct region *region);
+
 bool primitive_is_mesh(const struct primitive *primitive);
 /* Whether any mesh is not simple: the kernels need
  * shapes/mesh_crossings_vector.s. */
@@ -32,6 +36,8 @@ size_t plan_leaves(const struct scene *scene, struct leaf_plan *plans);
 /* The crossings of the primitive that has most: what the kernels have room
  * for, if it is more than they have anyway (CROSSINGS_MOST in records.s). */
 size_t most_crossings(const struct scene *scene);
+/* The crossings of a line with all of the scene that may be seen, at the most. */
+size_t seen_crossings_most(const struct scene *scene);
 
 /* A step of the evaluation, with the numbers of T_OPERATION. */
 enum step_operation { STEP_AND, STEP_OR, STEP_AND_NOT };
@@ -49,8 +55,9 @@ struct tree_join {
 
 struct tree_plan {
     size_t step_count;
-    size_t result; /* the value of the tree, or what it is not: the same
+    size_t result;   /* the value of the tree, or what it is not: the same
                       surfaces */
+    bool complement; /* .. the latter */
     struct tree_step *steps; /* those of a node before those above it */
     struct tree_join *joins;
 };

@@ -253,7 +253,10 @@ struct scene {
     struct tree_node *nodes;
     size_t region_count;
     struct region *regions; /* in file order */
-    struct arena kept;      /* what primitives point to */
+    size_t object_count; /* that statements of the file put into the world */
+    bool every_crossing; /* all crossings of its rays are asked, not what
+                               they meet first alone: no region is simple */
+    struct arena kept;   /* what primitives point to */
 };
 void scene_free(struct scene *scene);
 

@@ -74,6 +74,7 @@ struct primitive {
     bool inverted;   /* an odd number of complements stands above
                                   it: its outward normal points to what is
                                   solid */
+    size_t object;   /* it is a part of: of the scene's, from 0 on */
     size_t line;     /* where it is written, in the scene's main file */
 };
 

@@ -586,6 +586,41 @@ static void test_values(void **state)
     }
 }
 
+/* What stands inside of a region: its value, what is not its value, nothing where a
+ * part is open or is not seen. */
+static void test_bodies(void **state)
+{
+    static const struct {
+        const char *text;
+        int64_t body;
+    } cases[] = {
+        { "sphere { 0, 1 }", 1 },
+        { "sphere { 0, 1 inverse }", -1 },
+        { "plane { y, 0 }", 1 },
+        { "difference { box { -1, 1 } sphere { 0, 1 } }", 1 },
+        { "merge { box { -1, 1 inverse } sphere { 0, 1 inverse } }", -1 },
+        { "intersection { box { -1, 1 } sphere { 0, 1 inverse } inverse }",
+          -1 },
+        { "disc { 0, y, 1 }", 0 },
+        { "cylinder { 0, y, 1 open }", 0 },
+        { "difference { box { -1, 1 } cylinder { -2*y, 2*y, .5 open } }", 0 },
+        { "triangle { 0, x, y }", 0 },
+        { "mesh { triangle { 0, x, y } triangle { 0, y, z }"
+          " triangle { 0, z, x } triangle { x, y, z } inside_vector x }",
+          1 },
+        { "steiner_patch { 0, x, y, x + z, y + z, x + y }", 0 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(cases); i++) {
+        struct stage stage;
+
+        raise_curtain(&stage, cases[i].text, BOUNDING_HIERARCHY);
+        assert_integer(region(&stage, 0, "R_BODY"), cases[i].body);
+        drop_curtain(&stage);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -593,7 +628,8 @@ int main(void)
         cmocka_unit_test(test_regions),    cmocka_unit_test(test_nodes),
         cmocka_unit_test(test_no_bounds),  cmocka_unit_test(test_bounds),
         cmocka_unit_test(test_steps),      cmocka_unit_test(test_values),
-        cmocka_unit_test(test_many_parts), cmocka_unit_test(test_room),
+        cmocka_unit_test(test_bodies),     cmocka_unit_test(test_many_parts),
+        cmocka_unit_test(test_room),
     };
 
     return cmocka_run_group_tests_name("regions", tests, set_up_model,

@@ -329,6 +329,22 @@ static void test_bodies(void **state)
         check_bodies(rows[i][0], rows[i][1]);
 }
 
+/* What one statement puts into the world is one object, whatever it is made of. */
+static void test_objects(void **state)
+{
+    static const size_t expected[] = { 0, 1, 1, 1, 2, 2, 3, 4 };
+    struct scene *scene = read_scene(
+        A "union { " B " union { " C D " } } difference { " A B " }"
+          "#declare S = " A " object { S } object { S translate x }");
+
+    (void)state;
+    assert_int_equal(scene->primitive_count, COUNT(expected));
+    assert_int_equal(scene->object_count, 5);
+    for (size_t i = 0; i < COUNT(expected); i++)
+        assert_int_equal(scene->primitives[i].object, expected[i]);
+    scene_free(scene);
+}
+
 /* By name, with more behind the name. */
 static void test_materials(void **state)
 {
@@ -578,6 +594,7 @@ int main(void)
         cmocka_unit_test(test_textures),
         cmocka_unit_test(test_interiors),
         cmocka_unit_test(test_bodies),
+        cmocka_unit_test(test_objects),
         cmocka_unit_test(test_materials),
         cmocka_unit_test(test_clear_pigments),
         cmocka_unit_test(test_reflections),

@@ -323,6 +323,9 @@
         .field  R_CLEAR            ; address of its word in scene_clear, where
                                 ; parts of it are clear
         .field  R_BOX, 6           ; its box: centre 3, half sides 3
+        .field  R_BODY             ; an integer, 1: what is inside of it is where
+                                ; its value is 1, -1: where it is 0; 0: it is
+                                ; open, and has no inside
         .at     19              ; odd, for the banks
         .endrecord
         .equ    REGION_SIMPLE, 1

@@ -77,6 +77,7 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
     for (size_t i = first; i < reader->world.part_count; i++) {
         struct scene_part *part = &reader->world.parts[i];
 
+        part->primitive.object = reader->scene->object_count;
         if (part->patch && !bicubic_patch_cut(reader, part, at))
             return false;
         if (part->smooth_field && !height_field_place(reader, part))
@@ -84,6 +85,7 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
         if (!check_part(reader, part, at))
             return false;
     }
+    reader->scene->object_count += reader->world.part_count > first;
     return true;
 }
 
