@@ -379,6 +379,8 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
         space = space_of(scene, i, space);
         record_integer(&record, "P_ID", i + 1);
         record_integer(&record, "P_SPACE", space);
+        if (object_symbol(layout->program, "P_OBJECT"))
+            record_integer(&record, "P_OBJECT", scene->primitives[i].object);
         put_shape(&record, &scene->primitives[i], &plans[i]);
         put_part(&record, &plans[i], crossings, values);
         put_surface(&record, scene, &scene->primitives[i], &map);

@@ -1,3 +1,4 @@
+#include "rt/shapes/mesh.h"
 #include "rt/shapes/shape.h"
 
 #include <stdlib.h>
@@ -378,6 +379,24 @@ static bool put_hierarchy(const struct primitive *primitive,
         fill_table(primitive, triangles, &hierarchy, table);
     mesh_hierarchy_free(&hierarchy);
     return good;
+}
+
+size_t *mesh_order(const struct primitive *mesh)
+{
+    struct mesh_hierarchy hierarchy = { 0 };
+    size_t *order = NULL;
+
+    if (plan(mesh, &mesh->shape.mesh.triangles, &hierarchy)) {
+        order = hierarchy.order;
+        hierarchy.order = NULL;
+    }
+    mesh_hierarchy_free(&hierarchy);
+    return order;
+}
+
+size_t mesh_row(const struct primitive *mesh, size_t words)
+{
+    return (words - nodes_size(&mesh->shape.mesh.triangles)) / row_size(mesh);
 }
 
 /* What is seen, and behind it the body.  Returns 0 without memory. */

@@ -92,18 +92,29 @@ static void define_shapes(struct defines *defines, const struct scene *scene)
             define(defines, shapes[i]->symbol, 1);
 }
 
+/* What the kernels have to know of a scene. */
+static void define_scene(struct defines *defines, const struct scene *scene)
+{
+    size_t crossings = most_crossings(scene);
+    size_t pieces = blob_pieces_most(scene);
+
+    for (size_t i = 0; i < FEATURES; i++)
+        if (features[i].is_in(scene))
+            define(defines, features[i].symbol, 1);
+    define_shapes(defines, scene);
+    if (pieces > 0)
+        define(defines, "BLOB_PIECES", pieces);
+    if (crossings > CROSSINGS_USUAL)
+        define(defines, "CROSSINGS_MOST", crossings);
+}
+
 struct object *form_assemble(const struct trace_options *options,
                              const struct scene *scene, c205_error *error)
 {
     struct defines defines = { .count = 0 };
-    size_t crossings = most_crossings(scene);
-    size_t pieces = blob_pieces_most(scene);
 
     define(&defines, "QUEUE", options->queue);
-    for (size_t i = 0; i < FEATURES; i++)
-        if (features[i].is_in(scene))
-            define(&defines, features[i].symbol, 1);
-    define_shapes(&defines, scene);
+    define_scene(&defines, scene);
     if (scene->camera.lens_radius > 0 && options->samples > 1)
         define(&defines, "LENS", 1);
     if (options->historical)
@@ -112,10 +123,26 @@ struct object *form_assemble(const struct trace_options *options,
         define(&defines, options->variant, 1);
     if (options->visible != VISIBLE_DEFAULT)
         define(&defines, "VISIBLE", options->visible);
-    if (pieces > 0)
-        define(&defines, "BLOB_PIECES", pieces);
-    if (crossings > CROSSINGS_USUAL)
-        define(&defines, "CROSSINGS_MOST", crossings);
     return program_assemble(forms[options->mode].program, defines.list,
                             error);
+}
+
+struct object *form_assemble_lines(enum trace_mode mode, size_t queue,
+                                   bool normals, bool bodies,
+                                   const struct scene *scene,
+                                   c205_error *error)
+{
+    static const char *const programs[TRACE_FORMS] = {
+        [TRACE_SCALAR] = "lines/lines_scalar.s",
+        [TRACE_VECTOR] = "lines/lines_vector.s",
+    };
+    struct defines defines = { .count = 0 };
+
+    define(&defines, "QUEUE", queue);
+    define_scene(&defines, scene);
+    if (normals)
+        define(&defines, "NORMALS", 1);
+    if (bodies)
+        define(&defines, "BODIES", 1);
+    return program_assemble(programs[mode], defines.list, error);
 }

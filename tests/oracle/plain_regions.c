@@ -178,6 +178,13 @@ static bool is_solid(const struct probe *probe)
                             : value_of(probe, region->first_node);
 }
 
+bool plain_holds(const struct crossing_list *list, double distance)
+{
+    struct probe probe = { list, INFINITY, false, { 0 } };
+    point_on(list->ray, distance, probe.point);
+    return is_solid(&probe);
+}
+
 /* --- what is seen ------------------------------------------------------- */
 
 /* What lies on both sides of a crossing. */

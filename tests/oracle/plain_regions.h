@@ -34,6 +34,9 @@ void plain_cross_region(struct crossing_list *list, const struct scene *scene,
 bool plain_next_hit(const struct crossing_list *list, double last,
                     double limit, struct plain_hit *hit);
 
+/* Is the line inside of the region at that distance? */
+bool plain_holds(const struct crossing_list *list, double distance);
+
 /* A point by a transform. */
 void to_other_space(const struct transform *transform, const double in[3],
                     double out[3]);

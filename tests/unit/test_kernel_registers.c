@@ -13,6 +13,7 @@
 #include "rt/picture/picture.h"
 #include "rt/roots/roots.h"
 #include "rt/study/speedup.h"
+#include "tests/oracle/line_rules.h"
 #include "tests/oracle/points.h"
 #include "tests/oracle/register_owners.h"
 #include "vm/text.h"
@@ -169,6 +170,36 @@ static void trace_watched(const struct scene *scene,
     trace_free(trace);
 }
 
+/* All that is seen along lines, too, in both forms. */
+static void follow_lines(const struct scene *scene, size_t queue,
+                         const char *what)
+{
+    enum { LINES = 20 };
+    struct lines_options options = { .queue = queue,
+                                     .normals = true,
+                                     .bodies = true,
+                                     .behind = 1,
+                                     .no_bounds = traced.no_bounds,
+                                     .model = prior_model };
+    struct scene_line list[LINES];
+
+    draw_camera_lines(&traced.random, scene, list, LINES);
+    for (int mode = 0; mode < TRACE_FORMS; mode++) {
+        c205_error error = { "" };
+        struct lines *lines;
+        c205 *machine;
+
+        options.mode = (enum trace_mode)mode;
+        lines = lines_new(scene, &options, &error);
+        machine = lines ? lines_machine(lines, list, LINES, &error) : NULL;
+        if (!machine)
+            fail_msg("%s: %s", what, error.message);
+        run_watched(lines_program(lines), machine, what);
+        c205_free(machine);
+        lines_free(lines);
+    }
+}
+
 /* In all modes; no_bounds, historical, variant and visible as they are. */
 static void trace_modes(const struct scene *scene, size_t queue,
                         const char *what)
@@ -186,6 +217,7 @@ static void trace_modes(const struct scene *scene, size_t queue,
         options.mode = (enum trace_mode)mode;
         trace_watched(scene, &options, what);
     }
+    follow_lines(scene, queue, what);
 }
 
 static void test_cylinders(void **state)

@@ -4,6 +4,11 @@
 ; written once, here.  Numbers are normalised 64-bit words in world units;
 ; colours are linear.
 
+; 1: bodies are counted along lines (lines/lines.s).
+        .ifndef BODIES
+        .equ    BODIES, 0
+        .endif
+
 ; 1: there are finishes that depend on the angle (light/gloss.s).
         .ifndef GLOSS
         .equ    GLOSS, 0
@@ -140,6 +145,9 @@
         .field  P_REFLECTION_KIND ; 0: it is always the same, 1: by a power,
                                 ; 2: by Fresnel's formulas
         .endif
+        .if     BODIES
+        .field  P_OBJECT           ; of the scene, that it is a part of, an integer,
+        .endif                  ; from 0 on
         .if     INTERIORS
         .field  P_INTERIOR         ; the number of its body (light/interior.s)
         .endif

@@ -1,0 +1,124 @@
+; lines_vector.s - all that is seen along lines, a queue of them at a time: the vector
+; form; lines.s says what goes in and comes out.
+;
+; What is seen of a region is what its crossings are stepped along for
+; (visible_vector.s), one after another of each line, to its end: each is scattered to
+; the planes when it is found, behind those that its line has (seen_vector.s).
+; When all regions are met the planes of the queue are put in order (sort_vector.s).
+
+        .include "frame/records.s"
+        .include "frame/queue.s"
+        .include "lines/lines.s"
+        .reg    link_walk, r133
+
+; Of a tree's values before and after an event, in words.
+        .equ    VALUE_SIZE, 2 * QUEUE_BIT_WORDS
+
+; The planes, in bits: from the word of a line to that of the next crossing, from a
+; field's to that of the next.
+        .regs   r201, line_stride, line_block
+        .regs   r203, lines_left, lines_from    ; behind the first line
+        .regs   r205, seen_first                ; the queue's, of the first plane
+        .regs   r206, line_counts               ; .. how many crossings they have
+        .regs   r207, line_behind
+
+; [o] begins so far behind, in vectors of the queue's own.
+        .macro  move_behind o, d, number
+        LINKV
+        MPYSV   [\d], line_behind, [w2]
+        SUBNV   [\o], [w2], [w3]
+        describe \o, queue_store + 64 * QUEUE * \number, n
+        VTOV    [w3], [\o]
+        .endm
+
+        .entry  lines
+        .kernel lines
+lines:
+        EX      s0, constants
+        ELEN    s0, CONSTANTS
+        SWAP    [s0], one, [r0]
+        begin_counting
+        EX      s4, QUEUE
+        describe iota, count_store, s4
+        INTVLV  r0, one_index, [iota]
+        describe s5, least_store, s4
+        VTOV    tmin, [s5]
+        ES      from_one_point, 0
+        ES      shadows, 0
+        EX      found, found_crossings
+        load_word lines_count, lines_left
+        load_word lines_most, line_block
+        load_word lines_behind, line_behind
+        SHIFTI  lines_left, 6, line_stride
+        MPYX    line_block, line_stride, line_block
+        ES      lines_from, 0
+lines_next:
+        EX      n, QUEUE
+        IBXLE   n, r0, lines_left, lines_full
+        RTOR    lines_left, n
+lines_full:
+        EX      target, begin_lines
+        BSAVE   link_kernel, [target]
+        EX      target, walk_regions
+        BSAVE   link, [target]
+        EX      target, sort_crossings
+        BSAVE   link_kernel, [target]
+        .if     BODIES
+        EX      target, count_bodies
+        BSAVE   link_kernel, [target]
+        .endif
+        ADDX    lines_from, n, lines_from
+        SUBX    lines_left, n, lines_left
+        IBXNE   lines_left, r0, r0, lines_next
+        EXIT
+
+; The queue's rays; where its crossings go.
+begin_lines:
+        set_near n
+        set_hits_of_queue
+        load_word k_far, s0
+        VTOV    s0, [nearest]
+        VTOV    r0, [hit_s]
+        VTOV    r0, [hit_t]
+        SHIFTI  lines_from, 6, s4
+        load_word lines_counts, s2
+        ADDX    s2, s4, s2
+        ADDLEN  s2, n, line_counts
+        load_word lines_found, s2
+        ADDX    s2, s4, s2
+        ADDLEN  s2, n, seen_first
+        load_word lines_rays, s2
+        ADDX    s2, s4, s2
+        three_planes s2, line_stride, aox, aoy, aoz
+        ADDX    aoz, line_stride, s2
+        three_planes s2, line_stride, s4, s5, s6
+        EX      s2, queue_store + 64 * QUEUE * 3
+        EX      s3, 64 * QUEUE
+        three_planes s2, s3, adx, ady, adz
+        VTOV    [s4], [adx]
+        VTOV    [s5], [ady]
+        VTOV    [s6], [adz]
+        normalise adx, ady, adz, w2, w3
+        CFPEQ   line_behind, r0, begin_made
+        move_behind aox, adx, 0
+        move_behind aoy, ady, 1
+        move_behind aoz, adz, 2
+begin_made:
+        BIM     0, link_kernel
+        .endkernel
+
+        .include "frame/intersect_vector.s"
+        .include "frame/nearest_vector.s"
+        .include "solids/span_vector.s"
+        .include "solids/visible_vector.s"
+        .include "solids/visible_every_vector.s"
+        .include "light/hits_vector.s"
+        .include "shapes/normal_vector.s"
+        .include "shapes/every_normal_vector.s"
+        .include "light/surface_vector.s"
+        .include "lines/seen_vector.s"
+        .include "lines/sort_vector.s"
+        .if     BODIES
+        .include "lines/bodies_vector.s"
+        .endif
+        .include "solids/unseen_vector.s"

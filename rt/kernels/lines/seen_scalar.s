@@ -1,0 +1,175 @@
+; seen_scalar.s - all that is seen along one line, in order.
+;
+;       CALL SEE_LINE (RAY, ROOM, COUNT)
+;
+; RAY = O, D, the least distance that counts, and the same enlarged, to be scaled (8
+; words); ROOM = where crossings go, SEEN words each (lines.s), one behind the other,
+; as many as the scene may have; COUNT = how many they are (1).
+;
+; Region by region (hierarchy_scalar.s); of each what VISIBLE finds, one crossing
+; behind the other, until there is no more.  Each is put behind those that are no
+; farther, of regions before: of one region they come in order.
+; Source: insertion: Knuth, The Art of Computer Programming 3, 5.2.1.
+
+        .share  local
+        .regs   r89, c_count, c_first, c_end, c_at, c_before
+        .regs   r94, c_distance, c_primitive, c_sense, c_s, c_t, c_nx, c_ny, c_nz
+        .regs   r102, c_other_distance, c_other_primitive, c_other_rest
+        .endshare
+        .equ    SEEN_REGISTERS, 78         ; r32 - r109: other crossings have 8
+
+        .data
+line_save: .space SEEN_REGISTERS
+normal_save:    .space SHADE_REGISTERS
+normal_list:    .word 0                         ; of the ray
+normal_primitive: .word 0
+                .descriptor 1, normal_distance
+                .descriptor 3, normal_found
+normal_distance: .space 1
+normal_found:   .space 3
+        .code
+
+; What the line does where the value of the region's tree changes.
+        .macro  find_sense
+        RTOR    w_region, w_at
+        IX      w_at, 64 * R_BODY
+        LOD     [w_at], c_sense
+        IX      w_at, 64 * (R_RESULT - R_BODY)
+        LOD     [w_at], w_t0
+        LOD     [w_t0], w_t0
+        AND     w_t0, m_index_one, w_t0         ; the value behind
+        IBXNE   w_t0, r0, r0, sense_found\@
+        SUBX    r0, c_sense, c_sense
+sense_found\@:
+        .endm
+
+; Its parameters on w_leaf, if it is a patch or a mesh.
+        .macro  find_point
+        RTOR    r0, c_s
+        RTOR    r0, c_t
+        note_point point_noted\@
+point_noted\@:
+        RTOR    w_leaf, w_at
+        IX      w_at, 64 * P_ON_PATCH
+        LOD     [w_at], w_t0
+        IBXEQ   w_t0, r0, r0, point_found\@
+        RTOR    w_leaf, w_at
+        IX      w_at, 64 * P_PATCH_POINT
+        ELEN    w_at, 2
+        SWAP    [w_at], c_s, [r0]
+point_found\@:
+        .endm
+
+        .macro  find_normal_there
+        EX      w_at, normal_list
+        STO     [w_at], w_ray
+        STO     [w_at, m_index_one], w_leaf
+        EX      w_at, normal_distance
+        STO     [w_at], c_distance
+        call    normal_there, normal_list
+        EX      w_at, normal_found
+        ELEN    w_at, 3
+        SWAP    [w_at], c_nx, [r0]
+        .endm
+
+; To its place among those found so far.
+        .macro  put_in_order
+        RTOR    c_end, c_at
+        IX      c_end, 64 * SEEN_SIZE
+        ADDX    c_count, m_index_one, c_count
+put_next\@:
+        IBXEQ   c_at, r0, c_first, put_here\@
+        RTOR    c_at, c_before
+        IX      c_before, -64 * SEEN_SIZE
+        ELEN    c_before, SEEN_SIZE
+        SWAP    [c_before], c_other_distance, [r0]
+        CFPLT   c_other_distance, c_distance, put_here\@
+        CFPNE   c_other_distance, c_distance, put_move\@
+        IBXLT   c_other_primitive, r0, c_primitive, put_here\@
+put_move\@:
+        ELEN    c_at, SEEN_SIZE
+        SWAP    [r0], c_other_distance, [c_at]
+        RTOR    c_before, c_at
+        BIM     put_next\@
+put_here\@:
+        ELEN    c_at, SEEN_SIZE
+        SWAP    [r0], c_distance, [c_at]
+        .endm
+
+        .kernel visible
+see_line:
+        enter_walk line_save, SEEN_REGISTERS, 3
+        EX      w_at, k_far
+        LOD     [w_at], w_limit
+        ES      c_count, 0
+        RTOR    w_argument, c_first
+        RTOR    c_first, c_end
+        IBXEQ   w_regions_left, r0, r0, line_leaf
+        .endkernel
+        .kernel bound
+line_region:
+        load_region
+        skip_far w_cx, w_cy, w_cz, w_radius, w_square, w_limit, line_skip
+        meet_box line_tree, line_tree, line_skip
+        .endkernel
+        .kernel visible
+line_tree:
+        RTOR    w_limit, w_end
+        EX      target, meet_tree
+        BSAVE   w_back, [target]
+        IBXEQ   w_met, r0, r0, line_skip
+line_next:
+        next_visible w_least, line_skip
+        RTOR    w_in, c_distance
+        RTOR    w_out, w_leaf
+        RTOR    w_out, w_at
+        IX      w_at, 64 * P_ID
+        LOD     [w_at], c_primitive
+        find_sense
+        find_point
+        .if     NORMALS
+        find_normal_there
+        .endif
+        EX      w_at, lines_behind
+        LOD     [w_at], w_t0
+        CFPEQ   w_t0, r0, line_from_origin
+        SUBN    c_distance, w_t0, c_distance
+line_from_origin:
+        put_in_order
+        EX      w_at, k_delta                   ; what is as near is the same place
+        LOD     [w_at], w_t0
+        ADDN    w_in, w_t0, w_least
+        BIM     line_next
+        .endkernel
+        .kernel bound
+line_skip:
+        next_region line_region
+line_leaf:
+        next_leaf line_region, line_done
+        .endkernel
+        .kernel visible
+line_done:
+        STO     [w_result_at], c_count
+        leave_walk line_save, SEEN_REGISTERS
+        .endkernel
+
+;       CALL NORMAL_THERE (RAY, PRIMITIVE, DISTANCE, NORMAL)
+;
+; RAY = O, D (6 words); PRIMITIVE = the record of what it hit; DISTANCE (1); NORMAL =
+; of length one, against the ray (3).
+        .kernel shade
+normal_there:
+        EX      save_at, normal_save
+        ELEN    save_at, SHADE_REGISTERS
+        SWAP    [r0], r32, [save_at]
+        RTOR    link, link_saved
+        ELEN    arguments, 4
+        SWAP    [arguments], a_ray, [r0]
+        ELEN    a_ray, 6
+        SWAP    [a_ray], ox, [r0]
+        LOD     [a_distance], t0
+        find_surface
+        SWAP    [r0], nx, [a_sample]
+        RTOR    link_saved, link
+        leave   normal_save, SHADE_REGISTERS
+        .endkernel

@@ -1,0 +1,89 @@
+; sort_vector.s - the crossings of a queue's lines in order: from near to far, of
+; equals the lesser primitive first.
+;
+; Column k has the k-th crossing of each line, found in any order, and a miss, big,
+; for those that have fewer.  Two columns are put in order at all lines at once,
+; elements that are not are exchanged with all that belongs to them.  Which two, and
+; when, does not depend on what they hold: a sorting network, Batcher's merge
+; exchange, for any number N of columns.  With 2^t >= N, p falls from 2^(t-1) to 1 by
+; halves; for each p
+;
+;   d = p, r = 0;  q falls from 2^(t-1) to p by halves, d = 2 q - p, r = p behind the
+;   first;  columns i and i + d, for each i < N - d whose bit p is that of r
+;
+; In:  line_counts, seen_first, n.  Out: the planes of the queue.
+; Source: Knuth, The Art of Computer Programming 3, 5.2.2, algorithm M.
+
+        .regs   r213, sort_count, sort_top, sort_p, sort_q, sort_r, sort_d
+        .regs   r219, sort_end, sort_index, sort_low, sort_high
+
+        .kernel lines
+sort_crossings:
+        MAXV    [line_counts], s0, sort_count
+        IBXLE   sort_count, r0, one_index, sort_done
+        set_near n
+        RTOR    seen_first, sort_low
+        ES      sort_index, 0
+sort_fill:
+        CMPGEV  sort_index, [line_counts], [bits0]
+        VTOV    big, [sort_low] ? [bits0]
+        ADDX    sort_low, line_stride, sort_low
+        IBXNE   sort_index, one_index, sort_count, sort_fill, sort_index
+        ES      sort_top, 1
+sort_double:
+        ADDX    sort_top, sort_top, s0
+        IBXGE   s0, r0, sort_count, sort_begin
+        RTOR    s0, sort_top
+        BIM     sort_double
+sort_begin:
+        RTOR    sort_top, sort_p
+sort_pass:
+        RTOR    sort_top, sort_q
+        ES      sort_r, 0
+        RTOR    sort_p, sort_d
+sort_merge:
+        SUBX    sort_count, sort_d, sort_end
+        ES      sort_index, 0
+        RTOR    seen_first, sort_low
+        MPYX    sort_d, line_stride, sort_high
+        ADDX    sort_low, sort_high, sort_high
+sort_pair:
+        AND     sort_index, sort_p, s0
+        IBXNE   s0, r0, sort_r, sort_next
+        CMPLTV  [sort_high], [sort_low], [bits0]
+        CMPEQV  [sort_high], [sort_low], [bits1]
+        CNTOB   [bits1], s0
+        IBXEQ   s0, r0, r0, sort_compared
+        ADDX    sort_low, line_block, s2
+        ADDX    sort_high, line_block, s3
+        CMPLTV  [s3], [s2], [bits2]
+        ANDB    [bits1], [bits2], [bits1]
+        ORB     [bits0], [bits1], [bits0]
+sort_compared:
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, sort_next
+        RTOR    sort_low, s2
+        RTOR    sort_high, s3
+        ES      s4, SEEN_FOUND
+sort_exchange:
+        VTOV    [s2], [w0]
+        VTOV    [s3], [s2] ? [bits0]
+        VTOV    [w0], [s3] ? [bits0]
+        ADDX    s2, line_block, s2
+        ADDX    s3, line_block, s3
+        IBXNE   s4, minus_one_index, r0, sort_exchange, s4
+sort_next:
+        ADDX    sort_low, line_stride, sort_low
+        ADDX    sort_high, line_stride, sort_high
+        IBXNE   sort_index, one_index, sort_end, sort_pair, sort_index
+        IBXEQ   sort_q, r0, sort_p, sort_narrow
+        SUBX    sort_q, sort_p, sort_d
+        SHIFTI  sort_q, -1, sort_q
+        RTOR    sort_p, sort_r
+        BIM     sort_merge
+sort_narrow:
+        SHIFTI  sort_p, -1, sort_p
+        IBXNE   sort_p, r0, r0, sort_pass
+sort_done:
+        BIM     0, link_kernel
+        .endkernel

@@ -1,0 +1,40 @@
+/* lines.h - a scene, and lines through it, as the programs of rt/kernels/lines/ want
+ * them (lines.s). */
+#ifndef RT_LAYOUT_LINES_H
+#define RT_LAYOUT_LINES_H
+
+#include "asm/assemble.h"
+#include "rt/layout/bounding.h"
+#include "rt/scene/scene.h"
+
+/* Of any length but 0. */
+struct scene_line {
+    double origin[3], direction[3];
+};
+
+/* Where a packet of lines, and what is found of them, lies. */
+struct packet_layout {
+    const struct scene_line *lines;
+    size_t count;    /* of the lines */
+    double behind;   /* so far behind their origins they begin */
+    uint64_t counts; /* address of a plane: the crossings of each */
+    uint64_t found;  /* .. of SEEN_SIZE fields of room planes */
+    size_t room;     /* crossings of a line, at the most */
+};
+
+/* What all machines have in common.  Of the scene all crossings are asked
+ * (every_crossing), and its surfaces are plain. */
+struct lines_layout;
+
+/* NULL: no memory, or numbers that do not fit. */
+struct lines_layout *lines_layout_new(const struct object *program,
+                                      const struct scene *scene,
+                                      enum bounding bounding,
+                                      c205_error *error);
+void lines_layout_free(struct lines_layout *layout);
+
+/* After c205_load: map and fill what the program reads, map what it writes. */
+bool lines_layout_put(const struct lines_layout *layout, c205 *machine,
+                      struct packet_layout *packet, c205_error *error);
+
+#endif

@@ -1,0 +1,387 @@
+#include "rt/trace/lines.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/layout/program.h"
+#include "rt/layout/trees.h"
+#include "rt/shapes/mesh.h"
+#include "rt/trace/form.h"
+
+struct lines {
+    struct lines_options options;
+    const struct scene *scene;
+    size_t **orders; /* of meshes, the numbers of their triangles */
+    struct object *program;
+    struct lines_layout *layout;
+};
+
+static bool fail(c205_error *error, const char *message)
+{
+    snprintf(error->message, sizeof error->message, "%s", message);
+    return false;
+}
+
+/* ---- To begin ------------------------------------------------------------ */
+
+/* The shapes alone: surfaces are one colour, which lets no light pass. */
+static bool lay_bare(const struct scene *scene, struct scene *bare)
+{
+    *bare = *scene;
+    bare->camera = (struct camera){ 0 };
+    bare->fog_count = bare->light_count = bare->image_count = 0;
+    bare->every_crossing = true;
+    bare->primitives = calloc(scene->primitive_count + 1,
+                              sizeof *bare->primitives);
+    for (size_t i = 0; bare->primitives && i < scene->primitive_count; i++) {
+        struct primitive *primitive = &bare->primitives[i];
+
+        *primitive = scene->primitives[i];
+        primitive->pigment = (struct pigment){ .kind = PIGMENT_COLOR };
+        primitive->bumps = (struct bumps){ .list = NULL };
+        primitive->finish = (struct finish){ .roughness = 0 };
+        primitive->ior = 1;
+    }
+    return bare->primitives;
+}
+
+static bool find_orders(struct lines *lines)
+{
+    const struct scene *scene = lines->scene;
+
+    lines->orders = calloc(scene->primitive_count + 1, sizeof *lines->orders);
+    for (size_t i = 0; lines->orders && i < scene->primitive_count; i++) {
+        const struct primitive *primitive = &scene->primitives[i];
+
+        if (!primitive_is_mesh(primitive))
+            continue;
+        lines->orders[i] = mesh_order(primitive);
+        if (!lines->orders[i])
+            return false;
+    }
+    return lines->orders;
+}
+
+static bool lay_out(struct lines *lines, c205_error *error)
+{
+    const struct lines_options *options = &lines->options;
+    enum bounding bounding = options->no_bounds ? BOUNDING_NONE
+                             : options->flat    ? BOUNDING_FLAT
+                                                : BOUNDING_HIERARCHY;
+    struct scene bare;
+
+    if (!find_orders(lines) || !lay_bare(lines->scene, &bare))
+        return fail(error, "no memory");
+    lines->program = form_assemble_lines(options->mode, options->queue,
+                                         options->normals, options->bodies,
+                                         &bare, error);
+    if (lines->program)
+        lines->layout = lines_layout_new(lines->program, &bare, bounding,
+                                         error);
+    free(bare.primitives);
+    return lines->layout;
+}
+
+static bool check_options(const struct lines_options *options,
+                          c205_error *error)
+{
+    if (options->mode >= TRACE_FORMS)
+        return fail(error, "lines have a scalar and a vector form");
+    if (options->mode == TRACE_VECTOR
+        && (options->queue == 0 || options->queue > TRACE_QUEUE_MOST))
+        return fail(error, "a queue has from 1 to 65535 lines");
+    if (!(options->behind >= 0) || !isfinite(options->behind))
+        return fail(error, "lines begin at their origins or behind them");
+    return true;
+}
+
+struct lines *lines_new(const struct scene *scene,
+                        const struct lines_options *options,
+                        c205_error *error)
+{
+    struct lines *lines;
+
+    if (!check_options(options, error))
+        return NULL;
+    lines = calloc(1, sizeof *lines);
+    if (!lines) {
+        fail(error, "no memory");
+        return NULL;
+    }
+    lines->options = *options;
+    lines->scene = scene;
+    if (options->packet == 0)
+        lines->options.packet = LINES_PACKET;
+    if (lay_out(lines, error))
+        return lines;
+    lines_free(lines);
+    return NULL;
+}
+
+void lines_free(struct lines *lines)
+{
+    if (!lines)
+        return;
+    for (size_t i = 0; lines->orders && i < lines->scene->primitive_count;
+         i++)
+        free(lines->orders[i]);
+    free(lines->orders);
+    lines_layout_free(lines->layout);
+    object_free(lines->program);
+    free(lines);
+}
+
+const struct object *lines_program(const struct lines *lines)
+{
+    return lines->program;
+}
+
+/* ---- What was found ------------------------------------------------------ */
+
+void seen_crossings_free(struct seen_crossings *found)
+{
+    free(found->first);
+    free(found->list);
+    accounts_free(&found->accounts);
+    *found = (struct seen_crossings){ 0 };
+}
+
+/* A packet's planes, as far as any line has crossings: field by field, crossing by
+ * crossing, a word for each line. */
+struct planes_read {
+    const struct lines *lines;
+    size_t count, fields;
+    size_t most; /* crossings of a line */
+    c205_word *counts, *words;
+};
+
+static size_t field(const struct lines *lines, const char *name)
+{
+    return (size_t)object_symbol(lines->program, name)->value;
+}
+
+static c205_word word_of(const struct planes_read *planes, size_t line,
+                         size_t crossing, size_t field)
+{
+    return planes
+        ->words[(field * planes->most + crossing) * planes->count + line];
+}
+
+static int integer_of(const struct planes_read *planes, size_t line,
+                      size_t crossing, const char *name)
+{
+    return (int)c205_to_integer(
+        word_of(planes, line, crossing, field(planes->lines, name)));
+}
+
+static bool read_counts(struct planes_read *planes, const c205 *machine,
+                        const struct packet_layout *packet)
+{
+    planes->counts = calloc(planes->count, sizeof *planes->counts);
+    if (!planes->counts
+        || !c205_read(machine, packet->counts, planes->counts, planes->count))
+        return false;
+    for (size_t i = 0; i < planes->count; i++) {
+        size_t count = (size_t)c205_to_integer(planes->counts[i]);
+
+        planes->most = count > planes->most ? count : planes->most;
+    }
+    return true;
+}
+
+static bool read_planes(struct planes_read *planes, const c205 *machine,
+                        const struct packet_layout *packet)
+{
+    size_t count;
+
+    if (!read_counts(planes, machine, packet))
+        return false;
+    count = planes->most * planes->count;
+    planes->words = calloc(planes->fields * count + 1, sizeof *planes->words);
+    for (size_t i = 0; planes->words && i < planes->fields; i++)
+        if (!c205_read(machine,
+                       packet->found
+                           + UINT64_C(64) * i * packet->room * planes->count,
+                       planes->words + i * count, count))
+            return false;
+    return planes->words;
+}
+
+static size_t triangle_of(const struct lines *lines, size_t primitive,
+                          c205_word point)
+{
+    const size_t *order = lines->orders[primitive];
+
+    return order ? order[mesh_row(&lines->scene->primitives[primitive],
+                                  (size_t)c205_to_integer(point))]
+                 : 0;
+}
+
+static struct seen_crossing crossing_of(const struct planes_read *planes,
+                                        size_t line, size_t k)
+{
+    const struct lines *lines = planes->lines;
+    struct seen_crossing seen = { .distance = word_of(planes, line, k, 0) };
+
+    seen.primitive = (size_t)integer_of(planes, line, k, "SEEN_PRIMITIVE")
+                     - 1;
+    seen.object = lines->scene->primitives[seen.primitive].object;
+    seen.sense = integer_of(planes, line, k, "SEEN_SENSE");
+    seen.triangle = triangle_of(lines, seen.primitive,
+                                word_of(planes, line, k,
+                                        field(lines, "SEEN_POINT")));
+    for (size_t i = 0; lines->options.normals && i < 3; i++)
+        seen.normal[i] = word_of(planes, line, k,
+                                 field(lines, "SEEN_NORMAL") + i);
+    if (lines->options.bodies) {
+        seen.inside = integer_of(planes, line, k, "SEEN_INSIDE");
+        seen.within = integer_of(planes, line, k, "SEEN_WITHIN");
+    }
+    return seen;
+}
+
+/* Behind those of the packets before. */
+static bool add_crossings(const struct planes_read *planes,
+                          struct seen_crossings *found, size_t line)
+{
+    size_t total = found->first[line], next = total;
+    struct seen_crossing *list;
+
+    for (size_t i = 0; i < planes->count; i++)
+        total += (size_t)c205_to_integer(planes->counts[i]);
+    list = realloc(found->list, (total + 1) * sizeof *list);
+    if (!list)
+        return false;
+    found->list = list;
+    for (size_t i = 0; i < planes->count; i++) {
+        size_t count = (size_t)c205_to_integer(planes->counts[i]);
+
+        for (size_t k = 0; k < count; k++)
+            list[next++] = crossing_of(planes, i, k);
+        found->first[line + i + 1] = next;
+    }
+    return true;
+}
+
+static bool collect(const struct lines *lines, const c205 *machine,
+                    const struct packet_layout *packet,
+                    struct seen_crossings *found, size_t line)
+{
+    struct planes_read planes = { .lines = lines,
+                                  .count = packet->count,
+                                  .fields = field(lines, "SEEN_SIZE") };
+    bool good = read_planes(&planes, machine, packet)
+                && add_crossings(&planes, found, line)
+                && accounts_add(&found->accounts, machine);
+
+    free(planes.counts);
+    free(planes.words);
+    return good;
+}
+
+/* ---- To find them -------------------------------------------------------- */
+
+static bool is_line(const struct scene_line *line)
+{
+    double size = 0;
+
+    for (int i = 0; i < 3; i++) {
+        if (!isfinite(line->origin[i]) || !isfinite(line->direction[i]))
+            return false;
+        size = fmax(size, fabs(line->direction[i]));
+    }
+    return size > 0;
+}
+
+static bool check_lines(const struct scene_line *list, size_t count,
+                        c205_error *error)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!is_line(&list[i])) {
+            snprintf(error->message, sizeof error->message,
+                     "line %zu has no direction, or numbers that are not "
+                     "finite",
+                     i);
+            return false;
+        }
+    return true;
+}
+
+static bool load_packet(const struct lines *lines, c205 *machine,
+                        struct packet_layout *packet, c205_error *error)
+{
+    packet->behind = lines->options.behind;
+    return c205_load(machine, &lines->program->program, error)
+           && lines_layout_put(lines->layout, machine, packet, error);
+}
+
+c205 *lines_machine(const struct lines *lines, const struct scene_line *list,
+                    size_t count, c205_error *error)
+{
+    struct packet_layout packet = { .lines = list, .count = count };
+    c205 *machine;
+
+    if (!check_lines(list, count, error))
+        return NULL;
+    machine = c205_new(lines->options.model, error);
+    if (machine && load_packet(lines, machine, &packet, error))
+        return machine;
+    c205_free(machine);
+    return NULL;
+}
+
+static bool find_packet(const struct lines *lines, c205 *machine,
+                        struct packet_layout *packet,
+                        struct seen_crossings *found, size_t line,
+                        c205_error *error)
+{
+    bool stopped = false;
+
+    if (!load_packet(lines, machine, packet, error)
+        || !program_run(machine, NULL, NULL, &stopped, error))
+        return false;
+    return collect(lines, machine, packet, found, line)
+           || fail(error, "no memory");
+}
+
+static bool find_packets(const struct lines *lines, c205 *machine,
+                         const struct scene_line *list,
+                         struct seen_crossings *found, c205_error *error)
+{
+    size_t most = lines->options.packet, count = found->line_count;
+
+    for (size_t i = 0; i < count; i += most) {
+        struct packet_layout packet = {
+            .lines = list + i,
+            .count = count - i < most ? count - i : most,
+        };
+
+        if (!find_packet(lines, machine, &packet, found, i, error))
+            return false;
+    }
+    return true;
+}
+
+bool lines_find(const struct lines *lines, const struct scene_line *list,
+                size_t count, struct seen_crossings *found, c205_error *error)
+{
+    c205 *machine;
+    bool good;
+
+    *found = (struct seen_crossings){
+        .line_count = count, .accounts = { .model = lines->options.model }
+    };
+    if (!check_lines(list, count, error))
+        return false;
+    found->first = calloc(count + 1, sizeof *found->first);
+    if (!found->first)
+        return fail(error, "no memory");
+    machine = c205_new(lines->options.model, error);
+    good = machine && find_packets(lines, machine, list, found, error);
+    c205_free(machine);
+    if (!good)
+        seen_crossings_free(found);
+    return good;
+}

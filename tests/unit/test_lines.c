@@ -1,0 +1,340 @@
+/* All that is seen along lines through random solids of all shapes: the same in
+ * both forms, for every queue, with bounds and without; what the plain tracer sees;
+ * and the nearest is what a frame has.
+ *
+ *     test_lines [SCENES [SEED]]
+ */
+#include "tests/unit/random_solids.h"
+
+#include "tests/oracle/line_rules.h"
+
+enum { LINES = 60 };
+
+static size_t scene_count = 6; /* of each sort */
+
+/* --- random solids -------------------------------------------------------- */
+
+static void write_scene(char *text, size_t size, const char *camera)
+{
+    text[0] = '\0';
+    add_text(text, size, HEAD "camera { %s }\n", camera);
+    for (size_t i = 1 + below(3); i > 0; i--)
+        add_solid(text, size, 1 + below(2));
+}
+
+static void check(bool good, const char *reason, const char *text)
+{
+    if (!good)
+        fail_msg("%s in\n%s", reason, text);
+}
+
+static void check_queues(const struct scene *scene, const char *text,
+                         struct lines_options options,
+                         const struct scene_line *list,
+                         const struct seen_crossings *scalar)
+{
+    static const size_t queues[] = { 1, 7, LINES - 1, 2000 };
+
+    options.mode = TRACE_VECTOR;
+    for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
+        struct seen_crossings vector;
+        char reason[LINE_REASON];
+
+        options.queue = queues[i];
+        options.packet = i == 1 ? LINES / 3 : 0;
+        options.flat = i == 2;
+        options.no_bounds = i == 3;
+        vector = find_lines(scene, &options, list, LINES);
+        check(same_crossings(scalar, &vector, reason), reason, text);
+        seen_crossings_free(&vector);
+    }
+}
+
+/* From a camera on either side of the solids, or within them with what lies
+ * behind. */
+static void check_solids(double z, double behind)
+{
+    static char text[1 << 18];
+    struct lines_options options = { .normals = true,
+                                     .bodies = true,
+                                     .behind = behind,
+                                     .model = prior_model };
+    struct scene_line list[LINES];
+    struct seen_crossings found;
+    struct scene *scene;
+    char camera[80], reason[LINE_REASON];
+
+    snprintf(camera, sizeof camera,
+             "location <%.3f, %.3f, %.3f> look_at <0, .1, .2> angle 40",
+             between(-3, 3), between(-3, 3), z);
+    write_scene(text, sizeof text, camera);
+    scene = read_text(text);
+    draw_camera_lines(&traced.random, scene, list, LINES);
+    found = find_lines(scene, &options, list, LINES);
+    check_queues(scene, text, options, list, &found);
+    check(keep_line_rules(scene, list, &found, behind, reason), reason, text);
+    check(same_as_plain_lines(scene, list, &found, behind, true, reason),
+          reason, text);
+    seen_crossings_free(&found);
+    scene_free(scene);
+}
+
+static void test_random_solids(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < scene_count; i++) {
+        check_solids(-6, 0);
+        check_solids(7, 0);
+        check_solids(.3, 12);
+    }
+}
+
+/* --- the nearest ---------------------------------------------------------- */
+
+enum { SIDE = 32 };
+
+/* Rays that a camera sends whose numbers are exact. */
+#define EXACT "orthographic location -8*z direction z right 4*x up 4*y"
+
+static void put_pixels(struct scene_line list[SIDE * SIDE])
+{
+    for (size_t i = 0; i < SIDE * SIDE; i++)
+        list[i] = (struct scene_line){
+            .origin = { ((double)(i % SIDE) + .5) / (SIDE / 4) - 2,
+                        2 - ((double)(i / SIDE) + .5) / (SIDE / 4), -8 },
+            .direction = { 0, 0, 1 },
+        };
+}
+
+/* A frame has the distance, the normal and the number of what is seen first. */
+static void check_nearest(const struct words *words, size_t pixel,
+                          const struct seen_crossings *found,
+                          const char *text)
+{
+    size_t first = found->first[pixel];
+    c205_word zero = c205_from_double(0);
+    const struct seen_crossing none = { .primitive = (size_t)-1,
+                                        .distance = zero,
+                                        .normal = { zero, zero, zero } };
+    const struct seen_crossing *seen = first < found->first[pixel + 1]
+                                           ? &found->list[first]
+                                           : &none;
+    bool same = words->channel[CHANNEL_DEPTH][pixel] == seen->distance
+                && (size_t)c205_to_integer(words->channel[CHANNEL_ID][pixel])
+                       == seen->primitive + 1;
+
+    for (int i = 0; i < 3; i++)
+        same = same
+               && words->channel[CHANNEL_NORMAL_X + i][pixel]
+                      == seen->normal[i];
+    if (!same)
+        fail_msg("pixel %zu: not the first along its line in\n%s", pixel,
+                 text);
+}
+
+static void test_nearest(void **state)
+{
+    static char text[1 << 18];
+    static struct scene_line list[SIDE * SIDE];
+    const struct lines_options options = { .mode = TRACE_VECTOR,
+                                           .queue = 300,
+                                           .normals = true,
+                                           .model = prior_model };
+
+    (void)state;
+    traced.width = traced.height = SIDE;
+    put_pixels(list);
+    for (size_t i = 0; i < scene_count; i++) {
+        struct seen_crossings found;
+        struct scene *scene;
+        struct words *words;
+
+        write_scene(text, sizeof text, EXACT);
+        scene = read_text(text);
+        words = trace_words(scene, TRACE_VECTOR, 2000);
+        found = find_lines(scene, &options, list, SIDE * SIDE);
+        for (size_t k = 0; k < SIDE * SIDE; k++)
+            check_nearest(words, k, &found, text);
+        seen_crossings_free(&found);
+        free(words);
+        scene_free(scene);
+    }
+    traced.width = WIDTH;
+    traced.height = HEIGHT;
+}
+
+/* --- by hand -------------------------------------------------------------- */
+
+/* A crossing as it is expected. */
+struct expected {
+    double distance;
+    size_t primitive, object;
+    int sense, inside, within;
+};
+
+static void check_line(const char *objects, double behind, size_t count,
+                       const struct expected *expected)
+{
+    const struct scene_line line = { { 0, .125, -4 }, { 0, 0, 2 } };
+    struct lines_options options = { .mode = TRACE_VECTOR,
+                                     .queue = 10,
+                                     .bodies = true,
+                                     .behind = behind,
+                                     .model = prior_model };
+    char text[1000] = HEAD;
+    struct seen_crossings found;
+    struct scene *scene;
+
+    add_text(text, sizeof text, "%s", objects);
+    scene = read_text(text);
+    found = find_lines(scene, &options, &line, 1);
+    if (found.first[1] != count)
+        fail_msg("%zu crossings, not %zu, in\n%s", found.first[1], count,
+                 text);
+    for (size_t k = 0; k < count; k++) {
+        const struct seen_crossing *seen = &found.list[k];
+
+        assert_float_equal(c205_to_double(seen->distance),
+                           expected[k].distance, 1e-12);
+        assert_int_equal(seen->primitive, expected[k].primitive);
+        assert_int_equal(seen->object, expected[k].object);
+        assert_int_equal(seen->sense, expected[k].sense);
+        assert_int_equal(seen->inside, expected[k].inside);
+        assert_int_equal(seen->within, expected[k].within);
+    }
+    seen_crossings_free(&found);
+    scene_free(scene);
+}
+
+#define COUNTED(...) \
+    sizeof(const struct expected[]){ __VA_ARGS__ } \
+        / sizeof(struct expected), \
+        (const struct expected[]) \
+    { \
+        __VA_ARGS__ \
+    }
+
+/* Two that touch; of a union that stands by itself each part is a body; of a merge
+ * what lies within is not seen. */
+static void test_faces(void **state)
+{
+    (void)state;
+    check_line("box { -1, 1 } box { <-1, -1, 1>, <1, 1, 2> }", 0,
+               COUNTED({ 3, 0, 0, 1, 1, 1 }, { 5, 0, 0, -1, 0, 0 },
+                       { 5, 1, 1, 1, 1, 1 }, { 6, 1, 1, -1, 0, 0 }));
+    check_line("union { box { -1, 1 } box { <-1, -1, 0>, <1, 1, 2> } }", 0,
+               COUNTED({ 3, 0, 0, 1, 1, 1 }, { 4, 1, 0, 1, 2, 2 },
+                       { 5, 0, 0, -1, 1, 1 }, { 6, 1, 0, -1, 0, 0 }));
+    check_line("merge { box { -1, 1 } box { <-1, -1, 0>, <1, 1, 2> } }", 0,
+               COUNTED({ 3, 0, 0, 1, 1, 1 }, { 6, 1, 0, -1, 0, 0 }));
+    check_line("merge { box { -1, 1 } box { -1, 1 } }", 0,
+               COUNTED({ 3, 0, 0, 1, 1, 1 }, { 5, 0, 0, -1, 0, 0 }));
+    check_line("difference { box { -1, 1 } box { -1, 1 } }", 0, 0, NULL);
+    check_line("difference { box { -1, 1 } box { -.5, .5 } }", 0,
+               COUNTED({ 3, 0, 0, 1, 1, 1 }, { 3.5, 1, 0, -1, 0, 0 },
+                       { 4.5, 1, 0, 1, 1, 1 }, { 5, 0, 0, -1, 0, 0 }));
+}
+
+/* What is open is seen, but of no body. */
+static void test_open(void **state)
+{
+    (void)state;
+    check_line("cylinder { -y, y, 1 open } disc { 0, z, 1 }", 0,
+               COUNTED({ 3, 0, 0, 0, 0, 0 }, { 4, 1, 1, 0, 0, 0 },
+                       { 5, 0, 0, 0, 0, 0 }));
+    check_line("box { -1, 1 clipped_by { plane { z, 0 } } } plane { z, 2 }",
+               0, COUNTED({ 3, 0, 0, 0, 0, 0 }, { 6, 2, 1, -1, -1, -1 }));
+}
+
+/* Distances are told from the origin, also of what lies behind it. */
+static void test_behind(void **state)
+{
+    (void)state;
+    check_line("box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 inverse }", 8,
+               COUNTED({ -3, 0, 0, 1, 1, 1 }, { -2, 0, 0, -1, 0, 0 },
+                       { 3, 1, 1, -1, -1, -1 }, { 5, 1, 1, 1, 0, 0 }));
+    check_line("box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 }", 0,
+               COUNTED({ 3, 1, 1, 1, 1, 1 }, { 5, 1, 1, -1, 0, 0 }));
+    check_line("box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 }", 2.5,
+               COUNTED({ -2, 0, 0, -1, -1, -1 }, { 3, 1, 1, 1, 1, 0 },
+                       { 5, 1, 1, -1, 0, -1 }));
+}
+
+/* --- errors --------------------------------------------------------------- */
+
+static void check_refused(const struct lines_options *options,
+                          const char *message)
+{
+    struct scene *scene = read_text(HEAD "sphere { 0, 1 }");
+    c205_error error = { "" };
+
+    assert_null(lines_new(scene, options, &error));
+    assert_string_equal(error.message, message);
+    scene_free(scene);
+}
+
+static void test_refused(void **state)
+{
+    const struct lines_options bad[] = {
+        { .mode = TRACE_KERNELS, .queue = 10 },
+        { .mode = TRACE_VECTOR, .queue = 0 },
+        { .mode = TRACE_VECTOR, .queue = 65536 },
+        { .mode = TRACE_SCALAR, .behind = -1 },
+        { .mode = TRACE_SCALAR, .behind = INFINITY },
+    };
+
+    (void)state;
+    check_refused(&bad[0], "lines have a scalar and a vector form");
+    check_refused(&bad[1], "a queue has from 1 to 65535 lines");
+    check_refused(&bad[2], "a queue has from 1 to 65535 lines");
+    check_refused(&bad[3], "lines begin at their origins or behind them");
+    check_refused(&bad[4], "lines begin at their origins or behind them");
+}
+
+static void test_no_lines(void **state)
+{
+    static const struct scene_line bad[][2] = {
+        { { { 0 }, { 0, 0, 1 } }, { { 0 }, { 0, 0, 0 } } },
+        { { { 0 }, { 0, 0, 1 } }, { { NAN, 0, 0 }, { 0, 0, 1 } } },
+        { { { 0 }, { 0, 0, 1 } }, { { 0 }, { 0, 0, INFINITY } } },
+    };
+    const struct lines_options options = { .mode = TRACE_SCALAR,
+                                           .model = prior_model };
+    struct scene *scene = read_text(HEAD "sphere { 0, 1 }");
+    c205_error error = { "" };
+    struct lines *lines = lines_new(scene, &options, &error);
+    struct seen_crossings found;
+
+    (void)state;
+    assert_non_null(lines);
+    for (size_t i = 0; i < 3; i++) {
+        assert_false(lines_find(lines, bad[i], 2, &found, &error));
+        assert_string_equal(error.message,
+                            "line 1 has no direction, or numbers that are "
+                            "not finite");
+        assert_null(found.list);
+    }
+    assert_true(lines_find(lines, NULL, 0, &found, &error));
+    assert_int_equal(found.first[0], 0);
+    seen_crossings_free(&found);
+    lines_free(lines);
+    scene_free(scene);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random_solids), cmocka_unit_test(test_nearest),
+        cmocka_unit_test(test_faces),         cmocka_unit_test(test_open),
+        cmocka_unit_test(test_behind),        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_no_lines),
+    };
+
+    traced.reported = true; /* patches in intersections */
+    solids.patches = solids.meshes = true;
+    if (argc > 1)
+        scene_count = strtoul(argv[1], NULL, 10);
+    if (argc > 2)
+        traced.random ^= strtoull(argv[2], NULL, 10) << 13;
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
+}
