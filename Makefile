@@ -62,7 +62,8 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_sample \
 	$(BUILD)/tests/oracle/check_scene $(BUILD)/tests/oracle/check_random \
 	$(BUILD)/tests/oracle/check_quartic $(BUILD)/tests/oracle/check_faces \
-	$(BUILD)/tests/oracle/check_regions $(BUILD)/tests/oracle/digest \
+	$(BUILD)/tests/oracle/check_regions $(BUILD)/tests/oracle/check_lines \
+	$(BUILD)/tests/oracle/digest \
 	$(BUILD)/tests/oracle/check_language_scenes \
 	$(BUILD)/tests/oracle/draw_words
 fuzz_targets = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,\
@@ -79,19 +80,20 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 	clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
 # What check runs, and in what size: cases an operation, pairs of narrow words,
-# random programs, polynomials of a kind, scenes of solids, of many regions and as
+# random programs, polynomials of a kind, scenes of solids, of many regions, of lines, and as
 # texts, tries a row of the table, compilers.  Those that take longest come first.
 check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-random check-quartic check-faces check-regions \
-	check-language-scenes check-language check-library check-commands \
-	check-install check-fit wasm-check
+	check-lines check-language-scenes check-language check-library \
+	check-commands check-install check-fit wasm-check
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 15000
 POLYNOMIALS ?= 600
 FACES ?= 300
 REGIONS ?= 300
+SEEN ?= 100
 LANGUAGE ?= 200
 TRIES ?= 300
 HOSTS ?= quick
@@ -128,6 +130,7 @@ check-long: export PROGRAMS = 200000
 check-long: export POLYNOMIALS = 10000
 check-long: export FACES = 20000
 check-long: export REGIONS = 10000
+check-long: export SEEN = 5000
 check-long: export LANGUAGE = 5000
 check-long: export TRIES = 3000
 check-long: export HOSTS = full
@@ -306,6 +309,9 @@ check-faces: $(BUILD)/tests/oracle/check_faces
 
 check-regions: $(BUILD)/tests/oracle/check_regions
 	$(call by_shares,$(REGIONS))
+
+check-lines: $(BUILD)/tests/oracle/check_lines
+	$(call by_shares,$(SEEN))
 
 # Each text beside POV-Ray's picture of it.
 check-language-scenes: $(BUILD)/tests/oracle/check_language_scenes $(adapter)
@@ -493,7 +499,7 @@ clean:
 .PHONY: all demo tests check check-long check-rooms check-unit check-programs \
 	check-bugs check-docs check-isa check-arithmetic check-narrow \
 	check-random check-quartic check-planted check-faces check-regions \
-	check-scenes check-language-scenes check-language check-library \
+	check-lines check-scenes check-language-scenes check-language check-library \
 	check-samples check-commands check-install \
 	check-hosts check-poison check-timing check-fit fit cover cover-tests wasm-check docs san bench \
 	fuzz fuzz-targets format lint install clean

@@ -1,0 +1,223 @@
+/* check_lines.c - all that is seen along lines, in every form.
+ *
+ *     check_lines [SCENES [OF SHARE]] [--first]
+ *
+ * Follows lines through scenes by chance, or every OF-th from the one of the number
+ * SHARE on: in turn such whose faces coincide (grid_scene.h) and such of many
+ * regions (many_regions.h).  The scalar form and some ways by chance of the vector
+ * form (queues, packets, bounds) find the same, bit for bit, which keeps the rules
+ * (line_rules.h); in another order of parts it is as far away, bit for bit; where no
+ * roundings decide, the plain tracer sees the same.  A scene that fails is made
+ * smaller as long as it fails, line by line, printed, and written to lines_N.pov;
+ * after --first nothing more is done, not even that.  Exit code 1: some failed.
+ */
+#include "rt/scene/language/scene_read.h"
+#include "tests/oracle/chance.h"
+#include "tests/oracle/grid_scene.h"
+#include "tests/oracle/line_rules.h"
+#include "tests/oracle/many_regions.h"
+#include "tests/oracle/many_scenes.h"
+#include "tests/oracle/text_shrink.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LINES = 40, WAYS = 3 };
+
+static c205_model *model;
+
+/* --- ways ----------------------------------------------------------------- */
+
+static struct lines_options random_way(uint64_t *state)
+{
+    static const size_t queues[] = { 1, 7, 7, LINES - 1, LINES, 2000 };
+    struct lines_options way = { .mode = TRACE_VECTOR,
+                                 .queue = queues[below(state, 6)] };
+    way.packet = one_in(state, 3) ? 1 + below(state, LINES) : 0;
+    way.no_bounds = one_in(state, 5);
+    way.flat = one_in(state, 4);
+    return way;
+}
+
+static struct seen_crossings find_in(const struct scene *scene,
+                                     struct lines_options way, double behind,
+                                     const struct scene_line *list)
+{
+    way.normals = way.bodies = true;
+    way.behind = behind;
+    way.model = model;
+    return find_lines(scene, &way, list, LINES);
+}
+
+/* --- scenes --------------------------------------------------------------- */
+
+struct sight {
+    char *text, *shuffled; /* the latter may be NULL */
+    bool gridded;
+    bool plain, certain; /* is to be compared with the plain tracer */
+    uint64_t state;
+};
+
+static struct sight grid_sight(uint64_t *state)
+{
+    struct grid_scene *grid = grid_scene_random(state);
+    struct sight sight = { .gridded = true };
+    struct grid_scene *shuffled = grid_scene_shuffled(grid, state);
+    sight.text = grid_scene_text(grid);
+    sight.shuffled = grid_scene_text(shuffled);
+    sight.plain = grid_scene_is_aslant(grid);
+    sight.state = *state;
+    grid_scene_free(shuffled);
+    grid_scene_free(grid);
+    return sight;
+}
+
+static struct sight regions_sight(uint64_t *state)
+{
+    struct many_regions *regions = many_regions_random(state);
+    enum certainty certainty = many_regions_certainty(regions);
+    struct sight sight = { .text = many_regions_text(regions),
+                           .plain = certainty != NOTHING_CERTAIN,
+                           .certain = certainty == ALL_CERTAIN,
+                           .state = *state };
+    many_regions_free(regions);
+    return sight;
+}
+
+/* What scenes are followed along: every other line of those on the grid is on it,
+ * unless the plain tracer looks on. */
+static void draw_lines(const struct sight *sight, const struct scene *scene,
+                       struct scene_line list[LINES])
+{
+    uint64_t state = sight->state;
+    draw_camera_lines(&state, scene, list, LINES);
+    if (sight->gridded && !sight->plain)
+        draw_grid_lines(&state, list, LINES / 2);
+}
+
+static bool same_in_ways(const struct scene *scene, uint64_t state,
+                         double behind, const struct scene_line *list,
+                         const struct seen_crossings *expected, char *reason)
+{
+    bool same = true;
+    for (size_t i = 0; same && i < WAYS; i++) {
+        struct lines_options way = random_way(&state);
+        struct seen_crossings found = find_in(scene, way, behind, list);
+        same = same_crossings(expected, &found, reason);
+        if (!same)
+            snprintf(reason + strlen(reason), LINE_REASON - strlen(reason),
+                     " with a queue of %zu%s%s", way.queue,
+                     way.no_bounds ? ", without bounds" : "",
+                     way.flat ? ", flat" : "");
+        seen_crossings_free(&found);
+    }
+    return same;
+}
+
+static bool same_in_any_order(const struct sight *sight, double behind,
+                              const struct scene_line *list,
+                              const struct seen_crossings *expected,
+                              char *reason)
+{
+    const struct lines_options way = { .mode = TRACE_VECTOR, .queue = 77 };
+    if (!sight->shuffled)
+        return true;
+    struct scene *scene = scene_of(sight->shuffled);
+    struct seen_crossings found = find_in(scene, way, behind, list);
+    bool same = same_distances(expected, &found, reason);
+    if (!same)
+        strcat(reason, " with parts in another order");
+    seen_crossings_free(&found);
+    scene_free(scene);
+    return same;
+}
+
+static bool passes(const struct sight *sight, char *reason)
+{
+    const struct lines_options serial = { .mode = TRACE_SCALAR, .queue = 1 };
+    struct scene *scene = scene_of(sight->text);
+    struct scene_line list[LINES];
+    double behind = sight->state % 3 == 0 ? 100 : 0;
+    draw_lines(sight, scene, list);
+    struct seen_crossings found = find_in(scene, serial, behind, list);
+    bool good = same_in_ways(scene, sight->state, behind, list, &found,
+                             reason)
+                && keep_line_rules(scene, list, &found, behind, reason)
+                && same_in_any_order(sight, behind, list, &found, reason)
+                && (!sight->plain
+                    || same_as_plain_lines(scene, list, &found, behind,
+                                           sight->certain, reason));
+    seen_crossings_free(&found);
+    scene_free(scene);
+    return good;
+}
+
+static bool is_scene(const char *text)
+{
+    const struct scene_options options = { .strict = false };
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read_text("scene", text, &options, &reports);
+    bool good = scene;
+    diagnostics_free(&reports);
+    scene_free(scene);
+    return good;
+}
+
+/* Line by line of the text, with what these open, as long as it fails. */
+static void shrink(struct sight *sight)
+{
+    char reason[LINE_REASON];
+    free(sight->shuffled);
+    sight->shuffled = NULL;
+    for (size_t i = 0; i < text_lines(sight->text);) {
+        struct sight smaller = *sight;
+        smaller.text = text_without(sight->text, i, false);
+        bool less = smaller.text && is_scene(smaller.text)
+                    && !passes(&smaller, reason);
+        free(less ? sight->text : smaller.text);
+        sight->text = less ? smaller.text : sight->text;
+        i += !less;
+    }
+}
+
+static void show(struct sight *sight, size_t number, char *reason)
+{
+    char path[40];
+    if (!strstr(reason, "another order")) {
+        shrink(sight);
+        passes(sight, reason);
+    }
+    snprintf(path, sizeof path, "lines_%zu.pov", number);
+    printf("FAIL %s: %s\n%s", path, reason, sight->text);
+    fflush(stdout);
+    keep_scene(path, sight->text);
+}
+
+static bool check_scene(size_t number, bool first)
+{
+    uint64_t state = RANDOM_SEED
+                     ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
+    struct sight sight = number % 2 ? regions_sight(&state)
+                                    : grid_sight(&state);
+    char reason[LINE_REASON];
+    bool good = passes(&sight, reason);
+    if (!good && first)
+        printf("scene %zu: %s\n", number, reason);
+    else if (!good)
+        show(&sight, number, reason);
+    free(sight.text);
+    free(sight.shuffled);
+    return good;
+}
+
+int main(int count, char **words)
+{
+    c205_error error;
+    model = c205_model_find("cyber205-2pipe", &error);
+    if (!model)
+        give_up(error.message);
+    int code = check_many(count, words, check_scene);
+    c205_model_free(model);
+    return code;
+}
