@@ -93,14 +93,12 @@ static void layout_packet(struct record_layout *layout,
     size_t size = (size_t)layout_symbol(layout, "SEEN_SIZE");
     size_t most = whole->most, objects = whole->objects;
 
-    packet->room = most;
     layout_rays(layout, packet);
     packet->counts = layout_reserve(layout, packet->count);
     packet->found = layout_reserve(layout, size * most * packet->count);
     layout_word(layout, "lines_count",
                 c205_from_integer((int64_t)packet->count));
     layout_word(layout, "lines_behind", c205_from_double(packet->behind));
-    layout_word(layout, "lines_most", c205_from_integer((int64_t)most));
     layout_word(layout, "lines_counts", packet->counts);
     layout_word(layout, "lines_found", packet->found);
     layout_word(layout, "lines_list", layout_reserve(layout, size * most));

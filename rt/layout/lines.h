@@ -18,8 +18,7 @@ struct packet_layout {
     size_t count;    /* of the lines */
     double behind;   /* so far behind their origins they begin */
     uint64_t counts; /* address of a plane: the crossings of each */
-    uint64_t found;  /* .. of SEEN_SIZE fields of room planes */
-    size_t room;     /* crossings of a line, at the most */
+    uint64_t found;  /* .. of SEEN_SIZE planes for each crossing */
 };
 
 /* What all machines have in common.  Of the scene all crossings are asked

@@ -148,8 +148,8 @@ void seen_crossings_free(struct seen_crossings *found)
     *found = (struct seen_crossings){ 0 };
 }
 
-/* A packet's planes, as far as any line has crossings: field by field, crossing by
- * crossing, a word for each line. */
+/* A packet's planes, as far as any line has crossings: crossing by crossing, field by
+ * field, a word for each line. */
 struct planes_read {
     const struct lines *lines;
     size_t count, fields;
@@ -165,8 +165,9 @@ static size_t field(const struct lines *lines, const char *name)
 static c205_word word_of(const struct planes_read *planes, size_t line,
                          size_t crossing, size_t field)
 {
-    return planes
-        ->words[(field * planes->most + crossing) * planes->count + line];
+    size_t plane = planes->fields * crossing + field;
+
+    return planes->words[plane * planes->count + line];
 }
 
 static int integer_of(const struct planes_read *planes, size_t line,
@@ -198,15 +199,10 @@ static bool read_planes(struct planes_read *planes, const c205 *machine,
 
     if (!read_counts(planes, machine, packet))
         return false;
-    count = planes->most * planes->count;
-    planes->words = calloc(planes->fields * count + 1, sizeof *planes->words);
-    for (size_t i = 0; planes->words && i < planes->fields; i++)
-        if (!c205_read(machine,
-                       packet->found
-                           + UINT64_C(64) * i * packet->room * planes->count,
-                       planes->words + i * count, count))
-            return false;
-    return planes->words;
+    count = planes->most * planes->fields * planes->count;
+    planes->words = calloc(count + 1, sizeof *planes->words);
+    return planes->words
+           && c205_read(machine, packet->found, planes->words, count);
 }
 
 static size_t triangle_of(const struct lines *lines, size_t primitive,

@@ -30,7 +30,8 @@ struct lines_options {
     bool no_bounds, flat;    /* as in trace_options */
     const c205_model *model; /* must outlive the lines */
 };
-enum { LINES_PACKET = 32768 };
+/* Four queues: what is found of so many fills some of the 16 pages that are in memory. */
+enum { LINES_PACKET = 8000 };
 
 /* What the machine found, in its own words where it computed them. */
 struct seen_crossing {

@@ -136,25 +136,31 @@ static void test_nearest(void **state)
 {
     static char text[1 << 18];
     static struct scene_line list[SIDE * SIDE];
-    const struct lines_options options = { .mode = TRACE_VECTOR,
-                                           .queue = 300,
-                                           .normals = true,
-                                           .model = prior_model };
+    struct lines_options options = {
+        .queue = 300, .normals = true, .bodies = true, .model = prior_model
+    };
 
     (void)state;
     traced.width = traced.height = SIDE;
     put_pixels(list);
     for (size_t i = 0; i < scene_count; i++) {
-        struct seen_crossings found;
+        struct seen_crossings scalar, found;
         struct scene *scene;
         struct words *words;
+        char reason[LINE_REASON];
 
         write_scene(text, sizeof text, EXACT);
         scene = read_text(text);
         words = trace_words(scene, TRACE_VECTOR, 2000);
+        options.mode = TRACE_SCALAR;
+        scalar = find_lines(scene, &options, list, SIDE * SIDE);
+        options.mode = TRACE_VECTOR;
         found = find_lines(scene, &options, list, SIDE * SIDE);
         for (size_t k = 0; k < SIDE * SIDE; k++)
             check_nearest(words, k, &found, text);
+        check(same_crossings(&scalar, &found, reason), reason, text);
+        check(keep_line_rules(scene, list, &found, 0, reason), reason, text);
+        seen_crossings_free(&scalar);
         seen_crossings_free(&found);
         free(words);
         scene_free(scene);
@@ -172,22 +178,18 @@ struct expected {
     int sense, inside, within;
 };
 
-static void check_line(const char *objects, double behind, size_t count,
-                       const struct expected *expected)
+static void check_form(const char *text, enum trace_mode mode, double behind,
+                       size_t count, const struct expected *expected)
 {
     const struct scene_line line = { { 0, .125, -4 }, { 0, 0, 2 } };
-    struct lines_options options = { .mode = TRACE_VECTOR,
-                                     .queue = 10,
-                                     .bodies = true,
-                                     .behind = behind,
-                                     .model = prior_model };
-    char text[1000] = HEAD;
-    struct seen_crossings found;
-    struct scene *scene;
+    const struct lines_options options = { .mode = mode,
+                                           .queue = 10,
+                                           .bodies = true,
+                                           .behind = behind,
+                                           .model = prior_model };
+    struct scene *scene = read_text(text);
+    struct seen_crossings found = find_lines(scene, &options, &line, 1);
 
-    add_text(text, sizeof text, "%s", objects);
-    scene = read_text(text);
-    found = find_lines(scene, &options, &line, 1);
     if (found.first[1] != count)
         fail_msg("%zu crossings, not %zu, in\n%s", found.first[1], count,
                  text);
@@ -204,6 +206,16 @@ static void check_line(const char *objects, double behind, size_t count,
     }
     seen_crossings_free(&found);
     scene_free(scene);
+}
+
+static void check_line(const char *objects, double behind, size_t count,
+                       const struct expected *expected)
+{
+    char text[1000] = HEAD;
+
+    add_text(text, sizeof text, "%s", objects);
+    for (int mode = 0; mode < TRACE_FORMS; mode++)
+        check_form(text, (enum trace_mode)mode, behind, count, expected);
 }
 
 #define COUNTED(...) \
@@ -229,10 +241,36 @@ static void test_faces(void **state)
                COUNTED({ 3, 0, 0, 1, 1, 1 }, { 6, 1, 0, -1, 0, 0 }));
     check_line("merge { box { -1, 1 } box { -1, 1 } }", 0,
                COUNTED({ 3, 0, 0, 1, 1, 1 }, { 5, 0, 0, -1, 0, 0 }));
+    check_line("merge { box { -1, 1 } box { <-1, -1, -1.00000005>, 1 } }", 0,
+               COUNTED({ 2.99999995, 0, 0, 1, 1, 1 }, { 5, 0, 0, -1, 0, 0 }));
     check_line("difference { box { -1, 1 } box { -1, 1 } }", 0, 0, NULL);
     check_line("difference { box { -1, 1 } box { -.5, .5 } }", 0,
                COUNTED({ 3, 0, 0, 1, 1, 1 }, { 3.5, 1, 0, -1, 0, 0 },
                        { 4.5, 1, 0, 1, 1, 1 }, { 5, 0, 0, -1, 0, 0 }));
+}
+
+/* As many as there are, in whatever order they are found. */
+static void test_many(void **state)
+{
+    enum { SPHERES = 300 };
+    static struct expected expected[2 * SPHERES];
+    static char text[1 << 16];
+
+    (void)state;
+    strcpy(text, HEAD "union {\n");
+    for (size_t i = 0; i < SPHERES; i++) {
+        size_t at = i * 7 % SPHERES;
+        double middle = (double)at + 4;
+
+        add_text(text, sizeof text, "sphere { <0, .125, %zu>, .25 }\n", at);
+        expected[2 * at] = (struct expected){ middle - .25, i, 0, 1, 1, 1 };
+        expected[2 * at + 1] = (struct expected){
+            middle + .25, i, 0, -1, 0, 0
+        };
+    }
+    add_text(text, sizeof text, "}\n");
+    for (int mode = 0; mode < TRACE_FORMS; mode++)
+        check_form(text, (enum trace_mode)mode, 0, 2 * SPHERES, expected);
 }
 
 /* What is open is seen, but of no body. */
@@ -325,9 +363,9 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random_solids), cmocka_unit_test(test_nearest),
-        cmocka_unit_test(test_faces),         cmocka_unit_test(test_open),
-        cmocka_unit_test(test_behind),        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_no_lines),
+        cmocka_unit_test(test_faces),         cmocka_unit_test(test_many),
+        cmocka_unit_test(test_open),          cmocka_unit_test(test_behind),
+        cmocka_unit_test(test_refused),       cmocka_unit_test(test_no_lines),
     };
 
     traced.reported = true; /* patches in intersections */

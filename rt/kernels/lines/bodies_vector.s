@@ -1,25 +1,52 @@
 ; bodies_vector.s - in how many bodies the queue's lines are behind each crossing.
 ;
-; Column by column, from near to far: the count of a line's bodies of the object that is
-; seen there, and that of all, each with the sense there added.  Where a line
-; has no such crossing its sense is 0, and nothing changes.
+; Column by column, from near to far, of the lines that have so many crossings alone:
+; the count of a line's bodies of the object that is seen there, and that of all, each
+; with the sense there added.
 ;
 ; In:  the queue's planes, in order; sort_count.  Out: SEEN_INSIDE, SEEN_WITHIN.
 ; Source: derived here.
 
         .equ    INSIDE_SIZE, QUEUE      ; of an object: a count for each line
-        .regs   r223, body_index, body_column
+        .regs   r223, body_index, body_column, body_lines, body_all, body_of
 
-; [at] = where the counts of the lines stand, of the objects seen in the column.
-        .macro  find_objects at
-        CMPLTV  body_index, [line_counts], [bits0]
-        ADDX    body_column, line_block, s2
-        MASKV   [s2], one_index, [\at] ? [bits0]
-        find_records \at, \at, P_OBJECT, s1
-        VXTOV   [\at], [s1], [\at]
+        .data
+        .align  64
+body_store:     .space 2 * QUEUE
+        .code
+
+; The lines of the column, body_lines; [w1] = where in the counts of bodies that of
+; each stands, of the object seen there.
+        .macro  find_objects
+        describe near_bits, queue_bits, n
+        CMPLTV  body_index, [line_counts], [near_bits]
+        CNTOB   [near_bits], s6
+        set_near s6
+        EX      body_lines, body_store
+        describe s3, count_store, n
+        CPSV    [s3], [body_lines] ? [near_bits]
+        ADDX    body_column, line_stride, s2
+        VXTOV   [body_lines], [s2], [w1]
+        find_records w1, w1, P_OBJECT, s1
+        VXTOV   [w1], [s1], [w1]
         EX      s0, INSIDE_SIZE
-        MPYLV   [\at], s0, [\at]
-        ADDXV   [\at], [s3], [\at]
+        MPYLV   [w1], s0, [w1]
+        ADDXV   [w1], [body_lines], [w1]
+        .endm
+
+; Where the plane of a field is, of the column.
+        .macro  column_of field, address
+        ES      s0, \field
+        MPYX    line_stride, s0, \address
+        ADDX    body_column, \address, \address
+        .endm
+
+; The senses, [w2], to counts that stand at [index]; the sums to the plane, too.
+        .macro  add_senses index, counts, plane
+        VXTOV   [\index], [\counts], [w3]
+        ADDXV   [w3], [w2], [w3]
+        VTOVX   [\index], [w3], [\counts]
+        VTOVX   [body_lines], [w3], [\plane]
         .endm
 
         .macro  columns_begin
@@ -28,41 +55,30 @@
         .endm
 
         .macro  columns_next again
-        ADDX    body_column, line_stride, body_column
+        ADDX    body_column, line_step, body_column
         IBXNE   body_index, one_index, sort_count, \again, body_index
-        .endm
-
-; Where the field stands, of the column.
-        .macro  column_of field, address
-        ES      s0, \field
-        MPYX    line_block, s0, \address
-        ADDX    body_column, \address, \address
         .endm
 
         .kernel lines
 count_bodies:
         IBXEQ   sort_count, r0, r0, bodies_counted
-        set_near n
-        describe s3, count_store, n
-        load_word lines_inside, s4
-        VTOV    r0, [w0]
+        load_word lines_inside, body_of
+        describe body_all, body_store + 64 * QUEUE, n
+        VTOV    r0, [body_all]
         columns_begin
 bodies_column:
-        find_objects w1
+        find_objects
         column_of SEEN_SENSE, s2
-        VXTOV   [w1], [s4], [w2]
-        ADDXV   [w2], [s2], [w2]
-        VTOVX   [w1], [w2], [s4]
-        ADDXV   [w0], [s2], [w0]
+        VXTOV   [body_lines], [s2], [w2]
         column_of SEEN_INSIDE, s2
-        VTOV    [w2], [s2]
-        ADDX    s2, line_block, s2
-        VTOV    [w0], [s2]
+        add_senses w1, body_of, s2
+        ADDX    s2, line_stride, s2
+        add_senses body_lines, body_all, s2
         columns_next bodies_column
         columns_begin
 bodies_clear:
-        find_objects w1
-        VTOVX   [w1], r0, [s4]
+        find_objects
+        VTOVX   [w1], r0, [body_of]
         columns_next bodies_clear
 bodies_counted:
         BIM     0, link_kernel

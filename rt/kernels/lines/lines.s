@@ -10,10 +10,11 @@
 ; distances, of equals in that of primitives' numbers, the words of the k-th crossing
 ; of line r stand at
 ;
-;   lines_found + 64 (lines_count (lines_most w + k) + r)      w: a field of SEEN
+;   lines_found + 64 (lines_count (SEEN_SIZE k + w) + r)       w: a field of SEEN
 ;
-; which are planes, so that the k-th crossings of a queue's lines are a vector.  What
-; is in planes behind a line's last crossing means nothing.
+; which are planes, a column of them for each k, so that a field of the k-th crossings of
+; a queue's lines is a vector.  What is in planes behind a line's last crossing means
+; nothing.
 ; Source: derived here, from the project's notes on ray tracing, 4.1.
 
 ; 1: the normals at crossings are asked.
@@ -49,7 +50,6 @@
 lines_count:    .word 0                 ; how many lines, an integer
 lines_rays:     .word 0                 ; address of six planes: origins, directions
 lines_behind:   .word 0.0               ; a number
-lines_most:     .word 0                 ; room for so many crossings of each
 lines_counts:   .word 0                 ; address of a plane: how many each has, an
                                         ; integer; zeros when the program begins
 lines_found:    .word 0                 ; address of the planes of crossings

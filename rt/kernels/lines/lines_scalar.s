@@ -13,7 +13,7 @@
 ; Registers of the main program, besides those of linkage.s.
         .regs   r156, line_ox, line_oy, line_oz, line_dx, line_dy, line_dz
         .regs   r162, line_least, line_lower, line_behind, line_stride
-        .regs   r166, line_block, line_at, line_counts, line_found, lines_left
+        .regs   r166, line_step, line_at, line_counts, line_found, lines_left
         .regs   r171, line_length, line_work, seen_at, seen_left, seen_plane, seen_slot
 
         .include "shapes/slab_scalar.s"
@@ -69,7 +69,7 @@ line_seen: .space 1
         LOD     [seen_at], line_work
         STO     [seen_plane], line_work
         IX      seen_at, 64
-        ADDX    seen_plane, line_block, seen_plane
+        ADDX    seen_plane, line_stride, seen_plane
         .endm
 
         .if     BODIES
@@ -84,7 +84,6 @@ lines:
         load_of k_lower, line_lower
         load_of lines_behind, line_behind
         load_of lines_count, lines_left
-        load_of lines_most, line_block
         load_of lines_rays, line_at
         load_of lines_counts, line_counts
         load_of lines_found, line_found
@@ -92,7 +91,8 @@ lines:
         EX      seen_at, line_room
         STO     [seen_at], line_work
         SHIFTI  lines_left, 6, line_stride
-        MPYX    line_block, line_stride, line_block
+        ES      line_step, SEEN_SIZE
+        MPYX    line_step, line_stride, line_step
 lines_next:
         RTOR    line_at, line_work
         load_of_line line_ox
@@ -123,7 +123,7 @@ lines_seen:
         .rept   SEEN_SIZE
         store_in_plane
         .endr
-        ADDX    seen_slot, line_stride, seen_slot
+        ADDX    seen_slot, line_step, seen_slot
         IBXNE   seen_left, m_index_minus_one, r0, lines_seen, seen_left
 lines_stored:
         IX      line_at, 64

@@ -14,9 +14,9 @@
 ; Of a tree's values before and after an event, in words.
         .equ    VALUE_SIZE, 2 * QUEUE_BIT_WORDS
 
-; The planes, in bits: from the word of a line to that of the next crossing, from a
-; field's to that of the next.
-        .regs   r201, line_stride, line_block
+; In bits: a plane, from the word of one field to that of the next; all planes of a
+; column, from a crossing to the next one.
+        .regs   r201, line_stride, line_step
         .regs   r203, lines_left, lines_from    ; behind the first line
         .regs   r205, seen_first                ; the queue's, of the first plane
         .regs   r206, line_counts               ; .. how many crossings they have
@@ -47,10 +47,10 @@ lines:
         ES      shadows, 0
         EX      found, found_crossings
         load_word lines_count, lines_left
-        load_word lines_most, line_block
         load_word lines_behind, line_behind
         SHIFTI  lines_left, 6, line_stride
-        MPYX    line_block, line_stride, line_block
+        ES      line_step, SEEN_SIZE
+        MPYX    line_step, line_stride, line_step
         ES      lines_from, 0
 lines_next:
         EX      n, QUEUE

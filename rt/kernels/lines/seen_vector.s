@@ -20,7 +20,7 @@ line_store:     .space 2 * QUEUE
 ; [vector], of the lines of line_where, to the next plane.
         .macro  to_plane vector
         VTOVX   [line_where], \vector, [s4]
-        ADDX    s4, line_block, s4
+        ADDX    s4, line_stride, s4
         .endm
 
         .macro  to_plane_of_hits vector
@@ -44,7 +44,7 @@ found_crossings:
         VXTOV   [taken_at], [line_counts], [line_where]
         ADDXV   one_index, [line_where], [s3]
         VTOVX   [taken_at], [s3], [line_counts]
-        SHIFTI  line_stride, -6, s2
+        SHIFTI  line_step, -6, s2
         MPYLV   [line_where], s2, [line_where]
         ADDXV   [line_where], [taken_at], [line_where]
         .if     NORMALS
@@ -105,12 +105,12 @@ normals_leaf:
         EX      target, find_normal
         BSAVE   link_kernel, [target]
         ES      s4, SEEN_NORMAL
-        MPYX    line_block, s4, s4
+        MPYX    line_stride, s4, s4
         ADDX    seen_first, s4, s4
         VTOVX   [line_to], [nx], [s4]
-        ADDX    s4, line_block, s4
+        ADDX    s4, line_stride, s4
         VTOVX   [line_to], [ny], [s4]
-        ADDX    s4, line_block, s4
+        ADDX    s4, line_stride, s4
         VTOVX   [line_to], [nz], [s4]
 normals_next:
         leaves_next normals_leaf

@@ -1,8 +1,8 @@
 ; sort_vector.s - the crossings of a queue's lines in order: from near to far, of
 ; equals the lesser primitive first.
 ;
-; Column k has the k-th crossing of each line, found in any order, and a miss, big,
-; for those that have fewer.  Two columns are put in order at all lines at once,
+; Column k has the k-th crossing of each line, found in any order, and a miss for those
+; that have fewer, farther away than in the columns before.  Two columns are put in order at all lines at once,
 ; elements that are not are exchanged with all that belongs to them.  Which two, and
 ; when, does not depend on what they hold: a sorting network, Batcher's merge
 ; exchange, for any number N of columns.  With 2^t >= N, p falls from 2^(t-1) to 1 by
@@ -17,6 +17,11 @@
         .regs   r213, sort_count, sort_top, sort_p, sort_q, sort_r, sort_d
         .regs   r219, sort_end, sort_index, sort_low, sort_high
 
+        .data
+        .align  64
+sort_store:     .space 3 * QUEUE
+        .code
+
         .kernel lines
 sort_crossings:
         MAXV    [line_counts], s0, sort_count
@@ -24,10 +29,12 @@ sort_crossings:
         set_near n
         RTOR    seen_first, sort_low
         ES      sort_index, 0
+        RTOR    big, s2
 sort_fill:
         CMPGEV  sort_index, [line_counts], [bits0]
-        VTOV    big, [sort_low] ? [bits0]
-        ADDX    sort_low, line_stride, sort_low
+        VTOV    s2, [sort_low] ? [bits0]
+        ADDN    s2, big, s2
+        ADDX    sort_low, line_step, sort_low
         IBXNE   sort_index, one_index, sort_count, sort_fill, sort_index
         ES      sort_top, 1
 sort_double:
@@ -45,7 +52,7 @@ sort_merge:
         SUBX    sort_count, sort_d, sort_end
         ES      sort_index, 0
         RTOR    seen_first, sort_low
-        MPYX    sort_d, line_stride, sort_high
+        MPYX    sort_d, line_step, sort_high
         ADDX    sort_low, sort_high, sort_high
 sort_pair:
         AND     sort_index, sort_p, s0
@@ -54,8 +61,8 @@ sort_pair:
         CMPEQV  [sort_high], [sort_low], [bits1]
         CNTOB   [bits1], s0
         IBXEQ   s0, r0, r0, sort_compared
-        ADDX    sort_low, line_block, s2
-        ADDX    sort_high, line_block, s3
+        ADDX    sort_low, line_stride, s2
+        ADDX    sort_high, line_stride, s3
         CMPLTV  [s3], [s2], [bits2]
         ANDB    [bits1], [bits2], [bits1]
         ORB     [bits0], [bits1], [bits0]
@@ -65,16 +72,34 @@ sort_compared:
         RTOR    sort_low, s2
         RTOR    sort_high, s3
         ES      s4, SEEN_FOUND
+        few_to_gather s0, n, s5, sort_few
 sort_exchange:
         VTOV    [s2], [w0]
         VTOV    [s3], [s2] ? [bits0]
         VTOV    [w0], [s3] ? [bits0]
-        ADDX    s2, line_block, s2
-        ADDX    s3, line_block, s3
+        ADDX    s2, line_stride, s2
+        ADDX    s3, line_stride, s3
         IBXNE   s4, minus_one_index, r0, sort_exchange, s4
+        BIM     sort_next
+
+; So few that they are gathered.
+sort_few:
+        describe s6, count_store, n
+        EX      s5, sort_store
+        CPSV    [s6], [s5] ? [bits0]
+        describe s6, sort_store + 64 * QUEUE, s0
+        describe s7, sort_store + 64 * QUEUE * 2, s0
+sort_gather:
+        VXTOV   [s5], [s2], [s6]
+        VXTOV   [s5], [s3], [s7]
+        VTOVX   [s5], [s6], [s3]
+        VTOVX   [s5], [s7], [s2]
+        ADDX    s2, line_stride, s2
+        ADDX    s3, line_stride, s3
+        IBXNE   s4, minus_one_index, r0, sort_gather, s4
 sort_next:
-        ADDX    sort_low, line_stride, sort_low
-        ADDX    sort_high, line_stride, sort_high
+        ADDX    sort_low, line_step, sort_low
+        ADDX    sort_high, line_step, sort_high
         IBXNE   sort_index, one_index, sort_end, sort_pair, sort_index
         IBXEQ   sort_q, r0, sort_p, sort_narrow
         SUBX    sort_q, sort_p, sort_d

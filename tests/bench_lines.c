@@ -1,0 +1,138 @@
+/* bench_lines.c - the machine's clocks to find all that is seen along lines.
+ *
+ *     bench_lines SCENE.pov ..
+ *
+ * Of each scene 4,800 lines from its camera, through the middles of 80 x 60 pixels, in
+ * both forms, the vector form in queues of 2,000: how many crossings a line has, and
+ * clocks a line; without more, with bodies counted, with normals as well.  Prints a
+ * table, and stops with 1 if the forms do not find the same.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/diagnostic.h"
+#include "rt/picture/picture.h"
+#include "rt/scene/language/scene_read.h"
+#include "rt/trace/lines.h"
+
+enum { ACROSS = 80, DOWN = 60, LINES = ACROSS * DOWN };
+
+static const struct asked {
+    const char *name;
+    bool bodies, normals;
+} asked[] = {
+    { "crossings", false, false },
+    { "bodies, too", true, false },
+    { "normals, too", true, true },
+};
+
+static void stop(const char *message)
+{
+    fprintf(stderr, "bench_lines: %s\n", message);
+    exit(1);
+}
+
+static struct scene *read_scene(const char *path)
+{
+    const struct scene_options options = {
+        .width = ACROSS, .height = DOWN, .read_raster = picture_read_raster
+    };
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read(path, &options, &reports);
+
+    if (!scene)
+        diagnostics_print(&reports, stderr);
+    diagnostics_free(&reports);
+    return scene;
+}
+
+static void put_lines(const struct camera *camera,
+                      struct scene_line list[LINES])
+{
+    for (size_t i = 0; i < LINES; i++) {
+        double u = ((double)(i % ACROSS) + .5) / ACROSS - .5;
+        double v = .5 - ((double)(i / ACROSS) + .5) / DOWN;
+
+        for (int k = 0; k < 3; k++) {
+            double aside = u * camera->right[k] + v * camera->up[k];
+
+            list[i].origin[k] = camera->location[k]
+                                + (camera->orthographic ? aside : 0);
+            list[i].direction[k] = camera->direction[k]
+                                   + (camera->orthographic ? 0 : aside);
+        }
+    }
+}
+
+/* Clocks a line. */
+static double follow(const struct scene *scene, const c205_model *model,
+                     enum trace_mode mode, const struct asked *what,
+                     const struct scene_line list[LINES],
+                     struct seen_crossings *found)
+{
+    const struct lines_options options = { .mode = mode,
+                                           .queue = TRACE_QUEUE,
+                                           .bodies = what->bodies,
+                                           .normals = what->normals,
+                                           .model = model };
+    c205_error error = { "no memory" };
+    struct lines *lines = lines_new(scene, &options, &error);
+
+    if (!lines || !lines_find(lines, list, LINES, found, &error))
+        stop(error.message);
+    lines_free(lines);
+    return (double)found->accounts.clocks / LINES;
+}
+
+static bool are_same(const struct seen_crossings *a,
+                     const struct seen_crossings *b)
+{
+    bool same = a->first[LINES] == b->first[LINES];
+
+    for (size_t i = 0; same && i < a->first[LINES]; i++)
+        same = a->list[i].distance == b->list[i].distance
+               && a->list[i].primitive == b->list[i].primitive;
+    return same;
+}
+
+static void print_row(const char *path, const struct scene *scene,
+                      const c205_model *model, const struct asked *what)
+{
+    static struct scene_line list[LINES];
+    struct seen_crossings scalar, vector;
+    double slow, fast;
+
+    put_lines(&scene->camera, list);
+    slow = follow(scene, model, TRACE_SCALAR, what, list, &scalar);
+    fast = follow(scene, model, TRACE_VECTOR, what, list, &vector);
+    if (!are_same(&scalar, &vector))
+        stop("the two forms do not find the same");
+    printf("%-24s %-13s %15.2f %9.0f %9.0f %8.1f\n", path, what->name,
+           (double)scalar.first[LINES] / LINES, slow, fast, slow / fast);
+    seen_crossings_free(&scalar);
+    seen_crossings_free(&vector);
+}
+
+int main(int count, char **paths)
+{
+    c205_error error;
+    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+
+    if (!model)
+        stop(error.message);
+    printf("%-38s %15s %9s %9s %8s\n", "", "crossings", "scalar,", "vector,",
+           "");
+    printf("%-24s %-13s %15s %9s %9s %8s\n", "scene", "asked", "a line",
+           "clocks", "clocks", "speedup");
+    for (int i = 1; i < count; i++) {
+        struct scene *scene = read_scene(paths[i]);
+
+        if (!scene)
+            return 1;
+        for (size_t k = 0; k < sizeof asked / sizeof *asked; k++)
+            print_row(paths[i], scene, model, &asked[k]);
+        scene_free(scene);
+    }
+    c205_model_free(model);
+    return 0;
+}
