@@ -80,8 +80,8 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 	clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
 # What check runs, and in what size: cases an operation, pairs of narrow words,
-# random programs, polynomials of a kind, scenes of solids, of many regions, of lines, and as
-# texts, tries a row of the table, compilers.  Those that take longest come first.
+# random programs, polynomials of a kind, scenes of solids, of many regions, with lines
+# and as texts, tries a row of the table, compilers.  Those that take longest come first.
 check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-random check-quartic check-faces check-regions \
@@ -211,7 +211,7 @@ $(BUILD)/vm/number/lanes.o $(BUILD)/vm/number/halves.o \
 
 # The reference of the instructions, and what the pages say is printed.
 shown = $(programs) $(BUILD)/fit205 $(BUILD)/tests/oracle/check_quartic \
-	$(BUILD)/tests/unit/test_points $(adapter)
+	$(BUILD)/tests/unit/test_points $(BUILD)/tests/bench_lines $(adapter)
 docs: $(BUILD)/c205 $(shown)
 	$< isa --markdown >$(BUILD)/isa.md
 	@mv $(BUILD)/isa.md docs/isa.md

@@ -7,6 +7,7 @@
 #   jobs      two bands at a time to one
 #   stages    clocks of the machine in each way to trace a frame
 #   visible   clocks of the ways to what is seen of a solid
+#   lines     clocks to all that is seen along lines
 #   growth    time, clocks and memory against the number of things
 #   goals     what of that is to be reached
 #
@@ -18,12 +19,12 @@ shift
 BENCH_CSV=$build/bench.csv
 export BENCH_CSV
 cd "$(dirname "$0")/.."
-[ $# -gt 0 ] || set -- machine hosts frames jobs stages visible growth goals
+[ $# -gt 0 ] || set -- machine hosts frames jobs stages visible lines growth goals
 echo "part,what,quantity,value" >"$BENCH_CSV"
 
 for part in "$@"; do
     case $part in
-    machine | hosts | frames | jobs | stages | visible | growth | goals) ;;
+    machine | hosts | frames | jobs | stages | visible | lines | growth | goals) ;;
     *) echo "bench.sh: no part $part" >&2 && exit 2 ;;
     esac
     sh "tests/bench_$part.sh" "$build"
