@@ -148,116 +148,148 @@ void seen_crossings_free(struct seen_crossings *found)
     *found = (struct seen_crossings){ 0 };
 }
 
-/* A packet's planes, as far as any line has crossings: crossing by crossing, field by
- * field, a word for each line. */
-struct planes_read {
-    const struct lines *lines;
-    size_t count, fields;
-    size_t most; /* crossings of a line */
-    c205_word *counts, *words;
+/* Where the words of a crossing stand, among the planes of its column. */
+struct seen_fields {
+    size_t size, distance, primitive, sense, point;
+    size_t normal, inside, within; /* if asked */
 };
 
 static size_t field(const struct lines *lines, const char *name)
 {
-    return (size_t)object_symbol(lines->program, name)->value;
+    const struct asm_symbol *symbol = object_symbol(lines->program, name);
+
+    return symbol ? (size_t)symbol->value : 0;
 }
 
-static c205_word word_of(const struct planes_read *planes, size_t line,
-                         size_t crossing, size_t field)
+static struct seen_fields find_fields(const struct lines *lines)
 {
-    size_t plane = planes->fields * crossing + field;
-
-    return planes->words[plane * planes->count + line];
+    return (struct seen_fields){
+        .size = field(lines, "SEEN_SIZE"),
+        .distance = field(lines, "SEEN_DISTANCE"),
+        .primitive = field(lines, "SEEN_PRIMITIVE"),
+        .sense = field(lines, "SEEN_SENSE"),
+        .point = field(lines, "SEEN_POINT"),
+        .normal = field(lines, "SEEN_NORMAL"),
+        .inside = field(lines, "SEEN_INSIDE"),
+        .within = field(lines, "SEEN_WITHIN"),
+    };
 }
 
-static int integer_of(const struct planes_read *planes, size_t line,
-                      size_t crossing, const char *name)
+/* The planes of a column, a word for each line. */
+struct column {
+    const struct lines *lines;
+    struct seen_fields fields;
+    size_t count; /* of the lines */
+    c205_word *words;
+};
+
+static c205_word word_of(const struct column *column, size_t field,
+                         size_t line)
 {
-    return (int)c205_to_integer(
-        word_of(planes, line, crossing, field(planes->lines, name)));
+    return column->words[field * column->count + line];
 }
 
-static bool read_counts(struct planes_read *planes, const c205 *machine,
-                        const struct packet_layout *packet)
+static int integer_of(const struct column *column, size_t field, size_t line)
 {
-    planes->counts = calloc(planes->count, sizeof *planes->counts);
-    if (!planes->counts
-        || !c205_read(machine, packet->counts, planes->counts, planes->count))
-        return false;
-    for (size_t i = 0; i < planes->count; i++) {
-        size_t count = (size_t)c205_to_integer(planes->counts[i]);
-
-        planes->most = count > planes->most ? count : planes->most;
-    }
-    return true;
-}
-
-static bool read_planes(struct planes_read *planes, const c205 *machine,
-                        const struct packet_layout *packet)
-{
-    size_t count;
-
-    if (!read_counts(planes, machine, packet))
-        return false;
-    count = planes->most * planes->fields * planes->count;
-    planes->words = calloc(count + 1, sizeof *planes->words);
-    return planes->words
-           && c205_read(machine, packet->found, planes->words, count);
+    return (int)c205_to_integer(word_of(column, field, line));
 }
 
 static size_t triangle_of(const struct lines *lines, size_t primitive,
-                          c205_word point)
+                          int row_at)
 {
     const size_t *order = lines->orders[primitive];
 
     return order ? order[mesh_row(&lines->scene->primitives[primitive],
-                                  (size_t)c205_to_integer(point))]
+                                  (size_t)row_at)]
                  : 0;
 }
 
-static struct seen_crossing crossing_of(const struct planes_read *planes,
-                                        size_t line, size_t k)
+static struct seen_crossing crossing_of(const struct column *column,
+                                        size_t line)
 {
-    const struct lines *lines = planes->lines;
-    struct seen_crossing seen = { .distance = word_of(planes, line, k, 0) };
+    const struct lines *lines = column->lines;
+    const struct seen_fields *fields = &column->fields;
+    size_t id = (size_t)integer_of(column, fields->primitive, line) - 1;
+    struct seen_crossing seen = {
+        .distance = word_of(column, fields->distance, line),
+        .primitive = id,
+        .object = lines->scene->primitives[id].object,
+        .triangle = triangle_of(lines, id,
+                                integer_of(column, fields->point, line)),
+        .sense = integer_of(column, fields->sense, line),
+    };
 
-    seen.primitive = (size_t)integer_of(planes, line, k, "SEEN_PRIMITIVE")
-                     - 1;
-    seen.object = lines->scene->primitives[seen.primitive].object;
-    seen.sense = integer_of(planes, line, k, "SEEN_SENSE");
-    seen.triangle = triangle_of(lines, seen.primitive,
-                                word_of(planes, line, k,
-                                        field(lines, "SEEN_POINT")));
     for (size_t i = 0; lines->options.normals && i < 3; i++)
-        seen.normal[i] = word_of(planes, line, k,
-                                 field(lines, "SEEN_NORMAL") + i);
+        seen.normal[i] = word_of(column, fields->normal + i, line);
     if (lines->options.bodies) {
-        seen.inside = integer_of(planes, line, k, "SEEN_INSIDE");
-        seen.within = integer_of(planes, line, k, "SEEN_WITHIN");
+        seen.inside = integer_of(column, fields->inside, line);
+        seen.within = integer_of(column, fields->within, line);
     }
     return seen;
 }
 
-/* Behind those of the packets before. */
-static bool add_crossings(const struct planes_read *planes,
-                          struct seen_crossings *found, size_t line)
+/* Where those of each of the lines begin, from the first one on; returns the most that
+ * any has. */
+static size_t sum_counts(const c205_word *counts, size_t count, size_t *first)
 {
-    size_t total = found->first[line], next = total;
-    struct seen_crossing *list;
+    size_t most = 0;
 
-    for (size_t i = 0; i < planes->count; i++)
-        total += (size_t)c205_to_integer(planes->counts[i]);
-    list = realloc(found->list, (total + 1) * sizeof *list);
+    for (size_t i = 0; i < count; i++) {
+        size_t crossings = (size_t)c205_to_integer(counts[i]);
+
+        first[i + 1] = first[i] + crossings;
+        most = crossings > most ? crossings : most;
+    }
+    return most;
+}
+
+static bool read_counts(const c205 *machine,
+                        const struct packet_layout *packet, size_t *first,
+                        size_t *most)
+{
+    c205_word *counts = calloc(packet->count, sizeof *counts);
+    bool good = counts
+                && c205_read(machine, packet->counts, counts, packet->count);
+
+    if (good)
+        *most = sum_counts(counts, packet->count, first);
+    free(counts);
+    return good;
+}
+
+static bool read_column(struct column *column, const c205 *machine,
+                        uint64_t found, size_t k, const size_t *first,
+                        struct seen_crossing *list)
+{
+    size_t words = column->fields.size * column->count;
+
+    if (!c205_read(machine, found + UINT64_C(64) * k * words, column->words,
+                   words))
+        return false;
+    for (size_t i = 0; i < column->count; i++)
+        if (first[i] + k < first[i + 1])
+            list[first[i] + k] = crossing_of(column, i);
+    return true;
+}
+
+/* The packet's crossings, behind those of the packets before. */
+static bool read_columns(struct column *column, const c205 *machine,
+                         const struct packet_layout *packet,
+                         const size_t *first, size_t most,
+                         struct seen_crossings *found)
+{
+    size_t total = first[packet->count];
+    struct seen_crossing *list = realloc(found->list,
+                                         (total + 1) * sizeof *list);
+
     if (!list)
         return false;
     found->list = list;
-    for (size_t i = 0; i < planes->count; i++) {
-        size_t count = (size_t)c205_to_integer(planes->counts[i]);
-
-        for (size_t k = 0; k < count; k++)
-            list[next++] = crossing_of(planes, i, k);
-        found->first[line + i + 1] = next;
-    }
+    if (!column->words)
+        return false;
+    for (size_t k = 0; k < most; k++)
+        if (!read_column(column, machine, packet->found, k, first, list))
+            return false;
     return true;
 }
 
@@ -265,15 +297,18 @@ static bool collect(const struct lines *lines, const c205 *machine,
                     const struct packet_layout *packet,
                     struct seen_crossings *found, size_t line)
 {
-    struct planes_read planes = { .lines = lines,
-                                  .count = packet->count,
-                                  .fields = field(lines, "SEEN_SIZE") };
-    bool good = read_planes(&planes, machine, packet)
-                && add_crossings(&planes, found, line)
-                && accounts_add(&found->accounts, machine);
+    struct column column = { .lines = lines,
+                             .fields = find_fields(lines),
+                             .count = packet->count };
+    size_t *first = found->first + line, most = 0;
+    bool good;
 
-    free(planes.counts);
-    free(planes.words);
+    column.words = calloc(column.fields.size * column.count,
+                          sizeof *column.words);
+    good = read_counts(machine, packet, first, &most)
+           && read_columns(&column, machine, packet, first, most, found)
+           && accounts_add(&found->accounts, machine);
+    free(column.words);
     return good;
 }
 

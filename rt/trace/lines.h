@@ -5,10 +5,11 @@
  * the program and lays the scene out once; lines_find finds the crossings of any
  * lines, packet by packet, and gives them line by line, from near to far.
  *
- * What belongs to bodies comes in pairs: where a line begins outside of all, the
- * senses of a region's crossings are 1 and -1 in turn, and those of an object,
- * which is one region or, of a union that stands by itself, several, add up to how
- * many of its bodies the line is in.
+ * What belongs to bodies comes in pairs: the senses of a region's crossings are 1 and
+ * -1 in turn where a line begins outside.  An object is one region or, where it is a
+ * union that stands by itself, several, whose bodies may overlap: a piece of the line
+ * is inside of it from where `inside` comes from 0 to 1 to where it falls to 0 again,
+ * and outside of everything where `within` is 0.
  */
 #ifndef RT_LINES_H
 #define RT_LINES_H
@@ -20,36 +21,37 @@
 struct lines_options {
     enum trace_mode mode; /* scalar or vector */
     size_t queue;         /* lines at a time; not in scalar mode */
-    size_t packet; /* lines that a machine takes at the most, before the
-                             next one is loaded; 0: LINES_PACKET */
-    double behind; /* lines begin so far behind their origins, a length
-                             in the world, not below 0; what lies behind an
-                             origin has a distance below 0 */
-    bool normals;  /* are asked, too */
-    bool bodies;   /* .. in how many of them lines are */
+    /* Lines that a machine takes at the most, before it is loaded anew; 0:
+     * LINES_PACKET. */
+    size_t packet;
+    /* Lines begin so far behind their origins, a length in the world, not below
+     * 0; what lies behind an origin has a distance below 0. */
+    double behind;
+    bool normals;            /* are asked, too */
+    bool bodies;             /* .. in how many of them lines are */
     bool no_bounds, flat;    /* as in trace_options */
     const c205_model *model; /* must outlive the lines */
 };
-/* Four queues: what is found of so many fills some of the 16 pages that are in memory. */
+/* Four queues: what is found of so many fills a few of the 16 pages that are in
+ * memory. */
 enum { LINES_PACKET = 8000 };
 
-/* What the machine found, in its own words where it computed them. */
+/* What the machine found, in its own words where these are numbers. */
 struct seen_crossing {
     c205_word distance;  /* from the line's origin, a length in the world */
     c205_word normal[3]; /* if asked: of length one, against the line */
     size_t primitive;    /* of the scene's, from 0 on */
-    size_t object;       /* .. its object */
+    size_t object;       /* .. the object that it is a part of */
     size_t triangle;     /* .. of a mesh, of its triangles; else 0 */
-    int inside,
-        within; /* if asked: in how many bodies of the object the line is
-                            behind it, and of all objects: the sum of senses,
-                            0 where it begins */
-    int sense;  /* 1: the line comes into the body of the region, -1:
-                            it leaves it, 0: the region has none: a surface in
-                            it is open, or is not seen */
+    /* 1: the line comes into the body of the region, -1: it leaves it, 0: the
+     * region has none: a surface in it is open, or cuts and is not seen. */
+    int sense;
+    /* If asked: in how many bodies of the object the line is behind it, and of
+     * all objects: senses added up, 0 where the line begins. */
+    int inside, within;
 };
 
-/* Line by line; begin with zeros. */
+/* Line by line. */
 struct seen_crossings {
     size_t line_count;
     size_t *first; /* of each line, and behind the last: line_count + 1 */
@@ -67,8 +69,9 @@ struct lines *lines_new(const struct scene *scene,
                         c205_error *error);
 void lines_free(struct lines *lines);
 
-/* Those of each of the lines.  False: a direction without length, a number that is
- * not finite, a trap, no memory; the error says which, and nothing is found. */
+/* Those of each of the lines, which the caller frees; any number of threads may ask
+ * at a time.  False: a direction without length, a number that is not finite, a trap,
+ * no memory; the error says which, and nothing is found. */
 bool lines_find(const struct lines *lines, const struct scene_line *list,
                 size_t count, struct seen_crossings *found,
                 c205_error *error);
