@@ -178,31 +178,42 @@ struct expected {
     int sense, inside, within;
 };
 
+/* So many lines, all the same: what is found of them fills pages. */
+enum { COPIES = 64 };
+
+static void check_crossing(const struct seen_crossing *seen,
+                           const struct expected *expected)
+{
+    assert_float_equal(c205_to_double(seen->distance), expected->distance,
+                       1e-12);
+    assert_int_equal(seen->primitive, expected->primitive);
+    assert_int_equal(seen->object, expected->object);
+    assert_int_equal(seen->sense, expected->sense);
+    assert_int_equal(seen->inside, expected->inside);
+    assert_int_equal(seen->within, expected->within);
+}
+
 static void check_form(const char *text, enum trace_mode mode, double behind,
                        size_t count, const struct expected *expected)
 {
-    const struct scene_line line = { { 0, .125, -4 }, { 0, 0, 2 } };
     const struct lines_options options = { .mode = mode,
                                            .queue = 10,
                                            .bodies = true,
                                            .behind = behind,
                                            .model = prior_model };
+    struct scene_line list[COPIES];
     struct scene *scene = read_text(text);
-    struct seen_crossings found = find_lines(scene, &options, &line, 1);
+    struct seen_crossings found;
 
-    if (found.first[1] != count)
-        fail_msg("%zu crossings, not %zu, in\n%s", found.first[1], count,
-                 text);
-    for (size_t k = 0; k < count; k++) {
-        const struct seen_crossing *seen = &found.list[k];
-
-        assert_float_equal(c205_to_double(seen->distance),
-                           expected[k].distance, 1e-12);
-        assert_int_equal(seen->primitive, expected[k].primitive);
-        assert_int_equal(seen->object, expected[k].object);
-        assert_int_equal(seen->sense, expected[k].sense);
-        assert_int_equal(seen->inside, expected[k].inside);
-        assert_int_equal(seen->within, expected[k].within);
+    for (size_t i = 0; i < COPIES; i++)
+        list[i] = (struct scene_line){ { 0, .125, -4 }, { 0, 0, 2 } };
+    found = find_lines(scene, &options, list, COPIES);
+    for (size_t i = 0; i < COPIES; i++) {
+        if (found.first[i + 1] != (i + 1) * count)
+            fail_msg("%zu crossings, not %zu, in\n%s",
+                     found.first[i + 1] - i * count, count, text);
+        for (size_t k = 0; k < count; k++)
+            check_crossing(&found.list[i * count + k], &expected[k]);
     }
     seen_crossings_free(&found);
     scene_free(scene);
