@@ -162,6 +162,7 @@ static void test_nearest(void **state)
 
     (void)state;
     traced.width = traced.height = SIDE;
+    traced.pixels = SIDE * SIDE;
     put_pixels(list);
     for (size_t i = 0; i < scene_count; i++) {
         struct seen_crossings scalar, found;
@@ -187,6 +188,7 @@ static void test_nearest(void **state)
     }
     traced.width = WIDTH;
     traced.height = HEIGHT;
+    traced.pixels = PIXELS;
 }
 
 /* --- by hand -------------------------------------------------------------- */

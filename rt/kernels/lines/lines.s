@@ -12,8 +12,8 @@
 ;
 ;   lines_found + 64 (lines_count (SEEN_SIZE k + w) + r)       w: a field of SEEN
 ;
-; which are planes, a column of them for each k, so that a field of the k-th crossings of
-; a queue's lines is a vector.  What is in planes behind a line's last crossing means
+; which are planes, a column of them for each k, so that a field of the k-th crossings
+; of a queue's lines is a vector.  What is in planes behind a line's last crossing means
 ; nothing.
 ; Source: derived here, from the project's notes on ray tracing, 4.1.
 
@@ -55,6 +55,6 @@ lines_counts:   .word 0                 ; address of a plane: how many each has,
 lines_found:    .word 0                 ; address of the planes of crossings
 lines_list:     .word 0                 ; address of room for those of one line, one
                                         ; behind the other; for the scalar form
-lines_inside:   .word 0                 ; .. for INSIDE_SIZE words for each object: zeros,
+lines_inside:   .word 0                 ; .. for INSIDE_SIZE words of each object: zeros
                                         ; before a line and behind it
         .code

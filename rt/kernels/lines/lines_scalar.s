@@ -35,10 +35,10 @@
 
         .data
 line_ray:       .space 8
-line_list: .descriptor 8, line_ray
-line_room: .word 0
+line_list:      .descriptor 8, line_ray
+line_room:      .word 0
                 .descriptor 1, line_seen
-line_seen: .space 1
+line_seen:      .space 1
         .code
 
         .macro  load_of label, register

@@ -16,10 +16,10 @@
         .regs   r94, c_distance, c_primitive, c_sense, c_s, c_t, c_nx, c_ny, c_nz
         .regs   r102, c_other_distance, c_other_primitive, c_other_rest
         .endshare
-        .equ    SEEN_REGISTERS, 78         ; r32 - r109: other crossings have 8
+        .equ    SEEN_REGISTERS, 78      ; another crossing has 8 words, SEEN_FOUND
 
         .data
-line_save: .space SEEN_REGISTERS
+line_save:      .space SEEN_REGISTERS
 normal_save:    .space SHADE_REGISTERS
 normal_list:    .word 0                         ; of the ray
 normal_primitive: .word 0
@@ -81,18 +81,18 @@ put_next\@:
         IBXEQ   c_at, r0, c_first, put_here\@
         RTOR    c_at, c_before
         IX      c_before, -64 * SEEN_SIZE
-        ELEN    c_before, SEEN_SIZE
+        ELEN    c_before, SEEN_FOUND
         SWAP    [c_before], c_other_distance, [r0]
         CFPLT   c_other_distance, c_distance, put_here\@
         CFPNE   c_other_distance, c_distance, put_move\@
         IBXLT   c_other_primitive, r0, c_primitive, put_here\@
 put_move\@:
-        ELEN    c_at, SEEN_SIZE
+        ELEN    c_at, SEEN_FOUND
         SWAP    [r0], c_other_distance, [c_at]
         RTOR    c_before, c_at
         BIM     put_next\@
 put_here\@:
-        ELEN    c_at, SEEN_SIZE
+        ELEN    c_at, SEEN_FOUND
         SWAP    [r0], c_distance, [c_at]
         .endm
 

@@ -2,11 +2,11 @@
 ; equals the lesser primitive first.
 ;
 ; Column k has the k-th crossing of each line, found in any order, and a miss for those
-; that have fewer, farther away than in the columns before.  Two columns are put in order at all lines at once,
-; elements that are not are exchanged with all that belongs to them.  Which two, and
-; when, does not depend on what they hold: a sorting network, Batcher's merge
-; exchange, for any number N of columns.  With 2^t >= N, p falls from 2^(t-1) to 1 by
-; halves; for each p
+; that have fewer, farther away than in the columns before.  Two columns are put in
+; order at all lines at once: elements that are not are exchanged, with all that belongs
+; to them.  Which two, and when, does not depend on what they hold: a sorting network,
+; Batcher's merge exchange, for any number N of columns.  With 2^t >= N, p falls from
+; 2^(t-1) to 1 by halves; for each p
 ;
 ;   d = p, r = 0;  q falls from 2^(t-1) to p by halves, d = 2 q - p, r = p behind the
 ;   first;  columns i and i + d, for each i < N - d whose bit p is that of r
