@@ -80,7 +80,7 @@ static void test_assembled(void **state)
             check_assembled(kernel->name, defines);
         }
     }
-    assert_int_equal(programs, 7);
+    assert_int_equal(programs, 9);
 }
 
 /* The cylinder as it is studied. */
