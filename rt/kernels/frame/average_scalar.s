@@ -62,12 +62,7 @@ average_grid:
 average_sample:
         LOD     [grid_at], p_x
         CFPEQ   exponent, m_one, average_linear
-        CFPGE   r0, p_x, average_dark
-        EX      target, power
-        BSAVE   power_link, [target]
-        BIM     average_linear
-average_dark:
-        RTOR    m_zero, p_x
+        power_of_positive
 average_linear:
         ADDN    sum, p_x, sum
         IX      grid_at, 64

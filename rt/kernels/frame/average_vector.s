@@ -70,12 +70,7 @@ average_grid:
 average_sample:
         VXTOV   [at], [grid_at], [v0]
         CFPEQ   exponent, one, average_linear
-        CMPLTV  r0, [v0], [hits0]
-        MASKV   [v0], one, [v0] ? [hits0]
-        EX      target, power
-        BSAVE   link_inner, [target]
-        ADDN    r0, r0, s2
-        MASKV   [v0], s2, [v0] ? [hits0]
+        power_of_positive
 average_linear:
         ADDNV   [red], [v0], [red]
         IX      grid_at, 64

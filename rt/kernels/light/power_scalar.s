@@ -14,6 +14,17 @@
         ADDN    p_t, \c, p_x
         .endm
 
+; p_x ^ exponent where that is above 0, else 0.
+        .macro  power_of_positive
+        CFPGE   r0, p_x, power_dark\@
+        EX      target, power
+        BSAVE   power_link, [target]
+        BIM     power_done\@
+power_dark\@:
+        RTOR    m_zero, p_x
+power_done\@:
+        .endm
+
         .kernel power
 power:
         EXP     p_x, p_k

@@ -31,6 +31,16 @@
         ADDNV   [v4], \c, [v0]
         .endm
 
+; [v0] ^ exponent where that is above 0, else 0.  Uses hits0, s2 besides.
+        .macro  power_of_positive
+        CMPLTV  r0, [v0], [hits0]
+        MASKV   [v0], one, [v0] ? [hits0]
+        EX      target, power
+        BSAVE   link_inner, [target]
+        ADDN    r0, r0, s2
+        MASKV   [v0], s2, [v0] ? [hits0]
+        .endm
+
         .kernel power
 power:
         EXPV    [v0], [v1]
