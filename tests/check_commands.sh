@@ -974,6 +974,17 @@ tells samples.json '"rays": 2700'
 ends 0 "$build/rt205" profile "$scene" -W 20 -H 15 --samples 2
 ends 2 "$build/rt205" render "$scene" -o samples.png --samples 17
 
+# .. and of some pixels alone
+ends 0 "$build/rt205" render "$scene" -o some.png -W 40 -H 30 --samples 3 \
+    --threshold .2 --json some.json
+tells out "threshold 0.2: .* rays of the camera, .* % of those of all samples"
+tells some.json '"threshold": 0.2'
+ends 0 "$build/rt205" profile "$scene" -W 20 -H 15 --samples 2 --threshold .5
+ends 2 "$build/rt205" render "$scene" -o some.png --threshold .2
+tells err "--threshold goes with --samples 2 or more"
+ends 2 "$build/rt205" render "$scene" -o some.png --samples 3 --threshold 0
+tells err "a number above 0"
+
 # Ctrl-C in the middle of a long frame
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \
     >out 2>err &

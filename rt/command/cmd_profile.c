@@ -96,6 +96,7 @@ static const struct command_option options[] = {
     CMD_SIZE(320, 240),
     CMD_QUEUE("rays in the vector queue"),
     CMD_SAMPLES,
+    CMD_THRESHOLD,
     CMD_ORDER(ORDER_DEFAULT),
     CMD_MODEL,
     CMD_BOUNDS,

@@ -87,6 +87,21 @@ static struct result result_of(const struct rt205_arguments *arguments,
     return result;
 }
 
+/* How many rays a threshold saves. */
+static void print_rays(const struct result *result,
+                       const struct results *results)
+{
+    const struct trace_options *trace = &result->arguments->trace;
+    double all = (double)trace->width * (double)trace->height
+                 * (double)(result->samples * result->samples);
+
+    results_say(results,
+                "threshold %g: %zu rays of the camera, %.1f %% of those of "
+                "all samples\n",
+                trace->threshold, result->rays,
+                100 * (double)result->rays / all);
+}
+
 static void print_result(const struct result *result,
                          const struct results *results)
 {
@@ -110,6 +125,8 @@ static void print_result(const struct result *result,
                 "%llu clocks, %s on the machine\n"
                 "frame checksum %s\n",
                 (unsigned long long)result->clocks, time, result->checksum);
+    if (trace->threshold > 0)
+        print_rays(result, results);
     if (arguments->output)
         results_say(results, "picture %s\n", arguments->output);
 }
@@ -159,6 +176,8 @@ static void write_result(const struct result *result, struct json *json)
     json_count(json, "width", trace->width);
     json_count(json, "height", trace->height);
     json_count(json, "samples", result->samples);
+    if (trace->threshold > 0)
+        json_number(json, "threshold", trace->threshold);
     json_count(json, "queue", trace->queue);
     json_text(json, "order", order_name(trace_order(trace)));
     json_count(json, "rays", result->rays);
@@ -380,6 +399,7 @@ static const struct command_option options[] = {
     CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
     CMD_QUEUE("rays in the vector queue"),
     CMD_SAMPLES,
+    CMD_THRESHOLD,
     CMD_ORDER(ORDER_DEFAULT),
     CMD_MODEL,
     CMD_BOUNDS,

@@ -41,6 +41,9 @@ int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work)
     if (trace->height > 0 && trace->width > TRACE_PIXELS_MOST / trace->height)
         return cmd_usage(arguments->command, "at most %zu pixels",
                          TRACE_PIXELS_MOST);
+    if (trace->threshold > 0 && trace->samples < 2)
+        return cmd_usage(arguments->command,
+                         "--threshold goes with --samples 2 or more");
     model = model_open(arguments->command, arguments->model);
     if (!model)
         return CMD_FAILED;

@@ -102,6 +102,11 @@ command_choice cmd_mode_choice, cmd_visible_choice, cmd_order_choice;
 #define CMD_SAMPLES \
     { CMD_COUNT("samples", trace.samples, 1, TRACE_SAMPLES_MOST, 1, \
                 "N x N rays a pixel, averaged") }
+#define CMD_THRESHOLD \
+    { .name = "threshold", .value = "T", .kind = COMMAND_NUMBER, \
+      .offset = CMD_PLACE(trace.threshold), .most = 1000, \
+      .help = "the samples are for pixels alone whose colour differs by as much " \
+              "from a neighbour's; all others have one ray" }
 #define CMD_ORDER(usual) \
     { .name = "order", .value = "ORDER", .kind = COMMAND_CHOICE, \
       .offset = CMD_PLACE(trace.order), .choice = cmd_order_choice, \

@@ -54,47 +54,120 @@ static void layout_camera(struct record_layout *layout,
     layout_words(layout, layout_symbol(layout, "scene_background"), words, 3);
 }
 
-/* Where the pixels go that are made of samples. */
+/* Of samples that are averaged in linear light, perhaps through a lens. */
 static void layout_samples(struct record_layout *layout, double gamma,
                            const struct camera *camera,
                            struct frame_layout *frame)
 {
-    size_t pixels = frame->width * frame->rows;
-
-    layout_word(layout, "scene_samples",
-                c205_from_integer((int64_t)frame->samples));
     if (gamma > 0)
         layout_word(layout, "scene_gamma", c205_from_double(gamma));
-    frame->address = layout_reserve(layout, pixels * FRAME_CHANNELS);
-    layout_word(layout, "scene_picture", frame->address);
     if (camera->lens_radius > 0)
         layout_lens(layout, camera, frame->samples);
 }
 
-/* To the program, samples are pixels, of a larger frame. */
+/* The rays that a program makes first: some rows of a frame of them. */
+struct ray_grid {
+    size_t columns, first_row, rows;
+};
+
+static size_t count_rays(const struct ray_grid *grid)
+{
+    return grid->columns * grid->rows;
+}
+
+/* All samples of all pixels. */
+static struct ray_grid all_samples(const struct frame_layout *frame,
+                                   size_t samples)
+{
+    return (struct ray_grid){ frame->width * samples,
+                              frame->first_row * samples,
+                              frame->rows * samples };
+}
+
+/* One for each pixel, and for those left of the frame and above the band, with
+ * which pixels are compared. */
+static struct ray_grid first_rays(const struct frame_layout *frame)
+{
+    return (struct ray_grid){ frame->width + 1, frame->first_row,
+                              frame->rows + 1 };
+}
+
+/* Of the colours that are compared (POV-Ray's Antialias_Gamma). */
+#define COMPARED_GAMMA 2.5
+
+/* What adaptive.s works with: planes, the samples that are traced at a time. */
+static void layout_adaptive(struct record_layout *layout, double gamma,
+                            const struct frame_layout *frame,
+                            const struct ray_grid *grid)
+{
+    size_t samples = frame->samples * frame->samples;
+    size_t rays = count_rays(grid);
+    size_t pixels = rays > samples ? rays / samples : 1;
+    size_t strings = layout_symbol(layout, "FINE_STRINGS")
+                     * (frame->width / 64 + 4);
+
+    layout_word(layout, "scene_threshold",
+                c205_from_double(frame->threshold));
+    if (gamma > 0)
+        layout_word(layout, "scene_power",
+                    c205_from_double(gamma / COMPARED_GAMMA));
+    layout_word(layout, "scene_wide",
+                c205_from_double((double)grid->columns));
+    layout_word(layout, "scene_fine",
+                layout_reserve(layout,
+                               layout_symbol(layout, "FINE_PLANES") * rays
+                                   + strings));
+    layout_word(layout, "scene_sampled_pixels",
+                c205_from_integer((int64_t)pixels));
+    layout_word(layout, "scene_sampled",
+                layout_reserve(layout, FRAME_CHANNELS * samples * pixels));
+}
+
+static void layout_band(struct record_layout *layout,
+                        const struct ray_grid *grid)
+{
+    const double rows[2] = { (double)grid->first_row,
+                             (double)(grid->first_row + grid->rows) };
+    c205_word words[2];
+
+    put_numbers(words, rows, 2);
+    layout_words(layout, layout_symbol(layout, "scene_band"), words, 2);
+    layout_word(layout, "scene_first_pixel",
+                c205_from_integer(
+                    (int64_t)(grid->first_row * grid->columns)));
+    layout_word(layout, "scene_pixels",
+                c205_from_integer((int64_t)count_rays(grid)));
+}
+
 static void layout_frame(struct record_layout *layout, double gamma,
                          const struct camera *camera,
                          struct frame_layout *frame)
 {
     size_t samples = frame->samples > 0 ? frame->samples : 1;
-    size_t width = frame->width * samples, rows = frame->rows * samples;
-    size_t first_row = frame->first_row * samples, pixels = width * rows;
-    const double band[2] = { (double)first_row, (double)(first_row + rows) };
-    c205_word words[2];
+    bool adaptive = frame->threshold > 0;
+    struct ray_grid grid = adaptive ? first_rays(frame)
+                                    : all_samples(frame, samples);
 
-    layout_word(layout, "scene_width", c205_from_double((double)width));
+    layout_word(layout, "scene_width",
+                c205_from_double((double)(frame->width * samples)));
     layout_word(layout, "scene_height",
                 c205_from_double((double)(frame->height * samples)));
-    put_numbers(words, band, 2);
-    layout_words(layout, layout_symbol(layout, "scene_band"), words, 2);
-    layout_word(layout, "scene_first_pixel",
-                c205_from_integer((int64_t)(first_row * width)));
-    layout_word(layout, "scene_pixels", c205_from_integer((int64_t)pixels));
+    layout_band(layout, &grid);
     if (frame->tiles)
         layout_word(layout, "scene_tiles", 1);
-    frame->address = layout_reserve(layout, pixels * FRAME_CHANNELS);
+    frame->address = layout_reserve(layout,
+                                    count_rays(&grid) * FRAME_CHANNELS);
     layout_word(layout, "scene_frame", frame->address);
-    if (samples > 1)
+    if (samples == 1)
+        return;
+    layout_word(layout, "scene_samples",
+                c205_from_integer((int64_t)frame->samples));
+    frame->address = layout_reserve(layout, frame->width * frame->rows
+                                                * FRAME_CHANNELS);
+    layout_word(layout, "scene_picture", frame->address);
+    if (adaptive)
+        layout_adaptive(layout, gamma, frame, &grid);
+    else
         layout_samples(layout, gamma, camera, frame);
 }
 

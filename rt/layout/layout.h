@@ -15,6 +15,7 @@ struct frame_layout {
     uint64_t address;       /* FRAME_CHANNELS planes of width x rows words */
     size_t width, height;   /* of the whole frame, pixels */
     size_t samples;         /* across a pixel and down; 0: one */
+    double threshold;       /* above it pixels get these samples; 0: all do */
     size_t first_row, rows; /* of the band that is traced */
     bool tiles;             /* queues of its pixels are tiles, not rows */
 };

@@ -28,6 +28,7 @@ static bool load(const struct band_work *work, c205 *machine,
                                      .height = work->height,
                                      .first_row = first_row,
                                      .samples = work->samples,
+                                     .threshold = work->threshold,
                                      .rows = rows,
                                      .tiles = work->tiles };
     return c205_load(machine, &work->program->program, error)
@@ -61,7 +62,8 @@ static size_t calls_begun(const c205 *machine)
 static size_t pixels_begun(const struct band_work *work, const c205 *machine,
                            size_t pixels)
 {
-    size_t samples = work->samples > 0 ? work->samples : 1;
+    size_t samples = work->samples > 0 && work->threshold <= 0 ? work->samples
+                                                               : 1;
     size_t done = calls_begun(machine) * work->rays_a_call
                   / (samples * samples);
 

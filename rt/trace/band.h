@@ -32,6 +32,7 @@ struct band_work {
     const c205_model *model;
     size_t width, height; /* of the frame, pixels */
     size_t samples;       /* rays of a pixel, across and down; 0: one */
+    double threshold;     /* as in trace_options */
     bool tiles;           /* the order in which pixels go into queues */
     size_t rays_a_call;   /* that one call of the program's generate makes */
     bool ray_by_ray;      /* a pixel is done before the next one is begun */

@@ -70,7 +70,7 @@ enum { FEATURES = sizeof features / sizeof *features };
 /* The constants that a program is assembled with. */
 struct defines {
     struct asm_define
-        list[FEATURES + PRIMITIVE_KINDS + 9]; /* the last is NULL */
+        list[FEATURES + PRIMITIVE_KINDS + 10]; /* the last is NULL */
     size_t count;
 };
 
@@ -117,6 +117,8 @@ struct object *form_assemble(const struct trace_options *options,
     define_scene(&defines, scene);
     if (scene->camera.lens_radius > 0 && options->samples > 1)
         define(&defines, "LENS", 1);
+    if (options->threshold > 0)
+        define(&defines, "ADAPTIVE", TRACE_BLOCK);
     if (options->historical)
         define(&defines, "HISTORICAL", 1);
     if (options->variant)

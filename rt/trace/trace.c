@@ -104,16 +104,42 @@ static size_t samples_across(const struct trace_options *options,
     return samples;
 }
 
+/* What a threshold does not go with. */
+static bool check_threshold(const struct trace_options *options,
+                            const struct scene *scene, c205_error *error)
+{
+    const char *why = NULL;
+
+    if (options->threshold == 0)
+        return true;
+    if (!(options->threshold > 0) || isinf(options->threshold))
+        why = "a threshold is a number above 0";
+    else if (scene->camera.lens_radius > 0)
+        why = "a threshold does not go with a camera that has a lens: all of "
+              "its pixels need their samples";
+    else if (options->samples < 2)
+        why = "a threshold needs samples, 2 across a pixel at the least";
+    else if (options->width > TRACE_COLUMNS_MOST)
+        why = "with a threshold a frame has 65534 columns at the most";
+    if (why)
+        snprintf(error->message, sizeof error->message, "%s", why);
+    return !why;
+}
+
 static void divide(struct trace *trace)
 {
     const struct trace_options *options = &trace->options;
     size_t pixels = options->band > 0 ? options->band : TRACE_BAND;
+    size_t samples = options->samples * options->samples;
+    size_t least = 1;
 
-    trace->band_rows = pixels
-                       / (options->samples * options->samples
-                          * options->width);
-    if (trace->band_rows == 0)
-        trace->band_rows = 1;
+    if (options->threshold > 0) {
+        samples = 1; /* of most pixels */
+        least = TRACE_BLOCK;
+    }
+    trace->band_rows = pixels / (samples * options->width) / least * least;
+    if (trace->band_rows < least)
+        trace->band_rows = least;
     if (trace->band_rows > options->height)
         trace->band_rows = options->height;
     trace->band_count = (options->height + trace->band_rows - 1)
@@ -193,7 +219,9 @@ struct trace *trace_new(const struct scene *scene,
     trace->options = *options;
     trace->options.samples = samples_across(options, scene);
     trace->accounts.model = options->model;
-    trace->gamma = scene->assumed_gamma > 0 && trace->options.samples == 1
+    trace->gamma = scene->assumed_gamma > 0
+                           && (trace->options.samples == 1
+                               || options->threshold > 0)
                        ? scene->assumed_gamma
                        : 1;
     trace->work = (struct band_work){
@@ -201,13 +229,15 @@ struct trace *trace_new(const struct scene *scene,
         .width = options->width,
         .height = options->height,
         .samples = trace->options.samples,
+        .threshold = options->threshold,
         .tiles = trace_order(options) == ORDER_TILES,
         .ray_by_ray = options->mode == TRACE_SCALAR,
         .rays_a_call = options->mode == TRACE_SCALAR ? 1 : options->queue,
         .observers = options->observers,
     };
     divide(trace);
-    if (prepare(trace, scene, error))
+    if (check_threshold(options, scene, error)
+        && prepare(trace, scene, error))
         return trace;
     trace_free(trace);
     return NULL;

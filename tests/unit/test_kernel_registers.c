@@ -64,6 +64,7 @@ static void test_assembled(void **state)
         { "LATHES", 1 },
         { "QUADRATIC_PRISMS", 1 },
         { "LATTICE", 1 },
+        { "ADAPTIVE", 32 },
     };
     size_t programs = 0;
 
@@ -237,6 +238,32 @@ static void test_cylinders(void **state)
     traced.historical = false;
     traced.variant = NULL;
     scene_free(scene);
+}
+
+/* Two passes of almost all that is assembled for some scenes alone. */
+static void test_adaptive(void **state)
+{
+    static const char path[] = "tests/scenes/together.pov";
+    const struct scene_options reading = {
+        .width = COLUMNS, .height = ROWS, .read_raster = picture_read_raster
+    };
+    struct trace_options options = { .width = 3 * COLUMNS,
+                                     .height = 3 * ROWS,
+                                     .samples = 3,
+                                     .threshold = .05,
+                                     .queue = COLUMNS - 1,
+                                     .model = prior_model };
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read(path, &reading, &reports);
+
+    (void)state;
+    assert_non_null(scene);
+    for (int mode = 0; mode < TRACE_MODES; mode++) {
+        options.mode = (enum trace_mode)mode;
+        trace_watched(scene, &options, path);
+    }
+    scene_free(scene);
+    diagnostics_free(&reports);
 }
 
 static void test_scenes(void **state)
@@ -506,6 +533,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_fit_programs),
         cmocka_unit_test(test_cylinders),
         cmocka_unit_test(test_nothing_is_saved_in_vain),
+        cmocka_unit_test(test_adaptive),
         cmocka_unit_test(test_scenes),
         cmocka_unit_test(test_random_solids),
         cmocka_unit_test(test_roots),

@@ -8,6 +8,9 @@
 ; Source: the paper: "the ray/primitive intersections were vectorized".
 
         .include "frame/records.s"
+        .if     ADAPTIVE
+        .include "frame/adaptive.s"
+        .endif
         .include "frame/queue.s"
         .include "light/power_constants.s"
         .reg    link_walk, r133
@@ -23,8 +26,12 @@ frame:
         BSAVE   link_kernel, [target]
         EX      target, trace_levels
         BSAVE   link, [target]
+        .if     ADAPTIVE
+        refine_pixels begin_fine, next_fine, average_fine, end_fine, link_kernel
+        .else
         EX      target, average_1984
         BSAVE   link_kernel, [target]
+        .endif
         EXIT
         .endkernel
 
@@ -69,6 +76,11 @@ frame:
         .include "light/fog_1984.s"
         .endif
         .include "frame/samples.s"
+        .if     ADAPTIVE
+        .include "frame/adaptive_scalar.s"
+        .include "frame/adaptive_1984.s"
+        .else
         .include "frame/average_scalar.s"
         .include "frame/average_1984.s"
+        .endif
         .endshare

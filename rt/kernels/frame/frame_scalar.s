@@ -5,6 +5,9 @@
 ; the same frame bit for bit.
 
         .include "frame/records.s"
+        .if     ADAPTIVE
+        .include "frame/adaptive.s"
+        .endif
         .include "frame/linkage.s"
         .include "frame/vectors_scalar.s"
         .include "light/power_constants.s"
@@ -51,7 +54,14 @@ pixel:          .space 2
 generate_list:  .descriptor 2, pixel
                 .descriptor VIEW_SIZE, view
 generate_place: .word 0
+        .if     ADAPTIVE
+frame_sample_number: .word 0            ; of those that are traced
+        .endif
         .code
+
+        .if     ADAPTIVE
+        .include "frame/places_scalar.s"
+        .endif
 
         .macro  store_sample word
         STO     [main_at], \word
@@ -88,8 +98,20 @@ frame:
         SHIFTI  plane_size, 6, plane_size
         EX      main_at, scene_frame
         LOD     [main_at], plane_at
+        .if     ADAPTIVE
+        load_at scene_wide, 1, width
+        load_place_steps
+        through_middle width, width
+        through_middle row, row
+        through_middle last_row, last_row
+        .endif
 frame_row:
+        .if     ADAPTIVE
+        load_place_steps
+        RTOR    place_first, column
+        .else
         RTOR    m_zero, column
+        .endif
 frame_pixel:
         EX      main_at, pixel
         STO     [main_at], column
@@ -120,15 +142,59 @@ frame_store:
         store_sample main_blue
         store_sample hit_id
         IX      plane_at, 64
+        .if     ADAPTIVE
+        load_at fine_list, 1, main_t
+        IBXNE   main_t, r0, r0, frame_sample_traced
+        load_place_steps
+        ADDN    column, place_step, column
+        CFPLT   column, width, frame_pixel
+        ADDN    row, place_step, row
+        CFPLT   row, last_row, frame_row
+        EX      target, fine_begin
+        BSAVE   link, [target]
+frame_refine:
+        EX      target, fine_next
+        BSAVE   link, [target]
+        load_at fine_rays, 1, plane_size
+        IBXEQ   plane_size, r0, r0, frame_refined
+        EX      main_at, rays_primary
+        LOD     [main_at], main_t
+        ADDX    main_t, plane_size, main_t
+        STO     [main_at], main_t
+        SHIFTI  plane_size, 6, plane_size
+        load_at scene_frame, 1, plane_at
+        ES      main_t, 0
+frame_sample:
+        EX      main_at, frame_sample_number
+        STO     [main_at], main_t
+        through_sample main_t, column, row
+        BIM     frame_pixel
+frame_sample_traced:
+        load_at frame_sample_number, 1, main_t
+        IX      main_t, 1
+        load_at fine_rays, 1, main_at
+        IBXNE   main_t, r0, main_at, frame_sample
+        EX      target, fine_average
+        BSAVE   link, [target]
+        BIM     frame_refine
+frame_refined:
+        EX      target, fine_end
+        BSAVE   link, [target]
+        .else
         ADDN    column, m_one, column
         CFPLT   column, width, frame_pixel
         ADDN    row, m_one, row
         CFPLT   row, last_row, frame_row
         EX      target, average
         BSAVE   link, [target]
+        .endif
         EXIT
         .endkernel
 
         .include "frame/samples.s"
+        .if     ADAPTIVE
+        .include "frame/adaptive_scalar.s"
+        .else
         .include "frame/average_scalar.s"
+        .endif
         .include "solids/unseen_scalar.s"

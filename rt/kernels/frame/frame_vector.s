@@ -7,6 +7,9 @@
 ; and reads the band's planes afterwards.
 
         .include "frame/records.s"
+        .if     ADAPTIVE
+        .include "frame/adaptive.s"
+        .endif
         .include "frame/queue.s"
         .include "light/power_constants.s"
 ; Of pairs_vector.s: so many pairs are taken at a time; the rays of sets of which
@@ -32,8 +35,12 @@ frame:
         BSAVE   link, [target]
         EX      target, trace_levels
         BSAVE   link, [target]
+        .if     ADAPTIVE
+        refine_pixels fine_begin, fine_next, fine_average, fine_end, link
+        .else
         EX      target, average
         BSAVE   link, [target]
+        .endif
         EXIT
         .endkernel
 
@@ -67,7 +74,11 @@ frame:
         .endif
         .include "light/power_vector.s"
         .include "frame/samples.s"
+        .if     ADAPTIVE
+        .include "frame/adaptive_vector.s"
+        .else
         .include "frame/average_vector.s"
+        .endif
         .include "solids/unseen_vector.s"
         .if     FOG
         .include "light/fog_vector.s"

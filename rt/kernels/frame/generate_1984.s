@@ -10,6 +10,10 @@
         .endif
         .endshare
 
+        .if     ADAPTIVE
+        .include "frame/places_scalar.s"
+        .endif
+
         .data
 pixel:          .space 2
 made_ray:       .space 6
@@ -34,8 +38,13 @@ generate:
         .endif
         RTOR    n, loop_count
         ES      loop_index, 0
+        .if     ADAPTIVE
+        load_at scene_wide, 1, width
+        load_place_steps
+        .else
         EX      loop_at, scene_width
         LOD     [loop_at], width
+        .endif
         load_at queue_order, 1, tile_places
         IBXNE   tile_places, r0, r0, generate_tiles
         ADDN    first_pixel, r0, column
@@ -46,8 +55,18 @@ generate:
         SUBN    column, loop_work, column
 generate_next:
         EX      loop_at, pixel
+        .if     ADAPTIVE
+        load_at fine_list, 1, place_list
+        IBXNE   place_list, r0, r0, generate_sample
+        through_middle column, place_column
+        through_middle row, place_down
+generate_aimed:
+        STO     [loop_at], place_column
+        STO     [loop_at, m_index_one], place_down
+        .else
         STO     [loop_at], column
         STO     [loop_at, m_index_one], row
+        .endif
         call    generate_ray, generate_list
         load_at made_ray + 64 * 3, 3, made_dx
         STO     [to_dx, loop_index], made_dx
@@ -78,4 +97,10 @@ generate_tiles:
 generate_next_of_tile:
         tile_pixel generate_same_row
         BIM     generate_same_row
+        .if     ADAPTIVE
+generate_sample:
+        ADDX    first_pixel, loop_index, loop_work
+        through_sample loop_work, place_column, place_down
+        BIM     generate_aimed
+        .endif
         .endkernel

@@ -18,6 +18,10 @@
         .regs   r242, width, first_pixel
         .endshare
 
+        .if     ADAPTIVE
+        .include "frame/places_vector.s"
+        .endif
+
         .macro  direction base, col, row, d
         LINKV
         MPYSV   [w0], \col, [w2]
@@ -33,7 +37,13 @@ generate:
         EX      s0, view + 64 * VIEW_BASE
         ELEN    s0, VIEW_SIZE - VIEW_BASE
         SWAP    [s0], basex, [r0]
+        .if     ADAPTIVE
+        load_word scene_wide, width
+        load_word fine_list, s0
+        IBXNE   s0, r0, r0, generate_samples
+        .else
         load_word scene_width, width
+        .endif
         load_word queue_order, s0
         IBXNE   s0, r0, r0, generate_tile
         load_word scene_first_pixel, first_pixel
@@ -47,6 +57,10 @@ generate:
         MPYSV   [w1], width, [w2]
         SUBNV   [w0], [w2], [w0]
 generate_directions:
+        .if     ADAPTIVE
+        through_middles
+generate_aimed:
+        .endif
         .if     ORTHOGRAPHIC
         direction basex, colx, rowx, aox
         direction basey, coly, rowy, aoy
@@ -74,4 +88,9 @@ generate_tile:
         EX      target, tile_queue
         BSAVE   link_inner, [target]
         BIM     generate_directions
+        .if     ADAPTIVE
+generate_samples:
+        through_samples
+        BIM     generate_aimed
+        .endif
         .endkernel

@@ -218,6 +218,11 @@
         .equ    LENS, 0
         .endif
 
+; 1: pixels that differ from their neighbours get more rays (adaptive.s).
+        .ifndef ADAPTIVE
+        .equ    ADAPTIVE, 0
+        .endif
+
 ; 1: the rays of the camera start at many points.
         .equ    EYES_APART, ORTHOGRAPHIC || LENS
 

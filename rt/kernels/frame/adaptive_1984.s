@@ -1,0 +1,28 @@
+; adaptive_1984.s - more rays for some pixels (adaptive.s), by the scalar program;
+; samples go into queues one after another.  Called by link_kernel.
+
+        .macro  by_scalar_program routine
+        to_scalar
+        EX      target, \routine
+        BSAVE   link, [target]
+        to_vector
+        .endm
+
+        .kernel frame
+begin_fine:
+        by_scalar_program fine_begin
+        BIM     0, link_kernel
+next_fine:
+        by_scalar_program fine_next
+        EX      s0, scene_tiles
+        STO     [s0], r0
+        EX      s0, scene_first_pixel
+        STO     [s0], r0
+        BIM     0, link_kernel
+average_fine:
+        by_scalar_program fine_average
+        BIM     0, link_kernel
+end_fine:
+        by_scalar_program fine_end
+        BIM     0, link_kernel
+        .endkernel

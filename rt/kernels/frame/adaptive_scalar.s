@@ -1,0 +1,313 @@
+; adaptive_scalar.s - more rays for some pixels (adaptive.s), pixel by pixel.  The
+; same operations in the same order as in adaptive_vector.s, whose visits are
+; done in another order with the same result.
+;
+; fine_begin: In: the planes of the first rays.  Out: powers, distances.
+; fine_next: Out: fine_rays, to be traced as the pixels of a band.
+; fine_average: In: their planes.  Out: means, their distances.
+; fine_end: Out: the planes at scene_picture.
+; All are called by link; nothing of a subroutine's registers is wanted any more.
+
+        .share  local
+        .regs   r32, fine_plane, fine_stride, fine_row_step, fine_pixel
+        .regs   r36, fine_end_at, fine_at, fine_there, fine_word, fine_sum
+        .regs   r41, fine_distance_at, fine_limit
+        .endshare
+
+; Address of plane number of a pixel, from that of plane 0 on.
+        .macro  of_plane pixel, number, address
+        ES      \address, \number
+        MPYX    fine_stride, \address, \address
+        ADDX    \address, \pixel, \address
+        .endm
+
+        .macro  load_planes
+        load_at fine_pixels, 1, fine_stride
+        SHIFTI  fine_stride, 6, fine_stride
+        load_at scene_wide, 1, fine_row_step
+        FLR     fine_row_step, fine_row_step
+        SHIFTI  fine_row_step, 6, fine_row_step
+        load_at scene_fine, 1, fine_plane
+        .endm
+
+; The distance of what has the three powers from fine_at on from the pixel at
+; fine_there, in planes step apart; it goes to fine_distance_at.
+        .macro  find_distance step
+        RTOR    m_zero, fine_sum
+        .rept   3
+        LOD     [fine_at], fine_word
+        LOD     [fine_there], third
+        SUBN    fine_word, third, fine_word
+        ABS     fine_word, fine_word
+        ADDN    fine_sum, fine_word, fine_sum
+        ADDX    fine_at, \step, fine_at
+        ADDX    fine_there, fine_stride, fine_there
+        .endr
+        STO     [fine_distance_at], fine_sum
+        .endm
+
+        .kernel average
+fine_begin:
+        load_at scene_frame, 1, fine_at
+        EX      fine_there, scene_pixels
+        LOD     [fine_there], fine_stride
+        EX      fine_there, fine_frame
+        STO     [fine_there], fine_at
+        STO     [fine_there, m_index_one], fine_stride
+        load_at scene_power, 1, exponent
+        load_planes
+        ES      fine_word, 3
+        MPYX    fine_stride, fine_word, fine_end_at
+        ADDX    fine_end_at, fine_at, fine_end_at
+        of_plane fine_plane, FINE_POWERS, fine_there
+fine_power:
+        LOD     [fine_at], p_x
+        power_of_positive
+        STO     [fine_there], p_x
+        IX      fine_at, 64
+        IX      fine_there, 64
+        IBXNE   fine_at, r0, fine_end_at, fine_power
+        RTOR    fine_plane, fine_pixel
+        ADDX    fine_plane, fine_stride, fine_end_at
+fine_distance:
+        RTOR    fine_pixel, fine_at
+        RTOR    fine_pixel, fine_there
+        IX      fine_there, 64
+        of_plane fine_pixel, FINE_DISTANCE, fine_distance_at
+        find_distance fine_stride
+        of_plane fine_pixel, FINE_OF_MEAN, fine_distance_at
+        STO     [fine_distance_at], fine_sum
+        RTOR    fine_pixel, fine_at
+        ADDX    fine_pixel, fine_row_step, fine_there
+        of_plane fine_pixel, FINE_DISTANCE + 1, fine_distance_at
+        find_distance fine_stride
+        of_plane fine_pixel, FINE_OF_MEAN + 1, fine_distance_at
+        STO     [fine_distance_at], fine_sum
+        IX      fine_pixel, 64
+        IBXNE   fine_pixel, r0, fine_end_at, fine_distance
+        BIM     0, link
+
+; ---- The visits ----------------------------------------------------------------
+
+        .share  local
+        .regs   r43, visit_refined, visit_across, visit_down, visit_row_end
+        .regs   r47, visit_list, visit_place, visit_count, visit_traced
+        .regs   r51, visit_two, visit_block
+        .endshare
+
+; Hold the pixel that is visited against a neighbour back from it: in another
+; block if within is 0.
+        .macro  visit_neighbour back, which, within
+        SUBX    fine_pixel, \back, fine_word
+        of_plane fine_word, FINE_REFINED, fine_at
+        of_plane fine_word, FINE_DISTANCE + \which, fine_there
+        IBXEQ   \within, r0, r0, visit_first\@
+        LOD     [fine_at], fine_word
+        IBXEQ   fine_word, r0, r0, visit_first\@
+        ADDX    fine_there, visit_two, fine_there
+visit_first\@:
+        LOD     [fine_there], fine_word
+        CFPLT   fine_word, fine_limit, visit_equal\@
+        ES      visit_refined, 1
+        IBXEQ   \within, r0, r0, visit_equal\@
+        STO     [fine_at], m_index_one
+visit_equal\@:
+        .endm
+
+fine_next:
+        load_planes
+        load_at fine_left, 1, visit_count
+        IBXNE   visit_count, r0, r0, fine_chunk
+        load_at scene_threshold, 1, fine_limit
+        ADDX    fine_stride, fine_stride, visit_two
+        ES      visit_block, FINE_BLOCK
+        of_plane fine_plane, FINE_REFINED, fine_at
+        ADDX    fine_at, fine_stride, fine_end_at
+visit_none:
+        STO     [fine_at], r0
+        IX      fine_at, 64
+        IBXNE   fine_at, r0, fine_end_at, visit_none
+        ADDX    fine_plane, fine_stride, fine_end_at
+        ADDX    fine_plane, fine_row_step, fine_pixel
+        ES      visit_down, 0
+visit_row:
+        ADDX    fine_pixel, fine_row_step, visit_row_end
+        IX      fine_pixel, 64
+        ES      visit_across, 0
+        ES      fourth, 64
+visit_pixel:
+        ES      visit_refined, 0
+        visit_neighbour fourth, 0, visit_across
+        visit_neighbour fine_row_step, 1, visit_down
+        IBXEQ   visit_refined, r0, r0, visit_next
+        of_plane fine_pixel, FINE_REFINED, fine_at
+        STO     [fine_at], m_index_one
+visit_next:
+        IBXNE   visit_across, m_index_one, visit_block, visit_in_block, visit_across
+        ES      visit_across, 0
+visit_in_block:
+        IX      fine_pixel, 64
+        IBXNE   fine_pixel, r0, visit_row_end, visit_pixel
+        IBXNE   visit_down, m_index_one, visit_block, visit_in_rows, visit_down
+        ES      visit_down, 0
+visit_in_rows:
+        IBXNE   fine_pixel, r0, fine_end_at, visit_row
+
+; What is refined and has no mean.
+        of_plane fine_plane, FINE_REFINED, fine_at
+        ADDX    fine_at, fine_stride, fine_end_at
+        of_plane fine_plane, FINE_TRACED, fine_there
+        of_plane fine_plane, FINE_PLACES, visit_list
+        EX      fine_pixel, fine_list
+        STO     [fine_pixel], visit_list
+        EX      fine_pixel, fine_count
+        STO     [fine_pixel], r0
+        ES      visit_place, 0
+        ES      visit_count, 0
+visit_wanted:
+        LOD     [fine_at], fine_word
+        LOD     [fine_there], visit_traced
+        IBXEQ   fine_word, r0, visit_traced, visit_unwanted
+        IBXEQ   fine_word, r0, r0, visit_unwanted
+        STO     [fine_there], m_index_one
+        STO     [visit_list], visit_place
+        IX      visit_list, 64
+        IX      visit_count, 1
+visit_unwanted:
+        IX      visit_place, 1
+        IX      fine_there, 64
+        IX      fine_at, 64
+        IBXNE   fine_at, r0, fine_end_at, visit_wanted
+
+; As many of the list as there is room for the samples of.
+fine_chunk:
+        load_at fine_list, 2, visit_list        ; and how many were traced last
+        SHIFTI  visit_place, 6, visit_place
+        ADDX    visit_list, visit_place, visit_list
+        load_at scene_sampled_pixels, 1, visit_place
+        IBXLE   visit_place, r0, visit_count, fine_some
+        RTOR    visit_count, visit_place
+fine_some:
+        SUBX    visit_count, visit_place, visit_count
+        load_at scene_samples, 1, visit_traced
+        MPYX    visit_traced, visit_traced, visit_traced
+        MPYX    visit_traced, visit_place, visit_traced
+        EX      fine_at, fine_list
+        ELEN    fine_at, 4
+        SWAP    [r0], visit_list, [fine_at]
+        EX      fine_at, scene_pixels
+        STO     [fine_at], visit_traced
+        load_at scene_sampled, 1, fine_word
+        EX      fine_at, scene_frame
+        STO     [fine_at], fine_word
+        BIM     0, link
+
+; ---- Means ---------------------------------------------------------------------
+
+        .share  local
+        .regs   r43, mean_list, mean_left, mean_share, mean_sampled, mean_step
+        .regs   r48, mean_first, mean_samples, mean_samples_left, mean_sample
+        .regs   r52, mean_planes_left, mean_power
+        .endshare
+
+        .data
+mean_powers:    .space 3
+        .code
+
+; A mean's distance from the pixel so far away.
+        .macro  mean_distance away, which
+        EX      fine_at, mean_powers
+        ADDX    fine_pixel, \away, fine_there
+        of_plane fine_pixel, FINE_OF_MEAN + \which, fine_distance_at
+        ES      mean_power, 64
+        find_distance mean_power
+        .endm
+
+fine_average:
+        load_planes
+        load_at scene_power, 1, exponent
+        load_at fine_list, 2, mean_list
+        load_at scene_samples, 1, mean_samples
+        MPYX    mean_samples, mean_samples, mean_samples
+        ADDN    mean_samples, r0, mean_share
+        ADDN    mean_share, m_one, mean_share
+        DIVS    m_one, mean_share, mean_share
+        load_at scene_frame, 1, mean_sampled
+        load_at scene_pixels, 1, mean_step
+        SHIFTI  mean_step, 6, mean_step
+        load_at fine_frame, 1, mean_first
+fine_mean:
+        LOD     [mean_list], fine_pixel
+        SHIFTI  fine_pixel, 6, fine_pixel
+        ADDX    mean_first, fine_pixel, fine_at
+        ADDX    fine_plane, fine_pixel, fine_pixel
+        of_plane fine_pixel, FINE_MEAN, fine_there
+        RTOR    mean_sampled, fine_end_at
+        EX      mean_power, mean_powers
+        ES      mean_planes_left, 3
+fine_mean_plane:
+        LOD     [fine_at], fine_sum
+        RTOR    fine_end_at, mean_sample
+        RTOR    mean_samples, mean_samples_left
+fine_mean_sample:
+        LOD     [mean_sample], fine_word
+        ADDN    fine_sum, fine_word, fine_sum
+        IX      mean_sample, 64
+        IBXNE   mean_samples_left, m_index_minus_one, r0, fine_mean_sample, mean_samples_left
+        MPYS    fine_sum, mean_share, p_x
+        STO     [fine_there], p_x
+        power_of_positive
+        STO     [mean_power], p_x
+        IX      mean_power, 64
+        ADDX    fine_at, fine_stride, fine_at
+        ADDX    fine_there, fine_stride, fine_there
+        ADDX    fine_end_at, mean_step, fine_end_at
+        IBXNE   mean_planes_left, m_index_minus_one, r0, fine_mean_plane, mean_planes_left
+        ES      mean_sample, 64
+        mean_distance mean_sample, 0
+        mean_distance fine_row_step, 1
+        SHIFTI  mean_samples, 6, fine_word
+        ADDX    mean_sampled, fine_word, mean_sampled
+        IX      mean_list, 64
+        IBXNE   mean_left, m_index_minus_one, r0, fine_mean, mean_left
+        BIM     0, link
+
+; ---- The picture ---------------------------------------------------------------
+
+        .share  local
+        .regs   r43, show_refined, show_first, show_picture, show_planes_left
+        .regs   r47, show_row_end, show_mean, show_place
+        .endshare
+
+fine_end:
+        load_planes
+        load_at fine_frame, 1, show_first
+        load_at scene_picture, 1, show_picture
+        of_plane fine_plane, FINE_MEAN, show_mean
+        ES      show_planes_left, FRAME_CHANNELS
+show_plane:
+        of_plane fine_plane, FINE_REFINED, show_refined
+        RTOR    fine_row_step, show_place
+show_row:
+        ADDX    show_place, fine_row_step, show_row_end
+        IX      show_place, 64
+show_pixel:
+        ADDX    show_first, show_place, fine_at
+        ES      fine_there, FRAME_CHANNELS - 3
+        IBXLE   show_planes_left, r0, fine_there, show_word
+        ADDX    show_refined, show_place, fine_there
+        LOD     [fine_there], fine_word
+        IBXEQ   fine_word, r0, r0, show_word
+        ADDX    show_mean, show_place, fine_at
+show_word:
+        LOD     [fine_at], fine_word
+        STO     [show_picture], fine_word
+        IX      show_picture, 64
+        IX      show_place, 64
+        IBXNE   show_place, r0, show_row_end, show_pixel
+        IBXNE   show_place, r0, fine_stride, show_row
+        ADDX    show_first, fine_stride, show_first
+        ADDX    show_mean, fine_stride, show_mean
+        IBXNE   show_planes_left, m_index_minus_one, r0, show_plane, show_planes_left
+        BIM     0, link
+        .endkernel

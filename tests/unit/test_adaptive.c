@@ -1,0 +1,435 @@
+/* test_adaptive.c - more rays for the pixels that differ from their neighbours: by
+ * the plain rule these, and no others, in all forms, orders, bands the same, bit
+ * for bit; what a threshold does not go with. */
+#define SMALL_FRAMES
+#include "tests/oracle/plain_adaptive.h"
+#include "tests/unit/traced_frame.h"
+
+#include <unistd.h>
+
+#define SEEN \
+    "#version 3.7; global_settings { assumed_gamma %s max_trace_level 3 }\n" \
+    "light_source { <4, 9, -7>, rgb 1.5 }\n" \
+    "background { rgb <.1, .2, .3> }\n"
+
+/* Darker than black and brighter than white, too. */
+static void add_thing(char *text, size_t size)
+{
+    static const char *const looks[] = {
+        "pigment { checker rgb 1, rgb <0, .2, 1> scale .6 }",
+        "pigment { gradient x color_map { [0 rgb 1] [1 rgb <.4, 0, .1>] } }",
+        "pigment { rgb <1, .6, .1> } finish { reflection .4 phong 3 }",
+        "pigment { rgbt <.5, 1, 1, .6> } interior { ior 1.3 }",
+        "pigment { rgb 1 } finish { ambient 3 }",
+        "pigment { rgb <-1, .2, .3> } finish { ambient .6 }",
+    };
+
+    add_text(text, size, "%s",
+             among(0, 1) ? "sphere { 0, 1 " : "box { -.7, .7 ");
+    add_text(text, size,
+             "scale <%.2f, %.2f, 1> rotate %.1f*z rotate %.1f*y\n",
+             between(.2, 1.2), between(.1, 1), between(0, 180),
+             between(0, 180));
+    add_text(text, size, "  translate <%.3f, %.3f, %.3f> %s }\n",
+             between(-2, 2), between(-1.5, 1.5), between(-1, 3),
+             looks[among(0, sizeof looks / sizeof *looks - 1)]);
+}
+
+static void add_scene(char *text, size_t size)
+{
+    add_text(text, size, SEEN, among(0, 3) == 0 ? "2.2" : "1");
+    add_text(text, size,
+             "camera { %s location <%.2f, .6, -5> right 4*x up 3*y "
+             "direction 4*z rotate %.1f*z }\n",
+             among(0, 3) == 0 ? "orthographic" : "", between(-.5, .5),
+             between(-20, 20));
+    for (size_t i = among(1, 6); i > 0; i--)
+        add_thing(text, size);
+}
+
+/* ---- The plain rule ------------------------------------------------------ */
+
+static struct frame traced_frame(const struct scene *scene, size_t width,
+                                 size_t height)
+{
+    struct trace_options options = { .mode = TRACE_VECTOR,
+                                     .queue = TRACE_QUEUE,
+                                     .width = width,
+                                     .height = height,
+                                     .model = prior_model };
+    struct trace *trace = run_trace(scene, &options);
+    struct frame frame;
+
+    assert_true(frame_allocate(&frame, width, height));
+    trace_read(trace, 0, &frame);
+    trace_free(trace);
+    return frame;
+}
+
+/* a + s b */
+static void add_scaled(double a[3], double s, const double b[3])
+{
+    for (int i = 0; i < 3; i++)
+        a[i] += s * b[i];
+}
+
+/* See one column more to the left, and one row more above. */
+static void look_beyond(struct camera *camera, double width, double height)
+{
+    double *middle = camera->orthographic ? camera->location
+                                          : camera->direction;
+
+    add_scaled(middle, -.5 / width, camera->right);
+    add_scaled(middle, .5 / height, camera->up);
+    add_scaled(camera->right, 1 / width, camera->right);
+    add_scaled(camera->up, 1 / height, camera->up);
+}
+
+/* The colours that are averaged and compared are the scene's own. */
+static struct plain_refined expect(struct scene *scene,
+                                   const struct trace_options *options,
+                                   struct frame *picture)
+{
+    struct camera camera = scene->camera;
+    double gamma = scene->assumed_gamma;
+    size_t width = options->width + 1, height = options->height + 1;
+    struct frame first, sampled;
+    struct plain_refined refined;
+
+    look_beyond(&scene->camera, (double)options->width,
+                (double)options->height);
+    scene->assumed_gamma = 1;
+    first = traced_frame(scene, width, height);
+    sampled = traced_frame(scene, options->samples * width,
+                           options->samples * height);
+    scene->camera = camera;
+    scene->assumed_gamma = gamma;
+    refined = plain_adaptive(&first, &sampled, options->samples,
+                             options->threshold, gamma, picture);
+    frame_free(&first);
+    frame_free(&sampled);
+    return refined;
+}
+
+static double linear(double colour, double gamma)
+{
+    return colour > 0 ? pow(colour, gamma) : gamma == 1 ? colour : 0;
+}
+
+/* Pixels whose colour is another one. */
+static size_t count_others(const struct frame *expected,
+                           const struct frame *found, double gamma)
+{
+    size_t count = 0;
+
+    for (size_t k = 0; k < found->width * found->height; k++) {
+        double greatest = 0;
+
+        for (int i = CHANNEL_RED; i <= CHANNEL_BLUE; i++)
+            greatest = fmax(greatest,
+                            fabs(linear(expected->channel[i][k], gamma)
+                                 - found->channel[i][k]));
+        count += greatest > 1e-6;
+    }
+    return count;
+}
+
+/* Rays of the camera that bands of whole blocks need: the pixels', and of each
+ * band a column and a row more. */
+static uint64_t first_rays(const struct trace *trace,
+                           const struct trace_options *options)
+{
+    return (options->height + trace_bands(trace)) * (options->width + 1);
+}
+
+static void check_rays(const struct trace *trace,
+                       const struct trace_options *options, size_t refined)
+{
+    size_t each = options->samples * options->samples;
+    uint64_t rays = trace_rays(trace, RAY_PRIMARY);
+    uint64_t sampled = rays - first_rays(trace, options);
+
+    assert_true(rays >= first_rays(trace, options));
+    assert_int_equal(sampled % each, 0);
+    assert_true(sampled / each >= refined);
+    assert_true(sampled / each <= refined + refined / 5 + 8);
+}
+
+/* Those of trace, with rounding on edges. */
+static void check_plain(struct scene *scene, const struct trace *trace,
+                        const struct trace_options *options, const char *text)
+{
+    struct frame expected, found;
+    struct plain_refined refined;
+    size_t others;
+
+    assert_true(frame_allocate(&expected, options->width, options->height));
+    assert_true(frame_allocate(&found, options->width, options->height));
+    refined = expect(scene, options, &expected);
+    trace_read(trace, 0, &found);
+    others = count_others(&expected, &found, scene->assumed_gamma);
+    if (refined.margin > 1e-9 && others > 0)
+        fail_msg("%zu of %zu x %zu pixels are others, threshold %g, samples "
+                 "%zu, in\n%s",
+                 others, options->width, options->height, options->threshold,
+                 options->samples, text);
+    if (refined.margin > 1e-9)
+        check_rays(trace, options, refined.count);
+    frame_free(&expected);
+    frame_free(&found);
+}
+
+/* ---- All forms ----------------------------------------------------------- */
+
+static void check_form(const struct scene *scene,
+                       const struct trace_options *like,
+                       const struct trace *expected, const char *text)
+{
+    struct trace_options options = *like;
+    struct trace *trace;
+
+    options.mode = among(0, 1) ? TRACE_VECTOR : TRACE_KERNELS;
+    options.order = among(0, 1) ? ORDER_ROWS : ORDER_TILES;
+    options.queue = among(0, 2) ? among(100, 2000) : among(1, 60);
+    options.band = among(0, 1) ? 0 : among(1, 4000);
+    options.jobs = among(1, 3);
+    trace = run_trace(scene, &options);
+    if (trace_checksum(trace) != trace_checksum(expected))
+        fail_msg("%s by %s, queue %zu, band %zu, threshold %g, samples %zu: "
+                 "another frame of %zu x %zu of\n%s",
+                 trace_mode_name(options.mode), order_name(options.order),
+                 options.queue, options.band, options.threshold,
+                 options.samples, options.width, options.height, text);
+    if (trace_bands(trace) == trace_bands(expected))
+        for (int kind = 0; kind < RAY_KINDS; kind++)
+            assert_int_equal(trace_rays(trace, kind),
+                             trace_rays(expected, kind));
+    trace_free(trace);
+}
+
+static void test_random(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 40; i++) {
+        char text[3000] = "";
+        struct trace_options options = { .mode = TRACE_SCALAR,
+                                         .width = among(1, 70),
+                                         .height = among(1, 70),
+                                         .samples = among(2, 4),
+                                         .threshold = exp(between(-4, 1)),
+                                         .band = among(1, 5000),
+                                         .model = prior_model };
+        struct scene *scene;
+        struct trace *scalar;
+
+        add_scene(text, sizeof text);
+        scene = read_text(text);
+        scalar = run_trace(scene, &options);
+        check_plain(scene, scalar, &options, text);
+        check_form(scene, &options, scalar, text);
+        check_form(scene, &options, scalar, text);
+        trace_free(scalar);
+        scene_free(scene);
+    }
+}
+
+/* ---- Between one ray and all --------------------------------------------- */
+
+static const char shades[] =
+    "#version 3.7; global_settings { assumed_gamma 1 }\n"
+    "camera { location -5*z } plane { -z, 0 finish { ambient 1 diffuse 0 }\n"
+    "  pigment { gradient <1, 2, 0> color_map { [0 rgb 0] [1 rgb <1, .8, .6>] }\n"
+    "  scale 9 translate <1, -20, 0> } }\n";
+
+static struct trace *trace_with(const struct scene *scene, size_t samples,
+                                double threshold)
+{
+    struct trace_options options = { .mode = TRACE_VECTOR,
+                                     .queue = 300,
+                                     .width = WIDTH,
+                                     .height = HEIGHT,
+                                     .samples = samples,
+                                     .threshold = threshold,
+                                     .model = prior_model };
+
+    return run_trace(scene, &options);
+}
+
+static double red(const struct trace *trace, size_t pixel)
+{
+    return c205_to_double(trace_channel(trace, CHANNEL_RED)[pixel]);
+}
+
+static void check_nearly(double found, double expected)
+{
+    if (fabs(found - expected) > 1e-9)
+        fail_msg("%.12f, not %.12f", found, expected);
+}
+
+/* Where all pixels differ by more than the threshold they have all samples, and the
+ * first ray counts once more; where none does they have that ray. */
+static void test_ends(void **state)
+{
+    struct scene *scene = read_text(shades);
+    struct trace *one = trace_with(scene, 1, 0);
+    struct trace *all = trace_with(scene, 3, 0);
+    struct trace *refined = trace_with(scene, 3, 1e-9);
+    struct trace *first = trace_with(scene, 3, 3);
+    uint64_t first_rays = (WIDTH + 1) * (HEIGHT + 1);
+
+    (void)state;
+    for (size_t k = 0; k < PIXELS; k++) {
+        check_nearly(red(first, k), red(one, k));
+        check_nearly(red(refined, k), .9 * red(all, k) + .1 * red(one, k));
+    }
+    assert_int_equal(trace_rays(first, RAY_PRIMARY), first_rays);
+    assert_int_equal(trace_rays(refined, RAY_PRIMARY),
+                     first_rays + 9 * PIXELS);
+    assert_true(trace_accounts(first)->clocks < trace_accounts(all)->clocks);
+    trace_free(one);
+    trace_free(all);
+    trace_free(refined);
+    trace_free(first);
+    scene_free(scene);
+}
+
+/* Depth, normal and number are those of the ray through the middle, which all
+ * samples have, too. */
+static void test_middles(void **state)
+{
+    char text[3000] = "";
+    struct trace *all, *refined;
+    struct scene *scene;
+
+    (void)state;
+    add_scene(text, sizeof text);
+    scene = read_text(text);
+    all = trace_with(scene, 3, 0);
+    refined = trace_with(scene, 3, .1);
+    for (int i = CHANNEL_BLUE + 1; i < FRAME_CHANNELS; i++)
+        assert_memory_equal(trace_channel(all, (enum frame_channel)i),
+                            trace_channel(refined, (enum frame_channel)i),
+                            PIXELS * sizeof(c205_word));
+    trace_free(all);
+    trace_free(refined);
+    scene_free(scene);
+}
+
+/* ---- What it does not go with -------------------------------------------- */
+
+static void check_refused(const char *text, size_t width, size_t samples,
+                          double threshold, const char *why)
+{
+    struct scene *scene = read_text(text);
+    struct trace_options options = { .mode = TRACE_VECTOR,
+                                     .queue = 300,
+                                     .width = width,
+                                     .height = 1,
+                                     .samples = samples,
+                                     .threshold = threshold,
+                                     .model = prior_model };
+    c205_error error = { "" };
+
+    assert_null(trace_new(scene, &options, &error));
+    if (!strstr(error.message, why))
+        fail_msg("%s, not %s", error.message, why);
+    scene_free(scene);
+}
+
+static void test_refused(void **state)
+{
+    static const char lens[] = "sphere { 0, 1 } camera { location -5*z\n"
+                               "aperture .3 focal_point 0 blur_samples 9 }\n";
+
+    (void)state;
+    check_refused(shades, 9, 0, .3, "needs samples");
+    check_refused(shades, 9, 1, .3, "needs samples");
+    check_refused(shades, 9, 3, -.3, "above 0");
+    check_refused(shades, 9, 3, NAN, "above 0");
+    check_refused(shades, 9, 3, INFINITY, "above 0");
+    check_refused(shades, TRACE_COLUMNS_MOST + 1, 2, .3, "65534 columns");
+    check_refused(lens, 9, 3, .3, "has a lens");
+}
+
+/* ---- Stopped, and gone on with ------------------------------------------- */
+
+struct patience {
+    size_t asked, most;
+};
+
+static bool wait_on(void *context, size_t done, size_t all)
+{
+    struct patience *patience = context;
+
+    assert_true(done <= all);
+    return ++patience->asked < patience->most;
+}
+
+static struct trace *begin_kept(const struct scene *scene, double threshold,
+                                struct patience *patience, const char *path)
+{
+    struct trace_options options = { .mode = TRACE_SCALAR,
+                                     .width = 65,
+                                     .height = 3 * TRACE_BLOCK,
+                                     .samples = 3,
+                                     .threshold = threshold,
+                                     .band = 1,
+                                     .model = prior_model,
+                                     .progress = patience ? wait_on : NULL,
+                                     .context = patience };
+    c205_error error = { "" };
+    struct trace *trace = trace_new(scene, &options, &error);
+
+    if (!trace)
+        fail_msg("%s", error.message);
+    assert_int_equal(trace_bands(trace), 3);
+    if (path && !trace_keep(trace, path, &error)) {
+        assert_non_null(strstr(error.message, "another frame"));
+        trace_free(trace);
+        return NULL;
+    }
+    return trace;
+}
+
+/* Bands are kept whole; of one that is stopped nothing is known. */
+static void test_kept(void **state)
+{
+    char path[] = "/tmp/test_adaptive.XXXXXX";
+    struct scene *scene = read_text(shades);
+    struct patience patience = { 0, SIZE_MAX };
+    struct trace *whole = begin_kept(scene, .02, &patience, NULL), *trace;
+    c205_error error = { "" };
+
+    (void)state;
+    close(mkstemp(path));
+    assert_true(trace_run(whole, &error));
+    patience = (struct patience){ 0, patience.asked * 3 / 4 };
+    trace = begin_kept(scene, .02, &patience, path);
+    assert_false(trace_run(trace, &error));
+    assert_true(trace_bands_done(trace) > 0);
+    assert_int_equal(trace_rows_done(trace),
+                     TRACE_BLOCK * trace_bands_done(trace));
+    trace_free(trace);
+    assert_null(begin_kept(scene, .03, NULL, path));
+    trace = begin_kept(scene, .02, NULL, path);
+    assert_true(trace_bands_done(trace) > 0);
+    assert_true(trace_run(trace, &error));
+    assert_int_equal(trace_checksum(trace), trace_checksum(whole));
+    assert_int_equal(trace_accounts(trace)->clocks,
+                     trace_accounts(whole)->clocks);
+    trace_forget(trace);
+    trace_free(trace);
+    trace_free(whole);
+    scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random),  cmocka_unit_test(test_ends),
+        cmocka_unit_test(test_middles), cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_kept),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
+}
