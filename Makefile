@@ -84,7 +84,7 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 # and as texts, tries a row of the table, compilers.  Those that take longest come first.
 check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
-	check-random check-quartic check-faces check-regions \
+	check-adaptive check-random check-quartic check-faces check-regions \
 	check-lines check-language-scenes check-language check-library \
 	check-commands check-install check-fit wasm-check
 CASES ?= 1000000
@@ -343,6 +343,10 @@ check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
 	@printf '%s\n' $(SCENES) | \
 		xargs -n 1 -P $(JOBS) sh tests/check_scenes.sh $(BUILD)
 
+# More rays where pixels differ, as POV-Ray has it.
+check-adaptive: $(BUILD)/tests/oracle/check_sample $(adapter)
+	sh tests/check_adaptive.sh $(BUILD)
+
 check-language:
 	sh tests/check_language.sh
 
@@ -499,7 +503,8 @@ clean:
 .PHONY: all demo tests check check-long check-rooms check-unit check-programs \
 	check-bugs check-docs check-isa check-arithmetic check-narrow \
 	check-random check-quartic check-planted check-faces check-regions \
-	check-lines check-scenes check-language-scenes check-language check-library \
+	check-lines check-scenes check-adaptive check-language-scenes check-language \
+	check-library \
 	check-samples check-commands check-install \
 	check-hosts check-poison check-timing check-fit fit cover cover-tests wasm-check docs san bench \
 	fuzz fuzz-targets format lint install clean

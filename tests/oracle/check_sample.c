@@ -1,6 +1,6 @@
 /* check_sample.c - what becomes of a scene that somebody else has written.
  *
- *     check_sample SCENE.pov WIDTH HEIGHT
+ *     check_sample SCENE.pov WIDTH HEIGHT [SAMPLES THRESHOLD]
  *
  * Prints one line, of fields with tabs between them:
  *
@@ -13,6 +13,9 @@
  * reported the picture is compared with POV-Ray's of the same file: of PIXELS
  * so many are BEYOND, that is, a channel differs by more than .02.  Exit code
  * 1: POV-Ray made no picture; 2: wrong usage.
+ *
+ * With a threshold both trace more rays for pixels that differ from their
+ * neighbours.
  */
 #include "rt/picture/picture.h"
 #include "rt/scene/language/scene_read.h"
@@ -55,8 +58,10 @@ static void cut(struct frame *frame)
             frame->channel[i][j] = fmax(0, frame->channel[i][j]);
 }
 
-static bool compare(const char *path, const struct frame *frame)
+static bool compare(const char *path, const struct trace_options *options,
+                    const struct frame *frame)
 {
+    const struct antialiasing how = { options->samples, options->threshold };
     size_t pixels = frame->width * frame->height;
     bool *all = malloc(pixels * sizeof *all);
     struct picture_difference difference;
@@ -64,7 +69,9 @@ static bool compare(const char *path, const struct frame *frame)
     struct frame theirs;
 
     if (!all
-        || !run_povray(path, frame->width, frame->height, &theirs, &error)) {
+        || !run_povray(path, frame->width, frame->height,
+                       options->threshold > 0 ? &how : NULL, &theirs,
+                       &error)) {
         printf("\t-\t-\n");
         fprintf(stderr, "%s: %s\n", path, all ? error.message : "no memory");
         free(all);
@@ -101,7 +108,7 @@ static bool tell_trace(const char *path, struct trace *trace,
     }
     trace_read(trace, 0, &frame);
     cut(&frame);
-    good = compare(path, &frame);
+    good = compare(path, options, &frame);
     frame_free(&frame);
     return good;
 }
@@ -150,12 +157,18 @@ int main(int count, char **words)
     c205_model *model;
     bool good;
 
-    if (count != 4) {
-        fputs("usage: check_sample SCENE.pov WIDTH HEIGHT\n", stderr);
+    if (count != 4 && count != 6) {
+        fputs("usage: check_sample SCENE.pov WIDTH HEIGHT "
+              "[SAMPLES THRESHOLD]\n",
+              stderr);
         return 2;
     }
     options.width = strtoul(words[2], NULL, 10);
     options.height = strtoul(words[3], NULL, 10);
+    if (count == 6) {
+        options.samples = strtoul(words[4], NULL, 10);
+        options.threshold = strtod(words[5], NULL);
+    }
     options.model = model = c205_model_find("cyber205-2pipe", &error);
     good = model && tell(words[1], &options);
     c205_model_free(model);

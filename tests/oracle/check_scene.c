@@ -107,7 +107,7 @@ static bool check_povray(const struct frame *expected,
     const char *path = request->scene;
     struct picture_error error;
     struct frame found;
-    if (!run_povray(path, expected->width, expected->height, &found,
+    if (!run_povray(path, expected->width, expected->height, NULL, &found,
                     &error)) {
         fprintf(stderr, "%s\n", error.message);
         return false;

@@ -35,12 +35,25 @@ static void close_workplace(const struct workplace *place)
     rmdir(place->folder);
 }
 
+/* The words that ask for it, without jitter, or for none. */
+static void put_method(const struct antialiasing *how, char words[2][32])
+{
+    if (!how) {
+        strcpy(words[0], "-A");
+        strcpy(words[1], "+R1");
+        return;
+    }
+    snprintf(words[0], sizeof words[0], "+A%.9g", how->threshold);
+    snprintf(words[1], sizeof words[1], "+R%zu", how->samples);
+}
+
 /* In the new process: all that POV-Ray says goes to the log. */
 static void become_povray(const char *scene, size_t width, size_t height,
+                          const struct antialiasing *how,
                           const struct workplace *place)
 {
     char input[LONGEST_PATH], library[LONGEST_PATH];
-    char output[128], wide[32], high[32];
+    char output[128], wide[32], high[32], method[2][32];
     const char *slash = strrchr(scene, '/');
     int folder = slash ? (int)(slash - scene) : 1;
     int log = open(place->log, O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -52,9 +65,11 @@ static void become_povray(const char *scene, size_t width, size_t height,
     snprintf(output, sizeof output, "+O%s", place->picture);
     snprintf(wide, sizeof wide, "+W%zu", width);
     snprintf(high, sizeof high, "+H%zu", height);
-    /* 16-bit PNG whose samples are linear; no display, no antialiasing. */
+    put_method(how, method);
+    /* 16-bit PNG whose samples are linear; no display. */
     execlp("povray", "povray", input, library, output, wide, high, "+FN16",
-           "File_Gamma=1.0", "-D", "-A", "+WT1", (char *)NULL);
+           "File_Gamma=1.0", "-D", "-J", method[0], method[1], "+WT1",
+           (char *)NULL);
     perror("povray");
     _exit(127);
 }
@@ -88,7 +103,8 @@ struct povray {
     pid_t child;
 };
 
-struct povray *povray_begin(const char *scene, size_t width, size_t height,
+static struct povray *begin(const char *scene, size_t width, size_t height,
+                            const struct antialiasing *how,
                             struct picture_error *error)
 {
     struct povray *run = calloc(1, sizeof *run);
@@ -100,8 +116,14 @@ struct povray *povray_begin(const char *scene, size_t width, size_t height,
     }
     run->child = fork();
     if (run->child == 0)
-        become_povray(scene, width, height, &run->place);
+        become_povray(scene, width, height, how, &run->place);
     return run;
+}
+
+struct povray *povray_begin(const char *scene, size_t width, size_t height,
+                            struct picture_error *error)
+{
+    return begin(scene, width, height, NULL, error);
 }
 
 bool povray_end(struct povray *run, struct frame *frame,
@@ -116,8 +138,9 @@ bool povray_end(struct povray *run, struct frame *frame,
 }
 
 bool run_povray(const char *scene, size_t width, size_t height,
-                struct frame *frame, struct picture_error *error)
+                const struct antialiasing *how, struct frame *frame,
+                struct picture_error *error)
 {
-    struct povray *run = povray_begin(scene, width, height, error);
+    struct povray *run = begin(scene, width, height, how, error);
     return run && povray_end(run, frame, error);
 }
