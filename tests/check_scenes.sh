@@ -70,6 +70,15 @@ same_as_others() { # SCENE OPTION OPTION: of check_scene; of the other way, or n
         $other_file
 }
 
+same_stages() { # WHAT SCENE OPTION ..
+    what=$1
+    shift
+    serial=$(checksum "$@" --mode scalar)
+    [ -n "$serial" ] && [ "$(checksum "$@")" = "$serial" ] &&
+        [ "$(checksum "$@" --mode kernels)" = "$serial" ]
+    verdict $? "$1: $what the stages give different frames"
+}
+
 same_frames() { # SCENE: of all stages and queues
     frame=$(checksum "$1" --mode scalar)
     [ -n "$frame" ]
@@ -86,12 +95,10 @@ same_frames() { # SCENE: of all stages and queues
     verdict $? "$1: by rows the vector form gives another frame"
     [ "$(checksum "$1" --mode kernels --order tiles --queue 50)" = "$frame" ]
     verdict $? "$1: the paper's stage by tiles gives another frame"
-    averaged=$(checksum "$1" -W 30 -H 22 --samples 2 --mode scalar)
-    [ -n "$averaged" ] &&
-        [ "$(checksum "$1" -W 30 -H 22 --samples 2)" = "$averaged" ] &&
-        [ "$(checksum "$1" -W 30 -H 22 --samples 2 --mode kernels)" \
-            = "$averaged" ]
-    verdict $? "$1: of four rays a pixel the stages give different frames"
+    same_stages "of four rays a pixel" "$1" -W 30 -H 22 --samples 2
+    grep -q aperture "$1" ||
+        same_stages "of more rays where pixels differ" "$1" -W 34 -H 22 \
+            --samples 2 --threshold .2
     [ "$(checksum "$1" --visible every)" = "$frame" ]
     verdict $? "$1: every crossing of solids gives another frame"
     for mode in scalar vector; do

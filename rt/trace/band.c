@@ -62,7 +62,7 @@ static size_t calls_begun(const c205 *machine)
 static size_t pixels_begun(const struct band_work *work, const c205 *machine,
                            size_t pixels)
 {
-    size_t samples = work->samples > 0 && work->threshold <= 0 ? work->samples
+    size_t samples = work->samples > 0 && work->threshold == 0 ? work->samples
                                                                : 1;
     size_t done = calls_begun(machine) * work->rays_a_call
                   / (samples * samples);

@@ -33,29 +33,27 @@ enum {
      * that are in memory: with twice as many the scalar form, which writes
      * them pixel by pixel, would wait for pages. */
     TRACE_BAND = 32768,
-    /* Pixels across and down of a block of adaptive.s; a band is as many whole
-     * ones, so that its pixels depend on nothing else. */
-    TRACE_BLOCK = 32,
     TRACE_JOBS_MOST = 256
 };
+
+/* With a threshold a pixel has one ray, and the samples besides only if it differs
+ * so much from a neighbour (rt/kernels/frame/adaptive.s).  That is so in blocks of
+ * pixels, across and down; a band is as many whole rows of them. */
+enum { TRACE_BLOCK = 32, TRACE_COLUMNS_MOST = 65534 };
 /* Pixels of a frame: what fits the memory that hosts commonly have. */
 enum { TRACE_SAMPLES_MOST = 16 };
 #define TRACE_PIXELS_MOST ((size_t)1 << 26)
-/* Columns of a frame with a threshold. */
-enum { TRACE_COLUMNS_MOST = 65534 };
 
 struct trace_options {
     enum trace_mode mode;
-    size_t width, height; /* pixels */
-    size_t samples;       /* rays of a pixel, across and down; 0: one */
-    double threshold; /* colours that differ by less have one ray each, only
-                                others get the samples besides (POV-Ray's +A,
-                                rt/kernels/frame/adaptive.s); 0: all get them */
-    size_t queue;     /* rays; not in scalar mode */
-    size_t band;      /* pixels of a band at the most, but one row at
+    size_t width, height;   /* pixels */
+    size_t samples;         /* rays of a pixel, across and down; 0: one */
+    double threshold;       /* see above TRACE_BLOCK; 0: none */
+    size_t queue;           /* rays; not in scalar mode */
+    size_t band;            /* pixels of a band at the most, but one row at
                                 the least; 0: TRACE_BAND */
-    size_t jobs;      /* bands traced at a time; 0: one */
-    bool historical;  /* the paper's ways: to Steiner patches by their
+    size_t jobs;            /* bands traced at a time; 0: one */
+    bool historical;        /* the paper's ways: to Steiner patches by their
                                 implicit quartic, with its falsi; to
                                 cylinders by the distance from the axis */
     const char *variant;    /* a constant more that the kernels know, of a

@@ -207,29 +207,62 @@ static void check_form(const struct scene *scene,
     trace_free(trace);
 }
 
+static void check_scene(const char *text, const struct trace_options *options)
+{
+    struct scene *scene = read_text(text);
+    struct trace *scalar = run_trace(scene, options);
+
+    check_plain(scene, scalar, options, text);
+    check_form(scene, options, scalar, text);
+    check_form(scene, options, scalar, text);
+    trace_free(scalar);
+    scene_free(scene);
+}
+
 static void test_random(void **state)
 {
     (void)state;
-    for (int i = 0; i < 40; i++) {
+    for (int i = 0; i < 30; i++) {
         char text[3000] = "";
-        struct trace_options options = { .mode = TRACE_SCALAR,
-                                         .width = among(1, 70),
-                                         .height = among(1, 70),
-                                         .samples = among(2, 4),
-                                         .threshold = exp(between(-4, 1)),
-                                         .band = among(1, 5000),
-                                         .model = prior_model };
-        struct scene *scene;
-        struct trace *scalar;
+        const struct trace_options options = { .mode = TRACE_SCALAR,
+                                               .width = among(1, 70),
+                                               .height = among(1, 70),
+                                               .samples = among(2, 4),
+                                               .threshold = exp(
+                                                   between(-4, 1)),
+                                               .band = among(1, 5000),
+                                               .model = prior_model };
 
         add_scene(text, sizeof text);
-        scene = read_text(text);
-        scalar = run_trace(scene, &options);
-        check_plain(scene, scalar, &options, text);
-        check_form(scene, &options, scalar, text);
-        check_form(scene, &options, scalar, text);
-        trace_free(scalar);
-        scene_free(scene);
+        check_scene(text, &options);
+    }
+}
+
+/* Stripes as wide as pixels, all of whose first rays are white: what is refined is
+ * darker, so the next one is refined as well, up to the end of its block. */
+static void test_chains(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 6; i++) {
+        char text[3000] = "";
+        const struct trace_options options = { .mode = TRACE_SCALAR,
+                                               .width = 80,
+                                               .height = 6,
+                                               .samples = among(2, 3),
+                                               .threshold = .3,
+                                               .model = prior_model };
+
+        add_text(text, sizeof text,
+                 "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                 "camera { orthographic location -5*z direction z\n"
+                 "  right 80*x up 6*y }\n"
+                 "plane { -z, 0 pigment { gradient x color_map { [.7 rgb 1]\n"
+                 "  [.7 rgb 0] } } finish { ambient 1 } }\n");
+        for (size_t k = among(1, 5); k > 0; k--)
+            add_text(text, sizeof text,
+                     "sphere { <%.2f, %.2f, -2>, .4 pigment { rgb 0 } }\n",
+                     between(-40, 40), between(-3, 3));
+        check_scene(text, &options);
     }
 }
 
@@ -426,9 +459,9 @@ static void test_kept(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),  cmocka_unit_test(test_ends),
-        cmocka_unit_test(test_middles), cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_kept),
+        cmocka_unit_test(test_random),  cmocka_unit_test(test_chains),
+        cmocka_unit_test(test_ends),    cmocka_unit_test(test_middles),
+        cmocka_unit_test(test_refused), cmocka_unit_test(test_kept),
     };
 
     return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);

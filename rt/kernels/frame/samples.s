@@ -1,9 +1,10 @@
 ; samples.s - several rays a pixel, on a regular grid: what the host says of it.
 ;
-; The band is traced as one of scene_samples times as many columns and rows,
-; whatever the form; at the end average_scalar.s or average_vector.s makes its
-; pixels.  Of one pixel, with samples c_ij in rows i and columns j, gamma the
-; scene's assumed_gamma (c above 0, else nothing):
+; Unless only some pixels have them (adaptive.s), the band is traced as one of
+; scene_samples times as many columns and rows, whatever the form; at the end
+; average_scalar.s or average_vector.s makes its pixels.  Of one pixel, with samples
+; c_ij in rows i and columns j, gamma the scene's assumed_gamma (c above 0, else
+; nothing):
 ;
 ;   colour = (c_00^gamma + c_01^gamma + .. + c_10^gamma + ..) (1 / samples^2)
 ;
