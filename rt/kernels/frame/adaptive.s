@@ -4,7 +4,7 @@
 ; First each pixel gets one ray, through its middle, and so do the row above the
 ; band and the column left of it, which are no pixels.  Colours c, c' differ if
 ;
-;   |r^g - r'^g| + |g^g - g'^g| + |b^g - b'^g| >= threshold,  g = assumed_gamma/2.5
+;   |r^p - r'^p| + |g^p - g'^p| + |b^p - b'^p| >= threshold,  p = assumed_gamma/2.5
 ;
 ; (of what is not above 0 the power is 0).  The pixels of a block, 32 across and
 ; down, are visited row by row.  The one that is visited is held against the pixel
@@ -27,7 +27,7 @@
 ;
 ; Of each pixel there are, one plane behind the other:
 ;
-;   FINE_POWERS       r^g, g^g, b^g
+;   FINE_POWERS       r^p, g^p, b^p
 ;   FINE_DISTANCE     from the pixel to the right of it, from that below it, of c
 ;   FINE_OF_MEAN      the same of its mean, where there is one, else of c
 ;   FINE_MEAN         red, green, blue
@@ -35,8 +35,8 @@
 ;   FINE_TRACED       scalar: words that are not 0 if there is a mean; vector: bits
 ;   FINE_REFINED      the same of those that the last visits refined
 ;
-; Source: POV-Ray's documentation of +A, and its pictures; the way to have it in
-; queues is derived here.
+; Source: POV-Ray 3.7, read, and measured on its pictures; the way to have it in queues
+; is derived here.
 
         .equ    FINE_POWERS, 0
         .equ    FINE_DISTANCE, 3
@@ -55,7 +55,7 @@ scene_wide:     .word 0                 ; columns of the first rays, a number
 scene_fine:     .word 0                 ; address of the planes above
 scene_sampled:  .word 0                 ; address of the planes of samples, and of
 scene_sampled_pixels: .word 0           ; how many pixels they hold those
-scene_power:    .word 0.4               ; g
+scene_power:    .word 0.4               ; p
 fine_frame:     .word 0                 ; of the first rays: scene_frame,
 fine_pixels:    .word 0                 ; scene_pixels
 fine_list:      .word 0                 ; address of the places whose samples are
