@@ -1,13 +1,13 @@
-/* font.c - fonts by FreeType, and outlines by straight edges.
+/* font.c - fonts by FreeType, and outlines by parabolas.
  *
- * A curve of the degree n, with no greater second difference of its points than
- * d, becomes so many edges of equal steps that they are nowhere farther from it
- * than FLATNESS:
+ * A TrueType curve is a parabola.  A cubic one with the third difference d of its
+ * points becomes so many parabolas of equal steps, each with the ends and about the
+ * middle of its part, that they are nowhere farther from it than FLATNESS:
  *
- *     n (n - 1) / 8  d / edges^2  <=  FLATNESS
+ *     3^(1/2) / 36  |d| / parts^3  <=  FLATNESS
  *
- * Source: the second derivative of Bernstein's polynomials, and the error of
- * linear interpolation, an eighth of it times the step squared.
+ * Source: the difference of a cubic and the parabola that has its ends and the mean
+ * of its handles told from either, derived here.
  */
 #include "rt/scene/font.h"
 
@@ -20,8 +20,8 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
-#define FLATNESS 1e-4 /* em: a curved side is shaded as a curve's */
-enum { EDGES_MOST = 64 /* of one curve */, TURNS_MOST = 100 };
+#define FLATNESS 1e-5 /* em */
+enum { PARTS_MOST = 16 /* of one curve */, TURNS_MOST = 100 };
 
 /* ---- The library --------------------------------------------------------- */
 
@@ -136,46 +136,72 @@ static bool is_at(const double a[2], const double b[2])
     return a[0] == b[0] && a[1] == b[1];
 }
 
-/* Whether another point of the loop is where this one is. */
-static bool is_repeated(const double (*points)[2], size_t count, size_t which)
+/* Whether another corner of the loop is where this one is. */
+static bool is_repeated(const double (*points)[2], size_t count, size_t apart,
+                        size_t which)
 {
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i += apart)
         if (i != which && is_at(points[i], points[which]))
             return true;
     return false;
 }
 
-void font_turn_loop(double (*points)[2], size_t count)
+static void turn_by_one(double (*points)[2], size_t count)
+{
+    double first[2] = { points[0][0], points[0][1] };
+
+    memmove(points, points + 1, (count - 1) * sizeof *points);
+    memcpy(points[count - 1], first, sizeof first);
+}
+
+void font_turn_loop(double (*points)[2], size_t count, size_t apart)
 {
     const double(*fixed)[2] = (const double(*)[2])points;
     size_t turns = 0;
 
-    while (turns < TURNS_MOST && turns < count
-           && is_repeated(fixed, count, turns))
-        turns++;
-    if (turns == TURNS_MOST || turns == count)
+    while (turns < TURNS_MOST * apart && turns < count
+           && is_repeated(fixed, count, apart, turns))
+        turns += apart;
+    if (turns == TURNS_MOST * apart || turns == count)
         return;
-    for (; turns; turns--) {
-        double first[2] = { points[0][0], points[0][1] };
-        memmove(points, points + 1, (count - 1) * sizeof *points);
-        memcpy(points[count - 1], first, sizeof first);
-    }
+    for (; turns; turns--)
+        turn_by_one(points, count);
 }
 
+static const double *last_point(const struct drawing *drawing)
+{
+    return drawing->glyph->points[drawing->glyph->count - 1];
+}
+
+/* To a point; nothing where it is there already. */
+static bool add_line(struct drawing *drawing, const double to[2])
+{
+    const double *from = last_point(drawing);
+    double middle[2] = { (from[0] + to[0]) / 2, (from[1] + to[1]) / 2 };
+
+    if (is_at(from, to))
+        return true;
+    return (drawing->glyph->apart == 1
+            || add_point(drawing, middle[0], middle[1]))
+           && add_point(drawing, to[0], to[1]);
+}
+
+/* Back to its first point, which stands at the end only when it has its place at the
+ * beginning. */
 static bool close_loop(struct drawing *drawing)
 {
     struct glyph *glyph = drawing->glyph;
-    size_t count = glyph->count - drawing->first;
-    double(*loop)[2];
+    double first[2], (*loop)[2];
 
-    if (count == 0)
+    if (glyph->count == drawing->first)
         return true;
-    loop = glyph->points + drawing->first;
-    if (count > 1 && is_at(loop[0], loop[count - 1])) {
-        count--;
+    memcpy(first, glyph->points[drawing->first], sizeof first);
+    if (!add_line(drawing, first))
+        return false;
+    if (glyph->count > drawing->first + 1)
         glyph->count--;
-    }
-    font_turn_loop(loop, count);
+    loop = glyph->points + drawing->first;
+    font_turn_loop(loop, glyph->count - drawing->first, glyph->apart);
     return add_point(drawing, loop[0][0], loop[0][1]);
 }
 
@@ -190,77 +216,105 @@ static int move_to(const FT_Vector *to, void *context)
                       (double)to->y * drawing->unit);
 }
 
+/* In em. */
+static void point_of(const struct drawing *drawing, const FT_Vector *vector,
+                     double point[2])
+{
+    point[0] = (double)vector->x * drawing->unit;
+    point[1] = (double)vector->y * drawing->unit;
+}
+
 static int line_to(const FT_Vector *to, void *context)
 {
     struct drawing *drawing = context;
+    double end[2];
 
-    return !add_point(drawing, (double)to->x * drawing->unit,
-                      (double)to->y * drawing->unit);
-}
-
-/* Bernstein's polynomials of a curve's points, from the last one drawn on. */
-static double curve_at(const double points[4], int degree, double t)
-{
-    double s = 1 - t;
-
-    return degree == 2
-               ? s * s * points[0] + 2 * s * t * points[1] + t * t * points[2]
-               : s * s * s * points[0] + 3 * s * s * t * points[1]
-                     + 3 * s * t * t * points[2] + t * t * t * points[3];
-}
-
-static int edges_of(const double points[2][4], int degree)
-{
-    double bend = 0, factor = degree * (degree - 1) / 8.;
-    int edges;
-
-    for (int i = 0; i + 2 <= degree; i++) {
-        double second[2];
-        for (int k = 0; k < 2; k++)
-            second[k] = points[k][i] - 2 * points[k][i + 1]
-                        + points[k][i + 2];
-        bend = fmax(bend, hypot(second[0], second[1]));
-    }
-    edges = (int)ceil(sqrt(factor * bend / FLATNESS));
-    return edges < 1 ? 1 : edges > EDGES_MOST ? EDGES_MOST : edges;
-}
-
-static int curve_to(struct drawing *drawing, const FT_Vector *const *to,
-                    int degree)
-{
-    const struct glyph *glyph = drawing->glyph;
-    double points[2][4];
-    int edges;
-
-    for (int k = 0; k < 2; k++)
-        points[k][0] = glyph->points[glyph->count - 1][k];
-    for (int i = 0; i < degree; i++) {
-        points[0][i + 1] = (double)to[i]->x * drawing->unit;
-        points[1][i + 1] = (double)to[i]->y * drawing->unit;
-    }
-    edges = edges_of((const double(*)[4])points, degree);
-    for (int i = 1; i <= edges; i++) {
-        double t = (double)i / edges;
-        if (!add_point(drawing, curve_at(points[0], degree, t),
-                       curve_at(points[1], degree, t)))
-            return 1;
-    }
-    return 0;
+    point_of(drawing, to, end);
+    return !add_line(drawing, end);
 }
 
 static int conic_to(const FT_Vector *by, const FT_Vector *to, void *context)
 {
-    const FT_Vector *const points[] = { by, to };
+    struct drawing *drawing = context;
+    double handle[2], end[2];
 
-    return curve_to(context, points, 2);
+    point_of(drawing, by, handle);
+    point_of(drawing, to, end);
+    if (is_at(last_point(drawing), handle) || is_at(handle, end))
+        return !add_line(drawing, end);
+    return !add_point(drawing, handle[0], handle[1])
+           || !add_point(drawing, end[0], end[1]);
+}
+
+/* Bernstein's polynomials of a cubic curve's points, and their slope. */
+static double cubic_at(const double p[4], double t)
+{
+    double s = 1 - t;
+
+    return s * s * s * p[0] + 3 * s * s * t * p[1] + 3 * s * t * t * p[2]
+           + t * t * t * p[3];
+}
+
+static double cubic_slope(const double p[4], double t)
+{
+    double s = 1 - t;
+
+    return 3
+           * (s * s * (p[1] - p[0]) + 2 * s * t * (p[2] - p[1])
+              + t * t * (p[3] - p[2]));
+}
+
+static int cubic_parts(const double points[2][4])
+{
+    double third[2], parts;
+
+    for (int k = 0; k < 2; k++)
+        third[k] = points[k][3] - 3 * points[k][2] + 3 * points[k][1]
+                   - points[k][0];
+    parts = ceil(cbrt(sqrt(3) / 36 * hypot(third[0], third[1]) / FLATNESS));
+    return parts < 1 ? 1 : parts > PARTS_MOST ? PARTS_MOST : (int)parts;
 }
 
 static int cubic_to(const FT_Vector *by, const FT_Vector *and_by,
                     const FT_Vector *to, void *context)
 {
-    const FT_Vector *const points[] = { by, and_by, to };
+    struct drawing *drawing = context;
+    const FT_Vector *const given[] = { by, and_by, to };
+    double points[2][4];
+    int parts;
 
-    return curve_to(context, points, 3);
+    for (int k = 0; k < 2; k++)
+        points[k][0] = last_point(drawing)[k];
+    for (int i = 0; i < 3; i++) {
+        double point[2];
+        point_of(drawing, given[i], point);
+        points[0][i + 1] = point[0];
+        points[1][i + 1] = point[1];
+    }
+    parts = cubic_parts((const double(*)[4])points);
+    for (int i = 0; i < parts; i++) {
+        double t = (double)i / parts, next = (double)(i + 1) / parts;
+        double handle[2], end[2];
+        for (int k = 0; k < 2; k++) {
+            end[k] = cubic_at(points[k], next);
+            handle[k] = (cubic_at(points[k], t) + end[k]) / 2
+                        + (cubic_slope(points[k], t)
+                           - cubic_slope(points[k], next))
+                              / (4 * parts);
+        }
+        if (!add_point(drawing, handle[0], handle[1])
+            || !add_point(drawing, end[0], end[1]))
+            return 1;
+    }
+    return 0;
+}
+
+static bool is_curved(const FT_Outline *outline)
+{
+    for (int i = 0; i < outline->n_points; i++)
+        if (FT_CURVE_TAG(outline->tags[i]) != FT_CURVE_TAG_ON)
+            return true;
+    return false;
 }
 
 bool font_glyph(const struct font *font, uint32_t character,
@@ -275,8 +329,10 @@ bool font_glyph(const struct font *font, uint32_t character,
     *glyph = (struct glyph){ 0 };
     if (calls->load_glyph(face, calls->char_index(face, character),
                           FT_LOAD_NO_SCALE | FT_LOAD_NO_BITMAP)
-        || face->glyph->format != FT_GLYPH_FORMAT_OUTLINE
-        || calls->decompose(&face->glyph->outline, &functions, &drawing)
+        || face->glyph->format != FT_GLYPH_FORMAT_OUTLINE)
+        return false;
+    glyph->apart = is_curved(&face->glyph->outline) ? 2 : 1;
+    if (calls->decompose(&face->glyph->outline, &functions, &drawing)
         || !close_loop(&drawing) || !add_point(&drawing, 0, 0))
         return false;
     glyph->count--; /* the point more that there is room for */

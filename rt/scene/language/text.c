@@ -7,6 +7,7 @@
 #include "rt/scene/language/string_value.h"
 #include "rt/shapes/shape.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -32,6 +33,29 @@ static struct placement to_character(const double position[3])
     return placement;
 }
 
+/* Its edges are straight.  False: nothing is to be seen of it. */
+static bool make_prism(struct text_reading *text, const struct glyph *glyph,
+                       struct primitive *prism)
+{
+    prism->kind = PRIMITIVE_PRISM;
+    prism->shape.prism.high = text->thickness;
+    prism->shape.prism.path = (struct outline){ glyph->count, glyph->points };
+    return shapes[PRIMITIVE_PRISM]->settle(prism) == NULL;
+}
+
+/* .. parabolas, of which nobody made a spline. */
+static bool make_quadratic_prism(struct text_reading *text,
+                                 const struct glyph *glyph,
+                                 struct primitive *prism)
+{
+    prism->kind = PRIMITIVE_QUADRATIC_PRISM;
+    prism->shape.quadratic_prism.low = fmin(0, text->thickness);
+    prism->shape.quadratic_prism.high = fmax(0, text->thickness);
+    prism->shape.quadratic_prism.path = (struct outline){ glyph->count,
+                                                          glyph->points };
+    return true;
+}
+
 static bool add_glyph(struct text_reading *text, const struct glyph *glyph)
 {
     struct reader *reader = text->reader;
@@ -46,11 +70,9 @@ static bool add_glyph(struct text_reading *text, const struct glyph *glyph)
                             PATH_MOST);
     memset(&one, 0, sizeof one);
     memset(&prism, 0, sizeof prism);
-    prism.kind = PRIMITIVE_PRISM;
-    prism.shape.prism.high = text->thickness;
-    prism.shape.prism.path = (struct outline){ glyph->count, glyph->points };
-    if (shapes[PRIMITIVE_PRISM]->settle(&prism))
-        return true; /* nothing is to be seen of it */
+    if (!(glyph->apart == 1 ? make_prism : make_quadratic_prism)(text, glyph,
+                                                                 &prism))
+        return true;
     done = shape_add(reader, &one, &prism, text->at);
     object_move(&one, &placement);
     done = done
