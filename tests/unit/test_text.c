@@ -168,6 +168,28 @@ static void test_curves(void **state)
     scene_free(scene);
 }
 
+/* This one has small curves at its feet, and else straight edges, some of them slanted:
+ * its corners alone enclose nearly as much. */
+static void test_slanted(void **state)
+{
+    struct scene *scene = read_scene(
+        "text { ttf \"timrom.ttf\" \"A\" 1, 0 }");
+    struct character letter = character_of(scene->primitives);
+    struct path_walk walk = { .path = letter.path, .apart = letter.apart };
+    double curved = 0, straight = 0;
+
+    (void)state;
+    assert_int_equal(letter.apart, 2);
+    while (path_next(&walk)) {
+        const double *from = walk.from;
+        path_next(&walk);
+        curved += area_of(from, from + 2, from + 4);
+        straight += (from[0] * from[5] - from[4] * from[1]) / 2;
+    }
+    assert_close(curved / straight, 1, .02);
+    scene_free(scene);
+}
+
 /* Characters without curves are prisms of straight edges. */
 static void test_straight(void **state)
 {
@@ -267,6 +289,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_extents),
         cmocka_unit_test(test_curves),
+        cmocka_unit_test(test_slanted),
         cmocka_unit_test(test_straight),
         cmocka_unit_test(test_touching_loops),
         cmocka_unit_test(test_modifiers),
