@@ -32,7 +32,7 @@ base_c = $(call c_of,base)
 asm_c = $(call c_of,asm)
 c205_c = $(call c_of,asm/command)
 rt_c = $(call c_of,$(addprefix rt/,scene scene/language shapes layout trace \
-	picture roots study study/sweep study/plot))
+	picture roots heat study study/sweep study/plot))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # What knows observations, and what fits them.
 observing_c = $(addprefix rt/study/fit/,csv.c run.c observations.c constants.c \
@@ -139,7 +139,7 @@ check-long:
 	@sh .ci/need $(test_packages) valgrind dieharder
 	-@$(MAKE) --no-print-directory -k -j $(JOBS) all tests $(BUILD)/fit205
 	@sh tests/run_all.sh "$(MAKE)" $(JOBS) check-docs $(check_parts:check-docs=) \
-		check-poison check-points check-timing check-stream \
+		check-poison check-points check-emission check-timing check-stream \
 		san cover -- check-planted
 
 fit:
@@ -211,7 +211,8 @@ $(BUILD)/vm/number/lanes.o $(BUILD)/vm/number/halves.o \
 
 # The reference of the instructions, and what the pages say is printed.
 shown = $(programs) $(BUILD)/fit205 $(BUILD)/tests/oracle/check_quartic \
-	$(BUILD)/tests/unit/test_points $(BUILD)/tests/bench_lines $(adapter)
+	$(BUILD)/tests/unit/test_points $(BUILD)/tests/unit/test_emission \
+	$(BUILD)/tests/bench_lines $(adapter)
 docs: $(BUILD)/c205 $(shown)
 	$< isa --markdown >$(BUILD)/isa.md
 	@mv $(BUILD)/isa.md docs/isa.md
@@ -323,6 +324,9 @@ check-poison: $(BUILD)/tests/unit/test_poison
 
 check-points: $(BUILD)/tests/unit/test_points
 	$< $(TRIES)
+
+check-emission: $(BUILD)/tests/unit/test_emission
+	$< $$(($(TRIES) / 20))
 
 check-timing: $(BUILD)/tests/unit/test_timing $(BUILD)/tests/unit/test_renaming
 	$(BUILD)/tests/unit/test_timing $(TRIES)
@@ -506,7 +510,7 @@ clean:
 	check-lines check-scenes check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-commands check-install \
-	check-hosts check-poison check-timing check-fit fit cover cover-tests wasm-check docs san bench \
+	check-hosts check-poison check-points check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

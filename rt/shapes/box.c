@@ -48,6 +48,36 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 12;
 }
 
+/* Across axis i, at its greater end or its lesser one. */
+static void emit_face(const double (*corner)[3], int i, int end,
+                      struct emitter *emitter)
+{
+    static const int around[4][2] = {
+        { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }
+    };
+    double corners[4][3];
+
+    for (int k = 0; k < 4; k++) {
+        double *at = corners[end ? k : 3 - k];
+
+        at[i] = corner[end][i];
+        at[(i + 1) % 3] = corner[around[k][0]][(i + 1) % 3];
+        at[(i + 2) % 3] = corner[around[k][1]][(i + 2) % 3];
+    }
+    emitter_add_triangle(emitter, corners[0], corners[1], corners[2]);
+    emitter_add_triangle(emitter, corners[0], corners[2], corners[3]);
+}
+
+static const char *emit(const struct primitive *primitive,
+                        struct emitter *emitter)
+{
+    if (!emitter_begin(emitter, "emit_triangle", 12, TRIANGLE_WORDS))
+        return emitter_no_memory;
+    for (int i = 0; i < 6; i++)
+        emit_face(primitive->shape.box.corner, i / 2, i % 2, emitter);
+    return NULL;
+}
+
 const struct shape shape_box = {
     .fields = fields,
     .settle = settle,
@@ -55,5 +85,6 @@ const struct shape shape_box = {
     .bound = put_bound,
     .words = put_words,
     .region = "box",
+    .emit = emit,
     .kernels = { .kernel = "box", .normal = "normal_box", .segments = 1 },
 };

@@ -70,6 +70,16 @@ static bool is_open(const struct primitive *primitive)
     return primitive->shape.cone.open;
 }
 
+static const char *emit(const struct primitive *primitive,
+                        struct emitter *emitter)
+{
+    return emitter_cone(primitive->shape.cone.base,
+                        primitive->shape.cone.base_radius,
+                        primitive->shape.cone.cap,
+                        primitive->shape.cone.cap_radius,
+                        primitive->shape.cone.open, emitter);
+}
+
 const struct shape shape_cone = {
     .fields = fields,
     .settle = settle,
@@ -77,6 +87,7 @@ const struct shape shape_cone = {
     .bound = put_bound,
     .words = put_words,
     .region = "cone",
+    .emit = emit,
     .kernels = { .kernel = "cone", .normal = "normal_cone", .segments = 1 },
     .is_other = is_open,
     .other = { .kernel = "open_cone",

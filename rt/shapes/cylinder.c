@@ -73,6 +73,16 @@ static bool is_open(const struct primitive *primitive)
     return primitive->shape.cylinder.open;
 }
 
+static const char *emit(const struct primitive *primitive,
+                        struct emitter *emitter)
+{
+    double radius = primitive->shape.cylinder.radius;
+
+    return emitter_cone(primitive->shape.cylinder.base, radius,
+                        primitive->shape.cylinder.cap, radius,
+                        primitive->shape.cylinder.open, emitter);
+}
+
 const struct shape shape_cylinder = {
     .fields = fields,
     .settle = settle,
@@ -80,6 +90,7 @@ const struct shape shape_cylinder = {
     .bound = put_bound,
     .words = put_words,
     .region = "cylinder",
+    .emit = emit,
     .kernels = { .kernel = "cylinder",
                  .normal = "normal_cylinder",
                  .segments = 1,

@@ -41,6 +41,25 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 9;
 }
 
+/* From its edge inwards, about an axis of any length. */
+static const char *emit(const struct primitive *primitive,
+                        struct emitter *emitter)
+{
+    const double *center = primitive->shape.disc.center;
+    const double *normal = primitive->shape.disc.normal;
+    double above[3], below[3], half;
+
+    for (int i = 0; i < 3; i++) {
+        above[i] = center[i] + normal[i];
+        below[i] = center[i] - normal[i];
+    }
+    if (!emitter_about_axis(emitter, below, above, &half))
+        return emitter_no_memory;
+    emitter_add_frustum(emitter, 0, primitive->shape.disc.radius, 0,
+                        primitive->shape.disc.hole);
+    return NULL;
+}
+
 const struct shape shape_disc = {
     .fields = fields,
     .settle = settle,
@@ -49,6 +68,7 @@ const struct shape shape_disc = {
     .endless = true,
     .words = put_words,
     .region = "disc",
+    .emit = emit,
     .kernels = { .kernel = "disc",
                  .normal = "normal_plane",
                  .segments = 1,

@@ -26,12 +26,21 @@ static size_t put_words(const struct primitive *primitive, double *words)
                        primitive->shape.elliptical_torus.axial, words);
 }
 
+static const char *emit(const struct primitive *primitive,
+                        struct emitter *emitter)
+{
+    return emitter_torus(primitive->shape.elliptical_torus.major,
+                         primitive->shape.elliptical_torus.radial,
+                         primitive->shape.elliptical_torus.axial, emitter);
+}
+
 const struct shape shape_elliptical_torus = {
     .fields = fields,
     .settle = shape_as_read,
     .bound = put_bound,
     .words = put_words,
     .region = "torus",
+    .emit = emit,
     .kernels = { .kernel = "elliptical_torus",
                  .normal = "normal_torus",
                  .segments = 2,

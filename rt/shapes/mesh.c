@@ -491,6 +491,21 @@ static bool carry(const struct primitive *primitive, double *words)
     return true;
 }
 
+static const char *emit(const struct primitive *primitive,
+                        struct emitter *emitter)
+{
+    const struct triangles *triangles = &primitive->shape.mesh.triangles;
+
+    if (!emitter_begin(emitter, "emit_triangle", triangles->count,
+                       TRIANGLE_WORDS))
+        return emitter_no_memory;
+    for (size_t i = 0; i < triangles->count; i++)
+        emitter_add_triangle(emitter, triangles->list[i].corners[0],
+                             triangles->list[i].corners[1],
+                             triangles->list[i].corners[2]);
+    return NULL;
+}
+
 const struct shape shape_mesh = {
     .fields = fields,
     .settle = settle,
@@ -505,6 +520,7 @@ const struct shape shape_mesh = {
     .crossings = crossings,
     .has_body = has_body,
     .region = "mesh",
+    .emit = emit,
     .kernels = { .kernel = "mesh",
                  .normal = "normal_smooth_mesh",
                  .solid = "mesh_crossings",

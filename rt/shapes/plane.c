@@ -41,6 +41,14 @@ static bool carry(const struct primitive *primitive, double *words)
     return true;
 }
 
+static const char *emit(const struct primitive *primitive,
+                        struct emitter *emitter)
+{
+    (void)primitive;
+    (void)emitter;
+    return "a plane has no end, and so no emission";
+}
+
 const struct shape shape_plane = {
     .fields = fields,
     .settle = settle,
@@ -49,5 +57,6 @@ const struct shape shape_plane = {
     .words = put_words,
     .carry = carry,
     .region = "plane",
+    .emit = emit,
     .kernels = { .kernel = "plane", .normal = "normal_plane", .segments = 1 },
 };

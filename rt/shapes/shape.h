@@ -8,6 +8,7 @@
 #define RT_SHAPE_H
 
 #include "rt/shapes/bound.h"
+#include "rt/shapes/emitter.h"
 #include "rt/shapes/primitive.h"
 
 /* How closely roots are found, beside the size of the shape. */
@@ -120,6 +121,11 @@ struct shape {
     /* Its words, as above; NULL: the same. */
     size_t (*historical_words)(const struct primitive *primitive,
                                double *words);
+    /* How points are spread over its surface; what it has is freed by who
+     * asks.  Returns why there is nothing of the kind, or NULL.  NULL: its
+     * surface is found by lines alone. */
+    const char *(*emit)(const struct primitive *primitive,
+                        struct emitter *emitter);
 };
 
 #define SHAPE(KIND, name, ...) extern const struct shape shape_##name;

@@ -61,6 +61,19 @@ static bool carry(const struct primitive *primitive, double *words)
     return true;
 }
 
+/* The unit sphere, so many times as large. */
+static const char *emit(const struct primitive *primitive,
+                        struct emitter *emitter)
+{
+    emitter->kernel = "emit_sphere";
+    emitter->area = 4 * PI;
+    for (size_t i = 0; i < 3; i++) {
+        emitter->to_own.rows[i][i] = fabs(primitive->shape.sphere.radius);
+        emitter->to_own.rows[i][3] = primitive->shape.sphere.center[i];
+    }
+    return NULL;
+}
+
 const struct shape shape_sphere = {
     .fields = fields,
     .settle = shape_as_read,
@@ -69,6 +82,7 @@ const struct shape shape_sphere = {
     .words = put_words,
     .carry = carry,
     .region = "sphere",
+    .emit = emit,
     .kernels = { .kernel = "sphere",
                  .normal = "normal_sphere",
                  .segments = 1 },

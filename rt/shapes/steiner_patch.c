@@ -56,6 +56,27 @@ static bool is_historical(const struct primitive *primitive)
     return put_table(primitive, NULL) > STEINER_TABLE;
 }
 
+/* The polynomials K0 .. K5 axis by axis, those of the squares twice. */
+static const char *emit(const struct primitive *primitive,
+                        struct emitter *emitter)
+{
+    static const double times[STEINER_POINTS] = { 1, 1, 1, 2, 1, 2 };
+    double shape[STEINER_SHAPE], table[STEINER_TABLE_MOST];
+
+    steiner_shape(primitive, shape);
+    steiner_table(primitive, table);
+    for (int k = 0; k < STEINER_POINTS; k++) {
+        for (int axis = 0; axis < 3; axis++)
+            emitter->form[6 * axis + k] = times[k] * table[3 * k + axis];
+        emitter->form[18 + k] = times[k] * table[18 + k];
+    }
+    for (int axis = 0; axis < 3; axis++)
+        emitter->to_own.rows[axis][3] = shape[axis];
+    emitter->kernel = "emit_steiner_patch";
+    emitter->area = .5;
+    return NULL;
+}
+
 const struct shape shape_steiner_patch = {
     .fields = fields,
     .settle = settle,
@@ -63,6 +84,7 @@ const struct shape shape_steiner_patch = {
     .words = put_words,
     .table = put_table,
     .region = "steiner",
+    .emit = emit,
     .kernels = { .kernel = "rational_steiner",
                  .normal = "normal_rational_steiner",
                  .solid = "rational_steiner_crossings",

@@ -59,6 +59,14 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return torus_words(primitive->shape.torus.major, minor, minor, words);
 }
 
+static const char *emit(const struct primitive *primitive,
+                        struct emitter *emitter)
+{
+    double minor = primitive->shape.torus.minor;
+
+    return emitter_torus(primitive->shape.torus.major, minor, minor, emitter);
+}
+
 const struct shape shape_torus = {
     .fields = fields,
     .settle = shape_as_read,
@@ -66,6 +74,7 @@ const struct shape shape_torus = {
     .bound = put_bound,
     .words = put_words,
     .region = "torus",
+    .emit = emit,
     .kernels = { .kernel = "torus",
                  .normal = "normal_torus",
                  .segments = 2,

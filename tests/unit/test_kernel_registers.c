@@ -10,6 +10,7 @@
 
 #include "rt/shapes/kernels.h"
 #include "rt/layout/program.h"
+#include "rt/heat/emission.h"
 #include "rt/picture/picture.h"
 #include "rt/roots/roots.h"
 #include "rt/study/speedup.h"
@@ -23,10 +24,12 @@ static size_t scene_count = 15;
 
 /* ---- What the assembler tells ------------------------------------------- */
 
+/* Some begin as the programs of points do. */
 static bool is_program(const struct text *kernel)
 {
     for (const char *const *line = kernel->lines; *line; line++)
-        if (strstr(*line, "        .entry "))
+        if (strstr(*line, "        .entry ")
+            || strstr(*line, "        .include \"points/points_"))
             return true;
     return false;
 }
@@ -81,7 +84,7 @@ static void test_assembled(void **state)
             check_assembled(kernel->name, defines);
         }
     }
-    assert_int_equal(programs, 9);
+    assert_int_equal(programs, 11);
 }
 
 /* The cylinder as it is studied. */
@@ -525,6 +528,46 @@ static void test_points(void **state)
     }
 }
 
+/* ---- Emission ------------------------------------------------------------ */
+
+static void emit_watched(const struct primitive *primitive)
+{
+    static const struct emission_choice choice = { .seed = 3, .m = 10 };
+
+    for (int i = 0; i < 2 * TRACE_FORMS; i++) {
+        const struct emission_options options = {
+            .mode = (enum trace_mode)(i % TRACE_FORMS),
+            .queue = 7,
+            .points = 200,
+            .lattice = i / TRACE_FORMS,
+            .model = prior_model,
+        };
+        c205_error error = { "" };
+        struct emission *emission = emission_new(primitive, &options, &error);
+        c205 *machine = emission ? emission_load(emission, &choice, &error)
+                                 : NULL;
+
+        if (!machine)
+            fail_msg("%s", error.message);
+        run_watched(emission_program(emission), machine, "emission");
+        emission_free(emission);
+    }
+}
+
+/* A shape of each kernel. */
+static void test_emission(void **state)
+{
+    struct scene *scene = read_text(
+        HEAD
+        "sphere { 0, 1 } torus { 1, .3 } cone { 0, 1, y, .5 } box { 0, 1 }"
+        "object { steiner_patch { x, y, z, x + y, y + z, z + x } }");
+
+    (void)state;
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        emit_watched(&scene->primitives[i]);
+    scene_free(scene);
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
@@ -538,6 +581,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_random_solids),
         cmocka_unit_test(test_roots),
         cmocka_unit_test(test_points),
+        cmocka_unit_test(test_emission),
     };
 
     if (argc > 1)

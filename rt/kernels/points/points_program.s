@@ -39,6 +39,13 @@ points_shift:   .word 0
 points_made:    .space POINTS * COORDINATES
         .code
 
+; What comes after the points: who goes on with them has a macro of his own.
+        .ifndef points_done
+        .macro  points_done
+        EXIT
+        .endm
+        .endif
+
         .regs   r10, points_s, points_i, points_log, points_k ; what is given
         .regs   r14, points_at, points_left
         .regs   r20, made0, made1, made2, made3, made4, made5

@@ -36,4 +36,4 @@ points_next:
         .endr
         IBXNE   points_at, stream_one, points_left, points_next, points_at
         .endkernel
-        EXIT
+        points_done

@@ -78,4 +78,4 @@ points_full:
         SUBX    points_left, points_now, points_left
         IBXNE   points_left, r0, r0, points_next
         .endkernel
-        EXIT
+        points_done

@@ -1,0 +1,55 @@
+#include "rt/heat/alias.h"
+
+#include <stdlib.h>
+
+/* Columns with less than an even share, and the others; one list from each end
+ * of the same room. */
+struct columns {
+    size_t *list, scarce, ample, count;
+};
+
+static void put_column(struct columns *columns, const double *share, size_t i)
+{
+    if (share[i] < 1)
+        columns->list[columns->scarce++] = i;
+    else
+        columns->list[columns->count - ++columns->ample] = i;
+}
+
+/* What a column lacks it takes from one that has more. */
+static void fill(struct columns *columns, double *share, size_t *alias)
+{
+    while (columns->scarce > 0 && columns->ample > 0) {
+        size_t poor = columns->list[--columns->scarce];
+        size_t rich = columns->list[columns->count - columns->ample--];
+
+        alias[poor] = rich;
+        share[rich] -= 1 - share[poor];
+        put_column(columns, share, rich);
+    }
+}
+
+bool alias_build(const double *weights, size_t count, double *share,
+                 size_t *alias)
+{
+    struct columns columns = { malloc((count + 1) * sizeof *columns.list), 0,
+                               0, count };
+    double sum = 0;
+
+    if (!columns.list)
+        return false;
+    for (size_t i = 0; i < count; i++)
+        sum += weights[i];
+    for (size_t i = 0; i < count; i++) {
+        alias[i] = i;
+        share[i] = weights[i] * ((double)count / sum);
+        put_column(&columns, share, i);
+    }
+    fill(&columns, share, alias);
+    for (; columns.scarce > 0; columns.scarce--) /* but for roundings */
+        share[columns.list[columns.scarce - 1]] = 1;
+    for (; columns.ample > 0; columns.ample--)
+        share[columns.list[count - columns.ample]] = 1;
+    free(columns.list);
+    return true;
+}

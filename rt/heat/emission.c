@@ -1,0 +1,317 @@
+#include "rt/heat/emission.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/heat/alias.h"
+#include "rt/layout/program.h"
+#include "rt/layout/record.h"
+#include "rt/scene/transform.h"
+#include "rt/scene/vector.h"
+#include "rt/shapes/shape.h"
+
+struct emission {
+    struct emission_options options;
+    struct object *program;
+    c205 *machine;
+    struct image image;    /* what is given, but for the choice */
+    uint64_t choice, made; /* addresses */
+};
+
+static bool fail(c205_error *error, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(error->message, sizeof error->message, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+/* ---- What is given -------------------------------------------------------- */
+
+static double determinant(const struct transform *map)
+{
+    const double(*rows)[4] = map->rows;
+    double product[3];
+
+    cross3(rows[1], rows[2], product);
+    return dot3(rows[0], product);
+}
+
+/* The rows of the transposed inverse. */
+static void put_to_face(struct record *record,
+                        const struct transform *inverse)
+{
+    double words[9];
+
+    for (size_t i = 0; i < 3; i++)
+        for (size_t j = 0; j < 3; j++)
+            words[3 * i + j] = inverse->rows[j][i];
+    record_numbers(record, "EMISSION_TO_FACE", words, 9);
+}
+
+static void put_place(struct record *record,
+                      const struct primitive *primitive,
+                      const struct emitter *emitter)
+{
+    struct transform map = transform_then(&emitter->to_own,
+                                          &primitive->to_world);
+    struct transform inverse;
+    double area = emitter->area * fabs(determinant(&map));
+
+    if (!transform_invert(&map, &inverse))
+        layout_fail(record->layout,
+                    "the object of line %zu has no volume to be moved in",
+                    primitive->line);
+    record_numbers(record, "EMISSION_AREA", &area, 1);
+    record_numbers(record, "EMISSION_TO_WORLD", map.rows[0], 12);
+    put_to_face(record, &inverse);
+}
+
+/* The columns of the table, one behind another: shares, aliases, words. */
+static void fill_columns(const struct emitter *emitter, const double *share,
+                         const size_t *alias, c205_word *columns)
+{
+    size_t count = emitter->piece_count;
+
+    put_numbers(columns, share, count);
+    for (size_t i = 0; i < count; i++) {
+        const double *piece = emitter->pieces + emitter->piece_words * i;
+
+        columns[count + i] = c205_from_integer((int64_t)alias[i]);
+        for (size_t k = 0; k < emitter->piece_words; k++)
+            columns[(2 + k) * count + i] = c205_from_double(piece[k]);
+    }
+}
+
+static size_t table_size(const struct emitter *emitter)
+{
+    return emitter->piece_count > 0
+               ? emitter->piece_count * (2 + emitter->piece_words)
+               : 0;
+}
+
+static void put_pieces(struct record *record, const struct emitter *emitter)
+{
+    size_t count = emitter->piece_count, size = table_size(emitter);
+    double *share = malloc((count + 1) * sizeof *share);
+    size_t *alias = malloc((count + 1) * sizeof *alias);
+    c205_word *columns = malloc((size + 1) * sizeof *columns);
+
+    if (!share || !alias || !columns
+        || !alias_build(emitter->areas, count, share, alias)) {
+        layout_fail(record->layout, "no memory");
+    } else {
+        record_check(record, emitter->pieces, emitter->piece_words * count);
+        fill_columns(emitter, share, alias, columns);
+        record_table(record, "EMISSION_TABLE", columns, size);
+    }
+    record_integer(record, "EMISSION_COUNT", count);
+    free(share);
+    free(alias);
+    free(columns);
+}
+
+static bool lay_out(struct emission *emission,
+                    const struct primitive *primitive,
+                    const struct emitter *emitter, c205_error *error)
+{
+    struct record_layout layout = { .image = &emission->image,
+                                    .program = emission->program,
+                                    .error = error,
+                                    .free = program_end(emission->program) };
+    struct record record;
+
+    record_begin(&record, &layout, "EMISSION_SIZE", 1, table_size(emitter));
+    record.line = primitive->line;
+    layout_word(&layout, "emission_given", record.address);
+    put_place(&record, primitive, emitter);
+    record_numbers(&record, "EMISSION_FORM", emitter->form, EMITTER_FORM);
+    record_routine(&record, "EMISSION_KERNEL", emitter->kernel);
+    if (emitter->piece_count > 0)
+        put_pieces(&record, emitter);
+    record_write(&record);
+    record_end(&record);
+    emission->choice = layout_symbol(&layout, "points_given");
+    emission->made = layout_symbol(&layout, "emission_made");
+    return !layout.failed;
+}
+
+/* ---- The program ---------------------------------------------------------- */
+
+static const char *const programs[TRACE_FORMS] = {
+    [TRACE_SCALAR] = "heat/emission_scalar.s",
+    [TRACE_VECTOR] = "heat/emission_vector.s",
+};
+
+static bool check_options(const struct emission_options *options,
+                          c205_error *error)
+{
+    if (options->mode >= TRACE_FORMS)
+        return fail(error, "emission is scalar or vector");
+    if (options->points < 1 || options->points > EMISSION_MOST)
+        return fail(error, "%zu points: 1 .. %d", options->points,
+                    EMISSION_MOST);
+    if (options->mode == TRACE_VECTOR
+        && (options->queue < 1 || options->queue > EMISSION_MOST))
+        return fail(error, "a queue of %zu points: 1 .. %d", options->queue,
+                    EMISSION_MOST);
+    return true;
+}
+
+static bool assemble(struct emission *emission, c205_error *error)
+{
+    const struct emission_options *options = &emission->options;
+    const struct asm_define defines[] = {
+        { "POINTS", (int64_t)options->points },
+        { "LATTICE", options->lattice },
+        { options->mode == TRACE_VECTOR ? "QUEUE" : NULL,
+          (int64_t)options->queue },
+        { NULL, 0 },
+    };
+
+    emission->program = program_assemble(programs[options->mode], defines,
+                                         error);
+    if (emission->program)
+        emission->machine = c205_new(options->model, error);
+    return emission->machine != NULL;
+}
+
+static const char *find_emitter(const struct primitive *primitive,
+                                struct emitter *emitter)
+{
+    const struct shape *shape = shape_of(primitive);
+
+    *emitter = (struct emitter){ .to_own = placement_none.to_world };
+    return shape->emit ? shape->emit(primitive, emitter)
+                       : "its surface is found by lines alone";
+}
+
+static bool prepare(struct emission *emission,
+                    const struct primitive *primitive, c205_error *error)
+{
+    struct emitter emitter;
+    const char *fault = find_emitter(primitive, &emitter);
+    bool good = !fault && check_options(&emission->options, error)
+                && assemble(emission, error)
+                && lay_out(emission, primitive, &emitter, error);
+
+    if (fault)
+        fail(error, "the %s of line %zu: %s",
+             primitive_kind_name(primitive->kind), primitive->line, fault);
+    emitter_free(&emitter);
+    return good;
+}
+
+struct emission *emission_new(const struct primitive *primitive,
+                              const struct emission_options *options,
+                              c205_error *error)
+{
+    struct emission *emission = calloc(1, sizeof *emission);
+
+    if (!emission) {
+        fail(error, "no memory");
+        return NULL;
+    }
+    emission->options = *options;
+    if (prepare(emission, primitive, error))
+        return emission;
+    emission_free(emission);
+    return NULL;
+}
+
+void emission_free(struct emission *emission)
+{
+    if (!emission)
+        return;
+    image_free(&emission->image);
+    c205_free(emission->machine);
+    object_free(emission->program);
+    free(emission);
+}
+
+/* ---- Runs ----------------------------------------------------------------- */
+
+c205 *emission_load(struct emission *emission,
+                    const struct emission_choice *choice, c205_error *error)
+{
+    /* Integers have the exponent 0. */
+    const c205_word words[] = { choice->seed, choice->first, choice->m,
+                                choice->shift };
+
+    if (!c205_load(emission->machine, &emission->program->program, error)
+        || !image_load(&emission->image, emission->machine, error))
+        return NULL;
+    c205_write(emission->machine, emission->choice, words,
+               sizeof words / sizeof *words);
+    return emission->machine;
+}
+
+/* Planes of the machine's, and where they go in a point. */
+struct plane_field {
+    const char *name;
+    size_t planes, offset;
+};
+
+static bool read_field(const struct emission *emission,
+                       const struct plane_field *field,
+                       struct emitted *points, c205_word *plane)
+{
+    size_t count = emission->options.points;
+    uint64_t first = (uint64_t)object_symbol(emission->program, field->name)
+                         ->value;
+
+    for (size_t k = 0; k < field->planes; k++) {
+        size_t offset = field->offset + k * sizeof *plane;
+
+        if (!c205_read(emission->machine,
+                       emission->made + UINT64_C(64) * count * (first + k),
+                       plane, count))
+            return false;
+        for (size_t i = 0; i < count; i++)
+            memcpy((char *)(points + i) + offset, plane + i, sizeof *plane);
+    }
+    return true;
+}
+
+static bool read_points(const struct emission *emission,
+                        struct emitted *points)
+{
+    static const struct plane_field fields[] = {
+        { "EMITTED_SPOT", 3, offsetof(struct emitted, spot) },
+        { "EMITTED_FACE", 3, offsetof(struct emitted, face) },
+        { "EMITTED_WEIGHT", 1, offsetof(struct emitted, weight) },
+        { "EMITTED_RAY", 3, offsetof(struct emitted, ray) },
+    };
+    c205_word *plane = malloc(emission->options.points * sizeof *plane);
+    bool good = plane != NULL;
+
+    for (size_t i = 0; good && i < sizeof fields / sizeof *fields; i++)
+        good = read_field(emission, &fields[i], points, plane);
+    free(plane);
+    return good;
+}
+
+bool emission_run(struct emission *emission,
+                  const struct emission_choice *choice,
+                  struct emitted *points, c205_error *error)
+{
+    c205 *machine = emission_load(emission, choice, error);
+
+    return machine && program_run(machine, NULL, NULL, NULL, error)
+           && (read_points(emission, points) || fail(error, "no memory"));
+}
+
+const struct object *emission_program(const struct emission *emission)
+{
+    return emission->program;
+}
+
+const c205 *emission_machine(const struct emission *emission)
+{
+    return emission->machine;
+}

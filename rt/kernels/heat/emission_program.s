@@ -1,0 +1,81 @@
+; emission_program.s - what the two programs of emission have in common: points of a
+; surface, the normals there and directions in which it radiates, each made of five
+; numbers in (0, 1).
+;
+; The numbers are those of points/points_program.s, whose constants and inputs are these
+; programs' too; the two programs go on where those of points end:
+;
+;   draw0, draw1   where on a piece of the surface
+;   draw2, draw3   the direction
+;   draw4          which piece
+;
+; Kernels of shapes, by files:
+;
+;   emit_sphere.s  emit_torus.s  emit_frustum.s  emit_triangle.s
+;   emit_steiner_patch.s
+;
+; Each makes a point, a normal and a weight in a space of its own and goes on with
+; carry.s, which goes on with cosine_law.s.
+;
+; In:  emission_given: address of an EMISSION.
+; Out: emission_made: EMITTED_SIZE planes of POINTS words.
+;
+; The mean of the weights is the surface's area.
+
+        .record EMISSION
+        .field  EMISSION_AREA      ; of all the surface, or what a kernel has
+                                ; a weight of, times |det M|
+        .field  EMISSION_TO_WORLD, 12 ; rows of M, three factors and a shift
+        .field  EMISSION_TO_FACE, 9 ; rows of M^-T
+        .field  EMISSION_FORM, 24  ; what the kernel wants of the shape
+        .field  EMISSION_KERNEL    ; its address
+        .field  EMISSION_COUNT     ; of pieces, an integer
+        .field  EMISSION_TABLE     ; address of their columns (pieces.s)
+        .endrecord
+
+        .record EMITTED
+        .field  EMITTED_SPOT, 3    ; the point, in the world
+        .field  EMITTED_FACE, 3    ; its outward normal, of length one
+        .field  EMITTED_WEIGHT     ; an area in the world
+        .field  EMITTED_RAY, 3     ; the direction, of length one
+        .endrecord
+
+; Columns: registers of numbers, or of descriptors.
+        .equ    EMISSION_WORK, 28
+        .reg    column_linked, r91
+        .regs   r92, own_spot_x, own_spot_y, own_spot_z, own_face_x, own_face_y, own_face_z
+        .regs   r98, toil0, toil1, toil2, toil3, toil4, toil5, toil6, toil7, toil8
+        .regs   r107, piece0, piece1, piece2, piece3, piece4, piece5, piece6, piece7, piece8, piece9, piece10, piece11
+        .regs   r119, draw0, draw1, draw2, draw3, draw4
+        .regs   r124, spot_x, spot_y, spot_z, face_x, face_y, face_z, weight, ray_x, ray_y, ray_z
+        .regs   spot_x, emitted0, emitted1, emitted2, emitted3, emitted4, emitted5, emitted6, emitted7, emitted8, emitted9
+
+; What is given, in its order.
+        .regs   r134, emission_area
+        .regs   r135, to_world0, to_world1, to_world2, to_world3, to_world4, to_world5, to_world6, to_world7, to_world8, to_world9, to_world10, to_world11
+        .regs   r147, to_face0, to_face1, to_face2, to_face3, to_face4, to_face5, to_face6, to_face7, to_face8
+        .regs   r156, form0, form1, form2, form3, form4, form5, form6, form7, form8, form9, form10, form11
+        .regs   r168, form12, form13, form14, form15, form16, form17, form18, form19, form20, form21, form22, form23
+        .regs   r180, emission_kernel, emission_count, emission_table
+
+        .regs   r183, emission_pieces, piece_at, piece_stride
+        .regs   r186, emission_link, emission_at, emission_left, column_at, column_stride
+
+        .data
+emission_given: .word 0
+emission_made:  .space POINTS * EMITTED_SIZE
+        .code
+
+        .include "heat/circle.s"
+        .include "heat/pieces.s"
+
+        .macro  emission_begin
+        EX      column_at, emission_given
+        LOD     [column_at], column_at
+        ELEN    column_at, EMISSION_SIZE
+        SWAP    [column_at], emission_area, [r0]
+        circle_load column_at
+        ADDN    emission_count, r0, emission_pieces
+        SHIFTI  emission_count, 6, piece_stride
+        EX      column_stride, 64 * POINTS
+        .endm

@@ -1,0 +1,67 @@
+; emission_vector.s - emission (emission_program.s), in queues.
+
+        .macro  points_done
+        .endm
+        .include "points/points_vector.s"
+        .include "heat/emission_program.s"
+        .include "heat/columns_vector.s"
+
+        .regs   r90, column_bits
+        .regs   r191, emission_now, emission_high
+
+        .data
+emission_bases:
+        .rept   EMISSION_WORK
+        .descriptor 0, emission_store + 64 * QUEUE * \+
+        .endr
+emission_descriptors:
+        .space  EMISSION_WORK
+emission_bits:  .space (QUEUE + 63) / 64
+        .align  64
+emission_store: .space QUEUE * EMISSION_WORK
+        .code
+
+; Planes from the point on that is next, as long as the queue, in registers from first
+; on.
+        .macro  emission_planes planes, count, register
+        EX      column_at, \planes
+        ADDX    column_at, emission_at, column_at
+        ADDLEN  column_at, emission_now, column_at
+        .rept   \count
+        RTOR    column_at, \register
+        ADDX    column_at, column_stride, column_at
+        .endr
+        .endm
+
+        .kernel begin
+        emission_begin
+        EX      emission_left, POINTS
+        ES      emission_at, 0
+        .endkernel
+
+emission_next:
+        .kernel queue
+        RTOR    points_queue, emission_now
+        IBXGE   emission_left, r0, points_queue, emission_full
+        RTOR    emission_left, emission_now
+emission_full:
+        SHIFTI  emission_now, 48, emission_high
+        EX      column_at, emission_bases
+        ELEN    column_at, EMISSION_WORK
+        EX      piece_at, emission_descriptors
+        ELEN    piece_at, EMISSION_WORK
+        ORV     [column_at], emission_high, [piece_at]
+        SWAP    [piece_at], column_linked, [r0]
+        EX      column_bits, emission_bits
+        ADDLEN  column_bits, emission_now, column_bits
+        emission_planes points_made, STREAM_DRAWS, draw\+
+        emission_planes emission_made, EMITTED_SIZE, emitted\+
+        BSAVE   emission_link, [emission_kernel]
+        SHIFTI  emission_now, 6, emission_high
+        ADDX    emission_at, emission_high, emission_at
+        SUBX    emission_left, emission_now, emission_left
+        IBXNE   emission_left, r0, r0, emission_next
+        EXIT
+        .endkernel
+
+        .include "heat/emission_kernels.s"

@@ -1,0 +1,41 @@
+; emit_frustum.s - points of surfaces about the y axis whose outlines are of straight
+; pieces: the sides of cylinders and cones, discs, rings.  All parts of one are alike.
+;
+; A piece begins at the height y0 and the radius r1 and ends at y0 + h and r2:
+;
+;   r = sqrt (r1^2 + u (r2^2 - r1^2)),  l = u (r1 + r2) / (r1 + r)
+;   P = (r cos 2 pi t,  y0 + l h,  r sin 2 pi t)
+;   n = (nr cos 2 pi t,  ny,  nr sin 2 pi t)
+;
+; l, the part of its length, is r - r1 over r2 - r1, but goes to u where they are the same.
+;
+; In:  draw0: u, draw1: t; draw4 and the table: pieces of y0, h, r1, r2, nr, ny;
+;      emission_area.
+; Out: own_spot_x .., own_face_x .., weight; columns.
+; Source: derived here; the area up to l is pi (r^2 - r1^2) over the normal's ny, or the
+; like.
+
+        .kernel emit
+emit_frustum:
+        pick_piece 6
+        column_times piece2, piece2, toil0
+        column_times piece3, piece3, toil1
+        column_plus piece2, piece3, toil5
+        column_minus toil1, toil0, toil1
+        column_times draw0, toil5, toil5
+        column_times draw0, toil1, toil1
+        column_plus toil1, toil0, toil1
+        column_root toil1, toil6                        ; r
+        circle  draw1, own_face_z, own_face_x, toil0, toil1, toil2, toil3, toil4
+        column_plus piece2, toil6, toil0
+        column_over toil5, toil0, toil5                 ; l
+        column_times toil6, own_face_x, own_spot_x
+        column_times toil6, own_face_z, own_spot_z
+        column_times piece4, own_face_x, own_face_x
+        column_times piece4, own_face_z, own_face_z
+        column_copy piece5, own_face_y
+        column_same emission_area, weight
+        column_times toil5, piece1, piece1
+        column_plus piece1, piece0, own_spot_y
+        BIM     emission_carry
+        .endkernel

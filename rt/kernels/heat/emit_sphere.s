@@ -1,0 +1,24 @@
+; emit_sphere.s - points of the unit sphere about the origin, all parts of it alike.
+;
+;   z = 1 - 2 u,  r = 2 sqrt (u (1 - u)),  P = n = (r cos 2 pi t, z, r sin 2 pi t)
+;
+; In:  draw0: u, draw1: t; emission_area.
+; Out: own_spot_x .., own_face_x .., weight; columns.
+; Source: Archimedes, On the sphere and cylinder: a slice's area is its height's.
+
+        .kernel emit
+emit_sphere:
+        column_from column_one, draw0, toil0
+        column_times draw0, toil0, toil5
+        column_minus toil0, draw0, own_spot_y
+        column_root toil5, toil5
+        circle  draw1, own_spot_z, own_spot_x, toil0, toil1, toil2, toil3, toil4
+        column_plus toil5, toil5, toil5                 ; r
+        column_times toil5, own_spot_x, own_spot_x
+        column_times toil5, own_spot_z, own_spot_z
+        column_copy own_spot_x, own_face_x
+        column_copy own_spot_y, own_face_y
+        column_copy own_spot_z, own_face_z
+        column_same emission_area, weight
+        BIM     emission_carry
+        .endkernel

@@ -1,0 +1,32 @@
+; emit_torus.s - points of a torus about the y axis; its tube is an ellipse, of half
+; axes a away from the axis and b along it, at the distance R.
+;
+;   rho = R + a cos 2 pi u,
+;   P = (rho cos 2 pi t,  b sin 2 pi u,  rho sin 2 pi t)
+;   n = (b cos 2 pi u cos 2 pi t,  a sin 2 pi u,  b cos 2 pi u sin 2 pi t)
+;   w = 4 pi^2 rho |n|
+;
+; The normal is not of length one: its length goes into the weight when both are
+; carried into the world.
+;
+; In:  draw0: u, draw1: t; form0: R, form1: a, form2: b; emission_area: 4 pi^2 times
+;      |det M|.
+; Out: own_spot_x .., own_face_x .., weight; columns.
+; Source: textbook, dP/du x dP/dt.
+
+        .kernel emit
+emit_torus:
+        circle  draw0, own_face_y, own_spot_y, toil0, toil1, toil2, toil3, toil4
+        circle  draw1, own_face_z, own_face_x, toil0, toil1, toil2, toil3, toil4
+        column_scale own_spot_y, form1, toil0
+        column_scale own_spot_y, form2, toil1
+        column_scale own_face_y, form2, own_spot_y
+        column_scale own_face_y, form1, own_face_y
+        column_shift toil0, form0, toil0                ; rho
+        column_times toil0, own_face_x, own_spot_x
+        column_times toil0, own_face_z, own_spot_z
+        column_times toil1, own_face_x, own_face_x
+        column_times toil1, own_face_z, own_face_z
+        column_scale toil0, emission_area, weight
+        BIM     emission_carry
+        .endkernel

@@ -1,0 +1,30 @@
+; emit_triangle.s - points of triangles: meshes, and boxes, of two a face.  All parts
+; of one are alike.
+;
+;   s = sqrt u,   P = C + (s - s t) A + s t B
+;
+; In:  draw0: u, draw1: t; draw4 and the table: pieces of a corner C, the edges A and B
+;      from there, the normal, of length one, 3 words each; emission_area.
+; Out: own_spot_x .., own_face_x .., weight; columns.
+; Source: G. Turk, "Generating random points in triangles", Graphics Gems (1990).
+
+        .macro  triangle_axis corner, first, second, normal, axis
+        column_times toil0, \first, \first
+        column_times toil1, \second, \second
+        column_plus \first, \corner, \first
+        column_plus \first, \second, own_spot_\axis
+        column_copy \normal, own_face_\axis
+        .endm
+
+        .kernel emit
+emit_triangle:
+        pick_piece 12
+        column_root draw0, toil0                        ; s
+        column_times toil0, draw1, toil1
+        column_minus toil0, toil1, toil0
+        triangle_axis piece0, piece3, piece6, piece9, x
+        triangle_axis piece1, piece4, piece7, piece10, y
+        triangle_axis piece2, piece5, piece8, piece11, z
+        column_same emission_area, weight
+        BIM     emission_carry
+        .endkernel

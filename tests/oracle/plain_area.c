@@ -1,0 +1,256 @@
+#include "tests/oracle/plain_area.h"
+
+#include <stddef.h>
+
+#include "rt/scene/transform.h"
+#include "tests/oracle/plain_shapes.h"
+
+#define TURN 6.28318530717958647692
+
+/* A point of the primitive's own space: piece number piece, at u and v, each
+ * 0 .. 1. */
+typedef void place_point(const struct primitive *primitive, size_t piece,
+                         double u, double v, double point[3]);
+
+static void cross(const double a[3], const double b[3], double product[3])
+{
+    for (int i = 0; i < 3; i++)
+        product[i] = a[(i + 1) % 3] * b[(i + 2) % 3]
+                     - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+/* ---- The kinds ------------------------------------------------------------ */
+
+static void place_sphere(const struct primitive *primitive, size_t piece,
+                         double u, double v, double point[3])
+{
+    double r = primitive->shape.sphere.radius;
+    const double on[3] = { sin(TURN / 2 * u) * cos(TURN * v),
+                           cos(TURN / 2 * u),
+                           sin(TURN / 2 * u) * sin(TURN * v) };
+
+    (void)piece;
+    add_scaled(point, primitive->shape.sphere.center, r, on);
+}
+
+static void place_on_torus(double major, double radial, double axial,
+                           double u, double v, double point[3])
+{
+    double from_axis = major + radial * cos(TURN * u);
+
+    point[0] = from_axis * cos(TURN * v);
+    point[1] = axial * sin(TURN * u);
+    point[2] = from_axis * sin(TURN * v);
+}
+
+static void place_torus(const struct primitive *primitive, size_t piece,
+                        double u, double v, double point[3])
+{
+    double minor = primitive->shape.torus.minor;
+
+    (void)piece;
+    place_on_torus(primitive->shape.torus.major, minor, minor, u, v, point);
+}
+
+static void place_elliptical_torus(const struct primitive *primitive,
+                                   size_t piece, double u, double v,
+                                   double point[3])
+{
+    (void)piece;
+    place_on_torus(primitive->shape.elliptical_torus.major,
+                   primitive->shape.elliptical_torus.radial,
+                   primitive->shape.elliptical_torus.axial, u, v, point);
+}
+
+/* On a circle about a point, square to an axis. */
+static void place_on_circle(const double center[3], const double axis[3],
+                            double radius, double v, double point[3])
+{
+    double across[3] = { 0, 0, 0 }, first[3], second[3];
+    int least = 0;
+
+    for (int i = 1; i < 3; i++)
+        if (fabs(axis[i]) < fabs(axis[least]))
+            least = i;
+    across[least] = 1;
+    cross(axis, across, first);
+    normalise(first);
+    cross(axis, first, second);
+    normalise(second);
+    add_scaled(point, center, radius * cos(TURN * v), first);
+    add_scaled(point, point, radius * sin(TURN * v), second);
+}
+
+/* The side, and the discs of base and cap. */
+static void place_on_cone(const double base[3], double base_radius,
+                          const double cap[3], double cap_radius,
+                          size_t piece, double u, double v, double point[3])
+{
+    double axis[3], center[3];
+    double along = piece == 0 ? u : piece == 1 ? 0 : 1;
+    double radius = (1 - along) * base_radius + along * cap_radius;
+
+    add_scaled(axis, cap, -1, base);
+    add_scaled(center, base, along, axis);
+    place_on_circle(center, axis, piece == 0 ? radius : radius * u, v, point);
+}
+
+static void place_cone(const struct primitive *primitive, size_t piece,
+                       double u, double v, double point[3])
+{
+    place_on_cone(primitive->shape.cone.base,
+                  primitive->shape.cone.base_radius,
+                  primitive->shape.cone.cap, primitive->shape.cone.cap_radius,
+                  piece, u, v, point);
+}
+
+static void place_cylinder(const struct primitive *primitive, size_t piece,
+                           double u, double v, double point[3])
+{
+    double radius = primitive->shape.cylinder.radius;
+
+    place_on_cone(primitive->shape.cylinder.base, radius,
+                  primitive->shape.cylinder.cap, radius, piece, u, v, point);
+}
+
+static void place_disc(const struct primitive *primitive, size_t piece,
+                       double u, double v, double point[3])
+{
+    double hole = primitive->shape.disc.hole;
+
+    (void)piece;
+    place_on_circle(primitive->shape.disc.center,
+                    primitive->shape.disc.normal,
+                    hole + u * (primitive->shape.disc.radius - hole), v,
+                    point);
+}
+
+static void place_box(const struct primitive *primitive, size_t piece,
+                      double u, double v, double point[3])
+{
+    const double(*corner)[3] = primitive->shape.box.corner;
+    size_t axis = piece / 2, j = (axis + 1) % 3, k = (axis + 2) % 3;
+
+    point[axis] = corner[piece % 2][axis];
+    point[j] = corner[0][j] + u * (corner[1][j] - corner[0][j]);
+    point[k] = corner[0][k] + v * (corner[1][k] - corner[0][k]);
+}
+
+static void place_mesh(const struct primitive *primitive, size_t piece,
+                       double u, double v, double point[3])
+{
+    const double(
+        *corners)[3] = (const double(*)[3])primitive->shape.mesh.triangles
+                           .list[piece]
+                           .corners;
+
+    for (int i = 0; i < 3; i++)
+        point[i] = (1 - u) * corners[0][i]
+                   + u * ((1 - v) * corners[1][i] + v * corners[2][i]);
+}
+
+static void place_steiner_patch(const struct primitive *primitive,
+                                size_t piece, double u, double v,
+                                double point[3])
+{
+    double s = u * (1 - v), t = u * v, rest = 1 - u, sum = 0;
+    const double basis[STEINER_POINTS] = { s * s,        t * t,
+                                           rest * rest,  2 * s * t,
+                                           2 * t * rest, 2 * rest * s };
+
+    (void)piece;
+    point[0] = point[1] = point[2] = 0;
+    for (int k = 0; k < STEINER_POINTS; k++) {
+        double share = basis[k] * primitive->shape.steiner_patch.weights[k];
+
+        sum += share;
+        add_scaled(point, point, share,
+                   primitive->shape.steiner_patch.points[k]);
+    }
+    scale_by(point, 1 / sum);
+}
+
+/* ---- Grids ---------------------------------------------------------------- */
+
+struct surface_grid {
+    const struct primitive *primitive;
+    place_point *place;
+    size_t pieces, cells; /* across each piece, and down */
+};
+
+static struct surface_grid grid_over(const struct primitive *primitive)
+{
+    static place_point *const places[PRIMITIVE_KINDS] = {
+        [PRIMITIVE_SPHERE] = place_sphere,
+        [PRIMITIVE_TORUS] = place_torus,
+        [PRIMITIVE_ELLIPTICAL_TORUS] = place_elliptical_torus,
+        [PRIMITIVE_CYLINDER] = place_cylinder,
+        [PRIMITIVE_CONE] = place_cone,
+        [PRIMITIVE_DISC] = place_disc,
+        [PRIMITIVE_BOX] = place_box,
+        [PRIMITIVE_MESH] = place_mesh,
+        [PRIMITIVE_STEINER_PATCH] = place_steiner_patch,
+    };
+    struct surface_grid grid = { primitive, places[primitive->kind], 1, 100 };
+
+    if (primitive->kind == PRIMITIVE_BOX)
+        grid.pieces = 6;
+    else if (primitive->kind == PRIMITIVE_MESH)
+        grid.pieces = primitive->shape.mesh.triangles.count;
+    else if (primitive->kind == PRIMITIVE_CYLINDER)
+        grid.pieces = primitive->shape.cylinder.open ? 1 : 3;
+    else if (primitive->kind == PRIMITIVE_CONE)
+        grid.pieces = primitive->shape.cone.open ? 1 : 3;
+    return grid;
+}
+
+static void place_in_world(const struct surface_grid *grid, size_t piece,
+                           size_t i, size_t j, double point[3])
+{
+    grid->place(grid->primitive, piece, (double)i / (double)grid->cells,
+                (double)j / (double)grid->cells, point);
+    transform_point(&grid->primitive->to_world, point);
+}
+
+/* A cell as the quadrangle of its corners. */
+static void add_cell(const struct surface_grid *grid, size_t piece, size_t i,
+                     size_t j, struct plain_area *sum)
+{
+    double corner[4][3], diagonals[2][3], product[3], area;
+
+    for (size_t k = 0; k < 4; k++)
+        place_in_world(grid, piece, i + k % 2, j + k / 2, corner[k]);
+    add_scaled(diagonals[0], corner[3], -1, corner[0]);
+    add_scaled(diagonals[1], corner[2], -1, corner[1]);
+    cross(diagonals[0], diagonals[1], product);
+    area = sqrt(dot(product, product)) / 2;
+    sum->area += area;
+    for (size_t k = 0; k < 4; k++)
+        add_scaled(sum->middle, sum->middle, area / 4, corner[k]);
+}
+
+static struct plain_area sum_cells(const struct surface_grid *grid)
+{
+    struct plain_area sum = { 0, { 0, 0, 0 } };
+
+    for (size_t piece = 0; piece < grid->pieces; piece++)
+        for (size_t i = 0; i < grid->cells; i++)
+            for (size_t j = 0; j < grid->cells; j++)
+                add_cell(grid, piece, i, j, &sum);
+    return sum;
+}
+
+/* What is off by the square of a cell's size goes with two grids (Richardson). */
+struct plain_area plain_area(const struct primitive *primitive)
+{
+    struct surface_grid grid = grid_over(primitive);
+    struct plain_area coarse = sum_cells(&grid), fine;
+
+    grid.cells *= 2;
+    fine = sum_cells(&grid);
+    fine.area = (4 * fine.area - coarse.area) / 3;
+    for (int i = 0; i < 3; i++)
+        fine.middle[i] = (4 * fine.middle[i] - coarse.middle[i])
+                         / (3 * fine.area);
+    return fine;
+}

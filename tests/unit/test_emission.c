@@ -1,0 +1,791 @@
+/* test_emission.c - points of surfaces, normals, weights and directions that the
+ * machine makes: on the surface, outward, uniform, and by the cosine law.
+ *
+ *     test_emission [TRIES [SEED]]
+ */
+#include <stdio.h>
+
+#include "base/accounts.h"
+#include "rt/heat/alias.h"
+#include "rt/heat/emission.h"
+#include "rt/scene/transform.h"
+#include "rt/shapes/shape.h"
+#include "tests/oracle/plain_area.h"
+#include "tests/oracle/points.h"
+#include "tests/unit/plain_surface.h"
+#include "tests/unit/prior_model.h"
+
+static size_t tries = 4; /* of each kind */
+static uint64_t state = RANDOM_SEED;
+
+static const enum primitive_kind emitting[] = { PRIMITIVE_SPHERE,
+                                                PRIMITIVE_BOX,
+                                                PRIMITIVE_CYLINDER,
+                                                PRIMITIVE_DISC,
+                                                PRIMITIVE_CONE,
+                                                PRIMITIVE_TORUS,
+                                                PRIMITIVE_ELLIPTICAL_TORUS,
+                                                PRIMITIVE_STEINER_PATCH,
+                                                PRIMITIVE_MESH };
+enum { EMITTING = sizeof emitting / sizeof *emitting };
+
+static double some(double low, double high)
+{
+    return number_between(&state, low, high);
+}
+
+static size_t between(size_t low, size_t high)
+{
+    return (size_t)xorshift_between(&state, (int64_t)low, (int64_t)high);
+}
+
+static void some_place(double point[3])
+{
+    for (int i = 0; i < 3; i++)
+        point[i] = some(-1, 1);
+}
+
+/* ---- Shapes by chance ----------------------------------------------------- */
+
+enum { TRIANGLES = 7 };
+static struct triangle triangle_store[TRIANGLES];
+
+static void draw_mesh(struct primitive *primitive)
+{
+    primitive->shape.mesh.triangles = (struct triangles){
+        between(1, TRIANGLES), triangle_store
+    };
+    for (size_t i = 0; i < primitive->shape.mesh.triangles.count; i++)
+        for (int k = 0; k < 3; k++)
+            some_place(triangle_store[i].corners[k]);
+}
+
+static void draw_patch(struct primitive *primitive)
+{
+    static const double about[STEINER_POINTS][3] = {
+        { 1, 0, 0 },   { 0, 1, 0 },  { 0, 0, 0 },
+        { .5, .5, 0 }, { 0, .5, 0 }, { .5, 0, 0 }
+    };
+
+    for (int k = 0; k < STEINER_POINTS; k++) {
+        for (int i = 0; i < 3; i++)
+            primitive->shape.steiner_patch.points[k][i] = about[k][i]
+                                                          + some(-.2, .2);
+        primitive->shape.steiner_patch.weights[k] = 1;
+    }
+    if (between(0, 1))
+        for (int k = 0; k < STEINER_POINTS; k++)
+            primitive->shape.steiner_patch.weights[k] = some(.5, 2);
+}
+
+static void draw_axis(double base[3], double cap[3])
+{
+    some_place(base);
+    some_place(cap);
+    cap[between(0, 2)] += 1.5;
+}
+
+static void draw_cone(struct primitive *primitive)
+{
+    double radii[2] = { some(.1, 1), some(.1, 1) };
+
+    if (between(0, 2) == 0)
+        radii[between(0, 1)] = 0;
+    draw_axis(primitive->shape.cone.base, primitive->shape.cone.cap);
+    primitive->shape.cone.base_radius = radii[0];
+    primitive->shape.cone.cap_radius = radii[1];
+    primitive->shape.cone.open = between(0, 1);
+}
+
+static void draw_disc(struct primitive *primitive)
+{
+    double radius = some(.3, 1);
+
+    some_place(primitive->shape.disc.center);
+    random_direction(&state, primitive->shape.disc.normal);
+    primitive->shape.disc.radius = radius;
+    primitive->shape.disc.hole = between(0, 1) ? some(.1, .9) * radius : 0;
+}
+
+static void draw_shape(struct primitive *primitive)
+{
+    switch (primitive->kind) {
+    case PRIMITIVE_SPHERE:
+        some_place(primitive->shape.sphere.center);
+        primitive->shape.sphere.radius = some(.2, 1.5);
+        break;
+    case PRIMITIVE_BOX:
+        draw_axis(primitive->shape.box.corner[0],
+                  primitive->shape.box.corner[1]);
+        break;
+    case PRIMITIVE_CYLINDER:
+        draw_axis(primitive->shape.cylinder.base,
+                  primitive->shape.cylinder.cap);
+        primitive->shape.cylinder.radius = some(.1, 1);
+        primitive->shape.cylinder.open = between(0, 1);
+        break;
+    case PRIMITIVE_DISC: draw_disc(primitive); break;
+    case PRIMITIVE_CONE: draw_cone(primitive); break;
+    case PRIMITIVE_TORUS:
+        primitive->shape.torus.major = some(.8, 1.5);
+        primitive->shape.torus.minor = some(.1, .8);
+        break;
+    case PRIMITIVE_ELLIPTICAL_TORUS:
+        primitive->shape.elliptical_torus.major = some(.8, 1.5);
+        primitive->shape.elliptical_torus.radial = some(.1, .8);
+        primitive->shape.elliptical_torus.axial = some(.1, 1);
+        break;
+    case PRIMITIVE_STEINER_PATCH: draw_patch(primitive); break;
+    default: draw_mesh(primitive);
+    }
+}
+
+static void move(struct primitive *primitive,
+                 const struct placement *placement)
+{
+    primitive->to_world = placement->to_world;
+    primitive->to_local = placement->to_local;
+    primitive->transformed = !placement_is_none(placement);
+}
+
+/* Turned, perhaps stretched and mirrored, moved. */
+static void draw_placement(struct primitive *primitive)
+{
+    double scale[3], angles[3], by[3];
+    struct placement placement, step;
+
+    for (int i = 0; i < 3; i++) {
+        scale[i] = some(.5, 2) * (between(0, 4) == 0 ? -1 : 1);
+        angles[i] = some(-180, 180);
+        by[i] = some(-2, 2);
+    }
+    placement = placement_rotation(angles);
+    step = placement_scaling(scale);
+    placement = placement_then(&placement, &step);
+    step = placement_rotation(by);
+    placement = placement_then(&placement, &step);
+    step = placement_translation(by);
+    placement = placement_then(&placement, &step);
+    move(primitive, &placement);
+}
+
+static struct primitive draw_primitive(enum primitive_kind kind)
+{
+    struct primitive primitive = { .kind = kind, .line = 1 };
+
+    draw_shape(&primitive);
+    assert_null(shape_of(&primitive)->settle(&primitive));
+    move(&primitive, &placement_none);
+    if (between(0, 3) > 0)
+        draw_placement(&primitive);
+    return primitive;
+}
+
+/* ---- Emission ------------------------------------------------------------- */
+
+static struct emission *begin(const struct primitive *primitive,
+                              struct emission_options options)
+{
+    c205_error error = { "" };
+    struct emission *emission;
+
+    options.model = prior_model;
+    emission = emission_new(primitive, &options, &error);
+    if (!emission)
+        fail_msg("%s", error.message);
+    return emission;
+}
+
+static void run(struct emission *emission,
+                const struct emission_choice *choice, struct emitted *points)
+{
+    c205_error error = { "" };
+
+    if (!emission_run(emission, choice, points, &error))
+        fail_msg("%s", error.message);
+}
+
+static void emit(const struct primitive *primitive,
+                 struct emission_options options,
+                 struct emission_choice choice, struct emitted *points)
+{
+    struct emission *emission = begin(primitive, options);
+
+    run(emission, &choice, points);
+    emission_free(emission);
+}
+
+enum { POINTS = 4000 };
+static struct emitted emitted[2][EMISSION_MOST];
+
+static struct emission_choice some_choice(void)
+{
+    return (struct emission_choice){ .seed = between(0, 1000000),
+                                     .first = between(0, 1000000),
+                                     .m = 20,
+                                     .shift = between(0, 1000) };
+}
+
+static void read_vector(const c205_word words[3], double vector[3])
+{
+    for (int i = 0; i < 3; i++)
+        vector[i] = c205_to_double(words[i]);
+}
+
+/* ---- On the surface ------------------------------------------------------- */
+
+/* From a place above a point straight down: the crossing at the point, in the
+ * shape's own space.  An edge may be beside it. */
+static bool meets(const struct primitive *primitive, const double spot[3],
+                  const double face[3])
+{
+    struct crossing found[MOST_CROSSINGS];
+    struct ray ray;
+    size_t count;
+
+    copy(ray.direction, face);
+    scale_by(ray.direction, -1);
+    add_scaled(ray.origin, spot, 1e-3, face);
+    transform_point(&primitive->to_local, ray.origin);
+    transform_direction(&primitive->to_local, ray.direction);
+    count = plain_crossings(primitive, &ray, found);
+    for (size_t i = 0; i < count; i++) {
+        double normal[3];
+
+        if (fabs(found[i].distance - 1e-3) > 1e-8)
+            continue;
+        copy(normal, found[i].normal);
+        transform_normal(&primitive->to_local, normal);
+        normalise(normal);
+        if (fabs(fabs(dot(normal, face)) - 1) < 1e-9)
+            return true;
+    }
+    return false;
+}
+
+static bool encloses(const struct primitive *primitive, const double spot[3],
+                     double above, const double face[3])
+{
+    static enclose_point *const in[PRIMITIVE_KINDS] = {
+#define SHAPE(KIND, name, ...) in_##name,
+#include "rt/shapes/shapes.def"
+    };
+    double point[3];
+
+    add_scaled(point, spot, above, face);
+    transform_point(&primitive->to_local, point);
+    return in[primitive->kind](primitive, point);
+}
+
+/* How many points are not found on the surface, or have the wrong side up. */
+static size_t count_astray(const struct primitive *primitive,
+                           const struct emitted *points, size_t count)
+{
+    bool sided = !shape_is_surface(primitive);
+    size_t astray = 0;
+
+    for (size_t i = 0; i < count; i++) {
+        double spot[3], face[3], ray[3];
+
+        read_vector(points[i].spot, spot);
+        read_vector(points[i].face, face);
+        read_vector(points[i].ray, ray);
+        assert_near(dot(face, face), 1, 1e-12);
+        assert_near(dot(ray, ray), 1, 1e-12);
+        assert_true(dot(face, ray) > 0);
+        astray += !meets(primitive, spot, face)
+                  || (sided
+                      && (encloses(primitive, spot, 1e-7, face)
+                          || !encloses(primitive, spot, -1e-7, face)));
+    }
+    return astray;
+}
+
+/* At an edge another surface may be nearer than a ten-millionth. */
+static void check_surface(enum primitive_kind kind)
+{
+    struct primitive primitive = draw_primitive(kind);
+    struct emission_options options = { TRACE_VECTOR, 500, POINTS,
+                                        between(0, 1), NULL };
+
+    emit(&primitive, options, some_choice(), emitted[0]);
+    assert_in_range(count_astray(&primitive, emitted[0], POINTS), 0,
+                    POINTS / 1000);
+}
+
+static void test_surfaces(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < tries * EMITTING; i++)
+        check_surface(emitting[i % EMITTING]);
+}
+
+/* ---- Means ---------------------------------------------------------------- */
+
+struct mean {
+    double count, sum, squares;
+};
+
+static void add_to(struct mean *mean, double value)
+{
+    mean->count++;
+    mean->sum += value;
+    mean->squares += value * value;
+}
+
+/* Within so many standard errors, and what else may be off. */
+static void assert_mean(const struct mean *mean, double expected,
+                        double sigmas, double more)
+{
+    double found = mean->sum / mean->count;
+    double variance = mean->squares / mean->count - found * found;
+
+    assert_near(found, expected,
+                sigmas * sqrt(fmax(variance, 0) / mean->count) + more);
+}
+
+/* Weights: the area; points by their weights: the middle of the surface. */
+static void check_area(enum primitive_kind kind)
+{
+    struct primitive primitive = draw_primitive(kind);
+    struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false,
+                                        NULL };
+    struct plain_area expected = plain_area(&primitive);
+    struct mean area = { 0 }, moments[3] = { { 0 } };
+    double slack = 1e-5 * expected.area;
+
+    emit(&primitive, options, some_choice(), emitted[0]);
+    for (size_t i = 0; i < options.points; i++) {
+        double spot[3], weight = c205_to_double(emitted[0][i].weight);
+
+        read_vector(emitted[0][i].spot, spot);
+        add_to(&area, weight);
+        for (int k = 0; k < 3; k++)
+            add_to(&moments[k], weight * (spot[k] - expected.middle[k]));
+    }
+    assert_mean(&area, expected.area, 4.5, slack);
+    for (int k = 0; k < 3; k++)
+        assert_mean(&moments[k], 0, 4.5, slack);
+}
+
+static void test_areas(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < tries * EMITTING; i++)
+        check_area(emitting[i % EMITTING]);
+}
+
+/* Where all parts of a surface are alike each weight is its area. */
+static void assert_every_weight(const struct primitive *primitive,
+                                double area)
+{
+    struct emission_options options = { TRACE_VECTOR, 100, 100, false, NULL };
+
+    emit(primitive, options, some_choice(), emitted[0]);
+    for (size_t i = 0; i < 100; i++)
+        assert_near(c205_to_double(emitted[0][i].weight), area, 1e-11 * area);
+}
+
+/* Areas of massprops.csv. */
+static void test_exact_areas(void **unused)
+{
+    struct primitive sphere = { .kind = PRIMITIVE_SPHERE,
+                                .shape.sphere = { { .3, -.2, .5 }, 1 } };
+    struct primitive cylinder = { .kind = PRIMITIVE_CYLINDER,
+                                  .shape.cylinder = {
+                                      { 0, 0, 0 }, { 0, 2, 0 }, .5, false } };
+    struct primitive box = { .kind = PRIMITIVE_BOX,
+                             .shape.box = {
+                                 { { -1, -.5, -.25 }, { 1, .5, .25 } } } };
+    struct placement turned = placement_rotation((double[]){ 0, 0, 30 });
+
+    (void)unused;
+    move(&sphere, &placement_none);
+    move(&cylinder, &placement_none);
+    move(&box, &turned);
+    assert_every_weight(&sphere, 12.5663706143592);
+    assert_every_weight(&cylinder, 7.85398163397448);
+    assert_every_weight(&box, 7);
+}
+
+/* The torus of massprops.csv, whose weights are not the same. */
+static void test_torus_area(void **unused)
+{
+    struct primitive torus = { .kind = PRIMITIVE_TORUS,
+                               .shape.torus = { 1, .25 } };
+    struct emission_options options = { TRACE_VECTOR, 2000, 16384, true,
+                                        NULL };
+    struct emission_choice choice = { .seed = 1, .m = 14 };
+    struct mean area = { 0 };
+
+    (void)unused;
+    move(&torus, &placement_none);
+    emit(&torus, options, choice, emitted[0]);
+    for (size_t i = 0; i < options.points; i++)
+        add_to(&area, c205_to_double(emitted[0][i].weight));
+    assert_near(area.sum / area.count, 9.86960440108936, 1e-9);
+}
+
+/* ---- The circle, and the cosine law ---------------------------------------- */
+
+/* A sphere's points and directions against their formulas in long doubles. */
+static void test_accuracy(void **unused)
+{
+    struct primitive sphere = { .kind = PRIMITIVE_SPHERE,
+                                .shape.sphere = { { 0, 0, 0 }, 1 } };
+    struct emission_options options = { TRACE_VECTOR, 2000, 20000, false,
+                                        NULL };
+    struct emission_choice choice = some_choice();
+    static const long double turn = 6.283185307179586476925286766559L;
+    double most = 0;
+
+    (void)unused;
+    move(&sphere, &placement_none);
+    emit(&sphere, options, choice, emitted[0]);
+    for (size_t i = 0; i < options.points; i++) {
+        long double u = stream_word(choice.seed, choice.first + i, 0)
+                        * 0x1p-47L;
+        long double t = stream_word(choice.seed, choice.first + i, 1)
+                        * 0x1p-47L;
+        long double r = 2 * sqrtl(u * (1 - u));
+        const c205_word *spot = emitted[0][i].spot;
+
+        most = fmax(most, (double)fabsl(c205_to_double(spot[0])
+                                        - r * cosl(turn * t)));
+        most = fmax(most,
+                    (double)fabsl(c205_to_double(spot[1]) - (1 - 2 * u)));
+        most = fmax(most, (double)fabsl(c205_to_double(spot[2])
+                                        - r * sinl(turn * t)));
+    }
+    print_message("points of the unit circle: off by %.1e at the most\n",
+                  most);
+    assert_true(most < 3e-13);
+}
+
+/* D . n = sqrt (1 - u) of the third number, exactly that of the law. */
+static void check_cosines(const struct emission_choice *choice,
+                          const struct emitted *points, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        double face[3], ray[3];
+        double u = (double)stream_word(choice->seed, choice->first + i, 2)
+                   * 0x1p-47;
+
+        read_vector(points[i].face, face);
+        read_vector(points[i].ray, ray);
+        assert_near(dot(face, ray), sqrt(1 - u), 1e-12);
+    }
+}
+
+/* The mean of D is 2/3 n, that of D D^T is (1 + n n^T) / 4. */
+static void check_moments(const struct emitted *points, size_t count)
+{
+    struct mean first[3] = { { 0 } }, second[3][3] = { { { 0 } } };
+
+    for (size_t i = 0; i < count; i++) {
+        double face[3], ray[3];
+
+        read_vector(points[i].face, face);
+        read_vector(points[i].ray, ray);
+        for (int j = 0; j < 3; j++) {
+            add_to(&first[j], ray[j] - face[j] * 2 / 3);
+            for (int k = 0; k <= j; k++)
+                add_to(&second[j][k],
+                       ray[j] * ray[k] - ((j == k) + face[j] * face[k]) / 4);
+        }
+    }
+    for (int j = 0; j < 3; j++) {
+        assert_mean(&first[j], 0, 4.5, 0);
+        for (int k = 0; k <= j; k++)
+            assert_mean(&second[j][k], 0, 4.5, 0);
+    }
+}
+
+static void test_cosine_law(void **unused)
+{
+    struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false,
+                                        NULL };
+
+    (void)unused;
+    for (size_t i = 0; i < tries * EMITTING; i++) {
+        struct primitive primitive = draw_primitive(emitting[i % EMITTING]);
+        struct emission_choice choice = some_choice();
+
+        emit(&primitive, options, choice, emitted[0]);
+        check_cosines(&choice, emitted[0], options.points);
+        check_moments(emitted[0], options.points);
+    }
+}
+
+/* ---- Both forms ------------------------------------------------------------ */
+
+/* The scalar form at once, the vector form in two pieces and other queues. */
+static void compare_forms(enum primitive_kind kind)
+{
+    struct primitive primitive = draw_primitive(kind);
+    size_t count = between(2, 3000), cut = between(1, count - 1);
+    struct emission_options options = { TRACE_SCALAR, 0, count, between(0, 1),
+                                        NULL };
+    struct emission_choice choice = some_choice();
+
+    choice.first %= 1048576 - count;
+    emit(&primitive, options, choice, emitted[0]);
+    options.mode = TRACE_VECTOR;
+    options.points = cut;
+    options.queue = between(1, 3000);
+    emit(&primitive, options, choice, emitted[1]);
+    options.points = count - cut;
+    options.queue = between(1, 3000);
+    choice.first += cut;
+    emit(&primitive, options, choice, emitted[1] + cut);
+    assert_memory_equal(emitted[0], emitted[1], count * sizeof **emitted);
+}
+
+static void test_forms(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < 2 * tries * EMITTING; i++)
+        compare_forms(emitting[i % EMITTING]);
+}
+
+/* ---- Factors --------------------------------------------------------------- */
+
+/* From a disc about y, at y = 0, to a place at the height h: the share of the rays
+ * that come through what lies within. */
+static double share_through(const struct primitive *primitive, double height,
+                            bool (*within)(const double point[3]))
+{
+    struct emission_options options = { TRACE_VECTOR, 2000, 60000, false,
+                                        NULL };
+    size_t through = 0;
+
+    emit(primitive, options, some_choice(), emitted[0]);
+    for (size_t i = 0; i < options.points; i++) {
+        double spot[3], ray[3];
+
+        read_vector(emitted[0][i].spot, spot);
+        read_vector(emitted[0][i].ray, ray);
+        add_scaled(spot, spot, (height - spot[1]) / ray[1], ray);
+        through += within(spot);
+    }
+    return (double)through / (double)options.points;
+}
+
+static void assert_share(double found, double expected)
+{
+    assert_near(found, expected, 4 * sqrt(expected * (1 - expected) / 60000));
+}
+
+static bool in_square(const double point[3])
+{
+    return point[0] >= 0 && point[0] <= 1 && point[2] >= 0 && point[2] <= 1;
+}
+
+static bool in_less(const double point[3])
+{
+    return point[0] * point[0] + point[2] * point[2] <= .6 * .6;
+}
+
+static bool in_unit(const double point[3])
+{
+    return point[0] * point[0] + point[2] * point[2] <= 1;
+}
+
+/* Factors of viewfactors.csv. */
+static void test_factors(void **unused)
+{
+    struct triangle halves[2] = {
+        { .corners = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 1 } } },
+        { .corners = { { 0, 0, 0 }, { 1, 0, 1 }, { 1, 0, 0 } } },
+    };
+    struct primitive square = { .kind = PRIMITIVE_MESH,
+                                .shape.mesh.triangles = { 2, halves } };
+    struct primitive disc = { .kind = PRIMITIVE_DISC,
+                              .shape.disc = {
+                                  { 0, 0, 0 }, { 0, 1, 0 }, 1, 0 } };
+
+    (void)unused;
+    move(&square, &placement_none);
+    move(&disc, &placement_none);
+    assert_share(share_through(&square, 1, in_square), 0.1998248956984);
+    assert_share(share_through(&disc, .9, in_less), 0.1809950221376);
+    assert_share(share_through(&disc, 1, in_unit), 0.3819660112501);
+}
+
+/* ---- What is refused -------------------------------------------------------- */
+
+static void assert_no_emission(const struct primitive *primitive,
+                               struct emission_options options,
+                               const char *message)
+{
+    c205_error error = { "" };
+
+    options.model = prior_model;
+    assert_null(emission_new(primitive, &options, &error));
+    if (!strstr(error.message, message))
+        fail_msg("\"%s\" does not say \"%s\"", error.message, message);
+}
+
+static bool emits(enum primitive_kind kind)
+{
+    for (size_t i = 0; i < EMITTING; i++)
+        if (emitting[i] == kind)
+            return true;
+    return false;
+}
+
+static void test_refused(void **unused)
+{
+    struct primitive primitive = { .kind = PRIMITIVE_TORUS,
+                                   .line = 7,
+                                   .shape.torus = { 1, 2 } };
+    struct emission_options options = { TRACE_VECTOR, 10, 10, false, NULL };
+
+    (void)unused;
+    move(&primitive, &placement_none);
+    assert_no_emission(&primitive, options,
+                       "the torus of line 7: a torus that meets itself");
+    primitive.kind = PRIMITIVE_PLANE;
+    assert_no_emission(&primitive, options,
+                       "the plane of line 7: a plane has no end");
+    for (int kind = 0; kind < PRIMITIVE_KINDS; kind++)
+        if (!emits((enum primitive_kind)kind) && kind != PRIMITIVE_PLANE) {
+            primitive.kind = (enum primitive_kind)kind;
+            assert_no_emission(&primitive, options,
+                               "its surface is found by lines alone");
+        }
+}
+
+static void test_options(void **unused)
+{
+    struct primitive primitive = draw_primitive(PRIMITIVE_SPHERE);
+
+    (void)unused;
+    assert_no_emission(&primitive,
+                       (struct emission_options){ TRACE_KERNELS, 10, 10,
+                                                  false, NULL },
+                       "scalar or vector");
+    assert_no_emission(&primitive,
+                       (struct emission_options){ TRACE_SCALAR, 0, 0, false,
+                                                  NULL },
+                       "0 points");
+    assert_no_emission(&primitive,
+                       (struct emission_options){ TRACE_SCALAR, 0, 65536,
+                                                  false, NULL },
+                       "65536 points");
+    assert_no_emission(&primitive,
+                       (struct emission_options){ TRACE_VECTOR, 0, 10, false,
+                                                  NULL },
+                       "a queue of 0 points");
+}
+
+/* ---- The table -------------------------------------------------------------- */
+
+static void check_alias(size_t count)
+{
+    enum { MOST = 50 };
+    double weights[MOST], share[MOST], found[MOST] = { 0 }, sum = 0;
+    size_t alias[MOST];
+
+    for (size_t i = 0; i < count; i++)
+        sum += weights[i] = between(0, 4) == 0 ? 0 : some(0, 1);
+    weights[between(0, count - 1)] += 1;
+    sum += 1;
+    assert_true(alias_build(weights, count, share, alias));
+    for (size_t i = 0; i < count; i++) {
+        assert_true(share[i] >= 0 && share[i] <= 1 && alias[i] < count);
+        found[i] += share[i];
+        found[alias[i]] += 1 - share[i];
+    }
+    for (size_t i = 0; i < count; i++)
+        assert_near(found[i] / (double)count, weights[i] / sum, 1e-13);
+}
+
+static void test_alias(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < 100 * tries; i++)
+        check_alias(between(1, 50));
+}
+
+/* ---- What a point costs ----------------------------------------------------- */
+
+static double clocks_a_point(const struct accounts *accounts,
+                             const char *region)
+{
+    c205_account account = region ? *accounts_find(accounts, region)
+                                  : accounts_together(accounts);
+    uint64_t waits = account.clocks[C205_TRANSLATION_MISS]
+                     + account.clocks[C205_PAGE_FAULT];
+
+    return (double)(accounts_clocks(&account) - waits) / EMISSION_MOST;
+}
+
+/* Of a run of the longest, without what pages cost. */
+static double print_clocks(const struct primitive *primitive,
+                           enum trace_mode mode, size_t queue,
+                           c205_model *model)
+{
+    struct emission_options options = { mode, queue, EMISSION_MOST, false,
+                                        model };
+    struct accounts accounts = { .model = model };
+    c205_error error = { "" };
+    struct emission *emission = emission_new(primitive, &options, &error);
+    double all;
+
+    assert_non_null(emission);
+    run(emission, &(struct emission_choice){ .seed = 1 }, emitted[0]);
+    assert_true(accounts_add(&accounts, emission_machine(emission)));
+    all = clocks_a_point(&accounts, NULL);
+    print_message("%-13s  %-6s  %5zu  %5.1f  %5.1f  %9.1f  %5.1f\n",
+                  primitive_kind_name(primitive->kind), trace_mode_name(mode),
+                  mode == TRACE_SCALAR ? 1 : queue,
+                  clocks_a_point(&accounts, "emit"),
+                  clocks_a_point(&accounts, "carry"),
+                  clocks_a_point(&accounts, "direction"), all);
+    accounts_free(&accounts);
+    emission_free(emission);
+    return all;
+}
+
+static void test_clocks(void **unused)
+{
+    static const enum primitive_kind kinds[] = {
+        PRIMITIVE_SPHERE, PRIMITIVE_CYLINDER, PRIMITIVE_BOX, PRIMITIVE_TORUS,
+        PRIMITIVE_STEINER_PATCH
+    };
+    c205_error error = { "" };
+    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+
+    (void)unused;
+    print_message("surface        form    queue   emit  carry  direction    "
+                  "all\n");
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        struct primitive primitive = draw_primitive(kinds[i]);
+
+        double scalar = print_clocks(&primitive, TRACE_SCALAR, 0, model);
+
+        assert_true(4 * print_clocks(&primitive, TRACE_VECTOR, 2000, model)
+                    < scalar);
+        print_clocks(&primitive, TRACE_VECTOR, EMISSION_MOST, model);
+    }
+    c205_model_free(model);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_alias),       cmocka_unit_test(test_accuracy),
+        cmocka_unit_test(test_surfaces),    cmocka_unit_test(test_areas),
+        cmocka_unit_test(test_exact_areas), cmocka_unit_test(test_torus_area),
+        cmocka_unit_test(test_cosine_law),  cmocka_unit_test(test_forms),
+        cmocka_unit_test(test_factors),     cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_options),     cmocka_unit_test(test_clocks),
+    };
+
+    if (argc > 1)
+        tries = (size_t)strtoul(argv[1], NULL, 10);
+    if (argc > 2)
+        state ^= strtoull(argv[2], NULL, 10) * UINT64_C(0x9E3779B97F4A7C15);
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
