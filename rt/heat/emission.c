@@ -42,15 +42,15 @@ static double determinant(const struct transform *map)
     return dot3(rows[0], product);
 }
 
-/* The rows of the transposed inverse. */
+/* The rows of the transposed inverse, turned round with the solid. */
 static void put_to_face(struct record *record,
-                        const struct transform *inverse)
+                        const struct transform *inverse, bool inverted)
 {
-    double words[9];
+    double words[9], side = inverted ? -1 : 1;
 
     for (size_t i = 0; i < 3; i++)
         for (size_t j = 0; j < 3; j++)
-            words[3 * i + j] = inverse->rows[j][i];
+            words[3 * i + j] = side * inverse->rows[j][i];
     record_numbers(record, "EMISSION_TO_FACE", words, 9);
 }
 
@@ -69,7 +69,7 @@ static void put_place(struct record *record,
                     primitive->line);
     record_numbers(record, "EMISSION_AREA", &area, 1);
     record_numbers(record, "EMISSION_TO_WORLD", map.rows[0], 12);
-    put_to_face(record, &inverse);
+    put_to_face(record, &inverse, primitive->inverted);
 }
 
 /* The columns of the table, one behind another: shares, aliases, words. */

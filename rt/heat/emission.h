@@ -34,8 +34,8 @@ struct emission_choice {
 struct emitted {
     c205_word spot[3];
     c205_word
-        face[3];      /* outward normal, of length one; of what has no outside
-                          either */
+        face[3]; /* outward normal, of length one: of a complement in a tree
+                          into it; of what has no outside either */
     c205_word weight; /* an area; the mean of all is that of the surface */
     c205_word ray[3]; /* of length one, by the cosine law about the normal */
 };

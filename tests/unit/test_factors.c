@@ -1,0 +1,252 @@
+/* test_factors.c - areas that are seen of solids, and shape factors between
+ * surfaces, by rays that the machine emits and follows: those of closed forms.
+ *
+ *     test_factors [SEED]
+ */
+#include "rt/heat/factors.h"
+
+#include "tests/unit/prior_model.h"
+#include "tests/unit/scene_reading.h"
+
+static uint64_t seed = 1;
+
+static const struct factors_options usual = { .mode = TRACE_VECTOR,
+                                              .queue = 2000,
+                                              .points = 1024,
+                                              .repeats = 16,
+                                              .lattice = true };
+
+static struct factors *begin(const struct scene *scene,
+                             struct factors_options options)
+{
+    c205_error error = { "" };
+    struct factors *factors;
+
+    options.seed = seed;
+    options.model = prior_model;
+    factors = factors_new(scene, &options, &error);
+    if (!factors)
+        fail_msg("%s", error.message);
+    return factors;
+}
+
+static struct factor_row find(const struct factors *factors, size_t primitive)
+{
+    c205_error error = { "" };
+    struct factor_row row;
+    uint64_t sum = 0;
+
+    if (!factors_find(factors, primitive, &row, &error))
+        fail_msg("%s", error.message);
+    for (size_t j = 0; j < row.receivers; j++)
+        sum += row.count[j];
+    assert_int_equal(sum, row.sent); /* closure */
+    return row;
+}
+
+/* Errors come of 16 repeats: 4.6 of them are as rare as 4 of a normal law's. */
+static void assert_estimate(const char *what, struct estimate found,
+                            double expected)
+{
+    if (!(fabs(found.value - expected)
+          <= 4.6 * found.error + 1e-9 * fabs(expected)))
+        fail_msg("%s: %g +- %g is not %g", what, found.value, found.error,
+                 expected);
+}
+
+/* ---- Areas ------------------------------------------------------------------ */
+
+/* Of massprops.csv. */
+static const struct {
+    const char *solid;
+    double area;
+} solids[] = {
+    { "difference { box { <-1,-.5,-.25>, <1,.5,.25> }"
+      " cylinder { <.4,0,-1>, <.4,0,1>, .3 } }",
+      7.37699111843078 },
+    { "intersection { cylinder { -2*x, 2*x, 1 } cylinder { -2*y, 2*y, 1 }"
+      " cylinder { -2*z, 2*z, 1 } }",
+      14.0588745030457 },
+    { "merge { sphere { -.5*x, 1 } sphere { .5*x, 1 } }", 18.8495559215388 },
+    { "difference { sphere { 0, 1 } cylinder { -2*y, 2*y, .6 } }",
+      16.0849543863797 },
+    { "difference { box { -.5, .5 } box { <-1,-1/6,-1/6>, <1,1/6,1/6> }"
+      " box { <-1/6,-1,-1/6>, <1/6,1,1/6> }"
+      " box { <-1/6,-1/6,-1>, <1/6,1/6,1> } }",
+      8 },
+    { "torus { 1, .25 rotate 30*x }", 9.86960440108936 },
+};
+
+static void check_area(const char *solid, double expected)
+{
+    struct scene *scene = read_scene(solid);
+    struct factors *factors = begin(scene, usual);
+    struct estimate sum = { 0, 0 };
+
+    for (size_t i = 0; i < scene->primitive_count; i++) {
+        struct factor_row row = find(factors, i);
+
+        assert_true(row.sent <= row.tried);
+        sum.value += row.area.value;
+        sum.error = hypot(sum.error, row.area.error);
+        factor_row_free(&row);
+    }
+    assert_estimate(solid, sum, expected);
+    factors_free(factors);
+    scene_free(scene);
+}
+
+static void test_areas(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < COUNT(solids); i++)
+        check_area(solids[i].solid, solids[i].area);
+}
+
+/* ---- Factors ------------------------------------------------------------------ */
+
+/* Of viewfactors.csv, by the places of emitter and receiver in the scene; behind
+ * the last primitive is the environment. */
+struct known_factor {
+    size_t from, to;
+    double factor;
+};
+
+static void check_factors(const char *text, const struct known_factor *known,
+                          size_t count)
+{
+    struct scene *scene = read_scene(text);
+    struct factors *factors = begin(scene, usual);
+
+    for (size_t k = 0; k < count; k++) {
+        struct factor_row row = find(factors, known[k].from);
+
+        assert_estimate(text, row.factor[known[k].to], known[k].factor);
+        factor_row_free(&row);
+    }
+    factors_free(factors);
+    scene_free(scene);
+}
+
+/* Squares and discs that see each other; a bay of a finned tube; the inside of a
+ * shell around a ball. */
+static void test_known_factors(void **state)
+{
+    static const struct known_factor parallel[] = {
+        { 0, 1, 0.1998248956984 }, { 1, 0, 0.1998248956984 }
+    };
+    static const struct known_factor across[] = { { 0, 1, 0.2000437760754 } };
+    static const struct known_factor disks[] = { { 0, 1, 0.1809950221376 } };
+    static const struct known_factor bay[] = {
+        { 0, 3, 0.4188671252009 }, { 0, 1, 0.2905664373995 },
+        { 1, 3, 0.3732069283742 }, { 1, 0, 0.1816040233747 },
+        { 1, 2, 0.4451890482511 }, { 1, 1, 0 }
+    };
+    static const struct known_factor shell[] = {
+        { 2, 1, 1 }, { 1, 2, .25 }, { 1, 1, .75 }, { 0, 3, 1 }
+    };
+
+    (void)state;
+    check_factors("mesh { triangle { 0, z, x + z } triangle { 0, x + z, x } }"
+                  "mesh { triangle { y, x + y + z, y + z }"
+                  " triangle { y, x + y, x + y + z } }",
+                  parallel, COUNT(parallel));
+    check_factors(
+        "mesh { triangle { 0, z, x + z } triangle { 0, x + z, x } }"
+        "mesh { triangle { 0, x, x + y } triangle { 0, x + y, y } }",
+        across, COUNT(across));
+    check_factors("disc { 0, y, 1 } disc { .9*y, -y, .6 }", disks,
+                  COUNT(disks));
+    check_factors("cylinder { 0, .7*y, 1 open } disc { 0, y, 1.8, 1 }"
+                  "disc { .7*y, -y, 1.8, 1 }",
+                  bay, COUNT(bay));
+    check_factors("difference { sphere { 0, 3 } sphere { 0, 2 } }"
+                  "sphere { 0, 1 }",
+                  shell, COUNT(shell));
+}
+
+/* ---- Both forms ---------------------------------------------------------------- */
+
+static void compare_rows(const struct scene *scene,
+                         struct factors_options options,
+                         const struct factor_row *expected)
+{
+    struct factors *factors = begin(scene, options);
+    struct factor_row row = find(factors, 1);
+
+    assert_int_equal(row.sent, expected->sent);
+    assert_memory_equal(row.count, expected->count,
+                        row.receivers * sizeof *row.count);
+    assert_memory_equal(row.factor, expected->factor,
+                        row.receivers * sizeof *row.factor);
+    assert_memory_equal(&row.area, &expected->area, sizeof row.area);
+    factor_row_free(&row);
+    factors_free(factors);
+}
+
+static void test_forms(void **state)
+{
+    static const size_t queues[] = { 1, 77, 300, 65535 };
+    struct factors_options options = usual;
+    struct scene *scene = read_scene(
+        "difference { box { -1, 1 } cylinder { -2*y, 2*y, .6 } torus { 1, .3 } }"
+        "sphere { 0, .4 scale <1, 2, 1> }");
+
+    (void)state;
+    options.points = 300;
+    options.repeats = 2;
+    options.mode = TRACE_SCALAR;
+    for (int lattice = 0; lattice < 2; lattice++) {
+        struct factors *factors;
+        struct factor_row scalar;
+
+        options.lattice = lattice;
+        factors = begin(scene, options);
+        scalar = find(factors, 1);
+        factors_free(factors);
+        for (size_t i = 0; i < COUNT(queues); i++) {
+            struct factors_options vector = options;
+
+            vector.mode = TRACE_VECTOR;
+            vector.queue = queues[i];
+            compare_rows(scene, vector, &scalar);
+        }
+        factor_row_free(&scalar);
+    }
+    scene_free(scene);
+}
+
+/* ---- What is refused ------------------------------------------------------------- */
+
+static void test_refused(void **state)
+{
+    struct factors_options options = usual;
+    struct scene *scene = read_scene("plane { y, 0 } sphere { 0, 1 }");
+    struct factors *factors = begin(scene, usual);
+    struct factor_row row;
+    c205_error error = { "" };
+
+    (void)state;
+    assert_false(factors_find(factors, 0, &row, &error));
+    assert_non_null(strstr(error.message, "a plane has no end"));
+    factors_free(factors);
+    options.repeats = 1;
+    options.model = prior_model;
+    assert_null(factors_new(scene, &options, &error));
+    assert_non_null(strstr(error.message, "two repeats"));
+    scene_free(scene);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_areas),
+        cmocka_unit_test(test_known_factors),
+        cmocka_unit_test(test_forms),
+        cmocka_unit_test(test_refused),
+    };
+
+    if (argc > 1)
+        seed = strtoull(argv[1], NULL, 10);
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
