@@ -553,6 +553,33 @@ ends 2 "$build/rt205" quartic good.csv --queue 0
 ends 2 "$build/rt205" quartic good.csv -W 3
 tells err "no such option: -W"
 
+# heat
+cat >bay.pov <<"END"
+camera { location -5*z look_at 0 }
+cylinder { 0, .7*y, 1 open }
+disc { 0, y, 1.8, 1 }
+disc { .7*y, -y, 1.8, 1 }
+END
+for mode in scalar vector; do
+    ends 0 "$build/rt205" heat bay.pov --rays 200 --repeats 3 --mode $mode
+    sed "/^Where/,\$d" out >$mode.factors
+done
+cmp -s scalar.factors vector.factors
+verdict $? "scalar and vector form find other factors"
+tells out "^    *1  environment  0\.[34]"
+ends 0 "$build/rt205" heat bay.pov --rays 64 --points random --seed 7 --json heat.json
+tells heat.json "\"factors\""
+echo "plane { y, -1 } sphere { 0, 1 }" >floor.pov
+ends 0 "$build/rt205" heat floor.pov --rays 64
+tells err "^floor.pov:1: warning: the plane receives alone: a plane has no end"
+ends 2 "$build/rt205" heat bay.pov --rays 0
+ends 2 "$build/rt205" heat bay.pov --rays 65536
+ends 2 "$build/rt205" heat bay.pov --repeats 1
+ends 2 "$build/rt205" heat bay.pov --points square
+ends 2 "$build/rt205" heat bay.pov --mode kernels
+ends 2 "$build/rt205" heat
+ends 1 "$build/rt205" heat missing.pov
+
 # pictures
 ends 2 "$build/rt205" render "$scene" -o a.png -W 40 -H 30 --json ./a.png
 ends 2 "$build/rt205" render "$scene" -o a.png \
@@ -879,6 +906,7 @@ formats "$build/rt205" speedup -W 16 -H 10
 formats "$build/rt205" speedup -W 16 -H 10 --details --passes
 formats "$build/rt205" sweep pipes sphere -W 16 -H 16
 formats "$build/rt205" quartic four.csv
+formats "$build/rt205" heat bay.pov --rays 64
 formats "$build/rt205" quartic four.csv --falsi all
 ends 0 "$build/c205" run good.s --format csv
 tells err '^1.5$'

@@ -15,7 +15,7 @@
 #include "rt/study/sweep/kinds.h"
 
 extern const struct command render_command, profile_command, speedup_command,
-    sweep_command, quartic_command;
+    sweep_command, quartic_command, heat_command;
 
 /* Lengths of the queue, rising. */
 struct cmd_points {
@@ -41,7 +41,11 @@ struct rt205_arguments {
     bool details, passes; /* of the speedup table; the passes are the root
                              solver's, one by one */
     bool formulations;    /* of the cylinder, in place of that table */
-    int falsi;            /* the rule; FALSI_RULES: all of them, compared */
+    struct {
+        size_t rays, repeats, seed;
+        int points; /* 0: of the lattice, 1: random */
+    } heat;
+    int falsi; /* the rule; FALSI_RULES: all of them, compared */
     struct progress progress;
     struct command_texts search; /* folders for includes */
 };

@@ -191,6 +191,15 @@ static const char *find_emitter(const struct primitive *primitive,
                        : "its surface is found by lines alone";
 }
 
+const char *emission_refusal(const struct primitive *primitive)
+{
+    struct emitter emitter;
+    const char *fault = find_emitter(primitive, &emitter);
+
+    emitter_free(&emitter);
+    return fault;
+}
+
 static bool prepare(struct emission *emission,
                     const struct primitive *primitive, c205_error *error)
 {

@@ -32,15 +32,17 @@ struct emission_choice {
 
 /* In the machine's own numbers, in the world. */
 struct emitted {
-    c205_word spot[3];
-    c205_word
-        face[3]; /* outward normal, of length one: of a complement in a tree
-                          into it; of what has no outside either */
+    /* The point, and its outward normal of length one: of a complement in a tree it
+     * points into it; of what has no outside, to either side. */
+    c205_word spot[3], face[3];
     c205_word weight; /* an area; the mean of all is that of the surface */
     c205_word ray[3]; /* of length one, by the cosine law about the normal */
 };
 
 struct emission;
+
+/* Why a primitive has no emission, a sentence; NULL: it has one. */
+const char *emission_refusal(const struct primitive *primitive);
 
 /* NULL: the primitive has no emission, or options that cannot be; the error says
  * why.  Of the primitive nothing is kept. */

@@ -173,21 +173,22 @@ static bool receive(const struct factors *factors, struct packet *packet,
     return true;
 }
 
+/* Each primitive has shifts, or rays, of its own. */
 static bool run_repeat(const struct factors *factors,
                        struct emission *emission, size_t primitive,
                        size_t repeat, struct packet *packet,
                        struct factor_row *row, c205_error *error)
 {
     const struct factors_options *options = &factors->options;
+    size_t place = primitive * options->repeats + repeat;
     unsigned m = 0;
-    struct emission_choice choice = { .seed = options->seed,
-                                      .shift = repeat };
+    struct emission_choice choice = { .seed = options->seed, .shift = place };
 
     while (m < 20 && (UINT64_C(1) << m) < options->points)
         m++;
     choice.m = m;
     if (!options->lattice)
-        choice.first = repeat * options->points;
+        choice.first = place * options->points;
     packet->area = 0;
     memset(packet->share, 0, row->receivers * sizeof *packet->share);
     return emission_run(emission, &choice, packet->points, error)
