@@ -510,7 +510,7 @@ clean:
 	check-lines check-scenes check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-commands check-install \
-	check-hosts check-poison check-points check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \
+	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

@@ -2,8 +2,8 @@
  * memory.
  *
  * Most instructions are simple: of words, without offsets and signs, begun
- * and ended in one turn, each operand within a page, and no result upon what
- * is read after it is stored.  direct_NAME below say whether an operand is,
+ * and ended in one turn, each operand within a page, but for the
+ * table of a gather, and no result upon what is read after it is stored.  direct_NAME below say whether an operand is,
  * and then it has been checked; where one is not, nothing has happened yet,
  * and the instruction goes the way of operand.h, which knows all cases and
  * all traps.  Both do the same, and tell the clock the same.

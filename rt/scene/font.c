@@ -21,7 +21,7 @@
 #include FT_OUTLINE_H
 
 #define FLATNESS 1e-5 /* em */
-enum { PARTS_MOST = 16 /* of one curve */, TURNS_MOST = 100 };
+enum { PARTS_MOST = 64 /* of one curve */, TURNS_MOST = 100 };
 
 /* ---- The library --------------------------------------------------------- */
 
@@ -187,7 +187,7 @@ static bool add_line(struct drawing *drawing, const double to[2])
 }
 
 /* Back to its first point, which stands at the end only when it has its place at the
- * beginning. */
+ * beginning.  A loop of one point, by which fonts mark a place, goes. */
 static bool close_loop(struct drawing *drawing)
 {
     struct glyph *glyph = drawing->glyph;
@@ -198,8 +198,9 @@ static bool close_loop(struct drawing *drawing)
     memcpy(first, glyph->points[drawing->first], sizeof first);
     if (!add_line(drawing, first))
         return false;
-    if (glyph->count > drawing->first + 1)
-        glyph->count--;
+    glyph->count--;
+    if (glyph->count == drawing->first)
+        return true;
     loop = glyph->points + drawing->first;
     font_turn_loop(loop, glyph->count - drawing->first, glyph->apart);
     return add_point(drawing, loop[0][0], loop[0][1]);
@@ -264,6 +265,16 @@ static double cubic_slope(const double p[4], double t)
               + t * t * (p[3] - p[2]));
 }
 
+/* Are all of them one point? */
+static bool is_point(const double points[2][4])
+{
+    for (int k = 0; k < 2; k++)
+        for (int i = 1; i < 4; i++)
+            if (points[k][i] != points[k][0])
+                return false;
+    return true;
+}
+
 static int cubic_parts(const double points[2][4])
 {
     double third[2], parts;
@@ -291,6 +302,8 @@ static int cubic_to(const FT_Vector *by, const FT_Vector *and_by,
         points[0][i + 1] = point[0];
         points[1][i + 1] = point[1];
     }
+    if (is_point((const double(*)[4])points))
+        return 0;
     parts = cubic_parts((const double(*)[4])points);
     for (int i = 0; i < parts; i++) {
         double t = (double)i / parts, next = (double)(i + 1) / parts;
