@@ -223,6 +223,22 @@ struct tree_node {
     size_t primitive; /* of a leaf: which of the scene's */
 };
 
+/* What a statement of the file put into the world. */
+struct world_object {
+    const char *name; /* of the #declare that it comes from, or NULL */
+    const char
+        *material; /* .. that its texture comes from, or NULL; of several
+                             textures the first one's */
+    bool mixed;    /* .. there are several materials */
+    size_t line;   /* where it is written, in the main file */
+};
+
+/* A float that #declare gave a name. */
+struct declared_float {
+    const char *name;
+    double value;
+};
+
 /* What is traced as one thing: a primitive, or a Boolean tree of them.  A
  * union that is not part of another solid is several regions. */
 struct region {
@@ -254,6 +270,9 @@ struct scene {
     size_t region_count;
     struct region *regions; /* in file order */
     size_t object_count; /* that statements of the file put into the world */
+    struct world_object *objects;  /* the scene keeps them */
+    size_t float_count;            /* as they are when the file ends */
+    struct declared_float *floats; /* the scene keeps them */
     bool every_crossing; /* all crossings of its rays are asked, not what
                                they meet first alone: no region is simple */
     struct arena kept;   /* what primitives point to */

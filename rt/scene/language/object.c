@@ -103,6 +103,7 @@ static void inherit(struct scene_part *part,
         part->primitive.pigment = object->texture.pigment;
         part->primitive.bumps = object->texture.bumps;
         part->primitive.finish = object->texture.finish;
+        part->material = object->texture.name;
         part->textured = true;
     }
     if (!part->filled && object->filled) {

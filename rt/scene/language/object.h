@@ -14,6 +14,7 @@
 #include "rt/shapes/primitive.h"
 
 struct texture {
+    const char *name; /* of the #declare that it comes from, or NULL */
     struct pigment pigment;
     struct bumps bumps;
     struct finish finish;
@@ -23,6 +24,7 @@ struct scene_part {
     struct primitive primitive; /* pigment, bumps and finish once textured,
                                    ior and interior once filled */
     bool textured, filled;
+    const char *material; /* the texture's name, once textured */
     const struct bicubic_patch
         *patch;        /* a mesh is made of it, in the world */
     bool smooth_field; /* a mesh whose normals are settled there */
@@ -49,6 +51,7 @@ struct scene_object {
     enum joining joining;
     size_t child_count; /* lights counted */
     bool textured;
+    const char *name; /* of the #declare that it comes from, or NULL */
     struct texture texture;
     bool filled;
     double ior;

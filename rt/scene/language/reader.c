@@ -209,6 +209,12 @@ const struct scene_value *reader_value(const struct reader *reader)
     return reader->token.value;
 }
 
+const char *reader_keep_name(struct reader *reader)
+{
+    return arena_text(&reader->scene->kept, reader->token.text,
+                      reader->token.length);
+}
+
 const struct scene_value *reader_value_of(const struct reader *reader,
                                           enum scene_value_kind kind)
 {

@@ -74,6 +74,7 @@ struct reader {
     struct declared_names symbols;
     struct texture default_texture;
     struct scene_object world;
+    size_t objects_room; /* for what is told of those in it */
     size_t primitives_made, triangles;
     size_t interiors;                /* the greatest number of one */
     const struct kept_image *images; /* the last one (image_map.c) */
@@ -157,6 +158,8 @@ void reader_comma(struct reader *reader);
 bool reader_look_up(struct reader *reader, struct scene_token *token);
 /* The value that the next token names, or NULL. */
 const struct scene_value *reader_value(const struct reader *reader);
+/* The word of the next token, as long as the scene lives; NULL: no memory. */
+const char *reader_keep_name(struct reader *reader);
 /* The same if it is of the kind. */
 const struct scene_value *reader_value_of(const struct reader *reader,
                                           enum scene_value_kind kind);

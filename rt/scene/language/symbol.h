@@ -45,6 +45,11 @@ const char *symbols_refer(struct declared_names *symbols, size_t level,
 void symbol_hold(struct declared_name *symbol);
 /* False: nobody held it any more. */
 bool symbol_release(struct declared_name *symbol);
+/* Each of level 0, in no order. */
+void symbols_walk(const struct declared_names *symbols,
+                  void (*tell)(void *context, const char *name, size_t length,
+                               const struct scene_value *value),
+                  void *context);
 /* Forget the innermost symbol of a name; false: there is none. */
 bool symbols_remove(struct declared_names *symbols, const char *name,
                     size_t length);

@@ -321,7 +321,10 @@ bool texture_body(struct reader *reader, const struct block *block,
     const struct scene_value *value = reader_use(reader, VALUE_TEXTURE);
 
     if (value) {
-        memcpy(subject, &value->is.texture, sizeof value->is.texture);
+        struct texture *texture = subject;
+
+        *texture = value->is.texture;
+        texture->name = reader_keep_name(reader);
         reader_next(reader);
     }
     return block_items(reader, block, &texture_grammar, subject, true);

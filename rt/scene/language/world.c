@@ -43,6 +43,11 @@ static bool has_space(const struct bumps *bumps)
                && placement_is_finite(&placement));
 }
 
+static bool same_name(const char *one, const char *other)
+{
+    return one && other ? strcmp(one, other) == 0 : one == other;
+}
+
 static bool check_part(struct reader *reader, struct scene_part *part,
                        const struct scene_token *at)
 {
@@ -60,6 +65,31 @@ static bool check_part(struct reader *reader, struct scene_part *part,
                            "the %s is too large or too small to be "
                            "traced",
                            primitive_kind_name(primitive->kind));
+}
+
+/* What it is called, and what it is made of. */
+static bool note_object(struct reader *reader, size_t first,
+                        const struct scene_object *object,
+                        const struct scene_token *at)
+{
+    struct scene *scene = reader->scene;
+    const struct scene_part *parts = reader->world.parts;
+    struct world_object *list = arena_grow(&scene->kept, scene->objects,
+                                           scene->object_count,
+                                           &reader->objects_room,
+                                           sizeof *list);
+
+    if (!list)
+        return reader_no_memory(reader);
+    scene->objects = list;
+    list += scene->object_count++;
+    *list = (struct world_object){ .name = object->name,
+                                   .material = parts[first].material,
+                                   .line = at->main_line };
+    for (size_t i = first; i < reader->world.part_count; i++)
+        list->mixed = list->mixed
+                      || !same_name(list->material, parts[i].material);
+    return true;
 }
 
 static bool add_to_world(struct reader *reader, struct scene_object *object,
@@ -85,8 +115,8 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
         if (!check_part(reader, part, at))
             return false;
     }
-    reader->scene->object_count += reader->world.part_count > first;
-    return true;
+    return reader->world.part_count == first
+           || note_object(reader, first, object, at);
 }
 
 static bool read_object(struct reader *reader, void *subject,
@@ -256,6 +286,44 @@ static bool take_regions(struct reader *reader)
     return true;
 }
 
+/* ---- Floats that have names ---------------------------------------------- */
+
+struct floats {
+    struct scene *scene;
+    size_t room;
+    bool failed;
+};
+
+static void keep_float(void *context, const char *name, size_t length,
+                       const struct scene_value *value)
+{
+    struct floats *floats = context;
+    struct scene *scene = floats->scene;
+    struct declared_float *list;
+
+    if (floats->failed || value->kind != VALUE_NUMBERS
+        || value->is.numbers.count != 1)
+        return;
+    list = arena_grow(&scene->kept, scene->floats, scene->float_count,
+                      &floats->room, sizeof *list);
+    floats->failed = !list;
+    if (!list)
+        return;
+    scene->floats = list;
+    list += scene->float_count++;
+    list->name = arena_text(&scene->kept, name, length);
+    list->value = value->is.numbers.n[0];
+    floats->failed = !list->name;
+}
+
+static bool take_floats(struct reader *reader)
+{
+    struct floats floats = { .scene = reader->scene };
+
+    symbols_walk(&reader->symbols, keep_float, &floats);
+    return !floats.failed || reader_no_memory(reader);
+}
+
 /* Which rays are within a body is not known here. */
 static void report_fogged_bodies(struct reader *reader)
 {
@@ -307,7 +375,7 @@ static bool read_all(struct reader *reader, const struct scene_source *source)
     file = block_file(reader);
     block_items(reader, &file, &file_grammar, NULL, true);
     conditions_close(reader);
-    return take_world(reader);
+    return take_world(reader) && take_floats(reader);
 }
 
 static bool report_notes(struct reader *reader)
